@@ -1,0 +1,15 @@
+/* Reaches every type of the contract, so that one library describes all of it to abidw. */
+#include "isogloss.h"
+
+typedef struct ig_contract {
+  const ig_plugin* plugin;
+  const ig_host* host;
+  const ig_link_api* link_api;
+  const ig_work_offset_1* work_offset;
+  const ig_tool_offset_1* tool_offset;
+  const ig_machine_axis_1* machine_axis;
+  const ig_config_1* config;
+} ig_contract;
+
+IG_EXPORT void ig_probe(const ig_contract* contract);
+void ig_probe(const ig_contract* contract) { (void)contract; }

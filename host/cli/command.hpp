@@ -1,0 +1,50 @@
+/// The subcommands: one file each, found by name; nothing of the others is set up when one runs.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isogloss::cli {
+
+/// Exit statuses; the highest of several counts.
+enum Exit : int { success = 0, input_errors = 1, cannot_start = 2, internal_fault = 3 };
+
+/// What follows the subcommand's name.
+using Arguments = std::vector<std::string>;
+
+int apply_command(const Arguments& arguments);
+int case_command(const Arguments& arguments);
+int dialect_command(const Arguments& arguments);
+int doctor_command(const Arguments& arguments);
+int explain_command(const Arguments& arguments);
+int inspect_command(const Arguments& arguments);
+int lint_command(const Arguments& arguments);
+int list_command(const Arguments& arguments);
+int run_command(const Arguments& arguments);
+int schema_command(const Arguments& arguments);
+int version_command(const Arguments& arguments);
+
+struct Command {
+  std::string_view name;
+  std::string_view summary;
+  int (*run)(const Arguments&);
+};
+
+inline constexpr Command commands[] = {
+    {"run", "run programs through a dialect: motions, blocks, a summary", run_command},
+    {"explain", "why a block came out as it did; what a diagnostic means", explain_command},
+    {"lint", "check dialect files", lint_command},
+    {"dialect", "write a dialect with all that it extends as one file", dialect_command},
+    {"schema", "print the schema of dialect files or of the block document", schema_command},
+    {"list", "list plugins, syntaxes, dialects, dependencies, fields, diagnostics", list_command},
+    {"inspect", "show the page and declaration of one of them", inspect_command},
+    {"doctor", "say what was found where, and what was not loaded and why", doctor_command},
+    {"apply", "run one syntax on one block", apply_command},
+    {"case", "run the cases of documentation pages", case_command},
+};
+
+/// Everything after the program's name. Exceptions are internal faults.
+int run_main(Arguments arguments);
+
+}  // namespace isogloss::cli

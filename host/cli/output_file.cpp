@@ -1,0 +1,139 @@
+#include "output_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "command.hpp"
+#include "crash_guard.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+constexpr std::size_t buffer_size = std::size_t{256} << 10;
+
+mode_t current_umask() {
+  const mode_t mask = umask(0);
+  umask(mask);
+  return mask;
+}
+
+}  // namespace
+
+OutputFile::OutputFile(int descriptor, std::string target, std::string temporary)
+    : descriptor_(descriptor),
+      target_(std::move(target)),
+      temporary_(std::move(temporary)),
+      buffer_(std::make_unique_for_overwrite<char[]>(buffer_size)) {
+  if (!temporary_.empty()) remove_when_killed(temporary_.c_str());
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ > STDERR_FILENO) close(descriptor_);
+  if (temporary_.empty()) return;
+  remove_when_killed(nullptr);
+  unlink(temporary_.c_str());
+}
+
+std::unique_ptr<OutputFile> OutputFile::standard_output() {
+  return std::unique_ptr<OutputFile>(new OutputFile(STDOUT_FILENO, {}, {}));
+}
+
+std::unique_ptr<OutputFile> OutputFile::open(const std::string& path, std::string& error) {
+  if (path == "-") return standard_output();
+  std::error_code ignored;
+  // A link stays a link: what it points at is replaced.
+  const std::filesystem::path real = std::filesystem::weakly_canonical(path, ignored);
+  const std::string target = real.empty() ? path : real.string();
+  struct stat info {};
+  const bool exists = stat(target.c_str(), &info) == 0;
+  if (exists && (S_ISCHR(info.st_mode) || S_ISFIFO(info.st_mode))) {
+    const int descriptor = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor >= 0) return std::unique_ptr<OutputFile>(new OutputFile(descriptor, {}, {}));
+    error = std::strerror(errno);
+    return nullptr;
+  }
+  if (exists && !S_ISREG(info.st_mode)) {
+    error = S_ISDIR(info.st_mode) ? "it is a folder" : "it is no regular file";
+    return nullptr;
+  }
+  if (exists && access(target.c_str(), W_OK) != 0) {
+    error = std::strerror(errno);
+    return nullptr;
+  }
+  std::string temporary = target + ".XXXXXX";
+  const int descriptor = mkostemp(temporary.data(), O_CLOEXEC);
+  if (descriptor < 0) {
+    error = std::strerror(errno);
+    return nullptr;
+  }
+  const mode_t mode = exists ? info.st_mode & 07777u : 0666u & ~current_umask();
+  if (fchmod(descriptor, mode) != 0) error.clear();  // a file system without modes is no reason to stop
+  return std::unique_ptr<OutputFile>(new OutputFile(descriptor, target, std::move(temporary)));
+}
+
+void OutputFile::fail(int number) {
+  if (number == EPIPE)
+    reader_is_gone_ = true;
+  else
+    error_ = std::strerror(number);
+}
+
+bool OutputFile::write_through(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(descriptor_, bytes.data(), bytes.size());
+    if (n >= 0) {
+      bytes.remove_prefix(static_cast<std::size_t>(n));
+    } else if (errno != EINTR) {
+      fail(errno);
+      return false;
+    }
+  }
+  return true;
+}
+
+bool OutputFile::flush() {
+  const std::string_view waiting(buffer_.get(), used_);
+  used_ = 0;
+  return write_through(waiting);
+}
+
+bool OutputFile::write(std::string_view bytes) {
+  if (reader_is_gone_ || !error_.empty()) return false;
+  if (bytes.size() > buffer_size - used_ && !flush()) return false;
+  if (bytes.size() > buffer_size) return write_through(bytes);
+  if (!bytes.empty()) std::memcpy(buffer_.get() + used_, bytes.data(), bytes.size());
+  used_ += bytes.size();
+  return true;
+}
+
+bool OutputFile::commit() {
+  if (reader_is_gone_ || !error_.empty() || !flush()) return false;
+  if (descriptor_ > STDERR_FILENO) {
+    const int closed = close(descriptor_);
+    descriptor_ = -1;
+    if (closed != 0) return fail(errno), false;
+  }
+  if (temporary_.empty()) return true;
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) return fail(errno), false;
+  remove_when_killed(nullptr);
+  temporary_.clear();
+  return true;
+}
+
+int print(std::string_view text, int status) {
+  const std::unique_ptr<OutputFile> out = OutputFile::standard_output();
+  out->write(text);
+  if (out->commit() || out->reader_is_gone()) return status;
+  std::fprintf(stderr, "isogloss: standard output cannot be written: %s\n", out->error().c_str());
+  return cannot_start;
+}
+
+}  // namespace isogloss::cli

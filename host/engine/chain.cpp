@@ -1,0 +1,366 @@
+#include "isogloss/engine/chain.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "host_table.hpp"
+#include "options.hpp"
+
+namespace isogloss {
+
+namespace {
+
+thread_local const Document* running = nullptr;
+
+bool is_blank(unsigned char c) { return c == ' ' || c == '\t'; }
+
+}  // namespace
+
+Chain::Chain(const LinkedDialect& linked, ChainSettings settings, DiagnosticSink& sink)
+    : linked_(linked),
+      settings_(std::move(settings)),
+      sink_(sink),
+      symbols_(linked.symbols),
+      document_(linked.layout, linked.wake, linked.wake_words),
+      host_(&host_table(settings_.mode)) {
+  document_.chain = this;
+  if (settings_.mode == Mode::traced) document_.set_line.resize(document_.size());
+  try {
+    create_dependencies();
+    create_syntaxes();
+  } catch (...) {
+    destroy();
+    throw;
+  }
+}
+
+Chain::~Chain() {
+  if (running == &document_) running = nullptr;
+  destroy();
+}
+
+void Chain::destroy() {
+  for (std::size_t i = 0; i < steps_.size(); ++i)
+    if (steps_[i].self != nullptr) linked_.chain[i].syntax->destroy(steps_[i].self);
+  for (std::size_t i = 0; i < dependencies_.size(); ++i)
+    if (dependencies_[i] != nullptr) linked_.dependencies[i].dependency->destroy(dependencies_[i]);
+  steps_.clear();
+  dependencies_.clear();
+}
+
+void Chain::create_dependencies() {
+  const auto create_row = [](DependencyTable& table, std::string_view shipped) {
+    const std::size_t bar = shipped.find('|');
+    const std::string_view key = shipped.substr(0, bar);
+    while (shipped.find('|') != std::string_view::npos) {
+      shipped.remove_prefix(shipped.find('|') + 1);
+      const std::string_view cell = shipped.substr(0, shipped.find('|'));
+      const std::size_t equals = cell.find('=');
+      const std::optional<std::size_t> column = table.column(cell.substr(0, equals));
+      if (column && equals != std::string_view::npos)
+        table.set(key, static_cast<std::uint32_t>(*column), cell.substr(equals + 1));
+    }
+  };
+  const auto file_row = [](DependencyTable& table, const TableRow& row) {
+    const ig_dependency& d = table.dependency();
+    std::string_view key;
+    for (const Attribute& a : row.attributes)
+      if (d.row_key != nullptr && a.name == d.row_key) key = a.value;
+    for (const Attribute& a : row.attributes)
+      if (const auto column = table.column(a.name)) table.set(key, static_cast<std::uint32_t>(*column), a.value);
+  };
+  for (const LinkedDependency& d : linked_.dependencies) {
+    auto table = std::make_unique<DependencyTable>(*d.dependency);
+    for (std::uint32_t i = 0; i < d.dependency->default_row_count; ++i)
+      create_row(*table, d.dependency->default_rows[i]);
+    for (const TableRow& row : d.element.rows) file_row(*table, row);
+    tables_.push_back(std::move(table));
+    dependency_options_.push_back(d.options);
+  }
+  for (const DependencyElement& element : settings_.dependencies) overlay(element);
+  for (const auto& [path, value] : settings_.assignments) assign(path, value);
+  dependencies_.resize(linked_.dependencies.size());
+  for (std::size_t i = 0; i < dependencies_.size(); ++i) {
+    const LinkedDependency& d = linked_.dependencies[i];
+    ig_link link{this, &dependency_options_[i], nullptr, tables_[i].get(), {}};
+    if (d.dependency->create(&link_api(), &link, nullptr, &dependencies_[i]) == IG_FAILED) {
+      dependencies_[i] = nullptr;
+      sink_.add(host_diagnostic("IG-0308", d.element.where, {d.element.alias, link.failure}));
+      throw std::runtime_error(d.element.alias + " could not be created");
+    }
+  }
+}
+
+void Chain::overlay(const DependencyElement& element) {
+  for (std::size_t i = 0; i < tables_.size(); ++i) {
+    const LinkedDependency& d = linked_.dependencies[i];
+    if (d.element.alias != element.alias && d.element.id != element.id) continue;
+    for (const Attribute& option : element.options) assign(d.element.alias + "." + option.name, option.value);
+    for (const TableRow& row : element.rows) {
+      std::string key;
+      for (const Attribute& a : row.attributes)
+        if (d.dependency->row_key != nullptr && a.name == d.dependency->row_key) key = a.value;
+      for (const Attribute& a : row.attributes) {
+        if (d.dependency->row_key != nullptr && a.name == d.dependency->row_key) continue;
+        const auto column = tables_[i]->column(a.name);
+        const std::string path = d.element.alias + "." + key + "." + a.name;
+        if (!column) {
+          sink_.add(host_diagnostic("IG-0410", a.where, {path}));
+          throw std::runtime_error("no column " + path);
+        }
+        if (!tables_[i]->set(key, static_cast<std::uint32_t>(*column), std::string_view(a.value))) {
+          sink_.add(host_diagnostic("IG-0411", a.where, {path, a.value}));
+          throw std::runtime_error("no value for " + path);
+        }
+      }
+    }
+    return;
+  }
+  std::vector<std::string> names;
+  for (const LinkedDependency& d : linked_.dependencies) names.push_back(d.element.alias);
+  const std::string near = nearest_name(element.id, names);
+  sink_.add(host_diagnostic("IG-0410", element.where, {element.id}, near.empty() ? "" : "did you mean " + near + "?"));
+  throw std::runtime_error("no dependency " + element.id);
+}
+
+void Chain::assign(const std::string& path, const std::string& value) {
+  const std::size_t dot = path.find('.');
+  const std::string name = path.substr(0, dot);
+  const std::string rest = dot == std::string::npos ? std::string() : path.substr(dot + 1);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < tables_.size(); ++i) {
+    const LinkedDependency& d = linked_.dependencies[i];
+    names.push_back(d.element.alias);
+    if (d.element.alias != name) continue;
+    for (std::uint32_t o = 0; o < d.dependency->option_count; ++o) {
+      if (rest != d.dependency->options[o].name) continue;
+      const std::optional<OptionValue> parsed = parse_option(d.dependency->options[o], value);
+      if (!parsed) {
+        sink_.add(host_diagnostic("IG-0411", {"--set"}, {path, value},
+                                  "it wants " + describe_option(d.dependency->options[o])));
+        throw std::runtime_error("no value for " + path);
+      }
+      dependency_options_[i][o] = *parsed;
+      return;
+    }
+    if (rest.empty() || d.dependency->column_count == 0) break;
+    // "ROW.COLUMN", or "ROW" alone for the first column; rows may hold points.
+    const std::size_t last = rest.rfind('.');
+    std::optional<std::size_t> column;
+    if (last != std::string::npos) column = tables_[i]->column(rest.substr(last + 1));
+    const std::string row = column ? rest.substr(0, last) : rest;
+    if (!column && last != std::string::npos && !tables_[i]->value(row, 0)) break;
+    if (!tables_[i]->set(row, static_cast<std::uint32_t>(column.value_or(0)), std::string_view(value))) {
+      sink_.add(host_diagnostic("IG-0411", {"--set"}, {path, value}));
+      throw std::runtime_error("no value for " + path);
+    }
+    return;
+  }
+  const std::string near = nearest_name(name, names);
+  sink_.add(host_diagnostic("IG-0410", {"--set"}, {path},
+                            near.empty() || near == name ? "" : "did you mean " + near + "?"));
+  throw std::runtime_error("no dependency or column " + path);
+}
+
+void Chain::create_syntaxes() {
+  steps_.resize(linked_.chain.size());
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const LinkedSyntax& s = linked_.chain[i];
+    ig_link link{this, &s.options, &s, nullptr, {}};
+    if (s.syntax->create(&link_api(), &link, s.ids.data(), &steps_[i].self) == IG_FAILED) {
+      steps_[i].self = nullptr;
+      sink_.add(host_diagnostic("IG-0308", s.element.where, {s.element.alias, link.failure}));
+      throw std::runtime_error(s.element.alias + " could not be created");
+    }
+    steps_[i].build = s.syntax->build;
+    steps_[i].scan = s.syntax->scan;
+    if (s.syntax->inspects != 0) inspectors_[i / 64] |= std::uint64_t{1} << (i % 64);
+    if (s.syntax->scan != nullptr && s.syntax->triggers != nullptr)
+      for (const char* c = s.syntax->triggers; *c != '\0'; ++c)
+        scanners_[static_cast<unsigned char>(*c)].push_back(static_cast<std::uint16_t>(i));
+  }
+}
+
+const void* Chain::service(std::string_view id) const {
+  for (std::size_t i = 0; i < dependencies_.size(); ++i) {
+    const ig_dependency& d = *linked_.dependencies[i].dependency;
+    if (dependencies_[i] == nullptr || d.provides == nullptr) continue;
+    for (const char* const* provided = d.provides; *provided != nullptr; ++provided)
+      if (id == *provided)
+        if (const void* const s = d.service(dependencies_[i], *provided)) return s;
+  }
+  return nullptr;
+}
+
+DependencyTable* Chain::table(std::string_view dependency) {
+  for (std::size_t i = 0; i < tables_.size(); ++i)
+    if (linked_.dependencies[i].element.alias == dependency) return tables_[i].get();
+  return nullptr;
+}
+
+std::string_view Chain::setting(std::string_view name) const {
+  const auto found = settings_.settings.find(name);
+  return found == settings_.settings.end() ? std::string_view{} : found->second;
+}
+
+void Chain::start() {
+  running = &document_;
+  document_.begin({});
+  for (const auto& [field, value] : linked_.initial) document_.set(field, value);
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const ig_run_fn restart = linked_.chain[i].syntax->restart;
+    if (restart == nullptr) continue;
+    document_.current = static_cast<std::uint16_t>(i + 1);
+    restart(steps_[i].self, host_, reinterpret_cast<ig_block*>(&document_));
+  }
+  document_.current = 0;
+}
+
+void Chain::begin_block(const BlockSource& source) {
+  running = &document_;
+  document_.begin(source);
+  ends_program = ends_file = alarmed = skip_rest = false;
+  split_at = 0;
+  for (const WakeWhile& w : linked_.wake_while) {
+    const bool holds = document_.present(w.field) && (w.value == 0 || document_.value(w.field).symbol == w.value);
+    document_.active[w.position / 64] |= std::uint64_t{holds} << (w.position % 64);
+  }
+  if (settings_.call_all)
+    for (std::size_t i = 0; i < steps_.size(); ++i) document_.active[i / 64] |= std::uint64_t{1} << (i % 64);
+}
+
+std::size_t Chain::scan() {
+  Document& d = document_;
+  const char* const text = d.source.text.data();
+  const std::size_t size = d.source.text.size();
+  ig_block* const block = reinterpret_cast<ig_block*>(&d);
+  std::size_t position = 0;
+  while (position < size) {
+    const auto c = static_cast<unsigned char>(text[position]);
+    if (is_blank(c)) {
+      ++position;
+      continue;
+    }
+    if (c == '\r' || c == '\n') {  // a lone carriage return ends a line, too
+      split_at = position + 1;
+      break;
+    }
+    std::size_t next = position;
+    for (const std::uint16_t scanner : scanners_[c]) {
+      d.current = static_cast<std::uint16_t>(scanner + 1);
+      next = std::min(steps_[scanner].scan(steps_[scanner].self, host_, block, text, size, position), size);
+      if (next > position) break;
+    }
+    if (next <= position) {
+      d.current = 0;
+      next = position + 1;
+      if (c < 0x20) {
+        constexpr char digits[] = "0123456789ABCDEF";
+        const Diagnostic control = host_diagnostic("IG-0412", {}, {{digits[c >> 4], digits[c & 15]}});
+        report(d, control.severity, control.code, control.message, static_cast<std::uint32_t>(position),
+               static_cast<std::uint32_t>(next));
+      }
+      d.add_leftover(IG_LEFT_TEXT, IG_NO_FIELD, static_cast<std::uint32_t>(position), static_cast<std::uint32_t>(next),
+                     std::string_view(text + position, 1));
+    }
+    position = next;
+    if (split_at != 0 || skip_rest || ends_file) break;
+  }
+  d.current = 0;
+  return split_at != 0 ? std::min(split_at, size) : size;
+}
+
+std::size_t Chain::scan_with(std::uint32_t position) {
+  for (auto& list : scanners_) list.clear();
+  const ig_syntax& syntax = *linked_.chain[position].syntax;
+  if (syntax.scan != nullptr && syntax.triggers != nullptr)
+    for (const char* c = syntax.triggers; *c != '\0'; ++c)
+      scanners_[static_cast<unsigned char>(*c)].push_back(static_cast<std::uint16_t>(position));
+  return scan();
+}
+
+void Chain::call(Document& d, std::uint32_t position) {
+  const Step& step = steps_[position];
+  if (step.build == nullptr) return;
+  d.current = static_cast<std::uint16_t>(position + 1);
+  ++builds;
+  if (settings_.mode == Mode::fast) {
+    step.build(step.self, host_, reinterpret_cast<ig_block*>(&d));
+    return;
+  }
+  if (settings_.mode == Mode::traced) {
+    if (trace) trace(position, true);
+    step.build(step.self, host_, reinterpret_cast<ig_block*>(&d));
+    if (trace) trace(position, false);
+    return;
+  }
+  const Document before = d;
+  const ig_status status = step.build(step.self, host_, reinterpret_cast<ig_block*>(&d));
+  std::string fault;
+  if (status != IG_UNCHANGED && status != IG_CHANGED && status != IG_FAILED)
+    fault = "its build() returned the status " + std::to_string(status);
+  else if (status == IG_UNCHANGED && !d.same_content(before))
+    fault = "its build() says unchanged, but the block changed";
+  if (!fault.empty()) {
+    const Diagnostic text = host_diagnostic("IG-0402", {}, {linked_.chain[position].element.alias, fault});
+    report(d, text.severity, text.code, text.message, 0, 0);
+  }
+}
+
+void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
+  for (std::uint32_t k = first / 64; k * 64 < last; ++k) {
+    std::uint64_t reach = ~std::uint64_t{0};
+    if (k == first / 64) reach <<= first % 64;
+    if (last - k * 64 < 64) reach &= (std::uint64_t{1} << (last - k * 64)) - 1;
+    while (const std::uint64_t awake = d.active[k] & reach) {
+      const auto bit = static_cast<unsigned>(__builtin_ctzll(awake));
+      reach &= ~std::uint64_t{0} << bit << 1;
+      call(d, k * 64 + bit);
+    }
+  }
+  d.current = 0;
+}
+
+void Chain::run(Document& d, std::uint32_t first, std::uint32_t last) {
+  running = &d;
+  run_range(d, first, std::min(last, linked_.inspection_begin));
+  if (last <= linked_.inspection_begin) return;
+  if (d.has_leftovers())
+    for (std::size_t k = 0; k < std::size(inspectors_); ++k) d.active[k] |= inspectors_[k];
+  run_range(d, std::max(first, linked_.inspection_begin), last);
+}
+
+ig_status Chain::build(std::uint32_t position) {
+  const Step& step = steps_[position];
+  if (step.build == nullptr) return IG_UNCHANGED;
+  running = &document_;
+  document_.current = static_cast<std::uint16_t>(position + 1);
+  const ig_status status = step.build(step.self, host_, reinterpret_cast<ig_block*>(&document_));
+  document_.current = 0;
+  return status;
+}
+
+void Chain::report(const Document& d, Severity severity, std::string_view code, std::string message,
+                   std::uint32_t begin, std::uint32_t end, std::string hint) {
+  const auto& severities = linked_.dialect.severities;
+  if (!severities.empty())
+    if (const auto found = severities.find(std::string(code)); found != severities.end()) severity = found->second;
+  Diagnostic out{severity, std::string(code), std::move(message), {}, 0, std::move(hint)};
+  out.where = {std::string(d.source.file), d.source.line, d.source.column + begin + 1};
+  if (end > begin) out.end_column = d.source.column + end + 1;
+  sink_.add(std::move(out));
+}
+
+const Breadcrumb& Chain::breadcrumb() {
+  static thread_local Breadcrumb crumb;
+  crumb = {};
+  if (running == nullptr) return crumb;
+  crumb.document = running;
+  if (running->current == 0 || running->chain == nullptr) return crumb;
+  const LinkedSyntax& s = running->chain->linked_.chain[running->current - 1u];
+  crumb.plugin = s.plugin->name;
+  crumb.syntax = s.syntax->id;
+  return crumb;
+}
+
+}  // namespace isogloss

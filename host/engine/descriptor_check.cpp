@@ -1,0 +1,369 @@
+#include "descriptor_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <set>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+namespace isogloss {
+namespace {
+
+// More than any honest plugin has: a count beyond them is garbage, and reading so far would leave the array.
+constexpr std::uint32_t most_parts = 2048;
+constexpr std::uint32_t most_declarations = 8192;
+constexpr std::uint32_t most_names = 256;
+constexpr std::uint32_t most_look_ahead = 1000;
+constexpr std::size_t longest_name = 200;
+constexpr std::size_t longest_page = std::size_t{1} << 22;
+
+// The elements of a dialect file: no syntax and no dependency can be named so.
+constexpr std::array reserved_names{"Dialect",      "Files",       "Signature", "Segmenter", "Plugins", "Plugin",
+                                    "Dependencies", "Initial",     "Field",     "Chain",     "Parsing", "Evaluation",
+                                    "Severities",   "Severity",    "Logic",     "PostLogic", "Replace", "Inspection",
+                                    "InsertBefore", "InsertAfter", "Remove",    "Configure"};
+// The attributes that the dialect reader keeps for itself.
+constexpr std::array reserved_attributes{"as", "override", "src", "syntax", "dependency"};
+
+struct Fault {
+  std::string reason;
+};
+
+template <class... A>
+[[noreturn]] void fault(fmt::format_string<A...> text, A&&... arguments) {
+  throw Fault{fmt::format(text, std::forward<A>(arguments)...)};
+}
+
+std::string_view text(const char* s, const std::string& what, std::size_t longest = longest_page) {
+  if (s == nullptr) fault("{} is null", what);
+  const std::size_t size = strnlen(s, longest + 1);
+  if (size > longest) fault("{} is longer than {} bytes", what, longest);
+  return {s, size};
+}
+
+bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// An XML name in ASCII, without colon.
+bool is_name(std::string_view s) {
+  return !s.empty() && (is_letter(s[0]) || s[0] == '_') && std::all_of(s.begin(), s.end(), [](char c) {
+    return is_letter(c) || is_digit(c) || c == '_' || c == '-' || c == '.';
+  });
+}
+
+std::string_view name(const char* s, const std::string& what) {
+  const std::string_view id = text(s, what, longest_name);
+  if (!is_name(id)) fault("{} '{}' is no name (a letter, then letters, digits, _ - .)", what, id);
+  return id;
+}
+
+template <std::size_t N>
+bool contains(const std::array<const char*, N>& names, std::string_view s) {
+  return std::find(names.begin(), names.end(), s) != names.end();
+}
+
+void unique(std::set<std::string_view>& seen, std::string_view id, std::string_view what) {
+  if (!seen.insert(id).second) fault("{} '{}' is declared twice", what, id);
+}
+
+/// An array of structs has the stride of this host's struct: one that has grown needs a newer host.
+template <class T>
+void array(const T* first, std::uint32_t count, std::uint32_t most, const std::string& what) {
+  if (count > most) fault("{} counts {}, more than {}", what, count, most);
+  if (count > 0 && first == nullptr) fault("{} counts {} and is null", what, count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (first[i].struct_size != sizeof(T))
+      fault("{}[{}] has struct_size {}, this host's is {}", what, i, first[i].struct_size, sizeof(T));
+  }
+}
+
+void name_list(const char* const* names, const std::string& what) {
+  if (names == nullptr) return;
+  for (std::uint32_t i = 0; names[i] != nullptr; ++i) {
+    if (i == most_names) fault("{} has no null at its end", what);
+    if (text(names[i], what, longest_name).empty()) fault("{} holds an empty name", what);
+  }
+}
+
+template <class T>
+std::optional<T> parse(std::string_view s) {
+  T value{};
+  const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), value);
+  if (error != std::errc{} || end != s.data() + s.size()) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string_view> split(std::string_view s, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0;;) {
+    const std::size_t end = s.find(separator, begin);
+    parts.push_back(s.substr(begin, end - begin));
+    if (end == std::string_view::npos) return parts;
+    begin = end + 1;
+  }
+}
+
+void range(double minimum, double maximum, const std::string& what) {
+  if (std::isnan(minimum) || std::isnan(maximum) || minimum > maximum)
+    fault("{} has the range {} to {}", what, minimum, maximum);
+}
+
+void number_in_range(std::string_view s, double minimum, double maximum, const std::string& what) {
+  const auto value = parse<double>(s);
+  if (!value || !std::isfinite(*value)) fault("the default of {}, '{}', is no number", what, s);
+  if (*value < minimum || *value > maximum)
+    fault("the default of {}, {}, lies outside {} to {}", what, s, minimum, maximum);
+}
+
+void option_default(const ig_option_decl& option, const std::string& what) {
+  const std::string_view s = text(option.fallback, "the default of " + what);
+  if (option.type == IG_OPTION_NUMBER) number_in_range(s, option.minimum, option.maximum, what);
+  if (option.type == IG_OPTION_INTEGER) {
+    if (!parse<std::int64_t>(s)) fault("the default of {}, '{}', is no integer", what, s);
+    number_in_range(s, option.minimum, option.maximum, what);
+  }
+  if (option.type == IG_OPTION_BOOLEAN && s != "true" && s != "false")
+    fault("the default of {} is '{}', neither true nor false", what, s);
+  if (option.type == IG_OPTION_CHOICE) {
+    const auto choices = split(option.choices, '|');
+    if (std::find(choices.begin(), choices.end(), s) == choices.end())
+      fault("the default of {}, '{}', is none of {}", what, s, option.choices);
+  }
+}
+
+void check_options(const ig_option_decl* options, std::uint32_t count, const std::string& owner) {
+  array(options, count, most_declarations, owner + ".options");
+  std::set<std::string_view> names;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const ig_option_decl& option = options[i];
+    const std::string_view id = name(option.name, fmt::format("the name of {}'s option {}", owner, i));
+    const std::string what = fmt::format("option '{}' of {}", id, owner);
+    if (contains(reserved_attributes, id)) fault("{} has a name that the dialect file keeps for itself", what);
+    unique(names, id, owner + "'s option");
+    if (option.type < IG_OPTION_TEXT || option.type > IG_OPTION_FIELDS) fault("{} has the type {}", what, option.type);
+    text(option.unit, "the unit of " + what, longest_name);
+    text(option.doc, "the doc of " + what);
+    if (option.type == IG_OPTION_CHOICE) {
+      std::set<std::string_view> choices;
+      for (const std::string_view choice : split(text(option.choices, "the choices of " + what), '|')) {
+        if (choice.empty()) fault("{} has an empty choice", what);
+        unique(choices, choice, "a choice of " + what + ",");
+      }
+    }
+    if (option.type == IG_OPTION_NUMBER || option.type == IG_OPTION_INTEGER)
+      range(option.minimum, option.maximum, what);
+    if (option.fallback != nullptr) option_default(option, what);
+  }
+}
+
+/// "Section.Field", "Parsing.G54.1.X", "Section.List[].Section.Field".
+bool is_path(std::string_view path) {
+  const auto parts = split(path, '.');
+  if (parts.size() < 2) return false;
+  std::size_t lists = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::string_view part = parts[i];
+    if (part.ends_with("[]")) {
+      if (i == 0 || i + 1 == parts.size()) return false;
+      part.remove_suffix(2);
+      ++lists;
+    }
+    if (part.empty() || !std::all_of(part.begin(), part.end(), [](char c) {
+          return is_letter(c) || is_digit(c) || c == '_' || c == '-' || c == '~' || c == '#';
+        }))
+      return false;
+  }
+  return lists <= 1;
+}
+
+void check_pattern(const ig_syntax& syntax, std::string_view path, const std::string& what) {
+  for (std::uint32_t i = 0; i < syntax.option_count; ++i) {
+    if (syntax.options[i].type == IG_OPTION_FIELDS && path.substr(1) == syntax.options[i].name) return;
+  }
+  fault("{} is a pattern, and the syntax has no option of field patterns of that name", what);
+}
+
+void check_fields(const ig_syntax& syntax, const std::string& owner) {
+  array(syntax.fields, syntax.field_count, most_declarations, owner + ".fields");
+  for (std::uint32_t i = 0; i < syntax.field_count; ++i) {
+    const ig_field_decl& field = syntax.fields[i];
+    const std::string_view path =
+        text(field.path, fmt::format("the path of {}'s field {}", owner, i), longest_name);
+    const std::string what = fmt::format("field '{}' of {}", path, owner);
+    if ((field.access & IG_PATTERN) != 0) {
+      if (!path.starts_with('@')) fault("{} is a pattern, so its path is '@' and an option's name", what);
+      check_pattern(syntax, path, what);
+    } else if (!is_path(path)) {
+      fault("{} has no path such as Section.Field", what);
+    }
+    if ((field.access & (IG_READ | IG_WRITE | IG_TAKE | IG_PREVIOUS | IG_WAKE | IG_WAKE_WHILE)) == 0)
+      fault("{} is neither read, written nor taken", what);
+    if (field.type < IG_NUMBER || field.type > IG_SWITCH) fault("{} has the type {}", what, field.type);
+    if (field.life > IG_LIFE_MODAL) fault("{} has the life {}", what, field.life);
+    text(field.unit, "the unit of " + what, longest_name);
+    text(field.doc, "the doc of " + what);
+    if (field.wake_value != nullptr) text(field.wake_value, "the wake_value of " + what, longest_name);
+  }
+}
+
+void check_syntax(const ig_syntax& syntax, const std::string& owner) {
+  text(syntax.summary, owner + ".summary");
+  if (syntax.page != nullptr) text(syntax.page, owner + ".page");
+  if (syntax.look_ahead > most_look_ahead)
+    fault("{} looks {} blocks ahead, more than {}", owner, syntax.look_ahead, most_look_ahead);
+  check_options(syntax.options, syntax.option_count, owner);
+  check_fields(syntax, owner);
+  array(syntax.services, syntax.service_count, most_declarations, owner + ".services");
+  for (std::uint32_t i = 0; i < syntax.service_count; ++i) {
+    if (text(syntax.services[i].id, owner + ".services.id", longest_name).empty())
+      fault("{} needs a service without a name", owner);
+    text(syntax.services[i].doc, owner + ".services.doc");
+  }
+  name_list(syntax.after, owner + ".after");
+  name_list(syntax.before, owner + ".before");
+  if (syntax.exclusive_slot != nullptr) text(syntax.exclusive_slot, owner + ".exclusive_slot", longest_name);
+  if (syntax.first_writer_slot != nullptr) text(syntax.first_writer_slot, owner + ".first_writer_slot", longest_name);
+  if (syntax.create == nullptr) fault("{}.create is null", owner);
+  if (syntax.destroy == nullptr) fault("{}.destroy is null", owner);
+  if (syntax.build == nullptr && syntax.scan == nullptr && syntax.restart == nullptr)
+    fault("{} has neither build, scan nor restart", owner);
+  if (syntax.inspects != 0 && syntax.build == nullptr) fault("{} inspects and has no build", owner);
+  if ((syntax.scan == nullptr) != (syntax.triggers == nullptr))
+    fault("{} has {}", owner, syntax.scan == nullptr ? "triggers and no scan" : "a scan and no triggers");
+  if (syntax.triggers != nullptr) text(syntax.triggers, owner + ".triggers", 256);
+}
+
+/// "key|column=value|…"
+void check_row(const ig_dependency& dependency, std::uint32_t index, const std::string& owner) {
+  const std::string what = fmt::format("row {} of {}", index, owner);
+  const auto parts = split(text(dependency.default_rows[index], what), '|');
+  if (parts[0].empty()) fault("{} has no key", what);
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const std::size_t equals = parts[i].find('=');
+    if (equals == std::string_view::npos) fault("{}: '{}' is not column=value", what, parts[i]);
+    const std::string_view id = parts[i].substr(0, equals);
+    const ig_column_decl* column = std::find_if(dependency.columns, dependency.columns + dependency.column_count,
+                                                [&](const ig_column_decl& c) { return id == c.name; });
+    if (column == dependency.columns + dependency.column_count) fault("{} names the unknown column '{}'", what, id);
+    if (column->is_text == 0)
+      number_in_range(parts[i].substr(equals + 1), column->minimum, column->maximum, fmt::format("{} of {}", id, what));
+  }
+}
+
+void check_dependency(const ig_dependency& dependency, const std::string& owner) {
+  text(dependency.summary, owner + ".summary");
+  if (dependency.page != nullptr) text(dependency.page, owner + ".page");
+  if ((dependency.row_element == nullptr) != (dependency.row_key == nullptr))
+    fault("{} names only one of row_element and row_key", owner);
+  check_options(dependency.options, dependency.option_count, owner);
+  array(dependency.columns, dependency.column_count, most_declarations, owner + ".columns");
+  std::set<std::string_view> columns;
+  if (dependency.row_element != nullptr) {
+    name(dependency.row_element, owner + ".row_element");
+    columns.insert(name(dependency.row_key, owner + ".row_key"));
+  }
+  for (std::uint32_t i = 0; i < dependency.column_count; ++i) {
+    const ig_column_decl& column = dependency.columns[i];
+    const std::string_view id = name(column.name, fmt::format("the name of {}'s column {}", owner, i));
+    const std::string what = fmt::format("column '{}' of {}", id, owner);
+    unique(columns, id, owner + "'s column");
+    text(column.unit, "the unit of " + what, longest_name);
+    text(column.doc, "the doc of " + what);
+    if (column.is_text == 0) range(column.minimum, column.maximum, what);
+    if (column.is_text == 0 && column.fallback != nullptr)
+      number_in_range(text(column.fallback, "the default of " + what), column.minimum, column.maximum, what);
+  }
+  if (dependency.row_element == nullptr && dependency.column_count + dependency.default_row_count > 0)
+    fault("{} has columns or rows, and no row_element", owner);
+  if (dependency.default_row_count > most_declarations)
+    fault("{} counts {} rows, more than {}", owner, dependency.default_row_count, most_declarations);
+  if (dependency.default_row_count > 0 && dependency.default_rows == nullptr)
+    fault("{}.default_rows counts {} and is null", owner, dependency.default_row_count);
+  for (std::uint32_t i = 0; i < dependency.default_row_count; ++i) check_row(dependency, i, owner);
+  name_list(dependency.provides, owner + ".provides");
+  if (dependency.create == nullptr) fault("{}.create is null", owner);
+  if (dependency.destroy == nullptr) fault("{}.destroy is null", owner);
+  if (dependency.provides != nullptr && dependency.provides[0] != nullptr && dependency.service == nullptr)
+    fault("{} provides services, and its service function is null", owner);
+}
+
+/// A prefix in capitals, a hyphen, a number.
+bool is_code(std::string_view code) {
+  const std::size_t hyphen = code.rfind('-');
+  if (hyphen == std::string_view::npos || hyphen == 0 || hyphen + 1 == code.size()) return false;
+  const std::string_view prefix = code.substr(0, hyphen), number = code.substr(hyphen + 1);
+  return std::all_of(prefix.begin(), prefix.end(), [](char c) { return (c >= 'A' && c <= 'Z') || is_digit(c); }) &&
+         std::all_of(number.begin(), number.end(), is_digit);
+}
+
+void check_diagnostics(const ig_plugin& plugin) {
+  array(plugin.diagnostics, plugin.diagnostic_count, most_declarations, "diagnostics");
+  std::set<std::string_view> codes;
+  for (std::uint32_t i = 0; i < plugin.diagnostic_count; ++i) {
+    const ig_diagnostic_decl& row = plugin.diagnostics[i];
+    const std::string_view code = text(row.code, fmt::format("the code of diagnostic {}", i), longest_name);
+    if (!is_code(code)) fault("diagnostic code '{}' is no prefix and number such as ACME-0101", code);
+    if (code.starts_with("IG-")) fault("diagnostic code '{}' has the host's own prefix", code);
+    unique(codes, code, "diagnostic code");
+    if (row.severity < IG_NOTE || row.severity > IG_ERROR) fault("diagnostic {} has the severity {}", code, row.severity);
+    if (text(row.text, fmt::format("the text of diagnostic {}", code)).empty()) fault("diagnostic {} says nothing", code);
+    text(row.explanation, fmt::format("the explanation of diagnostic {}", code));
+    text(row.example, fmt::format("the example of diagnostic {}", code));
+  }
+}
+
+/// Syntaxes and dependencies are reached by pointers of their own, so a newer, longer one is welcome.
+template <class T>
+std::string_view part(const T* const* parts, std::uint32_t i, const std::string& what) {
+  if (parts[i] == nullptr) fault("{}[{}] is null", what, i);
+  if (parts[i]->struct_size < sizeof(T))
+    fault("{}[{}] has struct_size {}, at least {} is needed", what, i, parts[i]->struct_size, sizeof(T));
+  const std::string_view id = name(parts[i]->id, fmt::format("{}[{}].id", what, i));
+  if (contains(reserved_names, id)) fault("{}[{}].id '{}' is an element of the dialect file itself", what, i, id);
+  return id;
+}
+
+void check_plugin(const ig_plugin& plugin) {
+  if (plugin.struct_size < sizeof(ig_plugin))
+    fault("ig_plugin has struct_size {}, at least {} is needed", plugin.struct_size, sizeof(ig_plugin));
+  const std::string_view id = name(plugin.name, "the plugin's name");
+  for (const auto& [s, what] : {std::pair{plugin.version, "version"}, std::pair{plugin.vendor, "vendor"},
+                                std::pair{plugin.built_with, "built_with"}})
+    text(s, fmt::format("the {} of plugin '{}'", what, id), longest_name);
+  if (plugin.syntax_count > most_parts) fault("syntaxes counts {}, more than {}", plugin.syntax_count, most_parts);
+  if (plugin.dependency_count > most_parts)
+    fault("dependencies counts {}, more than {}", plugin.dependency_count, most_parts);
+  if (plugin.syntax_count > 0 && plugin.syntaxes == nullptr) fault("syntaxes is null");
+  if (plugin.dependency_count > 0 && plugin.dependencies == nullptr) fault("dependencies is null");
+  std::set<std::string_view> ids;
+  for (std::uint32_t i = 0; i < plugin.syntax_count; ++i) {
+    const std::string_view syntax = part(plugin.syntaxes, i, "syntaxes");
+    unique(ids, syntax, "the id");
+    check_syntax(*plugin.syntaxes[i], std::string(syntax));
+  }
+  for (std::uint32_t i = 0; i < plugin.dependency_count; ++i) {
+    const std::string_view dependency = part(plugin.dependencies, i, "dependencies");
+    unique(ids, dependency, "the id");
+    check_dependency(*plugin.dependencies[i], std::string(dependency));
+  }
+  check_diagnostics(plugin);
+}
+
+}  // namespace
+
+std::optional<std::string> descriptor_fault(const ig_plugin& plugin) {
+  try {
+    check_plugin(plugin);
+    return std::nullopt;
+  } catch (const Fault& found) {
+    return found.reason;
+  }
+}
+
+}  // namespace isogloss

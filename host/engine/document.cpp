@@ -1,0 +1,306 @@
+#include "isogloss/engine/document.hpp"
+
+#include <algorithm>
+
+namespace isogloss {
+
+namespace {
+
+constexpr std::size_t bit_sets = 7;  // present fresh taken pointless, then modal words codes, which never change
+
+}  // namespace
+
+Frame Frame::from(const double (&m)[16]) {
+  Frame frame;
+  std::memcpy(frame.matrix, m, sizeof frame.matrix);
+  const bool rotates = m[0] != 1 || m[1] != 0 || m[2] != 0 || m[3] != 0 || m[4] != 0 || m[5] != 1 || m[6] != 0 ||
+                       m[7] != 0 || m[8] != 0 || m[9] != 0 || m[10] != 1 || m[11] != 0 || m[15] != 1;
+  frame.kind = rotates                                    ? Kind::general
+               : (m[12] == 0 && m[13] == 0 && m[14] == 0) ? Kind::identity
+                                                          : Kind::translation;
+  return frame;
+}
+
+Frame operator*(const Frame& first, const Frame& then) {
+  if (first.kind == Frame::Kind::identity) return then;
+  if (then.kind == Frame::Kind::identity) return first;
+  Frame out = first;
+  if (first.kind == Frame::Kind::translation && then.kind == Frame::Kind::translation) {
+    for (int i = 12; i < 15; ++i) out.matrix[i] += then.matrix[i];
+    return out;
+  }
+  out.kind = Frame::Kind::general;
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) {
+      double sum = 0;
+      for (int k = 0; k < 4; ++k) sum += first.matrix[row * 4 + k] * then.matrix[k * 4 + column];
+      out.matrix[row * 4 + column] = sum;
+    }
+  return out;
+}
+
+std::optional<Frame> Frame::inverse() const {
+  Frame out = *this;
+  if (kind != Kind::general) {
+    for (int i = 12; i < 15; ++i) out.matrix[i] = -matrix[i];
+    return out;
+  }
+  const double* m = matrix;
+  const double c00 = m[5] * m[10] - m[6] * m[9];
+  const double c01 = m[6] * m[8] - m[4] * m[10];
+  const double c02 = m[4] * m[9] - m[5] * m[8];
+  const double determinant = m[0] * c00 + m[1] * c01 + m[2] * c02;
+  if (!(std::abs(determinant) > 1e-12)) return std::nullopt;
+  const double d = 1 / determinant;
+  double* o = out.matrix;
+  o[0] = c00 * d;
+  o[1] = (m[2] * m[9] - m[1] * m[10]) * d;
+  o[2] = (m[1] * m[6] - m[2] * m[5]) * d;
+  o[4] = c01 * d;
+  o[5] = (m[0] * m[10] - m[2] * m[8]) * d;
+  o[6] = (m[2] * m[4] - m[0] * m[6]) * d;
+  o[8] = c02 * d;
+  o[9] = (m[1] * m[8] - m[0] * m[9]) * d;
+  o[10] = (m[0] * m[5] - m[1] * m[4]) * d;
+  for (int i = 0; i < 3; ++i) o[12 + i] = -(m[12] * o[i] + m[13] * o[4 + i] + m[14] * o[8 + i]);
+  return out;
+}
+
+Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::uint32_t wake_words)
+    : layout_(&layout),
+      size_(static_cast<std::uint32_t>(layout.fields.size())),
+      words_((size_ + 63) / 64),
+      wake_words_(wake_words),
+      bits_(bit_sets * words_),
+      value_(size_),
+      writer_(size_),
+      range_(size_),
+      wake_(std::move(wake)),
+      frames_(layout.transforms.size()) {
+  bind_arrays();
+  std::uint64_t* const modal = bits_.data() + 4 * words_;
+  std::uint64_t* const word = bits_.data() + 5 * words_;
+  std::uint64_t* const code = bits_.data() + 6 * words_;
+  for (ig_field f = 0; f < size_; ++f) {
+    const FieldInfo& info = layout.fields[f];
+    if (info.life == IG_LIFE_MODAL) modal[f >> 6] |= bit(f);
+    if (info.type == IG_CODE)
+      code[f >> 6] |= bit(f);
+    else if (info.life == IG_LIFE_WORD)
+      word[f >> 6] |= bit(f);
+    if (info.previous_of != IG_NO_FIELD) previous_.emplace_back(info.previous_of, f);
+  }
+  for (std::size_t i = 0; i < layout.transforms.size(); ++i)
+    value_[layout.transforms[i]].integer = static_cast<std::int64_t>(i);
+  for (const ListInfo& list : layout.lists) {
+    ListData data;
+    data.stride = static_cast<std::uint32_t>(list.fields.size());
+    lists.push_back(std::move(data));
+  }
+}
+
+Document::Document(const Document& other) { *this = other; }
+
+Document& Document::operator=(const Document& other) {
+  if (this == &other) return *this;
+  layout_ = other.layout_;
+  size_ = other.size_;
+  words_ = other.words_;
+  wake_words_ = other.wake_words_;
+  bits_ = other.bits_;
+  value_ = other.value_;
+  writer_ = other.writer_;
+  range_ = other.range_;
+  wake_ = other.wake_;
+  previous_ = other.previous_;
+  frames_ = other.frames_;
+  composed_ = other.composed_;
+  inverse_ = other.inverse_;
+  composed_valid_ = other.composed_valid_;
+  inverse_valid_ = other.inverse_valid_;
+  invertible_ = other.invertible_;
+  arena_ = other.arena_;
+  frame_changed = other.frame_changed;
+  lists = other.lists;
+  leftovers = other.leftovers;
+  source = other.source;
+  std::copy(std::begin(other.active), std::end(other.active), std::begin(active));
+  current = other.current;
+  codes_seen = other.codes_seen;
+  chain = other.chain;
+  set_line = other.set_line;
+  bind_arrays();
+  return *this;
+}
+
+void Document::bind_arrays() {
+  std::uint64_t* p = bits_.data();
+  present_ = p;
+  fresh_ = p + words_;
+  taken_ = p + 2 * words_;
+  pointless_ = p + 3 * words_;
+  modal_ = p + 4 * words_;
+  word_mask_ = p + 5 * words_;
+  codes_ = p + 6 * words_;
+}
+
+void Document::own_source() {
+  own_text_.assign(source.text);
+  source.text = own_text_;
+}
+
+bool Document::same_content(const Document& other) const {
+  if (!std::equal(bits_.begin(), bits_.begin() + 3 * words_, other.bits_.begin())) return false;
+  for (ig_field f = 0; f < size_; ++f)
+    if (present(f) && value_[f].integer != other.value_[f].integer) return false;
+  for (std::size_t i = 0; i < lists.size(); ++i)
+    if (lists[i].count != other.lists[i].count || lists[i].present != other.lists[i].present) return false;
+  return leftovers.size() == other.leftovers.size() && arena_ == other.arena_;
+}
+
+std::string_view Document::text(ig_field f) const {
+  if (!present(f)) return {};
+  const auto packed = static_cast<std::uint64_t>(value_[f].integer);
+  return std::string_view(arena_).substr(packed >> 32, packed & 0xffffffffu);
+}
+
+void Document::set_text(ig_field f, std::string_view text) {
+  ig_value v;
+  v.integer = static_cast<std::int64_t>(std::uint64_t{arena_.size()} << 32 | text.size());
+  arena_.append(text);
+  set(f, v);
+}
+
+void Document::set_word(const ig_word& w) {
+  if (w.field >= size_) return;
+  ig_value v = w.value;
+  if ((codes_[w.field >> 6] & bit(w.field)) != 0) v.integer = ++codes_seen;
+  set(w.field, v);
+  range_[w.field] = static_cast<std::uint32_t>(w.begin) | static_cast<std::uint32_t>(w.end) << 16;
+  if ((w.flags & IG_WORD_WITHOUT_POINT) != 0)
+    pointless_[w.field >> 6] |= bit(w.field);
+  else
+    pointless_[w.field >> 6] &= ~bit(w.field);
+}
+
+void Document::rewrite(ig_field f, ig_value v) {
+  if (!present(f)) return;
+  value_[f] = v;
+  writer_[f] = current;
+  pointless_[f >> 6] &= ~bit(f);
+}
+
+void Document::move(ig_field from, ig_field to) {
+  if (!present(from) || to >= size_) return;
+  const bool unpointed = without_point(from);
+  set(to, value_[from]);
+  range_[to] = range_[from];
+  pointless_[to >> 6] = unpointed ? pointless_[to >> 6] | bit(to) : pointless_[to >> 6] & ~bit(to);
+  erase(from);
+}
+
+void Document::begin(const BlockSource& where) {
+  std::uint64_t was_present = 0;
+  for (std::size_t i = 0; i < previous_.size(); ++i) {
+    const auto [field, copy] = previous_[i];
+    value_[copy] = value_[field];
+    writer_[copy] = writer_[field];
+    was_present |= std::uint64_t{present(field)} << i;
+  }
+  for (std::uint32_t w = 0; w < words_; ++w) {
+    present_[w] &= modal_[w];
+    fresh_[w] = 0;
+    taken_[w] = 0;
+    pointless_[w] = 0;
+  }
+  for (std::size_t i = 0; i < previous_.size(); ++i) {
+    const ig_field copy = previous_[i].second;
+    present_[copy >> 6] |= (was_present >> i & 1) << (copy & 63);
+  }
+  for (ListData& list : lists) {
+    list.count = 0;
+    list.values.clear();
+    list.present.clear();
+  }
+  if (!leftovers.empty()) leftovers.clear();
+  arena_.clear();
+  source = where;
+  codes_seen = 0;
+  frame_changed = false;
+  for (std::uint64_t& mask : active) mask = 0;
+}
+
+bool Document::has_leftovers() const {
+  if (!leftovers.empty()) return true;
+  std::uint64_t open = 0;
+  for (std::uint32_t w = 0; w < words_; ++w) open |= present_[w] & (word_mask_[w] | codes_[w]) & ~taken_[w];
+  return open != 0;
+}
+
+void Document::add_leftover(ig_leftover_kind kind, ig_field field, std::uint32_t begin, std::uint32_t end,
+                            std::string_view name) {
+  if (kind == IG_LEFT_TEXT && !leftovers.empty() && leftovers.back().kind == IG_LEFT_TEXT &&
+      leftovers.back().end == begin) {
+    leftovers.back().end = end;
+    leftovers.back().name.append(name);
+    return;
+  }
+  leftovers.push_back({kind, field, begin, end, std::string(name)});
+}
+
+std::vector<Leftover> Document::collect_leftovers() const {
+  std::vector<Leftover> all = leftovers;
+  constexpr std::string_view flags = "Parsing.Flags.", parsing = "Parsing.";
+  for (std::uint32_t w = 0; w < words_; ++w) {
+    std::uint64_t open = present_[w] & (word_mask_[w] | codes_[w]) & ~taken_[w];
+    for (; open != 0; open &= open - 1) {
+      const ig_field f = w * 64 + static_cast<ig_field>(__builtin_ctzll(open));
+      std::string_view name = layout_->fields[f].path;
+      if (name.starts_with(flags))
+        name.remove_prefix(flags.size());
+      else if (name.starts_with(parsing))
+        name.remove_prefix(parsing.size());
+      const bool is_code = (codes_[w] & bit(f)) != 0;
+      all.push_back({is_code ? IG_LEFT_CODE : IG_LEFT_WORD, f, word_begin(f), word_end(f), std::string(name)});
+    }
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Leftover& a, const Leftover& b) { return a.begin < b.begin; });
+  return all;
+}
+
+void Document::set_frame(ig_field f, const Frame& frame) {
+  Frame& slot = frames_[static_cast<std::size_t>(value_[f].integer)];
+  const bool same = present(f) ? std::equal(std::begin(slot.matrix), std::end(slot.matrix), std::begin(frame.matrix))
+                               : frame.kind == Frame::Kind::identity;
+  slot = frame;
+  set(f, value_[f]);
+  if (same) return;
+  frame_changed = true;
+  composed_valid_ = false;
+}
+
+const Frame& Document::composed() {
+  if (!composed_valid_) {
+    composed_ = Frame{};
+    for (const ig_field f : layout_->transforms)
+      if (present(f)) composed_ = composed_ * frame(f);
+    composed_valid_ = true;
+    inverse_valid_ = false;
+  }
+  return composed_;
+}
+
+bool Document::map_to_program(const double (&in)[3], double (&out)[3]) {
+  const Frame& forward = composed();
+  if (!inverse_valid_) {
+    const std::optional<Frame> inverse = forward.inverse();
+    invertible_ = inverse.has_value();
+    if (inverse) inverse_ = *inverse;
+    inverse_valid_ = true;
+  }
+  if (!invertible_) return false;
+  inverse_.map(in, out);
+  return true;
+}
+
+}  // namespace isogloss

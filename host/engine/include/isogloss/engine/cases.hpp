@@ -1,0 +1,66 @@
+/// One syntax by itself: `apply`, and the cases of a page, which are documentation that runs.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isogloss/engine/dialect.hpp"
+#include "isogloss/engine/library.hpp"
+
+namespace isogloss {
+
+/// A piece of a page, with the line at which it begins.
+struct Fence {
+  std::string text;
+  std::uint32_t line = 0;
+};
+
+/// A case: one build of the syntax must turn `before` into `after`.
+struct Case {
+  std::string heading;
+  std::uint32_t line = 0;
+  std::optional<Fence> previous;      ///< JSON: the whole block before
+  std::optional<Fence> dependencies;  ///< XML: dependencies, the syntax's own element with options, <Settings …/>
+  std::optional<Fence> diagnostics;   ///< codes that the build must report, no others
+  std::optional<Fence> before, after;  ///< JSON; both are there in a case that was read without a fault
+};
+
+struct Page {
+  std::string syntax;  ///< its title
+  std::vector<Case> cases;
+};
+
+/// Reads a page; `file` names it in diagnostics.
+Page read_page(std::string_view text, const std::string& file, DiagnosticSink& sink);
+
+/// What a syntax that runs alone has around it.
+struct Surroundings {
+  /// Gives vocabulary and dependencies; without one the plugin's own syntaxes are the vocabulary.
+  std::optional<Dialect> dialect;
+  /// True when the user named the dialect: then it gives the options, too, and must link as it is.
+  bool is_named = false;
+  std::map<std::string, std::string, std::less<>> settings;
+};
+
+/// What goes into one build.
+struct Application {
+  std::string syntax;  ///< id or alias
+  std::string before;  ///< JSON
+  std::optional<std::string> previous;
+  std::string dependencies;  ///< XML, may be empty
+  Location where;            ///< of `before`
+};
+
+/// Runs one build; the document after it as JSON (architecture: what is shown), two blanks of indentation. Empty, and
+/// reported, when it could not run. All plugins that are needed must be in the library.
+std::optional<std::string> apply(const Application& application, const Surroundings& surroundings, Library& library,
+                                 DiagnosticSink& sink);
+
+/// Empty when the case holds, else what differs, for people.
+std::string run_case(const Page& page, const Case& one, const std::string& file, const Surroundings& surroundings,
+                     Library& library);
+
+}  // namespace isogloss

@@ -1,0 +1,128 @@
+/// A chain at work: instances of the syntaxes, their tables, one document. Belongs to one thread and one run.
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include "isogloss/engine/document.hpp"
+#include "isogloss/engine/linker.hpp"
+
+namespace isogloss {
+
+enum class Mode { fast, checked, traced };
+
+/// A dependency's data, cloned for each run.
+class DependencyTable {
+ public:
+  explicit DependencyTable(const ig_dependency& dependency) : dependency_(&dependency) {}
+  std::optional<std::size_t> column(std::string_view name) const;
+  std::optional<double> value(std::string_view row, std::uint32_t column) const;
+  std::string_view text(std::string_view row, std::uint32_t column) const;
+  /// False when the column does not exist or the value is out of its range.
+  bool set(std::string_view row, std::uint32_t column, std::string_view text);
+  bool set(std::string_view row, std::uint32_t column, double value);
+  const ig_dependency& dependency() const { return *dependency_; }
+  const std::vector<std::string>& rows() const { return names_; }
+
+ private:
+  struct Cell {
+    std::string text;
+    double number = 0;
+    bool has_value = false;
+  };
+  std::vector<Cell>& row(std::string_view name);
+  const ig_dependency* dependency_;
+  std::vector<std::string> names_;
+  std::map<std::string, std::size_t, std::less<>> index_;
+  std::vector<std::vector<Cell>> cells_;
+};
+
+struct ChainSettings {
+  Mode mode = Mode::fast;
+  bool call_all = false;  ///< call every syntax in every block: must give the same result
+  std::map<std::string, std::string, std::less<>> settings;  ///< "block-skip", "optional-stop", "program"
+  std::vector<DependencyElement> dependencies;               ///< the user's own tables, before the dialect's
+  std::vector<std::pair<std::string, std::string>> assignments;  ///< --set: "IsoCoordinateTable.G54.Z", "-120"
+};
+
+/// Where the run is, for a crash report. Plain data that a signal handler may read.
+struct Breadcrumb {
+  const char* plugin = nullptr;
+  const char* syntax = nullptr;
+  const Document* document = nullptr;
+};
+
+class Chain {
+ public:
+  /// Throws std::runtime_error when a syntax cannot be created; the diagnostics say which and why.
+  Chain(const LinkedDialect& linked, ChainSettings settings, DiagnosticSink& sink);
+  ~Chain();
+  Chain(const Chain&) = delete;
+  Chain& operator=(const Chain&) = delete;
+
+  const LinkedDialect& linked() const { return linked_; }
+  Document& document() { return document_; }
+  SymbolTable& symbols() { return symbols_; }
+  DiagnosticSink& sink() { return sink_; }
+  const ig_host& host() const { return *host_; }
+
+  /// The block before the first: initial fields, then every restart().
+  void start();
+  /// The document starts a block of this text.
+  void begin_block(const BlockSource& source);
+  /// Asks the scanners; returns the end of the block in the text (a scanner may split the line).
+  std::size_t scan();
+  /// Calls what is awake in chain positions [first, last).
+  void run(Document& document, std::uint32_t first, std::uint32_t last);
+  /// One build() of one syntax on the document as it is.
+  ig_status build(std::uint32_t position);
+  std::size_t scan_with(std::uint32_t position);  ///< one scanner alone over the whole text
+
+  /// Called before and after each build() in traced mode.
+  std::function<void(std::uint32_t position, bool before)> trace;
+
+  // What syntaxes asked for in this block.
+  bool ends_program = false, ends_file = false, alarmed = false, skip_rest = false;
+  std::size_t split_at = 0;
+  std::uint64_t builds = 0;  ///< builds called so far
+
+  void report(const Document& document, Severity severity, std::string_view code, std::string message,
+              std::uint32_t begin, std::uint32_t end, std::string hint = {});
+  const void* service(std::string_view id) const;
+  DependencyTable* table(std::string_view dependency);
+  std::string_view setting(std::string_view name) const;
+
+  /// The window of executed blocks ahead of a post-logic document, set by the runner.
+  std::vector<Document*> window;
+
+  static const Breadcrumb& breadcrumb();
+
+ private:
+  void create_dependencies();
+  void create_syntaxes();
+  void overlay(const DependencyElement& element);
+  void assign(const std::string& path, const std::string& value);
+  void call(Document& document, std::uint32_t position);
+  void run_range(Document& document, std::uint32_t first, std::uint32_t last);
+  void destroy();
+
+  const LinkedDialect& linked_;
+  ChainSettings settings_;
+  DiagnosticSink& sink_;
+  SymbolTable symbols_;
+  Document document_;
+  const ig_host* host_;
+  struct Step {
+    ig_run_fn build = nullptr;
+    ig_scan_fn scan = nullptr;
+    void* self = nullptr;
+  };
+  std::vector<Step> steps_;                               // by chain position
+  std::vector<std::unique_ptr<DependencyTable>> tables_;  // by linked dependency, as the two below
+  std::vector<std::vector<OptionValue>> dependency_options_;
+  std::vector<void*> dependencies_;
+  std::vector<std::uint16_t> scanners_[256];  // chain positions that a byte triggers
+  std::uint64_t inspectors_[4] = {};          // positions that run when something is left over
+};
+
+}  // namespace isogloss

@@ -1,0 +1,103 @@
+/// A dialect file, read and resolved: plugins, dependencies, initial state and chain, each with its place.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "isogloss/engine/diagnostic.hpp"
+
+namespace isogloss {
+
+struct Attribute {
+  std::string name;
+  std::string value;
+  Location where;
+};
+
+enum class Stage : std::uint8_t { parsing, evaluation, logic, post_logic, inspection };
+
+/// One syntax of the chain. The alias (`as="…"`, else the syntax's id) is what edits and provenance address.
+struct ChainElement {
+  Stage stage = Stage::logic;
+  std::string syntax;
+  std::string alias;
+  std::vector<Attribute> options;
+  bool override_slot = false;  ///< override="true": may claim an exclusive slot a second time
+  Location where;
+};
+
+struct TableRow {
+  std::string element;
+  std::vector<Attribute> attributes;
+  Location where;
+};
+
+struct DependencyElement {
+  std::string id;
+  std::string alias;
+  std::vector<Attribute> options;  ///< without src
+  std::vector<TableRow> rows;      ///< those of src, too
+  std::string source_file;         ///< what src named, resolved; empty when inline
+  Location where;
+};
+
+struct InitialField {
+  std::string path;
+  std::string value;
+  Location where;
+};
+
+struct PluginReference {
+  std::string name;
+  Location where;
+};
+
+/// A dialect with all that it extends folded in.
+struct Dialect {
+  std::string name;
+  std::string title;
+  std::filesystem::path file;
+  std::vector<std::string> ancestors;  ///< names, nearest first
+  std::vector<std::string> extensions;  ///< ".nc"
+  std::vector<std::string> signatures;  ///< ECMAScript regular expressions looked for in the head of a program
+  std::string segmenter = "line";
+  std::vector<PluginReference> plugins;
+  std::vector<DependencyElement> dependencies;  ///< nearest provider first
+  std::vector<InitialField> initial;
+  std::vector<ChainElement> chain;              ///< by stage, in written order
+  std::map<std::string, Severity> severities;   ///< by diagnostic code
+};
+
+/// Finds and reads dialect files. Relative paths resolve against the file that holds them; nothing outside the
+/// folders given (and the folder of a dialect named by path) is read.
+class DialectReader {
+ public:
+  explicit DialectReader(std::vector<std::filesystem::path> folders);
+
+  /// `name` is a dialect's name or, when it holds a '/' or ends in .xml, a file. Reports what is wrong; empty then.
+  std::optional<Dialect> read(const std::string& name, DiagnosticSink& sink) const;
+
+  /// The dialect files in the folders: name, title, extensions, signatures; nothing resolved. Sorted by name.
+  std::vector<Dialect> list() const;
+
+  /// A dependency's table file (--machine, --offsets, --tools): the elements in it. Empty and reported when wrong.
+  std::vector<DependencyElement> read_dependencies(const std::filesystem::path& file, DiagnosticSink& sink) const;
+
+ private:
+  std::vector<std::filesystem::path> folders_;
+};
+
+/// The dialect as one file without `extends` (architecture: `dialect --effective`). `base` is the folder that side
+/// files lie in and are named from; with `inline_tables` there are none.
+struct WrittenDialect {
+  std::string xml;
+  std::map<std::string, std::string> side_files;  ///< relative name, content
+};
+WrittenDialect write_dialect(const Dialect& dialect, const std::filesystem::path& base, bool inline_tables);
+
+std::string_view to_string(Stage stage);
+
+}  // namespace isogloss

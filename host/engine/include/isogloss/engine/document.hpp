@@ -1,0 +1,171 @@
+/// The block document, dense: one bit for present, one for fresh, one for taken, eight bytes of value and the writer
+/// for each field. One lives through a run and is carried from block to block in place.
+#pragma once
+
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <span>
+
+#include "isogloss/engine/layout.hpp"
+
+namespace isogloss {
+
+class Chain;
+
+/// One entry of the way from program to machine coordinates. Row vectors, translation in elements 12..14.
+struct Frame {
+  enum class Kind : std::uint8_t { identity, translation, general };
+  Kind kind = Kind::identity;
+  double matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+  static Frame from(const double (&m)[16]);
+  void map(const double (&in)[3], double (&out)[3]) const {
+    if (kind == Kind::general) {
+      for (int i = 0; i < 3; ++i)
+        out[i] = in[0] * matrix[i] + in[1] * matrix[4 + i] + in[2] * matrix[8 + i] + matrix[12 + i];
+    } else {
+      for (int i = 0; i < 3; ++i) out[i] = in[i] + matrix[12 + i];
+    }
+  }
+  friend Frame operator*(const Frame& first, const Frame& then);
+  std::optional<Frame> inverse() const;
+};
+
+struct ListData {
+  std::uint32_t stride = 0;
+  std::uint32_t count = 0;
+  std::vector<ig_value> values;
+  std::vector<std::uint64_t> present;
+};
+
+struct Leftover {
+  ig_leftover_kind kind;
+  ig_field field;
+  std::uint32_t begin, end;
+  std::string name;
+};
+
+/// Where the block stands in its source.
+struct BlockSource {
+  std::string_view file;
+  std::uint32_t line = 0;       ///< from 1
+  std::uint32_t column = 0;     ///< of the text's first byte, from 0: a line may hold several blocks
+  std::string_view text;        ///< alive until the block is finished
+};
+
+class Document {
+ public:
+  /// Sizes for one layout; `wake` is wake_words masks for each field (which syntaxes a write wakes).
+  Document(const Layout& layout, std::vector<std::uint64_t> wake, std::uint32_t wake_words);
+  Document(const Document&);
+  Document& operator=(const Document&);
+
+  const Layout& layout() const { return *layout_; }
+
+  bool present(ig_field f) const { return f < size_ && (present_[f >> 6] >> (f & 63) & 1) != 0; }
+  bool fresh(ig_field f) const { return f < size_ && (fresh_[f >> 6] >> (f & 63) & 1) != 0; }
+  bool taken(ig_field f) const { return f < size_ && (taken_[f >> 6] >> (f & 63) & 1) != 0; }
+  bool without_point(ig_field f) const { return f < size_ && (pointless_[f >> 6] >> (f & 63) & 1) != 0; }
+  ig_value value(ig_field f) const { return value_[f]; }
+  double number(ig_field f) const { return value_[f].number; }
+  std::uint16_t writer(ig_field f) const { return writer_[f]; }
+  std::string_view text(ig_field f) const;
+  std::uint32_t word_begin(ig_field f) const { return range_[f] & 0xffffu; }
+  std::uint32_t word_end(ig_field f) const { return range_[f] >> 16; }
+
+  /// Value, present, fresh, writer; wakes.
+  void set(ig_field f, ig_value v) {
+    write(f, v);
+    mark_fresh(f);
+  }
+  /// Value, present, writer.
+  void write(ig_field f, ig_value v) {
+    value_[f] = v;
+    present_[f >> 6] |= bit(f);
+    taken_[f >> 6] &= ~bit(f);
+    range_[f] = 0;
+    writer_[f] = current;
+  }
+  void mark_fresh(ig_field f) {
+    fresh_[f >> 6] |= bit(f);
+    for (std::uint32_t k = 0; k < wake_words_; ++k) active[k] |= wake_[f * wake_words_ + k];
+  }
+  void erase(ig_field f) {
+    present_[f >> 6] &= ~bit(f);
+    fresh_[f >> 6] &= ~bit(f);
+  }
+  /// Gives the value and removes a word; a code stays readable. False when it was not there.
+  bool take(ig_field f, ig_value& out) {
+    if (!present(f)) return false;
+    out = value_[f];
+    if ((codes_[f >> 6] & bit(f)) == 0) present_[f >> 6] &= ~bit(f);
+    taken_[f >> 6] |= bit(f);
+    return true;
+  }
+  void set_text(ig_field f, std::string_view text);
+  void set_word(const ig_word& w);
+  void rewrite(ig_field f, ig_value v);
+  void move(ig_field from, ig_field to);
+
+  /// Starts the next block: values from before it are put aside, modal fields are carried, the rest goes.
+  void begin(const BlockSource& source);
+  /// True when something of the block is left over: a word, an unanswered code, or other leftovers.
+  bool has_leftovers() const;
+  /// All of them in the order of their columns.
+  std::vector<Leftover> collect_leftovers() const;
+  void add_leftover(ig_leftover_kind kind, ig_field field, std::uint32_t begin, std::uint32_t end,
+                    std::string_view name);
+
+  void set_frame(ig_field f, const Frame& frame);
+  const Frame& frame(ig_field f) const { return frames_[static_cast<std::size_t>(value_[f].integer)]; }
+  /// All entries composed in chain order.
+  const Frame& composed();
+  bool map_to_program(const double (&in)[3], double (&out)[3]);
+  bool frame_changed = false;
+
+  std::vector<ListData> lists;
+  std::vector<Leftover> leftovers;
+  BlockSource source;
+  std::uint64_t active[4] = {};  ///< syntaxes to call in this block
+  std::uint16_t current = 0;     ///< chain position + 1 of the syntax that runs; 0: the host
+  std::uint32_t codes_seen = 0;
+  Chain* chain = nullptr;
+  std::vector<std::uint32_t> set_line;  ///< by field, the line that set it; kept in traced mode only
+
+  std::uint32_t size() const { return size_; }
+  std::uint32_t words() const { return words_; }
+  const std::uint64_t* present_bits() const { return present_; }
+  const std::uint64_t* fresh_bits() const { return fresh_; }
+  const std::uint64_t* taken_bits() const { return taken_; }
+  const std::uint64_t* word_bits() const { return word_mask_; }
+  const std::uint64_t* code_bits() const { return codes_; }
+
+  /// The same values, words and lists (the checked table holds a build that says "unchanged" to it).
+  bool same_content(const Document& other) const;
+
+  /// Takes the block's text into the document itself, so that it outlives the reader's buffer.
+  void own_source();
+
+ private:
+  static constexpr std::uint64_t bit(ig_field f) { return std::uint64_t{1} << (f & 63); }
+  void bind_arrays();
+
+  const Layout* layout_;
+  std::uint32_t size_ = 0, words_ = 0, wake_words_ = 1;
+  std::vector<std::uint64_t> bits_;
+  std::uint64_t *present_, *fresh_, *taken_, *pointless_;
+  const std::uint64_t *modal_, *word_mask_, *codes_;
+  std::vector<ig_value> value_;
+  std::vector<std::uint16_t> writer_;
+  std::vector<std::uint32_t> range_;  // begin | end << 16
+  std::vector<std::uint64_t> wake_;
+  std::vector<std::pair<ig_field, ig_field>> previous_;  // field, its copy from before the block
+  std::vector<Frame> frames_;
+  Frame composed_, inverse_;
+  bool composed_valid_ = false, inverse_valid_ = false, invertible_ = false;
+  std::string arena_;
+  std::string own_text_;
+};
+
+}  // namespace isogloss

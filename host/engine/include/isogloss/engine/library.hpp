@@ -1,0 +1,53 @@
+/// The plugins that are loaded, and what they contribute.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "isogloss.h"
+#include "isogloss/engine/diagnostic.hpp"
+
+namespace isogloss {
+
+/// A file that looked like a plugin and was not loaded.
+struct RefusedPlugin {
+  std::filesystem::path file;
+  std::string code;
+  std::string reason;
+};
+
+struct LoadedPlugin {
+  std::filesystem::path file;
+  const ig_plugin* plugin = nullptr;
+};
+
+/// Loads each *.so of the folders once and keeps it resident. When two folders hold a plugin of one name, the first
+/// folder's wins and the other is refused. Nothing outside the folders is loaded.
+class Library {
+ public:
+  explicit Library(const std::vector<std::filesystem::path>& folders);
+  ~Library();
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+
+  /// Loads only these plugins, by name, when they are not loaded yet (a dialect names its own); reports what fails.
+  bool load(const std::string& name, const Location& where, DiagnosticSink& sink);
+  /// Loads every plugin of the folders, for listing.
+  void load_all();
+
+  const std::vector<LoadedPlugin>& plugins() const;
+  const std::vector<RefusedPlugin>& refused() const;
+  const ig_plugin* find(std::string_view name) const;
+  const ig_syntax* syntax(std::string_view id, const ig_plugin** owner = nullptr) const;
+  const ig_dependency* dependency(std::string_view id, const ig_plugin** owner = nullptr) const;
+  /// A plugin that is part of the program (tests, static builds).
+  void add(const ig_plugin* plugin);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace isogloss

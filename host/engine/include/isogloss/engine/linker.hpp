@@ -1,0 +1,71 @@
+/// From a dialect and plugins to a chain that can run: ids, wake masks, checks. A linked dialect never changes and may
+/// be shared by threads; each run makes its own Chain of it.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "isogloss/engine/dialect.hpp"
+#include "isogloss/engine/layout.hpp"
+#include "isogloss/engine/library.hpp"
+
+namespace isogloss {
+
+/// An option's value, typed.
+struct OptionValue {
+  std::string text;
+  double number = 0;
+  std::int64_t integer = 0;  ///< boolean, index of the choice
+};
+
+/// A symbol or number that a field must have at the start of a block to wake a syntax.
+struct WakeWhile {
+  ig_field field;
+  ig_symbol value;  ///< 0: any
+  std::uint32_t position;
+};
+
+struct LinkedSyntax {
+  ChainElement element;
+  const ig_syntax* syntax = nullptr;
+  const ig_plugin* plugin = nullptr;
+  std::vector<ig_field> ids;                       ///< by declaration
+  std::vector<std::vector<ig_field>> expansions;   ///< by declaration; only patterns have some
+  std::vector<OptionValue> options;
+  std::vector<std::uint64_t> may_read, may_write, may_take;  ///< by field, for the checked table
+};
+
+struct LinkedDependency {
+  DependencyElement element;
+  const ig_dependency* dependency = nullptr;
+  const ig_plugin* plugin = nullptr;
+  std::vector<OptionValue> options;
+};
+
+struct LinkedDialect {
+  Dialect dialect;
+  Layout layout;
+  SymbolTable symbols;
+  std::vector<LinkedSyntax> chain;  ///< in order; parsing first, inspection last
+  std::vector<LinkedDependency> dependencies;
+  std::vector<std::uint64_t> wake;  ///< wake_words masks a field
+  std::uint32_t wake_words = 1;
+  std::vector<WakeWhile> wake_while;
+  std::uint32_t post_logic_begin = 0, inspection_begin = 0;  ///< chain positions
+  std::uint32_t look_ahead = 0;
+  std::vector<std::pair<ig_field, ig_value>> initial;
+
+  std::optional<std::uint32_t> position(std::string_view alias) const;
+};
+
+/// A whole dialect, or a few syntaxes alone (cases, apply): then nothing needs a writer or an order.
+enum class LinkMode { whole, parts };
+
+/// Checks and links. Reports every fault that it finds, not only the first; empty when there was an error.
+std::unique_ptr<LinkedDialect> link(const Dialect& dialect, Library& library, DiagnosticSink& sink,
+                                    LinkMode mode = LinkMode::whole);
+
+/// An order of the chain that satisfies after/before, or empty when there is none: for `lint --suggest`.
+std::vector<std::string> suggest_order(const Dialect& dialect, Library& library);
+
+}  // namespace isogloss

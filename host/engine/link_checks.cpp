@@ -1,0 +1,158 @@
+#include "link_checks.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace isogloss {
+
+namespace {
+
+std::string place(const Location& w) { return fmt::format("{}:{}:{}", w.file, w.line, w.column); }
+
+void check_order(const LinkedDialect& linked, std::vector<LinkFault>& faults) {
+  const auto find_all = [&](std::string_view id) {
+    std::vector<std::size_t> out;
+    for (std::size_t i = 0; i < linked.chain.size(); ++i)
+      if (linked.chain[i].element.syntax == id) out.push_back(i);
+    return out;
+  };
+  for (std::size_t i = 0; i < linked.chain.size(); ++i) {
+    const LinkedSyntax& s = linked.chain[i];
+    const auto complain = [&](const char* code, std::size_t other) {
+      const ChainElement& o = linked.chain[other].element;
+      faults.push_back({code, s.element.where, {s.element.alias, o.alias, place(o.where)}});
+    };
+    for (const char* const* id = s.syntax->after; id != nullptr && *id != nullptr; ++id)
+      for (const std::size_t other : find_all(*id))
+        if (other > i) complain("IG-0206", other);
+    for (const char* const* id = s.syntax->before; id != nullptr && *id != nullptr; ++id)
+      for (const std::size_t other : find_all(*id))
+        if (other < i) complain("IG-0207", other);
+  }
+}
+
+/// For each field, whether something writes and something reads it.
+struct Traffic {
+  explicit Traffic(const LinkedDialect& linked)
+      : written(linked.layout.fields.size()), read(linked.layout.fields.size()) {
+    const auto has = [](const std::vector<std::uint64_t>& mask, ig_field f) {
+      return (mask[f >> 6] >> (f & 63) & 1) != 0;
+    };
+    for (const LinkedSyntax& s : linked.chain)
+      for (ig_field f = 0; f < written.size(); ++f) {
+        if (has(s.may_write, f)) written[f] = true;
+        if (has(s.may_read, f) && !has(s.may_write, f)) read[f] = true;
+        if (has(s.may_take, f)) read[f] = true;
+      }
+    for (const auto& [field, value] : linked.initial) written[field] = true;
+    for (ig_field f = 0; f < written.size(); ++f)
+      if (const ig_field of = linked.layout.fields[f].previous_of; of != IG_NO_FIELD && read[f]) read[of] = true;
+    // The exporters and the inspection read the standard sections and every word.
+    for (const FieldInfo& info : standard_fields())
+      if (const auto f = linked.layout.find(info.path)) read[*f] = true;
+    for (const ig_field f : linked.layout.transforms) read[f] = true;
+    for (ig_field f = 0; f < read.size(); ++f)
+      if (linked.layout.fields[f].life == IG_LIFE_WORD) read[f] = true;
+  }
+  std::vector<bool> written, read;
+};
+
+void check_required(const LinkedDialect& linked, const Traffic& traffic, std::vector<LinkFault>& faults) {
+  for (const LinkedSyntax& s : linked.chain)
+    for (std::uint32_t i = 0; i < s.syntax->field_count; ++i) {
+      const ig_field f = s.ids[i];
+      if ((s.syntax->fields[i].access & IG_REQUIRED) == 0 || f == IG_NO_FIELD || is_record_field(f)) continue;
+      const ig_field of = linked.layout.fields[f].previous_of;
+      if (!traffic.written[of == IG_NO_FIELD ? f : of])
+        faults.push_back({"IG-0208", s.element.where, {s.element.alias, s.syntax->fields[i].path}});
+    }
+}
+
+void check_unread(const LinkedDialect& linked, const Traffic& traffic, std::vector<LinkFault>& faults) {
+  for (const LinkedSyntax& s : linked.chain)
+    for (std::uint32_t i = 0; i < s.syntax->field_count; ++i) {
+      const ig_field f = s.ids[i];
+      if ((s.syntax->fields[i].access & IG_WRITE) == 0 || f == IG_NO_FIELD || is_record_field(f)) continue;
+      if (!traffic.read[f]) faults.push_back({"IG-0212", s.element.where, {s.element.alias, s.syntax->fields[i].path}});
+    }
+}
+
+void check_slots(const LinkedDialect& linked, std::vector<LinkFault>& faults) {
+  std::map<std::string, const LinkedSyntax*> holders;
+  for (const LinkedSyntax& s : linked.chain) {
+    if (s.syntax->exclusive_slot == nullptr || s.element.override_slot) continue;
+    const auto [where, added] = holders.emplace(s.syntax->exclusive_slot, &s);
+    if (!added)
+      faults.push_back({"IG-0210",
+                        s.element.where,
+                        {s.element.alias, s.syntax->exclusive_slot, where->second->element.alias,
+                         place(where->second->element.where)}});
+  }
+}
+
+}  // namespace
+
+std::vector<LinkFault> check_services(const LinkedDialect& linked) {
+  std::vector<LinkFault> faults;
+  const auto is_provided = [&](std::string_view id) {
+    return std::any_of(linked.dependencies.begin(), linked.dependencies.end(), [&](const LinkedDependency& d) {
+      for (const char* const* p = d.dependency->provides; p != nullptr && *p != nullptr; ++p)
+        if (id == *p) return true;
+      return false;
+    });
+  };
+  for (const LinkedSyntax& s : linked.chain)
+    for (std::uint32_t i = 0; i < s.syntax->service_count; ++i) {
+      const ig_service_decl& service = s.syntax->services[i];
+      if (service.is_optional == 0 && !is_provided(service.id))
+        faults.push_back({"IG-0211", s.element.where, {s.element.alias, service.id}});
+    }
+  return faults;
+}
+
+std::vector<LinkFault> check_links(const LinkedDialect& linked) {
+  std::vector<LinkFault> faults;
+  const Traffic traffic(linked);
+  check_order(linked, faults);
+  check_required(linked, traffic, faults);
+  check_slots(linked, faults);
+  const std::vector<LinkFault> services = check_services(linked);
+  faults.insert(faults.end(), services.begin(), services.end());
+  check_unread(linked, traffic, faults);
+  return faults;
+}
+
+std::vector<std::string> suggest_order(const Dialect& dialect, Library& library) {
+  DiagnosticList ignored;
+  for (const PluginReference& p : dialect.plugins) library.load(p.name, p.where, ignored);
+  // Stable topological order: always the first element in written order that nothing left must precede.
+  std::vector<const ChainElement*> open;
+  for (const ChainElement& e : dialect.chain) open.push_back(&e);
+  std::vector<std::string> out;
+  const auto names = [](const char* const* list, std::string_view id) {
+    for (; list != nullptr && *list != nullptr; ++list)
+      if (id == *list) return true;
+    return false;
+  };
+  const auto must_precede = [&](const ChainElement& a, const ChainElement& b) {
+    const ig_syntax* const x = library.syntax(a.syntax);
+    const ig_syntax* const y = library.syntax(b.syntax);
+    return a.stage < b.stage || (x != nullptr && names(x->before, b.syntax)) ||
+           (y != nullptr && names(y->after, a.syntax));
+  };
+  while (!open.empty()) {
+    const auto next = std::find_if(open.begin(), open.end(), [&](const ChainElement* candidate) {
+      return std::none_of(open.begin(), open.end(), [&](const ChainElement* other) {
+        return other != candidate && other->syntax != candidate->syntax && must_precede(*other, *candidate);
+      });
+    });
+    if (next == open.end()) return {};
+    out.push_back((*next)->alias);
+    open.erase(next);
+  }
+  return out;
+}
+
+}  // namespace isogloss

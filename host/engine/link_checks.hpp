@@ -1,0 +1,19 @@
+/// What must hold between the parts of a linked dialect. Each check is one function, with its own code and test.
+#pragma once
+
+#include "isogloss/engine/linker.hpp"
+
+namespace isogloss {
+
+struct LinkFault {
+  std::string code;
+  Location where;
+  std::vector<std::string> arguments;
+};
+
+/// Order, required reads, slots, services, writes that nobody reads.
+std::vector<LinkFault> check_links(const LinkedDialect& linked);
+/// Services alone.
+std::vector<LinkFault> check_services(const LinkedDialect& linked);
+
+}  // namespace isogloss

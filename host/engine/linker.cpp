@@ -1,0 +1,483 @@
+// Linking: find the parts, type the options, collect the fields, give them dense ids, check, make the wake masks.
+// One class holds the work in progress; each step is a member function and reports all faults that it finds.
+#include "isogloss/engine/linker.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <unordered_map>
+
+#include "link_checks.hpp"
+#include "options.hpp"
+#include "pattern.hpp"
+
+namespace isogloss {
+
+namespace {
+
+constexpr std::size_t maximum_chain = 256;
+constexpr std::size_t maximum_previous = 64;
+
+/// A field while the layout is being made.
+struct Draft {
+  FieldInfo info;
+  std::string declared_by;
+};
+
+class Linker {
+ public:
+  Linker(const Dialect& dialect, Library& library, DiagnosticSink& sink, LinkMode mode)
+      : library_(library), sink_(sink), mode_(mode), out_(std::make_unique<LinkedDialect>()) {
+    out_->dialect = dialect;
+  }
+
+  std::unique_ptr<LinkedDialect> link() {
+    find_parts();
+    if (failed_) return nullptr;
+    collect_fields();
+    if (failed_) return nullptr;
+    assign_ids();
+    resolve_ids();
+    set_initial_state();
+    check();
+    make_wake_masks();
+    return failed_ ? nullptr : std::move(out_);
+  }
+
+ private:
+  void say(std::string_view code, const Location& where, std::initializer_list<std::string> arguments,
+           std::string hint = {}) {
+    Diagnostic d = host_diagnostic(code, where, arguments, std::move(hint));
+    const auto severity = out_->dialect.severities.find(d.code);
+    if (severity != out_->dialect.severities.end() && d.severity != Severity::error) d.severity = severity->second;
+    failed_ = failed_ || d.severity == Severity::error;
+    sink_.add(std::move(d));
+  }
+  static std::string meant(const std::string& near) { return near.empty() ? near : "did you mean " + near + "?"; }
+
+  // ---- parts
+
+  void find_parts() {
+    for (const PluginReference& p : out_->dialect.plugins)
+      if (!library_.load(p.name, p.where, sink_)) failed_ = true;
+    if (out_->dialect.chain.size() > maximum_chain)
+      say("IG-0216", {out_->dialect.file.string(), 0, 0},
+          {std::to_string(out_->dialect.chain.size()), std::to_string(maximum_chain)});
+    for (const ChainElement& element : out_->dialect.chain) find_syntax(element);
+    for (const DependencyElement& element : out_->dialect.dependencies) find_dependency(element);
+    const auto count_before = [&](Stage stage) {
+      return static_cast<std::uint32_t>(std::count_if(out_->chain.begin(), out_->chain.end(), [&](const LinkedSyntax& s) {
+        return s.element.stage < stage;
+      }));
+    };
+    out_->post_logic_begin = count_before(Stage::post_logic);
+    out_->inspection_begin = count_before(Stage::inspection);
+  }
+
+  bool is_named(const ig_plugin* plugin) const {
+    const auto& names = out_->dialect.plugins;
+    return std::any_of(names.begin(), names.end(), [&](const PluginReference& p) { return p.name == plugin->name; });
+  }
+
+  void find_syntax(const ChainElement& element) {
+    LinkedSyntax s;
+    s.element = element;
+    s.syntax = library_.syntax(element.syntax, &s.plugin);
+    if (s.syntax == nullptr || !is_named(s.plugin)) {
+      std::vector<std::string> names;
+      for (const LoadedPlugin& p : library_.plugins())
+        if (is_named(p.plugin))
+          for (std::uint32_t i = 0; i < p.plugin->syntax_count; ++i) names.emplace_back(p.plugin->syntaxes[i]->id);
+      say("IG-0202", element.where, {element.syntax}, meant(nearest_name(element.syntax, names)));
+      return;
+    }
+    s.options = read_options(element.alias, element.where, s.syntax->options, s.syntax->option_count, element.options);
+    if (s.syntax->look_ahead > 0) {
+      out_->look_ahead = std::max(out_->look_ahead, s.syntax->look_ahead);
+      if (element.stage != Stage::post_logic && mode_ == LinkMode::whole) say("IG-0221", element.where, {element.alias});
+    }
+    if (s.syntax->inspects != 0 && element.stage != Stage::inspection && mode_ == LinkMode::whole)
+      say("IG-0223", element.where, {element.alias});
+    out_->chain.push_back(std::move(s));
+  }
+
+  void find_dependency(const DependencyElement& element) {
+    LinkedDependency d;
+    d.element = element;
+    d.dependency = library_.dependency(element.id, &d.plugin);
+    if (d.dependency == nullptr || !is_named(d.plugin)) {
+      std::vector<std::string> names;
+      for (const LoadedPlugin& p : library_.plugins())
+        for (std::uint32_t i = 0; i < p.plugin->dependency_count; ++i) names.emplace_back(p.plugin->dependencies[i]->id);
+      say("IG-0203", element.where, {element.id}, meant(nearest_name(element.id, names)));
+      return;
+    }
+    d.options =
+        read_options(element.alias, element.where, d.dependency->options, d.dependency->option_count, element.options);
+    for (const TableRow& row : element.rows) check_row(d, row);
+    out_->dependencies.push_back(std::move(d));
+  }
+
+  std::vector<OptionValue> read_options(const std::string& owner, const Location& where, const ig_option_decl* declared,
+                                        std::uint32_t count, const std::vector<Attribute>& given) {
+    std::vector<OptionValue> values(count);
+    std::vector<std::string> names;
+    std::set<std::string> seen;
+    for (std::uint32_t i = 0; i < count; ++i) names.emplace_back(declared[i].name);
+    for (const Attribute& a : given) {
+      const auto found = std::find(names.begin(), names.end(), a.name);
+      if (found == names.end()) {
+        say("IG-0204", a.where, {owner, a.name}, meant(nearest_name(a.name, names)));
+        continue;
+      }
+      const ig_option_decl& option = declared[found - names.begin()];
+      seen.insert(a.name);
+      if (const std::optional<OptionValue> v = parse_option(option, a.value))
+        values[static_cast<std::size_t>(found - names.begin())] = *v;
+      else
+        say("IG-0205", a.where, {a.name, owner, describe_option(option), a.value});
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (seen.contains(names[i])) continue;
+      if (declared[i].fallback == nullptr)
+        say("IG-0213", where, {owner, names[i]});
+      else if (const std::optional<OptionValue> v = parse_option(declared[i], declared[i].fallback))
+        values[i] = *v;
+    }
+    return values;
+  }
+
+  void check_row(const LinkedDependency& d, const TableRow& row) {
+    const std::string& owner = d.element.alias;
+    if (d.dependency->row_element == nullptr || row.element != d.dependency->row_element) {
+      say("IG-0217", row.where,
+          {owner, row.element, d.dependency->row_element == nullptr ? "(none)" : d.dependency->row_element});
+      return;
+    }
+    std::vector<std::string> columns;
+    for (std::uint32_t i = 0; i < d.dependency->column_count; ++i) columns.emplace_back(d.dependency->columns[i].name);
+    bool has_key = false;
+    for (const Attribute& a : row.attributes) {
+      if (a.name == d.dependency->row_key) {
+        has_key = !a.value.empty();
+        continue;
+      }
+      const auto found = std::find(columns.begin(), columns.end(), a.name);
+      if (found == columns.end()) {
+        say("IG-0219", a.where, {owner, a.name}, meant(nearest_name(a.name, columns)));
+        continue;
+      }
+      const ig_column_decl& column = d.dependency->columns[found - columns.begin()];
+      if (column.is_text != 0) continue;
+      const std::optional<double> v = parse_number(a.value);
+      if (!v || *v < column.minimum || *v > column.maximum)
+        say("IG-0220", a.where, {a.name, a.value, v ? " within its range" : ""});
+    }
+    if (!has_key) say("IG-0218", row.where, {owner, d.dependency->row_key});
+  }
+
+  // ---- fields
+
+  static const char* type_name(ig_type type) {
+    static constexpr std::array names{"nothing", "number", "integer", "boolean", "name",
+                                      "text",    "code",   "transform", "switch"};
+    return type < names.size() ? names[type] : "nothing";
+  }
+
+  /// "Parsing.Flags.X" is the same field as "Parsing.X" when some syntax lets X own words.
+  std::string canonical(const std::string& path) const {
+    constexpr std::string_view flags = "Parsing.Flags.";
+    if (!path.starts_with(flags)) return path;
+    const std::string owner = "Parsing." + path.substr(flags.size());
+    return owners_.contains(owner) ? owner : path;
+  }
+
+  void collect_fields() {
+    for (const FieldInfo& info : standard_fields()) {
+      drafts_.emplace(info.path, Draft{info, "the standard sections"});
+      mention_.push_back(info.path);
+    }
+    out_->layout.lists = standard_lists();
+    for (const LinkedSyntax& s : out_->chain)
+      for (std::uint32_t i = 0; i < s.syntax->field_count; ++i) {
+        const ig_field_decl& decl = s.syntax->fields[i];
+        const std::string path = decl.path;
+        if (decl.type == IG_CODE && (decl.access & IG_PATTERN) == 0 && path.starts_with("Parsing.") &&
+            !path.starts_with("Parsing.Flags."))
+          owners_.insert(path);
+        if ((decl.access & IG_PATTERN) != 0)
+          for (const FieldPattern& p : patterns(s, decl))
+            if (p.is_literal() && decl.type == IG_CODE && !p.path().starts_with("Parsing.Flags."))
+              owners_.insert(p.path());
+      }
+    for (const LinkedSyntax& s : out_->chain)
+      for (std::uint32_t i = 0; i < s.syntax->field_count; ++i) {
+        const ig_field_decl& decl = s.syntax->fields[i];
+        if ((decl.access & IG_PATTERN) == 0) {
+          declare(s, decl, decl.path);
+          continue;
+        }
+        for (const FieldPattern& p : patterns(s, decl))
+          if (p.is_literal()) declare(s, decl, p.path());
+      }
+  }
+
+  static std::vector<FieldPattern> patterns(const LinkedSyntax& s, const ig_field_decl& decl) {
+    for (std::uint32_t i = 0; i < s.syntax->option_count; ++i)
+      if (std::string_view(decl.path).substr(1) == s.syntax->options[i].name) return parse_patterns(s.options[i].text);
+    return {};
+  }
+
+  void declare(const LinkedSyntax& s, const ig_field_decl& decl, const std::string& written) {
+    const std::size_t brackets = written.find("[].");
+    if (brackets != std::string::npos) {
+      declare_record(s, decl, written.substr(0, brackets), written.substr(brackets + 3));
+      return;
+    }
+    const std::string path = canonical(written);
+    FieldInfo info{path, decl.type, decl.life, decl.unit, decl.doc, decl.type == IG_SWITCH, IG_NO_FIELD};
+    if (info.life == IG_LIFE_STANDARD) info.life = default_life(path, decl.type);
+    if (decl.type == IG_TEXT && info.life == IG_LIFE_MODAL) say("IG-0222", s.element.where, {s.element.alias, path});
+    const auto [where, added] = drafts_.emplace(path, Draft{info, s.element.alias});
+    Draft& known = where->second;
+    if (added) mention_.push_back(path);
+    const bool same_life = decl.life == IG_LIFE_STANDARD || known.info.life == decl.life;
+    if (known.info.type != decl.type || !same_life)
+      say("IG-0209", s.element.where,
+          {s.element.alias, path, type_name(decl.type), known.declared_by, type_name(known.info.type)},
+          same_life ? "" : "their lives differ");
+    if (known.info.unit.empty()) known.info.unit = decl.unit;
+    if (known.info.doc.empty()) known.info.doc = decl.doc;
+    if ((decl.access & IG_PREVIOUS) != 0) previous_.insert(path);
+  }
+
+  static ig_life default_life(const std::string& path, ig_type type) {
+    if (type == IG_TRANSFORM) return IG_LIFE_MODAL;
+    if (type == IG_SWITCH || type == IG_TEXT) return IG_LIFE_BLOCK;
+    return path.starts_with("Parsing.") ? IG_LIFE_WORD : IG_LIFE_BLOCK;
+  }
+
+  void declare_record(const LinkedSyntax& s, const ig_field_decl& decl, const std::string& list,
+                      const std::string& path) {
+    auto& lists = out_->layout.lists;
+    auto l = std::find_if(lists.begin(), lists.end(), [&](const ListInfo& info) { return info.path == list; });
+    if (l == lists.end()) {
+      lists.push_back({list, {}});
+      l = lists.end() - 1;
+    }
+    const auto f = std::find_if(l->fields.begin(), l->fields.end(), [&](const FieldInfo& i) { return i.path == path; });
+    if (f == l->fields.end())
+      l->fields.push_back({path, decl.type, IG_LIFE_BLOCK, decl.unit, decl.doc, false, IG_NO_FIELD});
+    else if (f->type != decl.type)
+      say("IG-0209", s.element.where,
+          {s.element.alias, list + "[]." + path, type_name(decl.type), "another syntax", type_name(f->type)});
+  }
+
+  // ---- ids: modal fields first, then the block's, then words and codes, switches, values from before the block
+
+  static int rank(const FieldInfo& info) {
+    if (info.life == IG_LIFE_MODAL) return 0;
+    if (info.type == IG_SWITCH) return 4;
+    if (info.type == IG_CODE) return 3;
+    return info.life == IG_LIFE_WORD ? 2 : 1;
+  }
+
+  void assign_ids() {
+    Layout& layout = out_->layout;
+    std::vector<std::string> order = mention_;
+    std::stable_sort(order.begin(), order.end(), [&](const std::string& a, const std::string& b) {
+      return rank(drafts_.at(a).info) < rank(drafts_.at(b).info);
+    });
+    for (const std::string& path : order) {
+      const FieldInfo& info = drafts_.at(path).info;
+      if (info.life == IG_LIFE_MODAL) ++layout.modal_count;
+      if (info.type == IG_TRANSFORM) layout.transforms.push_back(static_cast<ig_field>(layout.fields.size()));
+      layout.fields.push_back(info);
+    }
+    layout.index();
+    if (previous_.size() > maximum_previous)
+      say("IG-0216", {}, {std::to_string(previous_.size()), std::to_string(maximum_previous)});
+    for (const std::string& path : previous_) {
+      const ig_field field = layout.id(path);
+      FieldInfo copy = layout.fields[field];
+      copy.life = IG_LIFE_BLOCK;
+      copy.hidden = true;
+      copy.previous_of = field;
+      previous_ids_.emplace(path, static_cast<ig_field>(layout.fields.size()));
+      layout.fields.push_back(std::move(copy));
+    }
+    layout.index();
+    order_for_show();
+  }
+
+  void order_for_show() {
+    Layout& layout = out_->layout;
+    std::unordered_map<std::string, std::size_t> sections;
+    for (const std::string& s : section_order()) sections.emplace(s, sections.size());
+    const auto section_rank = [&](ig_field f) {
+      const std::string& path = layout.fields[f].path;
+      const auto found = sections.find(path.substr(0, path.find('.')));
+      return found == sections.end() ? sections.size() : found->second;
+    };
+    for (ig_field f = 0; f < layout.fields.size(); ++f) {
+      const FieldInfo& info = layout.fields[f];
+      if (!info.hidden && info.type != IG_CODE && info.type != IG_TRANSFORM) layout.shown.push_back(f);
+    }
+    std::stable_sort(layout.shown.begin(), layout.shown.end(),
+                     [&](ig_field a, ig_field b) { return section_rank(a) < section_rank(b); });
+  }
+
+  void resolve_ids() {
+    const std::size_t mask_words = (out_->layout.fields.size() + 63) / 64;
+    for (LinkedSyntax& s : out_->chain) {
+      s.may_read.resize(mask_words);
+      s.may_write.resize(mask_words);
+      s.may_take.resize(mask_words);
+      s.expansions.resize(s.syntax->field_count);
+      for (std::uint32_t i = 0; i < s.syntax->field_count; ++i) {
+        const ig_field_decl& decl = s.syntax->fields[i];
+        ig_field id = IG_NO_FIELD;
+        if ((decl.access & IG_PATTERN) != 0) {
+          s.expansions[i] = expand(s, decl);
+          for (const ig_field f : s.expansions[i]) permit(s, decl.access, f);
+        } else {
+          id = resolve(decl);
+          permit(s, decl.access, id);
+        }
+        s.ids.push_back(id);
+      }
+    }
+  }
+
+  ig_field resolve(const ig_field_decl& decl) const {
+    const std::string path = decl.path;
+    if (const std::size_t brackets = path.find("[]."); brackets != std::string::npos)
+      return out_->layout.record(path.substr(0, brackets), path.substr(brackets + 3));
+    return (decl.access & IG_PREVIOUS) != 0 ? previous_ids_.at(canonical(path)) : out_->layout.id(canonical(path));
+  }
+
+  std::vector<ig_field> expand(const LinkedSyntax& s, const ig_field_decl& decl) {
+    std::vector<ig_field> out;
+    for (const FieldPattern& pattern : patterns(s, decl)) {
+      bool any = false;
+      for (ig_field f = 0; f < out_->layout.fields.size(); ++f) {
+        const FieldInfo& info = out_->layout.fields[f];
+        if (info.hidden || info.type != decl.type) continue;
+        const bool fits = pattern.is_literal() ? info.path == canonical(pattern.path())
+                                               : pattern.matches(info.path, info.unit);
+        if (!fits) continue;
+        any = true;
+        if (std::find(out.begin(), out.end(), f) == out.end()) out.push_back(f);
+      }
+      if (!any && pattern.is_literal()) say("IG-0214", s.element.where, {pattern.path()});
+    }
+    return out;
+  }
+
+  static void permit(LinkedSyntax& s, std::uint32_t access, ig_field f) {
+    if (f == IG_NO_FIELD || is_record_field(f)) return;
+    const std::uint64_t bit = std::uint64_t{1} << (f & 63);
+    if ((access & (IG_READ | IG_PREVIOUS | IG_WAKE | IG_WAKE_WHILE)) != 0) s.may_read[f >> 6] |= bit;
+    if ((access & IG_WRITE) != 0) s.may_write[f >> 6] |= bit;
+    if ((access & IG_TAKE) != 0) s.may_take[f >> 6] |= bit;
+  }
+
+  // ---- initial state
+
+  void set_initial_state() {
+    std::vector<std::string> names;
+    for (const FieldInfo& info : out_->layout.fields) names.push_back(info.path);
+    for (const InitialField& initial : out_->dialect.initial) {
+      const std::optional<ig_field> f = out_->layout.find(canonical(initial.path));
+      if (!f) {
+        say("IG-0214", initial.where, {initial.path}, meant(nearest_name(initial.path, names)));
+        continue;
+      }
+      const FieldInfo& info = out_->layout.fields[*f];
+      ig_value v{};
+      const std::optional<double> number = parse_number(initial.value);
+      bool ok = true;
+      if (info.type == IG_NUMBER) {
+        ok = number.has_value();
+        v.number = number.value_or(0);
+      } else if (info.type == IG_INTEGER) {
+        ok = number.has_value() && *number == static_cast<double>(static_cast<std::int64_t>(*number));
+        v.integer = static_cast<std::int64_t>(number.value_or(0));
+      } else if (info.type == IG_BOOLEAN) {
+        ok = initial.value == "true" || initial.value == "false";
+        v.integer = initial.value == "true" ? 1 : 0;
+      } else if (info.type == IG_SYMBOL) {
+        v.symbol = out_->symbols.intern(initial.value);
+      } else {
+        ok = false;
+      }
+      if (ok)
+        out_->initial.emplace_back(*f, v);
+      else
+        say("IG-0215", initial.where, {initial.value, type_name(info.type), initial.path});
+    }
+  }
+
+  void check() {
+    if (mode_ == LinkMode::parts) {
+      for (const LinkFault& fault : check_services(*out_)) say(fault.code, fault.where, fault);
+      return;
+    }
+    for (const LinkFault& fault : check_links(*out_)) say(fault.code, fault.where, fault);
+  }
+  void say(std::string_view code, const Location& where, const LinkFault& fault) {
+    Diagnostic d = host_diagnostic(code, where, {});
+    for (const DiagnosticInfo& info : host_diagnostics())
+      if (info.code == code) d.message = fill_in(info.text, fault.arguments);
+    failed_ = failed_ || d.severity == Severity::error;
+    sink_.add(std::move(d));
+  }
+
+  // ---- wake masks
+
+  void make_wake_masks() {
+    out_->wake_words = static_cast<std::uint32_t>(std::max<std::size_t>(1, (out_->chain.size() + 63) / 64));
+    out_->wake.assign(out_->layout.fields.size() * out_->wake_words, 0);
+    for (std::uint32_t position = 0; position < out_->chain.size(); ++position) {
+      const LinkedSyntax& s = out_->chain[position];
+      if (s.syntax->build == nullptr) continue;
+      for (std::uint32_t i = 0; i < s.syntax->field_count; ++i) {
+        const ig_field_decl& decl = s.syntax->fields[i];
+        const std::vector<ig_field> one{s.ids[i]};
+        for (const ig_field f : (decl.access & IG_PATTERN) != 0 ? s.expansions[i] : one) {
+          if (f == IG_NO_FIELD || is_record_field(f)) continue;
+          if ((decl.access & IG_WAKE) != 0)
+            out_->wake[f * out_->wake_words + position / 64] |= std::uint64_t{1} << (position % 64);
+          if ((decl.access & IG_WAKE_WHILE) != 0)
+            out_->wake_while.push_back(
+                {f, decl.wake_value == nullptr ? 0 : out_->symbols.intern(decl.wake_value), position});
+        }
+      }
+    }
+  }
+
+  Library& library_;
+  DiagnosticSink& sink_;
+  LinkMode mode_;
+  std::unique_ptr<LinkedDialect> out_;
+  bool failed_ = false;
+  std::unordered_map<std::string, Draft> drafts_;
+  std::vector<std::string> mention_;
+  std::set<std::string> owners_;    // codes that own words
+  std::set<std::string> previous_;  // fields read from before the block
+  std::unordered_map<std::string, ig_field> previous_ids_;
+};
+
+}  // namespace
+
+std::optional<std::uint32_t> LinkedDialect::position(std::string_view alias) const {
+  for (std::uint32_t i = 0; i < chain.size(); ++i)
+    if (chain[i].element.alias == alias) return i;
+  return std::nullopt;
+}
+
+std::unique_ptr<LinkedDialect> link(const Dialect& dialect, Library& library, DiagnosticSink& sink, LinkMode mode) {
+  return Linker(dialect, library, sink, mode).link();
+}
+
+}  // namespace isogloss

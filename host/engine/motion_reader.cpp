@@ -1,0 +1,213 @@
+#include "motion_reader.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace isogloss {
+
+namespace {
+
+/// Coordinates that are closer are the same place: what an offset there and back leaves behind.
+constexpr double same_place_mm = 1e-7;
+/// Ends of an arc that are closer make a full circle.
+constexpr double closed_arc_mm = 1e-6;
+
+constexpr const char* axis_names[] = {"X", "Y", "Z", "A", "B", "C"};
+
+double degrees(double radians) { return radians * (180 / std::numbers::pi); }
+
+/// First and second axis of a plane; counter-clockwise turns the first towards the second.
+struct PlaneAxes {
+  int first, second;
+};
+
+/// Degrees from start to end about the center, signed; ±360 where they coincide.
+double sweep(const double (&start)[3], const double (&end)[3], const double (&center)[3], PlaneAxes plane,
+             bool is_ccw) {
+  const double sign = is_ccw ? 1 : -1;
+  const int i = plane.first, j = plane.second;
+  if (std::abs(end[i] - start[i]) < closed_arc_mm && std::abs(end[j] - start[j]) < closed_arc_mm) return sign * 360;
+  const double from = std::atan2(start[j] - center[j], start[i] - center[i]);
+  const double to = std::atan2(end[j] - center[j], end[i] - center[i]);
+  double angle = degrees(sign * (to - from));
+  if (angle <= 0) angle += 360;
+  return sign * angle;
+}
+
+/// The unit vector about which the mapped plane turns from its first axis to its second. Taken from the two axes, so
+/// that the sense stays right in a mirrored frame.
+void map_normal(const Frame& frame, PlaneAxes plane, double (&out)[3]) {
+  const double* a = frame.matrix + 4 * plane.first;
+  const double* b = frame.matrix + 4 * plane.second;
+  const double n[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  for (int i = 0; i < 3; ++i) out[i] = length > 0 ? n[i] / length : 0;
+}
+
+}  // namespace
+
+void MotionReader::begin(const Document& initial, const SymbolTable& symbols) {
+  const Layout& layout = initial.layout();
+  const std::string items = "CompoundMotion.Items";
+  const auto fields = [&](auto id) {
+    Fields f{};
+    for (int i = 0; i < 3; ++i) {
+      f.program[i] = id(std::string("ProgramXyz.") + axis_names[i]);
+      f.center[i] = id(std::string("MotionEvent.ArcCenter.") + axis_names[i]);
+    }
+    for (int i = 0; i < 6; ++i) f.machine[i] = id(std::string("MachineCoordinate.") + axis_names[i]);
+    f.form = id("MotionEvent.Form");
+    f.is_rapid = id("MotionEvent.IsRapid");
+    f.is_manual = id("MotionEvent.IsManual");
+    f.feed = id("MotionEvent.Feedrate_mmds");
+    f.is_ccw = id("MotionEvent.IsCcw");
+    f.circles = id("MotionEvent.AdditionalCircleNum");
+    return f;
+  };
+  root_ = fields([&](const std::string& path) { return layout.id(path); });
+  list_ = layout.lists.size();
+  for (std::size_t i = 0; i < layout.lists.size(); ++i)
+    if (layout.lists[i].path == items) list_ = i;
+  const auto in_item = [&](const std::string& path) {
+    const ig_field f = layout.record(items, path);
+    return f == IG_NO_FIELD ? f : static_cast<ig_field>(index_in_record(f));
+  };
+  item_ = fields(in_item);
+  item_dwell_ = in_item("Dwell.Time");
+  item_direction_ = in_item("SpindleControl.Direction");
+  item_orient_ = in_item("SpindleOrientation.Angle_deg");
+
+  is_change_ = layout.id("ToolChange.IsChange");
+  tool_ = layout.id("ToolChange.ToolId");
+  spindle_tool_ = layout.id("ToolChange.SpindleToolId");
+  direction_ = layout.id("SpindleSpeed.Direction");
+  speed_ = layout.id("SpindleSpeed.SpindleSpeed_rpm");
+  coolant_ = layout.id("Coolant.Mode");
+  dwell_ = layout.id("Dwell.Time");
+  orient_ = layout.id("SpindleOrientation.Angle_deg");
+  plane_ = layout.id("PlaneSelect.Plane");
+  program_stop_ = layout.id("ProgramStop.Term");
+  program_end_ = layout.id("ProgramEnd.Term");
+  others_.clear();
+  for (const ig_field f :
+       {is_change_, direction_, speed_, coolant_, dwell_, orient_, program_stop_, program_end_}) {
+    if (f == IG_NO_FIELD) continue;
+    if (others_.empty() || others_.back().word != f >> 6) others_.push_back({f >> 6, 0});
+    others_.back().bits |= std::uint64_t{1} << (f & 63);
+  }
+  for (KnownName* name : {&linear_, &arc_, &stop_, &off_, &xy_, &zx_, &yz_}) name->forget();
+
+  position_ = {};
+  program_position_ = {};
+  for (unsigned i = 0; i < 6; ++i) {
+    if (!initial.present(root_.machine[i])) continue;
+    position_.at[i] = initial.number(root_.machine[i]);
+    position_.known |= 1u << i;
+  }
+  spindle_direction_ = symbol(initial, direction_);
+  spindle_turns_ = spindle_direction_ != 0 && !stop_.is(spindle_direction_, symbols);
+  spindle_speed_ = initial.present(speed_) ? initial.number(speed_) : 0;
+  coolant_mode_ = symbol(initial, coolant_);
+  if (off_.is(coolant_mode_, symbols)) coolant_mode_ = 0;
+}
+
+bool MotionReader::changes_spindle(ig_symbol direction, const Document& d, const SymbolTable& symbols) {
+  const bool turns = !stop_.is(direction, symbols);
+  const double speed = d.present(speed_) ? d.number(speed_) : 0;
+  const bool same = turns ? spindle_turns_ && direction == spindle_direction_ && speed == spindle_speed_
+                          : !spindle_turns_;
+  spindle_turns_ = turns;
+  spindle_direction_ = direction;
+  spindle_speed_ = speed;
+  return !same;
+}
+
+const Move* MotionReader::root_move(Document& d, const SymbolTable& symbols) {
+  return make_move(d, root_, d, symbols);
+}
+
+template <class Values>
+const Move* MotionReader::make_move(const Values& values, const Fields& fields, Document& d,
+                                    const SymbolTable& symbols) {
+  const auto form = static_cast<ig_symbol>(values.value(fields.form).symbol);
+  const bool is_arc = !linear_.is(form, symbols) && arc_.is(form, symbols);
+  const bool is_rapid = values.present(fields.is_rapid) && values.value(fields.is_rapid).integer != 0;
+  Move& m = move_;
+  m.program.known = 0;
+  for (unsigned i = 0; i < 3; ++i) {
+    if (!values.present(fields.program[i])) continue;
+    m.program.at[i] = values.number(fields.program[i]);
+    m.program.known |= 1u << i;
+  }
+  m.machine.known = 0;
+  for (unsigned i = 0; i < 6; ++i) {
+    if (!values.present(fields.machine[i])) continue;
+    m.machine.at[i] = values.number(fields.machine[i]);
+    m.machine.known |= 1u << i;
+  }
+  if (&fields == &item_ && m.machine.known != 0) {  // a step names the axes that it moves
+    for (unsigned i = 0; i < 6; ++i)
+      if (!m.machine.has(i)) m.machine.at[i] = position_.at[i];
+    m.machine.known |= position_.known;
+  }
+  if (!is_arc && !keep_zero_moves_ && goes_nowhere()) return nullptr;
+
+  m.kind = is_arc ? Move::Kind::arc : is_rapid ? Move::Kind::rapid : Move::Kind::feed;
+  m.is_manual = values.present(fields.is_manual) && values.value(fields.is_manual).integer != 0;
+  m.has_feed = m.kind != Move::Kind::rapid && values.present(fields.feed);
+  m.feed_mmds = m.has_feed ? values.number(fields.feed) : 0;
+  m.from = position_;
+  if (is_arc) make_arc(values, fields, d, symbols);
+  for (unsigned i = 0; i < 6; ++i)
+    if (m.machine.has(i)) position_.at[i] = m.machine.at[i];
+  position_.known |= m.machine.known;
+  for (unsigned i = 0; i < 3; ++i)
+    if (m.program.has(i)) program_position_.at[i] = m.program.at[i];
+  program_position_.known |= m.program.known;
+  return &m;
+}
+
+bool MotionReader::goes_nowhere() const {
+  const AxisPoint& to = move_.machine;
+  if (to.known == 0 || (to.known & ~position_.known) != 0) return false;
+  for (unsigned i = 0; i < 6; ++i)
+    if (to.has(i) && std::abs(to.at[i] - position_.at[i]) > same_place_mm) return false;
+  return true;
+}
+
+template <class Values>
+void MotionReader::make_arc(const Values& values, const Fields& fields, Document& d, const SymbolTable& symbols) {
+  Arc& arc = move_.arc;
+  const ig_symbol plane = symbol(d, plane_);
+  PlaneAxes axes{0, 1};
+  arc.plane = "XY";
+  if (plane != 0 && !xy_.is(plane, symbols)) {
+    arc.plane = symbols.text(plane);
+    if (zx_.is(plane, symbols)) axes = {2, 0};
+    if (yz_.is(plane, symbols)) axes = {1, 2};
+  }
+  arc.is_ccw = values.present(fields.is_ccw) && values.value(fields.is_ccw).integer != 0;
+  arc.additional_circles = values.present(fields.circles) ? values.value(fields.circles).integer : 0;
+  arc.has_center = true;
+  for (int i = 0; i < 3; ++i) {
+    if (values.present(fields.center[i]))
+      arc.center[i] = values.number(fields.center[i]);
+    else
+      arc.has_center = false;
+  }
+  // The start in this block's frame: the position from before the block may stand in another.
+  if (!(position_.has_xyz() && d.map_to_program({position_.at[0], position_.at[1], position_.at[2]}, arc.start))) {
+    for (int i = 0; i < 3; ++i) arc.start[i] = program_position_.at[i];
+  }
+  if (!arc.has_center) return;
+  const double end[3] = {move_.program.at[0], move_.program.at[1], move_.program.at[2]};
+  arc.sweep_deg = sweep(arc.start, end, arc.center, axes, arc.is_ccw) +
+                  (arc.is_ccw ? 360.0 : -360.0) * static_cast<double>(arc.additional_circles);
+  const Frame& frame = d.composed();
+  frame.map(arc.center, arc.machine_center);
+  map_normal(frame, axes, arc.normal);
+}
+
+template const Move* MotionReader::make_move(const Record&, const Fields&, Document&, const SymbolTable&);
+
+}  // namespace isogloss

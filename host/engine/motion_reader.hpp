@@ -1,0 +1,196 @@
+/// Turns finished blocks into events, in the order in which the machine performs them.
+#pragma once
+
+#include <string_view>
+
+#include "isogloss/engine/document.hpp"
+
+namespace isogloss {
+
+/// A point of which some axes may be unknown: X Y Z A B C, a bit for each that is known.
+struct AxisPoint {
+  double at[6] = {};
+  std::uint32_t known = 0;
+  bool has(unsigned axis) const { return (known >> axis & 1u) != 0; }
+  bool has_xyz() const { return (known & 7u) == 7u; }
+};
+
+/// Where an arc lies. With N the normal, it runs `sweep_deg` about N: counter-clockwise when positive, whole turns
+/// included.
+struct Arc {
+  std::string_view plane = "XY";
+  bool has_center = false;  ///< without one nothing below it is known
+  bool is_ccw = false;
+  std::int64_t additional_circles = 0;
+  double sweep_deg = 0;
+  double center[3] = {};  ///< program coordinates, at the level of the start
+  double start[3] = {};   ///< program coordinates, in the frame of this block
+  double machine_center[3] = {};
+  double normal[3] = {};  ///< unit vector, machine coordinates
+};
+
+struct Move {
+  enum class Kind : std::uint8_t { rapid, feed, arc };
+  Kind kind = Kind::rapid;
+  bool is_manual = false;
+  bool has_feed = false;
+  double feed_mmds = 0;
+  AxisPoint program;  ///< X Y Z
+  AxisPoint machine;
+  AxisPoint from;  ///< machine coordinates before the move
+  Arc arc;         ///< set for arcs only
+};
+
+/// One name compared often: by its id once the id is known.
+class KnownName {
+ public:
+  explicit KnownName(std::string_view text) : text_(text) {}
+  void forget() { id_ = 0; }
+  bool is(ig_symbol symbol, const SymbolTable& symbols) {
+    if (symbol == id_ && id_ != 0) return true;
+    if (symbols.text(symbol) != text_) return false;
+    id_ = symbol;
+    return true;
+  }
+
+ private:
+  std::string_view text_;
+  ig_symbol id_ = 0;
+};
+
+/// Keeps what the events of earlier blocks have left behind: position, spindle, coolant.
+class MotionReader {
+ public:
+  explicit MotionReader(bool zero_moves) : keep_zero_moves_(zero_moves) {}
+
+  void begin(const Document& initial, const SymbolTable& symbols);
+
+  /// Calls, in order: tool(number), spindle(direction, has_speed, rpm), coolant(mode), dwell(seconds), orient(degrees),
+  /// move(Move), stop(term), end(term).
+  template <class Events>
+  void read(Document& d, const SymbolTable& symbols, Events& events) {
+    const bool has_others = any_fresh(d);
+    if (has_others) before_motion(d, symbols, events);
+    if (d.fresh(root_.form)) {
+      if (const Move* move = root_move(d, symbols)) events.move(*move);
+    } else if (list_ < d.lists.size() && d.lists[list_].count != 0) {
+      read_items(d, symbols, events);
+    }
+    if (has_others) after_motion(d, symbols, events);
+  }
+
+ private:
+  /// The fields of a motion, in the block itself or in a list's record.
+  struct Fields {
+    ig_field program[3], machine[6];
+    ig_field form, is_rapid, is_manual, feed, center[3], is_ccw, circles;
+  };
+  struct FreshMask {
+    std::uint32_t word;
+    std::uint64_t bits;
+  };
+  /// A record's values, asked like a document's.
+  struct Record {
+    const ig_value* values;
+    std::uint64_t mask;
+    bool present(ig_field f) const { return f < 64 && (mask >> f & 1) != 0; }
+    ig_value value(ig_field f) const { return values[f]; }
+    double number(ig_field f) const { return values[f].number; }
+  };
+
+  bool any_fresh(const Document& d) const {
+    std::uint64_t found = 0;
+    for (const FreshMask& m : others_) found |= d.fresh_bits()[m.word] & m.bits;
+    return found != 0;
+  }
+
+  const Move* root_move(Document& d, const SymbolTable& symbols);
+  template <class Values>
+  const Move* make_move(const Values& values, const Fields& fields, Document& d, const SymbolTable& symbols);
+  template <class Values>
+  void make_arc(const Values& values, const Fields& fields, Document& d, const SymbolTable& symbols);
+  bool goes_nowhere() const;
+  bool changes_spindle(ig_symbol direction, const Document& d, const SymbolTable& symbols);
+
+  template <class Events>
+  void before_motion(Document& d, const SymbolTable& symbols, Events& events) {
+    if (d.fresh(is_change_) && d.value(is_change_).integer != 0) {
+      const ig_field tool = d.present(spindle_tool_) ? spindle_tool_ : tool_;
+      if (d.present(tool)) events.tool(d.value(tool).integer);
+    }
+    if (d.fresh(direction_) || (d.fresh(speed_) && spindle_turns_)) {
+      const ig_symbol direction = symbol(d, direction_);
+      if (direction != 0 && !stop_.is(direction, symbols)) tell_spindle(direction, d, symbols, events);
+    }
+    if (d.fresh(coolant_) && !off_.is(symbol(d, coolant_), symbols)) tell_coolant(symbol(d, coolant_), symbols, events);
+    if (d.fresh(dwell_)) events.dwell(d.number(dwell_));
+  }
+
+  template <class Events>
+  void after_motion(Document& d, const SymbolTable& symbols, Events& events) {
+    if (d.fresh(orient_)) tell_orient(d.number(orient_), events);
+    if (d.fresh(direction_)) {
+      const ig_symbol direction = symbol(d, direction_);
+      if (stop_.is(direction, symbols)) tell_spindle(direction, d, symbols, events);
+    }
+    if (d.fresh(coolant_) && off_.is(symbol(d, coolant_), symbols)) tell_coolant(symbol(d, coolant_), symbols, events);
+    if (d.fresh(program_stop_)) events.stop(symbols.text(symbol(d, program_stop_)));
+    if (d.fresh(program_end_)) events.end(symbols.text(symbol(d, program_end_)));
+  }
+
+  template <class Events>
+  void read_items(Document& d, const SymbolTable& symbols, Events& events) {
+    const ListData& list = d.lists[list_];
+    for (std::uint32_t i = 0; i < list.count; ++i) {
+      const Record item{list.values.data() + std::size_t{i} * list.stride, list.present[i]};
+      if (item.present(item_.form))
+        if (const Move* move = make_move(item, item_, d, symbols)) events.move(*move);
+      if (item.present(item_dwell_)) events.dwell(item.number(item_dwell_));
+      if (item.present(item_orient_)) tell_orient(item.number(item_orient_), events);
+      if (item.present(item_direction_))
+        tell_spindle(static_cast<ig_symbol>(item.value(item_direction_).symbol), d, symbols, events);
+    }
+  }
+
+  template <class Events>
+  void tell_spindle(ig_symbol direction, const Document& d, const SymbolTable& symbols, Events& events) {
+    if (!changes_spindle(direction, d, symbols)) return;
+    const bool has_speed = d.present(speed_);
+    events.spindle(symbols.text(direction), has_speed, has_speed ? d.number(speed_) : 0);
+  }
+  /// An oriented stop leaves the spindle standing: whatever starts it again is a change.
+  template <class Events>
+  void tell_orient(double degrees, Events& events) {
+    spindle_turns_ = false;
+    events.orient(degrees);
+  }
+  template <class Events>
+  void tell_coolant(ig_symbol mode, const SymbolTable& symbols, Events& events) {
+    const ig_symbol flows = off_.is(mode, symbols) ? 0 : mode;
+    if (flows == coolant_mode_) return;
+    coolant_mode_ = flows;
+    events.coolant(symbols.text(mode));
+  }
+
+  static ig_symbol symbol(const Document& d, ig_field f) {
+    return d.present(f) ? static_cast<ig_symbol>(d.value(f).symbol) : 0;
+  }
+
+  bool keep_zero_moves_;
+  Fields root_{}, item_{};
+  std::size_t list_ = 0;
+  std::vector<FreshMask> others_;  // the fields that make events without a motion
+  ig_field is_change_{}, tool_{}, spindle_tool_{}, direction_{}, speed_{}, coolant_{}, dwell_{}, orient_{}, plane_{},
+      program_stop_{}, program_end_{}, item_dwell_{}, item_direction_{}, item_orient_{};
+  KnownName linear_{"McLinear"}, arc_{"McArc"}, stop_{"STOP"}, off_{"OFF"}, xy_{"XY"}, zx_{"ZX"}, yz_{"YZ"};
+
+  Move move_;
+  AxisPoint position_;          // machine coordinates of the last event
+  AxisPoint program_position_;  // the same in the program's
+  bool spindle_turns_ = false;
+  ig_symbol spindle_direction_ = 0;
+  double spindle_speed_ = 0;
+  ig_symbol coolant_mode_ = 0;    // 0: off
+};
+
+}  // namespace isogloss

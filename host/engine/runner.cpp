@@ -1,0 +1,199 @@
+#include "isogloss/engine/runner.hpp"
+
+#include <algorithm>
+
+#include "cursor.hpp"
+
+namespace isogloss {
+
+namespace {
+
+constexpr std::uint32_t widest_column = 65'535;
+constexpr std::uint64_t progress_interval = 1u << 16;
+
+bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r") == std::string_view::npos; }
+
+class Run {
+ public:
+  Run(const LinkedDialect& linked, Source& source, const std::string& name, const RunOptions& options,
+      const std::vector<Exporter*>& exporters, DiagnosticSink& sink)
+      : linked_(linked),
+        options_(options),
+        exporters_(exporters),
+        sink_(sink),
+        name_(name),
+        chain_(linked, options.chain, sink),
+        cursor_(source, options.maximum_line_bytes),
+        length_(static_cast<std::uint32_t>(linked.chain.size())) {}
+
+  RunResult run() {
+    chain_.start();
+    for (Exporter* e : exporters_) e->begin(chain_.document(), chain_.symbols());
+    if (!options_.program.empty() && !seek_program()) return finish();
+    Line line;
+    while (!over_ && next_line(line)) run_line(line);
+    if (program_ended_) say_what_follows();
+    flush_window();
+    return finish();
+  }
+
+ private:
+  bool next_line(Line& line) {
+    if (pending_) {
+      line = *pending_;
+      pending_.reset();
+      return true;
+    }
+    if (!cursor_.next(line)) return false;
+    ++result_.lines;
+    if (line.number == 1 && cursor_.is_utf16()) {
+      sink_.add(host_diagnostic("IG-0413", {name_, 1, 1}, {}));
+      return false;
+    }
+    if (line.truncated) {
+      const auto limit = static_cast<std::uint32_t>(options_.maximum_line_bytes);
+      sink_.add(host_diagnostic("IG-0403", {name_, line.number, limit + 1}, {std::to_string(limit)}));
+    }
+    if (line.text.size() > widest_column && !said_wide_) {
+      said_wide_ = true;
+      sink_.add(host_diagnostic("IG-0404", {name_, line.number, widest_column}, {std::to_string(widest_column)}));
+    }
+    return true;
+  }
+
+  /// Reads on to the block that begins the program asked for; nothing before it is executed or reported.
+  bool seek_program() {
+    const ig_field program = linked_.layout.id("Source.Program");
+    DiagnosticList ignored;
+    Chain scout(linked_, options_.chain, ignored);
+    scout.start();
+    Line line;
+    while (next_line(line)) {
+      scout.begin_block({name_, line.number, 0, line.text});
+      scout.scan();
+      if (scout.document().text(program) == options_.program) {
+        pending_ = line;
+        return true;
+      }
+    }
+    sink_.add(host_diagnostic("IG-0406", {name_, 0, 0}, {options_.program}));
+    return false;
+  }
+
+  void run_line(const Line& line) {
+    std::size_t offset = 0;
+    do {
+      const std::string_view rest = line.text.substr(offset);
+      if (is_blank(rest)) return;
+      chain_.begin_block({name_, line.number, static_cast<std::uint32_t>(offset), rest});
+      const std::size_t end = chain_.scan();
+      if (end < rest.size()) chain_.document().source.text = rest.substr(0, end);
+      run_block();
+      offset += std::max<std::size_t>(end, 1);
+    } while (!over_ && offset < line.text.size());
+    if (options_.stop_after_line != 0 && line.number >= options_.stop_after_line) over_ = true;
+  }
+
+  void run_block() {
+    ++result_.blocks;
+    Document& d = chain_.document();
+    if (linked_.look_ahead == 0) {
+      chain_.run(d, 0, length_);
+      export_block(d);
+    } else {
+      chain_.run(d, 0, linked_.post_logic_begin);
+      keep_in_window(d);
+    }
+    if (chain_.alarmed) {
+      if (options_.stop_on_error) {
+        result_.stopped_by_alarm = over_ = true;
+      } else {
+        const Diagnostic text = host_diagnostic("IG-0408", {}, {});
+        chain_.report(d, text.severity, text.code, text.message, 0, 0);
+      }
+    }
+    if (chain_.ends_program || chain_.ends_file) {
+      over_ = true;
+      program_ended_ = chain_.ends_program && !chain_.ends_file;
+    }
+    if (options_.maximum_blocks != 0 && result_.blocks >= options_.maximum_blocks && !over_) {
+      over_ = true;
+      chain_.report(d, Severity::error, "IG-0407",
+                    host_diagnostic("IG-0407", {}, {std::to_string(result_.blocks)}).message, 0, 0);
+    }
+    if (options_.progress && result_.blocks % progress_interval == 0)
+      options_.progress(result_.blocks, cursor_.bytes());
+  }
+
+  void export_block(Document& d) {
+    for (Exporter* e : exporters_)
+      if (!e->block(d, chain_.symbols())) {
+        result_.output_closed = true;
+        over_ = true;
+      }
+  }
+
+  // The window: executed blocks wait until look_ahead more are executed; post-logic, inspection and export follow.
+  void keep_in_window(const Document& d) {
+    if (window_.size() == waiting_) window_.push_back(std::make_unique<Document>(d));
+    else *window_[waiting_] = d;
+    window_[waiting_]->own_source();
+    ++waiting_;
+    if (waiting_ > linked_.look_ahead) finish_oldest();
+  }
+
+  void finish_oldest() {
+    chain_.window.clear();
+    for (std::size_t i = 1; i < waiting_; ++i) chain_.window.push_back(window_[i].get());
+    Document& oldest = *window_[0];
+    chain_.run(oldest, linked_.post_logic_begin, length_);
+    export_block(oldest);
+    std::rotate(window_.begin(), window_.begin() + 1, window_.begin() + static_cast<std::ptrdiff_t>(waiting_));
+    --waiting_;
+  }
+
+  void flush_window() {
+    while (waiting_ > 0 && !result_.output_closed) finish_oldest();
+  }
+
+  /// Text behind the end of the program is not run; that is said once.
+  void say_what_follows() {
+    Line line;
+    while (cursor_.next(line)) {
+      const std::size_t first = line.text.find_first_not_of(" \t\r\0\x1a%");
+      if (first == std::string_view::npos) continue;
+      sink_.add(host_diagnostic("IG-0414", {name_, line.number, static_cast<std::uint32_t>(first + 1)}, {}));
+      return;
+    }
+  }
+
+  RunResult finish() {
+    for (Exporter* e : exporters_)
+      if (!e->end()) result_.output_closed = true;
+    result_.bytes = cursor_.bytes();
+    return result_;
+  }
+
+  const LinkedDialect& linked_;
+  const RunOptions& options_;
+  const std::vector<Exporter*>& exporters_;
+  DiagnosticSink& sink_;
+  std::string name_;
+  Chain chain_;
+  Cursor cursor_;
+  std::uint32_t length_;
+  RunResult result_;
+  std::optional<Line> pending_;
+  std::vector<std::unique_ptr<Document>> window_;
+  std::size_t waiting_ = 0;
+  bool over_ = false, program_ended_ = false, said_wide_ = false;
+};
+
+}  // namespace
+
+RunResult run(const LinkedDialect& linked, Source& source, const std::string& name, const RunOptions& options,
+              const std::vector<Exporter*>& exporters, DiagnosticSink& sink) {
+  return Run(linked, source, name, options, exporters, sink).run();
+}
+
+}  // namespace isogloss

@@ -1,0 +1,52 @@
+/// An XML file in memory in which every element and attribute knows its line and column.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isogloss/engine/diagnostic.hpp"
+
+namespace isogloss {
+
+/// What one dialect with all that it extends and includes may read.
+struct XmlBudget {
+  static constexpr std::size_t file_bytes = std::size_t{16} << 20;
+  static constexpr int depth = 64;
+  std::size_t bytes_left = std::size_t{64} << 20;
+};
+
+/// UTF-8 without a document type; more strictly read than pugixml does: each fault that it would pass over is reported
+/// with its place.
+class XmlSource {
+ public:
+  /// Empty, and reported at `asked_at` (the place that named the file), when the file cannot be read; reported at its
+  /// own place when it is not well-formed.
+  static std::unique_ptr<XmlSource> open(const std::filesystem::path& file, const Location& asked_at,
+                                         XmlBudget& budget, DiagnosticSink& sink);
+  static std::unique_ptr<XmlSource> parse(std::string file, std::string text, DiagnosticSink& sink);
+
+  pugi::xml_node root() const { return document_.document_element(); }
+  const std::string& file() const { return file_; }
+  /// The '<' of an element; the first byte of a text.
+  Location at(pugi::xml_node node) const;
+  /// The first byte of the attribute's name; the element when it has no such attribute.
+  Location at(pugi::xml_node element, std::string_view attribute) const;
+
+ private:
+  XmlSource(std::string file, std::string text);
+  Location at_offset(std::size_t offset) const;
+  bool check_text(DiagnosticSink& sink) const;
+  bool check_nodes(DiagnosticSink& sink) const;
+  bool check_tag(pugi::xml_node element, DiagnosticSink& sink) const;
+
+  std::string file_;
+  std::string text_;
+  std::vector<std::size_t> lines_;  // offset of each line's first byte
+  pugi::xml_document document_;
+};
+
+}  // namespace isogloss

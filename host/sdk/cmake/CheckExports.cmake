@@ -1,0 +1,15 @@
+cmake_minimum_required(VERSION 3.25)
+# cmake -D NM=... -D PLUGIN=... -P CheckExports.cmake: fails unless the plugin exports ig_plugin_v1 and nothing else.
+execute_process(COMMAND ${NM} -D --defined-only ${PLUGIN} OUTPUT_VARIABLE table COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "[^ \n]+\n" exported "${table}\n")
+string(REPLACE "\n" "" exported "${exported}")
+list(REMOVE_ITEM exported "")
+if(NOT exported STREQUAL "ig_plugin_v1")
+  file(REMOVE ${PLUGIN})
+  list(JOIN exported "\n  " names)
+  if(NOT "ig_plugin_v1" IN_LIST exported)
+    message(FATAL_ERROR "${PLUGIN} does not export ig_plugin_v1: is the plugin's entry (ISOGLOSS_PLUGIN) in its sources? "
+                        "It exports:\n  ${names}")
+  endif()
+  message(FATAL_ERROR "${PLUGIN} must export ig_plugin_v1 alone, since other plugins would share the rest:\n  ${names}")
+endif()

@@ -1,0 +1,110 @@
+// The parameters of a Fanuc control that change what a program means, by their numbers. Values stand as the operator
+// sees them on the parameter page; this file knows their units and bits.
+#include <cmath>
+
+#include <isogloss/sdk.hpp>
+
+namespace fanuc {
+namespace {
+
+constexpr std::string_view increment_system = "1013", first_reference = "1240", travel_maximum = "1320",
+                           travel_minimum = "1321", rapid_rate = "1420", arc_tolerance = "3410",
+                           decimal_point = "3401", high_speed_peck = "5114", peck = "5115";
+
+constexpr const char* shipped[] = {
+    "1013|Value=0", "1240|X=0|Y=0|Z=0", "1420|X=24000|Y=24000|Z=24000",
+    "3401|Value=0", "3410|Value=10",    "5114|Value=1000",
+    "5115|Value=1000"};
+
+struct FanucParameterTable {
+  static constexpr auto spec =
+      ig::dependency("FanucParameterTable", "Parameters of a Fanuc control, by number and axis.")
+          .rows("Parameter", "number")
+          .provides("isogloss.number-format/1", "isogloss.canned-cycle/1", "isogloss.motion/1",
+                    "isogloss.machine-axis/1")
+          .ships(shipped);
+
+  ig::Column value{"Value", nullptr, "", {}, "The parameter, where it is one for the whole control."};
+  std::array<ig::Column, 6> axes{
+      ig::Column{"X", nullptr, "", {}, "The parameter of the X axis."},
+      ig::Column{"Y", nullptr, "", {}, "The parameter of the Y axis."},
+      ig::Column{"Z", nullptr, "", {}, "The parameter of the Z axis."},
+      ig::Column{"A", nullptr, "", {}, "The parameter of the A axis."},
+      ig::Column{"B", nullptr, "", {}, "The parameter of the B axis."},
+      ig::Column{"C", nullptr, "", {}, "The parameter of the C axis."}};
+  ig::Table table;
+
+  const void* service(std::string_view id) const {
+    if (id == "isogloss.number-format/1") return &number_format;
+    if (id == "isogloss.canned-cycle/1") return &cycles;
+    if (id == "isogloss.motion/1") return &motion;
+    return id == "isogloss.machine-axis/1" ? &machine : nullptr;
+  }
+
+ private:
+  using Answer = std::optional<double>;
+
+  Answer number(std::string_view parameter) const { return table.value(parameter, value); }
+  bool bit(std::string_view parameter, unsigned index) const {
+    return (static_cast<std::uint32_t>(number(parameter).value_or(0)) >> index & 1u) != 0;
+  }
+  Answer of_axis(std::string_view parameter, char axis) const {
+    const std::size_t column = std::string_view("XYZABC").find(axis);
+    return column == std::string_view::npos ? std::nullopt : table.value(parameter, axes[column]);
+  }
+
+  /// Parameter 1013: bit 0 is IS-A, bit 1 IS-C, neither IS-B.
+  double increment() const { return bit(increment_system, 0) ? 0.01 : bit(increment_system, 1) ? 0.0001 : 0.001; }
+  Answer in_increments(std::string_view parameter) const {
+    const Answer count = number(parameter);
+    return count ? Answer(*count / std::round(1 / increment())) : std::nullopt;
+  }
+
+  Answer number_format_of(std::string_view name) const {
+    if (name == "CalculatorDecimalPoint") return bit(decimal_point, 0) ? 1 : 0;
+    if (name == "LengthIncrement_mm" || name == "AngleIncrement_deg") return increment();
+    return name == "LengthIncrement_inch" ? Answer(increment() / 10) : std::nullopt;
+  }
+  Answer cycle_of(std::string_view name) const {
+    if (name == "PeckRetractionDistance_mm") return in_increments(peck);
+    return name == "HighSpeedPeckRetraction_mm" ? in_increments(high_speed_peck) : std::nullopt;
+  }
+  Answer motion_of(std::string_view name) const {
+    return name == "ArcRadiusTolerance_mm" ? in_increments(arc_tolerance) : std::nullopt;
+  }
+
+  static std::int32_t write(Answer answer, double* out) {
+    if (answer) *out = *answer;
+    return answer ? 1 : 0;
+  }
+  template <Answer (FanucParameterTable::*question)(std::string_view) const>
+  static std::int32_t ask(void* self, ig_text name, double* out) {
+    return write((static_cast<const FanucParameterTable*>(self)->*question)(ig::to_view(name)), out);
+  }
+
+  static const FanucParameterTable& self_of(void* self) { return *static_cast<const FanucParameterTable*>(self); }
+  /// The machine starts at the first reference position.
+  static std::int32_t home(void* self, char axis, double* position) { return reference(self, axis, 1, position); }
+  static std::int32_t reference(void* self, char axis, std::uint32_t which, double* position) {
+    static constexpr std::string_view numbers[] = {first_reference, "1241", "1242", "1243"};
+    return which >= 1 && which <= 4 ? write(self_of(self).of_axis(numbers[which - 1], axis), position) : 0;
+  }
+  static std::int32_t travel(void* self, char axis, double* low, double* high) {
+    const Answer from = self_of(self).of_axis(travel_minimum, axis), to = self_of(self).of_axis(travel_maximum, axis);
+    return from && to ? write(from, low) & write(to, high) : 0;
+  }
+  static std::int32_t rapid(void* self, char axis, double* per_second) {
+    const Answer per_minute = self_of(self).of_axis(rapid_rate, axis);
+    return per_minute ? write(*per_minute / 60, per_second) : 0;
+  }
+
+  ig_config_1 number_format{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::number_format_of>};
+  ig_config_1 cycles{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::cycle_of>};
+  ig_config_1 motion{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::motion_of>};
+  ig_machine_axis_1 machine{sizeof(ig_machine_axis_1), 0, this, &home, &reference, &travel, &rapid};
+};
+
+const ig::Register<FanucParameterTable> registered;
+
+}  // namespace
+}  // namespace fanuc

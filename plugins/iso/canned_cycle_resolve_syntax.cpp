@@ -1,0 +1,359 @@
+/// Turns what a block says of a canned cycle into a resolved call: every hole becomes Parsing.Gxx {X Y Z R …}, absolute
+/// and complete, so that the cycle syntaxes know nothing of modality, of G91 or of missing words.
+///
+/// A cycle is modal: it stays on, with its R, Z, Q, P, I and J, until G80 or a motion code of group 01, and drills in
+/// every block that names X, Y, Z or R. Fanuc manual, "Canned cycle".
+#include <cmath>
+#include <isogloss/number.hpp>
+
+#include "canned_cycle_util.hpp"
+#include "modal_group.hpp"
+
+namespace iso {
+namespace {
+
+constexpr std::string_view stored = "QPIJ";  // what the cycle keeps besides its levels
+
+/// The cycle words of a block that names no cycle code, in the order of cycle_words; F is FeedrateSyntax's.
+class RootWords {
+ public:
+  static constexpr std::string_view letters = "XYZRQPIJKL";
+  RootWords() {
+    std::string path = "Parsing.?";
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+      path.back() = letters[i];
+      ids_[i] = ig::Word(path, ig::write).id();
+    }
+  }
+  const ig_field* ids() const { return ids_.data(); }
+  ig_field id(char letter) const { return ids_[letters.find(letter)]; }
+
+ private:
+  std::array<ig_field, letters.size()> ids_{};
+};
+
+enum class InitialLevel { previous, cycle_entry };
+enum class MissingAxis { last_position, error };
+
+struct CannedCycleResolve {
+  static constexpr auto spec =
+      ig::syntax("CannedCycleResolveSyntax",
+                 "Resolves canned cycle calls: modality, G91, missing words, G98/G99, repeats.")
+          .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PlaneSelectSyntax", "PositioningModeSyntax",
+                 "FeedrateSyntax", "IsoCoordinateOffsetSyntax", "IsoLocalCoordinateOffsetSyntax",
+                 "ToolHeightOffsetSyntax")
+          .before("DrillingCycleSyntax", "IncrementalResolveSyntax", "MachineCoordSelectSyntax", "ProgramXyzSyntax");
+
+  ig::Call call_{{"G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89"},
+                 cycle_words,
+                 ig::take | ig::wake | ig::write};
+  ig::Codes g80_{"G80"};
+  ig::Codes group01_{{"G00", "G01", "G02", "G03", "G33"}, ig::read};
+  ig::Codes machine_select_{{"G53"}, ig::read};
+  ig::Codes return_codes_{"G98", "G99"};
+  RootWords root_;
+
+  ig::InWhile<ig::Symbol> term_{"CannedCycle.Term", nullptr, ig::write};
+  ig::Out<ig::Symbol> return_mode_{"CannedCycle.ReturnMode"};
+  ig::Out<double> initial_level_{"CannedCycle.InitialLevel"};
+  ig::Xyz hole_{"CannedCycle.Params", ig::read | ig::write};
+  ig::Out<double> r_{"CannedCycle.Params.R"};
+  std::array<ig::Out<double>, stored.size()> kept_{
+      ig::Out<double>{"CannedCycle.Params.Q"}, ig::Out<double>{"CannedCycle.Params.P"},
+      ig::Out<double>{"CannedCycle.Params.I"}, ig::Out<double>{"CannedCycle.Params.J"}};
+  ig::Xyz increment_{"CannedCycle.Increment", ig::write, {ig::Life::block, "mm", "From hole to hole of a repeat."}};
+  // Group 10 outlives the cycles, CannedCycle.ReturnMode does not.
+  ig::Signal return_to_r_{"CannedCycle.~ReturnToR", ig::read | ig::write, ig::Life::modal};
+
+  FeedInForce feed_{ig::read | ig::write};
+  PlaneInForce plane_;
+  DistanceMode distance_;
+  LastProgramXyz last_;
+  ig::Name g98_{"G98"}, g99_{"G99"}, cancelled_{"G80"};
+
+  ig::Choice<InitialLevel> level_rule_{
+      "initial-level", "previous|cycle-entry", "previous",
+      "Where G98 returns to and G91 measures R from: the tool before the block, or where the cycle mode was entered."};
+  ig::Choice<MissingAxis> missing_{"missing-axis", "last-position|error", "last-position",
+                                   "What a first block without Z or R does."};
+  ig::IntegerOption max_repeats_{
+      "max-repeats", "10000", {1, most_repeats}, "Holes that one block may drill by K or L."};
+
+  ig::Status build(ig::Block& b) {
+    const bool knew_mode = take_return_mode(b);
+    const Group09 now = enter_or_cancel(b);
+    if (!now.cycle) return now.changed || knew_mode ? ig::Status::changed : ig::Status::unchanged;
+
+    if (is_hole(b, now))
+      drill(b, now);
+    else if (now.is_called)
+      enter_without_hole(b, now);
+    else
+      return now.changed || knew_mode ? ig::Status::changed : ig::Status::unchanged;
+    return ig::Status::changed;
+  }
+
+ private:
+  /// The cycle that is on in this block, if any.
+  struct Group09 {
+    std::optional<std::size_t> cycle;  // row of call_
+    bool is_called = false;            // by its code in this block, whose words are in Parsing.Gxx
+    bool is_entry = false;             // the mode was off before
+    bool changed = false;
+  };
+
+  bool take_return_mode(ig::Block& b) const {
+    const auto mode = take_modal(b, return_codes_);
+    if (!mode) return false;
+    if (return_codes_.name(*mode) == g99_)
+      b.raise(return_to_r_);
+    else
+      b.erase(return_to_r_);
+    if (b.has(return_mode_)) b.amend(return_mode_, return_codes_.name(*mode));
+    return true;
+  }
+
+  ig::Symbol return_mode(ig::Block& b) const {
+    const ig::Symbol unsaid = b.is_raised(return_to_r_) ? g99_ : g98_;
+    return b.get_or(return_mode_, unsaid);
+  }
+
+  static std::int64_t ordinal(const ig::Block& b, ig_field code) {
+    ig_value v;
+    return b.host()->get(b.raw(), code, &v) != 0 ? v.integer : 0;
+  }
+
+  /// The last code of the block wins, be it a cycle, G80 or a motion.
+  Group09 enter_or_cancel(ig::Block& b) const {
+    Group09 out;
+    const ig::Symbol before = b.get_or(term_, ig::Symbol{});
+    if (before == cancelled_) {  // shown in the cancelling block alone
+      b.erase(term_);
+      out.changed = true;
+    }
+    const bool was_on = before != ig::Symbol{} && before != cancelled_;
+    const auto called = b.find(call_);
+    const auto motion = b.find(group01_);
+    const bool has_g80 = b.take(g80_).has_value();
+    const std::int64_t at_motion = motion ? ordinal(b, group01_.id(*motion)) : 0;
+    const std::int64_t at_end = std::max(at_motion, has_g80 ? ordinal(b, g80_.id(0)) : 0);
+    const std::int64_t at_call = called ? ordinal(b, call_.code(*called)) : 0;
+
+    if (called && motion)
+      b.report(diag("ISO-0310"), ig::Where::word(call_.code(*called)), b.text(call_.name(*called)),
+               b.text(group01_.name(*motion)), b.text(at_call > at_end ? call_.name(*called) : group01_.name(*motion)));
+    if (has_g80 || (motion && was_on)) {
+      forget(b);
+      b.set(term_, cancelled_);
+      out.changed = true;
+    }
+    if (called && at_call > at_end) {
+      out.cycle = called;
+      out.is_called = true;
+      out.is_entry = !was_on || at_end > 0;
+    } else if (called) {
+      give_back(b, *called);
+      out.changed = true;
+    } else if (was_on && at_end == 0) {
+      out.cycle = row_of(before);
+    }
+    return out;
+  }
+
+  void forget(ig::Block& b) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), hole_.id(axis));
+    b.erase(r_);
+    for (const auto& field : kept_) b.erase(field);
+    b.erase(return_mode_);
+    b.erase(initial_level_);
+  }
+
+  std::optional<std::size_t> row_of(ig::Symbol cycle) const {
+    for (std::size_t row = 0; row < call_.code_count(); ++row)
+      if (call_.name(row) == cycle) return row;
+    return std::nullopt;
+  }
+
+  /// A motion code after the cycle code: it moves the axes and F is its feed; the rest is nobody's.
+  void give_back(ig::Block& b, std::size_t row) const {
+    take_call(b);
+    for (const char axis : {'X', 'Y', 'Z'}) b.host()->move(b.raw(), call_.word(row, axis), root_.id(axis));
+    feed_.resolve(b, take_word(b, call_.word(row, 'F')));
+  }
+
+  void take_call(ig::Block& b) const {
+    std::uint32_t found = 0;
+    b.host()->take_code(b.raw(), call_.codes(), call_.code_count(), &found);
+  }
+  static std::optional<double> take_word(ig::Block& b, ig_field word) {
+    ig_value v;
+    if (b.host()->take(b.raw(), word, &v) == 0) return std::nullopt;
+    return v.number;
+  }
+
+  /// Where this block's cycle words stand: with the code, or by themselves.
+  const ig_field* words(const Group09& now) const { return now.is_called ? call_.row(*now.cycle) : root_.ids(); }
+
+  ig::Words given(ig::Block& b, const Group09& now) const {
+    ig::Words out;
+    out.row = *now.cycle;
+    out.code = call_.name(out.row);
+    out.letters = RootWords::letters;
+    out.mask = b.host()->get_many(b.raw(), words(now), RootWords::letters.size(), out.values.data());
+    return out;
+  }
+
+  /// A block drills when it names a position; M, S, T and F alone do not, and G53 has its axis words for itself.
+  bool is_hole(ig::Block& b, const Group09& now) const {
+    if (!now.is_called && b.find(machine_select_)) return false;
+    ig_value v[4];
+    return b.host()->get_many(b.raw(), words(now), 4, v) != 0;  // X Y Z R
+  }
+
+  /// The cycle is on from here, but nothing is drilled and none of Q, P, I, J is kept: they stay, to be reported.
+  void enter_without_hole(ig::Block& b, const Group09& now) const {
+    take_call(b);
+    for (const char count : {'K', 'L'}) take_word(b, call_.word(*now.cycle, count));
+    feed_.resolve(b, take_word(b, call_.word(*now.cycle, 'F')));
+    b.amend(term_, call_.name(*now.cycle));
+    b.amend(return_mode_, return_mode(b));
+    if (level_rule_ == InitialLevel::cycle_entry && now.is_entry) b.amend(initial_level_, last_(b)[plane_(b).tool]);
+  }
+
+  double initial_level(ig::Block& b, const Group09& now, double before) const {
+    return level_rule_ == InitialLevel::cycle_entry && !now.is_entry ? b.get_or(initial_level_, before) : before;
+  }
+
+  void drill(ig::Block& b, const Group09& now) const {
+    const std::size_t row = *now.cycle;
+    const PlaneAxes plane = plane_(b);
+    const bool incremental = distance_.is_incremental(b);
+    const ig::Vec3 start = last_(b);
+    const ig::Words in = given(b, now);
+    const double level = initial_level(b, now, start[plane.tool]);
+    const auto axis_word = [&](std::size_t axis) { return in["XYZ"[axis]]; };
+
+    const ig::PartialVec3 old = b.get(hole_);
+    const CycleLevels kept{b.get(r_), old.has(plane.tool) ? std::optional(old.value[plane.tool]) : std::nullopt};
+    CycleLevels levels = resolve_levels({in['R'], axis_word(plane.tool)}, kept, level, incremental);
+    const bool complete = levels.r && levels.bottom;
+    if (!complete)
+      levels = fill(b, row, "XYZ"[plane.tool], levels, start[plane.tool], axis_word(plane.tool), incremental);
+
+    ig::Vec3 hole = start, step;
+    for (const std::size_t axis : {plane.first, plane.second}) {
+      const double word = axis_word(axis).value_or(incremental ? 0 : start[axis]);
+      hole[axis] = incremental ? start[axis] + word : word;
+      step[axis] = incremental ? word : 0;
+    }
+    const int count = repeats(b, now, in);
+    const bool drills = count > 0 && (complete || missing_ == MissingAxis::last_position);
+
+    store(b, now, in, plane, hole, levels, level, drills);
+    if (drills)
+      call(b, now, in, plane, hole, levels, step, count);
+    else
+      swallow(b, now);
+  }
+
+  /// A first block without Z or R.
+  CycleLevels fill(ig::Block& b, std::size_t row, char tool_axis, CycleLevels levels, double position,
+                   std::optional<double> depth, bool incremental) const {
+    const char missing = levels.r ? tool_axis : 'R';
+    const std::uint32_t what = missing_ == MissingAxis::error ? diag("ISO-0311") : diag("ISO-0312");
+    b.report(what, ig::Where::word(call_.code(row)), b.text(call_.name(row)), std::string_view(&missing, 1));
+    if (missing_ == MissingAxis::error) return levels;
+    if (!levels.r) levels.r = position;
+    if (!levels.bottom) levels.bottom = incremental && depth ? *levels.r + *depth : position;
+    return levels;
+  }
+
+  /// K, or L where there is no K; 0: keep the data, drill nothing.
+  int repeats(ig::Block& b, const Group09& now, const ig::Words& in) const {
+    const char letter = in['K'] ? 'K' : 'L';
+    const auto word = in[letter];
+    if (!word) return 1;
+    const ig_field field = now.is_called ? call_.word(*now.cycle, letter) : root_.id(letter);
+    const double k = now.is_called ? *word : as_written(b, field, *word);
+    if (!(k >= 0) || k != std::floor(k)) {
+      b.report(diag("ISO-0313"), ig::Where::word(field), std::string_view(&letter, 1), k);
+      return 1;
+    }
+    const auto most = static_cast<double>(static_cast<std::int64_t>(max_repeats_));
+    if (k > most) b.report(diag("ISO-0314"), ig::Where::word(field), std::string_view(&letter, 1), k, most);
+    return static_cast<int>(std::min(k, most));
+  }
+
+  /// K outside a call is an arc's K, a length, to everybody before this syntax: inches or least increments. As a count
+  /// it is what the text says.
+  static double as_written(const ig::Block& b, ig_field word, double value) {
+    ig_word at;
+    if (b.host()->word(b.raw(), word, &at) == 0) return value;
+    std::size_t digits = at.begin + 1u;
+    while (digits < b.source().size() && b.source()[digits] == ' ') ++digits;
+    if (digits >= b.source().size()) return value;
+    const ig::Decimal number = ig::read_decimal(b.source(), digits);
+    return number.ok ? number.value : value;
+  }
+
+  /// CannedCycle is fresh where a hole is drilled, and corrected where data is kept only.
+  void store(ig::Block& b, const Group09& now, const ig::Words& in, const PlaneAxes& plane, const ig::Vec3& hole,
+             const CycleLevels& levels, double level, bool drills) const {
+    const auto put = [&](const auto& field, auto value) { drills ? b.set(field, value) : b.amend(field, value); };
+    put(term_, call_.name(*now.cycle));
+    put(return_mode_, return_mode(b));
+    if (level_rule_ == InitialLevel::cycle_entry && now.is_entry) put(initial_level_, level);
+    if (levels.r) put(r_, *levels.r);
+    for (std::size_t i = 0; i < stored.size(); ++i)
+      if (const auto value = in[stored[i]]) put(kept_[i], *value);
+    const auto keep = [&](std::size_t axis, double value) {
+      const ig_value v{.number = value};
+      const ig_field id = hole_.id(axis);
+      drills ? b.host()->set(b.raw(), id, v) : b.host()->amend_many(b.raw(), &id, 1, &v);
+    };
+    if (levels.bottom) keep(plane.tool, *levels.bottom);
+    if (!drills) return;
+    keep(plane.first, hole[plane.first]);
+    keep(plane.second, hole[plane.second]);
+  }
+
+  /// The resolved call, for the syntax of the cycle.
+  void call(ig::Block& b, const Group09& now, const ig::Words& in, const PlaneAxes& plane, const ig::Vec3& hole,
+            const CycleLevels& levels, const ig::Vec3& step, int count) const {
+    const std::size_t row = *now.cycle;
+    if (!now.is_called) {
+      swallow(b, now);
+      b.set_call(call_, row);
+    }
+    const auto put = [&](char letter, double value) {
+      const bool in_place = now.is_called && in[letter].has_value();
+      const ig_field field = call_.word(row, letter);
+      in_place ? b.host()->rewrite(b.raw(), field, {.number = value}) : b.set_word(call_, row, letter, value);
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) put("XYZ"[axis], axis == plane.tool ? *levels.bottom : hole[axis]);
+    put('R', *levels.r);
+    for (std::size_t i = 0; i < stored.size(); ++i)
+      if (const auto value = b.get(kept_[i]); value && !(now.is_called && in[stored[i]])) put(stored[i], *value);
+    take_word(b, call_.word(row, 'L'));
+    if (count == 1) {
+      take_word(b, call_.word(row, 'K'));
+      return;
+    }
+    put('K', count);
+    if (step != ig::Vec3{}) b.set(increment_, step);
+  }
+
+  /// The words are used, but no hole comes of them here.
+  void swallow(ig::Block& b, const Group09& now) const {
+    std::array<ig_value, RootWords::letters.size()> values;
+    b.host()->take_many(b.raw(), words(now), RootWords::letters.size(), values.data());
+    if (!now.is_called) return;
+    take_call(b);
+    feed_.resolve(b, take_word(b, call_.word(*now.cycle, 'F')));
+  }
+};
+
+const ig::Register<CannedCycleResolve> registered;
+
+}  // namespace
+}  // namespace iso

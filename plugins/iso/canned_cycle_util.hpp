@@ -1,0 +1,132 @@
+/// What all canned cycles share: the words of their call, their levels, their holes.
+///
+/// CannedCycleResolveSyntax leaves a *resolved call* in Parsing.Gxx: X Y Z R absolute; Q P I J F as given; K only where
+/// the block repeats the cycle, the number of holes. Under G91 the holes of a repeat lie CannedCycle.Increment apart.
+#pragma once
+
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
+
+#include "diagnostics.hpp"
+#include "feed_util.hpp"
+#include "plane_util.hpp"
+#include "program_xyz_util.hpp"
+
+namespace iso {
+
+/// The words that every cycle code owns. P is as programmed (p-unit), K and L are counts.
+inline constexpr std::string_view cycle_words = "X Y Z R Q P[] I J K[1] L[1] F";
+
+/// No block repeats a cycle more often.
+inline constexpr int most_repeats = 10'000;
+
+/// R and Z of a cycle, given or kept from before, on their way to positions of the tool axis.
+struct CycleLevels {
+  std::optional<double> r, bottom;
+};
+
+/// G90: positions. G91: R counts from the initial level, the bottom from R; a new R moves a bottom that was kept.
+constexpr CycleLevels resolve_levels(const CycleLevels& given, const CycleLevels& kept, double initial_level,
+                                     bool is_incremental) {
+  if (!is_incremental) return {given.r ? given.r : kept.r, given.bottom ? given.bottom : kept.bottom};
+  CycleLevels out = kept;
+  if (given.r) out.r = initial_level + *given.r;
+  if (given.bottom) {
+    if (out.r) out.bottom = *out.r + *given.bottom;
+  } else if (given.r && kept.r && kept.bottom) {
+    out.bottom = *out.r + (*kept.bottom - *kept.r);
+  }
+  return out;
+}
+
+/// One hole of a cycle, or one of several.
+struct CycleHole {
+  PlaneAxes plane;
+  ig::Vec3 position;      ///< the tool axis of it says nothing
+  double approach_level;  ///< where the tool travels to it
+  ig::Vec3 at(double level) const { return plane.at_level(position, level); }
+};
+
+/// A resolved call while its cycle is carried out.
+struct CycleRun {
+  ig::Words words;
+  PlaneAxes plane;
+  ig::Vec3 start;      ///< where the block begins
+  ig::Vec3 first;      ///< the first hole
+  ig::Vec3 increment;  ///< from hole to hole
+  int count = 1;       ///< holes
+  double r_level = 0;
+  double bottom = 0;
+  double return_level = 0;  ///< G98: the initial level; G99: R
+
+  CycleHole hole(int i) const {
+    return {plane, first + static_cast<double>(i) * increment, i == 0 ? start[plane.tool] : return_level};
+  }
+};
+
+/// A member of each cycle syntax: its codes, taken with their words.
+class CannedCycle {
+ public:
+  explicit CannedCycle(std::initializer_list<std::string_view> codes) : call_(codes, cycle_words) {}
+
+  /// The call of this block; its F is the feed from here on.
+  std::optional<CycleRun> take(ig::Block& b) const {
+    const auto words = b.take(call_);
+    if (!words) return std::nullopt;
+    CycleRun run;
+    run.words = *words;
+    run.plane = plane_(b);
+    run.start = last_(b);
+    run.first = {run.words['X'].value_or(run.start.x), run.words['Y'].value_or(run.start.y),
+                 run.words['Z'].value_or(run.start.z)};
+    run.increment = b.get(increment_).or_else({});
+    run.count = static_cast<int>(std::clamp(run.words['K'].value_or(1), 1.0, double{most_repeats}));
+    const double level = run.start[run.plane.tool];
+    run.bottom = run.first[run.plane.tool];
+    run.r_level = run.words['R'].value_or(level);
+    run.return_level = b.is(return_mode_, g99_) ? run.r_level : b.get_or(initial_level_, level);
+    feed_.resolve(b, run.words['F']);
+    motion.begin(b, words->code);
+    return run;
+  }
+
+  /// mm/s for a stroke of that length; says so where no feed is in force.
+  double stroke_feed(ig::Block& b, double length_mm) const {
+    const double mmds = feed_.mmds(b, length_mm);
+    if (mmds <= 0) b.report(feed_.value(b) ? diag("ISO-0303") : diag("ISO-0302"), ig::Where::block());
+    return mmds;
+  }
+
+  /// The tool stands at the return level of the last hole.
+  void end(ig::Block& b, const CycleRun& run) const { b.set(program_, run.hole(run.count - 1).at(run.return_level)); }
+
+  ig::CompoundMotion motion;
+
+ private:
+  ig::Call call_;
+  ig::Xyz increment_{"CannedCycle.Increment", ig::read, {ig::Life::block, "mm", "From hole to hole of a repeat."}};
+  ig::In<ig::Symbol> return_mode_{"CannedCycle.ReturnMode"};
+  ig::In<double> initial_level_{"CannedCycle.InitialLevel"};
+  ig::Xyz program_{"ProgramXyz", ig::write};
+  ig::Name g99_{"G99"};
+  FeedInForce feed_{ig::read | ig::write};
+  PlaneInForce plane_;
+  LastProgramXyz last_;
+};
+
+/// P of a cycle: seconds or milliseconds, as the control has it.
+class CycleDwell {
+ public:
+  /// Seconds; 0 without P.
+  double seconds(const CycleRun& run) const {
+    const double p = run.words['P'].value_or(0.0);
+    return unit_ == Unit::milliseconds ? p / 1000 : p;
+  }
+
+ private:
+  enum class Unit { seconds, milliseconds };
+  ig::Choice<Unit> unit_{"p-unit", "s|ms", "s", "What P counts."};
+};
+
+}  // namespace iso

@@ -1,0 +1,146 @@
+/// G02 and G03: an arc in the plane, to the program point of the block, about a centre (I J K, from the start) or with
+/// a radius (R). What moves along the third axis makes it a helix. Fanuc manual, "Circular interpolation".
+#include "arc_util.hpp"
+#include "motion_event_util.hpp"
+#include "plane_util.hpp"
+#include "program_xyz_util.hpp"
+
+namespace iso {
+namespace {
+
+enum class MissingCenter { linear, error };
+
+struct CircularMotion {
+  static constexpr auto spec =
+      ig::syntax("CircularMotionSyntax", "G02/G03 arcs and helices.")
+          .after("UnitModeSyntax", "PlaneSelectSyntax", "FeedrateSyntax", "CannedCycleResolveSyntax", "McXyzSyntax")
+          .before("LinearMotionSyntax")
+          .first_writer("Motion");
+
+  ig::Codes arcs_{{"G02", "G03"}, ig::wake};
+  ig::InWhile<ig::Symbol> clockwise_{"MotionState.Term", "G02"};
+  ig::InWhile<ig::Symbol> counterclockwise_{"MotionState.Term", "G03"};
+  ig::Word r_{"Parsing.R", ig::take};
+  ig::Word i_{"Parsing.I", ig::take}, j_{"Parsing.J", ig::take}, k_{"Parsing.K", ig::take};
+  ig::Xyz program_{"ProgramXyz", ig::read};
+  MotionGroup group_;
+  BlockMotion motion_;
+  PlaneInForce plane_;
+  LastProgramXyz last_;
+  ig::Config config_{"isogloss.motion/1", ig::Need::optional, "ArcRadiusTolerance_mm"};
+
+  ig::Choice<MissingCenter> missing_center_{"missing-center", "linear|error", "linear",
+                                            "What an arc without I, J, K and R is: a straight line, or an alarm."};
+  ig::NumberOption radius_tolerance_{"radius-tolerance",
+                                     "0",
+                                     {0, 1000},
+                                     "mm",
+                                     "How far the end may lie off the circle; 0: as isogloss.motion/1 says."};
+  double tolerance_ = radius_tolerance_ > 0 ? double{radius_tolerance_}
+                                            : config_.number("ArcRadiusTolerance_mm").value_or(0);
+
+  ig::Status build(ig::Block& b) {
+    const auto named = group_.find(b);
+    const std::size_t code = named ? *named : group_.in_force(b);
+    if (code != MotionGroup::g02 && code != MotionGroup::g03) return ig::Status::unchanged;
+    if (named) group_.take(b, code);
+    const ig::Status so_far = named ? ig::Status::changed : ig::Status::unchanged;
+    if (motion_.is_moving(b)) return so_far;
+
+    const PlaneAxes plane = plane_(b);
+    const ArcWords words = take_words(b, plane);
+    if (!b.is_fresh(program_) && !words.r && !words.has_center()) return so_far;
+    if (!named) group_.put_in_force(b, code);
+    move(b, plane, words, code == MotionGroup::g03);
+    return ig::Status::changed;
+  }
+
+ private:
+  struct ArcWords {
+    std::optional<double> r, first, second;
+    bool has_center() const { return first || second; }
+  };
+  /// The start and the end of the arc, in space and in the plane.
+  struct Path {
+    PlaneAxes plane;
+    ig::Vec3 from, to;
+    Point2 start() const { return {from[plane.first], from[plane.second]}; }
+    Point2 end() const { return {to[plane.first], to[plane.second]}; }
+    double rise() const { return to[plane.tool] - from[plane.tool]; }
+    double length() const {
+      const ig::Vec3 way = to - from;
+      return std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
+    }
+  };
+
+  /// R, and the centre words of the plane; the third one has no meaning and is left to be reported.
+  ArcWords take_words(ig::Block& b, const PlaneAxes& plane) const {
+    const std::array<const ig::Word*, 3> centers{&i_, &j_, &k_};
+    ArcWords words{b.take(r_), b.take(*centers[plane.first]), b.take(*centers[plane.second])};
+    if (words.r && words.has_center()) b.report(diag("ISO-0325"), ig::Where::word(r_.id()));
+    return words;
+  }
+
+  void move(ig::Block& b, const PlaneAxes& plane, const ArcWords& words, bool is_ccw) const {
+    const ig::Vec3 from = last_(b);
+    const Path path{plane, from, b.get(program_).or_else(from)};
+    if (words.r)
+      by_radius(b, path, *words.r, is_ccw);
+    else if (words.has_center())
+      by_center(b, path, {words.first.value_or(0.0), words.second.value_or(0.0)}, is_ccw);
+    else
+      without_center(b, path);
+  }
+
+  void by_radius(ig::Block& b, const Path& path, double radius, bool is_ccw) const {
+    if ((path.end() - path.start()).length() < same_point_mm) {
+      b.report(diag("ISO-0323"), ig::Where::word(r_.id()));
+      if (path.length() >= same_point_mm) motion_.feed(b, path.length());
+      return;
+    }
+    // Programs round R and the end point: a thousandth is no fault even where no tolerance is set.
+    if (radius_shortfall(path.start(), path.end(), radius) > std::fmax(tolerance_, 0.001)) {
+      b.report(diag("ISO-0322"), ig::Where::word(r_.id()), std::fabs(radius), (path.end() - path.start()).length() / 2);
+      b.alarm();
+    }
+    emit(b, path, center_by_radius(path.start(), path.end(), radius, is_ccw), is_ccw);
+  }
+
+  void by_center(ig::Block& b, const Path& path, const Point2& from_start, bool is_ccw) const {
+    const Point2 start = path.start(), end = path.end();
+    const Point2 center{start.u + from_start.u, start.v + from_start.v};
+    const double at_start = (start - center).length(), at_end = (end - center).length();
+    if (at_start < same_point_mm) {
+      b.report(diag("ISO-0324"), ig::Where::block());
+      if (path.length() >= same_point_mm) motion_.feed(b, path.length());
+      return;
+    }
+    if (tolerance_ > 0 && std::fabs(at_end - at_start) > tolerance_) {
+      b.report(diag("ISO-0321"), ig::Where::block(), at_start, at_end, tolerance_);
+      b.alarm();
+    }
+    emit(b, path, center, is_ccw);
+  }
+
+  void without_center(ig::Block& b, const Path& path) const {
+    if (missing_center_ == MissingCenter::error) {
+      b.report(diag("ISO-0320"), ig::Where::block());
+      b.alarm();
+    }
+    motion_.feed(b, path.length());
+  }
+
+  void emit(ig::Block& b, const Path& path, const Point2& center, bool is_ccw) const {
+    ig::Vec3 point = path.from;  // at the level of the start
+    point[path.plane.first] = rounded(center.u);
+    point[path.plane.second] = rounded(center.v);
+    const double length =
+        motion_.needs_length(b) ? arc_length(path.start(), path.end(), center, is_ccw, path.rise()) : 0;
+    motion_.arc(b, point, is_ccw, length);
+  }
+};
+
+const ig::Register<CircularMotion> registered;
+
+}  // namespace
+}  // namespace iso

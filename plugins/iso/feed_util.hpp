@@ -1,0 +1,57 @@
+/// The feed in force: what F, G93/G94/G95 and S of this and earlier blocks add up to. Used by FeedrateSyntax, by the
+/// cycles, whose call may hold an F, and by the motions.
+#pragma once
+
+#include <optional>
+
+#include <isogloss/sdk.hpp>
+
+namespace iso {
+
+/// A member of each syntax that moves by feed; one that also calls resolve() says FeedInForce{ig::read | ig::write}.
+class FeedInForce {
+ public:
+  explicit FeedInForce(ig::Access access = ig::read)
+      : value_("Feedrate.FeedrateValue", access), term_("Feedrate.Term", access), unit_("Feedrate.Unit", access) {}
+
+  /// The F of a call: becomes the modal feed, in the mode in force (G94 when none is). Without F nothing is written.
+  void resolve(ig::Block& b, std::optional<double> f) const {
+    if (!f) return;
+    b.set(value_, *f);
+    if (!b.has(term_)) set_mode(b, g94_);
+  }
+
+  /// G93, G94 or G95, and its unit.
+  void set_mode(ig::Block& b, ig::Symbol term) const {
+    b.set(term_, term);
+    b.set(unit_, term == g93_ ? per_minute_ : term == g95_ ? mm_per_revolution_ : mm_per_minute_);
+  }
+
+  /// No feed is in force any more, until the next F.
+  void forget(ig::Block& b) const { b.erase(value_); }
+
+  /// As programmed: mm/min, mm/rev or 1/min.
+  std::optional<double> value(const ig::Block& b) const { return b.get(value_); }
+  /// G94 where nothing was said.
+  ig::Symbol mode(const ig::Block& b) const { return b.get_or(term_, static_cast<ig::Symbol>(g94_)); }
+  bool is_inverse_time(const ig::Block& b) const { return b.is(term_, g93_); }
+
+  /// mm/s along a path of that length; 0 where no feed is in force (no F yet, G95 without a spindle speed).
+  double mmds(const ig::Block& b, double length_mm) const {
+    const double f = b.get_or(value_, 0.0);
+    const ig::Symbol term = mode(b);
+    if (term == g95_) return f * b.get_or(spindle_speed_, 0.0) / 60;
+    if (term == g93_) return f * length_mm / 60;
+    return f / 60;
+  }
+
+ private:
+  ig::Field<double> value_;
+  ig::Field<ig::Symbol> term_;
+  ig::Field<ig::Symbol> unit_;
+  ig::In<double> spindle_speed_{"SpindleSpeed.SpindleSpeed_rpm"};
+  ig::Name g93_{"G93"}, g94_{"G94"}, g95_{"G95"};
+  ig::Name per_minute_{"1/min"}, mm_per_minute_{"mm/min"}, mm_per_revolution_{"mm/rev"};
+};
+
+}  // namespace iso

@@ -1,0 +1,160 @@
+// G and M codes. A code that some linked syntax declares is a field of its own, found through a table by letter and
+// number, so that the syntaxes after this one test a bit. A code that nobody declares stays as a leftover under its
+// canonical name: two digits for one-digit codes, G5 is G05, G54.1 stays.
+#include <vector>
+
+#include "diagnostics.hpp"
+#include "scan_util.hpp"
+
+namespace iso {
+namespace {
+
+constexpr std::size_t no_code = static_cast<std::size_t>(-1);
+constexpr std::uint64_t largest_number = 99999;
+
+/// G54.1 as 541, G5 as 50: number times ten plus the one decimal that codes have.
+struct Code {
+  std::size_t index = no_code;
+  std::size_t end = 0;  ///< past what was read, a code or not
+};
+
+Code read_code(std::string_view text, std::size_t position) {
+  const std::size_t digits_end = skip_digits(text, position);
+  Code code{no_code, digits_end};
+  std::uint64_t number = 0;
+  for (std::size_t i = position; i < digits_end && number <= largest_number; ++i)
+    number = number * 10 + static_cast<std::uint64_t>(text[i] - '0');
+  std::uint64_t decimal = 0;
+  if (at(text, digits_end) == '.') {
+    code.end = skip_digits(text, digits_end + 1);
+    if (code.end > digits_end + 1) decimal = static_cast<std::uint64_t>(text[digits_end + 1] - '0');
+    if (code.end > digits_end + 2) return code;  // G54.10 is another code than G54.1
+  }
+  if (number <= largest_number) code.index = number * 10 + decimal;
+  return code;
+}
+
+struct FlagSyntax {
+  static constexpr auto spec = ig::syntax("FlagSyntax", "Reads G and M codes.")
+                                   .after("MacroStatementSyntax", "HeadIndexSyntax")
+                                   .before("WordSyntax")
+                                   .scans("GMgm");
+
+  ig::Fields codes{"codes", "Parsing.Flags.* Parsing.*", ig::write, "The codes that syntaxes of this chain know.",
+                   IG_CODE};
+  std::array<std::vector<ig_field>, 2> table;
+
+  FlagSyntax() {
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+      std::string_view name = codes.path(i);
+      for (const std::string_view prefix : {"Parsing.Flags.", "Parsing."})
+        if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
+      if (!is_flag_letter(name.front())) continue;
+      const Code code = read_code(name, 1);
+      if (code.index == no_code || code.end != name.size() || code.end < 2) continue;
+      std::vector<ig_field>& row = table[row_of(name.front())];
+      if (row.size() <= code.index) row.resize(code.index + 1, IG_NO_FIELD);
+      row[code.index] = codes.id(i);
+    }
+  }
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    std::array<ig_word, 16> words;
+    std::uint32_t count = 0;
+    std::size_t end = position;
+    std::size_t next = position;
+    do {
+      const std::size_t number = skip_blanks(text, next + 1);
+      if (!is_digit(at(text, number))) {
+        const std::size_t odd = no_number(b, text, next, number);
+        if (odd == next) break;
+        end = odd;
+      } else {
+        const Code code = read_code(text, number);
+        end = code.end;
+        if (is_odd_after(text, end)) {
+          end = odd_number(b, text, next, end);
+        } else if (const ig_field field = field_of(text[next], code.index); field == IG_NO_FIELD) {
+          unknown(b, text, next, number, end);
+        } else {
+          if (count == words.size()) {
+            b.host()->set_words(b.raw(), words.data(), count);
+            count = 0;
+          }
+          words[count++] = {field, column(next), column(end), ig_value{}, 0, 0};
+        }
+      }
+      next = skip_blanks(text, end);
+    } while (next < text.size() && is_flag_letter(text[next]));
+    if (count > 0) b.host()->set_words(b.raw(), words.data(), count);
+    return end;
+  }
+
+ private:
+  static constexpr bool is_flag_letter(char c) { return c == 'G' || c == 'M' || c == 'g' || c == 'm'; }
+  static constexpr std::size_t row_of(char letter) { return to_upper(letter) == 'G' ? 0 : 1; }
+  static constexpr bool is_odd_after(std::string_view text, std::size_t end) {
+    const char c = at(text, end);
+    return c == '.' || c == '=' || ((c == 'O' || c == 'o') && (is_digit(at(text, end + 1)) || end + 1 == text.size()));
+  }
+
+  ig_field field_of(char letter, std::size_t index) const {
+    const std::vector<ig_field>& row = table[row_of(letter)];
+    return index < row.size() ? row[index] : IG_NO_FIELD;
+  }
+
+  /// Leading zeros go, one-digit codes get one: G5 is G05, G054 is G54.
+  static void unknown(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number, std::size_t end) {
+    std::string_view digits = piece(text, number, end);
+    while (digits.size() > 1 && digits.front() == '0' && is_digit(digits[1])) digits.remove_prefix(1);
+    if (digits.ends_with('.')) digits.remove_suffix(1);
+    if (digits.ends_with(".0")) digits.remove_suffix(2);
+    std::array<char, 24> name;
+    std::size_t size = 0;
+    name[size++] = to_upper(text[begin]);
+    if (skip_digits(digits, 0) < 2) name[size++] = '0';
+    for (const char c : digits.substr(0, name.size() - size)) name[size++] = c;
+    leave(b, IG_LEFT_UNKNOWN, {name.data(), size}, begin, end);
+  }
+
+  /// `begin`: not a code at all, another scanner may read it.
+  static std::size_t no_number(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number) {
+    const char c = at(text, number);
+    if (to_upper(c) == 'O' && (is_digit(at(text, number + 1)) || at(text, number + 1) == 'O'))
+      return refuse(b, diag("ISO-0101"), text, begin, skip_while(text, number, is_digit_or_o));
+    if (const std::size_t end = skip_expression(text, number); end != number) return expression(b, text, begin, end);
+    if (c == '=') return expression(b, text, begin, skip_to_blank(text, number + 1));
+    if (skip_while(text, begin, is_letter) - begin > 2) return begin;
+    return refuse(b, diag("ISO-0102"), text, begin, skip_while(text, begin + 1, [](char u) { return u == '_'; }));
+  }
+
+  /// G1.2.3, G0O and M3=3, which is no M03.
+  static std::size_t odd_number(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) {
+    if (text[end] == '=') return expression(b, text, begin, skip_to_blank(text, end + 1));
+    if (text[end] == '.')
+      return refuse(b, diag("ISO-0103"), text, begin, skip_while(text, end, [](char c) { return is_digit(c) || c == '.'; }));
+    return refuse(b, diag("ISO-0101"), text, begin, skip_while(text, end, is_digit_or_o));
+  }
+
+  static std::size_t skip_to_blank(std::string_view text, std::size_t position) {
+    return skip_while(text, skip_blanks(text, position), [](char c) { return !is_blank(c) && c != '\r'; });
+  }
+  static constexpr bool is_digit_or_o(char c) { return is_digit(c) || c == 'O' || c == 'o' || c == '.'; }
+
+  static std::size_t expression(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) {
+    const char name = to_upper(text[begin]);
+    leave(b, IG_LEFT_EXPRESSION, {&name, 1}, begin, end);
+    return end;
+  }
+
+  static std::size_t refuse(ig::Block& b, std::uint32_t diagnostic, std::string_view text, std::size_t begin,
+                            std::size_t end) {
+    b.report(diagnostic, ig::Where::columns(begin, end), piece(text, begin, end));
+    return end;
+  }
+};
+
+const ig::Register<FlagSyntax> registered;
+
+}  // namespace
+}  // namespace iso

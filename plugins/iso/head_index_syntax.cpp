@@ -1,0 +1,33 @@
+// The sequence number N10: a name of the block for searches and jumps, never an order. It stands first; elsewhere the
+// control complains or not, so it is taken with a warning. A second N of a block is an ordinary word that nobody uses.
+#include "diagnostics.hpp"
+#include "scan_util.hpp"
+
+namespace iso {
+namespace {
+
+struct HeadIndexSyntax {
+  static constexpr auto spec = ig::syntax("HeadIndexSyntax", "Takes the sequence number N.")
+                                   .after("BlockSkipSyntax", "IsoCommentSyntax")
+                                   .before("FlagSyntax", "WordSyntax")
+                                   .scans("Nn");
+
+  ig::Out<std::int64_t> n{"Source.N"};
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    const std::size_t digits = skip_blanks(text, position + 1);
+    const std::size_t end = skip_digits(text, digits);
+    if (end == digits || end - digits > 18 || b.is_fresh(n)) return position;
+    std::int64_t number = 0;
+    for (std::size_t i = digits; i < end; ++i) number = number * 10 + (text[i] - '0');
+    b.set(n, number);
+    if (position > 0 && !stands_first(text, position))
+      b.report(diag("ISO-0114"), ig::Where::columns(position, end), piece(text, position, end));
+    return end;
+  }
+};
+
+const ig::Register<HeadIndexSyntax> registered;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,68 @@
+// Comments: ( … ), not nested, anywhere in a block; and the semicolon, which opens a comment on controls that read it
+// so and ends the block where a listing shows the end-of-block character as one.
+#include <string>
+
+#include "diagnostics.hpp"
+#include "scan_util.hpp"
+
+namespace iso {
+namespace {
+
+enum class Semicolon { comment, end_of_block };
+
+struct IsoCommentSyntax {
+  static constexpr auto spec = ig::syntax("IsoCommentSyntax", "Takes comments: ( … ) and, by option, ; to the line's end.")
+                                   .after("BlockSkipSyntax")
+                                   .before("FlagSyntax", "WordSyntax")
+                                   .scans("(;");
+
+  ig::Choice<Semicolon> semicolon{"semicolon", "comment|end-of-block", "comment",
+                                  "What ; means: a comment to the end of the line, or the end of the block."};
+  ig::Out<ig::Symbol> symbol{"Comment.Symbol"};
+  ig::TextField text_{"Comment.Text", ig::read | ig::write};
+  ig::Name parenthesis{"("};
+  ig::Name semicolon_name{";"};
+  std::string joined;
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
+    if (text[position] == ';') return after_semicolon(b, text, position);
+    const std::size_t end = block_end(text, position);
+    const std::size_t close = text.find(')', position);
+    if (close >= end) {
+      b.report(diag("ISO-0111"), ig::Where::columns(position, end));
+      add(b, parenthesis, piece(text, position + 1, end));
+      return end;
+    }
+    add(b, parenthesis, piece(text, position + 1, close));
+    return close + 1;
+  }
+
+ private:
+  std::size_t after_semicolon(ig::Block& b, std::string_view text, std::size_t position) {
+    const std::size_t end = block_end(text, position);
+    if (semicolon == Semicolon::comment) {
+      add(b, semicolon_name, trim(piece(text, position + 1, end)));
+      return end;
+    }
+    const std::size_t next = skip_blanks(text, position + 1);
+    if (next == end) return next;
+    b.flow(IG_FLOW_SPLIT, next);
+    return next;
+  }
+
+  /// Several comments of a block are one text, joined by blanks, under the symbol of the first.
+  void add(ig::Block& b, ig::Symbol opened_by, std::string_view comment) {
+    if (!b.is_fresh(symbol)) {
+      b.set(symbol, opened_by);
+      b.set_text(text_, comment);
+      return;
+    }
+    joined.assign(b.text(text_)).append(1, ' ').append(comment);
+    b.set_text(text_, joined);
+  }
+};
+
+const ig::Register<IsoCommentSyntax> registered;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,84 @@
+/// G54 to G59.9 and G54.1 P: which of the table's origins the program counts from. The external offset of the table (EXT)
+/// is added to each. The table is asked when a code selects a set and when G10 wrote into it.
+#include "modal_group.hpp"
+#include "work_offset_id.hpp"
+
+namespace iso {
+namespace {
+
+struct IsoCoordinateOffset {
+  static constexpr auto spec =
+      ig::syntax("IsoCoordinateOffsetSyntax", "G54-G59.9 and G54.1 P select the work coordinate system.")
+          .after("ParameterizedFlagSyntax", "IsoLocalCoordinateOffsetSyntax")
+          .before("CannedCycleResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+
+  ig::Codes sets_{"G54",   "G55",   "G56",   "G57",   "G58",   "G59",   "G59.1", "G59.2",
+                  "G59.3", "G59.4", "G59.5", "G59.6", "G59.7", "G59.8", "G59.9", "G54.1"};
+  ig::Call additional_{{"G54.1"}, "P[]"};
+  ig::Word p_{"Parsing.P", ig::read, ""};
+  ig::In<ig::Symbol> cycle_{"CannedCycle.Term"};
+  ig::Out<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
+  ig::Out<double> x_{"CoordinateOffset.Offset_X"};
+  ig::Out<double> y_{"CoordinateOffset.Offset_Y"};
+  ig::Out<double> z_{"CoordinateOffset.Offset_Z"};
+  ig::Signal table_changed_{"CoordinateOffset.~TableChanged", ig::read | ig::wake};
+  ig::Transform frame_{"CoordinateOffset"};
+  ig::Service<ig_work_offset_1> table_{"isogloss.work-offset/1", ig::Need::required, "The origins."};
+  ig::Name g54_{"G54"}, g54_1_{"G54.1"};
+
+  ig::Status restart(ig::Block& b) {
+    select(b, b.text(selected(b)), ig::Where::block());
+    return ig::Status::changed;
+  }
+
+  ig::Status build(ig::Block& b) {
+    if (const auto code = take_modal(b, sets_)) {
+      const ig::Symbol name = sets_.name(*code);
+      const auto where = ig::Where::word(sets_.id(*code));
+      const auto number = set_number(b, name);
+      if (number) {
+        select(b, WorkOffsetId::additional(*number).text(), where);
+      } else {
+        select(b, b.text(name), where);
+      }
+      return ig::Status::changed;
+    }
+    if (!b.is_raised(table_changed_)) return ig::Status::unchanged;
+    select(b, b.text(selected(b)), ig::Where::block());
+    return ig::Status::changed;
+  }
+
+ private:
+  ig::Symbol selected(const ig::Block& b) const { return b.get_or(id_, static_cast<ig::Symbol>(g54_)); }
+
+  /// G54.1 without P is P1. G54 P2 is G54.1 P2, unless a canned cycle waits for the P.
+  std::optional<double> set_number(ig::Block& b, ig::Symbol code) const {
+    if (code == g54_1_) {
+      const auto words = b.take(additional_);
+      return words ? (*words)['P'].value_or(1) : 1;
+    }
+    if (code == g54_ && !b.has(cycle_)) return b.take(p_);
+    return std::nullopt;
+  }
+
+  void select(ig::Block& b, std::string_view id, ig::Where where) const {
+    double offset[3], external[3];
+    if (id.empty() || table_->get(table_->self, ig::to_text(id), offset) == 0) {
+      b.report(diag("ISO-0226"), where, id.empty() ? std::string_view("of that number") : id, b.text(selected(b)));
+      return;
+    }
+    ig::Vec3 origin{offset[0], offset[1], offset[2]};
+    if (table_->get(table_->self, ig::to_text("EXT"), external) != 0)
+      origin = origin + ig::Vec3{external[0], external[1], external[2]};
+    b.set(id_, b.symbol(id));
+    b.set(x_, origin.x);
+    b.set(y_, origin.y);
+    b.set(z_, origin.z);
+    b.set_translation(frame_, origin);
+  }
+};
+
+const ig::Register<IsoCoordinateOffset> registered;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,60 @@
+// The machine's axes: which there are, where home and the reference positions lie, how far and how fast they travel.
+#include <isogloss/sdk.hpp>
+
+namespace iso {
+namespace {
+
+constexpr const char* shipped[] = {"X", "Y", "Z"};
+
+struct MachineAxes {
+  static constexpr auto spec = ig::dependency("MachineAxes", "The axes of the machine, in machine coordinates.")
+                                   .rows("Axis", "name")
+                                   .provides("isogloss.machine-axis/1")
+                                   .ships(shipped);
+
+  ig::Column home_position{"Home", "0", "mm, deg", {}, "Where the axis stands before the first block."};
+  std::array<ig::Column, 4> references{
+      ig::Column{"Reference1", "0", "mm, deg", {}, "First reference position (G28)."},
+      ig::Column{"Reference2", nullptr, "mm, deg", {}, "Second reference position (G30, G30 P2)."},
+      ig::Column{"Reference3", nullptr, "mm, deg", {}, "Third reference position (G30 P3)."},
+      ig::Column{"Reference4", nullptr, "mm, deg", {}, "Fourth reference position (G30 P4)."}};
+  ig::Column minimum{"Minimum", nullptr, "mm, deg", {}, "Lower end of the travel."};
+  ig::Column maximum{"Maximum", nullptr, "mm, deg", {}, "Upper end of the travel."};
+  ig::Column rapid_rate{"RapidRate", nullptr, "mm/min, deg/min", {0, HUGE_VAL}, "Speed of a rapid."};
+  ig::Table table;
+
+  const void* service(std::string_view id) const { return id == "isogloss.machine-axis/1" ? &axes : nullptr; }
+
+ private:
+  std::int32_t answer(char axis, const ig::Column& column, double* out) const {
+    const auto value = table.value({&axis, 1}, column);
+    if (value) *out = *value;
+    return value ? 1 : 0;
+  }
+
+  static std::int32_t home(void* self, char axis, double* position) {
+    const auto& m = *static_cast<const MachineAxes*>(self);
+    return m.answer(axis, m.home_position, position);
+  }
+  static std::int32_t reference(void* self, char axis, std::uint32_t which, double* position) {
+    const auto& m = *static_cast<const MachineAxes*>(self);
+    return which >= 1 && which <= 4 ? m.answer(axis, m.references[which - 1], position) : 0;
+  }
+  static std::int32_t travel(void* self, char axis, double* low, double* high) {
+    const auto& m = *static_cast<const MachineAxes*>(self);
+    return m.answer(axis, m.minimum, low) != 0 && m.answer(axis, m.maximum, high) != 0 ? 1 : 0;
+  }
+  static std::int32_t rapid(void* self, char axis, double* per_second) {
+    const auto& m = *static_cast<const MachineAxes*>(self);
+    if (m.answer(axis, m.rapid_rate, per_second) == 0) return 0;
+    *per_second /= 60;
+    return 1;
+  }
+
+  ig_machine_axis_1 axes{sizeof(ig_machine_axis_1), 0, this, &home, &reference, &travel, &rapid};
+};
+
+const ig::Register<MachineAxes> registered;
+
+}  // namespace
+}  // namespace iso

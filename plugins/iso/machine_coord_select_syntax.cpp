@@ -1,0 +1,55 @@
+/// G53: for this block the axis words are positions of the gauge point in machine coordinates. No offset acts on them,
+/// tool length included; axes that are not named stay. Under G91 the control ignores G53.
+#include "motion_event_util.hpp"
+#include "program_xyz_util.hpp"
+
+namespace iso {
+namespace {
+
+enum class Motion { modal, rapid };
+
+struct MachineCoordSelect {
+  static constexpr auto spec =
+      ig::syntax("MachineCoordSelectSyntax", "G53 machine coordinates for one block.")
+          .after("PositioningModeSyntax", "CannedCycleResolveSyntax")
+          .before("ProgramXyzSyntax", "McXyzSyntax", "CircularMotionSyntax", "LinearMotionSyntax");
+
+  ig::Codes g53_{"G53"};
+  ig::Xyz words_{"Parsing", ig::take};
+  ig::Xyz program_{"ProgramXyz", ig::write};
+  ig::Xyz machine_{"MachineCoordinate", ig::read | ig::write};
+  BlockMotion move_;
+  ig::Signal axis_words_void_{"MachineCoordSelect.~AxisWordsVoid", ig::write};
+  DistanceMode distance_;
+  LastProgramXyz last_;
+  ig::Choice<Motion> motion_{"motion", "modal|rapid", "modal", "How the block moves: by group 01, or by rapid always."};
+
+  ig::Status build(ig::Block& b) {
+    if (!b.take(g53_)) return ig::Status::unchanged;
+    if (distance_.is_incremental(b)) {
+      b.report(diag("ISO-0330"), ig::Where::word(g53_.id(0)));
+      b.raise(axis_words_void_);
+      return ig::Status::changed;
+    }
+    const ig::PartialVec3 named = b.take(words_);
+    if (named.mask == 0) {
+      b.report(diag("ISO-0331"), ig::Where::word(g53_.id(0)));
+      return ig::Status::changed;
+    }
+    const ig::PartialVec3 carried = b.get(machine_);
+    const ig::Vec3 from = carried.complete() ? carried.value : b.to_machine(last_(b)).value_or(ig::Vec3{});
+    const ig::Vec3 to = named.or_else(from);
+    b.set(machine_, to);
+    if (const auto program = b.to_program(to))
+      b.set(program_, rounded(*program));
+    else
+      b.report(diag("ISO-0332"), ig::Where::block());
+    if (motion_ == Motion::rapid) move_.rapid(b);
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<MachineCoordSelect> registered;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,79 @@
+/// Functions that are known by name but not executed: each takes its code with the words that belong to it, so that
+/// they are not read as a move or as a spindle speed, and says what is unreliable from here on. A syntax earlier in the
+/// chain that executes such a code makes this one silent.
+#include <vector>
+
+#include "diagnostics.hpp"
+#include "leftovers.hpp"
+
+namespace iso {
+namespace {
+
+struct NotExecuted {
+  static constexpr auto spec =
+      ig::syntax("NotExecutedSyntax", "Functions that are recognised but not executed: one error each.")
+          .after("ParameterizedFlagSyntax");
+
+  struct Feature {
+    ig::Call codes;
+    std::uint32_t diagnostic;
+  };
+  std::vector<Feature> features_{
+      {ig::Call{{"G16"}, ""}, diag("ISO-0261")},
+      {ig::Call{{"G51"}, "X Y Z I[] J[] K[] P[]"}, diag("ISO-0262")},
+      {ig::Call{{"G51.1"}, "X Y Z"}, diag("ISO-0262")},
+      {ig::Call{{"G68", "G68.2", "G68.3", "G68.4"}, "X Y Z I[deg] J[deg] K[deg] R[deg] P[] Q[]"}, diag("ISO-0263")},
+      {ig::Call{{"G53.1", "G53.6"}, "P[] H[] R"}, diag("ISO-0264")},
+      {ig::Call{{"G43.1", "G43.4", "G43.5"}, "H[]"}, diag("ISO-0265")},
+      {ig::Call{{"G92", "G92.1"}, "X Y Z A B C S[]"}, diag("ISO-0266")},
+      {ig::Call{{"G27", "G29", "G30", "G31", "G37", "G60"}, "X Y Z A B C H[] P[]"}, diag("ISO-0267")},
+      {ig::Call{{"G33"}, "X Y Z F[mm] Q[deg]"}, diag("ISO-0267")},
+      {ig::Call{{"G45", "G46", "G47", "G48"}, "X Y Z D[]"}, diag("ISO-0267")},
+      {ig::Call{{"G65", "G66", "G66.1"}, "A B C D E F H I J K L P Q R S T U V W X Y Z"}, diag("ISO-0268")},
+      {ig::Call{{"M97", "M98", "M198"}, "P[] L[] Q[] H[]"}, diag("ISO-0269")},
+      {ig::Call{{"G12.1"}, ""}, diag("ISO-0270")},
+      {ig::Call{{"G07.1"}, "A[mm] B[mm] C[mm]"}, diag("ISO-0270")},
+      {ig::Call{{"G96"}, "S[] P[]"}, diag("ISO-0271")},
+      {ig::Call{{"G22"}, "X Y Z I J K"}, diag("ISO-0272")},
+  };
+  // The move of a G41 block is executed as programmed, so only the code and its D are taken.
+  ig::Codes radius_compensation_{"G41", "G42"};
+  ig::Word d_{"Parsing.D", ig::read, ""};
+
+  ig::Status build(ig::Block& b) {
+    bool any = false;
+    for (std::size_t i = 0; i < radius_compensation_.size(); ++i) {
+      if (!is_unanswered(b, radius_compensation_.id(i))) continue;
+      any = true;
+      b.report(diag("ISO-0260"), ig::Where::word(radius_compensation_.id(i)), b.text(radius_compensation_.name(i)));
+    }
+    if (any) {
+      b.take(radius_compensation_);
+      b.take(d_);
+    }
+    for (const Feature& feature : features_)
+      while (take(b, feature)) any = true;
+    return any ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  static bool take(ig::Block& b, const Feature& feature) {
+    for (std::uint32_t row = 0; row < feature.codes.code_count(); ++row) {
+      const ig_field code = feature.codes.code(row);
+      if (!is_unanswered(b, code)) continue;
+      std::uint32_t found = 0;
+      ig_value unused[32];
+      b.host()->take_code(b.raw(), &code, 1, &found);
+      b.host()->take_many(b.raw(), feature.codes.row(row),
+                          static_cast<std::uint32_t>(feature.codes.letters().size()), unused);
+      b.report(feature.diagnostic, ig::Where::word(code), b.text(feature.codes.name(row)));
+      return true;
+    }
+    return false;
+  }
+};
+
+const ig::Register<NotExecuted> registered;
+
+}  // namespace
+}  // namespace iso

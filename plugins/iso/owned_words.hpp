@@ -1,0 +1,56 @@
+/// Codes that own their words, as the chain declares them: for each code Parsing.G81 the words Parsing.G81.X …, with
+/// the words of the block that have the same address.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <vector>
+
+#include <isogloss/sdk.hpp>
+
+namespace iso {
+
+/// The words of one code, or of the block itself. At most 32.
+struct WordRow {
+  ig_field code = IG_NO_FIELD;
+  std::vector<ig_field> words;
+  std::vector<char> letters;
+  std::vector<std::string_view> units;
+
+  ig_field word(char letter) const {
+    const auto it = std::find(letters.begin(), letters.end(), letter);
+    return it == letters.end() ? IG_NO_FIELD : words[static_cast<std::size_t>(it - letters.begin())];
+  }
+  void add(char letter, ig_field word_field, std::string_view unit) {
+    if (words.size() == 32) return;
+    letters.push_back(letter);
+    words.push_back(word_field);
+    units.push_back(unit);
+  }
+};
+
+/// One row for each code that owns words, in the order of `codes`, which may hold other codes too.
+inline std::vector<WordRow> rows_of(const ig::Fields& codes, const ig::Fields& words) {
+  std::vector<WordRow> rows;
+  for (std::size_t c = 0; c < codes.size(); ++c) {
+    WordRow row;
+    row.code = codes.id(c);
+    const std::string_view path = codes.path(c);
+    for (std::size_t w = 0; w < words.size(); ++w) {
+      const std::string_view word = words.path(w);
+      if (word.size() == path.size() + 2 && word.starts_with(path) && word[path.size()] == '.')
+        row.add(word.back(), words.id(w), words.unit(w));
+    }
+    if (!row.words.empty()) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// The words of the block that stand under no code.
+inline WordRow row_of_block(const ig::Fields& words) {
+  WordRow row;
+  for (std::size_t w = 0; w < words.size(); ++w) row.add(words.path(w).back(), words.id(w), words.unit(w));
+  return row;
+}
+
+}  // namespace iso

@@ -1,0 +1,5 @@
+// The ISO plugin's entry: codes and cycles as the ISO 6983 family of controls shares them. Every syntax and dependency
+// registers itself at the end of its own file.
+#include "diagnostics.hpp"
+
+ISOGLOSS_PLUGIN("iso", "1.0.0", "Isogloss", iso::diagnostics)

@@ -1,0 +1,33 @@
+/// M02/M30: the program ends after this block. An M99 that nobody answered as a return stands in the main program,
+/// where the control would start again: the run ends there too, and says so.
+#include "leftovers.hpp"
+#include "modal_group.hpp"
+
+namespace iso {
+namespace {
+
+struct ProgramEnd {
+  static constexpr auto spec = ig::syntax("ProgramEndSyntax", "M02/M30 end of the program; M99 in the main program.");
+
+  ig::Codes end_{"M02", "M30"};
+  ig::Call back_to_start_{{"M99"}, "P[] L[]"};
+  ig::Out<ig::Symbol> term_{"ProgramEnd.Term"};
+
+  ig::Status build(ig::Block& b) {
+    const auto end = take_modal(b, end_);
+    const bool again = is_unanswered(b, back_to_start_.code(0));
+    if (!end && !again) return ig::Status::unchanged;
+    if (again) {
+      b.take(back_to_start_);
+      b.report(diag("ISO-0230"), ig::Where::word(back_to_start_.code(0)));
+    }
+    b.set(term_, end ? end_.name(*end) : back_to_start_.name(0));
+    b.end_program();
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<ProgramEnd> registered;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,56 @@
+// The program number O1234 or :1234, or the name <PART>, which begins a program. Several programs may follow each other
+// in a file; the control does not run from one into the next, so the second one ends the run.
+#include <string>
+
+#include "diagnostics.hpp"
+#include "scan_util.hpp"
+
+namespace iso {
+namespace {
+
+struct ProgramNumberSyntax {
+  static constexpr auto spec = ig::syntax("ProgramNumberSyntax", "Takes the program number O, : or <NAME>.")
+                                   .after("TapeBoundarySyntax", "HeadIndexSyntax")
+                                   .before("MacroStatementSyntax", "WordSyntax")
+                                   .scans("Oo:<");
+
+  ig::TextField program{"Source.Program", ig::write};
+  ig::Signal begun{"Source.~Program", ig::read | ig::write, ig::Life::modal};
+  std::string name;
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
+    if (!stands_first(text, position)) return position;
+    const std::size_t end = read_name(text, position);
+    if (end == position) return position;
+    b.set_text(program, name);
+    if (b.is_raised(begun)) {
+      b.report(diag("ISO-0113"), ig::Where::columns(position, end), std::string_view(name));
+      b.end_program();
+      return block_end(text, end);
+    }
+    b.raise(begun);
+    return end;
+  }
+
+ private:
+  std::size_t read_name(std::string_view text, std::size_t position) {
+    const bool is_o = to_upper(text[position]) == 'O';
+    if (is_o && begins_o_word(text, position)) return position;
+    const std::size_t start = text[position] == '<' ? position : skip_blanks(text, position + 1);
+    if (at(text, start) == '<') {
+      const std::size_t close = skip_bracketed(text, start);
+      if (text[close - 1] != '>') return position;
+      name.assign(piece(text, start, close));
+      return close;
+    }
+    const std::size_t end = skip_digits(text, start);
+    if (end == start) return position;
+    name.assign(1, 'O').append(piece(text, start, end));
+    return end;
+  }
+};
+
+const ig::Register<ProgramNumberSyntax> registered;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,51 @@
+// % marks the start and the end of the program on the tape. What stands between the first % and the end of its line is
+// leader and skipped; nothing after the second % is program. Ctrl-Z ends a file as the second % does. A file without
+// marks is a program all the same, and so is one that holds the last mark only.
+#include "diagnostics.hpp"
+#include "scan_util.hpp"
+
+namespace iso {
+namespace {
+
+struct TapeBoundarySyntax {
+  static constexpr auto spec =
+      ig::syntax("TapeBoundarySyntax", "Takes % at the start and at the end of the program.").scans("%\x1A");
+
+  ig::TextField text_{"TapeBoundary.Text", ig::write};
+  ig::Signal started{"TapeBoundary.~Started", ig::read | ig::write, ig::Life::modal};
+  ig::Signal program{"Source.~Program", ig::read, ig::Life::modal};
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    const std::size_t end = block_end(text, position);
+    const std::size_t mark_end = skip_while(text, position, [](char c) { return c == '%'; });
+    if (text[position] != '%' || b.is_raised(started) || b.is_raised(program)) {
+      const std::size_t behind = std::max(mark_end, position + 1);
+      b.set_text(text_, text[position] == '%' ? piece(text, position, behind) : "^Z");
+      skipped(b, text, behind, end);
+      b.flow(IG_FLOW_END_FILE);
+      return end;
+    }
+    b.raise(started);
+    b.set_text(text_, piece(text, position, mark_end));
+    if (program_follows(text, mark_end)) return mark_end;
+    skipped(b, text, mark_end, end);
+    return end;
+  }
+
+ private:
+  /// %O0003(TITLE) on one line: the program number is none of the leader.
+  static bool program_follows(std::string_view text, std::size_t position) {
+    const std::size_t first = skip_blanks(text, position);
+    return first == block_end(text, first) || std::string_view("Oo:<(%\x1A").find(text[first]) != std::string_view::npos;
+  }
+
+  static void skipped(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) {
+    const std::string_view rest = trim(piece(text, begin, end));
+    if (!rest.empty()) b.report(diag("ISO-0112"), ig::Where::columns(begin, end), rest);
+  }
+};
+
+const ig::Register<TapeBoundarySyntax> registered;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,100 @@
+/// G43/G44/G49 and H: the length of the tool lies between the programmed point and the machine coordinates. G43 adds the
+/// length of row H (geometry and wear) along the tool axis, G44 subtracts it, G49 and H0 end it. H is modal: a new H
+/// under G43 is a new length.
+#include "diagnostics.hpp"
+#include "whole_number.hpp"
+
+namespace iso {
+namespace {
+
+struct ToolHeightOffset {
+  static constexpr auto spec =
+      ig::syntax("ToolHeightOffsetSyntax", "G43/G44/G49 and H: tool length compensation.")
+          .after("ParameterizedFlagSyntax")
+          .before("IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+
+  ig::Call codes_{{"G43", "G44", "G49"}, "H[]"};
+  ig::Word h_{"Parsing.H", ig::wake, ""};
+  ig::Out<ig::Symbol> term_{"ToolHeightCompensation.Term"};
+  ig::Out<std::int64_t> offset_id_{"ToolHeightCompensation.OffsetId"};
+  ig::Out<double> offset_{"ToolHeightCompensation.Offset_mm"};
+  ig::Xyz orientation_{"ToolOrientation", ig::read | ig::wake};
+  ig::Transform tilt_{"TiltTransform", ig::read | ig::wake};
+  ig::Transform frame_{"ToolHeightCompensation"};
+  ig::Signal table_changed_{"ToolHeightCompensation.~TableChanged", ig::read | ig::wake};
+  ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::required, "Length geometry and wear."};
+  ig::Name g43_{"G43"}, g44_{"G44"}, g49_{"G49"};
+
+  ig::Status restart(ig::Block& b) {
+    if (is_active(b)) {
+      compensate(b, ig::Where::block());
+    } else {
+      b.set_translation(frame_, {});
+    }
+    return ig::Status::changed;
+  }
+
+  ig::Status build(ig::Block& b) {
+    const auto call = b.take(codes_);
+    auto h = b.take(h_);
+    if (call && (*call)['H']) h = (*call)['H'];
+    if (call) b.set(term_, call->code);
+    const auto where = call ? ig::Where::word(codes_.code(call->row)) : ig::Where::block();
+    if (h) set_offset_id(b, *h, where);
+
+    if (call && call->code == g49_) {
+      b.set(offset_, 0.0);
+      b.set_translation(frame_, {});
+      return ig::Status::changed;
+    }
+    if (call && !b.has(offset_id_)) {
+      b.report(diag("ISO-0224"), where, b.text(call->code));
+      b.set(offset_id_, std::int64_t{0});
+    }
+    const bool axis_moved = b.is_fresh(orientation_) || b.is_fresh(tilt_);
+    const bool compensates = is_active(b) && (call || h || axis_moved || b.is_raised(table_changed_));
+    if (compensates) compensate(b, where);
+    return call || h || compensates ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  bool is_active(const ig::Block& b) const { return b.is(term_, g43_) || b.is(term_, g44_); }
+
+  void set_offset_id(ig::Block& b, double h, ig::Where where) const {
+    if (const auto id = whole_number(h)) {
+      b.set(offset_id_, *id);
+    } else {
+      b.report(diag("ISO-0225"), where, h);
+    }
+  }
+
+  void compensate(ig::Block& b, ig::Where where) const {
+    const double length = table_length(b, b.get_or(offset_id_, std::int64_t{0}), where);
+    const double signed_length = b.is(term_, g44_) ? -length : length;
+    b.set(offset_, signed_length);
+    b.set_translation(frame_, signed_length * tool_axis(b));
+  }
+
+  double table_length(ig::Block& b, std::int64_t id, ig::Where where) const {
+    if (id == 0) return 0;
+    double geometry = 0, wear = 0;
+    const bool has_geometry = table_->get(table_->self, id, 0, &geometry) != 0;
+    const bool has_wear = table_->get(table_->self, id, 1, &wear) != 0;
+    if (!has_geometry && !has_wear) b.report(diag("ISO-0223"), where, static_cast<double>(id));
+    return (has_geometry ? geometry : 0) + (has_wear ? wear : 0);
+  }
+
+  /// ToolOrientation, else Z of the tilted plane, else Z.
+  ig::Vec3 tool_axis(const ig::Block& b) const {
+    const ig::PartialVec3 orientation = b.get(orientation_);
+    if (orientation.complete()) return orientation.value;
+    double m[16];
+    if (b.host()->transform(b.raw(), tilt_.id(), m) != 0) return {m[8], m[9], m[10]};
+    return {0, 0, 1};
+  }
+};
+
+const ig::Register<ToolHeightOffset> registered;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,66 @@
+/// Nothing in a program is ignored silently: whatever is left of a block when every syntax has run is reported here, each
+/// piece with its columns. What can move the tool elsewhere is an error, the rest a warning, plain text a note.
+#include "diagnostics.hpp"
+#include "leftovers.hpp"
+
+namespace iso {
+namespace {
+
+/// Words whose loss moves the tool elsewhere: axes, arc centres, cycle depths, and all words of a code ("G81.Q").
+bool is_geometric(std::string_view word) {
+  return word.size() > 1 || std::string_view("ABCIJKQRUVWXYZ").find(word) != std::string_view::npos;
+}
+
+struct UnconsumedCheck {
+  static constexpr auto spec = ig::syntax("UnconsumedCheckSyntax", "Reports everything in a block that nobody used.")
+                                   .inspects_leftovers();
+
+  ig::Status build(ig::Block& b) {
+    for (std::uint32_t i = 0; const auto left = leftover(b, i); ++i)
+      if (!belongs_to_leftover_code(b, *left)) report(b, *left);
+    return ig::Status::unchanged;
+  }
+
+ private:
+  /// "G84.Q" where G84 itself is left: one report of the code says it all.
+  static bool belongs_to_leftover_code(const ig::Block& b, const ig_leftover& word) {
+    const std::string_view name = ig::to_view(word.name);
+    if (word.kind != IG_LEFT_WORD || name.rfind('.') == std::string_view::npos) return false;
+    for (std::uint32_t i = 0; const auto left = leftover(b, i); ++i)
+      if (left->kind == IG_LEFT_CODE && ig::to_view(left->name) == name.substr(0, name.rfind('.'))) return true;
+    return false;
+  }
+
+  static void report(ig::Block& b, const ig_leftover& left) {
+    const auto where = ig::Where::columns(left.begin, left.end);
+    const std::string_view name = ig::to_view(left.name);
+    const std::string_view source = b.source();
+    const bool has_place = left.begin < left.end && left.end <= source.size();
+    const std::string_view written = has_place ? source.substr(left.begin, left.end - left.begin) : name;
+    const bool is_machine_function = name.starts_with('M');
+    switch (left.kind) {
+      case IG_LEFT_UNKNOWN:
+        b.report(is_machine_function ? diag("ISO-0281") : diag("ISO-0280"), where, name);
+        break;
+      case IG_LEFT_CODE:
+        b.report(is_machine_function ? diag("ISO-0283") : diag("ISO-0282"), where, name);
+        break;
+      case IG_LEFT_WORD:
+        b.report(is_geometric(name) ? diag("ISO-0284") : diag("ISO-0285"), where, written);
+        break;
+      case IG_LEFT_EXPRESSION:
+        b.report(diag("ISO-0286"), where, written);
+        break;
+      case IG_LEFT_STATEMENT:
+        b.report(diag("ISO-0287"), where, written);
+        break;
+      default:
+        b.report(diag("ISO-0288"), where, written);
+    }
+  }
+};
+
+const ig::Register<UnconsumedCheck> registered;
+
+}  // namespace
+}  // namespace iso

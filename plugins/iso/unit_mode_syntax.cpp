@@ -1,0 +1,79 @@
+/// G20/G21: inch or metric input. Stands first in the logic: in inch blocks it turns the lengths and feeds that the
+/// block programs into mm, in place, so that nothing after it knows of inches.
+#include <algorithm>
+
+#include "modal_group.hpp"
+
+namespace iso {
+namespace {
+
+constexpr double mm_per_inch = 25.4;
+
+struct UnitMode {
+  static constexpr auto spec = ig::syntax("UnitModeSyntax", "G20/G21 inch or metric input; lengths become mm.")
+                                   .after("ParameterizedFlagSyntax", "DecimalPointSyntax")
+                                   .before("FeedrateSyntax", "CannedCycleResolveSyntax", "ProgramXyzSyntax");
+
+  ig::Codes modes_{"G20", "G21"};
+  ig::Fields lengths_{"lengths", "Parsing.**{mm} Parsing.**{mm/min}", ig::read | ig::write,
+                      "The words that are lengths or feeds."};
+  ig::Out<ig::Symbol> term_{"Unit.Term"};
+  ig::InWhile<ig::Symbol> system_{"Unit.System", "Inch", ig::write};
+
+  // F under G93 is a time, K of a repeated canned cycle a count.
+  ig::Codes feed_modes_{{"G93", "G94", "G95"}, ig::read};
+  ig::In<ig::Symbol> feed_mode_{"Feedrate.Term"};
+  ig::In<ig::Symbol> cycle_{"CannedCycle.Term"};
+  ig::Name inch_{"Inch"}, metric_{"Metric"}, g93_{"G93"}, g80_{"G80"};
+
+  UnitMode() {
+    for (std::size_t i = 0; i < lengths_.size(); ++i) {
+      if (lengths_.unit(i) == "mm/min") feeds_.push_back(lengths_.id(i));
+      if (lengths_.path(i) == "Parsing.K") repeats_ = lengths_.id(i);
+    }
+  }
+
+  ig::Status build(ig::Block& b) {
+    const auto mode = take_modal(b, modes_);
+    if (mode) {
+      b.set(term_, modes_.name(*mode));
+      b.set(system_, *mode == 0 ? inch_ : metric_);
+    }
+    const bool converted = b.is(system_, inch_) && to_metric(b);
+    return mode || converted ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  bool to_metric(ig::Block& b) const {
+    const bool inverse_time = is_inverse_time(b);
+    const bool cycle_mode = b.has(cycle_) && !b.is(cycle_, g80_);
+    bool any = false;
+    ig_value values[32];
+    for (std::size_t at = 0; at < lengths_.size(); at += 32) {
+      const auto n = static_cast<std::uint32_t>(std::min<std::size_t>(32, lengths_.size() - at));
+      const ig_field* const ids = lengths_.ids() + at;
+      const std::uint32_t found = b.host()->get_many(b.raw(), ids, n, values);
+      for (std::uint32_t i = 0; i < n; ++i) {
+        if ((found >> i & 1u) == 0) continue;
+        if (cycle_mode && ids[i] == repeats_) continue;
+        if (inverse_time && std::find(feeds_.begin(), feeds_.end(), ids[i]) != feeds_.end()) continue;
+        b.host()->rewrite(b.raw(), ids[i], {.number = values[i].number * mm_per_inch});
+        any = true;
+      }
+    }
+    return any;
+  }
+
+  bool is_inverse_time(const ig::Block& b) const {
+    const auto mode = b.find(feed_modes_);
+    return mode ? feed_modes_.name(*mode) == g93_ : b.is(feed_mode_, g93_);
+  }
+
+  std::vector<ig_field> feeds_;
+  ig_field repeats_ = IG_NO_FIELD;
+};
+
+const ig::Register<UnitMode> registered;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,246 @@
+// Words: an address and a number, X12.5. The scanner reads on over all words that follow each other and hands them to
+// the host in one call. What is not plainly a word is said: an expression is kept for evaluation, a typing error is a
+// diagnostic that shows the text, and the word is not set.
+#include <bit>
+
+#include "diagnostics.hpp"
+#include "scan_util.hpp"
+
+namespace iso {
+namespace {
+
+/// Characters after a number that make it something else than the end of a word.
+constexpr std::array<bool, 256> odd_after_number = [] {
+  std::array<bool, 256> odd{};
+  for (const char c : {'.', ',', '=', 'E', 'e', 'O', 'o'}) odd[static_cast<unsigned char>(c)] = true;
+  return odd;
+}();
+
+constexpr bool is_number_part(char c) { return is_digit(c) || c == '.' || c == '+' || c == '-'; }
+constexpr bool is_sign_or_blank(char c) { return c == '+' || c == '-' || is_blank(c); }
+constexpr bool is_digit_or_o(char c) { return is_digit(c) || c == '.' || c == 'O' || c == 'o'; }
+
+/// 1E5, 1e-3: an exponent stands against its number and holds no point. X1 E2.5 is two words.
+std::size_t skip_exponent(std::string_view text, std::size_t position) {
+  if (to_upper(at(text, position)) != 'E') return position;
+  const char sign = at(text, position + 1);
+  const std::size_t digits = position + (sign == '+' || sign == '-' ? 2 : 1);
+  const std::size_t end = skip_digits(text, digits);
+  return end == digits || at(text, end) == '.' ? position : end;
+}
+
+struct WordSyntax {
+  static constexpr auto spec =
+      ig::syntax("WordSyntax", "Reads words: an address and its number.")
+          .after("FlagSyntax", "HeadIndexSyntax", "MacroStatementSyntax")
+          .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-.,");
+
+  ig::Fields addresses{"addresses", "Parsing.?", ig::write, "The addresses that words may have."};
+  ig::Signal without_point{"Parsing.~WithoutPoint", ig::write};
+  ig::Signal fine_digits{"Parsing.~FineDigits", ig::write};
+
+  struct Address {
+    ig_field field = IG_NO_FIELD;
+    bool counts_increments = false;
+  };
+  std::array<Address, 26> table{};
+
+  WordSyntax() {
+    for (std::size_t i = 0; i < addresses.size(); ++i) {
+      const unsigned letter = letter_index(addresses.path(i).back());
+      const std::string_view unit = addresses.unit(i);
+      if (letter < 26) table[letter] = {addresses.id(i), unit == "mm" || unit == "deg" || unit == "s"};
+    }
+  }
+
+  /// Words that follow each other, until one host call takes them.
+  struct Run {
+    std::array<ig_word, 26> words;
+    std::array<ig_field, 26> fields;
+    std::uint32_t count = 0;
+    std::uint32_t letters = 0;
+    bool without_point = false;
+    bool fine_digits = false;
+  };
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    const char first = text[position];
+    if (first == ',') return corner(b, text, position);
+    if (!is_letter(first)) return number_without_address(b, text, position);
+    Run run;
+    std::size_t next = position;
+    std::size_t end = position;
+    do {
+      end = word(b, text, next, run);
+      next = skip_blanks(text, end);
+    } while (next < text.size() && is_address(text[next]));
+    set(b, run);
+    return end;
+  }
+
+ private:
+  /// Codes, sequence and program numbers are for the scanners before this one.
+  bool is_address(char c) const {
+    const unsigned letter = letter_index(c);
+    return letter < 26 && table[letter].field != IG_NO_FIELD && c != 'G' && c != 'g' && c != 'M' && c != 'm' &&
+           c != 'N' && c != 'n' && c != 'O' && c != 'o';
+  }
+
+  std::size_t word(ig::Block& b, std::string_view text, std::size_t begin, Run& run) const {
+    const unsigned letter = letter_index(text[begin]);
+    const Address address = table[letter];
+    const std::size_t number = skip_blanks(text, begin + 1);
+    const ig::Decimal d = ig::read_decimal(text, number);
+    if (!d.ok) return no_number(b, text, begin, number);
+    if (odd_after_number[static_cast<unsigned char>(at(text, d.end))]) {
+      const std::size_t end = odd_number(b, text, begin, d.end);
+      if (end != begin) return end;
+    }
+    if (address.field == IG_NO_FIELD) {
+      const char name = to_upper(text[begin]);
+      leave(b, IG_LEFT_WORD, {&name, 1}, begin, d.end);
+      return d.end;
+    }
+    std::uint32_t place = run.count;
+    if ((run.letters >> letter & 1u) != 0) {
+      place = 0;
+      while (run.fields[place] != address.field) ++place;
+      twice(b, address.field, begin, d.end);
+    } else {
+      ++run.count;
+    }
+    run.letters |= 1u << letter;
+    const bool bare = !d.has_point && address.counts_increments && d.value != 0;
+    run.without_point |= bare;
+    run.fine_digits |= d.decimals > 3;
+    run.fields[place] = address.field;
+    run.words[place] = {.field = address.field,
+                        .begin = column(begin),
+                        .end = column(d.end),
+                        .value = {.number = d.value + 0.0},  // -0 becomes 0
+                        .flags = bare ? static_cast<std::uint32_t>(IG_WORD_WITHOUT_POINT) : 0u,
+                        .reserved = 0};
+    return d.end;
+  }
+
+  void set(ig::Block& b, const Run& run) const {
+    if (run.count == 0) return;
+    std::array<ig_value, 26> before;
+    std::uint32_t again = b.host()->get_many(b.raw(), run.fields.data(), run.count, before.data());
+    for (; again != 0; again &= again - 1) {
+      const ig_word& w = run.words[static_cast<std::size_t>(std::countr_zero(again))];
+      twice(b, w.field, w.begin, w.end);
+    }
+    b.host()->set_words(b.raw(), run.words.data(), run.count);
+    if (run.without_point) b.raise(without_point);
+    if (run.fine_digits) b.raise(fine_digits);
+  }
+
+  void twice(ig::Block& b, ig_field field, std::size_t begin, std::size_t end) const {
+    for (unsigned letter = 0; letter < 26; ++letter)
+      if (table[letter].field == field) {
+        const char name = static_cast<char>('A' + letter);
+        b.report(diag("ISO-0108"), ig::Where::columns(begin, end), std::string_view(&name, 1));
+      }
+  }
+
+  /// The address at `begin` has no number at `number`: an expression, a name or a typing error.
+  std::size_t no_number(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number) const {
+    const char c = at(text, number);
+    if (c == '=') return assignment(b, text, begin, number);
+    const bool is_signed = c == '+' || c == '-';
+    const std::size_t body = is_signed ? skip_while(text, number, is_sign_or_blank) : number;
+    if (begins_expression(text, body)) return expression(b, text, begin, skip_expression(text, number));
+    if (to_upper(c) == 'O' && is_digit(at(text, number + 1)))
+      return refuse(b, diag("ISO-0101"), text, begin, skip_while(text, number, is_digit_or_o));
+    const std::size_t name = skip_while(text, begin, is_letter);
+    if (name - begin > 2) return refuse(b, diag("ISO-0110"), text, begin, skip_name(text, name));
+    if (is_number_part(c)) {
+      const bool two_signs = is_signed && piece(text, number + 1, body).find_first_of("+-") != std::string_view::npos;
+      return refuse(b, two_signs ? diag("ISO-0105") : diag("ISO-0116"), text, begin,
+                    skip_while(text, body, is_number_part));
+    }
+    return refuse(b, diag("ISO-0104"), text, begin, skip_while(text, begin + 1, [](char u) { return u == '_'; }));
+  }
+
+  /// #1, [#1+2.], SIN[30.]
+  static bool begins_expression(std::string_view text, std::size_t position) {
+    const char c = at(text, position);
+    return c == '#' || c == '[' || (is_letter(c) && at(text, skip_while(text, position, is_letter)) == '[');
+  }
+
+  /// The number of the word ends at `end`, but the character there is none that ends a word. `begin`: it is one.
+  std::size_t odd_number(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) const {
+    const char c = text[end];
+    const char after = at(text, end + 1);
+    if (c == '.')
+      return refuse(b, diag("ISO-0103"), text, begin, skip_while(text, end, [](char d) { return is_digit(d) || d == '.'; }));
+    if (c == ',')
+      return is_digit(after) ? refuse(b, diag("ISO-0107"), text, begin, skip_digits(text, end + 1)) : begin;
+    if (c == '=') return assignment(b, text, begin, end);
+    if (const std::size_t exponent = skip_exponent(text, end); exponent != end)
+      return refuse(b, diag("ISO-0106"), text, begin, exponent);
+    if (to_upper(c) == 'O' && !is_letter(after))
+      return refuse(b, diag("ISO-0101"), text, begin, skip_while(text, end, is_digit_or_o));
+    return begin;
+  }
+
+  /// X=#1, X1=10, R5=R2+1: the value reaches to the next blank that stands in no bracket.
+  std::size_t assignment(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals) const {
+    std::size_t end = skip_blanks(text, equals + 1);
+    const std::size_t limit = block_end(text, end);
+    while (end < limit && !is_blank(text[end]) && text[end] != ';')
+      end = text[end] == '[' || text[end] == '(' ? skip_bracketed(text, end) : end + 1;
+    return expression(b, text, begin, end, equals - begin);
+  }
+
+  std::size_t expression(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end,
+                         std::size_t name_size = 1) const {
+    std::array<char, 16> name{};
+    const std::size_t size = std::min(name_size, name.size());
+    for (std::size_t i = 0; i < size; ++i) name[i] = to_upper(text[begin + i]);
+    const std::string_view word = trim({name.data(), size});
+    leave(b, IG_LEFT_EXPRESSION, word, begin, end,
+          word.size() == 1 ? table[letter_index(text[begin])].field : IG_NO_FIELD);
+    return end;
+  }
+
+  /// CYCLE81(…) with its arguments, TRANS, G_HOME: the rest of the name.
+  static std::size_t skip_name(std::string_view text, std::size_t position) {
+    const std::size_t end =
+        skip_while(text, position, [](char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '.'; });
+    return at(text, end) == '(' ? skip_bracketed(text, end) : end;
+  }
+
+  static std::size_t refuse(ig::Block& b, std::uint32_t diagnostic, std::string_view text, std::size_t begin,
+                            std::size_t end) {
+    b.report(diagnostic, ig::Where::columns(begin, end), piece(text, begin, end));
+    return end;
+  }
+
+  /// G01 X5. ,C2. or ,R2.: a chamfer or corner radius, which is no C and no R word.
+  static std::size_t corner(ig::Block& b, std::string_view text, std::size_t position) {
+    const std::size_t letter = skip_blanks(text, position + 1);
+    if (!is_letter(at(text, letter))) return position;
+    const std::size_t number = skip_blanks(text, letter + 1);
+    const std::size_t end = skip_expression(text, number);
+    const char name[2] = {',', to_upper(text[letter])};
+    leave(b, IG_LEFT_WORD, {name, 2}, position, end);
+    return end;
+  }
+
+  static std::size_t number_without_address(ig::Block& b, std::string_view text, std::size_t position) {
+    const std::size_t end = skip_while(text, position, is_number_part);
+    const std::string_view number = piece(text, position, end);
+    if (number.find_first_of("0123456789") == std::string_view::npos) {
+      leave(b, IG_LEFT_TEXT, number, position, end);
+      return end;
+    }
+    return refuse(b, diag("ISO-0109"), text, position, end);
+  }
+};
+
+const ig::Register<WordSyntax> registered;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,41 @@
+/// Names of work offsets, as the tables know them: "EXT", "G54" to "G59", "G54.1P12". No allocation.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <string_view>
+
+#include "whole_number.hpp"
+
+namespace iso {
+
+class WorkOffsetId {
+ public:
+  /// P of G10 L2: 0 is the external offset, 1 to 6 are G54 to G59. Anything else has no name.
+  static WorkOffsetId basic(double p) {
+    static constexpr std::array<std::string_view, 7> names{"EXT", "G54", "G55", "G56", "G57", "G58", "G59"};
+    const auto n = whole_number(p);
+    return WorkOffsetId(n && *n < 7 ? names[static_cast<std::size_t>(*n)] : "");
+  }
+
+  /// P of G54.1 and of G10 L20, from 1.
+  static WorkOffsetId additional(double p) {
+    const auto n = whole_number(p);
+    if (!n || *n == 0) return WorkOffsetId("");
+    WorkOffsetId id("G54.1P");
+    char* const first = id.buffer_.data() + id.size_;
+    id.size_ = static_cast<std::size_t>(std::to_chars(first, id.buffer_.data() + id.buffer_.size(), *n).ptr -
+                                        id.buffer_.data());
+    return id;
+  }
+
+  std::string_view text() const { return {buffer_.data(), size_}; }
+
+ private:
+  explicit WorkOffsetId(std::string_view text) : size_(text.copy(buffer_.data(), buffer_.size())) {}
+
+  std::array<char, 24> buffer_{};
+  std::size_t size_;
+};
+
+}  // namespace iso

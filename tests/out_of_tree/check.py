@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""Installs Isogloss into a fresh folder and builds projects against that installation alone."""
+import argparse
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+
+EMBED_MOTIONS = """\
+file,line,event,px,py,pz,mx,my,mz,a,b,c,feed_mm_s,cx,cy,cz,ccw,circles,plane,mcx,mcy,mcz,nx,ny,nz,sweep,value,term
+in memory,2,rapid,10,20,5,10,20,5,,,,,,,,,,,,,,,,,,,
+in memory,3,feed,10,20,-1,10,20,-1,,,,10,,,,,,,,,,,,,,,
+in memory,4,arc,20,30,-1,20,30,-1,,,,10,10,30,-1,1,0,XY,10,30,-1,0,0,1,90,,
+in memory,5,end,,,,,,,,,,,,,,,,,,,,,,,,,M30
+"""
+
+
+class Checks:
+    def __init__(self, options):
+        self.build = options.build
+        self.folder = options.folder
+        self.compiler = options.compiler
+        self.prefix = self.folder / "installed"
+        self.command = self.prefix / "bin" / "isogloss"
+
+    def run(self, *command, status=0):
+        # Only the installation and what a test names itself count, not the caller's own plugins.
+        environment = {key: value for key, value in os.environ.items() if not key.startswith("ISOGLOSS_")}
+        done = subprocess.run([str(part) for part in command], capture_output=True, text=True, env=environment,
+                              cwd=self.folder)
+        if done.returncode != status:
+            sys.exit(f"{' '.join(map(str, command))}\nexit status {done.returncode}, expected {status}\n"
+                     f"{done.stdout}{done.stderr}")
+        return done
+
+    def build_project(self, name, status=0):
+        folder = self.folder / name
+        shutil.rmtree(folder, ignore_errors=True)
+        self.run("cmake", "-S", HERE / name, "-B", folder, "-G", "Ninja", f"-DCMAKE_CXX_COMPILER={self.compiler}",
+                 f"-DCMAKE_PREFIX_PATH={self.prefix}", "-DCMAKE_BUILD_TYPE=Release")
+        return folder, self.run("cmake", "--build", folder, status=status)
+
+    def install(self):
+        shutil.rmtree(self.prefix, ignore_errors=True)
+        self.run("cmake", "--install", self.build, "--prefix", self.prefix)
+        program = self.folder / "line.nc"
+        program.write_text("G90 G54 G0 X1.\nM30\n")
+        motions = self.run(self.command, "run", program, "-d", "fanuc", "--emit", "motions", "--format", "csv").stdout
+        expect(",1,rapid,1," in motions, "the installed command finds its plugins and dialects", motions)
+
+    def embed(self):
+        folder, _ = self.build_project("embed")
+        motions = self.run(folder / "embed", self.prefix, "fanuc").stdout
+        expect(motions == EMBED_MOTIONS, "a program that embeds the host gets its motions", motions)
+
+    def vendor(self):
+        folder, _ = self.build_project("vendor")
+        plugins = folder / "plugins"
+        listed = json.loads(self.run(self.command, "list", "syntaxes", "--plugins", plugins, "--json").stdout)
+        expect("AcmeVacuumSyntax" in json.dumps(listed), "the vendor's syntax is listed", listed)
+        page = self.run(self.command, "inspect", "AcmeVacuumSyntax", "--plugins", plugins).stdout
+        expect("M171 switches the vacuum table on" in page, "its page is in the plugin", page)
+        self.run(self.command, "case", HERE / "vendor" / "acme_vacuum_syntax.md", "--plugins", plugins)
+        self.run(self.command, "validate", plugins / "acme.so")
+        program = self.folder / "vacuum.acme"
+        program.write_text("M171\nG0 X1.\nM172\nM30\n")
+        blocks = self.run(self.command, "run", program, "-d", "acme", "--plugins", plugins, "--dialects",
+                          HERE / "vendor", "--emit", "blocks").stdout.splitlines()
+        held = [json.loads(line).get("AcmeVacuum", {}).get("IsOn") for line in blocks]
+        expect(held[:3] == [True, True, False], "a vendor's dialect runs the vendor's syntax", blocks)
+
+    def without_entry(self):
+        _, done = self.build_project("without_entry", status=1)
+        expect("does not export ig_plugin_v1" in done.stdout, "a plugin without an entry does not build", done.stdout)
+
+
+def expect(holds, what, seen):
+    if not holds:
+        sys.exit(f"not so: {what}\n{seen}")
+    print(what)
+
+
+def main():
+    arguments = argparse.ArgumentParser()
+    arguments.add_argument("check", choices=["install", "embed", "vendor", "without_entry"])
+    arguments.add_argument("--build", type=Path, required=True)
+    arguments.add_argument("--folder", type=Path, required=True)
+    arguments.add_argument("--compiler", default="c++")
+    options = arguments.parse_args()
+    getattr(Checks(options), options.check)()
+
+
+main()

@@ -1,0 +1,24 @@
+// Acme's vacuum table: M171 switches it on, M172 off.
+#include <isogloss/sdk.hpp>
+
+namespace {
+
+struct AcmeVacuum {
+  static constexpr auto spec = ig::syntax("AcmeVacuumSyntax", "M171/M172 vacuum table on and off");
+
+  ig::Codes codes{"M171", "M172"};
+  ig::Out<bool> is_on{"AcmeVacuum.IsOn", {ig::Life::modal, "", "The part is held."}};
+
+  ig::Status build(ig::Block& block) const {
+    std::uint32_t found = 0;
+    const auto code = block.take(codes, &found);
+    if (!code) return ig::Status::unchanged;
+    if (found > 1) block.report(0, ig::Where::block());
+    block.set(is_on, *code == 0);
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<AcmeVacuum> registered;
+
+}  // namespace

@@ -1,0 +1,1 @@
+__attribute__((visibility("default"))) int acme_helper() { return 1; }

@@ -1,0 +1,7 @@
+(THE SWITCHES 1 AND 3 ARE ON)
+G21 G90 G0 X0. Y0. Z0.
+/X1.
+/1 X2.
+/2 X3.
+/3 X4.
+N10 X5. /3 Y5.

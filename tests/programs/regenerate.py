@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+"""Golden programs: FOLDER/NAME.nc under the dialect FOLDER gives NAME.motions.csv and, on stderr, NAME.diagnostics.txt.
+
+  regenerate.py --isogloss PATH [--check] [FOLDER/NAME...]
+
+Writes the expectations anew, or with --check compares and shows what changed. NAME.args beside a program holds more
+arguments. Before an expectation is committed somebody has read it against the control's manual.
+"""
+import argparse
+import difflib
+import pathlib
+import shlex
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+def results(isogloss, program):
+    """{expectation file: text} of one run."""
+    arguments = program.with_suffix(".args")
+    extra = shlex.split(arguments.read_text()) if arguments.exists() else []
+    run = subprocess.run([isogloss, "run", program.name, "-d", program.parent.name, "--emit", "motions", "--format",
+                          "csv", *extra], cwd=program.parent, capture_output=True, text=True, timeout=60, check=False)
+    if run.returncode not in (0, 1):
+        raise RuntimeError(f"exit status {run.returncode}\n{run.stderr}")
+    return {program.with_suffix(".motions.csv"): run.stdout,
+            program.with_suffix(".diagnostics.txt"): run.stderr + f"exit status {run.returncode}\n"}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--isogloss", required=True, type=pathlib.Path)
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("names", nargs="*")
+    options = parser.parse_args()
+    isogloss = options.isogloss.resolve()
+    programs = [(HERE / n).with_suffix(".nc") for n in options.names] or sorted(HERE.glob("*/*.nc"))
+
+    changed = 0
+    for program in programs:
+        title = program.relative_to(HERE).with_suffix("")
+        try:
+            texts = results(isogloss, program)
+        except (RuntimeError, subprocess.TimeoutExpired) as error:
+            changed += 1
+            print(f"{title}: {error}")
+            continue
+        for path, text in texts.items():
+            old = path.read_text() if path.exists() else ""
+            if text == old:
+                continue
+            changed += 1
+            if options.check:
+                sys.stdout.writelines(difflib.unified_diff(old.splitlines(True), text.splitlines(True),
+                                                           f"{path.name} (expected)", f"{path.name} (now)", n=1))
+            else:
+                path.write_text(text)
+                print(f"wrote {path.relative_to(HERE)}")
+    expected = {p.with_suffix("") for p in HERE.glob("*/*.nc")}
+    for path in sorted(HERE.glob("*/*.motions.csv")):
+        if path.with_suffix("").with_suffix("") not in expected:
+            changed += 1
+            print(f"{path.relative_to(HERE)} has no program")
+    print(f"{len(programs)} programs, {changed} expectations {'differ' if options.check else 'written'}")
+    return 1 if options.check and changed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

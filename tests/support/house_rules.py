@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""Rules of the house that no compiler knows. Prints each breach as file:line: what; exits 1 when there is one."""
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def files(*patterns):
+    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z", "--", *patterns], cwd=ROOT,
+                            check=True, capture_output=True, text=True).stdout
+    return [Path(name) for name in listed.split("\0") if name and (ROOT / name).is_file()]
+
+
+def lines(path):
+    return enumerate((ROOT / path).read_text(encoding="utf-8", errors="replace").splitlines(), 1)
+
+
+def grep(paths, pattern, what):
+    for path in paths:
+        for number, line in lines(path):
+            found = re.search(pattern, line)
+            if found:
+                yield f"{path}:{number}: {what}: {found.group(0)}"
+
+
+def pages():
+    """One syntax, one .cpp, one .md of the same name with at least one case."""
+    for path in files("plugins/*/*_syntax.cpp"):
+        if not (ROOT / path).with_suffix(".md").is_file():
+            yield f"{path}:1: has no page {path.stem}.md"
+    for path in files("plugins/*/*_syntax.md"):
+        if not (ROOT / path).with_suffix(".cpp").is_file():
+            yield f"{path}:1: is the page of no syntax"
+        if "#AfterBuild:" not in (ROOT / path).read_text():
+            yield f"{path}:1: has no case"
+
+
+def boundaries():
+    """Arrows point one way: cli -> engine -> abi <- sdk <- plugins; the engine knows no G-code and no controller."""
+    engine = [path for path in files("host/engine/*", "host/cli/*", "host/abi/*.h")
+              if path.suffix in (".cpp", ".hpp", ".h") and not path.stem.endswith("_test")]
+    yield from grep([path for path in engine if "engine" in path.parts], r'"[GM]\d{1,3}(\.\d)?"', "the engine names a code")
+    yield from grep([path for path in engine if "engine" in path.parts], r"(?i)\b(fanuc|siemens|heidenhain|syntec)\b",
+                    "the engine names a controller")
+    yield from grep(engine, r'#include\s+[<"](isogloss/(sdk|block|fields|motion|plugin)\.hpp|plugins/)',
+                    "the host includes what is for plugins")
+    yield from grep(files("host/sdk/*.hpp", "plugins/*.cpp", "plugins/*.hpp"),
+                    r'#include\s+[<"](isogloss/engine/|nlohmann/|pugixml)', "a plugin includes what is the host's")
+    yield from grep(files("host/sdk/*.hpp"), r"#include\s+[<\"]Eigen/", "an SDK header costs every plugin a second")
+    yield from grep(files("plugins/*.cpp", "plugins/*.hpp", "host/*.cpp", "host/*.hpp"), r"\b(std::)?strto(d|f|ld)\(",
+                    "numbers are read with from_chars")
+
+
+def machine_paths():
+    """Nothing in the tree depends on where it was written."""
+    text = [path for path in files() if path.suffix not in (".png", ".gz", ".bin")]
+    yield from grep(text, r"(?<![\w./$}{-])/(home|root|work|tmp/[a-z]|Users|mnt|shared)/[\w.-]*", "a path of one machine")
+
+
+def size():
+    count = sum(1 for _ in lines(Path("host/abi/isogloss.h")))
+    if count >= 500:
+        yield f"host/abi/isogloss.h:{count}: the contract stays under 500 lines"
+
+
+def main():
+    found = [breach for rule in (pages, boundaries, machine_paths, size) for breach in rule()]
+    print("\n".join(found), end="\n" if found else "")
+    sys.exit(1 if found else 0)
+
+
+main()
