@@ -1,6 +1,7 @@
 // Everything in the handlers is async-signal-safe: write(2), fork(2), execve(2), waitpid(2) and plain memory.
 #include "crash_guard.hpp"
 
+#include <fcntl.h>
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/time.h>
@@ -8,6 +9,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <string_view>
@@ -56,36 +58,32 @@ class Line {
 
 std::string_view name_of(int number) {
   switch (number) {
-    case SIGSEGV:
-      return "segmentation fault";
-    case SIGABRT:
-      return "abort";
-    case SIGFPE:
-      return "arithmetic fault";
-    case SIGBUS:
-      return "bus error";
-    case SIGILL:
-      return "illegal instruction";
-    default:
-      return "no end of the block in sight";
+    case SIGSEGV: return "segmentation fault";
+    case SIGABRT: return "abort";
+    case SIGFPE: return "arithmetic fault";
+    case SIGBUS: return "bus error";
+    case SIGILL: return "illegal instruction";
+    default: return "no end of the block in sight";
   }
 }
 
 /// Starts the same command again, which stops before the build that crashed and writes the case. True when it did.
 bool write_reproducer(const Breadcrumb& crumb, const char* file) {
-  static Line builds, program;
+  static Line builds, line, program;
   builds << crumb.document->chain->builds;
+  line << crumb.document->source.line;
   program << crumb.document->source.file;
   static std::array<char*, 4096> argv;
   static char name_option[] = "--reproducer", builds_option[] = "--reproducer-build";
-  static char program_option[] = "--reproducer-program";
+  static char line_option[] = "--reproducer-line", program_option[] = "--reproducer-program";
   std::size_t n = 0;
-  while (arguments[n] != nullptr && n + 8 < argv.size()) {
+  while (arguments[n] != nullptr && n + 9 < argv.size()) {
     argv[n] = arguments[n];
     ++n;
   }
-  for (const char* extra : {static_cast<const char*>(name_option), file, static_cast<const char*>(builds_option),
-                            builds.text(), static_cast<const char*>(program_option), program.text()})
+  for (const char* extra :
+       {static_cast<const char*>(name_option), file, static_cast<const char*>(builds_option), builds.text(),
+        static_cast<const char*>(line_option), line.text(), static_cast<const char*>(program_option), program.text()})
     argv[n++] = const_cast<char*>(extra);  // execve does not write them
   argv[n] = nullptr;
 
@@ -96,6 +94,11 @@ bool write_reproducer(const Breadcrumb& crumb, const char* file) {
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
     alarm(seconds_for_reproducer);
+    // What the first run said need not be said again.
+    if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) {
+      dup2(nowhere, STDOUT_FILENO);
+      dup2(nowhere, STDERR_FILENO);
+    }
     execve("/proc/self/exe", argv.data(), environ);
     _exit(internal_fault);
   }
@@ -119,6 +122,8 @@ bool write_reproducer(const Breadcrumb& crumb, const char* file) {
     const BlockSource& source = crumb.document->source;
     line << " in " << crumb.syntax << " of plugin " << crumb.plugin << "\n  at " << source.file << ":" << source.line
          << ": " << source.text.substr(0, 200);
+  } else if (const char* const plugin = Library::loading(); plugin != nullptr) {
+    line << " while loading the plugin " << plugin;
   } else {
     line << " outside any syntax";
   }
@@ -180,7 +185,11 @@ void guard_crashes(char** argv) {
     sigaltstack(&stack, nullptr);
   }
   for (const int s : crash_signals) handle(s, report_and_exit, SA_ONSTACK);
-  for (const int s : {SIGINT, SIGTERM, SIGHUP}) handle(s, on_end, SA_RESETHAND);
+  for (const int s : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    sigaction(s, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) handle(s, on_end, 0);  // nohup stays nohup
+  }
   signal(SIGPIPE, SIG_IGN);
 }
 

@@ -14,13 +14,15 @@ std::string usage() {
   std::string out =
       "Isogloss: controller dialects of CNC part programs as data and plugins.\n\n"
       "Usage: isogloss COMMAND [options]\n\nCommands:\n";
-  for (const Command& c : commands) out += "  " + std::string(c.name) + std::string(10 - c.name.size(), ' ') +
-                                           std::string(c.summary) + "\n";
+  for (const Command& c : commands)
+    out += "  " + std::string(c.name) + std::string(10 - c.name.size(), ' ') + std::string(c.summary) + "\n";
   return out +
          "\nOptions of all commands:\n"
          "  --help          what the command does, with an example\n"
-         "  --plugins DIR   look for plugins there first (repeatable; then ISOGLOSS_PLUGIN_PATH, then the installation)\n"
-         "  --dialects DIR  look for dialects there first (repeatable; then ISOGLOSS_DIALECT_PATH, then the installation)\n"
+         "  --plugins DIR   look for plugins there first (repeatable; then ISOGLOSS_PLUGIN_PATH, then the "
+         "installation)\n"
+         "  --dialects DIR  look for dialects there first (repeatable; then ISOGLOSS_DIALECT_PATH, then the "
+         "installation)\n"
          "  --version       version of the host, of the contract and of the plugins\n\n"
          "Exit status: 0 at most warnings, 1 errors in the input, 2 cannot start, 3 internal fault.\n\n"
          "Example:\n  isogloss run part.nc --emit motions --format text\n";

@@ -64,9 +64,8 @@ class PageReader {
   /// The member that a marker line fills; a marker that was filled already begins the next case.
   std::optional<Fence>* marker(std::string_view text) {
     static constexpr std::pair<std::string_view, std::optional<Fence> Case::*> markers[] = {
-        {"#Previous:", &Case::previous},       {"#Dependencies:", &Case::dependencies},
-        {"#BeforeBuild:", &Case::before},      {"#AfterBuild:", &Case::after},
-        {"#Diagnostics:", &Case::diagnostics},
+        {"#Previous:", &Case::previous}, {"#Dependencies:", &Case::dependencies}, {"#BeforeBuild:", &Case::before},
+        {"#AfterBuild:", &Case::after},  {"#Diagnostics:", &Case::diagnostics},
     };
     for (const auto& [name, member] : markers) {
       if (text != name) continue;
@@ -179,8 +178,7 @@ Dialect surround(const ig_syntax& syntax, const ig_plugin& plugin, const Surroun
     }
   } else {
     d.name = plugin.name;
-    for (std::uint32_t i = 0; i < plugin.syntax_count; ++i)
-      d.chain.push_back(element_of(*plugin.syntaxes[i], where));
+    for (std::uint32_t i = 0; i < plugin.syntax_count; ++i) d.chain.push_back(element_of(*plugin.syntaxes[i], where));
   }
   if (!has_plugin(d, plugin.name)) d.plugins.push_back({plugin.name, where});
 
@@ -344,7 +342,8 @@ std::string run_case(const Page& page, const Case& one, const std::string& file,
   for (const Diagnostic& d : said.all) {
     const bool is_host = d.code.starts_with("IG-");
     if (!is_host) codes.push_back(d.code);
-    if (is_host && d.severity == Severity::error) out += fmt::format("  {}: {} [{}]\n", to_string(d.severity), d.message, d.code);
+    if (is_host && d.severity == Severity::error)
+      out += fmt::format("  {}: {} [{}]\n", to_string(d.severity), d.message, d.code);
   }
   if (one.diagnostics) {
     std::string_view rest = one.diagnostics->text;

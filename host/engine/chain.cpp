@@ -52,6 +52,8 @@ void Chain::create_dependencies() {
   const auto create_row = [](DependencyTable& table, std::string_view shipped) {
     const std::size_t bar = shipped.find('|');
     const std::string_view key = shipped.substr(0, bar);
+    table.add_row(key);
+    table.add(key);
     while (shipped.find('|') != std::string_view::npos) {
       shipped.remove_prefix(shipped.find('|') + 1);
       const std::string_view cell = shipped.substr(0, shipped.find('|'));
@@ -66,6 +68,7 @@ void Chain::create_dependencies() {
     std::string_view key;
     for (const Attribute& a : row.attributes)
       if (d.row_key != nullptr && a.name == d.row_key) key = a.value;
+    table.add(key);
     for (const Attribute& a : row.attributes)
       if (const auto column = table.column(a.name)) table.set(key, static_cast<std::uint32_t>(*column), a.value);
   };
@@ -100,6 +103,7 @@ void Chain::overlay(const DependencyElement& element) {
       std::string key;
       for (const Attribute& a : row.attributes)
         if (d.dependency->row_key != nullptr && a.name == d.dependency->row_key) key = a.value;
+      tables_[i]->add(key);
       for (const Attribute& a : row.attributes) {
         if (d.dependency->row_key != nullptr && a.name == d.dependency->row_key) continue;
         const auto column = tables_[i]->column(a.name);
@@ -221,9 +225,11 @@ void Chain::begin_block(const BlockSource& source) {
   document_.begin(source);
   ends_program = ends_file = alarmed = skip_rest = false;
   split_at = 0;
+  const std::uint64_t* const present = document_.present_bits();
   for (const WakeWhile& w : linked_.wake_while) {
-    const bool holds = document_.present(w.field) && (w.value == 0 || document_.value(w.field).symbol == w.value);
-    document_.active[w.position / 64] |= std::uint64_t{holds} << (w.position % 64);
+    if ((present[w.field >> 6] >> (w.field & 63) & 1) == 0) continue;
+    if (w.value != 0 && document_.value(w.field).symbol != w.value) continue;
+    document_.active[w.position / 64] |= std::uint64_t{1} << (w.position % 64);
   }
   if (settings_.call_all)
     for (std::size_t i = 0; i < steps_.size(); ++i) document_.active[i / 64] |= std::uint64_t{1} << (i % 64);
@@ -279,15 +285,8 @@ std::size_t Chain::scan_with(std::uint32_t position) {
   return scan();
 }
 
-void Chain::call(Document& d, std::uint32_t position) {
+void Chain::call_watched(Document& d, std::uint32_t position) {
   const Step& step = steps_[position];
-  if (step.build == nullptr) return;
-  d.current = static_cast<std::uint16_t>(position + 1);
-  ++builds;
-  if (settings_.mode == Mode::fast) {
-    step.build(step.self, host_, reinterpret_cast<ig_block*>(&d));
-    return;
-  }
   if (settings_.mode == Mode::traced) {
     if (trace) trace(position, true);
     step.build(step.self, host_, reinterpret_cast<ig_block*>(&d));
@@ -315,7 +314,15 @@ void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
     while (const std::uint64_t awake = d.active[k] & reach) {
       const auto bit = static_cast<unsigned>(__builtin_ctzll(awake));
       reach &= ~std::uint64_t{0} << bit << 1;
-      call(d, k * 64 + bit);
+      const std::uint32_t position = k * 64 + bit;
+      const Step& step = steps_[position];
+      if (step.build == nullptr) continue;
+      d.current = static_cast<std::uint16_t>(position + 1);
+      ++builds;
+      if (settings_.mode == Mode::fast)
+        step.build(step.self, host_, reinterpret_cast<ig_block*>(&d));
+      else
+        call_watched(d, position);
     }
   }
   d.current = 0;

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <set>
-#include <stdexcept>
 #include <string_view>
+#include <type_traits>
 #include <vector>
+
+#include "options.hpp"
 
 namespace isogloss {
 namespace {
@@ -40,10 +41,19 @@ template <class... A>
   throw Fault{fmt::format(text, std::forward<A>(arguments)...)};
 }
 
-std::string_view text(const char* s, const std::string& what, std::size_t longest = longest_page) {
-  if (s == nullptr) fault("{} is null", what);
+/// `what` is text, or a function that makes it: thousands of names are checked when a plugin is loaded, and hardly
+/// ever is one of them shown.
+template <class What>
+std::string_view text(const char* s, const What& what, std::size_t longest = longest_page) {
+  const auto shown = [&]() -> std::string {
+    if constexpr (std::is_invocable_v<const What&>)
+      return what();
+    else
+      return what;
+  };
+  if (s == nullptr) fault("{} is null", shown());
   const std::size_t size = strnlen(s, longest + 1);
-  if (size > longest) fault("{} is longer than {} bytes", what, longest);
+  if (size > longest) fault("{} is longer than {} bytes", shown(), longest);
   return {s, size};
 }
 
@@ -91,14 +101,6 @@ void name_list(const char* const* names, const std::string& what) {
   }
 }
 
-template <class T>
-std::optional<T> parse(std::string_view s) {
-  T value{};
-  const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), value);
-  if (error != std::errc{} || end != s.data() + s.size()) return std::nullopt;
-  return value;
-}
-
 std::vector<std::string_view> split(std::string_view s, char separator) {
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0;;) {
@@ -115,26 +117,15 @@ void range(double minimum, double maximum, const std::string& what) {
 }
 
 void number_in_range(std::string_view s, double minimum, double maximum, const std::string& what) {
-  const auto value = parse<double>(s);
-  if (!value || !std::isfinite(*value)) fault("the default of {}, '{}', is no number", what, s);
+  const std::optional<double> value = parse_number(s);
+  if (!value) fault("the default of {}, '{}', is no number", what, s);
   if (*value < minimum || *value > maximum)
     fault("the default of {}, {}, lies outside {} to {}", what, s, minimum, maximum);
 }
 
 void option_default(const ig_option_decl& option, const std::string& what) {
   const std::string_view s = text(option.fallback, "the default of " + what);
-  if (option.type == IG_OPTION_NUMBER) number_in_range(s, option.minimum, option.maximum, what);
-  if (option.type == IG_OPTION_INTEGER) {
-    if (!parse<std::int64_t>(s)) fault("the default of {}, '{}', is no integer", what, s);
-    number_in_range(s, option.minimum, option.maximum, what);
-  }
-  if (option.type == IG_OPTION_BOOLEAN && s != "true" && s != "false")
-    fault("the default of {} is '{}', neither true nor false", what, s);
-  if (option.type == IG_OPTION_CHOICE) {
-    const auto choices = split(option.choices, '|');
-    if (std::find(choices.begin(), choices.end(), s) == choices.end())
-      fault("the default of {}, '{}', is none of {}", what, s, option.choices);
-  }
+  if (!parse_option(option, s)) fault("the default of {} is '{}', not {}", what, s, describe_option(option));
 }
 
 void check_options(const ig_option_decl* options, std::uint32_t count, const std::string& owner) {
@@ -164,13 +155,15 @@ void check_options(const ig_option_decl* options, std::uint32_t count, const std
 
 /// "Section.Field", "Parsing.G54.1.X", "Section.List[].Section.Field".
 bool is_path(std::string_view path) {
-  const auto parts = split(path, '.');
-  if (parts.size() < 2) return false;
+  if (path.find('.') == std::string_view::npos) return false;
   std::size_t lists = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    std::string_view part = parts[i];
+  for (bool first = true, last = false; !last; first = false) {
+    const std::size_t dot = path.find('.');
+    std::string_view part = path.substr(0, dot);
+    last = dot == std::string_view::npos;
+    if (!last) path.remove_prefix(dot + 1);
     if (part.ends_with("[]")) {
-      if (i == 0 || i + 1 == parts.size()) return false;
+      if (first || last) return false;
       part.remove_suffix(2);
       ++lists;
     }
@@ -193,22 +186,25 @@ void check_fields(const ig_syntax& syntax, const std::string& owner) {
   array(syntax.fields, syntax.field_count, most_declarations, owner + ".fields");
   for (std::uint32_t i = 0; i < syntax.field_count; ++i) {
     const ig_field_decl& field = syntax.fields[i];
-    const std::string_view path =
-        text(field.path, fmt::format("the path of {}'s field {}", owner, i), longest_name);
-    const std::string what = fmt::format("field '{}' of {}", path, owner);
+    const std::string_view path = text(
+        field.path, [&] { return fmt::format("the path of {}'s field {}", owner, i); }, longest_name);
+    const auto what = [&] { return fmt::format("field '{}' of {}", path, owner); };
     if ((field.access & IG_PATTERN) != 0) {
-      if (!path.starts_with('@')) fault("{} is a pattern, so its path is '@' and an option's name", what);
-      check_pattern(syntax, path, what);
+      if (!path.starts_with('@')) fault("{} is a pattern, so its path is '@' and an option's name", what());
+      check_pattern(syntax, path, what());
     } else if (!is_path(path)) {
-      fault("{} has no path such as Section.Field", what);
+      fault("{} has no path such as Section.Field", what());
     }
     if ((field.access & (IG_READ | IG_WRITE | IG_TAKE | IG_PREVIOUS | IG_WAKE | IG_WAKE_WHILE)) == 0)
-      fault("{} is neither read, written nor taken", what);
-    if (field.type < IG_NUMBER || field.type > IG_SWITCH) fault("{} has the type {}", what, field.type);
-    if (field.life > IG_LIFE_MODAL) fault("{} has the life {}", what, field.life);
-    text(field.unit, "the unit of " + what, longest_name);
-    text(field.doc, "the doc of " + what);
-    if (field.wake_value != nullptr) text(field.wake_value, "the wake_value of " + what, longest_name);
+      fault("{} is neither read, written nor taken", what());
+    if (field.type < IG_NUMBER || field.type > IG_SWITCH) fault("{} has the type {}", what(), field.type);
+    if (field.life > IG_LIFE_MODAL) fault("{} has the life {}", what(), field.life);
+    text(
+        field.unit, [&] { return "the unit of " + what(); }, longest_name);
+    text(field.doc, [&] { return "the doc of " + what(); });
+    if (field.wake_value != nullptr)
+      text(
+          field.wake_value, [&] { return "the wake_value of " + what(); }, longest_name);
   }
 }
 
@@ -311,8 +307,10 @@ void check_diagnostics(const ig_plugin& plugin) {
     if (!is_code(code)) fault("diagnostic code '{}' is no prefix and number such as ACME-0101", code);
     if (code.starts_with("IG-")) fault("diagnostic code '{}' has the host's own prefix", code);
     unique(codes, code, "diagnostic code");
-    if (row.severity < IG_NOTE || row.severity > IG_ERROR) fault("diagnostic {} has the severity {}", code, row.severity);
-    if (text(row.text, fmt::format("the text of diagnostic {}", code)).empty()) fault("diagnostic {} says nothing", code);
+    if (row.severity < IG_NOTE || row.severity > IG_ERROR)
+      fault("diagnostic {} has the severity {}", code, row.severity);
+    if (text(row.text, fmt::format("the text of diagnostic {}", code)).empty())
+      fault("diagnostic {} says nothing", code);
     text(row.explanation, fmt::format("the explanation of diagnostic {}", code));
     text(row.example, fmt::format("the example of diagnostic {}", code));
   }

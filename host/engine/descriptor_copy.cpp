@@ -32,7 +32,11 @@ const T* PluginCopy::array(const T* first, std::uint32_t count, std::deque<std::
   std::vector<T>& out = store.emplace_back(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     const void* const from = reinterpret_cast<const char*>(first) + std::size_t{i} * stride;
-    if (!copy_struct(out[i], from)) out[i] = T{};
+    std::uint32_t size = 0;
+    std::memcpy(&size, from, sizeof size);
+    // Past the end of an array that is shorter than its count: to read on could leave the library.
+    if (size != stride) return first;
+    copy_struct(out[i], from);
   }
   return out.data();
 }

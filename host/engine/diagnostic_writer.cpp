@@ -57,12 +57,8 @@ void DiagnosticWriter::add(Diagnostic diagnostic) {
       if (policy_.repeats == 0 || said <= policy_.repeats) write_text(diagnostic);
       break;
     }
-    case DiagnosticStyle::json:
-      write_json(diagnostic);
-      break;
-    case DiagnosticStyle::sarif:
-      write_sarif(diagnostic);
-      break;
+    case DiagnosticStyle::json: write_json(diagnostic); break;
+    case DiagnosticStyle::sarif: write_sarif(diagnostic); break;
   }
 }
 
@@ -124,7 +120,8 @@ void DiagnosticWriter::finish() {
   std::string out;
   if (!sarif_open_)
     out = R"({"$schema":"https://json.schemastore.org/sarif-2.1.0.json","version":"2.1.0","runs":[{"results":[)";
-  out += "],\n\"tool\":{\"driver\":{\"name\":\"isogloss\",\"version\":" + json_string(ISOGLOSS_VERSION) + ",\"rules\":[";
+  out +=
+      "],\n\"tool\":{\"driver\":{\"name\":\"isogloss\",\"version\":" + json_string(ISOGLOSS_VERSION) + ",\"rules\":[";
   bool first = true;
   for (const auto& [code, count] : by_code_) {
     out += first ? "\n" : ",\n";

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <regex>
+#include <optional>
+#include <type_traits>
 
 namespace isogloss {
 namespace {
@@ -37,34 +38,45 @@ class FileReader {
   FileReader(const XmlSource& xml, XmlBudget& budget, Report& report) : xml_(xml), budget_(budget), report_(report) {}
 
   DialectFile dialect() {
+    if (!read_head()) return std::move(file_);
+    for (const pugi::xml_node section : elements(xml_.root())) read_section(section);
+    return std::move(file_);
+  }
+
+  Dialect head() {
+    if (const pugi::xml_node files = xml_.root().child("Files"); read_head() && files) read_files(files);
+    return std::move(file_.own);
+  }
+
+  std::vector<DependencyElement> dependencies() {
+    const pugi::xml_node root = xml_.root();
+    if (std::string_view(root.name()) != "Dependencies") return {dependency(root)};
+    only_attributes(root, {});
+    for (const pugi::xml_node node : elements(root)) add_dependency(dependency(node));
+    return std::move(file_.own.dependencies);
+  }
+
+ private:
+  /// False when the root is not a dialect's: then nothing else means anything.
+  bool read_head() {
     const pugi::xml_node root = xml_.root();
     file_.own.file = xml_.file();
-    if (std::string_view(root.name()) != "Dialect" || root.attribute("xmlns").value() != dialect_namespace) {
-      const std::string found = root.attribute("xmlns") ? fmt::format("<{} xmlns=\"{}\">", root.name(),
-                                                                      root.attribute("xmlns").value())
+    file_.own.segmenter.clear();
+    const std::string_view space = root.attribute("xmlns").value();
+    if (std::string_view(root.name()) != "Dialect" || space != dialect_namespace) {
+      const std::string found = root.attribute("xmlns") ? fmt::format("<{} xmlns=\"{}\">", root.name(), space)
                                                         : fmt::format("<{}>", root.name());
       report_("IG-0106", xml_.at(root), {fmt::format("<Dialect xmlns=\"{}\">", dialect_namespace), shown(found)});
-      return std::move(file_);
+      return false;
     }
     only_attributes(root, {"name", "title", "extends"});
     file_.own.name = required(root, "name");
     file_.own.title = root.attribute("title").value();
     file_.extends = root.attribute("extends").value();
     file_.extends_where = xml_.at(root, "extends");
-    for (const pugi::xml_node section : elements(root)) read_section(section);
-    return std::move(file_);
+    return true;
   }
 
-  std::vector<DependencyElement> dependencies() {
-    const pugi::xml_node root = xml_.root();
-    if (std::string_view(root.name()) != "Dependencies") return {dependency(root)};
-    std::vector<DependencyElement> all;
-    only_attributes(root, {});
-    for (const pugi::xml_node node : elements(root)) add_dependency(all, dependency(node));
-    return all;
-  }
-
- private:
   void read_section(pugi::xml_node section) {
     using Reader = void (FileReader::*)(pugi::xml_node);
     static const std::map<std::string, Reader> sections{
@@ -90,12 +102,10 @@ class FileReader {
     for (const pugi::xml_node child : leaves(node, {"Signature"})) {
       only_attributes(child, {"pattern"});
       const std::string pattern = required(child, "pattern");
-      try {
-        const std::regex compiled(pattern);
+      if (pattern.find_first_not_of("* ") == std::string::npos)
+        bad_value(child, "pattern", "a pattern for a line that not every line matches");
+      else
         file_.own.signatures.push_back(pattern);
-      } catch (const std::regex_error&) {
-        bad_value(child, "pattern", "a regular expression (ECMAScript)");
-      }
     }
   }
 
@@ -116,15 +126,15 @@ class FileReader {
   }
 
   void read_initial(pugi::xml_node node) {
+    std::map<std::string, Location> paths;
     for (const pugi::xml_node child : leaves(node, {"Field"})) {
       only_attributes(child, {"path", "value"});
       InitialField field{required(child, "path"), required(child, "value"), xml_.at(child)};
-      const auto same = std::find_if(file_.own.initial.begin(), file_.own.initial.end(),
-                                     [&](const InitialField& other) { return other.path == field.path; });
-      if (same == file_.own.initial.end()) {
+      const auto [same, is_new] = paths.emplace(field.path, field.where);
+      if (is_new) {
         file_.own.initial.push_back(std::move(field));
       } else {
-        report_("IG-0113", xml_.at(child, "path"), {shown(field.path), place(same->where)});
+        report_("IG-0113", xml_.at(child, "path"), {shown(field.path), place(same->second)});
       }
     }
   }
@@ -148,7 +158,7 @@ class FileReader {
     for (const pugi::xml_node child : elements(node)) {
       const std::optional<EditKind> kind = edit_kind(child);
       if (!kind) {
-        add_dependency(file_.own.dependencies, dependency(child));
+        add_dependency(dependency(child));
       } else if (*kind == EditKind::insert_before || *kind == EditKind::insert_after) {
         unknown(child, {"Replace", "Remove", "Configure"});
       } else if (const auto head = edit<DependencyElement>(child, *kind, "dependency", {"as", "src"})) {
@@ -160,6 +170,8 @@ class FileReader {
   }
 
   void read_chain(pugi::xml_node node) {
+    if (const std::size_t count = count_elements(node); count > XmlBudget::chain)
+      return report_("IG-0105", xml_.at(node), {"the chain", fmt::format("{} elements", XmlBudget::chain)});
     int last_stage = -1;
     std::string_view last_name;
     for (const pugi::xml_node child : elements(node)) {
@@ -183,6 +195,12 @@ class FileReader {
         for (const pugi::xml_node syntax : elements(child)) file_.own.chain.push_back(chain_element(syntax, *stage));
       }
     }
+  }
+
+  static std::size_t count_elements(pugi::xml_node node) {
+    std::size_t count = 0;
+    for (const pugi::xml_node child : node.children()) count += 1 + count_elements(child);
+    return count;
   }
 
   void read_chain_edit(pugi::xml_node node, Edit<ChainElement> edit) {
@@ -270,12 +288,10 @@ class FileReader {
     return all;
   }
 
-  void add_dependency(std::vector<DependencyElement>& all, DependencyElement element) {
-    for (const DependencyElement& other : all) {
-      if (other.alias == element.alias)
-        return report_("IG-0113", element.where, {shown(element.alias), place(other.where)});
-    }
-    all.push_back(std::move(element));
+  void add_dependency(DependencyElement element) {
+    const auto [same, is_new] = dependency_names_.emplace(element.alias, element.where);
+    if (!is_new) return report_("IG-0113", element.where, {shown(element.alias), place(same->second)});
+    file_.own.dependencies.push_back(std::move(element));
   }
 
   // ---- Edits ----
@@ -408,6 +424,7 @@ class FileReader {
   XmlBudget& budget_;
   Report& report_;
   DialectFile file_;
+  std::map<std::string, Location> dependency_names_;
 };
 
 }  // namespace
@@ -424,6 +441,11 @@ std::string_view to_string(EditKind kind) {
 
 DialectFile read_dialect_file(const XmlSource& xml, XmlBudget& budget, Report& report) {
   return FileReader(xml, budget, report).dialect();
+}
+
+Dialect read_dialect_head(const XmlSource& xml, Report& report) {
+  XmlBudget budget;
+  return FileReader(xml, budget, report).head();
 }
 
 std::vector<DependencyElement> read_dependency_file(const XmlSource& xml, XmlBudget& budget, Report& report) {

@@ -48,6 +48,9 @@ struct DialectFile {
 /// Everything that is wrong is reported; what can be read is.
 DialectFile read_dialect_file(const XmlSource& xml, XmlBudget& budget, Report& report);
 
+/// Name, title and how programs are recognised; nothing else is read.
+Dialect read_dialect_head(const XmlSource& xml, Report& report);
+
 /// A table file: one dependency, or <Dependencies> with several.
 std::vector<DependencyElement> read_dependency_file(const XmlSource& xml, XmlBudget& budget, Report& report);
 

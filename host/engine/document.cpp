@@ -89,6 +89,10 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
     else if (info.life == IG_LIFE_WORD)
       word[f >> 6] |= bit(f);
     if (info.previous_of != IG_NO_FIELD) previous_.emplace_back(info.previous_of, f);
+    if (info.type == IG_CODE || info.life == IG_LIFE_WORD) {
+      if (open_end_ == 0) open_begin_ = f >> 6;
+      open_end_ = (f >> 6) + 1;
+    }
   }
   for (std::size_t i = 0; i < layout.transforms.size(); ++i)
     value_[layout.transforms[i]].integer = static_cast<std::int64_t>(i);
@@ -108,6 +112,8 @@ Document& Document::operator=(const Document& other) {
   words_ = other.words_;
   wake_words_ = other.wake_words_;
   bits_ = other.bits_;
+  open_begin_ = other.open_begin_;
+  open_end_ = other.open_end_;
   value_ = other.value_;
   writer_ = other.writer_;
   range_ = other.range_;
@@ -204,20 +210,16 @@ void Document::begin(const BlockSource& where) {
   for (std::size_t i = 0; i < previous_.size(); ++i) {
     const auto [field, copy] = previous_[i];
     value_[copy] = value_[field];
-    writer_[copy] = writer_[field];
-    was_present |= std::uint64_t{present(field)} << i;
+    was_present |= (present_[field >> 6] >> (field & 63) & 1) << i;
   }
-  for (std::uint32_t w = 0; w < words_; ++w) {
-    present_[w] &= modal_[w];
-    fresh_[w] = 0;
-    taken_[w] = 0;
-    pointless_[w] = 0;
-  }
+  for (std::uint32_t w = 0; w < words_; ++w) present_[w] &= modal_[w];
+  std::memset(fresh_, 0, 3 * words_ * sizeof *fresh_);  // fresh, taken and pointless stand in a row
   for (std::size_t i = 0; i < previous_.size(); ++i) {
     const ig_field copy = previous_[i].second;
     present_[copy >> 6] |= (was_present >> i & 1) << (copy & 63);
   }
   for (ListData& list : lists) {
+    if (list.count == 0) continue;
     list.count = 0;
     list.values.clear();
     list.present.clear();
@@ -233,7 +235,7 @@ void Document::begin(const BlockSource& where) {
 bool Document::has_leftovers() const {
   if (!leftovers.empty()) return true;
   std::uint64_t open = 0;
-  for (std::uint32_t w = 0; w < words_; ++w) open |= present_[w] & (word_mask_[w] | codes_[w]) & ~taken_[w];
+  for (std::uint32_t w = open_begin_; w < open_end_; ++w) open |= present_[w] & (word_mask_[w] | codes_[w]) & ~taken_[w];
   return open != 0;
 }
 

@@ -46,8 +46,10 @@ class Explainer : public Exporter {
   bool block(Document& document, const SymbolTable& symbols) override {
     if (document.source.line != line_) return true;
     open(document, symbols);
-    Open done = std::move(open_.back());
-    open_.pop_back();
+    const auto at =
+        std::find_if(open_.begin(), open_.end(), [&](const Open& o) { return o.column == document.source.column; });
+    Open done = std::move(*at);
+    open_.erase(at);
     ExplainedBlock out = std::move(done.block);
     const Json shown = show_json(document, symbols);
     out.document = shown.dump(2, ' ', false, Json::error_handler_t::replace);
@@ -63,9 +65,9 @@ class Explainer : public Exporter {
   std::vector<ExplainedBlock> blocks;
 
  private:
-  /// A block of the line on its way through the chain.
+  /// A block of the line on its way through the chain. With look-ahead its document is copied, so that the place is
+  /// what tells one from another.
   struct Open {
-    const Document* document;
     std::uint32_t column;
     ExplainedBlock block;
     Leaves before;
@@ -82,15 +84,15 @@ class Explainer : public Exporter {
     }
     o.called[position] = true;
     const LinkedSyntax& s = linked_.chain[position];
-    o.block.steps.push_back({s.element.alias, s.plugin->name,
-                             changes(o.before, json_leaves(show_json(*document, chain_->symbols())))});
+    o.block.steps.push_back(
+        {s.element.alias, s.plugin->name, changes(o.before, json_leaves(show_json(*document, chain_->symbols())))});
   }
 
   /// The record of this block; begun at its first build, when the scanners have just read it.
   Open& open(const Document& document, const SymbolTable& symbols) {
     for (Open& o : open_)
-      if (o.document == &document && o.column == document.source.column) return o;
-    Open o{&document, document.source.column, {}, {}, std::vector<bool>(linked_.chain.size())};
+      if (o.column == document.source.column) return o;
+    Open o{document.source.column, {}, {}, std::vector<bool>(linked_.chain.size())};
     o.block.where = {std::string(document.source.file), document.source.line, document.source.column + 1};
     o.block.text = std::string(document.source.text);
     std::map<std::uint16_t, ExplainedStep> scanned;

@@ -21,8 +21,8 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "Files are read as UTF-8, with or without a byte order mark, so that columns can be told exactly.",
        R"(<?xml version="1.0" encoding="ISO-8859-1"?>)"},
       {error, "IG-0105", "{0} exceeds the limit of {1}",
-       "A file may have 16 MiB, a dialect with all its files 64 MiB, the elements a nesting of 64, and a dialect 16 "
-       "ancestors.",
+       "A file may have 16 MiB, a dialect with all its files 64 MiB and 16 ancestors; elements may be nested 64 deep and "
+       "have 256 attributes; a file's chain may have 4096 elements.",
        "<A><A><A>…"},
       {error, "IG-0106", "the root element must be {0}, not {1}",
        "A dialect file begins with <Dialect xmlns=\"urn:isogloss:dialect:1\" name=\"…\">; no prefixes.",

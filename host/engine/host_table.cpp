@@ -211,10 +211,10 @@ void move(ig_block* block, ig_field from, ig_field to) {
 template <Mode M>
 std::int32_t word(const ig_block* block, ig_field f, ig_word* out) {
   const Document& d = doc(block);
-  if (!may<M>(d, f, Use::read) || d.word_end(f) == 0) return 0;
+  if (!may<M>(d, f, Use::read) || !d.present(f)) return 0;
   *out = {f, static_cast<std::uint16_t>(d.word_begin(f)), static_cast<std::uint16_t>(d.word_end(f)), d.value(f),
           d.without_point(f) ? std::uint32_t{IG_WORD_WITHOUT_POINT} : 0u, 0};
-  return 1;
+  return d.word_end(f) != 0 ? 1 : 0;
 }
 
 void add_leftover(ig_block* block, const ig_leftover* l) {
@@ -341,6 +341,7 @@ void set_record(ig_block* block, std::uint32_t index, const ig_field* fields, st
 
 void map_records(ig_block* block, const ig_field program[3], const ig_field machine[3]) {
   Document& d = doc(block);
+  if (count_records(block, program[0]) == 0) return;
   const ig_field all[6] = {program[0], program[1], program[2], machine[0], machine[1], machine[2]};
   ListData* const list = list_of_all(d, all, 6);
   if (list == nullptr) return;

@@ -36,8 +36,13 @@ void collect(const Json& json, const std::string& path, std::vector<std::pair<st
     for (const auto& [key, value] : json.items()) collect(value, join(path, key), out);
   } else if (is_list_of_records) {
     for (std::size_t i = 0; i < json.size(); ++i) {
-      const bool is_named = json[i].is_object() && json[i].contains("Source") && json[i]["Source"].is_string();
-      collect(json[i], is_named ? path + "[" + json[i]["Source"].get<std::string>() + "]" : element(path, i), out);
+      Json record = json[i];
+      std::string place = element(path, i);
+      if (record.is_object() && record.contains("Source") && record["Source"].is_string()) {
+        place = path + "[" + record["Source"].get<std::string>() + "]";
+        record.erase("Source");
+      }
+      collect(record, place, out);
     }
   } else if (!path.empty()) {
     out.emplace_back(path, json.dump(-1, ' ', false, Json::error_handler_t::replace));

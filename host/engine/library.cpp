@@ -1,10 +1,12 @@
-// BOOST_DLL_USE_STD_FS saves linking boost_filesystem; Boost 1.74 wants <vector> and <string> before library_info.
 #include "isogloss/engine/library.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <string>
 #include <vector>
 
+// Boost.DLL 1.74 wants <vector> and <string> first; with std::filesystem it needs no boost_filesystem.
 #define BOOST_DLL_USE_STD_FS
 #include <boost/dll/library_info.hpp>
 #include <boost/dll/shared_library.hpp>
@@ -33,7 +35,20 @@ namespace {
 
 constexpr const char* entry_symbol = "ig_plugin_v1";
 
+thread_local const char* file_being_loaded = nullptr;
+
+/// Code of the plugin may run while one of these lives.
+class Loading {
+ public:
+  explicit Loading(const std::string& file) { file_being_loaded = file.c_str(); }
+  ~Loading() { file_being_loaded = nullptr; }
+  Loading(const Loading&) = delete;
+  Loading& operator=(const Loading&) = delete;
+};
+
 }  // namespace
+
+const char* Library::loading() { return file_being_loaded; }
 
 bool Library::Parts::refuse(const fs::path& file, std::string_view code, std::initializer_list<std::string> arguments) {
   refused.push_back({file, std::string(code), host_diagnostic(code, {}, arguments).message});
@@ -51,6 +66,9 @@ bool Library::Parts::admit(const fs::path& file, const ig_plugin* original) {
   const ig_plugin* const plugin = copy->get();
   if (const std::optional<std::string> fault = descriptor_fault(*plugin))
     return refuse(file, "IG-0305", {name, *fault});
+  // A dialect names a plugin, and the file is found by that name.
+  if (file.extension() == ".so" && file.stem() != plugin->name)
+    return refuse(file, "IG-0305", {name, "its name is '" + std::string(plugin->name) + "', so the file must be too"});
   for (const LoadedPlugin& other : plugins) {
     if (std::string_view(other.plugin->name) == plugin->name)
       return refuse(file, "IG-0306", {name, plugin->name, other.file.string()});
@@ -63,7 +81,7 @@ bool Library::Parts::admit(const fs::path& file, const ig_plugin* original) {
         if (std::string_view(plugin->dependencies[i]->id) == other.plugin->dependencies[j]->id)
           return refuse(file, "IG-0307", {name, plugin->dependencies[i]->id, other.file.string()});
   }
-  plugins.push_back({file, plugin});
+  plugins.push_back({file, plugin, {}});
   copies.push_back(std::move(copy));
   return true;
 }
@@ -74,33 +92,42 @@ bool Library::Parts::load(const fs::path& file) {
   };
   if (known(plugins)) return true;
   if (known(refused)) return false;
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return refuse(file, "IG-0301", {file.string(), "no regular file"});
   // Looks before loading: a file without the entry symbol never gets to run its initializers here.
+  std::vector<std::string> exports;
   try {
     boost::dll::library_info info(file);
     const std::vector<std::string> symbols = info.symbols();
     if (std::find(symbols.begin(), symbols.end(), entry_symbol) == symbols.end())
       return refuse(file, "IG-0302", {file.string()});
+    const std::set<std::string> unique(symbols.begin(), symbols.end());
+    std::copy_if(unique.begin(), unique.end(), std::back_inserter(exports),
+                 [](const std::string& symbol) { return symbol != entry_symbol; });
   } catch (const std::exception& e) {
     return refuse(file, "IG-0301", {file.string(), e.what()});
   }
+  const std::string name = file.string();
+  const Loading loading(name);
   try {
     boost::dll::shared_library library(
         file, boost::dll::load_mode::rtld_now | boost::dll::load_mode::rtld_local);
     const auto entry = library.get<const ig_plugin*()>(entry_symbol);
     if (!admit(file, entry())) return false;
     resident.push_back(std::move(library));
+    plugins.back().extra_exports = std::move(exports);
     return true;
   } catch (const std::exception& e) {
-    return refuse(file, "IG-0303", {file.string(), e.what()});
+    return refuse(file, "IG-0303", {name, e.what()});
   }
 }
 
 Library::Library(const std::vector<fs::path>& folders) : parts_(std::make_unique<Parts>()) { parts_->folders = folders; }
 
-// Plugins stay resident: their descriptors and code may still be in use by whoever copied a pointer.
+// Plugins stay resident: their descriptors and code may still be in use by a linked dialect.
 Library::~Library() {
-  static auto* const kept = new std::vector<boost::dll::shared_library>;
-  for (boost::dll::shared_library& library : parts_->resident) kept->push_back(std::move(library));
+  static auto* const kept = new std::vector<std::unique_ptr<Parts>>;
+  kept->push_back(std::move(parts_));
 }
 
 bool Library::load(const std::string& name, const Location& where, DiagnosticSink& sink) {

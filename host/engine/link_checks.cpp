@@ -43,7 +43,9 @@ struct Traffic {
     for (const LinkedSyntax& s : linked.chain)
       for (ig_field f = 0; f < written.size(); ++f) {
         if (has(s.may_write, f)) written[f] = true;
-        if (has(s.may_read, f) && !has(s.may_write, f)) read[f] = true;
+        // What a syntax tells itself from block to block is a switch; other values are for others.
+        const bool own_switch = linked.layout.fields[f].type == IG_SWITCH;
+        if (has(s.may_read, f) && (own_switch || !has(s.may_write, f))) read[f] = true;
         if (has(s.may_take, f)) read[f] = true;
       }
     for (const auto& [field, value] : linked.initial) written[field] = true;

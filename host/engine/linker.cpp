@@ -66,9 +66,8 @@ class Linker {
     for (const ChainElement& element : out_->dialect.chain) find_syntax(element);
     for (const DependencyElement& element : out_->dialect.dependencies) find_dependency(element);
     const auto count_before = [&](Stage stage) {
-      return static_cast<std::uint32_t>(std::count_if(out_->chain.begin(), out_->chain.end(), [&](const LinkedSyntax& s) {
-        return s.element.stage < stage;
-      }));
+      return static_cast<std::uint32_t>(std::count_if(out_->chain.begin(), out_->chain.end(),
+                                                      [&](const LinkedSyntax& s) { return s.element.stage < stage; }));
     };
     out_->post_logic_begin = count_before(Stage::post_logic);
     out_->inspection_begin = count_before(Stage::inspection);
@@ -94,7 +93,8 @@ class Linker {
     s.options = read_options(element.alias, element.where, s.syntax->options, s.syntax->option_count, element.options);
     if (s.syntax->look_ahead > 0) {
       out_->look_ahead = std::max(out_->look_ahead, s.syntax->look_ahead);
-      if (element.stage != Stage::post_logic && mode_ == LinkMode::whole) say("IG-0221", element.where, {element.alias});
+      if (element.stage != Stage::post_logic && mode_ == LinkMode::whole)
+        say("IG-0221", element.where, {element.alias});
     }
     if (s.syntax->inspects != 0 && element.stage != Stage::inspection && mode_ == LinkMode::whole)
       say("IG-0223", element.where, {element.alias});
@@ -108,7 +108,8 @@ class Linker {
     if (d.dependency == nullptr || !is_named(d.plugin)) {
       std::vector<std::string> names;
       for (const LoadedPlugin& p : library_.plugins())
-        for (std::uint32_t i = 0; i < p.plugin->dependency_count; ++i) names.emplace_back(p.plugin->dependencies[i]->id);
+        for (std::uint32_t i = 0; i < p.plugin->dependency_count; ++i)
+          names.emplace_back(p.plugin->dependencies[i]->id);
       say("IG-0203", element.where, {element.id}, meant(nearest_name(element.id, names)));
       return;
     }
@@ -179,7 +180,7 @@ class Linker {
   // ---- fields
 
   static const char* type_name(ig_type type) {
-    static constexpr std::array names{"nothing", "number", "integer", "boolean", "name",
+    static constexpr std::array names{"nothing", "number", "integer",   "boolean", "name",
                                       "text",    "code",   "transform", "switch"};
     return type < names.size() ? names[type] : "nothing";
   }
@@ -275,7 +276,7 @@ class Linker {
 
   // ---- ids: modal fields first, then the block's, then words and codes, switches, values from before the block
 
-  static int rank(const FieldInfo& info) {
+  static std::size_t rank(const FieldInfo& info) {
     if (info.life == IG_LIFE_MODAL) return 0;
     if (info.type == IG_SWITCH) return 4;
     if (info.type == IG_CODE) return 3;
@@ -284,16 +285,19 @@ class Linker {
 
   void assign_ids() {
     Layout& layout = out_->layout;
-    std::vector<std::string> order = mention_;
-    std::stable_sort(order.begin(), order.end(), [&](const std::string& a, const std::string& b) {
-      return rank(drafts_.at(a).info) < rank(drafts_.at(b).info);
-    });
-    for (const std::string& path : order) {
+    std::array<std::vector<const FieldInfo*>, 5> order;
+    for (const std::string& path : mention_) {
       const FieldInfo& info = drafts_.at(path).info;
-      if (info.life == IG_LIFE_MODAL) ++layout.modal_count;
-      if (info.type == IG_TRANSFORM) layout.transforms.push_back(static_cast<ig_field>(layout.fields.size()));
-      layout.fields.push_back(info);
+      order[rank(info)].push_back(&info);
     }
+    layout.fields.reserve(mention_.size() + previous_.size());
+    for (const std::vector<const FieldInfo*>& rank : order)
+      for (const FieldInfo* field : rank) {
+        const FieldInfo& info = *field;
+        if (info.life == IG_LIFE_MODAL) ++layout.modal_count;
+        if (info.type == IG_TRANSFORM) layout.transforms.push_back(static_cast<ig_field>(layout.fields.size()));
+        layout.fields.push_back(info);
+      }
     layout.index();
     if (previous_.size() > maximum_previous)
       say("IG-0216", {}, {std::to_string(previous_.size()), std::to_string(maximum_previous)});
@@ -314,17 +318,16 @@ class Linker {
     Layout& layout = out_->layout;
     std::unordered_map<std::string, std::size_t> sections;
     for (const std::string& s : section_order()) sections.emplace(s, sections.size());
-    const auto section_rank = [&](ig_field f) {
-      const std::string& path = layout.fields[f].path;
-      const auto found = sections.find(path.substr(0, path.find('.')));
-      return found == sections.end() ? sections.size() : found->second;
-    };
+    std::vector<std::size_t> section_rank(layout.fields.size(), sections.size());
     for (ig_field f = 0; f < layout.fields.size(); ++f) {
       const FieldInfo& info = layout.fields[f];
-      if (!info.hidden && info.type != IG_CODE && info.type != IG_TRANSFORM) layout.shown.push_back(f);
+      if (info.hidden || info.type == IG_CODE || info.type == IG_TRANSFORM) continue;
+      layout.shown.push_back(f);
+      const auto found = sections.find(info.path.substr(0, info.path.find('.')));
+      if (found != sections.end()) section_rank[f] = found->second;
     }
     std::stable_sort(layout.shown.begin(), layout.shown.end(),
-                     [&](ig_field a, ig_field b) { return section_rank(a) < section_rank(b); });
+                     [&](ig_field a, ig_field b) { return section_rank[a] < section_rank[b]; });
   }
 
   void resolve_ids() {
@@ -358,18 +361,24 @@ class Linker {
 
   std::vector<ig_field> expand(const LinkedSyntax& s, const ig_field_decl& decl) {
     std::vector<ig_field> out;
+    std::vector<bool> in(out_->layout.fields.size());
+    const auto add = [&](ig_field f) {
+      if (!in[f]) out.push_back(f);
+      in[f] = true;
+    };
     for (const FieldPattern& pattern : patterns(s, decl)) {
-      bool any = false;
-      for (ig_field f = 0; f < out_->layout.fields.size(); ++f) {
-        const FieldInfo& info = out_->layout.fields[f];
-        if (info.hidden || info.type != decl.type) continue;
-        const bool fits = pattern.is_literal() ? info.path == canonical(pattern.path())
-                                               : pattern.matches(info.path, info.unit);
-        if (!fits) continue;
-        any = true;
-        if (std::find(out.begin(), out.end(), f) == out.end()) out.push_back(f);
+      if (pattern.is_literal()) {
+        const std::optional<ig_field> f = out_->layout.find(canonical(pattern.path()));
+        if (f && out_->layout.fields[*f].type == decl.type)
+          add(*f);
+        else
+          say("IG-0214", s.element.where, {pattern.path()});
+        continue;
       }
-      if (!any && pattern.is_literal()) say("IG-0214", s.element.where, {pattern.path()});
+      for (ig_field f = 0; f < in.size(); ++f) {
+        const FieldInfo& info = out_->layout.fields[f];
+        if (!info.hidden && info.type == decl.type && pattern.matches(info.path, info.unit)) add(f);
+      }
     }
     return out;
   }
@@ -385,11 +394,11 @@ class Linker {
   // ---- initial state
 
   void set_initial_state() {
-    std::vector<std::string> names;
-    for (const FieldInfo& info : out_->layout.fields) names.push_back(info.path);
     for (const InitialField& initial : out_->dialect.initial) {
       const std::optional<ig_field> f = out_->layout.find(canonical(initial.path));
       if (!f) {
+        std::vector<std::string> names;
+        for (const FieldInfo& info : out_->layout.fields) names.push_back(info.path);
         say("IG-0214", initial.where, {initial.path}, meant(nearest_name(initial.path, names)));
         continue;
       }

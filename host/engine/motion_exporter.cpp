@@ -265,7 +265,8 @@ class TextLines : public EventLines {
   void orient(double angle) { write(fmt::format("{:<8}{} deg", "orient", number(angle))); }
   void tool(std::int64_t id) { write(fmt::format("{:<8}{}", "tool", id)); }
   void spindle(std::string_view direction, bool has_speed, double rpm) {
-    write(fmt::format("{:<8}{}{}", "spindle", valid_utf8(direction), has_speed ? " " + number(rpm) + " rpm" : ""));
+    const bool tells_speed = has_speed && direction != "STOP";
+    write(fmt::format("{:<8}{}{}", "spindle", valid_utf8(direction), tells_speed ? " " + number(rpm) + " rpm" : ""));
   }
   void coolant(std::string_view mode) { write(fmt::format("{:<8}{}", "coolant", valid_utf8(mode))); }
   void stop(std::string_view term) { write(fmt::format("{:<8}{}", "stop", valid_utf8(term))); }

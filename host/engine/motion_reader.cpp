@@ -34,6 +34,12 @@ double sweep(const double (&start)[3], const double (&end)[3], const double (&ce
   return sign * angle;
 }
 
+void advance(AxisPoint& position, const AxisPoint& to) {
+  for (unsigned i = 0; (to.known >> i) != 0; ++i)
+    if (to.has(i)) position.at[i] = to.at[i];
+  position.known |= to.known;
+}
+
 /// The unit vector about which the mapped plane turns from its first axis to its second. Taken from the two axes, so
 /// that the sense stays right in a mirrored frame.
 void map_normal(const Frame& frame, PlaneAxes plane, double (&out)[3]) {
@@ -46,16 +52,26 @@ void map_normal(const Frame& frame, PlaneAxes plane, double (&out)[3]) {
 
 }  // namespace
 
+void MotionReader::AxisFields::find_run() {
+  unsigned count = 0;
+  while (count < 6 && ids[count] != IG_NO_FIELD) ++count;
+  for (unsigned i = 0; i < 6; ++i)
+    if (i < count ? ids[i] != ids[0] + i : ids[i] != IG_NO_FIELD) return;
+  if (count >= 3 && (ids[0] & 63) + count <= 64) run = (1u << count) - 1;
+}
+
 void MotionReader::begin(const Document& initial, const SymbolTable& symbols) {
   const Layout& layout = initial.layout();
   const std::string items = "CompoundMotion.Items";
   const auto fields = [&](auto id) {
     Fields f{};
     for (int i = 0; i < 3; ++i) {
-      f.program[i] = id(std::string("ProgramXyz.") + axis_names[i]);
+      f.program.ids[i] = id(std::string("ProgramXyz.") + axis_names[i]);
       f.center[i] = id(std::string("MotionEvent.ArcCenter.") + axis_names[i]);
     }
-    for (int i = 0; i < 6; ++i) f.machine[i] = id(std::string("MachineCoordinate.") + axis_names[i]);
+    for (int i = 0; i < 6; ++i) f.machine.ids[i] = id(std::string("MachineCoordinate.") + axis_names[i]);
+    f.program.find_run();
+    f.machine.find_run();
     f.form = id("MotionEvent.Form");
     f.is_rapid = id("MotionEvent.IsRapid");
     f.is_manual = id("MotionEvent.IsManual");
@@ -89,8 +105,7 @@ void MotionReader::begin(const Document& initial, const SymbolTable& symbols) {
   program_stop_ = layout.id("ProgramStop.Term");
   program_end_ = layout.id("ProgramEnd.Term");
   others_.clear();
-  for (const ig_field f :
-       {is_change_, direction_, speed_, coolant_, dwell_, orient_, program_stop_, program_end_}) {
+  for (const ig_field f : {is_change_, direction_, speed_, coolant_, dwell_, orient_, program_stop_, program_end_}) {
     if (f == IG_NO_FIELD) continue;
     if (others_.empty() || others_.back().word != f >> 6) others_.push_back({f >> 6, 0});
     others_.back().bits |= std::uint64_t{1} << (f & 63);
@@ -100,8 +115,8 @@ void MotionReader::begin(const Document& initial, const SymbolTable& symbols) {
   position_ = {};
   program_position_ = {};
   for (unsigned i = 0; i < 6; ++i) {
-    if (!initial.present(root_.machine[i])) continue;
-    position_.at[i] = initial.number(root_.machine[i]);
+    if (!initial.present(root_.machine.ids[i])) continue;
+    position_.at[i] = initial.number(root_.machine.ids[i]);
     position_.known |= 1u << i;
   }
   spindle_direction_ = symbol(initial, direction_);
@@ -114,8 +129,8 @@ void MotionReader::begin(const Document& initial, const SymbolTable& symbols) {
 bool MotionReader::changes_spindle(ig_symbol direction, const Document& d, const SymbolTable& symbols) {
   const bool turns = !stop_.is(direction, symbols);
   const double speed = d.present(speed_) ? d.number(speed_) : 0;
-  const bool same = turns ? spindle_turns_ && direction == spindle_direction_ && speed == spindle_speed_
-                          : !spindle_turns_;
+  const bool same =
+      turns ? spindle_turns_ && direction == spindle_direction_ && speed == spindle_speed_ : !spindle_turns_;
   spindle_turns_ = turns;
   spindle_direction_ = direction;
   spindle_speed_ = speed;
@@ -123,7 +138,26 @@ bool MotionReader::changes_spindle(ig_symbol direction, const Document& d, const
 }
 
 const Move* MotionReader::root_move(Document& d, const SymbolTable& symbols) {
-  return make_move(d, root_, d, symbols);
+  return make_move(Root{d}, root_, d, symbols);
+}
+
+const Move* MotionReader::item_move(const Record& item, Document& d, const SymbolTable& symbols) {
+  return make_move(item, item_, d, symbols);
+}
+
+template <class Values>
+void MotionReader::read_point(const Values& values, const AxisFields& fields, AxisPoint& point) {
+  if (fields.run != 0) {
+    point.known = static_cast<std::uint32_t>(values.bits_from(fields.ids[0])) & fields.run;
+    for (unsigned i = 0; (fields.run >> i) != 0; ++i) point.at[i] = values.number(fields.ids[0] + i);
+    return;
+  }
+  point.known = 0;
+  for (unsigned i = 0; i < 6; ++i) {
+    if (!values.present(fields.ids[i])) continue;
+    point.at[i] = values.number(fields.ids[i]);
+    point.known |= 1u << i;
+  }
 }
 
 template <class Values>
@@ -133,18 +167,8 @@ const Move* MotionReader::make_move(const Values& values, const Fields& fields, 
   const bool is_arc = !linear_.is(form, symbols) && arc_.is(form, symbols);
   const bool is_rapid = values.present(fields.is_rapid) && values.value(fields.is_rapid).integer != 0;
   Move& m = move_;
-  m.program.known = 0;
-  for (unsigned i = 0; i < 3; ++i) {
-    if (!values.present(fields.program[i])) continue;
-    m.program.at[i] = values.number(fields.program[i]);
-    m.program.known |= 1u << i;
-  }
-  m.machine.known = 0;
-  for (unsigned i = 0; i < 6; ++i) {
-    if (!values.present(fields.machine[i])) continue;
-    m.machine.at[i] = values.number(fields.machine[i]);
-    m.machine.known |= 1u << i;
-  }
+  read_point(values, fields.program, m.program);
+  read_point(values, fields.machine, m.machine);
   if (&fields == &item_ && m.machine.known != 0) {  // a step names the axes that it moves
     for (unsigned i = 0; i < 6; ++i)
       if (!m.machine.has(i)) m.machine.at[i] = position_.at[i];
@@ -158,19 +182,15 @@ const Move* MotionReader::make_move(const Values& values, const Fields& fields, 
   m.feed_mmds = m.has_feed ? values.number(fields.feed) : 0;
   m.from = position_;
   if (is_arc) make_arc(values, fields, d, symbols);
-  for (unsigned i = 0; i < 6; ++i)
-    if (m.machine.has(i)) position_.at[i] = m.machine.at[i];
-  position_.known |= m.machine.known;
-  for (unsigned i = 0; i < 3; ++i)
-    if (m.program.has(i)) program_position_.at[i] = m.program.at[i];
-  program_position_.known |= m.program.known;
+  advance(position_, m.machine);
+  advance(program_position_, m.program);
   return &m;
 }
 
 bool MotionReader::goes_nowhere() const {
   const AxisPoint& to = move_.machine;
   if (to.known == 0 || (to.known & ~position_.known) != 0) return false;
-  for (unsigned i = 0; i < 6; ++i)
+  for (unsigned i = 0; (to.known >> i) != 0; ++i)
     if (to.has(i) && std::abs(to.at[i] - position_.at[i]) > same_place_mm) return false;
   return true;
 }
@@ -207,7 +227,5 @@ void MotionReader::make_arc(const Values& values, const Fields& fields, Document
   frame.map(arc.center, arc.machine_center);
   map_normal(frame, axes, arc.normal);
 }
-
-template const Move* MotionReader::make_move(const Record&, const Fields&, Document&, const SymbolTable&);
 
 }  // namespace isogloss

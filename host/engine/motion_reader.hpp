@@ -80,20 +80,34 @@ class MotionReader {
   }
 
  private:
+  /// The fields of a point. Where they lie side by side one test tells which are present.
+  struct AxisFields {
+    ig_field ids[6] = {IG_NO_FIELD, IG_NO_FIELD, IG_NO_FIELD, IG_NO_FIELD, IG_NO_FIELD, IG_NO_FIELD};
+    std::uint32_t run = 0;  ///< a bit for each axis; 0: they do not
+    void find_run();
+  };
   /// The fields of a motion, in the block itself or in a list's record.
   struct Fields {
-    ig_field program[3], machine[6];
+    AxisFields program, machine;
     ig_field form, is_rapid, is_manual, feed, center[3], is_ccw, circles;
   };
   struct FreshMask {
     std::uint32_t word;
     std::uint64_t bits;
   };
-  /// A record's values, asked like a document's.
+  /// The block's own values, asked like a record's.
+  struct Root {
+    const Document& d;
+    bool present(ig_field f) const { return d.present(f); }
+    std::uint64_t bits_from(ig_field f) const { return d.present_bits()[f >> 6] >> (f & 63); }
+    ig_value value(ig_field f) const { return d.value(f); }
+    double number(ig_field f) const { return d.number(f); }
+  };
   struct Record {
     const ig_value* values;
     std::uint64_t mask;
     bool present(ig_field f) const { return f < 64 && (mask >> f & 1) != 0; }
+    std::uint64_t bits_from(ig_field f) const { return mask >> f; }
     ig_value value(ig_field f) const { return values[f]; }
     double number(ig_field f) const { return values[f].number; }
   };
@@ -105,6 +119,9 @@ class MotionReader {
   }
 
   const Move* root_move(Document& d, const SymbolTable& symbols);
+  const Move* item_move(const Record& item, Document& d, const SymbolTable& symbols);
+  template <class Values>
+  static void read_point(const Values& values, const AxisFields& fields, AxisPoint& point);
   template <class Values>
   const Move* make_move(const Values& values, const Fields& fields, Document& d, const SymbolTable& symbols);
   template <class Values>
@@ -144,7 +161,7 @@ class MotionReader {
     for (std::uint32_t i = 0; i < list.count; ++i) {
       const Record item{list.values.data() + std::size_t{i} * list.stride, list.present[i]};
       if (item.present(item_.form))
-        if (const Move* move = make_move(item, item_, d, symbols)) events.move(*move);
+        if (const Move* move = item_move(item, d, symbols)) events.move(*move);
       if (item.present(item_dwell_)) events.dwell(item.number(item_dwell_));
       if (item.present(item_orient_)) tell_orient(item.number(item_orient_), events);
       if (item.present(item_direction_))
@@ -190,7 +207,7 @@ class MotionReader {
   bool spindle_turns_ = false;
   ig_symbol spindle_direction_ = 0;
   double spindle_speed_ = 0;
-  ig_symbol coolant_mode_ = 0;    // 0: off
+  ig_symbol coolant_mode_ = 0;  // 0: off
 };
 
 }  // namespace isogloss

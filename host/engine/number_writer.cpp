@@ -11,37 +11,55 @@ namespace isogloss {
 
 namespace {
 
-/// "000" to "999"; the fourth byte counts the digits that stay when zeros at the end are trimmed.
+/// "000" to "999", and how many digits stay when zeros at the end are trimmed.
 struct Triple {
   char digits[3];
   char significant;
 };
+/// "0" to "999" without leading zeros, and its length.
+struct Leading {
+  char digits[3];
+  char length;
+};
 
-constexpr std::array<Triple, 1000> make_triples() {
-  std::array<Triple, 1000> all{};
+struct Tables {
+  std::array<Triple, 1000> triples{};
+  std::array<Leading, 1000> leading{};
+};
+
+constexpr Tables make_tables() {
+  Tables tables;
   for (unsigned i = 0; i < 1000; ++i) {
-    all[i] = {{static_cast<char>('0' + i / 100), static_cast<char>('0' + i / 10 % 10), static_cast<char>('0' + i % 10)},
-              static_cast<char>(i % 10 != 0 ? 3 : i % 100 != 0 ? 2 : i != 0 ? 1 : 0)};
+    const char digits[] = {static_cast<char>('0' + i / 100), static_cast<char>('0' + i / 10 % 10),
+                           static_cast<char>('0' + i % 10)};
+    tables.triples[i] = {{digits[0], digits[1], digits[2]},
+                         static_cast<char>(i % 10 != 0    ? 3
+                                           : i % 100 != 0 ? 2
+                                           : i != 0       ? 1
+                                                          : 0)};
+    const unsigned skip = i >= 100 ? 0 : i >= 10 ? 1 : 2;
+    Leading& leading = tables.leading[i];
+    for (unsigned k = skip; k < 3; ++k) leading.digits[k - skip] = digits[k];
+    leading.length = static_cast<char>(3 - skip);
   }
-  return all;
+  return tables;
 }
-constexpr std::array<Triple, 1000> triples = make_triples();
+constexpr Tables tables = make_tables();
 
-/// Without leading zeros; "0" for 0. May write up to 3 bytes past the end that it returns.
-char* write_leading(char* out, std::uint32_t below_1000) {
-  const Triple& t = triples[below_1000];
-  const std::uint32_t skip = below_1000 >= 100 ? 0 : below_1000 >= 10 ? 1 : 2;
-  std::memcpy(out, t.digits + skip, 3 - skip);
-  return out + 3 - skip;
+/// All writers copy four bytes where they may keep fewer: the caller's room allows for it.
+inline char* write_leading(char* out, std::uint32_t below_1000) {
+  const Leading& l = tables.leading[below_1000];
+  std::memcpy(out, &l, 4);
+  return out + l.length;
 }
 
-char* write_triple(char* out, std::uint32_t below_1000) {
-  std::memcpy(out, triples[below_1000].digits, 3);
+inline char* write_triple(char* out, std::uint32_t below_1000) {
+  std::memcpy(out, &tables.triples[below_1000], 4);
   return out + 3;
 }
 
 /// Enough for the fast path: fewer than 10 digits before the point.
-char* write_whole(char* out, std::uint32_t value) {
+inline char* write_whole(char* out, std::uint32_t value) {
   if (value < 1000) return write_leading(out, value);
   if (value < 1000000) return write_triple(write_leading(out, value / 1000), value % 1000);
   if (value < 1000000000) {
@@ -51,17 +69,18 @@ char* write_whole(char* out, std::uint32_t value) {
   return std::to_chars(out, out + number_room, value).ptr;
 }
 
-char* write_fraction(char* out, std::uint32_t millionths) {
+inline char* write_fraction(char* out, std::uint32_t millionths) {
   if (millionths == 0) return out;
-  const std::uint32_t high = millionths / 1000, low = millionths % 1000;
+  const Triple& high = tables.triples[millionths / 1000];
+  const Triple& low = tables.triples[millionths % 1000];
   *out++ = '.';
-  std::memcpy(out, triples[high].digits, 3);
-  if (low == 0) return out + triples[high].significant;
-  std::memcpy(out + 3, triples[low].digits, 3);
-  return out + 3 + triples[low].significant;
+  std::memcpy(out, &high, 4);
+  if (low.significant == 0) return out + high.significant;
+  std::memcpy(out + 3, &low, 4);
+  return out + 3 + low.significant;
 }
 
-char* write_millionths(char* out, std::uint64_t millionths) {
+inline char* write_millionths(char* out, std::uint64_t millionths) {
   const auto whole = static_cast<std::uint32_t>(millionths / 1000000);
   return write_fraction(write_whole(out, whole), static_cast<std::uint32_t>(millionths % 1000000));
 }
@@ -88,12 +107,11 @@ char* write_decimal(char* out, double value) {
   const double size = std::fabs(value);
   if (!(size < fast_limit)) return write_decimal_slowly(out, value);
   const double scaled = size * 1e6;
-  const auto rounded = static_cast<std::uint64_t>(scaled + 0.5);
-  const double off = scaled - static_cast<double>(static_cast<std::int64_t>(rounded));
-  if (std::fabs(off) > 0.499) return write_decimal_slowly(out, value);
+  const auto rounded = static_cast<std::int64_t>(scaled + 0.5);
+  if (std::fabs(scaled - static_cast<double>(rounded)) > 0.499) return write_decimal_slowly(out, value);
   *out = '-';
   out += static_cast<int>(value < 0) & static_cast<int>(rounded != 0);
-  return write_millionths(out, rounded);
+  return write_millionths(out, static_cast<std::uint64_t>(rounded));
 }
 
 char* write_exact(char* out, double value) {

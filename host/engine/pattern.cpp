@@ -10,34 +10,40 @@ bool digits(std::string_view s) {
   return !s.empty() && std::all_of(s.begin(), s.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-bool match(const std::vector<std::string>& pattern, std::size_t p, const std::vector<std::string>& path,
-           std::size_t s) {
-  if (p == pattern.size()) return s == path.size();
-  if (pattern[p] == "**") {
-    for (std::size_t next = s + 1; next <= path.size(); ++next)
-      if (match(pattern, p + 1, path, next)) return true;
-    return false;
+/// Takes the first segment off the path. The decimal of a code belongs to it: one letter and digits before the point,
+/// digits after it.
+std::string_view next_segment(std::string_view& path) {
+  std::size_t dot = path.find('.');
+  if (dot != std::string_view::npos && dot > 1 && digits(path.substr(1, dot - 1))) {
+    const std::size_t after = path.find('.', dot + 1);
+    if (digits(path.substr(dot + 1, after - dot - 1))) dot = after;
   }
-  if (s == path.size()) return false;
-  const bool fits = pattern[p] == "*" || (pattern[p] == "?" ? path[s].size() == 1 : pattern[p] == path[s]);
-  return fits && match(pattern, p + 1, path, s + 1);
+  const std::string_view segment = path.substr(0, dot);
+  path = dot == std::string_view::npos ? std::string_view{} : path.substr(dot + 1);
+  return segment;
+}
+
+bool match(const std::vector<std::string>& pattern, std::size_t p, std::string_view path) {
+  if (p == pattern.size()) return path.empty();
+  if (path.empty()) return false;
+  const std::string_view segment = next_segment(path);
+  if (pattern[p] == "**") {
+    while (true) {
+      if (match(pattern, p + 1, path)) return true;
+      if (path.empty()) return false;
+      next_segment(path);
+    }
+  }
+  const bool fits = pattern[p] == "*" || (pattern[p] == "?" ? segment.size() == 1 : pattern[p] == segment);
+  return fits && match(pattern, p + 1, path);
 }
 
 }  // namespace
 
 std::vector<std::string> path_segments(std::string_view path) {
   std::vector<std::string> out;
-  while (true) {
-    const std::size_t dot = path.find('.');
-    const std::string_view segment = path.substr(0, dot);
-    // The decimal of a code belongs to it: one letter and digits before the point, digits after it.
-    if (!out.empty() && digits(segment) && out.back().size() > 1 && digits(std::string_view(out.back()).substr(1)))
-      out.back().append(".").append(segment);
-    else
-      out.emplace_back(segment);
-    if (dot == std::string_view::npos) return out;
-    path.remove_prefix(dot + 1);
-  }
+  while (!path.empty()) out.emplace_back(next_segment(path));
+  return out;
 }
 
 FieldPattern::FieldPattern(std::string_view text) {
@@ -53,7 +59,7 @@ FieldPattern::FieldPattern(std::string_view text) {
 }
 
 bool FieldPattern::matches(std::string_view path, std::string_view unit) const {
-  return (any_unit_ || unit == unit_) && match(segments_, 0, path_segments(path), 0);
+  return (any_unit_ || unit == unit_) && match(segments_, 0, path);
 }
 
 std::vector<FieldPattern> parse_patterns(std::string_view text) {

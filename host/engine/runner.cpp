@@ -27,6 +27,7 @@ class Run {
         length_(static_cast<std::uint32_t>(linked.chain.size())) {}
 
   RunResult run() {
+    if (options_.prepare) options_.prepare(chain_);
     chain_.start();
     for (Exporter* e : exporters_) e->begin(chain_.document(), chain_.symbols());
     if (!options_.program.empty() && !seek_program()) return finish();
@@ -135,8 +136,10 @@ class Run {
 
   // The window: executed blocks wait until look_ahead more are executed; post-logic, inspection and export follow.
   void keep_in_window(const Document& d) {
-    if (window_.size() == waiting_) window_.push_back(std::make_unique<Document>(d));
-    else *window_[waiting_] = d;
+    if (window_.size() == waiting_)
+      window_.push_back(std::make_unique<Document>(d));
+    else
+      *window_[waiting_] = d;
     window_[waiting_]->own_source();
     ++waiting_;
     if (waiting_ > linked_.look_ahead) finish_oldest();
@@ -160,7 +163,7 @@ class Run {
   void say_what_follows() {
     Line line;
     while (cursor_.next(line)) {
-      const std::size_t first = line.text.find_first_not_of(" \t\r\0\x1a%");
+      const std::size_t first = line.text.find_first_not_of(std::string_view(" \t\r\0\x1a%", 6));
       if (first == std::string_view::npos) continue;
       sink_.add(host_diagnostic("IG-0414", {name_, line.number, static_cast<std::uint32_t>(first + 1)}, {}));
       return;

@@ -208,7 +208,10 @@ bool XmlSource::check_nodes(DiagnosticSink& sink) const {
   };
   bool has_root = false;
   for (const pugi::xml_node node : document_.children()) {
-    if (node.type() == pugi::node_doctype) return fault(node, "a document type is not accepted");
+    if (node.type() == pugi::node_doctype) {
+      sink.add(host_diagnostic("IG-0103", at_offset(text_.find("<!DOCTYPE")), {"a document type is not accepted"}));
+      return false;
+    }
     if (node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata)
       return fault(node, "text outside the root element");
     if (node.type() != pugi::node_element) continue;
@@ -244,7 +247,13 @@ bool XmlSource::check_nodes(DiagnosticSink& sink) const {
 
 bool XmlSource::check_tag(pugi::xml_node element, DiagnosticSink& sink) const {
   std::set<std::string_view> names;
-  for (const RawAttribute& raw : raw_attributes(text_, static_cast<std::size_t>(element.offset_debug()))) {
+  const auto attributes = raw_attributes(text_, static_cast<std::size_t>(element.offset_debug()));
+  if (attributes.size() > XmlBudget::attributes) {
+    const std::string limit = fmt::format("{} attributes", XmlBudget::attributes);
+    sink.add(host_diagnostic("IG-0105", at(element), {"the element", limit}));
+    return false;
+  }
+  for (const RawAttribute& raw : attributes) {
     std::string what;
     std::size_t offset = raw.begin;
     if (!names.insert(raw.name).second) what = fmt::format("attribute '{}' stands twice", raw.name);

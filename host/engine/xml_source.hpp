@@ -16,6 +16,8 @@ namespace isogloss {
 struct XmlBudget {
   static constexpr std::size_t file_bytes = std::size_t{16} << 20;
   static constexpr int depth = 64;
+  static constexpr std::size_t attributes = 256;  ///< of one element
+  static constexpr std::size_t chain = 4096;      ///< elements and edits of one file
   std::size_t bytes_left = std::size_t{64} << 20;
 };
 

@@ -42,7 +42,7 @@ struct BlockSkipSyntax {
     b.set(symbol, slash);
     b.set(layer, static_cast<std::int64_t>(number));
     const std::size_t end = block_end(text, rest);
-    b.set_text(body, trim(piece(text, rest, end)));
+    if (const std::string_view skipped = trim(piece(text, rest, end)); !skipped.empty()) b.set_text(body, skipped);
     return end;
   }
 };

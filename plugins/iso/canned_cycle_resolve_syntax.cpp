@@ -4,15 +4,14 @@
 /// A cycle is modal: it stays on, with its R, Z, Q, P, I and J, until G80 or a motion code of group 01, and drills in
 /// every block that names X, Y, Z or R. Fanuc manual, "Canned cycle".
 #include <cmath>
-#include <isogloss/number.hpp>
-
 #include "canned_cycle_util.hpp"
 #include "modal_group.hpp"
 
 namespace iso {
 namespace {
 
-constexpr std::string_view stored = "QPIJ";  // what the cycle keeps besides its levels
+using Address = CycleWords::Address;
+constexpr std::array stored{Address::Q, Address::P, Address::I, Address::J};  // kept besides the levels
 
 /// The cycle words of a block that names no cycle code, in the order of cycle_words; F is FeedrateSyntax's.
 class RootWords {
@@ -26,7 +25,6 @@ class RootWords {
     }
   }
   const ig_field* ids() const { return ids_.data(); }
-  ig_field id(char letter) const { return ids_[letters.find(letter)]; }
 
  private:
   std::array<ig_field, letters.size()> ids_{};
@@ -80,17 +78,14 @@ struct CannedCycleResolve {
       "max-repeats", "10000", {1, most_repeats}, "Holes that one block may drill by K or L."};
 
   ig::Status build(ig::Block& b) {
-    const bool knew_mode = take_return_mode(b);
+    const bool has_mode = take_return_mode(b);
     const Group09 now = enter_or_cancel(b);
-    if (!now.cycle) return now.changed || knew_mode ? ig::Status::changed : ig::Status::unchanged;
-
-    if (is_hole(b, now))
+    const bool drills = now.cycle && is_hole(b, now);
+    if (drills)
       drill(b, now);
     else if (now.is_called)
       enter_without_hole(b, now);
-    else
-      return now.changed || knew_mode ? ig::Status::changed : ig::Status::unchanged;
-    return ig::Status::changed;
+    return drills || now.is_called || now.changed || has_mode ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
@@ -177,8 +172,8 @@ struct CannedCycleResolve {
   /// A motion code after the cycle code: it moves the axes and F is its feed; the rest is nobody's.
   void give_back(ig::Block& b, std::size_t row) const {
     take_call(b);
-    for (const char axis : {'X', 'Y', 'Z'}) b.host()->move(b.raw(), call_.word(row, axis), root_.id(axis));
-    feed_.resolve(b, take_word(b, call_.word(row, 'F')));
+    for (std::size_t axis = 0; axis < 3; ++axis) b.host()->move(b.raw(), call_.row(row)[axis], root_.ids()[axis]);
+    feed_.resolve(b, take_word(b, call_.row(row)[Address::F]));
   }
 
   void take_call(ig::Block& b) const {
@@ -194,11 +189,8 @@ struct CannedCycleResolve {
   /// Where this block's cycle words stand: with the code, or by themselves.
   const ig_field* words(const Group09& now) const { return now.is_called ? call_.row(*now.cycle) : root_.ids(); }
 
-  ig::Words given(ig::Block& b, const Group09& now) const {
-    ig::Words out;
-    out.row = *now.cycle;
-    out.code = call_.name(out.row);
-    out.letters = RootWords::letters;
+  CycleWords given(ig::Block& b, const Group09& now) const {
+    CycleWords out;
     out.mask = b.host()->get_many(b.raw(), words(now), RootWords::letters.size(), out.values.data());
     return out;
   }
@@ -213,8 +205,8 @@ struct CannedCycleResolve {
   /// The cycle is on from here, but nothing is drilled and none of Q, P, I, J is kept: they stay, to be reported.
   void enter_without_hole(ig::Block& b, const Group09& now) const {
     take_call(b);
-    for (const char count : {'K', 'L'}) take_word(b, call_.word(*now.cycle, count));
-    feed_.resolve(b, take_word(b, call_.word(*now.cycle, 'F')));
+    for (const Address count : {Address::K, Address::L}) take_word(b, words(now)[count]);
+    feed_.resolve(b, take_word(b, words(now)[Address::F]));
     b.amend(term_, call_.name(*now.cycle));
     b.amend(return_mode_, return_mode(b));
     if (level_rule_ == InitialLevel::cycle_entry && now.is_entry) b.amend(initial_level_, last_(b)[plane_(b).tool]);
@@ -229,20 +221,17 @@ struct CannedCycleResolve {
     const PlaneAxes plane = plane_(b);
     const bool incremental = distance_.is_incremental(b);
     const ig::Vec3 start = last_(b);
-    const ig::Words in = given(b, now);
+    const CycleWords in = given(b, now);
     const double level = initial_level(b, now, start[plane.tool]);
-    const auto axis_word = [&](std::size_t axis) { return in["XYZ"[axis]]; };
-
     const ig::PartialVec3 old = b.get(hole_);
     const CycleLevels kept{b.get(r_), old.has(plane.tool) ? std::optional(old.value[plane.tool]) : std::nullopt};
-    CycleLevels levels = resolve_levels({in['R'], axis_word(plane.tool)}, kept, level, incremental);
+    CycleLevels levels = resolve_levels({in[Address::R], in[plane.tool]}, kept, level, incremental);
     const bool complete = levels.r && levels.bottom;
-    if (!complete)
-      levels = fill(b, row, "XYZ"[plane.tool], levels, start[plane.tool], axis_word(plane.tool), incremental);
+    if (!complete) levels = fill(b, row, "XYZ"[plane.tool], levels, start[plane.tool], in[plane.tool], incremental);
 
     ig::Vec3 hole = start, step;
     for (const std::size_t axis : {plane.first, plane.second}) {
-      const double word = axis_word(axis).value_or(incremental ? 0 : start[axis]);
+      const double word = in.get_or(axis, incremental ? 0 : start[axis]);
       hole[axis] = incremental ? start[axis] + word : word;
       step[axis] = incremental ? word : 0;
     }
@@ -269,35 +258,23 @@ struct CannedCycleResolve {
   }
 
   /// K, or L where there is no K; 0: keep the data, drill nothing.
-  int repeats(ig::Block& b, const Group09& now, const ig::Words& in) const {
-    const char letter = in['K'] ? 'K' : 'L';
-    const auto word = in[letter];
-    if (!word) return 1;
-    const ig_field field = now.is_called ? call_.word(*now.cycle, letter) : root_.id(letter);
-    const double k = now.is_called ? *word : as_written(b, field, *word);
+  int repeats(ig::Block& b, const Group09& now, const CycleWords& in) const {
+    const Address address = in.has(Address::K) ? Address::K : Address::L;
+    if (!in.has(address)) return 1;
+    const std::string_view letter = RootWords::letters.substr(address, 1);
+    const ig_field field = words(now)[address];
+    const double k = in.get_or(address, 1);  // a count: RepeatCount keeps units and increments away from it
     if (!(k >= 0) || k != std::floor(k)) {
-      b.report(diag("ISO-0313"), ig::Where::word(field), std::string_view(&letter, 1), k);
+      b.report(diag("ISO-0313"), ig::Where::word(field), letter, k);
       return 1;
     }
     const auto most = static_cast<double>(static_cast<std::int64_t>(max_repeats_));
-    if (k > most) b.report(diag("ISO-0314"), ig::Where::word(field), std::string_view(&letter, 1), k, most);
+    if (k > most) b.report(diag("ISO-0314"), ig::Where::word(field), letter, k, most);
     return static_cast<int>(std::min(k, most));
   }
 
-  /// K outside a call is an arc's K, a length, to everybody before this syntax: inches or least increments. As a count
-  /// it is what the text says.
-  static double as_written(const ig::Block& b, ig_field word, double value) {
-    ig_word at;
-    if (b.host()->word(b.raw(), word, &at) == 0) return value;
-    std::size_t digits = at.begin + 1u;
-    while (digits < b.source().size() && b.source()[digits] == ' ') ++digits;
-    if (digits >= b.source().size()) return value;
-    const ig::Decimal number = ig::read_decimal(b.source(), digits);
-    return number.ok ? number.value : value;
-  }
-
   /// CannedCycle is fresh where a hole is drilled, and corrected where data is kept only.
-  void store(ig::Block& b, const Group09& now, const ig::Words& in, const PlaneAxes& plane, const ig::Vec3& hole,
+  void store(ig::Block& b, const Group09& now, const CycleWords& in, const PlaneAxes& plane, const ig::Vec3& hole,
              const CycleLevels& levels, double level, bool drills) const {
     const auto put = [&](const auto& field, auto value) { drills ? b.set(field, value) : b.amend(field, value); };
     put(term_, call_.name(*now.cycle));
@@ -318,28 +295,29 @@ struct CannedCycleResolve {
   }
 
   /// The resolved call, for the syntax of the cycle.
-  void call(ig::Block& b, const Group09& now, const ig::Words& in, const PlaneAxes& plane, const ig::Vec3& hole,
+  void call(ig::Block& b, const Group09& now, const CycleWords& in, const PlaneAxes& plane, const ig::Vec3& hole,
             const CycleLevels& levels, const ig::Vec3& step, int count) const {
     const std::size_t row = *now.cycle;
     if (!now.is_called) {
       swallow(b, now);
       b.set_call(call_, row);
     }
-    const auto put = [&](char letter, double value) {
-      const bool in_place = now.is_called && in[letter].has_value();
-      const ig_field field = call_.word(row, letter);
-      in_place ? b.host()->rewrite(b.raw(), field, {.number = value}) : b.set_word(call_, row, letter, value);
+    const auto put = [&](std::size_t address, double value) {
+      const bool in_place = now.is_called && in.has(address);
+      const ig_field field = call_.row(row)[address];
+      in_place ? b.host()->rewrite(b.raw(), field, {.number = value})
+               : b.host()->set(b.raw(), field, {.number = value});
     };
-    for (std::size_t axis = 0; axis < 3; ++axis) put("XYZ"[axis], axis == plane.tool ? *levels.bottom : hole[axis]);
-    put('R', *levels.r);
+    for (std::size_t axis = 0; axis < 3; ++axis) put(axis, axis == plane.tool ? *levels.bottom : hole[axis]);
+    put(Address::R, *levels.r);
     for (std::size_t i = 0; i < stored.size(); ++i)
-      if (const auto value = b.get(kept_[i]); value && !(now.is_called && in[stored[i]])) put(stored[i], *value);
-    take_word(b, call_.word(row, 'L'));
+      if (const auto value = b.get(kept_[i]); value && !(now.is_called && in.has(stored[i]))) put(stored[i], *value);
+    take_word(b, call_.row(row)[Address::L]);
     if (count == 1) {
-      take_word(b, call_.word(row, 'K'));
+      take_word(b, call_.row(row)[Address::K]);
       return;
     }
-    put('K', count);
+    put(Address::K, count);
     if (step != ig::Vec3{}) b.set(increment_, step);
   }
 
@@ -349,7 +327,7 @@ struct CannedCycleResolve {
     b.host()->take_many(b.raw(), words(now), RootWords::letters.size(), values.data());
     if (!now.is_called) return;
     take_call(b);
-    feed_.resolve(b, take_word(b, call_.word(*now.cycle, 'F')));
+    feed_.resolve(b, take_word(b, words(now)[Address::F]));
   }
 };
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <optional>
 
@@ -17,6 +18,19 @@ namespace iso {
 
 /// The words that every cycle code owns. P is as programmed (p-unit), K and L are counts.
 inline constexpr std::string_view cycle_words = "X Y Z R Q P[] I J K[1] L[1] F";
+
+/// The words of one call, by address.
+struct CycleWords {
+  enum Address : std::size_t { X, Y, Z, R, Q, P, I, J, K, L, F, address_count };  // the order of cycle_words
+  std::uint32_t mask = 0;
+  std::array<ig_value, address_count> values;
+
+  bool has(std::size_t address) const { return (mask >> address & 1u) != 0; }
+  std::optional<double> operator[](std::size_t address) const {
+    return has(address) ? std::optional(values[address].number) : std::nullopt;
+  }
+  double get_or(std::size_t address, double fallback) const { return has(address) ? values[address].number : fallback; }
+};
 
 /// No block repeats a cycle more often.
 inline constexpr int most_repeats = 10'000;
@@ -50,7 +64,8 @@ struct CycleHole {
 
 /// A resolved call while its cycle is carried out.
 struct CycleRun {
-  ig::Words words;
+  ig::Symbol code;
+  CycleWords words;
   PlaneAxes plane;
   ig::Vec3 start;      ///< where the block begins
   ig::Vec3 first;      ///< the first hole
@@ -72,23 +87,28 @@ class CannedCycle {
 
   /// The call of this block; its F is the feed from here on.
   std::optional<CycleRun> take(ig::Block& b) const {
-    const auto words = b.take(call_);
-    if (!words) return std::nullopt;
-    CycleRun run;
-    run.words = *words;
+    std::uint32_t found = 0;
+    const std::int32_t row = b.host()->take_code(b.raw(), call_.codes(), call_.code_count(), &found);
+    if (row < 0) return std::nullopt;
+    const auto code = static_cast<std::size_t>(row);
+    std::optional<CycleRun> result(std::in_place);
+    CycleRun& run = *result;
+    CycleWords& words = run.words;
+    words.mask = b.host()->take_many(b.raw(), call_.row(code), CycleWords::address_count, words.values.data());
+    run.code = call_.name(code);
     run.plane = plane_(b);
     run.start = last_(b);
-    run.first = {run.words['X'].value_or(run.start.x), run.words['Y'].value_or(run.start.y),
-                 run.words['Z'].value_or(run.start.z)};
-    run.increment = b.get(increment_).or_else({});
-    run.count = static_cast<int>(std::clamp(run.words['K'].value_or(1), 1.0, double{most_repeats}));
+    run.first = {words.get_or(CycleWords::X, run.start.x), words.get_or(CycleWords::Y, run.start.y),
+                 words.get_or(CycleWords::Z, run.start.z)};
+    run.count = static_cast<int>(std::clamp(words.get_or(CycleWords::K, 1), 1.0, double{most_repeats}));
+    if (run.count > 1) run.increment = b.get(increment_).or_else({});
     const double level = run.start[run.plane.tool];
     run.bottom = run.first[run.plane.tool];
-    run.r_level = run.words['R'].value_or(level);
+    run.r_level = words.get_or(CycleWords::R, level);
     run.return_level = b.is(return_mode_, g99_) ? run.r_level : b.get_or(initial_level_, level);
-    feed_.resolve(b, run.words['F']);
-    motion.begin(b, words->code);
-    return run;
+    feed_.resolve(b, words[CycleWords::F]);
+    motion.begin(b, run.code);
+    return result;
   }
 
   /// mm/s for a stroke of that length; says so where no feed is in force.
@@ -120,7 +140,7 @@ class CycleDwell {
  public:
   /// Seconds; 0 without P.
   double seconds(const CycleRun& run) const {
-    const double p = run.words['P'].value_or(0.0);
+    const double p = run.words.get_or(CycleWords::P, 0);
     return unit_ == Unit::milliseconds ? p / 1000 : p;
   }
 

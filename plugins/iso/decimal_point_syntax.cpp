@@ -6,6 +6,7 @@
 
 #include "diagnostics.hpp"
 #include "owned_words.hpp"
+#include "repeat_count.hpp"
 
 namespace iso {
 namespace {
@@ -45,6 +46,8 @@ struct DecimalPointSyntax {
     std::vector<Quantity> quantities;
   };
   Row block = measured(row_of_block(addresses));
+  Row cycle_block = without_k(block);
+  RepeatCount repeat_count;
   std::vector<Row> rows = measured(rows_of(codes, words));
 
   /// Increments per unit: exact where the increment is a power of ten.
@@ -59,7 +62,9 @@ struct DecimalPointSyntax {
 
   ig::Status build(ig::Block& b) const {
     if (rule == Rule::as_written && resolution == Resolution::keep) return ig::Status::unchanged;
-    bool changed = read_row(b, block);
+    if (resolution == Resolution::keep && b.is_raised(fine_digits) && !b.is_raised(without_point))
+      return ig::Status::unchanged;
+    bool changed = read_row(b, repeat_count.is_k(b) ? cycle_block : block);
     for (const Row& row : rows) {
       ig_value present;
       if (b.host()->get(b.raw(), row.code, &present) != 0) changed |= read_row(b, row);
@@ -92,6 +97,16 @@ struct DecimalPointSyntax {
     return out;
   }
 
+  static Row without_k(Row row) {
+    const auto k = std::find(row.letters.begin(), row.letters.end(), 'K');
+    if (k == row.letters.end()) return row;
+    const auto at = k - row.letters.begin();
+    row.words.erase(row.words.begin() + at);
+    row.letters.erase(k);
+    row.quantities.erase(row.quantities.begin() + at);
+    return row;
+  }
+
   double steps_of(std::string_view name, double fallback) const {
     const double increment =
         rule == Rule::parameter ? number_format.number(name).value_or(fallback) : fallback;
@@ -112,7 +127,7 @@ struct DecimalPointSyntax {
     for (; present != 0; present &= present - 1) {
       const std::size_t i = static_cast<std::size_t>(std::countr_zero(present));
       ig_word word{};
-      if (b.host()->word(b.raw(), row.words[i], &word) == 0) continue;
+      b.host()->word(b.raw(), row.words[i], &word);  // its mark counts; it may have no place
       changed |= (word.flags & IG_WORD_WITHOUT_POINT) != 0 ? read_bare(b, row, i, values[i].number)
                                                           : read_pointed(b, row, i, values[i].number);
     }

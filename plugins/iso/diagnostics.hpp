@@ -179,10 +179,11 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_NOTE, "ISO-0288", "'{0}' is no part of a program that the dialect knows",
                    "Nothing reads this text. It changes nothing.", "& leftover text"),
     // cycles, motion, frames: 300–399
-    ig::diagnostic(IG_ERROR, "ISO-0302", "a feed move without a feed: no F has been programmed",
-                   "The control stops with an alarm. The move is kept, without a feed: cycle times are wrong. Program F "
-                   "in this block or before it.",
-                   "G01 X10. (no F so far)"),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0302", "a feed move without a feed: no F is in force",
+        "The control stops with an alarm. The move is kept, without a feed: cycle times are wrong. Program F "
+        "in this block or before it; under G93 every feed move has an F of its own.",
+        "G01 X10. (no F so far)"),
     ig::diagnostic(IG_ERROR, "ISO-0303", "a feed per revolution while no spindle speed is known: the axes stand still",
                    "Under G95 the feed is F times the spindle speed. Program S before the first feed move.",
                    "G95 G01 X10. F0.1 (no S so far)"),
@@ -190,7 +191,8 @@ inline constexpr std::array diagnostics{
                    "A motion code of group 01 ends a canned cycle, a cycle code starts one. Manuals advise not to rely "
                    "on their order in one block. When the motion counts, X, Y and Z are moved by it and F is its feed.",
                    "G01 G81 X10. Z-5. R2. F100"),
-    ig::diagnostic(IG_ERROR, "ISO-0311", "{0} without {1}, and none was programmed since the cycle began: nothing is drilled",
+    ig::diagnostic(IG_ERROR, "ISO-0311",
+                   "{0} without {1}, and none was programmed since the cycle began: nothing is drilled",
                    "The first block of a cycle names the bottom and the R level; later blocks may leave them out.",
                    "G81 X10. Y10. F100"),
     ig::diagnostic(IG_WARNING, "ISO-0312",
@@ -208,36 +210,41 @@ inline constexpr std::array diagnostics{
                    "The control stops with an alarm (Fanuc parameter 3403 bit 5). The tool goes straight to the end of "
                    "the arc here.",
                    "G02 X10. Y10."),
-    ig::diagnostic(IG_ERROR, "ISO-0321", "the arc starts {0} mm from its centre and ends {1} mm from it: more than {2} apart",
-                   "The end does not lie on the circle of the start. The control stops with an alarm. The radius changes "
-                   "evenly along the arc here.",
-                   "G02 X10. Y10. I5.1"),
-    ig::diagnostic(IG_ERROR, "ISO-0322", "R{0} does not reach the end of the arc: {1} is the least; half a circle is taken",
+    ig::diagnostic(
+        IG_ERROR, "ISO-0321", "the arc starts {0} mm from its centre and ends {1} mm from it: more than {2} apart",
+        "The end does not lie on the circle of the start. The control stops with an alarm. The radius changes "
+        "evenly along the arc here.",
+        "G02 X10. Y10. I5.1"),
+    ig::diagnostic(IG_ERROR, "ISO-0322",
+                   "R{0} does not reach the end of the arc: {1} is the least; half a circle is taken",
                    "Start and end lie more than twice the radius apart. The control stops with an alarm.",
                    "G90 G02 X50. R20. (from X0)"),
     ig::diagnostic(IG_WARNING, "ISO-0323", "an arc with R whose end is its start: no arc is made",
-                   "Infinitely many circles go through one point. For a whole circle program I, J or K.",
-                   "G02 R10."),
-    ig::diagnostic(IG_ERROR, "ISO-0324", "the centre of the arc is its start: no arc is made",
-                   "I, J and K are distances from the start to the centre, also under G90. All are 0 here; the tool goes "
-                   "straight to the end.",
-                   "G02 X10. I0 J0"),
+                   "Infinitely many circles go through one point. For a whole circle program I, J or K.", "G02 R10."),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0324", "the centre of the arc is its start: no arc is made",
+        "I, J and K are distances from the start to the centre, also under G90. All are 0 here; the tool goes "
+        "straight to the end.",
+        "G02 X10. I0 J0"),
     ig::diagnostic(IG_WARNING, "ISO-0325", "R and a centre (I, J, K) stand in one block: R counts",
                    "The control ignores I, J and K where R is programmed.", "G02 X10. R5. I5."),
-    ig::diagnostic(IG_WARNING, "ISO-0330", "G53 under G91 is ignored: nothing moves",
-                   "Machine coordinates are positions; the control ignores G53 while G91 is in force. Its axis words are "
-                   "not used.",
-                   "G91 G53 Z0"),
-    ig::diagnostic(IG_NOTE, "ISO-0331", "G53 without an axis: nothing moves", "G53 acts on the axis words of its block alone.",
-                   "G53"),
-    ig::diagnostic(IG_ERROR, "ISO-0332", "the way from program to machine coordinates cannot be inverted",
-                   "A frame of this block flattens space: a scale of 0, or a tool axis of length 0. Positions from here "
-                   "on are unreliable.",
-                   "G51 X0 Y0 P0"),
+    ig::diagnostic(
+        IG_WARNING, "ISO-0330", "G53 under G91 is ignored: nothing moves",
+        "Machine coordinates are positions; the control ignores G53 while G91 is in force. Its axis words are "
+        "not used.",
+        "G91 G53 Z0"),
+    ig::diagnostic(IG_NOTE, "ISO-0331", "G53 without an axis: nothing moves",
+                   "G53 acts on the axis words of its block alone.", "G53"),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0332", "the way from program to machine coordinates cannot be inverted",
+        "A frame of this block flattens space: a scale of 0, or a tool axis of length 0. Positions from here "
+        "on are unreliable.",
+        "G51 X0 Y0 P0"),
     ig::diagnostic(IG_WARNING, "ISO-0340", "G28 without an axis: nothing moves",
                    "G28 returns the axes that its block names. Some controls stop with an alarm.", "G28"),
-    ig::diagnostic(IG_WARNING, "ISO-0341", "the machine's reference position of {0} is not known: machine zero is taken",
-                   "Give the axis a Reference1 (or Home) in the dialect's MachineAxes, or parameter 1240.", "G91 G28 Z0"),
+    ig::diagnostic(IG_WARNING, "ISO-0341",
+                   "the machine's reference position of {0} is not known: machine zero is taken",
+                   "Give the axis a Reference1 in the dialect's MachineAxes, or parameter 1240.", "G91 G28 Z0"),
 };
 
 /// The index of a code in the table; an unknown code does not compile.

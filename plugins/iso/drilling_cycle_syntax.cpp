@@ -21,7 +21,7 @@ struct DrillingCycle {
     const auto run = cycle_.take(b);
     if (!run) return ig::Status::unchanged;
     const double feed = cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom));
-    const double dwell = run->words.code == g82_ ? dwell_.seconds(*run) : 0;
+    const double dwell = run->code == g82_ ? dwell_.seconds(*run) : 0;
     const ig::CompoundMotion& motion = cycle_.motion;
 
     for (int i = 0; i < run->count; ++i) {

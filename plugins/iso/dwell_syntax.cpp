@@ -1,5 +1,5 @@
-/// G04: wait. The X, U or P of G04 is a time and belongs to it, never to a move or to a hole. G04 alone is an exact stop
-/// at the end of the block: no time passes.
+/// G04: wait. The X, U or P of G04 is a time and belongs to it, never to a move or to a hole. G04 alone is an exact
+/// stop at the end of the block: no time passes.
 #include "diagnostics.hpp"
 
 namespace iso {
@@ -18,10 +18,7 @@ struct Dwell {
     const auto words = b.take(g04_);
     if (!words) return ig::Status::unchanged;
     const auto x = (*words)['X'], u = (*words)['U'], p = (*words)['P'];
-    const double seconds = x   ? *x
-                           : u ? *u
-                           : p ? (p_unit_ == TimeUnit::milliseconds ? *p / 1000 : *p)
-                               : 0;
+    const double seconds = x ? *x : u ? *u : p ? (p_unit_ == TimeUnit::milliseconds ? *p / 1000 : *p) : 0;
     if (x.has_value() + u.has_value() + p.has_value() > 1)
       b.report(diag("ISO-0216"), ig::Where::word(g04_.code(0)), std::string_view(x ? "X" : "U"));
     if (seconds < 0) {

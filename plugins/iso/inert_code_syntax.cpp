@@ -1,5 +1,6 @@
-/// Codes that change nothing in a resolved program: the cancelling code of functions that are not executed here, and the
-/// ways in which the control slows down at corners. A dialect that executes such a function takes them off its list.
+/// Codes that change nothing in a resolved program: the cancelling code of functions that are not executed here, and
+/// the ways in which the control slows down at corners. A dialect that executes such a function takes them off its
+/// list.
 #include <array>
 
 #include "diagnostics.hpp"

@@ -1,5 +1,5 @@
-/// G54 to G59.9 and G54.1 P: which of the table's origins the program counts from. The external offset of the table (EXT)
-/// is added to each. The table is asked when a code selects a set and when G10 wrote into it.
+/// G54 to G59.9 and G54.1 P: which of the table's origins the program counts from. The external offset of the table
+/// (EXT) is added to each. The table is asked when a code selects a set and when G10 wrote into it.
 #include "modal_group.hpp"
 #include "work_offset_id.hpp"
 

@@ -1,5 +1,5 @@
-/// G52: a local coordinate system inside every work coordinate system. The words are the local origin itself, also under
-/// G91: an axis that is named gets a new offset, one that is not keeps its own.
+/// G52: a local coordinate system inside every work coordinate system. The words are the local origin itself, also
+/// under G91: an axis that is named gets a new offset, one that is not keeps its own.
 #include "diagnostics.hpp"
 
 namespace iso {

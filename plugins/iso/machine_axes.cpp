@@ -4,7 +4,7 @@
 namespace iso {
 namespace {
 
-constexpr const char* shipped[] = {"X", "Y", "Z"};
+constexpr const char* shipped[] = {"X|Home=0", "Y|Home=0", "Z|Home=0"};
 
 struct MachineAxes {
   static constexpr auto spec = ig::dependency("MachineAxes", "The axes of the machine, in machine coordinates.")

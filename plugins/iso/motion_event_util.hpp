@@ -40,7 +40,11 @@ class MotionGroup {
 class BlockMotion {
  public:
   /// One block never moves twice.
-  bool is_moving(const ig::Block& b) const { return b.has(compound_) || b.has(form_); }
+  bool is_moving(const ig::Block& b) const {
+    const ig_field motions[] = {compound_.id(), form_.id()};
+    ig_value unused[2];
+    return b.host()->get_many(b.raw(), motions, 2, unused) != 0;
+  }
 
   void rapid(ig::Block& b) const {
     b.set(form_, linear_);

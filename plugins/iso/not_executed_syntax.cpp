@@ -1,6 +1,7 @@
 /// Functions that are known by name but not executed: each takes its code with the words that belong to it, so that
 /// they are not read as a move or as a spindle speed, and says what is unreliable from here on. A syntax earlier in the
 /// chain that executes such a code makes this one silent.
+#include <string>
 #include <vector>
 
 #include "diagnostics.hpp"
@@ -13,6 +14,19 @@ struct NotExecuted {
   static constexpr auto spec =
       ig::syntax("NotExecutedSyntax", "Functions that are recognised but not executed: one error each.")
           .after("ParameterizedFlagSyntax");
+
+  /// A macro call takes any address, also those that nothing else reads.
+  struct AnyAddress {
+    static constexpr std::string_view letters = "ABCDEFHIJKLPQRSTUVWXYZ";
+    AnyAddress() {
+      std::string path = "Parsing.?";
+      for (const char letter : letters) {
+        path.back() = letter;
+        const ig::Word word(path, ig::read);
+      }
+    }
+  };
+  AnyAddress any_address_;
 
   struct Feature {
     ig::Call codes;
@@ -64,8 +78,8 @@ struct NotExecuted {
       std::uint32_t found = 0;
       ig_value unused[32];
       b.host()->take_code(b.raw(), &code, 1, &found);
-      b.host()->take_many(b.raw(), feature.codes.row(row),
-                          static_cast<std::uint32_t>(feature.codes.letters().size()), unused);
+      b.host()->take_many(b.raw(), feature.codes.row(row), static_cast<std::uint32_t>(feature.codes.letters().size()),
+                          unused);
       b.report(feature.diagnostic, ig::Where::word(code), b.text(feature.codes.name(row)));
       return true;
     }

@@ -58,6 +58,7 @@ struct ParameterizedFlagSyntax {
 
   struct Owner {
     std::size_t row;
+    std::int64_t ordinal;  ///< place among the codes of the block
     std::uint32_t begin;
   };
 
@@ -65,14 +66,14 @@ struct ParameterizedFlagSyntax {
     std::array<Owner, 16> owners_here;
     std::size_t count = 0;
     for (std::size_t row = 0; row < rows.size() && count < std::min<std::size_t>(found, owners_here.size()); ++row) {
-      ig_value value;
-      if (b.host()->get(b.raw(), rows[row].code, &value) == 0) continue;
+      ig_value code;
+      if (b.host()->get(b.raw(), rows[row].code, &code) == 0) continue;
       ig_word place{};
       b.host()->word(b.raw(), rows[row].code, &place);
-      owners_here[count++] = {row, place.begin};
+      owners_here[count++] = {row, code.integer, place.begin};
     }
     const auto end = owners_here.begin() + static_cast<std::ptrdiff_t>(count);
-    std::stable_sort(owners_here.begin(), end, [](const Owner& l, const Owner& r) { return l.begin < r.begin; });
+    std::sort(owners_here.begin(), end, [](const Owner& l, const Owner& r) { return l.ordinal < r.ordinal; });
 
     bool any = false;
     for (std::size_t i = 0; i < block.words.size(); ++i) {

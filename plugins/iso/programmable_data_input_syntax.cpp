@@ -1,8 +1,6 @@
 /// G10: the program writes the control's tables: work offsets (L2, L20) and tool offsets (L10 to L13). Under G90 the
 /// words replace what stands in the table, under G91 they are added. The syntaxes that read the tables hear of it by a
 /// signal and ask again in the same block.
-#include <array>
-
 #include "diagnostics.hpp"
 #include "whole_number.hpp"
 #include "work_offset_id.hpp"
@@ -28,55 +26,41 @@ struct ProgrammableDataInput {
     const auto words = b.take(g10_);
     if (!words) return ig::Status::unchanged;
     const auto where = ig::Where::word(g10_.code(0));
-    const auto table = (*words)['L'], row = (*words)['P'];
-    if (!table || !row) {
-      b.report(diag("ISO-0221"), where, std::string_view(table ? "P" : "L"));
-      return ig::Status::changed;
-    }
-    if (*table == 2 || *table == 20) {
-      write_offset(b, *words, where);
-    } else if (tools_ && *table >= 10 && *table <= 13 && whole_number(*table)) {
-      write_tool(b, *words, where);
-    } else {
+    const auto table = (*words)['L'];
+    const bool is_offset = table && (*table == 2 || *table == 20);
+    const bool is_tool = tools_ && table && *table >= 10 && *table <= 13 && whole_number(*table);
+    if (table && !is_offset && !is_tool) {
       b.report(diag("ISO-0220"), where, *table);
+    } else if (!table || !(*words)['P'] || (is_tool && !(*words)['R'])) {
+      b.report(diag("ISO-0221"), where, std::string_view(!table ? "L" : !(*words)['P'] ? "P" : "R"));
+    } else if (!(is_offset ? write_offset(b, *words) : write_tool(b, *words))) {
+      b.report(diag("ISO-0222"), where, *table, *(*words)['P']);
     }
     return ig::Status::changed;
   }
 
  private:
-  void write_offset(ig::Block& b, const ig::Words& words, ig::Where where) const {
-    const double table = *words['L'], row = *words['P'];
-    const WorkOffsetId id = table == 2 ? WorkOffsetId::basic(row) : WorkOffsetId::additional(row);
-    double offset[3] = {0, 0, 0};
-    const bool known = !id.text().empty() && offsets_->get(offsets_->self, ig::to_text(id.text()), offset) != 0;
-    if (id.text().empty() || (table == 20 && !known)) {
-      b.report(diag("ISO-0222"), where, table, row);
-      return;
-    }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto word = words["XYZ"[axis]];
-      if (word) offset[axis] = b.is(positioning_, g91_) ? offset[axis] + *word : *word;
-    }
-    offsets_->set(offsets_->self, ig::to_text(id.text()), offset);
+  /// False when the table has no such row.
+  bool write_offset(ig::Block& b, const ig::Words& words) const {
+    const double row = *words['P'];
+    const WorkOffsetId id = *words['L'] == 2 ? WorkOffsetId::basic(row) : WorkOffsetId::additional(row);
+    double offset[3];
+    if (id.text().empty() || offsets_->get(offsets_->self, ig::to_text(id.text()), offset) == 0) return false;
+    const bool adds = b.is(positioning_, g91_);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (const auto word = words["XYZ"[axis]]) offset[axis] = adds ? offset[axis] + *word : *word;
     b.raise(offsets_changed_);
+    return offsets_->set(offsets_->self, ig::to_text(id.text()), offset) != 0;
   }
 
-  void write_tool(ig::Block& b, const ig::Words& words, ig::Where where) const {
+  bool write_tool(ig::Block& b, const ig::Words& words) const {
     const auto column = static_cast<std::uint32_t>(*words['L'] - 10);
     const auto row = whole_number(*words['P']);
-    const auto value = words['R'];
-    if (!row || *row == 0) {
-      b.report(diag("ISO-0222"), where, *words['L'], *words['P']);
-      return;
-    }
-    if (!value) {
-      b.report(diag("ISO-0221"), where, std::string_view("R"));
-      return;
-    }
-    double mm = 0;
-    if (b.is(positioning_, g91_)) tools_->get(tools_->self, *row, column, &mm);
-    tools_->set(tools_->self, *row, column, mm + *value);
+    if (!row || *row == 0) return false;
+    double old = 0;
+    if (b.is(positioning_, g91_)) tools_->get(tools_->self, *row, column, &old);
     b.raise(tools_changed_);
+    return tools_->set(tools_->self, *row, column, old + *words['R']) != 0;
   }
 };
 

@@ -48,9 +48,7 @@ struct ReferenceReturn {
   double reference_of(ig::Block& b, std::size_t axis) const {
     const char name = "XYZ"[axis];
     double position = 0;
-    if (axes_ &&
-        (axes_->reference(axes_->self, name, 1, &position) != 0 || axes_->home(axes_->self, name, &position) != 0))
-      return position;
+    if (axes_ && axes_->reference(axes_->self, name, 1, &position) != 0) return position;
     b.report(diag("ISO-0341"), ig::Where::word(g28_.code(0)), std::string_view(&name, 1));
     return 0;
   }

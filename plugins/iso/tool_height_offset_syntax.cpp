@@ -1,6 +1,6 @@
-/// G43/G44/G49 and H: the length of the tool lies between the programmed point and the machine coordinates. G43 adds the
-/// length of row H (geometry and wear) along the tool axis, G44 subtracts it, G49 and H0 end it. H is modal: a new H
-/// under G43 is a new length.
+/// G43/G44/G49 and H: the length of the tool lies between the programmed point and the machine coordinates. G43 adds
+/// the length of row H (geometry and wear) along the tool axis, G44 subtracts it, G49 and H0 end it. H is modal: a new
+/// H under G43 is a new length.
 #include "diagnostics.hpp"
 #include "whole_number.hpp"
 
@@ -39,7 +39,9 @@ struct ToolHeightOffset {
     auto h = b.take(h_);
     if (call && (*call)['H']) h = (*call)['H'];
     if (call) b.set(term_, call->code);
-    const auto where = call ? ig::Where::word(codes_.code(call->row)) : ig::Where::block();
+    const auto where = call ? ig::Where::word(codes_.code(call->row))
+                       : h  ? ig::Where::word(h_.id())
+                            : ig::Where::block();
     if (h) set_offset_id(b, *h, where);
 
     if (call && call->code == g49_) {

@@ -1,5 +1,5 @@
-/// Nothing in a program is ignored silently: whatever is left of a block when every syntax has run is reported here, each
-/// piece with its columns. What can move the tool elsewhere is an error, the rest a warning, plain text a note.
+/// Nothing in a program is ignored silently: whatever is left of a block when every syntax has run is reported here,
+/// each piece with its columns. What can move the tool elsewhere is an error, the rest a warning, plain text a note.
 #include "diagnostics.hpp"
 #include "leftovers.hpp"
 
@@ -12,8 +12,8 @@ bool is_geometric(std::string_view word) {
 }
 
 struct UnconsumedCheck {
-  static constexpr auto spec = ig::syntax("UnconsumedCheckSyntax", "Reports everything in a block that nobody used.")
-                                   .inspects_leftovers();
+  static constexpr auto spec =
+      ig::syntax("UnconsumedCheckSyntax", "Reports everything in a block that nobody used.").inspects_leftovers();
 
   ig::Status build(ig::Block& b) {
     for (std::uint32_t i = 0; const auto left = leftover(b, i); ++i)
@@ -23,39 +23,28 @@ struct UnconsumedCheck {
 
  private:
   /// "G84.Q" where G84 itself is left: one report of the code says it all.
-  static bool belongs_to_leftover_code(const ig::Block& b, const ig_leftover& word) {
-    const std::string_view name = ig::to_view(word.name);
-    if (word.kind != IG_LEFT_WORD || name.rfind('.') == std::string_view::npos) return false;
+  static bool belongs_to_leftover_code(const ig::Block& b, const Leftover& word) {
+    const std::size_t dot = word.name.rfind('.');
+    if (word.kind != IG_LEFT_WORD || dot == std::string::npos) return false;
     for (std::uint32_t i = 0; const auto left = leftover(b, i); ++i)
-      if (left->kind == IG_LEFT_CODE && ig::to_view(left->name) == name.substr(0, name.rfind('.'))) return true;
+      if (left->kind == IG_LEFT_CODE && word.name.compare(0, dot, left->name) == 0) return true;
     return false;
   }
 
-  static void report(ig::Block& b, const ig_leftover& left) {
+  static void report(ig::Block& b, const Leftover& left) {
     const auto where = ig::Where::columns(left.begin, left.end);
-    const std::string_view name = ig::to_view(left.name);
+    const std::string_view name = left.name;
     const std::string_view source = b.source();
     const bool has_place = left.begin < left.end && left.end <= source.size();
     const std::string_view written = has_place ? source.substr(left.begin, left.end - left.begin) : name;
     const bool is_machine_function = name.starts_with('M');
     switch (left.kind) {
-      case IG_LEFT_UNKNOWN:
-        b.report(is_machine_function ? diag("ISO-0281") : diag("ISO-0280"), where, name);
-        break;
-      case IG_LEFT_CODE:
-        b.report(is_machine_function ? diag("ISO-0283") : diag("ISO-0282"), where, name);
-        break;
-      case IG_LEFT_WORD:
-        b.report(is_geometric(name) ? diag("ISO-0284") : diag("ISO-0285"), where, written);
-        break;
-      case IG_LEFT_EXPRESSION:
-        b.report(diag("ISO-0286"), where, written);
-        break;
-      case IG_LEFT_STATEMENT:
-        b.report(diag("ISO-0287"), where, written);
-        break;
-      default:
-        b.report(diag("ISO-0288"), where, written);
+      case IG_LEFT_UNKNOWN: b.report(is_machine_function ? diag("ISO-0281") : diag("ISO-0280"), where, name); break;
+      case IG_LEFT_CODE: b.report(is_machine_function ? diag("ISO-0283") : diag("ISO-0282"), where, name); break;
+      case IG_LEFT_WORD: b.report(is_geometric(name) ? diag("ISO-0284") : diag("ISO-0285"), where, written); break;
+      case IG_LEFT_EXPRESSION: b.report(diag("ISO-0286"), where, written); break;
+      case IG_LEFT_STATEMENT: b.report(diag("ISO-0287"), where, written); break;
+      default: b.report(diag("ISO-0288"), where, written);
     }
   }
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "modal_group.hpp"
+#include "repeat_count.hpp"
 
 namespace iso {
 namespace {
@@ -20,16 +21,16 @@ struct UnitMode {
   ig::Out<ig::Symbol> term_{"Unit.Term"};
   ig::InWhile<ig::Symbol> system_{"Unit.System", "Inch", ig::write};
 
-  // F under G93 is a time, K of a repeated canned cycle a count.
+  // F under G93 is a time, K of a repeated canned cycle a count: no lengths.
   ig::Codes feed_modes_{{"G93", "G94", "G95"}, ig::read};
   ig::In<ig::Symbol> feed_mode_{"Feedrate.Term"};
-  ig::In<ig::Symbol> cycle_{"CannedCycle.Term"};
-  ig::Name inch_{"Inch"}, metric_{"Metric"}, g93_{"G93"}, g80_{"G80"};
+  RepeatCount repeat_count_;
+  ig::Name inch_{"Inch"}, metric_{"Metric"}, g93_{"G93"};
 
   UnitMode() {
     for (std::size_t i = 0; i < lengths_.size(); ++i) {
       if (lengths_.unit(i) == "mm/min") feeds_.push_back(lengths_.id(i));
-      if (lengths_.path(i) == "Parsing.K") repeats_ = lengths_.id(i);
+      if (lengths_.path(i) == "Parsing.K") k_ = lengths_.id(i);
     }
   }
 
@@ -46,7 +47,7 @@ struct UnitMode {
  private:
   bool to_metric(ig::Block& b) const {
     const bool inverse_time = is_inverse_time(b);
-    const bool cycle_mode = b.has(cycle_) && !b.is(cycle_, g80_);
+    const bool k_is_count = repeat_count_.is_k(b);
     bool any = false;
     ig_value values[32];
     for (std::size_t at = 0; at < lengths_.size(); at += 32) {
@@ -55,7 +56,7 @@ struct UnitMode {
       const std::uint32_t found = b.host()->get_many(b.raw(), ids, n, values);
       for (std::uint32_t i = 0; i < n; ++i) {
         if ((found >> i & 1u) == 0) continue;
-        if (cycle_mode && ids[i] == repeats_) continue;
+        if (k_is_count && ids[i] == k_) continue;
         if (inverse_time && std::find(feeds_.begin(), feeds_.end(), ids[i]) != feeds_.end()) continue;
         b.host()->rewrite(b.raw(), ids[i], {.number = values[i].number * mm_per_inch});
         any = true;
@@ -70,7 +71,7 @@ struct UnitMode {
   }
 
   std::vector<ig_field> feeds_;
-  ig_field repeats_ = IG_NO_FIELD;
+  ig_field k_ = IG_NO_FIELD;
 };
 
 const ig::Register<UnitMode> registered;

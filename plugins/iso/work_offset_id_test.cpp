@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-using iso::WorkOffsetId;
 using iso::whole_number;
+using iso::WorkOffsetId;
 
 TEST_CASE("P of G10 L2 names the external offset and G54 to G59") {
   CHECK(WorkOffsetId::basic(0).text() == "EXT");

@@ -1,6 +1,8 @@
-// Runs a command and writes its wall time and its own peak memory: a child of Python would begin with Python's.
+// Runs a command and writes its wall time, its processor time and its own peak memory: a child of Python would begin
+// with Python's.
 //
-//   measure RESULT COMMAND [ARGUMENT...]      RESULT: seconds, KiB, exit status (128 + signal when killed)
+//   measure RESULT COMMAND [ARGUMENT...]      RESULT: seconds, processor seconds, KiB, exit status
+//                                            (128 + signal when killed)
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -27,12 +29,15 @@ int main(int argc, char** argv) {
     return 1;
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  const auto spent = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   std::FILE* result = std::fopen(argv[1], "w");
   if (result == nullptr) {
     std::perror(argv[1]);
     return 1;
   }
-  std::fprintf(result, "%.9f %ld %d\n", seconds.count(), usage.ru_maxrss,
-               WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status));
+  std::fprintf(result, "%.9f %.6f %ld %d\n", seconds.count(), spent(usage.ru_utime) + spent(usage.ru_stime),
+               usage.ru_maxrss, WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status));
   return std::fclose(result) == 0 ? 0 : 1;
 }

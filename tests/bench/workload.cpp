@@ -1,6 +1,6 @@
 // Writes part programs to measure interpreters with: exactly N blocks, the same bytes for the same seed.
 //
-//   workload surface|mixed|drilling N [--seed S] [--repeat K|L] [-o FILE]
+//   workload surface|mixed|drilling N [--seed S] [--cycles G81,G82...] [--repeat K|L] [-o FILE]
 //
 // Every program is valid for a Fanuc milling control and for LinuxCNC: no O number, arcs within LinuxCNC's radius
 // tolerance, one group 01 code a block, G80 alone, repeats only in G91 blocks that stand by themselves. The letter of
@@ -216,29 +216,28 @@ struct Cycle {
   std::string words;  // P or Q
 };
 
-Cycle any_cycle(Random& random) {
-  switch (random.from(0, 6)) {
-    case 0:
-    case 1:
-      return {"G81", ""};
-    case 2:
-      return {"G82", code('P', 50 * random.from(1, 12))};
-    case 3:
-    case 4:
-      return {"G83", word('Q', random.of(std::array{1.5, 2.0, 3.0, 4.0}))};
-    case 5:
-      return {"G73", word('Q', random.of(std::array{1.0, 1.5, 2.5}))};
-    default:
-      return {"G85", ""};
-  }
+// Which cycles, and which letter repeats them.
+struct Drilling {
+  std::string_view cycles = "G81,G81,G82,G83,G83,G73,G85";
+  char repeat = 'K';
+};
+
+Cycle any_cycle(Random& random, std::string_view cycles) {
+  const int count = 1 + static_cast<int>(std::count(cycles.begin(), cycles.end(), ','));
+  for (int skip = random.from(1, count) - 1; skip > 0; --skip) cycles.remove_prefix(cycles.find(',') + 1);
+  const std::string code(cycles.substr(0, cycles.find(',')));
+  if (code == "G82") return {code, bench::code('P', 50 * random.from(1, 12))};
+  if (code == "G83") return {code, word('Q', random.of(std::array{1.5, 2.0, 3.0, 4.0}))};
+  if (code == "G73") return {code, word('Q', random.of(std::array{1.0, 1.5, 2.5}))};
+  return {code, ""};
 }
 
 // Holes one after another, a block each, with only the words that change.
 class HolePattern {
  public:
-  HolePattern(Program& p, Random& random)
+  HolePattern(Program& p, Random& random, std::string_view cycles)
       : p_(p),
-        cycle_(any_cycle(random)),
+        cycle_(any_cycle(random, cycles)),
         level_(random.chance(0.5) ? "G98" : "G99"),
         depth_(-random.of(std::array{3.0, 6.0, 8.5, 12.0, 20.0})),
         r_(random.of(std::array{1.0, 2.0, 3.0, 5.0})),
@@ -275,12 +274,12 @@ class HolePattern {
   std::string old_x_, old_y_;
 };
 
-void drill_pattern(Program& p, Random& random, char repeat) {
+void drill_pattern(Program& p, Random& random, const Drilling& how) {
   const double initial_level = random.of(std::array{10.0, 25.0, 50.0});
   const Point origin{random.between(-100, 100), random.between(-100, 100)};
   const double pitch_x = random.between(4, 15);
   const double pitch_y = random.between(4, 15);
-  HolePattern holes(p, random);
+  HolePattern holes(p, random, how.cycles);
   p.block("G0", word('Z', initial_level));
   switch (random.from(0, 3)) {
     case 0: {  // plate, to and fro, every other row staggered
@@ -307,19 +306,19 @@ void drill_pattern(Program& p, Random& random, char repeat) {
       for (int i = random.from(8, 50); i > 0; --i) holes.hole({random.between(-150, 150), random.between(-150, 150)});
       break;
     default:
-      holes.row(origin, {pitch_x, random.chance(0.5) ? 0 : pitch_y}, random.from(3, 12), repeat, initial_level);
+      holes.row(origin, {pitch_x, random.chance(0.5) ? 0 : pitch_y}, random.from(3, 12), how.repeat, initial_level);
       return;
   }
   holes.end();
 }
 
-void drilling(Program& p, Random& random, char repeat) {
+void drilling(Program& p, Random& random, const Drilling& how) {
   p.start();
   while (p.room()) {
     const int tool = random.from(1, 20);
     mount_tool(p, random, tool, "HOLES");
     approach(p, tool, {0, 0});
-    for (int pattern = random.from(2, 6); pattern > 0 && p.room(); --pattern) drill_pattern(p, random, repeat);
+    for (int pattern = random.from(2, 6); pattern > 0 && p.room(); --pattern) drill_pattern(p, random, how);
     p.block("G0", "Z50.");
     p.block("M9");
     p.block("M5");
@@ -336,7 +335,9 @@ bool read_number(std::string_view text, T& value) {
 }
 
 int usage() {
-  std::fputs("usage: workload surface|mixed|drilling BLOCKS [--seed S] [--repeat K|L] [-o FILE]\n", stderr);
+  std::fputs(
+      "usage: workload surface|mixed|drilling BLOCKS [--seed S] [--cycles G81,G82...] [--repeat K|L] [-o FILE]\n",
+      stderr);
   return 2;
 }
 
@@ -347,7 +348,7 @@ int main(int argc, char** argv) {
   const std::string_view kind = argv[1];
   long blocks = 0;
   std::uint64_t seed = 1;
-  char repeat = 'K';
+  Drilling how;
   const char* path = nullptr;
   if (!read_number(argv[2], blocks) || blocks < Program::closing) return usage();
   for (int i = 3; i < argc; i += 2) {
@@ -355,7 +356,9 @@ int main(int argc, char** argv) {
     const std::string_view value = argv[i + 1];
     if (option == "--seed" && read_number(value, seed)) continue;
     if (option == "--repeat" && (value == "K" || value == "L")) {
-      repeat = value.front();
+      how.repeat = value.front();
+    } else if (option == "--cycles") {
+      how.cycles = value;
     } else if (option == "-o") {
       path = argv[i + 1];
     } else {
@@ -374,7 +377,7 @@ int main(int argc, char** argv) {
   } else if (kind == "mixed") {
     mixed(program, random);
   } else if (kind == "drilling") {
-    drilling(program, random, repeat);
+    drilling(program, random, how);
   } else {
     return usage();
   }

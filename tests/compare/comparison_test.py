@@ -77,8 +77,8 @@ class Comparison(unittest.TestCase):
                          "%\nN2 G4 P0.5\nN3 G99 G82 X1. P0.25 L3\nN4 G10 L2 P1 X1.\n")
 
     def test_motion_stream(self):
-        text = ("file,line,event,px,py,pz,mx,my,mz,a,b,c,feed_mm_s,cx,cy,cz,ccw,circles,plane,mcx,mcy,mcz,nx,ny,nz,sweep,"
-                "value,term\n"
+        text = ("file,line,event,px,py,pz,mx,my,mz,a,b,c,feed_mm_s,cx,cy,cz,ccw,circles,plane,mcx,mcy,mcz,nx,ny,nz,"
+                "sweep,value,term\n"
                 "p.nc,5,arc,20,10,50,120,60,108.9,,,,10,20,0,50,0,0,XY,120,50,108.9,0,0,1,-90,,\n"
                 "p.nc,6,spindle,,,,,,,,,,,,,,,,,,,,,,,,1000,CW\n"
                 "p.nc,11,dwell,,,,,,,,,,,,,,,,,,,,,,,,0.5,\n")

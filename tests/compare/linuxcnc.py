@@ -10,6 +10,7 @@ where rs274 is not installed.
 """
 import argparse
 import itertools
+import os
 import pathlib
 import re
 import shutil
@@ -30,7 +31,7 @@ def translated(text):
     lines = []
     for number, line in enumerate(text.splitlines(), 1):
         line = re.sub(r"^N\d+\s*", "", line)
-        if re.search(r"G0?4\b|G82", line):
+        if re.search(r"G0?4(?!\d)|G82", line):
             line = re.sub(r"P(\d+)", lambda p: f"P{int(p[1]) / 1000:g}", line)
         if re.search(r"G8\d", line):
             line = re.sub(r"K(\d+)", r"L\1", line)
@@ -43,7 +44,7 @@ class Comparison:
         self.isogloss, self.folder, self.arguments = isogloss, folder, arguments
         (folder / "tool.tbl").write_text("".join(f"T{t} P{t} Z{plain.tool_length(t) / 25.4:.4f} D0.2 ;\n"
                                                  for t in range(1, plain.TOOLS + 1)))
-        rows = "".join(f'  <Tool Id="{t}" LengthGeometry_mm="{plain.tool_length(t):.4f}"/>\n'
+        rows = "".join(f'  <Tool id="{t}" H="{plain.tool_length(t):.4f}"/>\n'
                        for t in range(1, plain.TOOLS + 1))
         (folder / "tools.xml").write_text(f"<ToolOffsetTable>\n{rows}</ToolOffsetTable>\n")
 
@@ -52,7 +53,10 @@ class Comparison:
         (self.folder / "fresh.var").write_text("")
         (self.folder / "out.canon").unlink(missing_ok=True)
         run = subprocess.run(["rs274", "-t", "tool.tbl", "-v", "fresh.var", "-g", "in.ngc", "out.canon"],
-                             cwd=self.folder, capture_output=True, text=True, timeout=60, check=False)
+                             cwd=self.folder, capture_output=True, text=True, timeout=60, check=False,
+                             env={**os.environ, "HOME": str(self.folder)})  # where rs274 shares its tools with others
+        if not (self.folder / "out.canon").exists():
+            raise RuntimeError("rs274 writes nothing: " + run.stderr[:400])
         reader = canon.Canon()
         result = list(moves.without_zero_moves(list(reader.read((self.folder / "out.canon").read_text()))))
         if not reader.ended:

@@ -23,6 +23,7 @@ class PlainProgram:
         self.incremental = False
         self.group01 = None
         self.feed = None
+        self.tool_length = 0  # H in force
         self.start()
         kinds = [(12, self.straight), (8, self.arc_by_centre), (6, self.arc_by_radius), (2, self.full_circle),
                  (2, self.change_distance), (3, self.change_plane), (1, self.change_unit), (2, self.change_work_offset),
@@ -172,6 +173,8 @@ class PlainProgram:
                    self.feed_word())
 
     def change_distance(self):
+        if not self.incremental:
+            self.known([2])  # a new length meets an increment: see tests/differences.md
         self.incremental = not self.incremental
         self.write("G91" if self.incremental else "G90")
 
@@ -183,7 +186,11 @@ class PlainProgram:
         self.inch = not self.inch
         self.at = [None] * 3
         self.feed = None
+        if self.tool_length:
+            self.write("G49")  # see tests/differences.md
         self.write("G20" if self.inch else "G21")
+        if self.tool_length:
+            self.write(f"G43 H{self.tool_length}")
         self.place()
 
     def change_work_offset(self):
@@ -200,16 +207,20 @@ class PlainProgram:
         self.at = [None] * 3
 
     def change_tool_length(self):
+        if self.incremental:
+            self.change_distance()
         self.at[2] = None
-        if self.random.random() < 0.3:
+        self.tool_length = 0 if self.random.random() < 0.3 else self.random.randrange(1, TOOLS + 1)
+        if self.tool_length == 0:
             self.write("G49")
-        elif self.incremental or self.random.random() < 0.5:
-            self.write("G43", f"H{self.random.randrange(1, TOOLS + 1)}")
+        elif self.random.random() < 0.5:
+            self.write("G43", f"H{self.tool_length}")
         else:
             self.at[2] = self.length(-60, 60)
-            self.write(self.motion(0), "G43", f"H{self.random.randrange(1, TOOLS + 1)}", "Z" + self.number(self.at[2]))
+            self.write(self.motion(0), "G43", f"H{self.tool_length}", "Z" + self.number(self.at[2]))
 
     def change_tool(self):
+        self.known(range(3))  # rs274 alone forgets a length that no move has followed
         self.write(f"T{self.random.randrange(1, TOOLS + 1)}", self.random.choice(("M6", "M06")))
 
     def go_by_machine(self):

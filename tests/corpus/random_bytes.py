@@ -18,6 +18,10 @@ HERE = pathlib.Path(__file__).resolve().parent
 PROGRAMS = HERE.parent / "programs"
 TIMEOUT = 20
 BATCH = 20
+OUTPUTS = (["--emit", "motions", "--format", "csv"], ["--emit", "blocks", "--format", "jsonl"],
+           ["--emit", "motions", "--format", "jsonl", "--zero-moves", "--exact"],
+           ["--emit", "motions", "--format", "text"],
+           ["--emit", "none", "--summary", "--block-skip", "1,2", "--optional-stop"])
 # What an interpreter is likely to stumble over, more than single bytes would find.
 TOKENS = [b"G1", b"G02", b"G3", b"G28", b"G53", b"G52", b"G10", b"L2", b"G81", b"G82", b"G80", b"G91", b"G90", b"G43",
           b"G68.2", b"G65", b"M98", b"M99", b"M6", b"M30", b"GOTO", b"IF", b"WHILE", b"[", b"]", b"#", b"#1=", b"(",
@@ -63,11 +67,11 @@ def case(seed, number, programs):
     return random_program(rnd) if rnd.random() < 0.4 else mutated(rnd, rnd.choice(programs))
 
 
-def fault(isogloss, dialect, paths):
+def fault(isogloss, dialect, output, paths):
     """What went wrong in this run, or None."""
-    command = [isogloss, "run", *paths, "-d", dialect, "--emit", "motions", "--format", "csv", "-o", "/dev/null"]
+    command = [isogloss, "run", *paths, "-d", dialect, *output]
     try:
-        run = subprocess.run(command, capture_output=True, timeout=TIMEOUT, check=False)
+        run = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=TIMEOUT, check=False)
     except subprocess.TimeoutExpired:
         return f"no end after {TIMEOUT} s"
     if run.returncode in (0, 1, 2):
@@ -96,13 +100,14 @@ def main():
                 path.write_bytes(case(options.seed, number, programs))
                 paths.append(path)
                 number += 1
+            output = OUTPUTS[number // BATCH % len(OUTPUTS)]
             for dialect in options.dialects.split(","):
-                if not fault(isogloss, dialect, paths):
+                if not fault(isogloss, dialect, output, paths):
                     continue
-                alone = [(p, fault(isogloss, dialect, [p])) for p in paths]
+                alone = [(p, fault(isogloss, dialect, output, [p])) for p in paths]
                 for path, what in [(p, w) for p, w in alone if w] or [(paths[0], "only together with its batch")]:
                     failures += 1
-                    print(f"seed {options.seed} case {path.stem} as {dialect}: {what}")
+                    print(f"seed {options.seed} case {path.stem} as {dialect} {' '.join(output)}: {what}")
                     if options.keep:
                         options.keep.mkdir(parents=True, exist_ok=True)
                         (options.keep / f"{options.seed}-{path.name}").write_bytes(path.read_bytes())

@@ -18,8 +18,9 @@ import time
 SKIPPED = 77
 # Folder -> the dialects that read it, the best first; the first that is installed is taken.
 NEAREST = {
-    "fanuc": ("fanuc",), "haas": ("haas", "fanuc"), "okuma": ("okuma", "fanuc"), "linuxcnc": ("linuxcnc", "fanuc"),
-    "hobby": ("linuxcnc", "iso"), "siemens": ("siemens",), "heidenhain": ("heidenhain",), "syntec": ("syntec", "fanuc"),
+    "fanuc": ("fanuc",), "haas": ("haas", "fanuc"), "okuma": ("okuma", "fanuc"), "linuxcnc": ("linuxcnc", "iso"),
+    "hobby": ("linuxcnc", "iso"), "siemens": ("siemens", "iso"), "heidenhain": ("heidenhain", "iso"),
+    "syntec": ("syntec", "fanuc"),
 }
 NOT_PROGRAMS = {".md", ".tsv", ".xml", ".json", ".txt", ".pdf", ".png"}
 DIAGNOSTIC = re.compile(r": (error|warning|note): .*\[([A-Z]+-?\d+)\]")

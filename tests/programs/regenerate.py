@@ -24,8 +24,9 @@ def results(isogloss, program):
                           "csv", *extra], cwd=program.parent, capture_output=True, text=True, timeout=60, check=False)
     if run.returncode not in (0, 1):
         raise RuntimeError(f"exit status {run.returncode}\n{run.stderr}")
+    said = [line for line in run.stderr.splitlines(True) if ".xml:" not in line]  # the dialect has tests of its own
     return {program.with_suffix(".motions.csv"): run.stdout,
-            program.with_suffix(".diagnostics.txt"): run.stderr + f"exit status {run.returncode}\n"}
+            program.with_suffix(".diagnostics.txt"): "".join(said) + f"exit status {run.returncode}\n"}
 
 
 def main():

@@ -22,9 +22,9 @@ struct Fence {
 struct Case {
   std::string heading;
   std::uint32_t line = 0;
-  std::optional<Fence> previous;      ///< JSON: the whole block before
-  std::optional<Fence> dependencies;  ///< XML: dependencies, the syntax's own element with options, <Settings …/>
-  std::optional<Fence> diagnostics;   ///< codes that the build must report, no others
+  std::optional<Fence> previous;       ///< JSON: the whole block before
+  std::optional<Fence> dependencies;   ///< XML: dependencies, the syntax's own element with options, <Settings …/>
+  std::optional<Fence> diagnostics;    ///< codes that the build must report, no others
   std::optional<Fence> before, after;  ///< JSON; both are there in a case that was read without a fault
 };
 

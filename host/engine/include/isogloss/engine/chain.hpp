@@ -18,9 +18,12 @@ class DependencyTable {
   std::optional<std::size_t> column(std::string_view name) const;
   std::optional<double> value(std::string_view row, std::uint32_t column) const;
   std::string_view text(std::string_view row, std::uint32_t column) const;
+  /// A row with the columns' defaults, unless there is one of that name.
+  void add(std::string_view name) { row(name); }
   /// False when the column does not exist or the value is out of its range.
   bool set(std::string_view row, std::uint32_t column, std::string_view text);
   bool set(std::string_view row, std::uint32_t column, double value);
+  void add_row(std::string_view name) { row(name); }
   const ig_dependency& dependency() const { return *dependency_; }
   const std::vector<std::string>& rows() const { return names_; }
 
@@ -102,7 +105,7 @@ class Chain {
   void create_syntaxes();
   void overlay(const DependencyElement& element);
   void assign(const std::string& path, const std::string& value);
-  void call(Document& document, std::uint32_t position);
+  void call_watched(Document& document, std::uint32_t position);  // checked and traced modes
   void run_range(Document& document, std::uint32_t first, std::uint32_t last);
   void destroy();
 

@@ -62,7 +62,7 @@ struct Dialect {
   std::filesystem::path file;
   std::vector<std::string> ancestors;  ///< names, nearest first
   std::vector<std::string> extensions;  ///< ".nc"
-  std::vector<std::string> signatures;  ///< ECMAScript regular expressions looked for in the head of a program
+  std::vector<std::string> signatures;  ///< shell patterns (* ? [0-9]) for a line in the head of a program
   std::string segmenter = "line";
   std::vector<PluginReference> plugins;
   std::vector<DependencyElement> dependencies;  ///< nearest provider first

@@ -44,6 +44,7 @@ struct Leftover {
   ig_field field;
   std::uint32_t begin, end;
   std::string name;
+  std::string value{};  ///< the number or expression where the block has no text for it (a document read from JSON)
 };
 
 /// Where the block stands in its source.
@@ -89,7 +90,11 @@ class Document {
   }
   void mark_fresh(ig_field f) {
     fresh_[f >> 6] |= bit(f);
-    for (std::uint32_t k = 0; k < wake_words_; ++k) active[k] |= wake_[f * wake_words_ + k];
+    if (wake_words_ == 1) {
+      active[0] |= wake_[f];
+    } else {
+      for (std::uint32_t k = 0; k < wake_words_; ++k) active[k] |= wake_[f * wake_words_ + k];
+    }
   }
   void erase(ig_field f) {
     present_[f >> 6] &= ~bit(f);
@@ -156,6 +161,7 @@ class Document {
   std::vector<std::uint64_t> bits_;
   std::uint64_t *present_, *fresh_, *taken_, *pointless_;
   const std::uint64_t *modal_, *word_mask_, *codes_;
+  std::uint32_t open_begin_ = 0, open_end_ = 0;  // the 64-bit words that hold words and codes
   std::vector<ig_value> value_;
   std::vector<std::uint16_t> writer_;
   std::vector<std::uint32_t> range_;  // begin | end << 16

@@ -38,7 +38,7 @@ struct ExplainedBlock {
   std::vector<ExplainedValue> carried;  ///< what the block began with
   std::vector<ExplainedStep> steps;     ///< in order; the scanners first
   std::vector<SleepingSyntax> slept;
-  std::string document;  ///< JSON, after the last syntax
+  std::string document;                ///< JSON, after the last syntax
   std::vector<ExplainedValue> values;  ///< the same, value by value with its writer
 };
 

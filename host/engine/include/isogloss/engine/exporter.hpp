@@ -33,7 +33,7 @@ struct MotionOptions {
   bool header = false;      ///< JSON Lines: a first line with version, dialect, units
   bool zero_moves = false;  ///< keep linear moves that change no machine axis
   bool exact = false;       ///< shortest text that reads back to the same double
-  std::string dialect;
+  std::string dialect{};
 };
 
 std::unique_ptr<Exporter> make_motion_exporter(Output& output, const MotionOptions& options);

@@ -21,6 +21,7 @@ struct RefusedPlugin {
 struct LoadedPlugin {
   std::filesystem::path file;
   const ig_plugin* plugin = nullptr;
+  std::vector<std::string> extra_exports;  ///< symbols besides the entry, which other plugins would share
 };
 
 /// Loads each *.so of the folders once and keeps it resident. When two folders hold a plugin of one name, the first
@@ -44,6 +45,8 @@ class Library {
   const ig_dependency* dependency(std::string_view id, const ig_plugin** owner = nullptr) const;
   /// A plugin that is part of the program (tests, static builds).
   void add(const ig_plugin* plugin);
+  /// The file that is being loaded, for a crash report that a signal handler writes; null when none is.
+  static const char* loading();
 
  private:
   struct Parts;

@@ -1,0 +1,68 @@
+// One syntax on one block: JSON in, JSON out.
+#include "crash_guard.hpp"
+#include "isogloss/engine/cases.hpp"
+#include "output_file.hpp"
+#include "surroundings.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+struct ApplyCommand {
+  CommonOptions common;
+  SurroundingOptions around;
+  std::string syntax, previous, dependencies;
+
+  int run() const;
+};
+
+int ApplyCommand::run() const {
+  Session session(common);
+  const std::optional<Surroundings> surroundings = around.make(session);
+  if (!surroundings) return cannot_start;
+  Application application{syntax, {}, {}, {}, {"standard input", 1, 0}};
+  std::string error;
+  const auto read = [&](const std::string& path) {
+    std::optional<std::string> text = read_text(path, error);
+    if (!text) session.say("IG-0510", {path}, {error});
+    return text;
+  };
+  if (!previous.empty()) {
+    application.previous = read(previous);
+    if (!application.previous) return cannot_start;
+  }
+  if (!dependencies.empty()) {
+    const std::optional<std::string> xml = read(dependencies);
+    if (!xml) return cannot_start;
+    application.dependencies = *xml;
+  }
+  application.before = read("-").value_or("");
+  const std::optional<std::string> after = apply(application, *surroundings, session.library(), session.diagnostics());
+  if (!after) {
+    // A block that is no document is a fault of the input; a syntax that is not there is one of the command.
+    return session.diagnostics().by_code().contains("IG-0502") || session.diagnostics().by_code().contains("IG-0503")
+               ? input_errors
+               : cannot_start;
+  }
+  return print(*after + "\n", session.status());
+}
+
+}  // namespace
+
+int apply_command(const Arguments& arguments) {
+  const auto app = make_app(
+      "apply",
+      "Runs one syntax on one block: the block document before it on standard input, after it on standard output.",
+      R"(echo '{"Parsing": {"G04": {"P": 0.5}}}' | isogloss apply DwellSyntax)");
+  ApplyCommand command;
+  app->add_option("SYNTAX", command.syntax, "Id of a syntax, or its alias in the dialect")->required();
+  app->add_option("--previous", command.previous, "The whole block before, as JSON")->type_name("FILE");
+  app->add_option("--dependencies", command.dependencies, "Dependencies and options as XML, as a case has them")
+      ->type_name("FILE");
+  command.around.add_to(*app);
+  command.common.add_to(*app);
+  if (const auto done = parse(*app, arguments)) return *done;
+  return command.run();
+}
+
+}  // namespace isogloss::cli

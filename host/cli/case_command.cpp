@@ -1,0 +1,95 @@
+// The cases of pages: documentation that runs.
+#include <fmt/format.h>
+
+#include "isogloss/engine/cases.hpp"
+#include "output_file.hpp"
+#include "surroundings.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+struct CaseCommand {
+  CommonOptions common;
+  SurroundingOptions around;
+  std::vector<std::string> files;
+  bool all = false;
+
+  int run() const;
+};
+
+/// Runs pages and counts.
+class Cases {
+ public:
+  Cases(Session& session, const Surroundings& around) : session_(session), around_(around) {}
+
+  void run_page(const std::string& text, const std::string& file) {
+    const Page page = read_page(text, file, session_.diagnostics());
+    ++pages_;
+    for (const Case& one : page.cases) {
+      const std::string difference = run_case(page, one, file, around_, session_.library());
+      if (difference.empty()) {
+        ++held_;
+        continue;
+      }
+      ++failed_;
+      session_.say("IG-0505", {file, one.line, 0}, {one.heading, page.syntax});
+      report_ += fmt::format("{}:{}: {}\n{}\n", file, one.line, one.heading, difference);
+    }
+  }
+
+  std::string report() const {
+    return report_ + fmt::format("{} cases of {} pages: {} hold, {} fail\n", held_ + failed_, pages_, held_, failed_);
+  }
+
+ private:
+  Session& session_;
+  const Surroundings& around_;
+  std::size_t pages_ = 0, held_ = 0, failed_ = 0;
+  std::string report_;
+};
+
+int CaseCommand::run() const {
+  Session session(common);
+  if (files.empty() && !all) {
+    session.say("IG-0513", {}, {"name pages, or --all for those in the plugins"});
+    return cannot_start;
+  }
+  const std::optional<Surroundings> surroundings = around.make(session);
+  if (!surroundings) return cannot_start;
+  Cases cases(session, *surroundings);
+  int status = success;
+  for (const std::string& file : files) {
+    std::string error;
+    if (const std::optional<std::string> text = read_text(file, error)) {
+      cases.run_page(*text, file);
+    } else {
+      session.say("IG-0510", {file}, {error});
+      status = cannot_start;
+    }
+  }
+  if (all)
+    for (const LoadedPlugin& loaded : session.library().plugins())
+      for (std::uint32_t i = 0; i < loaded.plugin->syntax_count; ++i) {
+        const ig_syntax& syntax = *loaded.plugin->syntaxes[i];
+        if (syntax.page != nullptr) cases.run_page(syntax.page, fmt::format("{}:{}", loaded.plugin->name, syntax.id));
+      }
+  return print(cases.report(), std::max(status, session.status()));
+}
+
+}  // namespace
+
+int case_command(const Arguments& arguments) {
+  const auto app =
+      make_app("case", "Runs the cases of pages: one build of the syntax must turn BeforeBuild into AfterBuild.",
+               "isogloss case plugins/iso/dwell_syntax.md");
+  CaseCommand command;
+  app->add_option("FILE", command.files, "Pages (Markdown); - is standard input");
+  app->add_flag("--all", command.all, "All pages in the plugins");
+  command.around.add_to(*app);
+  command.common.add_to(*app);
+  if (const auto done = parse(*app, arguments)) return *done;
+  return command.run();
+}
+
+}  // namespace isogloss::cli

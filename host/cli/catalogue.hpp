@@ -1,0 +1,24 @@
+/// What plugins declare, as JSON: list and inspect print it, or a text made from it.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "isogloss/engine/dialect.hpp"
+#include "isogloss/engine/library.hpp"
+#include "isogloss/engine/linker.hpp"
+
+namespace isogloss::cli {
+
+using Json = nlohmann::ordered_json;
+
+Json describe(const ig_syntax& syntax, const ig_plugin& plugin);
+Json describe(const ig_dependency& dependency, const ig_plugin& plugin);
+Json describe(const Dialect& dialect);
+/// Every field that the standard sections or a syntax declare, by path, with who reads, writes and takes it.
+Json describe_fields(const Library& library);
+/// What a dialect makes of a syntax: its option values and the fields that its patterns stand for.
+Json describe_link(const LinkedSyntax& syntax, const Layout& layout);
+
+std::string_view type_name(ig_type type);
+
+}  // namespace isogloss::cli

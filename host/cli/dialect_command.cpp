@@ -1,0 +1,65 @@
+// A dialect with all that it extends, as one file.
+#include <filesystem>
+
+#include "output_file.hpp"
+#include "session.hpp"
+
+namespace isogloss::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct DialectCommand {
+  CommonOptions common;
+  std::string name, base_directory, output;
+  bool inline_tables = false;
+
+  int run() const;
+};
+
+/// False, and said, when a file cannot be written.
+bool write_file(const std::string& path, const std::string& text, Session& session) {
+  std::string error;
+  const std::unique_ptr<OutputFile> file = OutputFile::open(path, error);
+  if (file != nullptr) {
+    file->write(text);
+    if (file->commit() || file->reader_is_gone()) return true;
+    error = file->error();
+  }
+  session.say("IG-0511", {path}, {error});
+  return false;
+}
+
+int DialectCommand::run() const {
+  Session session(common);
+  const std::optional<Dialect> dialect = session.reader().read(name, session.diagnostics());
+  if (!dialect) return session.status() == success ? static_cast<int>(cannot_start) : session.status();
+  // Side files need a folder; without one all stands in the one file.
+  const bool is_inline = inline_tables || base_directory.empty();
+  const WrittenDialect written = write_dialect(*dialect, base_directory, is_inline);
+  for (const auto& [path, text] : written.side_files)
+    if (!write_file((fs::path(base_directory) / path).string(), text, session)) return cannot_start;
+  if (output.empty()) return print(written.xml, session.status());
+  return write_file(output, written.xml, session) ? session.status() : static_cast<int>(cannot_start);
+}
+
+}  // namespace
+
+int dialect_command(const Arguments& arguments) {
+  const auto app = make_app("dialect", "Writes a dialect with all that it extends as one file.",
+                            "isogloss dialect --effective fanuc --inline -o effective.xml");
+  DialectCommand command;
+  app->add_option("--effective", command.name, "The dialect, by name or file")->required()->type_name("DIALECT");
+  app->add_option("--base-directory", command.base_directory,
+                  "Write the tables to files in this folder, named relative to it")
+      ->check(CLI::ExistingDirectory)
+      ->type_name("DIR");
+  app->add_flag("--inline", command.inline_tables, "Write no side files (as without --base-directory)");
+  app->add_option("-o,--output", command.output, "Write to a file")->type_name("FILE");
+  command.common.add_to(*app);
+  if (const auto done = parse(*app, arguments)) return *done;
+  return command.run();
+}
+
+}  // namespace isogloss::cli

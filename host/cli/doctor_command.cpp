@@ -1,0 +1,127 @@
+// What was found where, and what was not loaded and why.
+#include <fmt/format.h>
+
+#include "catalogue.hpp"
+#include "output_file.hpp"
+#include "session.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+struct DoctorCommand {
+  CommonOptions common;
+  bool json = false;
+
+  int run() const;
+};
+
+Json describe_places(const std::vector<Place>& places) {
+  Json out = Json::array();
+  std::error_code ignored;
+  for (const Place& p : places)
+    out.push_back({{"Folder", p.folder.string()},
+                   {"NamedBy", p.named_by},
+                   {"Exists", std::filesystem::is_directory(p.folder, ignored)}});
+  return out;
+}
+
+/// Plugins that work and are not quite as they should be.
+Json describe_warnings(const Library& library) {
+  Json out = Json::array();
+  for (const LoadedPlugin& p : library.plugins()) {
+    if (p.extra_exports.empty()) continue;
+    const Diagnostic d = host_diagnostic(
+        "IG-0309", {}, {p.file.string(), std::to_string(p.extra_exports.size()), p.extra_exports.front()});
+    out.push_back({{"File", p.file.string()}, {"Code", d.code}, {"Message", d.message}});
+  }
+  return out;
+}
+
+/// Each dialect, with why it does not link; the first found of a name is the one that is used.
+Json describe_dialects(Session& session) {
+  Json out = Json::array();
+  for (const Dialect& listed : session.reader().list()) {
+    DiagnosticList said;
+    const std::string source = listed.file.empty() ? listed.name : listed.file.string();
+    const std::optional<Dialect> dialect = session.reader().read(source, said);
+    if (dialect) link(*dialect, session.library(), said);
+    Json faults = Json::array();
+    for (const Diagnostic& d : said.all)
+      if (d.severity == Severity::error)
+        faults.push_back(
+            fmt::format("{}:{}:{}: {} [{}]", d.where.file, d.where.line, d.where.column, d.message, d.code));
+    out.push_back({{"Name", listed.name}, {"File", listed.file.string()}, {"Faults", std::move(faults)}});
+  }
+  return out;
+}
+
+std::string as_text(const Json& all) {
+  std::string out;
+  const auto places = [&](const char* title, const char* key) {
+    out += fmt::format("{}\n", title);
+    for (const Json& p : all[key])
+      out += fmt::format("  {} ({}{})\n", p["Folder"].get<std::string>(), p["NamedBy"].get<std::string>(),
+                         p["Exists"].get<bool>() ? "" : ", does not exist");
+  };
+  places("Plugin folders, in order", "PluginFolders");
+  out += "Plugins\n";
+  for (const Json& p : all["Plugins"])
+    out += fmt::format("  {} {}: {} syntaxes, {} dependencies, {}\n", p["Name"].get<std::string>(),
+                       p["Version"].get<std::string>(), p["Syntaxes"].get<int>(), p["Dependencies"].get<int>(),
+                       p["File"].get<std::string>());
+  if (!all["Warnings"].empty()) out += "Warnings\n";
+  for (const Json& w : all["Warnings"])
+    out += fmt::format("  {} [{}]\n", w["Message"].get<std::string>(), w["Code"].get<std::string>());
+  if (!all["Refused"].empty()) out += "Not loaded\n";
+  for (const Json& r : all["Refused"])
+    out += fmt::format("  {} [{}]\n", r["Reason"].get<std::string>(), r["Code"].get<std::string>());
+  places("Dialect folders, in order", "DialectFolders");
+  out += "Dialects\n";
+  for (const Json& d : all["Dialects"]) {
+    out += fmt::format("  {}: {}, {}\n", d["Name"].get<std::string>(), d["File"].get<std::string>(),
+                       d["Faults"].empty() ? "links" : "does not link:");
+    for (const Json& fault : d["Faults"]) out += fmt::format("    {}\n", fault.get<std::string>());
+  }
+  return out;
+}
+
+int DoctorCommand::run() const {
+  Session session(common);
+  session.library().load_all();
+  Json all{{"Host", ISOGLOSS_VERSION}, {"Contract", fmt::format("{}.{}", IG_ABI_MAJOR, IG_ABI_MINOR)}};
+  all["PluginFolders"] = describe_places(session.plugin_places());
+  Json& plugins = all["Plugins"] = Json::array();
+  for (const LoadedPlugin& p : session.library().plugins())
+    plugins.push_back({{"Name", p.plugin->name},
+                       {"Version", p.plugin->version == nullptr ? "" : p.plugin->version},
+                       {"Syntaxes", p.plugin->syntax_count},
+                       {"Dependencies", p.plugin->dependency_count},
+                       {"File", p.file.string()}});
+  all["Warnings"] = describe_warnings(session.library());
+  Json& refused = all["Refused"] = Json::array();
+  for (const RefusedPlugin& r : session.library().refused())
+    refused.push_back({{"File", r.file.string()}, {"Code", r.code}, {"Reason", r.reason}});
+  all["DialectFolders"] = describe_places(session.dialect_places());
+  all["Dialects"] = describe_dialects(session);
+  bool is_well = all["Refused"].empty();
+  for (const Json& d : all["Dialects"]) is_well = is_well && d["Faults"].empty();
+  const std::string out = json ? all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                               : as_text(all) + (is_well ? "All is well.\n" : "Something was not loaded.\n");
+  return print(out, is_well ? success : input_errors);
+}
+
+}  // namespace
+
+int doctor_command(const Arguments& arguments) {
+  const auto app =
+      make_app("doctor", "Says which folders are searched, what was found, and what was not loaded and why.",
+               "isogloss doctor --plugins ./build/plugins");
+  DoctorCommand command;
+  app->add_flag("--json", command.json, "Write JSON");
+  command.common.add_to(*app);
+  if (const auto done = parse(*app, arguments)) return *done;
+  return command.run();
+}
+
+}  // namespace isogloss::cli

@@ -1,0 +1,211 @@
+// Why a block came out as it did; what a diagnostic means.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "crash_guard.hpp"
+#include "isogloss/engine/explain.hpp"
+#include "output_file.hpp"
+#include "program_options.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ExplainCommand {
+  CommonOptions common;
+  ProgramOptions program;
+  std::string what;
+  bool json = false;
+
+  int run();
+  int explain_code(Session& session) const;
+  int explain_line(Session& session, const std::string& path, std::uint32_t line);
+};
+
+struct CodeInfo {
+  std::string code, text, explanation, example, plugin;
+  Severity severity = Severity::error;
+};
+
+std::optional<CodeInfo> find_code(const std::string& code, Library& library) {
+  for (const DiagnosticInfo& d : host_diagnostics())
+    if (d.code == code)
+      return CodeInfo{code,   std::string(d.text), std::string(d.explanation), std::string(d.example),
+                      "host", d.severity};
+  library.load_all();
+  for (const LoadedPlugin& loaded : library.plugins())
+    for (std::uint32_t i = 0; i < loaded.plugin->diagnostic_count; ++i) {
+      const ig_diagnostic_decl& d = loaded.plugin->diagnostics[i];
+      if (code == d.code)
+        return CodeInfo{code, d.text, d.explanation, d.example, loaded.plugin->name, static_cast<Severity>(d.severity)};
+    }
+  return std::nullopt;
+}
+
+int ExplainCommand::explain_code(Session& session) const {
+  const std::optional<CodeInfo> found = find_code(what, session.library());
+  if (!found) {
+    session.say("IG-0516", {}, {what}, "isogloss list diagnostics names them");
+    return cannot_start;
+  }
+  if (json)
+    return print(Json{{"Code", found->code},
+                      {"Severity", to_string(found->severity)},
+                      {"Plugin", found->plugin},
+                      {"Text", found->text},
+                      {"Explanation", found->explanation},
+                      {"Example", found->example}}
+                         .dump(2) +
+                     "\n",
+                 success);
+  return print(fmt::format("{} ({}, {})\n  {}\n\n{}\n\nExample: {}\n", found->code, to_string(found->severity),
+                           found->plugin, found->text, found->explanation, found->example),
+               success);
+}
+
+std::string origin(const ExplainedValue& v) {
+  if (v.writer.empty()) return v.line == 0 ? "initial state" : fmt::format("line {}", v.line);
+  return v.line == 0 ? v.writer + ", before the first block" : fmt::format("{}, line {}", v.writer, v.line);
+}
+
+std::string wrapped(const std::vector<SleepingSyntax>& list) {
+  std::string out, line = " ";
+  for (const SleepingSyntax& s : list) {
+    if (line.size() + s.syntax.size() > 98) {
+      out += line + "\n";
+      line = " ";
+    }
+    line += " " + s.syntax;
+  }
+  return out + line + "\n";
+}
+
+std::string text_of(const ExplainedBlock& b) {
+  std::string out = fmt::format("{}:{}: {}\n", b.where.file, b.where.line, b.text);
+  std::size_t width = 0;
+  for (const ExplainedValue& v : b.carried) width = std::max(width, v.path.size() + v.value.size() + 3);
+  if (!b.carried.empty()) out += "\nCarried into the block:\n";
+  for (const ExplainedValue& v : b.carried)
+    out += fmt::format("  {:<{}}  {}\n", v.path + " = " + v.value, std::min<std::size_t>(width, 60), origin(v));
+  for (const ExplainedStep& step : b.steps) {
+    out += fmt::format("\n{}{}\n", step.syntax, step.plugin.empty() ? "" : " (" + step.plugin + ")");
+    if (step.changes.empty()) out += "  was called, changed nothing\n";
+    for (const ExplainedChange& c : step.changes) {
+      if (c.before.empty())
+        out += fmt::format("  + {} = {}\n", c.path, c.after);
+      else if (c.after.empty())
+        out += fmt::format("  - {} = {}\n", c.path, c.before);
+      else
+        out += fmt::format("  ~ {} = {} (was {})\n", c.path, c.after, c.before);
+    }
+  }
+  if (!b.slept.empty()) out += "\nSlept, since nothing that wakes them was set:\n" + wrapped(b.slept);
+  return out + "\nAfter the block:\n" + b.document + "\n";
+}
+
+Json json_of(const std::vector<ExplainedValue>& values) {
+  Json out = Json::array();
+  for (const ExplainedValue& v : values) {
+    Json one{{"Path", v.path}, {"Value", Json::parse(v.value)}};
+    if (!v.writer.empty()) one["Writer"] = v.writer;
+    if (v.line != 0) one["Line"] = v.line;
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
+Json json_of(const ExplainedBlock& b) {
+  Json steps = Json::array();
+  for (const ExplainedStep& s : b.steps) {
+    Json changes = Json::array();
+    for (const ExplainedChange& c : s.changes) {
+      Json one{{"Path", c.path}};
+      if (!c.before.empty()) one["Before"] = Json::parse(c.before);
+      if (!c.after.empty()) one["After"] = Json::parse(c.after);
+      changes.push_back(std::move(one));
+    }
+    Json step{{"Syntax", s.syntax}};
+    if (!s.plugin.empty()) step["Plugin"] = s.plugin;
+    step["Changes"] = std::move(changes);
+    steps.push_back(std::move(step));
+  }
+  Json slept = Json::array();
+  for (const SleepingSyntax& s : b.slept) slept.push_back({{"Syntax", s.syntax}, {"WakesOn", s.wakes_on}});
+  return {{"File", b.where.file},
+          {"Line", b.where.line},
+          {"Text", b.text},
+          {"Carried", json_of(b.carried)},
+          {"Steps", std::move(steps)},
+          {"Slept", std::move(slept)},
+          {"Values", json_of(b.values)},
+          {"Document", Json::parse(b.document)}};
+}
+
+int ExplainCommand::explain_line(Session& session, const std::string& path, std::uint32_t line) {
+  const std::optional<RunOptions> options = program.make(session);
+  const std::unique_ptr<OpenedProgram> source = OpenedProgram::open(path, session);
+  if (!options || source == nullptr) return cannot_start;
+  std::optional<std::string> dialect = program.dialect;
+  if (dialect->empty()) dialect = guess_dialect(path, source->head(), session);
+  const std::unique_ptr<LinkedDialect> linked = dialect ? session.link(*dialect) : nullptr;
+  if (linked == nullptr) return cannot_start;
+  if (program.watchdog != 0) watch_blocks(program.watchdog);
+
+  // What other lines have to say is not what was asked.
+  DiagnosticList said;
+  const std::vector<ExplainedBlock> blocks = explain(*linked, *source, path, line, *options, said);
+  for (Diagnostic& d : said.all)
+    if (d.where.line == line || d.where.line == 0) session.diagnostics().add(std::move(d));
+  if (blocks.empty()) {
+    session.say("IG-0515", {path, line, 0}, {std::to_string(line)});
+    return input_errors;
+  }
+  std::string out;
+  Json all = Json::array();
+  for (const ExplainedBlock& b : blocks) {
+    if (json)
+      all.push_back(json_of(b));
+    else
+      out += (out.empty() ? "" : "\n") + text_of(b);
+  }
+  return print(json ? all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : out, session.status());
+}
+
+int ExplainCommand::run() {
+  Session session(common);
+  static const std::regex code("[A-Z][A-Z0-9]*-[0-9]+");
+  if (std::regex_match(what, code)) return explain_code(session);
+  const std::size_t colon = what.rfind(':');
+  const std::string number = colon == std::string::npos ? "" : what.substr(colon + 1);
+  const bool is_line = !number.empty() && number.size() < 10 &&
+                       std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (!is_line || std::stoul(number) == 0) {
+    session.say("IG-0513", {}, {"explain wants PROGRAM:LINE or the code of a diagnostic, not '" + what + "'"});
+    return cannot_start;
+  }
+  return explain_line(session, what.substr(0, colon), static_cast<std::uint32_t>(std::stoul(number)));
+}
+
+}  // namespace
+
+int explain_command(const Arguments& arguments) {
+  const auto app =
+      make_app("explain",
+               "Explains a line: what each syntax made of it, what was carried into it and who wrote that; "
+               "or says what a diagnostic means.",
+               "isogloss explain part.nc:42 -d fanuc\n  isogloss explain IG-0206");
+  ExplainCommand command;
+  app->add_option("PROGRAM:LINE", command.what, "A line of a program, or the code of a diagnostic")->required();
+  app->add_flag("--json", command.json, "Write JSON");
+  command.program.add_to(*app);
+  command.common.add_to(*app);
+  if (const auto done = parse(*app, arguments)) return *done;
+  return command.run();
+}
+
+}  // namespace isogloss::cli

@@ -1,0 +1,140 @@
+// The page and the declaration of one syntax, dependency, dialect or field.
+#include <fmt/format.h>
+
+#include "catalogue.hpp"
+#include "output_file.hpp"
+#include "session.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+struct InspectCommand {
+  CommonOptions common;
+  std::string name, dialect;
+  bool json = false;
+
+  int run() const;
+  int show(Json declaration, const char* page, Session& session) const;
+  std::vector<std::string> names(Session& session, const Json& fields) const;
+};
+
+bool is_plain_list(const Json& value) {
+  return value.is_array() && std::none_of(value.begin(), value.end(), [](const Json& e) { return e.is_structured(); });
+}
+
+std::string plain(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (!is_plain_list(value)) return value.dump();
+  std::string out;
+  for (const Json& e : value) out += (out.empty() ? "" : " ") + plain(e);
+  return out;
+}
+
+/// "name: value" lines; a list of records is one line a record.
+std::string as_text(const Json& object, const std::string& indentation) {
+  std::string out;
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_structured() && value.empty()) continue;
+    if (value.is_object()) {
+      out += indentation + key + ":\n" + as_text(value, indentation + "  ");
+    } else if (value.is_array() && !is_plain_list(value)) {
+      out += indentation + key + ":\n";
+      for (const Json& row : value) {
+        std::string line;
+        for (const auto& [name, cell] : row.items()) {
+          if (cell.is_structured() && cell.empty()) continue;
+          const bool is_title = line.empty();
+          line += is_title ? plain(cell) : fmt::format("  {} {}", name, plain(cell));
+        }
+        out += indentation + "  " + line + "\n";
+      }
+    } else {
+      out += fmt::format("{}{}: {}\n", indentation, key, plain(value));
+    }
+  }
+  return out;
+}
+
+int InspectCommand::show(Json declaration, const char* page, Session& session) const {
+  if (json) {
+    if (page != nullptr) declaration["Page"] = page;
+    return print(declaration.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", session.status());
+  }
+  declaration.erase("HasPage");
+  std::string out = page == nullptr ? "" : page;
+  if (!out.empty() && !out.ends_with('\n')) out += '\n';
+  if (!out.empty()) out += "\n---- declaration\n";
+  return print(out + as_text(declaration, ""), session.status());
+}
+
+std::vector<std::string> InspectCommand::names(Session& session, const Json& fields) const {
+  std::vector<std::string> out;
+  for (const LoadedPlugin& p : session.library().plugins()) {
+    for (std::uint32_t i = 0; i < p.plugin->syntax_count; ++i) out.emplace_back(p.plugin->syntaxes[i]->id);
+    for (std::uint32_t i = 0; i < p.plugin->dependency_count; ++i) out.emplace_back(p.plugin->dependencies[i]->id);
+  }
+  for (const Dialect& d : session.reader().list()) out.push_back(d.name);
+  for (const Json& f : fields) out.push_back(f["Path"].get<std::string>());
+  return out;
+}
+
+int InspectCommand::run() const {
+  Session session(common);
+  session.library().load_all();
+  const ig_plugin* plugin = nullptr;
+  std::unique_ptr<LinkedDialect> linked;
+  if (!dialect.empty()) {
+    linked = session.link(dialect);
+    if (linked == nullptr) return cannot_start;
+  }
+  if (const ig_syntax* const syntax = session.library().syntax(name, &plugin)) {
+    Json out = describe(*syntax, *plugin);
+    if (linked != nullptr) {
+      Json& links = out["In " + linked->dialect.name] = Json::array();
+      for (const LinkedSyntax& s : linked->chain)
+        if (s.syntax == syntax) links.push_back(describe_link(s, linked->layout));
+    }
+    return show(std::move(out), syntax->page, session);
+  }
+  if (const ig_dependency* const dependency = session.library().dependency(name, &plugin)) {
+    Json out = describe(*dependency, *plugin);
+    if (linked != nullptr)
+      for (const Json& d : describe(linked->dialect)["Dependencies"])
+        if (d["Id"] == name) out["In " + linked->dialect.name] = d;
+    return show(std::move(out), dependency->page, session);
+  }
+  const std::vector<Dialect> dialects = session.reader().list();
+  const bool is_dialect =
+      name.find('/') != std::string::npos || name.ends_with(".xml") ||
+      std::any_of(dialects.begin(), dialects.end(), [&](const Dialect& d) { return d.name == name; });
+  if (is_dialect) {
+    const std::optional<Dialect> found = session.reader().read(name, session.diagnostics());
+    return found ? show(describe(*found), nullptr, session) : static_cast<int>(input_errors);
+  }
+  const Json fields = describe_fields(session.library());
+  for (const Json& f : fields)
+    if (f["Path"] == name) return show(f, nullptr, session);
+  const std::string near = nearest_name(name, names(session, fields));
+  session.say("IG-0516", {}, {name}, near.empty() ? "" : "did you mean " + near + "?");
+  return cannot_start;
+}
+
+}  // namespace
+
+int inspect_command(const Arguments& arguments) {
+  const auto app = make_app("inspect", "Shows the page and the declaration of a syntax, dependency, dialect or field.",
+                            "isogloss inspect DrillingCycleSyntax -d fanuc");
+  InspectCommand command;
+  app->add_option("NAME", command.name, "Id of a syntax or dependency, name or file of a dialect, path of a field")
+      ->required();
+  app->add_option("-d,--dialect", command.dialect, "Also what this dialect makes of it: options, resolved patterns")
+      ->type_name("DIALECT");
+  app->add_flag("--json", command.json, "Write JSON");
+  command.common.add_to(*app);
+  if (const auto done = parse(*app, arguments)) return *done;
+  return command.run();
+}
+
+}  // namespace isogloss::cli

@@ -1,0 +1,83 @@
+// Reads and links dialects, and says what is wrong with them.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "output_file.hpp"
+#include "session.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+struct LintCommand {
+  CommonOptions common;
+  std::vector<std::string> dialects;
+  bool suggest = false;
+
+  int run() const;
+};
+
+/// Two orders as a patch: what stays, what goes (-), where it comes again (+). The longest common part stays.
+std::string order_patch(const Dialect& dialect, const std::vector<std::string>& wanted) {
+  std::vector<std::string> now;
+  for (const ChainElement& e : dialect.chain) now.push_back(e.alias);
+  std::vector<std::vector<std::size_t>> common(now.size() + 1, std::vector<std::size_t>(wanted.size() + 1));
+  for (std::size_t i = now.size(); i-- > 0;)
+    for (std::size_t j = wanted.size(); j-- > 0;)
+      common[i][j] = now[i] == wanted[j] ? common[i + 1][j + 1] + 1 : std::max(common[i + 1][j], common[i][j + 1]);
+  std::string out =
+      fmt::format("--- {0}\n+++ {0}\n@@ -1,{1} +1,{2} @@ Chain\n", dialect.file.string(), now.size(), wanted.size());
+  std::size_t i = 0, j = 0;
+  while (i < now.size() || j < wanted.size()) {
+    if (i < now.size() && j < wanted.size() && now[i] == wanted[j]) {
+      out += fmt::format(" <{}/>\n", now[i]);
+      ++i, ++j;
+    } else if (j == wanted.size() || (i < now.size() && common[i + 1][j] >= common[i][j + 1])) {
+      out += fmt::format("-<{}/>\n", now[i++]);
+    } else {
+      out += fmt::format("+<{}/>\n", wanted[j++]);
+    }
+  }
+  return out;
+}
+
+std::string suggestion(const Dialect& dialect, Library& library) {
+  const std::vector<std::string> wanted = suggest_order(dialect, library);
+  if (wanted.empty()) return fmt::format("{}: no order satisfies every syntax\n", dialect.name);
+  const bool is_same = std::equal(dialect.chain.begin(), dialect.chain.end(), wanted.begin(), wanted.end(),
+                                  [](const ChainElement& e, const std::string& alias) { return e.alias == alias; });
+  return is_same ? fmt::format("{}: the order is right\n", dialect.name) : order_patch(dialect, wanted);
+}
+
+int LintCommand::run() const {
+  Session session(common);
+  std::string out;
+  for (const std::string& name : dialects) {
+    const std::optional<Dialect> dialect = session.reader().read(name, session.diagnostics());
+    if (dialect) {
+      const std::unique_ptr<LinkedDialect> linked = link(*dialect, session.library(), session.diagnostics());
+      if (linked != nullptr)
+        out += fmt::format("{}: {} syntaxes, {} dependencies, {} fields\n", dialect->name, linked->chain.size(),
+                           linked->dependencies.size(), linked->layout.fields.size());
+      if (suggest) out += suggestion(*dialect, session.library());
+    }
+    session.diagnostics().finish_program();
+  }
+  return print(out, session.status());
+}
+
+}  // namespace
+
+int lint_command(const Arguments& arguments) {
+  const auto app = make_app("lint", "Checks dialect files: reads them with what they extend and links their chains.",
+                            "isogloss lint fanuc ./my-machine.xml --suggest");
+  LintCommand command;
+  app->add_option("DIALECT", command.dialects, "Dialects, by name or file")->required();
+  app->add_flag("--suggest", command.suggest, "Print an order of the chain that satisfies every syntax, as a patch");
+  command.common.add_to(*app);
+  if (const auto done = parse(*app, arguments)) return *done;
+  return command.run();
+}
+
+}  // namespace isogloss::cli

@@ -1,0 +1,155 @@
+// What is there: plugins, syntaxes, dialects, dependencies, fields, diagnostics.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "catalogue.hpp"
+#include "output_file.hpp"
+#include "session.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+/// Rows of which `columns` are shown as text.
+struct Listing {
+  std::string title;
+  std::vector<const char*> columns;
+  Json rows = Json::array();
+};
+
+Listing plugins(Session& session) {
+  Listing out{"plugins", {"Name", "Version", "Vendor", "File"}, Json::array()};
+  for (const LoadedPlugin& p : session.library().plugins())
+    out.rows.push_back({{"Name", p.plugin->name},
+                        {"Version", p.plugin->version == nullptr ? "" : p.plugin->version},
+                        {"Vendor", p.plugin->vendor == nullptr ? "" : p.plugin->vendor},
+                        {"Contract", fmt::format("{}.{}", p.plugin->abi_major, p.plugin->abi_minor)},
+                        {"BuiltWith", p.plugin->built_with == nullptr ? "" : p.plugin->built_with},
+                        {"Syntaxes", p.plugin->syntax_count},
+                        {"Dependencies", p.plugin->dependency_count},
+                        {"Diagnostics", p.plugin->diagnostic_count},
+                        {"File", p.file.string()}});
+  return out;
+}
+
+Listing syntaxes(Session& session) {
+  Listing out{"syntaxes", {"Id", "Plugin", "Summary"}, Json::array()};
+  for (const LoadedPlugin& p : session.library().plugins())
+    for (std::uint32_t i = 0; i < p.plugin->syntax_count; ++i)
+      out.rows.push_back(describe(*p.plugin->syntaxes[i], *p.plugin));
+  return out;
+}
+
+Listing dependencies(Session& session) {
+  Listing out{"dependencies", {"Id", "Plugin", "Summary"}, Json::array()};
+  for (const LoadedPlugin& p : session.library().plugins())
+    for (std::uint32_t i = 0; i < p.plugin->dependency_count; ++i)
+      out.rows.push_back(describe(*p.plugin->dependencies[i], *p.plugin));
+  return out;
+}
+
+Listing dialects(Session& session) {
+  Listing out{"dialects", {"Name", "Title", "File"}, Json::array()};
+  for (const Dialect& d : session.reader().list())
+    out.rows.push_back({{"Name", d.name},
+                        {"Title", d.title},
+                        {"Extensions", d.extensions},
+                        {"Signatures", d.signatures},
+                        {"File", d.file.string()}});
+  return out;
+}
+
+Listing fields(Session& session) {
+  return {"fields", {"Path", "Type", "Life", "Unit", "Doc"}, describe_fields(session.library())};
+}
+
+Listing diagnostics(Session& session) {
+  Listing out{"diagnostics", {"Code", "Severity", "Text"}, Json::array()};
+  for (const DiagnosticInfo& d : host_diagnostics())
+    out.rows.push_back({{"Code", d.code},
+                        {"Severity", to_string(d.severity)},
+                        {"Plugin", "host"},
+                        {"Text", d.text},
+                        {"Explanation", d.explanation},
+                        {"Example", d.example}});
+  for (const LoadedPlugin& p : session.library().plugins())
+    for (std::uint32_t i = 0; i < p.plugin->diagnostic_count; ++i) {
+      const ig_diagnostic_decl& d = p.plugin->diagnostics[i];
+      out.rows.push_back({{"Code", d.code},
+                          {"Severity", to_string(static_cast<Severity>(d.severity))},
+                          {"Plugin", p.plugin->name},
+                          {"Text", d.text},
+                          {"Explanation", d.explanation},
+                          {"Example", d.example}});
+    }
+  return out;
+}
+
+using Lister = Listing (*)(Session&);
+constexpr std::pair<std::string_view, Lister> listers[] = {{"plugins", plugins},   {"dialects", dialects},
+                                                           {"syntaxes", syntaxes}, {"dependencies", dependencies},
+                                                           {"fields", fields},     {"diagnostics", diagnostics}};
+
+std::string cell(const Json& row, const char* column) {
+  const auto found = row.find(column);
+  return found == row.end() ? "" : found->is_string() ? found->get<std::string>() : found->dump();
+}
+
+std::string table(const Listing& listing) {
+  std::vector<std::size_t> widths(listing.columns.size());
+  for (const Json& row : listing.rows)
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      widths[i] = std::max(widths[i], cell(row, listing.columns[i]).size());
+  std::string out;
+  for (const Json& row : listing.rows) {
+    std::string line;
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      line += fmt::format("{:<{}}  ", cell(row, listing.columns[i]), widths[i]);
+    line.erase(line.find_last_not_of(' ') + 1);
+    out += line + "\n";
+  }
+  return out;
+}
+
+struct ListCommand {
+  CommonOptions common;
+  std::string what;
+  bool json = false;
+
+  int run() const {
+    Session session(common);
+    session.library().load_all();
+    std::string out;
+    Json all = Json::object();
+    for (const auto& [name, list] : listers) {
+      // Without a name: what there is little of.
+      if (what.empty() ? name != "plugins" && name != "dialects" : name != what) continue;
+      const Listing listing = list(session);
+      if (json)
+        all[listing.title] = listing.rows;
+      else
+        out += (what.empty() ? (out.empty() ? "" : "\n") + listing.title + "\n" : "") + table(listing);
+    }
+    if (json) out = (what.empty() ? all : all[what]).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return print(out, session.status());
+  }
+};
+
+}  // namespace
+
+int list_command(const Arguments& arguments) {
+  const auto app = make_app("list", "Lists what is there. Without a name: plugins and dialects.",
+                            "isogloss list syntaxes\n  isogloss list diagnostics --json");
+  ListCommand command;
+  std::vector<std::string> names;
+  for (const auto& [name, lister] : listers) names.emplace_back(name);
+  app->add_option("WHAT", command.what, "plugins, syntaxes, dialects, dependencies, fields or diagnostics")
+      ->check(CLI::IsMember(names));
+  app->add_flag("--json", command.json, "Write JSON");
+  command.common.add_to(*app);
+  if (const auto done = parse(*app, arguments)) return *done;
+  return command.run();
+}
+
+}  // namespace isogloss::cli

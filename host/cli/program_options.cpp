@@ -1,0 +1,171 @@
+#include "program_options.hpp"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace isogloss::cli {
+
+namespace {
+
+constexpr std::size_t head_size = 4096;
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// The first lines of the text, trimmed, without empty ones.
+std::vector<std::string> head_lines(std::string_view head) {
+  constexpr std::size_t enough = 40;
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < head.size() && lines.size() < enough;) {
+    const std::size_t end = std::min(head.find_first_of("\r\n", at), head.size());
+    std::string_view line = head.substr(at, end - at);
+    at = end + 1;
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    if (const std::size_t last = line.find_last_not_of(" \t"); last != std::string_view::npos)
+      lines.emplace_back(line.substr(0, last + 1));
+  }
+  return lines;
+}
+
+std::size_t count_signatures(const Dialect& dialect, const std::vector<std::string>& lines) {
+  const auto stands = [&](const std::string& pattern) {
+    return std::any_of(lines.begin(), lines.end(),
+                       [&](const std::string& line) { return ::fnmatch(pattern.c_str(), line.c_str(), 0) == 0; });
+  };
+  return static_cast<std::size_t>(std::count_if(dialect.signatures.begin(), dialect.signatures.end(), stands));
+}
+
+/// "1" or "1,3": layers from 1 to 9.
+bool are_layers(std::string_view text) {
+  if (text.size() % 2 == 0) return false;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (i % 2 == 0 ? text[i] < '1' || text[i] > '9' : text[i] != ',') return false;
+  return true;
+}
+
+}  // namespace
+
+void ProgramOptions::add_to(CLI::App& app) {
+  app.add_option("-d,--dialect", dialect,
+                 "Dialect, by name or file (default: guessed from text and extension, and said)")
+      ->type_name("DIALECT");
+  app.add_option("--machine", machine, "Table of the machine's axes")->type_name("FILE");
+  app.add_option("--offsets", offsets, "Table of work offsets")->type_name("FILE");
+  app.add_option("--tools", tools, "Table of tool offsets")->type_name("FILE");
+  app.add_option("--set", set, "One value of a table or dependency, e.g. IsoCoordinateTable.G54.Z=-120 (repeatable)")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  app.add_option("--block-skip", block_skip, "Layers of the block skip that are on, e.g. 1,3 (default: none)")
+      ->type_name("LAYERS");
+  app.add_flag("--optional-stop", optional_stop, "The optional stop is on");
+  app.add_option("--program", program, "Start at this program of the file (default: the first)")->type_name("NAME");
+  app.add_option("--on-error", on_error, "What an alarm of the control does")
+      ->check(CLI::IsMember({"stop", "continue"}))
+      ->type_name("stop|continue")
+      ->capture_default_str();
+  app.add_option("--max-blocks", maximum_blocks, "Stop after so many blocks (0: never)")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--watchdog", watchdog, "A block that takes longer is a fault of its syntax (0: never)")
+      ->type_name("SECONDS")
+      ->capture_default_str();
+}
+
+std::optional<RunOptions> ProgramOptions::make(Session& session) const {
+  RunOptions out;
+  bool sound = true;
+  for (const std::string& file : {machine, offsets, tools}) {
+    if (file.empty()) continue;
+    DiagnosticList said;
+    for (DependencyElement& d : session.reader().read_dependencies(file, said))
+      out.chain.dependencies.push_back(std::move(d));
+    sound = sound && !said.has_errors();
+    for (Diagnostic& d : said.all) session.diagnostics().add(std::move(d));
+  }
+  for (const std::string& assignment : set) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      session.say("IG-0513", {}, {"--set wants NAME=VALUE, not '" + assignment + "'"});
+      sound = false;
+    } else {
+      out.chain.assignments.emplace_back(assignment.substr(0, equals), assignment.substr(equals + 1));
+    }
+  }
+  if (!block_skip.empty()) {
+    if (!are_layers(block_skip)) {
+      session.say("IG-0513", {}, {"--block-skip wants layers from 1 to 9 such as 1,3, not '" + block_skip + "'"});
+      sound = false;
+    }
+    out.chain.settings["block-skip"] = block_skip;
+  }
+  if (optional_stop) out.chain.settings["optional-stop"] = "on";
+  if (!program.empty()) out.chain.settings["program"] = program;
+  out.program = program;
+  out.stop_on_error = on_error == "stop";
+  out.maximum_blocks = maximum_blocks;
+  return sound ? std::optional(std::move(out)) : std::nullopt;
+}
+
+std::unique_ptr<OpenedProgram> OpenedProgram::open(const std::string& path, Session& session) {
+  std::error_code code;
+  std::string error;
+  std::unique_ptr<Source> rest;
+  if (std::filesystem::is_directory(path, code))
+    error = "it is a folder";
+  else
+    rest = open_file(path, error);
+  if (rest == nullptr) {
+    session.say("IG-0510", {path}, {error});
+    return nullptr;
+  }
+  std::string head(head_size, '\0');
+  std::size_t size = 0;
+  while (size < head.size()) {
+    const std::size_t n = rest->read(head.data() + size, head.size() - size);
+    if (n == 0) break;
+    size += n;
+  }
+  head.resize(size);
+  return std::unique_ptr<OpenedProgram>(new OpenedProgram(std::move(rest), std::move(head)));
+}
+
+std::size_t OpenedProgram::read(char* buffer, std::size_t size) {
+  const std::size_t n = std::min(size, head_.size() - given_);
+  if (n == 0) return rest_->read(buffer, size);
+  std::memcpy(buffer, head_.data() + given_, n);
+  given_ += n;
+  return n;
+}
+
+std::optional<std::string> guess_dialect(const std::string& path, std::string_view head, Session& session) {
+  const std::string extension = lower(std::filesystem::path(path).extension().string());
+  const std::vector<std::string> lines = head_lines(head);
+  const std::vector<Dialect> dialects = session.reader().list();
+  const Dialect* best = nullptr;
+  std::size_t best_score = 0;
+  for (const Dialect& d : dialects) {
+    const bool fits = std::any_of(d.extensions.begin(), d.extensions.end(),
+                                  [&](const std::string& e) { return lower(e) == extension; });
+    // A signature in the text says more than any extension; the default dialect wins what is undecided.
+    const std::size_t score = 4 * count_signatures(d, lines) + (fits ? 2 : 0) + (d.name == default_dialect ? 1 : 0);
+    if (best != nullptr && score <= best_score) continue;
+    best = &d;
+    best_score = score;
+  }
+  if (best == nullptr) {
+    session.say("IG-0512", {path}, {});
+    return std::nullopt;
+  }
+  const std::string why = best_score >= 4   ? "by what stands in the text"
+                          : best_score >= 2 ? "by the extension " + extension
+                                            : "nothing tells its dialect";
+  session.say("IG-0514", {path}, {best->name, why});
+  return best->file.empty() ? best->name : best->file.string();
+}
+
+}  // namespace isogloss::cli

@@ -1,0 +1,45 @@
+/// What `run` and `explain` share: which dialect, the user's own tables, the switches of the machine.
+#pragma once
+
+#include <memory>
+
+#include "isogloss/engine/runner.hpp"
+#include "session.hpp"
+
+namespace isogloss::cli {
+
+struct ProgramOptions {
+  std::string dialect;
+  std::string machine, offsets, tools;
+  std::vector<std::string> set;
+  std::string block_skip;
+  bool optional_stop = false;
+  std::string program;
+  std::string on_error = "continue";
+  std::uint64_t maximum_blocks = 0;
+  unsigned watchdog = 10;
+
+  void add_to(CLI::App& app);
+  /// Reads the tables and settings; empty when something is wrong, which is then said.
+  std::optional<RunOptions> make(Session& session) const;
+};
+
+/// A program that was opened, with its head read for guessing.
+class OpenedProgram : public Source {
+ public:
+  /// Null when it cannot be read, which is then said.
+  static std::unique_ptr<OpenedProgram> open(const std::string& path, Session& session);
+  std::size_t read(char* buffer, std::size_t size) override;
+  std::string_view head() const { return head_; }
+
+ private:
+  OpenedProgram(std::unique_ptr<Source> rest, std::string head) : rest_(std::move(rest)), head_(std::move(head)) {}
+  std::unique_ptr<Source> rest_;
+  std::string head_;
+  std::size_t given_ = 0;
+};
+
+/// The dialect whose signatures and extensions fit best; says which it took. Empty, and said, when there is none.
+std::optional<std::string> guess_dialect(const std::string& path, std::string_view head, Session& session);
+
+}  // namespace isogloss::cli

@@ -1,0 +1,249 @@
+// The main job: programs in, motions or blocks out.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <limits>
+
+#include "crash_guard.hpp"
+#include "output_file.hpp"
+#include "program_options.hpp"
+#include "reproducer.hpp"
+#include "summary_text.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+struct RunCommand {
+  CommonOptions common;
+  ProgramOptions program;
+  std::vector<std::string> programs;
+  std::string emit, format = "jsonl", output;
+  bool summary = false, header = false, exact = false, zero_moves = false, checked = false, call_all = false;
+  ReproducerRequest reproducer;
+
+  void add_to(CLI::App& app);
+  int run();
+};
+
+void RunCommand::add_to(CLI::App& app) {
+  app.add_option("PROGRAM", programs, "Programs, each a run of its own; - is standard input")->required();
+  program.add_to(app);
+  app.add_option("--emit", emit, "What is written (default: motions; with --summary alone: none)")
+      ->check(CLI::IsMember({"blocks", "motions", "none"}))
+      ->type_name("blocks|motions|none");
+  app.add_option("--format", format, "How it is written")
+      ->check(CLI::IsMember({"jsonl", "csv", "text"}))
+      ->type_name("jsonl|csv|text")
+      ->capture_default_str();
+  app.add_option("-o,--output", output, "Write to a file, which appears only when it is complete")->type_name("FILE");
+  app.add_flag("--summary", summary,
+               "Blocks, events, lengths, extents, time and diagnostics by code; on standard error when standard output "
+               "holds data");
+  app.add_flag("--header", header, "JSON Lines: a first line with version, dialect and units");
+  app.add_flag("--exact", exact, "Numbers that read back to the same value instead of 6 decimals");
+  app.add_flag("--zero-moves", zero_moves, "Keep linear moves that change no machine axis");
+  app.add_flag("--checked", checked, "Hold every access of a syntax against its declaration (slow)")->group("Testing");
+  app.add_flag("--call-all", call_all, "Call every syntax in every block; must give the same result")->group("Testing");
+  reproducer.add_to(app);
+  common.add_to(app);
+}
+
+/// Ends the run when enough errors were said.
+class ErrorLimit : public Exporter {
+ public:
+  explicit ErrorLimit(const DiagnosticWriter& diagnostics) : diagnostics_(diagnostics) {}
+  void begin(Document&, const SymbolTable&) override {}
+  bool block(Document&, const SymbolTable&) override { return !diagnostics_.limit_reached(); }
+  bool end() override { return true; }
+
+ private:
+  const DiagnosticWriter& diagnostics_;
+};
+
+/// Drops the first line: the column names of a second program in one table.
+class WithoutFirstLine : public Output {
+ public:
+  explicit WithoutFirstLine(Output& output) : output_(output) {}
+  bool write(std::string_view bytes) override {
+    if (!dropped_) {
+      const std::size_t end = bytes.find('\n');
+      if (end == std::string_view::npos) return true;
+      bytes.remove_prefix(end + 1);
+      dropped_ = true;
+    }
+    return output_.write(bytes);
+  }
+
+ private:
+  Output& output_;
+  bool dropped_ = false;
+};
+
+std::unique_ptr<Exporter> make_exporter(const RunCommand& c, Output& output, const std::string& dialect) {
+  const Format format = c.format == "csv" ? Format::csv : c.format == "text" ? Format::text : Format::jsonl;
+  if (c.emit == "blocks") return make_block_exporter(output, format);
+  if (c.emit == "none") return nullptr;
+  return make_motion_exporter(output, {format, c.header, c.zero_moves, c.exact, dialect});
+}
+
+/// The machine's own rates; a chain of its own answers, since tables belong to a run.
+RapidRates rapid_rates(const LinkedDialect& linked, const ChainSettings& settings) {
+  RapidRates rates;
+  DiagnosticList ignored;
+  const Chain chain(linked, settings, ignored);
+  const auto* const axes = static_cast<const ig_machine_axis_1*>(chain.service("isogloss.machine-axis/1"));
+  if (axes == nullptr) return rates;
+  for (std::size_t i = 0; i < std::size(rates.per_second); ++i)
+    if (axes->rapid_rate(axes->self, "XYZABC"[i], &rates.per_second[i]) == 0) rates.per_second[i] = 0;
+  return rates;
+}
+
+/// How far the run is, on a terminal, once it takes longer than a moment.
+class Progress {
+ public:
+  void show(std::uint64_t blocks, std::uint64_t bytes) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < std::chrono::milliseconds(500)) return;
+    last_ = now;
+    shown_ = true;
+    fmt::print(stderr, "\r{} blocks, {} MB", blocks, bytes >> 20);
+    std::fflush(stderr);
+  }
+  ~Progress() {
+    if (shown_) fmt::print(stderr, "\r\033[K");
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  bool shown_ = false;
+};
+
+/// One program after the other into one output.
+class Runs {
+ public:
+  Runs(const RunCommand& command, Session& session, const RunOptions& options, OutputFile* output)
+      : command_(command), session_(session), options_(options), output_(output) {}
+
+  int run(const std::string& path) {
+    const std::unique_ptr<OpenedProgram> source = OpenedProgram::open(path, session_);
+    if (source == nullptr) return cannot_start;
+    std::optional<std::string> dialect = command_.program.dialect;
+    if (dialect->empty()) dialect = guess_dialect(path, source->head(), session_);
+    if (!dialect) return cannot_start;
+    if (linked_ == nullptr || *dialect != linked_name_) {
+      linked_ = session_.link(*dialect);
+      linked_name_ = *dialect;
+    }
+    if (linked_ == nullptr) return cannot_start;
+    const int status = run_linked(path, *source);
+    session_.diagnostics().finish_program();
+    return std::max(status, session_.status());
+  }
+
+  bool output_is_gone() const { return output_is_gone_; }
+  bool wrote() const { return wrote_; }
+
+ private:
+  int run_linked(const std::string& path, OpenedProgram& source) {
+    RunOptions options = options_;
+    Progress progress;
+    if (isatty(STDERR_FILENO) != 0)
+      options.progress = [&](std::uint64_t blocks, std::uint64_t bytes) { progress.show(blocks, bytes); };
+
+    std::vector<Exporter*> exporters;
+    std::unique_ptr<Exporter> data, totals;
+    WithoutFirstLine later(*output_);
+    Summary summary;
+    ErrorLimit limit(session_.diagnostics());
+    try {
+      const bool is_later_table = wrote_ && command_.format == "csv";
+      data = make_exporter(command_, is_later_table ? static_cast<Output&>(later) : *output_, linked_->dialect.name);
+      if (data != nullptr) exporters.push_back(data.get());
+      if (command_.summary) {
+        totals = make_summary_exporter(summary, rapid_rates(*linked_, options.chain));
+        exporters.push_back(totals.get());
+      }
+      if (command_.common.maximum_errors != 0) exporters.push_back(&limit);
+      const RunResult result = isogloss::run(*linked_, source, path, options, exporters, session_.diagnostics());
+      wrote_ = true;
+      output_is_gone_ = output_->reader_is_gone();
+      if (session_.diagnostics().limit_reached())
+        session_.say("IG-0517", {path, static_cast<std::uint32_t>(result.lines), 0},
+                     {std::to_string(session_.diagnostics().errors())});
+      if (command_.summary) write_summary(path, summary);
+    } catch (const std::runtime_error& e) {
+      if (session_.diagnostics().errors() == 0) session_.say("IG-0513", {path}, {e.what()});
+      return cannot_start;  // a syntax could not be created
+    }
+    return success;
+  }
+
+  void write_summary(const std::string& path, const Summary& summary) {
+    const std::string text = summary_text(path, linked_->dialect.name, summary, session_.diagnostics());
+    const bool beside_data = command_.emit != "none" && (command_.output.empty() || command_.output == "-");
+    if (beside_data)
+      fmt::print(stderr, "{}", text);
+    else if (command_.output.empty())
+      output_->write(text);
+    else
+      print(text, success);
+  }
+
+  const RunCommand& command_;
+  Session& session_;
+  const RunOptions& options_;
+  OutputFile* output_;
+  std::unique_ptr<LinkedDialect> linked_;
+  std::string linked_name_;
+  bool wrote_ = false, output_is_gone_ = false;
+};
+
+int RunCommand::run() {
+  Session session(common);
+  if (emit.empty()) emit = summary ? "none" : "motions";
+  if (emit == "blocks" && format == "csv") {
+    session.say("IG-0513", {}, {"blocks have no CSV form; --format jsonl or text"});
+    return cannot_start;
+  }
+  std::optional<RunOptions> options = program.make(session);
+  if (!options) return cannot_start;
+  options->chain.mode = checked ? Mode::checked : Mode::fast;
+  options->chain.call_all = call_all;
+  if (program.watchdog != 0) watch_blocks(program.watchdog);
+  if (!reproducer.file.empty()) return reproducer.write(session, program, std::move(*options));
+  if (std::find(programs.begin(), programs.end(), "-") == programs.end()) allow_reproducer();
+
+  std::string error;
+  const std::unique_ptr<OutputFile> file =
+      output.empty() ? OutputFile::standard_output() : OutputFile::open(output, error);
+  if (file == nullptr) {
+    session.say("IG-0511", {output}, {error});
+    return cannot_start;
+  }
+  int status = success;
+  Runs runs(*this, session, *options, file.get());
+  for (const std::string& path : programs) {
+    status = std::max(status, runs.run(path));
+    if (runs.output_is_gone()) return status;
+  }
+  if (!runs.wrote()) return status;  // nothing ran: an older file stays as it is
+  if (file->commit() || file->reader_is_gone()) return status;
+  session.say("IG-0511", {output.empty() ? "standard output" : output}, {file->error()});
+  return std::max<int>(status, cannot_start);
+}
+
+}  // namespace
+
+int run_command(const Arguments& arguments) {
+  const auto app =
+      make_app("run", "Runs part programs through a dialect and writes what the machine would do.",
+               "isogloss run part.nc -d fanuc --offsets offsets.xml --emit motions --format csv -o part.csv");
+  RunCommand command;
+  command.add_to(*app);
+  if (const auto done = parse(*app, arguments)) return *done;
+  return command.run();
+}
+
+}  // namespace isogloss::cli

@@ -1,0 +1,23 @@
+#include "isogloss/engine/schema.hpp"
+
+#include "output_file.hpp"
+#include "session.hpp"
+
+namespace isogloss::cli {
+
+int schema_command(const Arguments& arguments) {
+  const auto app = make_app("schema",
+                            "Prints the XML Schema of dialect files or the JSON Schema of the block document, "
+                            "made from what the plugins declare.",
+                            "isogloss schema dialect > dialect.xsd");
+  CommonOptions common;
+  std::string what;
+  app->add_option("WHAT", what, "dialect or block")->required()->check(CLI::IsMember({"dialect", "block"}));
+  common.add_to(*app);
+  if (const auto done = parse(*app, arguments)) return *done;
+  Session session(common);
+  session.library().load_all();
+  return print(what == "dialect" ? dialect_schema(session.library()) : block_schema(session.library()), success);
+}
+
+}  // namespace isogloss::cli

@@ -1,0 +1,167 @@
+#include "session.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "output_file.hpp"
+
+namespace isogloss::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<fs::path> folders(const std::vector<Place>& places) {
+  std::vector<fs::path> out;
+  for (const Place& p : places) out.push_back(p.folder);
+  return out;
+}
+
+fs::path folder_of_executable() {
+  std::error_code error;
+  const fs::path exe = fs::read_symlink("/proc/self/exe", error);
+  return error ? fs::path() : exe.parent_path();
+}
+
+/// The user's folders, then the environment's, then those beside the executable or of its installation.
+std::vector<Place> places(const std::vector<std::string>& named, const char* option, const char* variable,
+                          const char* beside, const char* installed) {
+  std::vector<Place> out;
+  for (const std::string& folder : named) out.push_back({folder, option});
+  if (const char* const listed = std::getenv(variable)) {
+    std::stringstream list(listed);
+    for (std::string folder; std::getline(list, folder, ':');)
+      if (!folder.empty()) out.push_back({folder, variable});
+  }
+  const fs::path home = folder_of_executable();
+  std::error_code ignored;
+  if (!home.empty()) {
+    if (fs::is_directory(home / beside, ignored)) out.push_back({home / beside, "beside the command"});
+    const fs::path own = home.parent_path() / installed;
+    if (fs::is_directory(own, ignored) || out.empty()) out.push_back({own, "installation"});
+  }
+  return out;
+}
+
+DiagnosticPolicy policy(const CommonOptions& options) {
+  DiagnosticPolicy out;
+  out.style = options.diagnostics == "json"    ? DiagnosticStyle::json
+              : options.diagnostics == "sarif" ? DiagnosticStyle::sarif
+                                               : DiagnosticStyle::text;
+  out.repeats = options.repeats;
+  out.maximum_errors = options.maximum_errors;
+  out.warnings_are_errors = options.warnings_are_errors;
+  out.colours = isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+  return out;
+}
+
+void write_to_stderr(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+}  // namespace
+
+void CommonOptions::add_to(CLI::App& app) {
+  app.add_option("--plugins", plugins, "Look for plugins in this folder first")->type_name("DIR")->group("Common");
+  app.add_option("--dialects", dialects, "Look for dialects in this folder first")->type_name("DIR")->group("Common");
+  app.add_option("--diagnostics", diagnostics, "How diagnostics are written to standard error")
+      ->check(CLI::IsMember({"text", "json", "sarif"}))
+      ->type_name("text|json|sarif")
+      ->capture_default_str()
+      ->group("Common");
+  app.add_option("--repeats", repeats, "Say so many diagnostics of one code in full (0: all)")
+      ->type_name("N")
+      ->capture_default_str()
+      ->group("Common");
+  app.add_option("--max-errors", maximum_errors, "Stop after so many errors (0: never)")
+      ->type_name("N")
+      ->capture_default_str()
+      ->group("Common");
+  app.add_flag("--werror", warnings_are_errors, "Warnings are errors")->group("Common");
+  for (const char* const many : {"--plugins", "--dialects"}) app.get_option(many)->allow_extra_args(false);
+}
+
+Session::Session(const CommonOptions& options)
+    : plugin_places_(places(options.plugins, "--plugins", "ISOGLOSS_PLUGIN_PATH", "plugins", "lib/isogloss/plugins")),
+      dialect_places_(
+          places(options.dialects, "--dialects", "ISOGLOSS_DIALECT_PATH", "dialects", "share/isogloss/dialects")),
+      library_(folders(plugin_places_)),
+      reader_(folders(dialect_places_)),
+      diagnostics_(policy(options), write_to_stderr) {}
+
+Session::~Session() { diagnostics_.finish(); }
+
+std::unique_ptr<LinkedDialect> Session::link(const std::string& name) {
+  const std::optional<Dialect> dialect = reader_.read(name, diagnostics_);
+  if (!dialect) return nullptr;
+  // Notes on the dialect are for who writes it: `lint` says them.
+  class WithoutNotes : public DiagnosticSink {
+   public:
+    explicit WithoutNotes(DiagnosticSink& sink) : sink_(sink) {}
+    void add(Diagnostic d) override {
+      if (d.severity != Severity::note) sink_.add(std::move(d));
+    }
+
+   private:
+    DiagnosticSink& sink_;
+  } sink(diagnostics_);
+  return isogloss::link(*dialect, library_, sink);
+}
+
+void Session::say(std::string_view code, Location where, std::initializer_list<std::string> arguments,
+                  std::string hint) {
+  diagnostics_.add(host_diagnostic(code, std::move(where), arguments, std::move(hint)));
+}
+
+int Session::status() const {
+  // A syntax that threw, and one that broke the contract, are faults inside, not faults of the input.
+  const auto& codes = diagnostics_.by_code();
+  if (codes.contains("IG-0401") || codes.contains("IG-0402")) return internal_fault;
+  return diagnostics_.errors() > 0 ? input_errors : success;
+}
+
+std::unique_ptr<CLI::App> make_app(const std::string& name, const std::string& description,
+                                   const std::string& example) {
+  auto app = std::make_unique<CLI::App>(description, "isogloss " + name);
+  app->footer("\nExample:\n  " + example);
+  app->set_help_flag("-h,--help", "What the command does");
+  return app;
+}
+
+std::optional<int> parse(CLI::App& app, const Arguments& arguments) {
+  try {
+    app.parse(Arguments(arguments.rbegin(), arguments.rend()));
+    return std::nullopt;
+  } catch (const CLI::CallForHelp&) {
+    return print(app.help(), success);
+  } catch (const CLI::ParseError& e) {
+    std::cerr << app.get_name() << ": " << e.what() << "\n" << app.get_name() << " --help says more\n";
+    return cannot_start;
+  }
+}
+
+std::optional<std::string> read_text(const std::string& path, std::string& error) {
+  std::ostringstream out;
+  if (path == "-") {
+    out << std::cin.rdbuf();
+    return out.str();
+  }
+  std::error_code code;
+  if (fs::is_directory(path, code)) {
+    error = "it is a folder";
+    return std::nullopt;
+  }
+  std::ifstream in(path, std::ios::binary);
+  if (!in) {
+    error = std::strerror(errno);
+    return std::nullopt;
+  }
+  out << in.rdbuf();
+  return out.str();
+}
+
+}  // namespace isogloss::cli

@@ -1,0 +1,74 @@
+/// What every command needs: where things lie, what is loaded, how diagnostics are said.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "isogloss/engine/diagnostic_writer.hpp"
+#include "isogloss/engine/dialect.hpp"
+#include "isogloss/engine/library.hpp"
+#include "isogloss/engine/linker.hpp"
+
+namespace isogloss::cli {
+
+/// A folder that is searched, and who named it.
+struct Place {
+  std::filesystem::path folder;
+  std::string named_by;  ///< "--plugins", "ISOGLOSS_PLUGIN_PATH", "installation"
+};
+
+struct CommonOptions {
+  std::vector<std::string> plugins, dialects;
+  std::string diagnostics = "text";
+  std::uint64_t repeats = 5;
+  std::uint64_t maximum_errors = 0;
+  bool warnings_are_errors = false;
+
+  void add_to(CLI::App& app);
+};
+
+/// The dialect whose vocabulary and tables serve where none is named (apply, case), and the last resort of guessing.
+inline constexpr const char* default_dialect = "iso";
+
+class Session {
+ public:
+  explicit Session(const CommonOptions& options);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  const std::vector<Place>& plugin_places() const { return plugin_places_; }
+  const std::vector<Place>& dialect_places() const { return dialect_places_; }
+  Library& library() { return library_; }
+  const DialectReader& reader() const { return reader_; }
+  DiagnosticWriter& diagnostics() { return diagnostics_; }
+
+  /// Reads and links; null when something is wrong, which is then said.
+  std::unique_ptr<LinkedDialect> link(const std::string& dialect);
+  /// Says one of the host's diagnostics.
+  void say(std::string_view code, Location where, std::initializer_list<std::string> arguments, std::string hint = {});
+  /// input_errors when there were errors, internal_fault when a plugin broke the contract, else success.
+  int status() const;
+
+ private:
+  std::vector<Place> plugin_places_, dialect_places_;
+  Library library_;
+  DialectReader reader_;
+  DiagnosticWriter diagnostics_;
+};
+
+/// An application with the command's name, help and example.
+std::unique_ptr<CLI::App> make_app(const std::string& name, const std::string& description, const std::string& example);
+
+/// Parses; a status when the command is done already (help, wrong usage).
+std::optional<int> parse(CLI::App& app, const Arguments& arguments);
+
+/// The text of a file, or of standard input for "-". Empty with a reason in `error`.
+std::optional<std::string> read_text(const std::string& path, std::string& error);
+
+}  // namespace isogloss::cli

@@ -1,0 +1,17 @@
+/// What apply and case put around a syntax.
+#pragma once
+
+#include "isogloss/engine/cases.hpp"
+#include "session.hpp"
+
+namespace isogloss::cli {
+
+struct SurroundingOptions {
+  std::string dialect;
+
+  void add_to(CLI::App& app);
+  /// Loads every plugin; empty when a dialect was named and cannot be read, which is then said.
+  std::optional<Surroundings> make(Session& session) const;
+};
+
+}  // namespace isogloss::cli

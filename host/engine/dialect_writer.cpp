@@ -1,0 +1,151 @@
+// The effective dialect as XML: what a reader of the file would otherwise have to fold in his head.
+#include <pugixml.hpp>
+#include <set>
+#include <sstream>
+
+#include "isogloss/engine/dialect.hpp"
+
+namespace isogloss {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const pugi::xml_document& document) {
+  std::ostringstream out;
+  document.save(out, "  ", pugi::format_indent, pugi::encoding_utf8);
+  return out.str();
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
+  return all;
+}
+
+void set(pugi::xml_node node, const char* name, const std::string& value) {
+  node.append_attribute(name).set_value(value.c_str());
+}
+
+void set_all(pugi::xml_node node, const std::vector<Attribute>& attributes) {
+  for (const Attribute& a : attributes) set(node, a.name.c_str(), a.value);
+}
+
+void add_rows(pugi::xml_node node, const std::vector<TableRow>& rows) {
+  for (const TableRow& row : rows) set_all(node.append_child(row.element.c_str()), row.attributes);
+}
+
+/// Where the side file of a dependency lies below `base`: in its old place when it has one there.
+std::string side_file_name(const DependencyElement& dependency, const fs::path& base,
+                           const std::map<std::string, std::string>& taken) {
+  const fs::path file = fs::path(dependency.source_file).lexically_normal();
+  const fs::path relative = file.lexically_relative(base.lexically_normal());
+  const bool is_below = !relative.empty() && *relative.begin() != ".." && *relative.begin() != ".";
+  std::string name = is_below ? relative.generic_string() : file.filename().string();
+  while (taken.count(name) > 0) name = dependency.alias + "." + fs::path(name).filename().string();
+  return name;
+}
+
+class Writer {
+ public:
+  Writer(const Dialect& dialect, const fs::path& base, bool inline_tables)
+      : dialect_(dialect), base_(base), inline_tables_(inline_tables) {}
+
+  WrittenDialect write() {
+    pugi::xml_document document;
+    pugi::xml_node root = document.append_child("Dialect");
+    set(root, "xmlns", "urn:isogloss:dialect:1");
+    set(root, "name", dialect_.name);
+    if (!dialect_.title.empty()) set(root, "title", dialect_.title);
+    add_files(root);
+    set(root.append_child("Segmenter"), "type", dialect_.segmenter);
+    add_plugins(root);
+    add_dependencies(root);
+    add_initial(root);
+    add_severities(root);
+    add_chain(root);
+    written_.xml = text_of(document);
+    return std::move(written_);
+  }
+
+ private:
+  void add_files(pugi::xml_node root) const {
+    if (dialect_.extensions.empty() && dialect_.signatures.empty()) return;
+    pugi::xml_node files = root.append_child("Files");
+    if (!dialect_.extensions.empty()) set(files, "extensions", joined(dialect_.extensions));
+    for (const std::string& pattern : dialect_.signatures) set(files.append_child("Signature"), "pattern", pattern);
+  }
+
+  void add_plugins(pugi::xml_node root) const {
+    if (dialect_.plugins.empty()) return;
+    pugi::xml_node plugins = root.append_child("Plugins");
+    for (const PluginReference& plugin : dialect_.plugins) set(plugins.append_child("Plugin"), "name", plugin.name);
+  }
+
+  void add_dependencies(pugi::xml_node root) {
+    if (dialect_.dependencies.empty()) return;
+    pugi::xml_node dependencies = root.append_child("Dependencies");
+    for (const DependencyElement& dependency : dialect_.dependencies) {
+      pugi::xml_node node = dependencies.append_child(dependency.id.c_str());
+      if (dependency.alias != dependency.id) set(node, "as", dependency.alias);
+      if (inline_tables_ || dependency.source_file.empty()) {
+        set_all(node, dependency.options);
+        add_rows(node, dependency.rows);
+        continue;
+      }
+      const std::string name = side_file_name(dependency, base_, written_.side_files);
+      set(node, "src", name);
+      pugi::xml_document table;
+      pugi::xml_node table_root = table.append_child(dependency.id.c_str());
+      set_all(table_root, dependency.options);
+      add_rows(table_root, dependency.rows);
+      written_.side_files[name] = text_of(table);
+    }
+  }
+
+  void add_initial(pugi::xml_node root) const {
+    if (dialect_.initial.empty()) return;
+    pugi::xml_node initial = root.append_child("Initial");
+    for (const InitialField& field : dialect_.initial) {
+      pugi::xml_node node = initial.append_child("Field");
+      set(node, "path", field.path);
+      set(node, "value", field.value);
+    }
+  }
+
+  void add_severities(pugi::xml_node root) const {
+    if (dialect_.severities.empty()) return;
+    pugi::xml_node severities = root.append_child("Severities");
+    for (const auto& [code, severity] : dialect_.severities) {
+      pugi::xml_node node = severities.append_child("Severity");
+      set(node, "code", code);
+      set(node, "is", std::string(to_string(severity)));
+    }
+  }
+
+  void add_chain(pugi::xml_node root) const {
+    if (dialect_.chain.empty()) return;
+    pugi::xml_node chain = root.append_child("Chain");
+    for (const ChainElement& element : dialect_.chain) {
+      const std::string stage(to_string(element.stage));
+      pugi::xml_node group = chain.child(stage.c_str());
+      if (!group) group = chain.append_child(stage.c_str());
+      pugi::xml_node node = group.append_child(element.syntax.c_str());
+      if (element.alias != element.syntax) set(node, "as", element.alias);
+      if (element.override_slot) set(node, "override", "true");
+      set_all(node, element.options);
+    }
+  }
+
+  const Dialect& dialect_;
+  const fs::path& base_;
+  bool inline_tables_;
+  WrittenDialect written_;
+};
+
+}  // namespace
+
+WrittenDialect write_dialect(const Dialect& dialect, const std::filesystem::path& base, bool inline_tables) {
+  return Writer(dialect, base, inline_tables).write();
+}
+
+}  // namespace isogloss

@@ -1,0 +1,366 @@
+#include <catch2/catch.hpp>
+#include <functional>
+
+#include "isogloss/engine/chain.hpp"
+#include "test_plugin.hpp"
+
+using namespace isogloss;
+using namespace isogloss::test;
+
+namespace {
+
+/// A dialect put together by hand. Each element stands on a line of its own, in the order in which it is added.
+struct Hand {
+  Dialect dialect;
+  std::uint32_t line = 0;
+
+  explicit Hand(std::initializer_list<const char*> plugins) {
+    dialect.name = "hand";
+    dialect.file = "hand.xml";
+    for (const char* name : plugins) dialect.plugins.push_back({name, next()});
+  }
+  Location next() { return {"hand.xml", ++line, 7}; }
+  ChainElement& add(const char* syntax, std::vector<std::pair<const char*, const char*>> options = {},
+                    Stage stage = Stage::logic) {
+    ChainElement element{stage, syntax, syntax, {}, false, next()};
+    for (const auto& [name, value] : options) element.options.push_back({name, value, next()});
+    return dialect.chain.emplace_back(std::move(element));
+  }
+  DependencyElement& depend(const char* id) {
+    return dialect.dependencies.emplace_back(DependencyElement{id, id, {}, {}, {}, next()});
+  }
+  void initial(const char* path, const char* value) { dialect.initial.push_back({path, value, next()}); }
+};
+
+/// "code line" of each diagnostic, in order.
+std::vector<std::string> faults(Hand& hand, std::initializer_list<Plugin*> plugins, DiagnosticList* kept = nullptr) {
+  Library library({});
+  for (Plugin* plugin : plugins) library.add(plugin->get());
+  DiagnosticList found;
+  const auto linked = link(hand.dialect, library, found);
+  CHECK((linked == nullptr) == found.has_errors());
+  std::vector<std::string> all;
+  for (const Diagnostic& d : found.all) {
+    CHECK(d.where.file == "hand.xml");
+    all.push_back(d.code + " " + std::to_string(d.where.line));
+  }
+  if (kept != nullptr) *kept = found;
+  return all;
+}
+
+using Strings = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("a sound chain links without a word") {
+  Plugin plugin("p");
+  Syntax& writer = plugin.syntax("Writer");
+  writer.fields = {field("Acme.Count", IG_WRITE)};
+  writer.before = {"Reader", "NotInThisChain"};
+  plugin.syntax("Reader").fields = {field("Acme.Count", IG_READ | IG_REQUIRED)};
+  Hand hand{"p"};
+  hand.add("Writer");
+  hand.add("Reader");
+  CHECK(faults(hand, {&plugin}).empty());
+}
+
+TEST_CASE("names that do not exist are told with the nearest one") {
+  Plugin plugin("p");
+  plugin.syntax("DrillSyntax").options = {option("retract", IG_OPTION_TEXT, "")};
+  plugin.dependency("OffsetTable");
+  DiagnosticList found;
+
+  Hand no_plugin{"q"};
+  CHECK(faults(no_plugin, {&plugin}) == Strings{"IG-0201 1"});
+
+  Hand no_syntax{"p"};
+  no_syntax.add("DrilSyntax");
+  CHECK(faults(no_syntax, {&plugin}, &found) == Strings{"IG-0202 2"});
+  CHECK(found.all[0].hint == "did you mean DrillSyntax?");
+
+  Hand not_listed{};
+  not_listed.add("DrillSyntax");
+  CHECK(faults(not_listed, {&plugin}) == Strings{"IG-0202 1"});
+
+  Hand no_dependency{"p"};
+  no_dependency.depend("OfsetTable");
+  CHECK(faults(no_dependency, {&plugin}, &found) == Strings{"IG-0203 2"});
+  CHECK(found.all[0].hint == "did you mean OffsetTable?");
+
+  Hand no_option{"p"};
+  no_option.add("DrillSyntax", {{"retrakt", "x"}});
+  CHECK(faults(no_option, {&plugin}, &found) == Strings{"IG-0204 3"});
+  CHECK(found.all[0].hint == "did you mean retract?");
+}
+
+TEST_CASE("options are checked for type, range and presence") {
+  Plugin plugin("p");
+  plugin.syntax("S").options = {option("choice", IG_OPTION_CHOICE, "a", "a|b"),
+                                option("number", IG_OPTION_NUMBER, "1", "", 0, 2),
+                                option("integer", IG_OPTION_INTEGER, "1", "", 0, 2),
+                                option("boolean", IG_OPTION_BOOLEAN, "true")};
+  plugin.syntax("Demanding").options = {option("needed", IG_OPTION_TEXT, nullptr)};
+  const std::vector<std::pair<const char*, const char*>> wrong{
+      {"choice", "c"},  {"choice", ""},      {"number", "2.1"}, {"number", "-1"},  {"number", "1e0"}, {"number", "x"},
+      {"number", "nan"}, {"integer", "1.5"}, {"integer", "3"},  {"boolean", "1"}, {"boolean", "True"}};
+  for (const auto& given : wrong) {
+    CAPTURE(given.first, given.second);
+    Hand hand{"p"};
+    hand.add("S", {given});
+    CHECK(faults(hand, {&plugin}) == Strings{"IG-0205 3"});
+  }
+  Hand right{"p"};
+  right.add("S", {{"choice", "b"}, {"number", "0.5"}, {"integer", "2"}, {"boolean", "false"}});
+  CHECK(faults(right, {&plugin}).empty());
+  Hand missing{"p"};
+  missing.add("Demanding");
+  CHECK(faults(missing, {&plugin}) == Strings{"IG-0213 2"});
+  Hand every_fault{"p"};
+  every_fault.add("S", {{"choice", "c"}, {"number", "3"}, {"nothing", ""}});
+  every_fault.add("Demanding");
+  CHECK(faults(every_fault, {&plugin}) == Strings{"IG-0205 3", "IG-0205 4", "IG-0204 5", "IG-0213 6"});
+}
+
+TEST_CASE("the written order is verified, for every instance, and both places are shown") {
+  Plugin plugin("p");
+  plugin.syntax("First").before = {"Second"};
+  plugin.syntax("Second");
+  plugin.syntax("Third").after = {"Second"};
+  DiagnosticList found;
+  Hand hand{"p"};
+  hand.add("Third");
+  hand.add("Second");
+  hand.add("First");
+  CHECK(faults(hand, {&plugin}, &found) == Strings{"IG-0206 2", "IG-0207 4"});
+  CHECK(found.all[0].message == "Third must stand after Second (hand.xml:3:7)");
+  CHECK(found.all[1].message == "First must stand before Second (hand.xml:3:7)");
+
+  Hand twice{"p"};
+  twice.add("First");
+  twice.add("Second");
+  twice.add("Third");
+  twice.add("Second").alias = "again";
+  CHECK(faults(twice, {&plugin}, &found) == Strings{"IG-0206 4"});
+  CHECK(found.all[0].message == "Third must stand after again (hand.xml:5:7)");
+
+  Library library({});
+  library.add(plugin.get());
+  CHECK(suggest_order(hand.dialect, library) == Strings{"First", "Second", "Third"});
+  CHECK(suggest_order(twice.dialect, library) == Strings{"First", "Second", "again", "Third"});
+}
+
+TEST_CASE("an order that cannot be is not suggested") {
+  Plugin plugin("p");
+  plugin.syntax("A").before = {"B"};
+  plugin.syntax("B").before = {"A"};
+  Hand hand{"p"};
+  hand.add("A");
+  hand.add("B");
+  CHECK(faults(hand, {&plugin}) == Strings{"IG-0207 3"});
+  Library library({});
+  library.add(plugin.get());
+  CHECK(suggest_order(hand.dialect, library).empty());
+}
+
+TEST_CASE("a required field needs a writer: a syntax or the initial state") {
+  Plugin plugin("p");
+  plugin.syntax("Needy").fields = {field("Acme.Level", IG_READ | IG_REQUIRED)};
+  plugin.syntax("Writer").fields = {field("Acme.Level", IG_WRITE)};
+  plugin.syntax("Content").fields = {field("Acme.Level", IG_READ)};
+  Hand alone{"p"};
+  alone.add("Needy");
+  CHECK(faults(alone, {&plugin}) == Strings{"IG-0208 2"});
+  Hand with_initial{"p"};
+  with_initial.add("Needy");
+  with_initial.initial("Acme.Level", "1");
+  CHECK(faults(with_initial, {&plugin}).empty());
+  Hand with_writer{"p"};
+  with_writer.add("Needy");
+  with_writer.add("Writer");
+  CHECK(faults(with_writer, {&plugin}).empty());
+  Hand optional{"p"};
+  optional.add("Content");
+  CHECK(faults(optional, {&plugin}).empty());
+}
+
+TEST_CASE("one field has one type and one life, also across plugins") {
+  Plugin one("one"), two("two");
+  one.syntax("Number").fields = {field("Acme.Level", IG_WRITE, IG_NUMBER, IG_LIFE_MODAL)};
+  two.syntax("Symbol").fields = {field("Acme.Level", IG_READ, IG_SYMBOL, IG_LIFE_MODAL)};
+  two.syntax("Block").fields = {field("Acme.Level", IG_READ, IG_NUMBER, IG_LIFE_BLOCK)};
+  two.syntax("Standard").fields = {field("Feedrate.FeedrateValue", IG_READ, IG_TEXT)};
+  two.syntax("Records").fields = {field("CompoundMotion.Items[].Dwell.Time", IG_WRITE, IG_SYMBOL)};
+  for (const char* other : {"Symbol", "Block"}) {
+    Hand hand{"one", "two"};
+    hand.add("Number");
+    hand.add(other);
+    CHECK(faults(hand, {&one, &two}) == Strings{"IG-0209 4"});
+  }
+  Hand standard{"two"};
+  standard.add("Standard");
+  standard.add("Records");
+  CHECK(faults(standard, {&two}) == Strings{"IG-0209 2", "IG-0209 3"});
+}
+
+TEST_CASE("an exclusive slot is claimed once, or by override") {
+  Plugin plugin("p");
+  plugin.syntax("A").out.exclusive_slot = "work offset";
+  plugin.syntax("B").out.exclusive_slot = "work offset";
+  plugin.syntax("C").out.first_writer_slot = "motion";
+  plugin.syntax("D").out.first_writer_slot = "motion";
+  DiagnosticList found;
+  Hand hand{"p"};
+  hand.add("A");
+  hand.add("B");
+  CHECK(faults(hand, {&plugin}, &found) == Strings{"IG-0210 3"});
+  CHECK(found.all[0].message == "B claims the slot 'work offset', which A holds already (hand.xml:2:7)");
+  hand.dialect.chain[1].override_slot = true;
+  CHECK(faults(hand, {&plugin}).empty());
+  Hand shared{"p"};
+  shared.add("C");
+  shared.add("D");
+  CHECK(faults(shared, {&plugin}).empty());
+}
+
+TEST_CASE("a service needs a provider unless it is optional") {
+  Plugin plugin("p");
+  plugin.syntax("Needs").services = {{sizeof(ig_service_decl), 0, "test.offset/1", ""}};
+  plugin.syntax("Likes").services = {{sizeof(ig_service_decl), 1, "test.offset/1", ""}};
+  plugin.dependency("Table").provides = {"other/1", "test.offset/1"};
+  Hand hand{"p"};
+  hand.add("Needs");
+  hand.add("Likes");
+  CHECK(faults(hand, {&plugin}) == Strings{"IG-0211 2"});
+  hand.depend("Table");
+  CHECK(faults(hand, {&plugin}).empty());
+}
+
+TEST_CASE("what is written and never read is noted") {
+  Plugin plugin("p");
+  plugin.syntax("Writer").fields = {field("Acme.Level", IG_WRITE), field("Feedrate.FeedrateValue", IG_WRITE, IG_NUMBER)};
+  plugin.syntax("Reader").fields = {field("Acme.Level", IG_PREVIOUS)};
+  DiagnosticList found;
+  Hand hand{"p"};
+  hand.add("Writer");
+  CHECK(faults(hand, {&plugin}, &found) == Strings{"IG-0212 2"});
+  CHECK(found.all[0].severity == Severity::note);
+  hand.add("Reader");
+  CHECK(faults(hand, {&plugin}).empty());
+}
+
+TEST_CASE("initial values and literal patterns name fields that exist, and are of their type") {
+  Plugin plugin("p");
+  Syntax& syntax = plugin.syntax("S");
+  syntax.options = {option("lengths", IG_OPTION_FIELDS, "Parsing.*.X")};
+  syntax.fields = {field("@lengths", IG_READ | IG_PATTERN), field("Acme.Level", IG_READ)};
+  Hand hand{"p"};
+  hand.add("S");
+  hand.initial("Acme.Levle", "1");
+  hand.initial("Acme.Level", "high");
+  hand.initial("SpindleSpeed.SpindleSpeed_rpm", "1e3");
+  hand.initial("ToolChange.ToolId", "1.5");
+  hand.initial("PlaneSelect.Term", "anything");
+  DiagnosticList found;
+  CHECK(faults(hand, {&plugin}, &found) == Strings{"IG-0214 3", "IG-0215 4", "IG-0215 5", "IG-0215 6"});
+  CHECK(found.all[0].hint == "did you mean Acme.Level?");
+}
+
+TEST_CASE("rows fit their table") {
+  Plugin plugin("p");
+  Dependency& table = plugin.dependency("Table");
+  table.out.row_element = "Row";
+  table.out.row_key = "id";
+  table.columns = {column("X", nullptr, -10, 10)};
+  plugin.dependency("Flat");
+  Hand hand{"p"};
+  DependencyElement& element = hand.depend("Table");
+  const auto row = [&](DependencyElement& e, const char* name, std::vector<std::pair<const char*, const char*>> given) {
+    TableRow out{name, {}, hand.next()};
+    for (const auto& [key, value] : given) out.attributes.push_back({key, value, out.where});
+    e.rows.push_back(out);
+  };
+  row(element, "Row", {{"id", "a"}, {"X", "-10"}});
+  row(element, "Raw", {{"id", "a"}});
+  row(element, "Row", {{"X", "1"}});
+  row(element, "Row", {{"id", "a"}, {"Y", "1"}});
+  row(element, "Row", {{"id", "a"}, {"X", "11"}});
+  row(element, "Row", {{"id", "a"}, {"X", "eleven"}});
+  row(hand.depend("Flat"), "Row", {});
+  CHECK(faults(hand, {&plugin}) ==
+        Strings{"IG-0217 4", "IG-0218 5", "IG-0219 6", "IG-0220 7", "IG-0220 8", "IG-0217 10"});
+}
+
+TEST_CASE("stages, sizes and lives that cannot be") {
+  Plugin plugin("p");
+  plugin.syntax("Ahead").out.look_ahead = 2;
+  plugin.syntax("Inspector").out.inspects = 1;
+  plugin.syntax("Text").fields = {field("Acme.Note", IG_READ | IG_WRITE, IG_TEXT, IG_LIFE_MODAL)};
+  plugin.syntax("S");
+  Hand hand{"p"};
+  hand.add("Ahead");
+  hand.add("Inspector");
+  CHECK(faults(hand, {&plugin}) == Strings{"IG-0221 2", "IG-0223 3"});
+  Hand right{"p"};
+  right.add("Ahead", {}, Stage::post_logic);
+  right.add("Inspector", {}, Stage::inspection);
+  CHECK(faults(right, {&plugin}).empty());
+  Hand text{"p"};
+  text.add("Text");
+  CHECK(faults(text, {&plugin}).at(0) == "IG-0222 2");
+  Hand large{"p"};
+  for (int i = 0; i < 257; ++i) large.add("S").alias = "S" + std::to_string(i);
+  CHECK(faults(large, {&plugin}) == Strings{"IG-0216 0"});
+}
+
+TEST_CASE("severities of the dialect hold while it is linked; an error stays one") {
+  Plugin plugin("p");
+  plugin.syntax("Writer").fields = {field("Acme.Level", IG_WRITE)};
+  plugin.syntax("Needy").services = {{sizeof(ig_service_decl), 0, "test.offset/1", ""}};
+  DiagnosticList found;
+  Hand hand{"p"};
+  hand.add("Writer");
+  hand.dialect.severities["IG-0212"] = Severity::warning;
+  faults(hand, {&plugin}, &found);
+  CHECK(found.all.at(0).severity == Severity::warning);
+  hand.add("Needy");
+  hand.dialect.severities["IG-0211"] = Severity::note;
+  faults(hand, {&plugin}, &found);
+  CHECK(found.all.at(0).severity == Severity::error);
+}
+
+TEST_CASE("a syntax that refuses to start is told with its reason") {
+  Plugin plugin("p");
+  Syntax& syntax = plugin.syntax("Refuses");
+  syntax.out.create = [](const ig_link_api* api, ig_link* link, const ig_field*, void**) -> ig_status {
+    constexpr std::string_view reason = "not today";
+    api->fail(link, {reason.data(), reason.size()});
+    return IG_FAILED;
+  };
+  Hand hand{"p"};
+  hand.add("Refuses");
+  Library library({});
+  library.add(plugin.get());
+  DiagnosticList found;
+  const auto linked = link(hand.dialect, library, found);
+  REQUIRE(linked);
+  CHECK_THROWS_AS(Chain(*linked, {}, found), std::runtime_error);
+  REQUIRE(found.all.size() == 1);
+  CHECK(found.all[0].code == "IG-0308");
+  CHECK(found.all[0].where.line == 2);
+  CHECK_THAT(found.all[0].message, Catch::Contains("Refuses") && Catch::Contains("not today"));
+}
+
+TEST_CASE("the first of two providers of a plugin's name is kept") {
+  Plugin one("same"), two("same"), three("other");
+  one.syntax("A");
+  two.syntax("B");
+  three.syntax("A");
+  Library library({});
+  library.add(one.get());
+  library.add(two.get());
+  library.add(three.get());
+  CHECK(library.plugins().size() == 1);
+  REQUIRE(library.refused().size() == 2);
+  CHECK(library.refused()[0].code == "IG-0306");
+  CHECK(library.refused()[1].code == "IG-0307");
+}

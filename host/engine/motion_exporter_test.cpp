@@ -1,0 +1,429 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "test_document.hpp"
+
+using namespace isogloss;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// The stream of some blocks, filled one after the other.
+class Stream {
+ public:
+  explicit Stream(MotionOptions options) : exporter_(make_motion_exporter(output_, options)) {}
+  Stream(MotionOptions options, const std::function<void(TestDocument&)>& initial) : Stream(options) {
+    initial(t);
+    begin();
+  }
+
+  void begin() {
+    exporter_->begin(t.d, t.symbols);
+    begun_ = true;
+  }
+  template <class Fill>
+  void block(std::uint32_t line, Fill fill) {
+    if (!begun_) begin();
+    t.block(line);
+    fill();
+    CHECK(exporter_->block(t.d, t.symbols));
+  }
+  std::string text() {
+    CHECK(exporter_->end());
+    return output_.text;
+  }
+  std::vector<Json> events() {
+    std::vector<Json> all;
+    std::istringstream lines(text());
+    for (std::string line; std::getline(lines, line);) all.push_back(Json::parse(line));
+    return all;
+  }
+  std::vector<std::string> names() {
+    std::vector<std::string> all;
+    for (const Json& e : events()) all.push_back(e["Event"]);
+    return all;
+  }
+
+  TestDocument t;
+
+ private:
+  StringOutput output_;
+  std::unique_ptr<Exporter> exporter_;
+  bool begun_ = false;
+};
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("motions as JSON Lines, character for character") {
+  Stream s({.header = true, .dialect = "acme"});
+  s.t.shift(0, 0, -100);
+  s.block(7, [&] { s.t.line(true, 30, 20, 5); });
+  s.block(8, [&] { s.t.line(false, 30, 20, -10.5, 200.0 / 60); });
+  s.block(9, [&] { s.t.arc(true, 20, 30, -10.5, 20, 20, -10.5, 5); });
+  s.block(10, [&] { s.t.number("Dwell.Time", 0.5); });
+  s.block(11, [&] { s.t.name("ProgramEnd.Term", "END"); });
+  CHECK(s.text() ==
+        R"({"Isogloss":1,"Dialect":"acme","Units":"mm, deg, s, mm/s"})"
+        "\n"
+        R"({"File":"part.nc","Line":7,"Event":"rapid","ProgramXyz":{"X":30,"Y":20,"Z":5},)"
+        R"("MachineCoordinate":{"X":30,"Y":20,"Z":-95}})"
+        "\n"
+        R"({"File":"part.nc","Line":8,"Event":"feed","ProgramXyz":{"X":30,"Y":20,"Z":-10.5},)"
+        R"("MachineCoordinate":{"X":30,"Y":20,"Z":-110.5},"Feedrate_mmds":3.333333})"
+        "\n"
+        R"({"File":"part.nc","Line":9,"Event":"arc","ProgramXyz":{"X":20,"Y":30,"Z":-10.5},)"
+        R"("MachineCoordinate":{"X":20,"Y":30,"Z":-110.5},"ArcCenter":{"X":20,"Y":20,"Z":-10.5},"Plane":"XY",)"
+        R"("IsCcw":true,"AdditionalCircleNum":0,"Feedrate_mmds":5,"MachineArcCenter":{"X":20,"Y":20,"Z":-110.5},)"
+        R"("Normal":{"X":0,"Y":0,"Z":1},"Sweep_deg":90})"
+        "\n"
+        R"({"File":"part.nc","Line":10,"Event":"dwell","Time":0.5})"
+        "\n"
+        R"({"File":"part.nc","Line":11,"Event":"end","Term":"END"})"
+        "\n");
+}
+
+TEST_CASE("exact numbers read back to the same double") {
+  Stream s({.exact = true});
+  s.block(1, [&] { s.t.line(false, 0.1 + 0.2, 1e-9, 25.190799999999996, 10.0 / 3); });
+  const Json e = s.events().at(0);
+  CHECK(e["ProgramXyz"]["X"].get<double>() == 0.1 + 0.2);
+  CHECK(e["ProgramXyz"]["Y"].get<double>() == 1e-9);
+  CHECK(e["ProgramXyz"]["Z"].get<double>() == 25.190799999999996);
+  CHECK(e["Feedrate_mmds"].get<double>() == 10.0 / 3);
+}
+
+TEST_CASE("motions as CSV, character for character") {
+  Stream s({.format = Format::csv});
+  s.block(1, [&] {
+    s.t.integer("ToolChange.ToolId", 5);
+    s.t.integer("ToolChange.IsChange", 1);
+  });
+  s.block(2, [&] {
+    s.t.number("SpindleSpeed.SpindleSpeed_rpm", 1200);
+    s.t.name("SpindleSpeed.Direction", "CW");
+    s.t.name("Coolant.Mode", "FLOOD");
+    s.t.line(true, 1, 2, 3);
+    s.t.number("MachineCoordinate.B", 90);
+  });
+  s.block(3, [&] { s.t.arc(false, 1, 2, 3, 2, 2, 3); });
+  s.block(4, [&] { s.t.number("SpindleOrientation.Angle_deg", 30); });
+  s.block(5, [&] { s.t.name("ProgramStop.Term", "HALT"); });
+  CHECK(s.text() ==
+        "file,line,event,px,py,pz,mx,my,mz,a,b,c,feed_mm_s,cx,cy,cz,ccw,circles,plane,mcx,mcy,mcz,nx,ny,nz,sweep,"
+        "value,term\n"
+        "part.nc,1,tool,,,,,,,,,,,,,,,,,,,,,,,,5,\n"
+        "part.nc,2,spindle,,,,,,,,,,,,,,,,,,,,,,,,1200,CW\n"
+        "part.nc,2,coolant,,,,,,,,,,,,,,,,,,,,,,,,,FLOOD\n"
+        "part.nc,2,rapid,1,2,3,1,2,3,,90,,,,,,,,,,,,,,,,,\n"
+        "part.nc,3,arc,1,2,3,1,2,3,,90,,10,2,2,3,0,0,XY,2,2,3,0,0,1,-360,,\n"
+        "part.nc,4,orient,,,,,,,,,,,,,,,,,,,,,,,,30,\n"
+        "part.nc,5,stop,,,,,,,,,,,,,,,,,,,,,,,,,HALT\n");
+}
+
+TEST_CASE("every CSV line has the header's columns") {
+  Stream s({.format = Format::csv});
+  s.block(1, [&] {
+    s.t.integer("ToolChange.SpindleToolId", 5);
+    s.t.integer("ToolChange.IsChange", 1);
+    s.t.name("SpindleSpeed.Direction", "CW");
+    s.t.name("Coolant.Mode", "MIST");
+    s.t.number("Dwell.Time", 1);
+    s.t.name("ProgramStop.Term", "HALT");
+    s.t.name("ProgramEnd.Term", "END");
+    s.t.item_line(false, 1, 2, 3, 4);
+    s.t.item();
+    s.t.item_number("SpindleOrientation.Angle_deg", 0);
+    s.t.item_line(true, 1, 2, 4);
+    s.t.item_value("MotionEvent.IsManual", {.integer = 1});
+    s.t.item();
+    s.t.item_name("MotionEvent.Form", "McArc");
+  });
+  std::istringstream lines(s.text());
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line); ++count) CHECK(std::count(line.begin(), line.end(), ',') == 27);
+  CHECK(count == 11);
+}
+
+TEST_CASE("events of one block come in the order of execution") {
+  Stream s({});
+  s.block(1, [&] {
+    s.t.name("ProgramEnd.Term", "END");
+    s.t.name("ProgramStop.Term", "HALT");
+    s.t.line(true, 1, 0, 0);
+    s.t.number("Dwell.Time", 1);
+    s.t.name("Coolant.Mode", "FLOOD");
+    s.t.name("SpindleSpeed.Direction", "CW");
+    s.t.integer("ToolChange.ToolId", 1);
+    s.t.integer("ToolChange.IsChange", 1);
+  });
+  s.block(2, [&] {
+    s.t.name("SpindleSpeed.Direction", "STOP");
+    s.t.name("Coolant.Mode", "OFF");
+    s.t.line(true, 2, 0, 0);
+  });
+  CHECK(s.names() ==
+        Names{"tool", "spindle", "coolant", "dwell", "rapid", "stop", "end", "rapid", "spindle", "coolant"});
+}
+
+TEST_CASE("spindle and coolant are told only when they change") {
+  Stream s({});
+  s.block(1, [&] { s.t.name("SpindleSpeed.Direction", "STOP"); });        // stands already
+  s.block(2, [&] { s.t.name("Coolant.Mode", "OFF"); });                   // is off already
+  s.block(3, [&] { s.t.number("SpindleSpeed.SpindleSpeed_rpm", 500); });  // does not turn yet
+  s.block(4, [&] { s.t.name("SpindleSpeed.Direction", "CW"); });
+  s.block(5, [&] { s.t.name("SpindleSpeed.Direction", "CW"); });
+  s.block(6, [&] { s.t.number("SpindleSpeed.SpindleSpeed_rpm", 600); });
+  s.block(7, [&] { s.t.name("Coolant.Mode", "FLOOD"); });
+  s.block(8, [&] { s.t.name("Coolant.Mode", "FLOOD"); });
+  s.block(9, [&] { s.t.name("Coolant.Mode", "MIST"); });
+  const auto events = s.events();
+  REQUIRE(events.size() == 4);
+  CHECK(events[0].dump() == R"({"File":"part.nc","Line":4,"Event":"spindle","Direction":"CW","SpindleSpeed_rpm":500})");
+  CHECK(events[1].dump() == R"({"File":"part.nc","Line":6,"Event":"spindle","Direction":"CW","SpindleSpeed_rpm":600})");
+  CHECK(events[2].dump() == R"({"File":"part.nc","Line":7,"Event":"coolant","Mode":"FLOOD"})");
+  CHECK(events[3].dump() == R"({"File":"part.nc","Line":9,"Event":"coolant","Mode":"MIST"})");
+}
+
+TEST_CASE("an oriented stop includes the stop, the restart is a change") {
+  Stream s({}, [](TestDocument& t) {
+    t.name("SpindleSpeed.Direction", "CW");
+    t.number("SpindleSpeed.SpindleSpeed_rpm", 900);
+  });
+  s.block(1, [&] {
+    s.t.item();
+    s.t.item_number("SpindleOrientation.Angle_deg", 0);
+    s.t.item();
+    s.t.item_name("SpindleControl.Direction", "STOP");  // stands already
+    s.t.item();
+    s.t.item_name("SpindleControl.Direction", "CW");
+    s.t.item();
+    s.t.item_name("SpindleControl.Direction", "CW");
+  });
+  s.block(2, [&] { s.t.number("SpindleOrientation.Angle_deg", 90); });
+  s.block(3, [&] { s.t.number("SpindleSpeed.SpindleSpeed_rpm", 100); });  // starts nothing
+  s.block(4, [&] { s.t.name("SpindleSpeed.Direction", "CW"); });
+  const auto events = s.events();
+  CHECK(s.names() == Names{"orient", "spindle", "orient", "spindle"});
+  CHECK(events[1].dump() == R"({"File":"part.nc","Line":1,"Event":"spindle","Direction":"CW","SpindleSpeed_rpm":900})");
+  CHECK(events[2]["Angle_deg"] == 90);
+  CHECK(events[3]["Line"] == 4);
+}
+
+TEST_CASE("linear moves that change no machine axis are left out") {
+  const auto run = [](bool zero_moves) {
+    Stream s({.zero_moves = zero_moves}, [](TestDocument& t) { t.place(1, 2, 3); });
+    s.block(1, [&] { s.t.line(true, 1, 2, 3); });           // the initial position
+    s.block(2, [&] { s.t.line(false, 1, 2, 3 + 1e-10); });  // noise
+    s.block(3, [&] { s.t.line(false, 1, 2, 3.000001); });
+    s.block(4, [&] {
+      s.t.line(false, 1, 2, 3.000001);
+      s.t.number("MachineCoordinate.C", 5);  // a new axis moves
+    });
+    s.block(5, [&] {
+      s.t.line(false, 1, 2, 3.000001);
+      s.t.number("MachineCoordinate.C", 6);
+    });
+    s.block(6, [&] { s.t.line(true, 1, 2, 3.000001); });
+    s.block(7, [&] { s.t.arc(true, 1, 2, 3.000001, 0, 2, 3); });  // a full circle
+    std::vector<int> lines;
+    for (const Json& e : s.events()) lines.push_back(e["Line"]);
+    return lines;
+  };
+  CHECK(run(false) == std::vector{3, 4, 5, 7});
+  CHECK(run(true) == std::vector{1, 2, 3, 4, 5, 6, 7});
+}
+
+TEST_CASE("the first move is told where no position is known") {
+  Stream s({});
+  s.block(1, [&] { s.t.line(true, 0, 0, 0); });
+  s.block(2, [&] { s.t.line(true, 0, 0, 0); });
+  CHECK(s.events().size() == 1);
+}
+
+TEST_CASE("the steps of a compound motion come in order, rotary axes keep their place") {
+  Stream s({}, [](TestDocument& t) {
+    t.shift(0, 0, 50);
+    t.place(0, 0, 0);
+    t.number("MachineCoordinate.A", 15);
+  });
+  s.block(4, [&] {
+    s.t.item_line(true, 5, 0, 0);
+    s.t.item_line(true, 5, 0, 0);
+    s.t.item_line(false, 5, 0, -9, 2);
+    s.t.item();
+    s.t.item_number("Dwell.Time", 0.25);
+    s.t.item_line(true, 5, 0, 0);
+    s.t.item_value("MotionEvent.IsManual", {.integer = 1});
+    s.t.name("CompoundMotion.Term", "DRILL");
+  });
+  const auto events = s.events();
+  REQUIRE(events.size() == 4);
+  CHECK(events[0].dump() == R"({"File":"part.nc","Line":4,"Event":"rapid","ProgramXyz":{"X":5,"Y":0,"Z":0},)"
+                            R"("MachineCoordinate":{"X":5,"Y":0,"Z":50,"A":15}})");
+  CHECK(events[1]["Event"] == "feed");
+  CHECK(events[1]["Feedrate_mmds"] == 2);
+  CHECK(events[2]["Time"] == 0.25);
+  CHECK(events[3].dump() == R"({"File":"part.nc","Line":4,"Event":"rapid","ProgramXyz":{"X":5,"Y":0,"Z":0},)"
+                            R"("MachineCoordinate":{"X":5,"Y":0,"Z":50,"A":15},"Manual":true})");
+}
+
+TEST_CASE("sweeps in the three planes") {
+  struct Row {
+    const char* plane;
+    bool is_ccw;
+    double start[3], end[3];
+    double sweep;
+    double normal[3];
+  };
+  const Row rows[] = {
+      {"XY", true, {1, 0, 0}, {0, 1, 0}, 90, {0, 0, 1}},   {"XY", false, {1, 0, 0}, {0, 1, 0}, -270, {0, 0, 1}},
+      {"XY", true, {1, 0, 0}, {1, 0, -2}, 360, {0, 0, 1}}, {"XY", false, {-1, 0, 0}, {1, 0, 0}, -180, {0, 0, 1}},
+      {"ZX", true, {0, 0, 1}, {1, 0, 0}, 90, {0, 1, 0}},   {"ZX", false, {0, 0, 1}, {1, 0, 0}, -270, {0, 1, 0}},
+      {"YZ", true, {0, 1, 0}, {0, 0, 1}, 90, {1, 0, 0}},   {"YZ", false, {0, 1, 0}, {0, 1, 0}, -360, {1, 0, 0}},
+  };
+  for (const Row& r : rows) {
+    CAPTURE(r.plane, r.is_ccw, r.sweep);
+    Stream s({}, [&](TestDocument& t) {
+      t.shift(100, 200, 300);
+      t.place(r.start[0], r.start[1], r.start[2]);
+    });
+    s.block(1, [&] {
+      s.t.name("PlaneSelect.Plane", r.plane);
+      s.t.arc(r.is_ccw, r.end[0], r.end[1], r.end[2], 0, 0, 0);
+    });
+    const Json e = s.events().at(0);
+    CHECK(e["Plane"] == r.plane);
+    CHECK(e["Sweep_deg"].get<double>() == Approx(r.sweep));
+    CHECK(e["Normal"]["X"] == r.normal[0]);
+    CHECK(e["Normal"]["Y"] == r.normal[1]);
+    CHECK(e["Normal"]["Z"] == r.normal[2]);
+    CHECK(e["MachineArcCenter"].dump() == R"({"X":100,"Y":200,"Z":300})");
+  }
+}
+
+TEST_CASE("whole turns add to the sweep") {
+  Stream s({}, [](TestDocument& t) { t.place(1, 0, 0); });
+  s.block(1, [&] {
+    s.t.arc(false, 0, -1, -4, 0, 0, 0);
+    s.t.integer("MotionEvent.AdditionalCircleNum", 2);
+  });
+  const Json e = s.events().at(0);
+  CHECK(e["AdditionalCircleNum"] == 2);
+  CHECK(e["Sweep_deg"] == -810);
+}
+
+TEST_CASE("an arc's start stands in the frame of its own block") {
+  Stream s({}, [](TestDocument& t) { t.place(10, 0, 0); });
+  s.block(1, [&] {
+    s.t.shift(10, 0, 0);  // the machine point (10,0,0) is now the program's (0,0,0)
+    s.t.arc(true, 2, 0, 0, 1, 0, 0);
+  });
+  CHECK(s.events().at(0)["Sweep_deg"] == 180);
+}
+
+TEST_CASE("in a tilted frame the sweep about the normal leads from start to end in machine space") {
+  const double c = std::cos(0.5), n = std::sin(0.5);
+  for (const double mirror : {1.0, -1.0}) {
+    Stream s({}, [&](TestDocument& t) {
+      t.frame("Tilt", {mirror, 0, 0, 0, 0, c, n, 0, 0, -n, c, 0, 0, 0, 0, 1});
+      t.shift(7, -3, 11);
+      t.place(15, 4, 2);
+    });
+    s.block(1, [&] { s.t.arc(true, 10, 9, 2, 10, 4, 2); });
+    const Json e = s.events().at(0);
+    CAPTURE(mirror, e.dump());
+    const auto point = [&](const char* key) {
+      return std::array{e[key]["X"].get<double>(), e[key]["Y"].get<double>(), e[key]["Z"].get<double>()};
+    };
+    const auto end = point("MachineCoordinate"), center = point("MachineArcCenter"), normal = point("Normal");
+    double start[3];
+    s.t.d.composed().map({15, 4, 2}, start);
+    const double angle = e["Sweep_deg"].get<double>() * std::acos(-1) / 180;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      const double r = start[i] - center[i];
+      const double q = normal[j] * (start[k] - center[k]) - normal[k] * (start[j] - center[j]);
+      CHECK(center[i] + r * std::cos(angle) + q * std::sin(angle) == Approx(end[i]).margin(1e-5));
+    }
+    CHECK(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2] == Approx(1).margin(1e-5));
+  }
+}
+
+TEST_CASE("names and files may hold any byte") {
+  const std::string file = std::string("a\"b\\c\n\x01,\xc3\xa9\xff\xe2\x82") + ".nc";
+  TestDocument t;
+  StringOutput json, csv;
+  const auto run = [&](Exporter& e) {
+    e.begin(t.d, t.symbols);
+    t.block(1, "", file);
+    t.name("ProgramEnd.Term", "E\"\xfe");
+    CHECK(e.block(t.d, t.symbols));
+    CHECK(e.end());
+  };
+  run(*make_motion_exporter(json, {}));
+  run(*make_motion_exporter(csv, {.format = Format::csv}));
+  const Json e = Json::parse(json.text);
+  CHECK(e["File"] == "a\"b\\c\n\x01,\xc3\xa9\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd.nc");
+  CHECK(e["Term"] == "E\"\xef\xbf\xbd");
+  CHECK(csv.text.find("\"a\"\"b\\c\n\x01,\xc3\xa9\xef\xbf\xbd") != std::string::npos);
+  CHECK(csv.text.find(",\"E\"\"\xef\xbf\xbd\"\n") != std::string::npos);
+}
+
+TEST_CASE("a file name longer than the buffer is written whole") {
+  const std::string file(300000, 'f');
+  TestDocument t;
+  StringOutput out;
+  const auto e = make_motion_exporter(out, {});
+  e->begin(t.d, t.symbols);
+  for (std::uint32_t line = 1; line < 4; ++line) {
+    t.block(line, "", file);
+    t.number("Dwell.Time", line);
+    CHECK(e->block(t.d, t.symbols));
+  }
+  CHECK(e->end());
+  CHECK(out.text.size() ==
+        3 * (file.size() + std::string(R"({"File":"","Line":1,"Event":"dwell","Time":1})").size() + 1));
+}
+
+TEST_CASE("a closed output ends the run") {
+  TestDocument t;
+  StringOutput out;
+  out.is_open = false;
+  const auto e = make_motion_exporter(out, {});
+  e->begin(t.d, t.symbols);
+  bool goes_on = true;
+  for (std::uint32_t line = 1; goes_on && line < 100000; ++line) {
+    t.block(line);
+    t.line(false, line, 0, 0);
+    goes_on = e->block(t.d, t.symbols);
+  }
+  CHECK_FALSE(goes_on);
+  CHECK_FALSE(e->end());
+}
+
+TEST_CASE("a second program goes into the same stream without a second header") {
+  Stream s({.format = Format::csv});
+  s.block(1, [&] { s.t.number("Dwell.Time", 1); });
+  s.begin();
+  s.block(1, [&] { s.t.number("Dwell.Time", 1); });
+  const std::string text = s.text();
+  CHECK(std::count(text.begin(), text.end(), '\n') == 3);
+}
+
+TEST_CASE("motions as text") {
+  Stream s({.format = Format::text});
+  s.block(7, [&] { s.t.line(true, 30, 20, 5); });
+  s.block(8, [&] { s.t.arc(false, 30, 10, 5, 30, 15, 5, 10); });
+  s.block(9, [&] { s.t.number("Dwell.Time", 0.5); });
+  CHECK(s.text() ==
+        "part.nc\n"
+        "  line  event     program X          Y          Z    machine X          Y          Z    mm/min\n"
+        "     7  rapid        30.000     20.000      5.000       30.000     20.000      5.000\n"
+        "     8  arc          30.000     10.000      5.000       30.000     10.000      5.000       600"
+        "  XY cw about 30 15 5, 180 deg\n"
+        "     9  dwell   0.5 s\n");
+}

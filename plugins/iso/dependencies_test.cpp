@@ -1,0 +1,106 @@
+#include <catch2/catch.hpp>
+
+#include "../../tests/support/fake_dependency.hpp"
+
+using isogloss_test::FakeDependency;
+
+namespace {
+
+ig_text text(std::string_view s) { return {s.data(), s.size()}; }
+
+bool offset(const FakeDependency& table, std::string_view id, double (&out)[3]) {
+  const auto* s = table.service<ig_work_offset_1>("isogloss.work-offset/1");
+  return s->get(s->self, text(id), out) != 0;
+}
+
+double number(const FakeDependency& config, const char* service, std::string_view name) {
+  const auto* s = config.service<ig_config_1>(service);
+  double out = -1;
+  return s->number(s->self, text(name), &out) != 0 ? out : -1;
+}
+
+}  // namespace
+
+TEST_CASE("work offsets: every set of the control exists, and is zero until it is measured") {
+  const FakeDependency table(*ig_plugin_v1(), "IsoCoordinateTable", {{"G55", {{"X", 100}, {"Z", -120}}}});
+  double o[3];
+  REQUIRE(offset(table, "G55", o));
+  CHECK((o[0] == 100 && o[1] == 0 && o[2] == -120));
+  for (const char* id : {"EXT", "G54", "G59", "G59.1", "G59.9", "G54.1P1", "G54.1P300"}) {
+    CAPTURE(id);
+    REQUIRE(offset(table, id, o));
+    CHECK((o[0] == 0 && o[1] == 0 && o[2] == 0));
+  }
+  for (const char* id : {"", "G5", "G53", "G60", "G59.10", "G59.", "G54.1P0", "G54.1P301", "G54.1P", "G54.1P1x"}) {
+    CAPTURE(id);
+    CHECK_FALSE(offset(table, id, o));
+  }
+}
+
+TEST_CASE("work offsets: what G10 writes is read back, and no set is invented") {
+  const FakeDependency table(*ig_plugin_v1(), "IsoCoordinateTable");
+  const auto* s = table.service<ig_work_offset_1>("isogloss.work-offset/1");
+  const double origin[3] = {1, 2, 3};
+  double o[3];
+  CHECK(s->set(s->self, text("G54.1P7"), origin) == 1);
+  REQUIRE(offset(table, "G54.1P7", o));
+  CHECK((o[0] == 1 && o[1] == 2 && o[2] == 3));
+  CHECK(s->set(s->self, text("G53"), origin) == 0);
+  CHECK(table.service<ig_work_offset_1>("isogloss.tool-offset/1") == nullptr);
+}
+
+TEST_CASE("tool offsets: a number without a row is zero, or missing where the table says so") {
+  const FakeDependency::Rows rows{{"1", {{"H", 125.4}, {"HWear", -0.1}, {"D", 5}}}};
+  const FakeDependency zero(*ig_plugin_v1(), "ToolOffsetTable", rows, {{"size", "99"}});
+  const FakeDependency missing(*ig_plugin_v1(), "ToolOffsetTable", rows, {{"unlisted", "missing"}});
+  const auto get = [](const FakeDependency& t, std::int64_t id, std::uint32_t column) {
+    const auto* s = t.service<ig_tool_offset_1>("isogloss.tool-offset/1");
+    double mm = 0;
+    return s->get(s->self, id, column, &mm) != 0 ? mm : -1;
+  };
+  for (const FakeDependency* t : {&zero, &missing}) {
+    CHECK(get(*t, 1, 0) == 125.4);
+    CHECK(get(*t, 1, 1) == -0.1);
+    CHECK(get(*t, 1, 2) == 5);
+    CHECK(get(*t, 1, 3) == 0);
+    CHECK(get(*t, 1, 4) == -1);
+    CHECK(get(*t, 0, 0) == -1);
+  }
+  CHECK(get(zero, 2, 0) == 0);
+  CHECK(get(zero, 100, 0) == -1);
+  CHECK(get(missing, 2, 0) == -1);
+
+  const auto* s = missing.service<ig_tool_offset_1>("isogloss.tool-offset/1");
+  CHECK(s->set(s->self, 2, 0, 50) == 1);
+  CHECK(get(missing, 2, 0) == 50);
+  CHECK(s->set(s->self, 401, 0, 50) == 0);
+}
+
+TEST_CASE("fallback settings") {
+  const FakeDependency config(*ig_plugin_v1(), "FallbackConfig", {}, {{"HighSpeedPeckRetraction_mm", "0.5"}});
+  CHECK(number(config, "isogloss.canned-cycle/1", "PeckRetractionDistance_mm") == 5);
+  CHECK(number(config, "isogloss.canned-cycle/1", "HighSpeedPeckRetraction_mm") == 0.5);
+  CHECK(number(config, "isogloss.canned-cycle/1", "ArcRadiusTolerance_mm") == -1);
+  CHECK(number(config, "isogloss.motion/1", "ArcRadiusTolerance_mm") == 0.01);
+  CHECK(config.service<ig_config_1>("isogloss.number-format/1") == nullptr);
+}
+
+TEST_CASE("machine axes: those that have a row") {
+  const FakeDependency machine(*ig_plugin_v1(), "MachineAxes",
+                               {{"Z", {{"Home", 250}, {"Reference2", -50}, {"RapidRate", 18000}, {"Minimum", -500},
+                                       {"Maximum", 0}}}});
+  const auto* s = machine.service<ig_machine_axis_1>("isogloss.machine-axis/1");
+  double a = -1, b = -1;
+  CHECK((s->home(s->self, 'Z', &a) == 1 && a == 250));
+  CHECK((s->home(s->self, 'X', &a) == 1 && a == 0));
+  CHECK(s->home(s->self, 'C', &a) == 0);
+  CHECK((s->reference(s->self, 'Z', 1, &a) == 1 && a == 0));
+  CHECK((s->reference(s->self, 'Z', 2, &a) == 1 && a == -50));
+  CHECK(s->reference(s->self, 'Z', 3, &a) == 0);
+  CHECK(s->reference(s->self, 'Z', 0, &a) == 0);
+  CHECK(s->reference(s->self, 'Z', 5, &a) == 0);
+  CHECK((s->travel(s->self, 'Z', &a, &b) == 1 && a == -500 && b == 0));
+  CHECK(s->travel(s->self, 'X', &a, &b) == 0);
+  CHECK((s->rapid_rate(s->self, 'Z', &a) == 1 && a == 300));
+  CHECK(s->rapid_rate(s->self, 'X', &a) == 0);
+}

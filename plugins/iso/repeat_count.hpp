@@ -1,0 +1,20 @@
+/// K has two meanings: the third arc centre, a length, and how often a canned cycle is repeated, a count. Inside the
+/// cycle's own block the code owns its K; in the blocks after it the K stands alone, and the modal state decides.
+#pragma once
+
+#include <isogloss/sdk.hpp>
+
+namespace iso {
+
+class RepeatCount {
+ public:
+  /// True when K of the block itself is a count: a canned cycle is active and no motion code ends it here.
+  bool is_k(const ig::Block& b) const { return b.has(cycle_) && !b.is(cycle_, cancelled_) && !b.find(motions_); }
+
+ private:
+  ig::In<ig::Symbol> cycle_{"CannedCycle.Term"};
+  ig::Codes motions_{{"G00", "G01", "G02", "G03", "G33"}, ig::read};
+  ig::Name cancelled_{"G80"};
+};
+
+}  // namespace iso

@@ -1,0 +1,200 @@
+#!/usr/bin/env python3
+"""Each misbehaving plugin is refused, caught or survived: with which code, on which stream, with which exit status."""
+import argparse
+import os
+import pathlib
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+OPTIONS = None
+
+# What doctor says of a library that it does not load: its status is 1, since something in the input is wrong.
+REFUSED = {
+    "nothing": ("IG-0305", "returned nothing"),
+    "zero_size": ("IG-0305", "size"),
+    "huge_size": ("IG-0305", "size"),
+    "null_name": ("IG-0305", "the plugin's name is null"),
+    "null_syntaxes": ("IG-0305", "syntaxes is null"),
+    "absurd_count": ("IG-0305", "BadSyntax.fields counts 4000000000"),
+    "long_count": ("IG-0305", "BadSyntax.fields"),
+    "null_path": ("IG-0305", "field 0 is null"),
+    "null_build": ("IG-0305", "neither build, scan nor restart"),
+    "bad_default": ("IG-0305", "'11', not a number from 0 to 10"),
+    "same_id": ("IG-0305", "'BadSyntax' is declared twice"),
+    "other_major": ("IG-0304", "contract version 2, this host speaks 1"),
+    "no_entry": ("IG-0302", "no symbol ig_plugin_v1"),
+    "undefined_symbol": ("IG-0303", "nobody_defines_this"),
+    "throws_in_entry": ("IG-0303", "not today"),
+}
+
+# What a run says, and its status.
+RUN = {
+    "create_refuses": (2, "IG-0308", "BadSyntax"),
+    "throws_in_create": (2, "IG-0308", "not in this chain"),
+    "throws_in_build": (3, "IG-0401", "not this block"),
+    "throws_a_number": (3, "IG-0401", "no std::exception"),
+    "crashes_in_build": (3, "", "segmentation fault in BadSyntax of plugin crashes_in_build"),
+    "hangs_in_build": (3, "", "no end of the block in sight in BadSyntax of plugin hangs_in_build"),
+    "recurses": (3, "", "segmentation fault in BadSyntax of plugin recurses"),
+}
+
+# What the checked table says; the fast one checks nothing that linking has settled.
+CHECKED = ["writes_undeclared", "writes_no_field", "takes_undeclared", "status_nonsense"]
+
+
+class BadPlugins(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = pathlib.Path(folder.name)
+        self.program = self.path / "part.nc"
+        self.program.write_text("G90 G54 G21\nG00 X1. Y2. Z3.\nG01 X5. F100.\nM30\n")
+
+    def run_it(self, *arguments):
+        environment = {k: v for k, v in os.environ.items() if not k.startswith("ISOGLOSS_")}
+        done = subprocess.run([OPTIONS.isogloss, *map(str, arguments)], capture_output=True, text=True,
+                              errors="replace", timeout=60, check=False, cwd=self.path, env=environment)
+        self.assertGreaterEqual(done.returncode, 0, f"killed by a signal: {arguments}\n{done.stderr}")
+        return done
+
+    def run_with(self, plugin, *more):
+        dialect = self.path / "bad.xml"
+        dialect.write_text(f'<Dialect xmlns="urn:isogloss:dialect:1" name="bad" extends="iso">'
+                           f'<Plugins><Plugin name="{plugin}"/></Plugins><Chain>'
+                           f'<InsertBefore syntax="ProgramXyzSyntax"><BadSyntax/></InsertBefore></Chain></Dialect>')
+        return self.run_it("run", self.program, "-d", dialect, "--plugins", OPTIONS.plugins / plugin, *more)
+
+    def doctor(self, folder):
+        return self.run_it("doctor", "--plugins", folder)
+
+    def test_what_is_refused_is_explained(self):
+        for plugin, (code, reason) in REFUSED.items():
+            with self.subTest(plugin):
+                done = self.doctor(OPTIONS.plugins / plugin)
+                self.assertEqual(done.returncode, 1, done.stderr)
+                line = next(line for line in done.stdout.splitlines() if f"{plugin}.so: " in line)
+                self.assertIn(f"[{code}]", line)
+                self.assertIn(reason, line)
+
+    def test_a_dialect_that_needs_a_refused_plugin_does_not_start(self):
+        for plugin, (code, reason) in REFUSED.items():
+            with self.subTest(plugin):
+                done = self.run_with(plugin)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertEqual(done.stdout, "")
+                line = next(line for line in done.stderr.splitlines() if f"[{code}]" in line)
+                self.assertIn(reason, line)
+                self.assertRegex(line, r"bad\.xml:1:\d+: error: ")
+
+    def test_others_work_while_one_is_refused(self):
+        done = self.run_it("run", self.program, "-d", "iso", "--plugins", OPTIONS.plugins / "zero_size")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn('"rapid"', done.stdout)
+
+    def test_what_goes_wrong_in_a_run_is_told(self):
+        for plugin, (status, code, text) in RUN.items():
+            with self.subTest(plugin):
+                done = self.run_with(plugin, "--watchdog", "1")
+                self.assertEqual(done.returncode, status, done.stderr)
+                self.assertIn(text, done.stderr)
+                self.assertIn(code, done.stderr)
+                if status == 3 and code == "":
+                    self.assertIn("part.nc:2: G00 X1. Y2. Z3.", done.stderr)
+
+    def test_a_throwing_syntax_does_not_end_the_run(self):
+        done = self.run_with("throws_in_build")
+        self.assertIn('"Line":3', done.stdout)
+
+    def test_the_checked_table_finds_broken_contracts(self):
+        for plugin in CHECKED:
+            with self.subTest(plugin):
+                done = self.run_with(plugin, "--checked")
+                self.assertEqual(done.returncode, 3, done.stderr)
+                self.assertIn("[IG-0402]", done.stderr)
+                self.assertIn("BadSyntax", done.stderr)
+
+    def test_a_nonsense_status_of_create_does_not_start_or_does_no_harm(self):
+        done = self.run_with("create_nonsense")
+        self.assertIn(done.returncode, (0, 2), done.stderr)
+
+    def test_crashes_outside_a_block_name_the_plugin(self):
+        for plugin in ("crashes_at_load", "crashes_in_entry", "entry_is_data"):
+            with self.subTest(plugin):
+                for done in (self.doctor(OPTIONS.plugins / plugin), self.run_with(plugin)):
+                    self.assertEqual(done.returncode, 3, done.stderr)
+                    self.assertIn("internal fault: segmentation fault while loading the plugin", done.stderr)
+                    self.assertIn(f"{plugin}.so", done.stderr)
+        done = self.run_with("create_crashes")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("internal fault: segmentation fault", done.stderr)
+
+    def test_a_newer_minor_version_is_welcome(self):
+        done = self.doctor(OPTIONS.plugins / "newer_minor")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("newer_minor 1.0.0: 1 syntaxes", done.stdout)
+        self.assertEqual(self.run_with("newer_minor").returncode, 0)
+
+    def test_leaking_symbols_are_a_warning(self):
+        done = self.doctor(OPTIONS.plugins / "exports_too_much")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        line = next(line for line in done.stdout.splitlines() if "[IG-0309]" in line)
+        self.assertIn("exports 1 symbols besides ig_plugin_v1, helper_of_everyone", line)
+        self.assertEqual(self.run_with("exports_too_much").returncode, 0)
+
+    def test_a_file_of_another_name_is_refused(self):
+        shutil.copy(OPTIONS.plugins / "newer_minor" / "newer_minor.so", self.path / "renamed.so")
+        done = self.doctor(self.path)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("its name is 'newer_minor', so the file must be too [IG-0305]", done.stdout)
+
+    def test_files_that_are_no_libraries(self):
+        sound = (OPTIONS.plugins / "newer_minor" / "newer_minor.so").read_bytes()
+        files = {
+            "empty.so": b"",
+            "text.so": b"this is not a library, whatever its name says\n" * 100,
+            "magic.so": b"\x7fELF",
+            "header.so": sound[:64],
+            "half.so": sound[:len(sound) // 2],
+            "other_machine.so": sound[:18] + struct.pack("<H", 0xf3) + sound[20:],
+        }
+        for name, content in files.items():
+            (self.path / name).write_bytes(content)
+        (self.path / "folder.so").mkdir()
+        (self.path / "dangling.so").symlink_to("nowhere.so")
+        os.mkfifo(self.path / "pipe.so")
+        done = self.doctor(self.path)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        for name in [*files, "folder.so", "dangling.so", "pipe.so"]:
+            with self.subTest(name):
+                line = next(line for line in done.stdout.splitlines() if f"/{name}: " in line)
+                self.assertRegex(line, r"\[IG-030[1-3]\]")
+
+    def test_damaged_libraries_never_crash_the_look_before_loading(self):
+        """Headers only: a library damaged in its code is loaded, and is then as bad as its author."""
+        sound = bytearray((OPTIONS.plugins / "newer_minor" / "newer_minor.so").read_bytes())
+        sections = struct.unpack_from("<Q", sound, 40)[0]
+        damage = {"sections_far": (40, 1 << 40), "sections_inside": (40, sections + 8), "no_sections": (40, 0),
+                  "many_sections": (60, 0xffff), "names_far": (62, 0xfff0), "entry_size": (58, 1)}
+        for name, (offset, value) in damage.items():
+            copy = bytearray(sound)
+            struct.pack_into("<Q" if offset == 40 else "<H", copy, offset, value)
+            (self.path / f"{name}.so").write_bytes(copy)
+        for section in range(1, 12):
+            copy = bytearray(sound)
+            struct.pack_into("<QQ", copy, sections + 64 * section + 24, 1 << 60, 1 << 60)
+            (self.path / f"section_{section}.so").write_bytes(copy)
+        done = self.doctor(self.path)
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        self.assertIn("Not loaded", done.stdout)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--isogloss", required=True)
+    parser.add_argument("--plugins", required=True, type=pathlib.Path)
+    OPTIONS, rest = parser.parse_known_args()
+    unittest.main(argv=[sys.argv[0], *rest])

@@ -1,0 +1,65 @@
+/* Plugins whose descriptor is sound and whose code is not; the fault is chosen by FAULT_…. */
+#include "sound.h"
+
+static const ig_field_decl fields[] = {SOUND_FIELD("Parsing.X", IG_READ | IG_WAKE),
+                                       SOUND_FIELD("Feedrate.FeedrateValue", IG_READ)};
+static ig_field ids_of_chain[2];
+
+static ig_status create(const ig_link_api* api, ig_link* link, const ig_field* ids, void** self) {
+  (void)api;
+  (void)link;
+  *self = 0;
+  ids_of_chain[0] = ids[0];
+  ids_of_chain[1] = ids[1];
+#if defined(FAULT_create_nonsense)
+  return 77;
+#elif defined(FAULT_create_refuses)
+  return IG_FAILED; /* without a reason */
+#elif defined(FAULT_create_crashes)
+  *(volatile int*)(uintptr_t)8 = 1;
+#endif
+  return IG_CHANGED;
+}
+
+static ig_status build(void* self, const ig_host* host, ig_block* block) {
+  (void)self;
+  (void)host;
+  (void)block;
+#if defined(FAULT_status_nonsense)
+  return 77;
+#elif defined(FAULT_writes_undeclared)
+  const ig_value value = {.number = 1};
+  host->set(block, ids_of_chain[1], value); /* declared as read */
+#elif defined(FAULT_writes_no_field)
+  const ig_value value = {.number = 1};
+  host->set(block, 123456u, value);
+#elif defined(FAULT_takes_undeclared)
+  ig_value value;
+  host->take(block, ids_of_chain[0], &value); /* declared as read */
+#elif defined(FAULT_crashes_in_build)
+  *(volatile int*)(uintptr_t)8 = 1;
+#elif defined(FAULT_hangs_in_build)
+  for (volatile int forever = 1; forever;) {
+  }
+#elif defined(FAULT_recurses)
+  volatile char page[4096];
+  page[0] = 1;
+  return build(self, host, block) + page[0];
+#endif
+  return IG_UNCHANGED;
+}
+
+static const ig_syntax syntax = {.struct_size = sizeof(ig_syntax),
+                                 .id = "BadSyntax",
+                                 .summary = "Misbehaves.",
+                                 .fields = fields,
+                                 .options = sound_options,
+                                 .field_count = 2,
+                                 .option_count = 1,
+                                 .create = create,
+                                 .destroy = sound_destroy,
+                                 .build = build};
+static const ig_syntax* const syntaxes[] = {&syntax};
+static const ig_plugin plugin = SOUND_PLUGIN(NAME, syntaxes);
+
+const ig_plugin* ig_plugin_v1(void) { return &plugin; }

@@ -1,0 +1,49 @@
+// A plugin that misbehaves on command: M901 writes through a null pointer, M902 never returns, M903 throws, M904
+// aborts, and the scanner crashes at a question mark.
+#include <cstdlib>
+#include <isogloss/sdk.hpp>
+#include <stdexcept>
+
+const char* ig::embedded_page(const char*) noexcept { return nullptr; }
+
+namespace {
+
+struct Misbehave {
+  static constexpr auto spec = ig::syntax("MisbehaveSyntax", "Misbehaves when told to.").scans("?");
+
+  ig::Codes codes_{"M901", "M902", "M903", "M904"};
+
+  static void crash() {
+    volatile int* volatile nowhere = nullptr;
+    *nowhere = 1;
+  }
+
+  std::size_t scan(ig::Block&, std::string_view, std::size_t position) {
+    crash();
+    return position;
+  }
+
+  ig::Status build(ig::Block& b) {
+    const auto code = b.take(codes_);
+    if (!code) return ig::Status::unchanged;
+    volatile bool forever = true;
+    switch (*code) {
+      case 0: crash(); break;
+      case 1:
+        while (forever) {
+        }
+        break;
+      case 2: throw std::runtime_error("thrown on purpose");
+      default: std::abort();
+    }
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<Misbehave> registered;
+
+constexpr std::array diagnostics{ig::diagnostic(IG_NOTE, "BAD-0001", "unused", "Unused.", "")};
+
+}  // namespace
+
+ISOGLOSS_PLUGIN("cli_bad_plugin", "1.0.0", "tests", diagnostics)

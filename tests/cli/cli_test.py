@@ -1,0 +1,560 @@
+#!/usr/bin/env python3
+"""The command line as its users meet it: what stands on which stream, with which exit status."""
+import argparse
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+OPTIONS = None
+
+PROGRAM = """%
+O0001 (A HOLE AND AN ARC)
+N10 G21 G90 G17 G54
+N20 S1000 M03
+G00 X10. Y0. Z5.
+G01 Z-1. F120.
+G02 X0. Y-10. R10. (QUARTER)
+G81 X20. Y20. Z-5. R2. F100.
+G80
+M30
+%
+"""
+
+
+class Command(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = pathlib.Path(self.folder.name)
+        self.program = self.write("part.nc", PROGRAM)
+
+    def write(self, name, text):
+        path = self.path / name
+        path.write_text(text)
+        return path
+
+    def run_it(self, *arguments, status=0, given=None, **more):
+        environment = {k: v for k, v in os.environ.items() if not k.startswith("ISOGLOSS_")} | more.pop("env", {})
+        done = subprocess.run([OPTIONS.isogloss, *map(str, arguments)], input=given, capture_output=True, text=True,
+                              timeout=60, check=False, cwd=self.path, env=environment, **more)
+        self.assertEqual(done.returncode, status, f"{arguments}\n{done.stdout}\n{done.stderr}")
+        return done
+
+
+class Usage(Command):
+    def test_help_is_data_with_an_example(self):
+        done = self.run_it("--help")
+        self.assertIn("Usage: isogloss COMMAND", done.stdout)
+        self.assertEqual(done.stderr, "")
+        names = [line.split()[0] for line in done.stdout.split("Commands:\n")[1].split("\n\n")[0].splitlines()]
+        self.assertEqual(names, ["run", "explain", "lint", "dialect", "schema", "list", "inspect", "doctor", "apply",
+                                 "case"])
+        for name in names:
+            page = self.run_it(name, "--help")
+            self.assertIn("Example:", page.stdout)
+            self.assertIn("isogloss " + ("dialect --effective" if name == "dialect" else name), page.stdout)
+            self.assertIn("--plugins", page.stdout)
+            self.assertEqual(page.stderr, "")
+
+    def test_wrong_usage_is_2_and_talk(self):
+        for arguments in ([], ["nonsense"], ["run"], ["run", self.program, "--emit", "plots"],
+                          ["run", self.program, "--no-such-option"], ["list", "birds"],
+                          ["run", self.program, "--emit", "blocks", "--format", "csv"],
+                          ["run", self.program, "--set", "nothing"], ["run", self.program, "--block-skip", "0"],
+                          ["explain", "part.nc"], ["case"]):
+            done = self.run_it(*arguments, status=2)
+            self.assertEqual(done.stdout, "", arguments)
+            self.assertNotEqual(done.stderr, "", arguments)
+
+    def test_a_misspelt_command_has_a_hint(self):
+        self.assertIn("did you mean 'explain'", self.run_it("explian", status=2).stderr)
+
+    def test_version_names_host_contract_and_plugins(self):
+        out = self.run_it("--version").stdout
+        for line in ("isogloss ", "contract 1.", "plugin iso ", "plugin fanuc "):
+            self.assertIn(line, out)
+
+    def test_places_before_the_command(self):
+        empty = self.path / "empty"
+        empty.mkdir()
+        out = json.loads(self.run_it("--plugins", empty, "doctor", "--json").stdout)
+        self.assertEqual(out["PluginFolders"][0], {"Folder": str(empty), "NamedBy": "--plugins", "Exists": True})
+
+    def test_environment_names_places(self):
+        out = json.loads(self.run_it("doctor", "--json", env={"ISOGLOSS_PLUGIN_PATH": "/nowhere:/else"}).stdout)
+        self.assertEqual([p["Folder"] for p in out["PluginFolders"][:2]], ["/nowhere", "/else"])
+        self.assertFalse(out["PluginFolders"][0]["Exists"])
+
+
+class Run(Command):
+    def test_motions_are_json_lines(self):
+        done = self.run_it("run", self.program, "-d", "iso")
+        events = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertEqual([e["Event"] for e in events],
+                         ["spindle", "rapid", "feed", "arc", "rapid", "rapid", "feed", "rapid", "end"])
+        self.assertEqual(events[1]["Line"], 5)
+        self.assertEqual(events[1]["ProgramXyz"], {"X": 10, "Y": 0, "Z": 5})
+        self.assertAlmostEqual(events[2]["Feedrate_mmds"], 2)
+        self.assertEqual(done.stderr, "")
+
+    def test_the_guessed_dialect_is_said(self):
+        done = self.run_it("run", self.program)
+        self.assertRegex(done.stderr, r"note: dialect \w+ \(.*\); -d names another \[IG-0514\]")
+
+    def test_dialect_by_file(self):
+        dialect = self.write("mine.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="mine" extends="iso"/>')
+        self.assertEqual(self.run_it("run", self.program, "-d", dialect).stdout,
+                         self.run_it("run", self.program, "-d", "iso").stdout)
+
+    def test_formats(self):
+        table = self.run_it("run", self.program, "-d", "iso", "--format", "csv").stdout.splitlines()
+        self.assertTrue(table[0].startswith("file,line,event,px,py,pz,mx"))
+        self.assertEqual(len(table), 10)
+        blocks = self.run_it("run", self.program, "-d", "iso", "--emit", "blocks").stdout.splitlines()
+        self.assertEqual(json.loads(blocks[2])["Unit"]["System"], "Metric")
+        header = self.run_it("run", self.program, "-d", "iso", "--header").stdout.splitlines()[0]
+        self.assertEqual(json.loads(header)["Dialect"], "iso")
+        self.assertEqual(self.run_it("run", self.program, "-d", "iso", "--emit", "none").stdout, "")
+        self.assertIn("rapid", self.run_it("run", self.program, "-d", "iso", "--format", "text").stdout)
+
+    def test_standard_input(self):
+        piped = self.run_it("run", "-", "-d", "iso", given=PROGRAM).stdout
+        self.assertEqual(len(piped.splitlines()), 9)
+        self.assertEqual(json.loads(piped.splitlines()[0])["File"], "-")
+
+    def test_several_programs_are_separate_runs_in_one_table(self):
+        other = self.write("other.nc", PROGRAM)
+        both = self.run_it("run", self.program, other, "-d", "iso", "--format", "csv").stdout.splitlines()
+        self.assertEqual(len(both), 1 + 9 + 9)
+        self.assertEqual(both[1].split(",")[2:], both[10].split(",")[2:])
+
+    def test_a_missing_file_is_2_and_the_others_run(self):
+        done = self.run_it("run", "missing.nc", self.program, "-d", "iso", status=2)
+        self.assertIn("missing.nc: error: cannot be read: No such file or directory [IG-0510]", done.stderr)
+        self.assertEqual(len(done.stdout.splitlines()), 9)
+        self.assertIn("it is a folder", self.run_it("run", self.path, "-d", "iso", status=2).stderr)
+
+    def test_an_unknown_dialect_is_2(self):
+        done = self.run_it("run", self.program, "-d", "izo", status=2)
+        self.assertEqual(done.stdout, "")
+        self.assertIn("iso", done.stderr)
+
+    def test_errors_in_the_program_are_1(self):
+        bad = self.write("bad.nc", "G01 X1. F100.\nG123\n")
+        done = self.run_it("run", bad, "-d", "iso", status=1)
+        self.assertRegex(done.stderr, r"bad\.nc:2:1: error: .*G123.*\[[A-Z]+-\d+\]")
+
+    def test_own_tables(self):
+        offsets = self.write("offsets.xml", '<IsoCoordinateTable xmlns="urn:isogloss:dialect:1">'
+                                            '<Offset id="G54" X="100" Y="0" Z="-50"/></IsoCoordinateTable>')
+
+        def first_rapid(*more):
+            out = self.run_it("run", self.program, "-d", "iso", *more).stdout.splitlines()
+            return json.loads(out[1])["MachineCoordinate"]
+
+        self.assertEqual(first_rapid(), {"X": 10, "Y": 0, "Z": 5})
+        self.assertEqual(first_rapid("--offsets", offsets), {"X": 110, "Y": 0, "Z": -45})
+        self.assertEqual(first_rapid("--set", "IsoCoordinateTable.G54.Z=-120"), {"X": 10, "Y": 0, "Z": -115})
+        self.assertEqual(first_rapid("--offsets", offsets, "--set", "IsoCoordinateTable.G54.Z=1"),
+                         {"X": 110, "Y": 0, "Z": 6})
+        self.run_it("run", self.program, "-d", "iso", "--set", "IsoCoordinateTable.G54.Z=deep", status=2)
+        self.run_it("run", self.program, "-d", "iso", "--set", "NoTable.G54.Z=1", status=2)
+        self.run_it("run", self.program, "-d", "iso", "--offsets", "missing.xml", status=2)
+
+    def test_switches_of_the_machine(self):
+        skipping = self.write("skip.nc", "/G00 X1.\nG00 X2.\nM01\nM00\n")
+
+        def events(*more):
+            out = self.run_it("run", skipping, "-d", "iso", *more).stdout.splitlines()
+            return [json.loads(line)["Event"] for line in out]
+
+        self.assertEqual(events(), ["rapid", "rapid", "stop"])
+        self.assertEqual(events("--block-skip", "1"), ["rapid", "stop"])
+        self.assertEqual(events("--block-skip", "2,3"), ["rapid", "rapid", "stop"])
+        self.assertEqual(events("--optional-stop"), ["rapid", "rapid", "stop", "stop"])
+
+    def test_program_of_a_file(self):
+        two = self.write("two.nc", "O0001\nG00 X1.\nM30\nO0002\nG00 X2.\nM30\n")
+        out = self.run_it("run", two, "-d", "iso", "--program", "O0002").stdout.splitlines()
+        self.assertEqual(json.loads(out[0])["ProgramXyz"]["X"], 2)
+        self.assertIn("IG-0406", self.run_it("run", two, "-d", "iso", "--program", "O9", status=1).stderr)
+
+    def test_summary(self):
+        done = self.run_it("run", self.program, "-d", "iso", "--summary", "--set", "MachineAxes.X.RapidRate=12000",
+                           "--set", "MachineAxes.Y.RapidRate=12000", "--set", "MachineAxes.Z.RapidRate=6000")
+        values = dict(line.split(":", 1) for line in done.stdout.splitlines())
+        self.assertEqual(values["blocks"].strip(), "10")
+        self.assertTrue(values["events"].strip().startswith("9 ("))
+        self.assertEqual(values["diagnostics"].strip(), "none")
+        self.assertIn("machine Z", values)
+        both = self.run_it("run", self.program, "-d", "iso", "--emit", "motions", "--summary")
+        self.assertEqual(len(both.stdout.splitlines()), 9)
+        self.assertIn("feed length:", both.stderr)
+
+    def test_limits(self):
+        limited = self.run_it("run", self.program, "-d", "iso", "--max-blocks", "3", status=1)
+        self.assertIn("stopped after 3 blocks", limited.stderr)
+        bad = self.write("bad.nc", "G123\n" * 20)
+        done = self.run_it("run", bad, "-d", "iso", "--max-errors", "3", status=1)
+        self.assertEqual(done.stderr.count("error:"), 3)
+        self.assertIn("IG-0517", done.stderr)
+
+    def test_checked_and_call_all_change_nothing(self):
+        plain = self.run_it("run", self.program, "-d", "fanuc").stdout
+        self.assertEqual(self.run_it("run", self.program, "-d", "fanuc", "--checked").stdout, plain)
+        self.assertEqual(self.run_it("run", self.program, "-d", "fanuc", "--checked", "--call-all").stdout, plain)
+
+
+class Diagnostics(Command):
+    def setUp(self):
+        super().setUp()
+        self.bad = self.write("bad.nc", "G123\n" * 20)
+
+    def test_repeats_are_grouped(self):
+        done = self.run_it("run", self.bad, "-d", "iso", status=1)
+        self.assertEqual(done.stderr.count("error:"), 5)
+        self.assertRegex(done.stderr, r"… and 15 more \[[A-Z]+-\d+\]")
+        self.assertEqual(self.run_it("run", self.bad, "-d", "iso", "--repeats", "0", status=1).stderr.count("error:"), 20)
+
+    def test_json(self):
+        done = self.run_it("run", self.bad, "-d", "iso", "--diagnostics", "json", status=1)
+        lines = [json.loads(line) for line in done.stderr.splitlines()]
+        self.assertEqual(len(lines), 20)
+        self.assertEqual((lines[3]["Severity"], lines[3]["Line"], lines[3]["Column"], lines[3]["EndColumn"]),
+                         ("error", 4, 1, 5))
+
+    def test_sarif(self):
+        done = self.run_it("run", self.bad, "-d", "iso", "--diagnostics=sarif", status=1)
+        run = json.loads(done.stderr)["runs"][0]
+        self.assertEqual(len(run["results"]), 20)
+        self.assertEqual(run["results"][0]["locations"][0]["physicalLocation"]["region"],
+                         {"startLine": 1, "startColumn": 1, "endColumn": 5})
+        self.assertEqual(run["tool"]["driver"]["name"], "isogloss")
+        clean = self.run_it("run", self.program, "-d", "iso", "--diagnostics=sarif")
+        self.assertEqual(json.loads(clean.stderr)["runs"][0]["results"], [])
+
+    def test_warnings_as_errors(self):
+        odd = self.write("odd.nc", "M77\n")
+        self.assertIn("warning:", self.run_it("run", odd, "-d", "iso").stderr)
+        self.assertIn("error:", self.run_it("run", odd, "-d", "iso", "--werror", status=1).stderr)
+
+    def test_no_colours_in_a_pipe_and_no_control_bytes(self):
+        self.write("esc.nc", "G00 X1. \x1b[31m\n")
+        done = subprocess.run([OPTIONS.isogloss, "run", "esc.nc", "-d", "iso"], cwd=self.path, capture_output=True,
+                              check=False)
+        self.assertNotIn(b"\x1b", done.stderr)
+        self.assertNotEqual(done.stderr, b"")
+
+
+class Output(Command):
+    def test_a_file_appears_complete(self):
+        out = self.path / "out.jsonl"
+        done = self.run_it("run", self.program, "-d", "iso", "-o", out)
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(len(out.read_text().splitlines()), 9)
+        self.assertEqual(sorted(p.name for p in self.path.iterdir()), ["out.jsonl", "part.nc"])
+
+    def test_a_failed_start_leaves_the_old_file(self):
+        out = self.write("out.jsonl", "old")
+        self.run_it("run", self.program, "-d", "nothing", "-o", out, status=2)
+        self.assertEqual(out.read_text(), "old")
+        self.assertEqual(sorted(p.name for p in self.path.iterdir()), ["out.jsonl", "part.nc"])
+
+    def test_links_and_modes_stay(self):
+        target = self.write("target", "old")
+        target.chmod(0o640)
+        link = self.path / "link"
+        link.symlink_to(target)
+        self.run_it("run", self.program, "-d", "iso", "-o", link)
+        self.assertTrue(link.is_symlink())
+        self.assertEqual(len(target.read_text().splitlines()), 9)
+        self.assertEqual(target.stat().st_mode & 0o777, 0o640)
+
+    def test_devices_and_pipes_are_written_to(self):
+        self.run_it("run", self.program, "-d", "iso", "-o", "/dev/null")
+        self.assertTrue(pathlib.Path("/dev/null").is_char_device())
+        pipe = self.path / "pipe"
+        os.mkfifo(pipe)
+        with subprocess.Popen(["cat", pipe], stdout=subprocess.PIPE, text=True) as reader:
+            self.run_it("run", self.program, "-d", "iso", "-o", pipe)
+            self.assertEqual(len(reader.communicate(timeout=20)[0].splitlines()), 9)
+
+    def test_refused_targets_are_2(self):
+        self.assertIn("IG-0511", self.run_it("run", self.program, "-d", "iso", "-o", self.path, status=2).stderr)
+        self.assertIn("IG-0511", self.run_it("run", self.program, "-d", "iso", "-o", "no/such/folder/x",
+                                             status=2).stderr)
+
+    def test_a_full_disk_is_2(self):
+        with open("/dev/full", "w", encoding="ascii") as full:
+            done = subprocess.run([OPTIONS.isogloss, "run", self.program, "-d", "iso"], stdout=full,
+                                  stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("No space left", done.stderr)
+
+    def test_a_closed_reader_ends_quietly(self):
+        long = self.write("long.nc", "".join(f"G01 X{i % 90}. Y{i % 70}. F1000.\n" for i in range(100_000)))
+        for arguments in (["run", long, "-d", "iso"], ["list", "fields", "--json"]):
+            with subprocess.Popen([OPTIONS.isogloss, *map(str, arguments)], stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE) as process:
+                process.stdout.read(10)
+                process.stdout.close()
+                said = process.stderr.read()
+                self.assertEqual(process.wait(timeout=60), 0, arguments)
+                self.assertEqual(said, b"")
+
+
+class Listing(Command):
+    def test_every_list(self):
+        for what, key, sample in (("plugins", "Name", "iso"), ("dialects", "Name", "fanuc"),
+                                  ("syntaxes", "Id", "DrillingCycleSyntax"), ("dependencies", "Id", "IsoCoordinateTable"),
+                                  ("fields", "Path", "ProgramXyz.X"), ("diagnostics", "Code", "IG-0206")):
+            rows = json.loads(self.run_it("list", what, "--json").stdout)
+            self.assertIn(sample, [row[key] for row in rows])
+            text = self.run_it("list", what).stdout
+            self.assertEqual(len(text.splitlines()), len(rows))
+            self.assertIn(sample, text)
+        self.assertIn("plugins", self.run_it("list").stdout)
+
+    def test_diagnostics_are_complete_and_unique(self):
+        rows = json.loads(self.run_it("list", "diagnostics", "--json").stdout)
+        codes = [row["Code"] for row in rows]
+        self.assertEqual(len(codes), len(set(codes)))
+        for row in rows:
+            self.assertTrue(row["Text"] and row["Explanation"] and row["Severity"], row)
+        for code in (codes[0], codes[-1]):
+            self.assertIn(code, self.run_it("explain", code).stdout)
+
+    def test_inspect(self):
+        page = self.run_it("inspect", "DrillingCycleSyntax").stdout
+        self.assertTrue(page.startswith("# DrillingCycleSyntax"))
+        self.assertIn("p-unit", page)
+        described = json.loads(self.run_it("inspect", "DrillingCycleSyntax", "-d", "fanuc", "--json").stdout)
+        self.assertEqual(described["In fanuc"][0]["Options"]["p-unit"], "ms")
+        self.assertIn("IncrementalResolveSyntax", described["Before"])
+        table = json.loads(self.run_it("inspect", "IsoCoordinateTable", "--json").stdout)
+        self.assertIn("isogloss.work-offset/1", table["Provides"])
+        field = json.loads(self.run_it("inspect", "ProgramXyz.X", "--json").stdout)
+        self.assertIn("ProgramXyzSyntax", field["Writers"])
+        dialect = json.loads(self.run_it("inspect", "fanuc", "--json").stdout)
+        self.assertIn("iso", dialect["Extends"])
+        self.assertIn("did you mean DrillingCycleSyntax", self.run_it("inspect", "DrilingCycleSyntax", status=2).stderr)
+
+    def test_doctor_explains_what_is_not_loaded(self):
+        self.write("notes.so", "no library")
+        done = self.run_it("doctor", "--plugins", self.path, status=1)
+        self.assertIn("notes.so", done.stdout)
+        self.assertIn("[IG-0301]", done.stdout)
+        self.assertIn("All is well.", self.run_it("doctor").stdout)
+
+    def test_schemas(self):
+        self.assertIn("urn:isogloss:dialect:1", self.run_it("schema", "dialect").stdout)
+        self.assertIn("ProgramXyz", json.loads(self.run_it("schema", "block").stdout)["properties"])
+
+
+class Dialects(Command):
+    def dialect(self, chain):
+        return self.write("mine.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="mine" extends="iso">'
+                                      f"<Chain>{chain}</Chain></Dialect>")
+
+    def test_lint(self):
+        self.assertRegex(self.run_it("lint", "iso", "fanuc").stdout, r"iso: \d+ syntaxes.*\nfanuc: \d+ syntaxes")
+        done = self.run_it("lint", self.dialect('<Configure syntax="DwellSyntax" p-unit="hours"/>'), status=1)
+        self.assertRegex(done.stderr, r"mine\.xml:1:\d+: error: .*p-unit.*\[IG-0205\]")
+        self.assertEqual(self.run_it("lint", "nothing", status=1).stdout, "")
+
+    def test_suggest(self):
+        wrong = self.dialect('<Remove syntax="McXyzSyntax"/>'
+                             '<InsertBefore syntax="ProgramXyzSyntax"><McXyzSyntax/></InsertBefore>')
+        done = self.run_it("lint", wrong, "--suggest", status=1)
+        self.assertIn("IG-020", done.stderr)
+        self.assertRegex(done.stdout, r"(?m)^[-+]<\w+/>$")
+        self.assertIn("the order is right", self.run_it("lint", "iso", "--suggest").stdout)
+
+    def test_effective_loads_back(self):
+        effective = self.path / "effective.xml"
+        self.run_it("dialect", "--effective", "fanuc", "-o", effective)
+        again = self.run_it("dialect", "--effective", effective).stdout
+        self.assertEqual(again, effective.read_text())
+        self.assertEqual(self.run_it("run", self.program, "-d", effective).stdout,
+                         self.run_it("run", self.program, "-d", "fanuc").stdout)
+        self.run_it("dialect", "--effective", "nothing", status=1)
+
+
+class Explain(Command):
+    def test_a_line(self):
+        out = self.run_it("explain", f"{self.program}:7", "-d", "iso").stdout
+        self.assertIn("part.nc:7: G02 X0. Y-10. R10. (QUARTER)", out)
+        self.assertIn("CircularMotionSyntax (iso)", out)
+        self.assertIn("+ MotionEvent.IsCcw = false", out)
+        self.assertRegex(out, r"Feedrate\.FeedrateValue = 120 +FeedrateSyntax, line 6")
+        self.assertIn("Slept", out)
+
+    def test_json(self):
+        block = json.loads(self.run_it("explain", f"{self.program}:6", "-d", "iso", "--json").stdout)[0]
+        self.assertEqual((block["Line"], block["Text"]), (6, "G01 Z-1. F120."))
+        steps = {step["Syntax"]: step["Changes"] for step in block["Steps"]}
+        self.assertIn({"Path": "Feedrate.FeedrateValue", "After": 120}, steps["FeedrateSyntax"])
+        self.assertEqual(block["Document"]["ProgramXyz"], {"X": 10, "Y": 0, "Z": -1})
+        carried = {value["Path"]: value for value in block["Carried"]}
+        self.assertEqual(carried["ProgramXyz.Z"]["Line"], 5)
+        self.assertIn("CircularMotionSyntax", [s["Syntax"] for s in block["Slept"]])
+
+    def test_a_code(self):
+        out = self.run_it("explain", "IG-0206").stdout
+        self.assertIn("must stand after", out)
+        self.assertIn("lint --suggest", out)
+        self.run_it("explain", "IG-9999", status=2)
+
+    def test_no_block(self):
+        self.assertIn("no block at line 99", self.run_it("explain", f"{self.program}:99", "-d", "iso", status=1).stderr)
+        self.run_it("explain", "missing.nc:1", status=2)
+
+
+class Cases(Command):
+    CASE = """# DwellSyntax
+
+## P in seconds
+
+#BeforeBuild:
+```json
+{"Parsing": {"G04": {"P": 0.5}}, "Other": {"Kept": 1}}
+```
+#AfterBuild:
+```json
+{"Other": {"Kept": 1.0}, "Dwell": {"Time": %s}}
+```
+"""
+
+    def test_apply(self):
+        done = self.run_it("apply", "DwellSyntax", given='{"Parsing": {"G04": {"P": 0.5}, "F": 100.0}}')
+        self.assertEqual(json.loads(done.stdout), {"Parsing": {"F": 100}, "Dwell": {"Time": 0.5}})
+        self.assertTrue(done.stdout.startswith('{\n  "'))
+        given = '{"Parsing": {"G04": {"P": 500}}}'
+        self.assertEqual(json.loads(self.run_it("apply", "DwellSyntax", "-d", "fanuc", given=given).stdout),
+                         {"Dwell": {"Time": 0.5}})
+
+    def test_apply_with_a_previous_block(self):
+        before = self.write("previous.json", '{"ProgramXyz": {"X": 1, "Y": 2, "Z": 3}}')
+        done = self.run_it("apply", "ProgramXyzSyntax", "--previous", before, given='{"Parsing": {"Y": 7.5}}')
+        self.assertEqual(json.loads(done.stdout), {"ProgramXyz": {"X": 1, "Y": 7.5, "Z": 3}})
+        done = self.run_it("apply", "ProgramXyzSyntax", given='{"Parsing": {"Y": 7.5}}')
+        self.assertEqual(json.loads(done.stdout), {"ProgramXyz": {"X": 0, "Y": 7.5, "Z": 0}})
+
+    def test_apply_a_scanner(self):
+        done = self.run_it("apply", "IsoCommentSyntax", given='{"UnparsedText": "N10 G1 X5 (hole)"}')
+        self.assertEqual(json.loads(done.stdout),
+                         {"UnparsedText": "N10 G1 X5", "Comment": {"Symbol": "(", "Text": "hole"}})
+
+    def test_apply_refuses(self):
+        self.assertIn("did you mean DwellSyntax", self.run_it("apply", "DwelSyntax", given="{}", status=2).stderr)
+        self.assertIn("IG-0502", self.run_it("apply", "DwellSyntax", given="{", status=1).stderr)
+        self.assertIn("IG-0502", self.run_it("apply", "DwellSyntax", given="[]", status=1).stderr)
+        wrong = '{"Feedrate": {"FeedrateValue": "fast"}}'
+        self.assertIn("Feedrate.FeedrateValue", self.run_it("apply", "DwellSyntax", given=wrong, status=1).stderr)
+
+    def test_cases_hold_or_show_the_difference(self):
+        self.assertIn("1 cases of 1 pages: 1 hold, 0 fail",
+                      self.run_it("case", self.write("a.md", self.CASE % "0.5")).stdout)
+        done = self.run_it("case", self.write("b.md", self.CASE % "5"), status=1)
+        self.assertIn("Dwell.Time: expected 5, got 0.5", done.stdout)
+        self.assertRegex(done.stderr, r"b\.md:5: error: case 'P in seconds' of DwellSyntax does not hold \[IG-0505\]")
+
+    def test_options_dependencies_and_diagnostics_of_a_case(self):
+        text = """# DwellSyntax
+## milliseconds
+#Dependencies:
+```xml
+<DwellSyntax p-unit="ms"/>
+```
+#BeforeBuild:
+```json
+{"Parsing": {"G04": {"P": 500}}}
+```
+#AfterBuild:
+```json
+{"Dwell": {"Time": 0.5}}
+```
+#Diagnostics:
+```
+```
+"""
+        self.run_it("case", self.write("a.md", text))
+        wanted = text.replace("#Diagnostics:\n```\n", "#Diagnostics:\n```\nISO-0215\n")
+        self.assertIn("diagnostics: expected ISO-0215, got", self.run_it("case", self.write("b.md", wanted),
+                                                                         status=1).stdout)
+
+    def test_a_malformed_page_is_an_error(self):
+        page = self.write("c.md", "# DwellSyntax\n## open\n#BeforeBuild:\n```json\n{}\n```\n")
+        self.assertIn("[IG-0501]", self.run_it("case", page, status=1).stderr)
+        self.run_it("case", "missing.md", status=2)
+
+    def test_shipped_pages_hold(self):
+        self.assertIn(" 0 fail", self.run_it("case", "--all").stdout)
+
+
+class Faults(Command):
+    def setUp(self):
+        super().setUp()
+        self.dialect = self.write("bad.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="bad" extends="iso">'
+                                             '<Plugins><Plugin name="cli_bad_plugin"/></Plugins><Chain>'
+                                             '<InsertBefore syntax="WordSyntax"><MisbehaveSyntax/></InsertBefore>'
+                                             "</Chain></Dialect>")
+
+    def fault(self, block, *more):
+        program = self.write("fault.nc", f"G90 G54\nG00 X1. Y2. Z3.\n{block}\nG00 X9.\n")
+        return self.run_it("run", program, "-d", self.dialect, "--plugins", OPTIONS.bad_plugins, *more, status=3)
+
+    def reproducer(self, *more, status):
+        pages = list(self.path.glob("isogloss-crash-*.md"))
+        self.assertEqual(len(pages), 1)
+        page = pages[0].read_text()
+        done = self.run_it("case", pages[0], "-d", self.dialect, "--plugins", OPTIONS.bad_plugins, *more,
+                           status=status)
+        return page, done
+
+    def test_a_crash_names_its_place_and_is_repeatable(self):
+        done = self.fault("G00 X5. M901")
+        self.assertIn("internal fault: segmentation fault in MisbehaveSyntax of plugin cli_bad_plugin", done.stderr)
+        self.assertIn("fault.nc:3: G00 X5. M901", done.stderr)
+        page, again = self.reproducer(status=3)
+        self.assertIn("# MisbehaveSyntax", page)
+        self.assertIn('"M901"', page)
+        self.assertIn('"ProgramXyz"', page)
+        self.assertIn("MisbehaveSyntax", again.stderr)
+
+    def test_an_abort_and_a_crashing_scanner(self):
+        self.assertIn("abort in MisbehaveSyntax", self.fault("M904").stderr)
+        for page in self.path.glob("isogloss-crash-*.md"):
+            page.unlink()
+        self.assertIn("fault.nc:3: G00 X5. ?", self.fault("G00 X5. ?").stderr)
+        self.assertIn("G00 X5. ?", self.reproducer(status=3)[0])
+
+    def test_a_hang_ends(self):
+        begin = time.monotonic()
+        done = self.fault("G00 X5. M902", "--watchdog", "1")
+        self.assertLess(time.monotonic() - begin, 20)
+        self.assertIn("no end of the block in sight in MisbehaveSyntax", done.stderr)
+        self.assertEqual(len(list(self.path.glob("isogloss-crash-*.md"))), 1)
+
+    def test_an_exception_is_a_fault_and_the_run_goes_on(self):
+        done = self.fault("M903")
+        self.assertIn("thrown on purpose", done.stderr)
+        self.assertIn("[IG-0401]", done.stderr)
+        self.assertEqual(json.loads(done.stdout.splitlines()[-1])["ProgramXyz"]["X"], 9)
+
+    def test_no_temporary_file_is_left(self):
+        self.fault("M901", "-o", self.path / "out.jsonl")
+        self.assertEqual([p.name for p in self.path.iterdir() if p.name.startswith("out")], [])
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--isogloss", required=True, type=lambda p: str(pathlib.Path(p).resolve()))
+    parser.add_argument("--bad-plugins", required=True, type=lambda p: str(pathlib.Path(p).resolve()))
+    OPTIONS, rest = parser.parse_known_args()
+    unittest.main(argv=[sys.argv[0], *rest], verbosity=1)

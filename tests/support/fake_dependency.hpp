@@ -1,0 +1,114 @@
+/// A dependency of a plugin outside a host: its descriptor, an in-memory table, and its services.
+#pragma once
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isogloss.h"
+
+namespace isogloss_test {
+
+class FakeDependency {
+ public:
+  using Rows = std::map<std::string, std::map<std::string, double>>;
+
+  /// Options by name; those not given have their default. Shipped rows come first, `rows` change them.
+  FakeDependency(const ig_plugin& plugin, std::string_view id, const Rows& rows = {},
+                 std::map<std::string, std::string> options = {})
+      : descriptor_(find(plugin, id)), options_(std::move(options)) {
+    for (std::uint32_t i = 0; i < descriptor_.default_row_count; ++i) ship(descriptor_.default_rows[i]);
+    for (const auto& [row, cells] : rows) {
+      add(row);
+      for (const auto& [column, value] : cells) table_.at(row)[index_of(column)] = value;
+    }
+    api_.struct_size = sizeof api_;
+    api_.option_number = [](ig_link* link, std::uint32_t i) { return std::stod(self(link).option(i)); };
+    api_.option_integer = [](ig_link* link, std::uint32_t i) { return self(link).integer(i); };
+    api_.table = [](ig_link* link) { return reinterpret_cast<ig_table*>(link); };
+    api_.value = [](const ig_table* table, ig_text row, std::uint32_t column, double* out) {
+      return self(table).value({row.data, row.size}, column, out);
+    };
+    api_.set_value = [](ig_table* table, ig_text row, std::uint32_t column, double v) {
+      auto& me = const_cast<FakeDependency&>(self(table));
+      me.add({row.data, row.size});
+      me.table_.at(std::string(row.data, row.size))[column] = v;
+      return std::int32_t{1};
+    };
+    if (descriptor_.create(&api_, reinterpret_cast<ig_link*>(this), nullptr, &instance_) != IG_CHANGED)
+      throw std::runtime_error("create() failed");
+  }
+  ~FakeDependency() { descriptor_.destroy(instance_); }
+  FakeDependency(const FakeDependency&) = delete;
+  FakeDependency& operator=(const FakeDependency&) = delete;
+
+  template <class Service>
+  const Service* service(const char* id) const {
+    return static_cast<const Service*>(descriptor_.service(instance_, id));
+  }
+
+ private:
+  static const FakeDependency& self(const void* p) { return *static_cast<const FakeDependency*>(p); }
+  static const FakeDependency& self(ig_link* p) { return self(static_cast<const void*>(p)); }
+
+  static const ig_dependency& find(const ig_plugin& plugin, std::string_view id) {
+    for (std::uint32_t i = 0; i < plugin.dependency_count; ++i)
+      if (id == plugin.dependencies[i]->id) return *plugin.dependencies[i];
+    throw std::runtime_error("no such dependency");
+  }
+
+  std::string option(std::uint32_t i) const {
+    const auto given = options_.find(descriptor_.options[i].name);
+    return given != options_.end() ? given->second : descriptor_.options[i].fallback;
+  }
+  std::int64_t integer(std::uint32_t i) const {
+    if (descriptor_.options[i].type != IG_OPTION_CHOICE) return std::stoll(option(i));
+    const std::string choices = descriptor_.options[i].choices;
+    const std::size_t at = ('|' + choices + '|').find('|' + option(i) + '|');
+    std::int64_t index = 0;
+    for (std::size_t k = 0; k < at; ++k) index += choices[k] == '|';
+    return at == 0 ? 0 : index;
+  }
+
+  std::uint32_t index_of(std::string_view column) const {
+    for (std::uint32_t i = 0; i < descriptor_.column_count; ++i)
+      if (column == descriptor_.columns[i].name) return i;
+    throw std::runtime_error("no such column");
+  }
+  void add(std::string_view row) {
+    const auto [cells, is_new] = table_.try_emplace(std::string(row));
+    if (!is_new) return;
+    for (std::uint32_t i = 0; i < descriptor_.column_count; ++i)
+      if (const char* fallback = descriptor_.columns[i].fallback; fallback != nullptr)
+        cells->second[i] = std::stod(fallback);
+  }
+  /// "key|column=value|…"
+  void ship(std::string_view row) {
+    const std::string key(row.substr(0, row.find('|')));
+    add(key);
+    while (row.find('|') != std::string_view::npos) {
+      row.remove_prefix(row.find('|') + 1);
+      const std::string_view cell = row.substr(0, row.find('|'));
+      const std::size_t equals = cell.find('=');
+      table_.at(key)[index_of(cell.substr(0, equals))] = std::stod(std::string(cell.substr(equals + 1)));
+    }
+  }
+  std::int32_t value(std::string_view row, std::uint32_t column, double* out) const {
+    const auto cells = table_.find(std::string(row));
+    if (cells == table_.end()) return 0;
+    const auto cell = cells->second.find(column);
+    if (cell == cells->second.end()) return 0;
+    *out = cell->second;
+    return 1;
+  }
+
+  const ig_dependency& descriptor_;
+  std::map<std::string, std::string> options_;
+  std::map<std::string, std::map<std::uint32_t, double>> table_;
+  ig_link_api api_{};
+  void* instance_ = nullptr;
+};
+
+}  // namespace isogloss_test
