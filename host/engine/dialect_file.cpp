@@ -175,8 +175,8 @@ class FileReader {
     int last_stage = -1;
     std::string_view last_name;
     for (const pugi::xml_node child : elements(node)) {
-      const auto stage = std::find_if(stages.begin(), stages.end(),
-                                      [&](Stage s) { return to_string(s) == child.name(); });
+      const auto stage =
+          std::find_if(stages.begin(), stages.end(), [&](Stage s) { return to_string(s) == child.name(); });
       if (const std::optional<EditKind> kind = edit_kind(child)) {
         if (const auto head = edit<ChainElement>(child, *kind, "syntax", {"as"})) read_chain_edit(child, *head);
       } else if (stage == stages.end()) {
@@ -297,8 +297,8 @@ class FileReader {
   // ---- Edits ----
 
   static std::optional<EditKind> edit_kind(pugi::xml_node node) {
-    const auto kind = std::find_if(edit_kinds.begin(), edit_kinds.end(),
-                                   [&](EditKind k) { return to_string(k) == node.name(); });
+    const auto kind =
+        std::find_if(edit_kinds.begin(), edit_kinds.end(), [&](EditKind k) { return to_string(k) == node.name(); });
     return kind == edit_kinds.end() ? std::nullopt : std::optional(*kind);
   }
 
@@ -339,8 +339,7 @@ class FileReader {
 
   std::string alias(pugi::xml_node node) {
     std::string as = node.attribute("as").value();
-    if (as.empty() || as.find_first_of(" \t\r\n") != std::string::npos)
-      bad_value(node, "as", "a name without blanks");
+    if (as.empty() || as.find_first_of(" \t\r\n") != std::string::npos) bad_value(node, "as", "a name without blanks");
     return as.empty() ? node.name() : as;
   }
 

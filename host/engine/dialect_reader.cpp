@@ -55,16 +55,14 @@ class Editor {
       return;
     }
     switch (edit.kind) {
-      case EditKind::configure:
-        return configure(*at, edit);
+      case EditKind::configure: return configure(*at, edit);
       case EditKind::remove:
         names_.erase(at->alias);
         list_.erase(at);
         return;
       case EditKind::replace:
       case EditKind::insert_before:
-      case EditKind::insert_after:
-        return put_in(at, edit);
+      case EditKind::insert_after: return put_in(at, edit);
     }
   }
 
@@ -79,8 +77,8 @@ class Editor {
     }
     for (Element element : edit.elements) {
       if (!names_.insert(element.alias).second) {
-        const auto other = std::find_if(list_.begin(), list_.end(),
-                                        [&](const Element& e) { return e.alias == element.alias; });
+        const auto other =
+            std::find_if(list_.begin(), list_.end(), [&](const Element& e) { return e.alias == element.alias; });
         report_("IG-0113", element.where,
                 {shown(element.alias), fmt::format("{}:{}", other->where.file, other->where.line)});
         continue;
@@ -223,10 +221,10 @@ class Reading {
       return found;
     }
     const fs::path path = (folder / file.extends).lexically_normal();
-    const bool allowed = !fs::path(file.extends).is_absolute() &&
-                         (!below_folder_of(file.own.file.string(), file.extends).empty() ||
-                          std::any_of(folders_.begin(), folders_.end(),
-                                      [&](const fs::path& f) { return is_below(path, f); }));
+    const bool allowed =
+        !fs::path(file.extends).is_absolute() &&
+        (!below_folder_of(file.own.file.string(), file.extends).empty() ||
+         std::any_of(folders_.begin(), folders_.end(), [&](const fs::path& f) { return is_below(path, f); }));
     if (allowed) return path;
     report_("IG-0117", file.extends_where, {shown(file.extends), "the dialect's folder and the dialect folders"});
     return {};

@@ -183,9 +183,7 @@ void add_option(pugi::xml_node type, const ig_option_decl& option) {
   if (option.fallback == nullptr) doc += doc.empty() ? "Required." : " Required.";
   if (option.fallback != nullptr) set(attribute, "default", option.fallback);
   switch (option.type) {
-    case IG_OPTION_BOOLEAN:
-      set(attribute, "type", "dialect.Boolean");
-      return document(attribute, doc);
+    case IG_OPTION_BOOLEAN: set(attribute, "type", "dialect.Boolean"); return document(attribute, doc);
     case IG_OPTION_CHOICE: {
       document(attribute, doc);
       pugi::xml_node restriction = restrict_to(attribute, "xs:string");
@@ -206,9 +204,7 @@ void add_option(pugi::xml_node type, const ig_option_decl& option) {
     case IG_OPTION_FIELDS:
       set(attribute, "type", "xs:string");
       return document(attribute, doc + " Field patterns, separated by blanks.");
-    default:
-      set(attribute, "type", "xs:string");
-      return document(attribute, doc);
+    default: set(attribute, "type", "xs:string"); return document(attribute, doc);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <unordered_map>
 
@@ -47,7 +48,9 @@ class Linker {
  private:
   void say(std::string_view code, const Location& where, std::initializer_list<std::string> arguments,
            std::string hint = {}) {
-    Diagnostic d = host_diagnostic(code, where, arguments, std::move(hint));
+    add(host_diagnostic(code, where, arguments, std::move(hint)));
+  }
+  void add(Diagnostic d) {
     const auto severity = out_->dialect.severities.find(d.code);
     if (severity != out_->dialect.severities.end() && d.severity != Severity::error) d.severity = severity->second;
     failed_ = failed_ || d.severity == Severity::error;
@@ -410,8 +413,9 @@ class Linker {
         ok = number.has_value();
         v.number = number.value_or(0);
       } else if (info.type == IG_INTEGER) {
-        ok = number.has_value() && *number == static_cast<double>(static_cast<std::int64_t>(*number));
-        v.integer = static_cast<std::int64_t>(number.value_or(0));
+        constexpr double largest = 9007199254740992.0;  // beyond it a double skips integers
+        ok = number.has_value() && std::abs(*number) <= largest && *number == std::trunc(*number);
+        v.integer = ok ? static_cast<std::int64_t>(*number) : 0;
       } else if (info.type == IG_BOOLEAN) {
         ok = initial.value == "true" || initial.value == "false";
         v.integer = initial.value == "true" ? 1 : 0;
@@ -438,8 +442,7 @@ class Linker {
     Diagnostic d = host_diagnostic(code, where, {});
     for (const DiagnosticInfo& info : host_diagnostics())
       if (info.code == code) d.message = fill_in(info.text, fault.arguments);
-    failed_ = failed_ || d.severity == Severity::error;
-    sink_.add(std::move(d));
+    add(std::move(d));
   }
 
   // ---- wake masks

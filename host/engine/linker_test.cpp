@@ -95,13 +95,12 @@ TEST_CASE("names that do not exist are told with the nearest one") {
 
 TEST_CASE("options are checked for type, range and presence") {
   Plugin plugin("p");
-  plugin.syntax("S").options = {option("choice", IG_OPTION_CHOICE, "a", "a|b"),
-                                option("number", IG_OPTION_NUMBER, "1", "", 0, 2),
-                                option("integer", IG_OPTION_INTEGER, "1", "", 0, 2),
-                                option("boolean", IG_OPTION_BOOLEAN, "true")};
+  plugin.syntax("S").options = {
+      option("choice", IG_OPTION_CHOICE, "a", "a|b"), option("number", IG_OPTION_NUMBER, "1", "", 0, 2),
+      option("integer", IG_OPTION_INTEGER, "1", "", 0, 2), option("boolean", IG_OPTION_BOOLEAN, "true")};
   plugin.syntax("Demanding").options = {option("needed", IG_OPTION_TEXT, nullptr)};
   const std::vector<std::pair<const char*, const char*>> wrong{
-      {"choice", "c"},  {"choice", ""},      {"number", "2.1"}, {"number", "-1"},  {"number", "1e0"}, {"number", "x"},
+      {"choice", "c"},   {"choice", ""},     {"number", "2.1"}, {"number", "-1"}, {"number", "1e0"},  {"number", "x"},
       {"number", "nan"}, {"integer", "1.5"}, {"integer", "3"},  {"boolean", "1"}, {"boolean", "True"}};
   for (const auto& given : wrong) {
     CAPTURE(given.first, given.second);
@@ -237,7 +236,8 @@ TEST_CASE("a service needs a provider unless it is optional") {
 
 TEST_CASE("what is written and never read is noted") {
   Plugin plugin("p");
-  plugin.syntax("Writer").fields = {field("Acme.Level", IG_WRITE), field("Feedrate.FeedrateValue", IG_WRITE, IG_NUMBER)};
+  plugin.syntax("Writer").fields = {field("Acme.Level", IG_WRITE),
+                                    field("Feedrate.FeedrateValue", IG_WRITE, IG_NUMBER)};
   plugin.syntax("Reader").fields = {field("Acme.Level", IG_PREVIOUS)};
   DiagnosticList found;
   Hand hand{"p"};
@@ -260,8 +260,9 @@ TEST_CASE("initial values and literal patterns name fields that exist, and are o
   hand.initial("SpindleSpeed.SpindleSpeed_rpm", "1e3");
   hand.initial("ToolChange.ToolId", "1.5");
   hand.initial("PlaneSelect.Term", "anything");
+  hand.initial("Source.Line", "1000000000000000000000000");
   DiagnosticList found;
-  CHECK(faults(hand, {&plugin}, &found) == Strings{"IG-0214 3", "IG-0215 4", "IG-0215 5", "IG-0215 6"});
+  CHECK(faults(hand, {&plugin}, &found) == Strings{"IG-0214 3", "IG-0215 4", "IG-0215 5", "IG-0215 6", "IG-0215 8"});
   CHECK(found.all[0].hint == "did you mean Acme.Level?");
 }
 

@@ -26,6 +26,8 @@ class EventLines {
  public:
   explicit EventLines(Output& output) : buffer_(output) {}
   TextBuffer& buffer() { return buffer_; }
+  /// A new run: its file's name may stand where the last one's stood.
+  void forget_file() { seen_ = {}; }
 
  protected:
   TextBuffer buffer_;
@@ -35,7 +37,9 @@ class EventLines {
   /// True when the file is another one than before.
   bool enter(const BlockSource& source) {
     line_ = source.line;
-    if (source.file == file_ && !prefix_.empty()) return false;
+    const bool same_text = source.file.data() == seen_.data() && source.file.size() == seen_.size();
+    if (!prefix_.empty() && (same_text || source.file == file_)) return false;
+    seen_ = source.file;
     file_ = source.file;
     return true;
   }
@@ -43,6 +47,7 @@ class EventLines {
 
  private:
   std::string file_;
+  std::string_view seen_;  // compared by address: within a run one file is named by the same text
 };
 
 template <bool exact>
@@ -132,7 +137,8 @@ class JsonLines : public EventLines {
   }
   char* arc(char* p, const Arc& a) {
     if (a.has_center) p = xyz(put(p, R"(,"ArcCenter":)"), a.center);
-    p = put(put(p, R"(,"Plane":)"), json_string(a.plane.substr(0, 64)));
+    p = put(p, R"(,"Plane":)");
+    p = a.plane == "XY" ? put(p, R"("XY")") : put(p, json_string(a.plane.substr(0, 64)));
     p = a.is_ccw ? put(p, R"(,"IsCcw":true)") : put(p, R"(,"IsCcw":false)");
     return write_integer(put(p, R"(,"AdditionalCircleNum":)"), a.additional_circles);
   }
@@ -227,7 +233,7 @@ class CsvLines : public EventLines {
     p = a.has_center ? xyz(p, a.center) : put(p, ",,,");
     p = a.is_ccw ? put(p, ",1,") : put(p, ",0,");
     p = put(write_integer(p, a.additional_circles), ",");
-    p = put(p, csv_field(a.plane.substr(0, 64)));
+    p = a.plane == "XY" ? put(p, "XY") : put(p, csv_field(a.plane.substr(0, 64)));
     if (!a.has_center) return put(p, ",,,,,,,");
     p = put(xyz(xyz(p, a.machine_center), a.normal), ",");
     return put_number<exact>(p, a.sweep_deg);
@@ -305,6 +311,7 @@ class MotionExporter : public Exporter {
   void begin(Document& initial, const SymbolTable& symbols) override {
     if (!begun_) lines_.header(options_);
     begun_ = true;
+    lines_.forget_file();
     reader_.begin(initial, symbols);
   }
   bool block(Document& document, const SymbolTable& symbols) override {

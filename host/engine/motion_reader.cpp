@@ -27,9 +27,9 @@ double sweep(const double (&start)[3], const double (&end)[3], const double (&ce
   const double sign = is_ccw ? 1 : -1;
   const int i = plane.first, j = plane.second;
   if (std::abs(end[i] - start[i]) < closed_arc_mm && std::abs(end[j] - start[j]) < closed_arc_mm) return sign * 360;
-  const double from = std::atan2(start[j] - center[j], start[i] - center[i]);
-  const double to = std::atan2(end[j] - center[j], end[i] - center[i]);
-  double angle = degrees(sign * (to - from));
+  const double u[2] = {start[i] - center[i], start[j] - center[j]};
+  const double v[2] = {end[i] - center[i], end[j] - center[j]};
+  double angle = degrees(sign * std::atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]));
   if (angle <= 0) angle += 360;
   return sign * angle;
 }
@@ -43,6 +43,10 @@ void advance(AxisPoint& position, const AxisPoint& to) {
 /// The unit vector about which the mapped plane turns from its first axis to its second. Taken from the two axes, so
 /// that the sense stays right in a mirrored frame.
 void map_normal(const Frame& frame, PlaneAxes plane, double (&out)[3]) {
+  if (frame.kind != Frame::Kind::general) {
+    for (int i = 0; i < 3; ++i) out[i] = i == 3 - plane.first - plane.second ? 1 : 0;
+    return;
+  }
   const double* a = frame.matrix + 4 * plane.first;
   const double* b = frame.matrix + 4 * plane.second;
   const double n[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};

@@ -104,6 +104,10 @@ char* write_decimal_slowly(char* out, double value) {
 }  // namespace
 
 char* write_decimal(char* out, double value) {
+  if (value >= 0 && value < 1000) {  // zeros and small whole numbers are frequent
+    const auto whole = static_cast<std::uint32_t>(value);
+    if (static_cast<double>(whole) == value) return write_leading(out, whole);
+  }
   const double size = std::fabs(value);
   if (!(size < fast_limit)) return write_decimal_slowly(out, value);
   const double scaled = size * 1e6;

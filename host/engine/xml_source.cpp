@@ -161,8 +161,7 @@ XmlSource::XmlSource(std::string file, std::string text) : file_(std::move(file)
 Location XmlSource::at_offset(std::size_t offset) const {
   offset = std::min(offset, text_.size());
   const auto line = std::upper_bound(lines_.begin(), lines_.end(), offset) - 1;
-  return {file_, static_cast<std::uint32_t>(line - lines_.begin() + 1),
-          static_cast<std::uint32_t>(offset - *line + 1)};
+  return {file_, static_cast<std::uint32_t>(line - lines_.begin() + 1), static_cast<std::uint32_t>(offset - *line + 1)};
 }
 
 Location XmlSource::at(pugi::xml_node node) const {

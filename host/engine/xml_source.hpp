@@ -27,8 +27,8 @@ class XmlSource {
  public:
   /// Empty, and reported at `asked_at` (the place that named the file), when the file cannot be read; reported at its
   /// own place when it is not well-formed.
-  static std::unique_ptr<XmlSource> open(const std::filesystem::path& file, const Location& asked_at,
-                                         XmlBudget& budget, DiagnosticSink& sink);
+  static std::unique_ptr<XmlSource> open(const std::filesystem::path& file, const Location& asked_at, XmlBudget& budget,
+                                         DiagnosticSink& sink);
   static std::unique_ptr<XmlSource> parse(std::string file, std::string text, DiagnosticSink& sink);
 
   pugi::xml_node root() const { return document_.document_element(); }

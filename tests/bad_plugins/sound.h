@@ -29,17 +29,17 @@ static const ig_field_decl sound_fields[] = {SOUND_FIELD("Parsing.X", IG_READ | 
 static const ig_option_decl sound_options[] = {
     {sizeof(ig_option_decl), IG_OPTION_NUMBER, "length", "1", "", 0, 10, "mm", "A length."}};
 
-#define SOUND_SYNTAX                                                                                              \
-  {                                                                                                               \
-    .struct_size = sizeof(ig_syntax), .id = "BadSyntax", .summary = "Misbehaves.", .fields = sound_fields,        \
-    .options = sound_options, .field_count = 1, .option_count = 1, .create = sound_create,                        \
-    .destroy = sound_destroy, .build = sound_build                                                                \
+#define SOUND_SYNTAX                                                                                                 \
+  {                                                                                                                  \
+    .struct_size = sizeof(ig_syntax), .id = "BadSyntax", .summary = "Misbehaves.", .fields = sound_fields,           \
+    .options = sound_options, .field_count = 1, .option_count = 1, .create = sound_create, .destroy = sound_destroy, \
+    .build = sound_build                                                                                             \
   }
 
-#define SOUND_PLUGIN(its_name, list)                                                                              \
-  {                                                                                                               \
-    .struct_size = sizeof(ig_plugin), .abi_major = IG_ABI_MAJOR, .abi_minor = IG_ABI_MINOR, .syntax_count = 1,    \
-    .name = its_name, .version = "1.0.0", .vendor = "tests", .built_with = "C", .syntaxes = list                  \
+#define SOUND_PLUGIN(its_name, list)                                                                           \
+  {                                                                                                            \
+    .struct_size = sizeof(ig_plugin), .abi_major = IG_ABI_MAJOR, .abi_minor = IG_ABI_MINOR, .syntax_count = 1, \
+    .name = its_name, .version = "1.0.0", .vendor = "tests", .built_with = "C", .syntaxes = list               \
   }
 
 #endif
