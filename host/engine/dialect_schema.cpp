@@ -60,7 +60,7 @@ constexpr const char* frame = R"(
     <xs:annotation><xs:documentation>How a program of this dialect is recognised.</xs:documentation></xs:annotation>
     <xs:sequence>
       <xs:element name="Signature" minOccurs="0" maxOccurs="unbounded"><xs:complexType>
-        <xs:attribute name="pattern" type="dialect.Text" use="required"><xs:annotation><xs:documentation>ECMAScript regular expression, looked for in the head of a program.</xs:documentation></xs:annotation></xs:attribute>
+        <xs:attribute name="pattern" type="dialect.Text" use="required"><xs:annotation><xs:documentation>Shell pattern (* ? [0-9]) for a line in the head of a program.</xs:documentation></xs:annotation></xs:attribute>
       </xs:complexType></xs:element>
     </xs:sequence>
     <xs:attribute name="extensions"><xs:annotation><xs:documentation>Endings of file names, separated by blanks.</xs:documentation></xs:annotation>

@@ -157,10 +157,18 @@ std::int32_t find_code(const ig_block* block, const ig_field* fields, std::uint3
 
 template <Mode M>
 std::int32_t take_code(ig_block* block, const ig_field* fields, std::uint32_t count, std::uint32_t* found) {
-  const std::int32_t last = find_code<M>(block, fields, count, found);
-  if (last < 0) return last;
-  ig_value ignored;
-  for (std::uint32_t i = 0; i < count; ++i) take<M>(block, fields[i], &ignored);
+  Document& d = doc(block);
+  std::int32_t last = -1;
+  std::int64_t ordinal = -1;
+  *found = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    ig_value value;
+    if (!d.present(fields[i]) || take<M>(block, fields[i], &value) == 0) continue;
+    ++*found;
+    if (value.integer <= ordinal) continue;
+    ordinal = value.integer;
+    last = static_cast<std::int32_t>(i);
+  }
   return last;
 }
 

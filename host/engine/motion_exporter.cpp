@@ -84,7 +84,8 @@ class JsonLines : public EventLines {
     if (m.has_feed) p = number(put(p, R"(,"Feedrate_mmds":)"), m.feed_mmds);
     if (m.kind == Move::Kind::arc && m.arc.has_center) {
       p = xyz(put(p, R"(,"MachineArcCenter":)"), m.arc.machine_center);
-      p = xyz(put(p, R"(,"Normal":)"), m.arc.normal);
+      p = put(p, R"(,"Normal":)");
+      p = m.arc.normal[2] == 1 ? put(p, R"({"X":0,"Y":0,"Z":1})") : xyz(p, m.arc.normal);
       p = number(put(p, R"(,"Sweep_deg":)"), m.arc.sweep_deg);
     }
     if (m.is_manual) p = put(p, R"(,"Manual":true)");
@@ -235,7 +236,8 @@ class CsvLines : public EventLines {
     p = put(write_integer(p, a.additional_circles), ",");
     p = a.plane == "XY" ? put(p, "XY") : put(p, csv_field(a.plane.substr(0, 64)));
     if (!a.has_center) return put(p, ",,,,,,,");
-    p = put(xyz(xyz(p, a.machine_center), a.normal), ",");
+    p = xyz(p, a.machine_center);
+    p = a.normal[2] == 1 ? put(p, ",0,0,1,") : put(xyz(p, a.normal), ",");
     return put_number<exact>(p, a.sweep_deg);
   }
 };

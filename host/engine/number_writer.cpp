@@ -69,20 +69,26 @@ inline char* write_whole(char* out, std::uint32_t value) {
   return std::to_chars(out, out + number_room, value).ptr;
 }
 
+/// Without a branch: how many digits a coordinate has cannot be foreseen, and a wrong guess costs more than the digits.
 inline char* write_fraction(char* out, std::uint32_t millionths) {
-  if (millionths == 0) return out;
   const Triple& high = tables.triples[millionths / 1000];
   const Triple& low = tables.triples[millionths % 1000];
-  *out++ = '.';
-  std::memcpy(out, &high, 4);
-  if (low.significant == 0) return out + high.significant;
-  std::memcpy(out + 3, &low, 4);
-  return out + 3 + low.significant;
+  *out = '.';
+  std::memcpy(out + 1, &high, 4);
+  std::memcpy(out + 4, &low, 4);
+  const int digits = low.significant != 0 ? 3 + low.significant : high.significant;
+  return out + digits + static_cast<int>(digits != 0);
 }
 
 inline char* write_millionths(char* out, std::uint64_t millionths) {
   const auto whole = static_cast<std::uint32_t>(millionths / 1000000);
   return write_fraction(write_whole(out, whole), static_cast<std::uint32_t>(millionths % 1000000));
+}
+
+/// For values from 0 to 2^52; at a tie, or next to one, either neighbour.
+std::int64_t nearest(double value) {
+  const double raised = value + 0.5;
+  return static_cast<std::int64_t>(raised);
 }
 
 /// Below this the product with 1e6 is off by less than 1e-3.
@@ -104,14 +110,10 @@ char* write_decimal_slowly(char* out, double value) {
 }  // namespace
 
 char* write_decimal(char* out, double value) {
-  if (value >= 0 && value < 1000) {  // zeros and small whole numbers are frequent
-    const auto whole = static_cast<std::uint32_t>(value);
-    if (static_cast<double>(whole) == value) return write_leading(out, whole);
-  }
   const double size = std::fabs(value);
   if (!(size < fast_limit)) return write_decimal_slowly(out, value);
   const double scaled = size * 1e6;
-  const auto rounded = static_cast<std::int64_t>(scaled + 0.5);
+  const auto rounded = nearest(scaled);
   if (std::fabs(scaled - static_cast<double>(rounded)) > 0.499) return write_decimal_slowly(out, value);
   *out = '-';
   out += static_cast<int>(value < 0) & static_cast<int>(rounded != 0);
@@ -123,7 +125,7 @@ char* write_exact(char* out, double value) {
   if (size < fast_limit) {
     // A text of at most 15 digits that reads back is the only one so short, hence the shortest. Count and divisor are
     // exact, so the quotient is what a reader of the text gets.
-    const auto rounded = static_cast<std::int64_t>(size * 1e6 + 0.5);
+    const auto rounded = nearest(size * 1e6);
     if (static_cast<double>(rounded) / 1e6 == size) {
       *out = '-';
       out += static_cast<int>(value < 0);

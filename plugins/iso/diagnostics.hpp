@@ -41,8 +41,8 @@ inline constexpr std::array diagnostics{
                    "or for a program number that begins with a zero instead of the letter O.",
                    "N10 21 G40"),
     ig::diagnostic(IG_ERROR, "ISO-0110", "'{0}' is no word of this dialect: nothing is executed for it",
-                   "An address is one letter. Names, statements and calls belong to other dialects; comments stand in "
-                   "parentheses.",
+                   "An address is one letter. Names, statements and calls belong to other dialects; the words behind a "
+                   "name are not executed either. Comments stand in parentheses.",
                    "CYCLE81(50,0,2,-20)"),
     ig::diagnostic(IG_ERROR, "ISO-0111", "the comment that begins here is not closed: the rest of the block is skipped",
                    "A comment ends at the first closing parenthesis of its block.", "G00 X10. (hole 1"),

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include <isogloss/sdk.hpp>
@@ -31,18 +33,18 @@ struct WordRow {
 
 /// One row for each code that owns words, in the order of `codes`, which may hold other codes too.
 inline std::vector<WordRow> rows_of(const ig::Fields& codes, const ig::Fields& words) {
-  std::vector<WordRow> rows;
+  std::vector<WordRow> rows(codes.size());
+  std::unordered_map<std::string_view, std::size_t> row_of;
   for (std::size_t c = 0; c < codes.size(); ++c) {
-    WordRow row;
-    row.code = codes.id(c);
-    const std::string_view path = codes.path(c);
-    for (std::size_t w = 0; w < words.size(); ++w) {
-      const std::string_view word = words.path(w);
-      if (word.size() == path.size() + 2 && word.starts_with(path) && word[path.size()] == '.')
-        row.add(word.back(), words.id(w), words.unit(w));
-    }
-    if (!row.words.empty()) rows.push_back(std::move(row));
+    rows[c].code = codes.id(c);
+    row_of.emplace(codes.path(c), c);
   }
+  for (std::size_t w = 0; w < words.size(); ++w) {
+    const std::string_view word = words.path(w);  // Parsing.G81.X
+    const auto owner = row_of.find(word.substr(0, word.size() - 2));
+    if (owner != row_of.end()) rows[owner->second].add(word.back(), words.id(w), words.unit(w));
+  }
+  std::erase_if(rows, [](const WordRow& row) { return row.words.empty(); });
   return rows;
 }
 

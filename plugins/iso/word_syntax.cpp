@@ -154,7 +154,7 @@ struct WordSyntax {
     if (to_upper(c) == 'O' && is_digit(at(text, number + 1)))
       return refuse(b, diag("ISO-0101"), text, begin, skip_while(text, number, is_digit_or_o));
     const std::size_t name = skip_while(text, begin, is_letter);
-    if (name - begin > 2) return refuse(b, diag("ISO-0110"), text, begin, skip_name(text, name));
+    if (name - begin > 2) return refuse(b, diag("ISO-0110"), text, begin, skip_statement(text, name));
     if (is_number_part(c)) {
       const bool two_signs = is_signed && piece(text, number + 1, body).find_first_of("+-") != std::string_view::npos;
       return refuse(b, two_signs ? diag("ISO-0105") : diag("ISO-0116"), text, begin,
@@ -205,11 +205,14 @@ struct WordSyntax {
     return end;
   }
 
-  /// CYCLE81(…) with its arguments, TRANS, G_HOME: the rest of the name.
-  static std::size_t skip_name(std::string_view text, std::size_t position) {
-    const std::size_t end =
+  /// CYCLE81(…) with its arguments, TRANS X10: words behind a name are not the block's own. To the comment behind it.
+  static std::size_t skip_statement(std::string_view text, std::size_t position) {
+    std::size_t end =
         skip_while(text, position, [](char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '.'; });
-    return at(text, end) == '(' ? skip_bracketed(text, end) : end;
+    if (at(text, end) == '(') end = skip_bracketed(text, end);
+    end = skip_while(text, end, [](char c) { return c != '(' && c != ';' && c != '\r' && c != '\n'; });
+    while (is_blank(text[end - 1])) --end;
+    return end;
   }
 
   static std::size_t refuse(ig::Block& b, std::uint32_t diagnostic, std::string_view text, std::size_t begin,
