@@ -95,7 +95,8 @@ enum {
 };
 
 /* path: "Section.Field", "Parsing.X" (word), "Parsing.Flags.CODE" (code), "Parsing.CODE" and "Parsing.CODE.X" (a code
- * that owns its words), "ProgramToMcTransform.SOURCE" (transform), "Section.List[].Section.Field" (record of a list). */
+ * that owns its words), "ProgramToMcTransform.SOURCE" (transform), "Section.List[].Section.Field" (record of a list).
+ */
 typedef struct ig_field_decl {
   uint32_t struct_size;
   uint32_t access;
@@ -170,12 +171,12 @@ typedef struct ig_syntax {
   uint32_t field_count;
   uint32_t option_count;
   uint32_t service_count;
-  uint32_t inspects;                /* 1: build() is called when the block has leftovers */
-  const char* const* after;         /* ids, NULL at the end; NULL: none */
+  uint32_t inspects;        /* 1: build() is called when the block has leftovers */
+  const char* const* after; /* ids, NULL at the end; NULL: none */
   const char* const* before;
-  const char* exclusive_slot;       /* only one syntax of a chain may claim it; NULL: none */
-  const char* first_writer_slot;    /* several may, and the first that writes in a block wins; NULL: none */
-  const char* triggers;             /* the bytes at which scan() is asked; NULL: no scan() */
+  const char* exclusive_slot;    /* only one syntax of a chain may claim it; NULL: none */
+  const char* first_writer_slot; /* several may, and the first that writes in a block wins; NULL: none */
+  const char* triggers;          /* the bytes at which scan() is asked; NULL: no scan() */
   ig_create_fn create;
   ig_destroy_fn destroy;
   ig_run_fn restart; /* once a run, on the block before the first; NULL: nothing to do */
@@ -374,8 +375,8 @@ struct ig_host {
 
   /* diagnostic: index in the plugin's table. field: the word it points at, or IG_NO_FIELD for columns begin..end of
    * the text; begin == end: the whole block. */
-  void (*report)(ig_block*, uint32_t diagnostic, ig_field field, uint32_t begin, uint32_t end,
-                 const ig_argument*, uint32_t count);
+  void (*report)(ig_block*, uint32_t diagnostic, ig_field field, uint32_t begin, uint32_t end, const ig_argument*,
+                 uint32_t count);
   /* What a trampoline calls when build() threw. */
   void (*fault)(ig_block*, ig_text message);
   void (*flow)(ig_block*, ig_flow, size_t position);

@@ -161,8 +161,8 @@ void Chain::assign(const std::string& path, const std::string& value) {
     return;
   }
   const std::string near = nearest_name(name, names);
-  sink_.add(host_diagnostic("IG-0410", {"--set"}, {path},
-                            near.empty() || near == name ? "" : "did you mean " + near + "?"));
+  sink_.add(
+      host_diagnostic("IG-0410", {"--set"}, {path}, near.empty() || near == name ? "" : "did you mean " + near + "?"));
   throw std::runtime_error("no dependency or column " + path);
 }
 

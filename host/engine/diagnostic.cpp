@@ -12,12 +12,9 @@ bool DiagnosticList::has_errors() const {
 
 std::string_view to_string(Severity severity) {
   switch (severity) {
-    case Severity::note:
-      return "note";
-    case Severity::warning:
-      return "warning";
-    case Severity::error:
-      break;
+    case Severity::note: return "note";
+    case Severity::warning: return "warning";
+    case Severity::error: break;
   }
   return "error";
 }
@@ -25,8 +22,8 @@ std::string_view to_string(Severity severity) {
 std::string fill_in(std::string_view text, const std::vector<std::string>& arguments) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool slot = text[i] == '{' && i + 2 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9' &&
-                      text[i + 2] == '}';
+    const bool slot =
+        text[i] == '{' && i + 2 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9' && text[i + 2] == '}';
     if (!slot) {
       out += text[i];
       continue;
@@ -51,10 +48,10 @@ namespace {
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
+  for (const char c : a) {
     std::size_t diagonal = row[0]++;
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
+      const std::size_t change = diagonal + (c == b[j] ? 0 : 1);
       diagonal = row[j + 1];
       row[j + 1] = std::min({change, row[j] + 1, row[j + 1] + 1});
     }

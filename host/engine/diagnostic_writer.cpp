@@ -40,7 +40,7 @@ std::string printable(std::string_view text) {
 }  // namespace
 
 DiagnosticWriter::DiagnosticWriter(DiagnosticPolicy policy, Write write)
-    : policy_(std::move(policy)), write_(std::move(write)) {}
+    : policy_(policy), write_(std::move(write)) {}
 
 DiagnosticWriter::~DiagnosticWriter() = default;
 

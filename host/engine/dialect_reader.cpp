@@ -216,11 +216,11 @@ class Reading {
       // Beside the file that asks, then in the folders.
       std::vector<fs::path> places = folders_;
       places.insert(places.begin(), folder);
-      const fs::path found = search(file.extends, places);
+      fs::path found = search(file.extends, places);
       if (found.empty()) not_found(file.extends, file.extends_where);
       return found;
     }
-    const fs::path path = (folder / file.extends).lexically_normal();
+    fs::path path = (folder / file.extends).lexically_normal();
     const bool allowed =
         !fs::path(file.extends).is_absolute() &&
         (!below_folder_of(file.own.file.string(), file.extends).empty() ||

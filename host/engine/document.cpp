@@ -15,9 +15,7 @@ Frame Frame::from(const double (&m)[16]) {
   std::memcpy(frame.matrix, m, sizeof frame.matrix);
   const bool rotates = m[0] != 1 || m[1] != 0 || m[2] != 0 || m[3] != 0 || m[4] != 0 || m[5] != 1 || m[6] != 0 ||
                        m[7] != 0 || m[8] != 0 || m[9] != 0 || m[10] != 1 || m[11] != 0 || m[15] != 1;
-  frame.kind = rotates                                    ? Kind::general
-               : (m[12] == 0 && m[13] == 0 && m[14] == 0) ? Kind::identity
-                                                          : Kind::translation;
+  frame.kind = rotates ? Kind::general : (m[12] == 0 && m[13] == 0 && m[14] == 0) ? Kind::identity : Kind::translation;
   return frame;
 }
 
@@ -88,12 +86,22 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
       code[f >> 6] |= bit(f);
     else if (info.life == IG_LIFE_WORD)
       word[f >> 6] |= bit(f);
-    if (info.previous_of != IG_NO_FIELD) previous_.emplace_back(info.previous_of, f);
+    if (info.previous_of != IG_NO_FIELD) {
+      PreviousRun* const last = previous_.empty() ? nullptr : &previous_.back();
+      const bool adjoins = last != nullptr && info.previous_of == last->field + last->count &&
+                           f == last->copy + last->count && (last->field >> 6) == (info.previous_of >> 6) &&
+                           (last->copy >> 6) == (f >> 6);
+      if (adjoins)
+        ++last->count;
+      else
+        previous_.push_back({info.previous_of, f, 1});
+    }
     if (info.type == IG_CODE || info.life == IG_LIFE_WORD) {
       if (open_end_ == 0) open_begin_ = f >> 6;
       open_end_ = (f >> 6) + 1;
     }
   }
+  for (std::uint32_t w = 0; w < words_; ++w) open_mask_.push_back(word[w] | code[w]);
   for (std::size_t i = 0; i < layout.transforms.size(); ++i)
     value_[layout.transforms[i]].integer = static_cast<std::int64_t>(i);
   for (const ListInfo& list : layout.lists) {
@@ -113,6 +121,7 @@ Document& Document::operator=(const Document& other) {
   wake_words_ = other.wake_words_;
   bits_ = other.bits_;
   open_begin_ = other.open_begin_;
+  open_mask_ = other.open_mask_;
   open_end_ = other.open_end_;
   value_ = other.value_;
   writer_ = other.writer_;
@@ -206,17 +215,19 @@ void Document::move(ig_field from, ig_field to) {
 }
 
 void Document::begin(const BlockSource& where) {
-  std::uint64_t was_present = 0;
-  for (std::size_t i = 0; i < previous_.size(); ++i) {
-    const auto [field, copy] = previous_[i];
-    value_[copy] = value_[field];
-    was_present |= (present_[field >> 6] >> (field & 63) & 1) << i;
+  std::uint64_t was_present = 0;  // a few bits a run; linking keeps them below 64
+  unsigned at = 0;
+  for (const PreviousRun& run : previous_) {
+    std::memcpy(&value_[run.copy], &value_[run.field], run.count * sizeof(ig_value));
+    const std::uint64_t bits = present_[run.field >> 6] >> (run.field & 63) & ((std::uint64_t{1} << run.count) - 1);
+    was_present |= bits << at;
+    at += run.count;
   }
   for (std::uint32_t w = 0; w < words_; ++w) present_[w] &= modal_[w];
   std::memset(fresh_, 0, 3 * words_ * sizeof *fresh_);  // fresh, taken and pointless stand in a row
-  for (std::size_t i = 0; i < previous_.size(); ++i) {
-    const ig_field copy = previous_[i].second;
-    present_[copy >> 6] |= (was_present >> i & 1) << (copy & 63);
+  for (const PreviousRun& run : previous_) {
+    present_[run.copy >> 6] |= (was_present & ((std::uint64_t{1} << run.count) - 1)) << (run.copy & 63);
+    was_present >>= run.count;
   }
   for (ListData& list : lists) {
     if (list.count == 0) continue;
@@ -224,7 +235,7 @@ void Document::begin(const BlockSource& where) {
     list.values.clear();
     list.present.clear();
   }
-  if (!leftovers.empty()) leftovers.clear();
+  leftovers.clear();
   arena_.clear();
   source = where;
   codes_seen = 0;
@@ -235,7 +246,7 @@ void Document::begin(const BlockSource& where) {
 bool Document::has_leftovers() const {
   if (!leftovers.empty()) return true;
   std::uint64_t open = 0;
-  for (std::uint32_t w = open_begin_; w < open_end_; ++w) open |= present_[w] & (word_mask_[w] | codes_[w]) & ~taken_[w];
+  for (std::uint32_t w = open_begin_; w < open_end_; ++w) open |= present_[w] & open_mask_[w] & ~taken_[w];
   return open != 0;
 }
 

@@ -21,7 +21,8 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "Files are read as UTF-8, with or without a byte order mark, so that columns can be told exactly.",
        R"(<?xml version="1.0" encoding="ISO-8859-1"?>)"},
       {error, "IG-0105", "{0} exceeds the limit of {1}",
-       "A file may have 16 MiB, a dialect with all its files 64 MiB and 16 ancestors; elements may be nested 64 deep and "
+       "A file may have 16 MiB, a dialect with all its files 64 MiB and 16 ancestors; elements may be nested 64 deep "
+       "and "
        "have 256 attributes; a file's chain may have 4096 elements.",
        "<A><A><A>…"},
       {error, "IG-0106", "the root element must be {0}, not {1}",
@@ -112,8 +113,10 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        R"(<Field path="PlaneSelct.Term" value="…"/>)"},
       {error, "IG-0215", "'{0}' is no {1} for {2}", "The text is not of the field's type.",
        R"(<Field path="SpindleSpeed.SpindleSpeed_rpm" value="fast"/>)"},
-      {error, "IG-0216", "the chain has {0} syntaxes; {1} is the most", "A chain is limited so that its wake lists "
-       "stay short.", "a generated dialect"},
+      {error, "IG-0216", "the chain has {0} syntaxes; {1} is the most",
+       "A chain is limited so that its wake lists "
+       "stay short.",
+       "a generated dialect"},
       {error, "IG-0217", "{0} has no row of the element '{1}'; its rows are <{2}>",
        "The rows of a dependency's table are elements of one name with a key attribute.",
        R"(<IsoCoordinateTable><Ofset id="…"/></IsoCoordinateTable>)"},
@@ -122,12 +125,13 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {error, "IG-0219", "{0} has no column '{1}'", "A row's attributes are its key and the table's columns.",
        R"(<Offset id="…" Q="10"/>)"},
       {error, "IG-0220", "'{1}' is no value for column '{0}'{2}",
-       "A column's values are numbers within its range, or text where it says so.",
-       R"(<Offset id="…" X="ten"/>)"},
+       "A column's values are numbers within its range, or text where it says so.", R"(<Offset id="…" X="ten"/>)"},
       {error, "IG-0221", "{0} looks ahead but does not stand in the stage PostLogic",
        "Only post-logic syntaxes see the window of executed blocks.", "a radius compensation under <Logic>"},
-      {error, "IG-0222", "{0} declares the text field {1} as modal", "Text lives for one block; modal fields hold "
-       "numbers and names.", "Acme.Message"},
+      {error, "IG-0222", "{0} declares the text field {1} as modal",
+       "Text lives for one block; modal fields hold "
+       "numbers and names.",
+       "Acme.Message"},
       {error, "IG-0223", "{0} is inspecting, but does not stand in the stage Inspection",
        "Leftovers are known only when every other syntax has run.", "UnconsumedCheckSyntax under <Logic>"},
       // libraries and plugins: 0300-0399
@@ -162,8 +166,8 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "a syntax that writes an undeclared field"},
       {error, "IG-0403", "the line is longer than {0} bytes; the rest is not read",
        "A line of a program is limited so that memory stays flat.", "a binary file"},
-      {warning, "IG-0404", "columns beyond {0} are not told apart",
-       "Words keep their columns in 16 bits.", "a program on one line"},
+      {warning, "IG-0404", "columns beyond {0} are not told apart", "Words keep their columns in 16 bits.",
+       "a program on one line"},
       {error, "IG-0405", "the block makes more than {0} steps; the rest is left out",
        "A block's list of motions is limited so that no program can fill the memory.", "a peck depth of 0.0001"},
       {error, "IG-0406", "no program {0} in this file", "--program names a program that the file does not hold.",
@@ -199,12 +203,15 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        R"({"Parsing": {"X": true}})"},
       {error, "IG-0504", "no syntax '{0}'", "`isogloss list syntaxes` names those that are there.",
        "isogloss apply DrilingCycleSyntax"},
-      {error, "IG-0505", "case '{0}' of {1} does not hold", "One build of the syntax must turn BeforeBuild into AfterBuild "
-       "exactly.", "a page that says other numbers than its syntax"},
+      {error, "IG-0505", "case '{0}' of {1} does not hold",
+       "One build of the syntax must turn BeforeBuild into AfterBuild "
+       "exactly.",
+       "a page that says other numbers than its syntax"},
       {error, "IG-0510", "cannot be read: {0}", "The file is missing, is a folder, or may not be read.",
        "isogloss run missing.nc"},
       {error, "IG-0511", "cannot be written: {0}",
-       "The folder is missing or write-protected, the disk is full, or the file is neither a regular file, a pipe nor a "
+       "The folder is missing or write-protected, the disk is full, or the file is neither a regular file, a pipe nor "
+       "a "
        "character device.",
        "isogloss run part.nc -o /"},
       {error, "IG-0512", "no dialect in the folders searched",

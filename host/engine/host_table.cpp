@@ -220,8 +220,12 @@ template <Mode M>
 std::int32_t word(const ig_block* block, ig_field f, ig_word* out) {
   const Document& d = doc(block);
   if (!may<M>(d, f, Use::read) || !d.present(f)) return 0;
-  *out = {f, static_cast<std::uint16_t>(d.word_begin(f)), static_cast<std::uint16_t>(d.word_end(f)), d.value(f),
-          d.without_point(f) ? std::uint32_t{IG_WORD_WITHOUT_POINT} : 0u, 0};
+  *out = {f,
+          static_cast<std::uint16_t>(d.word_begin(f)),
+          static_cast<std::uint16_t>(d.word_end(f)),
+          d.value(f),
+          d.without_point(f) ? std::uint32_t{IG_WORD_WITHOUT_POINT} : 0u,
+          0};
   return d.word_end(f) != 0 ? 1 : 0;
 }
 
@@ -425,23 +429,12 @@ void fault(ig_block* block, ig_text message) {
 void flow(ig_block* block, ig_flow what, std::size_t position) {
   Chain& chain = *doc(block).chain;
   switch (what) {
-    case IG_FLOW_END:
-      chain.ends_program = true;
-      break;
-    case IG_FLOW_END_FILE:
-      chain.ends_file = true;
-      break;
-    case IG_FLOW_SPLIT:
-      chain.split_at = position;
-      break;
-    case IG_FLOW_SKIP_REST:
-      chain.skip_rest = true;
-      break;
-    case IG_FLOW_ALARM:
-      chain.alarmed = true;
-      break;
-    default:
-      violation(doc(block), "it asks for a flow that does not exist");
+    case IG_FLOW_END: chain.ends_program = true; break;
+    case IG_FLOW_END_FILE: chain.ends_file = true; break;
+    case IG_FLOW_SPLIT: chain.split_at = position; break;
+    case IG_FLOW_SKIP_REST: chain.skip_rest = true; break;
+    case IG_FLOW_ALARM: chain.alarmed = true; break;
+    default: violation(doc(block), "it asks for a flow that does not exist");
   }
 }
 

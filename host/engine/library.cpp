@@ -110,8 +110,7 @@ bool Library::Parts::load(const fs::path& file) {
   const std::string name = file.string();
   const Loading loading(name);
   try {
-    boost::dll::shared_library library(
-        file, boost::dll::load_mode::rtld_now | boost::dll::load_mode::rtld_local);
+    boost::dll::shared_library library(file, boost::dll::load_mode::rtld_now | boost::dll::load_mode::rtld_local);
     const auto entry = library.get<const ig_plugin*()>(entry_symbol);
     if (!admit(file, entry())) return false;
     resident.push_back(std::move(library));
@@ -122,12 +121,14 @@ bool Library::Parts::load(const fs::path& file) {
   }
 }
 
-Library::Library(const std::vector<fs::path>& folders) : parts_(std::make_unique<Parts>()) { parts_->folders = folders; }
+Library::Library(const std::vector<fs::path>& folders) : parts_(std::make_unique<Parts>()) {
+  parts_->folders = folders;
+}
 
 // Plugins stay resident: their descriptors and code may still be in use by a linked dialect.
 Library::~Library() {
-  static auto* const kept = new std::vector<std::unique_ptr<Parts>>;
-  kept->push_back(std::move(parts_));
+  static std::vector<std::unique_ptr<Parts>>& kept = *std::make_unique<std::vector<std::unique_ptr<Parts>>>().release();
+  kept.push_back(std::move(parts_));
 }
 
 bool Library::load(const std::string& name, const Location& where, DiagnosticSink& sink) {

@@ -52,7 +52,9 @@ std::int32_t set_value(ig_table* t, ig_text row, std::uint32_t column, double v)
   return reinterpret_cast<DependencyTable*>(t)->set(view(row), column, v) ? 1 : 0;
 }
 
-ig_text text_value(const ig_table* t, ig_text row, std::uint32_t column) { return view(rows(t).text(view(row), column)); }
+ig_text text_value(const ig_table* t, ig_text row, std::uint32_t column) {
+  return view(rows(t).text(view(row), column));
+}
 std::uint32_t row_count(const ig_table* t) { return static_cast<std::uint32_t>(rows(t).rows().size()); }
 ig_text row_name(const ig_table* t, std::uint32_t row) {
   return row < rows(t).rows().size() ? view(rows(t).rows()[row]) : ig_text{nullptr, 0};

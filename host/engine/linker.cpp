@@ -17,7 +17,7 @@ namespace isogloss {
 namespace {
 
 constexpr std::size_t maximum_chain = 256;
-constexpr std::size_t maximum_previous = 64;
+constexpr std::size_t maximum_previous = 63;
 
 /// A field while the layout is being made.
 struct Draft {

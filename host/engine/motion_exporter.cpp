@@ -2,6 +2,8 @@
 // each event is written through one pointer, numbers by number_writer, what does not change (the file) once.
 #include <fmt/format.h>
 
+#include <bit>
+
 #include "isogloss/engine/exporter.hpp"
 #include "motion_reader.hpp"
 #include "text_buffer.hpp"
@@ -20,6 +22,29 @@ char* put_number(char* out, double value) {
   else
     return write_decimal(out, value);
 }
+
+/// A number that mostly stays the same from event to event (the level of a pocket, the feed): its text is kept.
+template <bool exact>
+class RepeatedNumber {
+ public:
+  char* put(char* out, double value) {
+    if (std::bit_cast<std::uint64_t>(value) == bits_ && size_ != 0) {
+      std::memcpy(out, text_, sizeof text_);
+      return out + size_;
+    }
+    char* const end = put_number<exact>(out, value);
+    const auto size = static_cast<std::size_t>(end - out);
+    bits_ = std::bit_cast<std::uint64_t>(value);
+    size_ = size <= sizeof text_ ? size : 0;
+    std::memcpy(text_, out, size_);
+    return end;
+  }
+
+ private:
+  std::uint64_t bits_ = 0;
+  std::size_t size_ = 0;  // 0: no text is kept
+  char text_[24] = {};
+};
 
 /// What the formats share: where the events of this block stand.
 class EventLines {
@@ -73,17 +98,17 @@ class JsonLines : public EventLines {
       case Move::Kind::arc: p = put(p, R"(,"Event":"arc")"); break;
     }
     if (m.program.known == 7)
-      p = xyz(put(p, R"(,"ProgramXyz":)"), m.program.at);
+      p = level(put(p, R"(,"ProgramXyz":)"), m.program.at, program_z_);
     else if (m.program.known != 0)
       p = axes(put(p, R"(,"ProgramXyz":)"), m.program);
     if (m.machine.known == 7)
-      p = xyz(put(p, R"(,"MachineCoordinate":)"), m.machine.at);
+      p = level(put(p, R"(,"MachineCoordinate":)"), m.machine.at, machine_z_);
     else if (m.machine.known != 0)
       p = axes(put(p, R"(,"MachineCoordinate":)"), m.machine);
     if (m.kind == Move::Kind::arc) p = arc(p, m.arc);
-    if (m.has_feed) p = number(put(p, R"(,"Feedrate_mmds":)"), m.feed_mmds);
+    if (m.has_feed) p = repeated(put(p, R"(,"Feedrate_mmds":)"), m.feed_mmds, feed_);
     if (m.kind == Move::Kind::arc && m.arc.has_center) {
-      p = xyz(put(p, R"(,"MachineArcCenter":)"), m.arc.machine_center);
+      p = level(put(p, R"(,"MachineArcCenter":)"), m.arc.machine_center, machine_center_z_);
       p = put(p, R"(,"Normal":)");
       p = m.arc.normal[2] == 1 ? put(p, R"({"X":0,"Y":0,"Z":1})") : xyz(p, m.arc.normal);
       p = number(put(p, R"(,"Sweep_deg":)"), m.arc.sweep_deg);
@@ -118,6 +143,18 @@ class JsonLines : public EventLines {
     char* const end = put_number<exact>(p, value);
     return end != p ? end : put(p, "null");
   }
+  static char* repeated(char* p, double value, RepeatedNumber<exact>& kept) {
+    char* const end = kept.put(p, value);
+    return end != p ? end : put(p, "null");
+  }
+  /// X Y Z, of which Z is likely to repeat.
+  static char* level(char* p, const double* at, RepeatedNumber<exact>& z) {
+    p = number(put(p, R"({"X":)"), at[0]);
+    p = number(put(p, R"(,"Y":)"), at[1]);
+    p = repeated(put(p, R"(,"Z":)"), at[2], z);
+    *p = '}';
+    return p + 1;
+  }
   static char* xyz(char* p, const double* at) {
     p = number(put(p, R"({"X":)"), at[0]);
     p = number(put(p, R"(,"Y":)"), at[1]);
@@ -137,12 +174,14 @@ class JsonLines : public EventLines {
     return p + 1;
   }
   char* arc(char* p, const Arc& a) {
-    if (a.has_center) p = xyz(put(p, R"(,"ArcCenter":)"), a.center);
+    if (a.has_center) p = level(put(p, R"(,"ArcCenter":)"), a.center, center_z_);
     p = put(p, R"(,"Plane":)");
     p = a.plane == "XY" ? put(p, R"("XY")") : put(p, json_string(a.plane.substr(0, 64)));
     p = a.is_ccw ? put(p, R"(,"IsCcw":true)") : put(p, R"(,"IsCcw":false)");
     return write_integer(put(p, R"(,"AdditionalCircleNum":)"), a.additional_circles);
   }
+
+  RepeatedNumber<exact> program_z_, machine_z_, feed_, center_z_, machine_center_z_;
 };
 
 /// A field of RFC 4180: in quotes where it must be.
@@ -178,11 +217,11 @@ class CsvLines : public EventLines {
       case Move::Kind::feed: p = put(p, ",feed"); break;
       case Move::Kind::arc: p = put(p, ",arc"); break;
     }
-    p = m.program.known == 7 ? xyz(p, m.program.at) : axes<0, 3>(p, m.program);
-    p = (m.machine.known & 7u) == 7 ? xyz(p, m.machine.at) : axes<0, 3>(p, m.machine);
+    p = m.program.known == 7 ? level(p, m.program.at, program_z_) : axes<0, 3>(p, m.program);
+    p = (m.machine.known & 7u) == 7 ? level(p, m.machine.at, machine_z_) : axes<0, 3>(p, m.machine);
     p = m.machine.known < 8 ? put(p, ",,,") : axes<3, 6>(p, m.machine);
     *p++ = ',';
-    if (m.has_feed) p = put_number<exact>(p, m.feed_mmds);
+    if (m.has_feed) p = feed_.put(p, m.feed_mmds);
     p = m.kind == Move::Kind::arc ? arc(p, m.arc) : put(p, ",,,,,,,,,,,,,");
     p = m.is_manual ? put(p, ",,manual") : put(p, ",,");
     finish(p);
@@ -222,6 +261,15 @@ class CsvLines : public EventLines {
     }
     return p;
   }
+  /// X Y Z, of which Z is likely to repeat.
+  static char* level(char* p, const double* at, RepeatedNumber<exact>& z) {
+    *p = ',';
+    p = put_number<exact>(p + 1, at[0]);
+    *p = ',';
+    p = put_number<exact>(p + 1, at[1]);
+    *p = ',';
+    return z.put(p + 1, at[2]);
+  }
   template <unsigned first, unsigned last>
   static char* axes(char* p, const AxisPoint& point) {
     for (unsigned i = first; i < last; ++i) {
@@ -230,16 +278,18 @@ class CsvLines : public EventLines {
     }
     return p;
   }
-  static char* arc(char* p, const Arc& a) {
-    p = a.has_center ? xyz(p, a.center) : put(p, ",,,");
+  char* arc(char* p, const Arc& a) {
+    p = a.has_center ? level(p, a.center, center_z_) : put(p, ",,,");
     p = a.is_ccw ? put(p, ",1,") : put(p, ",0,");
     p = put(write_integer(p, a.additional_circles), ",");
     p = a.plane == "XY" ? put(p, "XY") : put(p, csv_field(a.plane.substr(0, 64)));
     if (!a.has_center) return put(p, ",,,,,,,");
-    p = xyz(p, a.machine_center);
+    p = level(p, a.machine_center, machine_center_z_);
     p = a.normal[2] == 1 ? put(p, ",0,0,1,") : put(xyz(p, a.normal), ",");
     return put_number<exact>(p, a.sweep_deg);
   }
+
+  RepeatedNumber<exact> program_z_, machine_z_, feed_, center_z_, machine_center_z_;
 };
 
 /// Columns for people; a title where the file changes.

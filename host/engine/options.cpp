@@ -21,8 +21,7 @@ std::optional<OptionValue> parse_option(const ig_option_decl& option, std::strin
   out.text = std::string(text);
   switch (option.type) {
     case IG_OPTION_TEXT:
-    case IG_OPTION_FIELDS:
-      return out;
+    case IG_OPTION_FIELDS: return out;
     case IG_OPTION_NUMBER: {
       const std::optional<double> v = parse_number(text);
       if (!v || *v < option.minimum || *v > option.maximum) return std::nullopt;
@@ -52,8 +51,7 @@ std::optional<OptionValue> parse_option(const ig_option_decl& option, std::strin
       }
       return std::nullopt;
     }
-    default:
-      return std::nullopt;
+    default: return std::nullopt;
   }
 }
 
@@ -66,21 +64,16 @@ std::string describe_option(const ig_option_decl& option) {
     return what;
   };
   switch (option.type) {
-    case IG_OPTION_NUMBER:
-      return range("a number");
-    case IG_OPTION_INTEGER:
-      return range("a whole number");
-    case IG_OPTION_BOOLEAN:
-      return "true or false";
+    case IG_OPTION_NUMBER: return range("a number");
+    case IG_OPTION_INTEGER: return range("a whole number");
+    case IG_OPTION_BOOLEAN: return "true or false";
     case IG_OPTION_CHOICE: {
       std::string out = "one of ";
       for (const char* c = option.choices; *c != '\0'; ++c) out += *c == '|' ? std::string(", ") : std::string(1, *c);
       return out;
     }
-    case IG_OPTION_FIELDS:
-      return "field patterns";
-    default:
-      return "text";
+    case IG_OPTION_FIELDS: return "field patterns";
+    default: return "text";
   }
 }
 

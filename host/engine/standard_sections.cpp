@@ -139,12 +139,38 @@ const std::vector<ListInfo>& standard_lists() {
 }
 
 const std::vector<std::string>& section_order() {
-  static const std::vector<std::string> order{
-      "Source", "UnparsedText", "Comment", "BlockSkip", "TapeBoundary", "Parsing", "PositioningMode", "Unit",
-      "PlaneSelect", "Feedrate", "SpindleSpeed", "Coolant", "ToolChange", "ToolHeightCompensation", "ToolOrientation",
-      "RadiusCompensation", "CoordinateOffset", "LocalCoordinateOffset", "TiltTransform", "ProgramToMcTransform",
-      "CannedCycle", "ProgramXyz", "MachineCoordinate", "MotionState", "MotionEvent", "CompoundMotion", "Dwell",
-      "SpindleControl", "SpindleOrientation", "PathSmoothing", "ProgramStop", "ProgramEnd"};
+  static const std::vector<std::string> order{"Source",
+                                              "UnparsedText",
+                                              "Comment",
+                                              "BlockSkip",
+                                              "TapeBoundary",
+                                              "Parsing",
+                                              "PositioningMode",
+                                              "Unit",
+                                              "PlaneSelect",
+                                              "Feedrate",
+                                              "SpindleSpeed",
+                                              "Coolant",
+                                              "ToolChange",
+                                              "ToolHeightCompensation",
+                                              "ToolOrientation",
+                                              "RadiusCompensation",
+                                              "CoordinateOffset",
+                                              "LocalCoordinateOffset",
+                                              "TiltTransform",
+                                              "ProgramToMcTransform",
+                                              "CannedCycle",
+                                              "ProgramXyz",
+                                              "MachineCoordinate",
+                                              "MotionState",
+                                              "MotionEvent",
+                                              "CompoundMotion",
+                                              "Dwell",
+                                              "SpindleControl",
+                                              "SpindleOrientation",
+                                              "PathSmoothing",
+                                              "ProgramStop",
+                                              "ProgramEnd"};
   return order;
 }
 

@@ -8,13 +8,12 @@ namespace fanuc {
 namespace {
 
 constexpr std::string_view increment_system = "1013", first_reference = "1240", travel_maximum = "1320",
-                           travel_minimum = "1321", rapid_rate = "1420", arc_tolerance = "3410",
-                           decimal_point = "3401", high_speed_peck = "5114", peck = "5115";
+                           travel_minimum = "1321", rapid_rate = "1420", arc_tolerance = "3410", decimal_point = "3401",
+                           high_speed_peck = "5114", peck = "5115";
 
-constexpr const char* shipped[] = {
-    "1013|Value=0", "1240|X=0|Y=0|Z=0", "1420|X=24000|Y=24000|Z=24000",
-    "3401|Value=0", "3410|Value=10",    "5114|Value=1000",
-    "5115|Value=1000"};
+constexpr const char* shipped[] = {"1013|Value=0",   "1240|X=0|Y=0|Z=0", "1420|X=24000|Y=24000|Z=24000",
+                                   "3401|Value=0",   "3410|Value=10",    "5114|Value=1000",
+                                   "5115|Value=1000"};
 
 struct FanucParameterTable {
   static constexpr auto spec =
@@ -25,13 +24,12 @@ struct FanucParameterTable {
           .ships(shipped);
 
   ig::Column value{"Value", nullptr, "", {}, "The parameter, where it is one for the whole control."};
-  std::array<ig::Column, 6> axes{
-      ig::Column{"X", nullptr, "", {}, "The parameter of the X axis."},
-      ig::Column{"Y", nullptr, "", {}, "The parameter of the Y axis."},
-      ig::Column{"Z", nullptr, "", {}, "The parameter of the Z axis."},
-      ig::Column{"A", nullptr, "", {}, "The parameter of the A axis."},
-      ig::Column{"B", nullptr, "", {}, "The parameter of the B axis."},
-      ig::Column{"C", nullptr, "", {}, "The parameter of the C axis."}};
+  std::array<ig::Column, 6> axes{ig::Column{"X", nullptr, "", {}, "The parameter of the X axis."},
+                                 ig::Column{"Y", nullptr, "", {}, "The parameter of the Y axis."},
+                                 ig::Column{"Z", nullptr, "", {}, "The parameter of the Z axis."},
+                                 ig::Column{"A", nullptr, "", {}, "The parameter of the A axis."},
+                                 ig::Column{"B", nullptr, "", {}, "The parameter of the B axis."},
+                                 ig::Column{"C", nullptr, "", {}, "The parameter of the C axis."}};
   ig::Table table;
 
   const void* service(std::string_view id) const {

@@ -45,11 +45,9 @@ TEST_CASE("bits and increments of another control") {
 }
 
 TEST_CASE("axes have their own values") {
-  const FakeDependency table(*ig_plugin_v1(), "FanucParameterTable",
-                             {{"1240", {{"Z", 350}, {"C", 90}}},
-                              {"1241", {{"Z", 100}}},
-                              {"1320", {{"X", 10}}},
-                              {"1321", {{"X", -800}}}});
+  const FakeDependency table(
+      *ig_plugin_v1(), "FanucParameterTable",
+      {{"1240", {{"Z", 350}, {"C", 90}}}, {"1241", {{"Z", 100}}}, {"1320", {{"X", 10}}}, {"1321", {{"X", -800}}}});
   const auto* s = table.service<ig_machine_axis_1>("isogloss.machine-axis/1");
   double a = -1, b = -1;
   CHECK((s->home(s->self, 'Z', &a) == 1 && a == 350));

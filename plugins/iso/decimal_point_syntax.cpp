@@ -56,9 +56,8 @@ struct DecimalPointSyntax {
   };
   Steps steps{steps_of("LengthIncrement_mm", length_increment), steps_of("LengthIncrement_inch", inch_increment),
               steps_of("AngleIncrement_deg", angle_increment)};
-  bool counts_increments =
-      rule == Rule::increment ||
-      (rule == Rule::parameter && number_format.number("CalculatorDecimalPoint").value_or(0) == 0);
+  bool counts_increments = rule == Rule::increment ||
+                           (rule == Rule::parameter && number_format.number("CalculatorDecimalPoint").value_or(0) == 0);
 
   ig::Status build(ig::Block& b) const {
     if (rule == Rule::as_written && resolution == Resolution::keep) return ig::Status::unchanged;
@@ -75,8 +74,10 @@ struct DecimalPointSyntax {
  private:
   static Quantity quantity_of(char letter, std::string_view unit) {
     if (letter == 'P') return Quantity::other;  // an integer in every use: milliseconds, a count, a number
-    return unit == "mm" ? Quantity::length : unit == "deg" ? Quantity::angle : unit == "s" ? Quantity::time
-                                                                                          : Quantity::other;
+    return unit == "mm"    ? Quantity::length
+           : unit == "deg" ? Quantity::angle
+           : unit == "s"   ? Quantity::time
+                           : Quantity::other;
   }
 
   static Row measured(const WordRow& source) {
@@ -108,8 +109,7 @@ struct DecimalPointSyntax {
   }
 
   double steps_of(std::string_view name, double fallback) const {
-    const double increment =
-        rule == Rule::parameter ? number_format.number(name).value_or(fallback) : fallback;
+    const double increment = rule == Rule::parameter ? number_format.number(name).value_or(fallback) : fallback;
     const double count = 1 / increment;
     return std::abs(count - std::round(count)) < 1e-6 * count ? std::round(count) : count;
   }
@@ -129,7 +129,7 @@ struct DecimalPointSyntax {
       ig_word word{};
       b.host()->word(b.raw(), row.words[i], &word);  // its mark counts; it may have no place
       changed |= (word.flags & IG_WORD_WITHOUT_POINT) != 0 ? read_bare(b, row, i, values[i].number)
-                                                          : read_pointed(b, row, i, values[i].number);
+                                                           : read_pointed(b, row, i, values[i].number);
     }
     return changed;
   }
@@ -147,7 +147,8 @@ struct DecimalPointSyntax {
                                   : quantity == Quantity::time ? "s"
                                   : is_inch(b)                 ? "in"
                                                                : "mm";
-    b.report(diag("ISO-0115"), ig::Where::word(row.words[i]), std::string_view(&row.letters[i], 1), number, value, unit);
+    b.report(diag("ISO-0115"), ig::Where::word(row.words[i]), std::string_view(&row.letters[i], 1), number, value,
+             unit);
     b.host()->rewrite(b.raw(), row.words[i], {.number = value});
     return value != number;
   }

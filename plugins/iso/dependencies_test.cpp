@@ -86,9 +86,9 @@ TEST_CASE("fallback settings") {
 }
 
 TEST_CASE("machine axes: those that have a row") {
-  const FakeDependency machine(*ig_plugin_v1(), "MachineAxes",
-                               {{"Z", {{"Home", 250}, {"Reference2", -50}, {"RapidRate", 18000}, {"Minimum", -500},
-                                       {"Maximum", 0}}}});
+  const FakeDependency machine(
+      *ig_plugin_v1(), "MachineAxes",
+      {{"Z", {{"Home", 250}, {"Reference2", -50}, {"RapidRate", 18000}, {"Minimum", -500}, {"Maximum", 0}}}});
   const auto* s = machine.service<ig_machine_axis_1>("isogloss.machine-axis/1");
   double a = -1, b = -1;
   CHECK((s->home(s->self, 'Z', &a) == 1 && a == 250));

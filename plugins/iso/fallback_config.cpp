@@ -10,11 +10,17 @@ struct FallbackConfig {
       ig::dependency("FallbackConfig", "Settings for dialects without a parameter table of their own.")
           .provides("isogloss.canned-cycle/1", "isogloss.motion/1");
 
-  ig::NumberOption peck{"PeckRetractionDistance_mm", "5", {0, HUGE_VAL}, "mm",
+  ig::NumberOption peck{"PeckRetractionDistance_mm",
+                        "5",
+                        {0, HUGE_VAL},
+                        "mm",
                         "G83: clearance above the depth reached, to which the next peck rapids down."};
-  ig::NumberOption high_speed_peck{"HighSpeedPeckRetraction_mm", "5", {0, HUGE_VAL}, "mm",
-                                   "G73: retract after each peck."};
-  ig::NumberOption arc_tolerance{"ArcRadiusTolerance_mm", "0.01", {0, HUGE_VAL}, "mm",
+  ig::NumberOption high_speed_peck{
+      "HighSpeedPeckRetraction_mm", "5", {0, HUGE_VAL}, "mm", "G73: retract after each peck."};
+  ig::NumberOption arc_tolerance{"ArcRadiusTolerance_mm",
+                                 "0.01",
+                                 {0, HUGE_VAL},
+                                 "mm",
                                  "Difference of an arc's radii at start and end that is no error; 0: not checked."};
 
   const void* service(std::string_view id) const {

@@ -132,7 +132,8 @@ struct FlagSyntax {
   static std::size_t odd_number(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) {
     if (text[end] == '=') return expression(b, text, begin, skip_to_blank(text, end + 1));
     if (text[end] == '.')
-      return refuse(b, diag("ISO-0103"), text, begin, skip_while(text, end, [](char c) { return is_digit(c) || c == '.'; }));
+      return refuse(b, diag("ISO-0103"), text, begin,
+                    skip_while(text, end, [](char c) { return is_digit(c) || c == '.'; }));
     return refuse(b, diag("ISO-0101"), text, begin, skip_while(text, end, is_digit_or_o));
   }
 

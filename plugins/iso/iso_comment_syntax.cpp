@@ -11,10 +11,11 @@ namespace {
 enum class Semicolon { comment, end_of_block };
 
 struct IsoCommentSyntax {
-  static constexpr auto spec = ig::syntax("IsoCommentSyntax", "Takes comments: ( … ) and, by option, ; to the line's end.")
-                                   .after("BlockSkipSyntax")
-                                   .before("FlagSyntax", "WordSyntax")
-                                   .scans("(;");
+  static constexpr auto spec =
+      ig::syntax("IsoCommentSyntax", "Takes comments: ( … ) and, by option, ; to the line's end.")
+          .after("BlockSkipSyntax")
+          .before("FlagSyntax", "WordSyntax")
+          .scans("(;");
 
   ig::Choice<Semicolon> semicolon{"semicolon", "comment|end-of-block", "comment",
                                   "What ; means: a comment to the end of the line, or the end of the block."};

@@ -8,7 +8,7 @@ namespace iso {
 namespace {
 
 constexpr const char* shipped[] = {"EXT|X=0|Y=0|Z=0", "G54|X=0|Y=0|Z=0", "G55|X=0|Y=0|Z=0", "G56|X=0|Y=0|Z=0",
-                                     "G57|X=0|Y=0|Z=0", "G58|X=0|Y=0|Z=0", "G59|X=0|Y=0|Z=0"};
+                                   "G57|X=0|Y=0|Z=0", "G58|X=0|Y=0|Z=0", "G59|X=0|Y=0|Z=0"};
 
 struct IsoCoordinateTable {
   static constexpr auto spec =

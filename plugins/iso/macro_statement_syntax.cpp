@@ -1,13 +1,13 @@
 // Statements of macro languages: assignments, conditions, loops, jumps, O-words, output commands. They are recognised
-// as a whole, so that none of their parts is taken for a word, and left over for evaluation; without it, inspection says
-// that they are not executed.
+// as a whole, so that none of their parts is taken for a word, and left over for evaluation; without it, inspection
+// says that they are not executed.
 #include "diagnostics.hpp"
 #include "scan_util.hpp"
 
 namespace iso {
 namespace {
 
-constexpr std::string_view keywords[] = {"IF",    "THEN",  "ELSE",  "WHILE", "DO",    "END",   "GOTO", "ENDIF",
+constexpr std::string_view keywords[] = {"IF",    "THEN",  "ELSE",  "WHILE", "DO",    "END",    "GOTO", "ENDIF",
                                          "DPRNT", "BPRNT", "POPEN", "PCLOS", "SETVN", "RETURN", "CALL"};
 
 struct MacroStatementSyntax {
@@ -44,9 +44,8 @@ struct MacroStatementSyntax {
   static std::size_t statement_end(std::string_view text, std::size_t position) {
     const std::string_view variable = piece(text, position, skip_digits(text, position + 1));
     const bool has_message = variable == "#3000" || variable == "#3006";
-    std::size_t end = skip_while(text, position, [&](char c) {
-      return c != ';' && c != '\r' && c != '\n' && (c != '(' || has_message);
-    });
+    std::size_t end = skip_while(
+        text, position, [&](char c) { return c != ';' && c != '\r' && c != '\n' && (c != '(' || has_message); });
     while (is_blank(text[end - 1])) --end;
     return end;
   }

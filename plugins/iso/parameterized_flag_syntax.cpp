@@ -1,6 +1,6 @@
 // Codes that own words: X in `G81 X5. R2.` is the cycle's X, X in `G28 X5.` the intermediate point. Each code that some
-// syntax declares with words of its own gets those words of the block; the others stay with the block. When several such
-// codes want one address, the nearest one before the word has it, else the first of the block.
+// syntax declares with words of its own gets those words of the block; the others stay with the block. When several
+// such codes want one address, the nearest one before the word has it, else the first of the block.
 #include "owned_words.hpp"
 
 namespace iso {

@@ -105,8 +105,7 @@ constexpr std::size_t skip_operand(std::string_view text, std::size_t position) 
   const char c = at(text, i);
   if (c == '[') return skip_bracketed(text, i);
   if (c == '<' && i > hashes) return skip_bracketed(text, i);
-  if (is_digit(c) || c == '.')
-    return skip_while(text, i, [](char d) { return is_digit(d) || d == '.'; });
+  if (is_digit(c) || c == '.') return skip_while(text, i, [](char d) { return is_digit(d) || d == '.'; });
   const std::size_t name = skip_while(text, i, is_letter);
   if (name > i && at(text, name) == '[') return skip_bracketed(text, name);
   return position;
@@ -144,9 +143,8 @@ constexpr bool begins_o_word(std::string_view text, std::size_t position) {
   }
   i = skip_blanks(text, i);
   const std::string_view word = piece(text, i, skip_while(text, i, is_letter));
-  for (const std::string_view keyword :
-       {"SUB", "ENDSUB", "CALL", "RETURN", "IF", "ELSEIF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "DO", "BREAK",
-        "CONTINUE", "REPEAT", "ENDREPEAT"})
+  for (const std::string_view keyword : {"SUB", "ENDSUB", "CALL", "RETURN", "IF", "ELSEIF", "ELSE", "ENDIF", "WHILE",
+                                         "ENDWHILE", "DO", "BREAK", "CONTINUE", "REPEAT", "ENDREPEAT"})
     if (equals_ignoring_case(word, keyword)) return true;
   return false;
 }

@@ -16,11 +16,22 @@ TEST_CASE("what may stand before the first word of a block") {
 }
 
 TEST_CASE("how far an expression reaches") {
-  const std::pair<std::string_view, std::string_view> cases[] = {
-      {"#1 Y2", "#1"},         {"#101Y2", "#101"},        {"-#1", "-#1"},           {"##1", "##1"},
-      {"#[#1+2]Y2", "#[#1+2]"}, {"#<a b> Y2", "#<a b>"},   {"[1.+[2*3]] Y", "[1.+[2*3]]"}, {"SIN[30.]X", "SIN[30.]"},
-      {"#1+5.*#2 Y", "#1+5.*#2"}, {"#1/2", "#1"},          {"#1+Y", "#1"},           {"[#1", "[#1"},
-      {"12.5Y", "12.5"},       {"", ""},                  {"Y2", ""},               {"<a>", ""}};
+  const std::pair<std::string_view, std::string_view> cases[] = {{"#1 Y2", "#1"},
+                                                                 {"#101Y2", "#101"},
+                                                                 {"-#1", "-#1"},
+                                                                 {"##1", "##1"},
+                                                                 {"#[#1+2]Y2", "#[#1+2]"},
+                                                                 {"#<a b> Y2", "#<a b>"},
+                                                                 {"[1.+[2*3]] Y", "[1.+[2*3]]"},
+                                                                 {"SIN[30.]X", "SIN[30.]"},
+                                                                 {"#1+5.*#2 Y", "#1+5.*#2"},
+                                                                 {"#1/2", "#1"},
+                                                                 {"#1+Y", "#1"},
+                                                                 {"[#1", "[#1"},
+                                                                 {"12.5Y", "12.5"},
+                                                                 {"", ""},
+                                                                 {"Y2", ""},
+                                                                 {"<a>", ""}};
   for (const auto& [text, expression] : cases) {
     CAPTURE(text);
     CHECK(text.substr(0, skip_expression(text, 0)) == expression);

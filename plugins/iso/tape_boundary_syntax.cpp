@@ -36,7 +36,8 @@ struct TapeBoundarySyntax {
   /// %O0003(TITLE) on one line: the program number is none of the leader.
   static bool program_follows(std::string_view text, std::size_t position) {
     const std::size_t first = skip_blanks(text, position);
-    return first == block_end(text, first) || std::string_view("Oo:<(%\x1A").find(text[first]) != std::string_view::npos;
+    return first == block_end(text, first) ||
+           std::string_view("Oo:<(%\x1A").find(text[first]) != std::string_view::npos;
   }
 
   static void skipped(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) {

@@ -30,10 +30,9 @@ std::size_t skip_exponent(std::string_view text, std::size_t position) {
 }
 
 struct WordSyntax {
-  static constexpr auto spec =
-      ig::syntax("WordSyntax", "Reads words: an address and its number.")
-          .after("FlagSyntax", "HeadIndexSyntax", "MacroStatementSyntax")
-          .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-.,");
+  static constexpr auto spec = ig::syntax("WordSyntax", "Reads words: an address and its number.")
+                                   .after("FlagSyntax", "HeadIndexSyntax", "MacroStatementSyntax")
+                                   .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-.,");
 
   ig::Fields addresses{"addresses", "Parsing.?", ig::write, "The addresses that words may have."};
   ig::Signal without_point{"Parsing.~WithoutPoint", ig::write};
@@ -174,9 +173,9 @@ struct WordSyntax {
     const char c = text[end];
     const char after = at(text, end + 1);
     if (c == '.')
-      return refuse(b, diag("ISO-0103"), text, begin, skip_while(text, end, [](char d) { return is_digit(d) || d == '.'; }));
-    if (c == ',')
-      return is_digit(after) ? refuse(b, diag("ISO-0107"), text, begin, skip_digits(text, end + 1)) : begin;
+      return refuse(b, diag("ISO-0103"), text, begin,
+                    skip_while(text, end, [](char d) { return is_digit(d) || d == '.'; }));
+    if (c == ',') return is_digit(after) ? refuse(b, diag("ISO-0107"), text, begin, skip_digits(text, end + 1)) : begin;
     if (c == '=') return assignment(b, text, begin, end);
     if (const std::size_t exponent = skip_exponent(text, end); exponent != end)
       return refuse(b, diag("ISO-0106"), text, begin, exponent);

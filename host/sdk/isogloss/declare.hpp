@@ -26,7 +26,12 @@ constexpr Access operator|(Access a, Access b) {
   return static_cast<Access>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
 }
 
-enum class Life : ig_life { standard = IG_LIFE_STANDARD, word = IG_LIFE_WORD, block = IG_LIFE_BLOCK, modal = IG_LIFE_MODAL };
+enum class Life : ig_life {
+  standard = IG_LIFE_STANDARD,
+  word = IG_LIFE_WORD,
+  block = IG_LIFE_BLOCK,
+  modal = IG_LIFE_MODAL
+};
 
 /// What a vendor says of a field that the host's list of standard sections does not hold.
 struct About {
@@ -112,14 +117,22 @@ inline Symbol symbol(std::string_view name) {
 /// The unit that an address has unless a syntax says otherwise: lengths in mm, angles, feed.
 constexpr const char* default_unit(char address) {
   switch (address) {
-    case 'X': case 'Y': case 'Z': case 'U': case 'V': case 'W': case 'I': case 'J': case 'K': case 'Q': case 'R':
-      return "mm";
-    case 'A': case 'B': case 'C':
-      return "deg";
-    case 'F':
-      return "mm/min";
-    default:
-      return "";
+    case 'X':
+    case 'Y':
+    case 'Z':
+    case 'U':
+    case 'V':
+    case 'W':
+    case 'I':
+    case 'J':
+    case 'K':
+    case 'Q':
+    case 'R': return "mm";
+    case 'A':
+    case 'B':
+    case 'C': return "deg";
+    case 'F': return "mm/min";
+    default: return "";
   }
 }
 

@@ -62,9 +62,9 @@ struct Word : Field<double> {
   explicit Word(std::string_view path, Access more = wake, const char* unit = nullptr, const char* doc = "")
       : Field<double>(path, take | more,
                       {Life::standard,
-                       unit != nullptr              ? unit
-                       : detail::is_address(path)   ? detail::default_unit(path.back())
-                                                    : "",
+                       unit != nullptr            ? unit
+                       : detail::is_address(path) ? detail::default_unit(path.back())
+                                                  : "",
                        doc}) {}
 };
 
@@ -95,9 +95,10 @@ class Xyz {
  public:
   Xyz(std::string_view section, Access access, About about = {}) {
     for (int axis = 0; axis < 3; ++axis)
-      ids_[static_cast<std::size_t>(axis)] = detail::declare_field(
-          {std::string(section) + "." + "XYZ"[axis], IG_NUMBER, access,
-           {about.life, section == "Parsing" ? "mm" : about.unit, about.doc}});
+      ids_[static_cast<std::size_t>(axis)] =
+          detail::declare_field({std::string(section) + "." + "XYZ" [axis], IG_NUMBER, access, {
+                                   about.life, section == "Parsing" ? "mm" : about.unit, about.doc
+                                 }});
   }
   const ig_field* ids() const { return ids_.data(); }
   ig_field id(std::size_t axis) const { return ids_[axis]; }
@@ -147,8 +148,8 @@ class Call {
         }
         letters_.push_back(letter);
         const std::uint32_t no_wake = access & ~static_cast<std::uint32_t>(wake);
-        words_.push_back(detail::declare_field({"Parsing." + std::string(code) + "." + letter, IG_NUMBER, no_wake,
-                                                {Life::word, unit.c_str(), ""}}));
+        words_.push_back(detail::declare_field(
+            {"Parsing." + std::string(code) + "." + letter, IG_NUMBER, no_wake, {Life::word, unit.c_str(), ""}}));
       }
     }
   }

@@ -18,8 +18,8 @@ struct Decimal {
 
 /// The number that begins at `position`. A lone sign or point is none. Exact: the nearest double.
 inline Decimal read_decimal(std::string_view text, std::size_t position) {
-  static constexpr double powers[] = {1,    1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+  static constexpr double powers[] = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                      1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
   const char* const begin = text.data() + position;
   const char* const end = text.data() + text.size();
   const char* p = begin;

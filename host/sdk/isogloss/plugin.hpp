@@ -125,9 +125,7 @@ inline std::string snake_case(std::string_view id) {
   return out;
 }
 
-inline void report_failure(const ig_link_api* api, ig_link* link, const char* what) {
-  api->fail(link, to_text(what));
-}
+inline void report_failure(const ig_link_api* api, ig_link* link, const char* what) { api->fail(link, to_text(what)); }
 
 template <class T>
 ig_status create(const ig_link_api* api, ig_link* link, const ig_field* ids, void** self) noexcept {
@@ -153,7 +151,6 @@ inline ig_status fault(const ig_host* host, ig_block* block, const char* what) n
   host->fault(block, {what, std::char_traits<char>::length(what)});
   return IG_FAILED;
 }
-
 
 template <class T, class F>
 ig_status guarded(void* self, const ig_host* host, ig_block* block, F&& f) noexcept {
@@ -223,10 +220,10 @@ class SyntaxDescriptor {
     out_.triggers = T::spec.trigger_bytes;
     out_.create = &detail::create<T>;
     out_.destroy = &detail::destroy<T>;
-    if constexpr (requires(T& t, Block& b) { t.restart(b); }) out_.restart = &detail::restart<T>;
-    if constexpr (requires(T& t, Block& b) { t.scan(b, std::string_view{}, std::size_t{}); })
+    if constexpr (requires(T & t, Block & b) { t.restart(b); }) out_.restart = &detail::restart<T>;
+    if constexpr (requires(T & t, Block & b) { t.scan(b, std::string_view{}, std::size_t{}); })
       out_.scan = &detail::scan<T>;
-    if constexpr (requires(T& t, Block& b) { t.build(b); }) out_.build = &detail::build<T>;
+    if constexpr (requires(T & t, Block & b) { t.build(b); }) out_.build = &detail::build<T>;
   }
   const ig_syntax* get() const { return &out_; }
 
@@ -337,12 +334,12 @@ struct Register {
 }  // namespace ig
 
 /// The plugin's entry, once per plugin. `diagnostics` is its table, an array of ig_diagnostic_decl.
-#define ISOGLOSS_PLUGIN(name, version, vendor, diagnostics)                            \
-  extern "C" IG_EXPORT const ig_plugin* ig_plugin_v1(void) {                           \
-    try {                                                                              \
+#define ISOGLOSS_PLUGIN(name, version, vendor, diagnostics)                                     \
+  extern "C" IG_EXPORT const ig_plugin* ig_plugin_v1(void) {                                    \
+    try {                                                                                       \
       static const ig::detail::PluginDescriptor descriptor(name, version, vendor, diagnostics); \
-      return descriptor.get();                                                         \
-    } catch (...) {                                                                    \
-      return nullptr;                                                                  \
-    }                                                                                  \
+      return descriptor.get();                                                                  \
+    } catch (...) {                                                                             \
+      return nullptr;                                                                           \
+    }                                                                                           \
   }

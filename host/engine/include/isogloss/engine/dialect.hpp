@@ -60,15 +60,15 @@ struct Dialect {
   std::string name;
   std::string title;
   std::filesystem::path file;
-  std::vector<std::string> ancestors;  ///< names, nearest first
+  std::vector<std::string> ancestors;   ///< names, nearest first
   std::vector<std::string> extensions;  ///< ".nc"
   std::vector<std::string> signatures;  ///< shell patterns (* ? [0-9]) for a line in the head of a program
   std::string segmenter = "line";
   std::vector<PluginReference> plugins;
   std::vector<DependencyElement> dependencies;  ///< nearest provider first
   std::vector<InitialField> initial;
-  std::vector<ChainElement> chain;              ///< by stage, in written order
-  std::map<std::string, Severity> severities;   ///< by diagnostic code
+  std::vector<ChainElement> chain;             ///< by stage, in written order
+  std::map<std::string, Severity> severities;  ///< by diagnostic code
 };
 
 /// Finds and reads dialect files. Relative paths resolve against the file that holds them; nothing outside the

@@ -50,9 +50,9 @@ struct Leftover {
 /// Where the block stands in its source.
 struct BlockSource {
   std::string_view file;
-  std::uint32_t line = 0;       ///< from 1
-  std::uint32_t column = 0;     ///< of the text's first byte, from 0: a line may hold several blocks
-  std::string_view text;        ///< alive until the block is finished
+  std::uint32_t line = 0;    ///< from 1
+  std::uint32_t column = 0;  ///< of the text's first byte, from 0: a line may hold several blocks
+  std::string_view text;     ///< alive until the block is finished
 };
 
 class Document {
@@ -166,7 +166,13 @@ class Document {
   std::vector<std::uint16_t> writer_;
   std::vector<std::uint32_t> range_;  // begin | end << 16
   std::vector<std::uint64_t> wake_;
-  std::vector<std::pair<ig_field, ig_field>> previous_;  // field, its copy from before the block
+  /// Fields side by side whose copies from before the block stand side by side, too.
+  struct PreviousRun {
+    ig_field field, copy;
+    std::uint32_t count;
+  };
+  std::vector<PreviousRun> previous_;
+  std::vector<std::uint64_t> open_mask_;  // words and codes, by 64-bit word
   std::vector<Frame> frames_;
   Frame composed_, inverse_;
   bool composed_valid_ = false, inverse_valid_ = false, invertible_ = false;

@@ -29,8 +29,8 @@ struct LinkedSyntax {
   ChainElement element;
   const ig_syntax* syntax = nullptr;
   const ig_plugin* plugin = nullptr;
-  std::vector<ig_field> ids;                       ///< by declaration
-  std::vector<std::vector<ig_field>> expansions;   ///< by declaration; only patterns have some
+  std::vector<ig_field> ids;                      ///< by declaration
+  std::vector<std::vector<ig_field>> expansions;  ///< by declaration; only patterns have some
   std::vector<OptionValue> options;
   std::vector<std::uint64_t> may_read, may_write, may_take;  ///< by field, for the checked table
 };

@@ -12,12 +12,12 @@ namespace isogloss {
 
 struct RunOptions {
   ChainSettings chain;
-  bool stop_on_error = false;             ///< --on-error stop: the control's own stops end the run
-  std::string program;                    ///< O1234: start at that program of the file
-  std::uint64_t maximum_blocks = 0;       ///< 0: no limit
-  std::uint64_t stop_after_line = 0;      ///< 0: no limit (explain)
+  bool stop_on_error = false;         ///< --on-error stop: the control's own stops end the run
+  std::string program;                ///< O1234: start at that program of the file
+  std::uint64_t maximum_blocks = 0;   ///< 0: no limit
+  std::uint64_t stop_after_line = 0;  ///< 0: no limit (explain)
   std::size_t maximum_line_bytes = 1u << 20;
-  std::function<void(Chain&)> prepare;    ///< called once the chain is created, before its start; empty: none
+  std::function<void(Chain&)> prepare;  ///< called once the chain is created, before its start; empty: none
   std::function<void(std::uint64_t blocks, std::uint64_t bytes)> progress;  ///< now and then; empty: none
 };
 
