@@ -225,9 +225,8 @@ void Chain::begin_block(const BlockSource& source) {
   document_.begin(source);
   ends_program = ends_file = alarmed = skip_rest = false;
   split_at = 0;
-  const std::uint64_t* const present = document_.present_bits();
   for (const WakeWhile& w : linked_.wake_while) {
-    if ((present[w.field >> 6] >> (w.field & 63) & 1) == 0) continue;
+    if (!document_.present(w.field)) continue;
     if (w.value != 0 && document_.value(w.field).symbol != w.value) continue;
     document_.active[w.position / 64] |= std::uint64_t{1} << (w.position % 64);
   }

@@ -4,12 +4,6 @@
 
 namespace isogloss {
 
-namespace {
-
-constexpr std::size_t bit_sets = 7;  // present fresh taken pointless, then modal words codes, which never change
-
-}  // namespace
-
 Frame Frame::from(const double (&m)[16]) {
   Frame frame;
   std::memcpy(frame.matrix, m, sizeof frame.matrix);
@@ -69,41 +63,27 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
       size_(static_cast<std::uint32_t>(layout.fields.size())),
       words_((size_ + 63) / 64),
       wake_words_(wake_words),
-      bits_(bit_sets * words_),
-      value_(size_),
-      writer_(size_),
-      range_(size_),
+      bits_(words_),
+      state_(size_),
       wake_(std::move(wake)),
       frames_(layout.transforms.size()) {
-  bind_arrays();
-  std::uint64_t* const modal = bits_.data() + 4 * words_;
-  std::uint64_t* const word = bits_.data() + 5 * words_;
-  std::uint64_t* const code = bits_.data() + 6 * words_;
   for (ig_field f = 0; f < size_; ++f) {
     const FieldInfo& info = layout.fields[f];
-    if (info.life == IG_LIFE_MODAL) modal[f >> 6] |= bit(f);
+    Bits& bits = bits_[f >> 6];
+    if (info.life == IG_LIFE_MODAL) bits.modal |= bit(f);
     if (info.type == IG_CODE)
-      code[f >> 6] |= bit(f);
+      bits.codes |= bit(f);
     else if (info.life == IG_LIFE_WORD)
-      word[f >> 6] |= bit(f);
-    if (info.previous_of != IG_NO_FIELD) {
-      PreviousRun* const last = previous_.empty() ? nullptr : &previous_.back();
-      const bool adjoins = last != nullptr && info.previous_of == last->field + last->count &&
-                           f == last->copy + last->count && (last->field >> 6) == (info.previous_of >> 6) &&
-                           (last->copy >> 6) == (f >> 6);
-      if (adjoins)
-        ++last->count;
-      else
-        previous_.push_back({info.previous_of, f, 1});
-    }
-    if (info.type == IG_CODE || info.life == IG_LIFE_WORD) {
+      bits.words |= bit(f);
+    bits.open = bits.codes | bits.words;
+    if (info.previous_of != IG_NO_FIELD) keep_previous(info.previous_of, f);
+    if (bits.open != 0) {
       if (open_end_ == 0) open_begin_ = f >> 6;
       open_end_ = (f >> 6) + 1;
     }
   }
-  for (std::uint32_t w = 0; w < words_; ++w) open_mask_.push_back(word[w] | code[w]);
   for (std::size_t i = 0; i < layout.transforms.size(); ++i)
-    value_[layout.transforms[i]].integer = static_cast<std::int64_t>(i);
+    state_[layout.transforms[i]].value.integer = static_cast<std::int64_t>(i);
   for (const ListInfo& list : layout.lists) {
     ListData data;
     data.stride = static_cast<std::uint32_t>(list.fields.size());
@@ -111,52 +91,14 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
   }
 }
 
-Document::Document(const Document& other) { *this = other; }
-
-Document& Document::operator=(const Document& other) {
-  if (this == &other) return *this;
-  layout_ = other.layout_;
-  size_ = other.size_;
-  words_ = other.words_;
-  wake_words_ = other.wake_words_;
-  bits_ = other.bits_;
-  open_begin_ = other.open_begin_;
-  open_mask_ = other.open_mask_;
-  open_end_ = other.open_end_;
-  value_ = other.value_;
-  writer_ = other.writer_;
-  range_ = other.range_;
-  wake_ = other.wake_;
-  previous_ = other.previous_;
-  frames_ = other.frames_;
-  composed_ = other.composed_;
-  inverse_ = other.inverse_;
-  composed_valid_ = other.composed_valid_;
-  inverse_valid_ = other.inverse_valid_;
-  invertible_ = other.invertible_;
-  arena_ = other.arena_;
-  frame_changed = other.frame_changed;
-  lists = other.lists;
-  leftovers = other.leftovers;
-  source = other.source;
-  std::copy(std::begin(other.active), std::end(other.active), std::begin(active));
-  current = other.current;
-  codes_seen = other.codes_seen;
-  chain = other.chain;
-  set_line = other.set_line;
-  bind_arrays();
-  return *this;
-}
-
-void Document::bind_arrays() {
-  std::uint64_t* p = bits_.data();
-  present_ = p;
-  fresh_ = p + words_;
-  taken_ = p + 2 * words_;
-  pointless_ = p + 3 * words_;
-  modal_ = p + 4 * words_;
-  word_mask_ = p + 5 * words_;
-  codes_ = p + 6 * words_;
+void Document::keep_previous(ig_field field, ig_field copy) {
+  PreviousRun* const last = previous_.empty() ? nullptr : &previous_.back();
+  const bool adjoins = last != nullptr && field == last->field + last->count && copy == last->copy + last->count &&
+                       (last->field >> 6) == (field >> 6) && (last->copy >> 6) == (copy >> 6);
+  if (adjoins)
+    ++last->count;
+  else
+    previous_.push_back({field, copy, 1});
 }
 
 void Document::own_source() {
@@ -165,9 +107,12 @@ void Document::own_source() {
 }
 
 bool Document::same_content(const Document& other) const {
-  if (!std::equal(bits_.begin(), bits_.begin() + 3 * words_, other.bits_.begin())) return false;
+  for (std::uint32_t w = 0; w < words_; ++w) {
+    const Bits &a = bits_[w], &b = other.bits_[w];
+    if (a.present != b.present || a.fresh != b.fresh || a.taken != b.taken) return false;
+  }
   for (ig_field f = 0; f < size_; ++f)
-    if (present(f) && value_[f].integer != other.value_[f].integer) return false;
+    if (present(f) && value(f).integer != other.value(f).integer) return false;
   for (std::size_t i = 0; i < lists.size(); ++i)
     if (lists[i].count != other.lists[i].count || lists[i].present != other.lists[i].present) return false;
   return leftovers.size() == other.leftovers.size() && arena_ == other.arena_;
@@ -175,7 +120,7 @@ bool Document::same_content(const Document& other) const {
 
 std::string_view Document::text(ig_field f) const {
   if (!present(f)) return {};
-  const auto packed = static_cast<std::uint64_t>(value_[f].integer);
+  const auto packed = static_cast<std::uint64_t>(value(f).integer);
   return std::string_view(arena_).substr(packed >> 32, packed & 0xffffffffu);
 }
 
@@ -188,29 +133,34 @@ void Document::set_text(ig_field f, std::string_view text) {
 
 void Document::set_word(const ig_word& w) {
   if (w.field >= size_) return;
+  Bits& bits = bits_[w.field >> 6];
   ig_value v = w.value;
-  if ((codes_[w.field >> 6] & bit(w.field)) != 0) v.integer = ++codes_seen;
+  if ((bits.codes & bit(w.field)) != 0) v.integer = ++codes_seen;
   set(w.field, v);
-  range_[w.field] = static_cast<std::uint32_t>(w.begin) | static_cast<std::uint32_t>(w.end) << 16;
-  if ((w.flags & IG_WORD_WITHOUT_POINT) != 0)
-    pointless_[w.field >> 6] |= bit(w.field);
-  else
-    pointless_[w.field >> 6] &= ~bit(w.field);
+  state_[w.field].begin = w.begin;
+  state_[w.field].end = w.end;
+  mark_pointless(w.field, (w.flags & IG_WORD_WITHOUT_POINT) != 0);
+}
+
+void Document::mark_pointless(ig_field f, bool pointless) {
+  Bits& bits = bits_[f >> 6];
+  bits.pointless = pointless ? bits.pointless | bit(f) : bits.pointless & ~bit(f);
 }
 
 void Document::rewrite(ig_field f, ig_value v) {
   if (!present(f)) return;
-  value_[f] = v;
-  writer_[f] = current;
-  pointless_[f >> 6] &= ~bit(f);
+  state_[f].value = v;
+  state_[f].writer = current;
+  mark_pointless(f, false);
 }
 
 void Document::move(ig_field from, ig_field to) {
   if (!present(from) || to >= size_) return;
-  const bool unpointed = without_point(from);
-  set(to, value_[from]);
-  range_[to] = range_[from];
-  pointless_[to >> 6] = unpointed ? pointless_[to >> 6] | bit(to) : pointless_[to >> 6] & ~bit(to);
+  const State moved = state_[from];
+  set(to, moved.value);
+  state_[to].begin = moved.begin;
+  state_[to].end = moved.end;
+  mark_pointless(to, without_point(from));
   erase(from);
 }
 
@@ -218,15 +168,18 @@ void Document::begin(const BlockSource& where) {
   std::uint64_t was_present = 0;  // a few bits a run; linking keeps them below 64
   unsigned at = 0;
   for (const PreviousRun& run : previous_) {
-    std::memcpy(&value_[run.copy], &value_[run.field], run.count * sizeof(ig_value));
-    const std::uint64_t bits = present_[run.field >> 6] >> (run.field & 63) & ((std::uint64_t{1} << run.count) - 1);
+    std::memcpy(&state_[run.copy], &state_[run.field], run.count * sizeof(State));
+    const std::uint64_t bits =
+        bits_[run.field >> 6].present >> (run.field & 63) & ((std::uint64_t{1} << run.count) - 1);
     was_present |= bits << at;
     at += run.count;
   }
-  for (std::uint32_t w = 0; w < words_; ++w) present_[w] &= modal_[w];
-  std::memset(fresh_, 0, 3 * words_ * sizeof *fresh_);  // fresh, taken and pointless stand in a row
+  for (Bits& bits : bits_) {
+    bits.present &= bits.modal;
+    bits.fresh = bits.taken = bits.pointless = 0;
+  }
   for (const PreviousRun& run : previous_) {
-    present_[run.copy >> 6] |= (was_present & ((std::uint64_t{1} << run.count) - 1)) << (run.copy & 63);
+    bits_[run.copy >> 6].present |= (was_present & ((std::uint64_t{1} << run.count) - 1)) << (run.copy & 63);
     was_present >>= run.count;
   }
   for (ListData& list : lists) {
@@ -246,7 +199,7 @@ void Document::begin(const BlockSource& where) {
 bool Document::has_leftovers() const {
   if (!leftovers.empty()) return true;
   std::uint64_t open = 0;
-  for (std::uint32_t w = open_begin_; w < open_end_; ++w) open |= present_[w] & open_mask_[w] & ~taken_[w];
+  for (std::uint32_t w = open_begin_; w < open_end_; ++w) open |= bits_[w].present & bits_[w].open & ~bits_[w].taken;
   return open != 0;
 }
 
@@ -265,7 +218,7 @@ std::vector<Leftover> Document::collect_leftovers() const {
   std::vector<Leftover> all = leftovers;
   constexpr std::string_view flags = "Parsing.Flags.", parsing = "Parsing.";
   for (std::uint32_t w = 0; w < words_; ++w) {
-    std::uint64_t open = present_[w] & (word_mask_[w] | codes_[w]) & ~taken_[w];
+    std::uint64_t open = bits_[w].present & bits_[w].open & ~bits_[w].taken;
     for (; open != 0; open &= open - 1) {
       const ig_field f = w * 64 + static_cast<ig_field>(__builtin_ctzll(open));
       std::string_view name = layout_->fields[f].path;
@@ -273,7 +226,7 @@ std::vector<Leftover> Document::collect_leftovers() const {
         name.remove_prefix(flags.size());
       else if (name.starts_with(parsing))
         name.remove_prefix(parsing.size());
-      const bool is_code = (codes_[w] & bit(f)) != 0;
+      const bool is_code = (bits_[w].codes & bit(f)) != 0;
       all.push_back({is_code ? IG_LEFT_CODE : IG_LEFT_WORD, f, word_begin(f), word_end(f), std::string(name)});
     }
   }
@@ -282,11 +235,11 @@ std::vector<Leftover> Document::collect_leftovers() const {
 }
 
 void Document::set_frame(ig_field f, const Frame& frame) {
-  Frame& slot = frames_[static_cast<std::size_t>(value_[f].integer)];
+  Frame& slot = frames_[static_cast<std::size_t>(state_[f].value.integer)];
   const bool same = present(f) ? std::equal(std::begin(slot.matrix), std::end(slot.matrix), std::begin(frame.matrix))
                                : frame.kind == Frame::Kind::identity;
   slot = frame;
-  set(f, value_[f]);
+  set(f, state_[f].value);
   if (same) return;
   frame_changed = true;
   composed_valid_ = false;

@@ -212,7 +212,7 @@ bool DocumentView::has_open_codes(const Document& d) const {
   for (const Leftover& left : d.leftovers)
     if (left.kind == IG_LEFT_UNKNOWN || left.kind == IG_LEFT_CODE) return true;
   std::uint64_t open = 0;
-  for (std::uint32_t w = 0; w < d.words(); ++w) open |= d.present_bits()[w] & d.code_bits()[w] & ~d.taken_bits()[w];
+  for (std::uint32_t w = 0; w < d.words(); ++w) open |= d.bits(w).present & d.bits(w).codes & ~d.bits(w).taken;
   return open != 0 &&
          std::any_of(flags_.begin(), flags_.end(), [&](ig_field f) { return d.present(f) && !d.taken(f); });
 }

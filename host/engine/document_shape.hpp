@@ -107,11 +107,12 @@ class DocumentView {
         case code:
         case section: break;
       }
-      const std::uint64_t* const bits = options.only_fresh ? d.fresh_bits() : d.present_bits();
-      for (const ShapeNode::Mask& m : node.fields)
-        if ((bits[m.word] & d.present_bits()[m.word] & m.bits) != 0) return true;
+      for (const ShapeNode::Mask& m : node.fields) {
+        const Document::Bits& bits = d.bits(m.word);
+        if (((options.only_fresh ? bits.fresh : bits.present) & bits.present & m.bits) != 0) return true;
+      }
       for (const ShapeNode::Mask& m : node.codes)
-        if ((d.present_bits()[m.word] & ~d.taken_bits()[m.word] & m.bits) != 0) return true;
+        if ((d.bits(m.word).present & ~d.bits(m.word).taken & m.bits) != 0) return true;
       if (node.is_parsing && !d.leftovers.empty() && has_nameless_word()) return true;
       return (node.has_lists || !d.leftovers.empty()) &&
              std::any_of(node.children.begin(), node.children.end(),

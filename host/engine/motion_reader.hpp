@@ -99,7 +99,7 @@ class MotionReader {
   struct Root {
     const Document& d;
     bool present(ig_field f) const { return d.present(f); }
-    std::uint64_t bits_from(ig_field f) const { return d.present_bits()[f >> 6] >> (f & 63); }
+    std::uint64_t bits_from(ig_field f) const { return d.bits(f >> 6).present >> (f & 63); }
     ig_value value(ig_field f) const { return d.value(f); }
     double number(ig_field f) const { return d.number(f); }
   };
@@ -114,7 +114,7 @@ class MotionReader {
 
   bool any_fresh(const Document& d) const {
     std::uint64_t found = 0;
-    for (const FreshMask& m : others_) found |= d.fresh_bits()[m.word] & m.bits;
+    for (const FreshMask& m : others_) found |= d.bits(m.word).fresh & m.bits;
     return found != 0;
   }
 

@@ -59,53 +59,47 @@ class Document {
  public:
   /// Sizes for one layout; `wake` is wake_words masks for each field (which syntaxes a write wakes).
   Document(const Layout& layout, std::vector<std::uint64_t> wake, std::uint32_t wake_words);
-  Document(const Document&);
-  Document& operator=(const Document&);
-
   const Layout& layout() const { return *layout_; }
 
-  bool present(ig_field f) const { return f < size_ && (present_[f >> 6] >> (f & 63) & 1) != 0; }
-  bool fresh(ig_field f) const { return f < size_ && (fresh_[f >> 6] >> (f & 63) & 1) != 0; }
-  bool taken(ig_field f) const { return f < size_ && (taken_[f >> 6] >> (f & 63) & 1) != 0; }
-  bool without_point(ig_field f) const { return f < size_ && (pointless_[f >> 6] >> (f & 63) & 1) != 0; }
-  ig_value value(ig_field f) const { return value_[f]; }
-  double number(ig_field f) const { return value_[f].number; }
-  std::uint16_t writer(ig_field f) const { return writer_[f]; }
+  bool present(ig_field f) const { return f < size_ && (bits_[f >> 6].present >> (f & 63) & 1) != 0; }
+  bool fresh(ig_field f) const { return f < size_ && (bits_[f >> 6].fresh >> (f & 63) & 1) != 0; }
+  bool taken(ig_field f) const { return f < size_ && (bits_[f >> 6].taken >> (f & 63) & 1) != 0; }
+  bool without_point(ig_field f) const { return f < size_ && (bits_[f >> 6].pointless >> (f & 63) & 1) != 0; }
+  ig_value value(ig_field f) const { return state_[f].value; }
+  double number(ig_field f) const { return state_[f].value.number; }
+  std::uint16_t writer(ig_field f) const { return state_[f].writer; }
   std::string_view text(ig_field f) const;
-  std::uint32_t word_begin(ig_field f) const { return range_[f] & 0xffffu; }
-  std::uint32_t word_end(ig_field f) const { return range_[f] >> 16; }
+  std::uint32_t word_begin(ig_field f) const { return state_[f].begin; }
+  std::uint32_t word_end(ig_field f) const { return state_[f].end; }
 
   /// Value, present, fresh, writer; wakes.
   void set(ig_field f, ig_value v) {
     write(f, v);
-    mark_fresh(f);
-  }
-  /// Value, present, writer.
-  void write(ig_field f, ig_value v) {
-    value_[f] = v;
-    present_[f >> 6] |= bit(f);
-    taken_[f >> 6] &= ~bit(f);
-    range_[f] = 0;
-    writer_[f] = current;
-  }
-  void mark_fresh(ig_field f) {
-    fresh_[f >> 6] |= bit(f);
+    bits_[f >> 6].fresh |= bit(f);
     if (wake_words_ == 1) {
       active[0] |= wake_[f];
     } else {
       for (std::uint32_t k = 0; k < wake_words_; ++k) active[k] |= wake_[f * wake_words_ + k];
     }
   }
+  /// Value, present, writer.
+  void write(ig_field f, ig_value v) {
+    state_[f] = {v, 0, 0, current, 0};
+    Bits& bits = bits_[f >> 6];
+    bits.present |= bit(f);
+    bits.taken &= ~bit(f);
+  }
   void erase(ig_field f) {
-    present_[f >> 6] &= ~bit(f);
-    fresh_[f >> 6] &= ~bit(f);
+    bits_[f >> 6].present &= ~bit(f);
+    bits_[f >> 6].fresh &= ~bit(f);
   }
   /// Gives the value and removes a word; a code stays readable. False when it was not there.
   bool take(ig_field f, ig_value& out) {
     if (!present(f)) return false;
-    out = value_[f];
-    if ((codes_[f >> 6] & bit(f)) == 0) present_[f >> 6] &= ~bit(f);
-    taken_[f >> 6] |= bit(f);
+    out = state_[f].value;
+    Bits& bits = bits_[f >> 6];
+    bits.present &= ~(bit(f) & ~bits.codes);
+    bits.taken |= bit(f);
     return true;
   }
   void set_text(ig_field f, std::string_view text);
@@ -123,7 +117,7 @@ class Document {
                     std::string_view name);
 
   void set_frame(ig_field f, const Frame& frame);
-  const Frame& frame(ig_field f) const { return frames_[static_cast<std::size_t>(value_[f].integer)]; }
+  const Frame& frame(ig_field f) const { return frames_[static_cast<std::size_t>(state_[f].value.integer)]; }
   /// All entries composed in chain order.
   const Frame& composed();
   bool map_to_program(const double (&in)[3], double (&out)[3]);
@@ -140,11 +134,12 @@ class Document {
 
   std::uint32_t size() const { return size_; }
   std::uint32_t words() const { return words_; }
-  const std::uint64_t* present_bits() const { return present_; }
-  const std::uint64_t* fresh_bits() const { return fresh_; }
-  const std::uint64_t* taken_bits() const { return taken_; }
-  const std::uint64_t* word_bits() const { return word_mask_; }
-  const std::uint64_t* code_bits() const { return codes_; }
+  /// One bit for each of 64 fields, for tests of many at once.
+  struct Bits {
+    std::uint64_t present = 0, fresh = 0, taken = 0, pointless = 0;  // of this block
+    std::uint64_t modal = 0, words = 0, codes = 0, open = 0;         // what the fields are; open: words and codes
+  };
+  const Bits& bits(std::uint32_t word) const { return bits_[word]; }
 
   /// The same values, words and lists (the checked table holds a build that says "unchanged" to it).
   bool same_content(const Document& other) const;
@@ -154,17 +149,19 @@ class Document {
 
  private:
   static constexpr std::uint64_t bit(ig_field f) { return std::uint64_t{1} << (f & 63); }
-  void bind_arrays();
-
+  void keep_previous(ig_field field, ig_field copy);
+  void mark_pointless(ig_field f, bool pointless);
   const Layout* layout_;
   std::uint32_t size_ = 0, words_ = 0, wake_words_ = 1;
-  std::vector<std::uint64_t> bits_;
-  std::uint64_t *present_, *fresh_, *taken_, *pointless_;
-  const std::uint64_t *modal_, *word_mask_, *codes_;
+  struct State {
+    ig_value value{};
+    std::uint16_t begin = 0, end = 0;  // columns of a word
+    std::uint16_t writer = 0;
+    std::uint16_t reserved = 0;
+  };
+  std::vector<Bits> bits_;
+  std::vector<State> state_;
   std::uint32_t open_begin_ = 0, open_end_ = 0;  // the 64-bit words that hold words and codes
-  std::vector<ig_value> value_;
-  std::vector<std::uint16_t> writer_;
-  std::vector<std::uint32_t> range_;  // begin | end << 16
   std::vector<std::uint64_t> wake_;
   /// Fields side by side whose copies from before the block stand side by side, too.
   struct PreviousRun {
@@ -172,7 +169,6 @@ class Document {
     std::uint32_t count;
   };
   std::vector<PreviousRun> previous_;
-  std::vector<std::uint64_t> open_mask_;  // words and codes, by 64-bit word
   std::vector<Frame> frames_;
   Frame composed_, inverse_;
   bool composed_valid_ = false, inverse_valid_ = false, invertible_ = false;
