@@ -39,8 +39,7 @@ std::string printable(std::string_view text) {
 
 }  // namespace
 
-DiagnosticWriter::DiagnosticWriter(DiagnosticPolicy policy, Write write)
-    : policy_(policy), write_(std::move(write)) {}
+DiagnosticWriter::DiagnosticWriter(DiagnosticPolicy policy, Write write) : policy_(policy), write_(std::move(write)) {}
 
 DiagnosticWriter::~DiagnosticWriter() = default;
 

@@ -13,6 +13,7 @@
 
 #include "descriptor_check.hpp"
 #include "descriptor_copy.hpp"
+#include "elf_check.hpp"
 
 namespace isogloss {
 
@@ -96,6 +97,7 @@ bool Library::Parts::load(const fs::path& file) {
   if (!fs::is_regular_file(file, error)) return refuse(file, "IG-0301", {file.string(), "no regular file"});
   // Looks before loading: a file without the entry symbol never gets to run its initializers here.
   std::vector<std::string> exports;
+  if (const std::optional<std::string> fault = elf_fault(file)) return refuse(file, "IG-0301", {file.string(), *fault});
   try {
     boost::dll::library_info info(file);
     const std::vector<std::string> symbols = info.symbols();

@@ -1,0 +1,15 @@
+/// Do the parts of a shared library lie inside the file? Asked before anybody follows its offsets: a damaged or
+/// truncated file must not make the host reserve memory for sizes that it merely claims.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace isogloss {
+
+/// What is wrong with a 64-bit ELF file's section table; empty when nothing is, or when the file is no such file (the
+/// loader says the rest).
+std::optional<std::string> elf_fault(const std::filesystem::path& file);
+
+}  // namespace isogloss
