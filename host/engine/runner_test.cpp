@@ -1,0 +1,177 @@
+// The way of a program through the runner: lines, splits, the look-ahead window, budgets. The plugin is made by hand:
+// a scanner that reads X and a digit, and a post-logic syntax that adds up the X of the two blocks that follow.
+#include "isogloss/engine/runner.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "cursor.hpp"
+#include "test_plugin.hpp"
+
+namespace isogloss {
+namespace {
+
+struct Ids {
+  ig_field first, second;
+};
+
+ig_status create(const ig_link_api*, ig_link*, const ig_field* ids, void** self) {
+  *self = new Ids{ids[0], ids[1]};
+  return IG_CHANGED;
+}
+void destroy(void* self) { delete static_cast<Ids*>(self); }
+
+std::size_t scan(void* self, const ig_host* host, ig_block* block, const char* text, std::size_t size,
+                 std::size_t position) {
+  if (text[position] == ';') {
+    host->flow(block, IG_FLOW_SPLIT, position + 1);
+    return position + 1;
+  }
+  if (position + 1 >= size) return position;
+  host->set(block, static_cast<Ids*>(self)->first, {.number = static_cast<double>(text[position + 1] - '0')});
+  return position + 2;
+}
+
+ig_status add_next(void* self, const ig_host* host, ig_block* block) {
+  const Ids& ids = *static_cast<Ids*>(self);
+  double sum = 0;
+  for (std::uint32_t k = 1; k <= 2; ++k) {
+    ig_block* const next = host->ahead(block, k);
+    ig_value x;
+    if (next != nullptr && host->get(next, ids.first, &x) != 0) sum += x.number;
+  }
+  host->set(block, ids.second, {.number = sum});
+  return IG_CHANGED;
+}
+
+struct Fixture {
+  Fixture() : library({}) {
+    auto& reader = plugin.syntax("Reader");
+    reader.fields = {test::field("Test.X", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK),
+                     test::field("Test.Unused", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK)};
+    reader.out.triggers = "X;";
+    reader.out.scan = scan;
+    reader.out.build = nullptr;
+    auto& sum = plugin.syntax("Sum");
+    sum.fields = {test::field("Test.X", IG_READ | IG_WAKE, IG_NUMBER, IG_LIFE_BLOCK),
+                  test::field("Test.Sum", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK)};
+    sum.out.build = add_next;
+    sum.out.look_ahead = 2;
+    for (auto* s : {&reader, &sum}) {
+      s->out.create = create;
+      s->out.destroy = destroy;
+    }
+    library.add(plugin.get());
+    Dialect dialect;
+    dialect.name = "test";
+    dialect.plugins = {{plugin.get()->name, {}}};
+    dialect.chain = {{Stage::parsing, "Reader", "Reader", {}, false, {}},
+                     {Stage::post_logic, "Sum", "Sum", {}, false, {}}};
+    linked = link(dialect, library, diagnostics);
+    diagnostics.all.clear();  // notes of fields that nothing reads
+  }
+
+  test::Plugin plugin{"hand"};
+  Library library;
+  DiagnosticList diagnostics;
+  std::unique_ptr<LinkedDialect> linked;
+};
+
+/// Line, X and sum of each block, as text: "1:1+5".
+class Collector : public Exporter {
+ public:
+  void begin(Document& d, const SymbolTable&) override {
+    x_ = d.layout().id("Test.X");
+    sum_ = d.layout().id("Test.Sum");
+  }
+  bool block(Document& d, const SymbolTable&) override {
+    std::string text = std::to_string(d.source.line) + ":";
+    if (d.present(x_)) text += std::to_string(static_cast<int>(d.number(x_)));
+    if (d.present(sum_)) text += "+" + std::to_string(static_cast<int>(d.number(sum_)));
+    blocks.push_back(text);
+    texts.emplace_back(d.source.text);
+    return true;
+  }
+  bool end() override { return true; }
+  std::vector<std::string> blocks, texts;
+
+ private:
+  ig_field x_ = IG_NO_FIELD, sum_ = IG_NO_FIELD;
+};
+
+using Strings = std::vector<std::string>;
+
+TEST_CASE("the window holds executed blocks, and is flushed at the end") {
+  Fixture f;
+  REQUIRE(f.linked != nullptr);
+  REQUIRE(f.linked->look_ahead == 2);
+  Collector out;
+  const auto source = memory_source("X1\nX2\n\nX3\n(\nX4");
+  run(*f.linked, *source, "t", {}, {&out}, f.diagnostics);
+  CHECK(out.blocks == Strings{"1:1+5", "2:2+3", "4:3+4", "5:", "6:4+0"});
+  CHECK(out.texts == Strings{"X1", "X2", "X3", "(", "X4"});
+}
+
+TEST_CASE("a scanner may split a line into blocks; columns go on") {
+  Fixture f;
+  Collector out;
+  const auto source = memory_source("X1;X2 ; \nX3");
+  const RunResult result = run(*f.linked, *source, "t", {}, {&out}, f.diagnostics);
+  CHECK(out.blocks == Strings{"1:1+5", "1:2+3", "2:3+0"});
+  CHECK(result.blocks == 3);
+  CHECK(result.lines == 2);
+}
+
+TEST_CASE("a run ends at its limit of blocks, and says so") {
+  Fixture f;
+  Collector out;
+  RunOptions options;
+  options.maximum_blocks = 2;
+  const auto source = memory_source("X1\nX2\nX3\n");
+  run(*f.linked, *source, "t", options, {&out}, f.diagnostics);
+  CHECK(out.blocks.size() == 2);
+  REQUIRE(f.diagnostics.all.size() == 1);
+  CHECK(f.diagnostics.all[0].code == "IG-0407");
+}
+
+Strings lines_of(std::string_view text, std::size_t maximum = 1000, bool* truncated = nullptr) {
+  const auto source = memory_source(text);
+  Cursor cursor(*source, maximum);
+  Strings out;
+  for (Line line; cursor.next(line);) {
+    out.emplace_back(line.text);
+    if (truncated != nullptr) *truncated |= line.truncated;
+    CHECK(line.number == out.size());
+  }
+  return out;
+}
+
+TEST_CASE("lines end in LF, CR LF, or in CR alone where there is no LF") {
+  CHECK(lines_of("a\nb\n") == Strings{"a", "b"});
+  CHECK(lines_of("a\r\nb") == Strings{"a", "b"});
+  CHECK(lines_of("a\rb\r") == Strings{"a", "b"});
+  CHECK(lines_of("\n\na") == Strings{"", "", "a"});
+  CHECK(lines_of("").empty());
+  CHECK(lines_of("\xef\xbb\xbfX1\n") == Strings{"X1"});
+}
+
+TEST_CASE("a line that is too long is cut, and the next one is whole") {
+  bool truncated = false;
+  const std::string longer(600'000, 'x');
+  CHECK(lines_of(longer + "\nb\nc", 1000, &truncated) == Strings{longer.substr(0, 1000), "b", "c"});
+  CHECK(truncated);
+  CHECK(lines_of(longer, 1000) == Strings{longer.substr(0, 1000)});
+  CHECK(lines_of("a\n" + longer + "\n\nc", 700'000) == Strings{"a", longer, "", "c"});
+}
+
+TEST_CASE("lines are the same wherever the reading windows end") {
+  std::string text;
+  Strings expected;
+  for (int i = 0; i < 60'000; ++i) {
+    expected.push_back("X" + std::to_string(i * 7919 % 100'000));
+    text += expected.back() + "\n";
+  }
+  CHECK(lines_of(text) == expected);
+}
+
+}  // namespace
+}  // namespace isogloss
