@@ -11,7 +11,11 @@ namespace {
 constexpr std::uint32_t widest_column = 65'535;
 constexpr std::uint64_t progress_interval = 1u << 16;
 
-bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r") == std::string_view::npos; }
+bool is_blank(std::string_view text) {
+  for (const char c : text)
+    if (c != ' ' && c != '\t' && c != '\r') return false;
+  return true;
+}
 
 class Run {
  public:
