@@ -83,6 +83,8 @@ std::int32_t get(const ig_block* block, ig_field f, ig_value* out) {
 
 template <Mode M>
 std::uint32_t get_many(const ig_block* block, const ig_field* fields, std::uint32_t count, ig_value* out) {
+  if constexpr (M == Mode::fast)
+    if (doc(block).is_triple(fields, count)) return doc(block).get_triple(fields[0], out);
   std::uint32_t mask = 0;
   for (std::uint32_t i = 0; i < count; ++i)
     if (get<M>(block, fields[i], out + i) != 0) mask |= 1u << (i & 31);
@@ -97,6 +99,8 @@ std::int32_t take(ig_block* block, ig_field f, ig_value* out) {
 
 template <Mode M>
 std::uint32_t take_many(ig_block* block, const ig_field* fields, std::uint32_t count, ig_value* out) {
+  if constexpr (M == Mode::fast)
+    if (doc(block).is_triple(fields, count)) return doc(block).take_triple(fields[0], out);
   std::uint32_t mask = 0;
   for (std::uint32_t i = 0; i < count; ++i)
     if (take<M>(block, fields[i], out + i) != 0) mask |= 1u << (i & 31);
@@ -113,6 +117,12 @@ void set(ig_block* block, ig_field f, ig_value v) {
 
 template <Mode M>
 void set_many(ig_block* block, const ig_field* fields, std::uint32_t count, const ig_value* v) {
+  if constexpr (M == Mode::fast) {
+    if (doc(block).is_triple(fields, count)) {
+      doc(block).set_triple(fields[0], v);
+      return;
+    }
+  }
   for (std::uint32_t i = 0; i < count; ++i) set<M>(block, fields[i], v[i]);
 }
 
