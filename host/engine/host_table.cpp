@@ -402,7 +402,12 @@ ig_text symbol_text(const ig_block* block, ig_symbol symbol) {
 }
 
 std::string shown(const ig_argument& a) {
-  if (a.is_text != 0) return std::string(a.text.data, a.text.size);
+  // A program's text may be a megabyte long; a message shows where it begins.
+  constexpr std::size_t longest = 120;
+  if (a.is_text != 0) {
+    if (a.text.size <= longest) return std::string(a.text.data, a.text.size);
+    return std::string(a.text.data, longest) + " …";
+  }
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.6g", a.number);
   return buffer;

@@ -204,6 +204,12 @@ class Run(Command):
         self.assertEqual(done.stderr.count("error:"), 3)
         self.assertIn("IG-0517", done.stderr)
 
+    def test_messages_stay_short_however_long_the_text(self):
+        for text in ["X" * 500_000, "(" + "y" * 500_000]:
+            done = self.run_it("run", self.write("long.nc", text + "\n"), "-d", "iso", "--emit", "none", status=1)
+            self.assertRegex(done.stderr, r"error: .*\[ISO-")
+            self.assertLess(len(done.stderr), 4000)
+
     def test_checked_and_call_all_change_nothing(self):
         plain = self.run_it("run", self.program, "-d", "fanuc").stdout
         self.assertEqual(self.run_it("run", self.program, "-d", "fanuc", "--checked").stdout, plain)
