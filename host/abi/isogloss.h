@@ -382,6 +382,9 @@ struct ig_host {
   void (*flow)(ig_block*, ig_flow, size_t position);
   /* Post-logic: the k-th executed block after this one, 1 <= k <= look_ahead; NULL past the end of the program. */
   ig_block* (*ahead)(ig_block*, uint32_t k);
+
+  /* A bit for each field that is fresh; count <= 32. */
+  uint32_t (*fresh_many)(const ig_block*, const ig_field* fields, uint32_t count);
 };
 
 /* ---- Standard services -------------------------------------------------------------------------------------- */
@@ -418,7 +421,8 @@ typedef struct ig_machine_axis_1 {
 
 /* Answers one number by name: isogloss.canned-cycle/1 (PeckRetractionDistance_mm, HighSpeedPeckRetraction_mm),
  * isogloss.number-format/1 (CalculatorDecimalPoint, LengthIncrement_mm, LengthIncrement_inch, AngleIncrement_deg),
- * isogloss.motion/1 (ArcRadiusTolerance_mm). 1, or 0 when it has no answer. */
+ * isogloss.motion/1 (ArcRadiusTolerance_mm, ScalingUnit, ScalingFactor, UnidirectionalOverrunX_mm and so for Y and Z).
+ * 1, or 0 when it has no answer. */
 typedef struct ig_config_1 {
   uint32_t struct_size;
   uint32_t reserved;

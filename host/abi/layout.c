@@ -191,6 +191,7 @@ AT(ig_host, report, 264);
 AT(ig_host, fault, 272);
 AT(ig_host, flow, 280);
 AT(ig_host, ahead, 288);
+AT(ig_host, fresh_many, 296);
 
 GROWS_FROM(ig_work_offset_1, 32);
 AT(ig_work_offset_1, reserved, 4);

@@ -28,6 +28,7 @@ Chain::Chain(const LinkedDialect& linked, ChainSettings settings, DiagnosticSink
   try {
     create_dependencies();
     create_syntaxes();
+    watch_modal_state();
   } catch (...) {
     destroy();
     throw;
@@ -185,6 +186,18 @@ void Chain::create_syntaxes() {
   }
 }
 
+void Chain::watch_modal_state() {
+  std::vector<WakeWhile> all = linked_.wake_while;
+  std::stable_sort(all.begin(), all.end(), [](const WakeWhile& a, const WakeWhile& b) { return a.field < b.field; });
+  for (const WakeWhile& w : all) {
+    if (watches_.empty() || watches_.back().word != w.field >> 6) watches_.push_back({w.field >> 6, 0, {}, {}});
+    Watch& watch = watches_.back();
+    watch.bits |= std::uint64_t{1} << (w.field & 63);
+    watch.entries.push_back(w);
+    for (unsigned bit = (w.field & 63) + 1; bit < watch.begin.size(); ++bit) ++watch.begin[bit];
+  }
+}
+
 const void* Chain::service(std::string_view id) const {
   for (std::size_t i = 0; i < dependencies_.size(); ++i) {
     const ig_dependency& d = *linked_.dependencies[i].dependency;
@@ -225,10 +238,16 @@ void Chain::begin_block(const BlockSource& source) {
   document_.begin(source);
   ends_program = ends_file = alarmed = skip_rest = false;
   split_at = 0;
-  for (const WakeWhile& w : linked_.wake_while) {
-    if (!document_.present(w.field)) continue;
-    if (w.value != 0 && document_.value(w.field).symbol != w.value) continue;
-    document_.active[w.position / 64] |= std::uint64_t{1} << (w.position % 64);
+  for (const Watch& watch : watches_) {
+    std::uint64_t present = document_.bits(watch.word).present & watch.bits;
+    for (; present != 0; present &= present - 1) {
+      const auto bit = static_cast<unsigned>(__builtin_ctzll(present));
+      for (unsigned i = watch.begin[bit]; i < watch.begin[bit + 1]; ++i) {
+        const WakeWhile& w = watch.entries[i];
+        if (w.value == 0 || document_.value(w.field).symbol == w.value)
+          document_.active[w.position / 64] |= std::uint64_t{1} << (w.position % 64);
+      }
+    }
   }
   if (settings_.call_all)
     for (std::size_t i = 0; i < steps_.size(); ++i) document_.active[i / 64] |= std::uint64_t{1} << (i % 64);

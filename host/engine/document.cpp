@@ -70,7 +70,8 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
   for (ig_field f = 0; f < size_; ++f) {
     const FieldInfo& info = layout.fields[f];
     Bits& bits = bits_[f >> 6];
-    if (info.life == IG_LIFE_MODAL) bits.modal |= bit(f);
+    // A copy from before the block is made anew before the rest goes.
+    if (info.life == IG_LIFE_MODAL || info.previous_of != IG_NO_FIELD) bits.modal |= bit(f);
     if (info.type == IG_CODE)
       bits.codes |= bit(f);
     else if (info.life == IG_LIFE_WORD)
@@ -92,13 +93,14 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
 }
 
 void Document::keep_previous(ig_field field, ig_field copy) {
+  copies_.push_back({field, copy});
+  const std::uint32_t from_shift = field & 63, to_shift = copy & 63;
   PreviousRun* const last = previous_.empty() ? nullptr : &previous_.back();
-  const bool adjoins = last != nullptr && field == last->field + last->count && copy == last->copy + last->count &&
-                       (last->field >> 6) == (field >> 6) && (last->copy >> 6) == (copy >> 6);
-  if (adjoins)
-    ++last->count;
+  if (last != nullptr && last->from_word == field >> 6 && last->to_word == copy >> 6 && from_shift > last->from_shift &&
+      to_shift > last->to_shift && from_shift - last->from_shift == to_shift - last->to_shift)
+    last->mask |= std::uint64_t{1} << (from_shift - last->from_shift);
   else
-    previous_.push_back({field, copy, 1});
+    previous_.push_back({field >> 6, copy >> 6, from_shift, to_shift, 1});
 }
 
 void Document::own_source() {
@@ -131,17 +133,6 @@ void Document::set_text(ig_field f, std::string_view text) {
   set(f, v);
 }
 
-void Document::set_word(const ig_word& w) {
-  if (w.field >= size_) return;
-  Bits& bits = bits_[w.field >> 6];
-  ig_value v = w.value;
-  if ((bits.codes & bit(w.field)) != 0) v.integer = ++codes_seen;
-  set(w.field, v);
-  state_[w.field].begin = w.begin;
-  state_[w.field].end = w.end;
-  mark_pointless(w.field, (w.flags & IG_WORD_WITHOUT_POINT) != 0);
-}
-
 void Document::mark_pointless(ig_field f, bool pointless) {
   Bits& bits = bits_[f >> 6];
   bits.pointless = pointless ? bits.pointless | bit(f) : bits.pointless & ~bit(f);
@@ -165,22 +156,17 @@ void Document::move(ig_field from, ig_field to) {
 }
 
 void Document::begin(const BlockSource& where) {
-  std::uint64_t was_present = 0;  // a few bits a run; linking keeps them below 64
-  unsigned at = 0;
+  State* const state = state_.data();
+  for (const PreviousCopy& copy : copies_) state[copy.to] = state[copy.from];
   for (const PreviousRun& run : previous_) {
-    std::memcpy(&state_[run.copy], &state_[run.field], run.count * sizeof(State));
-    const std::uint64_t bits =
-        bits_[run.field >> 6].present >> (run.field & 63) & ((std::uint64_t{1} << run.count) - 1);
-    was_present |= bits << at;
-    at += run.count;
+    const std::uint64_t known = bits_[run.from_word].present >> run.from_shift & run.mask;
+    std::uint64_t& copies = bits_[run.to_word].present;
+    copies = (copies & ~(run.mask << run.to_shift)) | known << run.to_shift;
   }
-  for (Bits& bits : bits_) {
-    bits.present &= bits.modal;
-    bits.fresh = bits.taken = bits.pointless = 0;
-  }
-  for (const PreviousRun& run : previous_) {
-    bits_[run.copy >> 6].present |= (was_present & ((std::uint64_t{1} << run.count) - 1)) << (run.copy & 63);
-    was_present >>= run.count;
+  Bits* const end = bits_.data() + words_;
+  for (Bits* bits = bits_.data(); bits != end; ++bits) {
+    bits->present &= bits->modal;
+    bits->fresh = bits->taken = bits->pointless = 0;
   }
   for (ListData& list : lists) {
     if (list.count == 0) continue;
@@ -199,7 +185,9 @@ void Document::begin(const BlockSource& where) {
 bool Document::has_leftovers() const {
   if (!leftovers.empty()) return true;
   std::uint64_t open = 0;
-  for (std::uint32_t w = open_begin_; w < open_end_; ++w) open |= bits_[w].present & bits_[w].open & ~bits_[w].taken;
+  const Bits* const end = bits_.data() + open_end_;
+  for (const Bits* bits = bits_.data() + open_begin_; bits != end; ++bits)
+    open |= bits->present & bits->open & ~bits->taken;
   return open != 0;
 }
 

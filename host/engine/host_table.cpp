@@ -83,8 +83,11 @@ std::int32_t get(const ig_block* block, ig_field f, ig_value* out) {
 
 template <Mode M>
 std::uint32_t get_many(const ig_block* block, const ig_field* fields, std::uint32_t count, ig_value* out) {
-  if constexpr (M == Mode::fast)
-    if (doc(block).is_triple(fields, count)) return doc(block).get_triple(fields[0], out);
+  if constexpr (M == Mode::fast) {
+    const Document& d = doc(block);
+    if (d.is_triple(fields, count)) return d.get_triple(fields[0], out);
+    return d.get_many(fields, count, out);
+  }
   std::uint32_t mask = 0;
   for (std::uint32_t i = 0; i < count; ++i)
     if (get<M>(block, fields[i], out + i) != 0) mask |= 1u << (i & 31);
@@ -112,16 +115,20 @@ void set(ig_block* block, ig_field f, ig_value v) {
   Document& d = doc(block);
   if (!may<M>(d, f, Use::write) || !sound<M>(d, f, v)) return;
   d.set(f, v);
+  d.count_code(f);
   note_line<M>(d, f);
 }
 
 template <Mode M>
 void set_many(ig_block* block, const ig_field* fields, std::uint32_t count, const ig_value* v) {
   if constexpr (M == Mode::fast) {
-    if (doc(block).is_triple(fields, count)) {
-      doc(block).set_triple(fields[0], v);
+    Document& d = doc(block);
+    if (d.is_triple(fields, count)) {
+      d.set_triple(fields[0], v);
       return;
     }
+    d.set_many(fields, count, v);
+    return;
   }
   for (std::uint32_t i = 0; i < count; ++i) set<M>(block, fields[i], v[i]);
 }
@@ -132,6 +139,7 @@ void amend_many(ig_block* block, const ig_field* fields, std::uint32_t count, co
   for (std::uint32_t i = 0; i < count; ++i) {
     if (!may<M>(d, fields[i], Use::write) || !sound<M>(d, fields[i], v[i])) continue;
     d.write(fields[i], v[i]);
+    d.count_code(fields[i]);
     note_line<M>(d, fields[i]);
   }
 }
@@ -149,11 +157,22 @@ std::int32_t is_fresh(const ig_block* block, ig_field f) {
 }
 
 template <Mode M>
+std::uint32_t fresh_many(const ig_block* block, const ig_field* fields, std::uint32_t count) {
+  if constexpr (M == Mode::fast)
+    if (doc(block).is_triple(fields, count)) return doc(block).fresh_triple(fields[0]);
+  std::uint32_t mask = 0;
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (is_fresh<M>(block, fields[i]) != 0) mask |= 1u << (i & 31);
+  return mask;
+}
+
+template <Mode M>
 std::int32_t find_code(const ig_block* block, const ig_field* fields, std::uint32_t count, std::uint32_t* found) {
   const Document& d = doc(block);
   std::int32_t last = -1;
   std::int64_t ordinal = -1;
   *found = 0;
+  if (d.codes_seen == 0) return -1;
   for (std::uint32_t i = 0; i < count; ++i) {
     if (!may<M>(d, fields[i], Use::read) || !d.present(fields[i])) continue;
     ++*found;
@@ -171,6 +190,7 @@ std::int32_t take_code(ig_block* block, const ig_field* fields, std::uint32_t co
   std::int32_t last = -1;
   std::int64_t ordinal = -1;
   *found = 0;
+  if (d.codes_seen == 0) return -1;
   for (std::uint32_t i = 0; i < count; ++i) {
     ig_value value;
     if (!d.present(fields[i]) || take<M>(block, fields[i], &value) == 0) continue;
@@ -204,7 +224,8 @@ template <Mode M>
 void set_words(ig_block* block, const ig_word* words, std::uint32_t count) {
   Document& d = doc(block);
   for (std::uint32_t i = 0; i < count; ++i) {
-    if (!may<M>(d, words[i].field, Use::write)) continue;
+    if constexpr (M != Mode::fast)
+      if (!may<M>(d, words[i].field, Use::write)) continue;
     d.set_word(words[i]);
     note_line<M>(d, words[i].field);
   }
@@ -497,7 +518,8 @@ constexpr ig_host table() {
           .report = report,
           .fault = fault,
           .flow = flow,
-          .ahead = ahead};
+          .ahead = ahead,
+          .fresh_many = fresh_many<M>};
 }
 
 constexpr ig_host fast_table = table<Mode::fast>();

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t maximum_chain = 256;
 constexpr std::size_t maximum_previous = 63;
+constexpr std::string_view flags_prefix = "Parsing.Flags.";
 
 /// A field while the layout is being made.
 struct Draft {
@@ -190,9 +191,8 @@ class Linker {
 
   /// "Parsing.Flags.X" is the same field as "Parsing.X" when some syntax lets X own words.
   std::string canonical(const std::string& path) const {
-    constexpr std::string_view flags = "Parsing.Flags.";
-    if (!path.starts_with(flags)) return path;
-    const std::string owner = "Parsing." + path.substr(flags.size());
+    if (!path.starts_with(flags_prefix)) return path;
+    const std::string owner = "Parsing." + path.substr(flags_prefix.size());
     return owners_.contains(owner) ? owner : path;
   }
 
@@ -239,19 +239,22 @@ class Linker {
       return;
     }
     const std::string path = canonical(written);
-    FieldInfo info{path, decl.type, decl.life, decl.unit, decl.doc, decl.type == IG_SWITCH, IG_NO_FIELD};
-    if (info.life == IG_LIFE_STANDARD) info.life = default_life(path, decl.type);
-    if (decl.type == IG_TEXT && info.life == IG_LIFE_MODAL) say("IG-0222", s.element.where, {s.element.alias, path});
-    const auto [where, added] = drafts_.emplace(path, Draft{info, s.element.alias});
+    auto where = drafts_.find(path);
+    if (where == drafts_.end()) {
+      FieldInfo info{path, decl.type, decl.life, decl.unit, decl.doc, decl.type == IG_SWITCH, IG_NO_FIELD};
+      if (info.life == IG_LIFE_STANDARD) info.life = default_life(path, decl.type);
+      where = drafts_.emplace(path, Draft{std::move(info), s.element.alias}).first;
+      mention_.push_back(path);
+    }
     Draft& known = where->second;
-    if (added) mention_.push_back(path);
+    if (decl.type == IG_TEXT && decl.life == IG_LIFE_MODAL) say("IG-0222", s.element.where, {s.element.alias, path});
     const bool same_life = decl.life == IG_LIFE_STANDARD || known.info.life == decl.life;
     if (known.info.type != decl.type || !same_life)
       say("IG-0209", s.element.where,
           {s.element.alias, path, type_name(decl.type), known.declared_by, type_name(known.info.type)},
           same_life ? "" : "their lives differ");
-    if (known.info.unit.empty()) known.info.unit = decl.unit;
-    if (known.info.doc.empty()) known.info.doc = decl.doc;
+    if (known.info.unit.empty() && *decl.unit != '\0') known.info.unit = decl.unit;
+    if (known.info.doc.empty() && *decl.doc != '\0') known.info.doc = decl.doc;
     if ((decl.access & IG_PREVIOUS) != 0) previous_.insert(path);
   }
 
@@ -356,7 +359,10 @@ class Linker {
   }
 
   ig_field resolve(const ig_field_decl& decl) const {
-    const std::string path = decl.path;
+    const std::string_view written = decl.path;
+    if ((decl.access & IG_PREVIOUS) == 0 && !written.starts_with(flags_prefix) && written.find('[') == written.npos)
+      return out_->layout.id(written);
+    const std::string path(written);
     if (const std::size_t brackets = path.find("[]."); brackets != std::string::npos)
       return out_->layout.record(path.substr(0, brackets), path.substr(brackets + 3));
     return (decl.access & IG_PREVIOUS) != 0 ? previous_ids_.at(canonical(path)) : out_->layout.id(canonical(path));

@@ -188,6 +188,24 @@ TEST_CASE("spindle and coolant are told only when they change") {
   CHECK(events[3].dump() == R"({"File":"part.nc","Line":9,"Event":"coolant","Mode":"MIST"})");
 }
 
+TEST_CASE("a new speed alone keeps the way the spindle turns, whatever the block leaves in force after its steps") {
+  Stream s({}, [](TestDocument& t) {
+    t.name("SpindleSpeed.Direction", "CW");
+    t.number("SpindleSpeed.SpindleSpeed_rpm", 900);
+  });
+  s.block(1, [&] {
+    s.t.number("SpindleSpeed.SpindleSpeed_rpm", 400);
+    s.t.d.write(s.t.layout.id("SpindleSpeed.Direction"), {.symbol = s.t.symbols.intern("CCW")});  // not fresh
+    s.t.item();
+    s.t.item_name("SpindleControl.Direction", "CCW");
+  });
+  const auto events = s.events();
+  REQUIRE(events.size() == 2);
+  CHECK(events[0].dump() == R"({"File":"part.nc","Line":1,"Event":"spindle","Direction":"CW","SpindleSpeed_rpm":400})");
+  CHECK(events[1].dump() ==
+        R"({"File":"part.nc","Line":1,"Event":"spindle","Direction":"CCW","SpindleSpeed_rpm":400})");
+}
+
 TEST_CASE("an oriented stop includes the stop, the restart is a change") {
   Stream s({}, [](TestDocument& t) {
     t.name("SpindleSpeed.Direction", "CW");

@@ -12,6 +12,9 @@ constexpr double same_place_mm = 1e-7;
 /// Ends of an arc that are closer make a full circle.
 constexpr double closed_arc_mm = 1e-6;
 
+/// A point that has X, Y and Z and nothing else: what a machine with three axes moves to.
+constexpr std::uint32_t xyz = 7;
+
 constexpr const char* axis_names[] = {"X", "Y", "Z", "A", "B", "C"};
 
 double degrees(double radians) { return radians * (180 / std::numbers::pi); }
@@ -34,7 +37,16 @@ double sweep(const double (&start)[3], const double (&end)[3], const double (&ce
   return sign * angle;
 }
 
+void copy_xyz(double (&to)[6], const double (&from)[6]) {
+  for (int i = 0; i < 3; ++i) to[i] = from[i];
+}
+
 void advance(AxisPoint& position, const AxisPoint& to) {
+  if (to.known == xyz) {
+    copy_xyz(position.at, to.at);
+    position.known |= xyz;
+    return;
+  }
   for (unsigned i = 0; (to.known >> i) != 0; ++i)
     if (to.has(i)) position.at[i] = to.at[i];
   position.known |= to.known;
@@ -118,6 +130,7 @@ void MotionReader::begin(const Document& initial, const SymbolTable& symbols) {
 
   position_ = {};
   program_position_ = {};
+  is_in_frame_ = false;
   for (unsigned i = 0; i < 6; ++i) {
     if (!initial.present(root_.machine.ids[i])) continue;
     position_.at[i] = initial.number(root_.machine.ids[i]);
@@ -153,6 +166,10 @@ template <class Values>
 void MotionReader::read_point(const Values& values, const AxisFields& fields, AxisPoint& point) {
   if (fields.run != 0) {
     point.known = static_cast<std::uint32_t>(values.bits_from(fields.ids[0])) & fields.run;
+    if (point.known == xyz) {
+      for (unsigned i = 0; i < 3; ++i) point.at[i] = values.number(fields.ids[0] + i);
+      return;
+    }
     for (unsigned i = 0; (fields.run >> i) != 0; ++i) point.at[i] = values.number(fields.ids[0] + i);
     return;
   }
@@ -188,14 +205,17 @@ const Move* MotionReader::make_move(const Values& values, const Fields& fields, 
   if (is_arc) make_arc(values, fields, d, symbols);
   advance(position_, m.machine);
   advance(program_position_, m.program);
+  is_in_frame_ = m.program.has_xyz();
   return &m;
 }
 
 bool MotionReader::goes_nowhere() const {
   const AxisPoint& to = move_.machine;
+  const auto is_there = [&](unsigned i) { return std::abs(to.at[i] - position_.at[i]) <= same_place_mm; };
+  if (to.known == xyz && position_.has_xyz()) return is_there(0) && is_there(1) && is_there(2);
   if (to.known == 0 || (to.known & ~position_.known) != 0) return false;
   for (unsigned i = 0; (to.known >> i) != 0; ++i)
-    if (to.has(i) && std::abs(to.at[i] - position_.at[i]) > same_place_mm) return false;
+    if (to.has(i) && !is_there(i)) return false;
   return true;
 }
 
@@ -219,10 +239,10 @@ void MotionReader::make_arc(const Values& values, const Fields& fields, Document
     else
       arc.has_center = false;
   }
-  // The start in this block's frame: the position from before the block may stand in another.
-  if (!(position_.has_xyz() && d.map_to_program({position_.at[0], position_.at[1], position_.at[2]}, arc.start))) {
-    for (int i = 0; i < 3; ++i) arc.start[i] = program_position_.at[i];
-  }
+  // The start in this block's frame: the last point that was programmed may stand in another.
+  for (int i = 0; i < 3; ++i) arc.start[i] = program_position_.at[i];
+  if (!is_in_frame_ && position_.has_xyz())
+    d.map_to_program({position_.at[0], position_.at[1], position_.at[2]}, arc.start);
   if (!arc.has_center) return;
   const double end[3] = {move_.program.at[0], move_.program.at[1], move_.program.at[2]};
   arc.sweep_deg = sweep(arc.start, end, arc.center, axes, arc.is_ccw) +

@@ -69,6 +69,7 @@ class MotionReader {
   /// move(Move), stop(term), end(term).
   template <class Events>
   void read(Document& d, const SymbolTable& symbols, Events& events) {
+    if (d.frame_changed) is_in_frame_ = false;
     const bool has_others = any_fresh(d);
     if (has_others) before_motion(d, symbols, events);
     if (d.fresh(root_.form)) {
@@ -136,7 +137,8 @@ class MotionReader {
       if (d.present(tool)) events.tool(d.value(tool).integer);
     }
     if (d.fresh(direction_) || (d.fresh(speed_) && spindle_turns_)) {
-      const ig_symbol direction = symbol(d, direction_);
+      // A new speed alone: the spindle goes on turning as it does, whatever the steps of this block leave in force.
+      const ig_symbol direction = d.fresh(direction_) ? symbol(d, direction_) : spindle_direction_;
       if (direction != 0 && !stop_.is(direction, symbols)) tell_spindle(direction, d, symbols, events);
     }
     if (d.fresh(coolant_) && !off_.is(symbol(d, coolant_), symbols)) tell_coolant(symbol(d, coolant_), symbols, events);
@@ -204,6 +206,7 @@ class MotionReader {
   Move move_;
   AxisPoint position_;          // machine coordinates of the last event
   AxisPoint program_position_;  // the same in the program's
+  bool is_in_frame_ = false;    // ... of this block's frame, too
   bool spindle_turns_ = false;
   ig_symbol spindle_direction_ = 0;
   double spindle_speed_ = 0;

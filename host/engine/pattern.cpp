@@ -56,10 +56,20 @@ FieldPattern::FieldPattern(std::string_view text) {
   path_ = text;
   segments_ = path_segments(text);
   literal_ = text.find_first_of("*?") == std::string_view::npos;
+  prefix_size_ = std::min(text.find_first_of("*?"), text.size());
 }
 
 bool FieldPattern::matches(std::string_view path, std::string_view unit) const {
-  return (any_unit_ || unit == unit_) && match(segments_, 0, path);
+  if (!any_unit_ && unit != unit_) return false;
+  const std::string_view pattern = path_;
+  if (!path.starts_with(pattern.substr(0, prefix_size_))) return false;
+  // What most patterns end with needs no segments.
+  const std::string_view wild = pattern.substr(prefix_size_);
+  const std::size_t rest = path.size() - prefix_size_;
+  if (wild == "**") return rest > 0;
+  if (wild == "?") return rest == 1;
+  if (wild == "*" && path.find('.', prefix_size_) == std::string_view::npos) return rest > 0;
+  return match(segments_, 0, path);
 }
 
 std::vector<FieldPattern> parse_patterns(std::string_view text) {

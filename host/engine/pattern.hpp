@@ -19,6 +19,7 @@ class FieldPattern {
   std::string path_;
   std::string unit_;
   bool any_unit_ = true;
+  std::size_t prefix_size_ = 0;  // before the first wildcard
   bool literal_ = true;
   std::vector<std::string> segments_;
 };

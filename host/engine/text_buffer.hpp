@@ -45,7 +45,7 @@ class TextBuffer {
   }
 
  private:
-  static constexpr std::size_t initial_size = std::size_t{128} << 10;
+  static constexpr std::size_t initial_size = std::size_t{64} << 10;
 
   void make_room(std::size_t room) {
     flush();

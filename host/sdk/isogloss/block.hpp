@@ -65,8 +65,7 @@ class Block {
     return host_->is_fresh(block_, field.id()) != 0;
   }
   bool is_fresh(const Xyz& xyz) const {
-    return host_->is_fresh(block_, xyz.id(0)) != 0 || host_->is_fresh(block_, xyz.id(1)) != 0 ||
-           host_->is_fresh(block_, xyz.id(2)) != 0;
+    return host_->fresh_many(block_, xyz.ids(), 3) != 0;
   }
 
   template <class T>

@@ -16,8 +16,20 @@ struct Decimal {
   std::ptrdiff_t decimals = 0;  ///< digits after the point
 };
 
-/// The number that begins at `position`. A lone sign or point is none. Exact: the nearest double.
-inline Decimal read_decimal(std::string_view text, std::size_t position) {
+namespace detail {
+
+/// More digits than two exact factors hold. Too small for a double is 0; false: too large.
+inline bool read_long_decimal(const char* first, const char* end, double& value) {
+  if (std::from_chars(first, end, value, std::chars_format::fixed).ec == std::errc{}) return true;
+  while (first != end && *first == '0') ++first;
+  return first == end || *first == '.';
+}
+
+}  // namespace detail
+
+/// The number that begins at `position`. A lone sign or point is none, nor is what no double can hold. Exact: the nearest
+/// double.
+[[gnu::always_inline]] inline Decimal read_decimal(std::string_view text, std::size_t position) {
   static constexpr double powers[] = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                       1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
   const char* const begin = text.data() + position;
@@ -58,7 +70,7 @@ inline Decimal read_decimal(std::string_view text, std::size_t position) {
     value = static_cast<double>(digits) / powers[decimals];
   } else {
     value = 0;
-    std::from_chars(first, p, value, std::chars_format::fixed);
+    out.ok = detail::read_long_decimal(first, p, value);
   }
   out.value = negative ? -value : value;
   return out;

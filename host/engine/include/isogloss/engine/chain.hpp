@@ -1,6 +1,7 @@
 /// A chain at work: instances of the syntaxes, their tables, one document. Belongs to one thread and one run.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 
@@ -103,6 +104,7 @@ class Chain {
  private:
   void create_dependencies();
   void create_syntaxes();
+  void watch_modal_state();
   void overlay(const DependencyElement& element);
   void assign(const std::string& path, const std::string& value);
   void call_watched(Document& document, std::uint32_t position);  // checked and traced modes
@@ -120,6 +122,14 @@ class Chain {
     ig_scan_fn scan = nullptr;
     void* self = nullptr;
   };
+  /// Fields of one word of bits whose presence wakes syntaxes; mostly none of them is present.
+  struct Watch {
+    std::uint32_t word;
+    std::uint64_t bits = 0;
+    std::vector<WakeWhile> entries;         // by field
+    std::array<std::uint16_t, 65> begin{};  // by bit: its first entry
+  };
+  std::vector<Watch> watches_;
   std::vector<Step> steps_;                               // by chain position
   std::vector<std::unique_ptr<DependencyTable>> tables_;  // by linked dependency, as the two below
   std::vector<std::vector<OptionValue>> dependency_options_;

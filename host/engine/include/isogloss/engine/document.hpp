@@ -76,11 +76,41 @@ class Document {
   void set(ig_field f, ig_value v) {
     write(f, v);
     bits_[f >> 6].fresh |= bit(f);
-    if (wake_words_ == 1) {
-      active[0] |= wake_[f];
-    } else {
-      for (std::uint32_t k = 0; k < wake_words_; ++k) active[k] |= wake_[f * wake_words_ + k];
+    wake(f);
+  }
+  /// The same for several; ids outside the document are left out. A code among them counts as seen.
+  void set_many(const ig_field* f, std::uint32_t count, const ig_value* v) {
+    State* const state = state_.data();
+    Bits* const bits = bits_.data();
+    const std::uint64_t* const wakes = wake_.data();
+    std::uint64_t awake = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (f[i] >= size_) continue;
+      state[f[i]] = {v[i], 0, 0, current, 0};
+      Bits& b = bits[f[i] >> 6];
+      const std::uint64_t mask = bit(f[i]);
+      b.present |= mask;
+      b.fresh |= mask;
+      b.taken &= ~mask;
+      codes_seen += static_cast<std::uint32_t>((b.codes & mask) != 0);
+      if (wake_words_ == 1)
+        awake |= wakes[f[i]];
+      else
+        wake(f[i]);
     }
+    active[0] |= awake;
+  }
+  /// Their values; a bit for each that is present.
+  std::uint32_t get_many(const ig_field* f, std::uint32_t count, ig_value* out) const {
+    const State* const state = state_.data();
+    const Bits* const bits = bits_.data();
+    std::uint32_t known = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (f[i] >= size_ || (bits[f[i] >> 6].present >> (f[i] & 63) & 1) == 0) continue;
+      out[i] = state[f[i]].value;
+      known |= 1u << (i & 31);
+    }
+    return known;
   }
   /// Value, present, writer.
   void write(ig_field f, ig_value v) {
@@ -89,6 +119,8 @@ class Document {
     bits.present |= bit(f);
     bits.taken &= ~bit(f);
   }
+  /// A code that a syntax raises counts as seen, too: without one no search for codes needs to look.
+  void count_code(ig_field f) { codes_seen += static_cast<std::uint32_t>(bits_[f >> 6].codes >> (f & 63) & 1); }
   void erase(ig_field f) {
     bits_[f >> 6].present &= ~bit(f);
     bits_[f >> 6].fresh &= ~bit(f);
@@ -105,11 +137,14 @@ class Document {
 
   // X Y Z of one section mostly lie side by side, and three at once cost little more than one.
   bool is_triple(const ig_field* f, std::uint32_t count) const {
-    return count == 3 && f[1] == f[0] + 1 && f[2] == f[0] + 2 && (f[0] & 63) <= 61 && f[2] < size_;
+    return count == 3 && ((f[1] - f[0] - 1) | (f[2] - f[0] - 2)) == 0 && (f[0] & 63) <= 61 && f[2] < size_;
   }
   std::uint32_t get_triple(ig_field f, ig_value* out) const {
     for (ig_field i = 0; i < 3; ++i) out[i] = state_[f + i].value;
     return static_cast<std::uint32_t>(bits_[f >> 6].present >> (f & 63)) & 7u;
+  }
+  std::uint32_t fresh_triple(ig_field f) const {
+    return static_cast<std::uint32_t>(bits_[f >> 6].fresh >> (f & 63)) & 7u;
   }
   std::uint32_t take_triple(ig_field f, ig_value* out) {
     const std::uint32_t mask = get_triple(f, out);
@@ -128,11 +163,28 @@ class Document {
   void set_triple(ig_field f, const ig_value* v) {
     write_triple(f, v);
     bits_[f >> 6].fresh |= std::uint64_t{7} << (f & 63);
-    for (std::uint32_t k = 0; k < wake_words_; ++k)
-      active[k] |= wake_[f * wake_words_ + k] | wake_[(f + 1) * wake_words_ + k] | wake_[(f + 2) * wake_words_ + k];
+    if (wake_words_ == 1)
+      active[0] |= wake_[f] | wake_[f + 1] | wake_[f + 2];
+    else
+      for (ig_field i = 0; i < 3; ++i) wake(f + i);
   }
   void set_text(ig_field f, std::string_view text);
-  void set_word(const ig_word& w);
+  /// A word or a code of the text, with its columns; codes are numbered in their order.
+  void set_word(const ig_word& w) {
+    const ig_field f = w.field;
+    if (f >= size_) return;
+    Bits& bits = bits_[f >> 6];
+    const std::uint64_t mask = bit(f);
+    ig_value v = w.value;
+    if ((bits.codes & mask) != 0) v.integer = ++codes_seen;
+    state_[f] = {v, w.begin, w.end, current, 0};
+    bits.present |= mask;
+    bits.fresh |= mask;
+    bits.taken &= ~mask;
+    bits.pointless &= ~mask;
+    if ((w.flags & IG_WORD_WITHOUT_POINT) != 0) bits.pointless |= mask;
+    wake(f);
+  }
   void rewrite(ig_field f, ig_value v);
   void move(ig_field from, ig_field to);
 
@@ -157,7 +209,7 @@ class Document {
   BlockSource source;
   std::uint64_t active[4] = {};  ///< syntaxes to call in this block
   std::uint16_t current = 0;     ///< chain position + 1 of the syntax that runs; 0: the host
-  std::uint32_t codes_seen = 0;
+  std::uint32_t codes_seen = 0;  ///< codes that this block got so far, taken ones included
   Chain* chain = nullptr;
   std::vector<std::uint32_t> set_line;  ///< by field, the line that set it; kept in traced mode only
 
@@ -178,6 +230,12 @@ class Document {
 
  private:
   static constexpr std::uint64_t bit(ig_field f) { return std::uint64_t{1} << (f & 63); }
+  void wake(ig_field f) {
+    if (wake_words_ == 1)
+      active[0] |= wake_[f];
+    else
+      for (std::uint32_t k = 0; k < wake_words_; ++k) active[k] |= wake_[f * wake_words_ + k];
+  }
   void keep_previous(ig_field field, ig_field copy);
   void mark_pointless(ig_field f, bool pointless);
   const Layout* layout_;
@@ -192,12 +250,17 @@ class Document {
   std::vector<State> state_;
   std::uint32_t open_begin_ = 0, open_end_ = 0;  // the 64-bit words that hold words and codes
   std::vector<std::uint64_t> wake_;
-  /// Fields side by side whose copies from before the block stand side by side, too.
+  /// Fields of one word of bits whose copies from before the block stand in one word, too, in the same order.
   struct PreviousRun {
-    ig_field field, copy;
-    std::uint32_t count;
+    std::uint32_t from_word, to_word;
+    std::uint32_t from_shift, to_shift;
+    std::uint64_t mask;  // a bit for each field of the run
+  };
+  struct PreviousCopy {
+    ig_field from, to;
   };
   std::vector<PreviousRun> previous_;
+  std::vector<PreviousCopy> copies_;
   std::vector<Frame> frames_;
   Frame composed_, inverse_;
   bool composed_valid_ = false, inverse_valid_ = false, invertible_ = false;
