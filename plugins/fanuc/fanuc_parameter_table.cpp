@@ -7,20 +7,25 @@
 namespace fanuc {
 namespace {
 
-constexpr std::string_view increment_system = "1013", first_reference = "1240", travel_maximum = "1320",
-                           travel_minimum = "1321", rapid_rate = "1420", arc_tolerance = "3410", decimal_point = "3401",
-                           high_speed_peck = "5114", peck = "5115";
+constexpr std::string_view increment_system = "1013", reset = "1202", first_reference = "1240", travel_maximum = "1320",
+                           travel_minimum = "1321", rapid_rate = "1420", decimal_point = "3401", arc_tolerance = "3410",
+                           cycle_bits = "5101", high_speed_peck = "5114", peck = "5115", shift_axis = "5148",
+                           boring_return_override = "5149", tapping_bits = "5200", extraction_override = "5211",
+                           peck_tapping = "5213", coordinate_bits = "5400", rotation_angle = "5410",
+                           scaling_factor = "5411", overrun = "5440";
 
-constexpr const char* shipped[] = {"1013|Value=0",   "1240|X=0|Y=0|Z=0", "1420|X=24000|Y=24000|Z=24000",
-                                   "3401|Value=0",   "3410|Value=10",    "5114|Value=1000",
-                                   "5115|Value=1000"};
+constexpr const char* shipped[] = {
+    "1013|Value=0",    "1202|Value=0",  "1240|X=0|Y=0|Z=0", "1420|X=24000|Y=24000|Z=24000",
+    "3401|Value=0",    "3410|Value=10", "5101|Value=0",     "5114|Value=1000",
+    "5115|Value=1000", "5200|Value=0",  "5213|Value=1000",  "5400|Value=128",
+    "5410|Value=0"};
 
 struct FanucParameterTable {
   static constexpr auto spec =
       ig::dependency("FanucParameterTable", "Parameters of a Fanuc control, by number and axis.")
           .rows("Parameter", "number")
           .provides("isogloss.number-format/1", "isogloss.canned-cycle/1", "isogloss.motion/1",
-                    "isogloss.machine-axis/1")
+                    "isogloss.machine-axis/1", "isogloss.coordinate-system/1")
           .ships(shipped);
 
   ig::Column value{"Value", nullptr, "", {}, "The parameter, where it is one for the whole control."};
@@ -36,6 +41,7 @@ struct FanucParameterTable {
     if (id == "isogloss.number-format/1") return &number_format;
     if (id == "isogloss.canned-cycle/1") return &cycles;
     if (id == "isogloss.motion/1") return &motion;
+    if (id == "isogloss.coordinate-system/1") return &coordinate_system;
     return id == "isogloss.machine-axis/1" ? &machine : nullptr;
   }
 
@@ -57,6 +63,14 @@ struct FanucParameterTable {
     const Answer count = number(parameter);
     return count ? Answer(*count / std::round(1 / increment())) : std::nullopt;
   }
+  /// An override of 0, as of a parameter that nobody set, is 100 %.
+  Answer percent(std::string_view parameter) const {
+    const double override = number(parameter).value_or(0);
+    return override > 0 ? override : 100;
+  }
+
+  /// Parameter 5400 bit 7 SCR: what P1 of G51 means.
+  double scaling_unit() const { return bit(coordinate_bits, 7) ? 0.001 : 0.00001; }
 
   Answer number_format_of(std::string_view name) const {
     if (name == "CalculatorDecimalPoint") return bit(decimal_point, 0) ? 1 : 0;
@@ -65,10 +79,44 @@ struct FanucParameterTable {
   }
   Answer cycle_of(std::string_view name) const {
     if (name == "PeckRetractionDistance_mm") return in_increments(peck);
-    return name == "HighSpeedPeckRetraction_mm" ? in_increments(high_speed_peck) : std::nullopt;
+    if (name == "HighSpeedPeckRetraction_mm") return in_increments(high_speed_peck);
+    if (name == "BoringReturnOverride_percent") return percent(boring_return_override);
+    if (name == "ShiftDirectionX") return shift_direction('X', {2, 3});
+    if (name == "ShiftDirectionY") return shift_direction('Y', {3, 1});
+    if (name == "ShiftDirectionZ") return shift_direction('Z', {1, 2});
+    if (name == "TappingSpindleStop") return bit(cycle_bits, 6) ? 0 : 1;
+    if (name == "RigidTapping") return bit(tapping_bits, 0) ? 1 : 0;
+    if (name == "PeckTappingToR") return bit(tapping_bits, 5) ? 1 : 0;
+    if (name == "PeckTappingRetraction_mm") return in_increments(peck_tapping);
+    if (name == "TappingExtractionOverride_percent")
+      return bit(tapping_bits, 4) ? number(extraction_override) : std::nullopt;
+    return std::nullopt;
+  }
+
+  /// Parameter 5148 of the boring axis: the signed number of an axis. Without one, 5101: bit 4 is the other way, bit 5
+  /// the second axis of the plane.
+  Answer shift_direction(char boring_axis, std::array<double, 2> plane) const {
+    if (const Answer axis = of_axis(shift_axis, boring_axis); axis && *axis != 0) return axis;
+    const double axis = plane[bit(cycle_bits, 5) ? 1 : 0];
+    return bit(cycle_bits, 4) ? -axis : axis;
   }
   Answer motion_of(std::string_view name) const {
+    if (name.starts_with("UnidirectionalOverrun")) {
+      const Answer count = of_axis(overrun, name.size() > 21 ? name[21] : ' ');
+      return count ? Answer(*count / std::round(1 / increment())) : std::nullopt;
+    }
+    if (name == "ScalingUnit") return scaling_unit();
+    if (name == "ScalingFactor") {
+      const Answer count = number(scaling_factor);
+      return count && *count > 0 ? Answer(*count * scaling_unit()) : std::nullopt;
+    }
     return name == "ArcRadiusTolerance_mm" ? in_increments(arc_tolerance) : std::nullopt;
+  }
+
+  Answer coordinate_system_of(std::string_view name) const {
+    if (name == "RotationAngle_deg") return in_increments(rotation_angle);
+    if (name == "RotationIsIncremental") return bit(coordinate_bits, 0) ? 1 : 0;
+    return name == "ResetCancelsLocalCoordinate" ? Answer(bit(reset, 3) ? 1 : 0) : std::nullopt;
   }
 
   static std::int32_t write(Answer answer, double* out) {
@@ -99,6 +147,7 @@ struct FanucParameterTable {
   ig_config_1 number_format{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::number_format_of>};
   ig_config_1 cycles{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::cycle_of>};
   ig_config_1 motion{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::motion_of>};
+  ig_config_1 coordinate_system{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::coordinate_system_of>};
   ig_machine_axis_1 machine{sizeof(ig_machine_axis_1), 0, this, &home, &reference, &travel, &rapid};
 };
 

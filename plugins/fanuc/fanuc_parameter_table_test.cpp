@@ -15,6 +15,7 @@ double number(const FakeDependency& table, const char* service, std::string_view
 constexpr const char* format = "isogloss.number-format/1";
 constexpr const char* cycle = "isogloss.canned-cycle/1";
 constexpr const char* motion = "isogloss.motion/1";
+constexpr const char* coordinates = "isogloss.coordinate-system/1";
 
 }  // namespace
 
@@ -26,7 +27,10 @@ TEST_CASE("a control as delivered") {
   CHECK(number(table, format, "AngleIncrement_deg") == 0.001);
   CHECK(number(table, cycle, "PeckRetractionDistance_mm") == 1);
   CHECK(number(table, cycle, "HighSpeedPeckRetraction_mm") == 1);
+  CHECK(number(table, cycle, "BoringReturnOverride_percent") == 100);
   CHECK(number(table, motion, "ArcRadiusTolerance_mm") == 0.01);
+  CHECK(number(table, motion, "ScalingUnit") == 0.001);
+  CHECK(number(table, motion, "ScalingFactor") == -1);
   CHECK(number(table, motion, "Unknown") == -1);
 }
 
@@ -37,11 +41,63 @@ TEST_CASE("bits and increments of another control") {
   CHECK(number(fine, format, "LengthIncrement_mm") == 0.0001);
   CHECK(number(fine, cycle, "PeckRetractionDistance_mm") == 0.5);
   const FakeDependency coarse(*ig_plugin_v1(), "FanucParameterTable",
-                              {{"1013", {{"Value", 1}}}, {"3401", {{"Value", 130}}}, {"3410", {{"Value", 0}}}});
+                              {{"1013", {{"Value", 1}}},
+                               {"3401", {{"Value", 130}}},
+                               {"3410", {{"Value", 0}}},
+                               {"5149", {{"Value", 200}}},
+                               {"5400", {{"Value", 1}}},
+                               {"5440", {{"Y", -50}}},
+                               {"5411", {{"Value", 50000}}}});
+  CHECK(number(coarse, motion, "ScalingUnit") == 0.00001);
+  CHECK(number(coarse, motion, "ScalingFactor") == 0.5);
+  CHECK(number(coarse, motion, "UnidirectionalOverrunY_mm") == -0.5);
+  CHECK(number(coarse, motion, "UnidirectionalOverrunX_mm") == -1);
   CHECK(number(coarse, format, "CalculatorDecimalPoint") == 0);
   CHECK(number(coarse, format, "LengthIncrement_mm") == 0.01);
   CHECK(number(coarse, cycle, "HighSpeedPeckRetraction_mm") == 10);
+  CHECK(number(coarse, cycle, "BoringReturnOverride_percent") == 200);
   CHECK(number(coarse, motion, "ArcRadiusTolerance_mm") == 0);
+}
+
+TEST_CASE("boring and tapping of a control as delivered") {
+  const FakeDependency table(*ig_plugin_v1(), "FanucParameterTable");
+  CHECK(number(table, cycle, "ShiftDirectionX") == 2);
+  CHECK(number(table, cycle, "ShiftDirectionY") == 3);
+  CHECK(number(table, cycle, "ShiftDirectionZ") == 1);
+  CHECK(number(table, cycle, "TappingSpindleStop") == 1);
+  CHECK(number(table, cycle, "RigidTapping") == 0);
+  CHECK(number(table, cycle, "PeckTappingToR") == 0);
+  CHECK(number(table, cycle, "PeckTappingRetraction_mm") == 1);
+  CHECK(number(table, cycle, "TappingExtractionOverride_percent") == -1);
+}
+
+TEST_CASE("the direction of a shift: 5148 of the boring axis before 5101") {
+  const auto with = [](double bits) {
+    return FakeDependency::Rows{{"5101", {{"Value", bits}}}, {"5148", {{"X", 0}, {"Y", -1}}}};
+  };
+  const FakeDependency minus_x(*ig_plugin_v1(), "FanucParameterTable", with(16));
+  CHECK(number(minus_x, cycle, "ShiftDirectionZ") == -1);
+  CHECK(number(minus_x, cycle, "ShiftDirectionX") == -2);
+  CHECK(number(minus_x, cycle, "ShiftDirectionY") == -1);
+  const FakeDependency plus_y(*ig_plugin_v1(), "FanucParameterTable", with(32));
+  CHECK(number(plus_y, cycle, "ShiftDirectionZ") == 2);
+  CHECK(number(plus_y, cycle, "ShiftDirectionX") == 3);
+  const FakeDependency minus_y(*ig_plugin_v1(), "FanucParameterTable", {{"5101", {{"Value", 48}}}});
+  CHECK(number(minus_y, cycle, "ShiftDirectionZ") == -2);
+  CHECK(number(minus_y, cycle, "ShiftDirectionY") == -1);
+}
+
+TEST_CASE("bits of tapping") {
+  const FakeDependency table(*ig_plugin_v1(), "FanucParameterTable",
+                             {{"5101", {{"Value", 64}}},
+                              {"5200", {{"Value", 1 + 16 + 32}}},
+                              {"5211", {{"Value", 150}}},
+                              {"5213", {{"Value", 500}}}});
+  CHECK(number(table, cycle, "TappingSpindleStop") == 0);
+  CHECK(number(table, cycle, "RigidTapping") == 1);
+  CHECK(number(table, cycle, "PeckTappingToR") == 1);
+  CHECK(number(table, cycle, "PeckTappingRetraction_mm") == 0.5);
+  CHECK(number(table, cycle, "TappingExtractionOverride_percent") == 150);
 }
 
 TEST_CASE("axes have their own values") {
@@ -62,4 +118,17 @@ TEST_CASE("axes have their own values") {
   CHECK(s->travel(s->self, 'Y', &a, &b) == 0);
   CHECK((s->rapid_rate(s->self, 'Y', &a) == 1 && a == 400));
   CHECK(s->rapid_rate(s->self, 'C', &a) == 0);
+}
+
+TEST_CASE("coordinate systems: bits and the angle of a rotation") {
+  const FakeDependency shipped(*ig_plugin_v1(), "FanucParameterTable");
+  CHECK(number(shipped, coordinates, "RotationAngle_deg") == 0);
+  CHECK(number(shipped, coordinates, "RotationIsIncremental") == 0);
+  CHECK(number(shipped, coordinates, "ResetCancelsLocalCoordinate") == 0);
+  CHECK(number(shipped, coordinates, "Unknown") == -1);
+  const FakeDependency set(*ig_plugin_v1(), "FanucParameterTable",
+                           {{"1202", {{"Value", 8}}}, {"5400", {{"Value", 1}}}, {"5410", {{"Value", 30000}}}});
+  CHECK(number(set, coordinates, "RotationAngle_deg") == 30);
+  CHECK(number(set, coordinates, "RotationIsIncremental") == 1);
+  CHECK(number(set, coordinates, "ResetCancelsLocalCoordinate") == 1);
 }

@@ -80,9 +80,34 @@ TEST_CASE("fallback settings") {
   const FakeDependency config(*ig_plugin_v1(), "FallbackConfig", {}, {{"HighSpeedPeckRetraction_mm", "0.5"}});
   CHECK(number(config, "isogloss.canned-cycle/1", "PeckRetractionDistance_mm") == 5);
   CHECK(number(config, "isogloss.canned-cycle/1", "HighSpeedPeckRetraction_mm") == 0.5);
+  const FakeDependency shared(*ig_plugin_v1(), "FallbackConfig", {}, {{"PeckRetractionDistance_mm", "2"}});
+  CHECK(number(shared, "isogloss.canned-cycle/1", "HighSpeedPeckRetraction_mm") == 2);
   CHECK(number(config, "isogloss.canned-cycle/1", "ArcRadiusTolerance_mm") == -1);
   CHECK(number(config, "isogloss.motion/1", "ArcRadiusTolerance_mm") == 0.01);
   CHECK(config.service<ig_config_1>("isogloss.number-format/1") == nullptr);
+}
+
+TEST_CASE("settings without a parameter table: boring and tapping as a Fanuc is delivered") {
+  const FakeDependency shipped(*ig_plugin_v1(), "FallbackConfig");
+  const FakeDependency other(*ig_plugin_v1(), "FallbackConfig", {},
+                             {{"ShiftDirectionX", "-3"},
+                              {"ShiftDirectionY", "-1"},
+                              {"ShiftDirectionZ", "-2"},
+                              {"RigidTapping", "true"},
+                              {"TappingSpindleStop", "false"},
+                              {"PeckTappingToR", "true"},
+                              {"PeckTappingRetraction_mm", "0.4"},
+                              {"TappingExtractionOverride_percent", "150"}});
+  struct Row {
+    const char* key;
+    double shipped, other;
+  };
+  const Row row = GENERATE(Row{"ShiftDirectionX", 2, -3}, Row{"ShiftDirectionY", 3, -1}, Row{"ShiftDirectionZ", 1, -2},
+                           Row{"RigidTapping", 0, 1}, Row{"TappingSpindleStop", 1, 0}, Row{"PeckTappingToR", 0, 1},
+                           Row{"PeckTappingRetraction_mm", 1, 0.4}, Row{"TappingExtractionOverride_percent", 100, 150});
+  CAPTURE(row.key);
+  CHECK(number(shipped, "isogloss.canned-cycle/1", row.key) == row.shipped);
+  CHECK(number(other, "isogloss.canned-cycle/1", row.key) == row.other);
 }
 
 TEST_CASE("machine axes: those that have a row") {

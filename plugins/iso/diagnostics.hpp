@@ -109,29 +109,24 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_ERROR, "ISO-0260", "{0} is not executed: the tool runs on the programmed path",
                    "Cutter radius compensation is recognised only. Every path up to G40 is off by the tool radius.",
                    "G41 D1"),
-    ig::diagnostic(IG_ERROR, "ISO-0261", "G16 is not executed: X and Y are taken as lengths, not as radius and angle",
-                   "Polar command is recognised only. Every position up to G15 is unreliable.", "G16"),
-    ig::diagnostic(IG_ERROR, "ISO-0262", "{0} is not executed: the path is neither scaled nor mirrored",
-                   "Scaling (G51) and mirror image (G51.1) are recognised only. Positions up to G50 or G50.1 are "
-                   "unreliable.",
-                   "G51 X0 Y0 P500"),
-    ig::diagnostic(IG_ERROR, "ISO-0263", "{0} is not executed: the frame is not rotated",
-                   "Coordinate rotation (G68) and tilted planes (G68.2 to G68.4) are recognised only. Positions up to "
-                   "G69 are unreliable.",
-                   "G68 X0 Y0 R30."),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0263", "{0} is not executed: the frame is not rotated",
+        "Tilted planes (G68.2 to G68.4) and rotations about an axis in space (G68 with I, J, K) are recognised "
+        "only. Positions up to G69 are unreliable.",
+        "G68.2 X0 Y0 Z0 I30. J15. K0"),
     ig::diagnostic(IG_ERROR, "ISO-0264", "{0} is not executed: the rotary axes stay where they are",
                    "Positioning of the rotary axes to the tilted plane is recognised only.", "G53.1"),
     ig::diagnostic(IG_ERROR, "ISO-0265", "{0} is not executed: the tool length of before stays in force",
                    "G43.1 and tool centre point control (G43.4, G43.5) are recognised only. Positions are unreliable "
                    "up to G49.",
                    "G43.4 H1"),
-    ig::diagnostic(IG_ERROR, "ISO-0266", "{0} is not executed: the work coordinate systems stay as they are",
-                   "Setting the coordinate system by the position of the tool is recognised only. Positions from here "
-                   "on are unreliable.",
-                   "G92 X0 Y0"),
+    ig::diagnostic(IG_ERROR, "ISO-0266", "{0} of a rotary axis is not executed: the axis keeps its coordinates",
+                   "G92 gives X, Y and Z new coordinates, not A, B and C. Positions of the axis from here on are "
+                   "unreliable.",
+                   "G92 A0"),
     ig::diagnostic(IG_ERROR, "ISO-0267", "{0} is not executed: its move is left out",
                    "The tool stays where it is. The position is unreliable until every axis is programmed in G90.",
-                   "G30 P2 Z0"),
+                   "G37 H1 Z0"),
     ig::diagnostic(IG_ERROR, "ISO-0268", "{0} is not executed: the macro is not called, its words are not used",
                    "Macro calls are recognised only. What the macro would move or change is missing from here on.",
                    "G65 P9010 A1."),
@@ -143,10 +138,6 @@ inline constexpr std::array diagnostics{
                    "Polar (G12.1) and cylindrical (G07.1) interpolation are recognised only. Positions up to G13.1 or "
                    "G07.1 C0 are unreliable.",
                    "G12.1"),
-    ig::diagnostic(IG_ERROR, "ISO-0271", "G96 is not executed: the spindle speed of before stays in force",
-                   "Constant surface speed is recognised only. Spindle speed and feed per revolution are unreliable up "
-                   "to G97.",
-                   "G96 S200"),
     ig::diagnostic(IG_ERROR, "ISO-0272", "{0} is not executed: the forbidden zone is not watched",
                    "The stored stroke check is recognised only. Moves into the zone are not reported.",
                    "G22 X100. Y100. Z50. I0 J0 K0"),
@@ -159,7 +150,7 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_ERROR, "ISO-0282", "{0} is not executed in this block, nor are its words",
                    "The dialect knows the code, but no syntax answered it here. What it would move or change is "
                    "missing: positions are unreliable from here on.",
-                   "G84 X10. Z-10. R2. F500"),
+                   "G84 X10. Z-10. R2. F500 (in a dialect without TappingCycleSyntax)"),
     ig::diagnostic(IG_WARNING, "ISO-0283", "{0} is not executed in this block",
                    "The dialect knows the M code, but no syntax answered it here.", "M98"),
     ig::diagnostic(IG_ERROR, "ISO-0284", "{0} is used by nothing in this block",
@@ -228,6 +219,24 @@ inline constexpr std::array diagnostics{
         "G02 X10. I0 J0"),
     ig::diagnostic(IG_WARNING, "ISO-0325", "R and a centre (I, J, K) stand in one block: R counts",
                    "The control ignores I, J and K where R is programmed.", "G02 X10. R5. I5."),
+    ig::diagnostic(IG_ERROR, "ISO-0326", "{0} without Q: nothing is drilled",
+                   "Q, the depth of one peck, is greater than zero and stands in the first block of the cycle. A Fanuc "
+                   "stops with alarm PS0045 where parameter 5103 bit 1 says so. The tool goes over the hole and to the "
+                   "level at which the cycle would have left it; it does not enter the hole.",
+                   "G83 X10. Y10. Z-20. R2. F100"),
+    ig::diagnostic(IG_WARNING, "ISO-0327", "{0} without Q: the hole is drilled in one stroke",
+                   "Q, the depth of one peck, is greater than zero and stands in the first block of the cycle. The "
+                   "option missing-q of the cycle says what happens without it.",
+                   "G83 X10. Y10. Z-20. R2. F100"),
+    ig::diagnostic(IG_WARNING, "ISO-0328", "{0} with a negative Q: a peck has no sign; {1} mm is taken",
+                   "The control ignores the sign of Q. It is often a depth that was meant to be Z.",
+                   "G83 X10. Y10. Z-20. R2. Q-4. F100"),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0329", "{0} takes {2} pecks of {1} mm for a hole, more than {3}: nothing is drilled",
+        "The option max-pecks of the cycle bounds the pecks of one hole, and one block, its repeats included, makes at "
+        "most 100000 steps. A unit or a decimal point of Q or Z is probably wrong. The tool goes over the hole and "
+        "to the level at which the cycle would have left it; it does not enter the hole.",
+        "G83 X10. Y10. Z-20. R2. Q0.001 F100"),
     ig::diagnostic(
         IG_WARNING, "ISO-0330", "G53 under G91 is ignored: nothing moves",
         "Machine coordinates are positions; the control ignores G53 while G91 is in force. Its axis words are "
@@ -235,16 +244,197 @@ inline constexpr std::array diagnostics{
         "G91 G53 Z0"),
     ig::diagnostic(IG_NOTE, "ISO-0331", "G53 without an axis: nothing moves",
                    "G53 acts on the axis words of its block alone.", "G53"),
+    ig::diagnostic(IG_ERROR, "ISO-0332", "the way from program to machine coordinates cannot be inverted",
+                   "A frame of this block flattens space, as a tool axis of length 0 does. Positions from here "
+                   "on are unreliable.",
+                   "a syntax of the chain that writes a frame of zeros"),
     ig::diagnostic(
-        IG_ERROR, "ISO-0332", "the way from program to machine coordinates cannot be inverted",
-        "A frame of this block flattens space: a scale of 0, or a tool axis of length 0. Positions from here "
-        "on are unreliable.",
-        "G51 X0 Y0 P0"),
-    ig::diagnostic(IG_WARNING, "ISO-0340", "G28 without an axis: nothing moves",
-                   "G28 returns the axes that its block names. Some controls stop with an alarm.", "G28"),
+        IG_WARNING, "ISO-0333", "{0}: the clearance, {1} mm, is not less than the peck, {2} mm",
+        "Before each peck but the first the tool feeds through the clearance (G83), or it goes back by it (G73): the "
+        "parameter belongs to deeper pecks. With such a Q the clearance reaches up to R or above it, and the tool cuts "
+        "air for most of the time.",
+        "G83 X10. Y10. Z-20. R2. Q0.5 F100"),
+    ig::diagnostic(IG_WARNING, "ISO-0334", "{0}: the machine's {1} is not known: {2} mm is taken",
+                   "The parameter table of the dialect has no value for the clearance of the peck cycle, or a negative "
+                   "one (Fanuc: 5115 for G83, 5114 for G73).",
+                   "G83 X10. Y10. Z-20. R2. Q4. F100"),
+    ig::diagnostic(
+        IG_NOTE, "ISO-0335", "G88: at the bottom the control waits for the operator",
+        "The operator draws the tool out of the hole by hand and presses cycle start. The run goes on with a "
+        "rapid to R, marked as manual; the time at the bottom is the operator's. Said in the first block of "
+        "a run of holes.",
+        "G88 X10. Y10. Z-20. R2. F100"),
+    ig::diagnostic(
+        IG_WARNING, "ISO-0336", "the spindle turned counter-clockwise; {0} starts it clockwise",
+        "The cycle stops the spindle at the bottom and starts it with M03, whatever it did before. A left-hand "
+        "tool cuts backwards from here on, until M04.",
+        "M04 S500 G86 X10. Y10. Z-20. R2. F100"),
+    ig::diagnostic(IG_ERROR, "ISO-0337", "{0} with P{1}: a dwell is not negative; the cycle does not dwell",
+                   "P is the time that the tool waits at the bottom of the hole: seconds, or milliseconds on a Fanuc.",
+                   "G82 X10. Y10. Z-20. R2. P-500 F100"),
+    ig::diagnostic(IG_WARNING, "ISO-0340", "{0} without an axis: nothing moves",
+                   "G27 to G30 move the axes that their block names. Some controls stop with an alarm; where the "
+                   "dialect says without-axes=\"all\", G28 and G30 return every axis.",
+                   "G28"),
+    ig::diagnostic(
+        IG_WARNING, "ISO-0338", "the plane changes while {0} is on: its R and bottom are forgotten",
+        "They lie on the axis along which the tool worked before. Fanuc wants G80 before the drilling axis changes. "
+        "Name both anew; the initial level is the position on the new axis.",
+        "G18 X20. (while G81 is on)"),
     ig::diagnostic(IG_WARNING, "ISO-0341",
-                   "the machine's reference position of {0} is not known: machine zero is taken",
-                   "Give the axis a Reference1 in the dialect's MachineAxes, or parameter 1240.", "G91 G28 Z0"),
+                   "the machine's reference position {0} of {1} is not known: machine zero is taken",
+                   "Give the axis a Reference1 (to Reference4) in the dialect's MachineAxes, or parameter 1240 (to "
+                   "1243).",
+                   "G91 G28 Z0"),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0342", "{0} without {1}: no shift, the tip of the bar is dragged along the bore",
+        "The shift takes the tip off the wall before the bar leaves or enters. Without it the steps are kept, "
+        "unshifted: the tool scores the bore, under G87 it collides on its way in. Program the shift.",
+        "G76 X30. Y20. Z-18. R3. F90"),
+    ig::diagnostic(IG_WARNING, "ISO-0343", "{0}: Q{1}, the sign of Q is ignored",
+                   "The control takes Q without its sign. The direction of a shift is the machine's setting.",
+                   "G76 X30. Y20. Z-18. R3. Q-0.5 F90"),
+    ig::diagnostic(IG_WARNING, "ISO-0344", "{0} without Q: Q{1}, kept from another cycle, is its {2}",
+                   "Cycles share one store for Q: the depth of cut of a G83 becomes the shift of a G76, and the bar "
+                   "hits the wall. Program Q in the first block of each cycle.",
+                   "G83 Z-20. R2. Q8. F90 (then) G76 X30. Z-18."),
+    ig::diagnostic(IG_ERROR, "ISO-0345", "G87 under G99: the tool returns to the initial level all the same",
+                   "R of back boring lies below the workpiece; only G98 is legal. The control stops with an alarm.",
+                   "G99 G87 X30. Y20. Z-25. R-45. Q4. F60"),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0346", "G87: {0} is {1}, not below {2}, which is {3}: the cut does not go upward",
+        "Back boring enters through the bore and cuts upward. On Fanuc R is the low end of the cut and Z the "
+        "high one; other manuals have it the other way round. The steps are kept as programmed.",
+        "G87 X30. Y20. Z-45. R-25. Q4. F60 (r-is bottom)"),
+    ig::diagnostic(
+        IG_WARNING, "ISO-0347", "{0} while the spindle direction is {1}: the tap enters {2}",
+        "A tapping cycle reverses the spindle and restores it, but does not start it. Program M03 before G84, "
+        "M04 before G74; also after rigid tapping, which leaves the spindle stopped.",
+        "M05 (then) G84 X30. Y20. Z-15. R5. F750"),
+    ig::diagnostic(IG_WARNING, "ISO-0348", "{0}: Q is the depth of cut of rigid tapping only and is not used",
+                   "With a floating holder the tap goes to the bottom in one stroke. M29 before the cycle, or the "
+                   "machine's parameter, makes it rigid.",
+                   "G84 X30. Y20. Z-15. R5. Q8. F750"),
+    ig::diagnostic(IG_ERROR, "ISO-0349", "rigid tapping without a spindle speed",
+                   "Axis and spindle turn together: no S, no thread. Program S with M29.",
+                   "M29 (no S so far, then) G84 X30. Y20. Z-15. R5. F750"),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0350", "{0} between M29 and the tapping cycle",
+        "After M29 the control wants the tapping cycle next: no S, no spindle code, no axis move (Fanuc alarms "
+        "PS0203, PS0204). The block is executed all the same.",
+        "M29 S500 (then) X10."),
+    ig::diagnostic(IG_ERROR, "ISO-0351", "{0}: Q{1} gives more than {2} cuts; the last one goes to the bottom at once",
+                   "The option max-pecks bounds what one hole can do. Q is most likely too small by a factor.",
+                   "M29 S500 (then) G84 X30. Y20. Z-15. R5. Q0.0001 F750"),
+    ig::diagnostic(IG_ERROR, "ISO-0352", "{0}: {1} holes of {2} steps are too much for one block; {3} are made",
+                   "A block writes at most 100000 steps. Write several blocks, with a smaller K each.",
+                   "G91 G87 X1. Z-1. R-1. Q0.1 F90 K10000"),
+    ig::diagnostic(IG_WARNING, "ISO-0353", "{0}: the retract of {1} mm is longer than the depth of cut Q{2}",
+                   "Peck tapping withdraws the tap by the machine's setting after each cut, here beyond the R level.",
+                   "M29 S500 (then) G84 X30. Y20. Z-15. R5. Q0.5 F750 (retract of 1 mm)"),
+    ig::diagnostic(IG_ERROR, "ISO-0360", "G68 without R, and no angle is known for it: the frame keeps its rotation",
+                   "R is the angle in degrees. A Fanuc takes parameter 5410 where R is missing; this dialect has no "
+                   "such parameter. Positions up to G69 are unreliable.",
+                   "G68 X0 Y0"),
+    ig::diagnostic(IG_WARNING, "ISO-0361", "G68 without R: the control's parameter counts, {0} degrees",
+                   "Fanuc parameter 5410. The program turns by another angle on the next machine: write R.",
+                   "fanuc: G68 X0 Y0"),
+    ig::diagnostic(
+        IG_WARNING, "ISO-0362", "R{0}: an angle of rotation lies between -360 and 360; whole turns are left out",
+        "The control may stop with an alarm. Without a decimal point R counts thousandths of a degree on some "
+        "controls, whole degrees on others.",
+        "G68 X0 Y0 R400."),
+    ig::diagnostic(IG_ERROR, "ISO-0363", "G68: the centre lies too far away; the frame keeps its rotation",
+                   "The rotation about this centre cannot be computed. Look for a typing error in its words.",
+                   "G68 R180. Y0 X1 with 308 zeros after it"),
+    ig::diagnostic(
+        IG_WARNING, "ISO-0364", "{0} while the coordinates are rotated: cancel the rotation by G69 first",
+        "Controls forbid reference returns, other coordinate systems and another plane while G68 is in force: "
+        "an alarm, or positions that nobody wants. Here the rotation stays what it is, in its own plane and "
+        "with its centre in program coordinates, and the code does what it does without a rotation.",
+        "G55 (while G68 is in force)"),
+    ig::diagnostic(
+        IG_WARNING, "ISO-0365", "{0} without an axis: no coordinate system is set",
+        "G92 gives the present position of the axes that it names new coordinates. With S alone it limits the "
+        "speed of the spindle.",
+        "G92"),
+    ig::diagnostic(IG_WARNING, "ISO-0366", "G92.1 {0}{1}: the value is not used; the shift of the axis ends",
+                   "The word names the axis, and manuals write it with 0. For another position program G92.",
+                   "G92.1 X5."),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0367", "{0} is no work coordinate system of this control; {1} stays in force",
+        "Fanuc has G54 to G59 and G54.1 P1 and up; G59.1 to G59.9 are other makers'. Positions from here on are "
+        "unreliable.",
+        "fanuc: G59.1"),
+    ig::diagnostic(IG_NOTE, "ISO-0368", "G54.1 without P: P1 counts",
+                   "The control takes the first additional coordinate system. Write P1 where it is meant.", "G54.1"),
+    ig::diagnostic(IG_ERROR, "ISO-0369", "{0}: the shift cannot be computed; the coordinate systems stay as they are",
+                   "The position is too large a number. Positions from here on are unreliable.",
+                   "G92 X-1 (after G92 X1), each with 308 zeros after it"),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0370", "G92 S{0}: a limit of the spindle speed is not negative; the limit of before stays",
+        "S of G92 is the highest speed, in revolutions a minute, that the spindle may reach under G96.", "G92 S-100"),
+    ig::diagnostic(
+        IG_WARNING, "ISO-0371", "a parameter of the control is not written: {0} is not used",
+        "Between G10 L50 and G11 a block names a parameter by N and its value by R (and an axis by P). They are "
+        "no sequence number and no motion. What depends on the parameter is unreliable from here on.",
+        "G10 L50 (next block) N5410 R30000"),
+    ig::diagnostic(IG_ERROR, "ISO-0380", "G30 P{0}: there is no such reference position; nothing moves",
+                   "G30 goes to reference position 2, 3 or 4; without P to the second. G28 goes to the first.",
+                   "G91 G30 P5 Z0"),
+    ig::diagnostic(IG_WARNING, "ISO-0381", "G29 {0}: no G28 or G30 left an intermediate point; it goes straight",
+                   "G29 goes over the intermediate point of the last G28 or G30 that named the axis. None did so far: "
+                   "the tool may take another way than on the control.",
+                   "G29 X10. (no G28 X so far)"),
+    ig::diagnostic(IG_ERROR, "ISO-0382", "G27: {0} stands at {1}, not at its reference position {2}",
+                   "G27 checks that its point is the first reference position; the control stops with an alarm "
+                   "(PS0092). Look for an offset that is still in force.",
+                   "G27 X10."),
+    ig::diagnostic(IG_WARNING, "ISO-0383", "{0} while {1} is in force: its words are taken as they are",
+                   "Polar command, scaling and mirror image do not act on reference returns, machine coordinates and "
+                   "offsets. The control wants them cancelled first (G15, G50, G50.1).",
+                   "G51 X0 Y0 P500 (then) G91 G28 Z0"),
+    ig::diagnostic(IG_ERROR, "ISO-0384", "an arc under G16 needs R: its centre would be taken as a length",
+                   "While radius and angle are programmed, the control takes arcs with R only.",
+                   "G16 (then) G02 X10. Y90. I5. J0"),
+    ig::diagnostic(IG_ERROR, "ISO-0385", "repeats with a radius from the tool lie on a straight line here",
+                   "Where the dialect says incremental-radius=\"from-position\", a radius under G91 makes the tool the "
+                   "pole. Repeats of a cycle (K, L) are not turned then. Program the holes one by one.",
+                   "G91 G16 (then) G81 X10. Y30. Z-5. R-2. F100 K3"),
+    ig::diagnostic(IG_ERROR, "ISO-0386", "G51 {0}{1}: there is no such factor; scaling stays as it was",
+                   "A factor counts from 1 to 999999 thousandths (or hundred-thousandths, parameter 5400 bit 7); I, J "
+                   "and K may be negative.",
+                   "G51 X0 Y0 P0"),
+    ig::diagnostic(IG_WARNING, "ISO-0387", "G51 without P, I, J and K: the factor is 1",
+                   "The control takes parameter 5411, which the dialect does not know.", "G51 X0 Y0"),
+    ig::diagnostic(IG_WARNING, "ISO-0388", "G51.1 without an axis: nothing is mirrored",
+                   "G51.1 mirrors the axes that its block names, each at the position of its word.", "G51.1"),
+    ig::diagnostic(IG_WARNING, "ISO-0389", "G96: the spindle speed in revolutions is not known up to G97 with S",
+                   "Under constant surface speed it follows from the position of an axis, which is not computed. "
+                   "Feeds per revolution and threads have no speed until then.",
+                   "G96 S200"),
+    ig::diagnostic(IG_NOTE, "ISO-0390", "G31: no skip signal comes here, the move goes to its end",
+                   "On the machine the signal of a probe ends the move; what the program computes from the place "
+                   "differs. Said once a run.",
+                   "G31 Z-10. F100"),
+    ig::diagnostic(IG_ERROR, "ISO-0391", "G33 F{0}: a lead is greater than zero; the lead of before stays in force",
+                   "F of G33 is the lead of the thread, in mm (or inches) per revolution.", "G33 Z-10. F0"),
+    ig::diagnostic(IG_NOTE, "ISO-0392", "G60: the overrun of the axes is not known; a plain rapid is made",
+                   "The control overruns the target by parameter 5440 and comes back to it, always from one side. The "
+                   "end is the same.",
+                   "G60 X10."),
+    ig::diagnostic(IG_ERROR, "ISO-0393", "{0} {1}{2} is not executed",
+                   "Known are G05.1 Q0 to Q3, G05 P0 and P10000, G08 P0 and P1. Other values call functions of the "
+                   "machine: what they move is missing.",
+                   "G05 P1"),
+    ig::diagnostic(IG_WARNING, "ISO-0394", "{0} without {1}: nothing changes", "The word says on or off.", "G08"),
+    ig::diagnostic(IG_WARNING, "ISO-0395", "G60 without an axis: nothing moves",
+                   "G60 positions the axes that its block names.", "G60"),
+    ig::diagnostic(
+        IG_WARNING, "ISO-0396", "G97 without S after G96: no spindle speed is known",
+        "The control keeps the revolutions that it reached under G96, which are not computed here. Program S "
+        "with G97.",
+        "G96 S200 (then) G97"),
 };
 
 /// The index of a code in the table; an unknown code does not compile.

@@ -1,4 +1,5 @@
-// Answers where no controller's table does: retracts of the peck cycles, the tolerance of arcs. A dialect that brings a
+// Answers where no controller's table does: retracts of the peck cycles, the shift of the boring cycles, tapping, the
+// tolerance of arcs. A dialect that brings a
 // parameter table of its own lists that one first.
 #include <isogloss/sdk.hpp>
 
@@ -15,8 +16,29 @@ struct FallbackConfig {
                         {0, HUGE_VAL},
                         "mm",
                         "G83: clearance above the depth reached, to which the next peck rapids down."};
-  ig::NumberOption high_speed_peck{
-      "HighSpeedPeckRetraction_mm", "5", {0, HUGE_VAL}, "mm", "G73: retract after each peck."};
+  ig::NumberOption high_speed_peck{"HighSpeedPeckRetraction_mm",
+                                   "-1",
+                                   {-1, HUGE_VAL},
+                                   "mm",
+                                   "G73: retract after each peck; -1: as PeckRetractionDistance_mm."};
+  ig::IntegerOption shift_x{"ShiftDirectionX",
+                            "2",
+                            {-3, 3},
+                            "G76, G87 along X: axis of the shift, 1 X, 2 Y, 3 Z, negative for its other way."};
+  ig::IntegerOption shift_y{"ShiftDirectionY", "3", {-3, 3}, "The same where the tool bores along Y."};
+  ig::IntegerOption shift_z{"ShiftDirectionZ", "1", {-3, 3}, "The same where the tool bores along Z."};
+  ig::BooleanOption rigid_tapping{"RigidTapping", "false", "G74, G84 are rigid also without M29."};
+  ig::BooleanOption tapping_stop{"TappingSpindleStop", "true",
+                                 "G74, G84 with a floating holder: the spindle is stopped before it is reversed."};
+  ig::BooleanOption peck_tapping_to_r{"PeckTappingToR", "false",
+                                      "Rigid tapping with Q: the tap is withdrawn to the R level after each cut."};
+  ig::NumberOption peck_tapping{
+      "PeckTappingRetraction_mm", "1", {0, HUGE_VAL}, "mm", "Rigid tapping with Q: retract after each cut."};
+  ig::NumberOption extraction{"TappingExtractionOverride_percent",
+                              "100",
+                              {1, 2000},
+                              "%",
+                              "Rigid tapping: speed on the way out, in parts of the speed on the way in."};
   ig::NumberOption arc_tolerance{"ArcRadiusTolerance_mm",
                                  "0.01",
                                  {0, HUGE_VAL},
@@ -33,12 +55,22 @@ struct FallbackConfig {
     const auto& config = *static_cast<const FallbackConfig*>(self);
     const std::string_view wanted = ig::to_view(name);
     if (wanted == "PeckRetractionDistance_mm") return answer(config.peck, out);
-    return wanted == "HighSpeedPeckRetraction_mm" ? answer(config.high_speed_peck, out) : 0;
+    if (wanted == "HighSpeedPeckRetraction_mm")
+      return answer(config.high_speed_peck < 0 ? config.peck : config.high_speed_peck, out);
+    if (wanted == "ShiftDirectionX") return answer(whole(config.shift_x), out);
+    if (wanted == "ShiftDirectionY") return answer(whole(config.shift_y), out);
+    if (wanted == "ShiftDirectionZ") return answer(whole(config.shift_z), out);
+    if (wanted == "RigidTapping") return answer(config.rigid_tapping ? 1 : 0, out);
+    if (wanted == "TappingSpindleStop") return answer(config.tapping_stop ? 1 : 0, out);
+    if (wanted == "PeckTappingToR") return answer(config.peck_tapping_to_r ? 1 : 0, out);
+    if (wanted == "PeckTappingRetraction_mm") return answer(config.peck_tapping, out);
+    return wanted == "TappingExtractionOverride_percent" ? answer(config.extraction, out) : 0;
   }
   static std::int32_t motion_number(void* self, ig_text name, double* out) {
     const auto& config = *static_cast<const FallbackConfig*>(self);
     return ig::to_view(name) == "ArcRadiusTolerance_mm" ? answer(config.arc_tolerance, out) : 0;
   }
+  static double whole(std::int64_t value) { return static_cast<double>(value); }
   static std::int32_t answer(double value, double* out) {
     *out = value;
     return 1;

@@ -64,6 +64,7 @@ class FakeDependency {
     return given != options_.end() ? given->second : descriptor_.options[i].fallback;
   }
   std::int64_t integer(std::uint32_t i) const {
+    if (descriptor_.options[i].type == IG_OPTION_BOOLEAN) return option(i) == "true" ? 1 : 0;
     if (descriptor_.options[i].type != IG_OPTION_CHOICE) return std::stoll(option(i));
     const std::string choices = descriptor_.options[i].choices;
     const std::size_t at = ('|' + choices + '|').find('|' + option(i) + '|');

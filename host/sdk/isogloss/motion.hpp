@@ -75,4 +75,28 @@ class CompoundMotion {
   Name linear_{"McLinear"}, cw_{"CW"}, ccw_{"CCW"}, stop_{"STOP"};
 };
 
+/// Steps of a CompoundMotion that the operator makes by hand: the control waits until they are done.
+class ManualMotion {
+ public:
+  void rapid_to(Block& b, const Vec3& p) const {
+    const ig_value v[] = {{.number = p.x},
+                          {.number = p.y},
+                          {.number = p.z},
+                          detail::ValueOf<Symbol>::write(linear_),
+                          detail::ValueOf<bool>::write(true),
+                          detail::ValueOf<bool>::write(true)};
+    b.host()->append(b.raw(), fields_.data(), static_cast<std::uint32_t>(fields_.size()), v);
+  }
+
+ private:
+  static ig_field item(const char* path, ig_type type) {
+    return detail::declare_field({"CompoundMotion.Items[]." + std::string(path), type, IG_WRITE});
+  }
+
+  std::array<ig_field, 6> fields_{item("ProgramXyz.X", IG_NUMBER),         item("ProgramXyz.Y", IG_NUMBER),
+                                  item("ProgramXyz.Z", IG_NUMBER),         item("MotionEvent.Form", IG_SYMBOL),
+                                  item("MotionEvent.IsRapid", IG_BOOLEAN), item("MotionEvent.IsManual", IG_BOOLEAN)};
+  Name linear_{"McLinear"};
+};
+
 }  // namespace ig
