@@ -13,6 +13,9 @@ namespace {
 using Address = CycleWords::Address;
 constexpr std::array stored{Address::Q, Address::P, Address::I, Address::J};  // kept besides the levels
 
+/// What Q is, for each cycle of the resolver: peck, tapping in pecks, shift, nothing.
+constexpr std::string_view use_of_q = "pts--pt--s--";
+
 /// The cycle words of a block that names no cycle code, in the order of cycle_words; F is FeedrateSyntax's.
 class RootWords {
  public:
@@ -60,11 +63,16 @@ struct CannedCycleResolve {
       ig::Out<double>{"CannedCycle.Params.Q"}, ig::Out<double>{"CannedCycle.Params.P"},
       ig::Out<double>{"CannedCycle.Params.I"}, ig::Out<double>{"CannedCycle.Params.J"}};
   ig::Xyz increment_{"CannedCycle.Increment", ig::write, {ig::Life::block, "mm", "From hole to hole of a repeat."}};
+  // The cycles share one store for Q: a depth of cut may become a shift.
+  ig::Signal q_of_another_use_{"CannedCycle.~QOfAnotherUse", ig::write};
   // Group 10 outlives the cycles, CannedCycle.ReturnMode does not.
   ig::Signal return_to_r_{"CannedCycle.~ReturnToR", ig::read | ig::write, ig::Life::modal};
 
   FeedInForce feed_{ig::read | ig::write};
   PlaneInForce plane_;
+  ig::In<ig::Symbol> plane_term_{"PlaneSelect.Term"};
+  ig::Previous<ig::Symbol> plane_before_{"PlaneSelect.Term"};
+  ig::Name g17_{"G17"};
   DistanceMode distance_;
   LastProgramXyz last_;
   ig::Name g98_{"G98"}, g99_{"G99"}, cancelled_{"G80"};
@@ -79,7 +87,8 @@ struct CannedCycleResolve {
 
   ig::Status build(ig::Block& b) {
     const bool has_mode = take_return_mode(b);
-    const Group09 now = enter_or_cancel(b);
+    Group09 now = enter_or_cancel(b);
+    if (now.cycle && !now.is_entry && plane_changes(b)) forget_levels(b, now);
     const bool drills = now.cycle && is_hole(b, now);
     if (drills)
       drill(b, now);
@@ -95,6 +104,7 @@ struct CannedCycleResolve {
     bool is_called = false;            // by its code in this block, whose words are in Parsing.Gxx
     bool is_entry = false;             // the mode was off before
     bool changed = false;
+    std::optional<std::size_t> before;  // the cycle that was on, if it is called in this block
   };
 
   bool take_return_mode(ig::Block& b) const {
@@ -128,6 +138,7 @@ struct CannedCycleResolve {
     }
     const bool was_on = before != ig::Symbol{} && before != cancelled_;
     const auto called = b.find(call_);
+    if (was_on && called) out.before = row_of(before);
     const auto motion = b.find(group01_);
     const bool has_g80 = b.take(g80_).has_value();
     const std::int64_t at_motion = motion ? ordinal(b, group01_.id(*motion)) : 0;
@@ -163,6 +174,19 @@ struct CannedCycleResolve {
     b.erase(initial_level_);
   }
 
+  bool plane_changes(const ig::Block& b) const {
+    return b.is_fresh(plane_term_) && !b.is(plane_term_, b.get_or(plane_before_, static_cast<ig::Symbol>(g17_)));
+  }
+
+  /// R, the bottom and the initial level lie on the axis of before; on another one they are not positions of the tool.
+  void forget_levels(ig::Block& b, Group09& now) const {
+    b.report(diag("ISO-0338"), ig::Where::block(), b.text(call_.name(*now.cycle)));
+    for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), hole_.id(axis));
+    b.erase(r_);
+    if (level_rule_ == InitialLevel::cycle_entry) b.amend(initial_level_, last_(b)[plane_(b).tool]);
+    now.changed = true;
+  }
+
   std::optional<std::size_t> row_of(ig::Symbol cycle) const {
     for (std::size_t row = 0; row < call_.code_count(); ++row)
       if (call_.name(row) == cycle) return row;
@@ -171,14 +195,14 @@ struct CannedCycleResolve {
 
   /// A motion code after the cycle code: it moves the axes and F is its feed; the rest is nobody's.
   void give_back(ig::Block& b, std::size_t row) const {
-    take_call(b);
+    erase_call(b);
     for (std::size_t axis = 0; axis < 3; ++axis) b.host()->move(b.raw(), call_.row(row)[axis], root_.ids()[axis]);
     feed_.resolve(b, take_word(b, call_.row(row)[Address::F]));
   }
 
-  void take_call(ig::Block& b) const {
-    std::uint32_t found = 0;
-    b.host()->take_code(b.raw(), call_.codes(), call_.code_count(), &found);
+  /// No cycle syntax may find the code: to it a call without words is a hole where the tool stands.
+  void erase_call(ig::Block& b) const {
+    for (std::size_t row = 0; row < call_.code_count(); ++row) b.host()->erase(b.raw(), call_.code(row));
   }
   static std::optional<double> take_word(ig::Block& b, ig_field word) {
     ig_value v;
@@ -204,7 +228,7 @@ struct CannedCycleResolve {
 
   /// The cycle is on from here, but nothing is drilled and none of Q, P, I, J is kept: they stay, to be reported.
   void enter_without_hole(ig::Block& b, const Group09& now) const {
-    take_call(b);
+    erase_call(b);
     for (const Address count : {Address::K, Address::L}) take_word(b, words(now)[count]);
     feed_.resolve(b, take_word(b, words(now)[Address::F]));
     b.amend(term_, call_.name(*now.cycle));
@@ -227,7 +251,9 @@ struct CannedCycleResolve {
     const CycleLevels kept{b.get(r_), old.has(plane.tool) ? std::optional(old.value[plane.tool]) : std::nullopt};
     CycleLevels levels = resolve_levels({in[Address::R], in[plane.tool]}, kept, level, incremental);
     const bool complete = levels.r && levels.bottom;
-    if (!complete) levels = fill(b, row, "XYZ"[plane.tool], levels, start[plane.tool], in[plane.tool], incremental);
+    const int count = repeats(b, now, in);
+    if (!complete && count > 0)
+      levels = fill(b, row, "XYZ"[plane.tool], levels, start[plane.tool], in[plane.tool], incremental);
 
     ig::Vec3 hole = start, step;
     for (const std::size_t axis : {plane.first, plane.second}) {
@@ -235,7 +261,6 @@ struct CannedCycleResolve {
       hole[axis] = incremental ? start[axis] + word : word;
       step[axis] = incremental ? word : 0;
     }
-    const int count = repeats(b, now, in);
     const bool drills = count > 0 && (complete || missing_ == MissingAxis::last_position);
 
     store(b, now, in, plane, hole, levels, level, drills);
@@ -312,6 +337,8 @@ struct CannedCycleResolve {
     put(Address::R, *levels.r);
     for (std::size_t i = 0; i < stored.size(); ++i)
       if (const auto value = b.get(kept_[i]); value && !(now.is_called && in.has(stored[i]))) put(stored[i], *value);
+    if (now.before && !in.has(Address::Q) && b.has(kept_[0]) && use_of_q[*now.before] != use_of_q[row])
+      b.raise(q_of_another_use_);
     take_word(b, call_.row(row)[Address::L]);
     if (count == 1) {
       take_word(b, call_.row(row)[Address::K]);
@@ -326,7 +353,7 @@ struct CannedCycleResolve {
     std::array<ig_value, RootWords::letters.size()> values;
     b.host()->take_many(b.raw(), words(now), RootWords::letters.size(), values.data());
     if (!now.is_called) return;
-    take_call(b);
+    erase_call(b);
     feed_.resolve(b, take_word(b, words(now)[Address::F]));
   }
 };

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <optional>
 
@@ -13,6 +14,7 @@
 #include "feed_util.hpp"
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
+#include "scale_and_mirror.hpp"
 
 namespace iso {
 
@@ -62,21 +64,53 @@ struct CycleHole {
   ig::Vec3 at(double level) const { return plane.at_level(position, level); }
 };
 
+/// The strokes of a peck cycle, from R to the bottom. Each level is computed from R by itself, so that a thousand
+/// strokes of 0.1 add up to no rounding error, and the last one ends at the bottom exactly.
+class PeckStrokes {
+ public:
+  /// What a last stroke must at least be, in mm: below that it is rounding of the program's numbers (24 / 8, 0.3 /
+  /// 0.1), and the stroke before it goes to the bottom.
+  static constexpr double least_stroke = 1e-7;
+
+  /// `depth` is the way of one stroke, greater than 0, whichever direction the bottom lies in.
+  PeckStrokes(double r_level, double bottom, double depth) : r_level_(r_level), bottom_(bottom), depth_(depth) {}
+
+  /// At least 1, also where the bottom is R or nearer than one stroke. It may be larger than any integer, and is no
+  /// number at all where R and the bottom are too far apart for one.
+  double number() const {
+    const double length = std::fabs(bottom_ - r_level_);
+    const double strokes = std::ceil((length - least_stroke - length * 1e-12) / depth_);
+    return strokes < 1 ? 1 : strokes;
+  }
+  /// The level that stroke k = 1, 2, … of `count` = number() reaches.
+  double level(int k, int count) const { return k < count ? r_level_ + out_of_hole() * -depth_ * k : bottom_; }
+  /// `distance` from a level back towards R, and beyond it when the distance is longer than the hole.
+  double above(double level, double distance) const { return level + out_of_hole() * distance; }
+
+ private:
+  double out_of_hole() const { return bottom_ > r_level_ ? -1 : 1; }
+  double r_level_, bottom_, depth_;
+};
+
 /// A resolved call while its cycle is carried out.
 struct CycleRun {
   ig::Symbol code;
+  std::size_t row = 0;  ///< of the code among those of the syntax
   CycleWords words;
   PlaneAxes plane;
-  ig::Vec3 start;      ///< where the block begins
-  ig::Vec3 first;      ///< the first hole
-  ig::Vec3 increment;  ///< from hole to hole
-  int count = 1;       ///< holes
+  ig::Vec3 start;                      ///< where the block begins
+  ig::Vec3 first;                      ///< the first hole
+  ig::Vec3 increment;                  ///< from hole to hole
+  int count = 1;                       ///< holes
+  std::optional<PolarRepeats> turned;  ///< instead of `increment`, where G16 turns the holes
   double r_level = 0;
   double bottom = 0;
-  double return_level = 0;  ///< G98: the initial level; G99: R
+  double return_level = 0;         ///< G98: the initial level; G99: R
+  bool returns_to_initial = true;  ///< G98
 
   CycleHole hole(int i) const {
-    return {plane, first + static_cast<double>(i) * increment, i == 0 ? start[plane.tool] : return_level};
+    const ig::Vec3 position = turned ? turned->hole(first, i, plane) : first + static_cast<double>(i) * increment;
+    return {plane, position, i == 0 ? start[plane.tool] : return_level};
   }
 };
 
@@ -96,26 +130,45 @@ class CannedCycle {
     CycleWords& words = run.words;
     words.mask = b.host()->take_many(b.raw(), call_.row(code), CycleWords::address_count, words.values.data());
     run.code = call_.name(code);
+    run.row = code;
     run.plane = plane_(b);
     run.start = last_(b);
     run.first = {words.get_or(CycleWords::X, run.start.x), words.get_or(CycleWords::Y, run.start.y),
                  words.get_or(CycleWords::Z, run.start.z)};
     run.count = static_cast<int>(std::clamp(words.get_or(CycleWords::K, 1), 1.0, double{most_repeats}));
-    if (run.count > 1) run.increment = b.get(increment_).or_else({});
+    if (run.count > 1) {
+      run.increment = b.get(increment_).or_else({});
+      run.turned = polar_repeats_(b, run.plane);
+    }
     const double level = run.start[run.plane.tool];
     run.bottom = run.first[run.plane.tool];
     run.r_level = words.get_or(CycleWords::R, level);
-    run.return_level = b.is(return_mode_, g99_) ? run.r_level : b.get_or(initial_level_, level);
-    feed_.resolve(b, words[CycleWords::F]);
+    run.returns_to_initial = !b.is(return_mode_, g99_);
+    run.return_level = run.returns_to_initial ? b.get_or(initial_level_, level) : run.r_level;
+    feed_.resolve(b, words[CycleWords::F], where(run, CycleWords::F));
+    if (words.get_or(CycleWords::P, 0) < 0) {
+      b.report(diag("ISO-0337"), where(run, CycleWords::P), b.text(run.code), words.get_or(CycleWords::P, 0));
+      words.mask &= ~(1u << CycleWords::P);
+    }
     motion.begin(b, run.code);
     return result;
   }
 
-  /// mm/s for a stroke of that length; says so where no feed is in force.
+  /// mm/s for a stroke of that length; says so where no feed is in force. 0 under G93 where the stroke has no length.
   double stroke_feed(ig::Block& b, double length_mm) const {
-    const double mmds = feed_.mmds(b, length_mm);
-    if (mmds <= 0) b.report(feed_.value(b) ? diag("ISO-0303") : diag("ISO-0302"), ig::Where::block());
+    const double mmds = feed_.mmds(b, [length_mm] { return length_mm; });
+    if (mmds > 0) return mmds;
+    if (!feed_.value(b))
+      b.report(diag("ISO-0302"), ig::Where::block());
+    else if (!feed_.is_inverse_time(b))
+      b.report(diag("ISO-0303"), ig::Where::block());
     return mmds;
+  }
+
+  /// The cycle code of the call, or its word with that address, for a diagnostic.
+  ig::Where where(const CycleRun& run) const { return ig::Where::word(call_.code(run.row)); }
+  ig::Where where(const CycleRun& run, CycleWords::Address address) const {
+    return ig::Where::word(call_.row(run.row)[address]);
   }
 
   /// The tool stands at the return level of the last hole.
@@ -132,7 +185,23 @@ class CannedCycle {
   ig::Name g99_{"G99"};
   FeedInForce feed_{ig::read | ig::write};
   PlaneInForce plane_;
+  PolarRepeatsInForce polar_repeats_;
   LastProgramXyz last_;
+};
+
+/// A member of each cycle that starts the spindle again: from here on it turns the way the cycle said, and a later S
+/// changes its speed, not its direction. Fanuc: clockwise, whatever it did before.
+class SpindleRestart {
+ public:
+  void clockwise(ig::Block& b, const ig::Where& where, ig::Symbol code) const {
+    if (!b.has(direction_) || b.is(direction_, cw_)) return;
+    if (b.is(direction_, ccw_)) b.report(diag("ISO-0336"), where, b.text(code));
+    if (!b.is_fresh(direction_)) b.amend(direction_, static_cast<ig::Symbol>(cw_));
+  }
+
+ private:
+  ig::Out<ig::Symbol> direction_{"SpindleSpeed.Direction"};
+  ig::Name cw_{"CW"}, ccw_{"CCW"};
 };
 
 /// P of a cycle: seconds or milliseconds, as the control has it.

@@ -47,3 +47,51 @@ TEST_CASE("holes of a repeat") {
   CHECK(run.hole(1).at(run.hole(1).approach_level) == ig::Vec3{20, 0, 5});
   CHECK(run.hole(2).at(-15) == ig::Vec3{30, 0, -15});
 }
+
+namespace {
+
+struct PeckCase {
+  const char* what;
+  double r, bottom, depth;
+  double number;
+};
+
+}  // namespace
+
+TEST_CASE("number of pecks") {
+  const PeckCase c =
+      GENERATE(PeckCase{"an exact multiple", 2, -22, 8, 3}, PeckCase{"a remainder", 2, -20, 8, 3},
+               PeckCase{"one stroke", 2, -20, 22, 1}, PeckCase{"deeper than the hole", 2, -20, 30, 1},
+               PeckCase{"0.3 of 0.1", 0, -0.3, 0.1, 3}, PeckCase{"0.3 of 0.1, below zero", 2, 1.7, 0.1, 3},
+               PeckCase{"inches", 2.54, -5.08, 25.4 * 0.1, 3}, PeckCase{"upwards", -22, 2, 8, 3},
+               PeckCase{"a sliver more", 0, -24 - 1e-9, 8, 3}, PeckCase{"a sliver less", 0, -24 + 1e-9, 8, 3},
+               PeckCase{"the finest increment more", 0, -24.000001, 8, 4}, PeckCase{"no depth", 5, 5, 8, 1},
+               PeckCase{"many", 0, -100, 0.01, 10000});
+  CAPTURE(c.what);
+  CHECK(PeckStrokes(c.r, c.bottom, c.depth).number() == c.number);
+}
+
+TEST_CASE("a peck that is nothing beside the hole does not end") {
+  CHECK_FALSE(PeckStrokes(0, -1e300, 1e-300).number() <= 1e9);
+  CHECK_FALSE(PeckStrokes(0, -1, 5e-324).number() <= 1e9);
+  CHECK_FALSE(PeckStrokes(0, -1e300, 1).number() <= 1e9);
+  CHECK_FALSE(PeckStrokes(1.7e308, -1.7e308, 1).number() <= 1e9);
+}
+
+TEST_CASE("levels of the pecks") {
+  const PeckStrokes down(2, -20, 8);
+  CHECK(down.level(1, 3) == -6);
+  CHECK(down.level(2, 3) == -14);
+  CHECK(down.level(3, 3) == -20);
+  CHECK(down.above(-6, 1) == -5);
+
+  const PeckStrokes up(-20, 2, 8);
+  CHECK(up.level(1, 3) == -12);
+  CHECK(up.level(3, 3) == 2);
+  CHECK(up.above(-12, 1) == -13);
+
+  const PeckStrokes fine(0, -100, 0.1);
+  REQUIRE(fine.number() == 1000);
+  for (int k = 1; k < 1000; ++k) REQUIRE(fine.level(k, 1000) == -0.1 * k);
+  CHECK(fine.level(1000, 1000) == -100);
+}

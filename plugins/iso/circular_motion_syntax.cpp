@@ -4,6 +4,7 @@
 #include "motion_event_util.hpp"
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
+#include "scale_and_mirror.hpp"
 
 namespace iso {
 namespace {
@@ -27,6 +28,7 @@ struct CircularMotion {
   BlockMotion motion_;
   PlaneInForce plane_;
   LastProgramXyz last_;
+  ScaleAndMirror scale_and_mirror_;
   ig::Config config_{"isogloss.motion/1", ig::Need::optional, "ArcRadiusTolerance_mm"};
 
   ig::Choice<MissingCenter> missing_center_{"missing-center", "linear|error", "linear",
@@ -51,7 +53,7 @@ struct CircularMotion {
     const ArcWords words = take_words(b, plane);
     if (!b.is_fresh(program_) && !words.r && !words.has_center()) return so_far;
     if (!named) group_.put_in_force(b, code);
-    move(b, plane, words, code == MotionGroup::g03);
+    move(b, plane, words, (code == MotionGroup::g03) != scale_and_mirror_.swaps_sense(b, plane));
     return ig::Status::changed;
   }
 
@@ -95,7 +97,7 @@ struct CircularMotion {
   void by_radius(ig::Block& b, const Path& path, double radius, bool is_ccw) const {
     if ((path.end() - path.start()).length() < same_point_mm) {
       b.report(diag("ISO-0323"), ig::Where::word(r_.id()));
-      if (path.length() >= same_point_mm) motion_.feed(b, path.length());
+      if (path.length() >= same_point_mm) motion_.feed(b, [&] { return path.length(); });
       return;
     }
     // Programs round R and the end point: a thousandth is no fault even where no tolerance is set.
@@ -112,7 +114,7 @@ struct CircularMotion {
     const double at_start = (start - center).length(), at_end = (end - center).length();
     if (at_start < same_point_mm) {
       b.report(diag("ISO-0324"), ig::Where::block());
-      if (path.length() >= same_point_mm) motion_.feed(b, path.length());
+      if (path.length() >= same_point_mm) motion_.feed(b, [&] { return path.length(); });
       return;
     }
     if (tolerance_ > 0 && std::fabs(at_end - at_start) > tolerance_) {
@@ -127,16 +129,14 @@ struct CircularMotion {
       b.report(diag("ISO-0320"), ig::Where::block());
       b.alarm();
     }
-    motion_.feed(b, path.length());
+    motion_.feed(b, [&] { return path.length(); });
   }
 
   void emit(ig::Block& b, const Path& path, const Point2& center, bool is_ccw) const {
     ig::Vec3 point = path.from;  // at the level of the start
     point[path.plane.first] = rounded(center.u);
     point[path.plane.second] = rounded(center.v);
-    const double length =
-        motion_.needs_length(b) ? arc_length(path.start(), path.end(), center, is_ccw, path.rise()) : 0;
-    motion_.arc(b, point, is_ccw, length);
+    motion_.arc(b, point, is_ccw, [&] { return arc_length(path.start(), path.end(), center, is_ccw, path.rise()); });
   }
 };
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include <isogloss/sdk.hpp>
+#include "diagnostics.hpp"
 
 namespace iso {
 
@@ -14,9 +14,14 @@ class FeedInForce {
   explicit FeedInForce(ig::Access access = ig::read)
       : value_("Feedrate.FeedrateValue", access), term_("Feedrate.Term", access), unit_("Feedrate.Unit", access) {}
 
-  /// The F of a call: becomes the modal feed, in the mode in force (G94 when none is). Without F nothing is written.
-  void resolve(ig::Block& b, std::optional<double> f) const {
+  /// F becomes the modal feed, in the mode in force (G94 when none is). Nothing is written without F, nor for one that
+  /// is no feed, which is said.
+  void resolve(ig::Block& b, std::optional<double> f, ig::Where where = ig::Where::block()) const {
     if (!f) return;
+    if (*f <= 0) {
+      b.report(diag("ISO-0210"), where, *f);
+      return;
+    }
     b.set(value_, *f);
     if (!b.has(term_)) set_mode(b, g94_);
   }
@@ -36,12 +41,20 @@ class FeedInForce {
   ig::Symbol mode(const ig::Block& b) const { return b.get_or(term_, static_cast<ig::Symbol>(g94_)); }
   bool is_inverse_time(const ig::Block& b) const { return b.is(term_, g93_); }
 
-  /// mm/s along a path of that length; 0 where no feed is in force (no F yet, G95 without a spindle speed).
-  double mmds(const ig::Block& b, double length_mm) const {
-    const double f = b.get_or(value_, 0.0);
-    const ig::Symbol term = mode(b);
-    if (term == g95_) return f * b.get_or(spindle_speed_, 0.0) / 60;
-    if (term == g93_) return f * length_mm / 60;
+  /// mm/s along a path; 0 where no feed is in force (no F yet, G95 without a spindle speed). `length()` is the path's
+  /// in mm, asked where the feed depends on it.
+  template <class Length>
+  double mmds(const ig::Block& b, const Length& length) const {
+    const ig_field fields[] = {value_.id(), term_.id()};
+    ig_value v[2];
+    const std::uint32_t known = b.host()->get_many(b.raw(), fields, 2, v);
+    if ((known & 1u) == 0) return 0;
+    const double f = v[0].number;
+    if ((known & 2u) != 0) {
+      const ig::Symbol term = ig::detail::ValueOf<ig::Symbol>::read(v[1]);
+      if (term == g95_) return f * b.get_or(spindle_speed_, 0.0) / 60;
+      if (term == g93_) return f * length() / 60;
+    }
     return f / 60;
   }
 

@@ -21,29 +21,32 @@ struct Feedrate {
   ig::Choice<ModeChange> mode_change_{"mode-change", "keep|require-f", "keep",
                                       "What G94 and G95 do with the number of the other one."};
   ig::Name g93_{"G93"};
+  ig::Call cycles_{{"G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89"}, "F", ig::read};
 
   ig::Status build(ig::Block& b) {
-    auto f = b.take(f_);
-    const bool had_f = f.has_value();
-    if (f && *f <= 0) {
-      b.report(diag("ISO-0210"), ig::Where::word(f_.id()), *f);
-      f.reset();
-    }
+    const auto f = b.take(f_);
+    const bool is_feed = f && *f > 0;
     const auto mode = take_modal(b, modes_);
-    if (mode) change_mode(b, *mode, f.has_value());
-    const bool expired = !f && feed_.is_inverse_time(b) && feed_.value(b).has_value();
+    if (mode) change_mode(b, *mode, is_feed);
+    const bool expired = !is_feed && feed_.is_inverse_time(b) && feed_.value(b).has_value();
     if (expired) feed_.forget(b);
-    feed_.resolve(b, f);
-    return had_f || mode || expired ? ig::Status::changed : ig::Status::unchanged;
+    feed_.resolve(b, f, ig::Where::word(f_.id()));
+    return f || mode || expired ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
+  /// An F that the cycle of this block will put in force.
+  bool has_cycle_feed(const ig::Block& b) const {
+    const auto cycle = b.find(cycles_);
+    ig_value f;
+    return cycle && b.host()->get(b.raw(), cycles_.row(*cycle)[0], &f) != 0 && f.number > 0;
+  }
   void change_mode(ig::Block& b, std::size_t mode, bool with_f) const {
     const ig::Symbol before = feed_.mode(b);
     const ig::Symbol now = modes_.name(mode);
     if (before != now && !with_f && feed_.value(b)) {
       const bool from_or_to_time = before == g93_ || now == g93_;
-      if (!from_or_to_time && mode_change_ == ModeChange::require_f)
+      if (!from_or_to_time && mode_change_ == ModeChange::require_f && !has_cycle_feed(b))
         b.report(diag("ISO-0211"), ig::Where::word(modes_.id(mode)), b.text(now),
                  b.text(b.get_or(unit_, ig::Symbol{})));
       if (from_or_to_time || mode_change_ == ModeChange::require_f) feed_.forget(b);

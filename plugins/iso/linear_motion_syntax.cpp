@@ -20,6 +20,7 @@ struct LinearMotion {
   LastProgramXyz last_;
 
   ig::Status build(ig::Block& b) {
+    if (group_.is_answered(b)) return ig::Status::unchanged;
     const auto named = group_.find(b);
     const std::size_t code = named ? *named : group_.in_force(b);
     if (code > MotionGroup::g01) return ig::Status::unchanged;
@@ -35,7 +36,7 @@ struct LinearMotion {
     if (code == MotionGroup::g00)
       motion_.rapid(b);
     else
-      motion_.feed(b, motion_.needs_length(b) ? length(b) : 0);
+      motion_.feed(b, [&] { return length(b); });
     return ig::Status::changed;
   }
 

@@ -14,7 +14,7 @@ class MotionGroup {
   /// The code of this block that counts, if there is one. Nothing is taken.
   std::optional<std::size_t> find(const ig::Block& b) const { return b.find(codes_); }
 
-  /// Takes all of them, and makes `code` the motion in force.
+  /// Takes all of them, and makes `code`, which find() gave, the motion in force.
   void take(ig::Block& b, std::size_t code) const {
     std::uint32_t found = 0;
     b.take(codes_, &found);
@@ -23,9 +23,13 @@ class MotionGroup {
   }
   void put_in_force(ig::Block& b, std::size_t code) const { b.set(state_, codes_.name(code)); }
 
+  /// Has a motion syntax before this one dealt with the block's code, or with the one in force?
+  bool is_answered(const ig::Block& b) const { return b.is_fresh(state_); }
+
   /// The code in force; G00 where nothing was said.
   std::size_t in_force(const ig::Block& b) const {
     const ig::Symbol term = b.get_or(state_, codes_.name(g00));
+    if (term == codes_.name(g01)) return g01;
     std::size_t code = g00;
     while (code < g33 && codes_.name(code) != term) ++code;
     return code;
@@ -47,32 +51,46 @@ class BlockMotion {
   }
 
   void rapid(ig::Block& b) const {
+    const ig_field fields[] = {form_.id(), is_rapid_.id()};
+    const ig_value values[] = {symbol(linear_), {.integer = 1}};
+    b.host()->set_many(b.raw(), fields, 2, values);
+  }
+  /// `length()` is the path's, in mm; asked where the feed depends on it (G93).
+  template <class Length>
+  void feed(ig::Block& b, const Length& length) const {
+    const double mmds = feed_.mmds(b, length);
+    const ig_field fields[] = {form_.id(), feedrate_.id()};
+    const ig_value values[] = {symbol(linear_), {.number = mmds}};
+    b.host()->set_many(b.raw(), fields, mmds > 0 ? 2 : 1, values);
+    if (mmds <= 0) say_no_feed(b);
+  }
+  template <class Length>
+  void arc(ig::Block& b, const ig::Vec3& center, bool is_ccw, const Length& length) const {
+    const double mmds = feed_.mmds(b, length);
+    const ig_field fields[] = {form_.id(),   center_.id(0), center_.id(1), center_.id(2),
+                               is_ccw_.id(), circles_.id(), feedrate_.id()};
+    const ig_value values[] = {symbol(arc_),         {.number = center.x},        {.number = center.y},
+                               {.number = center.z}, {.integer = is_ccw ? 1 : 0}, {.integer = 0},
+                               {.number = mmds}};
+    b.host()->set_many(b.raw(), fields, mmds > 0 ? 7 : 6, values);
+    if (mmds <= 0) say_no_feed(b);
+  }
+  /// By a feed of its own, in mm/s; 0: none is in force, which was said.
+  void straight(ig::Block& b, double feed_mmds) const {
     b.set(form_, linear_);
-    b.set(is_rapid_, true);
-  }
-  void feed(ig::Block& b, double length_mm) const {
-    b.set(form_, linear_);
-    set_feed(b, length_mm);
-  }
-  void arc(ig::Block& b, const ig::Vec3& center, bool is_ccw, double length_mm) const {
-    b.set(form_, arc_);
-    b.set(center_, center);
-    b.set(is_ccw_, is_ccw);
-    b.set(circles_, std::int64_t{0});
-    set_feed(b, length_mm);
-  }
-  /// Does the feed depend on the length of the path (G93)?
-  bool needs_length(const ig::Block& b) const { return feed_.is_inverse_time(b); }
-  /// The feed of a path of that length; a feed move without a feed is said.
-  void set_feed(ig::Block& b, double length_mm) const {
-    const double mmds = feed_.mmds(b, length_mm);
-    if (mmds > 0)
-      b.set(feedrate_, mmds);
-    else if (!needs_length(b) || !feed_.value(b))
-      b.report(feed_.value(b) ? diag("ISO-0303") : diag("ISO-0302"), ig::Where::block());
+    if (feed_mmds > 0) b.set(feedrate_, feed_mmds);
   }
 
  private:
+  static ig_value symbol(ig::Symbol s) { return ig::detail::ValueOf<ig::Symbol>::write(s); }
+
+  /// A feed move without a feed; under G93 a path without length needs none.
+  void say_no_feed(ig::Block& b) const {
+    const bool has_value = feed_.value(b).has_value();
+    if (has_value && feed_.is_inverse_time(b)) return;
+    b.report(has_value ? diag("ISO-0303") : diag("ISO-0302"), ig::Where::block());
+  }
+
   ig::In<ig::Symbol> compound_{"CompoundMotion.Term"};
   ig::Out<ig::Symbol> form_{"MotionEvent.Form"};
   ig::Out<bool> is_rapid_{"MotionEvent.IsRapid"};

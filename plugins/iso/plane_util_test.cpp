@@ -25,5 +25,6 @@ TEST_CASE("program points lose the noise of an inverted frame") {
   CHECK(rounded(25.190799999999996) == 25.1908);
   CHECK(rounded(-1e-12) == 0);
   CHECK_FALSE(std::signbit(rounded(-1e-12)));
+  CHECK(rounded(1e300) == 1e300);
   CHECK(rounded(ig::Vec3{0.1 + 0.2, -5, 1e6 + 1e-10}) == ig::Vec3{0.3, -5, 1e6});
 }

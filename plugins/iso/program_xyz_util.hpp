@@ -2,28 +2,41 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
+
 #include <isogloss/sdk.hpp>
 
 namespace iso {
 
 /// To 1e-9 mm: what an inverted frame adds below that is noise.
 inline double rounded(double mm) {
-  return std::round(mm * 1e9) / 1e9 + 0.0;  // + 0.0: no -0
+  constexpr double no_fraction = 0x1.8p52;                      // what is added to it is rounded to a whole number
+  if (!(std::fabs(mm) < 2e6)) return mm;                        // has no such decimals, and must not overflow
+  return ((mm * 1e9 + no_fraction) - no_fraction) / 1e9 + 0.0;  // + 0.0: no -0
 }
 inline ig::Vec3 rounded(const ig::Vec3& p) { return {rounded(p.x), rounded(p.y), rounded(p.z)}; }
 
-/// The program point at which the block begins: that of the block before, unless the frame changed in this block. Then
-/// the tool rests where it is and its program point is another one. 0,0,0 where nothing is known.
+/// The program point at which the block begins. There are two ways back from where the tool stands: through the frame
+/// of *this* block when the frame changed under a resting spindle (G55, G43, G68), and through the frame of the block
+/// that carries the point, which is the program point as it was carried, when the tip rests in the workpiece.
 class LastProgramXyz {
  public:
+  /// The first way where the frame changed in this block, else the second.
   ig::Vec3 operator()(ig::Block& b) const {
-    if (b.frame_changed()) {
-      const ig::PartialVec3 machine = b.get(machine_);
-      if (machine.complete())
-        if (const auto program = b.to_program(machine.value)) return rounded(*program);
-    }
-    return b.get(program_).or_else({});
+    if (b.frame_changed())
+      if (const auto program = of_resting_machine(b)) return *program;
+    return as_carried(b);
   }
+
+  /// Where the machine stands, seen in the frame of this block; nothing where that is not known or has no inverse.
+  std::optional<ig::Vec3> of_resting_machine(ig::Block& b) const {
+    const ig::PartialVec3 machine = b.get(machine_);
+    if (!machine.complete()) return std::nullopt;
+    const auto program = b.to_program(machine.value);
+    return program ? std::optional(rounded(*program)) : std::nullopt;
+  }
+  /// The program point of before, whatever the frame is now. 0,0,0 where nothing is known.
+  ig::Vec3 as_carried(const ig::Block& b) const { return b.get(program_).or_else({}); }
 
  private:
   ig::Xyz program_{"ProgramXyz", ig::previous};

@@ -73,7 +73,7 @@ struct WordSyntax {
       end = word(b, text, next, run);
       next = skip_blanks(text, end);
     } while (next < text.size() && is_address(text[next]));
-    set(b, run);
+    set(b, run, position > 0);
     return end;
   }
 
@@ -122,10 +122,11 @@ struct WordSyntax {
     return d.end;
   }
 
-  void set(ig::Block& b, const Run& run) const {
+  void set(ig::Block& b, const Run& run, bool has_more_before) const {
     if (run.count == 0) return;
     std::array<ig_value, 26> before;
-    std::uint32_t again = b.host()->get_many(b.raw(), run.fields.data(), run.count, before.data());
+    std::uint32_t again =
+        has_more_before ? b.host()->get_many(b.raw(), run.fields.data(), run.count, before.data()) : 0;
     for (; again != 0; again &= again - 1) {
       const ig_word& w = run.words[static_cast<std::size_t>(std::countr_zero(again))];
       twice(b, w.field, w.begin, w.end);

@@ -1,0 +1,48 @@
+/// The spindle around a cycle that turns it itself: an M code of the same block acts before the first hole, and what
+/// the cycle leaves behind is the direction in force for the blocks after it.
+#pragma once
+
+#include "canned_cycle_util.hpp"
+
+namespace iso {
+
+class CycleSpindle {
+ public:
+  /// M03, M04, M05 (M29) of this block, as a step, unless the order of events of a block says the same: a start comes
+  /// before the steps, but a stop after them. Then the direction in force is `last`.
+  void begin(ig::Block& b, const ig::CompoundMotion& motion, ig::Spindle last) const {
+    const auto now = b.get(direction_);
+    if (!now) return;
+    const bool is_programmed_here = b.is_fresh(direction_);
+    const bool stays = *now == name(last);
+    if (is_programmed_here && (!stays || *now == stop_))
+      motion.spindle(b, *now == cw_ ? ig::Spindle::cw : *now == ccw_ ? ig::Spindle::ccw : ig::Spindle::stop);
+    if (stays) return;
+    if (is_programmed_here) b.erase(direction_);  // said by the step already
+    b.amend(direction_, name(last));
+  }
+
+  /// How the spindle turns when the cycle begins; empty when nothing was ever said.
+  std::optional<ig::Symbol> direction(const ig::Block& b) const { return b.get(direction_); }
+  ig::Symbol name(ig::Spindle direction) const {
+    return direction == ig::Spindle::cw ? cw_ : direction == ig::Spindle::ccw ? ccw_ : stop_;
+  }
+
+ private:
+  ig::Out<ig::Symbol> direction_{"SpindleSpeed.Direction"};
+  ig::Name cw_{"CW"}, ccw_{"CCW"}, stop_{"STOP"};
+};
+
+/// Most steps that one block may write; the engine takes no more.
+inline constexpr std::int64_t most_steps = 100'000;
+
+/// Fewer holes where the steps of all would be too many; says so. Counts one step for an M code of the block.
+inline void limit_steps(ig::Block& b, CycleRun& run, std::int64_t steps_per_hole) {
+  const std::int64_t room = (most_steps - 1) / steps_per_hole;
+  if (run.count <= room) return;
+  b.report(diag("ISO-0352"), ig::Where::block(), b.text(run.code), static_cast<double>(run.count),
+           static_cast<double>(steps_per_hole), static_cast<double>(room));
+  run.count = static_cast<int>(room);
+}
+
+}  // namespace iso

@@ -1,0 +1,49 @@
+/// G88: bore to the bottom by feed, wait (P), stop the spindle; then the operator draws the tool out by hand.
+///
+/// Works on the call that CannedCycleResolveSyntax has resolved. What the operator does is a rapid to R, marked as
+/// manual. Every step is an item, also one of no length.
+#include "canned_cycle_util.hpp"
+
+namespace iso {
+namespace {
+
+struct ManualBoringCycle {
+  static constexpr auto spec = ig::syntax("ManualBoringCycleSyntax", "G88 boring cycle: the operator retracts by hand.")
+                                   .after("SpindleSpeedSyntax", "CannedCycleResolveSyntax")
+                                   .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+
+  CannedCycle cycle_{"G88"};
+  CycleDwell dwell_;
+  SpindleRestart restart_;
+  ig::ManualMotion by_hand_;
+  ig::Previous<ig::Symbol> term_before_{"CannedCycle.Term"};
+
+  ig::Status build(ig::Block& b) {
+    const auto run = cycle_.take(b);
+    if (!run) return ig::Status::unchanged;
+    const double feed = cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom));
+    const double dwell = dwell_.seconds(*run);
+    const ig::CompoundMotion& motion = cycle_.motion;
+    if (!b.is(term_before_, run->code)) b.report(diag("ISO-0335"), cycle_.where(*run));
+
+    for (int i = 0; i < run->count; ++i) {
+      const CycleHole hole = run->hole(i);
+      motion.rapid_to(b, hole.at(hole.approach_level));
+      motion.rapid_to(b, hole.at(run->r_level));
+      motion.feed_to(b, hole.at(run->bottom), feed);
+      if (dwell > 0) motion.dwell(b, dwell);
+      motion.spindle(b, ig::Spindle::stop);
+      by_hand_.rapid_to(b, hole.at(run->r_level));
+      motion.spindle(b, ig::Spindle::cw);
+      if (run->returns_to_initial) motion.rapid_to(b, hole.at(run->return_level));
+    }
+    restart_.clockwise(b, cycle_.where(*run), run->code);
+    cycle_.end(b, *run);
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<ManualBoringCycle> registered;
+
+}  // namespace
+}  // namespace iso

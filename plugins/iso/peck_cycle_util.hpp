@@ -1,0 +1,83 @@
+/// What G83 and G73 share besides every cycle: the pecks that Q makes of a hole, and what a Q that makes none means.
+#pragma once
+
+#include "canned_cycle_util.hpp"
+
+namespace iso {
+
+/// The pecks of the holes of one block.
+struct Pecks {
+  PeckStrokes strokes;
+  int count;          ///< strokes of one hole
+  double retraction;  ///< mm: clearance before a peck (G83), way back after it (G73)
+
+  bool is_last(int k) const { return k == count; }
+  double level(int k) const { return strokes.level(k, count); }
+  /// The retraction above the level that stroke k reached; above R where it is longer than the hole is deep there.
+  double clear_of(int k) const { return strokes.above(level(k), retraction); }
+};
+
+/// A member of each peck cycle.
+class PeckCycle {
+ public:
+  /// `retraction` is the name of the distance in isogloss.canned-cycle/1.
+  explicit PeckCycle(const char* retraction) : config_("isogloss.canned-cycle/1", ig::Need::optional, retraction) {
+    const auto answer = config_.number(retraction);
+    if (answer && *answer >= 0)
+      retraction_ = *answer;
+    else if (config_)
+      unknown_ = retraction;
+  }
+
+  /// Nothing, and a diagnostic, where Q makes no pecks of the hole: then it must not be drilled.
+  std::optional<Pecks> plan(ig::Block& b, const CannedCycle& cycle, const CycleRun& run) const {
+    const double length = std::fabs(run.bottom - run.r_level);
+    const double q = run.words.get_or(CycleWords::Q, 0);
+    const bool is_news = !b.is(term_before_, run.code) || b.get_or(q_before_, 0.0) != q;
+    double depth = std::fabs(q);
+    if (depth == 0) {
+      const bool is_one_stroke = missing_q_ == MissingQ::one_stroke;
+      b.report(is_one_stroke ? diag("ISO-0327") : diag("ISO-0326"), cycle.where(run), b.text(run.code));
+      if (!is_one_stroke) {
+        b.alarm();
+        return std::nullopt;
+      }
+      depth = std::max(length, PeckStrokes::least_stroke);
+    } else if (q < 0 && is_news) {
+      b.report(diag("ISO-0328"), cycle.where(run, CycleWords::Q), b.text(run.code), depth);
+    }
+    const PeckStrokes strokes(run.r_level, run.bottom, depth);
+    const double number = strokes.number();
+    const double most = most_pecks(run.count);
+    if (!(number <= most)) {  // so written, what is no number is too many as well
+      b.report(diag("ISO-0329"), cycle.where(run, CycleWords::Q), b.text(run.code), depth, number, most);
+      return std::nullopt;
+    }
+    if (is_news && q != 0) {
+      if (!unknown_.empty()) b.report(diag("ISO-0334"), cycle.where(run), b.text(run.code), unknown_, retraction_);
+      if (retraction_ >= depth) b.report(diag("ISO-0333"), cycle.where(run), b.text(run.code), retraction_, depth);
+    }
+    return Pecks{strokes, static_cast<int>(number), retraction_};
+  }
+
+ private:
+  enum class MissingQ { no_hole, one_stroke };
+
+  /// Of one hole. A peck is three steps, a hole four more, and the steps of a block must fit into its list.
+  double most_pecks(int holes) const {
+    constexpr double most_steps = 100'000;
+    const auto allowed = static_cast<double>(static_cast<std::int64_t>(max_pecks_));
+    return std::min(allowed, std::floor((most_steps / holes - 4) / 3));
+  }
+
+  ig::Config config_;
+  double retraction_ = 5;  // as FallbackConfig, where no dependency answers
+  std::string_view unknown_;
+  ig::Previous<ig::Symbol> term_before_{"CannedCycle.Term"};
+  ig::Previous<double> q_before_{"CannedCycle.Params.Q"};
+  ig::Choice<MissingQ> missing_q_{"missing-q", "no-hole|one-stroke", "no-hole",
+                                  "What a call without Q, or with Q0, does."};
+  ig::IntegerOption max_pecks_{"max-pecks", "10000", {1, 30'000}, "Pecks that one hole may take."};
+};
+
+}  // namespace iso

@@ -1,0 +1,56 @@
+/// G83: drill in pecks of Q, and leave the hole up to R after each of them, so that the chips come out.
+///
+/// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
+#include "peck_cycle_util.hpp"
+
+namespace iso {
+namespace {
+
+enum class LastRetract { via_r, direct };
+enum class BottomDwell { none, bottom };
+
+struct PeckDrillingCycle {
+  static constexpr auto spec =
+      ig::syntax("PeckDrillingCycleSyntax", "G83 peck drilling cycle: back to R after each peck.")
+          .after("CannedCycleResolveSyntax")
+          .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+
+  CannedCycle cycle_{"G83"};
+  PeckCycle pecks_{"PeckRetractionDistance_mm"};
+  CycleDwell dwell_;
+  ig::Choice<LastRetract> last_retract_{
+      "last-retract", "via-r|direct", "via-r",
+      "The way out after the last peck: to R and on to the return level, or to the return level at once."};
+  ig::Choice<BottomDwell> bottom_dwell_{"dwell", "none|bottom", "none", "Whether P is a dwell after the last peck."};
+
+  ig::Status build(ig::Block& b) {
+    const auto run = cycle_.take(b);
+    if (!run) return ig::Status::unchanged;
+    const auto pecks = pecks_.plan(b, cycle_, *run);
+    const double feed = pecks ? cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom)) : 0;
+    const double dwell = bottom_dwell_ == BottomDwell::bottom ? dwell_.seconds(*run) : 0;
+    const ig::CompoundMotion& motion = cycle_.motion;
+
+    for (int i = 0; i < run->count; ++i) {
+      const CycleHole hole = run->hole(i);
+      motion.rapid_to(b, hole.at(hole.approach_level));
+      if (pecks) {
+        motion.rapid_to(b, hole.at(run->r_level));
+        for (int k = 1; k <= pecks->count; ++k) {
+          if (k > 1) motion.rapid_to(b, hole.at(pecks->clear_of(k - 1)));
+          motion.feed_to(b, hole.at(pecks->level(k)), feed);
+          if (dwell > 0 && pecks->is_last(k)) motion.dwell(b, dwell);
+          if (!pecks->is_last(k) || last_retract_ == LastRetract::via_r) motion.rapid_to(b, hole.at(run->r_level));
+        }
+      }
+      motion.rapid_to(b, hole.at(run->return_level));
+    }
+    cycle_.end(b, *run);
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<PeckDrillingCycle> registered;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,92 @@
+/// Scaling (G51) and programmable mirror image (G51.1) as they are in force: what they make of program positions. Words
+/// are rewritten by ScalingSyntax and ProgrammableMirrorSyntax; who needs more than its words asks here.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "plane_util.hpp"
+#include "program_xyz_util.hpp"
+
+namespace iso {
+
+/// One axis: position x becomes factor · x + offset; a distance, factor times itself.
+struct AxisMap {
+  double factor = 1, offset = 0;
+  constexpr double position(double x) const { return factor * x + offset; }
+  constexpr double programmed(double position) const { return (position - offset) / factor; }
+  /// First this one, then a scaling about `center`.
+  constexpr AxisMap scaled(double by, double center) const { return {by * factor, by * offset + (1 - by) * center}; }
+  constexpr AxisMap mirrored(double at) const { return {-factor, 2 * at - offset}; }
+};
+
+/// Holes that G16 and G91 turn about the pole, repeat by repeat.
+struct PolarRepeats {
+  double turn_deg;
+  ig::Vec3 pole;
+  AxisMap first_axis, second_axis;
+
+  /// Repeat number i, from the hole of number 0.
+  ig::Vec3 hole(const ig::Vec3& start, int i, const PlaneAxes& plane) const {
+    const double angle = std::remainder(i * turn_deg, 360) * (std::numbers::pi / 180);
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double u = first_axis.programmed(start[plane.first]) - pole[plane.first];
+    const double v = second_axis.programmed(start[plane.second]) - pole[plane.second];
+    ig::Vec3 out = start;
+    out[plane.first] = rounded(first_axis.position(pole[plane.first] + c * u - s * v));
+    out[plane.second] = rounded(second_axis.position(pole[plane.second] + s * u + c * v));
+    return out;
+  }
+};
+
+class ScaleAndMirror {
+ public:
+  AxisMap axis(const ig::Block& b, std::size_t i) const {
+    const ig::PartialVec3 center = b.get(center_), factor = b.get(factor_), mirror = b.get(mirror_);
+    AxisMap map;
+    if (factor.has(i)) map = map.scaled(factor.value[i], center.value[i]);
+    return mirror.has(i) ? map.mirrored(mirror.value[i]) : map;
+  }
+  /// The program point as it would have been programmed without them.
+  ig::Vec3 programmed(const ig::Block& b, const ig::Vec3& point) const {
+    ig::Vec3 out;
+    for (std::size_t i = 0; i < 3; ++i) out[i] = axis(b, i).programmed(point[i]);
+    return out;
+  }
+  /// One of the two axes is mirrored, but not both: arcs and rotations in the plane turn the other way round.
+  bool swaps_sense(const ig::Block& b, const PlaneAxes& plane) const {
+    const ig_field terms[] = {scaling_.id(), image_.id()};
+    ig_value unused[2];
+    if (b.host()->get_many(b.raw(), terms, 2, unused) == 0) return false;
+    const ig::PartialVec3 factor = b.get(factor_), mirror = b.get(mirror_);
+    bool swaps = false;
+    for (const std::size_t i : {plane.first, plane.second})
+      swaps ^= (factor.has(i) && factor.value[i] < 0) != mirror.has(i);
+    return swaps;
+  }
+
+ private:
+  ig::In<ig::Symbol> scaling_{"Scaling.Term"}, image_{"MirrorImage.Term"};
+  ig::Xyz center_{"Scaling.Center", ig::read};
+  ig::Xyz factor_{"Scaling.Factor", ig::read};
+  ig::Xyz mirror_{"MirrorImage", ig::read};
+};
+
+/// A member of each syntax that repeats holes.
+class PolarRepeatsInForce {
+ public:
+  std::optional<PolarRepeats> operator()(const ig::Block& b, const PlaneAxes& plane) const {
+    const auto turn = b.get(turn_);
+    if (!turn) return std::nullopt;
+    return PolarRepeats{*turn, b.get(pole_).or_else({}), scale_and_mirror_.axis(b, plane.first),
+                        scale_and_mirror_.axis(b, plane.second)};
+  }
+
+ private:
+  ig::In<double> turn_{"PolarCoordinate.Turn_deg"};
+  ig::Xyz pole_{"PolarCoordinate.Pole", ig::read};
+  ScaleAndMirror scale_and_mirror_;
+};
+
+}  // namespace iso
