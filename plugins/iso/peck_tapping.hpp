@@ -1,0 +1,40 @@
+/// The cuts of peck tapping: how deep each goes, and where the tap is withdrawn to after it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace iso {
+
+/// No hole has more cuts.
+inline constexpr int most_pecks = 10'000;
+
+struct PeckTapping {
+  double r_level = 0;  ///< from where the depths count
+  double bottom = 0;
+  double step = 0;     ///< of each cut, without sign
+  double retract = 0;  ///< after each cut but the last, without sign
+  int count = 1;
+  bool is_cut_short = false;  ///< more cuts would be needed than are allowed: the last one does the rest
+
+  PeckTapping() = default;
+  /// One cut.
+  PeckTapping(double r, double to) : r_level(r), bottom(to) {}
+  /// Cuts of `q`, of which the sign says nothing; 0: one cut. A rest below a millionth of a cut is none.
+  PeckTapping(double r, double to, double q, double withdraw, int most)
+      : r_level(r), bottom(to), step(std::fabs(q)), retract(withdraw) {
+    const double cuts = step > 0 ? std::ceil(std::fabs(bottom - r_level) / step - 1e-6) : 1;
+    is_cut_short = !(cuts <= most);
+    count = is_cut_short ? most : std::max(1, static_cast<int>(cuts));
+  }
+
+  /// After cut k, from 1; computed anew for each, so that errors do not add up.
+  double depth(int k) const { return k >= count ? bottom : r_level + into() * step * k; }
+  /// Above it by the retract.
+  double clearance(int k) const { return depth(k) - into() * retract; }
+
+ private:
+  double into() const { return bottom < r_level ? -1 : 1; }
+};
+
+}  // namespace iso

@@ -1,0 +1,56 @@
+/// M29: the tapping cycles that follow are rigid, axis and spindle turn as one. The spindle is stopped here and started
+/// by the cycle. Ends with G80 or a motion code, as the cycles do.
+#include "diagnostics.hpp"
+
+namespace iso {
+namespace {
+
+struct RigidTappingMode {
+  static constexpr auto spec = ig::syntax("RigidTappingModeSyntax", "M29 rigid tapping mode.")
+                                   .after("SpindleSpeedSyntax")
+                                   .before("CannedCycleResolveSyntax", "LinearMotionSyntax");
+
+  ig::Codes m29_{"M29"};
+  ig::Field<ig::Symbol> term_{"RigidTapping.Term",
+                              ig::read | ig::write | ig::wake_while,
+                              {ig::Life::modal, "", "The code that made tapping rigid; absent where it is not."}};
+  ig::Signal awaits_cycle_{"RigidTapping.~AwaitsCycle", ig::read | ig::write, ig::Life::modal};
+  ig::Out<ig::Symbol> direction_{"SpindleSpeed.Direction"};
+  ig::In<double> speed_{"SpindleSpeed.SpindleSpeed_rpm"};
+  ig::Xyz axes_{"Parsing", ig::read};
+  ig::Codes end_{{"G80", "G00", "G01", "G02", "G03", "G33"}, ig::read};
+  ig::Call tapping_{{"G74", "G84"}, "", ig::read};
+  ig::In<ig::Symbol> cycle_{"CannedCycle.Term"};
+  ig::Name stop_{"STOP"}, g74_{"G74"}, g84_{"G84"};
+
+  ig::Status build(ig::Block& b) {
+    const bool taps = b.find(tapping_) || b.is(cycle_, g84_) || b.is(cycle_, g74_);
+    if (b.take(m29_)) {
+      b.set(term_, m29_.name(0));
+      b.set(direction_, stop_);
+      if (!taps) b.raise(awaits_cycle_);
+      return ig::Status::changed;
+    }
+    if (!b.has(term_)) return ig::Status::unchanged;
+    const bool awaited = b.is_raised(awaits_cycle_);
+    const bool ends = b.find(end_) && !b.find(tapping_);
+    if (awaited && !taps) report_disturbance(b);
+    if (ends) b.erase(term_);
+    if (awaited && (ends || taps)) b.erase(awaits_cycle_);
+    return ends || (awaited && taps) ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  void report_disturbance(ig::Block& b) const {
+    const std::string_view what = b.get(axes_).mask != 0   ? "an axis word"
+                                  : b.is_fresh(speed_)     ? "S"
+                                  : b.is_fresh(direction_) ? "a spindle code"
+                                                           : "";
+    if (!what.empty()) b.report(diag("ISO-0350"), ig::Where::block(), what);
+  }
+};
+
+const ig::Register<RigidTappingMode> registered;
+
+}  // namespace
+}  // namespace iso
