@@ -1,10 +1,13 @@
 /// G54 to G59.9 and G54.1 P: which of the table's origins the program counts from. The external offset of the table
 /// (EXT) is added to each. The table is asked when a code selects a set and when G10 wrote into it.
+#include "coordinate_offset_util.hpp"
 #include "modal_group.hpp"
 #include "work_offset_id.hpp"
 
 namespace iso {
 namespace {
+
+enum class DecimalSets { available, absent };
 
 struct IsoCoordinateOffset {
   static constexpr auto spec =
@@ -18,13 +21,12 @@ struct IsoCoordinateOffset {
   ig::Word p_{"Parsing.P", ig::read, ""};
   ig::In<ig::Symbol> cycle_{"CannedCycle.Term"};
   ig::Out<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
-  ig::Out<double> x_{"CoordinateOffset.Offset_X"};
-  ig::Out<double> y_{"CoordinateOffset.Offset_Y"};
-  ig::Out<double> z_{"CoordinateOffset.Offset_Z"};
+  OffsetSection offset_{"CoordinateOffset"};
   ig::Signal table_changed_{"CoordinateOffset.~TableChanged", ig::read | ig::wake};
-  ig::Transform frame_{"CoordinateOffset"};
   ig::Service<ig_work_offset_1> table_{"isogloss.work-offset/1", ig::Need::required, "The origins."};
   ig::Name g54_{"G54"}, g54_1_{"G54.1"};
+  ig::Choice<DecimalSets> decimal_sets_{"decimal-sets", "available|absent", "available",
+                                        "Has the control G59.1 to G59.9? Where it has none they are an error."};
 
   ig::Status restart(ig::Block& b) {
     select(b, b.text(selected(b)), ig::Where::block());
@@ -35,6 +37,10 @@ struct IsoCoordinateOffset {
     if (const auto code = take_modal(b, sets_)) {
       const ig::Symbol name = sets_.name(*code);
       const auto where = ig::Where::word(sets_.id(*code));
+      if (decimal_sets_ == DecimalSets::absent && *code >= first_decimal && *code <= last_decimal) {
+        b.report(diag("ISO-0367"), where, b.text(name), b.text(selected(b)));
+        return ig::Status::changed;
+      }
       const auto number = set_number(b, name);
       if (number) {
         select(b, WorkOffsetId::additional(*number).text(), where);
@@ -49,13 +55,17 @@ struct IsoCoordinateOffset {
   }
 
  private:
+  static constexpr std::size_t first_decimal = 6, last_decimal = 14;  // of sets_
+
   ig::Symbol selected(const ig::Block& b) const { return b.get_or(id_, static_cast<ig::Symbol>(g54_)); }
 
   /// G54.1 without P is P1. G54 P2 is G54.1 P2, unless a canned cycle waits for the P.
   std::optional<double> set_number(ig::Block& b, ig::Symbol code) const {
     if (code == g54_1_) {
       const auto words = b.take(additional_);
-      return words ? (*words)['P'].value_or(1) : 1;
+      const auto p = words ? (*words)['P'] : std::nullopt;
+      if (!p) b.report(diag("ISO-0368"), ig::Where::word(additional_.code(0)));
+      return p.value_or(1);
     }
     if (code == g54_ && !b.has(cycle_)) return b.take(p_);
     return std::nullopt;
@@ -71,10 +81,7 @@ struct IsoCoordinateOffset {
     if (table_->get(table_->self, ig::to_text("EXT"), external) != 0)
       origin = origin + ig::Vec3{external[0], external[1], external[2]};
     b.set(id_, b.symbol(id));
-    b.set(x_, origin.x);
-    b.set(y_, origin.y);
-    b.set(z_, origin.z);
-    b.set_translation(frame_, origin);
+    offset_.set(b, origin);
   }
 };
 

@@ -1,11 +1,13 @@
 /// G52: a local coordinate system inside every work coordinate system. The words are the local origin itself, also
-/// under G91: an axis that is named gets a new offset, one that is not keeps its own.
+/// under G91: an axis that is named gets a new offset, one that is not keeps its own. G92 ends it on the axes that it
+/// names.
+#include "coordinate_offset_util.hpp"
 #include "diagnostics.hpp"
 
 namespace iso {
 namespace {
 
-enum class CancelledBy { program_end, never };
+enum class CancelledBy { program_end, never, parameter };
 
 struct IsoLocalCoordinateOffset {
   static constexpr auto spec =
@@ -15,38 +17,46 @@ struct IsoLocalCoordinateOffset {
 
   ig::Call g52_{{"G52"}, "X Y Z"};
   ig::Codes program_end_{{"M02", "M30"}, ig::read | ig::wake};
-  ig::Out<double> x_{"LocalCoordinateOffset.Offset_X"};
-  ig::Out<double> y_{"LocalCoordinateOffset.Offset_Y"};
-  ig::Out<double> z_{"LocalCoordinateOffset.Offset_Z"};
-  ig::Transform frame_{"LocalCoordinateOffset"};
-  ig::Choice<CancelledBy> cancelled_by_{"cancelled-by", "program-end|never", "program-end",
-                                        "Does the end of the program cancel the local system?"};
+  ig::Call presets_{{"G92", "G92.1"}, "X Y Z", ig::read | ig::wake};
+  OffsetSection local_{"LocalCoordinateOffset"};
+  ig::Config config_{"isogloss.coordinate-system/1", ig::Need::optional, "ResetCancelsLocalCoordinate."};
+  ig::Choice<CancelledBy> cancelled_by_{"cancelled-by", "program-end|never|parameter", "program-end",
+                                        "Does the end of the program cancel the local system? parameter: as the "
+                                        "control's parameter says of a reset."};
+  bool ends_with_program_ =
+      cancelled_by_ == CancelledBy::program_end ||
+      (cancelled_by_ == CancelledBy::parameter && config_.number("ResetCancelsLocalCoordinate").value_or(0) != 0);
 
   ig::Status restart(ig::Block& b) {
-    b.set_translation(frame_, offset(b));
+    local_.restore(b);
     return ig::Status::changed;
   }
 
   ig::Status build(ig::Block& b) {
     if (const auto words = b.take(g52_)) {
-      const ig::Vec3 old = offset(b);
-      set(b, {(*words)['X'].value_or(old.x), (*words)['Y'].value_or(old.y), (*words)['Z'].value_or(old.z)});
+      const ig::Vec3 old = local_.get(b);
+      local_.set(b, {(*words)['X'].value_or(old.x), (*words)['Y'].value_or(old.y), (*words)['Z'].value_or(old.z)});
       return ig::Status::changed;
     }
-    const bool active = offset(b) != ig::Vec3{};
-    if (!active || cancelled_by_ == CancelledBy::never || !b.find(program_end_)) return ig::Status::unchanged;
-    set(b, {});
+    const ig::Vec3 old = local_.get(b);
+    if (old == ig::Vec3{}) return ig::Status::unchanged;
+    const ig::Vec3 left = ends_with_program_ && b.find(program_end_) ? ig::Vec3{} : without_preset_axes(b, old);
+    if (left == old) return ig::Status::unchanged;
+    local_.set(b, left);
     return ig::Status::changed;
   }
 
  private:
-  ig::Vec3 offset(const ig::Block& b) const { return {b.get_or(x_, 0.0), b.get_or(y_, 0.0), b.get_or(z_, 0.0)}; }
-
-  void set(ig::Block& b, const ig::Vec3& offset) const {
-    b.set(x_, offset.x);
-    b.set(y_, offset.y);
-    b.set(z_, offset.z);
-    b.set_translation(frame_, offset);
+  /// G92 and G92.1 end the local system on the axes that they name, G92.1 alone on all.
+  ig::Vec3 without_preset_axes(const ig::Block& b, ig::Vec3 offset) const {
+    const auto preset = b.find(presets_);
+    if (!preset) return offset;
+    ig_value words[3];
+    const std::uint32_t named = b.host()->get_many(b.raw(), presets_.row(*preset), 3, words);
+    const bool all = named == 0 && *preset == 1;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (all || (named >> axis & 1u) != 0) offset[axis] = 0;
+    return offset;
   }
 };
 

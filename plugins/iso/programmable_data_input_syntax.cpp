@@ -1,12 +1,15 @@
 /// G10: the program writes the control's tables: work offsets (L2, L20) and tool offsets (L10 to L13). Under G90 the
 /// words replace what stands in the table, under G91 they are added. The syntaxes that read the tables hear of it by a
-/// signal and ask again in the same block.
+/// signal and ask again in the same block. Between G10 L50 and G11 stand parameters of the control: their words are
+/// taken, so that nobody reads them as a motion.
 #include "diagnostics.hpp"
 #include "whole_number.hpp"
 #include "work_offset_id.hpp"
 
 namespace iso {
 namespace {
+
+enum class ToolColumns { geometry_wear, wear_geometry };
 
 struct ProgrammableDataInput {
   static constexpr auto spec =
@@ -15,25 +18,37 @@ struct ProgrammableDataInput {
           .before("ToolHeightOffsetSyntax", "IsoCoordinateOffsetSyntax", "IncrementalResolveSyntax");
 
   ig::Call g10_{{"G10"}, "L[] P[] R X Y Z"};
+  ig::Codes g11_{"G11"};
+  /// After G10 L50, up to G11.
+  ig::Signal parameters_{"ProgrammableDataInput.~Parameters", ig::read | ig::write | ig::wake_while, ig::Life::modal};
+  ig::Word p_{"Parsing.P", ig::read, ""}, r_{"Parsing.R", ig::read};
+  ig::Xyz positions_{"Parsing", ig::read};
+  ig::Word i_{"Parsing.I", ig::read}, j_{"Parsing.J", ig::read}, k_{"Parsing.K", ig::read};
   ig::In<ig::Symbol> positioning_{"PositioningMode.Term"};
   ig::Signal offsets_changed_{"CoordinateOffset.~TableChanged", ig::write};
   ig::Signal tools_changed_{"ToolHeightCompensation.~TableChanged", ig::write};
   ig::Service<ig_work_offset_1> offsets_{"isogloss.work-offset/1", ig::Need::required, "Written by L2 and L20."};
   ig::Service<ig_tool_offset_1> tools_{"isogloss.tool-offset/1", ig::Need::optional, "Written by L10 to L13."};
   ig::Name g91_{"G91"};
+  ig::Choice<ToolColumns> tool_columns_{"tool-columns", "geometry-wear|wear-geometry", "geometry-wear",
+                                        "What L10 and L11 (length), L12 and L13 (radius) write, in this order."};
 
   ig::Status build(ig::Block& b) {
+    const bool ends = b.take(g11_).has_value();
+    if (ends) b.erase(parameters_);
     const auto words = b.take(g10_);
-    if (!words) return ig::Status::unchanged;
+    if (!words)
+      return (b.is_raised(parameters_) && swallow_parameter(b)) || ends ? ig::Status::changed : ig::Status::unchanged;
     const auto where = ig::Where::word(g10_.code(0));
-    const auto table = (*words)['L'];
+    const auto table = (*words)['L'] == 1 ? std::optional(11.0) : (*words)['L'];  // L1: older programs
+    if (table && (*table == 50 || *table == 52)) b.raise(parameters_);
     const bool is_offset = table && (*table == 2 || *table == 20);
     const bool is_tool = tools_ && table && *table >= 10 && *table <= 13 && whole_number(*table);
     if (table && !is_offset && !is_tool) {
       b.report(diag("ISO-0220"), where, *table);
     } else if (!table || !(*words)['P'] || (is_tool && !(*words)['R'])) {
       b.report(diag("ISO-0221"), where, std::string_view(!table ? "L" : !(*words)['P'] ? "P" : "R"));
-    } else if (!(is_offset ? write_offset(b, *words) : write_tool(b, *words))) {
+    } else if (!(is_offset ? write_offset(b, *words) : write_tool(b, *words, *table))) {
       b.report(diag("ISO-0222"), where, *table, *(*words)['P']);
     }
     return ig::Status::changed;
@@ -53,14 +68,26 @@ struct ProgrammableDataInput {
     return offsets_->set(offsets_->self, ig::to_text(id.text()), offset) != 0;
   }
 
-  bool write_tool(ig::Block& b, const ig::Words& words) const {
-    const auto column = static_cast<std::uint32_t>(*words['L'] - 10);
+  bool write_tool(ig::Block& b, const ig::Words& words, double table) const {
+    const auto column = static_cast<std::uint32_t>(table - 10) ^ (tool_columns_ == ToolColumns::wear_geometry ? 1u : 0);
     const auto row = whole_number(*words['P']);
     if (!row || *row == 0) return false;
     double old = 0;
     if (b.is(positioning_, g91_)) tools_->get(tools_->self, *row, column, &old);
     b.raise(tools_changed_);
     return tools_->set(tools_->self, *row, column, old + *words['R']) != 0;
+  }
+
+  /// P and R of a block that programs no position.
+  bool swallow_parameter(ig::Block& b) const {
+    if (b.get(positions_).mask != 0 || b.has(i_) || b.has(j_) || b.has(k_)) return false;
+    bool any = false;
+    for (const ig::Word* const word : {&p_, &r_}) {
+      if (!b.take(*word)) continue;
+      b.report(diag("ISO-0371"), ig::Where::word(word->id()), std::string_view(word == &p_ ? "P" : "R"));
+      any = true;
+    }
+    return any;
   }
 };
 

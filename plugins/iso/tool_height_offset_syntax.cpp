@@ -2,10 +2,14 @@
 /// the length of row H (geometry and wear) along the tool axis, G44 subtracts it, G49 and H0 end it. H is modal: a new
 /// H under G43 is a new length.
 #include "diagnostics.hpp"
+#include "program_xyz_util.hpp"
 #include "whole_number.hpp"
 
 namespace iso {
 namespace {
+
+enum class RotatedAxis { follow, keep };
+enum class UnderG91 { position, travel };
 
 struct ToolHeightOffset {
   static constexpr auto spec =
@@ -20,10 +24,28 @@ struct ToolHeightOffset {
   ig::Out<double> offset_{"ToolHeightCompensation.Offset_mm"};
   ig::Xyz orientation_{"ToolOrientation", ig::read | ig::wake};
   ig::Transform tilt_{"TiltTransform", ig::read | ig::wake};
+  ig::In<ig::Symbol> tilt_term_{"TiltTransform.Term", ig::read, {ig::Life::modal, "", "The code in force."}};
   ig::Transform frame_{"ToolHeightCompensation"};
   ig::Signal table_changed_{"ToolHeightCompensation.~TableChanged", ig::read | ig::wake};
   ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::required, "Length geometry and wear."};
-  ig::Name g43_{"G43"}, g44_{"G44"}, g49_{"G49"};
+  /// Lengths that a block without Z put in force: the next Z word under G91 travels them.
+  ig::Field<double> untravelled_{"ToolHeightCompensation.Untravelled_mm",
+                                 ig::read | ig::write | ig::wake_while,
+                                 {ig::Life::modal, "mm", "Change of the length that the next Z under G91 travels."}};
+  ig::Word z_{"Parsing.Z", ig::read | ig::write};
+  ig::Call other_z_{{"G28", "G30", "G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89"},
+                    "Z",
+                    ig::read};
+  ig::Codes machine_select_{{"G53"}, ig::read};
+  DistanceMode distance_;
+  ig::Name g43_{"G43"}, g44_{"G44"}, g49_{"G49"}, g68_{"G68"};
+
+  ig::Choice<RotatedAxis> rotated_axis_{"rotated-axis", "follow|keep", "follow",
+                                        "Which way the length lies under G68: along Z of the rotated system, or along "
+                                        "Z as without a rotation."};
+  ig::Choice<UnderG91> under_g91_{"under-g91", "position|travel", "position",
+                                  "Under G91: a new length is another position of the resting tool, or is travelled "
+                                  "with the next increment of Z."};
 
   ig::Status restart(ig::Block& b) {
     if (is_active(b)) {
@@ -43,10 +65,12 @@ struct ToolHeightOffset {
                        : h  ? ig::Where::word(h_.id())
                             : ig::Where::block();
     if (h) set_offset_id(b, *h, where);
+    const double before = b.get_or(offset_, 0.0);
 
     if (call && call->code == g49_) {
       b.set(offset_, 0.0);
       b.set_translation(frame_, {});
+      travel(b, -before);
       return ig::Status::changed;
     }
     if (call && !b.has(offset_id_)) {
@@ -56,7 +80,8 @@ struct ToolHeightOffset {
     const bool axis_moved = b.is_fresh(orientation_) || b.is_fresh(tilt_);
     const bool compensates = is_active(b) && (call || h || axis_moved || b.is_raised(table_changed_));
     if (compensates) compensate(b, where);
-    return call || h || compensates ? ig::Status::changed : ig::Status::unchanged;
+    const bool travels = travel(b, call || h ? b.get_or(offset_, 0.0) - before : 0);
+    return call || h || compensates || travels ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
@@ -86,10 +111,32 @@ struct ToolHeightOffset {
     return (has_geometry ? geometry : 0) + (has_wear ? wear : 0);
   }
 
+  /// The manual's example: with H1 = -4, `G91 G43 H1 Z-32.` moves by -36. True when something was written.
+  bool travel(ig::Block& b, double change) const {
+    if (under_g91_ == UnderG91::position) return false;
+    const double pending = b.get_or(untravelled_, 0.0) + change;
+    if (pending == 0 && !b.has(untravelled_)) return false;
+    const auto other = b.find(other_z_);
+    const auto z = b.get(z_);
+    ig_value unused;
+    const bool is_increment = distance_.is_incremental(b), is_by_machine = b.find(machine_select_).has_value();
+    const bool ends = (z && !(is_increment && is_by_machine)) ||
+                      (other && b.host()->get(b.raw(), other_z_.row(*other)[0], &unused) != 0);
+    const bool is_along_z = tool_axis(b) == ig::Vec3{0, 0, 1};
+    if (!ends && is_along_z && pending != 0) {
+      b.set(untravelled_, pending);
+      return true;
+    }
+    if (z && is_along_z && is_increment) b.host()->rewrite(b.raw(), z_.id(), {.number = *z + pending});
+    b.erase(untravelled_);
+    return true;
+  }
+
   /// ToolOrientation, else Z of the tilted plane, else Z.
   ig::Vec3 tool_axis(const ig::Block& b) const {
     const ig::PartialVec3 orientation = b.get(orientation_);
     if (orientation.complete()) return orientation.value;
+    if (rotated_axis_ == RotatedAxis::keep && b.is(tilt_term_, g68_)) return {0, 0, 1};
     double m[16];
     if (b.host()->transform(b.raw(), tilt_.id(), m) != 0) return {m[8], m[9], m[10]};
     return {0, 0, 1};
