@@ -8,12 +8,15 @@ namespace {
 struct IncrementalResolve {
   static constexpr auto spec = ig::syntax("IncrementalResolveSyntax", "G91 distances become positions.")
                                    .after("UnitModeSyntax", "PositioningModeSyntax", "CannedCycleResolveSyntax")
-                                   .before("ProgramXyzSyntax", "ReferenceReturnSyntax");
+                                   .before("ProgramXyzSyntax", "ReferenceReturnSyntax", "ReferenceCheckSyntax");
 
   ig::InWhile<ig::Symbol> mode_{"PositioningMode.Term", "G91", ig::wake};
   ig::Codes machine_select_{{"G53"}, ig::read};
-  ig::Fields words_{"words", "Parsing.X Parsing.Y Parsing.Z Parsing.G28.X Parsing.G28.Y Parsing.G28.Z",
-                    ig::read | ig::write, "Axis words that G91 makes distances. Their last letter is the axis."};
+  ig::Fields words_{
+      "words",
+      "Parsing.X Parsing.Y Parsing.Z Parsing.G27.X Parsing.G27.Y Parsing.G27.Z Parsing.G28.X Parsing.G28.Y "
+      "Parsing.G28.Z Parsing.G30.X Parsing.G30.Y Parsing.G30.Z",
+      ig::read | ig::write, "Axis words that G91 makes distances. Their last letter is the axis."};
   LastProgramXyz last_;
   ig::Name g91_{"G91"};
 
