@@ -33,21 +33,15 @@ struct NotExecuted {
     std::uint32_t diagnostic;
   };
   std::vector<Feature> features_{
-      {ig::Call{{"G16"}, ""}, diag("ISO-0261")},
-      {ig::Call{{"G51"}, "X Y Z I[] J[] K[] P[]"}, diag("ISO-0262")},
-      {ig::Call{{"G51.1"}, "X Y Z"}, diag("ISO-0262")},
-      {ig::Call{{"G68", "G68.2", "G68.3", "G68.4"}, "X Y Z I[deg] J[deg] K[deg] R[deg] P[] Q[]"}, diag("ISO-0263")},
+      {ig::Call{{"G68.2", "G68.3", "G68.4"}, "X Y Z I[deg] J[deg] K[deg] R[deg] P[] Q[]"}, diag("ISO-0263")},
       {ig::Call{{"G53.1", "G53.6"}, "P[] H[] R"}, diag("ISO-0264")},
       {ig::Call{{"G43.1", "G43.4", "G43.5"}, "H[]"}, diag("ISO-0265")},
-      {ig::Call{{"G92", "G92.1"}, "X Y Z A B C S[]"}, diag("ISO-0266")},
-      {ig::Call{{"G27", "G29", "G30", "G31", "G37", "G60"}, "X Y Z A B C H[] P[]"}, diag("ISO-0267")},
-      {ig::Call{{"G33"}, "X Y Z F[mm] Q[deg]"}, diag("ISO-0267")},
+      {ig::Call{{"G30.1", "G37"}, "X Y Z A B C H[] P[]"}, diag("ISO-0267")},
       {ig::Call{{"G45", "G46", "G47", "G48"}, "X Y Z D[]"}, diag("ISO-0267")},
       {ig::Call{{"G65", "G66", "G66.1"}, "A B C D E F H I J K L P Q R S T U V W X Y Z"}, diag("ISO-0268")},
       {ig::Call{{"M97", "M98", "M198"}, "P[] L[] Q[] H[]"}, diag("ISO-0269")},
       {ig::Call{{"G12.1"}, ""}, diag("ISO-0270")},
       {ig::Call{{"G07.1"}, "A[mm] B[mm] C[mm]"}, diag("ISO-0270")},
-      {ig::Call{{"G96"}, "S[] P[]"}, diag("ISO-0271")},
       {ig::Call{{"G22"}, "X Y Z I J K"}, diag("ISO-0272")},
   };
   // The move of a G41 block is executed as programmed, so only the code and its D are taken.

@@ -1,60 +1,72 @@
-/// G28: by rapid to the intermediate point that the words name, then to the first reference position of the machine,
+/// G28 and G30: by rapid to the intermediate point that the words name, then to a reference position of the machine,
 /// both with the named axes only. `G91 G28 Z0` goes straight up; `G90 G28 Z0` goes to program Z0 first, as the control
-/// does.
-#include "diagnostics.hpp"
-#include "program_xyz_util.hpp"
+/// does. Fanuc manual, "Reference position".
+#include "reference_position.hpp"
 
 namespace iso {
 namespace {
 
+enum class WithoutAxes { nothing, all };
+
 struct ReferenceReturn {
-  static constexpr auto spec = ig::syntax("ReferenceReturnSyntax", "G28 return to the reference position.")
+  static constexpr auto spec = ig::syntax("ReferenceReturnSyntax", "G28 and G30 return to a reference position.")
                                    .after("IncrementalResolveSyntax", "McXyzSyntax", "LinearMotionSyntax");
 
   ig::Call g28_{{"G28"}, "X Y Z"};
+  ig::Call g30_{{"G30"}, "X Y Z P[]"};
   ig::Xyz program_{"ProgramXyz", ig::write};
   ig::Xyz machine_{"MachineCoordinate", ig::write};
   ig::CompoundMotion motion_;
   LastProgramXyz last_;
-  ig::Service<ig_machine_axis_1> axes_{"isogloss.machine-axis/1", ig::Need::optional, "Reference positions."};
+  ReferencePositions reference_;
+  ig::Choice<WithoutAxes> without_axes_{"without-axes", "nothing|all", "nothing",
+                                        "What G28 or G30 without an axis word returns."};
 
   ig::Status build(ig::Block& b) {
-    const auto words = b.take(g28_);
-    if (!words) return ig::Status::unchanged;
-    const ig::Vec3 from = last_(b);
-    ig::Vec3 intermediate = from;
-    for (std::size_t axis = 0; axis < 3; ++axis) intermediate[axis] = (*words)["XYZ"[axis]].value_or(from[axis]);
-    if (words->mask == 0) {
-      b.report(diag("ISO-0340"), ig::Where::word(g28_.code(0)));
-      return ig::Status::changed;
+    bool any = false;
+    if (const auto words = b.take(g28_)) {
+      any = true;
+      go(b, axis_words(*words), 1, words->code, g28_.code(0));
     }
+    if (const auto words = b.take(g30_)) {
+      const double which = (*words)['P'].value_or(2);
+      if (which == 2 || which == 3 || which == 4)
+        go(b, axis_words(*words), static_cast<std::uint32_t>(which), words->code, g30_.code(0));
+      else
+        b.report(diag("ISO-0380"), ig::Where::word(g30_.code(0)), which);
+      any = true;
+    }
+    return any ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  void go(ig::Block& b, const ig::PartialVec3& named, std::uint32_t which, ig::Symbol code, ig_field word) const {
+    const ig::Vec3 from = last_(b);
+    if (named.mask == 0 && without_axes_ == WithoutAxes::nothing) {
+      b.report(diag("ISO-0340"), ig::Where::word(word), b.text(code));
+      return;
+    }
+    const ig::PartialVec3 returned = named.mask == 0 ? ig::PartialVec3{7, from} : named;
+    const ig::Vec3 intermediate = returned.or_else(from);
     const auto over = b.to_machine(intermediate);
-    if (!over) return not_invertible(b);
+    if (!over) {
+      not_invertible(b);
+      return;
+    }
     ig::Vec3 reference = *over;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if ((*words)["XYZ"[axis]]) reference[axis] = reference_of(b, axis);
+      if (returned.has(axis)) reference[axis] = reference_(b, axis, which, word);
     const auto end = b.to_program(reference);
-    if (!end) return not_invertible(b);
+    if (!end) {
+      not_invertible(b);
+      return;
+    }
 
-    motion_.begin(b, words->code);
+    motion_.begin(b, code);
     motion_.rapid_to(b, intermediate, *over);
     motion_.rapid_to(b, rounded(*end), reference);
     b.set(program_, rounded(*end));
     b.set(machine_, reference);
-    return ig::Status::changed;
-  }
-
- private:
-  double reference_of(ig::Block& b, std::size_t axis) const {
-    const char name = "XYZ"[axis];
-    double position = 0;
-    if (axes_ && axes_->reference(axes_->self, name, 1, &position) != 0) return position;
-    b.report(diag("ISO-0341"), ig::Where::word(g28_.code(0)), std::string_view(&name, 1));
-    return 0;
-  }
-  static ig::Status not_invertible(ig::Block& b) {
-    b.report(diag("ISO-0332"), ig::Where::block());
-    return ig::Status::changed;
   }
 };
 

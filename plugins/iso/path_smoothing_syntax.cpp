@@ -1,0 +1,68 @@
+/// G05.1, G05 and G08: look-ahead, contour and high-speed control. They round corners within a tolerance that the
+/// machine's builder set and change speeds; the programmed path stays, and what is in force is recorded.
+#include "diagnostics.hpp"
+
+namespace iso {
+namespace {
+
+struct PathSmoothing {
+  static constexpr auto spec = ig::syntax("PathSmoothingSyntax", "G05.1, G05 and G08: contour control, as a record.")
+                                   .after("ParameterizedFlagSyntax");
+
+  // X0 Y0 Z0 beside G05.1 name axes and move none.
+  ig::Call contour_{{"G05.1"}, "P[] Q[] R[] X Y Z A B C"};
+  ig::Call high_speed_{{"G05"}, "P[]"};
+  ig::Call look_ahead_{{"G08"}, "P[]"};
+  ig::Out<bool> is_enabled_{"PathSmoothing.IsEnabled"};
+  ig::Out<ig::Symbol> term_{"PathSmoothing.Term"};
+  ig::Out<double> level_{"PathSmoothing.Level"};
+
+  ig::Status build(ig::Block& b) {
+    bool any = false;
+    if (const auto words = b.take(contour_)) {
+      const auto q = (*words)['Q'];
+      any = true;
+      if (!q || !(*q >= 0 && *q <= 3))
+        refuse(b, contour_, "Q", q);
+      else
+        record(b, words->code, *q > 0, *q > 0 ? (*words)['R'] : std::nullopt);
+    }
+    if (const auto words = b.take(high_speed_)) {
+      const auto p = (*words)['P'];
+      any = true;
+      if (p && (*p == 0 || *p == 10000))
+        record(b, words->code, *p > 0, std::nullopt);
+      else
+        refuse(b, high_speed_, "P", p);
+    }
+    if (const auto words = b.take(look_ahead_)) {
+      const auto p = (*words)['P'];
+      any = true;
+      if (p && (*p == 0 || *p == 1))
+        record(b, words->code, *p > 0, std::nullopt);
+      else
+        refuse(b, look_ahead_, "P", p);
+    }
+    return any ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  void record(ig::Block& b, ig::Symbol code, bool is_enabled, std::optional<double> level) const {
+    b.set(is_enabled_, is_enabled);
+    b.set(term_, code);
+    b.erase(level_);
+    if (level) b.set(level_, *level);
+  }
+  static void refuse(ig::Block& b, const ig::Call& call, std::string_view address, std::optional<double> value) {
+    const auto where = ig::Where::word(call.code(0));
+    if (value)
+      b.report(diag("ISO-0393"), where, b.text(call.name(0)), address, *value);
+    else
+      b.report(diag("ISO-0394"), where, b.text(call.name(0)), address);
+  }
+};
+
+const ig::Register<PathSmoothing> registered;
+
+}  // namespace
+}  // namespace iso
