@@ -46,6 +46,15 @@ class Command(unittest.TestCase):
         return done
 
 
+class Limits(Command):
+    def test_a_block_makes_as_many_holes_as_its_steps_allow(self):
+        for cycle, holes in (("G87 X1. Z20. R-95. Q1.", 7692), ("G84 X1. Z-1. R-1. P1", 9090)):
+            program = self.write("many.nc", f"M03 S500\nG91 G98 {cycle} F100 K10000\nM30\n")
+            done = self.run_it("run", program, "-d", "fanuc", "--emit", "none", status=1)
+            self.assertIn(f"{holes} are made [ISO-0352]", done.stderr)
+            self.assertNotIn("IG-0405", done.stderr)
+
+
 class Usage(Command):
     def test_help_is_data_with_an_example(self):
         done = self.run_it("--help")

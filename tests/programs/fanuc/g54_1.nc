@@ -1,0 +1,40 @@
+O5401 (ADDITIONAL WORK COORDINATE SYSTEMS, EXTERNAL OFFSET, G10)
+G90 G10 L20 P1 X10. Y20. Z30.
+G10 L20 P300 X-1. Y-2. Z-3.
+G10 L2 P0 X0 Y0 Z0
+G54.1 P1 G00 X1. Y1. Z1.
+G54 P300 X1. Y1. Z1.
+(no P: P1)
+G54.1
+X1.
+(the external offset moves all of them, at once)
+G10 L2 P0 Z-100.
+Z1.
+G54 Z1.
+(under G91 it is added)
+G91 G10 L20 P1 X0.5
+G90 G54.1 P1 X1. Y1. Z1.
+G91 G10 L2 P0 Z100.
+G90 Z1.
+(what the control has not)
+G54.1 P301
+G59.1
+G10 L20 P301 X0
+G10 L2 P7 X0
+(tool tables: geometry and wear, set and added)
+G10 L10 P1 R100.
+G10 L11 P1 R-0.5
+G43 H1 Z1.
+G91 G10 L11 P1 R0.1
+G90 Z1.
+G10 L1 P1 R0
+Z1.
+G10 L12 P1 R5.
+G10 L13 P1 R0.01
+(parameters are not written)
+G10 L50
+N5410 R30000
+N1320 P1 R500000
+G11
+G49
+M30

@@ -1,0 +1,18 @@
+(THE LENGTH OF A CYCLE BLOCK ACTS ON THE WAY TO R; THE TABLE IS ASKED AGAIN WHEN G10 WRITES IT)
+G21 G90 G10 L2 P1 X0. Y0. Z-300.
+G54 G0 X0. Y0. Z200.
+T1 M6
+G98 G43 H1 G81 X10. Y10. Z-5. R2. F200
+X20.
+(longer by 0.5 between two holes)
+G10 L10 P1 R96.
+X30.
+H2 X40.
+G80
+G49 Z200.
+(under G91 the change of the length is travelled with the increment)
+G91 G43 H1 Z-32.
+G49
+Z-1.
+G90 G43 H1 Z50.
+M30

@@ -1,0 +1,26 @@
+%
+(COORDINATE ROTATION)
+G90 G17 G54 G00 X0 Y0 Z50
+G68 X20 Y10 R30
+X50 Y10
+Y40
+G01 X20 F600
+G02 X30 Y50 I10 J0
+G98 G81 X10 Y0 Z-5 R2 F200
+G80
+G69 G00 X10 Y10
+(one axis alone: where the tool stands in the turned system)
+G68 X0 Y0 R45
+Y14.142
+G69 X0 Y0
+G68 X20 Y0 R90
+G91 X10
+G90 X30
+G69 X0 Y0
+(the tool length follows the rotation in ZX)
+G18 G43 H1 Z50
+G68 Z0 X0 R90
+G00 X10 Z20
+G69
+G17 G49
+M30
