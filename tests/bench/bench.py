@@ -2,7 +2,7 @@
 """Measures `isogloss run` against a bare tokenizer and, where it is installed, LinuxCNC's rs274.
 
   bench.py [--build DIR] [--blocks N] [--large N] [--runs R] [--kinds surface,mixed,drilling] [--no-large]
-           [--cycles G81,G82]
+           [--cycles G81,G83]
 
 All commands run in turn, R rounds after one to warm up; medians are printed. Figures are whole processes, start-up
 included; costs and ratios are processor time, which other work on the machine disturbs least. The
@@ -22,6 +22,7 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 KINDS = ("surface", "mixed", "drilling")
+CYCLES = "G81,G81,G82,G83,G83,G73,G85"  # those that both controls have, as often as programs use them
 
 
 class Bench:
@@ -118,7 +119,7 @@ def main():
     parser.add_argument("--no-large", action="store_true", help="leave the growth out")
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--kinds", default=",".join(KINDS))
-    parser.add_argument("--cycles", default="G81,G82", help="of the drilling workload")
+    parser.add_argument("--cycles", default=CYCLES, help="of the drilling workload")
     parser.add_argument("--json", type=pathlib.Path, help="write the figures there too")
     options = parser.parse_args()
     kinds = options.kinds.split(",")

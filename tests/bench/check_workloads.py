@@ -9,7 +9,7 @@ import sys
 import tempfile
 
 BLOCKS = 5000
-CYCLES = "G81,G82"
+CYCLES = "G81,G81,G82,G83,G83,G73,G85"
 
 
 def workload(tools, *arguments):

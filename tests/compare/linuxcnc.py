@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compares the machine coordinates of `isogloss run` with those of LinuxCNC's rs274, move by move.
 
-  linuxcnc.py --isogloss PATH [--programs N] [--seed S] [--keep DIR] [FILE.nc...]
+  linuxcnc.py --isogloss PATH [--programs N] [--seed S] [--cycles G81,G82] [--keep DIR] [FILE.nc...]
 
 Programs are the ones that stand beside this script (or FILE), and N random ones in the language that both controls
 share (plain.py). What they are known to part in stands in tests/differences.md: `translated` writes it in LinuxCNC's
@@ -24,6 +24,8 @@ import plain
 
 HERE = pathlib.Path(__file__).resolve().parent
 SKIPPED = 77
+# LinuxCNC's clearance in G73 and G83 is a hundredth of an inch; ours stands in parameters 5114 and 5115.
+CLEARANCE = [a for n in (5114, 5115) for a in ("--set", f"FanucParameterTable.{n}.Value=254")]
 
 
 def translated(text):
@@ -33,7 +35,7 @@ def translated(text):
         line = re.sub(r"^N\d+\s*", "", line)
         if re.search(r"G0?4(?!\d)|G82", line):
             line = re.sub(r"P(\d+)", lambda p: f"P{int(p[1]) / 1000:g}", line)
-        if re.search(r"G8\d", line):
+        if re.search(r"G(73|8\d)", line):
             line = re.sub(r"K(\d+)", r"L\1", line)
         lines.append(line if line.startswith("%") or not line else f"N{number} {line}")
     return "\n".join(lines) + "\n"
@@ -93,6 +95,7 @@ def main():
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
     parser.add_argument("--programs", type=int, default=40)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--cycles", default=",".join(plain.CYCLES), help="in the random programs")
     parser.add_argument("--keep", type=pathlib.Path, help="write programs that differ there")
     parser.add_argument("files", nargs="*", type=pathlib.Path)
     options = parser.parse_args()
@@ -103,10 +106,11 @@ def main():
     files = options.files or sorted(HERE.glob("*.nc"))
     programs = [(f.name, f.read_text()) for f in files]
     if not options.files:
-        programs += [(f"seed {s}", plain.program(s)) for s in range(options.seed, options.seed + options.programs)]
+        programs += [(f"seed {s}", plain.program(s, options.cycles.split(",")))
+                     for s in range(options.seed, options.seed + options.programs)]
     compared = differing = 0
     with tempfile.TemporaryDirectory(prefix="isogloss-compare-") as name:
-        comparison = Comparison(options.isogloss.resolve(), pathlib.Path(name), [])
+        comparison = Comparison(options.isogloss.resolve(), pathlib.Path(name), CLEARANCE)
         for title, text in programs:
             count, report = comparison.compare(text)
             compared += count

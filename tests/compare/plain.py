@@ -4,6 +4,7 @@ import random
 
 PLANE_OF = {"G17": (0, 1, 2), "G18": (2, 0, 1), "G19": (1, 2, 0)}
 TOOLS = 6
+CYCLES = ("G81", "G82", "G83", "G73", "G85")  # that the dialect fanuc carries out, and LinuxCNC in the same steps
 
 
 def tool_length(tool):
@@ -14,7 +15,8 @@ def tool_length(tool):
 class PlainProgram:
     """Knows where the tool is in program coordinates, axis by axis, or that it does not (None)."""
 
-    def __init__(self, seed, fragments=60):
+    def __init__(self, seed, fragments=60, cycles=CYCLES):
+        self.cycles = cycles
         self.random = random.Random(seed)
         self.lines = []
         self.at = [None] * 3
@@ -24,14 +26,16 @@ class PlainProgram:
         self.group01 = None
         self.feed = None
         self.tool_length = 0  # H in force
+        self.is_local = self.is_shifted = False  # by G52, by G92
         self.start()
         kinds = [(12, self.straight), (8, self.arc_by_centre), (6, self.arc_by_radius), (2, self.full_circle),
                  (2, self.change_distance), (3, self.change_plane), (1, self.change_unit), (2, self.change_work_offset),
                  (1, self.set_work_offset), (2, self.change_tool_length), (1, self.go_by_machine),
-                 (1, self.go_home), (1, self.dwell), (1, self.shift_local), (2, self.drill), (1, self.change_tool)]
+                 (1, self.go_home), (1, self.dwell), (1, self.shift_local), (1, self.set_position), (2, self.drill), (1, self.change_tool)]
         weights, steps = [w for w, _ in kinds], [s for _, s in kinds]
         for step in self.random.choices(steps, weights, k=fragments):
             step()
+        self.end_shift()
         self.shift_local(cancel=True)
         self.write("M30")
 
@@ -244,11 +248,37 @@ class PlainProgram:
     def dwell(self):
         self.write("G4", f"P{self.random.randrange(50, 3000, 50)}")
 
+    def hundredth(self, low, high):
+        """A random multiple of a hundredth of an inch, in the active unit."""
+        inch_hundredths = round(self.random.uniform(low, high))
+        return inch_hundredths * 0.01 if self.inch else round(inch_hundredths * 0.254, 3)
+
+    def end_shift(self):
+        if self.is_shifted:
+            self.write("G92.1")
+            self.at = [None] * 3
+        self.is_shifted = False
+
+    def set_position(self):
+        """G92 at a place that needs no rounding; one offset with G52 there, two here: see tests/differences.md."""
+        if self.is_local:
+            self.shift_local(cancel=True)
+        if self.incremental:
+            self.change_distance()
+        self.at = [self.hundredth(-200, 200) for _ in range(3)]
+        self.write(self.motion(0), *("XYZ"[i] + self.number(v) for i, v in enumerate(self.at)))
+        for axis in self.random.sample(range(3), self.random.randrange(1, 4)):
+            self.at[axis] = self.hundredth(-300, 300)
+            self.write("G92", "XYZ"[axis] + self.number(self.at[axis]))
+        self.is_shifted = True
+
     def shift_local(self, cancel=False):
         if self.incremental:
             self.change_distance()
+        self.end_shift()
         axes = self.random.sample("XYZ", self.random.randrange(1, 4))
-        if cancel or self.random.random() < 0.4:
+        self.is_local = not (cancel or self.random.random() < 0.4)
+        if not self.is_local:
             self.write("G52", "X0.", "Y0.", "Z0.")
         else:
             hundredths = [round(self.random.uniform(-500, 500)) for _ in axes]
@@ -263,28 +293,56 @@ class PlainProgram:
             self.write("G17")
         self.place()
         z = self.at[2]
-        r = round(z - abs(self.length(1, 20)), 4)
-        depth = round(r - abs(self.length(2, 20)), 4)
-        cycle = self.random.choice(("G81", "G82"))
-        dwell = f"P{self.random.randrange(50, 1000, 50)}" if cycle == "G82" else ""
         self.feed = None
-        level = self.random.choice(("G98", "G99"))
-        incremental = self.random.random() < 0.3
-        if incremental:
+        self.level = self.random.choice(("G98", "G99"))
+        if self.random.random() < 0.3:
             self.change_distance()
-            self.write(level, cycle, "X" + self.number(self.length(1, 9)), "Y" + self.number(self.length(1, 9)),
-                       "Z" + self.number(depth - r), "R" + self.number(r - z), dwell, self.feed_word(),
+            r = -abs(self.length(1, 20))
+            depth = -abs(self.length(2, 20))
+            self.write(self.level, *self.cycle_words(self.random.choice(self.cycles), -depth),
+                       "X" + self.number(self.length(1, 9)), "Y" + self.number(self.length(1, 9)),
+                       "Z" + self.number(depth), "R" + self.number(r), self.feed_word(),
                        f"K{self.random.randrange(2, 6)}")
         else:
-            self.write(level, cycle, "X" + self.number(self.length(-60, 60)), "Y" + self.number(self.length(-60, 60)),
-                       "Z" + self.number(depth), "R" + self.number(r), dwell, self.feed_word())
-            for _ in range(self.random.randrange(0, 6)):
-                self.write(self.random.choice("XY") + self.number(self.length(-60, 60)))
+            self.holes(z)
         self.write("G80")
         self.group01 = None
         self.at = [None] * 3
         self.place()
 
+    def holes(self, z):
+        """A modal chain: other cycles with all their words, new levels, and blocks that do not drill. R only falls,
+        since LinuxCNC goes up to a higher R before it goes sideways, and what depends on Q is written with it."""
+        r = round(z - abs(self.length(1, 9)), 4)
+        for number in range(self.random.randrange(1, 7)):
+            if number == 0 or self.random.random() < 0.2:
+                cycle = self.random.choice(self.cycles)
+                bottom = round(r - abs(self.length(2, 20)), 4)
+                self.write(self.level if number == 0 else "", *self.cycle_words(cycle, r - bottom),
+                           *self.hole_words("XY"), "Z" + self.number(bottom), "R" + self.number(r), self.feed_word())
+            elif self.random.random() < 0.2 and cycle not in ("G73", "G83"):
+                self.write(*self.hole_words(self.random.choice(("X", "XY"))),
+                           "Z" + self.number(r - abs(self.length(2, 20))))
+            else:
+                self.write(*self.hole_words(self.random.choice(("X", "Y", "XY"))), self.feed_word())
+            if self.random.random() < 0.2:
+                self.write(self.random.choice(("M8", "M9", "F150", "G4 P200")))
+            if self.random.random() < 0.3 and cycle not in ("G73", "G83"):
+                r = round(r - abs(self.length(0.1, 1)), 4)
+                self.write(*self.hole_words("X"), "R" + self.number(r), "Z" + self.number(r - abs(self.length(2, 20))))
 
-def program(seed):
-    return "\n".join(PlainProgram(seed).lines) + "\n"
+    def hole_words(self, axes):
+        return [a + self.number(self.length(-60, 60)) for a in axes]
+
+    def cycle_words(self, cycle, depth):
+        """The code with P or Q. No depth of a whole number of Q: LinuxCNC adds up doubles and may peck once more."""
+        if cycle == "G82":
+            return cycle, f"P{self.random.randrange(50, 1000, 50)}"
+        if cycle in ("G73", "G83"):
+            pecks = self.random.randrange(0, 7) + self.random.uniform(0.1, 0.9)
+            return cycle, "Q" + self.number(depth / pecks)
+        return (cycle,)
+
+
+def program(seed, cycles=CYCLES):
+    return "\n".join(PlainProgram(seed, cycles=cycles).lines) + "\n"
