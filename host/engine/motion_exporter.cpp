@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "isogloss/engine/exporter.hpp"
+#include "motion_queue.hpp"
 #include "motion_reader.hpp"
 #include "text_buffer.hpp"
 
@@ -358,25 +359,25 @@ template <class Lines>
 class MotionExporter : public Exporter {
  public:
   MotionExporter(const MotionOptions& options, Lines lines)
-      : options_(options), reader_(options.zero_moves), lines_(std::move(lines)) {}
+      : options_(options), reader_(options.zero_moves), events_(std::move(lines)) {}
 
   void begin(Document& initial, const SymbolTable& symbols) override {
-    if (!begun_) lines_.header(options_);
+    if (!begun_) events_.lines().header(options_);
     begun_ = true;
-    lines_.forget_file();
+    events_.forget_file();
     reader_.begin(initial, symbols);
   }
   bool block(Document& document, const SymbolTable& symbols) override {
-    lines_.block(document.source);
-    reader_.read(document, symbols, lines_);
-    return lines_.buffer().ok();
+    events_.block(document.source);
+    reader_.read(document, symbols, events_);
+    return events_.ok();
   }
-  bool end() override { return lines_.buffer().flush(); }
+  bool end() override { return events_.drain(); }
 
  private:
   MotionOptions options_;
   MotionReader reader_;
-  Lines lines_;
+  MotionQueue<Lines> events_;
   bool begun_ = false;
 };
 

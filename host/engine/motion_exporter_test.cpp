@@ -445,3 +445,45 @@ TEST_CASE("motions as text") {
         "  XY cw about 30 15 5, 180 deg\n"
         "     9  dwell   0.5 s\n");
 }
+
+TEST_CASE("a long stream, written beside the run, is what its pieces are") {
+  constexpr std::uint32_t count = 20000;
+  const auto fill = [](Stream& s, std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t line = first; line < last; ++line) {
+      const double x = line * 0.25;
+      s.block(line, [&] {
+        if (line % 7 == 0)
+          s.t.arc(line % 2 == 0, x, 1, -1, x, 0, -1, 5);
+        else
+          s.t.line(false, x, line % 3, -1, line);
+        if (line % 100 == 0) s.t.name("Coolant.Mode", line % 200 == 0 ? "FLOOD" : "MIST");
+        if (line % 1000 == 0) s.t.number("Dwell.Time", line);
+      });
+    }
+  };
+  for (const Format format : {Format::csv, Format::jsonl}) {
+    Stream whole({.format = format});
+    fill(whole, 1, count);
+    // The same blocks in runs too short for a batch each: nothing of them is written beside the run.
+    Stream pieces({.format = format});
+    fill(pieces, 1, 300);
+    std::string expected;
+    for (std::uint32_t line = 300; line < count; line += 100) {
+      CHECK_FALSE((expected = pieces.text()).empty());
+      fill(pieces, line, std::min(line + 100, count));
+    }
+    CHECK(whole.text() == pieces.text());
+  }
+}
+
+TEST_CASE("an exporter may go while lines wait") {
+  TestDocument t;
+  StringOutput out;
+  const auto e = make_motion_exporter(out, {.format = Format::csv});
+  e->begin(t.d, t.symbols);
+  for (std::uint32_t line = 1; line < 5000; ++line) {
+    t.block(line);
+    t.line(false, line, 0, 0);
+    CHECK(e->block(t.d, t.symbols));
+  }
+}
