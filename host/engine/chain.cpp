@@ -307,12 +307,14 @@ void Chain::call_watched(Document& d, std::uint32_t position) {
   const Step& step = steps_[position];
   if (settings_.mode == Mode::traced) {
     if (trace) trace(position, true);
-    step.build(step.self, host_, reinterpret_cast<ig_block*>(&d));
+    const ig_status status = step.build(step.self, host_, reinterpret_cast<ig_block*>(&d));
+    if (status == IG_FAILED) tell_failure(d, position);
     if (trace) trace(position, false);
     return;
   }
   const Document before = d;
   const ig_status status = step.build(step.self, host_, reinterpret_cast<ig_block*>(&d));
+  if (status == IG_FAILED) tell_failure(d, position);
   std::string fault;
   if (status != IG_UNCHANGED && status != IG_CHANGED && status != IG_FAILED)
     fault = "its build() returned the status " + std::to_string(status);
@@ -322,6 +324,16 @@ void Chain::call_watched(Document& d, std::uint32_t position) {
     const Diagnostic text = host_diagnostic("IG-0402", {}, {linked_.chain[position].element.alias, fault});
     report(d, text.severity, text.code, text.message, 0, 0);
   }
+}
+
+/// The SDK's trampoline has said why; a plugin of its own making may not.
+void Chain::tell_failure(const Document& d, std::uint32_t position) {
+  if (!failure_said) {
+    const Diagnostic text =
+        host_diagnostic("IG-0401", {}, {linked_.chain[position].element.alias, "its build() gives no reason"});
+    report(d, text.severity, text.code, text.message, 0, 0);
+  }
+  failure_said = false;
 }
 
 void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
@@ -337,10 +349,10 @@ void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
       if (step.build == nullptr) continue;
       d.current = static_cast<std::uint16_t>(position + 1);
       ++builds;
-      if (settings_.mode == Mode::fast)
-        step.build(step.self, host_, reinterpret_cast<ig_block*>(&d));
-      else
+      if (settings_.mode != Mode::fast)
         call_watched(d, position);
+      else if (step.build(step.self, host_, reinterpret_cast<ig_block*>(&d)) == IG_FAILED)
+        tell_failure(d, position);
     }
   }
   d.current = 0;
@@ -361,6 +373,7 @@ ig_status Chain::build(std::uint32_t position) {
   running = &document_;
   document_.current = static_cast<std::uint16_t>(position + 1);
   const ig_status status = step.build(step.self, host_, reinterpret_cast<ig_block*>(&document_));
+  if (status == IG_FAILED) tell_failure(document_, position);
   document_.current = 0;
   return status;
 }

@@ -37,6 +37,7 @@ RUN = {
     "throws_in_create": (2, "IG-0308", "not in this chain"),
     "throws_in_build": (3, "IG-0401", "not this block"),
     "throws_a_number": (3, "IG-0401", "no std::exception"),
+    "fails_silently": (3, "IG-0401", "no reason"),
     "crashes_in_build": (3, "", "segmentation fault in BadSyntax of plugin crashes_in_build"),
     "hangs_in_build": (3, "", "no end of the block in sight in BadSyntax of plugin hangs_in_build"),
     "recurses": (3, "", "segmentation fault in BadSyntax of plugin recurses"),

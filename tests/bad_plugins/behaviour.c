@@ -27,6 +27,8 @@ static ig_status build(void* self, const ig_host* host, ig_block* block) {
   (void)block;
 #if defined(FAULT_status_nonsense)
   return 77;
+#elif defined(FAULT_fails_silently)
+  return IG_FAILED;
 #elif defined(FAULT_writes_undeclared)
   const ig_value value = {.number = 1};
   host->set(block, ids_of_chain[1], value); /* declared as read */

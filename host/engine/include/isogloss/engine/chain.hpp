@@ -87,6 +87,7 @@ class Chain {
 
   // What syntaxes asked for in this block.
   bool ends_program = false, ends_file = false, alarmed = false, skip_rest = false;
+  bool failure_said = false;  ///< by the syntax that runs; one that fails without a word is reported for it
   std::size_t split_at = 0;
   std::uint64_t builds = 0;  ///< builds called so far
 
@@ -109,6 +110,7 @@ class Chain {
   void assign(const std::string& path, const std::string& value);
   void call_watched(Document& document, std::uint32_t position);  // checked and traced modes
   void run_range(Document& document, std::uint32_t first, std::uint32_t last);
+  void tell_failure(const Document& document, std::uint32_t position);
   void destroy();
 
   const LinkedDialect& linked_;
