@@ -42,10 +42,11 @@ struct CircularMotion {
                                             : config_.number("ArcRadiusTolerance_mm").value_or(0);
 
   ig::Status build(ig::Block& b) {
-    const auto named = group_.find(b);
+    std::uint32_t found = 0;
+    const auto named = group_.find(b, found);
     const std::size_t code = named ? *named : group_.in_force(b);
     if (code != MotionGroup::g02 && code != MotionGroup::g03) return ig::Status::unchanged;
-    if (named) group_.take(b, code);
+    if (named) group_.take(b, code, found);
     const ig::Status so_far = named ? ig::Status::changed : ig::Status::unchanged;
     if (motion_.is_moving(b)) return so_far;
 

@@ -21,12 +21,13 @@ struct LinearMotion {
 
   ig::Status build(ig::Block& b) {
     if (group_.is_answered(b)) return ig::Status::unchanged;
-    const auto named = group_.find(b);
+    std::uint32_t found = 0;
+    const auto named = group_.find(b, found);
     const std::size_t code = named ? *named : group_.in_force(b);
     if (code > MotionGroup::g01) return ig::Status::unchanged;
     const bool moves = b.is_fresh(machine_) && !motion_.is_moving(b);
     if (named)
-      group_.take(b, code);
+      group_.take(b, code, found);
     else if (moves)
       group_.put_in_force(b, code);
     else

@@ -11,14 +11,21 @@ class MotionGroup {
  public:
   enum Index : std::size_t { g00, g01, g02, g03, g33 };
 
-  /// The code of this block that counts, if there is one. Nothing is taken.
-  std::optional<std::size_t> find(const ig::Block& b) const { return b.find(codes_); }
+  /// The code of this block that counts, if there is one. Nothing is taken; `found` is how many there are.
+  std::optional<std::size_t> find(const ig::Block& b, std::uint32_t& found) const {
+    const std::int32_t last = b.host()->find_code(b.raw(), codes_.ids(), codes_.size(), &found);
+    return last < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(last));
+  }
 
-  /// Takes all of them, and makes `code`, which find() gave, the motion in force.
-  void take(ig::Block& b, std::size_t code) const {
-    std::uint32_t found = 0;
-    b.take(codes_, &found);
-    if (found > 1) b.report(diag("ISO-0201"), ig::Where::word(codes_.id(code)), b.text(codes_.name(code)));
+  /// Takes what find() found, and makes `code` the motion in force.
+  void take(ig::Block& b, std::size_t code, std::uint32_t found) const {
+    if (found == 1) {
+      ig_value unused;
+      b.host()->take(b.raw(), codes_.id(code), &unused);
+    } else {
+      b.take(codes_);
+      b.report(diag("ISO-0201"), ig::Where::word(codes_.id(code)), b.text(codes_.name(code)));
+    }
     put_in_force(b, code);
   }
   void put_in_force(ig::Block& b, std::size_t code) const { b.set(state_, codes_.name(code)); }

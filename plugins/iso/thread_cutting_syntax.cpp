@@ -22,13 +22,14 @@ struct ThreadCutting {
 
   ig::Status build(ig::Block& b) {
     const auto words = b.take(g33_);
-    const auto named = group_.find(b);
+    std::uint32_t found = 0;
+    const auto named = group_.find(b, found);
     if ((named ? *named : group_.in_force(b)) != MotionGroup::g33) return give_up(b, words.has_value());
     if (words && (*words)['F']) take_lead(b, *(*words)['F'], g33_.word(0, 'F'));
     if (!words && b.is_fresh(feed_)) take_lead(b, b.get_or(feed_, 0.0), feed_.id());
     if (words) {
       b.set(start_, (*words)['Q'].value_or(0));
-      group_.take(b, MotionGroup::g33);
+      group_.take(b, MotionGroup::g33, found);
     }
     if (!b.is_fresh(machine_) || motion_.is_moving(b)) return words ? ig::Status::changed : ig::Status::unchanged;
     if (!words) group_.put_in_force(b, MotionGroup::g33);
