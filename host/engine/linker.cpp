@@ -360,7 +360,8 @@ class Linker {
 
   ig_field resolve(const ig_field_decl& decl) const {
     const std::string_view written = decl.path;
-    if ((decl.access & IG_PREVIOUS) == 0 && !written.starts_with(flags_prefix) && written.find('[') == written.npos)
+    if ((decl.access & IG_PREVIOUS) == 0 && !written.starts_with(flags_prefix) &&
+        written.find('[') == std::string_view::npos)
       return out_->layout.id(written);
     const std::string path(written);
     if (const std::size_t brackets = path.find("[]."); brackets != std::string::npos)

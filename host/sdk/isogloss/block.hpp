@@ -64,9 +64,7 @@ class Block {
   bool is_fresh(const F& field) const {
     return host_->is_fresh(block_, field.id()) != 0;
   }
-  bool is_fresh(const Xyz& xyz) const {
-    return host_->fresh_many(block_, xyz.ids(), 3) != 0;
-  }
+  bool is_fresh(const Xyz& xyz) const { return host_->fresh_many(block_, xyz.ids(), 3) != 0; }
 
   template <class T>
   void set(const Field<T>& field, T value) {

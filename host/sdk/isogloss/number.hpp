@@ -27,8 +27,8 @@ inline bool read_long_decimal(const char* first, const char* end, double& value)
 
 }  // namespace detail
 
-/// The number that begins at `position`. A lone sign or point is none, nor is what no double can hold. Exact: the nearest
-/// double.
+/// The number that begins at `position`. A lone sign or point is none, nor is what no double can hold. Exact: the
+/// nearest double.
 [[gnu::always_inline]] inline Decimal read_decimal(std::string_view text, std::size_t position) {
   static constexpr double powers[] = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                       1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
