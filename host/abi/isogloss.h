@@ -419,7 +419,10 @@ typedef struct ig_machine_axis_1 {
   int32_t (*rapid_rate)(void* self, char axis, double* per_second);
 } ig_machine_axis_1;
 
-/* Answers one number by name: isogloss.canned-cycle/1 (PeckRetractionDistance_mm, HighSpeedPeckRetraction_mm),
+/* Answers one number by name: isogloss.canned-cycle/1 (PeckRetractionDistance_mm, HighSpeedPeckRetraction_mm,
+ * BoringReturnOverride_percent, ShiftDirectionX and so for Y and Z, RigidTapping, TappingSpindleStop, PeckTappingToR,
+ * PeckTappingRetraction_mm, TappingExtractionOverride_percent), isogloss.coordinate-system/1 (RotationAngle_deg,
+ * RotationIsIncremental, ResetCancelsLocalCoordinate),
  * isogloss.number-format/1 (CalculatorDecimalPoint, LengthIncrement_mm, LengthIncrement_inch, AngleIncrement_deg),
  * isogloss.motion/1 (ArcRadiusTolerance_mm, ScalingUnit, ScalingFactor, UnidirectionalOverrunX_mm and so for Y and Z).
  * 1, or 0 when it has no answer. */

@@ -238,6 +238,7 @@ void Chain::begin_block(const BlockSource& source) {
   document_.begin(source);
   ends_program = ends_file = alarmed = skip_rest = false;
   split_at = 0;
+  failure_said_by = 0;
   for (const Watch& watch : watches_) {
     std::uint64_t present = document_.bits(watch.word).present & watch.bits;
     for (; present != 0; present &= present - 1) {
@@ -328,12 +329,12 @@ void Chain::call_watched(Document& d, std::uint32_t position) {
 
 /// The SDK's trampoline has said why; a plugin of its own making may not.
 void Chain::tell_failure(const Document& d, std::uint32_t position) {
-  if (!failure_said) {
+  if (failure_said_by != position + 1) {
     const Diagnostic text =
         host_diagnostic("IG-0401", {}, {linked_.chain[position].element.alias, "its build() gives no reason"});
     report(d, text.severity, text.code, text.message, 0, 0);
   }
-  failure_said = false;
+  failure_said_by = 0;
 }
 
 void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {

@@ -459,7 +459,7 @@ void fault(ig_block* block, ig_text message) {
   const LinkedSyntax& syntax = d.chain->linked().chain[d.current - 1u];
   const Diagnostic text =
       host_diagnostic("IG-0401", {}, {syntax.element.alias, std::string(message.data, message.size)});
-  d.chain->failure_said = true;
+  d.chain->failure_said_by = d.current;
   d.chain->report(d, text.severity, text.code, text.message, 0, 0);
 }
 

@@ -6,11 +6,13 @@
 #include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <exception>
 #include <iterator>
 #include <mutex>
 #include <string>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "motion_reader.hpp"
@@ -86,6 +88,7 @@ class MotionQueue {
       submit();
       std::unique_lock lock(mutex_);
       changed_.wait(lock, [&] { return written_ == submitted_; });
+      if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
     }
     if (!lines_.buffer().flush()) closed_ = true;
     return ok();
@@ -110,6 +113,21 @@ class MotionQueue {
     std::vector<Event> events;
     std::vector<Arc> arcs;          // of the arcs among the events, in their order
     std::deque<std::string> texts;  // names, which outlive the run that told them
+  };
+  /// A batch is empty after it was written, also after it could not be.
+  class Emptied {
+   public:
+    explicit Emptied(Batch& batch) : batch_(batch) {}
+    ~Emptied() {
+      batch_.events.clear();
+      batch_.arcs.clear();
+      batch_.texts.clear();
+    }
+    Emptied(const Emptied&) = delete;
+    Emptied& operator=(const Emptied&) = delete;
+
+   private:
+    Batch& batch_;
   };
   static constexpr std::string_view planes[] = {"XY", "ZX", "YZ"};
   static constexpr std::size_t batch_size = 512;
@@ -158,7 +176,12 @@ class MotionQueue {
       if (stops_) return;
       Batch& batch = batches_[written_ % batch_count];
       lock.unlock();
-      write(batch);
+      try {
+        write(batch);
+      } catch (...) {  // an output of the embedding program's own: drain() hands it on
+        failure_ = std::current_exception();
+        closed_ = true;
+      }
       lock.lock();
       ++written_;
       changed_.notify_all();
@@ -166,6 +189,7 @@ class MotionQueue {
   }
 
   void write(Batch& batch) {
+    const Emptied emptied(batch);
     std::size_t arc = 0;
     BlockSource source{written_file_, 0, 0, {}};
     for (const Event& e : batch.events) {
@@ -190,9 +214,6 @@ class MotionQueue {
       }
       if (!lines_.buffer().ok()) closed_ = true;
     }
-    batch.events.clear();
-    batch.arcs.clear();
-    batch.texts.clear();
   }
 
   void write_move(const Event& e, const Arc* arc) {
@@ -225,6 +246,7 @@ class MotionQueue {
   std::condition_variable changed_;
   std::size_t submitted_ = 0, written_ = 0;
   bool stops_ = false;
+  std::exception_ptr failure_;
   std::thread worker_;
 };
 

@@ -134,6 +134,7 @@ std::vector<FieldInfo> make_fields() {
       field("PathMode.Term", name, modal, "", "The code in force."),
       field("PathMode.Mode", name, modal, "", "ExactStop, CornerOverride, Tapping or Cutting."),
       field("PathMode.Tolerance_mm", number, modal, "mm", "Of rounded corners, where the program gives one."),
+      field("PathMode.NaiveTolerance_mm", number, modal, "mm", "Within which short moves may be joined to one."),
       field("PathMode.IsExactStop", boolean, block, "", "True where this block alone stops at its end."),
       field("PathSmoothing.IsEnabled", boolean, modal, "", "High-speed smoothing is on."),
       field("PathSmoothing.Term", name, modal, "", "The code in force."),

@@ -59,8 +59,8 @@ struct FanucParameterTable {
 
   /// Parameter 1013: bit 0 is IS-A, bit 1 IS-C, neither IS-B.
   double increment() const { return bit(increment_system, 0) ? 0.01 : bit(increment_system, 1) ? 0.0001 : 0.001; }
-  Answer in_increments(std::string_view parameter) const {
-    const Answer count = number(parameter);
+  Answer in_increments(std::string_view parameter) const { return from_increments(number(parameter)); }
+  Answer from_increments(Answer count) const {
     return count ? Answer(*count / std::round(1 / increment())) : std::nullopt;
   }
   /// An override of 0, as of a parameter that nobody set, is 100 %.
@@ -101,10 +101,8 @@ struct FanucParameterTable {
     return bit(cycle_bits, 4) ? -axis : axis;
   }
   Answer motion_of(std::string_view name) const {
-    if (name.starts_with("UnidirectionalOverrun")) {
-      const Answer count = of_axis(overrun, name.size() > 21 ? name[21] : ' ');
-      return count ? Answer(*count / std::round(1 / increment())) : std::nullopt;
-    }
+    for (const char axis : {'X', 'Y', 'Z'})
+      if (name == std::string("UnidirectionalOverrun") + axis + "_mm") return from_increments(of_axis(overrun, axis));
     if (name == "ScalingUnit") return scaling_unit();
     if (name == "ScalingFactor") {
       const Answer count = number(scaling_factor);

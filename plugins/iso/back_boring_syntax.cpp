@@ -26,9 +26,7 @@ struct BackBoring {
   ig::Choice<Positioning> positioning_{"positioning", "shifted|centred", "shifted",
                                        "Shifted on the way to the bore, or at the bore."};
   ig::Choice<Dwell> dwell_at_{"dwell", "none|end-of-cut", "none", "Where P waits."};
-  ig::In<ig::Symbol> return_mode_{"CannedCycle.ReturnMode"};
   ig::In<double> initial_level_{"CannedCycle.InitialLevel"};
-  ig::Name g99_{"G99"};
 
   ig::Status build(ig::Block& b) {
     auto run = cycle_.take(b);
@@ -41,7 +39,7 @@ struct BackBoring {
     const double dwell = dwell_at_ == Dwell::end_of_cut ? dwell_.seconds(*run) : 0;
     const ToolShift::Shift shift = shift_.of(b, *run);
     const ig::CompoundMotion& motion = cycle_.motion;
-    spindle_.begin(b, motion, ig::Spindle::cw);
+    spindle_.begin_clockwise(b, motion, cycle_.where(*run), run->code);
 
     const auto move_aside = [&](const ig::Vec3& to) {
       shift.is_feed ? motion.feed_to(b, to, feed) : motion.rapid_to(b, to);
@@ -75,7 +73,7 @@ struct BackBoring {
  private:
   /// With R below the workpiece a return to R would leave the bar there: the initial level counts.
   void check_levels(ig::Block& b, CycleRun& run, double low, double high) const {
-    if (r_is_ == RLevel::bottom && b.is(return_mode_, g99_)) {
+    if (r_is_ == RLevel::bottom && !run.returns_to_initial) {
       b.report(diag("ISO-0345"), ig::Where::block());
       run.return_level = b.get_or(initial_level_, run.start[run.plane.tool]);
     }

@@ -2,7 +2,7 @@
 /// stops the spindle, leaves by rapid and starts the spindle again.
 ///
 /// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
-#include "canned_cycle_util.hpp"
+#include "cycle_spindle.hpp"
 
 namespace iso {
 namespace {
@@ -17,7 +17,7 @@ struct BoringCycle {
 
   CannedCycle cycle_{"G85", "G86", "G89"};
   CycleDwell dwell_;
-  SpindleRestart restart_;
+  CycleSpindle spindle_;
   ig::Config config_{"isogloss.canned-cycle/1", ig::Need::optional, "BoringReturnOverride_percent"};
   ig::Choice<Retract> retract_{"retract", "feed-to-final|feed-to-r", "feed-to-final",
                                "How far G85 and G89 feed back: to the return level, or to R and by rapid from there."};
@@ -33,6 +33,7 @@ struct BoringCycle {
     const double feed = cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom));
     const double dwell = waits(run->code) ? dwell_.seconds(*run) : 0;
     const ig::CompoundMotion& motion = cycle_.motion;
+    if (is_g86) spindle_.begin_clockwise(b, motion, cycle_.where(*run), run->code);
 
     for (int i = 0; i < run->count; ++i) {
       const CycleHole hole = run->hole(i);
@@ -51,7 +52,6 @@ struct BoringCycle {
         if (run->returns_to_initial) motion.rapid_to(b, hole.at(run->return_level));
       }
     }
-    if (is_g86) restart_.clockwise(b, cycle_.where(*run), run->code);
     cycle_.end(b, *run);
     return ig::Status::changed;
   }

@@ -45,12 +45,11 @@ struct CannedCycleResolve {
                  "ToolHeightOffsetSyntax")
           .before("DrillingCycleSyntax", "IncrementalResolveSyntax", "MachineCoordSelectSyntax", "ProgramXyzSyntax");
 
-  ig::Call call_{{"G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89"},
-                 cycle_words,
-                 ig::take | ig::wake | ig::write};
+  ig::Call call_{cycle_codes, cycle_words, ig::take | ig::wake | ig::write};
   ig::Codes g80_{"G80"};
   ig::Codes group01_{{"G00", "G01", "G02", "G03", "G33"}, ig::read};
-  ig::Codes machine_select_{{"G53"}, ig::read};
+  // Codes that have the axis words of their block for themselves.
+  ig::Codes one_shot_{{"G31", "G53", "G60"}, ig::read};
   ig::Codes return_codes_{"G98", "G99"};
   RootWords root_;
 
@@ -219,9 +218,9 @@ struct CannedCycleResolve {
     return out;
   }
 
-  /// A block drills when it names a position; M, S, T and F alone do not, and G53 has its axis words for itself.
+  /// A block drills when it names a position; M, S, T and F alone do not, nor do the words of G31, G53 and G60.
   bool is_hole(ig::Block& b, const Group09& now) const {
-    if (!now.is_called && b.find(machine_select_)) return false;
+    if (!now.is_called && b.find(one_shot_)) return false;
     ig_value v[4];
     return b.host()->get_many(b.raw(), words(now), 4, v) != 0;  // X Y Z R
   }
@@ -288,6 +287,7 @@ struct CannedCycleResolve {
     if (!in.has(address)) return 1;
     const std::string_view letter = RootWords::letters.substr(address, 1);
     const ig_field field = words(now)[address];
+    if (in.has(Address::K) && in.has(Address::L)) b.report(diag("ISO-0315"), ig::Where::word(words(now)[Address::L]));
     const double k = in.get_or(address, 1);  // a count: RepeatCount keeps units and increments away from it
     if (!(k >= 0) || k != std::floor(k)) {
       b.report(diag("ISO-0313"), ig::Where::word(field), letter, k);

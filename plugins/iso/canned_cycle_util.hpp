@@ -10,6 +10,7 @@
 #include <initializer_list>
 #include <optional>
 
+#include "cycle_codes.hpp"
 #include "diagnostics.hpp"
 #include "feed_util.hpp"
 #include "plane_util.hpp"
@@ -36,6 +37,9 @@ struct CycleWords {
 
 /// No block repeats a cycle more often.
 inline constexpr int most_repeats = 10'000;
+
+/// Most steps that one block may write; the engine takes no more.
+inline constexpr std::int64_t most_steps = 100'000;
 
 /// R and Z of a cycle, given or kept from before, on their way to positions of the tool axis.
 struct CycleLevels {
@@ -187,21 +191,6 @@ class CannedCycle {
   PlaneInForce plane_;
   PolarRepeatsInForce polar_repeats_;
   LastProgramXyz last_;
-};
-
-/// A member of each cycle that starts the spindle again: from here on it turns the way the cycle said, and a later S
-/// changes its speed, not its direction. Fanuc: clockwise, whatever it did before.
-class SpindleRestart {
- public:
-  void clockwise(ig::Block& b, const ig::Where& where, ig::Symbol code) const {
-    if (!b.has(direction_) || b.is(direction_, cw_)) return;
-    if (b.is(direction_, ccw_)) b.report(diag("ISO-0336"), where, b.text(code));
-    if (!b.is_fresh(direction_)) b.amend(direction_, static_cast<ig::Symbol>(cw_));
-  }
-
- private:
-  ig::Out<ig::Symbol> direction_{"SpindleSpeed.Direction"};
-  ig::Name cw_{"CW"}, ccw_{"CCW"};
 };
 
 /// P of a cycle: seconds or milliseconds, as the control has it.

@@ -70,10 +70,7 @@ struct CircularMotion {
     Point2 start() const { return {from[plane.first], from[plane.second]}; }
     Point2 end() const { return {to[plane.first], to[plane.second]}; }
     double rise() const { return to[plane.tool] - from[plane.tool]; }
-    double length() const {
-      const ig::Vec3 way = to - from;
-      return std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
-    }
+    double length() const { return iso::length(to - from); }
   };
 
   /// R, and the centre words of the plane; the third one has no meaning and is left to be reported.

@@ -22,6 +22,13 @@ class CycleSpindle {
     b.amend(direction_, name(last));
   }
 
+  /// The same for a cycle that stops the spindle and starts it clockwise, whatever it did before; `code` is the
+  /// cycle's.
+  void begin_clockwise(ig::Block& b, const ig::CompoundMotion& motion, const ig::Where& where, ig::Symbol code) const {
+    if (b.is(direction_, ccw_)) b.report(diag("ISO-0336"), where, b.text(code));
+    begin(b, motion, ig::Spindle::cw);
+  }
+
   /// How the spindle turns when the cycle begins; empty when nothing was ever said.
   std::optional<ig::Symbol> direction(const ig::Block& b) const { return b.get(direction_); }
   ig::Symbol name(ig::Spindle direction) const {
@@ -32,9 +39,6 @@ class CycleSpindle {
   ig::Out<ig::Symbol> direction_{"SpindleSpeed.Direction"};
   ig::Name cw_{"CW"}, ccw_{"CCW"}, stop_{"STOP"};
 };
-
-/// Most steps that one block may write; the engine takes no more.
-inline constexpr std::int64_t most_steps = 100'000;
 
 /// Fewer holes where the steps of all would be too many; says so. Counts one step for an M code of the block.
 inline void limit_steps(ig::Block& b, CycleRun& run, std::int64_t steps_per_hole) {

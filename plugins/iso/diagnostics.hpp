@@ -197,6 +197,9 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_ERROR, "ISO-0314", "{0}{1}: more holes than a block may drill; {2} are drilled",
                    "The option max-repeats of CannedCycleResolveSyntax bounds what one block can do.",
                    "G91 G81 X0.1 Z-5. R-2. K99999"),
+    ig::diagnostic(IG_WARNING, "ISO-0315", "K and L in one block: K counts the holes",
+                   "Both are repeats of a canned cycle, of different controls. Remove one of them.",
+                   "G91 G81 X10. Z-5. R-2. K2 L3 F100"),
     ig::diagnostic(IG_ERROR, "ISO-0320", "an arc without a centre: it needs I, J, K or R in its own block",
                    "The control stops with an alarm (Fanuc parameter 3403 bit 5). The tool goes straight to the end of "
                    "the arc here.",
@@ -435,6 +438,10 @@ inline constexpr std::array diagnostics{
         "The control keeps the revolutions that it reached under G96, which are not computed here. Program S "
         "with G97.",
         "G96 S200 (then) G97"),
+    ig::diagnostic(IG_WARNING, "ISO-0397", "{0}: {1}{2} names an axis; nothing moves",
+                   "Beside G05.1 an axis word says which axes are smoothed, and its value is 0. A move stands in a "
+                   "block of its own.",
+                   "G05.1 Q1 X10."),
 };
 
 /// The index of a code in the table; an unknown code does not compile.

@@ -1,5 +1,6 @@
 /// F and G93/G94/G95: the feed in force and what it counts. F and its mode are modal; under G93, where F is the inverse
 /// of the block's own time, F holds for its block only.
+#include "cycle_codes.hpp"
 #include "feed_util.hpp"
 #include "modal_group.hpp"
 
@@ -21,7 +22,7 @@ struct Feedrate {
   ig::Choice<ModeChange> mode_change_{"mode-change", "keep|require-f", "keep",
                                       "What G94 and G95 do with the number of the other one."};
   ig::Name g93_{"G93"};
-  ig::Call cycles_{{"G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89"}, "F", ig::read};
+  ig::Call cycles_{cycle_codes, "F", ig::read};
 
   ig::Status build(ig::Block& b) {
     const auto f = b.take(f_);

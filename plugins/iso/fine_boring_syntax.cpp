@@ -30,7 +30,7 @@ struct FineBoring {
     const double dwell = dwell_at_ == Dwell::bottom ? dwell_.seconds(*run) : 0;
     const ToolShift::Shift shift = shift_.of(b, *run);
     const ig::CompoundMotion& motion = cycle_.motion;
-    spindle_.begin(b, motion, ig::Spindle::cw);
+    spindle_.begin_clockwise(b, motion, cycle_.where(*run), run->code);
 
     const auto move_aside = [&](const ig::Vec3& to) {
       shift.is_feed ? motion.feed_to(b, to, feed) : motion.rapid_to(b, to);

@@ -2,6 +2,7 @@
 /// or with its canned cycle.
 #pragma once
 
+#include "cycle_codes.hpp"
 #include "diagnostics.hpp"
 #include "repeat_count.hpp"
 
@@ -40,9 +41,7 @@ class GeometryWords {
   }
 
  private:
-  ig::Call cycles_{{"G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89"},
-                   "X Y Z R",
-                   ig::read | ig::write};
+  ig::Call cycles_{cycle_codes, "X Y Z R", ig::read | ig::write};
   ig::Xyz axes_{"Parsing", ig::read | ig::write};
   ig::Word r_{"Parsing.R", ig::read | ig::write};
   std::array<ig_field, 3> centers_{ig::Word("Parsing.I", ig::read | ig::write).id(),

@@ -4,6 +4,7 @@
 /// Until an axis of the plane is programmed under G90, the control turns increments about the place where the tool
 /// stands. A rotation that moves the centre to the tool, and leaves the tool's program point as it is, does just that:
 /// it is the frame in force until then where the dialect keeps the programmed numbers (unnamed-axis="programmed").
+#include "cycle_codes.hpp"
 #include "modal_group.hpp"
 #include "program_xyz_util.hpp"
 #include "scale_and_mirror.hpp"
@@ -32,9 +33,7 @@ struct IsoG68Rotation {
   ig::Signal about_tool_{"TiltTransform.~AboutTool", ig::read | ig::write | ig::wake_while, ig::Life::modal};
 
   ig::Xyz words_{"Parsing", ig::read | ig::write};
-  ig::Call positions_{{"G28", "G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89"},
-                      "X Y Z",
-                      ig::read | ig::write};
+  ig::Call positions_{and_cycle_codes({"G28"}), "X Y Z", ig::read | ig::write};
   ig::Codes machine_select_{{"G53"}, ig::read};
   ig::Codes changes_{{"G54", "G55", "G56", "G57", "G58", "G59"}, ig::read | ig::wake};
   ig::Call changes_with_words_{{"G27", "G28", "G29", "G30", "G52", "G54.1", "G92", "G92.1"}, "", ig::read | ig::wake};

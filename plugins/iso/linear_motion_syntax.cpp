@@ -37,14 +37,8 @@ struct LinearMotion {
     if (code == MotionGroup::g00)
       motion_.rapid(b);
     else
-      motion_.feed(b, [&] { return length(b); });
+      motion_.feed(b, [&] { return length(b.get(program_).or_else({}) - last_(b)); });
     return ig::Status::changed;
-  }
-
- private:
-  double length(ig::Block& b) const {
-    const ig::Vec3 way = b.get(program_).or_else({}) - last_(b);
-    return std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
   }
 };
 

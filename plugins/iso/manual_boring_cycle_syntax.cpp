@@ -2,7 +2,7 @@
 ///
 /// Works on the call that CannedCycleResolveSyntax has resolved. What the operator does is a rapid to R, marked as
 /// manual. Every step is an item, also one of no length.
-#include "canned_cycle_util.hpp"
+#include "cycle_spindle.hpp"
 
 namespace iso {
 namespace {
@@ -14,7 +14,7 @@ struct ManualBoringCycle {
 
   CannedCycle cycle_{"G88"};
   CycleDwell dwell_;
-  SpindleRestart restart_;
+  CycleSpindle spindle_;
   ig::ManualMotion by_hand_;
   ig::Previous<ig::Symbol> term_before_{"CannedCycle.Term"};
 
@@ -25,6 +25,7 @@ struct ManualBoringCycle {
     const double dwell = dwell_.seconds(*run);
     const ig::CompoundMotion& motion = cycle_.motion;
     if (!b.is(term_before_, run->code)) b.report(diag("ISO-0335"), cycle_.where(*run));
+    spindle_.begin_clockwise(b, motion, cycle_.where(*run), run->code);
 
     for (int i = 0; i < run->count; ++i) {
       const CycleHole hole = run->hole(i);
@@ -37,7 +38,6 @@ struct ManualBoringCycle {
       motion.spindle(b, ig::Spindle::cw);
       if (run->returns_to_initial) motion.rapid_to(b, hole.at(run->return_level));
     }
-    restart_.clockwise(b, cycle_.where(*run), run->code);
     cycle_.end(b, *run);
     return ig::Status::changed;
   }

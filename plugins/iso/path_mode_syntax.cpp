@@ -12,10 +12,11 @@ struct PathMode {
 
   ig::Codes modes_{"G61", "G61.1", "G62", "G63", "G64"};
   ig::Codes once_{"G09"};
-  ig::Call tolerance_words_{{"G64"}, "P[mm] Q"};
+  ig::Call tolerance_words_{{"G64"}, "P[mm] Q[mm]"};
   ig::Out<ig::Symbol> term_{"PathMode.Term"};
   ig::Out<ig::Symbol> mode_{"PathMode.Mode"};
   ig::Out<double> tolerance_{"PathMode.Tolerance_mm"};
+  ig::Out<double> naive_tolerance_{"PathMode.NaiveTolerance_mm"};
   ig::Out<bool> exact_stop_{"PathMode.IsExactStop"};
   std::array<ig::Name, 5> names_{ig::Name{"ExactStop"}, ig::Name{"ExactStop"}, ig::Name{"CornerOverride"},
                                  ig::Name{"Tapping"}, ig::Name{"Cutting"}};
@@ -28,8 +29,12 @@ struct PathMode {
       b.set(term_, modes_.name(*mode));
       b.set(mode_, names_[*mode]);
       b.erase(tolerance_);
+      b.erase(naive_tolerance_);
     }
-    if (const auto words = b.take(tolerance_words_); words && mode && (*words)['P']) b.set(tolerance_, *(*words)['P']);
+    if (const auto words = b.take(tolerance_words_)) {
+      if (const auto p = (*words)['P']) b.set(tolerance_, *p);
+      if (const auto q = (*words)['Q']) b.set(naive_tolerance_, *q);
+    }
     return once || mode ? ig::Status::changed : ig::Status::unchanged;
   }
 };

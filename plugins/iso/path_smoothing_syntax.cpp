@@ -22,6 +22,7 @@ struct PathSmoothing {
     if (const auto words = b.take(contour_)) {
       const auto q = (*words)['Q'];
       any = true;
+      report_moves(b, *words);
       if (!q || !(*q >= 0 && *q <= 3))
         refuse(b, contour_, "Q", q);
       else
@@ -52,6 +53,13 @@ struct PathSmoothing {
     b.set(term_, code);
     b.erase(level_);
     if (level) b.set(level_, *level);
+  }
+  /// The words name axes, and manuals write them with 0: another value looks like a move.
+  void report_moves(ig::Block& b, const ig::Words& words) const {
+    for (const char axis : std::string_view("XYZABC"))
+      if (const auto value = words[axis]; value && *value != 0)
+        b.report(diag("ISO-0397"), ig::Where::word(contour_.word(0, axis)), b.text(words.code),
+                 std::string_view(&axis, 1), *value);
   }
   static void refuse(ig::Block& b, const ig::Call& call, std::string_view address, std::optional<double> value) {
     const auto where = ig::Where::word(call.code(0));

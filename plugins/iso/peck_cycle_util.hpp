@@ -65,9 +65,8 @@ class PeckCycle {
 
   /// Of one hole. A peck is three steps, a hole four more, and the steps of a block must fit into its list.
   double most_pecks(int holes) const {
-    constexpr double most_steps = 100'000;
     const auto allowed = static_cast<double>(static_cast<std::int64_t>(max_pecks_));
-    return std::min(allowed, std::floor((most_steps / holes - 4) / 3));
+    return std::min(allowed, std::floor((static_cast<double>(most_steps) / holes - 4) / 3));
   }
 
   ig::Config config_;

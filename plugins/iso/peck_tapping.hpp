@@ -1,8 +1,7 @@
 /// The cuts of peck tapping: how deep each goes, and where the tap is withdrawn to after it.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include "canned_cycle_util.hpp"
 
 namespace iso {
 
@@ -20,21 +19,20 @@ struct PeckTapping {
   PeckTapping() = default;
   /// One cut.
   PeckTapping(double r, double to) : r_level(r), bottom(to) {}
-  /// Cuts of `q`, of which the sign says nothing; 0: one cut. A rest below a millionth of a cut is none.
+  /// Cuts of `q`, of which the sign says nothing; 0: one cut. A rest that is only rounding is none.
   PeckTapping(double r, double to, double q, double withdraw, int most)
       : r_level(r), bottom(to), step(std::fabs(q)), retract(withdraw) {
-    const double cuts = step > 0 ? std::ceil(std::fabs(bottom - r_level) / step - 1e-6) : 1;
+    const double cuts = step > 0 ? strokes().number() : 1;
     is_cut_short = !(cuts <= most);
-    count = is_cut_short ? most : std::max(1, static_cast<int>(cuts));
+    count = is_cut_short ? most : static_cast<int>(cuts);
   }
 
-  /// After cut k, from 1; computed anew for each, so that errors do not add up.
-  double depth(int k) const { return k >= count ? bottom : r_level + into() * step * k; }
+  double depth(int k) const { return strokes().level(k, count); }
   /// Above it by the retract.
-  double clearance(int k) const { return depth(k) - into() * retract; }
+  double clearance(int k) const { return strokes().above(depth(k), retract); }
 
  private:
-  double into() const { return bottom < r_level ? -1 : 1; }
+  PeckStrokes strokes() const { return {r_level, bottom, step}; }
 };
 
 }  // namespace iso

@@ -31,8 +31,7 @@ struct PolarCoordinate {
   ig::In<ig::Symbol> system_{"Unit.System"};
   ig::Name inch_{"Inch"};
   GeometryWords words_;
-  ig::Call repeated_{
-      {"G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89"}, "K[1] L[1]", ig::read};
+  ig::Call repeated_{cycle_codes, "K[1] L[1]", ig::read};
   ig::Word l_{"Parsing.L", ig::read, ""};
   PlaneInForce plane_;
   DistanceMode distance_;

@@ -16,6 +16,8 @@ inline double rounded(double mm) {
 }
 inline ig::Vec3 rounded(const ig::Vec3& p) { return {rounded(p.x), rounded(p.y), rounded(p.z)}; }
 
+inline double length(const ig::Vec3& way) { return std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z); }
+
 /// The program point at which the block begins. There are two ways back from where the tool stands: through the frame
 /// of *this* block when the frame changed under a resting spindle (G55, G43, G68), and through the frame of the block
 /// that carries the point, which is the program point as it was carried, when the tip rests in the workpiece.

@@ -23,14 +23,9 @@ struct SkipFunction {
     if (!b.take(g31_)) return ig::Status::unchanged;
     if (!b.is_raised(said_)) b.report(diag("ISO-0390"), ig::Where::word(g31_.code(0)));
     b.raise(said_);
-    if (b.is_fresh(machine_) && !motion_.is_moving(b)) motion_.feed(b, [&] { return length(b); });
+    if (b.is_fresh(machine_) && !motion_.is_moving(b))
+      motion_.feed(b, [&] { return length(b.get(program_).or_else({}) - last_(b)); });
     return ig::Status::changed;
-  }
-
- private:
-  double length(ig::Block& b) const {
-    const ig::Vec3 way = b.get(program_).or_else({}) - last_(b);
-    return std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
   }
 };
 

@@ -14,7 +14,7 @@ struct SpindleSpeed {
   ig::Word s_{"Parsing.S"};
   ig::Codes directions_{"M03", "M04", "M05"};
   ig::Codes modes_{"G96", "G97"};
-  ig::Call surface_words_{{"G96"}, "S[] P[]"};
+  ig::Call surface_words_{{"G96"}, "S[]"};
   ig::Out<double> speed_{"SpindleSpeed.SpindleSpeed_rpm"};
   ig::Out<ig::Symbol> direction_{"SpindleSpeed.Direction"};
   ig::Out<ig::Symbol> term_{"SpindleSpeed.Term"};

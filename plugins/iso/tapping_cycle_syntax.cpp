@@ -37,11 +37,10 @@ struct TappingCycle {
   ig::Config config_{"isogloss.canned-cycle/1", ig::Need::optional, "The machine's tapping parameters."};
 
   ig::In<ig::Symbol> rigid_mode_{"RigidTapping.Term"};
-  ig::In<ig::Symbol> return_mode_{"CannedCycle.ReturnMode"};
   ig::In<double> kept_q_{"CannedCycle.Params.Q"};
   ig::In<double> speed_{"SpindleSpeed.SpindleSpeed_rpm"};
   ig::Signal q_of_another_use_{"CannedCycle.~QOfAnotherUse", ig::read};
-  ig::Name g84_{"G84"}, g99_{"G99"};
+  ig::Name g84_{"G84"};
 
   ig::Status build(ig::Block& b) {
     auto run = cycle_.take(b);
@@ -106,7 +105,7 @@ struct TappingCycle {
     tap.r_level = run.r_level;
     tap.return_level = run.return_level;
     tap.out_level = retract_ == Retract::feed_to_r ? run.r_level : run.return_level;
-    tap.returns_by_rapid = retract_ == Retract::feed_to_r && !b.is(return_mode_, g99_);
+    tap.returns_by_rapid = retract_ == Retract::feed_to_r && run.returns_to_initial;
     tap.feed = cycle_.stroke_feed(b, std::fabs(run.r_level - run.bottom));
     tap.feed_out = tap.rigid ? tap.feed * extraction_override() / 100 : tap.feed;
     const double dwell = dwell_.seconds(run);

@@ -1,6 +1,7 @@
 /// G43/G44/G49 and H: the length of the tool lies between the programmed point and the machine coordinates. G43 adds
 /// the length of row H (geometry and wear) along the tool axis, G44 subtracts it, G49 and H0 end it. H is modal: a new
 /// H under G43 is a new length.
+#include "cycle_codes.hpp"
 #include "diagnostics.hpp"
 #include "program_xyz_util.hpp"
 #include "whole_number.hpp"
@@ -33,9 +34,7 @@ struct ToolHeightOffset {
                                  ig::read | ig::write | ig::wake_while,
                                  {ig::Life::modal, "mm", "Change of the length that the next Z under G91 travels."}};
   ig::Word z_{"Parsing.Z", ig::read | ig::write};
-  ig::Call other_z_{{"G28", "G30", "G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89"},
-                    "Z",
-                    ig::read};
+  ig::Call other_z_{and_cycle_codes({"G28", "G30"}), "Z", ig::read};
   ig::Codes machine_select_{{"G53"}, ig::read};
   DistanceMode distance_;
   ig::Name g43_{"G43"}, g44_{"G44"}, g49_{"G49"}, g68_{"G68"};

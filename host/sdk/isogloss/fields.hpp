@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "isogloss/declare.hpp"
 
@@ -131,8 +132,8 @@ class Codes {
 class Call {
  public:
   Call(std::initializer_list<std::string_view> codes, std::string_view words, Access access = take | wake)
-      : Call(std::vector<std::string_view>(codes), words, access) {}
-  Call(const std::vector<std::string_view>& codes, std::string_view words, Access access = take | wake) {
+      : Call(std::span(codes.begin(), codes.size()), words, access) {}
+  Call(std::span<const std::string_view> codes, std::string_view words, Access access = take | wake) {
     for (const std::string_view code : codes) {
       names_.push_back(detail::symbol(code));
       codes_.push_back(detail::declare_field({"Parsing." + std::string(code), IG_CODE, access}));

@@ -87,7 +87,7 @@ class Chain {
 
   // What syntaxes asked for in this block.
   bool ends_program = false, ends_file = false, alarmed = false, skip_rest = false;
-  bool failure_said = false;  ///< by the syntax that runs; one that fails without a word is reported for it
+  std::uint16_t failure_said_by = 0;  ///< chain position + 1; a syntax that fails without a word is reported for it
   std::size_t split_at = 0;
   std::uint64_t builds = 0;  ///< builds called so far
 

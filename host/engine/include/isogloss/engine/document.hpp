@@ -163,6 +163,7 @@ class Document {
   void set_triple(ig_field f, const ig_value* v) {
     write_triple(f, v);
     bits_[f >> 6].fresh |= std::uint64_t{7} << (f & 63);
+    codes_seen += static_cast<std::uint32_t>((bits_[f >> 6].codes >> (f & 63) & 7u) != 0);
     if (wake_words_ == 1)
       active[0] |= wake_[f] | wake_[f + 1] | wake_[f + 2];
     else

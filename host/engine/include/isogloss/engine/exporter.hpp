@@ -8,7 +8,9 @@
 
 namespace isogloss {
 
-/// Bytes out, through one buffer. Not copyable; flushes when told, not when destroyed.
+/// Bytes out, through one buffer. Not copyable; flushes when told, not when destroyed. The exporter of motions calls
+/// write() from a thread of its own, one call at a time; none is under way after Exporter::end(). What it throws there
+/// comes out of end().
 class Output {
  public:
   virtual ~Output() = default;
