@@ -264,6 +264,8 @@ struct ig_link_api {
   ig_text (*row_name)(const ig_table*, uint32_t row);
   /* Says why create() returns IG_FAILED. */
   void (*fail)(ig_link*, ig_text reason);
+  /* The syntax that is being created has nothing to do in this chain: its build() is not called. */
+  void (*idle)(ig_link*);
 };
 
 /* ---- While a block is built --------------------------------------------------------------------------------- */
@@ -385,6 +387,10 @@ struct ig_host {
 
   /* A bit for each field that is fresh; count <= 32. */
   uint32_t (*fresh_many)(const ig_block*, const ig_field* fields, uint32_t count);
+
+  /* An entry of the frame that moves with the axes during the block (Kind Dynamic), as it is at the block's end. The
+   * tool tip moves along: frame_changed() stays as it was. */
+  void (*set_moving_transform)(ig_block*, ig_field, const double matrix[16]);
 };
 
 /* ---- Standard services -------------------------------------------------------------------------------------- */
@@ -417,7 +423,34 @@ typedef struct ig_machine_axis_1 {
   int32_t (*reference)(void* self, char axis, uint32_t which, double* position);
   int32_t (*travel)(void* self, char axis, double* minimum, double* maximum);
   int32_t (*rapid_rate)(void* self, char axis, double* per_second);
+  /* How a rotary axis goes to a position: 0 it counts on beyond 360; 1 the shortest way to that position of the circle;
+   * 2 to the position that the value without its sign names, in the direction of the sign. */
+  int32_t (*rollover)(void* self, char axis, uint32_t* mode);
 } ig_machine_axis_1;
+
+/* isogloss.machine-kinematics/1: the rotary axes of the machine. angles: of A, B and C in degrees as the machine counts
+ * them; those of axes that it has not are not looked at. Points and lengths in mm, machine coordinates with all rotary
+ * axes at zero. A function returns 0 where there is no answer. */
+typedef struct ig_rotary_solution {
+  double angles[3]; /* -180 < angle <= 180; limits of the axes are not looked at */
+  uint32_t free;    /* a bit for each of A, B, C that the direction leaves undetermined: it has its present angle */
+  uint32_t reserved;
+} ig_rotary_solution;
+
+typedef struct ig_machine_kinematics_1 {
+  uint32_t struct_size;
+  uint32_t reserved;
+  void* self;
+  /* How many rotary axes there are, 1 or 2, and their names: the one nearer the machine's base first. */
+  uint32_t (*axes)(void* self, char names[2]);
+  /* The unit vector from the tip of the tool to its holder, as the workpiece sees it. */
+  int32_t (*tool_axis)(void* self, const double angles[3], double direction[3]);
+  /* The entry PivotTransform of the frame: from the point p + L t, tip p and tool length L along the tool axis t, to X Y
+   * Z of the machine. Identity where all angles are 0. */
+  int32_t (*pivot)(void* self, const double angles[3], double matrix[16]);
+  /* The 0, 1 or 2 pairs of angles that give the tool this direction, whatever its length is. */
+  uint32_t (*solve)(void* self, const double direction[3], const double present[3], ig_rotary_solution out[2]);
+} ig_machine_kinematics_1;
 
 /* Answers one number by name: isogloss.canned-cycle/1 (PeckRetractionDistance_mm, HighSpeedPeckRetraction_mm,
  * BoringReturnOverride_percent, ShiftDirectionX and so for Y and Z, RigidTapping, TappingSpindleStop, PeckTappingToR,

@@ -131,6 +131,7 @@ AT(ig_link_api, text_value, 104);
 AT(ig_link_api, row_count, 112);
 AT(ig_link_api, row_name, 120);
 AT(ig_link_api, fail, 128);
+AT(ig_link_api, idle, 136);
 
 FROZEN(ig_word, 24);
 AT(ig_word, field, 0);
@@ -192,6 +193,7 @@ AT(ig_host, fault, 272);
 AT(ig_host, flow, 280);
 AT(ig_host, ahead, 288);
 AT(ig_host, fresh_many, 296);
+AT(ig_host, set_moving_transform, 304);
 
 GROWS_FROM(ig_work_offset_1, 32);
 AT(ig_work_offset_1, reserved, 4);

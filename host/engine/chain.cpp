@@ -86,7 +86,7 @@ void Chain::create_dependencies() {
   dependencies_.resize(linked_.dependencies.size());
   for (std::size_t i = 0; i < dependencies_.size(); ++i) {
     const LinkedDependency& d = linked_.dependencies[i];
-    ig_link link{this, &dependency_options_[i], nullptr, tables_[i].get(), {}};
+    ig_link link{this, &dependency_options_[i], nullptr, tables_[i].get(), {}, false};
     if (d.dependency->create(&link_api(), &link, nullptr, &dependencies_[i]) == IG_FAILED) {
       dependencies_[i] = nullptr;
       sink_.add(host_diagnostic("IG-0308", d.element.where, {d.element.alias, link.failure}));
@@ -171,15 +171,16 @@ void Chain::create_syntaxes() {
   steps_.resize(linked_.chain.size());
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const LinkedSyntax& s = linked_.chain[i];
-    ig_link link{this, &s.options, &s, nullptr, {}};
+    ig_link link{this, &s.options, &s, nullptr, {}, false};
     if (s.syntax->create(&link_api(), &link, s.ids.data(), &steps_[i].self) == IG_FAILED) {
       steps_[i].self = nullptr;
       sink_.add(host_diagnostic("IG-0308", s.element.where, {s.element.alias, link.failure}));
       throw std::runtime_error(s.element.alias + " could not be created");
     }
-    steps_[i].build = s.syntax->build;
+    steps_[i].build = link.is_idle ? nullptr : s.syntax->build;
+    if (link.is_idle) document_.silence(static_cast<std::uint32_t>(i));
     steps_[i].scan = s.syntax->scan;
-    if (s.syntax->inspects != 0) inspectors_[i / 64] |= std::uint64_t{1} << (i % 64);
+    if (s.syntax->inspects != 0 && !link.is_idle) inspectors_[i / 64] |= std::uint64_t{1} << (i % 64);
     if (s.syntax->scan != nullptr && s.syntax->triggers != nullptr)
       for (const char* c = s.syntax->triggers; *c != '\0'; ++c)
         scanners_[static_cast<unsigned char>(*c)].push_back(static_cast<std::uint16_t>(i));
@@ -190,6 +191,7 @@ void Chain::watch_modal_state() {
   std::vector<WakeWhile> all = linked_.wake_while;
   std::stable_sort(all.begin(), all.end(), [](const WakeWhile& a, const WakeWhile& b) { return a.field < b.field; });
   for (const WakeWhile& w : all) {
+    if (steps_[w.position].build == nullptr) continue;
     if (watches_.empty() || watches_.back().word != w.field >> 6) watches_.push_back({w.field >> 6, 0, {}, {}});
     Watch& watch = watches_.back();
     watch.bits |= std::uint64_t{1} << (w.field & 63);

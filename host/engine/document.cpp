@@ -178,7 +178,9 @@ void Document::begin(const BlockSource& where) {
   arena_.clear();
   source = where;
   codes_seen = 0;
-  frame_changed = false;
+  if (frame_moved)
+    for (Frame& f : frames_) f.is_moving = false;
+  frame_changed = frame_moved = false;
   for (std::uint64_t& mask : active) mask = 0;
 }
 
@@ -229,7 +231,16 @@ void Document::set_frame(ig_field f, const Frame& frame) {
   slot = frame;
   set(f, state_[f].value);
   if (same) return;
-  frame_changed = true;
+  frame_changed = frame_moved = true;
+  composed_valid_ = false;
+}
+
+void Document::move_frame(ig_field f, const Frame& frame) {
+  Frame& slot = frames_[static_cast<std::size_t>(state_[f].value.integer)];
+  slot = frame;
+  slot.is_moving = true;
+  set(f, state_[f].value);
+  frame_moved = true;
   composed_valid_ = false;
 }
 

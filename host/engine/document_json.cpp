@@ -245,7 +245,11 @@ class Loader {
         throw std::runtime_error(path + ": a list of 16 numbers is expected");
       double m[16];
       for (std::size_t i = 0; i < 16; ++i) m[i] = read_value((*matrix)[i], IG_NUMBER, path, symbols_).number;
-      d_.set_frame(f, Frame::from(m));
+      const auto kind = entry.find("Kind");
+      if (kind != entry.end() && *kind == "Dynamic")
+        d_.move_frame(f, Frame::from(m));
+      else
+        d_.set_frame(f, Frame::from(m));
     }
     return rest;
   }

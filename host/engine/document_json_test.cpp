@@ -56,6 +56,7 @@ TEST_CASE("what is loaded is shown again") {
           R"({"CannedCycle":{"Term":"T","ReturnMode":"R","Params":{"X":50,"Z":-10.125}}})",
           R"({"MotionEvent":{"Form":"McArc","ArcCenter":{"X":1,"Y":2,"Z":3},"IsCcw":false,"AdditionalCircleNum":0}})",
           R"({"ProgramToMcTransform":[{"Source":"Tilt","Kind":"Static","Mat4d":[0,1,0,0,-1,0,0,0,0,0,1,0,0,0,0.5,1]}]})",
+          R"({"ProgramToMcTransform":[{"Source":"Tilt","Kind":"Dynamic","Mat4d":[0,1,0,0,-1,0,0,0,0,0,1,0,0,0,0,1]}]})",
           R"({"CompoundMotion":{"Term":"T","Items":[
                {"ProgramXyz":{"X":50,"Y":30,"Z":0},"MotionEvent":{"Form":"McLinear","IsRapid":true}},
                {"Dwell":{"Time":0.5}},

@@ -199,7 +199,7 @@ class DocumentView {
         if (!holds(f)) continue;
         sink.begin_record();
         sink.text("Source", std::string_view(d.layout().fields[f].path).substr(node.name.size() + 1));
-        sink.text("Kind", "Static");
+        sink.text("Kind", d.is_moving_frame(f) ? "Dynamic" : "Static");
         sink.begin_list("Mat4d");
         for (const double element : d.frame(f).matrix) sink.item(element);
         sink.end_list();

@@ -291,6 +291,16 @@ void set_transform(ig_block* block, ig_field f, const double matrix[16]) {
 }
 
 template <Mode M>
+void set_moving_transform(ig_block* block, ig_field f, const double matrix[16]) {
+  Document& d = doc(block);
+  if (!is_transform<M>(d, f, Use::write)) return;
+  double m[16];
+  std::memcpy(m, matrix, sizeof m);
+  d.move_frame(f, Frame::from(m));
+  note_line<M>(d, f);
+}
+
+template <Mode M>
 void set_translation(ig_block* block, ig_field f, const double offset[3]) {
   const double m[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, offset[0], offset[1], offset[2], 1};
   set_transform<M>(block, f, m);
@@ -520,7 +530,8 @@ constexpr ig_host table() {
           .fault = fault,
           .flow = flow,
           .ahead = ahead,
-          .fresh_many = fresh_many<M>};
+          .fresh_many = fresh_many<M>,
+          .set_moving_transform = set_moving_transform<M>};
 }
 
 constexpr ig_host fast_table = table<Mode::fast>();

@@ -22,4 +22,5 @@ struct ig_link {
   const isogloss::LinkedSyntax* syntax = nullptr;  // null for a dependency
   isogloss::DependencyTable* table = nullptr;      // null for a syntax
   std::string failure;
+  bool is_idle = false;
 };

@@ -60,6 +60,8 @@ ig_text row_name(const ig_table* t, std::uint32_t row) {
   return row < rows(t).rows().size() ? view(rows(t).rows()[row]) : ig_text{nullptr, 0};
 }
 
+void idle(ig_link* link) { link->is_idle = true; }
+
 void fail(ig_link* link, ig_text reason) { link->failure.assign(reason.data, reason.size); }
 
 }  // namespace
@@ -82,7 +84,8 @@ const ig_link_api& link_api() {
                                    .text_value = text_value,
                                    .row_count = row_count,
                                    .row_name = row_name,
-                                   .fail = fail};
+                                   .fail = fail,
+                                   .idle = idle};
   return api;
 }
 

@@ -69,7 +69,7 @@ class MotionReader {
   /// move(Move), stop(term), end(term).
   template <class Events>
   void read(Document& d, const SymbolTable& symbols, Events& events) {
-    if (d.frame_changed) is_in_frame_ = false;
+    if (d.frame_moved) is_in_frame_ = false;
     const bool has_others = any_fresh(d);
     if (has_others) before_motion(d, symbols, events);
     if (d.fresh(root_.form)) {

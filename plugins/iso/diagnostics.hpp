@@ -444,11 +444,15 @@ inline constexpr std::array diagnostics{
                    "G05.1 Q1 X10."),
 };
 
-/// The index of a code in the table; an unknown code does not compile.
-consteval std::uint32_t diag(std::string_view code) {
-  for (std::size_t i = 0; i < diagnostics.size(); ++i)
-    if (code == diagnostics[i].code) return static_cast<std::uint32_t>(i);
+/// The index of a code in one part of the plugin's table, which begins at `first`; an unknown code does not compile.
+template <std::size_t Size>
+consteval std::uint32_t index_of(const std::array<ig_diagnostic_decl, Size>& part, std::string_view code,
+                                 std::size_t first) {
+  for (std::size_t i = 0; i < Size; ++i)
+    if (code == part[i].code) return static_cast<std::uint32_t>(first + i);
   throw "no such diagnostic";
 }
+
+consteval std::uint32_t diag(std::string_view code) { return index_of(diagnostics, code, 0); }
 
 }  // namespace iso

@@ -149,7 +149,14 @@ class Block {
     const double v[3] = {offset.x, offset.y, offset.z};
     host_->set_translation(block_, t.id(), v);
   }
-  /// True when an entry of the frame got another value in this block.
+  void set_transform(const Transform& t, const double (&matrix)[16]) {
+    host_->set_transform(block_, t.id(), matrix);
+  }
+  /// An entry that moves with the axes during the block, as it is at the block's end; the tool tip moves along.
+  void set_moving_transform(const Transform& t, const double (&matrix)[16]) {
+    host_->set_moving_transform(block_, t.id(), matrix);
+  }
+  /// True when an entry of the frame got another value in this block, under a resting tool.
   bool frame_changed() const { return host_->frame_changed(block_) != 0; }
   std::optional<Vec3> to_machine(const Vec3& program) { return map(IG_TO_MACHINE, program); }
   std::optional<Vec3> to_program(const Vec3& machine) { return map(IG_TO_PROGRAM, machine); }

@@ -161,6 +161,11 @@ class Config : public Service<ig_config_1> {
   }
 };
 
+/// For the constructor of a syntax, with what its options and services say: build() has nothing to do in this chain.
+inline void stay_idle() {
+  if (detail::binding != nullptr) detail::binding->api->idle(detail::binding->link);
+}
+
 /// What the user said on the command line for this run; empty when nothing.
 class Setting {
  public:

@@ -18,6 +18,7 @@ struct Frame {
   enum class Kind : std::uint8_t { identity, translation, general };
   Kind kind = Kind::identity;
   double matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  bool is_moving = false;  ///< in the block that set it last
 
   static Frame from(const double (&m)[16]);
   void map(const double (&in)[3], double (&out)[3]) const {
@@ -187,6 +188,11 @@ class Document {
     wake(f);
   }
   void rewrite(ig_field f, ig_value v);
+  /// No write wakes the syntax at this position of the chain any more.
+  void silence(std::uint32_t position) {
+    for (std::size_t i = position / 64; i < wake_.size(); i += wake_words_)
+      wake_[i] &= ~(std::uint64_t{1} << (position % 64));
+  }
   void move(ig_field from, ig_field to);
 
   /// Starts the next block: values from before it are put aside, modal fields are carried, the rest goes.
@@ -199,11 +205,18 @@ class Document {
                     std::string_view name);
 
   void set_frame(ig_field f, const Frame& frame);
+  /// An entry that moves with the axes in this block, as it is at the end of the block.
+  void move_frame(ig_field f, const Frame& frame);
   const Frame& frame(ig_field f) const { return frames_[static_cast<std::size_t>(state_[f].value.integer)]; }
   /// All entries composed in chain order.
   const Frame& composed();
   bool map_to_program(const double (&in)[3], double (&out)[3]);
-  bool frame_changed = false;
+  bool frame_changed = false;  ///< under a resting tool
+  bool frame_moved = false;    ///< in either way
+  /// Did it move with the axes in this block?
+  bool is_moving_frame(ig_field f) const {
+    return present(f) && frame(f).is_moving;
+  }
 
   std::vector<ListData> lists;
   std::vector<Leftover> leftovers;
