@@ -245,7 +245,8 @@ struct ig_link_api {
   double (*option_number)(ig_link*, uint32_t option);
   int64_t (*option_integer)(ig_link*, uint32_t option); /* IG_OPTION_CHOICE: index of the choice */
   ig_text (*option_text)(ig_link*, uint32_t option);
-  /* The fields that a pattern declaration stands for, in the order of the document. Alive as long as the chain. */
+  /* The fields that a pattern declaration stands for, in the order of the document. Alive as long as the chain, as
+   * the texts of field_path and field_unit are. */
   uint32_t (*expand)(ig_link*, uint32_t declaration, const ig_field** ids);
   ig_text (*field_path)(ig_link*, ig_field);
   ig_text (*field_unit)(ig_link*, ig_field);

@@ -2,9 +2,10 @@
 /// declare, and once for each instance under a Binding, which hands them their ids in the same order.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-#include <deque>
 #include <initializer_list>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,8 +37,8 @@ enum class Life : ig_life {
 /// What a vendor says of a field that the host's list of standard sections does not hold.
 struct About {
   Life life = Life::standard;
-  const char* unit = "";
-  const char* doc = "";
+  std::string_view unit = "";
+  std::string_view doc = "";
 };
 
 namespace detail {
@@ -49,10 +50,28 @@ class Recorder {
   std::vector<ig_service_decl> services;
   std::vector<ig_column_decl> columns;
 
-  const char* keep(std::string_view s) { return strings_.emplace_back(s).c_str(); }
+  /// The pieces joined to one text, which lives as long as the recorder.
+  template <std::size_t N>
+  const char* keep(const std::array<std::string_view, N>& pieces) {
+    std::size_t size = 0;
+    for (const std::string_view piece : pieces) size += piece.size();
+    if (size == 0) return "";
+    if (size >= left_) {
+      left_ = std::max(chunk_size, size + 1);
+      next_ = chunks_.emplace_back(std::make_unique<char[]>(left_)).get();
+    }
+    char* const text = next_;
+    for (const std::string_view piece : pieces) next_ = std::copy(piece.begin(), piece.end(), next_);
+    *next_++ = '\0';
+    left_ -= size + 1;
+    return text;
+  }
 
  private:
-  std::deque<std::string> strings_;
+  static constexpr std::size_t chunk_size = 1024;
+  std::vector<std::unique_ptr<char[]>> chunks_;
+  char* next_ = nullptr;
+  std::size_t left_ = 0;
 };
 
 struct Binding {
@@ -82,29 +101,41 @@ class Scope {
   T* old_;
 };
 
+/// A path in pieces: they are joined only where a descriptor is recorded.
+struct Path {
+  Path(std::string_view a, std::string_view b = {}, std::string_view c = {}, std::string_view d = {})
+      : pieces{a, b, c, d} {}
+  std::array<std::string_view, 4> pieces;
+};
+
 struct Declared {
-  std::string_view path;
+  Path path;
   ig_type type = IG_NUMBER;
   std::uint32_t access = 0;
   About about = {};
   const char* wake_value = nullptr;
 };
 
+inline void record_field(Recorder& to, const Declared& d) {
+  ig_field_decl out{};
+  out.struct_size = sizeof out;
+  out.access = d.access;
+  out.type = d.type;
+  out.life = static_cast<ig_life>(d.about.life);
+  out.path = to.keep(d.path.pieces);
+  out.unit = to.keep(std::array{d.about.unit});
+  out.doc = to.keep(std::array{d.about.doc});
+  out.wake_value = d.wake_value;
+  to.fields.push_back(out);
+}
+
 inline ig_field declare_field(const Declared& d) {
-  if (recorder != nullptr) {
-    ig_field_decl out{};
-    out.struct_size = sizeof out;
-    out.access = d.access;
-    out.type = d.type;
-    out.life = static_cast<ig_life>(d.about.life);
-    out.path = recorder->keep(d.path);
-    out.unit = recorder->keep(d.about.unit);
-    out.doc = recorder->keep(d.about.doc);
-    out.wake_value = d.wake_value;
-    recorder->fields.push_back(out);
+  if (Recorder* const to = recorder) {
+    record_field(*to, d);
     return IG_NO_FIELD;
   }
-  return binding != nullptr ? binding->ids[binding->field++] : IG_NO_FIELD;
+  Binding* const bound = binding;
+  return bound != nullptr ? bound->ids[bound->field++] : IG_NO_FIELD;
 }
 
 /// The number of the declaration just made, for expand().

@@ -95,11 +95,10 @@ class TextField {
 class Xyz {
  public:
   Xyz(std::string_view section, Access access, About about = {}) {
-    for (int axis = 0; axis < 3; ++axis)
-      ids_[static_cast<std::size_t>(axis)] =
-          detail::declare_field({std::string(section) + "." + "XYZ" [axis], IG_NUMBER, access, {
-                                   about.life, section == "Parsing" ? "mm" : about.unit, about.doc
-                                 }});
+    if (section == "Parsing") about.unit = "mm";
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      ids_[axis] =
+          detail::declare_field({{section, ".", std::string_view("XYZ").substr(axis, 1)}, IG_NUMBER, access, about});
   }
   const ig_field* ids() const { return ids_.data(); }
   ig_field id(std::size_t axis) const { return ids_[axis]; }
@@ -112,8 +111,10 @@ class Xyz {
 class Codes {
  public:
   Codes(std::initializer_list<std::string_view> codes, Access access = take | wake) {
+    ids_.reserve(codes.size());
+    names_.reserve(codes.size());
     for (const std::string_view code : codes) {
-      ids_.push_back(detail::declare_field({"Parsing.Flags." + std::string(code), IG_CODE, access}));
+      ids_.push_back(detail::declare_field({{"Parsing.Flags.", code}, IG_CODE, access}));
       names_.push_back(detail::symbol(code));
     }
   }
@@ -134,24 +135,20 @@ class Call {
   Call(std::initializer_list<std::string_view> codes, std::string_view words, Access access = take | wake)
       : Call(std::span(codes.begin(), codes.size()), words, access) {}
   Call(std::span<const std::string_view> codes, std::string_view words, Access access = take | wake) {
+    const std::vector<Owned> owned = parse(words);
+    for (const Owned& word : owned) letters_ += word.letter;
+    names_.reserve(codes.size());
+    codes_.reserve(codes.size());
+    words_.reserve(codes.size() * owned.size());
+    const std::uint32_t no_wake = access & ~static_cast<std::uint32_t>(wake);
     for (const std::string_view code : codes) {
       names_.push_back(detail::symbol(code));
-      codes_.push_back(detail::declare_field({"Parsing." + std::string(code), IG_CODE, access}));
-      letters_.clear();
-      for (std::size_t i = 0; i < words.size(); ++i) {
-        if (words[i] == ' ') continue;
-        const char letter = words[i];
-        std::string unit = detail::default_unit(letter);
-        if (i + 1 < words.size() && words[i + 1] == '[') {
-          const std::size_t close = words.find(']', i);
-          unit = words.substr(i + 2, close - i - 2);
-          i = close;
-        }
-        letters_.push_back(letter);
-        const std::uint32_t no_wake = access & ~static_cast<std::uint32_t>(wake);
-        words_.push_back(detail::declare_field(
-            {"Parsing." + std::string(code) + "." + letter, IG_NUMBER, no_wake, {Life::word, unit.c_str(), ""}}));
-      }
+      codes_.push_back(detail::declare_field({{"Parsing.", code}, IG_CODE, access}));
+      for (const Owned& word : owned)
+        words_.push_back(detail::declare_field({{"Parsing.", code, ".", std::string_view(&word.letter, 1)},
+                                                IG_NUMBER,
+                                                no_wake,
+                                                {Life::word, word.unit, ""}}));
     }
   }
   std::uint32_t code_count() const { return static_cast<std::uint32_t>(codes_.size()); }
@@ -167,6 +164,25 @@ class Call {
   }
 
  private:
+  struct Owned {
+    char letter;
+    std::string_view unit;
+  };
+  static std::vector<Owned> parse(std::string_view words) {
+    std::vector<Owned> owned;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      if (words[i] == ' ') continue;
+      Owned word{words[i], detail::default_unit(words[i])};
+      if (i + 1 < words.size() && words[i + 1] == '[') {
+        const std::size_t close = words.find(']', i);
+        word.unit = words.substr(i + 2, close - i - 2);
+        i = close;
+      }
+      owned.push_back(word);
+    }
+    return owned;
+  }
+
   std::vector<Symbol> names_;
   std::vector<ig_field> codes_;
   std::string letters_;
@@ -177,7 +193,7 @@ class Call {
 class Transform {
  public:
   explicit Transform(std::string_view source, Access access = write)
-      : id_(detail::declare_field({"ProgramToMcTransform." + std::string(source), IG_TRANSFORM, access})) {}
+      : id_(detail::declare_field({{"ProgramToMcTransform.", source}, IG_TRANSFORM, access})) {}
   ig_field id() const { return id_; }
 
  private:

@@ -7,6 +7,15 @@ namespace ig {
 
 enum class Spindle { cw, ccw, stop };
 
+namespace detail {
+
+/// A step's field, written.
+inline ig_field declare_item(std::string_view path, ig_type type) {
+  return declare_field({{"CompoundMotion.Items[].", path}, type, IG_WRITE});
+}
+
+}  // namespace detail
+
 /// CompoundMotion: the steps that one block makes. `end` is where the tool stands after them.
 class CompoundMotion {
  public:
@@ -45,10 +54,6 @@ class CompoundMotion {
   const Out<Symbol>& term() const { return term_; }
 
  private:
-  static constexpr const char* items = "CompoundMotion.Items[].";
-  static ig_field item(std::string_view path, ig_type type) {
-    return detail::declare_field({items + std::string(path), type, IG_WRITE});
-  }
   static ig_value symbol(Symbol s) { return detail::ValueOf<Symbol>::write(s); }
   static ig_value boolean(bool v) { return detail::ValueOf<bool>::write(v); }
   template <std::size_t N>
@@ -57,18 +62,18 @@ class CompoundMotion {
   }
 
   Out<Symbol> term_{"CompoundMotion.Term"};
-  ig_field x_ = item("ProgramXyz.X", IG_NUMBER);
-  ig_field y_ = item("ProgramXyz.Y", IG_NUMBER);
-  ig_field z_ = item("ProgramXyz.Z", IG_NUMBER);
-  ig_field form_ = item("MotionEvent.Form", IG_SYMBOL);
-  ig_field is_rapid_ = item("MotionEvent.IsRapid", IG_BOOLEAN);
-  ig_field feedrate_ = item("MotionEvent.Feedrate_mmds", IG_NUMBER);
-  ig_field mx_ = item("MachineCoordinate.X", IG_NUMBER);
-  ig_field my_ = item("MachineCoordinate.Y", IG_NUMBER);
-  ig_field mz_ = item("MachineCoordinate.Z", IG_NUMBER);
-  ig_field dwell_ = item("Dwell.Time", IG_NUMBER);
-  ig_field spindle_ = item("SpindleControl.Direction", IG_SYMBOL);
-  ig_field orient_ = item("SpindleOrientation.Angle_deg", IG_NUMBER);
+  ig_field x_ = detail::declare_item("ProgramXyz.X", IG_NUMBER);
+  ig_field y_ = detail::declare_item("ProgramXyz.Y", IG_NUMBER);
+  ig_field z_ = detail::declare_item("ProgramXyz.Z", IG_NUMBER);
+  ig_field form_ = detail::declare_item("MotionEvent.Form", IG_SYMBOL);
+  ig_field is_rapid_ = detail::declare_item("MotionEvent.IsRapid", IG_BOOLEAN);
+  ig_field feedrate_ = detail::declare_item("MotionEvent.Feedrate_mmds", IG_NUMBER);
+  ig_field mx_ = detail::declare_item("MachineCoordinate.X", IG_NUMBER);
+  ig_field my_ = detail::declare_item("MachineCoordinate.Y", IG_NUMBER);
+  ig_field mz_ = detail::declare_item("MachineCoordinate.Z", IG_NUMBER);
+  ig_field dwell_ = detail::declare_item("Dwell.Time", IG_NUMBER);
+  ig_field spindle_ = detail::declare_item("SpindleControl.Direction", IG_SYMBOL);
+  ig_field orient_ = detail::declare_item("SpindleOrientation.Angle_deg", IG_NUMBER);
   std::array<ig_field, 5> rapid_{x_, y_, z_, form_, is_rapid_};
   std::array<ig_field, 8> machine_rapid_{x_, y_, z_, form_, is_rapid_, mx_, my_, mz_};
   std::array<ig_field, 5> feed_{x_, y_, z_, form_, feedrate_};
@@ -89,13 +94,12 @@ class ManualMotion {
   }
 
  private:
-  static ig_field item(const char* path, ig_type type) {
-    return detail::declare_field({"CompoundMotion.Items[]." + std::string(path), type, IG_WRITE});
-  }
-
-  std::array<ig_field, 6> fields_{item("ProgramXyz.X", IG_NUMBER),         item("ProgramXyz.Y", IG_NUMBER),
-                                  item("ProgramXyz.Z", IG_NUMBER),         item("MotionEvent.Form", IG_SYMBOL),
-                                  item("MotionEvent.IsRapid", IG_BOOLEAN), item("MotionEvent.IsManual", IG_BOOLEAN)};
+  std::array<ig_field, 6> fields_{detail::declare_item("ProgramXyz.X", IG_NUMBER),
+                                  detail::declare_item("ProgramXyz.Y", IG_NUMBER),
+                                  detail::declare_item("ProgramXyz.Z", IG_NUMBER),
+                                  detail::declare_item("MotionEvent.Form", IG_SYMBOL),
+                                  detail::declare_item("MotionEvent.IsRapid", IG_BOOLEAN),
+                                  detail::declare_item("MotionEvent.IsManual", IG_BOOLEAN)};
   Name linear_{"McLinear"};
 };
 

@@ -103,14 +103,18 @@ class Fields {
  public:
   Fields(const char* option, const char* fallback, Access access, const char* doc, ig_type type = IG_NUMBER) {
     detail::declare_option(option, IG_OPTION_FIELDS, fallback, "", {}, "", doc);
-    detail::declare_field({"@" + std::string(option), type, access | static_cast<std::uint32_t>(IG_PATTERN)});
+    detail::declare_field({{"@", option}, type, access | static_cast<std::uint32_t>(IG_PATTERN)});
     if (detail::binding == nullptr) return;
+    const ig_link_api* const api = detail::binding->api;
+    ig_link* const link = detail::binding->link;
     const ig_field* ids = nullptr;
-    const std::uint32_t n = detail::binding->api->expand(detail::binding->link, detail::last_field(), &ids);
-    for (std::uint32_t i = 0; i < n; ++i) {
-      ids_.push_back(ids[i]);
-      paths_.emplace_back(to_view(detail::binding->api->field_path(detail::binding->link, ids[i])));
-      units_.emplace_back(to_view(detail::binding->api->field_unit(detail::binding->link, ids[i])));
+    const std::uint32_t n = api->expand(link, detail::last_field(), &ids);
+    ids_ = {ids, n};
+    paths_.reserve(n);
+    units_.reserve(n);
+    for (const ig_field id : ids_) {
+      paths_.push_back(to_view(api->field_path(link, id)));
+      units_.push_back(to_view(api->field_unit(link, id)));
     }
   }
   std::size_t size() const { return ids_.size(); }
@@ -120,9 +124,9 @@ class Fields {
   std::string_view unit(std::size_t i) const { return units_[i]; }
 
  private:
-  std::vector<ig_field> ids_;
-  std::vector<std::string> paths_;
-  std::vector<std::string> units_;
+  std::span<const ig_field> ids_;  // as the texts, the host's for as long as the chain lives
+  std::vector<std::string_view> paths_;
+  std::vector<std::string_view> units_;
 };
 
 enum class Need { required, optional };
