@@ -19,6 +19,7 @@ ig_symbol SymbolTable::intern(std::string_view name) {
 
 void Layout::index() {
   ids_.clear();
+  ids_.reserve(fields.size());
   for (std::size_t i = 0; i < fields.size(); ++i)
     if (fields[i].previous_of == IG_NO_FIELD) ids_.emplace(fields[i].path, static_cast<ig_field>(i));
 }

@@ -12,24 +12,18 @@ namespace {
 std::string place(const Location& w) { return fmt::format("{}:{}:{}", w.file, w.line, w.column); }
 
 void check_order(const LinkedDialect& linked, std::vector<LinkFault>& faults) {
-  const auto find_all = [&](std::string_view id) {
-    std::vector<std::size_t> out;
-    for (std::size_t i = 0; i < linked.chain.size(); ++i)
-      if (linked.chain[i].element.syntax == id) out.push_back(i);
-    return out;
-  };
   for (std::size_t i = 0; i < linked.chain.size(); ++i) {
     const LinkedSyntax& s = linked.chain[i];
-    const auto complain = [&](const char* code, std::size_t other) {
-      const ChainElement& o = linked.chain[other].element;
-      faults.push_back({code, s.element.where, {s.element.alias, o.alias, place(o.where)}});
+    const auto complain_of_any = [&](const char* code, std::string_view id, std::size_t first, std::size_t last) {
+      for (std::size_t other = first; other < last; ++other) {
+        const ChainElement& o = linked.chain[other].element;
+        if (o.syntax == id) faults.push_back({code, s.element.where, {s.element.alias, o.alias, place(o.where)}});
+      }
     };
     for (const char* const* id = s.syntax->after; id != nullptr && *id != nullptr; ++id)
-      for (const std::size_t other : find_all(*id))
-        if (other > i) complain("IG-0206", other);
+      complain_of_any("IG-0206", *id, i + 1, linked.chain.size());
     for (const char* const* id = s.syntax->before; id != nullptr && *id != nullptr; ++id)
-      for (const std::size_t other : find_all(*id))
-        if (other < i) complain("IG-0207", other);
+      complain_of_any("IG-0207", *id, 0, i);
   }
 }
 
@@ -37,17 +31,19 @@ void check_order(const LinkedDialect& linked, std::vector<LinkFault>& faults) {
 struct Traffic {
   explicit Traffic(const LinkedDialect& linked)
       : written(linked.layout.fields.size()), read(linked.layout.fields.size()) {
-    const auto has = [](const std::vector<std::uint64_t>& mask, ig_field f) {
-      return (mask[f >> 6] >> (f & 63) & 1) != 0;
-    };
+    std::vector<std::uint64_t> switches((written.size() + 63) / 64), writes(switches), reads(switches);
+    for (ig_field f = 0; f < written.size(); ++f)
+      if (linked.layout.fields[f].type == IG_SWITCH) switches[f >> 6] |= std::uint64_t{1} << (f & 63);
     for (const LinkedSyntax& s : linked.chain)
-      for (ig_field f = 0; f < written.size(); ++f) {
-        if (has(s.may_write, f)) written[f] = true;
+      for (std::size_t i = 0; i < switches.size(); ++i) {
+        writes[i] |= s.may_write[i];
         // What a syntax tells itself from block to block is a switch; other values are for others.
-        const bool own_switch = linked.layout.fields[f].type == IG_SWITCH;
-        if (has(s.may_read, f) && (own_switch || !has(s.may_write, f))) read[f] = true;
-        if (has(s.may_take, f)) read[f] = true;
+        reads[i] |= (s.may_read[i] & (switches[i] | ~s.may_write[i])) | s.may_take[i];
       }
+    for (ig_field f = 0; f < written.size(); ++f) {
+      written[f] = (writes[f >> 6] >> (f & 63) & 1) != 0;
+      read[f] = (reads[f >> 6] >> (f & 63) & 1) != 0;
+    }
     for (const auto& [field, value] : linked.initial) written[field] = true;
     for (ig_field f = 0; f < written.size(); ++f)
       if (const ig_field of = linked.layout.fields[f].previous_of; of != IG_NO_FIELD && read[f]) read[of] = true;

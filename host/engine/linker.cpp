@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
+#include <map>
+#include <span>
 #include <unordered_map>
 
 #include "link_checks.hpp"
@@ -18,12 +19,14 @@ namespace {
 
 constexpr std::size_t maximum_chain = 256;
 constexpr std::size_t maximum_previous = 63;
+constexpr std::string_view words_prefix = "Parsing.";
 constexpr std::string_view flags_prefix = "Parsing.Flags.";
 
 /// A field while the layout is being made.
 struct Draft {
   FieldInfo info;
-  std::string declared_by;
+  std::string_view declared_by;
+  bool has_previous = false;
 };
 
 class Linker {
@@ -126,28 +129,29 @@ class Linker {
   std::vector<OptionValue> read_options(const std::string& owner, const Location& where, const ig_option_decl* declared,
                                         std::uint32_t count, const std::vector<Attribute>& given) {
     std::vector<OptionValue> values(count);
-    std::vector<std::string> names;
-    std::set<std::string> seen;
-    for (std::uint32_t i = 0; i < count; ++i) names.emplace_back(declared[i].name);
+    std::vector<bool> is_given(count);
     for (const Attribute& a : given) {
-      const auto found = std::find(names.begin(), names.end(), a.name);
-      if (found == names.end()) {
+      const ig_option_decl* const option =
+          std::find_if(declared, declared + count, [&](const ig_option_decl& o) { return a.name == o.name; });
+      if (option == declared + count) {
+        std::vector<std::string> names;
+        for (std::uint32_t i = 0; i < count; ++i) names.emplace_back(declared[i].name);
         say("IG-0204", a.where, {owner, a.name}, meant(nearest_name(a.name, names)));
         continue;
       }
-      const ig_option_decl& option = declared[found - names.begin()];
-      seen.insert(a.name);
-      if (const std::optional<OptionValue> v = parse_option(option, a.value))
-        values[static_cast<std::size_t>(found - names.begin())] = *v;
+      const auto number = static_cast<std::size_t>(option - declared);
+      is_given[number] = true;
+      if (std::optional<OptionValue> v = parse_option(*option, a.value))
+        values[number] = std::move(*v);
       else
-        say("IG-0205", a.where, {a.name, owner, describe_option(option), a.value});
+        say("IG-0205", a.where, {a.name, owner, describe_option(*option), a.value});
     }
     for (std::uint32_t i = 0; i < count; ++i) {
-      if (seen.contains(names[i])) continue;
+      if (is_given[i]) continue;
       if (declared[i].fallback == nullptr)
-        say("IG-0213", where, {owner, names[i]});
-      else if (const std::optional<OptionValue> v = parse_option(declared[i], declared[i].fallback))
-        values[i] = *v;
+        say("IG-0213", where, {owner, declared[i].name});
+      else if (std::optional<OptionValue> v = parse_option(declared[i], declared[i].fallback))
+        values[i] = std::move(*v);
     }
     return values;
   }
@@ -190,94 +194,120 @@ class Linker {
   }
 
   /// "Parsing.Flags.X" is the same field as "Parsing.X" when some syntax lets X own words.
-  std::string canonical(const std::string& path) const {
+  std::string_view canonical(std::string_view path) const {
     if (!path.starts_with(flags_prefix)) return path;
-    const std::string owner = "Parsing." + path.substr(flags_prefix.size());
-    return owners_.contains(owner) ? owner : path;
+    const auto owner = owners_.find(path.substr(flags_prefix.size()));
+    return owner == owners_.end() ? path : owner->second;
+  }
+  void add_owner(std::string_view path) {
+    if (path.starts_with(words_prefix) && !path.starts_with(flags_prefix))
+      owners_.emplace(path.substr(words_prefix.size()), path);
   }
 
   void collect_fields() {
-    for (const FieldInfo& info : standard_fields()) {
-      drafts_.emplace(info.path, Draft{info, "the standard sections"});
-      mention_.push_back(info.path);
-    }
+    std::size_t declarations = 0;
+    for (const LinkedSyntax& s : out_->chain) declarations += s.syntax->field_count;
+    declared_.reserve(declarations);
+    drafts_.reserve(declarations / 2);  // most fields are declared several times
+    draft_of_.reserve(declarations / 2);
+    for (const FieldInfo& info : standard_fields()) add_draft(info.path, {info, "the standard sections"});
     out_->layout.lists = standard_lists();
     for (const LinkedSyntax& s : out_->chain)
       for (std::uint32_t i = 0; i < s.syntax->field_count; ++i) {
         const ig_field_decl& decl = s.syntax->fields[i];
-        const std::string path = decl.path;
-        if (decl.type == IG_CODE && (decl.access & IG_PATTERN) == 0 && path.starts_with("Parsing.") &&
-            !path.starts_with("Parsing.Flags."))
-          owners_.insert(path);
-        if ((decl.access & IG_PATTERN) != 0)
-          for (const FieldPattern& p : patterns(s, decl))
-            if (p.is_literal() && decl.type == IG_CODE && !p.path().starts_with("Parsing.Flags."))
-              owners_.insert(p.path());
+        if (decl.type != IG_CODE) continue;
+        if ((decl.access & IG_PATTERN) == 0) {
+          add_owner(decl.path);
+          continue;
+        }
+        for (const FieldPattern& p : patterns(s, decl))
+          if (p.is_literal()) add_owner(p.path());
       }
     for (const LinkedSyntax& s : out_->chain)
       for (std::uint32_t i = 0; i < s.syntax->field_count; ++i) {
         const ig_field_decl& decl = s.syntax->fields[i];
         if ((decl.access & IG_PATTERN) == 0) {
-          declare(s, decl, decl.path);
+          declared_.push_back(declare(s, decl, decl.path));
           continue;
         }
+        declared_.push_back(IG_NO_FIELD);
         for (const FieldPattern& p : patterns(s, decl))
           if (p.is_literal()) declare(s, decl, p.path());
       }
   }
 
-  static std::vector<FieldPattern> patterns(const LinkedSyntax& s, const ig_field_decl& decl) {
+  /// Read once, since paths of fields are views of them.
+  const std::vector<FieldPattern>& patterns(const LinkedSyntax& s, const ig_field_decl& decl) {
+    const auto [where, added] = patterns_.try_emplace({&s, &decl});
+    if (!added) return where->second;
     for (std::uint32_t i = 0; i < s.syntax->option_count; ++i)
-      if (std::string_view(decl.path).substr(1) == s.syntax->options[i].name) return parse_patterns(s.options[i].text);
-    return {};
+      if (std::string_view(decl.path).substr(1) == s.syntax->options[i].name) {
+        where->second = parse_patterns(s.options[i].text);
+        break;
+      }
+    return where->second;
   }
 
-  void declare(const LinkedSyntax& s, const ig_field_decl& decl, const std::string& written) {
+  std::uint32_t add_draft(std::string_view path, Draft draft) {
+    const auto number = static_cast<std::uint32_t>(drafts_.size());
+    draft_of_.emplace(path, number);
+    drafts_.push_back(std::move(draft));
+    return number;
+  }
+
+  /// The number of the draft, or the id of a record's field.
+  std::uint32_t declare(const LinkedSyntax& s, const ig_field_decl& decl, std::string_view written) {
     const std::size_t brackets = written.find("[].");
-    if (brackets != std::string::npos) {
-      declare_record(s, decl, written.substr(0, brackets), written.substr(brackets + 3));
-      return;
-    }
-    const std::string path = canonical(written);
-    auto where = drafts_.find(path);
-    if (where == drafts_.end()) {
-      FieldInfo info{path, decl.type, decl.life, decl.unit, decl.doc, decl.type == IG_SWITCH, IG_NO_FIELD};
-      if (info.life == IG_LIFE_STANDARD) info.life = default_life(path, decl.type);
-      where = drafts_.emplace(path, Draft{std::move(info), s.element.alias}).first;
-      mention_.push_back(path);
-    }
-    Draft& known = where->second;
-    if (decl.type == IG_TEXT && decl.life == IG_LIFE_MODAL) say("IG-0222", s.element.where, {s.element.alias, path});
+    if (brackets != std::string_view::npos)
+      return declare_record(s, decl, written.substr(0, brackets), written.substr(brackets + 3));
+    const std::string_view path = canonical(written);
+    const auto where = draft_of_.find(path);
+    const std::uint32_t number =
+        where != draft_of_.end()
+            ? where->second
+            : add_draft(path, {{std::string(path), decl.type,
+                                decl.life == IG_LIFE_STANDARD ? default_life(path, decl.type) : decl.life, decl.unit,
+                                decl.doc, decl.type == IG_SWITCH, IG_NO_FIELD},
+                               s.element.alias});
+    Draft& known = drafts_[number];
+    if (decl.type == IG_TEXT && decl.life == IG_LIFE_MODAL)
+      say("IG-0222", s.element.where, {s.element.alias, std::string(path)});
     const bool same_life = decl.life == IG_LIFE_STANDARD || known.info.life == decl.life;
     if (known.info.type != decl.type || !same_life)
       say("IG-0209", s.element.where,
-          {s.element.alias, path, type_name(decl.type), known.declared_by, type_name(known.info.type)},
+          {s.element.alias, std::string(path), type_name(decl.type), std::string(known.declared_by),
+           type_name(known.info.type)},
           same_life ? "" : "their lives differ");
     if (known.info.unit.empty() && *decl.unit != '\0') known.info.unit = decl.unit;
     if (known.info.doc.empty() && *decl.doc != '\0') known.info.doc = decl.doc;
-    if ((decl.access & IG_PREVIOUS) != 0) previous_.insert(path);
+    known.has_previous |= (decl.access & IG_PREVIOUS) != 0;
+    return number;
   }
 
-  static ig_life default_life(const std::string& path, ig_type type) {
+  static ig_life default_life(std::string_view path, ig_type type) {
     if (type == IG_TRANSFORM) return IG_LIFE_MODAL;
     if (type == IG_SWITCH || type == IG_TEXT) return IG_LIFE_BLOCK;
-    return path.starts_with("Parsing.") ? IG_LIFE_WORD : IG_LIFE_BLOCK;
+    return path.starts_with(words_prefix) ? IG_LIFE_WORD : IG_LIFE_BLOCK;
   }
 
-  void declare_record(const LinkedSyntax& s, const ig_field_decl& decl, const std::string& list,
-                      const std::string& path) {
+  ig_field declare_record(const LinkedSyntax& s, const ig_field_decl& decl, std::string_view list,
+                          std::string_view path) {
     auto& lists = out_->layout.lists;
     auto l = std::find_if(lists.begin(), lists.end(), [&](const ListInfo& info) { return info.path == list; });
     if (l == lists.end()) {
-      lists.push_back({list, {}});
+      lists.push_back({std::string(list), {}});
       l = lists.end() - 1;
     }
-    const auto f = std::find_if(l->fields.begin(), l->fields.end(), [&](const FieldInfo& i) { return i.path == path; });
-    if (f == l->fields.end())
-      l->fields.push_back({path, decl.type, IG_LIFE_BLOCK, decl.unit, decl.doc, false, IG_NO_FIELD});
-    else if (f->type != decl.type)
+    auto f = std::find_if(l->fields.begin(), l->fields.end(), [&](const FieldInfo& i) { return i.path == path; });
+    if (f == l->fields.end()) {
+      l->fields.push_back({std::string(path), decl.type, IG_LIFE_BLOCK, decl.unit, decl.doc, false, IG_NO_FIELD});
+      f = l->fields.end() - 1;
+    } else if (f->type != decl.type) {
       say("IG-0209", s.element.where,
-          {s.element.alias, list + "[]." + path, type_name(decl.type), "another syntax", type_name(f->type)});
+          {s.element.alias, std::string(list) + "[]." + std::string(path), type_name(decl.type), "another syntax",
+           type_name(f->type)});
+    }
+    return record_field(static_cast<std::size_t>(l - lists.begin()), static_cast<std::size_t>(f - l->fields.begin()));
   }
 
   // ---- ids: modal fields first, then the block's, then words and codes, switches, values from before the block
@@ -291,29 +321,30 @@ class Linker {
 
   void assign_ids() {
     Layout& layout = out_->layout;
-    std::array<std::vector<const FieldInfo*>, 5> order;
-    for (const std::string& path : mention_) {
-      const FieldInfo& info = drafts_.at(path).info;
-      order[rank(info)].push_back(&info);
-    }
-    layout.fields.reserve(mention_.size() + previous_.size());
-    for (const std::vector<const FieldInfo*>& rank : order)
-      for (const FieldInfo* field : rank) {
-        const FieldInfo& info = *field;
+    std::array<std::vector<std::uint32_t>, 5> order;
+    std::map<std::string_view, std::uint32_t> previous;  // in the order of their paths
+    for (std::uint32_t i = 0; i < drafts_.size(); ++i) order[rank(drafts_[i].info)].push_back(i);
+    for (const auto& [path, number] : draft_of_)
+      if (drafts_[number].has_previous) previous.emplace(path, number);
+    id_of_.resize(drafts_.size());
+    previous_id_of_.resize(drafts_.size(), IG_NO_FIELD);
+    layout.fields.reserve(drafts_.size() + previous.size());
+    for (const std::vector<std::uint32_t>& same_rank : order)
+      for (const std::uint32_t number : same_rank) {
+        FieldInfo& info = drafts_[number].info;
+        id_of_[number] = static_cast<ig_field>(layout.fields.size());
         if (info.life == IG_LIFE_MODAL) ++layout.modal_count;
-        if (info.type == IG_TRANSFORM) layout.transforms.push_back(static_cast<ig_field>(layout.fields.size()));
-        layout.fields.push_back(info);
+        if (info.type == IG_TRANSFORM) layout.transforms.push_back(id_of_[number]);
+        layout.fields.push_back(std::move(info));
       }
-    layout.index();
-    if (previous_.size() > maximum_previous)
-      say("IG-0216", {}, {std::to_string(previous_.size()), std::to_string(maximum_previous)});
-    for (const std::string& path : previous_) {
-      const ig_field field = layout.id(path);
-      FieldInfo copy = layout.fields[field];
+    if (previous.size() > maximum_previous)
+      say("IG-0216", {}, {std::to_string(previous.size()), std::to_string(maximum_previous)});
+    for (const auto& [path, number] : previous) {
+      FieldInfo copy = layout.fields[id_of_[number]];
       copy.life = IG_LIFE_BLOCK;
       copy.hidden = true;
-      copy.previous_of = field;
-      previous_ids_.emplace(path, static_cast<ig_field>(layout.fields.size()));
+      copy.previous_of = id_of_[number];
+      previous_id_of_[number] = static_cast<ig_field>(layout.fields.size());
       layout.fields.push_back(std::move(copy));
     }
     layout.index();
@@ -322,14 +353,15 @@ class Linker {
 
   void order_for_show() {
     Layout& layout = out_->layout;
-    std::unordered_map<std::string, std::size_t> sections;
+    std::unordered_map<std::string_view, std::size_t> sections;
     for (const std::string& s : section_order()) sections.emplace(s, sections.size());
     std::vector<std::size_t> section_rank(layout.fields.size(), sections.size());
     for (ig_field f = 0; f < layout.fields.size(); ++f) {
       const FieldInfo& info = layout.fields[f];
       if (info.hidden || info.type == IG_CODE || info.type == IG_TRANSFORM) continue;
       layout.shown.push_back(f);
-      const auto found = sections.find(info.path.substr(0, info.path.find('.')));
+      const std::string_view path = info.path;
+      const auto found = sections.find(path.substr(0, path.find('.')));
       if (found != sections.end()) section_rank[f] = found->second;
     }
     std::stable_sort(layout.shown.begin(), layout.shown.end(),
@@ -338,35 +370,28 @@ class Linker {
 
   void resolve_ids() {
     const std::size_t mask_words = (out_->layout.fields.size() + 63) / 64;
+    auto declared = declared_.begin();
     for (LinkedSyntax& s : out_->chain) {
       s.may_read.resize(mask_words);
       s.may_write.resize(mask_words);
       s.may_take.resize(mask_words);
-      s.expansions.resize(s.syntax->field_count);
+      s.ids.reserve(s.syntax->field_count);
       for (std::uint32_t i = 0; i < s.syntax->field_count; ++i) {
         const ig_field_decl& decl = s.syntax->fields[i];
-        ig_field id = IG_NO_FIELD;
-        if ((decl.access & IG_PATTERN) != 0) {
-          s.expansions[i] = expand(s, decl);
-          for (const ig_field f : s.expansions[i]) permit(s, decl.access, f);
-        } else {
-          id = resolve(decl);
-          permit(s, decl.access, id);
-        }
-        s.ids.push_back(id);
+        s.ids.push_back(resolve(decl, *declared++));
+        permit(s, decl.access, s.ids.back());
+        if ((decl.access & IG_PATTERN) == 0) continue;
+        s.expansions.resize(i + 1);
+        s.expansions[i] = expand(s, decl);
+        for (const ig_field f : s.expansions[i]) permit(s, decl.access, f);
       }
     }
   }
 
-  ig_field resolve(const ig_field_decl& decl) const {
-    const std::string_view written = decl.path;
-    if ((decl.access & IG_PREVIOUS) == 0 && !written.starts_with(flags_prefix) &&
-        written.find('[') == std::string_view::npos)
-      return out_->layout.id(written);
-    const std::string path(written);
-    if (const std::size_t brackets = path.find("[]."); brackets != std::string::npos)
-      return out_->layout.record(path.substr(0, brackets), path.substr(brackets + 3));
-    return (decl.access & IG_PREVIOUS) != 0 ? previous_ids_.at(canonical(path)) : out_->layout.id(canonical(path));
+  /// From what declare() answered to an id.
+  ig_field resolve(const ig_field_decl& decl, std::uint32_t declared) const {
+    if (is_record_field(declared)) return declared;  // or a pattern's IG_NO_FIELD
+    return (decl.access & IG_PREVIOUS) != 0 ? previous_id_of_[declared] : id_of_[declared];
   }
 
   std::vector<ig_field> expand(const LinkedSyntax& s, const ig_field_decl& decl) {
@@ -462,7 +487,8 @@ class Linker {
       if (s.syntax->build == nullptr) continue;
       for (std::uint32_t i = 0; i < s.syntax->field_count; ++i) {
         const ig_field_decl& decl = s.syntax->fields[i];
-        const std::vector<ig_field> one{s.ids[i]};
+        if ((decl.access & (IG_WAKE | IG_WAKE_WHILE)) == 0) continue;
+        const std::span<const ig_field> one(&s.ids[i], 1);
         for (const ig_field f : (decl.access & IG_PATTERN) != 0 ? s.expansions[i] : one) {
           if (f == IG_NO_FIELD || is_record_field(f)) continue;
           if ((decl.access & IG_WAKE) != 0)
@@ -480,11 +506,13 @@ class Linker {
   LinkMode mode_;
   std::unique_ptr<LinkedDialect> out_;
   bool failed_ = false;
-  std::unordered_map<std::string, Draft> drafts_;
-  std::vector<std::string> mention_;
-  std::set<std::string> owners_;    // codes that own words
-  std::set<std::string> previous_;  // fields read from before the block
-  std::unordered_map<std::string, ig_field> previous_ids_;
+  // Views below are of descriptors, of the standard sections and of patterns, which stay.
+  std::map<std::pair<const LinkedSyntax*, const ig_field_decl*>, std::vector<FieldPattern>> patterns_;
+  std::unordered_map<std::string_view, std::string_view> owners_;  // codes that own words, their path by their name
+  std::vector<Draft> drafts_;                                      // in the order in which they are mentioned first
+  std::unordered_map<std::string_view, std::uint32_t> draft_of_;
+  std::vector<std::uint32_t> declared_;           // what declare() answered, for the declarations of the whole chain
+  std::vector<ig_field> id_of_, previous_id_of_;  // by draft
 };
 
 }  // namespace
