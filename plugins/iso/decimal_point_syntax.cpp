@@ -32,6 +32,7 @@ struct DecimalPointSyntax {
 
   ig::Signal without_point{"Parsing.~WithoutPoint", ig::read | ig::wake};
   ig::Signal fine_digits{"Parsing.~FineDigits", ig::read | ig::wake};
+  ig::Signal cuts_digits{"Parsing.~CutsDigits", ig::write, ig::Life::modal};
   ig::Codes units{{"G20", "G21"}, ig::read};
   ig::In<ig::Symbol> system{"Unit.System"};
   ig::Name inch{"Inch"};
@@ -59,10 +60,15 @@ struct DecimalPointSyntax {
   bool counts_increments = rule == Rule::increment ||
                            (rule == Rule::parameter && number_format.number("CalculatorDecimalPoint").value_or(0) == 0);
 
+  /// Most controls keep fine digits, and many programs are full of them: nobody wakes where none are cut.
+  ig::Status restart(ig::Block& b) const {
+    if (resolution == Resolution::keep) return ig::Status::unchanged;
+    b.raise(cuts_digits);
+    return ig::Status::changed;
+  }
+
   ig::Status build(ig::Block& b) const {
     if (rule == Rule::as_written && resolution == Resolution::keep) return ig::Status::unchanged;
-    if (resolution == Resolution::keep && b.is_raised(fine_digits) && !b.is_raised(without_point))
-      return ig::Status::unchanged;
     bool changed = read_row(b, repeat_count.is_k(b) ? cycle_block : block);
     for (const Row& row : rows) {
       ig_value present;

@@ -37,6 +37,7 @@ struct WordSyntax {
   ig::Fields addresses{"addresses", "Parsing.?", ig::write, "The addresses that words may have."};
   ig::Signal without_point{"Parsing.~WithoutPoint", ig::write};
   ig::Signal fine_digits{"Parsing.~FineDigits", ig::write};
+  ig::Signal cuts_digits{"Parsing.~CutsDigits", ig::read, ig::Life::modal};
 
   struct Address {
     ig_field field = IG_NO_FIELD;
@@ -133,7 +134,7 @@ struct WordSyntax {
     }
     b.host()->set_words(b.raw(), run.words.data(), run.count);
     if (run.without_point) b.raise(without_point);
-    if (run.fine_digits) b.raise(fine_digits);
+    if (run.fine_digits && b.is_raised(cuts_digits)) b.raise(fine_digits);
   }
 
   void twice(ig::Block& b, ig_field field, std::size_t begin, std::size_t end) const {
