@@ -63,6 +63,8 @@ inline constexpr std::array diagnostics{
                    "G00 X100"),
     ig::diagnostic(IG_ERROR, "ISO-0116", "'{0}' cannot be read as a number: the word is not used",
                    "The value of a word is digits with at most one point and one sign before them.", "G01 X1O.5 F100"),
+    ig::diagnostic(IG_ERROR, "ISO-0117", "{0}: too large a number of inches: the word is not used",
+                   "In millimetres it is beyond every number that can be counted in.", "G20 G01 X99999999... F1."),
     // modal state, tables, program flow, inspection: 200–299
     ig::diagnostic(IG_WARNING, "ISO-0201", "more than one code of a modal group in this block: {0} counts",
                    "Codes of one group exclude each other. The control lets the last one count without an alarm; so "
@@ -111,9 +113,9 @@ inline constexpr std::array diagnostics{
                    "G41 D1"),
     ig::diagnostic(
         IG_ERROR, "ISO-0263", "{0} is not executed: the frame is not rotated",
-        "Tilted planes (G68.2 to G68.4) and rotations about an axis in space (G68 with I, J, K) are recognised "
-        "only. Positions up to G69 are unreliable.",
-        "G68.2 X0 Y0 Z0 I30. J15. K0"),
+        "A rotation about an axis in space (G68 with I, J, K) is recognised only. Positions up to G69 are unreliable; "
+        "G68.2 defines a tilted plane.",
+        "G68 X0 Y0 Z0 I0 J1. K0 R30."),
     ig::diagnostic(IG_ERROR, "ISO-0264", "{0} is not executed: the rotary axes stay where they are",
                    "Positioning of the rotary axes to the tilted plane is recognised only.", "G53.1"),
     ig::diagnostic(IG_ERROR, "ISO-0265", "{0} is not executed: the tool length of before stays in force",

@@ -1,6 +1,7 @@
 /// G20/G21: inch or metric input. Stands first in the logic: in inch blocks it turns the lengths and feeds that the
 /// block programs into mm, in place, so that nothing after it knows of inches.
 #include <algorithm>
+#include <cmath>
 
 #include "modal_group.hpp"
 #include "repeat_count.hpp"
@@ -58,8 +59,14 @@ struct UnitMode {
         if ((found >> i & 1u) == 0) continue;
         if (k_is_count && ids[i] == k_) continue;
         if (inverse_time && std::find(feeds_.begin(), feeds_.end(), ids[i]) != feeds_.end()) continue;
-        b.host()->rewrite(b.raw(), ids[i], {.number = values[i].number * mm_per_inch});
         any = true;
+        const double mm = values[i].number * mm_per_inch;
+        if (std::isfinite(mm)) {
+          b.host()->rewrite(b.raw(), ids[i], {.number = mm});
+        } else {
+          b.report(diag("ISO-0117"), ig::Where::word(ids[i]), lengths_.path(at + i).substr(8));  // "Parsing."
+          b.host()->erase(b.raw(), ids[i]);
+        }
       }
     }
     return any;
