@@ -5,22 +5,33 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <isogloss/sdk.hpp>
 
 namespace isogloss_test {
 
-/// Gives the members that are constructed while it lives ids of their own, in the order of their declaration. Names and
-/// options are not served.
+/// Gives the members that are constructed while it lives ids of their own, in the order of their declaration. Names are
+/// numbered, no service is provided, options are not served.
 class FakeLink {
  public:
-  FakeLink() : ids_(64), binding_{nullptr, nullptr, nullptr}, scope_(ig::detail::binding, &binding_) {
+  FakeLink()
+      : ids_(64), binding_{&api_, reinterpret_cast<ig_link*>(this), nullptr}, scope_(ig::detail::binding, &binding_) {
     std::iota(ids_.begin(), ids_.end(), ig_field{0});
     binding_.ids = ids_.data();
+    api_.struct_size = sizeof api_;
+    api_.symbol = [](ig_link* link, ig_text name) {
+      auto& names = reinterpret_cast<FakeLink*>(link)->names_;
+      const auto next = static_cast<ig_symbol>(names.size() + 1);
+      return names.try_emplace(std::string(name.data, name.size), next).first->second;
+    };
+    api_.service = [](ig_link*, const char*) -> const void* { return nullptr; };
   }
 
  private:
+  ig_link_api api_{};
+  std::map<std::string, ig_symbol> names_;
   std::vector<ig_field> ids_;
   ig::detail::Binding binding_;
   ig::detail::Scope<ig::detail::Binding> scope_;
