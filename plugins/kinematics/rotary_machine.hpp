@@ -1,0 +1,225 @@
+/// The geometry of one or two rotary axes on tables and heads. Column vectors, mm and radians inside; degrees, as the
+/// machine counts them, outside.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace kinematics {
+
+using Vector = Eigen::Vector3d;
+using Matrix = Eigen::Matrix3d;
+using Angles = std::array<double, 3>;  ///< of A, B and C
+
+/// Cosine and sine; those of quarter turns are exact.
+struct Turn {
+  double cos = 1, sin = 0;
+
+  static Turn by(double degrees) {
+    const double angle = std::remainder(degrees, 360.0);
+    const int quarter = static_cast<int>(std::lrint(angle / 90));
+    const double radians = (angle - 90 * quarter) * (std::numbers::pi / 180);
+    const double c = std::cos(radians), s = std::sin(radians);
+    switch (quarter & 3) {
+      case 0: return {c, s};
+      case 1: return {-s, c};
+      case 2: return {-c, -s};
+      default: return {s, -c};
+    }
+  }
+};
+
+/// In (-180, 180].
+inline double to_degrees(double radians) {
+  const double degrees = radians * (180 / std::numbers::pi);
+  return degrees <= -180 ? degrees + 360 : degrees;
+}
+inline double within_half_turn(double degrees) {
+  const double angle = std::remainder(degrees, 360.0);
+  return angle <= -180 ? 180 : angle;
+}
+
+enum class Place : std::uint8_t { table, head };
+
+/// Positive: the tool turns right-handed about the direction, as the workpiece sees it.
+struct RotaryAxis {
+  std::size_t letter = 0;  ///< of A, B, C
+  Place place = Place::table;
+  Vector direction = Vector::UnitZ();  ///< unit vector
+  Vector point = Vector::Zero();       ///< on the axis; of a head: from the gauge point
+  double sign = 1;
+  double zero = 0;  ///< deg, what the machine shows where the axis is geometrically at zero
+
+  double geometric(double angle) const { return sign * (angle - zero); }
+  double shown(double radians) const { return within_half_turn(zero + sign * to_degrees(radians)); }
+};
+
+struct Solution {
+  Angles angles{};
+  std::uint32_t free = 0;  ///< a bit for each of A, B, C
+};
+
+/// A vector turned about a unit vector: Rodrigues.
+inline Vector turned(const Vector& v, const Vector& about, const Turn& by) {
+  return by.cos * v + (1 - by.cos) * about.dot(v) * about + by.sin * about.cross(v);
+}
+
+class RotaryMachine {
+ public:
+  /// The axis nearer the machine's base first; at most two. Directions that are parallel give no machine.
+  void add(const RotaryAxis& axis) { axes_[count_++] = axis; }
+  std::size_t count() const { return count_; }
+  const RotaryAxis& axis(std::size_t i) const { return axes_[i]; }
+
+  /// What does not change with the angles; after the last add().
+  void prepare() {
+    const bool from_the_work = count_ == 2 && axes_[1].place == Place::table;
+    outer_ = from_the_work ? 1 : 0;
+    inner_ = count_ == 2 ? 1 - outer_ : outer_;
+    const Vector& n1 = axes_[outer_].direction;
+    const Vector& n2 = axes_[inner_].direction;
+    height_ = tool_.dot(n2);
+    lever_ = tool_ - height_ * n2;
+    side_ = n2.cross(tool_);
+    cos_between_ = n1.dot(n2);
+    const Vector normal = n1.cross(n2);
+    sin_between_ = normal.norm();
+    if (count_ != 2) return;
+    u_ = (n2 - cos_between_ * n1) / sin_between_;
+    w_ = normal / sin_between_;
+  }
+
+  /// The tool axis as the workpiece sees it: the axes act in the order from the workpiece through the base to the tool.
+  Vector tool_axis(const Angles& angles) const {
+    const Turn& turn = turn_of(inner_, angles);
+    const Vector v = height_ * axes_[inner_].direction + turn.cos * lever_ + turn.sin * side_;
+    return count_ == 2 ? turned(v, axes_[outer_].direction, turn_of(outer_, angles)) : v;
+  }
+
+  /// Workpiece to machine: tables carry the point, from the workpiece to the base; what heads do to the gauge point is
+  /// taken away.
+  void pivot(const Angles& angles, Matrix& rotation, Vector& translation) const {
+    rotation.setIdentity();
+    translation.setZero();
+    Vector gauge = Vector::Zero();
+    for (std::size_t i = count_; i-- > 0;) {
+      const RotaryAxis& axis = axes_[i];
+      const Turn& turn = turn_of(i, angles);
+      if (axis.place == Place::head) {
+        gauge = axis.point + turned(gauge - axis.point, axis.direction, turn);
+        continue;
+      }
+      const Matrix r = matrix(axis.direction, {turn.cos, -turn.sin});
+      rotation = (r * rotation).eval();
+      translation = (axis.point + r * (translation - axis.point)).eval();
+    }
+    translation -= gauge;
+  }
+
+  /// The angles that turn the tool to `direction`, a unit vector: 0, 1 or 2 solutions.
+  std::uint32_t solve(const Vector& direction, const Angles& present, std::array<Solution, 2>& out) const {
+    out[0] = out[1] = {present, 0};
+    return count_ == 2 && !inner_is_tool() ? solve_two(direction, out) : solve_one(direction, out[0]);
+  }
+
+ private:
+  /// rad; what no machine can set, nor any program write.
+  static constexpr double reach = 1e-6;
+  /// rad; nearer to an axis than this a direction is that of the axis.
+  static constexpr double singular = 1e-12;
+  /// The share of the radius by which two solutions must differ.
+  static constexpr double apart = 1e-7;
+
+  bool inner_is_tool() const { return lever_.norm() < singular; }
+
+  /// R1(q1) v = direction, where v = R2(q2) tool lies on two circles: about the inner axis through the tool, about the
+  /// outer axis through the direction. u and w span the plane of the latter; u points towards the inner axis.
+  std::uint32_t solve_two(const Vector& direction, std::array<Solution, 2>& out) const {
+    const Vector& n1 = axes_[outer_].direction;
+    const double level = direction.dot(n1);
+    const double radius = n1.cross(direction).norm();
+    const double towards = (height_ - level * cos_between_) / sin_between_;
+    if (std::fabs(towards) > radius + reach) return 0;
+    if (radius < singular) {
+      keep(outer_, out[0]);
+      set(inner_, inner_angle(std::copysign(1.0, level) * n1), out[0]);
+      return 1;
+    }
+    const double tu = direction.dot(u_), tw = direction.dot(w_);
+    const double square = (radius - towards) * (radius + towards);
+    const double aside = square > 0 ? std::sqrt(square) : 0;
+    if (aside <= apart * radius) {
+      const double k = std::copysign(radius, towards);
+      set(outer_, std::atan2(k * tw, k * tu), out[0]);
+      set(inner_, inner_angle(level * n1 + k * u_), out[0]);
+      return 1;
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double g = i == 0 ? aside : -aside;
+      set(outer_, std::atan2(towards * tw - g * tu, towards * tu + g * tw), out[i]);
+      set(inner_, inner_angle(level * n1 + towards * u_ + g * w_), out[i]);
+    }
+    return 2;
+  }
+
+  /// One axis alone, or an inner one along the tool, which does not tilt it.
+  std::uint32_t solve_one(const Vector& direction, Solution& out) const {
+    if (count_ == 2) keep(inner_, out);
+    const Vector& n = axes_[outer_].direction;
+    const Vector tool = count_ == 2 ? Vector(height_ * axes_[inner_].direction) : tool_;
+    const double height = tool.dot(n);
+    const Vector lever = tool - height * n;
+    const double radius = lever.norm();
+    const Vector reached = direction - direction.dot(n) * n;
+    if (std::fabs(direction.dot(n) - height) > reach || std::fabs(reached.norm() - radius) > reach) return 0;
+    if (radius < singular)
+      keep(outer_, out);
+    else
+      set(outer_, std::atan2(n.cross(tool).dot(direction), lever.dot(direction)), out);
+    return 1;
+  }
+
+  double inner_angle(const Vector& v) const { return std::atan2(side_.dot(v), lever_.dot(v)); }
+  void set(std::size_t i, double radians, Solution& out) const {
+    out.angles[axes_[i].letter] = axes_[i].shown(radians);
+  }
+  void keep(std::size_t i, Solution& out) const { out.free |= 1u << axes_[i].letter; }
+
+  static Matrix matrix(const Vector& n, const Turn& by) {
+    const double k = 1 - by.cos;
+    const Vector s = by.sin * n, kn = k * n;
+    Matrix m;
+    m << by.cos + kn.x() * n.x(), kn.x() * n.y() - s.z(), kn.x() * n.z() + s.y(),  //
+        kn.x() * n.y() + s.z(), by.cos + kn.y() * n.y(), kn.y() * n.z() - s.x(),   //
+        kn.x() * n.z() - s.y(), kn.y() * n.z() + s.x(), by.cos + kn.z() * n.z();
+    return m;
+  }
+
+  /// A block asks for the same angles twice, and mostly for those of the block before it.
+  const Turn& turn_of(std::size_t i, const Angles& angles) const {
+    Last& last = last_[i];
+    const double angle = angles[axes_[i].letter];
+    if (angle != last.angle) last = {angle, Turn::by(axes_[i].geometric(angle))};
+    return last.turn;
+  }
+
+  struct Last {
+    double angle = std::nan("");
+    Turn turn{};
+  };
+
+  std::array<RotaryAxis, 2> axes_;
+  std::size_t count_ = 0;
+  std::size_t outer_ = 0, inner_ = 0;  // in the order from the workpiece to the tool
+  Vector tool_ = Vector::UnitZ();
+  double height_ = 0, cos_between_ = 0, sin_between_ = 0;
+  Vector lever_ = Vector::Zero(), side_ = Vector::Zero();  // of the tool about the inner axis
+  Vector u_ = Vector::Zero(), w_ = Vector::Zero();
+  mutable std::array<Last, 2> last_;
+};
+
+}  // namespace kinematics
