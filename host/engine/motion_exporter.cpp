@@ -115,6 +115,7 @@ class JsonLines : public EventLines {
       p = number(put(p, R"(,"Sweep_deg":)"), m.arc.sweep_deg);
     }
     if (m.is_manual) p = put(p, R"(,"Manual":true)");
+    if (m.is_led) p = put(p, R"(,"Form":"ClLinear")");
     finish(p);
   }
   void dwell(double seconds) { finish(number(put(start(), R"(,"Event":"dwell","Time":)"), seconds)); }

@@ -86,6 +86,25 @@ TEST_CASE("motions as JSON Lines, character for character") {
         "\n");
 }
 
+TEST_CASE("a move of the tip with turning axes says so, last in its line") {
+  const auto move = [](Stream& s) {
+    s.block(1, [&] {
+      s.t.line(false, 1, 2, 3, 5);
+      s.t.name("MotionEvent.Form", "ClLinear");
+      s.t.number("MachineCoordinate.A", 30);
+    });
+    s.block(2, [&] { s.t.line(false, 1, 2, 4, 5); });
+  };
+  Stream json({});
+  move(json);
+  CHECK(json.text() == R"({"File":"part.nc","Line":1,"Event":"feed","ProgramXyz":{"X":1,"Y":2,"Z":3},)"
+                       R"("MachineCoordinate":{"X":1,"Y":2,"Z":3,"A":30},"Feedrate_mmds":5,"Form":"ClLinear"})"
+                       "\n"
+                       R"({"File":"part.nc","Line":2,"Event":"feed","ProgramXyz":{"X":1,"Y":2,"Z":4},)"
+                       R"("MachineCoordinate":{"X":1,"Y":2,"Z":4,"A":30},"Feedrate_mmds":5})"
+                       "\n");
+}
+
 TEST_CASE("exact numbers read back to the same double") {
   Stream s({.exact = true});
   s.block(1, [&] { s.t.line(false, 0.1 + 0.2, 1e-9, 25.190799999999996, 10.0 / 3); });

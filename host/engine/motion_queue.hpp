@@ -52,10 +52,11 @@ class MotionQueue {
     Event& e = add(Kind::move);
     e.move = m.kind;
     e.is_manual = m.is_manual;
+    e.is_led = m.is_led;
     e.has_number = m.has_feed;
     e.number = m.feed_mmds;
-    e.program = m.program.known;
-    e.machine = m.machine.known;
+    e.program = static_cast<std::uint16_t>(m.program.known);
+    e.machine = static_cast<std::uint16_t>(m.machine.known);
     for (int i = 0; i < 3; ++i) e.at[i] = m.program.at[i];
     for (int i = 0; i < 6; ++i) e.at[3 + i] = m.machine.at[i];
     if (m.kind != Move::Kind::arc) return;
@@ -101,7 +102,8 @@ class MotionQueue {
     Move::Kind move;
     bool is_manual, has_number;
     std::uint32_t line;
-    std::uint32_t program, machine;  // AxisPoint::known
+    std::uint16_t program, machine;  // AxisPoint::known
+    bool is_led;
     union {
       double number;
       std::int64_t id;
@@ -220,6 +222,7 @@ class MotionQueue {
     Move& m = move_;
     m.kind = e.move;
     m.is_manual = e.is_manual;
+    m.is_led = e.is_led;
     m.has_feed = e.has_number;
     m.feed_mmds = e.number;
     m.program.known = e.program;

@@ -126,7 +126,7 @@ void MotionReader::begin(const Document& initial, const SymbolTable& symbols) {
     if (others_.empty() || others_.back().word != f >> 6) others_.push_back({f >> 6, 0});
     others_.back().bits |= std::uint64_t{1} << (f & 63);
   }
-  for (KnownName* name : {&linear_, &arc_, &stop_, &off_, &xy_, &zx_, &yz_}) name->forget();
+  for (KnownName* name : {&linear_, &led_, &arc_, &stop_, &off_, &xy_, &zx_, &yz_}) name->forget();
 
   position_ = {};
   program_position_ = {};
@@ -185,7 +185,8 @@ template <class Values>
 const Move* MotionReader::make_move(const Values& values, const Fields& fields, Document& d,
                                     const SymbolTable& symbols) {
   const auto form = static_cast<ig_symbol>(values.value(fields.form).symbol);
-  const bool is_arc = !linear_.is(form, symbols) && arc_.is(form, symbols);
+  const bool is_led = !linear_.is(form, symbols) && led_.is(form, symbols);
+  const bool is_arc = !is_led && !linear_.is(form, symbols) && arc_.is(form, symbols);
   const bool is_rapid = values.present(fields.is_rapid) && values.value(fields.is_rapid).integer != 0;
   Move& m = move_;
   read_point(values, fields.program, m.program);
@@ -199,6 +200,7 @@ const Move* MotionReader::make_move(const Values& values, const Fields& fields, 
 
   m.kind = is_arc ? Move::Kind::arc : is_rapid ? Move::Kind::rapid : Move::Kind::feed;
   m.is_manual = values.present(fields.is_manual) && values.value(fields.is_manual).integer != 0;
+  m.is_led = is_led;
   m.has_feed = m.kind != Move::Kind::rapid && values.present(fields.feed);
   m.feed_mmds = m.has_feed ? values.number(fields.feed) : 0;
   m.from = position_;

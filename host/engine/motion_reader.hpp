@@ -33,6 +33,7 @@ struct Move {
   enum class Kind : std::uint8_t { rapid, feed, arc };
   Kind kind = Kind::rapid;
   bool is_manual = false;
+  bool is_led = false;  ///< ClLinear: the rotary axes turn, and the tip goes straight in the workpiece
   bool has_feed = false;
   double feed_mmds = 0;
   AxisPoint program;  ///< X Y Z
@@ -47,7 +48,7 @@ class KnownName {
   explicit KnownName(std::string_view text) : text_(text) {}
   void forget() { id_ = 0; }
   bool is(ig_symbol symbol, const SymbolTable& symbols) {
-    if (symbol == id_ && id_ != 0) return true;
+    if (id_ != 0) return symbol == id_;
     if (symbols.text(symbol) != text_) return false;
     id_ = symbol;
     return true;
@@ -201,7 +202,8 @@ class MotionReader {
   std::vector<FreshMask> others_;  // the fields that make events without a motion
   ig_field is_change_{}, tool_{}, spindle_tool_{}, direction_{}, speed_{}, coolant_{}, dwell_{}, orient_{}, plane_{},
       program_stop_{}, program_end_{}, item_dwell_{}, item_direction_{}, item_orient_{};
-  KnownName linear_{"McLinear"}, arc_{"McArc"}, stop_{"STOP"}, off_{"OFF"}, xy_{"XY"}, zx_{"ZX"}, yz_{"YZ"};
+  KnownName linear_{"McLinear"}, led_{"ClLinear"}, arc_{"McArc"}, stop_{"STOP"}, off_{"OFF"}, xy_{"XY"}, zx_{"ZX"},
+      yz_{"YZ"};
 
   Move move_;
   AxisPoint position_;          // machine coordinates of the last event
