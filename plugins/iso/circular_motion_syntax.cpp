@@ -5,6 +5,7 @@
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
 #include "scale_and_mirror.hpp"
+#include "tool_center_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -84,7 +85,9 @@ struct CircularMotion {
   void move(ig::Block& b, const PlaneAxes& plane, const ArcWords& words, bool is_ccw) const {
     const ig::Vec3 from = last_(b);
     const Path path{plane, from, b.get(program_).or_else(from)};
-    if (words.r)
+    if (motion_.turns(b))
+      while_turning(b, path);
+    else if (words.r)
       by_radius(b, path, *words.r, is_ccw);
     else if (words.has_center())
       by_center(b, path, {words.first.value_or(0.0), words.second.value_or(0.0)}, is_ccw);
@@ -127,6 +130,12 @@ struct CircularMotion {
       b.report(diag("ISO-0320"), ig::Where::block());
       b.alarm();
     }
+    motion_.feed(b, [&] { return path.length(); });
+  }
+
+  void while_turning(ig::Block& b, const Path& path) const {
+    b.report(tool_center_diag("ISO-0446"), ig::Where::block());
+    b.alarm();
     motion_.feed(b, [&] { return path.length(); });
   }
 

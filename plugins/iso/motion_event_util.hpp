@@ -57,9 +57,12 @@ class BlockMotion {
     return b.host()->get_many(b.raw(), motions, 2, unused) != 0;
   }
 
+  /// Do the rotary axes turn under tool centre point control in this block?
+  bool turns(const ig::Block& b) const { return b.is_raised(turns_); }
+
   void rapid(ig::Block& b) const {
     const ig_field fields[] = {form_.id(), is_rapid_.id()};
-    const ig_value values[] = {symbol(linear_), {.integer = 1}};
+    const ig_value values[] = {symbol(straight_form(b)), {.integer = 1}};
     b.host()->set_many(b.raw(), fields, 2, values);
   }
   /// `length()` is the path's, in mm; asked where the feed depends on it (G93).
@@ -67,7 +70,7 @@ class BlockMotion {
   void feed(ig::Block& b, const Length& length) const {
     const double mmds = feed_.mmds(b, length);
     const ig_field fields[] = {form_.id(), feedrate_.id()};
-    const ig_value values[] = {symbol(linear_), {.number = mmds}};
+    const ig_value values[] = {symbol(straight_form(b)), {.number = mmds}};
     b.host()->set_many(b.raw(), fields, mmds > 0 ? 2 : 1, values);
     if (mmds <= 0) say_no_feed(b);
   }
@@ -84,11 +87,14 @@ class BlockMotion {
   }
   /// By a feed of its own, in mm/s; 0: none is in force, which was said.
   void straight(ig::Block& b, double feed_mmds) const {
-    b.set(form_, linear_);
+    b.set(form_, straight_form(b));
     if (feed_mmds > 0) b.set(feedrate_, feed_mmds);
   }
 
  private:
+  /// The tip is led along its path while the rotary axes turn.
+  ig::Symbol straight_form(const ig::Block& b) const { return turns(b) ? led_ : linear_; }
+
   static ig_value symbol(ig::Symbol s) { return ig::detail::ValueOf<ig::Symbol>::write(s); }
 
   /// A feed move without a feed; under G93 a path without length needs none.
@@ -105,7 +111,8 @@ class BlockMotion {
   ig::Xyz center_{"MotionEvent.ArcCenter", ig::write};
   ig::Out<bool> is_ccw_{"MotionEvent.IsCcw"};
   ig::Out<std::int64_t> circles_{"MotionEvent.AdditionalCircleNum"};
-  ig::Name linear_{"McLinear"}, arc_{"McArc"};
+  ig::Signal turns_{"PivotTransform.~Turns", ig::read};
+  ig::Name linear_{"McLinear"}, arc_{"McArc"}, led_{"ClLinear"};
   FeedInForce feed_;
 };
 

@@ -20,13 +20,18 @@ inline double length(const ig::Vec3& way) { return std::sqrt(way.x * way.x + way
 
 /// The program point at which the block begins. There are two ways back from where the tool stands: through the frame
 /// of *this* block when the frame changed under a resting spindle (G55, G43, G68), and through the frame of the block
-/// that carries the point, which is the program point as it was carried, when the tip rests in the workpiece.
+/// that carries the point, which is the program point as it was carried, when the tip rests in the workpiece. A frame
+/// that moves with the rotary axes (tool centre point control) takes the tip along: the second way. Where a block both
+/// changes the frame and turns the axes, PivotTransformationSyntax has computed the point with the axes at the start.
 class LastProgramXyz {
  public:
   /// The first way where the frame changed in this block, else the second.
   ig::Vec3 operator()(ig::Block& b) const {
-    if (b.frame_changed())
+    if (b.frame_changed()) {
+      const ig::PartialVec3 start = b.get(start_);
+      if (start.complete()) return start.value;
       if (const auto program = of_resting_machine(b)) return *program;
+    }
     return as_carried(b);
   }
 
@@ -43,6 +48,9 @@ class LastProgramXyz {
  private:
   ig::Xyz program_{"ProgramXyz", ig::previous};
   ig::Xyz machine_{"MachineCoordinate", ig::previous};
+  ig::Xyz start_{"PivotTransform.Start",
+                 ig::read,
+                 {ig::Life::block, "mm", "Where the block begins, in its own frame, rotary axes at the start."}};
 };
 
 /// A member of each syntax that must tell positions from distances.

@@ -25,7 +25,6 @@ struct ToolHeightOffset {
   ig::Out<double> offset_{"ToolHeightCompensation.Offset_mm"};
   ig::Xyz orientation_{"ToolOrientation", ig::read | ig::wake};
   ig::Transform tilt_{"TiltTransform", ig::read | ig::wake};
-  ig::In<ig::Symbol> tilt_term_{"TiltTransform.Term", ig::read, {ig::Life::modal, "", "The code in force."}};
   ig::Transform frame_{"ToolHeightCompensation"};
   ig::Signal table_changed_{"ToolHeightCompensation.~TableChanged", ig::read | ig::wake};
   ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::required, "Length geometry and wear."};
@@ -37,11 +36,11 @@ struct ToolHeightOffset {
   ig::Call other_z_{and_cycle_codes({"G28", "G30"}), "Z", ig::read};
   ig::Codes machine_select_{{"G53"}, ig::read};
   DistanceMode distance_;
-  ig::Name g43_{"G43"}, g44_{"G44"}, g49_{"G49"}, g68_{"G68"};
+  ig::Name g43_{"G43"}, g44_{"G44"}, g49_{"G49"};
 
   ig::Choice<RotatedAxis> rotated_axis_{"rotated-axis", "follow|keep", "follow",
-                                        "Which way the length lies under G68: along Z of the rotated system, or along "
-                                        "Z as without a rotation."};
+                                        "Which way the length lies in a rotated or tilted system, up to G53.1: along "
+                                        "its Z, or along Z as without it."};
   ig::Choice<UnderG91> under_g91_{"under-g91", "position|travel", "position",
                                   "Under G91: a new length is another position of the resting tool, or is travelled "
                                   "with the next increment of Z."};
@@ -131,11 +130,11 @@ struct ToolHeightOffset {
     return true;
   }
 
-  /// ToolOrientation, else Z of the tilted plane, else Z.
+  /// ToolOrientation (G53.1 has turned the tool), else Z of the rotated system or of the machine.
   ig::Vec3 tool_axis(const ig::Block& b) const {
     const ig::PartialVec3 orientation = b.get(orientation_);
     if (orientation.complete()) return orientation.value;
-    if (rotated_axis_ == RotatedAxis::keep && b.is(tilt_term_, g68_)) return {0, 0, 1};
+    if (rotated_axis_ == RotatedAxis::keep) return {0, 0, 1};
     double m[16];
     if (b.host()->transform(b.raw(), tilt_.id(), m) != 0) return {m[8], m[9], m[10]};
     return {0, 0, 1};

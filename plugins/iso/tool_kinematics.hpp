@@ -1,0 +1,249 @@
+/// What the rotary axes make of the tool: its direction, the frame that turns with them, the angles for a direction.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "rotary_axis_util.hpp"
+#include "tilt_transform_util.hpp"
+
+namespace iso {
+
+inline double dot(const ig::Vec3& a, const ig::Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+/// The machine's rotary axes as isogloss.machine-kinematics/1 knows them.
+class ToolKinematics {
+ public:
+  explicit operator bool() const { return count_ != 0; }
+  std::size_t count() const { return count_; }
+  /// 0, 1, 2 for A, B, C; the axis nearer the machine's base first.
+  std::size_t axis(std::size_t i) const { return axes_[i]; }
+  bool has(std::size_t axis) const { return (mask_ >> axis & 1u) != 0; }
+  /// A head carries the tool and a table the workpiece.
+  bool is_mixed() const { return count_ == 2 && is_table_[0] != is_table_[1]; }
+  bool is_table(std::size_t i) const { return is_table_[i]; }
+
+  /// From the tip to the holder, as the workpiece sees it. Nothing for angles that are no numbers.
+  std::optional<ig::Vec3> tool_axis(const Angles& angles) const {
+    double t[3];
+    if (service_->tool_axis(service_->self, angles.data(), t) == 0) return std::nullopt;
+    return ig::Vec3{t[0], t[1], t[2]};
+  }
+  std::optional<Mat4> pivot(const Angles& angles) const {
+    Mat4 m;
+    if (service_->pivot(service_->self, angles.data(), m.data()) == 0) return std::nullopt;
+    return m;
+  }
+  std::size_t solve(const ig::Vec3& direction, const Angles& present, std::array<ig_rotary_solution, 2>& out) const {
+    const double d[3] = {direction.x, direction.y, direction.z};
+    return service_->solve(service_->self, d, present.data(), out.data());
+  }
+
+ private:
+  std::size_t ask() {
+    if (!service_) return 0;
+    char names[2] = {};
+    const std::size_t n = std::min<std::size_t>(2, service_->axes(service_->self, names));
+    for (std::size_t i = 0; i < n; ++i) {
+      axes_[i] = rotary_names.find(names[i]);
+      if (axes_[i] > 2) return 0;
+      mask_ |= 1u << axes_[i];
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      Angles quarter{};
+      quarter[axes_[i]] = 90;
+      Mat4 turned = identity_frame, zero = identity_frame;
+      service_->pivot(service_->self, quarter.data(), turned.data());
+      service_->pivot(service_->self, Angles{}.data(), zero.data());
+      for (const std::size_t e : {0u, 1u, 2u, 4u, 5u, 6u, 8u, 9u, 10u})
+        is_table_[i] = is_table_[i] || std::fabs(turned[e] - zero[e]) > 1e-6;
+    }
+    return n;
+  }
+
+  ig::Service<ig_machine_kinematics_1> service_{"isogloss.machine-kinematics/1", ig::Need::optional,
+                                                "Where the rotary axes sit."};
+  std::array<std::size_t, 2> axes_{};
+  std::uint32_t mask_ = 0;
+  std::array<bool, 2> is_table_{};
+  std::size_t count_ = ask();
+};
+
+/// Which of the pairs of angles that give the tool its direction is taken.
+enum class SolutionChoice { min_first, min_sum, min_max, positive, negative };
+
+inline constexpr const char* solution_choices = "min-first|min-sum|min-max|positive|negative";
+
+struct RotaryCandidates {
+  std::array<Angles, 2> angles{};
+  std::size_t count = 0;
+  bool is_reachable = false;  ///< some angles give the direction, inside the limits or not
+};
+
+/// Angles for a direction: both solutions, in the turn of each axis that lies nearest inside its travel.
+class RotarySolver {
+ public:
+  RotaryCandidates candidates(const ToolKinematics& machine, const ig::Vec3& direction, const Angles& present) const {
+    std::array<ig_rotary_solution, 2> found{};
+    const std::size_t n = machine.solve(direction, present, found);
+    RotaryCandidates out;
+    out.is_reachable = n != 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      Angles angles = present;
+      bool is_inside = true;
+      for (std::size_t k = 0; k < machine.count(); ++k) {
+        const std::size_t axis = machine.axis(k);
+        if ((found[i].free >> axis & 1u) == 0)
+          angles[axis] =
+              nearest_turn_inside(present[axis], found[i].angles[axis], axes_.travel(axis), HalfTurn::positive);
+        is_inside = is_inside && axes_.travel(axis).holds(angles[axis]);
+      }
+      if (is_inside) out.angles[out.count++] = angles;
+    }
+    return out;
+  }
+
+  /// The one that comes first in the order of the choice; candidates that the choice rules out are dropped.
+  static std::optional<Angles> choose(const ToolKinematics& machine, const RotaryCandidates& from,
+                                      const Angles& present, SolutionChoice choice) {
+    std::optional<Angles> best;
+    for (std::size_t i = 0; i < from.count; ++i) {
+      const double master = std::remainder(from.angles[i][machine.axis(0)], 360.0);
+      if (choice == SolutionChoice::positive && master < -same_angle_deg) continue;
+      if (choice == SolutionChoice::negative && master > same_angle_deg) continue;
+      if (!best || comes_first(machine, from.angles[i], *best, present, choice)) best = from.angles[i];
+    }
+    return best;
+  }
+
+  const RotaryAxes& axes() const { return axes_; }
+
+ private:
+  static bool comes_first(const ToolKinematics& machine, const Angles& a, const Angles& b, const Angles& present,
+                          SolutionChoice choice) {
+    const auto key = [&](const Angles& angles) {
+      std::array<double, 2> way{}, from_zero{};
+      for (std::size_t k = 0; k < machine.count(); ++k) {
+        const std::size_t axis = machine.axis(k);
+        way[k] = std::fabs(angles[axis] - present[axis]);
+        from_zero[k] = std::fabs(std::remainder(angles[axis], 360.0));
+      }
+      // Fanuc asks a table before a head.
+      const std::size_t first = machine.is_mixed() && machine.is_table(1) ? 1 : 0, second = 1 - first;
+      const double sum = way[0] + way[1], longest = std::fmax(way[0], way[1]);
+      const double before = choice == SolutionChoice::min_sum   ? sum
+                            : choice == SolutionChoice::min_max ? longest
+                                                                : way[first];
+      const bool is_negative = std::remainder(angles[machine.axis(0)], 360.0) < 0;
+      return std::array<double, 6>{before,           way[first],        way[second],
+                                   from_zero[first], from_zero[second], is_negative ? 1.0 : 0.0};
+    };
+    const auto ka = key(a), kb = key(b);
+    for (std::size_t i = 0; i < ka.size(); ++i)
+      if (std::fabs(ka[i] - kb[i]) > same_angle_deg) return ka[i] < kb[i];
+    return false;
+  }
+
+  RotaryAxes axes_;
+};
+
+/// Is tool centre point control in force?
+class ToolCenterMode {
+ public:
+  bool is_on(const ig::Block& b) const {
+    const ig::Symbol term = b.get_or(term_, ig::Symbol{});
+    return term == g43_4_ || term == g43_5_;
+  }
+  ig::Symbol term(const ig::Block& b) const { return b.get_or(term_, ig::Symbol{}); }
+
+ private:
+  ig::In<ig::Symbol> term_{"ToolHeightCompensation.Term"};
+  ig::Name g43_4_{"G43.4"}, g43_5_{"G43.5"};
+};
+
+/// The angles for which the entry PivotTransform stands; none where it is the identity.
+class PivotState {
+ public:
+  explicit PivotState(ig::Access access)
+      : ids_{field("PivotTransform.A", access), field("PivotTransform.B", access), field("PivotTransform.C", access)} {}
+
+  PartialAngles get(const ig::Block& b) const {
+    ig_value v[3];
+    PartialAngles out{b.host()->get_many(b.raw(), ids_.data(), 3, v), {}};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (out.has(axis)) out.value[axis] = v[axis].number;
+    return out;
+  }
+  bool is_fresh(const ig::Block& b) const { return b.host()->fresh_many(b.raw(), ids_.data(), 3) != 0; }
+  void set(ig::Block& b, const ToolKinematics& machine, const Angles& angles) const {
+    for (std::size_t k = 0; k < machine.count(); ++k)
+      b.host()->set(b.raw(), ids_[machine.axis(k)], {.number = angles[machine.axis(k)]});
+  }
+  void erase(ig::Block& b) const {
+    for (const ig_field id : ids_) b.host()->erase(b.raw(), id);
+  }
+
+ private:
+  static ig_field field(const char* path, ig::Access access) {
+    return ig::Field<double>(path, access, {ig::Life::modal, "deg", "Angle for which the entry PivotTransform stands."})
+        .id();
+  }
+  std::array<ig_field, 3> ids_;
+};
+
+/// What a block does with the rotary axes while the frame turns with them.
+struct RotaryTurn {
+  Angles from{}, to{};
+  bool moves = false;
+  bool was_moved = false;  ///< something else (G28, G53) has turned the axes since: the frame is to be set anew
+};
+
+/// A member of each syntax that lets the frame follow the axes.
+class RotaryTurns {
+ public:
+  explicit RotaryTurns(ig::Access state = ig::read) : state_(state) {}
+
+  RotaryTurn read(const ig::Block& b, const ToolKinematics& machine) const {
+    const PartialAngles machine_now = angles_.present(b);
+    const PartialAngles known = state_.get(b);
+    RotaryTurn turn;
+    turn.from = known.mask != 0 ? known.value : machine_now.value;
+    turn.to = angles_.target(b).value;
+    if (known.mask != 0 && differ(machine, turn.from, machine_now.value) && !is_written(b)) {
+      turn.from = machine_now.value;
+      turn.was_moved = true;
+    }
+    turn.moves = moves(machine, turn);
+    return turn;
+  }
+  bool moves(const ToolKinematics& machine, const RotaryTurn& turn) const {
+    return differ(machine, turn.from, turn.to);
+  }
+  const PivotState& state() const { return state_; }
+  const RotaryAngles& angles() const { return angles_; }
+  const RotaryAxes& axes() const { return axes_; }
+
+ private:
+  /// Whole turns of an axis that counts on are a move as well.
+  bool differ(const ToolKinematics& machine, const Angles& a, const Angles& b) const {
+    constexpr double noise = 1e-9;
+    for (std::size_t k = 0; k < machine.count(); ++k) {
+      const std::size_t axis = machine.axis(k);
+      const double way = b[axis] - a[axis];
+      if (way == 0) continue;
+      const double rest = axes_.rollover(axis) == Rollover::counts_on ? way : std::remainder(way, 360.0);
+      if (!(std::fabs(rest) <= noise)) return true;
+    }
+    return false;
+  }
+  bool is_written(const ig::Block& b) const { return b.host()->fresh_many(b.raw(), machine_.data(), 3) != 0; }
+
+  RotaryAngles angles_;
+  PivotState state_;
+  RotaryAxes axes_;
+  std::array<ig_field, 3> machine_{ig::In<double>("MachineCoordinate.A").id(),
+                                   ig::In<double>("MachineCoordinate.B").id(),
+                                   ig::In<double>("MachineCoordinate.C").id()};
+};
+
+}  // namespace iso
