@@ -4,10 +4,13 @@
 /// Until an axis of the plane is programmed under G90, the control turns increments about the place where the tool
 /// stands. A rotation that moves the centre to the tool, and leaves the tool's program point as it is, does just that:
 /// it is the frame in force until then where the dialect keeps the programmed numbers (unnamed-axis="programmed").
+#include <algorithm>
+
 #include "cycle_codes.hpp"
 #include "modal_group.hpp"
 #include "program_xyz_util.hpp"
 #include "scale_and_mirror.hpp"
+#include "tilt_diagnostics.hpp"
 #include "tilt_transform_util.hpp"
 
 namespace iso {
@@ -47,6 +50,7 @@ struct IsoG68Rotation {
   ig::In<ig::Symbol> polar_{"PolarCoordinate.Term"};
   ig::Config config_{"isogloss.coordinate-system/1", ig::Need::optional, "RotationAngle_deg, RotationIsIncremental."};
   ig::Name g68_name_{"G68"}, g69_name_{"G69"}, g17_{"G17"};
+  std::array<ig::Name, 3> planes_in_space_{ig::Name{"G68.2"}, ig::Name{"G68.3"}, ig::Name{"G68.4"}};
 
   ig::Choice<UnnamedAxis> unnamed_axis_{"unnamed-axis", "rotated|programmed", "rotated",
                                         "Where an axis of the plane stands that the first absolute block after G68 "
@@ -90,6 +94,10 @@ struct IsoG68Rotation {
     return word ? std::optional(scale_and_mirror_.axis(b, axis).position(*word)) : std::nullopt;
   }
 
+  bool is_tilted(const ig::Block& b) const {
+    return std::ranges::any_of(planes_in_space_, [&](const ig::Name& code) { return b.is(term_, code); });
+  }
+
   void cancel(ig::Block& b) const {
     b.set(term_, g69_name_);
     for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), center_.id(axis));
@@ -104,10 +112,14 @@ struct IsoG68Rotation {
     std::uint32_t found = 0;
     b.host()->take_code(b.raw(), g68_.codes(), 1, &found);
     ig_value unused[3];
-    if (b.host()->take_many(b.raw(), g68_.row(0) + I, 3, unused) != 0) {  // a rotation about an axis in space
+    const bool is_in_space = b.host()->take_many(b.raw(), g68_.row(0) + I, 3, unused) != 0;  // about an axis in space
+    if (is_in_space || is_tilted(b)) {
       b.host()->take_many(b.raw(), g68_.row(0), 3, unused);
       take_word(b, R);
-      b.report(diag("ISO-0263"), where, b.text(g68_.name(0)));
+      if (is_in_space)
+        b.report(diag("ISO-0263"), where, b.text(g68_.name(0)));
+      else
+        b.report(tilt_diag("ISO-0430"), where);
       return;
     }
     const PlaneAxes plane = plane_(b);

@@ -51,6 +51,93 @@ TEST_CASE("a rotation that takes one point to another keeps distances from it") 
   CHECK(std::hypot(moved.y, moved.z) == Approx(5));
 }
 
+namespace {
+
+ig::Vec3 row(const Mat4& m, std::size_t axis) { return {m[4 * axis], m[4 * axis + 1], m[4 * axis + 2]}; }
+
+void check_is_rotation(const Mat4& m) {
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) CHECK(dot(row(m, i), row(m, k)) == Approx(i == k ? 1 : 0).margin(1e-15));
+  check(cross(row(m, 0), row(m, 1)), row(m, 2));
+}
+
+}  // namespace
+
+TEST_CASE("Euler angles: the reference's matrix, whose columns are the rows here") {
+  const Mat4 m = euler_zxz({30, 45, 60});
+  const double columns[3][3] = {
+      {0.126826, 0.780330, 0.612372}, {-0.926777, -0.126826, 0.353553}, {0.353553, -0.612372, 0.707107}};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) CHECK(m[4 * i + k] == Approx(columns[i][k]).margin(5e-7));
+  check_is_rotation(m);
+  CHECK(euler_zxz({0, 0, 0}) == identity_frame);
+}
+
+TEST_CASE("Euler angles: the reference's points") {
+  check(mapped(at_origin(euler_zxz({0, 30, 0}), {10, 20, 50}), {5, 6, 2}),
+        {15, 20 + 6 * std::sqrt(0.75) - 1, 50 + 3 + 2 * std::sqrt(0.75)});
+  check(mapped(at_origin(euler_zxz({90, 30, 0}), {10, 20, 50}), {5, 6, 2}),
+        {10 - 6 * std::sqrt(0.75) + 1, 25, 50 + 3 + 2 * std::sqrt(0.75)});
+}
+
+TEST_CASE("quarter turns are exact: I90 J90 lays Z along X, X along Y and Y along Z") {
+  const Mat4 m = euler_zxz({90, 90, 0});
+  CHECK(row(m, 0) == ig::Vec3{0, 1, 0});
+  CHECK(row(m, 1) == ig::Vec3{0, 0, 1});
+  CHECK(row(m, 2) == ig::Vec3{1, 0, 0});
+}
+
+TEST_CASE("roll, pitch and yaw: about axes at rest, in the order named, or about axes that turn along") {
+  // X by 90: Y lies along Z. Then Z by 90, at rest: X goes to Y, and what lay along Z stays.
+  const Mat4 fixed = roll_pitch_yaw({90, 0, 90}, {0, 1, 2}, TurnedAxes::fixed);
+  CHECK(row(fixed, 0) == ig::Vec3{0, 1, 0});
+  CHECK(row(fixed, 1) == ig::Vec3{0, 0, 1});
+  // The Z that turned along points to -Y: X goes to the Y that turned along, which is Z.
+  const Mat4 turned = roll_pitch_yaw({90, 0, 90}, {0, 1, 2}, TurnedAxes::turned);
+  CHECK(row(turned, 0) == ig::Vec3{0, 0, 1});
+  CHECK(row(turned, 1) == ig::Vec3{-1, 0, 0});
+  CHECK(roll_pitch_yaw({11, 22, 33}, {2, 1, 0}, TurnedAxes::turned) ==
+        roll_pitch_yaw({11, 22, 33}, {0, 1, 2}, TurnedAxes::fixed));
+  check_is_rotation(roll_pitch_yaw({11, 22, 33}, {1, 2, 0}, TurnedAxes::fixed));
+}
+
+TEST_CASE("axes from directions, of any length") {
+  const auto m = from_x_and_side({0, 3, 0}, {-1e300, 1e300, 0});
+  REQUIRE(m);
+  CHECK(row(*m, 0) == ig::Vec3{0, 1, 0});
+  CHECK(row(*m, 1) == ig::Vec3{-1, 0, 0});
+  const auto upright = from_z_and_x({0, 0, 1e-300}, {1, 0, 1});
+  REQUIRE(upright);
+  CHECK(*upright == identity_frame);
+  CHECK_FALSE(from_x_and_side({1, 0, 0}, {2, 0, 0}));
+  CHECK_FALSE(from_x_and_side({1, 0, 0}, {-1, 1e-10, 0}));
+  CHECK_FALSE(from_z_and_x({0, 0, 0}, {1, 0, 0}));
+  CHECK_FALSE(from_z_and_x({HUGE_VAL, 0, 0}, {1, 0, 0}));
+  for (const double k : {-2.0, 0.1, 5.0}) check_is_rotation(from_x_and_side({1, k, 2}, {0.3, -1, k}).value());
+}
+
+TEST_CASE("projection angles: X seen from the side, Y seen along X") {
+  const auto m = from_projections({30, 0, 0});
+  REQUIRE(m);
+  check(row(*m, 0), {std::sqrt(0.75), 0, -0.5});
+  check(row(*m, 2), {0.5, 0, std::sqrt(0.75)});
+  const auto both = from_projections({45, 45, 90});
+  REQUIRE(both);
+  check(row(*both, 2), {std::sqrt(1.0 / 3), -std::sqrt(1.0 / 3), std::sqrt(1.0 / 3)});
+  check(row(*both, 1), {-std::sqrt(0.5), 0, std::sqrt(0.5)});  // X', a quarter turn later
+  check_is_rotation(*both);
+  CHECK_FALSE(from_projections({90, 90, 0}));
+}
+
+TEST_CASE("one plane inside another, and the way back") {
+  const Mat4 outer = at_origin(euler_zxz({90, 90, 0}), {10, 20, 30}), inner = at_origin(turn_about(2, 90), {1, 2, 3});
+  const Mat4 both = product(inner, outer);
+  CHECK(mapped(both, {5, 0, 0}) == mapped(outer, mapped(inner, {5, 0, 0})));
+  CHECK(mapped(both, {5, 0, 0}) == ig::Vec3{13, 21, 37});
+  check(mapped(inverse(both), {13, 21, 37}), {5, 0, 0});
+  CHECK(inverse(identity_frame) == identity_frame);
+}
+
 TEST_CASE("a rotation about infinity is not finite") {
   CHECK(is_finite(identity_frame));
   CHECK_FALSE(is_finite(rotation_in(xy_plane, 180, {1.5e308, 0, 0}, {1.5e308, 0, 0})));
