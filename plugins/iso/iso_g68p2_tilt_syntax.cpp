@@ -1,8 +1,8 @@
 /// G68.2, G68.3, G68.4 and G69: a tilted plane. From here on the program describes points in a system of its own, whose
 /// XY plane lies anywhere in the workpiece; Z stands upright on it. Fanuc manual, "Tilted working plane command".
 ///
-/// The plane is one entry of the frame, before the tool length and the offsets, so that arcs, cycles and everything else
-/// lie in it without knowing of it. Nothing moves here, neither the tool nor the rotary axes.
+/// The plane is one entry of the frame, before the tool length and the offsets, so that arcs, cycles and everything
+/// else lie in it without knowing of it. Nothing moves here, neither the tool nor the rotary axes.
 #include <string_view>
 
 #include "cycle_codes.hpp"
@@ -38,9 +38,8 @@ struct IsoG68p2Tilt {
   ig::Out<double> turn_{"TiltTransform.R", {ig::Life::modal, "deg", "Angle in force."}};
   ig::Out<std::int64_t> p_{"TiltTransform.P", {ig::Life::modal, "", "How the plane was defined; absent: 0."}};
   ig::Out<std::int64_t> q_{"TiltTransform.Q", {ig::Life::modal, "", "Order of the turns under P1."}};
-  ig::Out<bool> is_aligned_{
-      "TiltTransform.IsAligned",
-      {ig::Life::modal, "", "G53.1 or G53.6 has put the tool upright on the plane."}};
+  ig::Out<bool> is_aligned_{"TiltTransform.IsAligned",
+                            {ig::Life::modal, "", "G53.1 or G53.6 has put the tool upright on the plane."}};
   TiltFrame frame_{ig::read | ig::write};
   ig::Signal about_tool_{"TiltTransform.~AboutTool", ig::read | ig::write, ig::Life::modal};
   ig::Xyz orientation_{"ToolOrientation", ig::read | ig::write};
@@ -91,8 +90,8 @@ struct IsoG68p2Tilt {
                      "P2 Q0: X Y Z lead from the first point to the origin, in the plane, or are the origin itself."};
   ig::Choice<Unnamed> unnamed_{"unnamed-origin", "zero|tool", "zero",
                                "An axis of the origin that G68.2 or G68.4 does not name: 0, or where the tool stands."};
-  ig::IntegerOption vertical_{"vertical-axis", "3", {1, 3},
-                              "G68.3: X of the plane is square to the tool and to this axis (1 X, 2 Y, 3 Z)."};
+  ig::IntegerOption vertical_{
+      "vertical-axis", "3", {1, 3}, "G68.3: X of the plane is square to the tool and to this axis (1 X, 2 Y, 3 Z)."};
 
   ig::Status build(ig::Block& b) {
     const auto row = b.find(tilt_);
@@ -153,6 +152,13 @@ struct IsoG68p2Tilt {
     return ig::Where::word(letter != 0 ? tilt_.word(row, letter) : tilt_.code(row));
   }
 
+  /// The control would stop.
+  template <class... Args>
+  static void alarm(ig::Block& b, std::uint32_t diagnostic, ig::Where where, const Args&... args) {
+    b.report(diagnostic, where, args...);
+    b.alarm();
+  }
+
   // ---- The ways to define a plane
 
   void define(ig::Block& b, std::size_t row) const {
@@ -162,7 +168,7 @@ struct IsoG68p2Tilt {
     const auto p_word = row == by_tool ? std::nullopt : take_word(b, row, 'P');
     const auto p = whole_number(p_word.value_or(0));
     if (!p || *p > 4) {
-      b.report(tilt_diag("ISO-0421"), at(row, 'P'), b.text(tilt_.name(row)), *p_word);
+      alarm(b, tilt_diag("ISO-0421"), at(row, 'P'), b.text(tilt_.name(row)), *p_word);
       drop(b, row);
       return;
     }
@@ -189,8 +195,8 @@ struct IsoG68p2Tilt {
                         : p == 1 ? roll_pitch_yaw(angles, *axes, turns_)
                                  : from_projections(angles);
     if (!turned) {
-      b.report(tilt_diag("ISO-0431"), at(row), b.text(tilt_.name(row)), static_cast<double>(p),
-               std::string_view("angles"));
+      alarm(b, tilt_diag("ISO-0431"), at(row), b.text(tilt_.name(row)), static_cast<double>(p),
+            std::string_view("angles"));
       return;
     }
     if (!put_in_force(b, row, at_origin(*turned, at_point))) return;
@@ -258,8 +264,8 @@ struct IsoG68p2Tilt {
     forget_parts(b);
     if (!is_square) return;
     if (!plane) {
-      b.report(tilt_diag("ISO-0431"), at(row), b.text(tilt_.name(row)), static_cast<double>(p),
-               std::string_view(p == 2 ? "points" : "vectors"));
+      alarm(b, tilt_diag("ISO-0431"), at(row), b.text(tilt_.name(row)), static_cast<double>(p),
+            std::string_view(p == 2 ? "points" : "vectors"));
       return;
     }
     if (!put_in_force(b, row, *plane)) return;
@@ -284,10 +290,10 @@ struct IsoG68p2Tilt {
   bool are_square(ig::Block& b, std::size_t row) const {
     const auto x = unit(b.get(vectors_[0]).value), z = unit(b.get(vectors_[1]).value);
     if (!x || !z) return true;
-    const double angle = std::acos(std::clamp(dot(*x, *z), -1.0, 1.0)) * (180 / std::numbers::pi);
+    const double angle = std::acos(std::clamp(scalar_product(*x, *z), -1.0, 1.0)) * (180 / std::numbers::pi);
     constexpr double rounding = 1e-9;
     if (std::fabs(angle - 90) <= widest_from_square + rounding) return true;
-    b.report(tilt_diag("ISO-0432"), at(row), b.text(tilt_.name(row)), angle);
+    alarm(b, tilt_diag("ISO-0432"), at(row), b.text(tilt_.name(row)), angle);
     return false;
   }
 
@@ -296,7 +302,7 @@ struct IsoG68p2Tilt {
     const ig::PartialVec3 named = take_words(b, by_tool, "XYZ");
     const auto turn = take_word(b, by_tool, 'R');
     if (named.mask != 0 && !named.complete()) {
-      b.report(tilt_diag("ISO-0428"), at(by_tool));
+      alarm(b, tilt_diag("ISO-0428"), at(by_tool));
       return;
     }
     const double angles[3] = {b.get_or(rotary_[0], 0.0), b.get_or(rotary_[1], 0.0), b.get_or(rotary_[2], 0.0)};
@@ -304,9 +310,9 @@ struct IsoG68p2Tilt {
     const auto up = static_cast<std::size_t>(vertical_ - 1);
     ig::Vec3 vertical, beside;
     vertical[up] = beside[(up + 1) % 3] = 1;
-    const ig::Vec3 x = cross(vertical, tool);
+    const ig::Vec3 x = vector_product(vertical, tool);
     constexpr double parallel = 1e-9;
-    const auto plane = from_z_and_x(tool, std::sqrt(dot(x, x)) > parallel ? x : beside);
+    const auto plane = from_z_and_x(tool, std::sqrt(scalar_product(x, x)) > parallel ? x : beside);
     if (!plane) return;  // a tool axis has a direction
     const ig::Vec3 at_point = named.complete() ? named.value : tip(b, tool, angles);
     if (!put_in_force(b, by_tool, at_origin(product(turn_about(2, turn.value_or(0)), *plane), at_point))) return;
@@ -340,7 +346,7 @@ struct IsoG68p2Tilt {
   }
 
   void no_such_q(ig::Block& b, std::size_t row, std::int64_t p, double q) const {
-    b.report(tilt_diag("ISO-0429"), at(row, 'Q'), b.text(tilt_.name(row)), static_cast<double>(p), q);
+    alarm(b, tilt_diag("ISO-0429"), at(row, 'Q'), b.text(tilt_.name(row)), static_cast<double>(p), q);
     drop(b, row);
   }
 
@@ -351,7 +357,7 @@ struct IsoG68p2Tilt {
     const bool replaces = is_tilted(before) || before == g68_;
     const Mat4 m = row == inside ? product(plane, frame_.get(b)) : plane;
     if (!is_finite(m)) {
-      b.report(tilt_diag("ISO-0423"), at(row), b.text(tilt_.name(row)));
+      alarm(b, tilt_diag("ISO-0423"), at(row), b.text(tilt_.name(row)));
       return false;
     }
     if (row == inside && !replaces) b.report(tilt_diag("ISO-0427"), at(row));
@@ -396,8 +402,8 @@ struct IsoG68p2Tilt {
   }
 
   void give_up(ig::Block& b) const {
-    b.report(tilt_diag("ISO-0425"), ig::Where::block(), b.text(b.get_or(open_term_, ig::Symbol{})),
-             static_cast<double>(b.get_or(open_p_, std::int64_t{0})), missing(b));
+    alarm(b, tilt_diag("ISO-0425"), ig::Where::block(), b.text(b.get_or(open_term_, ig::Symbol{})),
+          static_cast<double>(b.get_or(open_p_, std::int64_t{0})), missing(b));
     forget_parts(b);
   }
 

@@ -77,8 +77,8 @@ inline Mat4 at_origin(Mat4 m, const ig::Vec3& origin) {
   return m;
 }
 
-inline double dot(const ig::Vec3& a, const ig::Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline ig::Vec3 cross(const ig::Vec3& a, const ig::Vec3& b) {
+inline double scalar_product(const ig::Vec3& a, const ig::Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline ig::Vec3 vector_product(const ig::Vec3& a, const ig::Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 /// Nothing for a vector without a direction. Scaled first: squares of what a program may say overflow.
@@ -86,7 +86,7 @@ inline std::optional<ig::Vec3> unit(ig::Vec3 v) {
   const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
   if (!(largest > 0) || !std::isfinite(largest)) return std::nullopt;
   v = {v.x / largest, v.y / largest, v.z / largest};
-  const double length = std::sqrt(dot(v, v));
+  const double length = std::sqrt(scalar_product(v, v));
   return ig::Vec3{v.x / length, v.y / length, v.z / length};
 }
 
@@ -106,8 +106,8 @@ inline Mat4 euler_zxz(const ig::Vec3& angles) {
 
 enum class TurnedAxes { fixed, turned };
 
-/// The angles are about X, Y and Z, in the order of the axes named: about the axes of the workpiece, or about those that
-/// were turned along.
+/// The angles are about X, Y and Z, in the order of the axes named: about the axes of the workpiece, or about those
+/// that were turned along.
 inline Mat4 roll_pitch_yaw(const ig::Vec3& angles, const std::array<std::size_t, 3>& order, TurnedAxes axes) {
   Mat4 m = identity_frame;
   for (const std::size_t axis : order) {
@@ -122,9 +122,9 @@ inline std::optional<Mat4> from_x_and_side(const ig::Vec3& x, const ig::Vec3& si
   constexpr double least_sine = 1e-9;
   const auto along = unit(x), to_side = unit(side);
   if (!along || !to_side) return std::nullopt;
-  const ig::Vec3 normal = cross(*along, *to_side);
-  if (std::sqrt(dot(normal, normal)) < least_sine) return std::nullopt;
-  const ig::Vec3 z = *unit(normal), y = cross(z, *along);
+  const ig::Vec3 normal = vector_product(*along, *to_side);
+  if (std::sqrt(scalar_product(normal, normal)) < least_sine) return std::nullopt;
+  const ig::Vec3 z = *unit(normal), y = vector_product(z, *along);
   return Mat4{along->x, along->y, along->z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, 0, 0, 0, 1};
 }
 

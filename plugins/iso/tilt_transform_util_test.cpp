@@ -57,8 +57,9 @@ ig::Vec3 row(const Mat4& m, std::size_t axis) { return {m[4 * axis], m[4 * axis 
 
 void check_is_rotation(const Mat4& m) {
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) CHECK(dot(row(m, i), row(m, k)) == Approx(i == k ? 1 : 0).margin(1e-15));
-  check(cross(row(m, 0), row(m, 1)), row(m, 2));
+    for (std::size_t k = 0; k < 3; ++k)
+      CHECK(scalar_product(row(m, i), row(m, k)) == Approx(i == k ? 1 : 0).margin(1e-15));
+  check(vector_product(row(m, 0), row(m, 1)), row(m, 2));
 }
 
 }  // namespace
