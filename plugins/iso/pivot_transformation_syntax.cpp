@@ -80,7 +80,7 @@ struct PivotTransformation {
     const auto tool_before = machine_.tool_axis(turn.from), tool_after = machine_.tool_axis(turn.to);
     if (!end || !is_finite(*end) || !tool_before || !tool_after) return false;
     const double length = b.get_or(length_, 0.0);
-    if (b.frame_changed()) {
+    if (b.frame_changed() || b.is_raised(tip_stays_)) {
       b.set_translation(tool_, length * *tool_before);
       set(b, turn.from);
       if (const auto start = last_.of_resting_machine(b)) b.set(start_, *start);
