@@ -14,6 +14,20 @@ thread_local const Document* running = nullptr;
 
 bool is_blank(unsigned char c) { return c == ' ' || c == '\t'; }
 
+/// Does an element of a file that a run was given speak of this dependency of the dialect?
+bool is_given(const DependencyElement& element, const DependencyElement& of_dialect) {
+  return of_dialect.alias == element.alias || of_dialect.id == element.id;
+}
+
+/// NULL where the dependency does not provide it, or is not there yet.
+const void* service_of(const ig_dependency& d, void* self, std::string_view id) {
+  if (self == nullptr || d.provides == nullptr) return nullptr;
+  for (const char* const* provided = d.provides; *provided != nullptr; ++provided)
+    if (id == *provided)
+      if (const void* const s = d.service(self, *provided)) return s;
+  return nullptr;
+}
+
 }  // namespace
 
 Chain::Chain(const LinkedDialect& linked, ChainSettings settings, DiagnosticSink& sink)
@@ -98,7 +112,7 @@ void Chain::create_dependencies() {
 void Chain::overlay(const DependencyElement& element) {
   for (std::size_t i = 0; i < tables_.size(); ++i) {
     const LinkedDependency& d = linked_.dependencies[i];
-    if (d.element.alias != element.alias && d.element.id != element.id) continue;
+    if (!is_given(element, d.element)) continue;
     for (const Attribute& option : element.options) assign(d.element.alias + "." + option.name, option.value);
     for (const TableRow& row : element.rows) {
       std::string key;
@@ -201,13 +215,16 @@ void Chain::watch_modal_state() {
 }
 
 const void* Chain::service(std::string_view id) const {
-  for (std::size_t i = 0; i < dependencies_.size(); ++i) {
-    const ig_dependency& d = *linked_.dependencies[i].dependency;
-    if (dependencies_[i] == nullptr || d.provides == nullptr) continue;
-    for (const char* const* provided = d.provides; *provided != nullptr; ++provided)
-      if (id == *provided)
-        if (const void* const s = d.service(dependencies_[i], *provided)) return s;
-  }
+  const auto answer = [&](std::size_t i) {
+    return service_of(*linked_.dependencies[i].dependency, dependencies_[i], id);
+  };
+  // What the run gave a file for comes first, the last file before all; then the dialect's, in its order.
+  for (auto given = settings_.dependencies.rbegin(); given != settings_.dependencies.rend(); ++given)
+    for (std::size_t i = 0; i < dependencies_.size(); ++i)
+      if (is_given(*given, linked_.dependencies[i].element))
+        if (const void* const s = answer(i)) return s;
+  for (std::size_t i = 0; i < dependencies_.size(); ++i)
+    if (const void* const s = answer(i)) return s;
   return nullptr;
 }
 

@@ -7,7 +7,7 @@
 namespace fanuc {
 namespace {
 
-constexpr std::string_view increment_system = "1013", reset = "1202", first_reference = "1240", travel_maximum = "1320",
+constexpr std::string_view rotary_type = "1006", rollover_bits = "1008", increment_system = "1013", reset = "1202", first_reference = "1240", travel_maximum = "1320",
                            travel_minimum = "1321", rapid_rate = "1420", decimal_point = "3401", arc_tolerance = "3410",
                            cycle_bits = "5101", high_speed_peck = "5114", peck = "5115", shift_axis = "5148",
                            boring_return_override = "5149", tapping_bits = "5200", extraction_override = "5211",
@@ -135,7 +135,19 @@ struct FanucParameterTable {
   }
   static std::int32_t travel(void* self, char axis, double* low, double* high) {
     const Answer from = self_of(self).of_axis(travel_minimum, axis), to = self_of(self).of_axis(travel_maximum, axis);
-    return from && to ? write(from, low) & write(to, high) : 0;
+    return from && to && *from <= *to ? write(from, low) & write(to, high) : 0;  // the other way round: no limits
+  }
+  /// 1006 bits 0 and 1, ROT and ROS: 01 is a rotary axis of type A, the only one that can roll over. 1008 bit 0 ROA: it
+  /// does; bit 1 RAB: by the sign of the command, not by the shortest way.
+  static std::int32_t rollover(void* self, char axis, std::uint32_t* mode) {
+    if (std::string_view("ABC").find(axis) == std::string_view::npos) return 0;
+    const Answer type = self_of(self).of_axis(rotary_type, axis), bits = self_of(self).of_axis(rollover_bits, axis);
+    if (!type && !bits) return 0;
+    const bool is_type_a = (static_cast<std::uint32_t>(type.value_or(1)) & 3u) == 1;
+    const auto how = static_cast<std::uint32_t>(bits.value_or(0));
+    const bool rolls = is_type_a && (how & 1u) != 0;
+    *mode = !rolls ? 0 : (how & 2u) != 0 ? 2 : 1;
+    return 1;
   }
   static std::int32_t rapid(void* self, char axis, double* per_second) {
     const Answer per_minute = self_of(self).of_axis(rapid_rate, axis);
@@ -146,7 +158,7 @@ struct FanucParameterTable {
   ig_config_1 cycles{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::cycle_of>};
   ig_config_1 motion{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::motion_of>};
   ig_config_1 coordinate_system{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::coordinate_system_of>};
-  ig_machine_axis_1 machine{sizeof(ig_machine_axis_1), 0, this, &home, &reference, &travel, &rapid};
+  ig_machine_axis_1 machine{sizeof(ig_machine_axis_1), 0, this, &home, &reference, &travel, &rapid, &rollover};
 };
 
 const ig::Register<FanucParameterTable> registered;

@@ -132,3 +132,36 @@ TEST_CASE("coordinate systems: bits and the angle of a rotation") {
   CHECK(number(set, coordinates, "RotationIsIncremental") == 1);
   CHECK(number(set, coordinates, "ResetCancelsLocalCoordinate") == 1);
 }
+
+TEST_CASE("rotary axes: type, rollover and direction") {
+  const auto mode = [](const FakeDependency::Rows& rows) {
+    const FakeDependency table(*ig_plugin_v1(), "FanucParameterTable", rows);
+    const auto* s = table.service<ig_machine_axis_1>("isogloss.machine-axis/1");
+    std::uint32_t out = 9;
+    return s->rollover(s->self, 'C', &out) != 0 ? static_cast<int>(out) : -1;
+  };
+  const auto rows = [](double type, double bits) {
+    return FakeDependency::Rows{{"1006", {{"C", type}}}, {"1008", {{"C", bits}}}};
+  };
+  CHECK(mode({}) == -1);
+  CHECK(mode({{"1240", {{"C", 0}}}}) == -1);
+  CHECK(mode(rows(1, 0)) == 0);
+  CHECK(mode(rows(1, 1)) == 1);
+  CHECK(mode(rows(1, 3)) == 2);
+  CHECK(mode(rows(1, 5)) == 1);  // bit 2 is for the relative display
+  CHECK(mode(rows(3, 1)) == 0);  // type B
+  CHECK(mode(rows(0, 1)) == 0);  // a linear axis
+  CHECK(mode({{"1008", {{"C", 1}}}}) == 1);
+  const FakeDependency table(*ig_plugin_v1(), "FanucParameterTable", rows(1, 1));
+  const auto* s = table.service<ig_machine_axis_1>("isogloss.machine-axis/1");
+  std::uint32_t out = 9;
+  CHECK(s->rollover(s->self, 'X', &out) == 0);
+  CHECK(s->rollover(s->self, 'A', &out) == 0);
+}
+
+TEST_CASE("limits that are the wrong way round are off") {
+  const FakeDependency table(*ig_plugin_v1(), "FanucParameterTable", {{"1320", {{"X", -10}}}, {"1321", {{"X", 10}}}});
+  const auto* s = table.service<ig_machine_axis_1>("isogloss.machine-axis/1");
+  double low = 0, high = 0;
+  CHECK(s->travel(s->self, 'X', &low, &high) == 0);
+}

@@ -1,4 +1,7 @@
-// The machine's axes: which there are, where home and the reference positions lie, how far and how fast they travel.
+// The machine's axes: which there are, where home and the reference positions lie, how far and how fast they travel,
+// how the rotary ones turn.
+#include <cmath>
+
 #include <isogloss/sdk.hpp>
 
 namespace iso {
@@ -21,6 +24,11 @@ struct MachineAxes {
   ig::Column minimum{"Minimum", nullptr, "mm, deg", {}, "Lower end of the travel."};
   ig::Column maximum{"Maximum", nullptr, "mm, deg", {}, "Upper end of the travel."};
   ig::Column rapid_rate{"RapidRate", nullptr, "mm/min, deg/min", {0, HUGE_VAL}, "Speed of a rapid."};
+  ig::Column rollover_mode{"Rollover",
+                           nullptr,
+                           "",
+                           {0, 2},
+                           "How a rotary axis turns: 0 counts on, 1 the shortest way, 2 the sign is the direction."};
   ig::Table table;
 
   const void* service(std::string_view id) const { return id == "isogloss.machine-axis/1" ? &axes : nullptr; }
@@ -42,7 +50,19 @@ struct MachineAxes {
   }
   static std::int32_t travel(void* self, char axis, double* low, double* high) {
     const auto& m = *static_cast<const MachineAxes*>(self);
-    return m.answer(axis, m.minimum, low) != 0 && m.answer(axis, m.maximum, high) != 0 ? 1 : 0;
+    *low = -HUGE_VAL;
+    *high = HUGE_VAL;
+    const bool any = (m.answer(axis, m.minimum, low) | m.answer(axis, m.maximum, high)) != 0;
+    return any && *low <= *high ? 1 : 0;
+  }
+  static std::int32_t rollover(void* self, char axis, std::uint32_t* mode) {
+    const auto& m = *static_cast<const MachineAxes*>(self);
+    double known = 0;
+    if (std::string_view("ABC").find(axis) == std::string_view::npos || home(self, axis, &known) == 0) return 0;
+    double low = 0, high = 0;
+    const bool is_limited = travel(self, axis, &low, &high) != 0;
+    *mode = static_cast<std::uint32_t>(m.table.value({&axis, 1}, m.rollover_mode).value_or(is_limited ? 0 : 1));
+    return 1;
   }
   static std::int32_t rapid(void* self, char axis, double* per_second) {
     const auto& m = *static_cast<const MachineAxes*>(self);
@@ -51,7 +71,7 @@ struct MachineAxes {
     return 1;
   }
 
-  ig_machine_axis_1 axes{sizeof(ig_machine_axis_1), 0, this, &home, &reference, &travel, &rapid};
+  ig_machine_axis_1 axes{sizeof(ig_machine_axis_1), 0, this, &home, &reference, &travel, &rapid, &rollover};
 };
 
 const ig::Register<MachineAxes> registered;
