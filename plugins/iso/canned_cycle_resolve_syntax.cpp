@@ -6,6 +6,7 @@
 #include <cmath>
 #include "canned_cycle_util.hpp"
 #include "modal_group.hpp"
+#include "rotary_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -52,6 +53,8 @@ struct CannedCycleResolve {
   ig::Codes one_shot_{{"G31", "G53", "G60"}, ig::read};
   ig::Codes return_codes_{"G98", "G99"};
   RootWords root_;
+  // Axes that are positioned before the hole; not the resolver's to take.
+  std::array<ig_field, 3> rotary_{rotary_word("Parsing.A"), rotary_word("Parsing.B"), rotary_word("Parsing.C")};
 
   ig::InWhile<ig::Symbol> term_{"CannedCycle.Term", nullptr, ig::write};
   ig::Out<ig::Symbol> return_mode_{"CannedCycle.ReturnMode"};
@@ -222,7 +225,22 @@ struct CannedCycleResolve {
   bool is_hole(ig::Block& b, const Group09& now) const {
     if (!now.is_called && b.find(one_shot_)) return false;
     ig_value v[4];
-    return b.host()->get_many(b.raw(), words(now), 4, v) != 0;  // X Y Z R
+    return b.host()->get_many(b.raw(), words(now), 4, v) != 0 ||  // X Y Z R
+           b.host()->get_many(b.raw(), rotary_.data(), 3, v) != 0;
+  }
+
+  static ig_field rotary_word(const char* path) {
+    return ig::Field<double>(path, ig::read, {ig::Life::standard, "deg", ""}).id();
+  }
+
+  /// The control turns by the increment before each hole of K; here the axis turns once.
+  void say_turned_once(ig::Block& b) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const ig_field word = rotary_[axis];
+      ig_value unused;
+      if (b.host()->get(b.raw(), word, &unused) != 0)
+        b.report(rotary_diag("ISO-0405"), ig::Where::word(word), std::string_view("ABC").substr(axis, 1));
+    }
   }
 
   /// The cycle is on from here, but nothing is drilled and none of Q, P, I, J is kept: they stay, to be reported.
@@ -251,6 +269,7 @@ struct CannedCycleResolve {
     CycleLevels levels = resolve_levels({in[Address::R], in[plane.tool]}, kept, level, incremental);
     const bool complete = levels.r && levels.bottom;
     const int count = repeats(b, now, in);
+    if (count > 1 && incremental) say_turned_once(b);
     if (!complete && count > 0)
       levels = fill(b, row, "XYZ"[plane.tool], levels, start[plane.tool], in[plane.tool], incremental);
 

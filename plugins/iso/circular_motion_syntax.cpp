@@ -25,6 +25,7 @@ struct CircularMotion {
   ig::Word r_{"Parsing.R", ig::take};
   ig::Word i_{"Parsing.I", ig::take}, j_{"Parsing.J", ig::take}, k_{"Parsing.K", ig::take};
   ig::Xyz program_{"ProgramXyz", ig::read};
+  ig::Signal turns_{"McAbc.~Turns", ig::read};
   MotionGroup group_;
   BlockMotion motion_;
   PlaneInForce plane_;
@@ -53,7 +54,7 @@ struct CircularMotion {
 
     const PlaneAxes plane = plane_(b);
     const ArcWords words = take_words(b, plane);
-    if (!b.is_fresh(program_) && !words.r && !words.has_center()) return so_far;
+    if (!b.is_fresh(program_) && !words.r && !words.has_center() && !b.is_raised(turns_)) return so_far;
     if (!named) group_.put_in_force(b, code);
     move(b, plane, words, (code == MotionGroup::g03) != scale_and_mirror_.swaps_sense(b, plane));
     return ig::Status::changed;

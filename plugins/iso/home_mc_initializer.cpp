@@ -1,6 +1,6 @@
 // Where the machine stands before the first block: at home, on every axis that the machine has. Without a machine
 // description that is machine zero on X, Y and Z.
-#include <isogloss/sdk.hpp>
+#include "rotary_axis_util.hpp"
 
 namespace iso {
 namespace {
@@ -13,13 +13,14 @@ struct HomeMcInitializer {
       ig::Out<double>{"MachineCoordinate.X"}, ig::Out<double>{"MachineCoordinate.Y"},
       ig::Out<double>{"MachineCoordinate.Z"}, ig::Out<double>{"MachineCoordinate.A"},
       ig::Out<double>{"MachineCoordinate.B"}, ig::Out<double>{"MachineCoordinate.C"}};
+  RotaryAxes rotary;
 
   ig::Status restart(ig::Block& b) const {
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
-      const bool is_linear = i < 3;
+      const bool is_there = i < 3 || rotary.has(i - 3);
       double position = 0;
-      const bool is_known = axes && axes->home(axes->self, "XYZABC"[i], &position) != 0;
-      if (is_known || is_linear) b.set(coordinates[i], position);
+      if (axes) axes->home(axes->self, "XYZABC"[i], &position);
+      if (is_there) b.set(coordinates[i], position);
     }
     return ig::Status::changed;
   }

@@ -1,10 +1,12 @@
 /// G00 and G01: the block that wrote a machine point goes there on a straight line, by rapid or by feed. The code stays
 /// in force until another one of group 01.
 #include "motion_event_util.hpp"
-#include "program_xyz_util.hpp"
+#include "rotary_words.hpp"
 
 namespace iso {
 namespace {
+
+enum class FeedCounts { linear_axes, all_axes };
 
 struct LinearMotion {
   static constexpr auto spec = ig::syntax("LinearMotionSyntax", "G00/G01 straight motion.")
@@ -15,6 +17,14 @@ struct LinearMotion {
   ig::Codes straight_{{"G00", "G01"}, ig::wake};
   ig::Xyz machine_{"MachineCoordinate", ig::read | ig::wake};
   ig::Xyz program_{"ProgramXyz", ig::read};
+  RotaryPosition rotary_{ig::read};
+  RotaryPosition rotary_before_{ig::previous};
+  ig::Signal tip_is_led_{"PivotTransform.~Turns", ig::read};
+  ig::In<ig::Symbol> feed_mode_{"Feedrate.Term"};
+  ig::Out<double> feedrate_{"MotionEvent.Feedrate_mmds"};
+  ig::Name g93_{"G93"};
+  ig::Choice<FeedCounts> feed_counts_{"feed-counts", "linear-axes|all-axes", "linear-axes",
+                                      "What F of a block that moves X Y Z and rotary axes is the speed of."};
   MotionGroup group_;
   BlockMotion motion_;
   LastProgramXyz last_;
@@ -36,10 +46,35 @@ struct LinearMotion {
 
     if (code == MotionGroup::g00)
       motion_.rapid(b);
+    else if (rotary_.fresh(b) != 0)
+      feed_and_turn(b);
     else
-      motion_.feed(b, [&] { return length(b.get(program_).or_else({}) - last_(b)); });
+      motion_.feed(b, [&] { return way(b); });
     return ig::Status::changed;
   }
+
+ private:
+  double way(ig::Block& b) const { return length(b.get(program_).or_else({}) - last_(b)); }
+
+  /// Degrees count like mm: the length of a block that only turns, and a part of the length where all axes count.
+  void feed_and_turn(ig::Block& b) const {
+    const double linear = way(b), turned = turn(b);
+    const bool only_turns = linear < same_way_mm;
+    motion_.feed(b, [&] { return only_turns ? turned : linear; });
+    if (only_turns || feed_counts_ == FeedCounts::linear_axes || b.is_raised(tip_is_led_) || b.is(feed_mode_, g93_))
+      return;
+    if (const auto feed = b.get(feedrate_)) b.set(feedrate_, *feed * linear / std::hypot(linear, turned));
+  }
+  double turn(const ig::Block& b) const {
+    const PartialAngles from = rotary_before_.get(b), to = rotary_.get(b);
+    double sum = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (from.has(axis) && to.has(axis))
+        sum += (to.value[axis] - from.value[axis]) * (to.value[axis] - from.value[axis]);
+    return std::sqrt(sum);
+  }
+
+  static constexpr double same_way_mm = 1e-7;  // shorter is what a frame there and back leaves
 };
 
 const ig::Register<LinearMotion> registered;

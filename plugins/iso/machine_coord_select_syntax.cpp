@@ -18,6 +18,7 @@ struct MachineCoordSelect {
   ig::Xyz words_{"Parsing", ig::take};
   ig::Xyz program_{"ProgramXyz", ig::write};
   ig::Xyz machine_{"MachineCoordinate", ig::read | ig::write};
+  std::array<ig_field, 3> rotary_{rotary_word("Parsing.A"), rotary_word("Parsing.B"), rotary_word("Parsing.C")};
   BlockMotion move_;
   ig::Signal axis_words_void_{"MachineCoordSelect.~AxisWordsVoid", ig::write};
   DistanceMode distance_;
@@ -32,7 +33,9 @@ struct MachineCoordSelect {
       return ig::Status::changed;
     }
     const ig::PartialVec3 named = b.take(words_);
-    if (named.mask == 0) {
+    ig_value unused[3];
+    const bool turns = b.host()->get_many(b.raw(), rotary_.data(), 3, unused) != 0;  // McAbcSyntax takes them
+    if (named.mask == 0 && !turns) {
       b.report(diag("ISO-0331"), ig::Where::word(g53_.id(0)));
       return ig::Status::changed;
     }
@@ -46,6 +49,11 @@ struct MachineCoordSelect {
       b.report(diag("ISO-0332"), ig::Where::block());
     if (motion_ == Motion::rapid) move_.rapid(b);
     return ig::Status::changed;
+  }
+
+ private:
+  static ig_field rotary_word(const char* path) {
+    return ig::Field<double>(path, ig::read, {ig::Life::standard, "deg", ""}).id();
   }
 };
 

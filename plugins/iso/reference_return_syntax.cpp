@@ -12,13 +12,14 @@ struct ReferenceReturn {
   static constexpr auto spec = ig::syntax("ReferenceReturnSyntax", "G28 and G30 return to a reference position.")
                                    .after("IncrementalResolveSyntax", "McXyzSyntax", "LinearMotionSyntax");
 
-  ig::Call g28_{{"G28"}, "X Y Z"};
-  ig::Call g30_{{"G30"}, "X Y Z P[]"};
+  ig::Call g28_{{"G28"}, "X Y Z A B C"};
+  ig::Call g30_{{"G30"}, "X Y Z A B C P[]"};
   ig::Xyz program_{"ProgramXyz", ig::write};
   ig::Xyz machine_{"MachineCoordinate", ig::write};
   ig::CompoundMotion motion_;
   LastProgramXyz last_;
   ReferencePositions reference_;
+  RotaryReturn rotary_;
   ig::Choice<WithoutAxes> without_axes_{"without-axes", "nothing|all", "nothing",
                                         "What G28 or G30 without an axis word returns."};
 
@@ -26,12 +27,12 @@ struct ReferenceReturn {
     bool any = false;
     if (const auto words = b.take(g28_)) {
       any = true;
-      go(b, axis_words(*words), 1, words->code, g28_.code(0));
+      go(b, *words, g28_, 1);
     }
     if (const auto words = b.take(g30_)) {
       const double which = (*words)['P'].value_or(2);
       if (which == 2 || which == 3 || which == 4)
-        go(b, axis_words(*words), static_cast<std::uint32_t>(which), words->code, g30_.code(0));
+        go(b, *words, g30_, static_cast<std::uint32_t>(which));
       else
         b.report(diag("ISO-0380"), ig::Where::word(g30_.code(0)), which);
       any = true;
@@ -40,13 +41,23 @@ struct ReferenceReturn {
   }
 
  private:
-  void go(ig::Block& b, const ig::PartialVec3& named, std::uint32_t which, ig::Symbol code, ig_field word) const {
+  static constexpr std::uint32_t axes = 63;  // X Y Z A B C of a call
+
+  void go(ig::Block& b, const ig::Words& words, const ig::Call& call, std::uint32_t which) const {
+    const ig_field code = call.code(0);
     const ig::Vec3 from = last_(b);
-    if (named.mask == 0 && without_axes_ == WithoutAxes::nothing) {
-      b.report(diag("ISO-0340"), ig::Where::word(word), b.text(code));
-      return;
+    ig::PartialVec3 returned = axis_words(words);
+    PartialAngles turned = rotary_.named(b, words, call);
+    if ((words.mask & axes) == 0) {
+      if (without_axes_ == WithoutAxes::nothing) {
+        b.report(diag("ISO-0340"), ig::Where::word(code), b.text(words.code));
+        return;
+      }
+      returned = {7, from};
+      turned = rotary_.all(b);
+    } else if (returned.mask == 0 && turned.mask == 0) {
+      return;  // axes that the machine has not, which was said
     }
-    const ig::PartialVec3 returned = named.mask == 0 ? ig::PartialVec3{7, from} : named;
     const ig::Vec3 intermediate = returned.or_else(from);
     const auto over = b.to_machine(intermediate);
     if (!over) {
@@ -55,18 +66,27 @@ struct ReferenceReturn {
     }
     ig::Vec3 reference = *over;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (returned.has(axis)) reference[axis] = reference_(b, axis, which, word);
+      if (returned.has(axis)) reference[axis] = reference_(b, axis, which, code);
     const auto end = b.to_program(reference);
     if (!end) {
       not_invertible(b);
       return;
     }
+    const PartialAngles turned_over = rotary_.approach(b, turned);
+    PartialAngles turned_home = turned_over;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (turned.has(axis))
+        turned_home.value[axis] =
+            rotary_.to_machine(axis, turned_over.value[axis], reference_(b, axis + 3, which, code));
 
-    motion_.begin(b, code);
+    motion_.begin(b, words.code);
     motion_.rapid_to(b, intermediate, *over);
+    rotary_.step(b, turned_over);
     motion_.rapid_to(b, rounded(*end), reference);
+    rotary_.step(b, turned_home);
     b.set(program_, rounded(*end));
     b.set(machine_, reference);
+    rotary_.end(b, turned_home);
   }
 };
 

@@ -12,14 +12,18 @@ struct ReturnFromReference {
                                           "LinearMotionSyntax", "IncrementalResolveSyntax")
                                    .before("ReferenceReturnSyntax");
 
-  ig::Call passed_{{"G28", "G30"}, "X Y Z", ig::read | ig::wake};
-  ig::Call g29_{{"G29"}, "X Y Z"};
+  ig::Call passed_{{"G28", "G30"}, "X Y Z A B C", ig::read | ig::wake};
+  ig::Call g29_{{"G29"}, "X Y Z A B C"};
   ig::Xyz program_{"ProgramXyz", ig::write};
   ig::Xyz machine_{"MachineCoordinate", ig::write};
   ig::Xyz intermediate_{"ReferenceReturn.Intermediate", ig::read | ig::write};
+  std::array<ig::Out<double>, 3> turned_over_{ig::Out<double>{"ReferenceReturn.Intermediate.A", kept},
+                                              ig::Out<double>{"ReferenceReturn.Intermediate.B", kept},
+                                              ig::Out<double>{"ReferenceReturn.Intermediate.C", kept}};
   ig::CompoundMotion motion_;
   DistanceMode distance_;
   LastProgramXyz last_;
+  RotaryReturn rotary_;
 
   ig::Status build(ig::Block& b) {
     const bool stored = keep_intermediate(b);
@@ -30,31 +34,27 @@ struct ReturnFromReference {
   }
 
  private:
+  static constexpr ig::About kept{ig::Life::modal, "deg", "Where G28 or G30 sent the axis first, for G29."};
+  static constexpr std::uint32_t axes = 63;  // X Y Z A B C of a call
+
   bool keep_intermediate(ig::Block& b) const {
     const auto row = b.find(passed_);
     if (!row) return false;
-    ig_value values[3];
-    const std::uint32_t named = b.host()->get_many(b.raw(), passed_.row(*row), 3, values);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if ((named >> axis & 1u) != 0) b.host()->set(b.raw(), intermediate_.id(axis), values[axis]);
+    ig_value values[6];
+    const std::uint32_t named = b.host()->get_many(b.raw(), passed_.row(*row), 6, values);
+    for (std::size_t axis = 0; axis < 6; ++axis) {
+      const ig_field place = axis < 3 ? intermediate_.id(axis) : turned_over_[axis - 3].id();
+      if ((named >> axis & 1u) != 0) b.host()->set(b.raw(), place, values[axis]);
+    }
     return named != 0;
   }
 
   void go(ig::Block& b, const ig::Words& words) const {
     const ig::PartialVec3 named = axis_words(words);
-    if (named.mask == 0) {
-      b.report(diag("ISO-0340"), ig::Where::word(g29_.code(0)), b.text(words.code));
-      return;
-    }
-    const ig::PartialVec3 stored = b.get(intermediate_);
-    ig::Vec3 over = last_(b);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (!named.has(axis)) continue;
-      if (stored.has(axis))
-        over[axis] = stored.value[axis];
-      else
-        b.report(diag("ISO-0381"), ig::Where::word(g29_.word(0, "XYZ"[axis])), std::string_view(&"XYZ"[axis], 1));
-    }
+    const PartialAngles turned = rotary_.named(b, words, g29_);
+    if ((words.mask & axes) == 0) b.report(diag("ISO-0340"), ig::Where::word(g29_.code(0)), b.text(words.code));
+    if (named.mask == 0 && turned.mask == 0) return;
+    const ig::Vec3 over = intermediate(b, named);
     ig::Vec3 end = over;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (named.has(axis)) end[axis] = distance_.is_incremental(b) ? over[axis] + named.value[axis] : named.value[axis];
@@ -63,12 +63,52 @@ struct ReturnFromReference {
       not_invertible(b);
       return;
     }
+    const PartialAngles turned_over = intermediate(b, turned), turned_end = turn_on(b, turned, turned_over);
 
     motion_.begin(b, words.code);
     motion_.rapid_to(b, over, *machine_over);
+    rotary_.step(b, turned_over);
     motion_.rapid_to(b, end, *machine_end);
+    rotary_.step(b, turned_end);
     b.set(program_, end);
     b.set(machine_, *machine_end);
+    rotary_.end(b, turned_end);
+  }
+
+  ig::Vec3 intermediate(ig::Block& b, const ig::PartialVec3& named) const {
+    const ig::PartialVec3 stored = b.get(intermediate_);
+    ig::Vec3 over = last_(b);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!named.has(axis)) continue;
+      if (stored.has(axis))
+        over[axis] = stored.value[axis];
+      else
+        say_straight(b, "XYZ"[axis]);
+    }
+    return over;
+  }
+  PartialAngles intermediate(ig::Block& b, const PartialAngles& named) const {
+    const Angles from = rotary_.present(b);
+    PartialAngles over{named.mask, from};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!named.has(axis)) continue;
+      if (const auto stored = b.get(turned_over_[axis]))
+        over.value[axis] = rotary_.to_machine(axis, from[axis], *stored);
+      else
+        say_straight(b, rotary_names[axis]);
+    }
+    return over;
+  }
+  PartialAngles turn_on(const ig::Block& b, const PartialAngles& named, const PartialAngles& over) const {
+    PartialAngles end = over;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (named.has(axis))
+        end.value[axis] = distance_.is_incremental(b) ? over.value[axis] + named.value[axis]
+                                                      : rotary_.approach(axis, over.value[axis], named.value[axis]);
+    return end;
+  }
+  void say_straight(ig::Block& b, char axis) const {
+    b.report(diag("ISO-0381"), ig::Where::word(g29_.word(0, axis)), std::string_view(&axis, 1));
   }
 };
 

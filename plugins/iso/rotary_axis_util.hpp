@@ -148,7 +148,7 @@ class RotaryAxes {
     switch (rollover_[axis]) {
       case Rollover::shortest: return nearest_turn_inside(from, to, travel_[axis], half);
       case Rollover::signed_direction: return directed_turn(from, to);
-      default: return to;
+      default: return to + 0.0;
     }
   }
 

@@ -1,0 +1,110 @@
+/// A, B and C of a block or of a code that moves: whether the machine has such an axis, and what a step of a compound
+/// motion says of them.
+#pragma once
+
+#include "rotary_axis_util.hpp"
+#include "rotary_diagnostics.hpp"
+
+namespace iso {
+
+enum class Undeclared { accept, refuse };
+
+/// A member of each syntax that moves rotary axes.
+class RotaryWords {
+ public:
+  const RotaryAxes& axes() const { return axes_; }
+
+  /// False, with a diagnostic at the word, for an axis that the machine has not, and for what is no position.
+  bool accept(ig::Block& b, std::size_t axis, double angle, ig_field word) const {
+    const bool is_there = axes_.any() ? axes_.has(axis) : undeclared_ == Undeclared::accept;
+    if (!is_there) {
+      b.report(rotary_diag("ISO-0401"), ig::Where::word(word), rotary_names.substr(axis, 1));
+      return false;
+    }
+    if (!(std::fabs(angle) < detail::countable_deg)) {
+      b.report(rotary_diag("ISO-0404"), ig::Where::word(word), rotary_names.substr(axis, 1), angle);
+      return false;
+    }
+    if (!axes_.any() && !b.is_raised(assumed_)) {
+      b.raise(assumed_);
+      b.report(rotary_diag("ISO-0402"), ig::Where::word(word));
+    }
+    return true;
+  }
+
+ private:
+  RotaryAxes axes_;
+  ig::Choice<Undeclared> undeclared_{
+      "undeclared-axes", "accept|refuse", "accept",
+      "A, B and C of a machine that declares no rotary axis: turn by the shortest way, or are refused."};
+  ig::Signal assumed_{"RotaryAxes.~Assumed", ig::read | ig::write, ig::Life::modal};
+};
+
+/// Where the rotary axes stand: MachineCoordinate.A, B and C.
+class RotaryPosition {
+ public:
+  explicit RotaryPosition(ig::Access access)
+      : ids_{ig::Field<double>("MachineCoordinate.A", access).id(),
+             ig::Field<double>("MachineCoordinate.B", access).id(),
+             ig::Field<double>("MachineCoordinate.C", access).id()} {}
+
+  PartialAngles get(const ig::Block& b) const {
+    ig_value v[3];
+    PartialAngles out{b.host()->get_many(b.raw(), ids_.data(), 3, v), {}};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (out.has(axis)) out.value[axis] = v[axis].number;
+    return out;
+  }
+  std::uint32_t fresh(const ig::Block& b) const { return b.host()->fresh_many(b.raw(), ids_.data(), 3); }
+  void set(ig::Block& b, std::size_t axis, double angle) const {
+    b.host()->set(b.raw(), ids_[axis], {.number = angle});
+  }
+  void set(ig::Block& b, const PartialAngles& to) const {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (to.has(axis)) set(b, axis, to.value[axis]);
+  }
+
+ private:
+  std::array<ig_field, 3> ids_;
+};
+
+/// A, B and C in the steps of CompoundMotion. A step that names none leaves them where they are.
+class RotarySteps {
+ public:
+  std::uint32_t count(const ig::Block& b) const { return b.host()->count(b.raw(), ids_[0]); }
+  PartialAngles get(const ig::Block& b, std::uint32_t step) const {
+    ig_value v[3];
+    PartialAngles out{b.host()->record(b.raw(), step, ids_.data(), 3, v), {}};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (out.has(axis)) out.value[axis] = v[axis].number;
+    return out;
+  }
+  void set(ig::Block& b, std::uint32_t step, const PartialAngles& to) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const ig_value v{.number = to.value[axis]};
+      if (to.has(axis)) b.host()->set_record(b.raw(), step, &ids_[axis], 1, &v);
+    }
+  }
+  /// In the step that was appended last.
+  void set_last(ig::Block& b, const PartialAngles& to) const {
+    if (to.mask != 0) set(b, count(b) - 1, to);
+  }
+  /// Does the step move the axes at all? A dwell does not.
+  bool is_move(const ig::Block& b, std::uint32_t step) const {
+    ig_value unused;
+    return b.host()->record(b.raw(), step, &x_, 1, &unused) != 0;
+  }
+
+ private:
+  static ig_field item(const char* path, ig_type type, std::uint32_t access) {
+    return ig::detail::declare_field({"CompoundMotion.Items[]." + std::string(path), type, access});
+  }
+  static constexpr std::uint32_t both = IG_READ | IG_WRITE;
+
+  ig_field x_ = item("MachineCoordinate.X", IG_NUMBER, IG_READ);
+  std::array<ig_field, 3> ids_{item("MachineCoordinate.A", IG_NUMBER, both),
+                               item("MachineCoordinate.B", IG_NUMBER, both),
+                               item("MachineCoordinate.C", IG_NUMBER, both)};
+};
+
+}  // namespace iso
