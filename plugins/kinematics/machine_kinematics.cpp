@@ -1,4 +1,5 @@
 // Where the rotary axes of the machine sit and how they turn, read once; the geometry is in rotary_machine.hpp.
+#include <isogloss/rows.hpp>
 #include <isogloss/sdk.hpp>
 #include <stdexcept>
 
@@ -27,16 +28,17 @@ struct MachineKinematics {
   ig::Column sign{"Sign", "1", "", {-1, 1}, "1: positive turns the tool right-handed, seen from the workpiece; or -1."};
   ig::Column zero{"Zero", "0", "deg", {-360, 360}, "What the machine shows where the axis is geometrically at zero."};
   ig::Table table;
+  ig::RowNames rows;
 
   MachineKinematics() {
     std::array<double, 2> orders{};
-    for (std::size_t i = 0; i < letters.size(); ++i) {
-      const std::string_view name = letters.substr(i, 1);
-      if (!table.value(name, sign)) continue;
+    for (const std::string& name : rows) {
+      const std::size_t letter = letters.find(name);
+      if (name.size() != 1 || letter == std::string_view::npos) fail(name, "its name is A, B or C");
       if (machine.count() == 2)
         throw std::runtime_error("it has rows for A, B and C, and a machine has at most two rotary axes");
       orders[machine.count()] = table.value(name, order).value_or(0);
-      machine.add(read_axis(i, name));
+      machine.add(read_axis(letter, name));
     }
     if (machine.count() == 2) put_in_order(orders);
     machine.prepare();
@@ -55,8 +57,7 @@ struct MachineKinematics {
     RotaryAxis axis;
     axis.letter = letter;
     const std::string_view where = table.text(name, place);
-    if (where != "table" && where != "head")
-      fail(name, "Place is table or head, not '" + std::string(where) + "'");
+    if (where != "table" && where != "head") fail(name, "Place is table or head, not '" + std::string(where) + "'");
     axis.place = where == "table" ? Place::table : Place::head;
     axis.direction = read_direction(letter, name);
     for (int i = 0; i < 3; ++i) axis.point[i] = table.value(name, pivot_point[static_cast<std::size_t>(i)]).value_or(0);
@@ -85,7 +86,8 @@ struct MachineKinematics {
   void put_in_order(const std::array<double, 2>& orders) {
     const std::string both = {letters[machine.axis(0).letter], ',', ' ', letters[machine.axis(1).letter]};
     if (orders[0] + orders[1] != 3 || orders[0] == orders[1])
-      throw std::runtime_error("axes " + both + ": one has Order=\"1\", nearer the machine's base, the other Order=\"2\"");
+      throw std::runtime_error("axes " + both +
+                               ": one has Order=\"1\", nearer the machine's base, the other Order=\"2\"");
     if (machine.axis(0).direction.cross(machine.axis(1).direction).norm() < 1e-3)
       throw std::runtime_error("axes " + both + " are parallel");
     if (orders[0] == 1) return;

@@ -20,9 +20,10 @@ struct Turn {
   double cos = 1, sin = 0;
 
   static Turn by(double degrees) {
-    const double angle = std::remainder(degrees, 360.0);
-    const int quarter = static_cast<int>(std::lrint(angle / 90));
-    const double radians = (angle - 90 * quarter) * (std::numbers::pi / 180);
+    // remainder() is slow, and such a difference as exact while the quarters are few.
+    const double angle = std::fabs(degrees) < 1e9 ? degrees : std::remainder(degrees, 360.0);
+    const long quarter = std::lrint(angle / 90);
+    const double radians = (angle - 90 * static_cast<double>(quarter)) * (std::numbers::pi / 180);
     const double c = std::cos(radians), s = std::sin(radians);
     switch (quarter & 3) {
       case 0: return {c, s};
@@ -103,9 +104,9 @@ class RotaryMachine {
   /// Workpiece to machine: tables carry the point, from the workpiece to the base; what heads do to the gauge point is
   /// taken away.
   void pivot(const Angles& angles, Matrix& rotation, Vector& translation) const {
-    rotation.setIdentity();
-    translation.setZero();
+    bool is_turned = false;
     Vector gauge = Vector::Zero();
+    translation.setZero();
     for (std::size_t i = count_; i-- > 0;) {
       const RotaryAxis& axis = axes_[i];
       const Turn& turn = turn_of(i, angles);
@@ -114,9 +115,11 @@ class RotaryMachine {
         continue;
       }
       const Matrix r = matrix(axis.direction, {turn.cos, -turn.sin});
-      rotation = (r * rotation).eval();
-      translation = (axis.point + r * (translation - axis.point)).eval();
+      rotation = is_turned ? Matrix(r * rotation) : r;
+      translation = axis.point + Vector(r * (translation - axis.point));
+      is_turned = true;
     }
+    if (!is_turned) rotation.setIdentity();
     translation -= gauge;
   }
 

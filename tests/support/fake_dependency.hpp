@@ -13,7 +13,14 @@ namespace isogloss_test {
 
 class FakeDependency {
  public:
-  using Rows = std::map<std::string, std::map<std::string, double>>;
+  /// What stands in a column: a number, or a text.
+  struct Cell {
+    Cell(double value) : number(value) {}     // NOLINT(google-explicit-constructor): a table of values reads better
+    Cell(const char* value) : text(value) {}  // NOLINT(google-explicit-constructor)
+    double number = 0;
+    std::string text;
+  };
+  using Rows = std::map<std::string, std::map<std::string, Cell>>;
 
   /// Options by name; those not given have their default. Shipped rows come first, `rows` change them.
   FakeDependency(const ig_plugin& plugin, std::string_view id, const Rows& rows = {},
@@ -22,7 +29,7 @@ class FakeDependency {
     for (std::uint32_t i = 0; i < descriptor_.default_row_count; ++i) ship(descriptor_.default_rows[i]);
     for (const auto& [row, cells] : rows) {
       add(row);
-      for (const auto& [column, value] : cells) table_.at(row)[index_of(column)] = value;
+      for (const auto& [column, value] : cells) table_.at(row).insert_or_assign(index_of(column), value);
     }
     api_.struct_size = sizeof api_;
     api_.option_number = [](ig_link* link, std::uint32_t i) { return std::stod(self(link).option(i)); };
@@ -34,11 +41,23 @@ class FakeDependency {
     api_.set_value = [](ig_table* table, ig_text row, std::uint32_t column, double v) {
       auto& me = const_cast<FakeDependency&>(self(table));
       me.add({row.data, row.size});
-      me.table_.at(std::string(row.data, row.size))[column] = v;
+      me.table_.at(std::string(row.data, row.size)).insert_or_assign(column, v);
       return std::int32_t{1};
     };
+    api_.text_value = [](const ig_table* table, ig_text row, std::uint32_t column) {
+      const Cell* const cell = self(table).cell({row.data, row.size}, column);
+      return cell == nullptr ? ig_text{nullptr, 0} : ig_text{cell->text.data(), cell->text.size()};
+    };
+    api_.row_count = [](const ig_table* table) { return static_cast<std::uint32_t>(self(table).table_.size()); };
+    api_.row_name = [](const ig_table* table, std::uint32_t row) {
+      const std::string& name = std::next(self(table).table_.begin(), row)->first;
+      return ig_text{name.data(), name.size()};
+    };
+    api_.fail = [](ig_link* link, ig_text reason) {
+      const_cast<FakeDependency&>(self(link)).failure_.assign(reason.data, reason.size);
+    };
     if (descriptor_.create(&api_, reinterpret_cast<ig_link*>(this), nullptr, &instance_) != IG_CHANGED)
-      throw std::runtime_error("create() failed");
+      throw std::runtime_error(failure_.empty() ? "create() failed" : failure_);
   }
   ~FakeDependency() { descriptor_.destroy(instance_); }
   FakeDependency(const FakeDependency&) = delete;
@@ -83,7 +102,7 @@ class FakeDependency {
     if (!is_new) return;
     for (std::uint32_t i = 0; i < descriptor_.column_count; ++i)
       if (const char* fallback = descriptor_.columns[i].fallback; fallback != nullptr)
-        cells->second[i] = std::stod(fallback);
+        cells->second.insert_or_assign(i, std::stod(fallback));
   }
   /// "key|column=value|…"
   void ship(std::string_view row) {
@@ -93,23 +112,29 @@ class FakeDependency {
       row.remove_prefix(row.find('|') + 1);
       const std::string_view cell = row.substr(0, row.find('|'));
       const std::size_t equals = cell.find('=');
-      table_.at(key)[index_of(cell.substr(0, equals))] = std::stod(std::string(cell.substr(equals + 1)));
+      table_.at(key).insert_or_assign(index_of(cell.substr(0, equals)),
+                                      std::stod(std::string(cell.substr(equals + 1))));
     }
   }
-  std::int32_t value(std::string_view row, std::uint32_t column, double* out) const {
+  const Cell* cell(std::string_view row, std::uint32_t column) const {
     const auto cells = table_.find(std::string(row));
-    if (cells == table_.end()) return 0;
-    const auto cell = cells->second.find(column);
-    if (cell == cells->second.end()) return 0;
-    *out = cell->second;
+    if (cells == table_.end()) return nullptr;
+    const auto found = cells->second.find(column);
+    return found == cells->second.end() ? nullptr : &found->second;
+  }
+  std::int32_t value(std::string_view row, std::uint32_t column, double* out) const {
+    const Cell* const found = cell(row, column);
+    if (found == nullptr) return 0;
+    *out = found->number;
     return 1;
   }
 
   const ig_dependency& descriptor_;
   std::map<std::string, std::string> options_;
-  std::map<std::string, std::map<std::uint32_t, double>> table_;
+  std::map<std::string, std::map<std::uint32_t, Cell>> table_;
   ig_link_api api_{};
   void* instance_ = nullptr;
+  std::string failure_;
 };
 
 }  // namespace isogloss_test
