@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures `isogloss run` against a bare tokenizer and, where it is installed, LinuxCNC's rs274.
 
-  bench.py [--build DIR] [--blocks N] [--large N] [--runs R] [--kinds surface,mixed,drilling] [--no-large]
+  bench.py [--build DIR] [--blocks N] [--large N] [--runs R] [--kinds surface,mixed,drilling,five-axis] [--no-large]
            [--cycles G81,G83]
 
 All commands run in turn, R rounds after one to warm up; medians are printed. Figures are whole processes, start-up
@@ -21,7 +21,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-KINDS = ("surface", "mixed", "drilling")
+KINDS = ("surface", "mixed", "drilling", "five-axis")
 CYCLES = "G81,G81,G82,G83,G83,G73,G85"  # those that both controls have, as often as programs use them
 
 
@@ -48,13 +48,16 @@ class Bench:
 
     def contenders(self, fanuc, linuxcnc):
         run = [self.isogloss, "run", str(fanuc), "-d", "fanuc", "--tools", str(self.tools_xml)]
+        is_five_axis = fanuc.name.startswith("five-axis")
+        if is_five_axis:
+            run += ["--machine", str(HERE / "five_axis.xml")]
         commands = {
             "tokenizer": [self.tool("tokenizer"), str(fanuc)],
             "isogloss none": run + ["--emit", "none"],
             "isogloss csv": run + ["--emit", "motions", "--format", "csv", "-o", "/dev/null"],
             "isogloss jsonl": run + ["--emit", "motions", "--format", "jsonl", "-o", "/dev/null"],
         }
-        if self.rs274:
+        if self.rs274 and not is_five_axis:
             commands["rs274"] = [self.rs274, "-t", str(self.tool_table), "-v", str(self.folder / "fresh.var"), "-g",
                                  str(linuxcnc), "/dev/null"]
         return commands

@@ -60,6 +60,15 @@ def main():
                     check(not linuxcnc_refuses(folder, path), f"{kind} {seed}: LinuxCNC refuses it")
             one, two = (workload(options.tools, kind, "500", "--seed", seed) for seed in ("1", "2"))
             check(one != two, f"{kind}: the seed changes nothing")
+        text = workload(options.tools, "five-axis", str(BLOCKS))
+        check(text.count(b"\n") == BLOCKS, f"five-axis: not {BLOCKS} blocks")
+        check(text == workload(options.tools, "five-axis", str(BLOCKS)), "five-axis: not repeatable")
+        path = folder / "five-axis.nc"
+        path.write_bytes(text)
+        run = subprocess.run([options.isogloss, "run", path, "-d", "fanuc", "--emit", "none", "--machine",
+                              pathlib.Path(__file__).with_name("five_axis.xml")], capture_output=True, text=True,
+                             check=False)
+        check(run.returncode == 0, f"five-axis: isogloss ends with {run.returncode}\n{run.stderr[:1500]}")
     for failure in failures:
         print(failure)
     sys.exit(1 if failures else 0)

@@ -1,10 +1,11 @@
 // Writes part programs to measure interpreters with: exactly N blocks, the same bytes for the same seed.
 //
-//   workload surface|mixed|drilling N [--seed S] [--cycles G81,G82...] [--repeat K|L] [-o FILE]
+//   workload surface|mixed|drilling|five-axis N [--seed S] [--cycles G81,G82...] [--repeat K|L] [-o FILE]
 //
 // Every program is valid for a Fanuc milling control and for LinuxCNC: no O number, arcs within LinuxCNC's radius
 // tolerance, one group 01 code a block, G80 alone, repeats only in G91 blocks that stand by themselves. The letter of
-// the repeats is the only word on which the two disagree.
+// the repeats is the only word on which the two disagree. five-axis is for a Fanuc with a table A that carries a
+// table C (five_axis.xml): LinuxCNC has no tool centre point control.
 
 #include <algorithm>
 #include <array>
@@ -69,6 +70,44 @@ void surface(Program& p, Random& random) {
       u += 0.08 + 0.35 * (1 - std::abs(slope)) + random.between(0, 0.05);
     }
   }
+  p.finish();
+}
+
+// The same kind of surface with the tool upright on it (a few degrees of tilt), under tool centre point control: X Y Z,
+// A and C in nearly every block.
+void five_axis(Program& p, Random& random) {
+  p.start();
+  mount_tool(p, random, 4, "FINISH R3 BALL, 5 AXES");
+  p.block("G0", "A0.", "C0.");
+  p.block("G43.4", "H4");
+  p.block("G0", "X0.", "Y0.", "Z60.");
+  p.block("M8");
+  const double ripple = random.between(0.1, 0.2);
+  const double length = 140;
+  int old_feed = 0;
+  bool cutting = false;
+  for (int row = 0; p.room(); ++row) {
+    const double v = 0.22 * row - 40;
+    double u = 0;
+    while (u < length && p.room()) {
+      const double along = row % 2 == 0 ? u : length - u;
+      const double slope = std::sin(along * ripple) * std::cos(v * 0.13);
+      const double z = 18 + along * (length - along) / 400 - v * v / 180 + 0.7 * slope;
+      const double dx = (length - 2 * along) / 400 + 0.7 * ripple * std::cos(along * ripple) * std::cos(v * 0.13);
+      const double dy = -v / 90 - 0.7 * 0.13 * std::sin(along * ripple) * std::sin(v * 0.13);
+      const double tilt = std::atan(std::hypot(dx, dy)) * 180 / pi;  // the normal is (-dx, -dy, 1)
+      const double turn = std::atan2(-dx, dy) * 180 / pi;
+      const int feed = 600 + 400 * static_cast<int>(4 * (1 - std::abs(slope)) + random.between(0, 0.4));
+      const bool new_feed = feed != old_feed && (old_feed == 0 || random.chance(0.08));
+      if (new_feed) old_feed = feed;
+      p.block(cutting ? "" : "G1", word('X', along), word('Y', v), word('Z', z), word('A', tilt), word('C', turn),
+              new_feed ? code('F', feed) : "");
+      cutting = true;
+      u += 0.08 + 0.35 * (1 - std::abs(slope)) + random.between(0, 0.05);
+    }
+  }
+  p.block("G0", "Z80.");
+  p.block("G49");
   p.finish();
 }
 
@@ -336,7 +375,7 @@ bool read_number(std::string_view text, T& value) {
 
 int usage() {
   std::fputs(
-      "usage: workload surface|mixed|drilling BLOCKS [--seed S] [--cycles G81,G82...] [--repeat K|L] [-o FILE]\n",
+      "usage: workload surface|mixed|drilling|five-axis BLOCKS [--seed S] [--cycles G81,G82...] [--repeat K|L] [-o FILE]\n",
       stderr);
   return 2;
 }
@@ -378,6 +417,8 @@ int main(int argc, char** argv) {
     mixed(program, random);
   } else if (kind == "drilling") {
     drilling(program, random, how);
+  } else if (kind == "five-axis") {
+    five_axis(program, random);
   } else {
     return usage();
   }
