@@ -3,6 +3,7 @@
 ///
 /// The plane is one entry of the frame, before the tool length and the offsets, so that arcs, cycles and everything
 /// else lie in it without knowing of it. Nothing moves here, neither the tool nor the rotary axes.
+#include <string>
 #include <string_view>
 
 #include "cycle_codes.hpp"
@@ -18,6 +19,17 @@ enum class Unnamed { zero, tool };
 enum class Q0 { shift, origin };
 
 constexpr double widest_from_square = 5;  // degrees, of the vectors of P3
+
+/// By its fields: who declares an entry of the frame decides where it stands among the entries.
+class Offset {
+ public:
+  explicit Offset(const std::string& section)
+      : x_(section + ".Offset_X"), y_(section + ".Offset_Y"), z_(section + ".Offset_Z") {}
+  ig::Vec3 get(const ig::Block& b) const { return {b.get_or(x_, 0.0), b.get_or(y_, 0.0), b.get_or(z_, 0.0)}; }
+
+ private:
+  ig::In<double> x_, y_, z_;
+};
 
 struct IsoG68p2Tilt {
   static constexpr auto spec =
@@ -76,9 +88,8 @@ struct IsoG68p2Tilt {
   std::array<ig::In<double>, 3> rotary_{ig::In<double>{"MachineCoordinate.A"}, ig::In<double>{"MachineCoordinate.B"},
                                         ig::In<double>{"MachineCoordinate.C"}};
   ig::In<double> length_{"ToolHeightCompensation.Offset_mm"};
-  std::array<ig::Transform, 3> offsets_{ig::Transform{"LocalCoordinateOffset", ig::read},
-                                        ig::Transform{"CoordinateOffset", ig::read},
-                                        ig::Transform{"WorkCoordinateShift", ig::read}};
+  std::array<Offset, 3> offsets_{Offset{"LocalCoordinateOffset"}, Offset{"CoordinateOffset"},
+                                 Offset{"WorkCoordinateShift"}};
   LastProgramXyz last_;
   ig::Service<ig_machine_kinematics_1> kinematics_{"isogloss.machine-kinematics/1", ig::Need::optional,
                                                    "Direction of the tool, for G68.3."};
@@ -338,10 +349,7 @@ struct IsoG68p2Tilt {
     if (!machine.complete()) return rounded(mapped(frame_.get(b), last_(b)));
     if (!kinematics_ || kinematics_->pivot(kinematics_->self, angles, pivot.data()) == 0) pivot = identity_frame;
     ig::Vec3 point = mapped(inverse(pivot), machine.value) - b.get_or(length_, 0.0) * tool;
-    for (const ig::Transform& offset : offsets_) {
-      Mat4 m;
-      if (b.host()->transform(b.raw(), offset.id(), m.data()) != 0) point = point - origin(m);
-    }
+    for (const Offset& offset : offsets_) point = point - offset.get(b);
     return rounded(point);
   }
 
