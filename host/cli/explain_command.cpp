@@ -152,7 +152,7 @@ int ExplainCommand::explain_line(Session& session, const std::string& path, std:
   if (!options || source == nullptr) return cannot_start;
   std::optional<std::string> dialect = program.dialect;
   if (dialect->empty()) dialect = guess_dialect(path, source->head(), session);
-  const std::unique_ptr<LinkedDialect> linked = dialect ? session.link(*dialect) : nullptr;
+  const std::unique_ptr<LinkedDialect> linked = dialect ? session.link(*dialect, options->chain.dependencies) : nullptr;
   if (linked == nullptr) return cannot_start;
   if (program.watchdog != 0) watch_blocks(program.watchdog);
 

@@ -48,13 +48,24 @@ bool are_layers(std::string_view text) {
   return true;
 }
 
+/// A machine's own name stands for its file in `machines`, beside the dialects.
+std::filesystem::path machine_file(const std::string& named, const Session& session) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (named.find('/') != std::string::npos || named.ends_with(".xml") || fs::exists(named, error)) return named;
+  for (const Place& place : session.dialect_places())
+    if (fs::path file = place.folder / "machines" / (named + ".xml"); fs::exists(file, error)) return file;
+  return named;
+}
+
 }  // namespace
 
 void ProgramOptions::add_to(CLI::App& app) {
   app.add_option("-d,--dialect", dialect,
                  "Dialect, by name or file (default: guessed from text and extension, and said)")
       ->type_name("DIALECT");
-  app.add_option("--machine", machine, "Table of the machine's axes")->type_name("FILE");
+  app.add_option("--machine", machine, "Tables of the machine: its axes and kinematics; a file, or a name in machines/")
+      ->type_name("FILE");
   app.add_option("--offsets", offsets, "Table of work offsets")->type_name("FILE");
   app.add_option("--tools", tools, "Table of tool offsets")->type_name("FILE");
   app.add_option("--set", set, "One value of a table or dependency, e.g. IsoCoordinateTable.G54.Z=-120 (repeatable)")
@@ -79,7 +90,8 @@ void ProgramOptions::add_to(CLI::App& app) {
 std::optional<RunOptions> ProgramOptions::make(Session& session) const {
   RunOptions out;
   bool sound = true;
-  for (const std::string& file : {machine, offsets, tools}) {
+  const std::filesystem::path files[] = {machine.empty() ? "" : machine_file(machine, session), offsets, tools};
+  for (const std::filesystem::path& file : files) {
     if (file.empty()) continue;
     DiagnosticList said;
     for (DependencyElement& d : session.reader().read_dependencies(file, said))

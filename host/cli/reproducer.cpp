@@ -90,7 +90,7 @@ int ReproducerRequest::write(Session& session, const ProgramOptions& program_opt
   if (source == nullptr) return cannot_start;
   std::optional<std::string> dialect = program_options.dialect;
   if (dialect->empty()) dialect = guess_dialect(program, source->head(), session);
-  const std::unique_ptr<LinkedDialect> linked = dialect ? session.link(*dialect) : nullptr;
+  const std::unique_ptr<LinkedDialect> linked = dialect ? session.link(*dialect, options.chain.dependencies) : nullptr;
   if (linked == nullptr) return cannot_start;
 
   CaseWriter cases(*this, *dialect);

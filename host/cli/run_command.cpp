@@ -133,7 +133,7 @@ class Runs {
     if (dialect->empty()) dialect = guess_dialect(path, source->head(), session_);
     if (!dialect) return cannot_start;
     if (linked_ == nullptr || *dialect != linked_name_) {
-      linked_ = session_.link(*dialect);
+      linked_ = session_.link(*dialect, options_.chain.dependencies);
       linked_name_ = *dialect;
     }
     if (linked_ == nullptr) return cannot_start;

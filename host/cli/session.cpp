@@ -9,6 +9,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "isogloss/engine/own_dependencies.hpp"
 #include "output_file.hpp"
 
 namespace isogloss::cli {
@@ -95,9 +96,9 @@ Session::Session(const CommonOptions& options)
 
 Session::~Session() { diagnostics_.finish(); }
 
-std::unique_ptr<LinkedDialect> Session::link(const std::string& name) {
-  const std::optional<Dialect> dialect = reader_.read(name, diagnostics_);
-  if (!dialect) return nullptr;
+std::unique_ptr<LinkedDialect> Session::link(const std::string& name, const std::vector<DependencyElement>& own) {
+  std::optional<Dialect> dialect = reader_.read(name, diagnostics_);
+  if (!dialect || !add_missing(own, *dialect, library_, diagnostics_)) return nullptr;
   // Notes on the dialect are for who writes it: `lint` says them.
   class WithoutNotes : public DiagnosticSink {
    public:

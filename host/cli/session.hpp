@@ -48,8 +48,9 @@ class Session {
   const DialectReader& reader() const { return reader_; }
   DiagnosticWriter& diagnostics() { return diagnostics_; }
 
-  /// Reads and links; null when something is wrong, which is then said.
-  std::unique_ptr<LinkedDialect> link(const std::string& dialect);
+  /// Reads and links, with the user's own dependencies where the dialect has them not; null when something is wrong,
+  /// which is then said.
+  std::unique_ptr<LinkedDialect> link(const std::string& dialect, const std::vector<DependencyElement>& own = {});
   /// Says one of the host's diagnostics.
   void say(std::string_view code, Location where, std::initializer_list<std::string> arguments, std::string hint = {});
   /// input_errors when there were errors, internal_fault when a plugin broke the contract, else success.

@@ -199,7 +199,8 @@ Dialect surround(const ig_syntax& syntax, const ig_plugin& plugin, const Surroun
   std::vector<DependencyElement> dependencies = own.dependencies;
   for (const DependencyElement& e : own.dependencies) {
     const ig_plugin* owner = nullptr;
-    if (library.dependency(e.id, &owner) != nullptr && !has_plugin(d, owner->name)) d.plugins.push_back({owner->name, where});
+    if (library.dependency(e.id, &owner) != nullptr && !has_plugin(d, owner->name))
+      d.plugins.push_back({owner->name, where});
   }
   for (const DependencyElement& inherited : d.dependencies) {
     const bool replaced = std::any_of(own.dependencies.begin(), own.dependencies.end(),

@@ -192,6 +192,11 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "Text after the end of the program belongs to other programs of the file (subprograms, most often), or to "
        "nothing. `--program` picks another program of a file.",
        "M30 before the last line"},
+      {error, "IG-0415", "no plugin has the dependency '{0}'",
+       "A table file of the user (--machine, --offsets, --tools) names a dependency that neither the dialect has nor "
+       "any "
+       "plugin of the plugin folders.",
+       "--machine FILE with <MachineKinematic>"},
       // cases, apply, command line: 0500-0599
       {error, "IG-0501", "malformed page: {0}",
        "A case of a page is a heading, prose, and fences after the lines #Previous:, #Dependencies:, #BeforeBuild: and "

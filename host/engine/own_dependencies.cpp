@@ -1,0 +1,52 @@
+// What a dialect does not know of, such as the kinematics of one machine, comes in with the user's own tables.
+#include "isogloss/engine/own_dependencies.hpp"
+
+#include <algorithm>
+
+namespace isogloss {
+namespace {
+
+/// The plugin that has a dependency of this id: a loaded one, else any of the folders.
+const ig_plugin* owner_of(const std::string& id, Library& library) {
+  const ig_plugin* owner = nullptr;
+  if (library.dependency(id, &owner) == nullptr) {
+    library.load_all();
+    library.dependency(id, &owner);
+  }
+  return owner;
+}
+
+std::vector<std::string> names(const Dialect& dialect, const Library& library) {
+  std::vector<std::string> out;
+  for (const DependencyElement& e : dialect.dependencies) out.push_back(e.alias);
+  for (const LoadedPlugin& p : library.plugins())
+    for (std::uint32_t i = 0; i < p.plugin->dependency_count; ++i) out.emplace_back(p.plugin->dependencies[i]->id);
+  return out;
+}
+
+}  // namespace
+
+bool add_missing(const std::vector<DependencyElement>& own, Dialect& dialect, Library& library, DiagnosticSink& sink) {
+  bool sound = true;
+  for (const DependencyElement& element : own) {
+    const bool has =
+        std::any_of(dialect.dependencies.begin(), dialect.dependencies.end(),
+                    [&](const DependencyElement& e) { return e.alias == element.alias || e.id == element.id; });
+    if (has) continue;
+    const ig_plugin* const owner = owner_of(element.id, library);
+    if (owner == nullptr) {
+      const std::string near = nearest_name(element.id, names(dialect, library));
+      sink.add(
+          host_diagnostic("IG-0415", element.where, {element.id}, near.empty() ? "" : "did you mean " + near + "?"));
+      sound = false;
+      continue;
+    }
+    const auto is_owner = [&](const PluginReference& p) { return p.name == owner->name; };
+    if (std::none_of(dialect.plugins.begin(), dialect.plugins.end(), is_owner))
+      dialect.plugins.push_back({owner->name, element.where});
+    dialect.dependencies.push_back(element);
+  }
+  return sound;
+}
+
+}  // namespace isogloss
