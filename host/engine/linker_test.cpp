@@ -351,6 +351,90 @@ TEST_CASE("a syntax that refuses to start is told with its reason") {
   CHECK_THAT(found.all[0].message, Catch::Contains("Refuses") && Catch::Contains("not today"));
 }
 
+TEST_CASE("a syntax that stays idle is created, and never called") {
+  static int created, built, inspected;
+  created = built = inspected = 0;
+  for (const bool is_idle : {false, true}) {
+    Plugin plugin("p");
+    Syntax& wakes = plugin.syntax("Wakes");
+    wakes.fields = {field("Test.X", IG_READ | IG_WRITE | IG_WAKE, IG_NUMBER, IG_LIFE_BLOCK)};
+    wakes.out.build = [](void*, const ig_host*, ig_block*) -> ig_status { return ++built, IG_UNCHANGED; };
+    Syntax& while_on = plugin.syntax("WakesWhile");
+    while_on.fields = {field("Test.State", IG_READ | IG_WRITE | IG_WAKE_WHILE, IG_NUMBER, IG_LIFE_MODAL)};
+    while_on.out.build = wakes.out.build;
+    Syntax& inspects = plugin.syntax("Inspects");
+    inspects.out.inspects = 1;
+    inspects.out.build = [](void*, const ig_host*, ig_block*) -> ig_status { return ++inspected, IG_UNCHANGED; };
+    for (Syntax* s : {&wakes, &while_on, &inspects})
+      s->out.create = is_idle ? [](const ig_link_api* api, ig_link* link, const ig_field*, void** self) -> ig_status {
+        api->idle(link);
+        *self = nullptr;
+        return ++created, IG_CHANGED;
+      }
+      : [](const ig_link_api*, ig_link*, const ig_field*, void** self) -> ig_status {
+          *self = nullptr;
+          return ++created, IG_CHANGED;
+        };
+    Hand hand{"p"};
+    hand.add("Wakes");
+    hand.add("WakesWhile");
+    hand.add("Inspects", {}, Stage::inspection);
+    Library library({});
+    library.add(plugin.get());
+    DiagnosticList found;
+    const auto linked = link(hand.dialect, library, found);
+    REQUIRE(linked);
+    created = built = inspected = 0;
+    Chain chain(*linked, {}, found);
+    CHECK(created == 3);
+    chain.document().set(linked->layout.id("Test.State"), {.number = 1});
+    chain.begin_block({"t", 1, 0, "?"});
+    chain.document().set(linked->layout.id("Test.X"), {.number = 1});
+    chain.document().add_leftover(IG_LEFT_TEXT, IG_NO_FIELD, 0, 1, "?");
+    chain.run(chain.document(), 0, 3);
+    CHECK(built == (is_idle ? 0 : 2));
+    CHECK(inspected == (is_idle ? 0 : 1));
+    CHECK(chain.build(0) == IG_UNCHANGED);
+  }
+}
+
+TEST_CASE("what the run gives a file for answers before what the dialect names first") {
+  static int first_table, second_table;
+  Plugin plugin("p");
+  const auto provide = [&](const char* id, auto answer) {
+    Dependency& d = plugin.dependency(id);
+    d.provides = {"test.answer/1"};
+    d.out.row_element = "Row";
+    d.out.row_key = "name";
+    d.columns = {column("Value")};
+    d.out.create = [](const ig_link_api*, ig_link*, const ig_field*, void** self) -> ig_status {
+      static int anything;
+      *self = &anything;
+      return IG_CHANGED;
+    };
+    d.out.service = answer;
+  };
+  provide("First", [](void*, const char*) -> const void* { return &first_table; });
+  provide("Second", [](void*, const char*) -> const void* { return &second_table; });
+  Hand hand{"p"};
+  hand.depend("First");
+  hand.depend("Second");
+  Library library({});
+  library.add(plugin.get());
+  DiagnosticList found;
+  const auto linked = link(hand.dialect, library, found);
+  REQUIRE(linked);
+  const auto answers = [&](std::initializer_list<const char*> given) {
+    ChainSettings settings;
+    for (const char* id : given) settings.dependencies.push_back({id, id, {}, {}, {}, {}});
+    return Chain(*linked, settings, found).service("test.answer/1");
+  };
+  CHECK(answers({}) == &first_table);
+  CHECK(answers({"Second"}) == &second_table);
+  CHECK(answers({"First", "Second"}) == &second_table);
+  CHECK(answers({"Second", "First"}) == &first_table);
+}
+
 TEST_CASE("the first of two providers of a plugin's name is kept") {
   Plugin one("same"), two("same"), three("other");
   one.syntax("A");

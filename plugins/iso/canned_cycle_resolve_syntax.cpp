@@ -6,7 +6,6 @@
 #include <cmath>
 #include "canned_cycle_util.hpp"
 #include "modal_group.hpp"
-#include "rotary_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -65,6 +64,11 @@ struct CannedCycleResolve {
       ig::Out<double>{"CannedCycle.Params.Q"}, ig::Out<double>{"CannedCycle.Params.P"},
       ig::Out<double>{"CannedCycle.Params.I"}, ig::Out<double>{"CannedCycle.Params.J"}};
   ig::Xyz increment_{"CannedCycle.Increment", ig::write, {ig::Life::block, "mm", "From hole to hole of a repeat."}};
+  std::array<ig::Out<double>, 3> turn_{ig::Out<double>{"CannedCycle.Increment.A", turn},
+                                       ig::Out<double>{"CannedCycle.Increment.B", turn},
+                                       ig::Out<double>{"CannedCycle.Increment.C", turn}};
+  ig::Out<std::int64_t> repeats_{"CannedCycle.Repeats",
+                                 {ig::Life::block, "", "Holes of a repeat that turns rotary axes."}};
   // The cycles share one store for Q: a depth of cut may become a shift.
   ig::Signal q_of_another_use_{"CannedCycle.~QOfAnotherUse", ig::write};
   // Group 10 outlives the cycles, CannedCycle.ReturnMode does not.
@@ -100,6 +104,8 @@ struct CannedCycleResolve {
   }
 
  private:
+  static constexpr ig::About turn{ig::Life::block, "deg", "From hole to hole of a repeat."};
+
   /// The cycle that is on in this block, if any.
   struct Group09 {
     std::optional<std::size_t> cycle;  // row of call_
@@ -233,14 +239,13 @@ struct CannedCycleResolve {
     return ig::Field<double>(path, ig::read, {ig::Life::standard, "deg", ""}).id();
   }
 
-  /// The control turns by the increment before each hole of K; here the axis turns once.
-  void say_turned_once(ig::Block& b) const {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const ig_field word = rotary_[axis];
-      ig_value unused;
-      if (b.host()->get(b.raw(), word, &unused) != 0)
-        b.report(rotary_diag("ISO-0405"), ig::Where::word(word), std::string_view("ABC").substr(axis, 1));
-    }
+  /// Rotary words under G91 turn their axis before each hole; McAbcSyntax does.
+  void keep_turns(ig::Block& b, int count) const {
+    ig_value v[3];
+    const std::uint32_t named = b.host()->get_many(b.raw(), rotary_.data(), 3, v);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if ((named >> axis & 1u) != 0) b.set(turn_[axis], v[axis].number);
+    if (named != 0) b.set(repeats_, std::int64_t{count});
   }
 
   /// The cycle is on from here, but nothing is drilled and none of Q, P, I, J is kept: they stay, to be reported.
@@ -269,7 +274,7 @@ struct CannedCycleResolve {
     CycleLevels levels = resolve_levels({in[Address::R], in[plane.tool]}, kept, level, incremental);
     const bool complete = levels.r && levels.bottom;
     const int count = repeats(b, now, in);
-    if (count > 1 && incremental) say_turned_once(b);
+    if (count > 1 && incremental) keep_turns(b, count);
     if (!complete && count > 0)
       levels = fill(b, row, "XYZ"[plane.tool], levels, start[plane.tool], in[plane.tool], incremental);
 

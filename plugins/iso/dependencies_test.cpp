@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "../../tests/support/fake_dependency.hpp"
 
@@ -128,4 +129,29 @@ TEST_CASE("machine axes: those that have a row") {
   CHECK(s->travel(s->self, 'X', &a, &b) == 0);
   CHECK((s->rapid_rate(s->self, 'Z', &a) == 1 && a == 300));
   CHECK(s->rapid_rate(s->self, 'X', &a) == 0);
+}
+
+TEST_CASE("machine axes: how the rotary ones turn, and travels of which one end is known") {
+  const FakeDependency machine(*ig_plugin_v1(), "MachineAxes",
+                               {{"A", {{"Minimum", -120}}},
+                                {"B", {{"Rollover", 2}, {"Maximum", 90}}},
+                                {"C", {{"Minimum", 1}, {"Maximum", 0}}},
+                                {"X", {{"Maximum", 5}}}});
+  const auto* s = machine.service<ig_machine_axis_1>("isogloss.machine-axis/1");
+  const auto mode = [&](char axis) {
+    std::uint32_t out = 9;
+    return s->rollover(s->self, axis, &out) != 0 ? static_cast<int>(out) : -1;
+  };
+  CHECK(mode('A') == 0);
+  CHECK(mode('B') == 2);
+  CHECK(mode('C') == 1);
+  CHECK(mode('X') == -1);
+  const FakeDependency plain(*ig_plugin_v1(), "MachineAxes");
+  const auto* p = plain.service<ig_machine_axis_1>("isogloss.machine-axis/1");
+  std::uint32_t unused = 0;
+  CHECK(p->rollover(p->self, 'A', &unused) == 0);
+  double low = 0, high = 0;
+  CHECK((s->travel(s->self, 'A', &low, &high) == 1 && low == -120 && high == HUGE_VAL));
+  CHECK((s->travel(s->self, 'X', &low, &high) == 1 && low == -HUGE_VAL && high == 5));
+  CHECK(s->travel(s->self, 'C', &low, &high) == 0);
 }

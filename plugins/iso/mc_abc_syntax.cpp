@@ -19,25 +19,43 @@ struct McAbc {
   ig::Signal axis_words_void_{"MachineCoordSelect.~AxisWordsVoid", ig::read};
   ig::Signal turns_{"McAbc.~Turns", ig::write};
   ig::Signal as_increment_{"McAbc.~AsIncrement", ig::write};
+  ig::In<std::int64_t> repeats_{"CannedCycle.Repeats"};
+  std::array<ig::In<double>, 3> turn_{ig::In<double>{"CannedCycle.Increment.A"},
+                                      ig::In<double>{"CannedCycle.Increment.B"},
+                                      ig::In<double>{"CannedCycle.Increment.C"}};
   DistanceMode distance_;
 
   ig::Status build(ig::Block& b) {
     if (b.is_raised(axis_words_void_)) return ig::Status::unchanged;
-    const PartialAngles to = take(b);
+    PartialAngles to = take(b);
     if (to.mask == 0) return ig::Status::changed;
-    rotary_.set(b, to);
     if (!b.is_fresh(machine_)) {
       const ig::PartialVec3 carried = b.get(machine_);
       if (carried.complete()) b.set(machine_, carried.value);
     }
-    for (std::uint32_t step = 0, n = steps_.count(b); step < n; ++step)
-      if (steps_.is_move(b, step)) steps_.set(b, step, to);
+    turn_steps(b, to);
+    rotary_.set(b, to);
     b.raise(turns_);
     if (distance_.is_incremental(b)) b.raise(as_increment_);
     return ig::Status::changed;
   }
 
  private:
+  /// Each hole of a repeat has as many steps as the others, the first of them the positioning. `to` becomes the last.
+  void turn_steps(ig::Block& b, PartialAngles& to) const {
+    const std::uint32_t steps = steps_.count(b);
+    const auto holes = static_cast<std::uint32_t>(b.get_or(repeats_, std::int64_t{1}));
+    const std::uint32_t of_hole = std::max(1u, steps / std::max(1u, holes));
+    for (std::uint32_t step = 0; step < steps; ++step) {
+      if (step != 0 && step % of_hole == 0 && step / of_hole < holes) turn_on(b, to);
+      if (steps_.is_move(b, step)) steps_.set(b, step, to);
+    }
+  }
+  void turn_on(const ig::Block& b, PartialAngles& to) const {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (to.has(axis)) to.value[axis] += b.get_or(turn_[axis], 0.0);
+  }
+
   PartialAngles take(ig::Block& b) const {
     PartialAngles to;
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -63,7 +63,7 @@ inline double nearest_turn(double from, double to, HalfTurn half = HalfTurn::pos
 
 /// The position that `to` without its sign names, in the direction of the sign. No way at all where the axis is there.
 inline double directed_turn(double from, double to) {
-  const bool backwards = std::signbit(to);
+  const bool backwards = to < 0;
   to = std::fmod(std::fabs(to), 360);
   if (!(std::fabs(from) < detail::countable_deg)) return to;
   const double nearest = nearest_turn(from, to);

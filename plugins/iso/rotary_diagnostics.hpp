@@ -21,10 +21,6 @@ inline constexpr std::array rotary_diagnostics{
                    "G53 Z10."),
     ig::diagnostic(IG_ERROR, "ISO-0404", "{0} {1}: no rotary axis has such a position; the axis stays where it is",
                    "Angles are counted up to a thousand million degrees.", "G00 A1e10"),
-    ig::diagnostic(IG_WARNING, "ISO-0405", "{0} under repeats of a canned cycle: the axis turns once, before hole 1",
-                   "The holes of K or L are drilled at the same angle here; the control turns on by the increment "
-                   "before each of them. Write a block for each hole.",
-                   "G91 G81 A30. Z-10. R-5. K12"),
 };
 
 consteval std::uint32_t rotary_diag(std::string_view code) {
