@@ -68,6 +68,7 @@ struct IsoG68Rotation {
     const bool ends_last = ends && (!turns || ordinal(b, g69_.id(0)) > ordinal(b, g68_.code(0)));
     if (turns && ends)
       b.report(diag("ISO-0201"), ig::Where::word(g68_.code(0)), b.text(ends_last ? g69_name_ : g68_name_));
+    if (ends && !ends_last && is_tilted(b)) cancel(b);
     if (turns) rotate(b);
     if (ends_last) cancel(b);
     const bool settled = b.is_raised(about_tool_) && settle(b);

@@ -40,6 +40,7 @@ struct IsoG68p2Tilt {
 
   ig::Call tilt_{{"G68.2", "G68.3", "G68.4"}, "X Y Z I[deg] J[deg] K[deg] R[deg] P[] Q[]"};
   ig::Codes g69_{"G69"};
+  ig::Call rotation_{{"G68"}, "", ig::read};
   ig::Out<ig::Symbol> term_{"TiltTransform.Term", {ig::Life::modal, "", "The code in force."}};
   ig::Previous<ig::Symbol> term_before_{"TiltTransform.Term"};
   ig::Xyz origin_{"TiltTransform", ig::read | ig::write, {ig::Life::modal, "mm", "Origin of the plane, or centre."}};
@@ -110,7 +111,11 @@ struct IsoG68p2Tilt {
     const bool ends_last = ends && (!row || ordinal(b, g69_.id(0)) > ordinal(b, tilt_.code(*row)));
     if (row && ends)
       b.report(diag("ISO-0201"), ig::Where::word(tilt_.code(*row)), b.text(ends_last ? g69_name_ : tilt_.name(*row)));
-    if (ends) cancel(b);
+    const bool is_rotated_anew = ends && b.find(rotation_) && ordinal(b, rotation_.code(0)) > ordinal(b, g69_.id(0));
+    if (is_rotated_anew)
+      forget_tilt(b);
+    else if (ends)
+      cancel(b);
     const bool gives_up = b.has(open_p_) && (ends || moves(b));
     if (gives_up) give_up(b);
     if (row && ends_last)
@@ -388,17 +393,19 @@ struct IsoG68p2Tilt {
   }
 
   void forget_plane(ig::Block& b) const {
+    forget_tilt(b);
+    for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), origin_.id(axis));
+    b.erase(turn_);
+    b.erase(about_tool_);
+  }
+  /// What a rotation in the plane (G68) has not.
+  void forget_tilt(ig::Block& b) const {
     if (b.get_or(is_aligned_, false))
       for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), orientation_.id(axis));
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      b.host()->erase(b.raw(), origin_.id(axis));
-      b.erase(angles_[axis]);
-    }
-    b.erase(turn_);
+    for (const auto& angle : angles_) b.erase(angle);
     b.erase(p_);
     b.erase(q_);
     b.erase(is_aligned_);
-    b.erase(about_tool_);
   }
 
   // ---- Unfinished definitions, and what has no place inside a plane

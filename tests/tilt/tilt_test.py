@@ -3,9 +3,9 @@
 
   tilt_test.py --isogloss PATH [--programs N] [--seed S] [--keep DIR]
 
-A point of the program lies at origin + R point in the work offset, R has X', Y' and Z' as its columns. G52, the work offset and
-the tool length are added to it. Every move of `isogloss run`, in both dialects, must end where that says, to 1e-9 mm; and the
-arcs must have their centre and their normal there.
+A point of the program lies at origin + R point in the work offset, R has X', Y' and Z' as its columns. G52, the work
+offset and the tool length are added to it. Every move of `isogloss run`, in both dialects, must end where that says, to
+1e-9 mm; and the arcs must have their centre and their normal there.
 """
 import argparse
 import csv
@@ -122,8 +122,8 @@ class Program:
         self.incremental = False
         self.write("G90 G54 G17 G21 G49 G69")
         self.rest()
-        steps = [(30, self.move), (12, self.arc), (12, self.define), (5, self.nest), (4, self.end), (4, self.shift), (3, self.select),
-                 (3, self.compensate), (3, self.distance)]
+        steps = [(30, self.move), (12, self.arc), (12, self.define), (5, self.nest), (4, self.end), (4, self.shift),
+                 (3, self.select), (3, self.compensate), (3, self.distance)]
         for step in self.random.choices([s for _, s in steps], [w for w, _ in steps], k=blocks):
             step()
         self.write("M30")
@@ -158,7 +158,8 @@ class Program:
 
     def move(self):
         words = {a: self.value() for a in self.random.sample(range(3), self.random.randint(1, 3))}
-        self.write(f"{self.random.choice(('G00', 'G01 F500'))} " + " ".join(f"{WORDS[a]}{v:.3f}" for a, v in words.items()))
+        code = self.random.choice(("G00", "G01 F500"))
+        self.write(f"{code} " + " ".join(f"{WORDS[a]}{v:.3f}" for a, v in words.items()))
         target = list(self.here)
         for axis, v in words.items():
             target[axis] = target[axis] + v if self.incremental else v
@@ -167,7 +168,8 @@ class Program:
     def arc(self):
         first, second, tool, code = self.random.choice([(0, 1, 2, "G17"), (2, 0, 1, "G18"), (1, 2, 0, "G19")])
         start = self.here
-        angle, sweep, radius = (math.radians(self.value(-180, 180)), math.radians(self.value(10, 350)), self.value(5, 50))
+        angle, sweep = math.radians(self.value(-180, 180)), math.radians(self.value(10, 350))
+        radius = self.value(5, 50)
         clockwise = self.random.random() < 0.5
         i, j = round(-radius * math.cos(angle), 3), round(-radius * math.sin(angle), 3)
         centre = list(start)
@@ -181,8 +183,9 @@ class Program:
             base = start[axis] if self.incremental else 0.0
             words[axis] = round(centre[axis] + way - base, 7)
             end[axis] = base + words[axis]
-        self.write(f"{code} {'G02' if clockwise else 'G03'} {WORDS[first]}{words[first]:.7f} {WORDS[second]}{words[second]:.7f} "
-                   f"{'IJK'[first]}{i:.3f} {'IJK'[second]}{j:.3f} F500")
+        end_words = f"{WORDS[first]}{words[first]:.7f} {WORDS[second]}{words[second]:.7f}"
+        centre_words = f"{'IJK'[first]}{i:.3f} {'IJK'[second]}{j:.3f}"
+        self.write(f"{code} {'G02' if clockwise else 'G03'} {end_words} {centre_words} F500")
         self.go(end)
         self.arcs[len(self.lines)] = self.machine(centre), self.plane.axes[tool], math.degrees(turned)
         self.write("G17 G00")
@@ -284,18 +287,19 @@ def difference(isogloss, folder, dialect, program):
                           "--zero-moves", *settings], cwd=folder, capture_output=True, text=True, timeout=60, check=False)
     if run.returncode != 0:
         return 0, f"isogloss ends with {run.returncode}: {run.stderr[:600]}"
-    rows = {int(row["line"]): row for row in csv.DictReader(run.stdout.splitlines()) if row["event"] in ("rapid", "feed", "arc")}
+    rows = {int(row["line"]): row for row in csv.DictReader(run.stdout.splitlines())
+            if row["event"] in ("rapid", "feed", "arc")}
     if rows.keys() != program.ends.keys():
         return 0, f"lines that move: {sorted(rows.keys() ^ program.ends.keys())}"
     for count, (line, wanted) in enumerate(sorted(program.ends.items())):
         def numbers(*columns):
             return [float(rows[line][c]) for c in columns]
-        near = 1e-6 if line in program.arcs else 1e-9  # the ends of arcs are written with 7 decimals: their sweep differs
+        near = 1e-6 if line in program.arcs else 1e-9  # ends of arcs are written with 7 decimals: their sweep differs
         off = math.dist(wanted, numbers("mx", "my", "mz"))
         if line in program.arcs:
             centre, normal, sweep = program.arcs[line]
-            off = max(off, math.dist(centre, numbers("mcx", "mcy", "mcz")), math.dist(normal, numbers("nx", "ny", "nz")),
-                      abs(sweep - numbers("sweep")[0]) / 10)
+            off = max(off, math.dist(centre, numbers("mcx", "mcy", "mcz")), abs(sweep - numbers("sweep")[0]) / 10,
+                      math.dist(normal, numbers("nx", "ny", "nz")))
         if off > near * max(1.0, max(map(abs, wanted)) / 1000):
             is_ = numbers("mx", "my", "mz")
             return count, f"line {line}, {program.lines[line - 1]}: {is_}, {off} from {wanted} {program.arcs.get(line, '')}"

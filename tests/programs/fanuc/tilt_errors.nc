@@ -40,6 +40,13 @@ N34 G68 X0. Y0. R90.
 N35 G68.2 J90.
 N36 X9. Y2. Z3.
 N37 G69
-N38 G68.2 P2 Q1 X0. Y0. Z0.
-N39 M30
+(G69 before G68 in a block: the plane ends, and the rotation counts)
+N38 G68.2 J90.
+N39 G69 G68 X0. Y0. R90.
+N40 X10. Y2. Z3.
+N41 G69 G68 X0. Y0. R180.
+N42 X11. Y2. Z3.
+N43 G69
+N44 G68.2 P2 Q1 X0. Y0. Z0.
+N45 M30
 %
