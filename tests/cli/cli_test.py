@@ -175,6 +175,48 @@ class Run(Command):
         self.run_it("run", self.program, "-d", "iso", "--set", "NoTable.G54.Z=1", status=2)
         self.run_it("run", self.program, "-d", "iso", "--offsets", "missing.xml", status=2)
 
+    def test_a_machine_brings_what_the_dialect_does_not_have(self):
+        def machine(kinematics):
+            return self.write("machine.xml", '<Dependencies><MachineAxes><Axis name="X" Home="7" RapidRate="6000"/>'
+                                             f"</MachineAxes>{kinematics}</Dependencies>")
+
+        def summary(*more):
+            out = self.run_it("run", self.program, "-d", "fanuc", "--summary", *more).stdout
+            return dict(line.split(":", 1) for line in out.splitlines())
+
+        # The axes of the machine answer before the parameters that the dialect ships with.
+        self.assertIn("unknown", summary("--machine", machine(""))["rapid time"])
+        two = ('<MachineKinematics><Axis name="A" Place="table" Order="1"{}/>'
+               '<Axis name="C" Place="table" Order="2"/></MachineKinematics>')
+        sound = machine(two.format(""))
+        for dialect in ("iso", "fanuc"):
+            self.run_it("run", self.program, "-d", dialect, "--machine", sound)
+            self.run_it("explain", f"{self.program}:5", "-d", dialect, "--machine", sound)
+        same = self.run_it("run", self.program, "-d", "iso", "--machine", sound, "--set", "MachineKinematics.A.X=0",
+                           "--set", "MachineKinematics.A.Z=1", status=2)
+        self.assertIn("axes A, C are parallel", same.stderr)
+        self.assertIn("IG-0308", same.stderr)
+        done = self.run_it("run", self.program, "-d", "fanuc", "--machine", machine(two.format(' Pivot="1"')), status=2)
+        self.assertRegex(done.stderr, r"machine\.xml:1:\d+: error: .*Pivot.*\[IG-0219\]")
+        done = self.run_it("run", self.program, "-d", "fanuc", "--machine", machine("<MachineKinematic/>"), status=2)
+        self.assertRegex(done.stderr, r"machine\.xml:1:\d+: error: .*\[IG-0415\]")
+        self.assertIn("did you mean MachineKinematics?", done.stderr)
+
+    def test_shipped_machines(self):
+        for name in ("ac-table", "bc-table", "b-head-c-table"):
+            done = self.run_it("run", self.program, "-d", "fanuc", "--machine", name, "--summary")
+            self.assertNotIn("unknown", done.stdout)
+        self.run_it("run", self.program, "-d", "fanuc", "--machine", "dc-table", status=2)
+
+    def test_a_dialect_has_its_own_machine(self):
+        (self.path / "axes.xml").write_text('<MachineKinematics><Axis name="B" Place="head"/></MachineKinematics>')
+        dialect = self.write("mine.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="mine" extends="fanuc">'
+                                         '<Plugins><Plugin name="kinematics"/></Plugins><Dependencies>'
+                                         '<MachineKinematics src="axes.xml"/></Dependencies></Dialect>')
+        self.run_it("run", self.program, "-d", dialect)
+        done = self.run_it("run", self.program, "-d", dialect, "--set", "MachineKinematics.B.Sign=0.5", status=2)
+        self.assertIn("axis B: Sign is 1 or -1", done.stderr)
+
     def test_switches_of_the_machine(self):
         skipping = self.write("skip.nc", "/G00 X1.\nG00 X2.\nM01\nM00\n")
 

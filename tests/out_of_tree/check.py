@@ -51,6 +51,9 @@ class Checks:
         program.write_text("G90 G54 G0 X1.\nM30\n")
         motions = self.run(self.command, "run", program, "-d", "fanuc", "--emit", "motions", "--format", "csv").stdout
         expect(",1,rapid,1," in motions, "the installed command finds its plugins and dialects", motions)
+        motions = self.run(self.command, "run", program, "-d", "fanuc", "--machine", "ac-table", "--emit", "motions",
+                           "--format", "csv").stdout
+        expect(",1,rapid,1," in motions, "and its machines", motions)
 
     def embed(self):
         folder, _ = self.build_project("embed")
