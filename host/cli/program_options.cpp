@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 
 namespace isogloss::cli {
 
@@ -48,14 +49,31 @@ bool are_layers(std::string_view text) {
   return true;
 }
 
-/// A machine's own name stands for its file in `machines`, beside the dialects.
-std::filesystem::path machine_file(const std::string& named, const Session& session) {
-  namespace fs = std::filesystem;
+/// The files in `machines`, beside the dialects, by name.
+std::map<std::string, std::filesystem::path> shipped_machines(const Session& session) {
+  std::map<std::string, std::filesystem::path> out;
+  for (const Place& place : session.dialect_places()) {
+    std::error_code error;
+    std::filesystem::directory_iterator it(place.folder / "machines", error);
+    for (; !error && it != std::filesystem::directory_iterator(); it.increment(error))
+      if (it->path().extension() == ".xml") out.emplace(it->path().stem().string(), it->path());
+  }
+  return out;
+}
+
+/// What --machine names: a file, or a machine in `machines`. Empty, and said, when it is neither.
+std::optional<std::filesystem::path> machine_file(const std::string& named, Session& session) {
   std::error_code error;
-  if (named.find('/') != std::string::npos || named.ends_with(".xml") || fs::exists(named, error)) return named;
-  for (const Place& place : session.dialect_places())
-    if (fs::path file = place.folder / "machines" / (named + ".xml"); fs::exists(file, error)) return file;
-  return named;
+  const bool is_path = named.empty() || named.find('/') != std::string::npos || named.ends_with(".xml");
+  if (is_path || std::filesystem::exists(named, error)) return named;
+  const std::map<std::string, std::filesystem::path> shipped = shipped_machines(session);
+  if (const auto found = shipped.find(named); found != shipped.end()) return found->second;
+  std::vector<std::string> names;
+  for (const auto& [name, path] : shipped) names.push_back(name);
+  const std::string near = nearest_name(named, names);
+  session.say("IG-0510", {named}, {"there is no such file, nor a machine of that name"},
+              near.empty() ? "" : "did you mean " + near + "?");
+  return std::nullopt;
 }
 
 }  // namespace
@@ -89,9 +107,10 @@ void ProgramOptions::add_to(CLI::App& app) {
 
 std::optional<RunOptions> ProgramOptions::make(Session& session) const {
   RunOptions out;
-  bool sound = true;
-  const std::filesystem::path files[] = {machine.empty() ? "" : machine_file(machine, session), offsets, tools};
-  for (const std::filesystem::path& file : files) {
+  const std::optional<std::filesystem::path> of_machine = machine_file(machine, session);
+  bool sound = of_machine.has_value();
+  for (const std::filesystem::path& file :
+       {of_machine.value_or(""), std::filesystem::path(offsets), std::filesystem::path(tools)}) {
     if (file.empty()) continue;
     DiagnosticList said;
     for (DependencyElement& d : session.reader().read_dependencies(file, said))

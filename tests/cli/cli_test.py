@@ -206,7 +206,8 @@ class Run(Command):
         for name in ("ac-table", "bc-table", "b-head-c-table"):
             done = self.run_it("run", self.program, "-d", "fanuc", "--machine", name, "--summary")
             self.assertNotIn("unknown", done.stdout)
-        self.run_it("run", self.program, "-d", "fanuc", "--machine", "dc-table", status=2)
+        done = self.run_it("run", self.program, "-d", "fanuc", "--machine", "ac-tabel", status=2)
+        self.assertIn("did you mean ac-table?", done.stderr)
 
     def test_a_dialect_has_its_own_machine(self):
         (self.path / "axes.xml").write_text('<MachineKinematics><Axis name="B" Place="head"/></MachineKinematics>')
