@@ -86,7 +86,7 @@ struct CircularMotion {
   void move(ig::Block& b, const PlaneAxes& plane, const ArcWords& words, bool is_ccw) const {
     const ig::Vec3 from = last_(b);
     const Path path{plane, from, b.get(program_).or_else(from)};
-    if (motion_.turns(b))
+    if (motion_.turns(b) && (words.r || words.has_center()))
       while_turning(b, path);
     else if (words.r)
       by_radius(b, path, *words.r, is_ccw);

@@ -209,6 +209,7 @@ class RotaryTurns {
     RotaryTurn turn;
     turn.from = known.mask != 0 ? known.value : machine_now.value;
     turn.to = angles_.target(b).value;
+    if (signs_) unsign(b, turn.to);
     if (known.mask != 0 && differ(machine, turn.from, machine_now.value) && !is_written(b)) {
       turn.from = machine_now.value;
       turn.was_moved = true;
@@ -224,6 +225,14 @@ class RotaryTurns {
   const RotaryAxes& axes() const { return axes_; }
 
  private:
+  /// Where the sign of a word is the direction, the position is the word without it.
+  void unsign(const ig::Block& b, Angles& to) const {
+    const PartialAngles words = angles_.words(b);
+    if (words.mask == 0 || distance_.is_incremental(b)) return;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (words.has(axis) && axes_.rollover(axis) == Rollover::signed_direction) to[axis] = std::fabs(to[axis]);
+  }
+
   /// Whole turns of an axis that counts on are a move as well.
   bool differ(const ToolKinematics& machine, const Angles& a, const Angles& b) const {
     constexpr double noise = 1e-9;
@@ -241,6 +250,9 @@ class RotaryTurns {
   RotaryAngles angles_;
   PivotState state_;
   RotaryAxes axes_;
+  DistanceMode distance_;
+  bool signs_ = axes_.rollover(0) == Rollover::signed_direction || axes_.rollover(1) == Rollover::signed_direction ||
+                axes_.rollover(2) == Rollover::signed_direction;
   std::array<ig_field, 3> machine_{ig::In<double>("MachineCoordinate.A").id(),
                                    ig::In<double>("MachineCoordinate.B").id(),
                                    ig::In<double>("MachineCoordinate.C").id()};
