@@ -210,6 +210,9 @@ class RotaryTurns {
     turn.from = known.mask != 0 ? known.value : machine_now.value;
     turn.to = angles_.target(b).value;
     if (signs_) unsign(b, turn.to);
+    for (std::size_t axis = 0; axis < 3; ++axis)  // what McAbcSyntax refuses turns nothing
+      if (!(std::fabs(turn.to[axis]) < detail::countable_deg) || (axes_.any() && !axes_.has(axis)))
+        turn.to[axis] = turn.from[axis];
     if (known.mask != 0 && differ(machine, turn.from, machine_now.value) && !is_written(b)) {
       turn.from = machine_now.value;
       turn.was_moved = true;
