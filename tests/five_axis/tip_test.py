@@ -32,6 +32,8 @@ MACHINES = [
     [("B", "head", NUTATING), ("C", "table", None)],
     [("B", "table", NUTATING), ("C", "table", None)],
     [("B", "head", None), ("A", "table", None)],
+    [("A", "table", None)],
+    [("B", "head", None)],
 ]
 
 
@@ -263,6 +265,8 @@ def make(rng, shape):
     p = Program(rng, machine)
     p.write("G21 G90 G94 G17 G54")
     kind = rng.choice(["angles", "angles", "vectors", "planes", "vectors in a plane", "angles in a plane"])
+    if len(shape) == 1:  # reaches few directions
+        kind = "angles"
     if kind == "planes":
         for _ in range(6):
             p.upright()
