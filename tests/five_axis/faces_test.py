@@ -21,8 +21,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 MACHINES = HERE.parents[1] / "dialects" / "machines"
 LENGTHS = {1: 95.5, 2: 143.25}
 # Where the origin of the part is clamped, in machine coordinates with the rotary axes at zero.
-WORK = {"ac-table": (-320.0, -255.0, -560.0), "b-head-c-table": (-600.0, -430.0, -700.0),
-        "bc-table": (-395.0, -310.0, -600.0)}
+WORK = {"ac-table": (5.0, 5.0, -110.0), "b-head-c-table": (25.0, 20.0, 50.0),
+        "bc-table": (5.0, -10.0, -100.0)}
 
 
 def machine_of(file):
