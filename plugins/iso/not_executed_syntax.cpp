@@ -46,6 +46,8 @@ struct NotExecuted {
   // The move of a G41 block is executed as programmed, so only the code and its D are taken.
   ig::Codes radius_compensation_{"G41", "G42"};
   ig::Word d_{"Parsing.D", ig::read, ""};
+  // Their rotary words are no positions to go to.
+  ig::Call coordinates_{{"G10", "G50.1", "G51.1", "G52", "G92.1"}, "A B C"};
 
   ig::Status build(ig::Block& b) {
     bool any = false;
@@ -60,10 +62,24 @@ struct NotExecuted {
     }
     for (const Feature& feature : features_)
       while (take(b, feature)) any = true;
+    any |= take_rotary_coordinates(b);
     return any ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
+  bool take_rotary_coordinates(ig::Block& b) const {
+    bool any = false;
+    for (std::uint32_t row = 0; row < coordinates_.code_count(); ++row)
+      for (const char axis : coordinates_.letters()) {
+        const ig_field word = coordinates_.word(row, axis);
+        ig_value unused;
+        if (b.host()->take(b.raw(), word, &unused) == 0) continue;
+        b.report(diag("ISO-0266"), ig::Where::word(word), b.text(coordinates_.name(row)));
+        any = true;
+      }
+    return any;
+  }
+
   static bool take(ig::Block& b, const Feature& feature) {
     for (std::uint32_t row = 0; row < feature.codes.code_count(); ++row) {
       const ig_field code = feature.codes.code(row);
