@@ -41,6 +41,8 @@ std::string summary_text(const std::string& program, const std::string& dialect,
     if ((s.axes >> i & 1u) != 0)
       line(fmt::format("machine {}", "XYZABC"[i]), fmt::format("{} … {}", number(s.minimum[i]), number(s.maximum[i])));
   for (std::size_t i = 0; s.any_motion && i < 3; ++i)
+    if ((s.axes >> (i + 3) & 1u) != 0) line(fmt::format("turned {}", "ABC"[i]), number(s.turned_deg[i]) + " deg");
+  for (std::size_t i = 0; s.any_motion && i < 3; ++i)
     line(fmt::format("program {}", "XYZ"[i]),
          fmt::format("{} … {}", number(s.program_minimum[i]), number(s.program_maximum[i])));
   line("rapid time", s.rapid_time_known ? number(s.rapid_seconds) + " s" : "unknown (no rapid rates)");

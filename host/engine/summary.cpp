@@ -100,6 +100,7 @@ class SummaryExporter : public Exporter {
   void move(const Move& m) {
     ++s_.events;
     s_.axes |= m.machine.known;
+    add_turns(m);
     switch (m.kind) {
       case Move::Kind::rapid:
         ++s_.rapids;
@@ -129,6 +130,12 @@ class SummaryExporter : public Exporter {
     for (unsigned i = first; i < last; ++i)
       if (m.from.has(i) && m.machine.has(i)) sum += (m.machine.at[i] - m.from.at[i]) * (m.machine.at[i] - m.from.at[i]);
     return std::sqrt(sum);
+  }
+
+  void add_turns(const Move& m) {
+    if ((m.machine.known & m.from.known) >> 3 == 0) return;
+    for (unsigned i = 3; i < 6; ++i)
+      if (m.from.has(i) && m.machine.has(i)) s_.turned_deg[i - 3] += std::abs(m.machine.at[i] - m.from.at[i]);
   }
 
   void add_rapid_time(const Move& m) {

@@ -84,6 +84,32 @@ TEST_CASE("a feed that only turns a rotary axis is in degrees a second") {
   CHECK(s.axes == 0b10111);
 }
 
+TEST_CASE("rotary axes: the slowest axis makes the time of a rapid, turns there and back add up") {
+  const auto turn = [](double b, double c, double x = 0) {
+    return [=](TestDocument& t) {
+      t.line(true, x, 0, 0);
+      t.number("MachineCoordinate.B", b);
+      t.number("MachineCoordinate.C", c);
+    };
+  };
+  const auto start = [](TestDocument& t) {
+    t.place(0, 0, 0);
+    t.number("MachineCoordinate.B", 0);
+    t.number("MachineCoordinate.C", 0);
+  };
+  const RapidRates rates{{100, 100, 100, 0, 30, 45}};
+  const Summary s = summarize({start, turn(30, 450, 50), turn(-30, 450, 50), turn(-30, 450, 50)}, rates);
+  CHECK(s.rapids == 2);  // the last one goes nowhere; one that only turns does not
+  CHECK(s.rapid_length_mm == 50);
+  CHECK(s.rapid_seconds == Approx(10 + 2));
+  CHECK(s.turned_deg[0] == 0);
+  CHECK(s.turned_deg[1] == 90);
+  CHECK(s.turned_deg[2] == 450);
+  CHECK(s.maximum[5] == 450);
+  const Summary unknown = summarize({start, turn(0, 90)}, {{100, 100, 100, 0, 30, 0}});
+  CHECK_FALSE(unknown.rapid_time_known);
+}
+
 TEST_CASE("the way from home counts as rapid length, home itself not as reached") {
   const Summary s =
       summarize({[](TestDocument& t) { t.place(-500, 0, 0); }, [](TestDocument& t) { t.line(true, -10, 0, 0); }});
