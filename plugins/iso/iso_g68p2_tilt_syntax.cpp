@@ -91,10 +91,12 @@ struct IsoG68p2Tilt {
   ig::In<double> length_{"ToolHeightCompensation.Offset_mm"};
   std::array<Offset, 3> offsets_{Offset{"LocalCoordinateOffset"}, Offset{"CoordinateOffset"},
                                  Offset{"WorkCoordinateShift"}};
+  ig::In<ig::Symbol> cycle_{"CannedCycle.Term"};
+  ig::Codes cycle_end_{{"G80"}, ig::read};
   LastProgramXyz last_;
   ig::Service<ig_machine_kinematics_1> kinematics_{"isogloss.machine-kinematics/1", ig::Need::optional,
                                                    "Direction of the tool, for G68.3."};
-  ig::Name g68_{"G68"}, g69_name_{"G69"};
+  ig::Name g68_{"G68"}, g69_name_{"G69"}, g80_{"G80"};
 
   ig::Choice<TurnedAxes> turns_{"roll-pitch-yaw", "fixed|turned", "fixed",
                                 "P1: the turns are about the axes of the workpiece, or about axes that turn along."};
@@ -179,6 +181,9 @@ struct IsoG68p2Tilt {
 
   void define(ig::Block& b, std::size_t row) const {
     take_code(b, row);
+    const auto cycle = b.get(cycle_);
+    if (cycle && *cycle != g80_ && !b.find(cycle_end_))
+      b.report(tilt_diag("ISO-0434"), at(row), b.text(tilt_.name(row)), b.text(*cycle));
     for (const auto& term : geometry_)
       if (const auto code = b.get(term)) b.report(diag("ISO-0383"), at(row), b.text(tilt_.name(row)), b.text(*code));
     const auto p_word = row == by_tool ? std::nullopt : take_word(b, row, 'P');

@@ -62,6 +62,10 @@ inline constexpr std::array tilt_diagnostics{
     ig::diagnostic(IG_WARNING, "ISO-0433", "G68.3: the kinematics of the machine is not known: the tool lies along Z",
                    "The direction of the tool follows from the rotary axes and from the machine (--machine FILE).",
                    "G68.3 (on a machine without MachineKinematics)"),
+    ig::diagnostic(IG_WARNING, "ISO-0434", "{0} while {1} is on: its levels count in the new plane from here on",
+                   "The R level, the bottom and the initial level keep their numbers, which mean other places now. "
+                   "Controls want G80 first; some stop with an alarm.",
+                   "G81 X10. Y10. Z-5. R2. F100 (then) G68.2 X0 Y0 Z0 J30."),
 };
 
 consteval std::uint32_t tilt_diag(std::string_view code) {
