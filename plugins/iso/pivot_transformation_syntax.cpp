@@ -77,21 +77,29 @@ struct PivotTransformation {
   /// The axes turn, and the tip goes along its path: to where X Y Z of the block say, else it rests.
   bool lead(ig::Block& b, const RotaryTurn& turn) const {
     const auto end = machine_.pivot(turn.to);
-    const auto tool_before = machine_.tool_axis(turn.from), tool_after = machine_.tool_axis(turn.to);
-    if (!end || !is_finite(*end) || !tool_before || !tool_after) return false;
-    const double length = b.get_or(length_, 0.0);
-    if (b.frame_changed() || b.is_raised(tip_stays_)) {
-      b.set_translation(tool_, length * *tool_before);
-      set(b, turn.from);
-      if (const auto start = last_.of_resting_machine(b)) b.set(start_, *start);
-      put_tool(b, length * *tool_after);
-    }
+    if (!end || !is_finite(*end)) return false;
+    if ((b.frame_changed() || b.is_raised(tip_stays_)) && !begin_anew(b, turn)) return false;
     ig::Vec3 tip = last_(b);
-    if (const auto lever = b.get(lever_)) tip = tip + unturned(b, *lever * (*tool_after - *tool_before));
+    if (const auto lever = b.get(lever_)) {
+      const auto before = machine_.tool_axis(turn.from), after = machine_.tool_axis(turn.to);
+      if (before && after) tip = tip + unturned(b, *lever * (*after - *before));
+    }
     b.host()->set_moving_transform(b.raw(), frame_.id(), end->data());
     turn_.state().set(b, machine_, turn.to);
     b.raise(turns_);
     b.set(program_, tip);
+    return true;
+  }
+
+  /// The frame has changed as well: the block begins where the new one puts the tip, with the axes at the start.
+  bool begin_anew(ig::Block& b, const RotaryTurn& turn) const {
+    const auto before = machine_.tool_axis(turn.from), after = machine_.tool_axis(turn.to);
+    if (!before || !after) return false;
+    const double length = b.get_or(length_, 0.0);
+    b.set_translation(tool_, length * *before);
+    set(b, turn.from);
+    if (const auto start = last_.of_resting_machine(b)) b.set(start_, *start);
+    put_tool(b, length * *after);
     return true;
   }
 

@@ -129,7 +129,7 @@ struct ToolCenterPoint {
     if (turn.moves) {
       const auto axis = machine_.tool_axis(turn.to);
       if (!axis) return true;
-      b.set(orientation_, *axis);
+      b.amend(orientation_, *axis);  // wakes nobody: its length lies along it already
       Mat4 m = identity_frame;
       for (std::size_t i = 0; i < 3; ++i) m[12 + i] = length * (*axis)[i];
       b.host()->set_moving_transform(b.raw(), frame_.id(), m.data());

@@ -174,6 +174,7 @@ class PivotState {
       if (out.has(axis)) out.value[axis] = v[axis].number;
     return out;
   }
+  ig_field id(std::size_t axis) const { return ids_[axis]; }
   bool is_fresh(const ig::Block& b) const { return b.host()->fresh_many(b.raw(), ids_.data(), 3) != 0; }
   void set(ig::Block& b, const ToolKinematics& machine, const Angles& angles) const {
     for (std::size_t k = 0; k < machine.count(); ++k)
@@ -203,18 +204,34 @@ class RotaryTurns {
  public:
   explicit RotaryTurns(ig::Access state = ig::read) : state_(state) {}
 
+  /// One look at all that counts: most blocks under tip control ask twice.
   RotaryTurn read(const ig::Block& b, const ToolKinematics& machine) const {
-    const PartialAngles machine_now = angles_.present(b);
-    const PartialAngles known = state_.get(b);
+    std::array<ig_field, 6> fields{};
+    std::array<ig_value, 6> v{};
+    const auto n = static_cast<std::uint32_t>(machine.count());
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const std::size_t axis = machine.axis(k);
+      fields[k] = words_[axis];
+      fields[n + k] = machine_[axis];
+      fields[2 * n + k] = state_.id(axis);
+    }
+    const std::uint32_t known = b.host()->get_many(b.raw(), fields.data(), 3 * n, v.data());
+    const bool has_words = (known & ((1u << n) - 1)) != 0, has_state = known >> 2 * n != 0;
+    const bool is_incremental = has_words && distance_.is_incremental(b);
     RotaryTurn turn;
-    turn.from = known.mask != 0 ? known.value : machine_now.value;
-    turn.to = angles_.target(b).value;
-    if (signs_) unsign(b, turn.to);
-    for (std::size_t axis = 0; axis < 3; ++axis)  // what McAbcSyntax refuses turns nothing
-      if (!(std::fabs(turn.to[axis]) < detail::countable_deg) || (axes_.any() && !axes_.has(axis)))
-        turn.to[axis] = turn.from[axis];
-    if (known.mask != 0 && differ(machine, turn.from, machine_now.value) && !is_written(b)) {
-      turn.from = machine_now.value;
+    Angles now{};
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const std::size_t axis = machine.axis(k);
+      if ((known >> (n + k) & 1u) != 0) now[axis] = v[n + k].number;
+      turn.from[axis] = (known >> (2 * n + k) & 1u) != 0 ? v[2 * n + k].number : has_state ? 0.0 : now[axis];
+    }
+    turn.to = now;
+    if (has_words && !(is_incremental && b.find(machine_select_)))  // the control ignores G53 under G91
+      for (std::uint32_t k = 0; k < n; ++k)
+        if ((known >> k & 1u) != 0)
+          turn.to[machine.axis(k)] = position(machine.axis(k), v[k].number, now, is_incremental);
+    if (has_state && differ(machine, turn.from, now) && !is_written(b)) {
+      turn.from = now;
       turn.was_moved = true;
     }
     turn.moves = moves(machine, turn);
@@ -228,12 +245,12 @@ class RotaryTurns {
   const RotaryAxes& axes() const { return axes_; }
 
  private:
-  /// Where the sign of a word is the direction, the position is the word without it.
-  void unsign(const ig::Block& b, Angles& to) const {
-    const PartialAngles words = angles_.words(b);
-    if (words.mask == 0 || distance_.is_incremental(b)) return;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (words.has(axis) && axes_.rollover(axis) == Rollover::signed_direction) to[axis] = std::fabs(to[axis]);
+  /// Where a word sends its axis. One that McAbcSyntax refuses turns nothing; a sign that is a direction is none of the
+  /// position.
+  double position(std::size_t axis, double word, const Angles& now, bool is_incremental) const {
+    if (!(std::fabs(word) < detail::countable_deg) || (axes_.any() && !axes_.has(axis))) return now[axis];
+    if (is_incremental) return now[axis] + word;
+    return axes_.rollover(axis) == Rollover::signed_direction ? std::fabs(word) : word;
   }
 
   /// Whole turns of an axis that counts on are a move as well.
@@ -248,14 +265,17 @@ class RotaryTurns {
     }
     return false;
   }
+  static ig_field word(const char* path) {
+    return ig::Field<double>(path, ig::read, {ig::Life::standard, "deg", ""}).id();
+  }
   bool is_written(const ig::Block& b) const { return b.host()->fresh_many(b.raw(), machine_.data(), 3) != 0; }
 
   RotaryAngles angles_;
   PivotState state_;
   RotaryAxes axes_;
   DistanceMode distance_;
-  bool signs_ = axes_.rollover(0) == Rollover::signed_direction || axes_.rollover(1) == Rollover::signed_direction ||
-                axes_.rollover(2) == Rollover::signed_direction;
+  ig::Codes machine_select_{{"G53"}, ig::read};
+  std::array<ig_field, 3> words_{word("Parsing.A"), word("Parsing.B"), word("Parsing.C")};
   std::array<ig_field, 3> machine_{ig::In<double>("MachineCoordinate.A").id(),
                                    ig::In<double>("MachineCoordinate.B").id(),
                                    ig::In<double>("MachineCoordinate.C").id()};
