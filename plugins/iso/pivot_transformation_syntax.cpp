@@ -45,8 +45,7 @@ struct PivotTransformation {
     const RotaryTurn turn = turn_.read(b, machine_);
     const bool leads = follows_tip || b.is_raised(tip_stays_);
     if (!leads) return rest(b, turn);
-    const PartialAngles known = turn_.state().get(b);
-    if (known.mask == 0 || turn.was_moved || turn_.state().is_fresh(b)) set(b, turn.from);
+    if (!turn.is_followed || turn.was_moved || turn_.state().is_fresh(b)) set(b, turn.from);
     if (!turn.moves) return ig::Status::changed;
     return lead(b, turn) ? ig::Status::changed : ig::Status::unchanged;
   }
@@ -69,8 +68,7 @@ struct PivotTransformation {
 
   /// In the plane, without tip control: the axes turn what is programmed, and the machine's X Y Z stay.
   ig::Status rest(ig::Block& b, const RotaryTurn& turn) const {
-    const bool is_set = turn_.state().get(b).mask != 0;
-    if (is_set && !turn.moves && !turn.was_moved) return ig::Status::unchanged;
+    if (turn.is_followed && !turn.moves && !turn.was_moved) return ig::Status::unchanged;
     return set(b, turn.to) ? ig::Status::changed : ig::Status::unchanged;
   }
 

@@ -196,7 +196,8 @@ class PivotState {
 struct RotaryTurn {
   Angles from{}, to{};
   bool moves = false;
-  bool was_moved = false;  ///< something else (G28, G53) has turned the axes since: the frame is to be set anew
+  bool is_followed = false;  ///< the frame stands for some angles: those of `from`
+  bool was_moved = false;    ///< something else (G28, G53) has turned the axes since: the frame is to be set anew
 };
 
 /// A member of each syntax that lets the frame follow the axes.
@@ -225,6 +226,7 @@ class RotaryTurns {
       if ((known >> (n + k) & 1u) != 0) now[axis] = v[n + k].number;
       turn.from[axis] = (known >> (2 * n + k) & 1u) != 0 ? v[2 * n + k].number : has_state ? 0.0 : now[axis];
     }
+    turn.is_followed = has_state;
     turn.to = now;
     if (has_words && !(is_incremental && b.find(machine_select_)))  // the control ignores G53 under G91
       for (std::uint32_t k = 0; k < n; ++k)
