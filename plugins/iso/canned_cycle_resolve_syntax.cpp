@@ -2,7 +2,7 @@
 /// and complete, so that the cycle syntaxes know nothing of modality, of G91 or of missing words.
 ///
 /// A cycle is modal: it stays on, with its R, Z, Q, P, I and J, until G80 or a motion code of group 01, and drills in
-/// every block that names X, Y, Z or R. Fanuc manual, "Canned cycle".
+/// every block that names X, Y, Z, R or a rotary axis. Fanuc manual, "Canned cycle".
 #include <cmath>
 #include "canned_cycle_util.hpp"
 #include "modal_group.hpp"

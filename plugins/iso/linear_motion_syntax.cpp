@@ -22,7 +22,8 @@ struct LinearMotion {
   ig::Signal tip_is_led_{"PivotTransform.~Turns", ig::read};
   ig::In<ig::Symbol> feed_mode_{"Feedrate.Term"};
   ig::Out<double> feedrate_{"MotionEvent.Feedrate_mmds"};
-  ig::Name g93_{"G93"};
+  ig::In<ig::Symbol> unit_{"Unit.System"};
+  ig::Name g93_{"G93"}, inch_{"Inch"};
   ig::Choice<FeedCounts> feed_counts_{"feed-counts", "linear-axes|all-axes", "linear-axes",
                                       "What F of a block that moves X Y Z and rotary axes is the speed of."};
   MotionGroup group_;
@@ -56,14 +57,18 @@ struct LinearMotion {
  private:
   double way(ig::Block& b) const { return length(b.get(program_).or_else({}) - last_(b)); }
 
-  /// Degrees count like mm: the length of a block that only turns, and a part of the length where all axes count.
+  /// A degree counts like the unit of lengths that the program is written in; F has become mm.
   void feed_and_turn(ig::Block& b) const {
-    const double linear = way(b), turned = turn(b);
+    const double linear = way(b), turned = turn(b), unit = b.is(unit_, inch_) ? 25.4 : 1;
     const bool only_turns = linear < same_way_mm;
     motion_.feed(b, [&] { return only_turns ? turned : linear; });
-    if (only_turns || feed_counts_ == FeedCounts::linear_axes || b.is_raised(tip_is_led_) || b.is(feed_mode_, g93_))
-      return;
-    if (const auto feed = b.get(feedrate_)) b.set(feedrate_, *feed * linear / std::hypot(linear, turned));
+    const auto feed = b.get(feedrate_);
+    if (!feed || b.is(feed_mode_, g93_)) return;
+    if (only_turns) {
+      if (unit != 1) b.set(feedrate_, *feed / unit);
+    } else if (feed_counts_ == FeedCounts::all_axes && !b.is_raised(tip_is_led_)) {
+      b.set(feedrate_, *feed * linear / std::hypot(linear, unit * turned));
+    }
   }
   double turn(const ig::Block& b) const {
     const PartialAngles from = rotary_before_.get(b), to = rotary_.get(b);

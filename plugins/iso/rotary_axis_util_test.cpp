@@ -47,7 +47,7 @@ TEST_CASE("the sign is the direction") {
   CHECK(directed_turn(350, -10) == 10);
   CHECK(directed_turn(30, 0) == 360);
   CHECK(directed_turn(30, -0.0) == 360);  // 0 has no sign
-  CHECK(directed_turn(30, 30) == 30);  // it is there
+  CHECK(directed_turn(30, 30) == 30);     // it is there
   CHECK(directed_turn(30, -30) == 30);
   CHECK(directed_turn(750, -30) == 750);
 }
