@@ -33,8 +33,7 @@ struct NotExecuted {
     std::uint32_t diagnostic;
   };
   std::vector<Feature> features_{
-      {ig::Call{{"G53.1", "G53.6"}, "P[] H[] R"}, diag("ISO-0264")},
-      {ig::Call{{"G43.1", "G43.4", "G43.5"}, "H[]"}, diag("ISO-0265")},
+      {ig::Call{{"G43.1"}, "H[]"}, diag("ISO-0265")},
       {ig::Call{{"G30.1", "G37"}, "X Y Z A B C H[] P[]"}, diag("ISO-0267")},
       {ig::Call{{"G45", "G46", "G47", "G48"}, "X Y Z D[]"}, diag("ISO-0267")},
       {ig::Call{{"G65", "G66", "G66.1"}, "A B C D E F H I J K L P Q R S T U V W X Y Z"}, diag("ISO-0268")},

@@ -97,7 +97,7 @@ class RotarySteps {
 
  private:
   static ig_field item(const char* path, ig_type type, std::uint32_t access) {
-    return ig::detail::declare_field({"CompoundMotion.Items[]." + std::string(path), type, access});
+    return ig::detail::declare_field({{"CompoundMotion.Items[].", path}, type, access});
   }
   static constexpr std::uint32_t both = IG_READ | IG_WRITE;
 
