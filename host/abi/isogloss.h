@@ -446,8 +446,8 @@ typedef struct ig_machine_kinematics_1 {
   uint32_t (*axes)(void* self, char names[2]);
   /* The unit vector from the tip of the tool to its holder, as the workpiece sees it. */
   int32_t (*tool_axis)(void* self, const double angles[3], double direction[3]);
-  /* The entry PivotTransform of the frame: from the point p + L t, tip p and tool length L along the tool axis t, to X Y
-   * Z of the machine. Identity where all angles are 0. */
+  /* The entry PivotTransform of the frame: from the point p + L t, tip p and tool length L along the tool axis t, to X
+   * Y Z of the machine. Identity where all angles are 0. */
   int32_t (*pivot)(void* self, const double angles[3], double matrix[16]);
   /* The 0, 1 or 2 pairs of angles that give the tool this direction, whatever its length is. */
   uint32_t (*solve)(void* self, const double direction[3], const double present[3], ig_rotary_solution out[2]);

@@ -192,9 +192,11 @@ void Chain::create_syntaxes() {
       throw std::runtime_error(s.element.alias + " could not be created");
     }
     steps_[i].build = link.is_idle ? nullptr : s.syntax->build;
-    if (link.is_idle) document_.silence(static_cast<std::uint32_t>(i));
+    if (link.is_idle && i >= linked_.first_build)
+      document_.silence(static_cast<std::uint32_t>(i) - linked_.first_build);
     steps_[i].scan = s.syntax->scan;
-    if (s.syntax->inspects != 0 && !link.is_idle) inspectors_[i / 64] |= std::uint64_t{1} << (i % 64);
+    if (const std::size_t bit = i - linked_.first_build; s.syntax->inspects != 0 && steps_[i].build != nullptr)
+      inspectors_[bit / 64] |= std::uint64_t{1} << (bit % 64);
     if (s.syntax->scan != nullptr && s.syntax->triggers != nullptr)
       for (const char* c = s.syntax->triggers; *c != '\0'; ++c)
         scanners_[static_cast<unsigned char>(*c)].push_back(static_cast<std::uint16_t>(i));
@@ -264,13 +266,17 @@ void Chain::begin_block(const BlockSource& source) {
       const auto bit = static_cast<unsigned>(__builtin_ctzll(present));
       for (unsigned i = watch.begin[bit]; i < watch.begin[bit + 1]; ++i) {
         const WakeWhile& w = watch.entries[i];
-        if (w.value == 0 || document_.value(w.field).symbol == w.value)
-          document_.active[w.position / 64] |= std::uint64_t{1} << (w.position % 64);
+        if (w.value == 0 || document_.value(w.field).symbol == w.value) wake(document_, w.position);
       }
     }
   }
   if (settings_.call_all)
-    for (std::size_t i = 0; i < steps_.size(); ++i) document_.active[i / 64] |= std::uint64_t{1} << (i % 64);
+    for (std::size_t i = linked_.first_build; i < steps_.size(); ++i) wake(document_, i);
+}
+
+void Chain::wake(Document& d, std::size_t position) const {
+  const std::size_t bit = position - linked_.first_build;
+  d.active[bit / 64] |= std::uint64_t{1} << (bit % 64);
 }
 
 std::size_t Chain::scan() {
@@ -357,6 +363,9 @@ void Chain::tell_failure(const Document& d, std::uint32_t position) {
 }
 
 void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
+  const std::uint32_t origin = linked_.first_build;
+  first = std::max(first, origin) - origin;
+  last = std::max(last, origin) - origin;
   for (std::uint32_t k = first / 64; k * 64 < last; ++k) {
     std::uint64_t reach = ~std::uint64_t{0};
     if (k == first / 64) reach <<= first % 64;
@@ -364,7 +373,7 @@ void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
     while (const std::uint64_t awake = d.active[k] & reach) {
       const auto bit = static_cast<unsigned>(__builtin_ctzll(awake));
       reach &= ~std::uint64_t{0} << bit << 1;
-      const std::uint32_t position = k * 64 + bit;
+      const std::uint32_t position = origin + k * 64 + bit;
       const Step& step = steps_[position];
       if (step.build == nullptr) continue;
       d.current = static_cast<std::uint16_t>(position + 1);

@@ -480,11 +480,14 @@ class Linker {
   // ---- wake masks
 
   void make_wake_masks() {
-    out_->wake_words = static_cast<std::uint32_t>(std::max<std::size_t>(1, (out_->chain.size() + 63) / 64));
+    std::uint32_t& first = out_->first_build;
+    while (first < out_->chain.size() && out_->chain[first].syntax->build == nullptr) ++first;
+    out_->wake_words = static_cast<std::uint32_t>(std::max<std::size_t>(1, (out_->chain.size() - first + 63) / 64));
     out_->wake.assign(out_->layout.fields.size() * out_->wake_words, 0);
-    for (std::uint32_t position = 0; position < out_->chain.size(); ++position) {
+    for (std::uint32_t position = first; position < out_->chain.size(); ++position) {
       const LinkedSyntax& s = out_->chain[position];
       if (s.syntax->build == nullptr) continue;
+      const std::uint32_t place = position - first;
       for (std::uint32_t i = 0; i < s.syntax->field_count; ++i) {
         const ig_field_decl& decl = s.syntax->fields[i];
         if ((decl.access & (IG_WAKE | IG_WAKE_WHILE)) == 0) continue;
@@ -492,7 +495,7 @@ class Linker {
         for (const ig_field f : (decl.access & IG_PATTERN) != 0 ? s.expansions[i] : one) {
           if (f == IG_NO_FIELD || is_record_field(f)) continue;
           if ((decl.access & IG_WAKE) != 0)
-            out_->wake[f * out_->wake_words + position / 64] |= std::uint64_t{1} << (position % 64);
+            out_->wake[f * out_->wake_words + place / 64] |= std::uint64_t{1} << (place % 64);
           if ((decl.access & IG_WAKE_WHILE) != 0)
             out_->wake_while.push_back(
                 {f, decl.wake_value == nullptr ? 0 : out_->symbols.intern(decl.wake_value), position});

@@ -116,14 +116,16 @@ inline constexpr std::array diagnostics{
         "A rotation about an axis in space (G68 with I, J, K) is recognised only. Positions up to G69 are unreliable; "
         "G68.2 defines a tilted plane.",
         "G68 X0 Y0 Z0 I0 J1. K0 R30."),
-    ig::diagnostic(IG_ERROR, "ISO-0265", "{0} is not executed: the tool length of before stays in force",
-                   "Compensation along the tool's present direction (G43.1) is recognised only. Positions are unreliable "
-                   "up to G49.",
-                   "G43.1 H1"),
-    ig::diagnostic(IG_ERROR, "ISO-0266", "{0} of a rotary axis is not executed: the axis keeps its coordinates",
-                   "G92, G10, G52 and the mirror image act on X, Y and Z here, not on A, B and C. Positions of the axis "
-                   "from here on are unreliable.",
-                   "G92 A0"),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0265", "{0} is not executed: the tool length of before stays in force",
+        "Compensation along the tool's present direction (G43.1) is recognised only. Positions are unreliable "
+        "up to G49.",
+        "G43.1 H1"),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0266", "{0} of a rotary axis is not executed: the axis keeps its coordinates",
+        "G92, G10, G52 and the mirror image act on X, Y and Z here, not on A, B and C. Positions of the axis "
+        "from here on are unreliable.",
+        "G92 A0"),
     ig::diagnostic(IG_ERROR, "ISO-0267", "{0} is not executed: its move is left out",
                    "The tool stays where it is. The position is unreliable until every axis is programmed in G90.",
                    "G37 H1 Z0"),

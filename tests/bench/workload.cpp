@@ -375,7 +375,8 @@ bool read_number(std::string_view text, T& value) {
 
 int usage() {
   std::fputs(
-      "usage: workload surface|mixed|drilling|five-axis BLOCKS [--seed S] [--cycles G81,G82...] [--repeat K|L] [-o FILE]\n",
+      "usage: workload surface|mixed|drilling|five-axis BLOCKS [--seed S] [--cycles G81,G82...] [--repeat K|L] [-o "
+      "FILE]\n",
       stderr);
   return 2;
 }

@@ -149,9 +149,7 @@ class Block {
     const double v[3] = {offset.x, offset.y, offset.z};
     host_->set_translation(block_, t.id(), v);
   }
-  void set_transform(const Transform& t, const double (&matrix)[16]) {
-    host_->set_transform(block_, t.id(), matrix);
-  }
+  void set_transform(const Transform& t, const double (&matrix)[16]) { host_->set_transform(block_, t.id(), matrix); }
   /// An entry that moves with the axes during the block, as it is at the block's end; the tool tip moves along.
   void set_moving_transform(const Transform& t, const double (&matrix)[16]) {
     host_->set_moving_transform(block_, t.id(), matrix);

@@ -80,6 +80,8 @@ class Chain {
   void run(Document& document, std::uint32_t first, std::uint32_t last);
   /// One build() of one syntax on the document as it is.
   ig_status build(std::uint32_t position);
+  /// run() calls the syntax there, which has a build().
+  void wake(Document& document, std::size_t position) const;
   std::size_t scan_with(std::uint32_t position);  ///< one scanner alone over the whole text
 
   /// Called before and after each build() in traced mode.
@@ -137,7 +139,7 @@ class Chain {
   std::vector<std::vector<OptionValue>> dependency_options_;
   std::vector<void*> dependencies_;
   std::vector<std::uint16_t> scanners_[256];  // chain positions that a byte triggers
-  std::uint64_t inspectors_[4] = {};          // positions that run when something is left over
+  std::uint64_t inspectors_[4] = {};          // as Document::active; run when something is left over
 };
 
 }  // namespace isogloss

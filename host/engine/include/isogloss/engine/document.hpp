@@ -188,10 +188,9 @@ class Document {
     wake(f);
   }
   void rewrite(ig_field f, ig_value v);
-  /// No write wakes the syntax at this position of the chain any more.
-  void silence(std::uint32_t position) {
-    for (std::size_t i = position / 64; i < wake_.size(); i += wake_words_)
-      wake_[i] &= ~(std::uint64_t{1} << (position % 64));
+  /// No write wakes the syntax of this bit any more.
+  void silence(std::uint32_t bit) {
+    for (std::size_t i = bit / 64; i < wake_.size(); i += wake_words_) wake_[i] &= ~(std::uint64_t{1} << (bit % 64));
   }
   void move(ig_field from, ig_field to);
 
@@ -214,14 +213,12 @@ class Document {
   bool frame_changed = false;  ///< under a resting tool
   bool frame_moved = false;    ///< in either way
   /// Did it move with the axes in this block?
-  bool is_moving_frame(ig_field f) const {
-    return present(f) && frame(f).is_moving;
-  }
+  bool is_moving_frame(ig_field f) const { return present(f) && frame(f).is_moving; }
 
   std::vector<ListData> lists;
   std::vector<Leftover> leftovers;
   BlockSource source;
-  std::uint64_t active[4] = {};  ///< syntaxes to call in this block
+  std::uint64_t active[4] = {};  ///< syntaxes to call in this block, from LinkedDialect::first_build on
   std::uint16_t current = 0;     ///< chain position + 1 of the syntax that runs; 0: the host
   std::uint32_t codes_seen = 0;  ///< codes that this block got so far, taken ones included
   Chain* chain = nullptr;
