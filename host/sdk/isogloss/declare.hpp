@@ -37,8 +37,8 @@ enum class Life : ig_life {
 /// What a vendor says of a field that the host's list of standard sections does not hold.
 struct About {
   Life life = Life::standard;
-  std::string_view unit = "";
-  std::string_view doc = "";
+  std::string_view unit = {};
+  std::string_view doc = {};
 };
 
 namespace detail {
