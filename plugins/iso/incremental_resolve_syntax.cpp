@@ -40,7 +40,7 @@ struct IncrementalResolve {
            named &= named - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(named));
         const std::size_t axis = axes_[first + i];
-        if (axis == names.npos) continue;
+        if (axis == std::string_view::npos) continue;
         if (axis < 3 && !last) last = last_(b);
         v[i].number += axis < 3 ? (*last)[axis] : b.get_or(angles_[axis - 3], 0.0);
         b.host()->rewrite(b.raw(), words_.id(first + i), v[i]);
