@@ -221,9 +221,9 @@ const void* Chain::service(std::string_view id) const {
     return service_of(*linked_.dependencies[i].dependency, dependencies_[i], id);
   };
   // What the run gave a file for comes first, the last file before all; then the dialect's, in its order.
-  for (auto given = settings_.dependencies.rbegin(); given != settings_.dependencies.rend(); ++given)
+  for (std::size_t given = settings_.dependencies.size(); given-- > 0;)
     for (std::size_t i = 0; i < dependencies_.size(); ++i)
-      if (is_given(*given, linked_.dependencies[i].element))
+      if (is_given(settings_.dependencies[given], linked_.dependencies[i].element))
         if (const void* const s = answer(i)) return s;
   for (std::size_t i = 0; i < dependencies_.size(); ++i)
     if (const void* const s = answer(i)) return s;
