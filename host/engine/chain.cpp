@@ -195,8 +195,11 @@ void Chain::create_syntaxes() {
     if (link.is_idle && i >= linked_.first_build)
       document_.silence(static_cast<std::uint32_t>(i) - linked_.first_build);
     steps_[i].scan = s.syntax->scan;
-    if (const std::size_t bit = i - linked_.first_build; s.syntax->inspects != 0 && steps_[i].build != nullptr)
-      inspectors_[bit / 64] |= std::uint64_t{1} << (bit % 64);
+    if (steps_[i].build != nullptr && i >= linked_.inspection_begin) {
+      const std::size_t bit = i - linked_.first_build;
+      inspection_[bit / 64] |= std::uint64_t{1} << (bit % 64);
+      if (s.syntax->inspects != 0) inspectors_[bit / 64] |= std::uint64_t{1} << (bit % 64);
+    }
     if (s.syntax->scan != nullptr && s.syntax->triggers != nullptr)
       for (const char* c = s.syntax->triggers; *c != '\0'; ++c)
         scanners_[static_cast<unsigned char>(*c)].push_back(static_cast<std::uint16_t>(i));
@@ -204,15 +207,55 @@ void Chain::create_syntaxes() {
 }
 
 void Chain::watch_modal_state() {
-  std::vector<WakeWhile> all = linked_.wake_while;
-  std::stable_sort(all.begin(), all.end(), [](const WakeWhile& a, const WakeWhile& b) { return a.field < b.field; });
-  for (const WakeWhile& w : all) {
-    if (steps_[w.position].build == nullptr) continue;
-    if (watches_.empty() || watches_.back().word != w.field >> 6) watches_.push_back({w.field >> 6, 0, {}, {}});
-    Watch& watch = watches_.back();
-    watch.bits |= std::uint64_t{1} << (w.field & 63);
-    watch.entries.push_back(w);
-    for (unsigned bit = (w.field & 63) + 1; bit < watch.begin.size(); ++bit) ++watch.begin[bit];
+  for (const WakeWhile& w : linked_.wake_while)
+    if (steps_[w.position].build != nullptr) watched_.push_back(w);
+  std::stable_sort(watched_.begin(), watched_.end(),
+                   [](const WakeWhile& a, const WakeWhile& b) { return a.field < b.field; });
+  const std::vector<FieldInfo>& fields = linked_.layout.fields;
+  for (std::uint32_t i = 0; i < watched_.size(); ++i) {
+    const ig_field field = watched_[i].field;
+    if (watches_.empty() || watches_.back().field != field) {
+      // A copy from before the block changes with what it is a copy of, a block later.
+      const ig_field original = fields[field].previous_of != IG_NO_FIELD ? fields[field].previous_of : field;
+      document_.watch(original, change_of(watches_.size()));
+      watches_.push_back({field, i, i, fields[original].life == IG_LIFE_MODAL, {}});
+    }
+    ++watches_.back().end;
+  }
+  document_.changes = ~std::uint64_t{0};
+}
+
+/// Where the block before left another value, or one that ended with it. What has not changed is put together once as
+/// long as the same fields change.
+void Chain::look_at_state() {
+  const std::uint64_t changes = document_.changes;
+  if (changes != changing_) {
+    changing_ = changes;
+    std::fill(std::begin(awake_by_rest_), std::end(awake_by_rest_), 0);
+    for (std::size_t i = 0; i < watches_.size(); ++i)
+      for (std::size_t k = 0; k < std::size(awake_by_rest_) && (changes & change_of(i)) == 0; ++k)
+        awake_by_rest_[k] |= watches_[i].awake[k];
+  }
+  std::copy(std::begin(awake_by_rest_), std::end(awake_by_rest_), std::begin(awake_by_state_));
+  document_.changes = passing_ = 0;
+  for (std::uint64_t open = changes; open != 0; open &= open - 1) {
+    const auto first = static_cast<std::size_t>(__builtin_ctzll(open));
+    const std::size_t last = first == last_change ? watches_.size() : first + 1;
+    for (std::size_t i = first; i < std::min(last, watches_.size()); ++i) look_at(watches_[i], change_of(i));
+  }
+}
+
+void Chain::look_at(Watch& watch, std::uint64_t change) {
+  std::fill(std::begin(watch.awake), std::end(watch.awake), 0);
+  if (!document_.present(watch.field)) return;
+  if (!watch.is_modal) passing_ |= change;
+  const std::uint64_t value = document_.value(watch.field).symbol;
+  for (std::uint32_t i = watch.begin; i < watch.end; ++i) {
+    const WakeWhile& w = watched_[i];
+    if (w.value != 0 && w.value != value) continue;
+    const std::uint32_t place = w.position - linked_.first_build;
+    watch.awake[place / 64] |= std::uint64_t{1} << (place % 64);
+    awake_by_state_[place / 64] |= std::uint64_t{1} << (place % 64);
   }
 }
 
@@ -257,26 +300,32 @@ void Chain::start() {
 void Chain::begin_block(const BlockSource& source) {
   running = &document_;
   document_.begin(source);
+  document_.changes |= passing_;
+  if (document_.changes != 0) look_at_state();
+  std::copy(std::begin(awake_by_state_), std::end(awake_by_state_), std::begin(document_.active));
   ends_program = ends_file = alarmed = skip_rest = false;
   split_at = 0;
   failure_said_by = 0;
-  for (const Watch& watch : watches_) {
-    std::uint64_t present = document_.bits(watch.word).present & watch.bits;
-    for (; present != 0; present &= present - 1) {
-      const auto bit = static_cast<unsigned>(__builtin_ctzll(present));
-      for (unsigned i = watch.begin[bit]; i < watch.begin[bit + 1]; ++i) {
-        const WakeWhile& w = watch.entries[i];
-        if (w.value == 0 || document_.value(w.field).symbol == w.value) wake(document_, w.position);
-      }
-    }
-  }
-  if (settings_.call_all)
+  if (settings_.call_all) [[unlikely]]
     for (std::size_t i = linked_.first_build; i < steps_.size(); ++i) wake(document_, i);
 }
 
 void Chain::wake(Document& d, std::size_t position) const {
   const std::size_t bit = position - linked_.first_build;
   d.active[bit / 64] |= std::uint64_t{1} << (bit % 64);
+}
+
+/// No scanner took this byte of the text.
+[[gnu::cold]] void Chain::leave_byte(Document& d, std::size_t position) {
+  d.current = 0;
+  const auto c = static_cast<unsigned char>(d.source.text[position]);
+  const auto begin = static_cast<std::uint32_t>(position);
+  if (c < 0x20) {
+    constexpr char digits[] = "0123456789ABCDEF";
+    const Diagnostic control = host_diagnostic("IG-0412", {}, {{digits[c >> 4], digits[c & 15]}});
+    report(d, control.severity, control.code, control.message, begin, begin + 1);
+  }
+  d.add_leftover(IG_LEFT_TEXT, IG_NO_FIELD, begin, begin + 1, d.source.text.substr(position, 1));
 }
 
 std::size_t Chain::scan() {
@@ -302,16 +351,8 @@ std::size_t Chain::scan() {
       if (next > position) break;
     }
     if (next <= position) {
-      d.current = 0;
       next = position + 1;
-      if (c < 0x20) {
-        constexpr char digits[] = "0123456789ABCDEF";
-        const Diagnostic control = host_diagnostic("IG-0412", {}, {{digits[c >> 4], digits[c & 15]}});
-        report(d, control.severity, control.code, control.message, static_cast<std::uint32_t>(position),
-               static_cast<std::uint32_t>(next));
-      }
-      d.add_leftover(IG_LEFT_TEXT, IG_NO_FIELD, static_cast<std::uint32_t>(position), static_cast<std::uint32_t>(next),
-                     std::string_view(text + position, 1));
+      leave_byte(d, position);
     }
     position = next;
     if (split_at != 0 || skip_rest || ends_file) break;
@@ -364,24 +405,26 @@ void Chain::tell_failure(const Document& d, std::uint32_t position) {
 
 void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
   const std::uint32_t origin = linked_.first_build;
+  const bool is_watched = settings_.mode != Mode::fast;
   first = std::max(first, origin) - origin;
   last = std::max(last, origin) - origin;
-  for (std::uint32_t k = first / 64; k * 64 < last; ++k) {
+  for (std::uint32_t base = first & ~63u; base < last; base += 64) {
     std::uint64_t reach = ~std::uint64_t{0};
-    if (k == first / 64) reach <<= first % 64;
-    if (last - k * 64 < 64) reach &= (std::uint64_t{1} << (last - k * 64)) - 1;
-    while (const std::uint64_t awake = d.active[k] & reach) {
+    if (base < first) reach <<= first - base;
+    if (last - base < 64) reach &= (std::uint64_t{1} << (last - base)) - 1;
+    const std::uint64_t& active = d.active[base / 64];
+    const Step* const steps = steps_.data() + origin + base;
+    while (const std::uint64_t awake = active & reach) {
       const auto bit = static_cast<unsigned>(__builtin_ctzll(awake));
       reach &= ~std::uint64_t{0} << bit << 1;
-      const std::uint32_t position = origin + k * 64 + bit;
-      const Step& step = steps_[position];
+      const Step& step = steps[bit];
       if (step.build == nullptr) continue;
-      d.current = static_cast<std::uint16_t>(position + 1);
+      d.current = static_cast<std::uint16_t>(origin + base + bit + 1);
       ++builds;
-      if (settings_.mode != Mode::fast)
-        call_watched(d, position);
-      else if (step.build(step.self, host_, reinterpret_cast<ig_block*>(&d)) == IG_FAILED)
-        tell_failure(d, position);
+      if (is_watched) [[unlikely]]
+        call_watched(d, origin + base + bit);
+      else if (step.build(step.self, host_, reinterpret_cast<ig_block*>(&d)) == IG_FAILED) [[unlikely]]
+        tell_failure(d, origin + base + bit);
     }
   }
   d.current = 0;
@@ -389,11 +432,14 @@ void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
 
 void Chain::run(Document& d, std::uint32_t first, std::uint32_t last) {
   running = &d;
-  run_range(d, first, std::min(last, linked_.inspection_begin));
-  if (last <= linked_.inspection_begin) return;
+  const std::uint32_t inspection = std::clamp(linked_.inspection_begin, first, last);
+  run_range(d, first, inspection);
+  if (inspection == last) return;
   if (d.has_leftovers())
     for (std::size_t k = 0; k < std::size(inspectors_); ++k) d.active[k] |= inspectors_[k];
-  run_range(d, std::max(first, linked_.inspection_begin), last);
+  std::uint64_t awake = 0;
+  for (std::size_t k = 0; k < std::size(inspection_); ++k) awake |= d.active[k] & inspection_[k];
+  if (awake != 0) run_range(d, inspection, last);
 }
 
 ig_status Chain::build(std::uint32_t position) {

@@ -76,13 +76,9 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
       bits.codes |= bit(f);
     else if (info.life == IG_LIFE_WORD)
       bits.words |= bit(f);
-    bits.open = bits.codes | bits.words;
     if (info.previous_of != IG_NO_FIELD) keep_previous(info.previous_of, f);
-    if (bits.open != 0) {
-      if (open_end_ == 0) open_begin_ = f >> 6;
-      open_end_ = (f >> 6) + 1;
-    }
   }
+  find_open_words();
   for (std::size_t i = 0; i < layout.transforms.size(); ++i)
     state_[layout.transforms[i]].value.integer = static_cast<std::int64_t>(i);
   for (const ListInfo& list : layout.lists) {
@@ -92,15 +88,79 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
   }
 }
 
+/// Words of codes have the highest ids but for copies from before the block. Where a bit word holds none but them, its bits are looked at in
+/// blocks only that have such words: writing one raises a bit that wakes no syntax.
+void Document::find_open_words() {
+  const auto is_far = [&](ig_field f) {
+    const FieldInfo& info = layout_->fields[f];
+    if (info.previous_of != IG_NO_FIELD) return true;  // nothing but begin() writes it
+    return info.life == IG_LIFE_WORD && info.type != IG_CODE &&
+           std::count(info.path.begin(), info.path.end(), '.') > 1;
+  };
+  std::uint32_t open_end = 0;
+  far_begin_ = 0;
+  for (std::uint32_t w = 0; w < words_; ++w) {
+    if ((bits_[w].words | bits_[w].codes) == 0) continue;
+    if (open_end == 0) open_begin_ = w;
+    open_end = w + 1;
+    bool all_far = true;
+    for (ig_field f = w * 64; f < std::min(size_, w * 64 + 64); ++f) all_far = all_far && is_far(f);
+    if (!all_far) far_begin_ = w + 1;
+  }
+  far_end_ = open_end;
+  if (wake_words_ > 2 || far_begin_ == open_end) {
+    far_begin_ = open_end;
+    return;
+  }
+  far_bit_ = std::uint64_t{1} << 63;
+  for (ig_field f = far_begin_ * 64; f < std::min(size_, far_end_ * 64); ++f)
+    wake_[std::size_t{f} * wake_words_ + 1] |= far_bit_;
+}
+
 void Document::keep_previous(ig_field field, ig_field copy) {
-  copies_.push_back({field, copy});
-  const std::uint32_t from_shift = field & 63, to_shift = copy & 63;
   PreviousRun* const last = previous_.empty() ? nullptr : &previous_.back();
-  if (last != nullptr && last->from_word == field >> 6 && last->to_word == copy >> 6 && from_shift > last->from_shift &&
-      to_shift > last->to_shift && from_shift - last->from_shift == to_shift - last->to_shift)
-    last->mask |= std::uint64_t{1} << (from_shift - last->from_shift);
-  else
-    previous_.push_back({field >> 6, copy >> 6, from_shift, to_shift, 1});
+  if (last != nullptr && field == last->from + last->count && copy == last->to + last->count &&
+      (field & 63) != 0 && (copy & 63) != 0) {
+    last->mask |= std::uint64_t{1} << last->count;
+    ++last->count;
+  } else {
+    previous_.push_back({field, copy, 1, 1});
+  }
+}
+
+void Document::wake_far(const std::uint64_t* woken) {
+  active[2] |= woken[2];
+  active[3] |= woken[3];
+}
+
+void Document::watch(ig_field f, std::uint64_t raised) {
+  bits_[f >> 6].watched |= bit(f);
+  for (Watcher& w : watchers_)
+    if (w.field == f) {
+      w.changes |= raised;
+      return;
+    }
+  watchers_.push_back({f, raised});
+}
+
+/// Mostly it is the same field (the motion in force) that changes from block to block: it comes to stand first.
+void Document::tell_change(ig_field f) {
+  for (Watcher& w : watchers_)
+    if (w.field == f) {
+      changes |= w.changes;
+      std::swap(w, watchers_.front());
+      return;
+    }
+}
+
+void Document::tell_changes(ig_field f, const ig_value* v) {
+  for (ig_field i = 0; i < 3; ++i)
+    if (is_watched(f + i)) {
+      if (v != nullptr)
+        tell_watch(f + i, v[i]);
+      else
+        tell_change(f + i);
+    }
 }
 
 void Document::own_source() {
@@ -140,6 +200,7 @@ void Document::mark_pointless(ig_field f, bool pointless) {
 
 void Document::rewrite(ig_field f, ig_value v) {
   if (!present(f)) return;
+  if (is_watched(f)) tell_watch(f, v);
   state_[f].value = v;
   state_[f].writer = current;
   mark_pointless(f, false);
@@ -157,17 +218,23 @@ void Document::move(ig_field from, ig_field to) {
 
 void Document::begin(const BlockSource& where) {
   State* const state = state_.data();
-  for (const PreviousCopy& copy : copies_) state[copy.to] = state[copy.from];
+  Bits* const all = bits_.data();
   for (const PreviousRun& run : previous_) {
-    const std::uint64_t known = bits_[run.from_word].present >> run.from_shift & run.mask;
-    std::uint64_t& copies = bits_[run.to_word].present;
-    copies = (copies & ~(run.mask << run.to_shift)) | known << run.to_shift;
+    std::memcpy(state + run.to, state + run.from, run.count * sizeof(State));
+    const std::uint64_t known = all[run.from >> 6].present >> (run.from & 63) & run.mask;
+    std::uint64_t& copies = all[run.to >> 6].present;
+    copies = (copies & ~(run.mask << (run.to & 63))) | known << (run.to & 63);
   }
-  Bits* const end = bits_.data() + words_;
-  for (Bits* bits = bits_.data(); bits != end; ++bits) {
-    bits->present &= bits->modal;
-    bits->fresh = bits->taken = bits->pointless = 0;
-  }
+  const auto carry = [all](std::uint32_t first, std::uint32_t last) {
+    for (Bits* bits = all + first; bits != all + last; ++bits) {
+      bits->present &= bits->modal;
+      bits->fresh = bits->taken = bits->pointless = 0;
+    }
+  };
+  carry(0, far_begin_);
+  if (has_far_words()) [[unlikely]]
+    carry(far_begin_, far_end_);
+  carry(far_end_, words_);
   for (ListData& list : lists) {
     if (list.count == 0) continue;
     list.count = 0;
@@ -187,9 +254,9 @@ void Document::begin(const BlockSource& where) {
 bool Document::has_leftovers() const {
   if (!leftovers.empty()) return true;
   std::uint64_t open = 0;
-  const Bits* const end = bits_.data() + open_end_;
+  const Bits* const end = bits_.data() + (has_far_words() ? far_end_ : far_begin_);
   for (const Bits* bits = bits_.data() + open_begin_; bits != end; ++bits)
-    open |= bits->present & bits->open & ~bits->taken;
+    open |= bits->present & (bits->words | bits->codes) & ~bits->taken;
   return open != 0;
 }
 
@@ -208,7 +275,7 @@ std::vector<Leftover> Document::collect_leftovers() const {
   std::vector<Leftover> all = leftovers;
   constexpr std::string_view flags = "Parsing.Flags.", parsing = "Parsing.";
   for (std::uint32_t w = 0; w < words_; ++w) {
-    std::uint64_t open = bits_[w].present & bits_[w].open & ~bits_[w].taken;
+    std::uint64_t open = bits_[w].present & (bits_[w].words | bits_[w].codes) & ~bits_[w].taken;
     for (; open != 0; open &= open - 1) {
       const ig_field f = w * 64 + static_cast<ig_field>(__builtin_ctzll(open));
       std::string_view name = layout_->fields[f].path;

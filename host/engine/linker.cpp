@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <span>
+#include <tuple>
 #include <unordered_map>
 
 #include "link_checks.hpp"
@@ -310,22 +311,26 @@ class Linker {
     return record_field(static_cast<std::size_t>(l - lists.begin()), static_cast<std::size_t>(f - l->fields.begin()));
   }
 
-  // ---- ids: modal fields first, then the block's, then words and codes, switches, values from before the block
+  // ---- ids: modal fields first, of them those whose values from before the block are asked for; then the block's,
+  // switches, codes, words, words of codes (Parsing.G81.X); the values from before the block last
 
-  static std::size_t rank(const FieldInfo& info) {
-    if (info.life == IG_LIFE_MODAL) return 0;
-    if (info.type == IG_SWITCH) return 4;
-    if (info.type == IG_CODE) return 3;
-    return info.life == IG_LIFE_WORD ? 2 : 1;
+  static std::size_t rank(const Draft& draft) {
+    const FieldInfo& info = draft.info;
+    if (info.life == IG_LIFE_MODAL) return draft.has_previous && info.type != IG_TRANSFORM ? 0 : 1;
+    if (info.type == IG_SWITCH) return 3;
+    if (info.type == IG_CODE) return 4;
+    if (info.life != IG_LIFE_WORD) return 2;
+    return std::count(info.path.begin(), info.path.end(), '.') > 1 ? 6 : 5;
   }
 
   void assign_ids() {
     Layout& layout = out_->layout;
-    std::array<std::vector<std::uint32_t>, 5> order;
-    std::map<std::string_view, std::uint32_t> previous;  // in the order of their paths
-    for (std::uint32_t i = 0; i < drafts_.size(); ++i) order[rank(drafts_[i].info)].push_back(i);
-    for (const auto& [path, number] : draft_of_)
-      if (drafts_[number].has_previous) previous.emplace(path, number);
+    std::array<std::vector<std::uint32_t>, 7> order;
+    std::vector<std::uint32_t> previous;  // in the order of their ids, so that one piece of memory holds them
+    for (std::uint32_t i = 0; i < drafts_.size(); ++i) order[rank(drafts_[i])].push_back(i);
+    for (const std::vector<std::uint32_t>& same_rank : order)
+      for (const std::uint32_t number : same_rank)
+        if (drafts_[number].has_previous) previous.push_back(number);
     id_of_.resize(drafts_.size());
     previous_id_of_.resize(drafts_.size(), IG_NO_FIELD);
     layout.fields.reserve(drafts_.size() + previous.size());
@@ -339,7 +344,7 @@ class Linker {
       }
     if (previous.size() > maximum_previous)
       say("IG-0216", {}, {std::to_string(previous.size()), std::to_string(maximum_previous)});
-    for (const auto& [path, number] : previous) {
+    for (const std::uint32_t number : previous) {
       FieldInfo copy = layout.fields[id_of_[number]];
       copy.life = IG_LIFE_BLOCK;
       copy.hidden = true;
@@ -351,21 +356,23 @@ class Linker {
     order_for_show();
   }
 
+  /// By section; in a section what is carried first, words last, each in the order in which it is mentioned.
   void order_for_show() {
     Layout& layout = out_->layout;
     std::unordered_map<std::string_view, std::size_t> sections;
     for (const std::string& s : section_order()) sections.emplace(s, sections.size());
-    std::vector<std::size_t> section_rank(layout.fields.size(), sections.size());
-    for (ig_field f = 0; f < layout.fields.size(); ++f) {
-      const FieldInfo& info = layout.fields[f];
+    using Place = std::tuple<std::size_t, int, std::uint32_t>;
+    std::vector<std::pair<Place, ig_field>> shown;
+    for (std::uint32_t number = 0; number < id_of_.size(); ++number) {
+      const FieldInfo& info = layout.fields[id_of_[number]];
       if (info.hidden || info.type == IG_CODE || info.type == IG_TRANSFORM) continue;
-      layout.shown.push_back(f);
       const std::string_view path = info.path;
       const auto found = sections.find(path.substr(0, path.find('.')));
-      if (found != sections.end()) section_rank[f] = found->second;
+      const int life = info.life == IG_LIFE_MODAL ? 0 : info.life == IG_LIFE_WORD ? 2 : 1;
+      shown.push_back({{found != sections.end() ? found->second : sections.size(), life, number}, id_of_[number]});
     }
-    std::stable_sort(layout.shown.begin(), layout.shown.end(),
-                     [&](ig_field a, ig_field b) { return section_rank[a] < section_rank[b]; });
+    std::sort(shown.begin(), shown.end());
+    for (const auto& [place, field] : shown) layout.shown.push_back(field);
   }
 
   void resolve_ids() {
@@ -482,7 +489,8 @@ class Linker {
   void make_wake_masks() {
     std::uint32_t& first = out_->first_build;
     while (first < out_->chain.size() && out_->chain[first].syntax->build == nullptr) ++first;
-    out_->wake_words = static_cast<std::uint32_t>(std::max<std::size_t>(1, (out_->chain.size() - first + 63) / 64));
+    // The last bit of two words is the document's; two cost no more than one.
+    out_->wake_words = out_->chain.size() - first < 128 ? 2 : 4;
     out_->wake.assign(out_->layout.fields.size() * out_->wake_words, 0);
     for (std::uint32_t position = first; position < out_->chain.size(); ++position) {
       const LinkedSyntax& s = out_->chain[position];

@@ -42,7 +42,7 @@ inline Layout test_layout() {
 struct TestDocument {
   Layout layout = test_layout();
   SymbolTable symbols;
-  Document d{layout, std::vector<std::uint64_t>(layout.fields.size()), 1};
+  Document d{layout, std::vector<std::uint64_t>(layout.fields.size() * 2), 2};
 
   void block(std::uint32_t line, std::string_view text = "", std::string_view file = "part.nc") {
     d.begin({file, line, 0, text});

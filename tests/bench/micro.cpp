@@ -34,14 +34,14 @@ isogloss::Layout standard_layout() {
 
 void begin_block(benchmark::State& state) {
   const isogloss::Layout layout = standard_layout();
-  isogloss::Document document(layout, std::vector<std::uint64_t>(layout.fields.size()), 1);
+  isogloss::Document document(layout, std::vector<std::uint64_t>(layout.fields.size() * 2), 2);
   for (auto _ : state) document.begin({"part.nc", 1, 0, "X1."});
 }
 BENCHMARK(begin_block);
 
 void set_three_fields(benchmark::State& state) {
   const isogloss::Layout layout = standard_layout();
-  isogloss::Document document(layout, std::vector<std::uint64_t>(layout.fields.size()), 1);
+  isogloss::Document document(layout, std::vector<std::uint64_t>(layout.fields.size() * 2), 2);
   const ig_field x = layout.id("ProgramXyz.X");
   for (auto _ : state) {
     for (ig_field axis = 0; axis < 3; ++axis) document.set(x + axis, {.number = 1.0});

@@ -1,7 +1,7 @@
 /// A chain at work: instances of the syntaxes, their tables, one document. Belongs to one thread and one run.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <functional>
 #include <map>
 
@@ -105,13 +105,27 @@ class Chain {
   static const Breadcrumb& breadcrumb();
 
  private:
+  /// A field whose presence wakes syntaxes, or its copy from before the block.
+  struct Watch {
+    ig_field field;
+    std::uint32_t begin, end;  // of what it wakes, in watched_
+    bool is_modal;
+    std::uint64_t awake[4];  // what its value of now wakes
+  };
+
   void create_dependencies();
   void create_syntaxes();
   void watch_modal_state();
+  void look_at_state();
+  void look_at(Watch& watch, std::uint64_t change);
+  /// A bit of Document::changes; the watches beyond share the last one.
+  static constexpr std::size_t last_change = 63;
+  static std::uint64_t change_of(std::size_t watch) { return std::uint64_t{1} << std::min(watch, last_change); }
   void overlay(const DependencyElement& element);
   void assign(const std::string& path, const std::string& value);
   void call_watched(Document& document, std::uint32_t position);  // checked and traced modes
   void run_range(Document& document, std::uint32_t first, std::uint32_t last);
+  void leave_byte(Document& document, std::size_t position);
   void tell_failure(const Document& document, std::uint32_t position);
   void destroy();
 
@@ -126,20 +140,19 @@ class Chain {
     ig_scan_fn scan = nullptr;
     void* self = nullptr;
   };
-  /// Fields of one word of bits whose presence wakes syntaxes; mostly none of them is present.
-  struct Watch {
-    std::uint32_t word;
-    std::uint64_t bits = 0;
-    std::vector<WakeWhile> entries;         // by field
-    std::array<std::uint16_t, 65> begin{};  // by bit: its first entry
-  };
+  std::vector<WakeWhile> watched_;  // by field
   std::vector<Watch> watches_;
+  std::uint64_t awake_by_state_[4] = {};  // all of them together
+  std::uint64_t awake_by_rest_[4] = {};   // all but those that changed last
+  std::uint64_t changing_ = 0;            // of Document::changes: those
+  std::uint64_t passing_ = 0;             // of Document::changes: the values that end with this block
   std::vector<Step> steps_;                               // by chain position
   std::vector<std::unique_ptr<DependencyTable>> tables_;  // by linked dependency, as the two below
   std::vector<std::vector<OptionValue>> dependency_options_;
   std::vector<void*> dependencies_;
   std::vector<std::uint16_t> scanners_[256];  // chain positions that a byte triggers
-  std::uint64_t inspectors_[4] = {};          // as Document::active; run when something is left over
+  std::uint64_t inspection_[4] = {};          // as Document::active: from inspection_begin on
+  std::uint64_t inspectors_[4] = {};          // of these, what runs when something is left over
 };
 
 }  // namespace isogloss

@@ -58,7 +58,7 @@ struct BlockSource {
 
 class Document {
  public:
-  /// Sizes for one layout; `wake` is wake_words masks for each field (which syntaxes a write wakes).
+  /// Sizes for one layout; `wake` is wake_words masks for each field (which syntaxes a write wakes), 2 or 4 of them.
   Document(const Layout& layout, std::vector<std::uint64_t> wake, std::uint32_t wake_words);
   const Layout& layout() const { return *layout_; }
 
@@ -75,8 +75,12 @@ class Document {
 
   /// Value, present, fresh, writer; wakes.
   void set(ig_field f, ig_value v) {
-    write(f, v);
-    bits_[f >> 6].fresh |= bit(f);
+    Bits& bits = bits_[f >> 6];
+    if ((bits.watched & bit(f)) != 0) tell_watch(f, v);
+    state_[f] = {v, 0, 0, current, 0};
+    bits.present |= bit(f);
+    bits.fresh |= bit(f);
+    bits.taken &= ~bit(f);
     wake(f);
   }
   /// The same for several; ids outside the document are left out. A code among them counts as seen.
@@ -84,22 +88,26 @@ class Document {
     State* const state = state_.data();
     Bits* const bits = bits_.data();
     const std::uint64_t* const wakes = wake_.data();
-    std::uint64_t awake = 0;
+    const std::uint32_t stride = wake_words_;
+    std::uint64_t low = active[0], high = active[1];
     for (std::uint32_t i = 0; i < count; ++i) {
       if (f[i] >= size_) continue;
-      state[f[i]] = {v[i], 0, 0, current, 0};
       Bits& b = bits[f[i] >> 6];
       const std::uint64_t mask = bit(f[i]);
+      if ((b.watched & mask) != 0) tell_watch(f[i], v[i]);
+      state[f[i]] = {v[i], 0, 0, current, 0};
       b.present |= mask;
       b.fresh |= mask;
       b.taken &= ~mask;
       codes_seen += static_cast<std::uint32_t>((b.codes & mask) != 0);
-      if (wake_words_ == 1)
-        awake |= wakes[f[i]];
-      else
-        wake(f[i]);
+      const std::uint64_t* const woken = wakes + std::size_t{f[i]} * stride;
+      low |= woken[0];
+      high |= woken[1];
+      if (stride > 2) [[unlikely]]
+        wake_far(woken);
     }
-    active[0] |= awake;
+    active[0] = low;
+    active[1] = high;
   }
   /// Their values; a bit for each that is present.
   std::uint32_t get_many(const ig_field* f, std::uint32_t count, ig_value* out) const {
@@ -115,14 +123,17 @@ class Document {
   }
   /// Value, present, writer.
   void write(ig_field f, ig_value v) {
-    state_[f] = {v, 0, 0, current, 0};
     Bits& bits = bits_[f >> 6];
+    if ((bits.watched & bit(f)) != 0) tell_watch(f, v);
+    state_[f] = {v, 0, 0, current, 0};
     bits.present |= bit(f);
     bits.taken &= ~bit(f);
+    active[1] |= wake_[std::size_t{f} * wake_words_ + 1] & far_bit_;
   }
   /// A code that a syntax raises counts as seen, too: without one no search for codes needs to look.
   void count_code(ig_field f) { codes_seen += static_cast<std::uint32_t>(bits_[f >> 6].codes >> (f & 63) & 1); }
   void erase(ig_field f) {
+    if (is_watched(f)) tell_change(f);
     bits_[f >> 6].present &= ~bit(f);
     bits_[f >> 6].fresh &= ~bit(f);
   }
@@ -131,6 +142,7 @@ class Document {
     if (!present(f)) return false;
     out = state_[f].value;
     Bits& bits = bits_[f >> 6];
+    if ((bits.watched & bit(f)) != 0) tell_change(f);
     bits.present &= ~(bit(f) & ~bits.codes);
     bits.taken |= bit(f);
     return true;
@@ -151,24 +163,28 @@ class Document {
     const std::uint32_t mask = get_triple(f, out);
     Bits& bits = bits_[f >> 6];
     const std::uint64_t these = std::uint64_t{mask} << (f & 63);
+    if ((bits.watched & these) != 0) [[unlikely]]
+      tell_changes(f, nullptr);
     bits.present &= ~(these & ~bits.codes);
     bits.taken |= these;
     return mask;
   }
-  void write_triple(ig_field f, const ig_value* v) {
-    for (ig_field i = 0; i < 3; ++i) state_[f + i] = {v[i], 0, 0, current, 0};
-    Bits& bits = bits_[f >> 6];
-    bits.present |= std::uint64_t{7} << (f & 63);
-    bits.taken &= ~(std::uint64_t{7} << (f & 63));
-  }
   void set_triple(ig_field f, const ig_value* v) {
-    write_triple(f, v);
-    bits_[f >> 6].fresh |= std::uint64_t{7} << (f & 63);
-    codes_seen += static_cast<std::uint32_t>((bits_[f >> 6].codes >> (f & 63) & 7u) != 0);
-    if (wake_words_ == 1)
-      active[0] |= wake_[f] | wake_[f + 1] | wake_[f + 2];
-    else
-      for (ig_field i = 0; i < 3; ++i) wake(f + i);
+    Bits& bits = bits_[f >> 6];
+    const std::uint64_t these = std::uint64_t{7} << (f & 63);
+    if ((bits.watched & these) != 0) [[unlikely]]
+      tell_changes(f, v);
+    for (ig_field i = 0; i < 3; ++i) state_[f + i] = {v[i], 0, 0, current, 0};
+    bits.present |= these;
+    bits.fresh |= these;
+    bits.taken &= ~these;
+    codes_seen += static_cast<std::uint32_t>((bits.codes & these) != 0);
+    const std::size_t stride = wake_words_;
+    const std::uint64_t* const woken = wake_.data() + f * stride;
+    active[0] |= woken[0] | woken[stride] | woken[2 * stride];
+    active[1] |= woken[1] | woken[stride + 1] | woken[2 * stride + 1];
+    if (stride > 2) [[unlikely]]
+      for (std::size_t i = 0; i < 3; ++i) wake_far(woken + i * stride);
   }
   void set_text(ig_field f, std::string_view text);
   /// A word or a code of the text, with its columns; codes are numbered in their order.
@@ -188,6 +204,8 @@ class Document {
     wake(f);
   }
   void rewrite(ig_field f, ig_value v);
+  /// From now on every change of the field adds these bits to `changes`.
+  void watch(ig_field f, std::uint64_t changes);
   /// No write wakes the syntax of this bit any more.
   void silence(std::uint32_t bit) {
     for (std::size_t i = bit / 64; i < wake_.size(); i += wake_words_) wake_[i] &= ~(std::uint64_t{1} << (bit % 64));
@@ -220,6 +238,7 @@ class Document {
   BlockSource source;
   std::uint64_t active[4] = {};  ///< syntaxes to call in this block, from LinkedDialect::first_build on
   std::uint16_t current = 0;     ///< chain position + 1 of the syntax that runs; 0: the host
+  std::uint64_t changes = 0;     ///< of watched fields, since the chain looked
   std::uint32_t codes_seen = 0;  ///< codes that this block got so far, taken ones included
   Chain* chain = nullptr;
   std::vector<std::uint32_t> set_line;  ///< by field, the line that set it; kept in traced mode only
@@ -229,7 +248,7 @@ class Document {
   /// One bit for each of 64 fields, for tests of many at once.
   struct Bits {
     std::uint64_t present = 0, fresh = 0, taken = 0, pointless = 0;  // of this block
-    std::uint64_t modal = 0, words = 0, codes = 0, open = 0;         // what the fields are; open: words and codes
+    std::uint64_t modal = 0, words = 0, codes = 0, watched = 0;      // what the fields are
   };
   const Bits& bits(std::uint32_t word) const { return bits_[word]; }
 
@@ -242,15 +261,27 @@ class Document {
  private:
   static constexpr std::uint64_t bit(ig_field f) { return std::uint64_t{1} << (f & 63); }
   void wake(ig_field f) {
-    if (wake_words_ == 1)
-      active[0] |= wake_[f];
-    else
-      for (std::uint32_t k = 0; k < wake_words_; ++k) active[k] |= wake_[f * wake_words_ + k];
+    const std::uint64_t* const woken = wake_.data() + std::size_t{f} * wake_words_;
+    active[0] |= woken[0];
+    active[1] |= woken[1];
+    if (wake_words_ > 2) [[unlikely]]
+      wake_far(woken);
   }
+  /// Beyond the first 128 syntaxes that build.
+  [[gnu::cold]] void wake_far(const std::uint64_t* woken);
+  bool is_watched(ig_field f) const { return (bits_[f >> 6].watched >> (f & 63) & 1) != 0; }
+  void tell_watch(ig_field f, ig_value v) {
+    if (!present(f) || state_[f].value.integer != v.integer) tell_change(f);
+  }
+  [[gnu::cold]] void tell_change(ig_field f);
+  /// Of three fields side by side; without values they go.
+  [[gnu::cold]] void tell_changes(ig_field f, const ig_value* v);
   void keep_previous(ig_field field, ig_field copy);
+  void find_open_words();
+  bool has_far_words() const { return (active[1] & far_bit_) != 0; }
   void mark_pointless(ig_field f, bool pointless);
   const Layout* layout_;
-  std::uint32_t size_ = 0, words_ = 0, wake_words_ = 1;
+  std::uint32_t size_ = 0, words_ = 0, wake_words_ = 2;
   struct State {
     ig_value value{};
     std::uint16_t begin = 0, end = 0;  // columns of a word
@@ -259,19 +290,21 @@ class Document {
   };
   std::vector<Bits> bits_;
   std::vector<State> state_;
-  std::uint32_t open_begin_ = 0, open_end_ = 0;  // the 64-bit words that hold words and codes
+  // The 64-bit words that hold words and codes; from far_begin_ to far_end_ hold nothing but words of codes.
+  std::uint32_t open_begin_ = 0, far_begin_ = 0, far_end_ = 0;
+  std::uint64_t far_bit_ = 0;  // of active[1]: this block has such words; 0: active has no bit to spare
   std::vector<std::uint64_t> wake_;
-  /// Fields of one word of bits whose copies from before the block stand in one word, too, in the same order.
+  struct Watcher {
+    ig_field field;
+    std::uint64_t changes;
+  };
+  std::vector<Watcher> watchers_;
+  /// Fields that follow each other, as do their copies from before the block. The bits of both lie in one word each.
   struct PreviousRun {
-    std::uint32_t from_word, to_word;
-    std::uint32_t from_shift, to_shift;
+    std::uint32_t from, to, count;
     std::uint64_t mask;  // a bit for each field of the run
   };
-  struct PreviousCopy {
-    ig_field from, to;
-  };
   std::vector<PreviousRun> previous_;
-  std::vector<PreviousCopy> copies_;
   std::vector<Frame> frames_;
   Frame composed_, inverse_;
   bool composed_valid_ = false, inverse_valid_ = false, invertible_ = false;
