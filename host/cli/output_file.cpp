@@ -18,6 +18,7 @@ namespace isogloss::cli {
 namespace {
 
 constexpr std::size_t buffer_size = std::size_t{256} << 10;
+constexpr std::size_t large_piece = std::size_t{32} << 10;
 
 mode_t current_umask() {
   const mode_t mask = umask(0);
@@ -107,8 +108,9 @@ bool OutputFile::flush() {
 
 bool OutputFile::write(std::string_view bytes) {
   if (reader_is_gone_ || !error_.empty()) return false;
-  if (bytes.size() > buffer_size - used_ && !flush()) return false;
-  if (bytes.size() > buffer_size) return write_through(bytes);
+  const bool is_large = bytes.size() >= large_piece;  // comes from a buffer already
+  if ((is_large || bytes.size() > buffer_size - used_) && !flush()) return false;
+  if (is_large) return write_through(bytes);
   if (!bytes.empty()) std::memcpy(buffer_.get() + used_, bytes.data(), bytes.size());
   used_ += bytes.size();
   return true;

@@ -169,7 +169,7 @@ class Document {
     bits.taken |= these;
     return mask;
   }
-  void set_triple(ig_field f, const ig_value* v) {
+  [[gnu::always_inline]] void set_triple(ig_field f, const ig_value* v) {
     Bits& bits = bits_[f >> 6];
     const std::uint64_t these = std::uint64_t{7} << (f & 63);
     if ((bits.watched & these) != 0) [[unlikely]]

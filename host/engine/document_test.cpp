@@ -1,0 +1,116 @@
+// What the document keeps from block to block, and how it knows what changed: with as many fields as real chains have,
+// so that they fill several words of bits.
+#include "isogloss/engine/document.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+#include <utility>
+
+namespace isogloss {
+namespace {
+
+/// 70 modal fields, a code, a word, 200 words of codes; the first modal field has a copy from before the block.
+struct ManyFields {
+  ManyFields() {
+    const auto add = [&](const std::string& path, ig_type type, ig_life life, ig_field previous_of = IG_NO_FIELD) {
+      layout.fields.push_back({path, type, life, "", "", previous_of != IG_NO_FIELD, previous_of});
+      return static_cast<ig_field>(layout.fields.size() - 1);
+    };
+    modal = add("Test.M0", IG_NUMBER, IG_LIFE_MODAL);
+    for (int i = 1; i < 70; ++i) add("Test.M" + std::to_string(i), IG_NUMBER, IG_LIFE_MODAL);
+    code = add("Parsing.Flags.A1", IG_CODE, IG_LIFE_WORD);
+    word = add("Parsing.X", IG_NUMBER, IG_LIFE_WORD);
+    for (int i = 0; i < 200; ++i) owned = add("Parsing.A2.W" + std::to_string(i), IG_NUMBER, IG_LIFE_WORD);
+    copy = add("Test.M0", IG_NUMBER, IG_LIFE_BLOCK, modal);
+    layout.modal_count = 70;
+    layout.index();
+  }
+  Layout layout;
+  ig_field modal, code, word, owned, copy;
+};
+
+void begin(Document& d) { d.begin({"part.nc", 1, 0, ""}); }
+
+TEST_CASE("words of a code are found and swept like all words") {
+  const ManyFields f;
+  const std::uint32_t wake_words = GENERATE(2u, 4u);
+  Document d(f.layout, std::vector<std::uint64_t>(f.layout.fields.size() * wake_words), wake_words);
+  begin(d);
+  CHECK_FALSE(d.has_leftovers());
+  SECTION("set") { d.set(f.owned, {.number = 1}); }
+  SECTION("several set") {
+    const ig_value v[2] = {{.number = 1}, {.number = 2}};
+    const ig_field fields[2] = {f.owned, f.modal};
+    d.set_many(fields, 2, v);
+  }
+  SECTION("moved") {
+    d.set(f.word, {.number = 1});
+    d.move(f.word, f.owned);
+  }
+  SECTION("amended") { d.write(f.owned, {.number = 1}); }
+  CHECK(d.has_leftovers());
+  REQUIRE(d.collect_leftovers().size() == 1);
+  CHECK(d.collect_leftovers().front().name == "A2.W199");
+  begin(d);
+  CHECK_FALSE(d.present(f.owned));
+  CHECK_FALSE(d.fresh(f.owned));
+  CHECK_FALSE(d.has_leftovers());
+}
+
+TEST_CASE("a value from before the block is that of the block's begin") {
+  const ManyFields f;
+  Document d(f.layout, std::vector<std::uint64_t>(f.layout.fields.size() * 2), 2);
+  begin(d);
+  CHECK_FALSE(d.present(f.copy));
+  d.set(f.modal, {.number = 5});
+  CHECK_FALSE(d.present(f.copy));
+  begin(d);
+  CHECK(d.present(f.copy));
+  d.set(f.modal, {.number = 6});
+  CHECK(d.number(f.copy) == 5);
+  d.erase(f.modal);
+  begin(d);
+  CHECK_FALSE(d.present(f.copy));
+}
+
+TEST_CASE("a watched field tells of a change, and of nothing else") {
+  const ManyFields f;
+  Document d(f.layout, std::vector<std::uint64_t>(f.layout.fields.size() * 2), 2);
+  begin(d);
+  d.watch(f.modal, 4);
+  d.watch(f.modal, 8);
+  const auto changes = [&] { return std::exchange(d.changes, 0); };
+  d.set(f.word, {.number = 1});
+  CHECK(changes() == 0);
+  d.set(f.modal, {.number = 5});
+  CHECK(changes() == 12);
+  begin(d);
+  d.set(f.modal, {.number = 5});
+  CHECK(changes() == 0);
+  SECTION("another value, by itself") { d.set(f.modal, {.number = 6}); }
+  SECTION("with others") {
+    const ig_value v[2] = {{.number = 6}, {.number = 6}};
+    const ig_field fields[2] = {f.modal + 1, f.modal};
+    d.set_many(fields, 2, v);
+  }
+  SECTION("as one of three") {
+    const ig_value v[3] = {{.number = 6}, {.number = 6}, {.number = 6}};
+    d.set_triple(f.modal, v);
+  }
+  SECTION("amended") { d.write(f.modal, {.number = 6}); }
+  SECTION("rewritten") { d.rewrite(f.modal, {.number = 6}); }
+  SECTION("erased") { d.erase(f.modal); }
+  SECTION("taken") {
+    ig_value v;
+    REQUIRE(d.take(f.modal, v));
+  }
+  SECTION("taken as one of three") {
+    ig_value v[3];
+    d.take_triple(f.modal, v);
+  }
+  CHECK(changes() == 12);
+}
+
+}  // namespace
+}  // namespace isogloss
