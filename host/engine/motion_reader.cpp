@@ -97,6 +97,13 @@ void MotionReader::begin(const Document& initial, const SymbolTable& symbols) {
     return f;
   };
   root_ = fields([&](const std::string& path) { return layout.id(path); });
+  program_before_ = {};
+  for (int i = 0; i < 3; ++i) {
+    led_start_.ids[i] = layout.id(std::string("PivotTransform.Start.") + axis_names[i]);
+    for (ig_field f = 0; f < layout.fields.size(); ++f)
+      if (layout.fields[f].previous_of != IG_NO_FIELD && layout.fields[f].previous_of == root_.program.ids[i])
+        program_before_.ids[i] = f;
+  }
   list_ = layout.lists.size();
   for (std::size_t i = 0; i < layout.lists.size(); ++i)
     if (layout.lists[i].path == items) list_ = i;
@@ -204,6 +211,11 @@ const Move* MotionReader::make_move(const Values& values, const Fields& fields, 
   m.has_feed = m.kind != Move::Kind::rapid && values.present(fields.feed);
   m.feed_mmds = m.has_feed ? values.number(fields.feed) : 0;
   m.from = position_;
+  if (is_led) {
+    read_point(Root{d}, led_start_, m.start);
+    if (!m.start.has_xyz()) read_point(Root{d}, program_before_, m.start);
+    if (!m.start.has_xyz()) m.start = program_position_;
+  }
   if (is_arc) make_arc(values, fields, d, symbols);
   advance(position_, m.machine);
   advance(program_position_, m.program);

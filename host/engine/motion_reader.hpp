@@ -38,8 +38,9 @@ struct Move {
   double feed_mmds = 0;
   AxisPoint program;  ///< X Y Z
   AxisPoint machine;
-  AxisPoint from;  ///< machine coordinates before the move
-  Arc arc;         ///< set for arcs only
+  AxisPoint from;   ///< machine coordinates before the move
+  AxisPoint start;  ///< program coordinates where the tip begins, in the frame of this block; set where is_led only
+  Arc arc;          ///< set for arcs only
 };
 
 /// One name compared often: by its id once the id is known.
@@ -198,6 +199,8 @@ class MotionReader {
 
   bool keep_zero_moves_;
   Fields root_{}, item_{};
+  AxisFields led_start_;       // where a block begins that changes its frame and leads the tip
+  AxisFields program_before_;  // ProgramXyz as it was carried into the block
   std::size_t list_ = 0;
   std::vector<FreshMask> others_;  // the fields that make events without a motion
   ig_field is_change_{}, tool_{}, spindle_tool_{}, direction_{}, speed_{}, coolant_{}, dwell_{}, orient_{}, plane_{},

@@ -1,4 +1,5 @@
-// What a run amounts to: lengths, extents, times. Everything in machine space, arcs by their true length and bulge.
+// What a run amounts to: lengths, extents, times. Everything in machine space, arcs by their true length and bulge; but
+// a feed that leads the tip while rotary axes turn has the length of the tip's way.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -109,7 +110,7 @@ class SummaryExporter : public Exporter {
         break;
       case Move::Kind::feed: {
         ++s_.feeds;
-        const double length = straight(m, 0, 3);
+        const double length = m.is_led ? way_of_tip(m) : straight(m, 0, 3);
         s_.feed_length_mm += length;
         // A feed that turns rotary axes alone is in degrees a second.
         add_feed_time(m, length > 0 ? length : straight(m, 3, 6));
@@ -130,6 +131,15 @@ class SummaryExporter : public Exporter {
     for (unsigned i = first; i < last; ++i)
       if (m.from.has(i) && m.machine.has(i)) sum += (m.machine.at[i] - m.from.at[i]) * (m.machine.at[i] - m.from.at[i]);
     return std::sqrt(sum);
+  }
+
+  /// Under tip control the feed is that of the tip in the workpiece; the machine's axes go another way.
+  static double way_of_tip(const Move& m) {
+    constexpr double rests_mm = 1e-7;  // shorter is what a frame there and back leaves
+    if (!m.start.has_xyz() || !m.program.has_xyz()) return straight(m, 0, 3);
+    double sum = 0;
+    for (unsigned i = 0; i < 3; ++i) sum += (m.program.at[i] - m.start.at[i]) * (m.program.at[i] - m.start.at[i]);
+    return sum > rests_mm * rests_mm ? std::sqrt(sum) : 0;
   }
 
   void add_turns(const Move& m) {

@@ -84,6 +84,29 @@ TEST_CASE("a feed that only turns a rotary axis is in degrees a second") {
   CHECK(s.axes == 0b10111);
 }
 
+TEST_CASE("under tip control a feed has the length and the time of the tip's way") {
+  const auto led = [](double x, double machine_x, double b) {
+    return [=](TestDocument& t) {
+      t.point("ProgramXyz", x, 0, 0);
+      t.point("MachineCoordinate", machine_x, 0, 40);
+      t.number("MachineCoordinate.B", b);
+      t.name("MotionEvent.Form", "ClLinear");
+      t.number("MotionEvent.Feedrate_mmds", 5);
+    };
+  };
+  const Summary s = summarize({[](TestDocument& t) {
+                                 t.place(50, 0, 0);
+                                 t.number("MachineCoordinate.B", 0);
+                               },
+                               [](TestDocument& t) { t.line(true, 0, 0, 0); }, led(10, 300, 30),  // 10 mm of the tip
+                               led(10, -500, 90)});  // the tip rests: 60 degrees
+  CHECK(s.feed_length_mm == Approx(10));
+  CHECK(s.feed_seconds == Approx(10 / 5.0 + 60 / 5.0));
+  CHECK(s.feed_time_known);
+  CHECK(s.minimum[0] == -500);
+  CHECK(s.maximum[0] == 300);
+}
+
 TEST_CASE("rotary axes: the slowest axis makes the time of a rapid, turns there and back add up") {
   const auto turn = [](double b, double c, double x = 0) {
     return [=](TestDocument& t) {
