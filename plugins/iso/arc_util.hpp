@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 namespace iso {
@@ -47,6 +48,35 @@ inline double arc_length(const Point2& start, const Point2& end, const Point2& c
   const double radius = ((start - center).length() + (end - center).length()) / 2;
   const double in_plane = radius * std::fabs(sweep(start, end, center, is_ccw));
   return std::sqrt(in_plane * in_plane + rise * rise);
+}
+
+/// One coordinate of a point that runs along an arc: from + first * (u of it) + second * (v of it), and a rise that
+/// grows evenly with the angle. Where start and end lie on different circles the larger one counts.
+struct ArcCoordinate {
+  double from = 0;               ///< at the centre
+  double first = 0, second = 0;  ///< what one mm along u and v adds
+  double rise = 0;               ///< from the start to the end
+};
+
+/// Calls visit(value) where the coordinate turns back between start and end; a whole circle has two such places.
+template <class Visit>
+void visit_turning_points(const ArcCoordinate& along, const Point2& start, const Point2& end, const Point2& center,
+                          bool is_ccw, Visit visit) {
+  constexpr double circle = 2 * std::numbers::pi;
+  const double turn = sweep(start, end, center, is_ccw);
+  const Point2 out = start - center;
+  const double radius = std::fmax(out.length(), (end - center).length());
+  const double reach = radius * std::sqrt(along.first * along.first + along.second * along.second);
+  if (turn == 0 || !(reach > std::fabs(along.rise / turn))) return;
+  // reach * cos(angle - crest) + rise * (angle - begin) / turn, whose derivative is zero at two angles of each turn
+  const double crest = std::atan2(along.second, along.first), begin = std::atan2(out.v, out.u);
+  const double ahead = std::asin(along.rise / turn / reach);
+  const double low = std::fmin(0.0, turn), high = std::fmax(0.0, turn);
+  for (const double root : {crest + ahead - begin, crest + std::numbers::pi - ahead - begin}) {
+    const double angle = root + circle * std::ceil((low - root) / circle);
+    if (angle > high) continue;
+    visit(along.from + reach * std::cos(begin + angle - crest) + along.rise * (angle / turn));
+  }
 }
 
 }  // namespace iso

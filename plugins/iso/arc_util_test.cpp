@@ -1,5 +1,6 @@
 #include "arc_util.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 using namespace iso;
@@ -74,4 +75,31 @@ TEST_CASE("quarter turns") {
   CHECK(sweep(n, e, center, true) / degree == Approx(270));
   CHECK(sweep(e, {-1, 0}, center, true) / degree == Approx(180));
   CHECK(sweep(e, {-1, 0}, center, false) / degree == Approx(-180));
+}
+
+TEST_CASE("where a coordinate turns back on an arc: as sampled") {
+  for (int i = 0; i < 200; ++i) {
+    const double a = 0.37 * i, b = a + 0.05 + 0.031 * i;
+    const bool is_ccw = i % 2 == 0;
+    const Point2 center{3, -4}, start{3 + 10 * std::cos(a), -4 + 10 * std::sin(a)},
+        end{3 + 10 * std::cos(b), -4 + 10 * std::sin(b)};
+    const ArcCoordinate along{7, std::cos(i), std::sin(i), i % 3 == 0 ? 0.0 : i - 100.0};
+    CAPTURE(i);
+    const double turn = sweep(start, end, center, is_ccw);
+    const auto value = [&](double part) {
+      const double angle = a + part * turn;
+      return along.from + 10 * (along.first * std::cos(angle) + along.second * std::sin(angle)) + part * along.rise;
+    };
+    double low = std::min(value(0), value(1)), high = std::max(value(0), value(1)), seen_low = low, seen_high = high;
+    visit_turning_points(along, start, end, center, is_ccw, [&](double at) {
+      low = std::min(low, at);
+      high = std::max(high, at);
+    });
+    for (int k = 1; k < 5000; ++k) {
+      seen_low = std::min(seen_low, value(k / 5000.0));
+      seen_high = std::max(seen_high, value(k / 5000.0));
+    }
+    CHECK(low == Approx(seen_low).margin(1e-4));
+    CHECK(high == Approx(seen_high).margin(1e-4));
+  }
 }

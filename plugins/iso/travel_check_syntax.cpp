@@ -1,5 +1,7 @@
-/// The travel of the machine's axes: every position of a block against the limits that the machine declares. A machine
-/// without limits costs nothing.
+/// The travel of the machine's axes: every position of a block, and every place where an arc turns back, against the
+/// limits that the machine declares. A machine without limits costs nothing.
+#include "arc_util.hpp"
+#include "plane_util.hpp"
 #include "rotary_words.hpp"
 
 namespace iso {
@@ -12,8 +14,37 @@ struct TravelCheck {
 
   static constexpr std::string_view names = "XYZABC";
   using Axes = std::array<ig_field, names.size()>;
+
+  /// What counts of one step of a compound motion: the machine's axes, the program point, the arc.
+  struct Step {
+    enum : std::uint32_t { program = 6, center = 9, sense = 12, size = 13 };
+    std::array<ig_field, size> ids{};
+    Step() {
+      const auto put = [&](std::uint32_t first, std::string_view letters, const char* section) {
+        for (std::size_t i = 0; i < letters.size(); ++i)
+          ids[first + i] = ig::Field<double>(std::string("CompoundMotion.Items[].") + section + letters[i], ig::read).id();
+      };
+      put(0, names, "MachineCoordinate.");
+      put(program, "XYZ", "ProgramXyz.");
+      put(center, "XYZ", "MotionEvent.ArcCenter.");
+      ids[sense] = ig::Field<bool>("CompoundMotion.Items[].MotionEvent.IsCcw", ig::read).id();
+    }
+    static bool has_point(std::uint32_t mask, std::uint32_t first) { return (mask >> first & 7u) == 7u; }
+    static ig::Vec3 point(const ig_value* v, std::uint32_t first) {
+      return {v[first].number, v[first + 1].number, v[first + 2].number};
+    }
+  };
+  struct Arc {
+    ig::Vec3 start, end, center;
+    bool is_ccw = false;
+  };
   Axes position_ = each("MachineCoordinate.", ig::read | ig::wake);
-  Axes step_ = each("CompoundMotion.Items[].MachineCoordinate.", ig::read);
+  Step step_;
+  ig::Xyz program_{"ProgramXyz", ig::read};
+  ig::Xyz center_{"MotionEvent.ArcCenter", ig::read};
+  ig::In<bool> is_ccw_{"MotionEvent.IsCcw"};
+  LastProgramXyz last_;
+  PlaneInForce plane_;
   /// The axes of which it was said: until they are back inside.
   std::array<ig::Signal, names.size()> outside_{outside('X'), outside('Y'), outside('Z'),
                                                 outside('A'), outside('B'), outside('C')};
@@ -33,11 +64,13 @@ struct TravelCheck {
 
   ig::Status build(ig::Block& b) const {
     const std::uint32_t before = outside(b);
-    std::uint32_t now = before;
+    std::uint32_t now = check_steps(b, before);
     ig_value at[names.size()];
-    for (std::uint32_t step = 0, n = b.host()->count(b.raw(), step_[0]); step < n; ++step)
-      now = check(b, b.host()->record(b.raw(), step, step_.data(), names.size(), at), at, now);
     const std::uint32_t fresh = b.host()->fresh_many(b.raw(), position_.data(), names.size());
+    if (const ig::PartialVec3 center = b.get(center_); center.complete() && (fresh & limited_ & 7u) != 0) {
+      const ig::Vec3 start = last_(b);
+      now = check_arc(b, {start, b.get(program_).or_else(start), center.value, b.get_or(is_ccw_, false)}, now);
+    }
     now = check(b, fresh & b.host()->get_many(b.raw(), position_.data(), names.size(), at), at, now);
     if (now == before) return ig::Status::unchanged;
     for (std::size_t axis = 0; axis < names.size(); ++axis) {
@@ -54,6 +87,52 @@ struct TravelCheck {
     for (std::size_t axis = 0; axis < names.size(); ++axis)
       if ((limited_ >> axis & 1u) != 0 && b.is_raised(outside_[axis])) mask |= 1u << axis;
     return mask;
+  }
+
+  std::uint32_t check_steps(ig::Block& b, std::uint32_t outside) const {
+    const std::uint32_t steps = b.host()->count(b.raw(), step_.ids[0]);
+    std::optional<ig::Vec3> here;
+    for (std::uint32_t step = 0; step < steps; ++step) {
+      ig_value at[Step::size];
+      const std::uint32_t known = b.host()->record(b.raw(), step, step_.ids.data(), Step::size, at);
+      if (Step::has_point(known, Step::center) && Step::has_point(known, Step::program))
+        outside = check_arc(b, {here ? *here : last_(b), Step::point(at, Step::program), Step::point(at, Step::center),
+                                (known >> Step::sense & 1u) != 0 && at[Step::sense].integer != 0},
+                            outside);
+      if (Step::has_point(known, Step::program)) here = Step::point(at, Step::program);
+      outside = check(b, known, at, outside);
+    }
+    return outside;
+  }
+
+  /// Between its ends an arc goes farthest where a coordinate of the machine turns back. Its ends are checked as such.
+  std::uint32_t check_arc(ig::Block& b, const Arc& arc, std::uint32_t outside) const {
+    const PlaneAxes plane = plane_(b);
+    const auto along = [&](std::size_t axis) {
+      ig::Vec3 one = arc.center;
+      one[axis] += 1;
+      return b.to_machine(one);
+    };
+    const auto center = b.to_machine(arc.center), u = along(plane.first), v = along(plane.second),
+               w = along(plane.tool);
+    if (!center || !u || !v || !w) return outside;
+    const Point2 start{arc.start[plane.first], arc.start[plane.second]},
+        end{arc.end[plane.first], arc.end[plane.second]},
+        middle{arc.center[plane.first], arc.center[plane.second]};
+    const double rise = arc.end[plane.tool] - arc.start[plane.tool];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if ((limited_ >> axis & 1u) == 0) continue;
+      const double c = (*center)[axis];
+      const ArcCoordinate coordinate{c + (arc.start[plane.tool] - arc.center[plane.tool]) * ((*w)[axis] - c),
+                                     (*u)[axis] - c, (*v)[axis] - c, rise * ((*w)[axis] - c)};
+      visit_turning_points(coordinate, start, end, middle, arc.is_ccw, [&](double position) {
+        ig_value at[names.size()];
+        at[axis].number = position;
+        const std::uint32_t after = check(b, 1u << axis, at, outside);
+        outside |= after;  // back inside is what the end of the arc says
+      });
+    }
+    return outside;
   }
 
   /// The axes that are outside after this position; an axis that it does not name stays as it was.
