@@ -15,7 +15,7 @@ import sys
 import tempfile
 import xml.etree.ElementTree as ET
 
-from tip_test import NATURAL, Machine, distance, minus, plus, times, turned
+from tip_test import NATURAL, Machine, distance, minus, times
 
 HERE = pathlib.Path(__file__).resolve().parent
 MACHINES = HERE.parents[1] / "dialects" / "machines"
@@ -40,14 +40,8 @@ def machine_of(file):
     machine = Machine.__new__(Machine)
     machine.axes = [axis for _, axis in sorted(rows)]
     machine.letters = [axis[0] for axis in machine.axes]
+    machine.signs, machine.zeros = {}, {}  # those of the example machines are 1 and 0
     return machine
-
-
-def in_workpiece(machine, p, angles):
-    for letter, place, n, point in machine.axes:
-        if place == "table":
-            p = plus(point, turned(minus(p, point), n, angles[letter]))
-    return p
 
 
 def run(isogloss, arguments, folder):
@@ -87,7 +81,7 @@ def same_on_all(isogloss, folder, fail):
         for event in events:
             at = event["MachineCoordinate"]
             angles = {a: at.get(a, 0.0) for a in machine.letters}
-            tip = in_workpiece(machine, machine.tip([at[a] for a in "XYZ"], angles, lengths[event["Line"]]), angles)
+            tip = machine.in_workpiece(machine.tip([at[a] for a in "XYZ"], angles, lengths[event["Line"]]), angles)
             path.append((event["Line"], event["Event"], minus(tip, list(work)), machine.direction(angles), event))
         seen[name] = path
     (first, path), *others = seen.items()

@@ -18,23 +18,32 @@ import tempfile
 
 LETTERS = "ABC"
 NATURAL = {"A": (1.0, 0.0, 0.0), "B": (0.0, 1.0, 0.0), "C": (0.0, 0.0, 1.0)}
+NUTATING = (0.0, math.sqrt(0.5), math.sqrt(0.5))  # inclined by 45 degrees
 # Letters and places, the axis nearer the machine's base first; an inclined axis says its direction.
-# Inclined by 45 degrees: with the other axis it reaches every direction of the upper half.
-NUTATING = (0.0, math.sqrt(0.5), math.sqrt(0.5))
-MACHINES = [
+# These reach every direction of the upper half:
+REACHING = [
     [("A", "table", None), ("C", "table", None)],
     [("B", "table", None), ("C", "table", None)],
+    [("A", "table", None), ("B", "table", None)],
+    [("B", "table", None), ("A", "table", None)],
     [("C", "head", None), ("A", "head", None)],
     [("C", "head", None), ("B", "head", None)],
+    [("A", "head", None), ("B", "head", None)],
     [("B", "head", None), ("C", "table", None)],
     [("A", "head", None), ("C", "table", None)],
+    [("B", "head", None), ("A", "table", None)],
+    [("A", "head", None), ("B", "table", None)],
     [("C", "head", None), ("B", "head", NUTATING)],
     [("B", "head", NUTATING), ("C", "table", None)],
     [("B", "table", NUTATING), ("C", "table", None)],
-    [("B", "head", None), ("A", "table", None)],
+]
+OTHERS = [
+    [("C", "table", None), ("A", "table", None)],
+    [("A", "table", NUTATING), ("B", "table", None)],
     [("A", "table", None)],
     [("B", "head", None)],
 ]
+MACHINES = REACHING + OTHERS
 
 
 def plus(*vectors):
@@ -72,12 +81,18 @@ class Machine:
             point = [rng.uniform(-80, 80), rng.uniform(-80, 80), rng.uniform(-200, 150)]
             self.axes.append((letter, place, list(n or NATURAL[letter]), point))
         self.letters = [a[0] for a in self.axes]
+        # What the builder has chosen: on some machines the scale runs the other way, or does not begin at the geometric zero.
+        self.signs = {a: rng.choice([1, 1, -1]) for a in self.letters}
+        self.zeros = {a: rng.choice([0.0, 0.0, round(rng.uniform(-90, 90), 4)]) for a in self.letters}
+
+    def geometric(self, letter, angles):
+        return self.signs.get(letter, 1) * (angles[letter] - self.zeros.get(letter, 0.0))
 
     def xml(self):
         rows = []
         for i, (letter, place, n, point) in enumerate(self.axes):
             values = [("X", n[0]), ("Y", n[1]), ("Z", n[2]), ("PivotX", point[0]), ("PivotY", point[1]),
-                      ("PivotZ", point[2])]
+                      ("PivotZ", point[2]), ("Sign", self.signs[letter]), ("Zero", self.zeros[letter])]
             rows.append(f'<Axis name="{letter}" Place="{place}" Order="{i + 1}" ' +
                         " ".join(f'{k}="{v!r}"' for k, v in values) + "/>")
         return "<MachineKinematics>" + "".join(rows) + "</MachineKinematics>"
@@ -86,14 +101,21 @@ class Machine:
         """Where a point of the workpiece stands, all axes at zero: p, in machine coordinates."""
         for letter, place, n, point in reversed(self.axes):
             if place == "table":
-                p = plus(point, turned(minus(p, point), n, -angles[letter]))
+                p = plus(point, turned(minus(p, point), n, -self.geometric(letter, angles)))
+        return p
+
+    def in_workpiece(self, p, angles):
+        """The way back: the point of the workpiece that stands at p."""
+        for letter, place, n, point in self.axes:
+            if place == "table":
+                p = plus(point, turned(minus(p, point), n, self.geometric(letter, angles)))
         return p
 
     def hanging(self, v, angles):
         """A point of the tool, from the gauge point: v with all axes at zero."""
         for letter, place, n, point in reversed(self.axes):
             if place == "head":
-                v = plus(point, turned(minus(v, point), n, angles[letter]))
+                v = plus(point, turned(minus(v, point), n, self.geometric(letter, angles)))
         return v
 
     def tip(self, at, angles, length):
@@ -104,10 +126,10 @@ class Machine:
         t = [0.0, 0.0, 1.0]
         for letter, place, n, _ in reversed(self.axes):
             if place == "head":
-                t = turned(t, n, angles[letter])
+                t = turned(t, n, self.geometric(letter, angles))
         for letter, place, n, _ in self.axes:
             if place == "table":
-                t = turned(t, n, angles[letter])
+                t = turned(t, n, self.geometric(letter, angles))
         return t
 
 
@@ -235,7 +257,9 @@ class Program:
             self.write("G43 H1")
             self.point = [self.number(-60, 60) for _ in range(3)]
             self.write(f"G90 G00 {self.xyz()}")
-            resting = list(self.point)
+            # Off the plane nothing follows the axes: the tip stands where they have put it, be zero where it may.
+            tip = self.machine.tip(plus(self.work, self.point, [0.0, 0.0, self.length]), self.angles, self.length)
+            resting = minus(self.machine.in_workpiece(tip, self.angles), self.work)
         self.tilt()
         normal = self.plane[3]
         if keeps_tip:
@@ -265,7 +289,7 @@ def make(rng, shape):
     p = Program(rng, machine)
     p.write("G21 G90 G94 G17 G54")
     kind = rng.choice(["angles", "angles", "vectors", "planes", "vectors in a plane", "angles in a plane"])
-    if len(shape) == 1:  # reaches few directions
+    if shape in OTHERS:
         kind = "angles"
     if kind == "planes":
         for _ in range(6):
