@@ -1,8 +1,10 @@
-/// The travel of the machine's axes: every position of a block, and every place where an arc turns back, against the
-/// limits that the machine declares. A machine without limits costs nothing.
+/// The travel of the machine's axes: every position of a block, every place where an arc turns back, and the curve on
+/// which the machine goes while rotary axes turn about the tip, against the limits that the machine declares. A machine
+/// without limits costs nothing.
 #include "arc_util.hpp"
 #include "plane_util.hpp"
 #include "rotary_words.hpp"
+#include "tool_kinematics.hpp"
 
 namespace iso {
 namespace {
@@ -22,7 +24,8 @@ struct TravelCheck {
     Step() {
       const auto put = [&](std::uint32_t first, std::string_view letters, const char* section) {
         for (std::size_t i = 0; i < letters.size(); ++i)
-          ids[first + i] = ig::Field<double>(std::string("CompoundMotion.Items[].") + section + letters[i], ig::read).id();
+          ids[first + i] =
+              ig::Field<double>(std::string("CompoundMotion.Items[].") + section + letters[i], ig::read).id();
       };
       put(0, names, "MachineCoordinate.");
       put(program, "XYZ", "ProgramXyz.");
@@ -45,6 +48,14 @@ struct TravelCheck {
   ig::In<bool> is_ccw_{"MotionEvent.IsCcw"};
   LastProgramXyz last_;
   PlaneInForce plane_;
+  ig::In<ig::Symbol> form_{"MotionEvent.Form"};
+  ig::Name led_{"ClLinear"};
+  ig::Xyz here_{"MachineCoordinate", ig::read};
+  ig::Xyz here_before_{"MachineCoordinate", ig::previous};
+  RotaryPosition rotary_{ig::read};
+  RotaryPosition rotary_before_{ig::previous};
+  ig::In<double> length_{"ToolHeightCompensation.Offset_mm"};
+  ToolKinematics kinematics_;
   /// The axes of which it was said: until they are back inside.
   std::array<ig::Signal, names.size()> outside_{outside('X'), outside('Y'), outside('Z'),
                                                 outside('A'), outside('B'), outside('C')};
@@ -71,6 +82,7 @@ struct TravelCheck {
       const ig::Vec3 start = last_(b);
       now = check_arc(b, {start, b.get(program_).or_else(start), center.value, b.get_or(is_ccw_, false)}, now);
     }
+    if (b.is(form_, led_) && (limited_ & 7u) != 0) now = check_curve(b, now);
     now = check(b, fresh & b.host()->get_many(b.raw(), position_.data(), names.size(), at), at, now);
     if (now == before) return ig::Status::unchanged;
     for (std::size_t axis = 0; axis < names.size(); ++axis) {
@@ -96,8 +108,9 @@ struct TravelCheck {
       ig_value at[Step::size];
       const std::uint32_t known = b.host()->record(b.raw(), step, step_.ids.data(), Step::size, at);
       if (Step::has_point(known, Step::center) && Step::has_point(known, Step::program))
-        outside = check_arc(b, {here ? *here : last_(b), Step::point(at, Step::program), Step::point(at, Step::center),
-                                (known >> Step::sense & 1u) != 0 && at[Step::sense].integer != 0},
+        outside = check_arc(b,
+                            {here ? *here : last_(b), Step::point(at, Step::program), Step::point(at, Step::center),
+                             (known >> Step::sense & 1u) != 0 && at[Step::sense].integer != 0},
                             outside);
       if (Step::has_point(known, Step::program)) here = Step::point(at, Step::program);
       outside = check(b, known, at, outside);
@@ -117,22 +130,77 @@ struct TravelCheck {
                w = along(plane.tool);
     if (!center || !u || !v || !w) return outside;
     const Point2 start{arc.start[plane.first], arc.start[plane.second]},
-        end{arc.end[plane.first], arc.end[plane.second]},
-        middle{arc.center[plane.first], arc.center[plane.second]};
+        end{arc.end[plane.first], arc.end[plane.second]}, middle{arc.center[plane.first], arc.center[plane.second]};
     const double rise = arc.end[plane.tool] - arc.start[plane.tool];
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if ((limited_ >> axis & 1u) == 0) continue;
       const double c = (*center)[axis];
       const ArcCoordinate coordinate{c + (arc.start[plane.tool] - arc.center[plane.tool]) * ((*w)[axis] - c),
                                      (*u)[axis] - c, (*v)[axis] - c, rise * ((*w)[axis] - c)};
-      visit_turning_points(coordinate, start, end, middle, arc.is_ccw, [&](double position) {
-        ig_value at[names.size()];
-        at[axis].number = position;
-        const std::uint32_t after = check(b, 1u << axis, at, outside);
-        outside |= after;  // back inside is what the end of the arc says
-      });
+      visit_turning_points(coordinate, start, end, middle, arc.is_ccw,
+                           [&](double position) { outside = pass(b, axis, position, outside); });
     }
     return outside;
+  }
+
+  /// A position between the ends of a move: that the axis is back inside, the end says.
+  std::uint32_t pass(ig::Block& b, std::size_t axis, double position, std::uint32_t outside) const {
+    ig_value at[names.size()];
+    at[axis].number = position;
+    return outside | check(b, 1u << axis, at, outside);
+  }
+
+  /// The tip goes straight in the workpiece, the angles evenly: looked at every few degrees.
+  std::uint32_t check_curve(ig::Block& b, std::uint32_t outside) const {
+    const ig::PartialVec3 begin = b.get(here_before_), end = b.get(here_);
+    if (!kinematics_ || !begin.complete() || !end.complete()) return outside;
+    const PartialAngles known_from = rotary_before_.get(b), known_to = rotary_.get(b);
+    const Angles from = known_from.or_else({}), to = known_to.or_else(from);
+    double widest = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) widest = std::fmax(widest, std::fabs(to[axis] - from[axis]));
+    constexpr double look_deg = 2, most_looks = 360;
+    const double looks = std::fmin(std::ceil(widest / look_deg), most_looks);
+    if (!(looks >= 2)) return outside;
+    const double length = b.get_or(length_, 0.0);
+    const auto first = tip(begin.value, from, length), last = tip(end.value, to, length);
+    if (!first || !last) return outside;
+    ig::Vec3 low = begin.value, high = begin.value;
+    for (double look = 1; look < looks; ++look) {
+      const double part = look / looks;
+      Angles angles = from;
+      for (std::size_t axis = 0; axis < 3; ++axis) angles[axis] += part * (to[axis] - from[axis]);
+      const auto at = gauge_point(*first + part * (*last - *first), angles, length);
+      for (std::size_t axis = 0; at && axis < 3; ++axis) {
+        low[axis] = std::fmin(low[axis], (*at)[axis]);
+        high[axis] = std::fmax(high[axis], (*at)[axis]);
+      }
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      outside = pass(b, axis, low[axis], outside);
+      outside = pass(b, axis, high[axis], outside);
+    }
+    return outside;
+  }
+
+  /// The tip in the workpiece, rotary axes at zero, and the way back to X Y Z of the machine.
+  std::optional<ig::Vec3> tip(const ig::Vec3& machine, const Angles& angles, double length) const {
+    const auto pivot = kinematics_.pivot(angles);
+    const auto axis = kinematics_.tool_axis(angles);
+    if (!pivot || !axis) return std::nullopt;
+    const Mat4& m = *pivot;
+    const ig::Vec3 way = machine - ig::Vec3{m[12], m[13], m[14]};
+    ig::Vec3 out;
+    for (std::size_t i = 0; i < 3; ++i) out[i] = dot(way, {m[4 * i], m[4 * i + 1], m[4 * i + 2]});
+    return out - length * *axis;
+  }
+  std::optional<ig::Vec3> gauge_point(const ig::Vec3& tip, const Angles& angles, double length) const {
+    const auto pivot = kinematics_.pivot(angles);
+    const auto axis = kinematics_.tool_axis(angles);
+    if (!pivot || !axis) return std::nullopt;
+    const Mat4& m = *pivot;
+    const ig::Vec3 p = tip + length * *axis;
+    return ig::Vec3{p.x * m[0] + p.y * m[4] + p.z * m[8] + m[12], p.x * m[1] + p.y * m[5] + p.z * m[9] + m[13],
+                    p.x * m[2] + p.y * m[6] + p.z * m[10] + m[14]};
   }
 
   /// The axes that are outside after this position; an axis that it does not name stays as it was.
