@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "cycle_codes.hpp"
-#include "diagnostics.hpp"
+#include "cycle_diagnostics.hpp"
 #include "feed_util.hpp"
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
@@ -169,6 +169,17 @@ class CannedCycle {
     return mmds;
   }
 
+  /// Of P, Q, I and J those that this block names and the cycle does not use.
+  void say_unused(ig::Block& b, const CycleRun& run, std::string_view used) const {
+    constexpr std::string_view letters = "PQIJ";
+    constexpr std::array addresses{CycleWords::P, CycleWords::Q, CycleWords::I, CycleWords::J};
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+      const double value = run.words.get_or(addresses[i], 0);
+      if (value == 0 || used.find(letters[i]) != std::string_view::npos || !b.is_fresh(stored_[i])) continue;
+      b.report(cycle_diag("ISO-0354"), where(run, addresses[i]), b.text(run.code), letters.substr(i, 1), value);
+    }
+  }
+
   /// The cycle code of the call, or its word with that address, for a diagnostic.
   ig::Where where(const CycleRun& run) const { return ig::Where::word(call_.code(run.row)); }
   ig::Where where(const CycleRun& run, CycleWords::Address address) const {
@@ -183,6 +194,8 @@ class CannedCycle {
  private:
   ig::Call call_;
   ig::Xyz increment_{"CannedCycle.Increment", ig::read, {ig::Life::block, "mm", "From hole to hole of a repeat."}};
+  std::array<ig::In<double>, 4> stored_{ig::In<double>{"CannedCycle.Params.P"}, ig::In<double>{"CannedCycle.Params.Q"},
+                                        ig::In<double>{"CannedCycle.Params.I"}, ig::In<double>{"CannedCycle.Params.J"}};
   ig::In<ig::Symbol> return_mode_{"CannedCycle.ReturnMode"};
   ig::In<double> initial_level_{"CannedCycle.InitialLevel"};
   ig::Xyz program_{"ProgramXyz", ig::write};

@@ -25,6 +25,7 @@ struct HighSpeedPeckCycle {
     if (!run) return ig::Status::unchanged;
     const auto pecks = pecks_.plan(b, cycle_, *run);
     const double feed = pecks ? cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom)) : 0;
+    cycle_.say_unused(b, *run, "Q");
     const ig::CompoundMotion& motion = cycle_.motion;
 
     for (int i = 0; i < run->count; ++i) {

@@ -23,6 +23,7 @@ struct ManualBoringCycle {
     if (!run) return ig::Status::unchanged;
     const double feed = cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom));
     const double dwell = dwell_.seconds(*run);
+    cycle_.say_unused(b, *run, "P");
     const ig::CompoundMotion& motion = cycle_.motion;
     if (!b.is(term_before_, run->code)) b.report(diag("ISO-0335"), cycle_.where(*run));
     spindle_.begin_clockwise(b, motion, cycle_.where(*run), run->code);

@@ -29,6 +29,7 @@ struct PeckDrillingCycle {
     const auto pecks = pecks_.plan(b, cycle_, *run);
     const double feed = pecks ? cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom)) : 0;
     const double dwell = bottom_dwell_ == BottomDwell::bottom ? dwell_.seconds(*run) : 0;
+    cycle_.say_unused(b, *run, bottom_dwell_ == BottomDwell::bottom ? "QP" : "Q");
     const ig::CompoundMotion& motion = cycle_.motion;
 
     for (int i = 0; i < run->count; ++i) {

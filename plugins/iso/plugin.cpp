@@ -2,7 +2,7 @@
 // registers itself at the end of its own file.
 #include <algorithm>
 
-#include "tool_center_diagnostics.hpp"
+#include "cycle_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -15,7 +15,8 @@ constexpr auto joined(const std::array<ig_diagnostic_decl, Sizes>&... parts) {
   return all;
 }
 
-constexpr auto all_diagnostics = joined(diagnostics, rotary_diagnostics, tilt_diagnostics, tool_center_diagnostics);
+constexpr auto all_diagnostics =
+    joined(diagnostics, rotary_diagnostics, tilt_diagnostics, tool_center_diagnostics, cycle_diagnostics);
 
 }  // namespace
 }  // namespace iso

@@ -46,6 +46,7 @@ struct TappingCycle {
     auto run = cycle_.take(b);
     if (!run) return ig::Status::unchanged;
     const Tap tap = tap_of(b, *run);
+    cycle_.say_unused(b, *run, dwell_at_ == Dwell::none ? "Q" : "PQ");
     limit_steps(b, *run, tap.steps());
     spindle_.begin(b, cycle_.motion, tap.rigid ? ig::Spindle::stop : tap.in);
     for (int i = 0; i < run->count; ++i) {
