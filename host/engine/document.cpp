@@ -79,8 +79,6 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
     if (info.previous_of != IG_NO_FIELD) keep_previous(info.previous_of, f);
   }
   find_open_words();
-  for (std::size_t i = 0; i < layout.transforms.size(); ++i)
-    state_[layout.transforms[i]].value.integer = static_cast<std::int64_t>(i);
   for (const ListInfo& list : layout.lists) {
     ListData data;
     data.stride = static_cast<std::uint32_t>(list.fields.size());
@@ -183,7 +181,9 @@ bool Document::same_content(const Document& other) const {
 std::string_view Document::text(ig_field f) const {
   if (!present(f)) return {};
   const auto packed = static_cast<std::uint64_t>(value(f).integer);
-  return std::string_view(arena_).substr(packed >> 32, packed & 0xffffffffu);
+  const std::size_t begin = packed >> 32;
+  if (begin > arena_.size()) return {};  // a syntax set it as a number
+  return std::string_view(arena_).substr(begin, packed & 0xffffffffu);
 }
 
 void Document::set_text(ig_field f, std::string_view text) {
@@ -292,7 +292,7 @@ std::vector<Leftover> Document::collect_leftovers() const {
 }
 
 void Document::set_frame(ig_field f, const Frame& frame) {
-  Frame& slot = frames_[static_cast<std::size_t>(state_[f].value.integer)];
+  Frame& slot = frames_[frame_index(f)];
   const bool same = present(f) ? std::equal(std::begin(slot.matrix), std::end(slot.matrix), std::begin(frame.matrix))
                                : frame.kind == Frame::Kind::identity;
   slot = frame;
@@ -303,7 +303,7 @@ void Document::set_frame(ig_field f, const Frame& frame) {
 }
 
 void Document::move_frame(ig_field f, const Frame& frame) {
-  Frame& slot = frames_[static_cast<std::size_t>(state_[f].value.integer)];
+  Frame& slot = frames_[frame_index(f)];
   slot = frame;
   slot.is_moving = true;
   set(f, state_[f].value);
@@ -314,8 +314,8 @@ void Document::move_frame(ig_field f, const Frame& frame) {
 const Frame& Document::composed() {
   if (!composed_valid_) {
     composed_ = Frame{};
-    for (const ig_field f : layout_->transforms)
-      if (present(f)) composed_ = composed_ * frame(f);
+    for (std::size_t i = 0; i < frames_.size(); ++i)
+      if (present(layout_->transforms[i])) composed_ = composed_ * frames_[i];
     composed_valid_ = true;
     inverse_valid_ = false;
   }

@@ -59,6 +59,11 @@ bool sound(const Document& d, ig_field f, ig_value v) {
       violation(d, "it gives " + info.path + " a value that is no number");
       return false;
     }
+    if (info.type == IG_TRANSFORM || info.type == IG_TEXT) {
+      violation(d, "it gives " + info.path + " a plain value: " +
+                       (info.type == IG_TEXT ? "a text has set_text" : "a transform has set_transform"));
+      return false;
+    }
     if (info.type == IG_SYMBOL && (v.symbol == 0 || v.symbol > d.chain->symbols().size())) {
       violation(d, "it gives " + info.path + " a name that does not exist");
       return false;

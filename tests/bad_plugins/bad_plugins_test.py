@@ -44,7 +44,8 @@ RUN = {
 }
 
 # What the checked table says; the fast one checks nothing that linking has settled.
-CHECKED = ["writes_undeclared", "writes_no_field", "takes_undeclared", "status_nonsense"]
+CHECKED = ["writes_undeclared", "writes_no_field", "takes_undeclared", "status_nonsense", "sets_a_frame_as_number",
+           "sets_a_text_as_number"]
 
 
 class BadPlugins(unittest.TestCase):
@@ -117,6 +118,15 @@ class BadPlugins(unittest.TestCase):
                 self.assertEqual(done.returncode, 3, done.stderr)
                 self.assertIn("[IG-0402]", done.stderr)
                 self.assertIn("BadSyntax", done.stderr)
+
+    def test_a_value_of_another_type_does_no_harm(self):
+        """The fast table takes it: the frame stays what it was, and the tool goes where it goes without the plugin."""
+        sound = self.run_it("run", self.program, "-d", "iso").stdout
+        for plugin in ("sets_a_frame_as_number", "sets_a_text_as_number"):
+            with self.subTest(plugin):
+                done = self.run_with(plugin)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(done.stdout, sound)
 
     def test_a_nonsense_status_of_create_does_not_start_or_does_no_harm(self):
         done = self.run_with("create_nonsense")

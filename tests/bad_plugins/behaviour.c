@@ -2,7 +2,15 @@
 #include "sound.h"
 
 static const ig_field_decl fields[] = {SOUND_FIELD("Parsing.X", IG_READ | IG_WAKE),
+#if defined(FAULT_sets_a_frame_as_number)
+                                       {sizeof(ig_field_decl), IG_READ | IG_WRITE, IG_TRANSFORM, IG_LIFE_STANDARD,
+                                        "ProgramToMcTransform.CoordinateOffset", "", "", 0}};
+#elif defined(FAULT_sets_a_text_as_number)
+                                       {sizeof(ig_field_decl), IG_READ | IG_WRITE, IG_TEXT, IG_LIFE_STANDARD,
+                                        "Comment.Text", "", "", 0}};
+#else
                                        SOUND_FIELD("Feedrate.FeedrateValue", IG_READ)};
+#endif
 static ig_field ids_of_chain[2];
 
 static ig_status create(const ig_link_api* api, ig_link* link, const ig_field* ids, void** self) {
@@ -38,6 +46,15 @@ static ig_status build(void* self, const ig_host* host, ig_block* block) {
 #elif defined(FAULT_takes_undeclared)
   ig_value value;
   host->take(block, ids_of_chain[0], &value); /* declared as read */
+#elif defined(FAULT_sets_a_frame_as_number)
+  const ig_value value = {.number = -1e300};
+  host->set(block, ids_of_chain[1], value);
+  double matrix[16];
+  host->transform(block, ids_of_chain[1], matrix);
+#elif defined(FAULT_sets_a_text_as_number)
+  const ig_value value = {.integer = INT64_MAX};
+  host->set(block, ids_of_chain[1], value);
+  host->text(block, ids_of_chain[1]);
 #elif defined(FAULT_crashes_in_build)
   *(volatile int*)(uintptr_t)8 = 1;
 #elif defined(FAULT_hangs_in_build)

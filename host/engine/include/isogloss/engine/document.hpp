@@ -224,7 +224,7 @@ class Document {
   void set_frame(ig_field f, const Frame& frame);
   /// An entry that moves with the axes in this block, as it is at the end of the block.
   void move_frame(ig_field f, const Frame& frame);
-  const Frame& frame(ig_field f) const { return frames_[static_cast<std::size_t>(state_[f].value.integer)]; }
+  const Frame& frame(ig_field f) const { return frames_[frame_index(f)]; }
   /// All entries composed in chain order.
   const Frame& composed();
   bool map_to_program(const double (&in)[3], double (&out)[3]);
@@ -276,6 +276,12 @@ class Document {
   [[gnu::cold]] void tell_change(ig_field f);
   /// Of three fields side by side; without values they go.
   [[gnu::cold]] void tell_changes(ig_field f, const ig_value* v);
+  /// Of a transform. The field's value says nothing: a syntax may have set it by mistake.
+  std::size_t frame_index(ig_field f) const {
+    std::size_t i = 0;
+    while (layout_->transforms[i] != f) ++i;
+    return i;
+  }
   void keep_previous(ig_field field, ig_field copy);
   void find_open_words();
   bool has_far_words() const { return (active[1] & far_bit_) != 0; }
