@@ -4,7 +4,7 @@
 #include "program_xyz_util.hpp"
 #include "tool_center_diagnostics.hpp"
 #include "tool_kinematics.hpp"
-#include "whole_number.hpp"
+#include "tool_length.hpp"
 
 namespace iso {
 namespace {
@@ -40,7 +40,7 @@ struct G53p1RotaryPosition {
   ig::Signal tip_stays_{"PivotTransform.~TipStays", ig::write};
   ig::Signal turns_{"PivotTransform.~Turns", ig::write};
   ig::Signal said_{"G53p1RotaryPosition.~Said", ig::read | ig::write, ig::Life::modal};
-  ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional, "Length of H beside G53.6."};
+  ToolLengths lengths_{ig::Need::optional};
   MotionGroup group_;
   BlockMotion move_;
   ToolCenterMode mode_;
@@ -180,22 +180,9 @@ struct G53p1RotaryPosition {
     const double in_force = b.get_or(length_, 0.0);
     double rests = call['R'].value_or(0);
     if (center_side_ == CenterSide::towards_holder) rests = -rests;
-    if (const auto h = call['H']) rests += table_length(b, *h, where).value_or(in_force) - in_force;
+    if (const auto h = call['H'])
+      if (const auto row = ToolLengths::row(b, *h, where)) rests += lengths_.length(b, *row, where) - in_force;
     if (rests != 0) b.set(lever_, rests);
-  }
-
-  std::optional<double> table_length(ig::Block& b, double h, ig::Where where) const {
-    const auto id = whole_number(h);
-    if (!id) {
-      b.report(diag("ISO-0225"), where, h);
-      return std::nullopt;
-    }
-    if (*id == 0) return 0;
-    double geometry = 0, wear = 0;
-    const bool has_geometry = table_ && table_->get(table_->self, *id, 0, &geometry) != 0;
-    const bool has_wear = table_ && table_->get(table_->self, *id, 1, &wear) != 0;
-    if (!has_geometry && !has_wear) b.report(diag("ISO-0223"), where, h);
-    return (has_geometry ? geometry : 0) + (has_wear ? wear : 0);
   }
 
   /// The plane's normal itself where the tool is upright: angles round, and its digits are then the plane's.

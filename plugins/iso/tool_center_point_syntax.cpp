@@ -5,7 +5,7 @@
 #include "motion_event_util.hpp"
 #include "tool_center_diagnostics.hpp"
 #include "tool_kinematics.hpp"
-#include "whole_number.hpp"
+#include "tool_length.hpp"
 
 namespace iso {
 namespace {
@@ -47,7 +47,7 @@ struct ToolCenterPoint {
   ig::Signal said_{"ToolCenterPoint.~Said", ig::read | ig::write, ig::Life::modal};
   MotionGroup group_;
   TiltFrame tilt_{ig::read};
-  ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional, "Length geometry and wear."};
+  ToolLengths lengths_{ig::Need::optional};
   ToolCenterMode mode_;
   RotaryTurns turn_{ig::read | ig::write};
   RotarySolver solver_;
@@ -109,13 +109,14 @@ struct ToolCenterPoint {
   /// The length and the tool axis: at the block's end, and where the block begins when something else than the axes
   /// changed them.
   bool follow(ig::Block& b, const RotaryTurn& turn, bool starts, std::optional<double> h, ig::Where where) const {
-    if (h) set_offset_id(b, *h, where);
+    if (h)
+      if (const auto row = ToolLengths::row(b, *h, where)) b.set(offset_id_, *row);
     if (starts && !b.has(offset_id_)) {
       b.report(diag("ISO-0224"), where, b.text(mode_.term(b)));
       b.set(offset_id_, std::int64_t{0});
     }
     const bool looks_up = starts || h || b.is_raised(table_changed_);
-    if (looks_up) b.set(offset_, table_length(b, b.get_or(offset_id_, std::int64_t{0}), where));
+    if (looks_up) b.set(offset_, lengths_.length(b, b.get_or(offset_id_, std::int64_t{0}), where));
 
     const bool is_anew = looks_up || turn.was_moved || !b.get(orientation_).complete();
     if (!is_anew && !turn.moves) return false;
@@ -135,22 +136,6 @@ struct ToolCenterPoint {
       b.host()->set_moving_transform(b.raw(), frame_.id(), m.data());
     }
     return true;
-  }
-
-  void set_offset_id(ig::Block& b, double h, ig::Where where) const {
-    if (const auto id = whole_number(h))
-      b.set(offset_id_, *id);
-    else
-      b.report(diag("ISO-0225"), where, h);
-  }
-
-  double table_length(ig::Block& b, std::int64_t id, ig::Where where) const {
-    if (id == 0) return 0;
-    double geometry = 0, wear = 0;
-    const bool has_geometry = table_ && table_->get(table_->self, id, 0, &geometry) != 0;
-    const bool has_wear = table_ && table_->get(table_->self, id, 1, &wear) != 0;
-    if (!has_geometry && !has_wear) b.report(diag("ISO-0223"), where, static_cast<double>(id));
-    return (has_geometry ? geometry : 0) + (has_wear ? wear : 0);
   }
 
   /// G43.5: the angles that give the tool the direction of I J K. True when the block named any.

@@ -4,7 +4,7 @@
 #include "cycle_codes.hpp"
 #include "diagnostics.hpp"
 #include "program_xyz_util.hpp"
-#include "whole_number.hpp"
+#include "tool_length.hpp"
 
 namespace iso {
 namespace {
@@ -27,7 +27,7 @@ struct ToolHeightOffset {
   ig::Transform tilt_{"TiltTransform", ig::read | ig::wake};
   ig::Transform frame_{"ToolHeightCompensation"};
   ig::Signal table_changed_{"ToolHeightCompensation.~TableChanged", ig::read | ig::wake};
-  ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::required, "Length geometry and wear."};
+  ToolLengths lengths_{ig::Need::required};
   /// Lengths that a block without Z put in force: the next Z word under G91 travels them.
   ig::Field<double> untravelled_{"ToolHeightCompensation.Untravelled_mm",
                                  ig::read | ig::write | ig::wake_while,
@@ -86,27 +86,14 @@ struct ToolHeightOffset {
   bool is_active(const ig::Block& b) const { return b.is(term_, g43_) || b.is(term_, g44_); }
 
   void set_offset_id(ig::Block& b, double h, ig::Where where) const {
-    if (const auto id = whole_number(h)) {
-      b.set(offset_id_, *id);
-    } else {
-      b.report(diag("ISO-0225"), where, h);
-    }
+    if (const auto row = ToolLengths::row(b, h, where)) b.set(offset_id_, *row);
   }
 
   void compensate(ig::Block& b, ig::Where where) const {
-    const double length = table_length(b, b.get_or(offset_id_, std::int64_t{0}), where);
+    const double length = lengths_.length(b, b.get_or(offset_id_, std::int64_t{0}), where);
     const double signed_length = b.is(term_, g44_) ? -length : length;
     b.set(offset_, signed_length);
     b.set_translation(frame_, signed_length * tool_axis(b));
-  }
-
-  double table_length(ig::Block& b, std::int64_t id, ig::Where where) const {
-    if (id == 0) return 0;
-    double geometry = 0, wear = 0;
-    const bool has_geometry = table_->get(table_->self, id, 0, &geometry) != 0;
-    const bool has_wear = table_->get(table_->self, id, 1, &wear) != 0;
-    if (!has_geometry && !has_wear) b.report(diag("ISO-0223"), where, static_cast<double>(id));
-    return (has_geometry ? geometry : 0) + (has_wear ? wear : 0);
   }
 
   /// The manual's example: with H1 = -4, `G91 G43 H1 Z-32.` moves by -36. True when something was written.
