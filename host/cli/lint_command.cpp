@@ -1,8 +1,10 @@
-// Reads and links dialects, and says what is wrong with them.
+// Reads and links dialects, starts their chains, and says what is wrong with them.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "isogloss/engine/chain.hpp"
 #include "output_file.hpp"
 #include "session.hpp"
 
@@ -50,6 +52,16 @@ std::string suggestion(const Dialect& dialect, Library& library) {
   return is_same ? fmt::format("{}: the order is right\n", dialect.name) : order_patch(dialect, wanted);
 }
 
+/// False when a dependency or a syntax does not take what the dialect gives it, which it says.
+bool starts(const LinkedDialect& linked, DiagnosticSink& diagnostics) {
+  try {
+    const Chain chain(linked, {}, diagnostics);
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
 int LintCommand::run() const {
   Session session(common);
   std::string out;
@@ -57,7 +69,7 @@ int LintCommand::run() const {
     const std::optional<Dialect> dialect = session.reader().read(name, session.diagnostics());
     if (dialect) {
       const std::unique_ptr<LinkedDialect> linked = link(*dialect, session.library(), session.diagnostics());
-      if (linked != nullptr)
+      if (linked != nullptr && starts(*linked, session.diagnostics()))
         out += fmt::format("{}: {} syntaxes, {} dependencies, {} fields\n", dialect->name, linked->chain.size(),
                            linked->dependencies.size(), linked->layout.fields.size());
       if (suggest) out += suggestion(*dialect, session.library());
@@ -70,8 +82,9 @@ int LintCommand::run() const {
 }  // namespace
 
 int lint_command(const Arguments& arguments) {
-  const auto app = make_app("lint", "Checks dialect files: reads them with what they extend and links their chains.",
-                            "isogloss lint fanuc ./my-machine.xml --suggest");
+  const auto app =
+      make_app("lint", "Checks dialect files: reads them with what they extend, links and starts their chains.",
+               "isogloss lint fanuc ./my-machine.xml --suggest");
   LintCommand command;
   app->add_option("DIALECT", command.dialects, "Dialects, by name or file")->required();
   app->add_flag("--suggest", command.suggest, "Print an order of the chain that satisfies every syntax, as a patch");

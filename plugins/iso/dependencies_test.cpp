@@ -155,3 +155,11 @@ TEST_CASE("machine axes: how the rotary ones turn, and travels of which one end 
   CHECK((s->travel(s->self, 'X', &low, &high) == 1 && low == -HUGE_VAL && high == 5));
   CHECK(s->travel(s->self, 'C', &low, &high) == 0);
 }
+
+TEST_CASE("machine axes: a row that names no axis is refused, not left out") {
+  for (const char* name : {"", "x", "W", "AB", "1"}) {
+    CAPTURE(name);
+    CHECK_THROWS_WITH(FakeDependency(*ig_plugin_v1(), "MachineAxes", {{name, {{"Home", 5}}}}),
+                      Catch::Contains("its name is X, Y, Z, A, B or C"));
+  }
+}

@@ -1,7 +1,9 @@
 // The machine's axes: which there are, where home and the reference positions lie, how far and how fast they travel,
 // how the rotary ones turn.
 #include <cmath>
+#include <stdexcept>
 
+#include <isogloss/rows.hpp>
 #include <isogloss/sdk.hpp>
 
 namespace iso {
@@ -30,6 +32,13 @@ struct MachineAxes {
                            {0, 2},
                            "How a rotary axis turns: 0 counts on, 1 the shortest way, 2 the sign is the direction."};
   ig::Table table;
+  ig::RowNames rows;
+
+  MachineAxes() {
+    for (const std::string& name : rows)
+      if (name.size() != 1 || std::string_view("XYZABC").find(name) == std::string_view::npos)
+        throw std::runtime_error("axis '" + name + "': its name is X, Y, Z, A, B or C");
+  }
 
   const void* service(std::string_view id) const { return id == "isogloss.machine-axis/1" ? &axes : nullptr; }
 

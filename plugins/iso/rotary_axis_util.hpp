@@ -136,6 +136,7 @@ class RotaryAxes {
  public:
   RotaryAxes() {
     for (std::size_t axis = 0; axis < 3; ++axis) ask(axis);
+    ask_kinematics();
   }
 
   bool has(std::size_t axis) const { return (mask_ >> axis & 1u) != 0; }
@@ -173,9 +174,19 @@ class RotaryAxes {
     is_there = is_there || is_limited || is_known;
     if (is_there) mask_ |= 1u << axis;
   }
+  /// An axis that turns the tool or the workpiece is there, whether or not it has limits and a rate.
+  void ask_kinematics() {
+    if (!kinematics_) return;
+    char names[2] = {};
+    const std::uint32_t n = kinematics_->axes(kinematics_->self, names);
+    for (std::uint32_t i = 0; i < n && i < 2; ++i)
+      if (const std::size_t axis = rotary_names.find(names[i]); axis < 3) mask_ |= 1u << axis;
+  }
 
   ig::Service<ig_machine_axis_1> service_{"isogloss.machine-axis/1", ig::Need::optional,
                                           "Which rotary axes there are, and how they turn."};
+  ig::Service<ig_machine_kinematics_1> kinematics_{"isogloss.machine-kinematics/1", ig::Need::optional,
+                                                   "Which rotary axes turn the tool or the workpiece."};
   std::uint32_t mask_ = 0;
   std::array<Rollover, 3> rollover_{Rollover::shortest, Rollover::shortest, Rollover::shortest};
   std::array<AngleRange, 3> travel_;

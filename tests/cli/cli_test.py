@@ -424,6 +424,16 @@ class Dialects(Command):
         done = self.run_it("lint", self.dialect('<Configure syntax="DwellSyntax" p-unit="hours"/>'), status=1)
         self.assertRegex(done.stderr, r"mine\.xml:1:\d+: error: .*p-unit.*\[IG-0205\]")
         self.assertEqual(self.run_it("lint", "nothing", status=1).stdout, "")
+        self.assertEqual(self.run_it("lint", "iso", "fanuc").stderr, "")
+
+    def test_lint_starts_the_chain(self):
+        """What a dependency refuses to take is no secret until the first run."""
+        dialect = self.path / "machine.xml"
+        dialect.write_text('<Dialect xmlns="urn:isogloss:dialect:1" name="machine" extends="iso"><Dependencies>'
+                           '<MachineAxes><Axis name="Q" Home="0"/></MachineAxes></Dependencies></Dialect>')
+        done = self.run_it("lint", dialect, status=1)
+        self.assertRegex(done.stderr, r"machine\.xml:1:\d+: error: MachineAxes could not be created: axis 'Q'.*IG-0308")
+        self.assertEqual(done.stdout, "")
 
     def test_suggest(self):
         wrong = self.dialect('<Remove syntax="McXyzSyntax"/>'
