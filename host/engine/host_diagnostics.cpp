@@ -104,7 +104,9 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "Add a dependency that provides the service; `isogloss list dependencies` says which do.",
        "<ToolHeightOffsetSyntax/> without <ToolOffsetTable/>"},
       {note, "IG-0212", "{0} writes {1}, which nothing reads",
-       "No syntax of the chain, no exporter and no standard section reads the field.", "Acme.Counter"},
+       "No syntax of the chain, no exporter and no standard section reads the field. A modal field may be read by its "
+       "writer alone, which then remembers it.",
+       "Acme.Counter"},
       {error, "IG-0213", "{0} has no option '{1}' without a default, and the dialect gives none",
        "This option has no default, so the dialect must give it.", "<AcmeSyntax/>"},
       {error, "IG-0214", "no field '{0}' in this chain",

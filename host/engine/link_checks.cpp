@@ -31,14 +31,15 @@ void check_order(const LinkedDialect& linked, std::vector<LinkFault>& faults) {
 struct Traffic {
   explicit Traffic(const LinkedDialect& linked)
       : written(linked.layout.fields.size()), read(linked.layout.fields.size()) {
-    std::vector<std::uint64_t> switches((written.size() + 63) / 64), writes(switches), reads(switches);
+    std::vector<std::uint64_t> own((written.size() + 63) / 64), writes(own), reads(own);
     for (ig_field f = 0; f < written.size(); ++f)
-      if (linked.layout.fields[f].type == IG_SWITCH) switches[f >> 6] |= std::uint64_t{1} << (f & 63);
+      if (linked.layout.fields[f].type == IG_SWITCH || linked.layout.fields[f].life == IG_LIFE_MODAL)
+        own[f >> 6] |= std::uint64_t{1} << (f & 63);
     for (const LinkedSyntax& s : linked.chain)
-      for (std::size_t i = 0; i < switches.size(); ++i) {
+      for (std::size_t i = 0; i < own.size(); ++i) {
         writes[i] |= s.may_write[i];
-        // What a syntax tells itself from block to block is a switch; other values are for others.
-        reads[i] |= (s.may_read[i] & (switches[i] | ~s.may_write[i])) | s.may_take[i];
+        // A switch, or what is carried to the next block, a syntax may tell itself; other values are for others.
+        reads[i] |= (s.may_read[i] & (own[i] | ~s.may_write[i])) | s.may_take[i];
       }
     for (ig_field f = 0; f < written.size(); ++f) {
       written[f] = (writes[f >> 6] >> (f & 63) & 1) != 0;
