@@ -148,24 +148,27 @@ class SummaryExporter : public Exporter {
       if (m.from.has(i) && m.machine.has(i)) s_.turned_deg[i - 3] += std::abs(m.machine.at[i] - m.from.at[i]);
   }
 
-  void add_rapid_time(const Move& m) {
+  /// The time of the slowest axis at its rapid: nothing goes faster. A feed neither, where a table must swing round
+  /// while the tip goes a short way.
+  double least_seconds(const Move& m) const {
     double longest = 0;
-    for (unsigned i = 0; i < 6; ++i) {
-      if (!m.from.has(i) || !m.machine.has(i)) continue;
-      const double distance = std::abs(m.machine.at[i] - m.from.at[i]);
-      if (distance == 0) continue;
-      if (rates_.per_second[i] > 0)
-        longest = std::max(longest, distance / rates_.per_second[i]);
-      else
+    for (unsigned i = 0; i < 6; ++i)
+      if (m.from.has(i) && m.machine.has(i) && rates_.per_second[i] > 0)
+        longest = std::max(longest, std::abs(m.machine.at[i] - m.from.at[i]) / rates_.per_second[i]);
+    return longest;
+  }
+
+  void add_rapid_time(const Move& m) {
+    for (unsigned i = 0; i < 6; ++i)
+      if (m.from.has(i) && m.machine.has(i) && m.machine.at[i] != m.from.at[i] && !(rates_.per_second[i] > 0))
         s_.rapid_time_known = false;
-    }
-    s_.rapid_seconds += longest;
+    s_.rapid_seconds += least_seconds(m);
   }
 
   void add_feed_time(const Move& m, double length) {
     if (length == 0) return;
     if (m.has_feed && m.feed_mmds > 0)
-      s_.feed_seconds += length / m.feed_mmds;
+      s_.feed_seconds += std::max(length / m.feed_mmds, least_seconds(m));
     else
       s_.feed_time_known = false;
   }

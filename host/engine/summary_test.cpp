@@ -41,7 +41,7 @@ TEST_CASE("counts, lengths and times of straight moves") {
                                   },
                                   [](TestDocument&) {},
                               },
-                              {{10, 20, 1, 0, 0, 0}});
+                              {{10, 20, 20, 0, 0, 0}});
   CHECK(s.blocks == 6);
   CHECK(s.events == 4);
   CHECK(s.rapids == 1);
@@ -105,6 +105,24 @@ TEST_CASE("under tip control a feed has the length and the time of the tip's way
   CHECK(s.feed_time_known);
   CHECK(s.minimum[0] == -500);
   CHECK(s.maximum[0] == 300);
+}
+
+TEST_CASE("a feed takes at least the time of its slowest axis") {
+  const Summary s = summarize({[](TestDocument& t) {
+                                 t.place(0, 0, 0);
+                                 t.number("MachineCoordinate.C", 0);
+                               },
+                               [](TestDocument& t) { t.line(true, 0, 0, 0); },
+                               [](TestDocument& t) {  // 1 mm of the tip, near the pole of table C
+                                 t.point("ProgramXyz", 1, 0, 0);
+                                 t.point("MachineCoordinate", 1, 0, 0);
+                                 t.number("MachineCoordinate.C", 180);
+                                 t.name("MotionEvent.Form", "ClLinear");
+                                 t.number("MotionEvent.Feedrate_mmds", 10);
+                               },
+                               [](TestDocument& t) { t.line(false, 21, 0, 0, 10); }},
+                              {{100, 100, 100, 0, 0, 90}});
+  CHECK(s.feed_seconds == Approx(2 + 2));
 }
 
 TEST_CASE("rotary axes: the slowest axis makes the time of a rapid, turns there and back add up") {
