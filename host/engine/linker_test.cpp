@@ -248,6 +248,17 @@ TEST_CASE("what is written and never read is noted") {
   CHECK(faults(hand, {&plugin}).empty());
 }
 
+TEST_CASE("what a syntax remembers from block to block may be for itself, what it writes for the block is not") {
+  Plugin plugin("p");
+  plugin.syntax("Remembers").fields = {field("Acme.State", IG_READ | IG_WRITE, IG_NUMBER, IG_LIFE_MODAL)};
+  plugin.syntax("Mutters").fields = {field("Acme.Word", IG_READ | IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK)};
+  Hand hand{"p"};
+  hand.add("Remembers");
+  CHECK(faults(hand, {&plugin}).empty());
+  hand.add("Mutters");
+  CHECK(faults(hand, {&plugin}) == Strings{"IG-0212 3"});
+}
+
 TEST_CASE("initial values and literal patterns name fields that exist, and are of their type") {
   Plugin plugin("p");
   Syntax& syntax = plugin.syntax("S");
