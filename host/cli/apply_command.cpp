@@ -11,7 +11,7 @@ namespace {
 struct ApplyCommand {
   CommonOptions common;
   SurroundingOptions around;
-  std::string syntax, previous, dependencies;
+  std::string syntax, previous, ahead, dependencies;
 
   int run() const;
 };
@@ -30,6 +30,10 @@ int ApplyCommand::run() const {
   if (!previous.empty()) {
     application.previous = read(previous);
     if (!application.previous) return cannot_start;
+  }
+  if (!ahead.empty()) {
+    application.ahead = read(ahead);
+    if (!application.ahead) return cannot_start;
   }
   if (!dependencies.empty()) {
     const std::optional<std::string> xml = read(dependencies);
@@ -57,6 +61,7 @@ int apply_command(const Arguments& arguments) {
   ApplyCommand command;
   app->add_option("SYNTAX", command.syntax, "Id of a syntax, or its alias in the dialect")->required();
   app->add_option("--previous", command.previous, "The whole block before, as JSON")->type_name("FILE");
+  app->add_option("--ahead", command.ahead, "The executed blocks that follow, as a JSON list")->type_name("FILE");
   app->add_option("--dependencies", command.dependencies, "Dependencies and options as XML, as a case has them")
       ->type_name("FILE");
   command.around.add_to(*app);

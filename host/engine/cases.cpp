@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 #include <stdexcept>
@@ -64,8 +65,8 @@ class PageReader {
   /// The member that a marker line fills; a marker that was filled already begins the next case.
   std::optional<Fence>* marker(std::string_view text) {
     static constexpr std::pair<std::string_view, std::optional<Fence> Case::*> markers[] = {
-        {"#Previous:", &Case::previous}, {"#Dependencies:", &Case::dependencies}, {"#BeforeBuild:", &Case::before},
-        {"#AfterBuild:", &Case::after},  {"#Diagnostics:", &Case::diagnostics},
+        {"#Previous:", &Case::previous},  {"#Ahead:", &Case::ahead},      {"#Dependencies:", &Case::dependencies},
+        {"#BeforeBuild:", &Case::before}, {"#AfterBuild:", &Case::after}, {"#Diagnostics:", &Case::diagnostics},
     };
     for (const auto& [name, member] : markers) {
       if (text != name) continue;
@@ -225,11 +226,15 @@ std::vector<std::string> syntax_ids(const Library& library) {
   return ids;
 }
 
-Json parse_json(const std::string& text, const Location& where, DiagnosticSink& sink) {
+bool is_list_of_objects(const Json& json) {
+  return json.is_array() && std::all_of(json.begin(), json.end(), [](const Json& one) { return one.is_object(); });
+}
+
+Json parse_json(const std::string& text, const Location& where, DiagnosticSink& sink, bool wants_list = false) {
   try {
     Json json = Json::parse(text);
-    if (json.is_object()) return json;
-    sink.add(host_diagnostic("IG-0502", where, {"it is no object"}));
+    if (wants_list ? is_list_of_objects(json) : json.is_object()) return json;
+    sink.add(host_diagnostic("IG-0502", where, {wants_list ? "it is no list of objects" : "it is no object"}));
   } catch (const Json::parse_error& e) {
     const std::size_t before = std::min(e.byte == 0 ? 0 : e.byte - 1, text.size());
     const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(before), '\n');
@@ -259,7 +264,7 @@ class Bench {
   Bench(const LinkedDialect& linked, std::uint32_t position, ChainSettings settings, DiagnosticSink& sink)
       : chain_(linked, std::move(settings), sink), position_(position), syntax_(*linked.chain[position].syntax) {}
 
-  Json run(Json before, const Json* previous) {
+  Json run(Json before, const Json* previous, const Json& ahead) {
     if (previous != nullptr) {
       chain_.begin_block({"previous", 1, 0, ""});
       load_json(*previous, chain_.document(), chain_.symbols());
@@ -273,6 +278,12 @@ class Bench {
     Document& document = chain_.document();
     const Json unknown = load_json(before, document, chain_.symbols());
     if (syntax_.scan != nullptr) chain_.scan_with(position_);
+    if (!ahead.empty()) return run_before(ahead, std::move(before), unknown);
+    return finish(document, before, unknown);
+  }
+
+ private:
+  Json finish(Document& document, const Json& before, const Json& unknown) {
     // Through run(), not build(): the checked chain then holds the result against the contract.
     if (syntax_.build != nullptr) chain_.wake(document, position_);
     chain_.run(document, position_, position_ + 1);
@@ -285,7 +296,21 @@ class Bench {
     return after.is_null() ? Json::object() : after;
   }
 
- private:
+  /// The chain goes on to the blocks ahead, as in a run; the build then sees copies of them.
+  Json run_before(const Json& ahead, const Json& before, const Json& unknown) {
+    const auto block = std::make_unique<Document>(chain_.document());
+    std::vector<std::unique_ptr<Document>> window;
+    for (const Json& next : ahead) {
+      chain_.begin_block({"ahead", static_cast<std::uint32_t>(window.size() + 3), 0, ""});
+      load_json(next, chain_.document(), chain_.symbols());
+      window.push_back(std::make_unique<Document>(chain_.document()));
+      chain_.window.push_back(window.back().get());
+    }
+    Json after = finish(*block, before, unknown);
+    chain_.window.clear();
+    return after;
+  }
+
   Chain chain_;
   std::uint32_t position_;
   const ig_syntax& syntax_;
@@ -310,7 +335,10 @@ std::optional<std::string> apply(const Application& application, const Surroundi
   const Json before = parse_json(application.before, application.where, sink);
   Json previous;
   if (application.previous) previous = parse_json(*application.previous, application.where, sink);
-  if (before.is_null() || (application.previous && previous.is_null())) return std::nullopt;
+  Json ahead;
+  if (application.ahead) ahead = parse_json(*application.ahead, application.where, sink, true);
+  if (before.is_null() || (application.previous && previous.is_null()) || (application.ahead && ahead.is_null()))
+    return std::nullopt;
 
   try {
     const CaseDependencies own = read_dependencies(application.dependencies, id, application.where);
@@ -323,7 +351,7 @@ std::optional<std::string> apply(const Application& application, const Surroundi
     settings.settings = surroundings.settings;
     for (const auto& [name, value] : own.settings) settings.settings[name] = value;
     Bench bench(*linked, linked->position(alias).value(), std::move(settings), sink);
-    return bench.run(before, application.previous ? &previous : nullptr).dump(2);
+    return bench.run(before, application.previous ? &previous : nullptr, ahead).dump(2);
   } catch (const std::exception& e) {
     sink.add(host_diagnostic("IG-0503", application.where, {e.what()}));
     return std::nullopt;
@@ -335,6 +363,7 @@ std::string run_case(const Page& page, const Case& one, const std::string& file,
   DiagnosticList said;
   Application application{page.syntax, one.before->text, {}, {}, {file, one.before->line, 0}};
   if (one.previous) application.previous = one.previous->text;
+  if (one.ahead) application.ahead = one.ahead->text;
   if (one.dependencies) application.dependencies = one.dependencies->text;
   const std::optional<std::string> after = apply(application, surroundings, library, said);
 

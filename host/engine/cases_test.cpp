@@ -12,6 +12,7 @@ TEST_CASE("A page is a title and its cases") {
   DiagnosticList said;
   const Page page = read_page(
       "# DwellSyntax\nProse.\n## One\n#Previous:\n```json\n{\"A\":1}\n```\n#Dependencies:\n```xml\n<T/>\n```\n"
+      "#Ahead:\n```json\n[{}]\n```\n"
       "#BeforeBuild:\n```json\n{}\n```\nMore prose.\n#AfterBuild:\n```json\n{\"B\":2}\n```\n"
       "## A heading without a case\n```\n#BeforeBuild:\n```\n## Two\n#BeforeBuild:\r\n```\r\n{}\r\n```\r\n"
       "#AfterBuild:\n```\n{}\n```\n#BeforeBuild:\n```\n{\"C\":3}\n```\n#AfterBuild:\n```\n{}\n```\n",
@@ -24,6 +25,8 @@ TEST_CASE("A page is a title and its cases") {
   CHECK(page.cases[0].previous->text == "{\"A\":1}\n");
   CHECK(page.cases[0].previous->line == 6);
   CHECK(page.cases[0].dependencies->text == "<T/>\n");
+  CHECK(page.cases[0].ahead->text == "[{}]\n");
+  CHECK_FALSE(page.cases[1].ahead.has_value());
   CHECK(page.cases[0].after->text == "{\"B\":2}\n");
   CHECK_FALSE(page.cases[1].previous.has_value());
   CHECK(page.cases[2].heading == "Two");

@@ -191,11 +191,11 @@ void Chain::create_syntaxes() {
       sink_.add(host_diagnostic("IG-0308", s.element.where, {s.element.alias, link.failure}));
       throw std::runtime_error(s.element.alias + " could not be created");
     }
-    steps_[i].build = link.is_idle ? nullptr : s.syntax->build;
+    (s.syntax->look_ahead == 0 ? steps_[i].build : steps_[i].build_ahead) = link.is_idle ? nullptr : s.syntax->build;
     if (link.is_idle && i >= linked_.first_build)
       document_.silence(static_cast<std::uint32_t>(i) - linked_.first_build);
     steps_[i].scan = s.syntax->scan;
-    if (steps_[i].build != nullptr && i >= linked_.inspection_begin) {
+    if (steps_[i].any_build() != nullptr && i >= linked_.inspection_begin) {
       const std::size_t bit = i - linked_.first_build;
       inspection_[bit / 64] |= std::uint64_t{1} << (bit % 64);
       if (s.syntax->inspects != 0) inspectors_[bit / 64] |= std::uint64_t{1} << (bit % 64);
@@ -208,7 +208,7 @@ void Chain::create_syntaxes() {
 
 void Chain::watch_modal_state() {
   for (const WakeWhile& w : linked_.wake_while)
-    if (steps_[w.position].build != nullptr) watched_.push_back(w);
+    if (steps_[w.position].any_build() != nullptr) watched_.push_back(w);
   std::stable_sort(watched_.begin(), watched_.end(),
                    [](const WakeWhile& a, const WakeWhile& b) { return a.field < b.field; });
   const std::vector<FieldInfo>& fields = linked_.layout.fields;
@@ -372,15 +372,16 @@ std::size_t Chain::scan_with(std::uint32_t position) {
 
 void Chain::call_watched(Document& d, std::uint32_t position) {
   const Step& step = steps_[position];
+  const ig_run_fn run_step = step.any_build();
   if (settings_.mode == Mode::traced) {
     if (trace) trace(position, true);
-    const ig_status status = step.build(step.self, host_, reinterpret_cast<ig_block*>(&d));
+    const ig_status status = run_step(step.self, host_, reinterpret_cast<ig_block*>(&d));
     if (status == IG_FAILED) tell_failure(d, position);
     if (trace) trace(position, false);
     return;
   }
   const Document before = d;
-  const ig_status status = step.build(step.self, host_, reinterpret_cast<ig_block*>(&d));
+  const ig_status status = run_step(step.self, host_, reinterpret_cast<ig_block*>(&d));
   if (status == IG_FAILED) tell_failure(d, position);
   std::string fault;
   if (status != IG_UNCHANGED && status != IG_CHANGED && status != IG_FAILED)
@@ -403,9 +404,28 @@ void Chain::tell_failure(const Document& d, std::uint32_t position) {
   failure_said_by = 0;
 }
 
+/// Of a syntax that looks ahead. False when it has to wait for the blocks ahead, and what comes after it with it.
+bool Chain::call_looking_ahead(Document& d, std::uint32_t position, std::uint32_t first) {
+  const Step& step = steps_[position];
+  if (step.build_ahead == nullptr) return true;
+  if (first < std::min(position, linked_.post_logic_begin)) {
+    waits_at = position;
+    d.current = 0;
+    return false;
+  }
+  d.current = static_cast<std::uint16_t>(position + 1);
+  ++builds;
+  if (settings_.mode != Mode::fast)
+    call_watched(d, position);
+  else if (step.build_ahead(step.self, host_, reinterpret_cast<ig_block*>(&d)) == IG_FAILED)
+    tell_failure(d, position);
+  return true;
+}
+
 void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
   const std::uint32_t origin = linked_.first_build;
   const bool is_watched = settings_.mode != Mode::fast;
+  const std::uint32_t begin = first;
   first = std::max(first, origin) - origin;
   last = std::max(last, origin) - origin;
   for (std::uint32_t base = first & ~63u; base < last; base += 64) {
@@ -418,13 +438,17 @@ void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
       const auto bit = static_cast<unsigned>(__builtin_ctzll(awake));
       reach &= ~std::uint64_t{0} << bit << 1;
       const Step& step = steps[bit];
-      if (step.build == nullptr) continue;
-      d.current = static_cast<std::uint16_t>(origin + base + bit + 1);
+      const std::uint32_t position = origin + base + bit;
+      if (step.build == nullptr) {
+        if (!call_looking_ahead(d, position, begin)) return;
+        continue;
+      }
+      d.current = static_cast<std::uint16_t>(position + 1);
       ++builds;
       if (is_watched) [[unlikely]]
-        call_watched(d, origin + base + bit);
+        call_watched(d, position);
       else if (step.build(step.self, host_, reinterpret_cast<ig_block*>(&d)) == IG_FAILED) [[unlikely]]
-        tell_failure(d, origin + base + bit);
+        tell_failure(d, position);
     }
   }
   d.current = 0;
@@ -434,7 +458,7 @@ void Chain::run(Document& d, std::uint32_t first, std::uint32_t last) {
   running = &d;
   const std::uint32_t inspection = std::clamp(linked_.inspection_begin, first, last);
   run_range(d, first, inspection);
-  if (inspection == last) return;
+  if (inspection == last || waits_at != 0) return;
   if (d.has_leftovers())
     for (std::size_t k = 0; k < std::size(inspectors_); ++k) d.active[k] |= inspectors_[k];
   std::uint64_t awake = 0;
@@ -444,10 +468,11 @@ void Chain::run(Document& d, std::uint32_t first, std::uint32_t last) {
 
 ig_status Chain::build(std::uint32_t position) {
   const Step& step = steps_[position];
-  if (step.build == nullptr) return IG_UNCHANGED;
+  const ig_run_fn run_step = step.any_build();
+  if (run_step == nullptr) return IG_UNCHANGED;
   running = &document_;
   document_.current = static_cast<std::uint16_t>(position + 1);
-  const ig_status status = step.build(step.self, host_, reinterpret_cast<ig_block*>(&document_));
+  const ig_status status = run_step(step.self, host_, reinterpret_cast<ig_block*>(&document_));
   if (status == IG_FAILED) tell_failure(document_, position);
   document_.current = 0;
   return status;

@@ -201,8 +201,8 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "--machine FILE with <MachineKinematic>"},
       // cases, apply, command line: 0500-0599
       {error, "IG-0501", "malformed page: {0}",
-       "A case of a page is a heading, prose, and fences after the lines #Previous:, #Dependencies:, #BeforeBuild: and "
-       "#AfterBuild:; the last two must be there.",
+       "A case of a page is a heading, prose, and fences after the lines #Previous:, #Ahead:, #Dependencies:, "
+       "#BeforeBuild: and #AfterBuild:; the last two must be there.",
        "#BeforeBuild: without a fence"},
       {error, "IG-0502", "no JSON object: {0}", "A block document is one JSON object.", R"({"Parsing": {"X": 1,}})"},
       {error, "IG-0503", "the syntax could not run: {0}",

@@ -1,8 +1,10 @@
 #include "isogloss/engine/runner.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "cursor.hpp"
+#include "look_ahead_window.hpp"
 
 namespace isogloss {
 
@@ -26,9 +28,11 @@ class Run {
         exporters_(exporters),
         sink_(sink),
         name_(name),
-        chain_(linked, options.chain, sink),
+        chain_(linked, options.chain, sink_),
         cursor_(source, options.maximum_line_bytes),
-        length_(static_cast<std::uint32_t>(linked.chain.size())) {}
+        length_(static_cast<std::uint32_t>(linked.chain.size())),
+        stop_(linked.layout.id("ProgramStop.Term")),
+        window_(linked) {}
 
   RunResult run() {
     if (options_.prepare) options_.prepare(chain_);
@@ -37,8 +41,8 @@ class Run {
     if (!options_.program.empty() && !seek_program()) return finish();
     Line line;
     while (!over_ && next_line(line)) run_line(line);
-    if (program_ended_) say_what_follows();
     flush_window();
+    if (program_ended_) say_what_follows();
     return finish();
   }
 
@@ -96,27 +100,14 @@ class Run {
       run_block();
       offset += std::max<std::size_t>(end, 1);
     } while (!over_ && offset < line.text.size());
-    if (options_.stop_after_line != 0 && line.number >= options_.stop_after_line) over_ = true;
+    if (options_.stop_after_line != 0 && line.number >= options_.stop_after_line && window_.is_empty()) over_ = true;
   }
 
   void run_block() {
     ++result_.blocks;
     Document& d = chain_.document();
-    if (linked_.look_ahead == 0) {
-      chain_.run(d, 0, length_);
-      export_block(d);
-    } else {
-      chain_.run(d, 0, linked_.post_logic_begin);
-      keep_in_window(d);
-    }
-    if (chain_.alarmed) {
-      if (options_.stop_on_error) {
-        result_.stopped_by_alarm = over_ = true;
-      } else {
-        const Diagnostic text = host_diagnostic("IG-0408", {}, {});
-        chain_.report(d, text.severity, text.code, text.message, 0, 0);
-      }
-    }
+    const bool waits = execute(d);
+    if (chain_.alarmed) answer_alarm(d);
     if (chain_.ends_program || chain_.ends_file) {
       over_ = true;
       program_ended_ = chain_.ends_program && !chain_.ends_file;
@@ -126,6 +117,7 @@ class Run {
       chain_.report(d, Severity::error, "IG-0407",
                     host_diagnostic("IG-0407", {}, {std::to_string(result_.blocks)}).message, 0, 0);
     }
+    if (waits) keep_in_window(d);
     if (options_.progress && result_.blocks % progress_interval == 0)
       options_.progress(result_.blocks, cursor_.bytes());
   }
@@ -138,29 +130,58 @@ class Run {
       }
   }
 
-  // The window: executed blocks wait until look_ahead more are executed; post-logic, inspection and export follow.
+  /// To its end; or to where it has to wait for the blocks after it, which is true.
+  bool execute(Document& d) {
+    if (!window_.is_empty()) {
+      chain_.run(d, 0, linked_.post_logic_begin);
+      return true;
+    }
+    chain_.run(d, 0, length_);
+    if (chain_.waits_at != 0) return true;
+    export_block(d);
+    return false;
+  }
+
+  void answer_alarm(const Document& d) {
+    if (options_.stop_on_error) {
+      result_.stopped_by_alarm = over_ = true;
+      return;
+    }
+    const Diagnostic text = host_diagnostic("IG-0408", {}, {});
+    chain_.report(d, text.severity, text.code, text.message, 0, 0);
+  }
+
+  // Executed blocks wait until the ones are there that they want to see; post-logic, inspection and export follow.
   void keep_in_window(const Document& d) {
-    if (window_.size() == waiting_)
-      window_.push_back(std::make_unique<Document>(d));
-    else
-      *window_[waiting_] = d;
-    window_[waiting_]->own_source();
-    ++waiting_;
-    if (waiting_ > linked_.look_ahead) finish_oldest();
+    window_.add(d, window_.is_empty() ? chain_.waits_at : linked_.post_logic_begin, sink_.take());
+    sink_.hold();
+    const bool stops = d.fresh(stop_);
+    while (!window_.is_empty() && (stops || window_.is_complete())) finish_oldest();
   }
 
   void finish_oldest() {
+    LookAheadWindow::Entry& oldest = window_.oldest();
+    const std::vector<Diagnostic> later = sink_.take();
+    sink_.pass_on();
+    for (const Diagnostic& d : oldest.said) sink_.add(d);
+    window_.show(chain_.window);
+    const bool newest_alarmed = std::exchange(chain_.alarmed, false);
+    chain_.waits_at = 0;
+    chain_.run(oldest.document, oldest.resume_at, length_);
+    export_block(oldest.document);
+    const bool alarmed = std::exchange(chain_.alarmed, newest_alarmed);
+    if (alarmed) answer_alarm(oldest.document);
     chain_.window.clear();
-    for (std::size_t i = 1; i < waiting_; ++i) chain_.window.push_back(window_[i].get());
-    Document& oldest = *window_[0];
-    chain_.run(oldest, linked_.post_logic_begin, length_);
-    export_block(oldest);
-    std::rotate(window_.begin(), window_.begin() + 1, window_.begin() + static_cast<std::ptrdiff_t>(waiting_));
-    --waiting_;
+    window_.drop_oldest();
+    if (alarmed && options_.stop_on_error) window_.clear();  // what the control has read ahead it does not execute
+    if (window_.is_empty()) return;
+    sink_.hold();
+    for (const Diagnostic& d : later) sink_.add(d);
   }
 
   void flush_window() {
-    while (waiting_ > 0 && !result_.output_closed) finish_oldest();
+    while (!window_.is_empty() && !result_.output_closed) finish_oldest();
+    sink_.pass_on();
   }
 
   /// Text behind the end of the program is not run; that is said once.
@@ -184,15 +205,15 @@ class Run {
   const LinkedDialect& linked_;
   const RunOptions& options_;
   const std::vector<Exporter*>& exporters_;
-  DiagnosticSink& sink_;
+  OrderedDiagnostics sink_;
   std::string name_;
   Chain chain_;
   Cursor cursor_;
   std::uint32_t length_;
   RunResult result_;
   std::optional<Line> pending_;
-  std::vector<std::unique_ptr<Document>> window_;
-  std::size_t waiting_ = 0;
+  ig_field stop_;
+  LookAheadWindow window_;
   bool over_ = false, program_ended_ = false, said_wide_ = false;
 };
 

@@ -26,6 +26,10 @@ std::size_t scan(void* self, const ig_host* host, ig_block* block, const char* t
     host->flow(block, IG_FLOW_SPLIT, position + 1);
     return position + 1;
   }
+  if (text[position] == '!') {
+    host->report(block, 0, IG_NO_FIELD, 0, 0, nullptr, 0);
+    return position + 1;
+  }
   if (position + 1 >= size) return position;
   host->set(block, static_cast<Ids*>(self)->first, {.number = static_cast<double>(text[position + 1] - '0')});
   return position + 2;
@@ -40,6 +44,12 @@ ig_status add_next(void* self, const ig_host* host, ig_block* block) {
     if (next != nullptr && host->get(next, ids.first, &x) != 0) sum += x.number;
   }
   host->set(block, ids.second, {.number = sum});
+  ig_value own;
+  host->get(block, ids.first, &own);
+  if (own.number == 7) {
+    host->report(block, 1, IG_NO_FIELD, 0, 0, nullptr, 0);
+    host->flow(block, IG_FLOW_ALARM, 0);
+  }
   return IG_CHANGED;
 }
 
@@ -48,7 +58,7 @@ struct Fixture {
     auto& reader = plugin.syntax("Reader");
     reader.fields = {test::field("Test.X", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK),
                      test::field("Test.Unused", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK)};
-    reader.out.triggers = "X;";
+    reader.out.triggers = "X;!";
     reader.out.scan = scan;
     reader.out.build = nullptr;
     auto& sum = plugin.syntax("Sum");
@@ -60,6 +70,8 @@ struct Fixture {
       s->out.create = create;
       s->out.destroy = destroy;
     }
+    plugin.diagnostics = {{sizeof(ig_diagnostic_decl), IG_NOTE, "T-0001", "read", "", ""},
+                          {sizeof(ig_diagnostic_decl), IG_ERROR, "T-0002", "seven", "", ""}};
     library.add(plugin.get());
     Dialect dialect;
     dialect.name = "test";
@@ -76,10 +88,11 @@ struct Fixture {
   std::unique_ptr<LinkedDialect> linked;
 };
 
-/// Line, X and sum of each block, as text: "1:1+5".
+/// Line, X and sum of each block, as text: "1:1+5"; in brackets when it did not pass through the window.
 class Collector : public Exporter {
  public:
   void begin(Document& d, const SymbolTable&) override {
+    chain_document_ = &d;
     x_ = d.layout().id("Test.X");
     sum_ = d.layout().id("Test.Sum");
   }
@@ -87,7 +100,7 @@ class Collector : public Exporter {
     std::string text = std::to_string(d.source.line) + ":";
     if (d.present(x_)) text += std::to_string(static_cast<int>(d.number(x_)));
     if (d.present(sum_)) text += "+" + std::to_string(static_cast<int>(d.number(sum_)));
-    blocks.push_back(text);
+    blocks.push_back(&d == chain_document_ ? "(" + text + ")" : text);
     texts.emplace_back(d.source.text);
     return true;
   }
@@ -96,6 +109,7 @@ class Collector : public Exporter {
 
  private:
   ig_field x_ = IG_NO_FIELD, sum_ = IG_NO_FIELD;
+  const Document* chain_document_ = nullptr;
 };
 
 using Strings = std::vector<std::string>;
@@ -109,6 +123,53 @@ TEST_CASE("the window holds executed blocks, and is flushed at the end") {
   run(*f.linked, *source, "t", {}, {&out}, f.diagnostics);
   CHECK(out.blocks == Strings{"1:1+5", "2:2+3", "4:3+4", "5:", "6:4+0"});
   CHECK(out.texts == Strings{"X1", "X2", "X3", "(", "X4"});
+}
+
+Strings said(const DiagnosticList& list) {
+  Strings out;
+  for (const Diagnostic& d : list.all) out.push_back(std::to_string(d.where.line) + " " + d.code);
+  return out;
+}
+
+TEST_CASE("only blocks that a syntax wants to look ahead from wait, and those that come up behind them") {
+  Fixture f;
+  Collector out;
+  const auto source = memory_source("(\n(\nX1\n(\nX2\n(\n(\n(\nX3\n(");
+  run(*f.linked, *source, "t", {}, {&out}, f.diagnostics);
+  CHECK(out.blocks == Strings{"(1:)", "(2:)", "3:1+2", "4:", "5:2+0", "6:", "7:", "(8:)", "9:3+0", "10:"});
+}
+
+TEST_CASE("diagnostics keep the order of the blocks, whatever stage says them") {
+  Fixture f;
+  Collector out;
+  const auto source = memory_source("!\nX7!\nX2!\n!\n!\n!");
+  run(*f.linked, *source, "t", {}, {&out}, f.diagnostics);
+  CHECK(said(f.diagnostics) ==
+        Strings{"1 T-0001", "2 T-0001", "2 T-0002", "2 IG-0408", "3 T-0001", "4 T-0001", "5 T-0001", "6 T-0001"});
+}
+
+TEST_CASE("an alarm behind the window stops the run there: what was read ahead is not executed") {
+  Fixture f;
+  Collector out;
+  RunOptions options;
+  options.stop_on_error = true;
+  const auto source = memory_source("X1\nX7\nX2!\nX3\nX4\nX5");
+  const RunResult result = run(*f.linked, *source, "t", options, {&out}, f.diagnostics);
+  CHECK(result.stopped_by_alarm);
+  CHECK(out.blocks == Strings{"1:1+9", "2:7+5"});
+  CHECK(said(f.diagnostics) == Strings{"2 T-0002"});
+}
+
+TEST_CASE("a limit of lines waits until the block of that line has seen what is ahead") {
+  Fixture f;
+  Collector out;
+  RunOptions options;
+  options.stop_after_line = 1;
+  const auto source = memory_source("X1\nX2\nX3\n(\n(\n(\n(\nX4");
+  run(*f.linked, *source, "t", options, {&out}, f.diagnostics);
+  REQUIRE(!out.blocks.empty());
+  CHECK(out.blocks.front() == "1:1+5");
+  CHECK(out.blocks.size() < 7);
 }
 
 TEST_CASE("a scanner may split a line into blocks; columns go on") {

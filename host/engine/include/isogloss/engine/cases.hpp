@@ -23,6 +23,7 @@ struct Case {
   std::string heading;
   std::uint32_t line = 0;
   std::optional<Fence> previous;       ///< JSON: the whole block before
+  std::optional<Fence> ahead;          ///< JSON: executed blocks after it, a list
   std::optional<Fence> dependencies;   ///< XML: dependencies, the syntax's own element with options, <Settings …/>
   std::optional<Fence> diagnostics;    ///< codes that the build must report, no others
   std::optional<Fence> before, after;  ///< JSON; both are there in a case that was read without a fault
@@ -52,6 +53,8 @@ struct Application {
   std::optional<std::string> previous;
   std::string dependencies;  ///< XML, may be empty
   Location where;            ///< of `before`
+  /// JSON, a list: what is written in each of the executed blocks that follow.
+  std::optional<std::string> ahead = std::nullopt;
 };
 
 /// Runs one build; the document after it as JSON (architecture: what is shown), two blanks of indentation. Empty, and

@@ -89,6 +89,9 @@ class Chain {
 
   // What syntaxes asked for in this block.
   bool ends_program = false, ends_file = false, alarmed = false, skip_rest = false;
+  /// Chain position of a syntax that looks ahead and that run() came to before the stage of such syntaxes began: the
+  /// block has to wait for those after it. 0: none; whoever keeps the window resets it.
+  std::uint32_t waits_at = 0;
   std::uint16_t failure_said_by = 0;  ///< chain position + 1; a syntax that fails without a word is reported for it
   std::size_t split_at = 0;
   std::uint64_t builds = 0;  ///< builds called so far
@@ -124,6 +127,7 @@ class Chain {
   void overlay(const DependencyElement& element);
   void assign(const std::string& path, const std::string& value);
   void call_watched(Document& document, std::uint32_t position);  // checked and traced modes
+  bool call_looking_ahead(Document& document, std::uint32_t position, std::uint32_t first);
   void run_range(Document& document, std::uint32_t first, std::uint32_t last);
   void leave_byte(Document& document, std::size_t position);
   void tell_failure(const Document& document, std::uint32_t position);
@@ -136,9 +140,11 @@ class Chain {
   Document document_;
   const ig_host* host_;
   struct Step {
-    ig_run_fn build = nullptr;
+    ig_run_fn build = nullptr;  // of a syntax that looks ahead this is null ...
     ig_scan_fn scan = nullptr;
     void* self = nullptr;
+    ig_run_fn build_ahead = nullptr;  // ... and its build() stands here
+    ig_run_fn any_build() const { return build != nullptr ? build : build_ahead; }
   };
   std::vector<WakeWhile> watched_;  // by field
   std::vector<Watch> watches_;

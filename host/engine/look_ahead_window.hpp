@@ -1,0 +1,96 @@
+/// Executed blocks that wait because a syntax of the post-logic stage wants to see what follows. A block comes in when
+/// such a syntax is awake in it, or when there are blocks before it that still wait; where nothing looks ahead no block
+/// is ever copied.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "isogloss/engine/chain.hpp"
+
+namespace isogloss {
+
+/// Diagnostics of blocks that wait are held until their turn, so that they come out in the order of the blocks.
+class OrderedDiagnostics : public DiagnosticSink {
+ public:
+  explicit OrderedDiagnostics(DiagnosticSink& sink) : sink_(sink) {}
+  void add(Diagnostic d) override {
+    if (is_holding_)
+      held_.push_back(std::move(d));
+    else
+      sink_.add(std::move(d));
+  }
+  void hold() { is_holding_ = true; }
+  void pass_on() {
+    is_holding_ = false;
+    for (Diagnostic& d : take()) sink_.add(std::move(d));
+  }
+  std::vector<Diagnostic> take() { return std::exchange(held_, {}); }
+
+ private:
+  DiagnosticSink& sink_;
+  std::vector<Diagnostic> held_;
+  bool is_holding_ = false;
+};
+
+class LookAheadWindow {
+ public:
+  struct Entry {
+    explicit Entry(const Document& d) : document(d) {}
+    Document document;
+    std::uint32_t resume_at = 0;   ///< chain position
+    std::vector<Diagnostic> said;  ///< while it was executed
+  };
+
+  explicit LookAheadWindow(const LinkedDialect& linked) : linked_(linked) {
+    for (std::size_t i = linked.first_build; i < linked.chain.size(); ++i)
+      if (const std::size_t bit = i - linked.first_build; linked.chain[i].syntax->look_ahead != 0)
+        looking_[bit / 64] |= std::uint64_t{1} << (bit % 64);
+  }
+
+  bool is_empty() const { return waiting_ == 0; }
+
+  void add(const Document& d, std::uint32_t resume_at, std::vector<Diagnostic> said) {
+    if (entries_.size() == waiting_)
+      entries_.push_back(std::make_unique<Entry>(d));
+    else
+      entries_[waiting_]->document = d;
+    Entry& e = *entries_[waiting_++];
+    e.document.own_source();
+    e.resume_at = resume_at;
+    e.said = std::move(said);
+  }
+
+  /// Is all there that the oldest may want to see?
+  bool is_complete() const {
+    return waiting_ > linked_.look_ahead || (waiting_ > 0 && !looks_ahead(oldest().document));
+  }
+  Entry& oldest() { return *entries_.front(); }
+  const Entry& oldest() const { return *entries_.front(); }
+  /// The blocks after the oldest.
+  void show(std::vector<Document*>& to) {
+    to.clear();
+    for (std::size_t i = 1; i < waiting_; ++i) to.push_back(&entries_[i]->document);
+  }
+  void drop_oldest() {
+    std::rotate(entries_.begin(), entries_.begin() + 1, entries_.begin() + static_cast<std::ptrdiff_t>(waiting_));
+    --waiting_;
+  }
+  void clear() { waiting_ = 0; }
+
+ private:
+  bool looks_ahead(const Document& d) const {
+    for (std::size_t k = 0; k < std::size(looking_); ++k)
+      if ((d.active[k] & looking_[k]) != 0) return true;
+    return false;
+  }
+
+  const LinkedDialect& linked_;
+  std::vector<std::unique_ptr<Entry>> entries_;  // the first `waiting_` are in use, oldest first
+  std::size_t waiting_ = 0;
+  std::uint64_t looking_[4] = {};  // as Document::active: the syntaxes that look ahead
+};
+
+}  // namespace isogloss
