@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 #define IG_ABI_MAJOR 1u
-#define IG_ABI_MINOR 0u
+#define IG_ABI_MINOR 1u
 
 #if defined(_WIN32)
 #define IG_EXPORT __declspec(dllexport)
@@ -67,9 +67,10 @@ enum {
   IG_SWITCH = 8     /* presence only, never shown: wakes other syntaxes */
 };
 
-/* How long a value lives. Fields of the standard sections and of Parsing have their life from the host: pass 0. */
+/* How long a value lives; IG_LIFE_FRAME: as modal, but a called program begins without it and its caller has it again.
+ * Fields of the standard sections and of Parsing have their life from the host: pass 0. */
 typedef uint32_t ig_life;
-enum { IG_LIFE_STANDARD = 0, IG_LIFE_WORD = 1, IG_LIFE_BLOCK = 2, IG_LIFE_MODAL = 3 };
+enum { IG_LIFE_STANDARD = 0, IG_LIFE_WORD = 1, IG_LIFE_BLOCK = 2, IG_LIFE_MODAL = 3, IG_LIFE_FRAME = 4 };
 
 typedef int32_t ig_status;
 enum { IG_UNCHANGED = 0, IG_CHANGED = 1, IG_FAILED = -1 };

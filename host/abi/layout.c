@@ -3,6 +3,7 @@
  * Plugins that are in the field were built with these numbers: a line here is never changed. A member that is added at
  * the end of a struct gets a new line at its end; the structs without struct_size cannot grow. */
 #include "isogloss.h"
+#include "isogloss_flow.h"
 
 #define AT(type, member, offset) _Static_assert(offsetof(type, member) == (offset), #type "." #member " has moved")
 #define FROZEN(type, size) _Static_assert(sizeof(type) == (size), #type " cannot change its size")
@@ -220,6 +221,45 @@ AT(ig_config_1, reserved, 4);
 AT(ig_config_1, self, 8);
 AT(ig_config_1, number, 16);
 
+FROZEN(ig_place, 24);
+AT(ig_place, frame, 0);
+AT(ig_place, offset, 8);
+AT(ig_place, line, 16);
+AT(ig_place, column, 20);
+
+GROWS_FROM(ig_frame, 72);
+AT(ig_frame, depth, 4);
+AT(ig_frame, id, 8);
+AT(ig_frame, tag, 16);
+AT(ig_frame, pass, 24);
+AT(ig_frame, passes, 28);
+AT(ig_frame, program, 32);
+AT(ig_frame, file, 48);
+AT(ig_frame, call_line, 64);
+AT(ig_frame, reserved, 68);
+
+GROWS_FROM(ig_go, 120);
+AT(ig_go, kind, 4);
+AT(ig_go, label, 8);
+AT(ig_go, start, 24);
+AT(ig_go, files, 40);
+AT(ig_go, file_count, 48);
+AT(ig_go, scope, 52);
+AT(ig_go, repeats, 56);
+AT(ig_go, search, 60);
+AT(ig_go, flags, 64);
+AT(ig_go, reserved, 68);
+AT(ig_go, tag, 72);
+AT(ig_go, place, 80);
+AT(ig_go, reason, 104);
+
+GROWS_FROM(ig_flow_1, 40);
+AT(ig_flow_1, is_indexing, 4);
+AT(ig_flow_1, label, 8);
+AT(ig_flow_1, go, 16);
+AT(ig_flow_1, frame, 24);
+AT(ig_flow_1, here, 32);
+
 CONSTANT(IG_NO_FIELD, 0xffffffff);
 CONSTANT(IG_ABI_MAJOR, 1);
 CONSTANT(IG_NUMBER, 1);
@@ -234,6 +274,7 @@ CONSTANT(IG_LIFE_STANDARD, 0);
 CONSTANT(IG_LIFE_WORD, 1);
 CONSTANT(IG_LIFE_BLOCK, 2);
 CONSTANT(IG_LIFE_MODAL, 3);
+CONSTANT(IG_LIFE_FRAME, 4);
 CONSTANT(IG_UNCHANGED, 0);
 CONSTANT(IG_CHANGED, 1);
 CONSTANT(IG_FAILED, -1);
@@ -268,6 +309,27 @@ CONSTANT(IG_FLOW_SKIP_REST, 4);
 CONSTANT(IG_FLOW_ALARM, 5);
 CONSTANT(IG_TO_MACHINE, 1);
 CONSTANT(IG_TO_PROGRAM, 2);
+CONSTANT(IG_LABEL_PLACE, 0);
+CONSTANT(IG_LABEL_PROGRAM, 1);
+CONSTANT(IG_GO_CALL, 1);
+CONSTANT(IG_GO_RETURN, 2);
+CONSTANT(IG_GO_LABEL, 3);
+CONSTANT(IG_GO_PLACE, 4);
+CONSTANT(IG_GO_START, 5);
+CONSTANT(IG_IN_FILES, 1);
+CONSTANT(IG_IN_FOLDERS, 2);
+CONSTANT(IG_IN_PROGRAM, 4);
+CONSTANT(IG_SEARCH_AROUND, 0);
+CONSTANT(IG_SEARCH_FORWARD, 1);
+CONSTANT(IG_SEARCH_BACKWARD, 2);
+CONSTANT(IG_SEARCH_TOP, 3);
+CONSTANT(IG_GO_BEHIND, 1);
+CONSTANT(IG_GO_DROP_REPEATS, 2);
+CONSTANT(IG_GO_DONE, 1);
+CONSTANT(IG_GO_NOT_FOUND, 0);
+CONSTANT(IG_GO_REFUSED, -1);
+CONSTANT(IG_GO_TAKEN, -2);
+CONSTANT(IG_CURRENT_FRAME, 0xffffffff);
 
 #else
 #error "no layout is written down for this machine"

@@ -1,5 +1,6 @@
 /* Reaches every type of the contract, so that one library describes all of it to abidw. */
 #include "isogloss.h"
+#include "isogloss_flow.h"
 
 typedef struct ig_contract {
   const ig_plugin* plugin;
@@ -13,3 +14,8 @@ typedef struct ig_contract {
 
 IG_EXPORT void ig_probe(const ig_contract* contract);
 void ig_probe(const ig_contract* contract) { (void)contract; }
+
+IG_EXPORT void ig_probe_flow(const ig_flow_1* flow, const ig_go* go, const ig_frame* frame, const ig_place* place);
+void ig_probe_flow(const ig_flow_1* flow, const ig_go* go, const ig_frame* frame, const ig_place* place) {
+  (void)flow, (void)go, (void)frame, (void)place;
+}

@@ -33,6 +33,7 @@ std::string_view life_name(ig_life life) {
     case IG_LIFE_WORD: return "word";
     case IG_LIFE_MODAL: return "modal";
     case IG_LIFE_BLOCK: return "block";
+    case IG_LIFE_FRAME: return "frame";
     default: return "";
   }
 }

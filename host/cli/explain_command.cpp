@@ -20,11 +20,12 @@ struct ExplainCommand {
   CommonOptions common;
   ProgramOptions program;
   std::string what;
+  ExplainTarget target;
   bool json = false;
 
   int run();
   int explain_code(Session& session) const;
-  int explain_line(Session& session, const std::string& path, std::uint32_t line);
+  int explain_line(Session& session, const std::string& path);
 };
 
 struct CodeInfo {
@@ -85,8 +86,21 @@ std::string wrapped(const std::vector<SleepingSyntax>& list) {
   return out + line + "\n";
 }
 
+/// The calls that led to the block, and which pass over its line this is: nothing of a plain program's first pass.
+std::string where_the_run_is(const ExplainedBlock& b) {
+  std::string out;
+  for (std::size_t i = 1; i < b.frames.size(); ++i) {
+    const ExplainedFrame& f = b.frames[i];
+    out += fmt::format("  called {} by {}:{}", f.program, b.frames[i - 1].file, f.call_line);
+    out += f.passes > 1 ? fmt::format(", pass {} of {}\n", f.pass, f.passes) : "\n";
+  }
+  if (b.frames.size() > 1 || b.pass > 1) out += fmt::format("  pass {} over this line (--pass N: another)\n", b.pass);
+  return out;
+}
+
 std::string text_of(const ExplainedBlock& b) {
   std::string out = fmt::format("{}:{}: {}\n", b.where.file, b.where.line, b.text);
+  out += where_the_run_is(b);
   std::size_t width = 0;
   for (const ExplainedValue& v : b.carried) width = std::max(width, v.path.size() + v.value.size() + 3);
   if (!b.carried.empty()) out += "\nCarried into the block:\n";
@@ -136,8 +150,17 @@ Json json_of(const ExplainedBlock& b) {
   }
   Json slept = Json::array();
   for (const SleepingSyntax& s : b.slept) slept.push_back({{"Syntax", s.syntax}, {"WakesOn", s.wakes_on}});
+  Json frames = Json::array();
+  for (const ExplainedFrame& f : b.frames) {
+    Json one{{"File", f.file}};
+    if (!f.program.empty()) one.update({{"Program", f.program}, {"CallLine", f.call_line}});
+    if (f.passes > 1) one.update({{"Pass", f.pass}, {"Passes", f.passes}});
+    frames.push_back(std::move(one));
+  }
   return {{"File", b.where.file},
           {"Line", b.where.line},
+          {"Pass", b.pass},
+          {"Frames", std::move(frames)},
           {"Text", b.text},
           {"Carried", json_of(b.carried)},
           {"Steps", std::move(steps)},
@@ -146,10 +169,11 @@ Json json_of(const ExplainedBlock& b) {
           {"Document", Json::parse(b.document)}};
 }
 
-int ExplainCommand::explain_line(Session& session, const std::string& path, std::uint32_t line) {
-  const std::optional<RunOptions> options = program.make(session);
+int ExplainCommand::explain_line(Session& session, const std::string& path) {
+  std::optional<RunOptions> options = program.make(session);
   const std::unique_ptr<OpenedProgram> source = OpenedProgram::open(path, session);
   if (!options || source == nullptr) return cannot_start;
+  add_folder_of(path, *options);
   std::optional<std::string> dialect = program.dialect;
   if (dialect->empty()) dialect = guess_dialect(path, source->head(), session);
   const std::unique_ptr<LinkedDialect> linked = dialect ? session.link(*dialect, options->chain.dependencies) : nullptr;
@@ -158,11 +182,13 @@ int ExplainCommand::explain_line(Session& session, const std::string& path, std:
 
   // What other lines have to say is not what was asked.
   DiagnosticList said;
-  const std::vector<ExplainedBlock> blocks = explain(*linked, *source, path, line, *options, said);
+  std::uint64_t passes = 0;
+  const std::vector<ExplainedBlock> blocks = explain(*linked, *source, path, target, *options, said, &passes);
   for (Diagnostic& d : said.all)
-    if (d.where.line == line || d.where.line == 0) session.diagnostics().add(std::move(d));
+    if (d.where.line == target.line || d.where.line == 0) session.diagnostics().add(std::move(d));
   if (blocks.empty()) {
-    session.say("IG-0515", {path, line, 0}, {std::to_string(line)});
+    session.say("IG-0515", {target.file.empty() ? path : target.file, target.line, 0}, {std::to_string(target.line)},
+                passes == 0 ? "" : "the run comes to this line " + std::to_string(passes) + " times");
     return input_errors;
   }
   std::string out;
@@ -188,7 +214,8 @@ int ExplainCommand::run() {
     session.say("IG-0513", {}, {"explain wants PROGRAM:LINE or the code of a diagnostic, not '" + what + "'"});
     return cannot_start;
   }
-  return explain_line(session, what.substr(0, colon), static_cast<std::uint32_t>(std::stoul(number)));
+  target.line = static_cast<std::uint32_t>(std::stoul(number));
+  return explain_line(session, what.substr(0, colon));
 }
 
 }  // namespace
@@ -201,6 +228,12 @@ int explain_command(const Arguments& arguments) {
                "isogloss explain part.nc:42 -d fanuc\n  isogloss explain IG-0206");
   ExplainCommand command;
   app->add_option("PROGRAM:LINE", command.what, "A line of a program, or the code of a diagnostic")->required();
+  app->add_option("--in", command.target.file, "LINE is one of this file, a called program's (default: PROGRAM's own)")
+      ->type_name("FILE");
+  app->add_option("--pass", command.target.pass, "Which pass, of a line that is run several times")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N")
+      ->capture_default_str();
   app->add_flag("--json", command.json, "Write JSON");
   command.program.add_to(*app);
   command.common.add_to(*app);

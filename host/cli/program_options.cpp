@@ -93,11 +93,30 @@ void ProgramOptions::add_to(CLI::App& app) {
       ->type_name("LAYERS");
   app.add_flag("--optional-stop", optional_stop, "The optional stop is on");
   app.add_option("--program", program, "Start at this program of the file (default: the first)")->type_name("NAME");
+  app.add_option("--subprograms", subprograms,
+                 "Where called programs are looked for after the program's own file and folder: a folder, or a file of "
+                 "several programs (repeatable)")
+      ->type_name("PLACE")
+      ->allow_extra_args(false);
   app.add_option("--on-error", on_error, "What an alarm of the control does")
       ->check(CLI::IsMember({"stop", "continue"}))
       ->type_name("stop|continue")
       ->capture_default_str();
   app.add_option("--max-blocks", maximum_blocks, "Stop after so many blocks (0: never)")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--main-passes", main_passes,
+                 "How often the main program runs where it starts itself over at its end; 0: until a limit ends it "
+                 "(default: the dialect's, mostly once)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  app.add_option("--max-depth", maximum_depth, "How deep calls of programs may be nested")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--max-jumps", maximum_jumps, "Stop after so many calls, returns and jumps")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--max-loop-blocks", maximum_loop_blocks, "Stop after so many blocks that run again after a jump back")
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--watchdog", watchdog, "A block that takes longer is a fault of its syntax (0: never)")
@@ -134,12 +153,28 @@ std::optional<RunOptions> ProgramOptions::make(Session& session) const {
     }
     out.chain.settings["block-skip"] = block_skip;
   }
+  for (const std::string& place : subprograms) {
+    std::error_code error;
+    const bool is_there = !place.empty() && std::filesystem::exists(place, error);
+    if (!is_there) session.say("IG-0510", {place}, {"--subprograms names a folder or a file that is not there"});
+    sound = sound && is_there;
+  }
+  if (!main_passes.empty()) out.chain.settings["main-passes"] = main_passes;
+  out.program_places = subprograms;
+  out.maximum_depth = maximum_depth;
+  out.maximum_jumps = maximum_jumps;
+  out.maximum_loop_blocks = maximum_loop_blocks;
   if (optional_stop) out.chain.settings["optional-stop"] = "on";
   if (!program.empty()) out.chain.settings["program"] = program;
   out.program = program;
   out.stop_on_error = on_error == "stop";
   out.maximum_blocks = maximum_blocks;
   return sound ? std::optional(std::move(out)) : std::nullopt;
+}
+
+void add_folder_of(const std::string& program, RunOptions& options) {
+  if (program == "-") return;
+  options.program_places.insert(options.program_places.begin(), std::filesystem::path(program).parent_path().string());
 }
 
 std::unique_ptr<OpenedProgram> OpenedProgram::open(const std::string& path, Session& session) {

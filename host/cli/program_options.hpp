@@ -15,6 +15,10 @@ struct ProgramOptions {
   std::string block_skip;
   bool optional_stop = false;
   std::string program;
+  std::vector<std::string> subprograms;
+  std::string main_passes;
+  std::uint32_t maximum_depth = 100;
+  std::uint64_t maximum_jumps = 1'000'000, maximum_loop_blocks = 1'000'000;
   std::string on_error = "continue";
   std::uint64_t maximum_blocks = 0;
   unsigned watchdog = 10;
@@ -24,12 +28,19 @@ struct ProgramOptions {
   std::optional<RunOptions> make(Session& session) const;
 };
 
+/// Called programs may lie beside the program that calls them: its folder comes before those that the user named.
+void add_folder_of(const std::string& program, RunOptions& options);
+
 /// A program that was opened, with its head read for guessing.
 class OpenedProgram : public Source {
  public:
   /// Null when it cannot be read, which is then said.
   static std::unique_ptr<OpenedProgram> open(const std::string& path, Session& session);
   std::size_t read(char* buffer, std::size_t size) override;
+  bool has_places() const override { return rest_->has_places(); }
+  std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t size) override {
+    return rest_->read_at(offset, buffer, size);
+  }
   std::string_view head() const { return head_; }
 
  private:

@@ -148,6 +148,7 @@ class Runs {
  private:
   int run_linked(const std::string& path, OpenedProgram& source) {
     RunOptions options = options_;
+    add_folder_of(path, options);
     Progress progress;
     if (isatty(STDERR_FILENO) != 0)
       options.progress = [&](std::uint64_t blocks, std::uint64_t bytes) { progress.show(blocks, bytes); };

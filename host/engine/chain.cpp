@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "flow_host.hpp"
 #include "host_table.hpp"
 #include "options.hpp"
 
@@ -36,7 +37,8 @@ Chain::Chain(const LinkedDialect& linked, ChainSettings settings, DiagnosticSink
       sink_(sink),
       symbols_(linked.symbols),
       document_(linked.layout, linked.wake, linked.wake_words),
-      host_(&host_table(settings_.mode)) {
+      host_(&host_table(settings_.mode)),
+      flow_service_(flow_service()) {
   document_.chain = this;
   if (settings_.mode == Mode::traced) document_.set_line.resize(document_.size());
   try {
@@ -218,7 +220,7 @@ void Chain::watch_modal_state() {
       // A copy from before the block changes with what it is a copy of, a block later.
       const ig_field original = fields[field].previous_of != IG_NO_FIELD ? fields[field].previous_of : field;
       document_.watch(original, change_of(watches_.size()));
-      watches_.push_back({field, i, i, fields[original].life == IG_LIFE_MODAL, {}});
+      watches_.push_back({field, i, i, is_carried(fields[original].life), {}});
     }
     ++watches_.back().end;
   }
@@ -260,6 +262,7 @@ void Chain::look_at(Watch& watch, std::uint64_t change) {
 }
 
 const void* Chain::service(std::string_view id) const {
+  if (id == IG_FLOW_SERVICE) return &flow_service_;
   const auto answer = [&](std::size_t i) {
     return service_of(*linked_.dependencies[i].dependency, dependencies_[i], id);
   };
@@ -303,6 +306,7 @@ void Chain::begin_block(const BlockSource& source) {
   document_.changes |= passing_;
   if (document_.changes != 0) look_at_state();
   std::copy(std::begin(awake_by_state_), std::end(awake_by_state_), std::begin(document_.active));
+  ++blocks;
   ends_program = ends_file = alarmed = skip_rest = false;
   split_at = 0;
   failure_said_by = 0;

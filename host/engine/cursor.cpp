@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 
 namespace isogloss {
@@ -14,35 +15,63 @@ namespace {
 
 constexpr std::size_t window = 64 * 1024;  // more would only touch more pages: reading costs the same
 
+/// Bytes of a descriptor, tried again where a signal came between.
+template <class F>
+std::size_t retry(F&& call) {
+  ssize_t n;
+  do n = call();
+  while (n < 0 && errno == EINTR);
+  return n > 0 ? static_cast<std::size_t>(n) : 0;
+}
+
 class FileSource : public Source {
  public:
-  explicit FileSource(int descriptor) : descriptor_(descriptor) {}
+  explicit FileSource(int descriptor) : descriptor_(descriptor) {
+    struct stat status {};
+    // Standard input may be a file that somebody has read a part of.
+    const off_t place = ::lseek(descriptor, 0, SEEK_CUR);
+    has_places_ = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && place >= 0;
+    if (has_places_) base_ = static_cast<std::uint64_t>(place);
+  }
   ~FileSource() override {
     if (descriptor_ > 2) ::close(descriptor_);
   }
+  FileSource(const FileSource&) = delete;
+  FileSource& operator=(const FileSource&) = delete;
+
   std::size_t read(char* buffer, std::size_t size) override {
-    ssize_t n;
-    do n = ::read(descriptor_, buffer, size);
-    while (n < 0 && errno == EINTR);
-    return n > 0 ? static_cast<std::size_t>(n) : 0;
+    return retry([&] { return ::read(descriptor_, buffer, size); });
+  }
+  bool has_places() const override { return has_places_; }
+  std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t size) override {
+    return retry([&] { return ::pread(descriptor_, buffer, size, static_cast<off_t>(base_ + offset)); });
   }
 
  private:
   int descriptor_;
+  bool has_places_ = false;
+  std::uint64_t base_ = 0;
 };
 
 class MemorySource : public Source {
  public:
   explicit MemorySource(std::string_view text) : text_(text) {}
   std::size_t read(char* buffer, std::size_t size) override {
-    const std::size_t n = std::min(size, text_.size());
-    std::memcpy(buffer, text_.data(), n);
-    text_.remove_prefix(n);
+    const std::size_t n = read_at(given_, buffer, size);
+    given_ += n;
+    return n;
+  }
+  bool has_places() const override { return true; }
+  std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t size) override {
+    const std::string_view rest = text_.substr(std::min<std::uint64_t>(offset, text_.size()));
+    const std::size_t n = std::min(size, rest.size());
+    std::memcpy(buffer, rest.data(), n);
     return n;
   }
 
  private:
   std::string_view text_;
+  std::size_t given_ = 0;
 };
 
 }  // namespace
@@ -65,18 +94,27 @@ std::unique_ptr<Source> open_file(const std::string& path, std::string& error) {
 
 std::unique_ptr<Source> memory_source(std::string_view text) { return std::make_unique<MemorySource>(text); }
 
-Cursor::Cursor(Source& source, std::size_t maximum_line_bytes)
-    : source_(source), maximum_(std::max<std::size_t>(maximum_line_bytes, 1)), buffer_(window) {}
+void Cursor::open(Source& source, std::size_t maximum_line_bytes) {
+  source_ = &source;
+  maximum_ = std::max<std::size_t>(maximum_line_bytes, 1);
+  if (buffer_.empty()) buffer_.resize(window);
+  begin_ = end_ = whole_ = 0;
+  offset_ = 0;
+  terminator_ = '\n';
+  started_ = at_end_ = utf16_ = false;
+  number_ = 0;
+}
 
 bool Cursor::fill() {
   if (at_end_) return false;
   if (begin_ > 0) {
     std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
     end_ -= begin_;
+    whole_ = whole_ > begin_ ? whole_ - begin_ : 0;
     begin_ = 0;
   }
   if (end_ == buffer_.size()) buffer_.resize(buffer_.size() * 2);
-  const std::size_t n = source_.read(buffer_.data() + end_, buffer_.size() - end_);
+  const std::size_t n = source_->read_at(offset_ + end_, buffer_.data() + end_, buffer_.size() - end_);
   end_ += n;
   at_end_ = n == 0;
   return n > 0;
@@ -88,9 +126,24 @@ void Cursor::start() {
   }
   const auto byte = [&](std::size_t i) { return i < end_ ? static_cast<unsigned char>(buffer_[i]) : 0u; };
   if (byte(0) == 0xef && byte(1) == 0xbb && byte(2) == 0xbf) begin_ = 3;
+  offset_ = first_ = begin_;
   utf16_ = (byte(0) == 0xff && byte(1) == 0xfe) || (byte(0) == 0xfe && byte(1) == 0xff);
   if (std::memchr(buffer_.data(), '\n', end_) == nullptr && std::memchr(buffer_.data(), '\r', end_) != nullptr)
     terminator_ = '\r';
+}
+
+void Cursor::seek(std::uint64_t offset, std::uint32_t number) {
+  if (!started_) start();
+  number_ = number - 1;
+  offset = std::max(offset, first_);
+  const std::uint64_t first = offset_ - (begin_ - whole_), last = offset_ + (end_ - begin_);
+  if (offset >= first && offset <= last) {
+    begin_ = whole_ + static_cast<std::size_t>(offset - first);
+  } else {
+    begin_ = end_ = whole_ = 0;
+    at_end_ = false;
+  }
+  offset_ = offset;
 }
 
 bool Cursor::next(Line& line) {
@@ -104,36 +157,112 @@ bool Cursor::next(Line& line) {
     searched = end_ - begin_;
     if (searched > maximum_ || !fill()) break;
   }
-  std::size_t size = found != nullptr ? static_cast<std::size_t>(found - (buffer_.data() + begin_)) : end_ - begin_;
+  const std::size_t size =
+      found != nullptr ? static_cast<std::size_t>(found - (buffer_.data() + begin_)) : end_ - begin_;
   if (size == 0 && found == nullptr) return false;
   line.truncated = size > maximum_;
   line.number = ++number_;
-  if (line.truncated && found == nullptr) {
-    // The rest of the line is read away; what is kept is moved out of the way of the reads.
-    std::vector<char> kept(buffer_.data() + begin_, buffer_.data() + begin_ + maximum_);
-    do {
-      begin_ = end_;
-      bytes_ += size;
-      if (!fill()) break;
-      found = static_cast<const char*>(std::memchr(buffer_.data() + begin_, terminator_, end_ - begin_));
-      size = end_ - begin_;
-    } while (found == nullptr);
-    if (found != nullptr) begin_ = static_cast<std::size_t>(found - buffer_.data()) + 1;
-    if (begin_ < kept.size()) {  // make room in front of what was read on
-      buffer_.insert(buffer_.begin(), kept.size(), '\0');
-      begin_ += kept.size();
-      end_ += kept.size();
-    }
-    std::copy(kept.begin(), kept.end(), buffer_.begin());
-    line.text = std::string_view(buffer_.data(), kept.size());
-    return true;
-  }
+  line.offset = offset_;
+  if (line.truncated && found == nullptr) return cut_long_line(line, size);
   line.text = std::string_view(buffer_.data() + begin_, std::min(size, maximum_));
   const std::size_t used = size + (found != nullptr ? 1 : 0);
   begin_ += used;
+  offset_ += used;
   bytes_ += used;
   if (terminator_ == '\n' && line.text.ends_with('\r')) line.text.remove_suffix(1);
   return true;
+}
+
+/// The rest of the line is read away; what is kept is moved out of the way of the reads.
+bool Cursor::cut_long_line(Line& line, std::size_t size) {
+  std::vector<char> kept(buffer_.data() + begin_, buffer_.data() + begin_ + maximum_);
+  const char* found = nullptr;
+  do {
+    begin_ = end_;
+    offset_ += size;
+    bytes_ += size;
+    if (!fill()) break;
+    found = static_cast<const char*>(std::memchr(buffer_.data() + begin_, terminator_, end_ - begin_));
+    size = end_ - begin_;
+  } while (found == nullptr);
+  if (found != nullptr) {
+    const std::size_t behind = static_cast<std::size_t>(found - buffer_.data()) + 1;
+    offset_ += behind - begin_;
+    begin_ = behind;
+  }
+  whole_ = begin_;
+  if (begin_ < kept.size()) {  // make room in front of what was read on
+    buffer_.insert(buffer_.begin(), kept.size(), '\0');
+    begin_ += kept.size();
+    end_ += kept.size();
+    whole_ += kept.size();
+  }
+  std::copy(kept.begin(), kept.end(), buffer_.begin());
+  line.text = std::string_view(buffer_.data(), kept.size());
+  return true;
+}
+
+// ---- spool
+
+namespace {
+constexpr std::size_t kept_in_memory = 1u << 20;
+}
+
+Spool::~Spool() {
+  if (file_ >= 0) ::close(file_);
+}
+
+std::size_t Spool::read(char* buffer, std::size_t size) {
+  const std::size_t n = read_at(given_, buffer, size);
+  given_ += n;
+  return n;
+}
+
+std::size_t Spool::pull(char* buffer, std::size_t size) {
+  if (ended_) return 0;
+  const std::size_t n = from_.read(buffer, size);
+  ended_ = n == 0;
+  keep(buffer, n);
+  size_ += n;
+  return n;
+}
+
+void Spool::keep(const char* bytes, std::size_t size) {
+  const std::size_t in_memory = std::min(size, kept_in_memory - head_.size());
+  head_.append(bytes, in_memory);
+  bytes += in_memory;
+  size -= in_memory;
+  if (size == 0 || lost_) return;
+  if (file_ < 0) {
+    const char* const folder = std::getenv("TMPDIR");
+    std::string name = std::string(folder != nullptr && *folder != '\0' ? folder : "/tmp") + "/isogloss-XXXXXX";
+    file_ = ::mkostemp(name.data(), O_CLOEXEC);
+    if (file_ >= 0) ::unlink(name.c_str());
+  }
+  while (size > 0 && file_ >= 0) {
+    const std::size_t n = retry([&] { return ::write(file_, bytes, size); });
+    if (n == 0) break;
+    bytes += n;
+    size -= n;
+  }
+  lost_ = size > 0;
+}
+
+std::size_t Spool::read_at(std::uint64_t offset, char* buffer, std::size_t size) {
+  if (size == 0) return 0;
+  while (offset > size_) {
+    char passed[4096];
+    if (pull(passed, static_cast<std::size_t>(std::min<std::uint64_t>(sizeof passed, offset - size_))) == 0) return 0;
+  }
+  if (offset == size_) return pull(buffer, size);
+  const std::size_t wanted = static_cast<std::size_t>(std::min<std::uint64_t>(size, size_ - offset));
+  if (offset < head_.size()) {
+    const std::size_t n = std::min(wanted, head_.size() - static_cast<std::size_t>(offset));
+    std::memcpy(buffer, head_.data() + offset, n);
+    return n;
+  }
+  if (lost_) return 0;
+  return retry([&] { return ::pread(file_, buffer, wanted, static_cast<off_t>(offset - kept_in_memory)); });
 }
 
 }  // namespace isogloss

@@ -10,30 +10,69 @@ namespace isogloss {
 
 struct Line {
   std::string_view text;  ///< without its end; alive until the next call
+  std::uint64_t offset = 0;
   std::uint32_t number = 0;
   bool truncated = false;  ///< longer than the limit; the rest is skipped
 };
 
 /// Lines end in LF or CR LF; a file without any LF has lines that end in CR. A leading byte order mark is skipped.
+/// A cursor goes back for nothing as long as the place lies in its window.
 class Cursor {
  public:
-  Cursor(Source& source, std::size_t maximum_line_bytes);
+  Cursor() = default;
+  /// The source has places.
+  Cursor(Source& source, std::size_t maximum_line_bytes) { open(source, maximum_line_bytes); }
+  /// From the beginning of another source; the buffer stays.
+  void open(Source& source, std::size_t maximum_line_bytes);
   bool next(Line& line);
+  /// The next line is the one that begins at this offset.
+  void seek(std::uint64_t offset, std::uint32_t number);
   bool is_utf16() const { return utf16_; }
   std::uint64_t bytes() const { return bytes_; }
+  const Source* source() const { return source_; }
+  std::uint64_t offset() const { return offset_; }           ///< of the next line
+  std::uint32_t next_number() const { return number_ + 1; }  ///< of the next line
 
  private:
   bool fill();  // false: nothing more came
   void start();
+  bool cut_long_line(Line& line, std::size_t size);
 
-  Source& source_;
-  std::size_t maximum_;
+  Source* source_ = nullptr;
+  std::size_t maximum_ = 1;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;
+  std::size_t whole_ = 0;     // from here to end_ the buffer holds the source's bytes as they are
+  std::uint64_t offset_ = 0;  // of the byte at begin_
+  std::uint64_t first_ = 0;   // of the first line
   char terminator_ = '\n';
   bool started_ = false, at_end_ = false, utf16_ = false;
   std::uint32_t number_ = 0;
   std::uint64_t bytes_ = 0;
+};
+
+/// Makes a source that can be read only once readable at any place: what was read is kept, the first part in memory and
+/// the rest in a temporary file without a name.
+class Spool : public Source {
+ public:
+  explicit Spool(Source& from) : from_(from) {}
+  ~Spool() override;
+  Spool(const Spool&) = delete;
+  Spool& operator=(const Spool&) = delete;
+  std::size_t read(char* buffer, std::size_t size) override;
+  bool has_places() const override { return true; }
+  std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t size) override;
+  bool is_lost() const override { return lost_; }
+
+ private:
+  std::size_t pull(char* buffer, std::size_t size);
+  void keep(const char* bytes, std::size_t size);
+
+  Source& from_;
+  std::string head_;
+  int file_ = -1;
+  std::uint64_t size_ = 0, given_ = 0;
+  bool ended_ = false, lost_ = false;
 };
 
 }  // namespace isogloss

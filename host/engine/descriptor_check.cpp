@@ -218,7 +218,7 @@ void check_fields(const ig_syntax& syntax, std::string_view owner) {
     if ((field.access & (IG_READ | IG_WRITE | IG_TAKE | IG_PREVIOUS | IG_WAKE | IG_WAKE_WHILE)) == 0)
       fault("{} is neither read, written nor taken", what());
     if (field.type < IG_NUMBER || field.type > IG_SWITCH) fault("{} has the type {}", what(), field.type);
-    if (field.life > IG_LIFE_MODAL) fault("{} has the life {}", what(), field.life);
+    if (field.life > IG_LIFE_FRAME) fault("{} has the life {}", what(), field.life);
     text(field.unit, of("the unit of", what), longest_name);
     text(field.doc, of("the doc of", what));
     if (field.wake_value != nullptr) text(field.wake_value, of("the wake_value of", what), longest_name);

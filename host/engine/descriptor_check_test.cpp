@@ -89,7 +89,7 @@ TEST_CASE("each fault of a descriptor is found and named") {
       {"path", [](Plugin& p) { syntax(p).fields[0].path = "A.B C"; }, "no path such as Section.Field"},
       {"access", [](Plugin& p) { syntax(p).fields[0].access = IG_REQUIRED; }, "neither read, written nor taken"},
       {"type", [](Plugin& p) { syntax(p).fields[0].type = 9; }, "has the type 9"},
-      {"life", [](Plugin& p) { syntax(p).fields[0].life = 4; }, "has the life 4"},
+      {"life", [](Plugin& p) { syntax(p).fields[0].life = 5; }, "has the life 5"},
       {"unit", [](Plugin& p) { syntax(p).fields[0].unit = nullptr; }, "the unit of field"},
       {"doc", [](Plugin& p) { syntax(p).fields[0].doc = nullptr; }, "the doc of field"},
       {"pattern", [](Plugin& p) { syntax(p).fields[3].path = "@unit"; }, "no option of field patterns"},

@@ -71,7 +71,8 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
     const FieldInfo& info = layout.fields[f];
     Bits& bits = bits_[f >> 6];
     // A copy from before the block is made anew before the rest goes.
-    if (info.life == IG_LIFE_MODAL || info.previous_of != IG_NO_FIELD) bits.modal |= bit(f);
+    if (info.life == IG_LIFE_FRAME && info.previous_of == IG_NO_FIELD) frame_fields_.push_back(f);
+    if (is_carried(info.life) || info.previous_of != IG_NO_FIELD) bits.modal |= bit(f);
     if (info.type == IG_CODE)
       bits.codes |= bit(f);
     else if (info.life == IG_LIFE_WORD)
@@ -249,6 +250,22 @@ void Document::begin(const BlockSource& where) {
     for (Frame& f : frames_) f.is_moving = false;
   frame_changed = frame_moved = false;
   for (std::uint64_t& mask : active) mask = 0;
+}
+
+void Document::get_frame_values(FrameValues& out) const {
+  out.clear();
+  for (const ig_field f : frame_fields_) out.push_back(present(f) ? std::optional(state_[f].value) : std::nullopt);
+}
+
+void Document::clear_frame_values() {
+  for (const ig_field f : frame_fields_) erase(f);
+}
+
+void Document::set_frame_values(const FrameValues& values) {
+  for (std::size_t i = 0; i < frame_fields_.size(); ++i) {
+    erase(frame_fields_[i]);
+    if (values[i]) write(frame_fields_[i], *values[i]);
+  }
 }
 
 bool Document::has_leftovers() const {

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "flow_host.hpp"
 #include "isogloss/engine/document_json.hpp"
 #include "json_difference.hpp"
 
@@ -33,7 +34,7 @@ std::vector<ExplainedChange> changes(const Leaves& before, const Leaves& after) 
 
 class Explainer : public Exporter {
  public:
-  Explainer(const LinkedDialect& linked, std::uint32_t line) : linked_(linked), line_(line) {}
+  Explainer(const LinkedDialect& linked, const ExplainTarget& target) : linked_(linked), target_(target) {}
 
   void listen(Chain& chain) {
     chain_ = &chain;
@@ -44,12 +45,13 @@ class Explainer : public Exporter {
   bool end() override { return true; }
 
   bool block(Document& document, const SymbolTable& symbols) override {
-    if (document.source.line != line_) return true;
+    if (!is_wanted(document)) return true;
     open(document, symbols);
     const auto at =
         std::find_if(open_.begin(), open_.end(), [&](const Open& o) { return o.column == document.source.column; });
     Open done = std::move(*at);
     open_.erase(at);
+    if (done.block.pass != target_.pass) return true;
     ExplainedBlock out = std::move(done.block);
     const Json shown = show_json(document, symbols);
     out.document = shown.dump(2, ' ', false, Json::error_handler_t::replace);
@@ -63,11 +65,13 @@ class Explainer : public Exporter {
   }
 
   std::vector<ExplainedBlock> blocks;
+  std::uint64_t passes = 0;
 
  private:
-  /// A block of the line on its way through the chain. With look-ahead its document is copied, so that the place is
-  /// what tells one from another.
+  /// A block of the line on its way through the chain. With look-ahead its document is copied while the next one is
+  /// built; those that wait come out in their order.
   struct Open {
+    std::uint64_t number;  // of the block in the run
     std::uint32_t column;
     ExplainedBlock block;
     Leaves before;
@@ -76,13 +80,15 @@ class Explainer : public Exporter {
 
   void build(std::uint32_t position, bool before) {
     const Document* const document = Chain::breadcrumb().document;
-    if (document == nullptr || document->source.line != line_) return;
+    if (document == nullptr || !is_wanted(*document)) return;
     Open& o = open(*document, chain_->symbols());
+    if (before && o.block.pass != target_.pass) return;
     if (before) {
       o.before = json_leaves(show_json(*document, chain_->symbols()));
       return;
     }
     o.called[position] = true;
+    if (o.block.pass != target_.pass) return;
     const LinkedSyntax& s = linked_.chain[position];
     o.block.steps.push_back(
         {s.element.alias, s.plugin->name, changes(o.before, json_leaves(show_json(*document, chain_->symbols())))});
@@ -90,9 +96,18 @@ class Explainer : public Exporter {
 
   /// The record of this block; begun at its first build, when the scanners have just read it.
   Open& open(const Document& document, const SymbolTable& symbols) {
+    const bool is_built = &document == &chain_->document();
     for (Open& o : open_)
-      if (o.column == document.source.column) return o;
-    Open o{document.source.column, {}, {}, std::vector<bool>(linked_.chain.size())};
+      if (o.column == document.source.column && (!is_built || o.number == chain_->blocks)) return o;
+    if (passes == 0 || document.source.column <= last_column_) ++passes;
+    last_column_ = document.source.column;
+    Open o{chain_->blocks, document.source.column, {}, {}, std::vector<bool>(linked_.chain.size())};
+    o.block.pass = passes;
+    if (passes != target_.pass) {
+      open_.push_back(std::move(o));
+      return open_.back();
+    }
+    add_frames(o.block);
     o.block.where = {std::string(document.source.file), document.source.line, document.source.column + 1};
     o.block.text = std::string(document.source.text);
     std::map<std::uint16_t, ExplainedStep> scanned;
@@ -112,6 +127,19 @@ class Explainer : public Exporter {
     }
     open_.push_back(std::move(o));
     return open_.back();
+  }
+
+  bool is_wanted(const Document& document) const {
+    return document.source.line == target_.line && chain_->flow != nullptr &&
+           chain_->flow->is_file(document.source.file, target_.file);
+  }
+
+  void add_frames(ExplainedBlock& block) const {
+    ig_frame f{};
+    f.struct_size = sizeof f;
+    for (std::uint32_t level = 0; chain_->flow->frame(level, f); ++level)
+      block.frames.push_back({std::string(f.file.data, f.file.size), std::string(f.program.data, f.program.size),
+                              f.call_line, f.pass, f.passes});
   }
 
   /// The field behind a path of the JSON view: a list of codes stands for its first code, a transform for its entry.
@@ -152,7 +180,8 @@ class Explainer : public Exporter {
   }
 
   const LinkedDialect& linked_;
-  std::uint32_t line_;
+  const ExplainTarget& target_;
+  std::uint32_t last_column_ = 0;
   Chain* chain_ = nullptr;
   std::vector<Open> open_;
 };
@@ -160,12 +189,16 @@ class Explainer : public Exporter {
 }  // namespace
 
 std::vector<ExplainedBlock> explain(const LinkedDialect& linked, Source& source, const std::string& name,
-                                    std::uint32_t line, RunOptions options, DiagnosticSink& sink) {
-  Explainer explainer(linked, line);
+                                    const ExplainTarget& target, RunOptions options, DiagnosticSink& sink,
+                                    std::uint64_t* passes) {
+  Explainer explainer(linked, target);
   options.chain.mode = Mode::traced;
-  options.stop_after_line = line;
+  options.stop_after_line = target.line;
+  options.stop_in_file = target.file;
+  options.stop_after_pass = target.pass;
   options.prepare = [&](Chain& chain) { explainer.listen(chain); };
   run(linked, source, name, options, {&explainer}, sink);
+  if (passes != nullptr) *passes = explainer.passes;
   return std::move(explainer.blocks);
 }
 

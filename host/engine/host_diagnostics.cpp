@@ -199,6 +199,27 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "any "
        "plugin of the plugin folders.",
        "--machine FILE with <MachineKinematic>"},
+      {error, "IG-0416", "calls are nested more than {0} deep, so this one is not made: {1}",
+       "A called program calls another, and so on. More levels than the limit (`--max-depth`) are almost always a "
+       "program that calls itself, directly or through others.",
+       "a program that calls itself"},
+      {error, "IG-0417", "stopped after {0} calls and jumps; the last one goes from {1} to {2}",
+       "So that no program runs forever, calls, returns and jumps are counted. `--max-jumps` sets another limit.",
+       "a call that is repeated millions of times"},
+      {error, "IG-0418", "stopped in a loop after {0} of its blocks: line {1} goes back to line {2}, {3} times so far",
+       "So that no program runs forever, blocks that run again after a jump back are counted. A main program that "
+       "starts over for the next part is such a loop; so is a condition that never comes true. `--max-loop-blocks` "
+       "sets another limit.",
+       "a jump to the line before it"},
+      {warning, "IG-0419", "the called program {0} ends here without a return; the run returns to its caller",
+       "The end of the text is reached inside a called program. A control stops there with an alarm.",
+       "a subprogram whose last line is missing"},
+      {warning, "IG-0420", "{0} holds no program {1}, but others: it is run from its first line",
+       "The file was found by its name. What stands in it has another number.", "a file that was copied and renamed"},
+      {error, "IG-0421", "the run cannot go back: what was read of {0} could not be kept",
+       "Standard input, or a pipe, can be read only once; a temporary file keeps what was read. It could not be "
+       "written: the folder for temporary files (TMPDIR) is full or missing.",
+       "a jump back in a large program on standard input"},
       // cases, apply, command line: 0500-0599
       {error, "IG-0501", "malformed page: {0}",
        "A case of a page is a heading, prose, and fences after the lines #Previous:, #Ahead:, #Dependencies:, "

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "isogloss_flow.h"
+
 namespace isogloss {
 
 namespace {
@@ -96,6 +98,7 @@ void check_slots(const LinkedDialect& linked, std::vector<LinkFault>& faults) {
 std::vector<LinkFault> check_services(const LinkedDialect& linked) {
   std::vector<LinkFault> faults;
   const auto is_provided = [&](std::string_view id) {
+    if (id == IG_FLOW_SERVICE) return true;  // the host itself
     return std::any_of(linked.dependencies.begin(), linked.dependencies.end(), [&](const LinkedDependency& d) {
       for (const char* const* p = d.dependency->provides; p != nullptr && *p != nullptr; ++p)
         if (id == *p) return true;

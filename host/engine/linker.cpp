@@ -271,7 +271,7 @@ class Linker {
                                 decl.doc, decl.type == IG_SWITCH, IG_NO_FIELD},
                                s.element.alias});
     Draft& known = drafts_[number];
-    if (decl.type == IG_TEXT && decl.life == IG_LIFE_MODAL)
+    if (decl.type == IG_TEXT && is_carried(decl.life))
       say("IG-0222", s.element.where, {s.element.alias, std::string(path)});
     const bool same_life = decl.life == IG_LIFE_STANDARD || known.info.life == decl.life;
     if (known.info.type != decl.type || !same_life)
@@ -316,7 +316,7 @@ class Linker {
 
   static std::size_t rank(const Draft& draft) {
     const FieldInfo& info = draft.info;
-    if (info.life == IG_LIFE_MODAL) return draft.has_previous && info.type != IG_TRANSFORM ? 0 : 1;
+    if (is_carried(info.life)) return draft.has_previous && info.type != IG_TRANSFORM ? 0 : 1;
     if (info.type == IG_SWITCH) return 3;
     if (info.type == IG_CODE) return 4;
     if (info.life != IG_LIFE_WORD) return 2;
@@ -338,7 +338,7 @@ class Linker {
       for (const std::uint32_t number : same_rank) {
         FieldInfo& info = drafts_[number].info;
         id_of_[number] = static_cast<ig_field>(layout.fields.size());
-        if (info.life == IG_LIFE_MODAL) ++layout.modal_count;
+        if (is_carried(info.life)) ++layout.modal_count;
         if (info.type == IG_TRANSFORM) layout.transforms.push_back(id_of_[number]);
         layout.fields.push_back(std::move(info));
       }
@@ -368,7 +368,7 @@ class Linker {
       if (info.hidden || info.type == IG_CODE || info.type == IG_TRANSFORM) continue;
       const std::string_view path = info.path;
       const auto found = sections.find(path.substr(0, path.find('.')));
-      const int life = info.life == IG_LIFE_MODAL ? 0 : info.life == IG_LIFE_WORD ? 2 : 1;
+      const int life = is_carried(info.life) ? 0 : info.life == IG_LIFE_WORD ? 2 : 1;
       shown.push_back({{found != sections.end() ? found->second : sections.size(), life, number}, id_of_[number]});
     }
     std::sort(shown.begin(), shown.end());

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cursor.hpp"
+#include "flow.hpp"
 #include "look_ahead_window.hpp"
 
 namespace isogloss {
@@ -27,20 +27,30 @@ class Run {
         options_(options),
         exporters_(exporters),
         sink_(sink),
-        name_(name),
         chain_(linked, options.chain, sink_),
-        cursor_(source, options.maximum_line_bytes),
+        flow_(linked, source, name, options, sink_),
         length_(static_cast<std::uint32_t>(linked.chain.size())),
         stop_(linked.layout.id("ProgramStop.Term")),
-        window_(linked) {}
+        window_(linked) {
+    chain_.flow = &flow_;
+  }
 
   RunResult run() {
     if (options_.prepare) options_.prepare(chain_);
     chain_.start();
     for (Exporter* e : exporters_) e->begin(chain_.document(), chain_.symbols());
-    if (!options_.program.empty() && !seek_program()) return finish();
+    if (!options_.program.empty() && !flow_.select_program(options_.program)) {
+      sink_.add(host_diagnostic("IG-0406", {flow_.file_name(), 0, 0}, {options_.program}));
+      return finish();
+    }
     Line line;
-    while (!over_ && next_line(line)) run_line(line);
+    while (!over_) {
+      if (next_line(line))
+        run_line(line);
+      else if (!flow_.leave_at_end(chain_.document()))
+        break;
+      over_ = over_ || flow_.is_over() || (is_line_done_ && window_.is_empty());
+    }
     flush_window();
     if (program_ended_) say_what_follows();
     return finish();
@@ -48,59 +58,70 @@ class Run {
 
  private:
   bool next_line(Line& line) {
-    if (pending_) {
-      line = *pending_;
-      pending_.reset();
-      return true;
-    }
-    if (!cursor_.next(line)) return false;
+    Cursor& cursor = flow_.cursor();
+    if (!cursor.next(line)) return false;
     ++result_.lines;
-    if (line.number == 1 && cursor_.is_utf16()) {
-      sink_.add(host_diagnostic("IG-0413", {name_, 1, 1}, {}));
+    if (line.number == 1 && cursor.is_utf16()) {
+      sink_.add(host_diagnostic("IG-0413", {flow_.file_name(), 1, 1}, {}));
       return false;
     }
     if (line.truncated) {
       const auto limit = static_cast<std::uint32_t>(options_.maximum_line_bytes);
-      sink_.add(host_diagnostic("IG-0403", {name_, line.number, limit + 1}, {std::to_string(limit)}));
+      sink_.add(host_diagnostic("IG-0403", {flow_.file_name(), line.number, limit + 1}, {std::to_string(limit)}));
     }
     if (line.text.size() > widest_column && !said_wide_) {
       said_wide_ = true;
-      sink_.add(host_diagnostic("IG-0404", {name_, line.number, widest_column}, {std::to_string(widest_column)}));
+      sink_.add(
+          host_diagnostic("IG-0404", {flow_.file_name(), line.number, widest_column}, {std::to_string(widest_column)}));
     }
     return true;
   }
 
-  /// Reads on to the block that begins the program asked for; nothing before it is executed or reported.
-  bool seek_program() {
-    const ig_field program = linked_.layout.id("Source.Program");
-    DiagnosticList ignored;
-    Chain scout(linked_, options_.chain, ignored);
-    scout.start();
-    Line line;
-    while (next_line(line)) {
-      scout.begin_block({name_, line.number, 0, line.text});
-      scout.scan();
-      if (scout.document().text(program) == options_.program) {
-        pending_ = line;
-        return true;
-      }
-    }
-    sink_.add(host_diagnostic("IG-0406", {name_, 0, 0}, {options_.program}));
-    return false;
-  }
-
   void run_line(const Line& line) {
-    std::size_t offset = 0;
+    const std::string_view file = flow_.file_name();
+    std::size_t offset = std::min<std::size_t>(flow_.take_column(), line.text.size());
+    bool has_run = false;
     do {
       const std::string_view rest = line.text.substr(offset);
-      if (is_blank(rest)) return;
-      chain_.begin_block({name_, line.number, static_cast<std::uint32_t>(offset), rest});
+      if (is_blank(rest)) break;
+      const auto column = static_cast<std::uint32_t>(offset);
+      if (flow_.take_passing()) {
+        offset += std::max<std::size_t>(flow_.block_end(rest), 1);
+        continue;
+      }
+      flow_.at({line.offset, column, line.number});
+      if (flow_.is_over()) return;
+      chain_.begin_block({file, line.number, column, rest});
       const std::size_t end = chain_.scan();
       if (end < rest.size()) chain_.document().source.text = rest.substr(0, end);
       run_block();
+      has_run = true;
       offset += std::max<std::size_t>(end, 1);
+      if (flow_.has_request()) {
+        const Place next = place_behind(line, offset);
+        if (line.number == options_.stop_after_line && next.column == 0) count_pass(file);
+        if (!over_) flow_.perform(chain_.document(), next);
+        return;
+      }
     } while (!over_ && offset < line.text.size());
-    if (options_.stop_after_line != 0 && line.number >= options_.stop_after_line && window_.is_empty()) over_ = true;
+    if (line.number == options_.stop_after_line && has_run && !has_more(line, offset)) count_pass(file);
+  }
+
+  /// Where the run goes on behind a block that ends at this column.
+  Place place_behind(const Line& line, std::size_t column) {
+    if (has_more(line, column)) return {line.offset, static_cast<std::uint32_t>(column), line.number};
+    return {flow_.cursor().offset(), 0, line.number + 1};
+  }
+
+  static bool has_more(const Line& line, std::size_t column) {
+    return column < line.text.size() && !is_blank(line.text.substr(column));
+  }
+
+  /// A pass over the line at which the run stops is done; blocks that wait for others may still be under way.
+  void count_pass(std::string_view file) {
+    if (!flow_.is_file(file, options_.stop_in_file) || ++passes_ < options_.stop_after_pass) return;
+    is_line_done_ = true;
+    over_ = over_ || window_.is_empty();
   }
 
   void run_block() {
@@ -109,7 +130,8 @@ class Run {
     const bool waits = execute(d);
     if (chain_.alarmed) answer_alarm(d);
     if (chain_.ends_program || chain_.ends_file) {
-      over_ = true;
+      // The text of a called program may end, the program as a whole does not.
+      over_ = over_ || chain_.ends_program || !(flow_.has_request() || flow_.request_end(d));
       program_ended_ = chain_.ends_program && !chain_.ends_file;
     }
     if (options_.maximum_blocks != 0 && result_.blocks >= options_.maximum_blocks && !over_) {
@@ -118,8 +140,7 @@ class Run {
                     host_diagnostic("IG-0407", {}, {std::to_string(result_.blocks)}).message, 0, 0);
     }
     if (waits) keep_in_window(d);
-    if (options_.progress && result_.blocks % progress_interval == 0)
-      options_.progress(result_.blocks, cursor_.bytes());
+    if (options_.progress && result_.blocks % progress_interval == 0) options_.progress(result_.blocks, flow_.bytes());
   }
 
   void export_block(Document& d) {
@@ -184,21 +205,17 @@ class Run {
     sink_.pass_on();
   }
 
-  /// Text behind the end of the program is not run; that is said once.
+  /// Text behind the end of the program that no call or jump reached is said once.
   void say_what_follows() {
-    Line line;
-    while (cursor_.next(line)) {
-      const std::size_t first = line.text.find_first_not_of(std::string_view(" \t\r\0\x1a%", 6));
-      if (first == std::string_view::npos) continue;
-      sink_.add(host_diagnostic("IG-0414", {name_, line.number, static_cast<std::uint32_t>(first + 1)}, {}));
-      return;
-    }
+    if (const auto first = flow_.first_not_run())
+      sink_.add(host_diagnostic("IG-0414", {flow_.file_name(), first->line, first->column + 1}, {}));
   }
 
   RunResult finish() {
     for (Exporter* e : exporters_)
       if (!e->end()) result_.output_closed = true;
-    result_.bytes = cursor_.bytes();
+    result_.bytes = flow_.bytes();
+    result_.jumps = flow_.jumps();
     return result_;
   }
 
@@ -206,12 +223,12 @@ class Run {
   const RunOptions& options_;
   const std::vector<Exporter*>& exporters_;
   OrderedDiagnostics sink_;
-  std::string name_;
   Chain chain_;
-  Cursor cursor_;
+  Flow flow_;
   std::uint32_t length_;
   RunResult result_;
-  std::optional<Line> pending_;
+  std::uint64_t passes_ = 0;
+  bool is_line_done_ = false;
   ig_field stop_;
   LookAheadWindow window_;
   bool over_ = false, program_ended_ = false, said_wide_ = false;

@@ -29,7 +29,8 @@ def describe(header, compiler):
     """The abidw text of the probe library built from this header text."""
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "isogloss.h").write_text(header)
-        shutil.copy(ABI / "probe.c", folder)
+        for name in ("probe.c", "isogloss_flow.h"):
+            shutil.copy(ABI / name, folder)
         subprocess.run([compiler, "-std=c11", "-g", "-O0", "-fPIC", "-shared", f"-ffile-prefix-map={folder}=.",
                         "-o", "probe.so", "probe.c"], cwd=folder, check=True)
         return subprocess.run([*ABIDW, "probe.so"], cwd=folder, check=True, capture_output=True, text=True).stdout

@@ -31,7 +31,8 @@ enum class Life : ig_life {
   standard = IG_LIFE_STANDARD,
   word = IG_LIFE_WORD,
   block = IG_LIFE_BLOCK,
-  modal = IG_LIFE_MODAL
+  modal = IG_LIFE_MODAL,
+  frame = IG_LIFE_FRAME
 };
 
 /// What a vendor says of a field that the host's list of standard sections does not hold.

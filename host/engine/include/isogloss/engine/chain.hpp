@@ -7,8 +7,11 @@
 
 #include "isogloss/engine/document.hpp"
 #include "isogloss/engine/linker.hpp"
+#include "isogloss_flow.h"
 
 namespace isogloss {
+
+class FlowHost;
 
 enum class Mode { fast, checked, traced };
 
@@ -95,6 +98,12 @@ class Chain {
   std::uint16_t failure_said_by = 0;  ///< chain position + 1; a syntax that fails without a word is reported for it
   std::size_t split_at = 0;
   std::uint64_t builds = 0;  ///< builds called so far
+  std::uint64_t blocks = 0;  ///< blocks begun so far
+
+  /// Who carries out calls and jumps, set by the runner; null where no program runs.
+  FlowHost* flow = nullptr;
+  /// From now on scanners say the names of lines.
+  void collect_labels() { flow_service_.is_indexing = 1; }
 
   void report(const Document& document, Severity severity, std::string_view code, std::string message,
               std::uint32_t begin, std::uint32_t end, std::string hint = {});
@@ -139,6 +148,7 @@ class Chain {
   SymbolTable symbols_;
   Document document_;
   const ig_host* host_;
+  ig_flow_1 flow_service_;
   struct Step {
     ig_run_fn build = nullptr;  // of a syntax that looks ahead this is null ...
     ig_scan_fn scan = nullptr;

@@ -233,6 +233,12 @@ class Document {
   /// Did it move with the axes in this block?
   bool is_moving_frame(ig_field f) const { return present(f) && frame(f).is_moving; }
 
+  /// Values that each frame has for itself, between two blocks: a called program begins without them.
+  using FrameValues = std::vector<std::optional<ig_value>>;
+  void get_frame_values(FrameValues& out) const;
+  void clear_frame_values();
+  void set_frame_values(const FrameValues& values);
+
   std::vector<ListData> lists;
   std::vector<Leftover> leftovers;
   BlockSource source;
@@ -311,6 +317,7 @@ class Document {
     std::uint64_t mask;  // a bit for each field of the run
   };
   std::vector<PreviousRun> previous_;
+  std::vector<ig_field> frame_fields_;
   std::vector<Frame> frames_;
   Frame composed_, inverse_;
   bool composed_valid_ = false, inverse_valid_ = false, invertible_ = false;

@@ -32,8 +32,18 @@ struct SleepingSyntax {
   std::string wakes_on;  ///< "Parsing.Flags.…, Parsing.…"
 };
 
+/// A program under way: the main one, or one that was called.
+struct ExplainedFrame {
+  std::string file;
+  std::string program;          ///< the name by which it was called; empty: the main program
+  std::uint32_t call_line = 0;  ///< in the file of the frame before
+  std::uint32_t pass = 1, passes = 1;
+};
+
 struct ExplainedBlock {
   Location where;
+  std::uint64_t pass = 1;              ///< how often the run had come to this line
+  std::vector<ExplainedFrame> frames;  ///< the main program's first
   std::string text;
   std::vector<ExplainedValue> carried;  ///< what the block began with
   std::vector<ExplainedStep> steps;     ///< in order; the scanners first
@@ -42,9 +52,17 @@ struct ExplainedBlock {
   std::vector<ExplainedValue> values;  ///< the same, value by value with its writer
 };
 
-/// Runs `source` up to `line` and explains the blocks of that line; none when the line holds no block. Diagnostics of
-/// the whole run go to `sink`.
+/// Which blocks are explained: those of a line, when the run comes to it for the pass-th time.
+struct ExplainTarget {
+  std::uint32_t line = 0;
+  std::string file{};      ///< a called program's, by its name with or without folder; empty: the main program's
+  std::uint64_t pass = 1;  ///< from 1
+};
+
+/// Runs `source` up to the target and explains its blocks; none when the run does not come there. `passes`: how often
+/// it came to the line. Diagnostics of the whole run go to `sink`.
 std::vector<ExplainedBlock> explain(const LinkedDialect& linked, Source& source, const std::string& name,
-                                    std::uint32_t line, RunOptions options, DiagnosticSink& sink);
+                                    const ExplainTarget& target, RunOptions options, DiagnosticSink& sink,
+                                    std::uint64_t* passes = nullptr);
 
 }  // namespace isogloss

@@ -31,6 +31,9 @@ class SymbolTable {
   std::unordered_map<std::string, ig_symbol, Hash, std::equal_to<>> ids_;
 };
 
+/// A value of this life is there again in the next block.
+constexpr bool is_carried(ig_life life) { return life == IG_LIFE_MODAL || life == IG_LIFE_FRAME; }
+
 /// A field as one syntax or the host's list of standard sections declares it.
 struct FieldInfo {
   std::string path;  ///< "Feedrate.FeedrateValue"; in a list: the path inside a record, "MotionEvent.Form"

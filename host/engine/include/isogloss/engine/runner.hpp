@@ -4,6 +4,8 @@
 #include <atomic>
 #include <iosfwd>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "isogloss/engine/chain.hpp"
 #include "isogloss/engine/exporter.hpp"
@@ -12,10 +14,17 @@ namespace isogloss {
 
 struct RunOptions {
   ChainSettings chain;
-  bool stop_on_error = false;         ///< --on-error stop: the control's own stops end the run
-  std::string program;                ///< O1234: start at that program of the file
-  std::uint64_t maximum_blocks = 0;   ///< 0: no limit
-  std::uint64_t stop_after_line = 0;  ///< 0: no limit (explain)
+  bool stop_on_error = false;                     ///< --on-error stop: the control's own stops end the run
+  std::string program;                            ///< O1234: start at that program of the file
+  std::uint64_t maximum_blocks = 0;               ///< 0: no limit
+  std::uint64_t maximum_jumps = 1'000'000;        ///< calls, returns and jumps
+  std::uint64_t maximum_loop_blocks = 1'000'000;  ///< blocks that run again after jumps back
+  std::uint32_t maximum_depth = 100;              ///< of called programs
+  /// Where called programs may be, in this order: folders, and files that hold several programs.
+  std::vector<std::string> program_places;
+  std::uint64_t stop_after_line = 0;  ///< ends the run behind this line; 0: no limit (explain)
+  std::string stop_in_file;           ///< whose line it is, by name; empty: the main program's
+  std::uint64_t stop_after_pass = 1;  ///< how often that line is run
   std::size_t maximum_line_bytes = 1u << 20;
   std::function<void(Chain&)> prepare;  ///< called once the chain is created, before its start; empty: none
   std::function<void(std::uint64_t blocks, std::uint64_t bytes)> progress;  ///< now and then; empty: none
@@ -27,14 +36,20 @@ struct RunResult {
   std::uint64_t bytes = 0;
   bool output_closed = false;
   bool stopped_by_alarm = false;
+  std::uint64_t jumps = 0;  ///< calls, returns and jumps
 };
 
 /// A program's bytes, read in windows.
 class Source {
  public:
   virtual ~Source() = default;
-  /// Fills the buffer as far as it can; 0 at the end.
+  /// The next bytes, as many as the buffer takes or fewer; 0 at the end.
   virtual std::size_t read(char* buffer, std::size_t size) = 0;
+  /// True where read_at() answers; what can only be read once is kept by the run.
+  virtual bool has_places() const { return false; }
+  virtual std::size_t read_at(std::uint64_t, char*, std::size_t) { return 0; }
+  /// True when what was read can no longer be read again.
+  virtual bool is_lost() const { return false; }
 };
 std::unique_ptr<Source> open_file(const std::string& path, std::string& error);  ///< "-": standard input
 std::unique_ptr<Source> memory_source(std::string_view text);

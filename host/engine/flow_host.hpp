@@ -1,0 +1,27 @@
+/// What stands behind the service isogloss.flow/1: a run that goes where its blocks say, or the making of an index.
+#pragma once
+
+#include "isogloss/engine/document.hpp"
+#include "isogloss_flow.h"
+
+namespace isogloss {
+
+class FlowHost {
+ public:
+  FlowHost() = default;
+  virtual ~FlowHost() = default;
+  FlowHost(const FlowHost&) = delete;
+  FlowHost& operator=(const FlowHost&) = delete;
+
+  virtual void label(std::string_view name, ig_label_kind kind) = 0;
+  virtual std::int32_t go(const Document& document, ig_go& request) = 0;
+  virtual bool frame(std::uint32_t level, ig_frame& out) const = 0;
+  virtual ig_place here() const = 0;
+  /// Is this the file that a user means by `wanted`, with or without its folder? Empty: the main program's.
+  virtual bool is_file(std::string_view name, std::string_view wanted) const = 0;
+};
+
+/// The service's functions, for a chain that runs.
+ig_flow_1 flow_service();
+
+}  // namespace isogloss

@@ -1,0 +1,102 @@
+/// Calls, returns, jumps and loops as a syntax asks for them: a cover over the host's service isogloss.flow/1.
+#pragma once
+
+#include <isogloss_flow.h>
+
+#include "isogloss/block.hpp"
+
+namespace ig {
+
+/// A member of a syntax. Requests are carried out after the block; the first one of a block counts.
+class Flow {
+ public:
+  /// What became of a request; `reason` is good to the end of the block.
+  struct Answer {
+    std::int32_t status;
+    std::string_view reason;
+    bool is_done() const { return status == IG_GO_DONE; }
+    bool is_not_found() const { return status == IG_GO_NOT_FOUND; }
+  };
+  struct Call {
+    std::string_view program;
+    std::span<const ig_text> files{};
+    std::uint32_t scope = IG_IN_FILES | IG_IN_FOLDERS;
+    std::uint32_t repeats = 1;
+    std::uint64_t tag = 0;
+    std::string_view start = {};
+  };
+
+  /// True while a file is indexed: only then the name of a line needs to be put together.
+  bool is_indexing() const { return service_ && service_->is_indexing != 0; }
+  void label(Block& b, std::string_view name, ig_label_kind kind = IG_LABEL_PLACE) const {
+    if (is_indexing()) service_->label(b.raw(), to_text(name), kind);
+  }
+
+  Answer call(Block& b, const Call& c) const {
+    ig_go go = request(IG_GO_CALL);
+    go.label = to_text(c.program);
+    go.start = to_text(c.start);
+    go.files = c.files.data();
+    go.file_count = static_cast<std::uint32_t>(c.files.size());
+    go.scope = c.scope;
+    go.repeats = c.repeats;
+    go.tag = c.tag;
+    return ask(b, go);
+  }
+  /// Back behind the calling block, or to a label of the caller. flags: IG_GO_DROP_REPEATS.
+  Answer leave(Block& b, std::string_view label = {}, std::uint32_t flags = 0) const {
+    ig_go go = request(IG_GO_RETURN);
+    go.label = to_text(label);
+    go.flags = flags;
+    return ask(b, go);
+  }
+  /// To a label of this program. flags: IG_GO_BEHIND.
+  Answer jump(Block& b, std::string_view label, ig_search search = IG_SEARCH_AROUND, std::uint32_t flags = 0) const {
+    ig_go go = request(IG_GO_LABEL);
+    go.label = to_text(label);
+    go.search = search;
+    go.flags = flags;
+    return ask(b, go);
+  }
+  Answer go_to(Block& b, const ig_place& place, std::uint32_t flags = 0) const {
+    ig_go go = request(IG_GO_PLACE);
+    go.place = place;
+    go.flags = flags;
+    return ask(b, go);
+  }
+  /// To the first block of this frame.
+  Answer restart(Block& b) const {
+    ig_go go = request(IG_GO_START);
+    return ask(b, go);
+  }
+
+  ig_place here(const Block& b) const {
+    ig_place place{};
+    if (service_) service_->here(b.raw(), &place);
+    return place;
+  }
+  /// The frame of this block.
+  ig_frame frame(const Block& b) const { return frame(b, IG_CURRENT_FRAME).value_or(ig_frame{}); }
+  std::optional<ig_frame> frame(const Block& b, std::uint32_t level) const {
+    ig_frame out{};
+    out.struct_size = sizeof out;
+    if (!service_ || service_->frame(b.raw(), level, &out) == 0) return std::nullopt;
+    return out;
+  }
+
+ private:
+  static ig_go request(ig_go_kind kind) {
+    ig_go go{};
+    go.struct_size = sizeof go;
+    go.kind = kind;
+    return go;
+  }
+  Answer ask(Block& b, ig_go& go) const {
+    const std::int32_t status = service_ ? service_->go(b.raw(), &go) : std::int32_t{IG_GO_NOT_FOUND};
+    return {status, to_view(go.reason)};
+  }
+
+  Service<ig_flow_1> service_{IG_FLOW_SERVICE, Need::optional, "Calls, returns and jumps; the host has it."};
+};
+
+}  // namespace ig
