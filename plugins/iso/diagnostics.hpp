@@ -107,7 +107,9 @@ inline constexpr std::array diagnostics{
                    "The dialect's IsoCoordinateTable has no such set. Positions from here on are unreliable.",
                    "G54.1 P999"),
     ig::diagnostic(IG_WARNING, "ISO-0230", "M99 in the main program: the run ends here",
-                   "The control jumps to the start of the program and runs it again, until someone stops it.", "M99"),
+                   "The control jumps to the start of the program and runs it again, until someone stops it. `isogloss "
+                   "run --main-passes` lets it run several times here.",
+                   "M99"),
     ig::diagnostic(IG_ERROR, "ISO-0260", "{0} is not executed: the tool runs on the programmed path",
                    "Cutter radius compensation is recognised only. Every path up to G40 is off by the tool radius.",
                    "G41 D1"),

@@ -1,6 +1,7 @@
 // The sequence number N10: a name of the block for searches and jumps, never an order. It stands first; elsewhere the
 // control complains or not, so it is taken with a warning. A second N of a block is an ordinary word that nobody uses.
 #include "diagnostics.hpp"
+#include "program_name.hpp"
 #include "scan_util.hpp"
 
 namespace iso {
@@ -13,6 +14,7 @@ struct HeadIndexSyntax {
                                    .scans("Nn");
 
   ig::Out<std::int64_t> n{"Source.N"};
+  ig::Flow flow;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     const std::size_t digits = skip_blanks(text, position + 1);
@@ -21,6 +23,7 @@ struct HeadIndexSyntax {
     std::int64_t number = 0;
     for (std::size_t i = digits; i < end; ++i) number = number * 10 + (text[i] - '0');
     b.set(n, number);
+    if (flow.is_indexing()) flow.label(b, NumberedName('N', number).text());
     if (position > 0 && !stands_first(text, position))
       b.report(diag("ISO-0114"), ig::Where::columns(position, end), piece(text, position, end));
     return end;

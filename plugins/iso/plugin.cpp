@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cycle_diagnostics.hpp"
+#include "subprogram_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -16,7 +17,7 @@ constexpr auto joined(const std::array<ig_diagnostic_decl, Sizes>&... parts) {
 }
 
 constexpr auto all_diagnostics =
-    joined(diagnostics, rotary_diagnostics, tilt_diagnostics, tool_center_diagnostics, cycle_diagnostics);
+    joined(diagnostics, rotary_diagnostics, tilt_diagnostics, tool_center_diagnostics, cycle_diagnostics, subprogram_diagnostics);
 
 }  // namespace
 }  // namespace iso

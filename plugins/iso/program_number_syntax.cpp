@@ -2,8 +2,9 @@
 // in a file; the control does not run from one into the next, so the second one ends the run.
 #include <string>
 
-#include "diagnostics.hpp"
+#include "program_name.hpp"
 #include "scan_util.hpp"
+#include "subprogram_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -15,7 +16,8 @@ struct ProgramNumberSyntax {
                                    .scans("Oo:<");
 
   ig::TextField program{"Source.Program", ig::write};
-  ig::Signal begun{"Source.~Program", ig::read | ig::write, ig::Life::modal};
+  ig::Signal begun{"Source.~Program", ig::read | ig::write, ig::Life::frame};
+  ig::Flow flow;
   std::string name;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
@@ -23,9 +25,11 @@ struct ProgramNumberSyntax {
     const std::size_t end = read_name(text, position);
     if (end == position) return position;
     b.set_text(program, name);
-    if (b.is_raised(begun)) {
-      b.report(diag("ISO-0113"), ig::Where::columns(position, end), std::string_view(name));
-      b.end_program();
+    if (flow.is_indexing()) {
+      const auto number = numbered_name('O', std::string_view(name).substr(1));
+      flow.label(b, number ? number->text() : std::string_view(name), IG_LABEL_PROGRAM);
+    } else if (b.is_raised(begun)) {
+      leave(b, ig::Where::columns(position, end));
       return block_end(text, end);
     }
     b.raise(begun);
@@ -33,6 +37,16 @@ struct ProgramNumberSyntax {
   }
 
  private:
+  void leave(ig::Block& b, const ig::Where& where) {
+    const ig_frame frame = flow.frame(b);
+    if (frame.depth > 0 && flow.leave(b).is_done()) {
+      b.report(subprogram_diag("ISO-0490"), where, std::string_view(name), ig::to_view(frame.program));
+      return;
+    }
+    b.report(diag("ISO-0113"), where, std::string_view(name));
+    b.end_program();
+  }
+
   std::size_t read_name(std::string_view text, std::size_t position) {
     const bool is_o = to_upper(text[position]) == 'O';
     if (is_o && begins_o_word(text, position)) return position;

@@ -12,8 +12,8 @@ struct TapeBoundarySyntax {
       ig::syntax("TapeBoundarySyntax", "Takes % at the start and at the end of the program.").scans("%\x1A");
 
   ig::TextField text_{"TapeBoundary.Text", ig::write};
-  ig::Signal started{"TapeBoundary.~Started", ig::read | ig::write, ig::Life::modal};
-  ig::Signal program{"Source.~Program", ig::read, ig::Life::modal};
+  ig::Signal started{"TapeBoundary.~Started", ig::read | ig::write, ig::Life::frame};
+  ig::Signal program{"Source.~Program", ig::read, ig::Life::frame};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     const std::size_t end = block_end(text, position);

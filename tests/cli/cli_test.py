@@ -453,6 +453,65 @@ class Dialects(Command):
         self.run_it("dialect", "--effective", "nothing", status=1)
 
 
+class Subprograms(Command):
+    def xs(self, done):
+        return [line.split(",")[3] for line in done.stdout.splitlines()[1:] if ",end," not in line]
+
+    def run_csv(self, *arguments, status=0, **more):
+        return self.run_it("run", *arguments, "-d", "fanuc", "--format", "csv", status=status, **more)
+
+    def test_programs_lie_beside_the_program_or_where_the_user_says(self):
+        main = self.write("main.nc", "G91 G00 X1.\nM98 P77\nX1.\nM30\n")
+        done = self.run_csv(main, status=1)
+        self.assertRegex(done.stderr, r"main\.nc:2:5: error: program O77 is not found.*folder .* \[ISO-0485\]")
+        (self.path / "more").mkdir()
+        self.write("more/o0077.TAP", "%\nO0077\nX10.\nM99\n%\n")
+        self.assertEqual(self.xs(self.run_csv(main, "--subprograms", "more")), ["1", "11", "12"])
+        self.write("O77", "X20.\nM99\n")
+        done = self.run_csv(main, "--subprograms", "more")
+        self.assertEqual(self.xs(done), ["1", "21", "22"])
+        self.assertIn("O77,1,rapid", done.stdout)
+        self.run_csv(main, "--subprograms", "nowhere", status=2)
+
+    def test_standard_input_goes_back(self):
+        program = "O1\nG91 G00\nM98 P2 L3\nM30\nO2\nX1.\nM99\n"
+        self.assertEqual(self.xs(self.run_csv("-", given=program)), ["1", "2", "3"])
+        long_program = program.replace("O2\n", ("(" + "x" * 60 + ")\n") * 40000 + "O2\n")
+        self.assertEqual(self.xs(self.run_csv("-", given=long_program)), ["1", "2", "3"])
+
+    def test_links_and_folders_are_no_programs(self):
+        outside = tempfile.NamedTemporaryFile("w", suffix=".nc", delete=False)
+        self.addCleanup(os.unlink, outside.name)
+        outside.write("X99.\nM99\n")
+        outside.close()
+        (self.path / "O5").mkdir()
+        (self.path / "O6.nc").symlink_to(outside.name)
+        os.mkfifo(self.path / "O7.nc")
+        main = self.write("main.nc", "G91 G00\nM98 P5\nM98 P6\nM98 P7\nM98 P8\nM30\n")
+        done = self.run_csv(main, status=1)
+        for said in ("O5 is a folder", "O6.nc is a link that leads out", "O7.nc is no regular file", "program O8"):
+            self.assertIn(said, done.stderr)
+        self.assertEqual(self.xs(done), [])
+
+    def test_endless_programs_end_soon(self):
+        for name, program, code in (
+                ("restart", "O1\nG91 X1.\nM99\n", "IG-0418"),
+                ("return", "O1\nN1 M98 P2\nO2\nM99 P1\n", "IG-0418"),
+                ("itself", "O1\nM98 P1\nM99\n", "ISO-0486"),
+                ("often", "O1\nM98 P2 L9999\nM30\nO2\nM98 P3 L9999\nM99\nO3\nM99\n", "IG-0417")):
+            with self.subTest(name):
+                begin = time.monotonic()
+                done = self.run_csv(self.write("endless.nc", program), "--emit", "none", "--main-passes", "0", status=1)
+                self.assertIn(code, done.stderr)
+                self.assertLess(time.monotonic() - begin, 10)
+
+    def test_limits_are_options(self):
+        program = self.write("deep.nc", "O1\nM98 P2\nM30\nO2\nM98 P3\nM99\nO3\nM99\n")
+        self.run_csv(program)
+        self.assertIn("IG-0416", self.run_csv(program, "--max-depth", "1", status=1).stderr)
+        self.assertIn("IG-0417", self.run_csv(program, "--max-jumps", "2", status=1).stderr)
+
+
 class Explain(Command):
     def test_a_line(self):
         out = self.run_it("explain", f"{self.program}:7", "-d", "iso").stdout
@@ -477,6 +536,25 @@ class Explain(Command):
         self.assertIn("must stand after", out)
         self.assertIn("lint --suggest", out)
         self.run_it("explain", "IG-9999", status=2)
+
+    def test_calls_are_followed(self):
+        self.write("O20", "O20\nG91 X1.\nM98 P30 L2\nM99\n")
+        self.write("O30.NC", "O30\nY2.\nM99\n")
+        main = self.write("calls.nc", "G00 X0 Y0\nM98 P20\nM98 P20\nM30\n")
+        out = self.run_it("explain", f"{main}:2", "--in", "O30.NC", "--pass", "4", "-d", "fanuc").stdout
+        self.assertIn("O30.NC:2: Y2.\n", out)
+        self.assertIn("called O20 by", out)
+        self.assertRegex(out, r"called O30 by .*O20:3, pass 2 of 2")
+        self.assertIn("pass 4 over this line", out)
+        block = json.loads(self.run_it("explain", f"{main}:2", "--in", "O20", "-d", "fanuc", "--json").stdout)[0]
+        self.assertEqual((block["Line"], block["Pass"]), (2, 1))
+        self.assertEqual([(f.get("Program"), f.get("CallLine")) for f in block["Frames"]], [(None, None), ("O20", 2)])
+        done = self.run_it("explain", f"{main}:2", "--in", "O20", "--pass", "3", "-d", "fanuc", status=1)
+        self.assertIn("the run comes to this line 2 times", done.stderr)
+
+    def test_a_line_of_a_plain_program_ends_the_run(self):
+        out = self.run_it("explain", f"{self.program}:7", "-d", "iso")
+        self.assertNotIn("pass", out.stdout)
 
     def test_no_block(self):
         self.assertIn("no block at line 99", self.run_it("explain", f"{self.program}:99", "-d", "iso", status=1).stderr)

@@ -1,0 +1,6 @@
+%
+O0002(IN A FILE)
+X2.
+M99
+%
+X99. (BEHIND THE TAPE)
