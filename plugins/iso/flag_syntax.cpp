@@ -34,6 +34,8 @@ Code read_code(std::string_view text, std::size_t position) {
   return code;
 }
 
+enum class Expressions { leave, pass };
+
 struct FlagSyntax {
   static constexpr auto spec = ig::syntax("FlagSyntax", "Reads G and M codes.")
                                    .after("MacroStatementSyntax", "HeadIndexSyntax")
@@ -42,6 +44,12 @@ struct FlagSyntax {
 
   ig::Fields codes{"codes", "Parsing.Flags.* Parsing.*", ig::write, "The codes that syntaxes of this chain know.",
                    IG_CODE};
+  ig::Choice<Expressions> expressions{"expressions", "leave|pass", "leave",
+                                      "A code whose number is an expression: left over as it is, or passed on to the "
+                                      "scanners behind this one."};
+  ig::TextOption passed_codes{"passed-codes", "", "Codes that are passed on to the scanners behind this one: G65 G66."};
+  ig::Config code_calls{"isogloss.code-call/1", ig::Need::optional,
+                        "Codes that call a program here are passed on, too."};
   std::array<std::vector<ig_field>, 2> table;
 
   FlagSyntax() {
@@ -49,12 +57,13 @@ struct FlagSyntax {
       std::string_view name = codes.path(i);
       for (const std::string_view prefix : {"Parsing.Flags.", "Parsing."})
         if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
-      if (!is_flag_letter(name.front())) continue;
-      const Code code = read_code(name, 1);
-      if (code.index == no_code || code.end != name.size() || code.end < 2) continue;
-      std::vector<ig_field>& row = table[row_of(name.front())];
-      if (row.size() <= code.index) row.resize(code.index + 1, IG_NO_FIELD);
-      row[code.index] = codes.id(i);
+      enter(name, code_calls.number(name) ? passed_on : codes.id(i));
+    }
+    std::string_view rest = passed_codes.text();
+    while (!(rest = trim(rest)).empty()) {
+      const std::size_t end = std::min(rest.find(' '), rest.size());
+      enter(rest.substr(0, end), passed_on);
+      rest.remove_prefix(end);
     }
   }
 
@@ -71,12 +80,14 @@ struct FlagSyntax {
         end = odd;
       } else {
         const Code code = read_code(text, number);
-        end = code.end;
-        if (is_odd_after(text, end)) {
-          end = odd_number(b, text, next, end);
-        } else if (const ig_field field = field_of(text[next], code.index); field == IG_NO_FIELD) {
-          unknown(b, text, next, number, end);
+        const ig_field field = field_of(text[next], code.index);
+        if (is_odd_after(text, code.end)) {
+          end = odd_number(b, text, next, code.end);
+        } else if (field >= passed_on) {
+          if (field == passed_on || !unknown(b, text, next, number, code.end)) break;
+          end = code.end;
         } else {
+          end = code.end;
           if (count == words.size()) {
             b.host()->set_words(b.raw(), words.data(), count);
             count = 0;
@@ -91,6 +102,18 @@ struct FlagSyntax {
   }
 
  private:
+  /// A field that no chain has: the code is for another scanner.
+  static constexpr ig_field passed_on = IG_NO_FIELD - 1;
+
+  void enter(std::string_view name, ig_field field) {
+    if (name.empty() || !is_flag_letter(name.front())) return;
+    const Code code = read_code(name, 1);
+    if (code.index == no_code || code.end != name.size() || code.end < 2) return;
+    std::vector<ig_field>& row = table[row_of(name.front())];
+    if (row.size() <= code.index) row.resize(code.index + 1, IG_NO_FIELD);
+    row[code.index] = field;
+  }
+
   static constexpr bool is_flag_letter(char c) { return c == 'G' || c == 'M' || c == 'g' || c == 'm'; }
   static constexpr std::size_t row_of(char letter) { return to_upper(letter) == 'G' ? 0 : 1; }
   static constexpr bool is_odd_after(std::string_view text, std::size_t end) {
@@ -103,8 +126,8 @@ struct FlagSyntax {
     return index < row.size() ? row[index] : IG_NO_FIELD;
   }
 
-  /// Leading zeros go, one-digit codes get one: G5 is G05, G054 is G54.
-  static void unknown(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number, std::size_t end) {
+  /// Leading zeros go, one-digit codes get one: G5 is G05, G054 is G54. False: the code is for another scanner.
+  bool unknown(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number, std::size_t end) const {
     std::string_view digits = piece(text, number, end);
     while (digits.size() > 1 && digits.front() == '0' && is_digit(digits[1])) digits.remove_prefix(1);
     if (digits.ends_with('.')) digits.remove_suffix(1);
@@ -114,15 +137,18 @@ struct FlagSyntax {
     name[size++] = to_upper(text[begin]);
     if (skip_digits(digits, 0) < 2) name[size++] = '0';
     for (const char c : digits.substr(0, name.size() - size)) name[size++] = c;
+    if (code_calls.number({name.data(), size})) return false;
     leave(b, IG_LEFT_UNKNOWN, {name.data(), size}, begin, end);
+    return true;
   }
 
   /// `begin`: not a code at all, another scanner may read it.
-  static std::size_t no_number(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number) {
+  std::size_t no_number(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number) const {
     const char c = at(text, number);
     if (to_upper(c) == 'O' && (is_digit(at(text, number + 1)) || at(text, number + 1) == 'O'))
       return refuse(b, diag("ISO-0101"), text, begin, skip_while(text, number, is_digit_or_o));
-    if (const std::size_t end = skip_expression(text, number); end != number) return expression(b, text, begin, end);
+    if (const std::size_t end = skip_expression(text, number); end != number)
+      return expressions == Expressions::pass ? begin : expression(b, text, begin, end);
     if (c == '=') return expression(b, text, begin, skip_to_blank(text, number + 1));
     if (skip_while(text, begin, is_letter) - begin > 2) return begin;
     return refuse(b, diag("ISO-0102"), text, begin, skip_while(text, begin + 1, [](char u) { return u == '_'; }));

@@ -29,12 +29,17 @@ std::size_t skip_exponent(std::string_view text, std::size_t position) {
   return end == digits || at(text, end) == '.' ? position : end;
 }
 
+enum class Expressions { leave, pass };
+
 struct WordSyntax {
   static constexpr auto spec = ig::syntax("WordSyntax", "Reads words: an address and its number.")
                                    .after("FlagSyntax", "HeadIndexSyntax", "MacroStatementSyntax")
                                    .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-.,");
 
   ig::Fields addresses{"addresses", "Parsing.?", ig::write, "The addresses that words may have."};
+  ig::Choice<Expressions> expressions{"expressions", "leave|pass", "leave",
+                                      "A word whose value is an expression: left over as it is, or passed on to the "
+                                      "scanners behind this one."};
   ig::Signal without_point{"Parsing.~WithoutPoint", ig::write};
   ig::Signal fine_digits{"Parsing.~FineDigits", ig::write};
   ig::Signal cuts_digits{"Parsing.~CutsDigits", ig::read, ig::Life::modal};
@@ -71,7 +76,9 @@ struct WordSyntax {
     std::size_t next = position;
     std::size_t end = position;
     do {
-      end = word(b, text, next, run);
+      const std::size_t behind = word(b, text, next, run);
+      if (behind == next) break;  // for another scanner
+      end = behind;
       next = skip_blanks(text, end);
     } while (next < text.size() && is_address(text[next]));
     set(b, run, position > 0);
@@ -151,7 +158,10 @@ struct WordSyntax {
     if (c == '=') return assignment(b, text, begin, number);
     const bool is_signed = c == '+' || c == '-';
     const std::size_t body = is_signed ? skip_while(text, number, is_sign_or_blank) : number;
-    if (begins_expression(text, body)) return expression(b, text, begin, skip_expression(text, number));
+    if (begins_expression(text, body)) {
+      if (expressions == Expressions::pass) return begin;
+      return expression(b, text, begin, skip_expression(text, number));
+    }
     if (to_upper(c) == 'O' && is_digit(at(text, number + 1)))
       return refuse(b, diag("ISO-0101"), text, begin, skip_while(text, number, is_digit_or_o));
     const std::size_t name = skip_while(text, begin, is_letter);
