@@ -1,0 +1,139 @@
+// Words and codes whose value is computed: X#1, Z-[#2+1.], G#5, M[#6+10]. Their values have full precision and count as
+// written with a decimal point; an empty variable makes the word absent. Evaluated while the block is read, so that all
+// syntaxes after it see plain words.
+#include "code_fields.hpp"
+#include "macro_environment.hpp"
+#include "scan_util.hpp"
+
+namespace fanuc {
+namespace {
+
+struct FanucMacroWord {
+  static constexpr auto spec =
+      ig::syntax("FanucMacroWordSyntax", "Words and codes whose value is a variable or an expression.")
+          .after("FlagSyntax", "WordSyntax", "FanucMacroStatementSyntax")
+          .before("ParameterizedFlagSyntax")
+          .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz");
+
+  ig::Fields addresses_{"addresses", "Parsing.?", ig::write, "The addresses that words may have."};
+  CodeFields codes_;
+  ig::Config number_format_{"isogloss.number-format/1", ig::Need::optional, "The increments that ROUND rounds to."};
+  ig::Codes units_{{"G20", "G21"}, ig::read};
+  ig::In<ig::Symbol> system_{"Unit.System"};
+  ig::Name inch_{"Inch"};
+  MacroEnvironment environment_;
+
+  struct Address {
+    ig_field field = IG_NO_FIELD;
+    std::string_view unit;
+  };
+  std::array<Address, 26> words_{};
+  double mm_ = number_format_.number("LengthIncrement_mm").value_or(0.001);
+  double in_ = number_format_.number("LengthIncrement_inch").value_or(0.0001);
+  double deg_ = number_format_.number("AngleIncrement_deg").value_or(0.001);
+
+  FanucMacroWord() {
+    for (std::size_t i = 0; i < addresses_.size(); ++i)
+      if (const unsigned letter = iso::letter_index(addresses_.path(i).back()); letter < 26)
+        words_[letter] = {addresses_.id(i), addresses_.unit(i)};
+  }
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
+    bool negative = false;
+    const std::size_t value = skip_signs(text, position + 1, negative);
+    const char c = iso::at(text, value);
+    const bool is_function = iso::is_letter(c) && iso::at(text, iso::skip_while(text, value, iso::is_letter)) == '[';
+    if (c != '#' && c != '[' && !is_function) return position;
+    if (environment_.flow.is_indexing()) return iso::skip_expression(text, value);
+    environment_.enter(b);
+    return word(b, text, position, value, negative);
+  }
+
+ private:
+  static std::size_t skip_signs(std::string_view text, std::size_t position, bool& negative) {
+    for (;; ++position) {
+      const char c = iso::at(text, position);
+      if (c == '-') negative = !negative;
+      if (c != '+' && c != '-' && !iso::is_blank(c)) return position;
+    }
+  }
+
+  std::size_t word(ig::Block& b, std::string_view text, std::size_t begin, std::size_t value, bool negative) {
+    const char letter = iso::to_upper(text[begin]);
+    ExpressionRules rules = environment_.rules();
+    rules.increment = increment_of(b, letter);
+    const auto variables = [&](std::uint32_t number, MacroValue& out) { return environment_.read(b, number, out); };
+    Outcome o = evaluate_operand(text, value, rules, variables);
+    const std::size_t whole = iso::skip_expression(text, value);
+    if (!o.ok()) {
+      environment_.report(b, o, text);
+      return std::max({whole, o.end, o.fault_end, begin + 1});
+    }
+    if (whole > o.end) {
+      b.report(macro_diag("FAN-0153"), ig::Where::columns(begin, whole), iso::piece(text, begin, whole));
+      o = evaluate(text.substr(0, whole), value, rules, variables);
+      if (!o.ok()) {
+        environment_.report(b, o, text);
+        return whole;
+      }
+    }
+    if (environment_.has_deep_brackets(o)) environment_.warn_of_depth(b, o, begin, o.end);
+    if (o.value.kind == Kind::truth && !rules.truth_is_number) {
+      b.report(macro_diag("FAN-0115"), ig::Where::columns(value, o.end), iso::piece(text, value, o.end));
+    } else if (letter == 'N' || letter == 'O') {
+      b.report(macro_diag("FAN-0151"), ig::Where::columns(begin, o.end), iso::piece(text, begin, o.end),
+               std::string_view(&letter, 1));
+    } else if (!o.value.is_null()) {
+      const double number = negative ? -o.value.number : o.value.number;
+      if (letter == 'G' || letter == 'M')
+        set_code(b, letter, number, begin, o.end);
+      else
+        set_word(b, letter, number, begin, o.end, iso::piece(text, begin, o.end));
+    }
+    return o.end;
+  }
+
+  /// What ROUND rounds to in this word; 0: whole numbers.
+  double increment_of(const ig::Block& b, char letter) const {
+    const Address& address = words_[iso::letter_index(letter)];
+    if (address.unit == "deg") return deg_;
+    if (address.unit == "mm") {
+      const auto code = b.find(units_);
+      return (code ? *code == 0 : b.is(system_, inch_)) ? in_ : mm_;
+    }
+    return letter == 'F' ? 0.001 : 0;
+  }
+
+  void set_word(ig::Block& b, char letter, double number, std::size_t begin, std::size_t end,
+                std::string_view written) {
+    const Address& address = words_[iso::letter_index(letter)];
+    const auto where = ig::Where::columns(begin, end);
+    if (address.field == IG_NO_FIELD) {
+      iso::leave(b, IG_LEFT_WORD, {&letter, 1}, begin, end);
+      return;
+    }
+    ig_value before;
+    if (b.host()->get(b.raw(), address.field, &before) != 0) b.report(macro_diag("FAN-0154"), where, written);
+    // Counts and numbers of things are whole: what a calculation misses by its last digits is rounded.
+    const bool is_whole = address.unit.empty() && std::string_view("DHLPT").find(letter) != std::string_view::npos;
+    const ig_word word{.field = address.field,
+                       .begin = iso::column(begin),
+                       .end = iso::column(end),
+                       .value = {.number = (is_whole ? std::round(number) : number) + 0.0},
+                       .flags = 0,
+                       .reserved = 0};
+    b.host()->set_words(b.raw(), &word, 1);
+  }
+
+  void set_code(ig::Block& b, char letter, double number, std::size_t begin, std::size_t end) {
+    if (const auto index = CodeFields::index_of(number))
+      codes_.set(b, letter, *index, begin, end);
+    else
+      b.report(macro_diag("FAN-0152"), ig::Where::columns(begin, end), std::string_view(&letter, 1), number);
+  }
+};
+
+const ig::Register<FanucMacroWord> registered;
+
+}  // namespace
+}  // namespace fanuc
