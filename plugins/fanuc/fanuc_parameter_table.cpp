@@ -26,7 +26,7 @@ struct FanucParameterTable {
       ig::dependency("FanucParameterTable", "Parameters of a Fanuc control, by number and axis.")
           .rows("Parameter", "number")
           .provides("isogloss.number-format/1", "isogloss.canned-cycle/1", "isogloss.motion/1",
-                    "isogloss.machine-axis/1", "isogloss.coordinate-system/1")
+                    "isogloss.machine-axis/1", "isogloss.coordinate-system/1", "isogloss.code-call/1")
           .ships(shipped);
 
   ig::Column value{"Value", nullptr, "", {}, "The parameter, where it is one for the whole control."};
@@ -43,6 +43,7 @@ struct FanucParameterTable {
     if (id == "isogloss.canned-cycle/1") return &cycles;
     if (id == "isogloss.motion/1") return &motion;
     if (id == "isogloss.coordinate-system/1") return &coordinate_system;
+    if (id == "isogloss.code-call/1") return &code_calls;
     return id == "isogloss.machine-axis/1" ? &machine : nullptr;
   }
 
@@ -118,6 +119,22 @@ struct FanucParameterTable {
     return name == "ResetCancelsLocalCoordinate" ? Answer(bit(reset, 3) ? 1 : 0) : std::nullopt;
   }
 
+  /// Parameters 6050 to 6059: the G codes that call O9010 to O9019; 6080 to 6089: the M codes that call O9020 to O9029
+  /// with arguments; 6071 to 6079: those that call O9001 to O9009 like M98. 0 is no code.
+  Answer program_of_code(std::string_view code) const {
+    struct Range {
+      char letter;
+      int first_parameter, count, first_program;
+    };
+    if (code.size() < 2) return std::nullopt;
+    const ig::Decimal called = ig::read_decimal(code, 1);
+    if (!called.ok || called.value == 0) return std::nullopt;
+    for (const Range& r : {Range{'G', 6050, 10, 9010}, Range{'M', 6071, 9, 9001}, Range{'M', 6080, 10, 9020}})
+      for (int i = 0; i < r.count && code[0] == r.letter; ++i)
+        if (number(std::to_string(r.first_parameter + i)) == called.value) return r.first_program + i;
+    return std::nullopt;
+  }
+
   static std::int32_t write(Answer answer, double* out) {
     if (answer) *out = *answer;
     return answer ? 1 : 0;
@@ -159,6 +176,7 @@ struct FanucParameterTable {
   ig_config_1 cycles{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::cycle_of>};
   ig_config_1 motion{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::motion_of>};
   ig_config_1 coordinate_system{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::coordinate_system_of>};
+  ig_config_1 code_calls{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::program_of_code>};
   ig_machine_axis_1 machine{sizeof(ig_machine_axis_1), 0, this, &home, &reference, &travel, &rapid, &rollover};
 };
 

@@ -59,6 +59,23 @@ TEST_CASE("bits and increments of another control") {
   CHECK(number(coarse, motion, "ArcRadiusTolerance_mm") == 0);
 }
 
+TEST_CASE("codes that call programs") {
+  const char* const calls = "isogloss.code-call/1";
+  const FakeDependency table(*ig_plugin_v1(), "FanucParameterTable",
+                             {{"6050", {{"Value", 100}}},
+                              {"6059", {{"Value", 65.5}}},
+                              {"6071", {{"Value", 6}}},
+                              {"6072", {{"Value", 0}}},
+                              {"6081", {{"Value", 80}}}});
+  CHECK(number(table, calls, "G100") == 9010);
+  CHECK(number(table, calls, "G65.5") == 9019);
+  CHECK(number(table, calls, "M06") == 9001);
+  CHECK(number(table, calls, "M80") == 9021);
+  CHECK(number(table, calls, "M100") == -1);
+  CHECK(number(table, calls, "M00") == -1);
+  CHECK(number(table, calls, "G") == -1);
+}
+
 TEST_CASE("boring and tapping of a control as delivered") {
   const FakeDependency table(*ig_plugin_v1(), "FanucParameterTable");
   CHECK(number(table, cycle, "ShiftDirectionX") == 2);

@@ -1,0 +1,43 @@
+// After each block that moves the axes, the macro that G66 named last is called; G67 ends it. Asleep unless G66 is in
+// force.
+#include "macro_environment.hpp"
+#include "macro_program_call.hpp"
+
+namespace fanuc {
+namespace {
+
+struct FanucModalMacro {
+  static constexpr auto spec =
+      ig::syntax("FanucModalMacroSyntax", "Calls the macro of G66 after each block that moves; G67 ends it.")
+          .after("LinearMotionSyntax", "CircularMotionSyntax", "ReferenceReturnSyntax");
+
+  MacroEnvironment environment_;
+  ig::Codes end_{"G67"};
+  ig::Signal modal_{"MacroCall.~Modal", ig::read | ig::write | ig::wake_while, ig::Life::modal};
+  ig::In<ig::Symbol> move_{"MotionEvent.Form"}, steps_{"CompoundMotion.Term"};
+
+  ig::Status build(ig::Block& b) {
+    environment_.enter(b);
+    MacroStore& store = environment_.store();
+    std::vector<MacroStore::ModalCall>& calls = store.modal_calls();
+    if (b.take(end_)) {
+      if (calls.empty())
+        b.report(macro_diag("FAN-0169"), ig::Where::word(end_.id(0)));
+      else
+        calls.pop_back();
+      if (calls.empty() && store.depth() == 0) b.erase(modal_);
+      return ig::Status::changed;
+    }
+    if (calls.empty() || calls.back().repeats == 0 || !(b.is_fresh(move_) || b.is_fresh(steps_)))
+      return ig::Status::unchanged;
+    const MacroStore::ModalCall call = calls.back();
+    const std::uint64_t tag = store.enter(call.arguments, true);
+    if (!call_program(b, environment_.flow, call.program, call.repeats, tag, ig::Where::block())) store.leave_last();
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<FanucModalMacro> registered;
+
+}  // namespace
+}  // namespace fanuc

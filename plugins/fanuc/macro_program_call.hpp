@@ -1,0 +1,29 @@
+/// Asks the host to call a program by its number.
+#pragma once
+
+#include <isogloss/flow.hpp>
+
+#include "macro_diagnostics.hpp"
+#include "program_name.hpp"
+
+namespace fanuc {
+
+/// False where nothing is called, which is said.
+inline bool call_program(ig::Block& b, const ig::Flow& flow, std::int64_t number, std::int64_t repeats,
+                         std::uint64_t tag, ig::Where where) {
+  const iso::NumberedName name('O', number);
+  const iso::ProgramFileNames files(number);
+  ig::Flow::Call call;
+  call.program = name.text();
+  call.files = files.list();
+  call.repeats = static_cast<std::uint32_t>(repeats);
+  call.tag = tag;
+  const ig::Flow::Answer answer = flow.call(b, call);
+  if (answer.is_not_found())
+    b.report(macro_diag("FAN-0165"), where, name.text(), answer.reason);
+  else if (answer.status == IG_GO_TAKEN)
+    b.report(macro_diag("FAN-0170"), where, name.text());
+  return answer.is_done();
+}
+
+}  // namespace fanuc
