@@ -86,6 +86,8 @@ void ProgramOptions::add_to(CLI::App& app) {
       ->type_name("FILE");
   app.add_option("--offsets", offsets, "Table of work offsets")->type_name("FILE");
   app.add_option("--tools", tools, "Table of tool offsets")->type_name("FILE");
+  app.add_option("--variables", variables, "Table of variables: those kept from another run, those of the machine")
+      ->type_name("FILE");
   app.add_option("--set", set, "One value of a table or dependency, e.g. IsoCoordinateTable.G54.Z=-120 (repeatable)")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
@@ -128,8 +130,8 @@ std::optional<RunOptions> ProgramOptions::make(Session& session) const {
   RunOptions out;
   const std::optional<std::filesystem::path> of_machine = machine_file(machine, session);
   bool sound = of_machine.has_value();
-  for (const std::filesystem::path& file :
-       {of_machine.value_or(""), std::filesystem::path(offsets), std::filesystem::path(tools)}) {
+  for (const std::filesystem::path& file : {of_machine.value_or(""), std::filesystem::path(offsets),
+                                            std::filesystem::path(tools), std::filesystem::path(variables)}) {
     if (file.empty()) continue;
     DiagnosticList said;
     for (DependencyElement& d : session.reader().read_dependencies(file, said))

@@ -10,7 +10,7 @@ namespace isogloss::cli {
 
 struct ProgramOptions {
   std::string dialect;
-  std::string machine, offsets, tools;
+  std::string machine, offsets, tools, variables;
   std::vector<std::string> set;
   std::string block_skip;
   bool optional_stop = false;

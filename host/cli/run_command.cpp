@@ -10,6 +10,7 @@
 #include "program_options.hpp"
 #include "reproducer.hpp"
 #include "summary_text.hpp"
+#include "table_saver.hpp"
 
 namespace isogloss::cli {
 
@@ -22,6 +23,8 @@ struct RunCommand {
   std::string emit, format = "jsonl", output;
   bool summary = false, header = false, exact = false, zero_moves = false, checked = false, call_all = false;
   ReproducerRequest reproducer;
+  std::vector<std::string> save_table;
+  std::vector<TableRequest> tables_to_save;
 
   void add_to(CLI::App& app);
   int run();
@@ -38,6 +41,11 @@ void RunCommand::add_to(CLI::App& app) {
       ->type_name("jsonl|csv|text")
       ->capture_default_str();
   app.add_option("-o,--output", output, "Write to a file, which appears only when it is complete")->type_name("FILE");
+  app.add_option(
+         "--save-table", save_table,
+         "Write a table as the last run left it, to be given to a later run: MacroVariables=kept.xml (repeatable)")
+      ->type_name("NAME=FILE")
+      ->allow_extra_args(false);
   app.add_flag("--summary", summary,
                "Blocks, events, lengths, extents, time and diagnostics by code; on standard error when standard output "
                "holds data");
@@ -154,7 +162,7 @@ class Runs {
       options.progress = [&](std::uint64_t blocks, std::uint64_t bytes) { progress.show(blocks, bytes); };
 
     std::vector<Exporter*> exporters;
-    std::unique_ptr<Exporter> data, totals;
+    std::unique_ptr<Exporter> data, totals, tables;
     WithoutFirstLine later(*output_);
     Summary summary;
     ErrorLimit limit(session_.diagnostics());
@@ -167,6 +175,8 @@ class Runs {
         exporters.push_back(totals.get());
       }
       if (command_.common.maximum_errors != 0) exporters.push_back(&limit);
+      if (!command_.tables_to_save.empty())
+        exporters.push_back((tables = make_table_saver(command_.tables_to_save, session_)).get());
       const RunResult result = isogloss::run(*linked_, source, path, options, exporters, session_.diagnostics());
       wrote_ = true;
       output_is_gone_ = output_->reader_is_gone();
@@ -209,7 +219,9 @@ int RunCommand::run() {
     return cannot_start;
   }
   std::optional<RunOptions> options = program.make(session);
-  if (!options) return cannot_start;
+  auto tables = read_table_requests(save_table, session);
+  if (!options || !tables) return cannot_start;
+  tables_to_save = std::move(*tables);
   options->chain.mode = checked ? Mode::checked : Mode::fast;
   options->chain.call_all = call_all;
   if (program.watchdog != 0) watch_blocks(program.watchdog);

@@ -643,6 +643,34 @@ class Cases(Command):
         self.assertIn(" 0 fail", self.run_it("case", "--all").stdout)
 
 
+class Tables(Command):
+    def test_variables_are_kept_from_run_to_run(self):
+        program = self.write("count.nc", "O1\n#500=#500+1\n#501=#0\n#502=2\nX#500\nM30\n")
+        given = self.write("given.xml", '<MacroVariables>\n  <Variable number="500" Value="6.5"/>\n'
+                                        '  <Variable number="501" Value="1"/>\n</MacroVariables>\n')
+        for x in (7.5, 8.5):
+            done = self.run_it("run", program, "-d", "fanuc", "--variables", given, "--save-table",
+                               f"MacroVariables={given}")
+            self.assertEqual(json.loads(done.stdout.splitlines()[0])["ProgramXyz"]["X"], x)
+            kept = given.read_text()
+            self.assertIn(f'<Variable number="500" Value="{x}" />', kept)
+            self.assertIn('<Variable number="501" Value="1" Null="1" />', kept)
+            self.assertIn('<Variable number="502" Value="2" />', kept)
+
+    def test_offsets_are_written_as_the_program_left_them(self):
+        program = self.write("measure.nc", "G10 L2 P2 X12.5\n#5223=-7\nM30\n")
+        self.run_it("run", program, "-d", "fanuc", "--save-table", "IsoCoordinateTable=after.xml", "--emit", "none")
+        after = (self.path / "after.xml").read_text()
+        self.assertIn('<Offset id="G54" X="0" Y="0" Z="-7" />', after)
+        self.assertIn('<Offset id="G55" X="12.5" Y="0" Z="0" />', after)
+
+    def test_what_cannot_be_saved_is_said(self):
+        for request, code in (("MacroVariables", "IG-0513"), ("Nothing=x.xml", "IG-0513"),
+                              ("MacroVariables=no/folder/x.xml", "IG-0511")):
+            done = self.run_it("run", self.program, "-d", "fanuc", "--save-table", request, "--emit", "none", status=2)
+            self.assertIn(code, done.stderr)
+
+
 class Faults(Command):
     def setUp(self):
         super().setUp()
