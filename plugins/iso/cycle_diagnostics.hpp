@@ -15,10 +15,10 @@ inline constexpr std::array cycle_diagnostics{
         "G83 X10. Y10. Z-20. R2. Q5. P500 F100"),
 };
 
+inline constexpr std::size_t cycle_end = tool_center_end + cycle_diagnostics.size();
+
 consteval std::uint32_t cycle_diag(std::string_view code) {
-  return index_of(
-      cycle_diagnostics, code,
-      diagnostics.size() + rotary_diagnostics.size() + tilt_diagnostics.size() + tool_center_diagnostics.size());
+  return index_of(cycle_diagnostics, code, tool_center_end);
 }
 
 }  // namespace iso

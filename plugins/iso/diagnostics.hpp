@@ -110,9 +110,7 @@ inline constexpr std::array diagnostics{
                    "The control jumps to the start of the program and runs it again, until someone stops it. `isogloss "
                    "run --main-passes` lets it run several times here.",
                    "M99"),
-    ig::diagnostic(IG_ERROR, "ISO-0260", "{0} is not executed: the tool runs on the programmed path",
-                   "Cutter radius compensation is recognised only. Every path up to G40 is off by the tool radius.",
-                   "G41 D1"),
+    // ISO-0260 was radius compensation, before it was executed.
     ig::diagnostic(
         IG_ERROR, "ISO-0263", "{0} is not executed: the frame is not rotated",
         "A rotation about an axis in space (G68 with I, J, K) is recognised only. Positions up to G69 are unreliable; "

@@ -42,23 +42,11 @@ struct NotExecuted {
       {ig::Call{{"G07.1"}, "A[mm] B[mm] C[mm]"}, diag("ISO-0270")},
       {ig::Call{{"G22"}, "X Y Z I J K"}, diag("ISO-0272")},
   };
-  // The move of a G41 block is executed as programmed, so only the code and its D are taken.
-  ig::Codes radius_compensation_{"G41", "G42"};
-  ig::Word d_{"Parsing.D", ig::read, ""};
   // Their rotary words are no positions to go to.
   ig::Call coordinates_{{"G10", "G50.1", "G51.1", "G52", "G92.1"}, "A B C"};
 
   ig::Status build(ig::Block& b) {
     bool any = false;
-    for (std::size_t i = 0; i < radius_compensation_.size(); ++i) {
-      if (!is_unanswered(b, radius_compensation_.id(i))) continue;
-      any = true;
-      b.report(diag("ISO-0260"), ig::Where::word(radius_compensation_.id(i)), b.text(radius_compensation_.name(i)));
-    }
-    if (any) {
-      b.take(radius_compensation_);
-      b.take(d_);
-    }
     for (const Feature& feature : features_)
       while (take(b, feature)) any = true;
     any |= take_rotary_coordinates(b);

@@ -2,8 +2,7 @@
 // registers itself at the end of its own file.
 #include <algorithm>
 
-#include "cycle_diagnostics.hpp"
-#include "subprogram_diagnostics.hpp"
+#include "radius_compensation_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -17,7 +16,14 @@ constexpr auto joined(const std::array<ig_diagnostic_decl, Sizes>&... parts) {
 }
 
 constexpr auto all_diagnostics =
-    joined(diagnostics, rotary_diagnostics, tilt_diagnostics, tool_center_diagnostics, cycle_diagnostics, subprogram_diagnostics);
+    joined(diagnostics, rotary_diagnostics, tilt_diagnostics, tool_center_diagnostics, cycle_diagnostics,
+           subprogram_diagnostics, radius_compensation_diagnostics);
+
+// Each part must stand where its codes are looked for.
+static_assert(all_diagnostics[tool_center_diag("ISO-0441")].code == std::string_view("ISO-0441"));
+static_assert(all_diagnostics[cycle_diag("ISO-0354")].code == std::string_view("ISO-0354"));
+static_assert(all_diagnostics[subprogram_diag("ISO-0494")].code == std::string_view("ISO-0494"));
+static_assert(all_diagnostics[radius_diag("ISO-0461")].code == std::string_view("ISO-0461"));
 
 }  // namespace
 }  // namespace iso

@@ -1,7 +1,7 @@
 /// Diagnostics of subprograms: the part of the plugin's table that follows tool_center_diagnostics.hpp.
 #pragma once
 
-#include "tool_center_diagnostics.hpp"
+#include "cycle_diagnostics.hpp"
 
 namespace iso {
 
@@ -51,10 +51,10 @@ inline constexpr std::array subprogram_diagnostics{
                    "In the main program M99 P jumps to a sequence number of it.", "M99 P999"),
 };
 
+inline constexpr std::size_t subprogram_end = cycle_end + subprogram_diagnostics.size();
+
 consteval std::uint32_t subprogram_diag(std::string_view code) {
-  return index_of(
-      subprogram_diagnostics, code,
-      diagnostics.size() + rotary_diagnostics.size() + tilt_diagnostics.size() + tool_center_diagnostics.size());
+  return index_of(subprogram_diagnostics, code, cycle_end);
 }
 
 }  // namespace iso

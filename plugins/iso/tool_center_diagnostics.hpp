@@ -63,4 +63,8 @@ consteval std::uint32_t tool_center_diag(std::string_view code) {
                   diagnostics.size() + rotary_diagnostics.size() + tilt_diagnostics.size());
 }
 
+/// Where the next part of the plugin\'s table begins.
+inline constexpr std::size_t tool_center_end = diagnostics.size() + rotary_diagnostics.size() +
+                                               tilt_diagnostics.size() + tool_center_diagnostics.size();
+
 }  // namespace iso

@@ -1,0 +1,70 @@
+/// Diagnostics of cutter radius compensation: the part of the plugin's table that follows tool_center_diagnostics.hpp.
+#pragma once
+
+#include "subprogram_diagnostics.hpp"
+
+namespace iso {
+
+inline constexpr std::array radius_compensation_diagnostics{
+    ig::diagnostic(IG_WARNING, "ISO-0461", "{0} without D, and none was programmed before: radius 0 is used",
+                   "D names the row of the tool table. The tool runs on the contour, not beside it.",
+                   "G41 X10. Y10."),
+    ig::diagnostic(IG_WARNING, "ISO-0462", "the tool table has no offset {0}: radius 0 is used",
+                   "Add a row to the ToolOffsetTable, or give --tools FILE. The tool runs on the contour.", "G41 D77"),
+    ig::diagnostic(IG_ERROR, "ISO-0463", "D{0} is no offset number; the radius of before stays in force",
+                   "An offset number is a whole number, zero or greater. D0 is radius 0: compensation ends.",
+                   "G41 D1.5"),
+    ig::diagnostic(IG_NOTE, "ISO-0464", "the radius of D{0} is 0: the tool runs on the programmed path",
+                   "Either the program holds the path of the tool's centre and D its wear, or the tool table was not "
+                   "given: --tools FILE. Said once a run.",
+                   "G41 D1 X10."),
+    ig::diagnostic(IG_ERROR, "ISO-0465", "an arc cannot {0} radius compensation: program a straight move",
+                   "The control stops with alarm PS0034. Here an arc that would start it runs as programmed, and one "
+                   "that would end it runs compensated; the next straight move does it.",
+                   "G41 G02 X10. I5. D1"),
+    ig::diagnostic(IG_ERROR, "ISO-0466", "the tool (radius {0}) does not fit into the arc (radius {1})",
+                   "The control stops with alarm PS0041, since the tool would cut into the contour. A straight move is "
+                   "shown in its place.",
+                   "G41 D1 (radius 5) (then) G03 X4. Y4. R4."),
+    ig::diagnostic(IG_ERROR, "ISO-0467", "the tool would run against the programmed direction by {0} mm: it cuts in",
+                   "The corners before and behind the block are so near to each other that the compensated path turns "
+                   "round between them: a groove that is narrower than the tool, a step that is lower than its radius. "
+                   "The control stops with alarm PS0041 (interference). The path is shown as computed.",
+                   "G41 D1 (radius 5) (then) X10. (then) Y8. (then) X0"),
+    ig::diagnostic(IG_ERROR, "ISO-0468", "the compensated paths of this block and the next do not meet",
+                   "At an inner corner with an arc there is no place where the tool touches both. The control stops "
+                   "with alarm PS0033. The tool goes straight from the end of the one to the start of the other.",
+                   "G41 D1 (radius 5) (then) an arc that bends away under the tool"),
+    ig::diagnostic(
+        IG_WARNING, "ISO-0469",
+        "more than {0} blocks without a move in the plane follow: the tool stops square to the contour",
+        "The control reads only some blocks ahead (parameter 19625), finds no next move, and puts the tool at a right "
+        "angle to the end of this one. An inner corner is overcut then, an outer one is left with material.",
+        "G41 ... (then) X10. (then) M08 (then) G04 P10 (then) M51 (then) Y10."),
+    ig::diagnostic(IG_WARNING, "ISO-0470", "{0} under radius compensation: it is off for this block",
+                   "Reference returns, G53, canned cycles and other moves by steps go to positions as programmed. The "
+                   "block before them ends square to its contour; the next straight move in the plane starts "
+                   "compensation again. Program G40 first.",
+                   "G41 ... (then) G28 Z0"),
+    ig::diagnostic(IG_ERROR, "ISO-0471", "the plane changes under radius compensation",
+                   "The control stops with alarm PS0037. Here compensation is off at once; the next straight move in "
+                   "the new plane starts it again.",
+                   "G41 ... (then) G18"),
+    ig::diagnostic(IG_ERROR, "ISO-0472", "radius compensation while the rotary axes turn: the block runs as programmed",
+                   "The contour in the plane is known for resting rotary axes only. Compensation in space (G41.2) is not "
+                   "executed.",
+                   "G43.4 H1 (then) G41 D1 X10. (then) X20. A10."),
+    ig::diagnostic(IG_WARNING, "ISO-0473", "the program ends under radius compensation: no move took the tool off it",
+                   "Program G40 with a move away from the part before the end.", "G41 ... (then) M30"),
+    ig::diagnostic(IG_ERROR, "ISO-0474", "the compensated path of this block has no position",
+                   "Its numbers are too great to compute with. The block runs as programmed, and compensation is off.",
+                   "G41 ... (then) X1e300"),
+};
+
+inline constexpr std::size_t radius_end = subprogram_end + radius_compensation_diagnostics.size();
+
+consteval std::uint32_t radius_diag(std::string_view code) {
+  return index_of(radius_compensation_diagnostics, code, subprogram_end);
+}
+
+}  // namespace iso

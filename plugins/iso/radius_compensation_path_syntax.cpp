@@ -1,0 +1,502 @@
+/// The tool's path beside the contour: under G41 and G42 each block's move is replaced by the moves of the tool's
+/// centre, which touches the contour and turns its corners. Needs the next move of the contour, so it looks ahead.
+/// Fanuc manual, "Details of cutter compensation".
+#include "contour_motion.hpp"
+#include "radius_compensation_diagnostics.hpp"
+#include "rotary_words.hpp"
+
+namespace iso {
+namespace {
+
+enum class Approach { a, b };
+enum class Interference { alarm, ignore };
+
+/// Steps of a compound motion: the tool's centre in program coordinates. Machine coordinates follow from them.
+class ToolSteps {
+ public:
+  struct Feed {
+    bool is_rapid = false;
+    std::optional<double> mmds;
+  };
+
+  void line(ig::Block& b, const ig::Vec3& to, const Feed& feed) const {
+    ig_field fields[12];
+    ig_value values[12];
+    const std::uint32_t n = begin(to, feed, linear_, fields, values);
+    b.host()->append(b.raw(), fields, n, values);
+  }
+  void arc(ig::Block& b, const ig::Vec3& to, const ig::Vec3& center, bool is_ccw, const Feed& feed) const {
+    ig_field fields[12];
+    ig_value values[12];
+    std::uint32_t n = begin(to, feed, arc_, fields, values);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      fields[n] = center_[axis];
+      values[n++].number = center[axis];
+    }
+    fields[n] = is_ccw_;
+    values[n++].integer = is_ccw ? 1 : 0;
+    fields[n] = circles_;
+    values[n++].integer = 0;
+    b.host()->append(b.raw(), fields, n, values);
+  }
+  /// Machine coordinates of all steps; those of the rotary axes that the block turns go to the last one.
+  void finish(ig::Block& b, const PartialAngles& rotary) const {
+    b.host()->map_records(b.raw(), program_.data(), machine_.data());
+    const std::uint32_t last = b.host()->count(b.raw(), program_[0]) - 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const ig_value v{.number = rotary.value[axis]};
+      if (rotary.has(axis)) b.host()->set_record(b.raw(), last, &rotary_[axis], 1, &v);
+    }
+  }
+
+ private:
+  std::uint32_t begin(const ig::Vec3& to, const Feed& feed, ig::Symbol form, ig_field* fields, ig_value* values) const {
+    std::uint32_t n = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      fields[n] = program_[axis];
+      values[n++].number = to[axis];
+    }
+    fields[n] = form_;
+    values[n++].symbol = form.id;
+    if (feed.is_rapid) {
+      fields[n] = is_rapid_;
+      values[n++].integer = 1;
+    } else if (feed.mmds) {
+      fields[n] = feedrate_;
+      values[n++].number = *feed.mmds;
+    }
+    return n;
+  }
+  static std::array<ig_field, 3> triple(std::string_view section, std::string_view axes) {
+    std::array<ig_field, 3> ids{};
+    for (std::size_t i = 0; i < 3; ++i)
+      ids[i] = ig::detail::declare_field(
+          {{"CompoundMotion.Items[].", section, ".", axes.substr(i, 1)}, IG_NUMBER, IG_WRITE});
+    return ids;
+  }
+
+  std::array<ig_field, 3> program_ = triple("ProgramXyz", "XYZ");
+  std::array<ig_field, 3> machine_ = triple("MachineCoordinate", "XYZ");
+  std::array<ig_field, 3> rotary_ = triple("MachineCoordinate", "ABC");
+  std::array<ig_field, 3> center_ = triple("MotionEvent.ArcCenter", "XYZ");
+  ig_field form_ = ig::detail::declare_item("MotionEvent.Form", IG_SYMBOL);
+  ig_field is_rapid_ = ig::detail::declare_item("MotionEvent.IsRapid", IG_BOOLEAN);
+  ig_field feedrate_ = ig::detail::declare_item("MotionEvent.Feedrate_mmds", IG_NUMBER);
+  ig_field is_ccw_ = ig::detail::declare_item("MotionEvent.IsCcw", IG_BOOLEAN);
+  ig_field circles_ = ig::detail::declare_item("MotionEvent.AdditionalCircleNum", IG_INTEGER);
+  ig::Name linear_{"McLinear"}, arc_{"McArc"};
+};
+
+struct RadiusCompensationPath {
+  static constexpr std::uint32_t window = 16;
+  static constexpr auto spec =
+      ig::syntax("RadiusCompensationPathSyntax", "The tool's path beside the contour, by G41 and G42.")
+          .after("RadiusCompensationSyntax", "McXyzSyntax", "McAbcSyntax", "CircularMotionSyntax",
+                 "LinearMotionSyntax", "ReferenceReturnSyntax", "ReturnFromReferenceSyntax", "ReferenceCheckSyntax")
+          .before("TravelCheckSyntax")
+          .looks_ahead(window);
+
+  ig::Signal path_{"RadiusCompensation.~Path", ig::read | ig::wake};
+  ig::In<ig::Symbol> side_{"RadiusCompensation.Side"};
+  ig::In<double> radius_{"RadiusCompensation.Radius_mm"};
+  ig::In<ig::Symbol> term_{"RadiusCompensation.Term"};
+  ig::Xyz cancel_direction_{"RadiusCompensation.CancelDirection", ig::read, {ig::Life::block, "mm", ""}};
+  ig::Out<ig::Symbol> phase_{"RadiusCompensation.Phase",
+                             {ig::Life::block, "", "StartUp, Offset or Cancel: what the move of the block is."}};
+  ig::Out<ig::Symbol> corner_{"RadiusCompensation.Corner",
+                              {ig::Life::block, "", "How the tool comes to the next move of the contour."}};
+  // Of the blocks of a run none carries it: logic has gone on before it is written.
+  ig::Xyz vector_{"RadiusCompensation.Vector",
+                  ig::read | ig::write,
+                  {ig::Life::modal, "mm", "From the programmed point to the tool's centre, program coordinates."}};
+  ig::Xyz machine_{"MachineCoordinate", ig::read | ig::write};
+  ig::Out<ig::Symbol> compound_{"CompoundMotion.Term"};
+  ig::Out<ig::Symbol> form_{"MotionEvent.Form"};
+  ig::Out<bool> is_rapid_{"MotionEvent.IsRapid"};
+  ig::Out<double> feedrate_{"MotionEvent.Feedrate_mmds"};
+  ig::Xyz center_{"MotionEvent.ArcCenter", ig::read | ig::write};
+  ig::Out<bool> is_ccw_{"MotionEvent.IsCcw"};
+  ig::Out<std::int64_t> circles_{"MotionEvent.AdditionalCircleNum"};
+  ig::In<ig::Symbol> program_end_{"ProgramEnd.Term"};
+  RotaryPosition rotary_{ig::read};
+  ContourMotionOf motion_;
+  ToolSteps steps_;
+  ig::Name left_{"Left"}, right_{"Right"};
+  std::array<ig::Name, 3> phases_{ig::Name{"StartUp"}, ig::Name{"Offset"}, ig::Name{"Cancel"}};
+  std::array<ig::Name, 8> corners_{ig::Name{"Tangent"}, ig::Name{"Inner"},  ig::Name{"Obtuse"},   ig::Name{"Acute"},
+                                   ig::Name{"Round"},   ig::Name{"Square"}, ig::Name{"Crossing"}, ig::Name{"NoSolution"}};
+
+  ig::Choice<Approach> start_up_{"start-up", "a|b", "a", "Start and end of compensation, type A or B."};
+  ig::Choice<OuterCorner> outer_corner_{"outer-corner", "lines|arc", "lines",
+                                        "How the tool goes round an outer corner."};
+  ig::Choice<Interference> interference_{"interference", "alarm|ignore", "alarm",
+                                         "What a path that turns round between two corners is."};
+  ig::IntegerOption rests_allowed_{"blocks-without-move", "2", {0, 10},
+                                   "Blocks without a move in the plane over which the next move is still found."};
+
+  ig::Status restart(ig::Block&) {
+    tool_ = {};
+    return ig::Status::unchanged;
+  }
+
+  ig::Status build(ig::Block& b) {
+    const ContourMotion now = motion_(b);
+    const double offset = offset_in_force(b);
+    find_tool(b, now);
+    if (!tool_.is_off && offset == 0) return ig::Status::unchanged;
+    if (tool_.is_off && !(tool_.plane == now.plane)) {
+      b.report(radius_diag("ISO-0471"), ig::Where::block());
+      b.alarm();
+      tool_ = {};
+    }
+    if (tool_.is_off && b.has(program_end_)) b.report(radius_diag("ISO-0473"), ig::Where::block());
+    switch (now.kind) {
+      case ContourMotion::Kind::by_steps: return suspend(b, now);
+      case ContourMotion::Kind::rest: return tool_.is_off ? rest(b, now) : ig::Status::unchanged;
+      case ContourMotion::Kind::move: break;
+    }
+    if (offset == 0) return cancel(b, now);
+    return tool_.is_off ? go_on(b, now, offset) : start(b, now, offset);
+  }
+
+ private:
+  enum Phase : std::size_t { starting, offsetting, cancelling };
+
+  /// Where the tool's centre is, and the corner that it has begun to turn.
+  struct Tool {
+    bool is_off = false;  ///< off the contour
+    PlaneAxes plane;
+    ig::Vec3 at;       ///< program coordinates, as the corner
+    ig::Vec3 machine;  ///< the same in machine coordinates, should the frame change
+    double offset = 0;
+    Point2 corner_center{};
+    Corner corner;  ///< its steps belong to the next move in the plane
+    std::array<ig::Vec3, 3> steps_machine{};
+    ig::Vec3 center_machine{};
+  };
+  Tool tool_;
+
+  /// What follows in the plane.
+  struct Next {
+    enum class Kind { none, move, barrier, too_far };
+    Kind kind = Kind::none;
+    double offset = 0;  ///< 0: it cancels
+    bool is_rapid = false;
+    ContourMove move{};
+    Point2 direction{};  ///< of the cancel, where the program gives one
+  };
+
+  double offset_in_force(const ig::Block& b) const {
+    const double radius = b.get_or(radius_, 0.0);
+    return b.is(side_, left_) ? radius : b.is(side_, right_) ? -radius : 0;
+  }
+
+  /// In the frame of this block. A block alone (a case) finds the vector in the block before it.
+  void find_tool(ig::Block& b, const ContourMotion& now) {
+    if (!tool_.is_off) {
+      const ig::PartialVec3 carried = b.get(vector_);
+      if (!carried.complete() || carried.value == ig::Vec3{}) return;
+      stand_at(now, now.from + carried.value, offset_in_force(b));
+    } else if (b.frame_changed()) {
+      const auto here = [&](const ig::Vec3& machine) { return rounded(b.to_program(machine).value_or(machine)); };
+      tool_.at = here(tool_.machine);
+      tool_.corner_center = ContourMotionOf::in_plane(now.plane, here(tool_.center_machine));
+      for (std::size_t i = 0; i < tool_.corner.count; ++i)
+        tool_.corner.steps[i].to = ContourMotionOf::in_plane(now.plane, here(tool_.steps_machine[i]));
+    }
+  }
+
+  void stand_at(const ContourMotion& now, const ig::Vec3& at, double offset) {
+    tool_ = {};
+    tool_.is_off = true;
+    tool_.plane = now.plane;
+    tool_.at = at;
+    tool_.offset = offset;
+  }
+
+  // ---- the blocks ahead
+
+  Next find_next(ig::Block& b, const PlaneAxes& plane) const {
+    Next next;
+    bool other_frame = false, cancels = false;
+    std::int64_t rests = 0;
+    for (std::uint32_t k = 1; k <= window; ++k) {
+      ig_block* const raw = b.host()->ahead(b.raw(), k);
+      if (raw == nullptr) return next;
+      ig::Block ahead(b.host(), raw);
+      other_frame |= ahead.frame_changed();
+      const ContourMotion motion = motion_(ahead);
+      if (motion.kind == ContourMotion::Kind::by_steps || !(motion.plane == plane)) {
+        next.kind = Next::Kind::barrier;
+        return next;
+      }
+      if (motion.kind == ContourMotion::Kind::rest) {
+        cancels |= offset_in_force(ahead) == 0;
+        if (!is_comment(ahead.source()) && ++rests > rests_allowed_) break;
+        continue;
+      }
+      next.kind = Next::Kind::move;
+      next.offset = offset_in_force(ahead);
+      next.is_rapid = ahead.get_or(is_rapid_, false);
+      next.move = motion.move;
+      next.direction = ContourMotionOf::in_plane(plane, ahead.get(cancel_direction_).or_else({}));
+      if (other_frame && !bring_here(b, ahead, motion, next.move)) next.kind = Next::Kind::barrier;
+      return next;
+    }
+    if (!cancels) next.kind = Next::Kind::too_far;
+    return next;
+  }
+
+  /// The move as the frame of this block shows it.
+  static bool bring_here(ig::Block& b, ig::Block& ahead, const ContourMotion& motion, ContourMove& move) {
+    const auto bring = [&](const ig::Vec3& p) -> std::optional<Point2> {
+      const auto machine = ahead.to_machine(p);
+      const auto here = machine ? b.to_program(*machine) : std::nullopt;
+      return here ? std::optional(ContourMotionOf::in_plane(motion.plane, rounded(*here))) : std::nullopt;
+    };
+    ig::Vec3 center = motion.from;
+    center[motion.plane.first] = move.center.u;
+    center[motion.plane.second] = move.center.v;
+    const auto start = bring(motion.from), end = bring(motion.to), middle = bring(center);
+    if (!start || !end || !middle) return false;
+    move.start = *start;
+    move.end = *end;
+    move.center = *middle;
+    return true;
+  }
+
+  /// A line that holds nothing but a comment is no block to the control.
+  static bool is_comment(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos || (text[first] != '(' && text[first] != ';')) return false;
+    const std::size_t last = text.find_last_not_of(" \t\r;");
+    return text[first] == ';' || (last != std::string_view::npos && text[last] == ')' &&
+                                  text.find(')') == last);
+  }
+
+  Corner corner_to(const ContourMotion& now, const Next& next, double offset) const {
+    // A rapid makes no arc.
+    return iso::corner(now.move, next.move, offset, next.is_rapid ? OuterCorner::lines : OuterCorner{outer_corner_});
+  }
+
+  // ---- the phases
+
+  ig::Status start(ig::Block& b, const ContourMotion& now, double offset) {
+    if (now.move.is_arc) {
+      b.report(radius_diag("ISO-0465"), ig::Where::block(), std::string_view("start"));
+      b.alarm();
+      return ig::Status::unchanged;
+    }
+    const Next next = find_next(b, now.plane);
+    Corner corner = square_corner(now.move, offset);
+    if (next.kind == Next::Kind::move && next.offset * offset > 0) {
+      const Corner round = corner_to(now, next, offset);
+      const bool is_outer = round.kind == CornerKind::obtuse || round.kind == CornerKind::acute ||
+                            round.kind == CornerKind::round;
+      if (start_up_ == Approach::b && is_outer)
+        corner = round;
+      else
+        corner.leave = next.move.offset_start(offset);
+    }
+    say_too_far(b, next);
+    stand_at(now, now.from, offset);
+    return move(b, now, starting, corner, offset);
+  }
+
+  ig::Status go_on(ig::Block& b, const ContourMotion& now, double offset) {
+    const Next next = find_next(b, now.plane);
+    const Corner corner = end_of(b, now, offset, next);
+    say_too_far(b, next);
+    return move(b, now, offsetting, corner, offset);
+  }
+
+  Corner end_of(ig::Block& b, const ContourMotion& now, double offset, const Next& next) const {
+    if (next.kind != Next::Kind::move || !now.move.fits(offset)) return square_corner(now.move, offset);
+    if (next.offset == 0) {
+      if (next.direction.length() > 0) return directed_end(now.move, offset, next.direction);
+      if (start_up_ == Approach::a || next.move.is_arc) return square_corner(now.move, offset);
+      const Corner round = corner_to(now, next, offset);
+      return round.kind == CornerKind::inner ? square_corner(now.move, offset) : round;
+    }
+    if (next.offset * offset < 0) return change_of_side(now.move, offset, next.move, next.offset);
+    if (!next.move.fits(offset)) return square_corner(now.move, offset);
+    const Corner corner = corner_to(now, next, offset);
+    if (corner.kind == CornerKind::no_solution) {
+      b.report(radius_diag("ISO-0468"), ig::Where::block());
+      b.alarm();
+    }
+    return corner;
+  }
+
+  ig::Status cancel(ig::Block& b, const ContourMotion& now) {
+    if (now.move.is_arc) {
+      b.report(radius_diag("ISO-0465"), ig::Where::block(), std::string_view("end"));
+      b.alarm();
+      return go_on(b, now, tool_.offset);
+    }
+    Corner corner;
+    corner.leave = now.move.end;
+    const ig::Status status = move(b, now, cancelling, corner, 0);
+    tool_ = {};
+    return status;
+  }
+
+  /// The block before has ended square to the contour, since this one is a barrier.
+  ig::Status suspend(ig::Block& b, const ContourMotion& now) {
+    if (now.turns) {
+      b.report(radius_diag("ISO-0472"), ig::Where::block());
+      b.alarm();
+    } else if (tool_.is_off) {
+      b.report(radius_diag("ISO-0470"), ig::Where::block(),
+               b.has(compound_) ? b.text(b.get_or(compound_, ig::Symbol{})) : std::string_view("G53"));
+    }
+    tool_ = {};
+    return ig::Status::unchanged;
+  }
+
+  /// No move in the plane: the tool keeps its distance. What moves across the plane goes with it.
+  ig::Status rest(ig::Block& b, const ContourMotion& now) {
+    if (now.has_event) {
+      ig::Vec3 to = tool_.at;
+      to[now.plane.tool] = now.to[now.plane.tool];
+      const ToolSteps::Feed feed = take_event(b);
+      steps_.line(b, to, feed);
+      tool_.at = to;
+      finish(b, now);
+      return ig::Status::changed;
+    }
+    keep_position(b, now);
+    return ig::Status::changed;
+  }
+
+  void say_too_far(ig::Block& b, const Next& next) const {
+    if (next.kind == Next::Kind::too_far)
+      b.report(radius_diag("ISO-0469"), ig::Where::block(), static_cast<double>(rests_allowed_));
+  }
+
+  // ---- the path
+
+  /// The rest of the corner before, then the move up to where it is left for the next.
+  ig::Status move(ig::Block& b, const ContourMotion& now, Phase phase, const Corner& corner, double offset) {
+    if (!is_sound(corner)) {
+      b.report(radius_diag("ISO-0474"), ig::Where::block());
+      tool_ = {};
+      return ig::Status::unchanged;
+    }
+    const ToolSteps::Feed feed = take_event(b);
+    turn_corner(b, now, feed);
+    const Point2 from = ContourMotionOf::in_plane(now.plane, tool_.at);
+    const double height = now.to[now.plane.tool];
+    const ig::Vec3 to = at(now, corner.leave, height);
+    if (goes_along_arc(b, now, phase, from, corner.leave, offset))
+      steps_.arc(b, to, at(now, now.move.center, tool_.at[now.plane.tool]), now.move.is_ccw, feed);
+    else
+      steps_.line(b, to, feed);
+    tool_.at = to;
+    tool_.offset = offset;
+    tool_.corner_center = now.move.end;
+    tool_.corner = corner;
+    keep_corner(b, now, height);
+    b.set(phase_, phases_[phase]);
+    if (phase != cancelling) b.set(corner_, corners_[static_cast<std::size_t>(corner.kind)]);
+    finish(b, now);
+    return ig::Status::changed;
+  }
+
+  void keep_corner(ig::Block& b, const ContourMotion& now, double height) {
+    tool_.center_machine = b.to_machine(now.to).value_or(now.to);
+    for (std::size_t i = 0; i < tool_.corner.count; ++i) {
+      const ig::Vec3 step = at(now, tool_.corner.steps[i].to, height);
+      tool_.steps_machine[i] = b.to_machine(step).value_or(step);
+    }
+  }
+
+  void turn_corner(ig::Block& b, const ContourMotion& now, const ToolSteps::Feed& feed) {
+    const double height = tool_.at[now.plane.tool];
+    for (std::size_t i = 0; i < tool_.corner.count; ++i) {
+      const Corner::Step& step = tool_.corner.steps[i];
+      const ig::Vec3 to = at(now, step.to, height);
+      if (step.is_arc)
+        steps_.arc(b, to, at(now, tool_.corner_center, height), step.is_ccw, feed);
+      else
+        steps_.line(b, to, feed);
+      tool_.at = to;
+    }
+    tool_.corner.count = 0;
+  }
+
+  /// Says when the move cannot be made; a straight one stands in for an arc then.
+  bool goes_along_arc(ig::Block& b, const ContourMotion& now, Phase phase, const Point2& from, const Point2& to,
+                      double offset) const {
+    if (phase != offsetting) return false;
+    if (!now.move.fits(offset)) {
+      b.report(radius_diag("ISO-0466"), ig::Where::block(), std::fabs(offset),
+               (now.move.end - now.move.center).length());
+      b.alarm();
+      return false;
+    }
+    const double way = now.move.way(from, to, offset);
+    if (way < -same_point_mm) {
+      if (interference_ == Interference::alarm) {
+        b.report(radius_diag("ISO-0467"), ig::Where::block(), -way);
+        b.alarm();
+      }
+      return false;
+    }
+    return now.move.is_arc && way > same_point_mm;
+  }
+
+  static bool is_sound(const Corner& corner) {
+    const auto is_position = [](const Point2& p) { return std::fabs(p.u) < 1e9 && std::fabs(p.v) < 1e9; };
+    bool is_sound = is_position(corner.leave);
+    for (std::size_t i = 0; i < corner.count; ++i) is_sound = is_sound && is_position(corner.steps[i].to);
+    return is_sound;
+  }
+
+  static ig::Vec3 at(const ContourMotion& now, const Point2& p, double height) {
+    ig::Vec3 out;
+    out[now.plane.first] = rounded(p.u);
+    out[now.plane.second] = rounded(p.v);
+    out[now.plane.tool] = height;
+    return out;
+  }
+
+  /// One block never moves twice: the steps take the place of the move.
+  ToolSteps::Feed take_event(ig::Block& b) const {
+    const ToolSteps::Feed feed{b.get_or(is_rapid_, false), b.get(feedrate_)};
+    b.erase(form_);
+    b.erase(is_rapid_);
+    b.erase(feedrate_);
+    for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), center_.id(axis));
+    b.erase(is_ccw_);
+    b.erase(circles_);
+    return feed;
+  }
+
+  void finish(ig::Block& b, const ContourMotion& now) {
+    b.set(compound_, b.get_or(term_, ig::Symbol{}));
+    const std::uint32_t turned = rotary_.fresh(b);
+    PartialAngles rotary = rotary_.get(b);
+    rotary.mask &= turned;
+    steps_.finish(b, rotary);
+    keep_position(b, now);
+  }
+
+  void keep_position(ig::Block& b, const ContourMotion& now) {
+    const auto machine = b.to_machine(tool_.at);
+    if (machine) {
+      tool_.machine = *machine;
+      if (b.has(compound_))
+        b.set(machine_, *machine);
+      else
+        b.amend(machine_, *machine);
+    }
+    const ig::Vec3 vector = tool_.at - now.to;
+    b.set(vector_, rounded(vector));
+  }
+};
+
+const ig::Register<RadiusCompensationPath> registered;
+
+}  // namespace
+}  // namespace iso
