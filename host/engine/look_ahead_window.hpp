@@ -40,7 +40,8 @@ class LookAheadWindow {
   struct Entry {
     explicit Entry(const Document& d) : document(d) {}
     Document document;
-    std::uint32_t resume_at = 0;   ///< chain position
+    std::uint32_t resume_at = 0;  ///< chain position
+    bool alarmed = false;
     std::vector<Diagnostic> said;  ///< while it was executed
   };
 
@@ -52,7 +53,7 @@ class LookAheadWindow {
 
   bool is_empty() const { return waiting_ == 0; }
 
-  void add(const Document& d, std::uint32_t resume_at, std::vector<Diagnostic> said) {
+  Entry& add(const Document& d, std::uint32_t resume_at, std::vector<Diagnostic> said) {
     if (entries_.size() == waiting_)
       entries_.push_back(std::make_unique<Entry>(d));
     else
@@ -61,6 +62,7 @@ class LookAheadWindow {
     e.document.own_source();
     e.resume_at = resume_at;
     e.said = std::move(said);
+    return e;
   }
 
   /// Is all there that the oldest may want to see?

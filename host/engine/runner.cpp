@@ -128,7 +128,8 @@ class Run {
     ++result_.blocks;
     Document& d = chain_.document();
     const bool waits = execute(d);
-    if (chain_.alarmed) answer_alarm(d);
+    if (chain_.alarmed && !waits) answer_alarm(d);
+    if (chain_.alarmed && options_.stop_on_error) over_ = true;
     if (chain_.ends_program || chain_.ends_file) {
       // The text of a called program may end, the program as a whole does not.
       over_ = over_ || chain_.ends_program || !(flow_.has_request() || flow_.request_end(d));
@@ -174,7 +175,8 @@ class Run {
 
   // Executed blocks wait until the ones are there that they want to see; post-logic, inspection and export follow.
   void keep_in_window(const Document& d) {
-    window_.add(d, window_.is_empty() ? chain_.waits_at : linked_.post_logic_begin, sink_.take());
+    const std::uint32_t resume_at = window_.is_empty() ? chain_.waits_at : linked_.post_logic_begin;
+    window_.add(d, resume_at, sink_.take()).alarmed = chain_.alarmed;
     sink_.hold();
     const bool stops = d.fresh(stop_);
     while (!window_.is_empty() && (stops || window_.is_complete())) finish_oldest();
@@ -186,15 +188,15 @@ class Run {
     sink_.pass_on();
     for (const Diagnostic& d : oldest.said) sink_.add(d);
     window_.show(chain_.window);
-    const bool newest_alarmed = std::exchange(chain_.alarmed, false);
+    chain_.alarmed = oldest.alarmed;
     chain_.waits_at = 0;
     chain_.run(oldest.document, oldest.resume_at, length_);
     export_block(oldest.document);
-    const bool alarmed = std::exchange(chain_.alarmed, newest_alarmed);
-    if (alarmed) answer_alarm(oldest.document);
+    if (chain_.alarmed) answer_alarm(oldest.document);
     chain_.window.clear();
     window_.drop_oldest();
-    if (alarmed && options_.stop_on_error) window_.clear();  // what the control has read ahead it does not execute
+    if (chain_.alarmed && options_.stop_on_error)
+      window_.clear();  // what the control has read ahead it does not execute
     if (window_.is_empty()) return;
     sink_.hold();
     for (const Diagnostic& d : later) sink_.add(d);

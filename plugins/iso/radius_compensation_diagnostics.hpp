@@ -7,8 +7,7 @@ namespace iso {
 
 inline constexpr std::array radius_compensation_diagnostics{
     ig::diagnostic(IG_WARNING, "ISO-0461", "{0} without D, and none was programmed before: radius 0 is used",
-                   "D names the row of the tool table. The tool runs on the contour, not beside it.",
-                   "G41 X10. Y10."),
+                   "D names the row of the tool table. The tool runs on the contour, not beside it.", "G41 X10. Y10."),
     ig::diagnostic(IG_WARNING, "ISO-0462", "the tool table has no offset {0}: radius 0 is used",
                    "Add a row to the ToolOffsetTable, or give --tools FILE. The tool runs on the contour.", "G41 D77"),
     ig::diagnostic(IG_ERROR, "ISO-0463", "D{0} is no offset number; the radius of before stays in force",
@@ -50,15 +49,21 @@ inline constexpr std::array radius_compensation_diagnostics{
                    "The control stops with alarm PS0037. Here compensation is off at once; the next straight move in "
                    "the new plane starts it again.",
                    "G41 ... (then) G18"),
-    ig::diagnostic(IG_ERROR, "ISO-0472", "radius compensation while the rotary axes turn: the block runs as programmed",
-                   "The contour in the plane is known for resting rotary axes only. Compensation in space (G41.2) is not "
-                   "executed.",
-                   "G43.4 H1 (then) G41 D1 X10. (then) X20. A10."),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0472", "radius compensation while the rotary axes turn: the block runs as programmed",
+        "The contour in the plane is known for resting rotary axes only. Compensation in space (G41.2) is not "
+        "executed.",
+        "G43.4 H1 (then) G41 D1 X10. (then) X20. A10."),
     ig::diagnostic(IG_WARNING, "ISO-0473", "the program ends under radius compensation: no move took the tool off it",
                    "Program G40 with a move away from the part before the end.", "G41 ... (then) M30"),
     ig::diagnostic(IG_ERROR, "ISO-0474", "the compensated path of this block has no position",
                    "Its numbers are too great to compute with. The block runs as programmed, and compensation is off.",
                    "G41 ... (then) X1e300"),
+    ig::diagnostic(IG_WARNING, "ISO-0475", "the tool did not turn the corner before this block: it stopped there",
+                   "Across a stop (M00, M01) the control cannot look ahead, so it had the tool square to the block "
+                   "before. From there it goes straight to the end of this one, and an inner corner is overcut, an "
+                   "outer one cut into. Put the stop where the contour goes straight on, or outside of it.",
+                   "G41 ... (then) X10. (then) M00 (then) Y10."),
 };
 
 inline constexpr std::size_t radius_end = subprogram_end + radius_compensation_diagnostics.size();

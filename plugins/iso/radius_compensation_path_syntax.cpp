@@ -91,8 +91,8 @@ struct RadiusCompensationPath {
   static constexpr std::uint32_t window = 16;
   static constexpr auto spec =
       ig::syntax("RadiusCompensationPathSyntax", "The tool's path beside the contour, by G41 and G42.")
-          .after("RadiusCompensationSyntax", "McXyzSyntax", "McAbcSyntax", "CircularMotionSyntax",
-                 "LinearMotionSyntax", "ReferenceReturnSyntax", "ReturnFromReferenceSyntax", "ReferenceCheckSyntax")
+          .after("RadiusCompensationSyntax", "McXyzSyntax", "McAbcSyntax", "CircularMotionSyntax", "LinearMotionSyntax",
+                 "ReferenceReturnSyntax", "ReturnFromReferenceSyntax", "ReferenceCheckSyntax")
           .before("TravelCheckSyntax")
           .looks_ahead(window);
 
@@ -123,15 +123,18 @@ struct RadiusCompensationPath {
   ToolSteps steps_;
   ig::Name left_{"Left"}, right_{"Right"};
   std::array<ig::Name, 3> phases_{ig::Name{"StartUp"}, ig::Name{"Offset"}, ig::Name{"Cancel"}};
-  std::array<ig::Name, 8> corners_{ig::Name{"Tangent"}, ig::Name{"Inner"},  ig::Name{"Obtuse"},   ig::Name{"Acute"},
-                                   ig::Name{"Round"},   ig::Name{"Square"}, ig::Name{"Crossing"}, ig::Name{"NoSolution"}};
+  std::array<ig::Name, 8> corners_{ig::Name{"Tangent"},  ig::Name{"Inner"},     ig::Name{"Obtuse"},
+                                   ig::Name{"Acute"},    ig::Name{"Round"},     ig::Name{"Square"},
+                                   ig::Name{"Crossing"}, ig::Name{"NoSolution"}};
 
   ig::Choice<Approach> start_up_{"start-up", "a|b", "a", "Start and end of compensation, type A or B."};
   ig::Choice<OuterCorner> outer_corner_{"outer-corner", "lines|arc", "lines",
                                         "How the tool goes round an outer corner."};
   ig::Choice<Interference> interference_{"interference", "alarm|ignore", "alarm",
                                          "What a path that turns round between two corners is."};
-  ig::IntegerOption rests_allowed_{"blocks-without-move", "2", {0, 10},
+  ig::IntegerOption rests_allowed_{"blocks-without-move",
+                                   "2",
+                                   {0, 10},
                                    "Blocks without a move in the plane over which the next move is still found."};
 
   ig::Status restart(ig::Block&) {
@@ -170,7 +173,8 @@ struct RadiusCompensationPath {
     ig::Vec3 machine;  ///< the same in machine coordinates, should the frame change
     double offset = 0;
     Point2 corner_center{};
-    Corner corner;  ///< its steps belong to the next move in the plane
+    Corner corner;          ///< its steps belong to the next move in the plane
+    bool is_blind = false;  ///< it has not seen the next move
     std::array<ig::Vec3, 3> steps_machine{};
     ig::Vec3 center_machine{};
   };
@@ -270,8 +274,7 @@ struct RadiusCompensationPath {
     const std::size_t first = text.find_first_not_of(" \t");
     if (first == std::string_view::npos || (text[first] != '(' && text[first] != ';')) return false;
     const std::size_t last = text.find_last_not_of(" \t\r;");
-    return text[first] == ';' || (last != std::string_view::npos && text[last] == ')' &&
-                                  text.find(')') == last);
+    return text[first] == ';' || (last != std::string_view::npos && text[last] == ')' && text.find(')') == last);
   }
 
   Corner corner_to(const ContourMotion& now, const Next& next, double offset) const {
@@ -291,8 +294,8 @@ struct RadiusCompensationPath {
     Corner corner = square_corner(now.move, offset);
     if (next.kind == Next::Kind::move && next.offset * offset > 0) {
       const Corner round = corner_to(now, next, offset);
-      const bool is_outer = round.kind == CornerKind::obtuse || round.kind == CornerKind::acute ||
-                            round.kind == CornerKind::round;
+      const bool is_outer =
+          round.kind == CornerKind::obtuse || round.kind == CornerKind::acute || round.kind == CornerKind::round;
       if (start_up_ == Approach::b && is_outer)
         corner = round;
       else
@@ -300,14 +303,21 @@ struct RadiusCompensationPath {
     }
     say_too_far(b, next);
     stand_at(now, now.from, offset);
-    return move(b, now, starting, corner, offset);
+    const ig::Status status = move(b, now, starting, corner, offset);
+    tool_.is_blind = next.kind == Next::Kind::none;
+    return status;
   }
 
   ig::Status go_on(ig::Block& b, const ContourMotion& now, double offset) {
+    const Point2 from = ContourMotionOf::in_plane(now.plane, tool_.at);
+    if (tool_.is_blind && !is_same(from, now.move.offset_start(offset)))
+      b.report(radius_diag("ISO-0475"), ig::Where::block());
     const Next next = find_next(b, now.plane);
     const Corner corner = end_of(b, now, offset, next);
     say_too_far(b, next);
-    return move(b, now, offsetting, corner, offset);
+    const ig::Status status = move(b, now, offsetting, corner, offset);
+    tool_.is_blind = next.kind == Next::Kind::none;
+    return status;
   }
 
   Corner end_of(ig::Block& b, const ContourMotion& now, double offset, const Next& next) const {
