@@ -21,14 +21,16 @@ inline constexpr std::array radius_compensation_diagnostics{
                    "The control stops with alarm PS0034. Here an arc that would start it runs as programmed, and one "
                    "that would end it runs compensated; the next straight move does it.",
                    "G41 G02 X10. I5. D1"),
-    ig::diagnostic(IG_ERROR, "ISO-0466", "the tool (radius {0}) does not fit into the arc (radius {1})",
-                   "The control stops with alarm PS0041, since the tool would cut into the contour. A straight move is "
-                   "shown in its place.",
-                   "G41 D1 (radius 5) (then) G03 X4. Y4. R4."),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0466", "the tool (radius {0}) does not fit into the arc (radius {1})",
+        "The control stops with alarm PS0041, since the tool would cut into the contour. Here the arc is left "
+        "out where the paths before and behind it cross, as at a fillet smaller than the tool; elsewhere a "
+        "straight move is shown in its place.",
+        "G41 D1 (radius 5) (then) G03 X4. Y4. R4."),
     ig::diagnostic(IG_ERROR, "ISO-0467", "the tool would run against the programmed direction by {0} mm: it cuts in",
                    "The corners before and behind the block are so near to each other that the compensated path turns "
-                   "round between them: a groove that is narrower than the tool, a step that is lower than its radius. "
-                   "The control stops with alarm PS0041 (interference). The path is shown as computed.",
+                   "round between them: a groove that is narrower than the tool. The control stops with alarm PS0041 "
+                   "(interference). The path is shown as computed.",
                    "G41 D1 (radius 5) (then) X10. (then) Y8. (then) X0"),
     ig::diagnostic(IG_ERROR, "ISO-0468", "the compensated paths of this block and the next do not meet",
                    "At an inner corner with an arc there is no place where the tool touches both. The control stops "
@@ -64,6 +66,12 @@ inline constexpr std::array radius_compensation_diagnostics{
                    "before. From there it goes straight to the end of this one, and an inner corner is overcut, an "
                    "outer one cut into. Put the stop where the contour goes straight on, or outside of it.",
                    "G41 ... (then) X10. (then) M00 (then) Y10."),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0476", "the tool cannot reach this block between its neighbours: it is left out",
+        "The inner corners at its ends overlap. The control stops with alarm PS0041, or avoids the "
+        "interference where parameter 19607 bit 5 says so. Here the tool goes over to the next block that it "
+        "reaches, where the two paths cross.",
+        "G41 D1 (radius 5) (then) X10. (then) X13. Y3. (then) Y20."),
 };
 
 inline constexpr std::size_t radius_end = subprogram_end + radius_compensation_diagnostics.size();

@@ -9,7 +9,7 @@ namespace iso {
 namespace {
 
 enum class Approach { a, b };
-enum class Interference { alarm, ignore };
+enum class Interference { alarm, avoid, ignore };
 
 /// Steps of a compound motion: the tool's centre in program coordinates. Machine coordinates follow from them.
 class ToolSteps {
@@ -130,8 +130,9 @@ struct RadiusCompensationPath {
   ig::Choice<Approach> start_up_{"start-up", "a|b", "a", "Start and end of compensation, type A or B."};
   ig::Choice<OuterCorner> outer_corner_{"outer-corner", "lines|arc", "lines",
                                         "How the tool goes round an outer corner."};
-  ig::Choice<Interference> interference_{"interference", "alarm|ignore", "alarm",
-                                         "What a path that turns round between two corners is."};
+  ig::Choice<Interference> interference_{"interference", "alarm|avoid|ignore", "alarm",
+                                         "What a move is that the tool cannot reach between its neighbours: left out "
+                                         "with an alarm, left out, or made as computed."};
   ig::IntegerOption rests_allowed_{"blocks-without-move",
                                    "2",
                                    {0, 10},
@@ -173,8 +174,9 @@ struct RadiusCompensationPath {
     ig::Vec3 machine;  ///< the same in machine coordinates, should the frame change
     double offset = 0;
     Point2 corner_center{};
-    Corner corner;          ///< its steps belong to the next move in the plane
-    bool is_blind = false;  ///< it has not seen the next move
+    Corner corner;             ///< its steps belong to the next move in the plane
+    bool is_blind = false;     ///< it has not seen the next move
+    std::size_t left_out = 0;  ///< moves that follow and that it cannot reach
     std::array<ig::Vec3, 3> steps_machine{};
     ig::Vec3 center_machine{};
   };
@@ -277,6 +279,32 @@ struct RadiusCompensationPath {
     return text[first] == ';' || (last != std::string_view::npos && text[last] == ')' && text.find(')') == last);
   }
 
+  /// The moves that follow on the same side at the same distance, as far as the control reads.
+  using Moves = std::array<ContourMove, 8>;
+  std::size_t moves_ahead(ig::Block& b, const PlaneAxes& plane, double offset, Moves& moves) const {
+    std::size_t count = 0;
+    bool other_frame = false;
+    std::int64_t rests = 0;
+    for (std::uint32_t k = 1; k <= window && count < moves.size(); ++k) {
+      ig_block* const raw = b.host()->ahead(b.raw(), k);
+      if (raw == nullptr) break;
+      ig::Block ahead(b.host(), raw);
+      other_frame |= ahead.frame_changed();
+      const ContourMotion motion = motion_(ahead);
+      if (motion.kind == ContourMotion::Kind::by_steps || !(motion.plane == plane)) break;
+      if (offset_in_force(ahead) != offset) break;
+      if (motion.kind == ContourMotion::Kind::rest) {
+        if (!is_comment(ahead.source()) && ++rests > rests_allowed_) break;
+        continue;
+      }
+      rests = 0;
+      moves[count] = motion.move;
+      if (other_frame && !bring_here(b, ahead, motion, moves[count])) break;
+      ++count;
+    }
+    return count;
+  }
+
   Corner corner_to(const ContourMotion& now, const Next& next, double offset) const {
     // A rapid makes no arc.
     return iso::corner(now.move, next.move, offset, next.is_rapid ? OuterCorner::lines : OuterCorner{outer_corner_});
@@ -309,6 +337,7 @@ struct RadiusCompensationPath {
   }
 
   ig::Status go_on(ig::Block& b, const ContourMotion& now, double offset) {
+    if (tool_.left_out > 0) return leave_out(b, now, offset);
     const Point2 from = ContourMotionOf::in_plane(now.plane, tool_.at);
     if (tool_.is_blind && !is_same(from, now.move.offset_start(offset)))
       b.report(radius_diag("ISO-0475"), ig::Where::block());
@@ -320,7 +349,7 @@ struct RadiusCompensationPath {
     return status;
   }
 
-  Corner end_of(ig::Block& b, const ContourMotion& now, double offset, const Next& next) const {
+  Corner end_of(ig::Block& b, const ContourMotion& now, double offset, const Next& next) {
     if (next.kind != Next::Kind::move || !now.move.fits(offset)) return square_corner(now.move, offset);
     if (next.offset == 0) {
       if (next.direction.length() > 0) return directed_end(now.move, offset, next.direction);
@@ -329,13 +358,69 @@ struct RadiusCompensationPath {
       return round.kind == CornerKind::inner ? square_corner(now.move, offset) : round;
     }
     if (next.offset * offset < 0) return change_of_side(now.move, offset, next.move, next.offset);
-    if (!next.move.fits(offset)) return square_corner(now.move, offset);
     const Corner corner = corner_to(now, next, offset);
+    if (interference_ != Interference::ignore)
+      if (const auto around = go_around(b, now, offset, next, corner)) return *around;
+    if (!next.move.fits(offset)) return square_corner(now.move, offset);
     if (corner.kind == CornerKind::no_solution) {
       b.report(radius_diag("ISO-0468"), ig::Where::block());
       b.alarm();
     }
     return corner;
+  }
+
+  /// Where the tool cannot reach the next moves, since the corners at their ends overlap, it goes over from this move
+  /// to the first one after them that it reaches.
+  std::optional<Corner> go_around(ig::Block& b, const ContourMotion& now, double offset, const Next& next,
+                                  const Corner& corner) {
+    const bool is_narrow = corner.kind == CornerKind::inner || corner.kind == CornerKind::no_solution;
+    if (!is_narrow && next.move.fits(offset)) return std::nullopt;
+    Moves moves;
+    const std::size_t count = moves_ahead(b, now.plane, offset, moves);
+    const Point2 from = tool_.corner.count == 0 ? ContourMotionOf::in_plane(now.plane, tool_.at) : tool_.corner.last();
+    std::optional<Corner> trial;
+    if (corner.kind != CornerKind::no_solution) trial = corner;
+    for (std::size_t n = 0; n < count; ++n) {
+      if (n > 0) trial = meet(now.move, moves[n], offset, from);
+      if (!trial || !moves[n].fits(offset)) continue;
+      const Point2 end = n + 1 < count ? iso::corner(moves[n], moves[n + 1], offset, OuterCorner::lines).leave
+                                       : moves[n].offset_end(offset);
+      if (moves[n].way(trial->last(), end, offset) < -same_point_mm) continue;
+      if (n == 0) return std::nullopt;
+      tool_.left_out = n;
+      return trial;
+    }
+    return std::nullopt;
+  }
+
+  /// Where the offsets of two moves that are no neighbours cross, if both are made shorter by it.
+  static std::optional<Corner> meet(const ContourMove& a, const ContourMove& b, double offset, const Point2& from) {
+    if (!a.fits(offset) || !b.fits(offset)) return std::nullopt;
+    const auto at = detail::crossing(detail::curve_at(a, a.end, a.direction_at_end(), offset),
+                                     detail::curve_at(b, b.start, b.direction_at_start(), offset),
+                                     0.5 * (a.offset_end(offset) + b.offset_start(offset)));
+    if (!at || a.way(from, *at, offset) < -same_point_mm || a.way(*at, a.offset_end(offset), offset) < -same_point_mm ||
+        b.way(b.offset_start(offset), *at, offset) < -same_point_mm)
+      return std::nullopt;
+    return Corner{CornerKind::inner, *at, {}, 0};
+  }
+
+  ig::Status leave_out(ig::Block& b, const ContourMotion& now, double offset) {
+    --tool_.left_out;
+    if (interference_ == Interference::alarm) {
+      if (now.move.fits(offset))
+        b.report(radius_diag("ISO-0476"), ig::Where::block());
+      else
+        b.report(radius_diag("ISO-0466"), ig::Where::block(), std::fabs(offset),
+                 (now.move.end - now.move.center).length());
+      b.alarm();
+    }
+    const ToolSteps::Feed feed = take_event(b);
+    tool_.at[now.plane.tool] = now.to[now.plane.tool];
+    steps_.line(b, tool_.at, feed);
+    b.set(phase_, phases_[offsetting]);
+    finish(b, now);
+    return ig::Status::changed;
   }
 
   ig::Status cancel(ig::Block& b, const ContourMotion& now) {
@@ -447,7 +532,7 @@ struct RadiusCompensationPath {
     }
     const double way = now.move.way(from, to, offset);
     if (way < -same_point_mm) {
-      if (interference_ == Interference::alarm) {
+      if (interference_ != Interference::ignore) {
         b.report(radius_diag("ISO-0467"), ig::Where::block(), -way);
         b.alarm();
       }

@@ -25,8 +25,6 @@ struct RadiusCompensation {
   ig::Word d_{"Parsing.D", ig::wake, ""};
   std::array<ig::Word, 3> direction_words_{ig::Word{"Parsing.I", ig::take}, ig::Word{"Parsing.J", ig::take},
                                            ig::Word{"Parsing.K", ig::take}};
-  ig::InWhile<ig::Symbol> left_in_force_{"RadiusCompensation.Term", "G41"};
-  ig::InWhile<ig::Symbol> right_in_force_{"RadiusCompensation.Term", "G42"};
   ig::Out<ig::Symbol> term_{"RadiusCompensation.Term"};
   ig::Out<ig::Symbol> side_{"RadiusCompensation.Side"};
   ig::Out<std::int64_t> offset_id_{"RadiusCompensation.OffsetId"};
@@ -34,8 +32,9 @@ struct RadiusCompensation {
   ig::Xyz direction_{"RadiusCompensation.CancelDirection",
                      ig::write,
                      {ig::Life::block, "mm", "Direction of the wall that the contour ends at, as programmed."}};
-  /// From the cancelling code to the straight move that takes the tool back to the programmed point.
-  ig::Signal leaving_{"RadiusCompensation.~Leaving", ig::read | ig::write | ig::wake_while, ig::Life::modal};
+  /// In force, or on the way off: up to the straight move that takes the tool back to the programmed point. A switch,
+  /// since the cancelling code stands at the start of most programs and must wake nobody from there on.
+  ig::Signal active_{"RadiusCompensation.~Active", ig::read | ig::write | ig::wake_while, ig::Life::modal};
   ig::Signal path_{"RadiusCompensation.~Path", ig::write};
   ig::In<std::int64_t> length_id_{"ToolHeightCompensation.OffsetId"};
   ig::Signal table_changed_{"ToolHeightCompensation.~TableChanged", ig::read | ig::wake};
@@ -54,8 +53,10 @@ struct RadiusCompensation {
 
   ig::Status restart(ig::Block& b) {
     said_zero_ = false;
-    if (is_on(b)) find_radius(b, ig::Where::block());
-    return ig::Status::unchanged;
+    if (!is_on(b)) return ig::Status::unchanged;
+    find_radius(b, ig::Where::block());
+    b.raise(active_);
+    return ig::Status::changed;
   }
 
   ig::Status build(ig::Block& b) {
@@ -72,7 +73,7 @@ struct RadiusCompensation {
     if (code || d || asks_again || !b.has(radius_)) find_radius(b, where);
     const bool is_left = b.is(term_, g41_) != scale_and_mirror_.swaps_sense(b, motion_(b).plane);
     if (const ig::Name& side = is_left ? left_ : right_; !b.is(side_, side)) b.set(side_, side);
-    if (b.is_raised(leaving_)) b.erase(leaving_);
+    if (!b.is_raised(active_)) b.raise(active_);
     b.raise(path_);
     return ig::Status::changed;
   }
@@ -85,14 +86,14 @@ struct RadiusCompensation {
     if (has_code) {
       b.set(side_, none_);
       b.erase(radius_);
-      if (was_on) b.raise(leaving_);
+      if (was_on) b.raise(active_);
     }
-    if (!b.is_raised(leaving_)) return has_code;
+    if (!b.is_raised(active_)) return has_code;
     b.raise(path_);
     const ContourMotion motion = motion_(b);
     if (has_code && !motion.move.is_arc) take_direction(b, motion.plane);
     const bool is_straight = motion.kind == ContourMotion::Kind::move && !motion.move.is_arc;
-    if (is_straight || motion.kind == ContourMotion::Kind::by_steps) b.erase(leaving_);
+    if (is_straight || motion.kind == ContourMotion::Kind::by_steps) b.erase(active_);
     return true;
   }
 

@@ -29,12 +29,12 @@ struct ContourMove {
   /// Where the tool touches the start, and the end, of the move.
   Point2 offset_start(double offset) const { return start + offset * left_of(direction_at_start()); }
   Point2 offset_end(double offset) const { return end + offset * left_of(direction_at_end()); }
-  /// Radius of the tool's path on an arc; not above zero where the tool does not fit in.
+  /// Radius of the tool's path on an arc; below zero where the tool does not fit in. At zero it turns on the spot.
   double path_radius(const Point2& at, double offset) const {
     return (at - center).length() + (is_ccw ? -offset : offset);
   }
   bool fits(double offset) const {
-    return !is_arc || std::fmin(path_radius(start, offset), path_radius(end, offset)) > same_point_mm;
+    return !is_arc || std::fmin(path_radius(start, offset), path_radius(end, offset)) > -same_point_mm;
   }
 
   /// How far the tool goes along the move from `from` to `to`, which lie on its offset: negative where it would have to

@@ -103,7 +103,8 @@ def random_contour(seed, tool):
     i = 0
     while i + 1 < len(elements):
         if isinstance(elements[i], Line) and isinstance(elements[i + 1], Line) and rng.random() < 0.4:
-            joined = rounded_corner(elements[i], elements[i + 1], rng.uniform(1.2, 3) * tool)
+            radius = rng.uniform(*rng.choice([(0.2, 0.9), (1.2, 3), (1.2, 3)])) * tool
+            joined = rounded_corner(elements[i], elements[i + 1], radius)
             if joined:
                 elements[i:i + 2] = joined
                 i += 1
@@ -141,7 +142,7 @@ class Reach:
                 near = min(range(len(elements)), key=lambda j: elements[j].distance(center))
                 if elements[near].distance(center) >= tool - 1e-9:
                     reached.append(center)
-                elif (near - i) % len(elements) not in (0, 1, len(elements) - 1):
+                elif min((near - i) % len(elements), (i - near) % len(elements)) > 2:
                     self.is_narrow = True
             self.places.append(reached)
             self.is_swallowed |= not reached

@@ -138,12 +138,12 @@ class Test:
             if reach.is_narrow:
                 continue
             path, said = isogloss_path(self.isogloss, self.folder, variant, text, plane, radius)
-            refuses = re.search(r"ISO-04\d\d", said)
-            if refuses:
+            if re.search(r"ISO-04\d\d", said):
                 if not reach.is_swallowed:
                     self.report(seed, f"{side} {variant}: {said.splitlines()[0]}", text)
                 self.refused += 1
-                continue
+                if re.search(r"ISO-046[78]", said):
+                    continue  # the path is shown as computed, and said to cut in
             wrong = fault(elements, offset, path, lines, 1e-6)
             self.checked += 1
             if wrong:
@@ -175,7 +175,7 @@ def main():
         test = Test(options.isogloss.resolve(), pathlib.Path(name), options.keep)
         for seed in range(options.seed, options.seed + options.contours):
             test.run(seed)
-    print(f"{test.checked} paths checked, {test.refused} refused with reason, {test.compared} of rs274 checked, "
+    print(f"{test.checked} paths checked, {test.refused} with parts out of reach, {test.compared} of rs274 checked, "
           f"{test.failed} wrong")
     return 1 if test.failed or test.checked < options.contours / 4 else 0
 
