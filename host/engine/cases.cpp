@@ -278,7 +278,7 @@ class Bench {
     Document& document = chain_.document();
     const Json unknown = load_json(before, document, chain_.symbols());
     if (syntax_.scan != nullptr) chain_.scan_with(position_);
-    if (!ahead.empty()) return run_before(ahead, std::move(before), unknown);
+    if (!ahead.empty()) return run_before(ahead, before, unknown);
     return finish(document, before, unknown);
   }
 

@@ -109,7 +109,8 @@ def random_contour(seed, tool):
                 elements[i:i + 2] = joined
                 i += 1
         i += 1
-    return elements if is_simple(elements) else None
+    bends = [abs(cmath.phase(b.direction(0) / a.direction(1))) for a, b in zip(elements, elements[1:] + elements[:1])]
+    return elements if max(bends) < 2.8 and is_simple(elements) else None  # a cusp may cross itself unseen
 
 
 def is_simple(elements):
