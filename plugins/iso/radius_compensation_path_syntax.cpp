@@ -14,21 +14,22 @@ enum class Interference { alarm, avoid, ignore };
 /// Steps of a compound motion: the tool's centre in program coordinates. Machine coordinates follow from them.
 class ToolSteps {
  public:
-  struct Feed {
+  struct Manner {
     bool is_rapid = false;
-    std::optional<double> mmds;
+    std::optional<double> feed_mmds;
+    std::int64_t more_circles = 0;
   };
 
-  void line(ig::Block& b, const ig::Vec3& to, const Feed& feed) const {
+  void line(ig::Block& b, const ig::Vec3& to, const Manner& manner) const {
     ig_field fields[12];
     ig_value values[12];
-    const std::uint32_t n = begin(to, feed, linear_, fields, values);
+    const std::uint32_t n = begin(to, manner, linear_, fields, values);
     b.host()->append(b.raw(), fields, n, values);
   }
-  void arc(ig::Block& b, const ig::Vec3& to, const ig::Vec3& center, bool is_ccw, const Feed& feed) const {
+  void arc(ig::Block& b, const ig::Vec3& to, const ig::Vec3& center, bool is_ccw, const Manner& manner) const {
     ig_field fields[12];
     ig_value values[12];
-    std::uint32_t n = begin(to, feed, arc_, fields, values);
+    std::uint32_t n = begin(to, manner, arc_, fields, values);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       fields[n] = center_[axis];
       values[n++].number = center[axis];
@@ -36,7 +37,7 @@ class ToolSteps {
     fields[n] = is_ccw_;
     values[n++].integer = is_ccw ? 1 : 0;
     fields[n] = circles_;
-    values[n++].integer = 0;
+    values[n++].integer = manner.more_circles;
     b.host()->append(b.raw(), fields, n, values);
   }
   /// Machine coordinates of all steps; those of the rotary axes that the block turns go to the last one.
@@ -50,7 +51,8 @@ class ToolSteps {
   }
 
  private:
-  std::uint32_t begin(const ig::Vec3& to, const Feed& feed, ig::Symbol form, ig_field* fields, ig_value* values) const {
+  std::uint32_t begin(const ig::Vec3& to, const Manner& manner, ig::Symbol form, ig_field* fields,
+                      ig_value* values) const {
     std::uint32_t n = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       fields[n] = program_[axis];
@@ -58,12 +60,12 @@ class ToolSteps {
     }
     fields[n] = form_;
     values[n++].symbol = form.id;
-    if (feed.is_rapid) {
+    if (manner.is_rapid) {
       fields[n] = is_rapid_;
       values[n++].integer = 1;
-    } else if (feed.mmds) {
+    } else if (manner.feed_mmds) {
       fields[n] = feedrate_;
-      values[n++].number = *feed.mmds;
+      values[n++].number = *manner.feed_mmds;
     }
     return n;
   }
@@ -415,9 +417,9 @@ struct RadiusCompensationPath {
                  (now.move.end - now.move.center).length());
       b.alarm();
     }
-    const ToolSteps::Feed feed = take_event(b);
+    const ToolSteps::Manner manner = take_event(b);
     tool_.at[now.plane.tool] = now.to[now.plane.tool];
-    steps_.line(b, tool_.at, feed);
+    steps_.line(b, tool_.at, manner);
     b.set(phase_, phases_[offsetting]);
     finish(b, now);
     return ig::Status::changed;
@@ -454,8 +456,8 @@ struct RadiusCompensationPath {
     if (now.has_event) {
       ig::Vec3 to = tool_.at;
       to[now.plane.tool] = now.to[now.plane.tool];
-      const ToolSteps::Feed feed = take_event(b);
-      steps_.line(b, to, feed);
+      const ToolSteps::Manner manner = take_event(b);
+      steps_.line(b, to, manner);
       tool_.at = to;
       finish(b, now);
       return ig::Status::changed;
@@ -478,15 +480,15 @@ struct RadiusCompensationPath {
       tool_ = {};
       return ig::Status::unchanged;
     }
-    const ToolSteps::Feed feed = take_event(b);
-    turn_corner(b, now, feed);
+    const ToolSteps::Manner manner = take_event(b);
+    turn_corner(b, now, manner);
     const Point2 from = ContourMotionOf::in_plane(now.plane, tool_.at);
     const double height = now.to[now.plane.tool];
     const ig::Vec3 to = at(now, corner.leave, height);
     if (goes_along_arc(b, now, phase, from, corner.leave, offset))
-      steps_.arc(b, to, at(now, now.move.center, tool_.at[now.plane.tool]), now.move.is_ccw, feed);
+      steps_.arc(b, to, at(now, now.move.center, tool_.at[now.plane.tool]), now.move.is_ccw, manner);
     else
-      steps_.line(b, to, feed);
+      steps_.line(b, to, manner);
     tool_.at = to;
     tool_.offset = offset;
     tool_.corner_center = now.move.end;
@@ -506,15 +508,15 @@ struct RadiusCompensationPath {
     }
   }
 
-  void turn_corner(ig::Block& b, const ContourMotion& now, const ToolSteps::Feed& feed) {
+  void turn_corner(ig::Block& b, const ContourMotion& now, const ToolSteps::Manner& manner) {
     const double height = tool_.at[now.plane.tool];
     for (std::size_t i = 0; i < tool_.corner.count; ++i) {
       const Corner::Step& step = tool_.corner.steps[i];
       const ig::Vec3 to = at(now, step.to, height);
       if (step.is_arc)
-        steps_.arc(b, to, at(now, tool_.corner_center, height), step.is_ccw, feed);
+        steps_.arc(b, to, at(now, tool_.corner_center, height), step.is_ccw, {manner.is_rapid, manner.feed_mmds, 0});
       else
-        steps_.line(b, to, feed);
+        steps_.line(b, to, manner);
       tool_.at = to;
     }
     tool_.corner.count = 0;
@@ -557,15 +559,15 @@ struct RadiusCompensationPath {
   }
 
   /// One block never moves twice: the steps take the place of the move.
-  ToolSteps::Feed take_event(ig::Block& b) const {
-    const ToolSteps::Feed feed{b.get_or(is_rapid_, false), b.get(feedrate_)};
+  ToolSteps::Manner take_event(ig::Block& b) const {
+    const ToolSteps::Manner manner{b.get_or(is_rapid_, false), b.get(feedrate_), b.get_or(circles_, std::int64_t{0})};
     b.erase(form_);
     b.erase(is_rapid_);
     b.erase(feedrate_);
     for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), center_.id(axis));
     b.erase(is_ccw_);
     b.erase(circles_);
-    return feed;
+    return manner;
   }
 
   void finish(ig::Block& b, const ContourMotion& now) {
