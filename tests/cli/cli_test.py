@@ -505,6 +505,21 @@ class Subprograms(Command):
                 self.assertIn(code, done.stderr)
                 self.assertLess(time.monotonic() - begin, 10)
 
+    def test_machines_differ_in_what_p_and_m97_mean(self):
+        self.write("haas_like.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="haas_like" title="A mill" '
+                   'extends="fanuc"><Chain><Configure syntax="SubprogramCallSyntax" p-form="whole" m97="yes" m198="no" '
+                   'start-address="H" levels="1"/></Chain></Dialect>')
+        main = self.write("main.nc", "O1\nG91 G00\nM98 P51234\nM97 P500 L2\nM98 P3 H20\nM198 P3\nM97 P600\nM30\n"
+                          "N500 X100.\nM99\nN600 M98 P3\nM99\nO51234\nX1.\nM99\nO3\nX5.\nN20 X10.\nM99\n")
+        done = self.run_it("run", main, "-d", self.path / "haas_like.xml", "--format", "csv", status=1)
+        self.assertEqual(self.xs(done), ["1", "101", "201", "211"])
+        self.assertIn("main.nc:6:1: error: M198 is not executed", done.stderr)
+        self.assertIn("main.nc:11:10: error: calls are nested 1 deep already", done.stderr)
+        self.assertNotIn("IG-0414", done.stderr)
+        done = self.run_csv(main, status=1)
+        self.assertIn("main.nc:3:5: warning: M98: there is no O1234 for P51234", done.stderr)
+        self.assertIn("main.nc:4:1: error: M97 is not executed", done.stderr)
+
     def test_limits_are_options(self):
         program = self.write("deep.nc", "O1\nM98 P2\nM30\nO2\nM98 P3\nM99\nO3\nM99\n")
         self.run_csv(program)
