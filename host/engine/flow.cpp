@@ -211,7 +211,7 @@ std::int32_t Flow::jump(ig_go& request) {
     if (!to_) return not_found(request, "looked in this program, " + frame_->file->name);
   }
   if (frame_->file->source->is_lost()) {
-    sink_.add(host_diagnostic("IG-0421", {frame_->file->name, here_.line, 0}, {frame_->file->name}));
+    say_lost(*frame_->file);
     return IG_GO_REFUSED;
   }
   request_ = Request::jump;
@@ -340,8 +340,17 @@ void Flow::stop(std::string_view code, const Place& at, std::initializer_list<st
 // ---- files
 
 LabelIndex& Flow::labels(ProgramFile& file) {
-  if (file.labels == nullptr) file.labels = indexer().index(file);
+  if (file.labels == nullptr) {
+    file.labels = indexer().index(file);
+    if (file.source->is_lost()) say_lost(file);
+  }
   return *file.labels;
+}
+
+/// The rest of a source that can be read only once went by, or what lies before: nothing of it is run any more.
+void Flow::say_lost(const ProgramFile& file) {
+  if (!over_) sink_.add(host_diagnostic("IG-0421", {file.name, here_.line, 0}, {file.name}));
+  over_ = true;
 }
 
 Indexer& Flow::indexer() {

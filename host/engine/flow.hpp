@@ -78,6 +78,7 @@ class Flow : public FlowHost {
   bool find_in_folders(const ig_go& request, Target& out);
   ProgramFile* open(const ProgramPlaces::Found& found);
   LabelIndex& labels(ProgramFile& file);
+  void say_lost(const ProgramFile& file);
   Indexer& indexer();
   ProgramPlaces& places();
   void enter(Document& document, const Place& next);

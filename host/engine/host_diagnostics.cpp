@@ -216,7 +216,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "a subprogram whose last line is missing"},
       {warning, "IG-0420", "{0} holds no program {1}, but others: it is run from its first line",
        "The file was found by its name. What stands in it has another number.", "a file that was copied and renamed"},
-      {error, "IG-0421", "the run cannot go back: what was read of {0} could not be kept",
+      {error, "IG-0421", "the run ends here, since it cannot go back: what was read of {0} could not be kept",
        "Standard input, or a pipe, can be read only once; a temporary file keeps what was read. It could not be "
        "written: the folder for temporary files (TMPDIR) is full or missing.",
        "a jump back in a large program on standard input"},

@@ -79,9 +79,9 @@ struct SubprogramReturn {
     ig::Flow::Answer answer{IG_GO_NOT_FOUND, {}};
     if (wanted) answer = flow_.jump(b, label.text(), IG_SEARCH_FORWARD);
     if (!answer.is_done()) {
-      if (allowed_ != 0 && pass_ >= allowed_) return ig::Status::unchanged;
       answer = wanted ? flow_.jump(b, label.text(), IG_SEARCH_TOP) : flow_.restart(b);
-      if (answer.is_done()) ++pass_;
+      if (answer.is_done() && allowed_ != 0 && pass_ >= allowed_) return ig::Status::unchanged;
+      ++pass_;
     }
     const ig::Words words = *b.take(return_);
     b.set(term_, return_.name(0));

@@ -478,6 +478,8 @@ class Subprograms(Command):
         self.assertEqual(self.xs(self.run_csv("-", given=program)), ["1", "2", "3"])
         long_program = program.replace("O2\n", ("(" + "x" * 60 + ")\n") * 40000 + "O2\n")
         self.assertEqual(self.xs(self.run_csv("-", given=long_program)), ["1", "2", "3"])
+        done = self.run_csv("-", given=long_program, status=1, env={"TMPDIR": str(self.path / "nowhere")})
+        self.assertIn("IG-0421", done.stderr)
 
     def test_links_and_folders_are_no_programs(self):
         outside = tempfile.NamedTemporaryFile("w", suffix=".nc", delete=False)
