@@ -6,7 +6,7 @@
 #include "flow.hpp"
 
 #include <catch2/catch.hpp>
-#include <chrono>
+#include <ctime>
 #include <fstream>
 #include <random>
 
@@ -279,7 +279,7 @@ TEST_CASE("the text of a called program may end without a return") {
 
 TEST_CASE("loops end at their limits, which name them") {
   Fixture f;
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();  // a busy machine is not the program's fault
   SECTION("a jump to itself") {
     f.run("a\n=n;>n");
     CHECK(f.codes() == "IG-0418");
@@ -305,7 +305,7 @@ TEST_CASE("loops end at their limits, which name them") {
     CHECK(f.codes() == "IG-0418");
     CHECK(f.diagnostics.all[0].message.find("line 2 goes back to line 1") != std::string::npos);
   }
-  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(10));
+  CHECK(std::clock() - begin < 4 * CLOCKS_PER_SEC);
 }
 
 TEST_CASE("programs are found beside the main program and in the folders given") {

@@ -502,10 +502,10 @@ class Subprograms(Command):
                 ("itself", "O1\nM98 P1\nM99\n", "ISO-0486"),
                 ("often", "O1\nM98 P2 L9999\nM30\nO2\nM98 P3 L9999\nM99\nO3\nM99\n", "IG-0417")):
             with self.subTest(name):
-                begin = time.monotonic()
+                begin = os.times().children_user  # a busy machine is not the program's fault
                 done = self.run_csv(self.write("endless.nc", program), "--emit", "none", "--main-passes", "0", status=1)
                 self.assertIn(code, done.stderr)
-                self.assertLess(time.monotonic() - begin, 10)
+                self.assertLess(os.times().children_user - begin, 4)
 
     def test_machines_differ_in_what_p_and_m97_mean(self):
         self.write("haas_like.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="haas_like" title="A mill" '
