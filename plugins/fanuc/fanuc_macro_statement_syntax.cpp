@@ -34,7 +34,7 @@ struct FanucMacroStatement {
   static constexpr auto spec =
       ig::syntax("FanucMacroStatementSyntax", "Macro statements: assignments, IF, WHILE, GOTO, alarms and output.")
           .after("IsoCommentSyntax", "HeadIndexSyntax", "ProgramNumberSyntax")
-          .before("FlagSyntax", "WordSyntax")
+          .before("WordSyntax")
           .scans("#IWDEGTOBPSRCiwdegtobpsrc");
 
   ig::IntegerOption loops_{"loops", "3", {1, 99}, "The largest number of DO and END."};

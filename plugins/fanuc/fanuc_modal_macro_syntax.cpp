@@ -11,14 +11,14 @@ struct FanucModalMacro {
       ig::syntax("FanucModalMacroSyntax", "Calls the macro of G66 after each block that moves; G67 ends it.")
           .after("LinearMotionSyntax", "CircularMotionSyntax", "ReferenceReturnSyntax");
 
-  MacroEnvironment environment_;
+  MacroFrame frame_;
   ig::Codes end_{"G67"};
   ig::Signal modal_{"MacroCall.~Modal", ig::read | ig::write | ig::wake_while, ig::Life::modal};
   ig::In<ig::Symbol> move_{"MotionEvent.Form"}, steps_{"CompoundMotion.Term"};
 
   ig::Status build(ig::Block& b) {
-    environment_.enter(b);
-    MacroStore& store = environment_.store();
+    frame_.enter(b);
+    MacroStore& store = frame_.store();
     std::vector<MacroStore::ModalCall>& calls = store.modal_calls();
     if (b.take(end_)) {
       if (calls.empty())
@@ -32,7 +32,7 @@ struct FanucModalMacro {
       return ig::Status::unchanged;
     const MacroStore::ModalCall call = calls.back();
     const std::uint64_t tag = store.enter(call.arguments, true);
-    if (!call_program(b, environment_.flow, call.program, call.repeats, tag, ig::Where::block())) store.leave_last();
+    if (!call_program(b, frame_.flow, call.program, call.repeats, tag, ig::Where::block())) store.leave_last();
     return ig::Status::changed;
   }
 };

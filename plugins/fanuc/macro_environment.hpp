@@ -14,7 +14,8 @@
 
 namespace fanuc {
 
-class MacroEnvironment {
+/// Which local variables are the present ones: those of the macro call that the block's frame belongs to.
+class MacroFrame {
  public:
   ig::Flow flow;
 
@@ -26,11 +27,41 @@ class MacroEnvironment {
 
   MacroStore& store() const { return *store_; }
 
-  const ExpressionRules& rules() const { return store_->settings.rules; }
+ private:
+  void select_level(const ig::Block& b, const ig_frame& frame) const {
+    ig_frame at = frame;
+    for (std::uint32_t level = frame.depth; level > 0 && (at.tag == 0 || (at.tag & shares_locals) != 0);) {
+      const auto below = flow.frame(b, --level);
+      if (!below) break;
+      at = *below;
+    }
+    store_->select(at.tag & ~called_by_code, at.tag == 0 ? 1 : at.pass);
+  }
+
+  /// The service of MacroVariables; a store of its own where a dialect has none.
+  class Store {
+   public:
+    Store() : service_(macro_store_service, ig::Need::optional, "What macro programs read and write.") {
+      if (!service_) own_.define(*NumberRanges::read("100-199"), *NumberRanges::read("500-999"));
+    }
+    MacroStore* operator->() const { return &**this; }
+    MacroStore& operator*() const { return service_ ? *const_cast<MacroStore*>(service_.operator->()) : own_; }
+
+   private:
+    ig::Service<MacroStore> service_;
+    mutable MacroStore own_;
+  };
+
+  Store store_;
+};
+
+class MacroEnvironment : public MacroFrame {
+ public:
+  const ExpressionRules& rules() const { return store().settings.rules; }
 
   /// The block shows what it read.
   Fault read(ig::Block& b, std::uint32_t number, MacroValue& out) const {
-    if (const double* const stored = store_->find(number)) {
+    if (const double* const stored = store().find(number)) {
       out = std::isnan(*stored) ? MacroValue::null() : MacroValue{*stored, Kind::number};
     } else if (const Fault fault = read_system(b, number, out); fault != Fault::none) {
       return fault;
@@ -46,11 +77,11 @@ class MacroEnvironment {
   enum class Written { done, no_variable, read_only, no_row };
   Written write(ig::Block& b, std::uint32_t number, const MacroValue& value) {
     if (number == 0) return Written::read_only;
-    if (store_->set(number, value.is_null() ? MacroStore::null : value.number)) return Written::done;
+    if (store().set(number, value.is_null() ? MacroStore::null : value.number)) return Written::done;
     return write_system(b, number, value.number);
   }
 
-  /// The diagnostic of an expression that has no value. `offset`: where its text begins in the block.
+  /// Says why an expression has no value.
   void report(ig::Block& b, const Outcome& o, std::string_view text) const {
     std::size_t end = std::max(o.fault_end, o.fault_begin);
     if (end > text.size()) end = text.size();
@@ -61,10 +92,10 @@ class MacroEnvironment {
     b.report(diagnostic_of(o.fault), where, piece);
   }
 
-  bool has_deep_brackets(const Outcome& o) const { return o.depth > store_->settings.nesting; }
+  bool has_deep_brackets(const Outcome& o) const { return o.depth > store().settings.nesting; }
   void warn_of_depth(ig::Block& b, const Outcome& o, std::size_t begin, std::size_t end) const {
     b.report(macro_diag("FAN-0117"), ig::Where::columns(begin, end), static_cast<double>(o.depth),
-             static_cast<double>(store_->settings.nesting));
+             static_cast<double>(store().settings.nesting));
   }
 
  private:
@@ -91,16 +122,6 @@ class MacroEnvironment {
     }
   }
 
-  void select_level(const ig::Block& b, const ig_frame& frame) const {
-    ig_frame at = frame;
-    for (std::uint32_t level = frame.depth; level > 0 && (at.tag == 0 || (at.tag & shares_locals) != 0);) {
-      const auto below = flow.frame(b, --level);
-      if (!below) break;
-      at = *below;
-    }
-    store_->select(at.tag & ~called_by_code, at.tag == 0 ? 1 : at.pass);
-  }
-
   // ---- variables of the control: reading
 
   Fault read_system(ig::Block& b, std::uint32_t n, MacroValue& out) const {
@@ -114,7 +135,7 @@ class MacroEnvironment {
 
   Fault system_value(ig::Block& b, std::uint32_t n, double& out) const {
     if (n == 3001 || n == 3002) return clock(n, out);
-    if (const double* const given = store_->given(n)) {
+    if (const double* const given = store().given(n)) {
       out = *given;
       return Fault::none;
     }
@@ -125,7 +146,7 @@ class MacroEnvironment {
     if (within(n, 5001, 5100)) return position(b, (n - 5001) / 20, (n - 5001) % 20, out);
     if (const OffsetCell cell = offset_cell(n); cell.exists) return read_offset(b, cell, out);
     if (const ToolCell cell = tool_cell(n); cell.row != 0) return read_tool(b, cell, out);
-    if (store_->is_assumed(n)) {
+    if (store().is_assumed(n)) {
       say_assumed(b, n);
       return Fault::none;
     }
@@ -138,11 +159,11 @@ class MacroEnvironment {
   }
 
   Fault clock(std::uint32_t n, double& out) const {
-    const double* const given = store_->given(n);
-    const double step_ms = store_->settings.clock_step_ms;
+    const double* const given = store().given(n);
+    const double step_ms = store().settings.clock_step_ms;
     const double step = n == 3001 ? step_ms : step_ms / 3.6e6;
     out = (given != nullptr ? *given : 0) + step;
-    store_->give(n, out);
+    store().give(n, out);
     return Fault::none;
   }
 
@@ -304,7 +325,7 @@ class MacroEnvironment {
     if (within(n, 11001, 11999)) return {n - 11000, 0};
     if (within(n, 12001, 12999)) return {n - 12000, 3};
     if (within(n, 13001, 13999)) return {n - 13000, 2};
-    if (!store_->settings.geometry_first) {
+    if (!store().settings.geometry_first) {
       if (within(n, 2001, 2200)) return {n - 2000, 1};
       if (within(n, 2201, 2400)) return {n - 2200, 0};
     } else if (within(n, 2001, 2800)) {
@@ -339,8 +360,8 @@ class MacroEnvironment {
       return Written::done;
     }
     if (within(n, 4001, 4530) || within(n, 5001, 5100) || n == 3011 || n == 3012) return Written::read_only;
-    if (n != 3001 && n != 3002 && !store_->is_assumed(n) && store_->given(n) == nullptr) return Written::no_variable;
-    store_->give(n, value);
+    if (n != 3001 && n != 3002 && !store().is_assumed(n) && store().given(n) == nullptr) return Written::no_variable;
+    store().give(n, value);
     return Written::done;
   }
 
@@ -356,21 +377,6 @@ class MacroEnvironment {
     return Written::done;
   }
 
-  /// The service of MacroVariables; a store of its own where a dialect has none.
-  class Store {
-   public:
-    Store() : service_(macro_store_service, ig::Need::optional, "What macro programs read and write.") {
-      own_.define(*NumberRanges::read("100-199"), *NumberRanges::read("500-999"));
-    }
-    MacroStore* operator->() const { return &**this; }
-    MacroStore& operator*() const { return service_ ? *const_cast<MacroStore*>(service_.operator->()) : own_; }
-
-   private:
-    ig::Service<MacroStore> service_;
-    mutable MacroStore own_;
-  };
-
-  Store store_;
   mutable std::vector<std::uint32_t> assumed_;
 
   ig::In<ig::Symbol> motion_{"MotionState.Term"}, plane_{"PlaneSelect.Term"}, positioning_{"PositioningMode.Term"},
