@@ -87,14 +87,13 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
   }
 }
 
-/// Words of codes have the highest ids but for copies from before the block. Where a bit word holds none but them, its bits are looked at in
-/// blocks only that have such words: writing one raises a bit that wakes no syntax.
+/// Words of codes have the highest ids but for copies from before the block. Where a bit word holds none but them, its
+/// bits are looked at in blocks only that have such words: writing one raises a bit that wakes no syntax.
 void Document::find_open_words() {
   const auto is_far = [&](ig_field f) {
     const FieldInfo& info = layout_->fields[f];
     if (info.previous_of != IG_NO_FIELD) return true;  // nothing but begin() writes it
-    return info.life == IG_LIFE_WORD && info.type != IG_CODE &&
-           std::count(info.path.begin(), info.path.end(), '.') > 1;
+    return info.life == IG_LIFE_WORD && info.type != IG_CODE && std::count(info.path.begin(), info.path.end(), '.') > 1;
   };
   std::uint32_t open_end = 0;
   far_begin_ = 0;
@@ -118,8 +117,8 @@ void Document::find_open_words() {
 
 void Document::keep_previous(ig_field field, ig_field copy) {
   PreviousRun* const last = previous_.empty() ? nullptr : &previous_.back();
-  if (last != nullptr && field == last->from + last->count && copy == last->to + last->count &&
-      (field & 63) != 0 && (copy & 63) != 0) {
+  if (last != nullptr && field == last->from + last->count && copy == last->to + last->count && (field & 63) != 0 &&
+      (copy & 63) != 0) {
     last->mask |= std::uint64_t{1} << last->count;
     ++last->count;
   } else {

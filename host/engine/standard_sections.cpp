@@ -57,6 +57,17 @@ std::vector<FieldInfo> make_fields() {
       field("RadiusCompensation.Term", name, modal, "", "The code in force."),
       field("RadiusCompensation.OffsetId", integer, modal, "", "Number in the tool offset table."),
       field("RadiusCompensation.Radius_mm", number, modal, "mm", "Radius in force."),
+      field("RadiusCompensation.CancelDirection.X", number, block, "mm",
+            "Of the wall that the contour ends at, as programmed."),
+      field("RadiusCompensation.CancelDirection.Y", number, block, "mm",
+            "Of the wall that the contour ends at, as programmed."),
+      field("RadiusCompensation.CancelDirection.Z", number, block, "mm",
+            "Of the wall that the contour ends at, as programmed."),
+      field("RadiusCompensation.Vector.X", number, modal, "mm", "From the programmed point to the tool's centre."),
+      field("RadiusCompensation.Vector.Y", number, modal, "mm", "From the programmed point to the tool's centre."),
+      field("RadiusCompensation.Vector.Z", number, modal, "mm", "From the programmed point to the tool's centre."),
+      field("RadiusCompensation.Phase", name, block, "", "StartUp, Offset or Cancel: what the move of the block is."),
+      field("RadiusCompensation.Corner", name, block, "", "How the tool comes to the next move of the contour."),
       field("CoordinateOffset.CoordinateId", name, modal, "", "The work offset in force."),
       field("CoordinateOffset.Offset_X", number, modal, "mm", "Origin in machine coordinates."),
       field("CoordinateOffset.Offset_Y", number, modal, "mm", "Origin in machine coordinates."),
@@ -146,6 +157,14 @@ std::vector<FieldInfo> make_fields() {
       field("PathSmoothing.Level", number, modal, "", "Level of the smoothing."),
       field("ProgramStop.Term", name, block, "", "The code that stops."),
       field("ProgramEnd.Term", name, block, "", "The code that ends."),
+      field("SubProgramCall.Term", name, block, "", "The code that calls."),
+      field("SubProgramCall.P", integer, block, "", "Number of the program that is called."),
+      field("SubProgramCall.L", integer, block, "", "How many times it is called."),
+      field("SubProgramCall.FileName", text, block, "", "Name of the program that is called."),
+      field("SubProgramReturn.Term", name, block, "", "The code that returns."),
+      field("SubProgramReturn.P", integer, block, "", "The sequence number that it returns to."),
+      field("Vars.Variable", integer, block, "", "Number of the variable that was assigned."),
+      field("Vars.Value", number, block, "", "What was assigned; absent: null."),
   };
 }
 
@@ -208,7 +227,8 @@ const std::vector<std::string>& section_order() {
                                               "SpindleControl",   "SpindleOrientation",
                                               "ThreadCutting",    "PathMode",
                                               "PathSmoothing",    "ProgramStop",
-                                              "ProgramEnd"};
+                                              "ProgramEnd",       "SubProgramCall",
+                                              "SubProgramReturn", "Vars"};
   return order;
 }
 

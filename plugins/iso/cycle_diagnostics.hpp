@@ -17,8 +17,6 @@ inline constexpr std::array cycle_diagnostics{
 
 inline constexpr std::size_t cycle_end = tool_center_end + cycle_diagnostics.size();
 
-consteval std::uint32_t cycle_diag(std::string_view code) {
-  return index_of(cycle_diagnostics, code, tool_center_end);
-}
+consteval std::uint32_t cycle_diag(std::string_view code) { return index_of(cycle_diagnostics, code, tool_center_end); }
 
 }  // namespace iso

@@ -15,9 +15,8 @@ constexpr auto joined(const std::array<ig_diagnostic_decl, Sizes>&... parts) {
   return all;
 }
 
-constexpr auto all_diagnostics =
-    joined(diagnostics, rotary_diagnostics, tilt_diagnostics, tool_center_diagnostics, cycle_diagnostics,
-           subprogram_diagnostics, radius_compensation_diagnostics);
+constexpr auto all_diagnostics = joined(diagnostics, rotary_diagnostics, tilt_diagnostics, tool_center_diagnostics,
+                                        cycle_diagnostics, subprogram_diagnostics, radius_compensation_diagnostics);
 
 // Each part must stand where its codes are looked for.
 static_assert(all_diagnostics[tool_center_diag("ISO-0441")].code == std::string_view("ISO-0441"));

@@ -64,7 +64,7 @@ consteval std::uint32_t tool_center_diag(std::string_view code) {
 }
 
 /// Where the next part of the plugin\'s table begins.
-inline constexpr std::size_t tool_center_end = diagnostics.size() + rotary_diagnostics.size() +
-                                               tilt_diagnostics.size() + tool_center_diagnostics.size();
+inline constexpr std::size_t tool_center_end =
+    diagnostics.size() + rotary_diagnostics.size() + tilt_diagnostics.size() + tool_center_diagnostics.size();
 
 }  // namespace iso
