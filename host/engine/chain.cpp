@@ -221,6 +221,8 @@ void Chain::watch_modal_state() {
       const ig_field original = fields[field].previous_of != IG_NO_FIELD ? fields[field].previous_of : field;
       document_.watch(original, change_of(watches_.size()));
       watches_.push_back({field, i, i, is_carried(fields[original].life), {}});
+      // Words come in without a word to the watch.
+      if (fields[original].life == IG_LIFE_WORD) always_ |= change_of(watches_.size() - 1);
     }
     ++watches_.back().end;
   }
@@ -239,7 +241,8 @@ void Chain::look_at_state() {
         awake_by_rest_[k] |= watches_[i].awake[k];
   }
   std::copy(std::begin(awake_by_rest_), std::end(awake_by_rest_), std::begin(awake_by_state_));
-  document_.changes = passing_ = 0;
+  document_.changes = 0;
+  passing_ = always_;
   for (std::uint64_t open = changes; open != 0; open &= open - 1) {
     const auto first = static_cast<std::size_t>(__builtin_ctzll(open));
     const std::size_t last = first == last_change ? watches_.size() : first + 1;

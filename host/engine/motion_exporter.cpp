@@ -112,7 +112,7 @@ class JsonLines : public EventLines {
       p = level(put(p, R"(,"MachineArcCenter":)"), m.arc.machine_center, machine_center_z_);
       p = put(p, R"(,"Normal":)");
       p = m.arc.normal[2] == 1 ? put(p, R"({"X":0,"Y":0,"Z":1})") : xyz(p, m.arc.normal);
-      p = number(put(p, R"(,"Sweep_deg":)"), m.arc.sweep_deg);
+      p = number(put(p, R"(,"Sweep_deg":)"), sweep_deg(m));
     }
     if (m.is_manual) p = put(p, R"(,"Manual":true)");
     if (m.is_led) p = put(p, R"(,"Form":"ClLinear")");
@@ -224,7 +224,7 @@ class CsvLines : public EventLines {
     p = m.machine.known < 8 ? put(p, ",,,") : axes<3, 6>(p, m.machine);
     *p++ = ',';
     if (m.has_feed) p = feed_.put(p, m.feed_mmds);
-    p = m.kind == Move::Kind::arc ? arc(p, m.arc) : put(p, ",,,,,,,,,,,,,");
+    p = m.kind == Move::Kind::arc ? arc(p, m) : put(p, ",,,,,,,,,,,,,");
     p = m.is_manual ? put(p, ",,manual") : put(p, ",,");
     finish(p);
   }
@@ -280,7 +280,8 @@ class CsvLines : public EventLines {
     }
     return p;
   }
-  char* arc(char* p, const Arc& a) {
+  char* arc(char* p, const Move& m) {
+    const Arc& a = m.arc;
     p = a.has_center ? level(p, a.center, center_z_) : put(p, ",,,");
     p = a.is_ccw ? put(p, ",1,") : put(p, ",0,");
     p = put(write_integer(p, a.additional_circles), ",");
@@ -288,7 +289,7 @@ class CsvLines : public EventLines {
     if (!a.has_center) return put(p, ",,,,,,,");
     p = level(p, a.machine_center, machine_center_z_);
     p = a.normal[2] == 1 ? put(p, ",0,0,1,") : put(xyz(p, a.normal), ",");
-    return put_number<exact>(p, a.sweep_deg);
+    return put_number<exact>(p, sweep_deg(m));
   }
 
   RepeatedNumber<exact> program_z_, machine_z_, feed_, center_z_, machine_center_z_;
@@ -318,7 +319,7 @@ class TextLines : public EventLines {
     line += fmt::format("{:>10}", m.has_feed ? number(m.feed_mmds * 60) : "");
     for (unsigned i = 3; i < 6; ++i)
       if (m.machine.has(i)) line += fmt::format("  {}{}", "XYZABC"[i], number(m.machine.at[i]));
-    if (m.kind == Move::Kind::arc) line += arc(m.arc);
+    if (m.kind == Move::Kind::arc) line += arc(m);
     write(line);
   }
   void dwell(double seconds) { write(fmt::format("{:<8}{} s", "dwell", number(seconds))); }
@@ -348,11 +349,12 @@ class TextLines : public EventLines {
     const std::string text = fmt::format("{:.3f}", value);
     return text == "-0.000" ? "0.000" : text;
   }
-  std::string arc(const Arc& a) const {
+  std::string arc(const Move& m) const {
+    const Arc& a = m.arc;
     std::string text = fmt::format("  {} {}", valid_utf8(a.plane), a.is_ccw ? "ccw" : "cw");
     if (!a.has_center) return text;
     return text + fmt::format(" about {} {} {}, {} deg", number(a.center[0]), number(a.center[1]), number(a.center[2]),
-                              number(std::abs(a.sweep_deg)));
+                              number(std::abs(sweep_deg(m))));
   }
 };
 

@@ -24,19 +24,6 @@ struct PlaneAxes {
   int first, second;
 };
 
-/// Degrees from start to end about the center, signed; ±360 where they coincide.
-double sweep(const double (&start)[3], const double (&end)[3], const double (&center)[3], PlaneAxes plane,
-             bool is_ccw) {
-  const double sign = is_ccw ? 1 : -1;
-  const int i = plane.first, j = plane.second;
-  if (std::abs(end[i] - start[i]) < closed_arc_mm && std::abs(end[j] - start[j]) < closed_arc_mm) return sign * 360;
-  const double u[2] = {start[i] - center[i], start[j] - center[j]};
-  const double v[2] = {end[i] - center[i], end[j] - center[j]};
-  double angle = degrees(sign * std::atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]));
-  if (angle <= 0) angle += 360;
-  return sign * angle;
-}
-
 void copy_xyz(double (&to)[6], const double (&from)[6]) {
   for (int i = 0; i < 3; ++i) to[i] = from[i];
 }
@@ -67,6 +54,22 @@ void map_normal(const Frame& frame, PlaneAxes plane, double (&out)[3]) {
 }
 
 }  // namespace
+
+/// Degrees from start to end about the center, signed; ±360 where they coincide.
+double sweep_deg(const Move& move) {
+  const Arc& arc = move.arc;
+  const double sign = arc.is_ccw ? 1 : -1;
+  const double turns = sign * 360 * static_cast<double>(arc.additional_circles);
+  const int i = arc.first_axis, j = arc.second_axis;
+  const double* const end = move.program.at;
+  if (std::abs(end[i] - arc.start[i]) < closed_arc_mm && std::abs(end[j] - arc.start[j]) < closed_arc_mm)
+    return sign * 360 + turns;
+  const double u[2] = {arc.start[i] - arc.center[i], arc.start[j] - arc.center[j]};
+  const double v[2] = {end[i] - arc.center[i], end[j] - arc.center[j]};
+  double angle = degrees(sign * std::atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]));
+  if (angle <= 0) angle += 360;
+  return sign * angle + turns;
+}
 
 void MotionReader::AxisFields::find_run() {
   unsigned count = 0;
@@ -258,9 +261,8 @@ void MotionReader::make_arc(const Values& values, const Fields& fields, Document
   if (!is_in_frame_ && position_.has_xyz())
     d.map_to_program({position_.at[0], position_.at[1], position_.at[2]}, arc.start);
   if (!arc.has_center) return;
-  const double end[3] = {move_.program.at[0], move_.program.at[1], move_.program.at[2]};
-  arc.sweep_deg = sweep(arc.start, end, arc.center, axes, arc.is_ccw) +
-                  (arc.is_ccw ? 360.0 : -360.0) * static_cast<double>(arc.additional_circles);
+  arc.first_axis = static_cast<std::uint8_t>(axes.first);
+  arc.second_axis = static_cast<std::uint8_t>(axes.second);
   const Frame& frame = d.composed();
   frame.map(arc.center, arc.machine_center);
   map_normal(frame, axes, arc.normal);

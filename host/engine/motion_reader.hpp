@@ -15,14 +15,14 @@ struct AxisPoint {
   bool has_xyz() const { return (known & 7u) == 7u; }
 };
 
-/// Where an arc lies. With N the normal, it runs `sweep_deg` about N: counter-clockwise when positive, whole turns
+/// Where an arc lies. With N the normal, it runs `sweep_deg()` about N: counter-clockwise when positive, whole turns
 /// included.
 struct Arc {
   std::string_view plane = "XY";
   bool has_center = false;  ///< without one nothing below it is known
   bool is_ccw = false;
+  std::uint8_t first_axis = 0, second_axis = 1;  ///< of the plane; counter-clockwise turns the first to the second
   std::int64_t additional_circles = 0;
-  double sweep_deg = 0;
   double center[3] = {};  ///< program coordinates, at the level of the start
   double start[3] = {};   ///< program coordinates, in the frame of this block
   double machine_center[3] = {};
@@ -42,6 +42,9 @@ struct Move {
   AxisPoint start;  ///< program coordinates where the tip begins, in the frame of this block; set where is_led only
   Arc arc;          ///< set for arcs only
 };
+
+/// Of an arc whose centre is known. Computed where it is written, which may be another thread than the reader's.
+double sweep_deg(const Move& move);
 
 /// One name compared often: by its id once the id is known.
 class KnownName {

@@ -17,8 +17,8 @@ struct Helix {
   double center[3], r[3], q[3], rise[3];
   double sweep;
 
-  Helix(const double* start, const double* end, const double* middle, const double* normal, double sweep_deg)
-      : sweep(sweep_deg * std::numbers::pi / 180) {
+  Helix(const double* start, const double* end, const double* middle, const double* normal, double degrees)
+      : sweep(degrees * std::numbers::pi / 180) {
     double height_of_start = 0, height = 0;
     for (int i = 0; i < 3; ++i) {
       height_of_start += (start[i] - middle[i]) * normal[i];
@@ -182,7 +182,7 @@ class SummaryExporter : public Exporter {
       add_feed_time(m, length);
       return;
     }
-    const Helix way(m.from.at, m.machine.at, a.machine_center, a.normal, a.sweep_deg);
+    const Helix way(m.from.at, m.machine.at, a.machine_center, a.normal, sweep_deg(m));
     const double length = way.length(m.machine.at);
     s_.feed_length_mm += length;
     add_feed_time(m, length);
@@ -191,7 +191,7 @@ class SummaryExporter : public Exporter {
     if (!m.program.has_xyz()) return;
     double normal[3] = {0, 0, 0};
     normal[a.plane == "YZ" ? 0 : a.plane == "ZX" ? 1 : 2] = 1;
-    const Helix programmed(a.start, m.program.at, a.center, normal, a.sweep_deg);
+    const Helix programmed(a.start, m.program.at, a.center, normal, sweep_deg(m));
     for (int i = 0; i < 3; ++i)
       programmed.turning_points(
           i, [&](double at) { widen(program_known_, i, at, s_.program_minimum, s_.program_maximum); });

@@ -162,6 +162,7 @@ class Chain {
   std::uint64_t awake_by_rest_[4] = {};                   // all but those that changed last
   std::uint64_t changing_ = 0;                            // of Document::changes: those
   std::uint64_t passing_ = 0;                             // of Document::changes: the values that end with this block
+  std::uint64_t always_ = 0;                              // ... and those that nobody tells of
   std::vector<Step> steps_;                               // by chain position
   std::vector<std::unique_ptr<DependencyTable>> tables_;  // by linked dependency, as the two below
   std::vector<std::vector<OptionValue>> dependency_options_;
