@@ -495,6 +495,23 @@ TEST_CASE("a long stream, written beside the run, is what its pieces are") {
   }
 }
 
+TEST_CASE("a name at the end of a batch is its own event's") {
+  TestDocument t;
+  StringOutput out;
+  const auto e = make_motion_exporter(out, {.format = Format::csv});
+  e->begin(t.d, t.symbols);
+  std::string expected;
+  for (std::uint32_t line = 1; line < 5000; ++line) {
+    const std::string mode = "a name too long to stand beside its size, " + std::to_string(line);
+    t.block(line);
+    t.name("Coolant.Mode", mode);
+    CHECK(e->block(t.d, t.symbols));
+    expected += "part.nc," + std::to_string(line) + ",coolant,,,,,,,,,,,,,,,,,,,,,,,,,\"" + mode + "\"\n";
+  }
+  e->end();
+  CHECK(out.text.substr(out.text.find('\n') + 1) == expected);
+}
+
 TEST_CASE("an exporter may go while lines wait") {
   TestDocument t;
   StringOutput out;

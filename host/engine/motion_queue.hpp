@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <cstring>
 #include <deque>
 #include <exception>
 #include <iterator>
+#include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -43,7 +46,7 @@ class MotionQueue {
     line_ = source.line;
     if (source.file.data() == file_.data() && source.file.size() == file_.size()) return;
     file_ = source.file;
-    add(Kind::file).text = keep(source.file);
+    add_named(Kind::file, source.file);
   }
   /// A new run begins: its file's name may stand where the last one's stood.
   void forget_file() { file_ = {}; }
@@ -57,26 +60,25 @@ class MotionQueue {
     e.number = m.feed_mmds;
     e.program = static_cast<std::uint16_t>(m.program.known);
     e.machine = static_cast<std::uint16_t>(m.machine.known);
-    for (int i = 0; i < 3; ++i) e.at[i] = m.program.at[i];
-    for (int i = 0; i < 6; ++i) e.at[3 + i] = m.machine.at[i];
+    std::memcpy(e.at, m.program.at, 3 * sizeof e.at[0]);
+    std::memcpy(e.at + 3, m.machine.at, 6 * sizeof e.at[0]);
     if (m.kind != Move::Kind::arc) return;
     filling_->arcs.push_back(m.arc);
     std::string_view& plane = filling_->arcs.back().plane;
     const auto* const known = std::find(std::begin(planes), std::end(planes), plane);
-    plane = known != std::end(planes) ? *known : keep(plane);
+    plane = known != std::end(planes) ? *known : std::string_view(filling_->texts[keep(plane)]);
   }
   void dwell(double seconds) { add(Kind::dwell).number = seconds; }
   void orient(double degrees) { add(Kind::orient).number = degrees; }
   void tool(std::int64_t id) { add(Kind::tool).id = id; }
   void spindle(std::string_view direction, bool has_speed, double rpm) {
-    Event& e = add(Kind::spindle);
-    e.text = keep(direction);
+    Event& e = add_named(Kind::spindle, direction);
     e.has_number = has_speed;
     e.number = rpm;
   }
-  void coolant(std::string_view mode) { add(Kind::coolant).text = keep(mode); }
-  void stop(std::string_view term) { add(Kind::stop).text = keep(term); }
-  void end(std::string_view term) { add(Kind::end).text = keep(term); }
+  void coolant(std::string_view mode) { add_named(Kind::coolant, mode); }
+  void stop(std::string_view term) { add_named(Kind::stop, term); }
+  void end(std::string_view term) { add_named(Kind::end, term); }
 
   /// False once the output takes no more.
   bool ok() const { return !closed_.load(std::memory_order_relaxed); }
@@ -96,6 +98,7 @@ class MotionQueue {
   }
 
  private:
+  static constexpr std::size_t batch_size = 512;
   enum class Kind : std::uint8_t { file, move, dwell, orient, tool, spindle, coolant, stop, end };
   struct Event {
     Kind kind;
@@ -109,10 +112,11 @@ class MotionQueue {
       std::int64_t id;
     };
     double at[9];
-    std::string_view text;
+    std::uint32_t text;  // of Batch::texts
   };
   struct Batch {
-    std::vector<Event> events;
+    std::unique_ptr<Event[]> events = std::make_unique_for_overwrite<Event[]>(batch_size);
+    std::size_t count = 0;
     std::vector<Arc> arcs;          // of the arcs among the events, in their order
     std::deque<std::string> texts;  // names, which outlive the run that told them
   };
@@ -121,7 +125,7 @@ class MotionQueue {
    public:
     explicit Emptied(Batch& batch) : batch_(batch) {}
     ~Emptied() {
-      batch_.events.clear();
+      batch_.count = 0;
       batch_.arcs.clear();
       batch_.texts.clear();
     }
@@ -132,17 +136,25 @@ class MotionQueue {
     Batch& batch_;
   };
   static constexpr std::string_view planes[] = {"XY", "ZX", "YZ"};
-  static constexpr std::size_t batch_size = 512;
   static constexpr std::size_t batch_count = 4;
 
   Event& add(Kind kind) {
-    if (filling_->events.size() == batch_size) hand_over();
-    Event& e = filling_->events.emplace_back();
+    if (filling_->count == batch_size) hand_over();
+    Event& e = filling_->events[filling_->count++];
     e.kind = kind;
     e.line = line_;
     return e;
   }
-  std::string_view keep(std::string_view text) { return filling_->texts.emplace_back(text); }
+  /// The event first: a full batch takes its names with it.
+  Event& add_named(Kind kind, std::string_view text) {
+    Event& e = add(kind);
+    e.text = keep(text);
+    return e;
+  }
+  std::uint32_t keep(std::string_view text) {
+    filling_->texts.emplace_back(text);
+    return static_cast<std::uint32_t>(filling_->texts.size() - 1);
+  }
 
   void hand_over() {
     if (!worker_.joinable()) start();
@@ -194,11 +206,11 @@ class MotionQueue {
     const Emptied emptied(batch);
     std::size_t arc = 0;
     BlockSource source{written_file_, 0, 0, {}};
-    for (const Event& e : batch.events) {
+    for (const Event& e : std::span(batch.events.get(), batch.count)) {
       if (closed_) break;
       source.line = e.line;
       if (e.kind == Kind::file) {
-        written_file_ = e.text;
+        written_file_ = batch.texts[e.text];
         source.file = written_file_;
         lines_.forget_file();
       }
@@ -208,10 +220,10 @@ class MotionQueue {
         case Kind::dwell: lines_.dwell(e.number); break;
         case Kind::orient: lines_.orient(e.number); break;
         case Kind::tool: lines_.tool(e.id); break;
-        case Kind::spindle: lines_.spindle(e.text, e.has_number, e.number); break;
-        case Kind::coolant: lines_.coolant(e.text); break;
-        case Kind::stop: lines_.stop(e.text); break;
-        case Kind::end: lines_.end(e.text); break;
+        case Kind::spindle: lines_.spindle(batch.texts[e.text], e.has_number, e.number); break;
+        case Kind::coolant: lines_.coolant(batch.texts[e.text]); break;
+        case Kind::stop: lines_.stop(batch.texts[e.text]); break;
+        case Kind::end: lines_.end(batch.texts[e.text]); break;
         case Kind::file: break;
       }
       if (!lines_.buffer().ok()) closed_ = true;
@@ -227,8 +239,8 @@ class MotionQueue {
     m.feed_mmds = e.number;
     m.program.known = e.program;
     m.machine.known = e.machine;
-    for (int i = 0; i < 3; ++i) m.program.at[i] = e.at[i];
-    for (int i = 0; i < 6; ++i) m.machine.at[i] = e.at[3 + i];
+    std::memcpy(m.program.at, e.at, 3 * sizeof e.at[0]);
+    std::memcpy(m.machine.at, e.at + 3, 6 * sizeof e.at[0]);
     if (arc != nullptr) m.arc = *arc;
     lines_.move(m);
   }

@@ -1,6 +1,7 @@
 #include "motion_reader.hpp"
 
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 namespace isogloss {
@@ -24,9 +25,7 @@ struct PlaneAxes {
   int first, second;
 };
 
-void copy_xyz(double (&to)[6], const double (&from)[6]) {
-  for (int i = 0; i < 3; ++i) to[i] = from[i];
-}
+void copy_xyz(double (&to)[6], const double (&from)[6]) { std::memcpy(to, from, 3 * sizeof from[0]); }
 
 void advance(AxisPoint& position, const AxisPoint& to) {
   if (to.known == xyz) {
