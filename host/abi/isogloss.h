@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 #define IG_ABI_MAJOR 1u
-#define IG_ABI_MINOR 1u
+#define IG_ABI_MINOR 2u
 
 #if defined(_WIN32)
 #define IG_EXPORT __declspec(dllexport)
@@ -393,6 +393,13 @@ struct ig_host {
   /* An entry of the frame that moves with the axes during the block (Kind Dynamic), as it is at the block's end. The
    * tool tip moves along: frame_changed() stays as it was. */
   void (*set_moving_transform)(ig_block*, ig_field, const double matrix[16]);
+
+  /* get_many, take_many, set_many and fresh_many for three numbers side by side: the fields x, x + 1 and x + 2, as X Y
+   * Z of one section mostly are. What has no value is 0 in out. */
+  uint32_t (*get_point)(const ig_block*, ig_field x, double out[3]);
+  uint32_t (*take_point)(ig_block*, ig_field x, double out[3]);
+  void (*set_point)(ig_block*, ig_field x, const double point[3]);
+  uint32_t (*fresh_point)(const ig_block*, ig_field x);
 };
 
 /* ---- Standard services -------------------------------------------------------------------------------------- */

@@ -436,17 +436,16 @@ void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
   first = std::max(first, origin) - origin;
   last = std::max(last, origin) - origin;
   for (std::uint32_t base = first & ~63u; base < last; base += 64) {
-    std::uint64_t reach = ~std::uint64_t{0};
-    if (base < first) reach <<= first - base;
-    if (last - base < 64) reach &= (std::uint64_t{1} << (last - base)) - 1;
+    std::uint64_t reach = base < first ? ~std::uint64_t{0} << (first - base) : ~std::uint64_t{0};
+    if (last - base < 64) reach &= ~(~std::uint64_t{0} << (last - base));
     const std::uint64_t& active = d.active[base / 64];
     const Step* const steps = steps_.data() + origin + base;
     while (const std::uint64_t awake = active & reach) {
       const auto bit = static_cast<unsigned>(__builtin_ctzll(awake));
-      reach &= ~std::uint64_t{0} << bit << 1;
+      reach &= ~std::uint64_t{1} << bit;
       const Step& step = steps[bit];
       const std::uint32_t position = origin + base + bit;
-      if (step.build == nullptr) {
+      if (step.build == nullptr) [[unlikely]] {
         if (!call_looking_ahead(d, position, begin)) return;
         continue;
       }

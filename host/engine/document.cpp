@@ -63,6 +63,7 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
       size_(static_cast<std::uint32_t>(layout.fields.size())),
       words_((size_ + 63) / 64),
       wake_words_(wake_words),
+      points_end_(size_ < 2 ? 0 : size_ - 2),
       bits_(words_),
       state_(size_),
       wake_(std::move(wake)),
@@ -80,6 +81,9 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
     if (info.previous_of != IG_NO_FIELD) keep_previous(info.previous_of, f);
   }
   find_open_words();
+  point_wake_.resize(std::size_t{points_end_} * wake_words_);
+  for (std::size_t i = 0; i < point_wake_.size(); ++i)
+    point_wake_[i] = wake_[i] | wake_[i + wake_words_] | wake_[i + 2 * std::size_t{wake_words_}];
   for (const ListInfo& list : layout.lists) {
     ListData data;
     data.stride = static_cast<std::uint32_t>(list.fields.size());
@@ -151,13 +155,13 @@ void Document::tell_change(ig_field f) {
     }
 }
 
-void Document::tell_changes(ig_field f, const ig_value* v) {
+void Document::tell_changes(ig_field x, const double* point) {
   for (ig_field i = 0; i < 3; ++i)
-    if (is_watched(f + i)) {
-      if (v != nullptr)
-        tell_watch(f + i, v[i]);
+    if (is_watched(x + i)) {
+      if (point != nullptr)
+        tell_watch(x + i, {.number = point[i]});
       else
-        tell_change(f + i);
+        tell_change(x + i);
     }
 }
 
@@ -201,8 +205,9 @@ void Document::mark_pointless(ig_field f, bool pointless) {
 void Document::rewrite(ig_field f, ig_value v) {
   if (!present(f)) return;
   if (is_watched(f)) tell_watch(f, v);
-  state_[f].value = v;
-  state_[f].writer = current;
+  State& state = state_[f];
+  state.value = v;
+  state.place = written() | (state.place & 0xffffffffu);
   mark_pointless(f, false);
 }
 
@@ -210,8 +215,7 @@ void Document::move(ig_field from, ig_field to) {
   if (!present(from) || to >= size_) return;
   const State moved = state_[from];
   set(to, moved.value);
-  state_[to].begin = moved.begin;
-  state_[to].end = moved.end;
+  state_[to].place = written() | (moved.place & 0xffffffffu);
   mark_pointless(to, without_point(from));
   erase(from);
 }

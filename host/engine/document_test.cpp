@@ -95,8 +95,8 @@ TEST_CASE("a watched field tells of a change, and of nothing else") {
     d.set_many(fields, 2, v);
   }
   SECTION("as one of three") {
-    const ig_value v[3] = {{.number = 6}, {.number = 6}, {.number = 6}};
-    d.set_triple(f.modal, v);
+    const double v[3] = {6, 6, 6};
+    d.set_point(f.modal, v);
   }
   SECTION("amended") { d.write(f.modal, {.number = 6}); }
   SECTION("rewritten") { d.rewrite(f.modal, {.number = 6}); }
@@ -106,8 +106,8 @@ TEST_CASE("a watched field tells of a change, and of nothing else") {
     REQUIRE(d.take(f.modal, v));
   }
   SECTION("taken as one of three") {
-    ig_value v[3];
-    d.take_triple(f.modal, v);
+    double v[3];
+    d.take_point(f.modal, v);
   }
   CHECK(changes() == 12);
 }

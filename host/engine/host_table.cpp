@@ -89,9 +89,7 @@ std::int32_t get(const ig_block* block, ig_field f, ig_value* out) {
 template <Mode M>
 std::uint32_t get_many(const ig_block* block, const ig_field* fields, std::uint32_t count, ig_value* out) {
   if constexpr (M == Mode::fast) {
-    const Document& d = doc(block);
-    if (d.is_triple(fields, count)) return d.get_triple(fields[0], out);
-    return d.get_many(fields, count, out);
+    return doc(block).get_many(fields, count, out);
   }
   std::uint32_t mask = 0;
   for (std::uint32_t i = 0; i < count; ++i)
@@ -107,8 +105,6 @@ std::int32_t take(ig_block* block, ig_field f, ig_value* out) {
 
 template <Mode M>
 std::uint32_t take_many(ig_block* block, const ig_field* fields, std::uint32_t count, ig_value* out) {
-  if constexpr (M == Mode::fast)
-    if (doc(block).is_triple(fields, count)) return doc(block).take_triple(fields[0], out);
   std::uint32_t mask = 0;
   for (std::uint32_t i = 0; i < count; ++i)
     if (take<M>(block, fields[i], out + i) != 0) mask |= 1u << (i & 31);
@@ -127,12 +123,7 @@ void set(ig_block* block, ig_field f, ig_value v) {
 template <Mode M>
 void set_many(ig_block* block, const ig_field* fields, std::uint32_t count, const ig_value* v) {
   if constexpr (M == Mode::fast) {
-    Document& d = doc(block);
-    if (d.is_triple(fields, count)) {
-      d.set_triple(fields[0], v);
-      return;
-    }
-    d.set_many(fields, count, v);
+    doc(block).set_many(fields, count, v);
     return;
   }
   for (std::uint32_t i = 0; i < count; ++i) set<M>(block, fields[i], v[i]);
@@ -163,11 +154,78 @@ std::int32_t is_fresh(const ig_block* block, ig_field f) {
 
 template <Mode M>
 std::uint32_t fresh_many(const ig_block* block, const ig_field* fields, std::uint32_t count) {
-  if constexpr (M == Mode::fast)
-    if (doc(block).is_triple(fields, count)) return doc(block).fresh_triple(fields[0]);
   std::uint32_t mask = 0;
   for (std::uint32_t i = 0; i < count; ++i)
     if (is_fresh<M>(block, fields[i]) != 0) mask |= 1u << (i & 31);
+  return mask;
+}
+
+// Three fields side by side. What lies otherwise, or is held against the declarations, goes one by one and stays out of
+// the fast table's way.
+
+ig_field beside(ig_field x, std::uint32_t i) { return x > IG_NO_FIELD - 2 ? IG_NO_FIELD : x + i; }
+
+template <Mode M>
+[[gnu::noinline]] std::uint32_t get_three(const ig_block* block, ig_field x, double* out) {
+  std::uint32_t mask = 0;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    ig_value v{};
+    if (get<M>(block, beside(x, i), &v) != 0) mask |= 1u << i;
+    out[i] = v.number;
+  }
+  return mask;
+}
+
+template <Mode M>
+std::uint32_t get_point(const ig_block* block, ig_field x, double* out) {
+  if constexpr (M == Mode::fast)
+    if (doc(block).is_point(x)) [[likely]]
+      return doc(block).get_point(x, out);
+  return get_three<M>(block, x, out);
+}
+
+template <Mode M>
+[[gnu::noinline]] std::uint32_t take_three(ig_block* block, ig_field x, double* out) {
+  std::uint32_t mask = 0;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    ig_value v{};
+    if (take<M>(block, beside(x, i), &v) != 0) mask |= 1u << i;
+    out[i] = v.number;
+  }
+  return mask;
+}
+
+template <Mode M>
+std::uint32_t take_point(ig_block* block, ig_field x, double* out) {
+  if constexpr (M == Mode::fast)
+    if (doc(block).is_point(x)) [[likely]]
+      return doc(block).take_point(x, out);
+  return take_three<M>(block, x, out);
+}
+
+template <Mode M>
+[[gnu::noinline]] void set_three(ig_block* block, ig_field x, const double* point) {
+  for (std::uint32_t i = 0; i < 3; ++i) set<M>(block, beside(x, i), {.number = point[i]});
+}
+
+template <Mode M>
+void set_point(ig_block* block, ig_field x, const double* point) {
+  if constexpr (M == Mode::fast)
+    if (doc(block).is_point(x)) [[likely]] {
+      doc(block).set_point(x, point);
+      return;
+    }
+  set_three<M>(block, x, point);
+}
+
+template <Mode M>
+std::uint32_t fresh_point(const ig_block* block, ig_field x) {
+  if constexpr (M == Mode::fast)
+    if (doc(block).is_point(x)) [[likely]]
+      return doc(block).fresh_point(x);
+  std::uint32_t mask = 0;
+  for (std::uint32_t i = 0; i < 3; ++i)
+    if (is_fresh<M>(block, beside(x, i)) != 0) mask |= 1u << i;
   return mask;
 }
 
@@ -536,7 +594,11 @@ constexpr ig_host table() {
           .flow = flow,
           .ahead = ahead,
           .fresh_many = fresh_many<M>,
-          .set_moving_transform = set_moving_transform<M>};
+          .set_moving_transform = set_moving_transform<M>,
+          .get_point = get_point<M>,
+          .take_point = take_point<M>,
+          .set_point = set_point<M>,
+          .fresh_point = fresh_point<M>};
 }
 
 constexpr ig_host fast_table = table<Mode::fast>();

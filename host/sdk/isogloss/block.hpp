@@ -53,7 +53,15 @@ class Block {
     ig_value v;
     return host_->get(block_, field.id(), &v) != 0 && v.symbol == name.id;
   }
-  PartialVec3 get(const Xyz& xyz) const { return triple(host_->get_many(block_, xyz.ids(), 3, scratch_), scratch_); }
+  PartialVec3 get(const Xyz& xyz) const {
+    if (xyz.point() != IG_NO_FIELD) {
+      double v[3];
+      const std::uint32_t mask = host_->get_point(block_, xyz.point(), v);
+      return {mask, {v[0], v[1], v[2]}};
+    }
+    ig_value v[3];
+    return triple(host_->get_many(block_, xyz.ids(), 3, v), v);
+  }
   template <class F>
   bool has(const F& field) const {
     ig_value v;
@@ -64,7 +72,10 @@ class Block {
   bool is_fresh(const F& field) const {
     return host_->is_fresh(block_, field.id()) != 0;
   }
-  bool is_fresh(const Xyz& xyz) const { return host_->fresh_many(block_, xyz.ids(), 3) != 0; }
+  bool is_fresh(const Xyz& xyz) const {
+    return (xyz.point() != IG_NO_FIELD ? host_->fresh_point(block_, xyz.point())
+                                       : host_->fresh_many(block_, xyz.ids(), 3)) != 0;
+  }
 
   template <class T>
   void set(const Field<T>& field, T value) {
@@ -72,6 +83,11 @@ class Block {
   }
   void set(const Field<Symbol>& field, const Name& name) { set(field, static_cast<Symbol>(name)); }
   void set(const Xyz& xyz, const Vec3& p) {
+    if (xyz.point() != IG_NO_FIELD) {
+      const double v[3] = {p.x, p.y, p.z};
+      host_->set_point(block_, xyz.point(), v);
+      return;
+    }
     const ig_value v[3] = {{.number = p.x}, {.number = p.y}, {.number = p.z}};
     host_->set_many(block_, xyz.ids(), 3, v);
   }
@@ -98,7 +114,15 @@ class Block {
     if (host_->take(block_, word.id(), &v) == 0) return std::nullopt;
     return v.number;
   }
-  PartialVec3 take(const Xyz& xyz) { return triple(host_->take_many(block_, xyz.ids(), 3, scratch_), scratch_); }
+  PartialVec3 take(const Xyz& xyz) {
+    if (xyz.point() != IG_NO_FIELD) {
+      double v[3];
+      const std::uint32_t mask = host_->take_point(block_, xyz.point(), v);
+      return {mask, {v[0], v[1], v[2]}};
+    }
+    ig_value v[3];
+    return triple(host_->take_many(block_, xyz.ids(), 3, v), v);
+  }
 
   /// The last code of the group in this block, all of them taken; `found` says how many there were.
   std::optional<std::size_t> take(const Codes& codes, std::uint32_t* found = nullptr) {
@@ -195,7 +219,6 @@ class Block {
 
   const ig_host* host_;
   ig_block* block_;
-  mutable ig_value scratch_[3];
 };
 
 }  // namespace ig

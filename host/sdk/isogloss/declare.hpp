@@ -139,6 +139,9 @@ inline ig_field declare_field(const Declared& d) {
   return bound != nullptr ? bound->ids[bound->field++] : IG_NO_FIELD;
 }
 
+/// Has the host of the chain that is created get_point and its kin?
+inline bool has_point_calls() { return binding != nullptr && binding->api->host_minor >= 2; }
+
 /// The number of the declaration just made, for expand().
 inline std::uint32_t last_field() { return binding != nullptr ? binding->field - 1 : 0; }
 

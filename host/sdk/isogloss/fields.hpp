@@ -99,12 +99,16 @@ class Xyz {
     for (std::size_t axis = 0; axis < 3; ++axis)
       ids_[axis] =
           detail::declare_field({{section, ".", std::string_view("XYZ").substr(axis, 1)}, IG_NUMBER, access, about});
+    if (detail::has_point_calls() && ids_[1] == ids_[0] + 1 && ids_[2] == ids_[0] + 2) point_ = ids_[0];
   }
   const ig_field* ids() const { return ids_.data(); }
   ig_field id(std::size_t axis) const { return ids_[axis]; }
+  /// X where the three stand side by side and the host has calls for that, else IG_NO_FIELD.
+  ig_field point() const { return point_; }
 
  private:
   std::array<ig_field, 3> ids_{};
+  ig_field point_ = IG_NO_FIELD;
 };
 
 /// A modal group or any other set of codes: "G17", "G18", "G19". Taken, and the syntax runs when the block holds one.

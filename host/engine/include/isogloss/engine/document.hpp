@@ -68,16 +68,16 @@ class Document {
   bool without_point(ig_field f) const { return f < size_ && (bits_[f >> 6].pointless >> (f & 63) & 1) != 0; }
   ig_value value(ig_field f) const { return state_[f].value; }
   double number(ig_field f) const { return state_[f].value.number; }
-  std::uint16_t writer(ig_field f) const { return state_[f].writer; }
+  std::uint16_t writer(ig_field f) const { return state_[f].writer(); }
   std::string_view text(ig_field f) const;
-  std::uint32_t word_begin(ig_field f) const { return state_[f].begin; }
-  std::uint32_t word_end(ig_field f) const { return state_[f].end; }
+  std::uint32_t word_begin(ig_field f) const { return state_[f].begin(); }
+  std::uint32_t word_end(ig_field f) const { return state_[f].end(); }
 
   /// Value, present, fresh, writer; wakes.
   void set(ig_field f, ig_value v) {
     Bits& bits = bits_[f >> 6];
     if ((bits.watched & bit(f)) != 0) tell_watch(f, v);
-    state_[f] = {v, 0, 0, current, 0};
+    state_[f] = {v, written()};
     bits.present |= bit(f);
     bits.fresh |= bit(f);
     bits.taken &= ~bit(f);
@@ -89,18 +89,20 @@ class Document {
     Bits* const bits = bits_.data();
     const std::uint64_t* const wakes = wake_.data();
     const std::uint32_t stride = wake_words_;
+    const std::uint64_t place = written();
     std::uint64_t low = active[0], high = active[1];
     for (std::uint32_t i = 0; i < count; ++i) {
-      if (f[i] >= size_) continue;
-      Bits& b = bits[f[i] >> 6];
-      const std::uint64_t mask = bit(f[i]);
-      if ((b.watched & mask) != 0) tell_watch(f[i], v[i]);
-      state[f[i]] = {v[i], 0, 0, current, 0};
+      const ig_field field = f[i];
+      if (field >= size_) continue;
+      Bits& b = bits[field >> 6];
+      const std::uint64_t mask = bit(field);
+      if ((b.watched & mask) != 0) tell_watch(field, v[i]);
+      state[field] = {v[i], place};
       b.present |= mask;
       b.fresh |= mask;
       b.taken &= ~mask;
       codes_seen += static_cast<std::uint32_t>((b.codes & mask) != 0);
-      const std::uint64_t* const woken = wakes + std::size_t{f[i]} * stride;
+      const std::uint64_t* const woken = wakes + std::size_t{field} * stride;
       low |= woken[0];
       high |= woken[1];
       if (stride > 2) [[unlikely]]
@@ -115,8 +117,9 @@ class Document {
     const Bits* const bits = bits_.data();
     std::uint32_t known = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
-      if (f[i] >= size_ || (bits[f[i] >> 6].present >> (f[i] & 63) & 1) == 0) continue;
-      out[i] = state[f[i]].value;
+      const ig_field field = f[i];
+      if (field >= size_ || (bits[field >> 6].present & bit(field)) == 0) continue;
+      out[i] = state[field].value;
       known |= 1u << (i & 31);
     }
     return known;
@@ -125,7 +128,7 @@ class Document {
   void write(ig_field f, ig_value v) {
     Bits& bits = bits_[f >> 6];
     if ((bits.watched & bit(f)) != 0) tell_watch(f, v);
-    state_[f] = {v, 0, 0, current, 0};
+    state_[f] = {v, written()};
     bits.present |= bit(f);
     bits.taken &= ~bit(f);
     active[1] |= wake_[std::size_t{f} * wake_words_ + 1] & far_bit_;
@@ -149,53 +152,55 @@ class Document {
   }
 
   // X Y Z of one section mostly lie side by side, and three at once cost little more than one.
-  bool is_triple(const ig_field* f, std::uint32_t count) const {
-    return count == 3 && ((f[1] - f[0] - 1) | (f[2] - f[0] - 2)) == 0 && (f[0] & 63) <= 61 && f[2] < size_;
+  bool is_point(ig_field x) const { return x < points_end_ && (x & 63) <= 61; }
+  /// A bit for each that is present; 0 in its place where it is not.
+  std::uint32_t get_point(ig_field x, double* out) const {
+    const std::uint32_t known = static_cast<std::uint32_t>(bits_[x >> 6].present >> (x & 63)) & 7u;
+    const State* const state = state_.data() + x;
+    for (int i = 0; i < 3; ++i) out[i] = state[i].value.number;
+    if (known != 7u) [[unlikely]]
+      for (int i = 0; i < 3; ++i)
+        if ((known >> i & 1u) == 0) out[i] = 0;
+    return known;
   }
-  std::uint32_t get_triple(ig_field f, ig_value* out) const {
-    for (ig_field i = 0; i < 3; ++i) out[i] = state_[f + i].value;
-    return static_cast<std::uint32_t>(bits_[f >> 6].present >> (f & 63)) & 7u;
+  std::uint32_t fresh_point(ig_field x) const {
+    return static_cast<std::uint32_t>(bits_[x >> 6].fresh >> (x & 63)) & 7u;
   }
-  std::uint32_t fresh_triple(ig_field f) const {
-    return static_cast<std::uint32_t>(bits_[f >> 6].fresh >> (f & 63)) & 7u;
-  }
-  std::uint32_t take_triple(ig_field f, ig_value* out) {
-    const std::uint32_t mask = get_triple(f, out);
-    Bits& bits = bits_[f >> 6];
-    const std::uint64_t these = std::uint64_t{mask} << (f & 63);
+  std::uint32_t take_point(ig_field x, double* out) {
+    const std::uint32_t known = get_point(x, out);
+    Bits& bits = bits_[x >> 6];
+    const std::uint64_t these = std::uint64_t{known} << (x & 63);
     if ((bits.watched & these) != 0) [[unlikely]]
-      tell_changes(f, nullptr);
+      tell_changes(x, nullptr);
     bits.present &= ~(these & ~bits.codes);
     bits.taken |= these;
-    return mask;
+    return known;
   }
-  [[gnu::always_inline]] void set_triple(ig_field f, const ig_value* v) {
-    Bits& bits = bits_[f >> 6];
-    const std::uint64_t these = std::uint64_t{7} << (f & 63);
+  [[gnu::always_inline]] void set_point(ig_field x, const double* point) {
+    Bits& bits = bits_[x >> 6];
+    const std::uint64_t these = std::uint64_t{7} << (x & 63);
     if ((bits.watched & these) != 0) [[unlikely]]
-      tell_changes(f, v);
-    for (ig_field i = 0; i < 3; ++i) state_[f + i] = {v[i], 0, 0, current, 0};
+      tell_changes(x, point);
+    const std::uint64_t place = written();
+    State* const state = state_.data() + x;
+    state[0] = {{.number = point[0]}, place};
+    state[1] = {{.number = point[1]}, place};
+    state[2] = {{.number = point[2]}, place};
     bits.present |= these;
     bits.fresh |= these;
     bits.taken &= ~these;
-    codes_seen += static_cast<std::uint32_t>((bits.codes & these) != 0);
-    const std::size_t stride = wake_words_;
-    const std::uint64_t* const woken = wake_.data() + f * stride;
-    active[0] |= woken[0] | woken[stride] | woken[2 * stride];
-    active[1] |= woken[1] | woken[stride + 1] | woken[2 * stride + 1];
-    if (stride > 2) [[unlikely]]
-      for (std::size_t i = 0; i < 3; ++i) wake_far(woken + i * stride);
+    wake_by(point_wake_.data() + std::size_t{x} * wake_words_);
   }
   void set_text(ig_field f, std::string_view text);
   /// A word or a code of the text, with its columns; codes are numbered in their order.
-  void set_word(const ig_word& w) {
+  [[gnu::always_inline]] void set_word(const ig_word& w) {
     const ig_field f = w.field;
     if (f >= size_) return;
     Bits& bits = bits_[f >> 6];
     const std::uint64_t mask = bit(f);
     ig_value v = w.value;
     if ((bits.codes & mask) != 0) v.integer = ++codes_seen;
-    state_[f] = {v, w.begin, w.end, current, 0};
+    state_[f] = {v, written() | std::uint64_t{w.end} << 16 | w.begin};
     bits.present |= mask;
     bits.fresh |= mask;
     bits.taken &= ~mask;
@@ -208,7 +213,9 @@ class Document {
   void watch(ig_field f, std::uint64_t changes);
   /// No write wakes the syntax of this bit any more.
   void silence(std::uint32_t bit) {
-    for (std::size_t i = bit / 64; i < wake_.size(); i += wake_words_) wake_[i] &= ~(std::uint64_t{1} << (bit % 64));
+    const std::uint64_t others = ~(std::uint64_t{1} << (bit % 64));
+    for (std::size_t i = bit / 64; i < wake_.size(); i += wake_words_) wake_[i] &= others;
+    for (std::size_t i = bit / 64; i < point_wake_.size(); i += wake_words_) point_wake_[i] &= others;
   }
   void move(ig_field from, ig_field to);
 
@@ -266,8 +273,10 @@ class Document {
 
  private:
   static constexpr std::uint64_t bit(ig_field f) { return std::uint64_t{1} << (f & 63); }
-  void wake(ig_field f) {
-    const std::uint64_t* const woken = wake_.data() + std::size_t{f} * wake_words_;
+  /// The place of what is no word of the text: the syntax that runs wrote it.
+  std::uint64_t written() const { return std::uint64_t{current} << 32; }
+  void wake(ig_field f) { wake_by(wake_.data() + std::size_t{f} * wake_words_); }
+  void wake_by(const std::uint64_t* woken) {
     active[0] |= woken[0];
     active[1] |= woken[1];
     if (wake_words_ > 2) [[unlikely]]
@@ -281,7 +290,7 @@ class Document {
   }
   [[gnu::cold]] void tell_change(ig_field f);
   /// Of three fields side by side; without values they go.
-  [[gnu::cold]] void tell_changes(ig_field f, const ig_value* v);
+  [[gnu::cold]] void tell_changes(ig_field x, const double* point);
   /// Of a transform. The field's value says nothing: a syntax may have set it by mistake.
   std::size_t frame_index(ig_field f) const {
     std::size_t i = 0;
@@ -294,18 +303,20 @@ class Document {
   void mark_pointless(ig_field f, bool pointless);
   const Layout* layout_;
   std::uint32_t size_ = 0, words_ = 0, wake_words_ = 2;
+  std::uint32_t points_end_ = 0;  // no three fields begin here or behind
   struct State {
     ig_value value{};
-    std::uint16_t begin = 0, end = 0;  // columns of a word
-    std::uint16_t writer = 0;
-    std::uint16_t reserved = 0;
+    std::uint64_t place = 0;  // where a word begins and ends (columns), and the writer: 16 bits each, from the lowest
+    std::uint16_t begin() const { return static_cast<std::uint16_t>(place); }
+    std::uint16_t end() const { return static_cast<std::uint16_t>(place >> 16); }
+    std::uint16_t writer() const { return static_cast<std::uint16_t>(place >> 32); }
   };
   std::vector<Bits> bits_;
   std::vector<State> state_;
   // The 64-bit words that hold words and codes; from far_begin_ to far_end_ hold nothing but words of codes.
   std::uint32_t open_begin_ = 0, far_begin_ = 0, far_end_ = 0;
   std::uint64_t far_bit_ = 0;  // of active[1]: this block has such words; 0: active has no bit to spare
-  std::vector<std::uint64_t> wake_;
+  std::vector<std::uint64_t> wake_, point_wake_;  // by field; by the first of three
   struct Watcher {
     ig_field field;
     std::uint64_t changes;
