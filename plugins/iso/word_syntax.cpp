@@ -49,6 +49,7 @@ struct WordSyntax {
     bool counts_increments = false;
   };
   std::array<Address, 26> table{};
+  std::array<bool, 256> begins_word{};
 
   WordSyntax() {
     for (std::size_t i = 0; i < addresses.size(); ++i) {
@@ -56,16 +57,16 @@ struct WordSyntax {
       const std::string_view unit = addresses.unit(i);
       if (letter < 26) table[letter] = {addresses.id(i), unit == "mm" || unit == "deg" || unit == "s"};
     }
+    for (std::size_t c = 0; c < begins_word.size(); ++c) begins_word[c] = is_address(static_cast<char>(c));
   }
 
   /// Words that follow each other, until one host call takes them.
   struct Run {
     std::array<ig_word, 26> words;
-    std::array<ig_field, 26> fields;
     std::uint32_t count = 0;
     std::uint32_t letters = 0;
-    bool without_point = false;
-    bool fine_digits = false;
+    std::uint32_t flags = 0;  // of all words
+    std::ptrdiff_t most_decimals = 0;
   };
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
@@ -80,7 +81,7 @@ struct WordSyntax {
       if (behind == next) break;  // for another scanner
       end = behind;
       next = skip_blanks(text, end);
-    } while (next < text.size() && is_address(text[next]));
+    } while (next < text.size() && begins_word[static_cast<unsigned char>(text[next])]);
     set(b, run, position > 0);
     return end;
   }
@@ -109,39 +110,42 @@ struct WordSyntax {
       return d.end;
     }
     std::uint32_t place = run.count;
-    if ((run.letters >> letter & 1u) != 0) {
+    if ((run.letters >> letter & 1u) != 0) [[unlikely]] {
       place = 0;
-      while (run.fields[place] != address.field) ++place;
+      while (run.words[place].field != address.field) ++place;
       twice(b, address.field, begin, d.end);
     } else {
       ++run.count;
     }
     run.letters |= 1u << letter;
     const bool bare = !d.has_point && address.counts_increments && d.value != 0;
-    run.without_point |= bare;
-    run.fine_digits |= d.decimals > 3;
-    run.fields[place] = address.field;
+    const auto flags = bare ? static_cast<std::uint32_t>(IG_WORD_WITHOUT_POINT) : 0u;
+    run.flags |= flags;
+    run.most_decimals = std::max(run.most_decimals, d.decimals);
     run.words[place] = {.field = address.field,
                         .begin = column(begin),
                         .end = column(d.end),
                         .value = {.number = d.value + 0.0},  // -0 becomes 0
-                        .flags = bare ? static_cast<std::uint32_t>(IG_WORD_WITHOUT_POINT) : 0u,
+                        .flags = flags,
                         .reserved = 0};
     return d.end;
   }
 
   void set(ig::Block& b, const Run& run, bool has_more_before) const {
     if (run.count == 0) return;
-    std::array<ig_value, 26> before;
-    std::uint32_t again =
-        has_more_before ? b.host()->get_many(b.raw(), run.fields.data(), run.count, before.data()) : 0;
-    for (; again != 0; again &= again - 1) {
-      const ig_word& w = run.words[static_cast<std::size_t>(std::countr_zero(again))];
-      twice(b, w.field, w.begin, w.end);
+    if (has_more_before) {
+      std::array<ig_field, 26> fields;
+      std::array<ig_value, 26> before;
+      for (std::uint32_t i = 0; i < run.count; ++i) fields[i] = run.words[i].field;
+      for (std::uint32_t again = b.host()->get_many(b.raw(), fields.data(), run.count, before.data()); again != 0;
+           again &= again - 1) {
+        const ig_word& w = run.words[static_cast<std::size_t>(std::countr_zero(again))];
+        twice(b, w.field, w.begin, w.end);
+      }
     }
     b.host()->set_words(b.raw(), run.words.data(), run.count);
-    if (run.without_point) b.raise(without_point);
-    if (run.fine_digits && b.is_raised(cuts_digits)) b.raise(fine_digits);
+    if (run.flags != 0) b.raise(without_point);
+    if (run.most_decimals > 3 && b.is_raised(cuts_digits)) b.raise(fine_digits);
   }
 
   void twice(ig::Block& b, ig_field field, std::size_t begin, std::size_t end) const {
