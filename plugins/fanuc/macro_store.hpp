@@ -107,7 +107,7 @@ class MacroStore {
 
   /// The variable's place, null where it is none of these. Good until the next call.
   const double* find(std::uint32_t number) const {
-    if (number <= last_local) return &levels_.back().values[number];
+    if (number <= last_local) return &levels_[present_].values[number];
     for (const Area& a : areas_)
       if (number - a.first < a.values.size()) return &a.values[number - a.first];
     return nullptr;
@@ -115,7 +115,7 @@ class MacroStore {
   /// False where it is none of these.
   bool set(std::uint32_t number, double value) {
     if (number <= last_local) {
-      levels_.back().values[number] = value;
+      levels_[present_].values[number] = value;
       return true;
     }
     for (Area& a : areas_) {
@@ -141,20 +141,20 @@ class MacroStore {
   }
   bool is_assumed(std::uint32_t number) const { return assumed_.holds(number); }
 
-  /// A macro call: its local variables, known by the tag that its frame will show. Modal calls go on inside it; one
-  /// that runs by itself does not call itself.
+  /// A macro call: its local variables, known by the tag that its frame will show. They wait for that frame, since the
+  /// calling block goes on with those of the caller. Modal calls go on inside it; one that runs by itself does not call
+  /// itself.
   std::uint64_t enter(const Locals& arguments, bool is_modal = false) {
     frame_ = no_frame;
+    leave_last();
     std::vector<ModalCall> inside = modal_calls();
     if (is_modal && !inside.empty()) inside.pop_back();
     levels_.push_back({++last_tag_, 1, arguments, arguments, std::move(inside)});
     return last_tag_;
   }
-  std::vector<ModalCall>& modal_calls() { return levels_.back().modal_calls; }
-  void leave_last() {
-    frame_ = no_frame;
-    if (levels_.size() > 1) levels_.pop_back();
-  }
+  std::vector<ModalCall>& modal_calls() { return levels_[present_].modal_calls; }
+  /// The call was not made.
+  void leave_last() { levels_.erase(levels_.begin() + static_cast<std::ptrdiff_t>(present_) + 1, levels_.end()); }
   /// True once for each frame and pass: which level it has must be asked.
   bool is_new_frame(std::uint64_t frame, std::uint32_t pass) {
     if (frame == frame_ && pass == pass_) return false;
@@ -164,13 +164,19 @@ class MacroStore {
   }
   /// The level of the macro call with this tag is the present one; a new pass begins with its arguments.
   void select(std::uint64_t tag, std::uint32_t pass) {
-    while (levels_.size() > 1 && levels_.back().tag != tag) levels_.pop_back();
-    Level& level = levels_.back();
+    if (levels_[present_].tag != tag) {
+      if (present_ + 1 < levels_.size() && levels_[present_ + 1].tag == tag)
+        ++present_;
+      else
+        while (present_ > 0 && levels_[present_].tag != tag) --present_;
+      leave_last();
+    }
+    Level& level = levels_[present_];
     if (level.tag != tag || level.pass == pass) return;
     level.pass = pass;
     level.values = level.arguments;
   }
-  std::size_t depth() const { return levels_.size() - 1; }
+  std::size_t depth() const { return present_; }
 
  private:
   struct Area {
@@ -192,6 +198,7 @@ class MacroStore {
   }
 
   std::vector<Level> levels_{{0, 1, no_locals(), no_locals(), {}}};
+  std::size_t present_ = 0;  // the level in force; a call may wait above it
   std::vector<Area> areas_;
   std::vector<std::pair<std::uint32_t, double>> given_;
   NumberRanges assumed_;
