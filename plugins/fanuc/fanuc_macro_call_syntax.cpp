@@ -33,6 +33,8 @@ struct FanucMacroCall {
   ig::Signal call_{"Parsing.~MacroCall", ig::read | ig::write | ig::wake};
   ig::Signal modal_{"MacroCall.~Modal", ig::write, ig::Life::modal};
 
+  FanucMacroCall() { environment_.store().settings.call_nesting = static_cast<std::uint32_t>(nesting_); }
+
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     const ig::Decimal number = ig::read_decimal(text, iso::skip_blanks(text, position + 1));
     const auto index = number.ok ? CodeFields::index_of(number.value) : std::nullopt;
@@ -84,12 +86,9 @@ struct FanucMacroCall {
     } else if (repeats_ < 0 || repeats_ > largest_number || repeats_ != std::floor(repeats_)) {
       b.report(macro_diag("FAN-0167"), where, code, repeats_);
     } else if (is_modal_) {
-      store.modal_calls().push_back(
-          {static_cast<std::int64_t>(program_), static_cast<std::int64_t>(repeats_), arguments_});
-      b.raise(modal_);
+      keep_modal_call(b, where);
     } else if (repeats_ > 0) {
-      if (static_cast<std::int64_t>(store.depth()) >= nesting_)
-        b.report(macro_diag("FAN-0168"), where, static_cast<double>(store.depth() + 1), static_cast<double>(nesting_));
+      say_deep_call(b, store, where);
       const std::uint64_t tag = store.enter(arguments_);
       if (!call_program(b, environment_.flow, static_cast<std::int64_t>(program_), static_cast<std::int64_t>(repeats_),
                         tag | tag_bits_, where))
@@ -100,6 +99,19 @@ struct FanucMacroCall {
 
  private:
   static constexpr double first_macro = 9010;  ///< O9001 to O9009 are called by M codes like subprograms
+
+  /// Each call in force is one level more for the macros of those before it.
+  void keep_modal_call(ig::Block& b, ig::Where where) {
+    MacroStore& store = environment_.store();
+    std::vector<MacroStore::ModalCall>& calls = store.modal_calls();
+    if (static_cast<std::int64_t>(store.depth() + calls.size()) >= nesting_) {
+      b.report(macro_diag("FAN-0171"), where, static_cast<double>(calls.size()), static_cast<double>(nesting_));
+      b.alarm();
+      return;
+    }
+    calls.push_back({static_cast<std::int64_t>(program_), static_cast<std::int64_t>(repeats_), arguments_});
+    b.raise(modal_);
+  }
 
   std::string_view name_of(char letter, std::size_t index) {
     std::size_t size = 0;

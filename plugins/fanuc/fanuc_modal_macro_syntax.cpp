@@ -31,6 +31,7 @@ struct FanucModalMacro {
     if (calls.empty() || calls.back().repeats == 0 || !(b.is_fresh(move_) || b.is_fresh(steps_)))
       return ig::Status::unchanged;
     const MacroStore::ModalCall call = calls.back();
+    say_deep_call(b, store, ig::Where::block());
     const std::uint64_t tag = store.enter(call.arguments, true);
     if (!call_program(b, frame_.flow, call.program, call.repeats, tag, ig::Where::block())) store.leave_last();
     return ig::Status::changed;

@@ -152,6 +152,10 @@ inline constexpr std::array macro_diagnostics{
                    "G67"),
     ig::diagnostic(IG_ERROR, "FAN-0170", "this block asks for more than one jump or call: {0} is not called",
                    "A macro call stands in a block without M98, M99 or a macro statement.", "G65 P9010 M99"),
+    ig::diagnostic(IG_ERROR, "FAN-0171", "G66 with {0} modal calls in force: macro calls nest {1} deep; it is not kept",
+                   "Each G66 that no G67 ended is one level of macro calls. The control stops with an alarm. The calls "
+                   "before stay in force.",
+                   "G66 P9010 (six times, without G67)"),
 };
 
 template <std::size_t Size>

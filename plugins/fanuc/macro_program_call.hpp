@@ -4,9 +4,17 @@
 #include <isogloss/flow.hpp>
 
 #include "macro_diagnostics.hpp"
+#include "macro_store.hpp"
 #include "program_name.hpp"
 
 namespace fanuc {
+
+/// Before a macro call that the control would refuse.
+inline void say_deep_call(ig::Block& b, const MacroStore& store, ig::Where where) {
+  const std::uint32_t permitted = store.settings.call_nesting;
+  if (store.depth() >= permitted)
+    b.report(macro_diag("FAN-0168"), where, static_cast<double>(store.depth() + 1), static_cast<double>(permitted));
+}
 
 /// False where nothing is called, which is said.
 inline bool call_program(ig::Block& b, const ig::Flow& flow, std::int64_t number, std::int64_t repeats,

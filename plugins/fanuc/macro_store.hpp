@@ -67,7 +67,8 @@ class NumberRanges {
 /// What controls differ in.
 struct MacroSettings {
   ExpressionRules rules;
-  std::uint32_t nesting = 5;    ///< brackets inside each other that the control permits
+  std::uint32_t nesting = 5;       ///< brackets inside each other that the control permits
+  std::uint32_t call_nesting = 5;  ///< macro calls inside each other that it permits
   bool geometry_first = false;  ///< #2001 is a geometry, radii from #2401 on; else #2001 is a wear
   double clock_step_ms = 100;   ///< how far the clocks go on each time they are read
 };
