@@ -2,10 +2,7 @@
 /// reused.
 #pragma once
 
-#include <array>
-#include <string_view>
-
-#include <isogloss/sdk.hpp>
+#include "diagnostic_index.hpp"
 
 namespace fanuc {
 
@@ -158,14 +155,6 @@ inline constexpr std::array macro_diagnostics{
                    "G66 P9010 (six times, without G67)"),
 };
 
-template <std::size_t Size>
-consteval std::uint32_t index_of(const std::array<ig_diagnostic_decl, Size>& part, std::string_view code,
-                                 std::size_t first) {
-  for (std::size_t i = 0; i < Size; ++i)
-    if (code == part[i].code) return static_cast<std::uint32_t>(first + i);
-  throw "no such diagnostic";
-}
-
-consteval std::uint32_t macro_diag(std::string_view code) { return index_of(macro_diagnostics, code, 0); }
+consteval std::uint32_t macro_diag(std::string_view code) { return iso::index_of(macro_diagnostics, code, 0); }
 
 }  // namespace fanuc

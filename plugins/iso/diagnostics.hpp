@@ -2,10 +2,7 @@
 /// page and `isogloss explain CODE` come from it. Codes are never reused.
 #pragma once
 
-#include <array>
-#include <string_view>
-
-#include <isogloss/sdk.hpp>
+#include "diagnostic_index.hpp"
 
 namespace iso {
 
@@ -445,15 +442,6 @@ inline constexpr std::array diagnostics{
                    "block of its own.",
                    "G05.1 Q1 X10."),
 };
-
-/// The index of a code in one part of the plugin's table, which begins at `first`; an unknown code does not compile.
-template <std::size_t Size>
-consteval std::uint32_t index_of(const std::array<ig_diagnostic_decl, Size>& part, std::string_view code,
-                                 std::size_t first) {
-  for (std::size_t i = 0; i < Size; ++i)
-    if (code == part[i].code) return static_cast<std::uint32_t>(first + i);
-  throw "no such diagnostic";
-}
 
 consteval std::uint32_t diag(std::string_view code) { return index_of(diagnostics, code, 0); }
 
