@@ -1,9 +1,9 @@
 /// The tool's path beside the contour: under G41 and G42 each block's move is replaced by the moves of the tool's
 /// centre, which touches the contour and turns its corners. Needs the next move of the contour, so it looks ahead.
 /// Fanuc manual, "Details of cutter compensation".
-#include "contour_motion.hpp"
+#include "contour_ahead.hpp"
 #include "radius_compensation_diagnostics.hpp"
-#include "rotary_words.hpp"
+#include "tool_steps.hpp"
 
 namespace iso {
 namespace {
@@ -11,98 +11,16 @@ namespace {
 enum class Approach { a, b };
 enum class Interference { alarm, avoid, ignore };
 
-/// Steps of a compound motion: the tool's centre in program coordinates. Machine coordinates follow from them.
-class ToolSteps {
- public:
-  struct Manner {
-    bool is_rapid = false;
-    std::optional<double> feed_mmds;
-    std::int64_t more_circles = 0;
-  };
-
-  void line(ig::Block& b, const ig::Vec3& to, const Manner& manner) const {
-    ig_field fields[12];
-    ig_value values[12];
-    const std::uint32_t n = begin(to, manner, linear_, fields, values);
-    b.host()->append(b.raw(), fields, n, values);
-  }
-  void arc(ig::Block& b, const ig::Vec3& to, const ig::Vec3& center, bool is_ccw, const Manner& manner) const {
-    ig_field fields[12];
-    ig_value values[12];
-    std::uint32_t n = begin(to, manner, arc_, fields, values);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      fields[n] = center_[axis];
-      values[n++].number = center[axis];
-    }
-    fields[n] = is_ccw_;
-    values[n++].integer = is_ccw ? 1 : 0;
-    fields[n] = circles_;
-    values[n++].integer = manner.more_circles;
-    b.host()->append(b.raw(), fields, n, values);
-  }
-  /// Machine coordinates of all steps; those of the rotary axes that the block turns go to the last one.
-  void finish(ig::Block& b, const PartialAngles& rotary) const {
-    b.host()->map_records(b.raw(), program_.data(), machine_.data());
-    const std::uint32_t last = b.host()->count(b.raw(), program_[0]) - 1;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const ig_value v{.number = rotary.value[axis]};
-      if (rotary.has(axis)) b.host()->set_record(b.raw(), last, &rotary_[axis], 1, &v);
-    }
-  }
-
- private:
-  std::uint32_t begin(const ig::Vec3& to, const Manner& manner, ig::Symbol form, ig_field* fields,
-                      ig_value* values) const {
-    std::uint32_t n = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      fields[n] = program_[axis];
-      values[n++].number = to[axis];
-    }
-    fields[n] = form_;
-    values[n++].symbol = form.id;
-    if (manner.is_rapid) {
-      fields[n] = is_rapid_;
-      values[n++].integer = 1;
-    } else if (manner.feed_mmds) {
-      fields[n] = feedrate_;
-      values[n++].number = *manner.feed_mmds;
-    }
-    return n;
-  }
-  static std::array<ig_field, 3> triple(std::string_view section, std::string_view axes) {
-    std::array<ig_field, 3> ids{};
-    for (std::size_t i = 0; i < 3; ++i)
-      ids[i] = ig::detail::declare_field(
-          {{"CompoundMotion.Items[].", section, ".", axes.substr(i, 1)}, IG_NUMBER, IG_WRITE});
-    return ids;
-  }
-
-  std::array<ig_field, 3> program_ = triple("ProgramXyz", "XYZ");
-  std::array<ig_field, 3> machine_ = triple("MachineCoordinate", "XYZ");
-  std::array<ig_field, 3> rotary_ = triple("MachineCoordinate", "ABC");
-  std::array<ig_field, 3> center_ = triple("MotionEvent.ArcCenter", "XYZ");
-  ig_field form_ = ig::detail::declare_item("MotionEvent.Form", IG_SYMBOL);
-  ig_field is_rapid_ = ig::detail::declare_item("MotionEvent.IsRapid", IG_BOOLEAN);
-  ig_field feedrate_ = ig::detail::declare_item("MotionEvent.Feedrate_mmds", IG_NUMBER);
-  ig_field is_ccw_ = ig::detail::declare_item("MotionEvent.IsCcw", IG_BOOLEAN);
-  ig_field circles_ = ig::detail::declare_item("MotionEvent.AdditionalCircleNum", IG_INTEGER);
-  ig::Name linear_{"McLinear"}, arc_{"McArc"};
-};
-
 struct RadiusCompensationPath {
-  static constexpr std::uint32_t window = 16;
   static constexpr auto spec =
       ig::syntax("RadiusCompensationPathSyntax", "The tool's path beside the contour, by G41 and G42.")
           .after("RadiusCompensationSyntax", "McXyzSyntax", "McAbcSyntax", "CircularMotionSyntax", "LinearMotionSyntax",
                  "ReferenceReturnSyntax", "ReturnFromReferenceSyntax", "ReferenceCheckSyntax")
           .before("TravelCheckSyntax")
-          .looks_ahead(window);
+          .looks_ahead(ContourAhead::window);
 
   ig::Signal path_{"RadiusCompensation.~Path", ig::read | ig::wake};
-  ig::In<ig::Symbol> side_{"RadiusCompensation.Side"};
-  ig::In<double> radius_{"RadiusCompensation.Radius_mm"};
   ig::In<ig::Symbol> term_{"RadiusCompensation.Term"};
-  ig::Xyz cancel_direction_{"RadiusCompensation.CancelDirection", ig::read, {ig::Life::block, "mm", ""}};
   ig::Out<ig::Symbol> phase_{"RadiusCompensation.Phase",
                              {ig::Life::block, "", "StartUp, Offset or Cancel: what the move of the block is."}};
   ig::Out<ig::Symbol> corner_{"RadiusCompensation.Corner",
@@ -122,8 +40,8 @@ struct RadiusCompensationPath {
   ig::In<ig::Symbol> program_end_{"ProgramEnd.Term"};
   RotaryPosition rotary_{ig::read};
   ContourMotionOf motion_;
+  ContourAhead ahead_;
   ToolSteps steps_;
-  ig::Name left_{"Left"}, right_{"Right"};
   std::array<ig::Name, 3> phases_{ig::Name{"StartUp"}, ig::Name{"Offset"}, ig::Name{"Cancel"}};
   std::array<ig::Name, 8> corners_{ig::Name{"Tangent"},  ig::Name{"Inner"},     ig::Name{"Obtuse"},
                                    ig::Name{"Acute"},    ig::Name{"Round"},     ig::Name{"Square"},
@@ -147,7 +65,7 @@ struct RadiusCompensationPath {
 
   ig::Status build(ig::Block& b) {
     const ContourMotion now = motion_(b);
-    const double offset = offset_in_force(b);
+    const double offset = ahead_.offset_in_force(b);
     find_tool(b, now);
     if (!tool_.is_off && offset == 0) return ig::Status::unchanged;
     if (tool_.is_off && !(tool_.plane == now.plane)) {
@@ -184,27 +102,12 @@ struct RadiusCompensationPath {
   };
   Tool tool_;
 
-  /// What follows in the plane.
-  struct Next {
-    enum class Kind { none, move, barrier, too_far };
-    Kind kind = Kind::none;
-    double offset = 0;  ///< 0: it cancels
-    bool is_rapid = false;
-    ContourMove move{};
-    Point2 direction{};  ///< of the cancel, where the program gives one
-  };
-
-  double offset_in_force(const ig::Block& b) const {
-    const double radius = b.get_or(radius_, 0.0);
-    return b.is(side_, left_) ? radius : b.is(side_, right_) ? -radius : 0;
-  }
-
   /// In the frame of this block. A block alone (a case) finds the vector in the block before it.
   void find_tool(ig::Block& b, const ContourMotion& now) {
     if (!tool_.is_off) {
       const ig::PartialVec3 carried = b.get(vector_);
       if (!carried.complete() || carried.value == ig::Vec3{}) return;
-      stand_at(now, now.from + carried.value, offset_in_force(b));
+      stand_at(now, now.from + carried.value, ahead_.offset_in_force(b));
     } else if (b.frame_changed()) {
       const auto here = [&](const ig::Vec3& machine) { return rounded(b.to_program(machine).value_or(machine)); };
       tool_.at = here(tool_.machine);
@@ -222,92 +125,7 @@ struct RadiusCompensationPath {
     tool_.offset = offset;
   }
 
-  // ---- the blocks ahead
-
-  Next find_next(ig::Block& b, const PlaneAxes& plane) const {
-    Next next;
-    bool other_frame = false, cancels = false;
-    std::int64_t rests = 0;
-    for (std::uint32_t k = 1; k <= window; ++k) {
-      ig_block* const raw = b.host()->ahead(b.raw(), k);
-      if (raw == nullptr) return next;
-      ig::Block ahead(b.host(), raw);
-      other_frame |= ahead.frame_changed();
-      const ContourMotion motion = motion_(ahead);
-      if (motion.kind == ContourMotion::Kind::by_steps || !(motion.plane == plane)) {
-        next.kind = Next::Kind::barrier;
-        return next;
-      }
-      if (motion.kind == ContourMotion::Kind::rest) {
-        cancels |= offset_in_force(ahead) == 0;
-        if (!is_comment(ahead.source()) && ++rests > rests_allowed_) break;
-        continue;
-      }
-      next.kind = Next::Kind::move;
-      next.offset = offset_in_force(ahead);
-      next.is_rapid = ahead.get_or(is_rapid_, false);
-      next.move = motion.move;
-      next.direction = ContourMotionOf::in_plane(plane, ahead.get(cancel_direction_).or_else({}));
-      if (other_frame && !bring_here(b, ahead, motion, next.move)) next.kind = Next::Kind::barrier;
-      return next;
-    }
-    if (!cancels) next.kind = Next::Kind::too_far;
-    return next;
-  }
-
-  /// The move as the frame of this block shows it.
-  static bool bring_here(ig::Block& b, ig::Block& ahead, const ContourMotion& motion, ContourMove& move) {
-    const auto bring = [&](const ig::Vec3& p) -> std::optional<Point2> {
-      const auto machine = ahead.to_machine(p);
-      const auto here = machine ? b.to_program(*machine) : std::nullopt;
-      return here ? std::optional(ContourMotionOf::in_plane(motion.plane, rounded(*here))) : std::nullopt;
-    };
-    ig::Vec3 center = motion.from;
-    center[motion.plane.first] = move.center.u;
-    center[motion.plane.second] = move.center.v;
-    const auto start = bring(motion.from), end = bring(motion.to), middle = bring(center);
-    if (!start || !end || !middle) return false;
-    move.start = *start;
-    move.end = *end;
-    move.center = *middle;
-    return true;
-  }
-
-  /// A line that holds nothing but a comment is no block to the control.
-  static bool is_comment(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos || (text[first] != '(' && text[first] != ';')) return false;
-    const std::size_t last = text.find_last_not_of(" \t\r;");
-    return text[first] == ';' || (last != std::string_view::npos && text[last] == ')' && text.find(')') == last);
-  }
-
-  /// The moves that follow on the same side at the same distance, as far as the control reads.
-  using Moves = std::array<ContourMove, 8>;
-  std::size_t moves_ahead(ig::Block& b, const PlaneAxes& plane, double offset, Moves& moves) const {
-    std::size_t count = 0;
-    bool other_frame = false;
-    std::int64_t rests = 0;
-    for (std::uint32_t k = 1; k <= window && count < moves.size(); ++k) {
-      ig_block* const raw = b.host()->ahead(b.raw(), k);
-      if (raw == nullptr) break;
-      ig::Block ahead(b.host(), raw);
-      other_frame |= ahead.frame_changed();
-      const ContourMotion motion = motion_(ahead);
-      if (motion.kind == ContourMotion::Kind::by_steps || !(motion.plane == plane)) break;
-      if (offset_in_force(ahead) != offset) break;
-      if (motion.kind == ContourMotion::Kind::rest) {
-        if (!is_comment(ahead.source()) && ++rests > rests_allowed_) break;
-        continue;
-      }
-      rests = 0;
-      moves[count] = motion.move;
-      if (other_frame && !bring_here(b, ahead, motion, moves[count])) break;
-      ++count;
-    }
-    return count;
-  }
-
-  Corner corner_to(const ContourMotion& now, const Next& next, double offset) const {
+  Corner corner_to(const ContourMotion& now, const ContourAhead::Next& next, double offset) const {
     // A rapid makes no arc.
     return iso::corner(now.move, next.move, offset, next.is_rapid ? OuterCorner::lines : OuterCorner{outer_corner_});
   }
@@ -320,9 +138,9 @@ struct RadiusCompensationPath {
       b.alarm();
       return ig::Status::unchanged;
     }
-    const Next next = find_next(b, now.plane);
+    const ContourAhead::Next next = ahead_.next(b, now.plane, rests_allowed_);
     Corner corner = square_corner(now.move, offset);
-    if (next.kind == Next::Kind::move && next.offset * offset > 0) {
+    if (next.kind == ContourAhead::Next::Kind::move && next.offset * offset > 0) {
       const Corner round = corner_to(now, next, offset);
       const bool is_outer =
           round.kind == CornerKind::obtuse || round.kind == CornerKind::acute || round.kind == CornerKind::round;
@@ -334,7 +152,7 @@ struct RadiusCompensationPath {
     say_too_far(b, next);
     stand_at(now, now.from, offset);
     const ig::Status status = move(b, now, starting, corner, offset);
-    tool_.is_blind = next.kind == Next::Kind::none;
+    tool_.is_blind = next.kind == ContourAhead::Next::Kind::none;
     return status;
   }
 
@@ -343,16 +161,16 @@ struct RadiusCompensationPath {
     const Point2 from = ContourMotionOf::in_plane(now.plane, tool_.at);
     if (tool_.is_blind && !is_same(from, now.move.offset_start(offset)))
       b.report(radius_diag("ISO-0475"), ig::Where::block());
-    const Next next = find_next(b, now.plane);
+    const ContourAhead::Next next = ahead_.next(b, now.plane, rests_allowed_);
     const Corner corner = end_of(b, now, offset, next);
     say_too_far(b, next);
     const ig::Status status = move(b, now, offsetting, corner, offset);
-    tool_.is_blind = next.kind == Next::Kind::none;
+    tool_.is_blind = next.kind == ContourAhead::Next::Kind::none;
     return status;
   }
 
-  Corner end_of(ig::Block& b, const ContourMotion& now, double offset, const Next& next) {
-    if (next.kind != Next::Kind::move || !now.move.fits(offset)) return square_corner(now.move, offset);
+  Corner end_of(ig::Block& b, const ContourMotion& now, double offset, const ContourAhead::Next& next) {
+    if (next.kind != ContourAhead::Next::Kind::move || !now.move.fits(offset)) return square_corner(now.move, offset);
     if (next.offset == 0) {
       if (next.direction.length() > 0) return directed_end(now.move, offset, next.direction);
       if (start_up_ == Approach::a || next.move.is_arc) return square_corner(now.move, offset);
@@ -373,17 +191,17 @@ struct RadiusCompensationPath {
 
   /// Where the tool cannot reach the next moves, since the corners at their ends overlap, it goes over from this move
   /// to the first one after them that it reaches.
-  std::optional<Corner> go_around(ig::Block& b, const ContourMotion& now, double offset, const Next& next,
+  std::optional<Corner> go_around(ig::Block& b, const ContourMotion& now, double offset, const ContourAhead::Next& next,
                                   const Corner& corner) {
     const bool is_narrow = corner.kind == CornerKind::inner || corner.kind == CornerKind::no_solution;
     if (!is_narrow && next.move.fits(offset)) return std::nullopt;
-    Moves moves;
-    const std::size_t count = moves_ahead(b, now.plane, offset, moves);
+    ContourAhead::Moves moves;
+    const std::size_t count = ahead_.moves(b, now.plane, offset, rests_allowed_, moves);
     const Point2 from = tool_.corner.count == 0 ? ContourMotionOf::in_plane(now.plane, tool_.at) : tool_.corner.last();
     std::optional<Corner> trial;
     if (corner.kind != CornerKind::no_solution) trial = corner;
     for (std::size_t n = 0; n < count; ++n) {
-      if (n > 0) trial = meet(now.move, moves[n], offset, from);
+      if (n > 0) trial = iso::meet(now.move, moves[n], offset, from);
       if (!trial || !moves[n].fits(offset)) continue;
       const Point2 end = n + 1 < count ? iso::corner(moves[n], moves[n + 1], offset, OuterCorner::lines).leave
                                        : moves[n].offset_end(offset);
@@ -393,18 +211,6 @@ struct RadiusCompensationPath {
       return trial;
     }
     return std::nullopt;
-  }
-
-  /// Where the offsets of two moves that are no neighbours cross, if both are made shorter by it.
-  static std::optional<Corner> meet(const ContourMove& a, const ContourMove& b, double offset, const Point2& from) {
-    if (!a.fits(offset) || !b.fits(offset)) return std::nullopt;
-    const auto at = detail::crossing(detail::curve_at(a, a.end, a.direction_at_end(), offset),
-                                     detail::curve_at(b, b.start, b.direction_at_start(), offset),
-                                     0.5 * (a.offset_end(offset) + b.offset_start(offset)));
-    if (!at || a.way(from, *at, offset) < -same_point_mm || a.way(*at, a.offset_end(offset), offset) < -same_point_mm ||
-        b.way(b.offset_start(offset), *at, offset) < -same_point_mm)
-      return std::nullopt;
-    return Corner{CornerKind::inner, *at, {}, 0};
   }
 
   ig::Status leave_out(ig::Block& b, const ContourMotion& now, double offset) {
@@ -466,8 +272,8 @@ struct RadiusCompensationPath {
     return ig::Status::changed;
   }
 
-  void say_too_far(ig::Block& b, const Next& next) const {
-    if (next.kind == Next::Kind::too_far)
+  void say_too_far(ig::Block& b, const ContourAhead::Next& next) const {
+    if (next.kind == ContourAhead::Next::Kind::too_far)
       b.report(radius_diag("ISO-0469"), ig::Where::block(), static_cast<double>(rests_allowed_));
   }
 

@@ -188,6 +188,18 @@ inline Corner corner(const ContourMove& a, const ContourMove& b, double offset, 
   return out;
 }
 
+/// Where the offsets of two moves that are no neighbours cross, if both are made shorter by it.
+inline std::optional<Corner> meet(const ContourMove& a, const ContourMove& b, double offset, const Point2& from) {
+  if (!a.fits(offset) || !b.fits(offset)) return std::nullopt;
+  const auto at = detail::crossing(detail::curve_at(a, a.end, a.direction_at_end(), offset),
+                                   detail::curve_at(b, b.start, b.direction_at_start(), offset),
+                                   0.5 * (a.offset_end(offset) + b.offset_start(offset)));
+  if (!at || a.way(from, *at, offset) < -same_point_mm || a.way(*at, a.offset_end(offset), offset) < -same_point_mm ||
+      b.way(b.offset_start(offset), *at, offset) < -same_point_mm)
+    return std::nullopt;
+  return Corner{CornerKind::inner, *at, {}, 0};
+}
+
 /// From `a`, with the tool on one side, to `b` with the tool on the other: where the two offsets of straight moves
 /// cross within them, else by a step across the contour.
 inline Corner change_of_side(const ContourMove& a, double offset_a, const ContourMove& b, double offset_b) {

@@ -1,0 +1,121 @@
+/// What follows on the contour: the next moves in the plane, as far as the control reads ahead.
+#pragma once
+
+#include "contour_motion.hpp"
+
+namespace iso {
+
+/// A member of the syntax that looks ahead.
+class ContourAhead {
+ public:
+  static constexpr std::uint32_t window = 16;
+
+  /// What follows in the plane.
+  struct Next {
+    enum class Kind { none, move, barrier, too_far };
+    Kind kind = Kind::none;
+    double offset = 0;  ///< 0: it cancels
+    bool is_rapid = false;
+    ContourMove move{};
+    Point2 direction{};  ///< of the cancel, where the program gives one
+  };
+
+  double offset_in_force(const ig::Block& b) const {
+    const double radius = b.get_or(radius_, 0.0);
+    return b.is(side_, left_) ? radius : b.is(side_, right_) ? -radius : 0;
+  }
+
+  Next next(ig::Block& b, const PlaneAxes& plane, std::int64_t rests_allowed) const {
+    Next next;
+    bool other_frame = false, cancels = false;
+    std::int64_t rests = 0;
+    for (std::uint32_t k = 1; k <= window; ++k) {
+      ig_block* const raw = b.host()->ahead(b.raw(), k);
+      if (raw == nullptr) return next;
+      ig::Block ahead(b.host(), raw);
+      other_frame |= ahead.frame_changed();
+      const ContourMotion motion = motion_(ahead);
+      if (motion.kind == ContourMotion::Kind::by_steps || !(motion.plane == plane)) {
+        next.kind = Next::Kind::barrier;
+        return next;
+      }
+      if (motion.kind == ContourMotion::Kind::rest) {
+        cancels |= offset_in_force(ahead) == 0;
+        if (!is_comment(ahead.source()) && ++rests > rests_allowed) break;
+        continue;
+      }
+      next.kind = Next::Kind::move;
+      next.offset = offset_in_force(ahead);
+      next.is_rapid = ahead.get_or(is_rapid_, false);
+      next.move = motion.move;
+      next.direction = ContourMotionOf::in_plane(plane, ahead.get(cancel_direction_).or_else({}));
+      if (other_frame && !bring_here(b, ahead, motion, next.move)) next.kind = Next::Kind::barrier;
+      return next;
+    }
+    if (!cancels) next.kind = Next::Kind::too_far;
+    return next;
+  }
+
+  /// The moves that follow on the same side at the same distance, as far as the control reads.
+  using Moves = std::array<ContourMove, 8>;
+  std::size_t moves(ig::Block& b, const PlaneAxes& plane, double offset, std::int64_t rests_allowed,
+                    Moves& moves) const {
+    std::size_t count = 0;
+    bool other_frame = false;
+    std::int64_t rests = 0;
+    for (std::uint32_t k = 1; k <= window && count < moves.size(); ++k) {
+      ig_block* const raw = b.host()->ahead(b.raw(), k);
+      if (raw == nullptr) break;
+      ig::Block ahead(b.host(), raw);
+      other_frame |= ahead.frame_changed();
+      const ContourMotion motion = motion_(ahead);
+      if (motion.kind == ContourMotion::Kind::by_steps || !(motion.plane == plane)) break;
+      if (offset_in_force(ahead) != offset) break;
+      if (motion.kind == ContourMotion::Kind::rest) {
+        if (!is_comment(ahead.source()) && ++rests > rests_allowed) break;
+        continue;
+      }
+      rests = 0;
+      moves[count] = motion.move;
+      if (other_frame && !bring_here(b, ahead, motion, moves[count])) break;
+      ++count;
+    }
+    return count;
+  }
+
+ private:
+  /// The move as the frame of this block shows it.
+  static bool bring_here(ig::Block& b, ig::Block& ahead, const ContourMotion& motion, ContourMove& move) {
+    const auto bring = [&](const ig::Vec3& p) -> std::optional<Point2> {
+      const auto machine = ahead.to_machine(p);
+      const auto here = machine ? b.to_program(*machine) : std::nullopt;
+      return here ? std::optional(ContourMotionOf::in_plane(motion.plane, rounded(*here))) : std::nullopt;
+    };
+    ig::Vec3 center = motion.from;
+    center[motion.plane.first] = move.center.u;
+    center[motion.plane.second] = move.center.v;
+    const auto start = bring(motion.from), end = bring(motion.to), middle = bring(center);
+    if (!start || !end || !middle) return false;
+    move.start = *start;
+    move.end = *end;
+    move.center = *middle;
+    return true;
+  }
+
+  /// A line that holds nothing but a comment is no block to the control.
+  static bool is_comment(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos || (text[first] != '(' && text[first] != ';')) return false;
+    const std::size_t last = text.find_last_not_of(" \t\r;");
+    return text[first] == ';' || (last != std::string_view::npos && text[last] == ')' && text.find(')') == last);
+  }
+
+  ContourMotionOf motion_;
+  ig::In<ig::Symbol> side_{"RadiusCompensation.Side"};
+  ig::In<double> radius_{"RadiusCompensation.Radius_mm"};
+  ig::Xyz cancel_direction_{"RadiusCompensation.CancelDirection", ig::read, {ig::Life::block, "mm", ""}};
+  ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
+  ig::Name left_{"Left"}, right_{"Right"};
+};
+
+}  // namespace iso
