@@ -1,0 +1,66 @@
+/// What DPRNT writes to the output device of the control.
+#pragma once
+
+#include <charconv>
+#include <string>
+
+#include "macro_environment.hpp"
+#include "scan_util.hpp"
+
+namespace fanuc {
+
+/// #1[43]: four digits before, three behind the point. 0: it is written wrong.
+inline std::size_t put_variable(ig::Block& b, const MacroEnvironment& environment, std::string_view text,
+                                std::size_t position, std::string& line) {
+  const Outcome o = evaluate_operand(text, position, environment.rules(), [&](std::uint32_t number, MacroValue& out) {
+    return environment.read(b, number, out);
+  });
+  if (!o.ok()) {
+    environment.report(b, o, text);
+    return 0;
+  }
+  const std::size_t open = iso::skip_blanks(text, o.end);
+  if (iso::at(text, open) != '[' || !iso::is_digit(iso::at(text, open + 1)) ||
+      !iso::is_digit(iso::at(text, open + 2)) || iso::at(text, open + 3) != ']')
+    return 0;
+  if (o.value.is_null()) return open + 4;
+  std::array<char, 400> digits{};
+  const auto printed = std::to_chars(digits.data(), digits.data() + digits.size(), o.value.number,
+                                     std::chars_format::fixed, text[open + 2] - '0');
+  line.append(digits.data(), printed.ptr);
+  return open + 4;
+}
+
+/// Says what DPRNT puts out, and that the others were met.
+inline void put_out(ig::Block& b, const MacroEnvironment& environment, std::string_view text, std::size_t position,
+                    std::size_t behind) {
+  using iso::piece;
+  const auto whole = ig::Where::columns(position, std::max(text.size(), position + 1));
+  const std::string_view word = piece(text, position, behind);
+  const std::size_t bracket = iso::skip_blanks(text, behind);
+  if (!iso::equals_ignoring_case(word, "DPRNT")) {
+    b.report(macro_diag("FAN-0141"), whole, text.substr(position));
+    return;
+  }
+  if (iso::at(text, bracket) != '[' || iso::skip_bracketed(text, bracket) < text.size() || text.back() != ']') {
+    b.report(macro_diag("FAN-0142"), whole, word, text.substr(bracket));
+    return;
+  }
+  std::string line;
+  for (std::size_t i = bracket + 1; i + 1 < text.size();) {
+    if (text[i] != '#') {
+      line += text[i] == '*' ? ' ' : text[i];
+      ++i;
+      continue;
+    }
+    const std::size_t next = put_variable(b, environment, text, i, line);
+    if (next == 0) {
+      b.report(macro_diag("FAN-0142"), ig::Where::columns(i, text.size()), word, text.substr(i));
+      return;
+    }
+    i = next;
+  }
+  b.report(macro_diag("FAN-0141"), whole, std::string_view(line));
+}
+
+}  // namespace fanuc

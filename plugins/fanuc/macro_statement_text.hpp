@@ -1,0 +1,107 @@
+/// How a macro statement stands in its block: its first word, where it ends, what stands behind THEN. Text only.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "scan_util.hpp"
+
+namespace fanuc {
+
+enum class Word : std::uint8_t { none, if_, then, while_, do_, end, go_to, output, set_name, foreign };
+
+struct Keyword {
+  std::string_view name;
+  Word word;
+};
+inline constexpr std::array keywords{
+    Keyword{"IF", Word::if_},        Keyword{"THEN", Word::then},      Keyword{"WHILE", Word::while_},
+    Keyword{"DO", Word::do_},        Keyword{"END", Word::end},        Keyword{"GOTO", Word::go_to},
+    Keyword{"DPRNT", Word::output},  Keyword{"BPRNT", Word::output},   Keyword{"POPEN", Word::output},
+    Keyword{"PCLOS", Word::output},  Keyword{"SETVN", Word::set_name}, Keyword{"ELSE", Word::foreign},
+    Keyword{"ENDIF", Word::foreign}, Keyword{"RETURN", Word::foreign}, Keyword{"CALL", Word::foreign}};
+
+inline Word keyword(std::string_view text, std::size_t position, std::size_t& end) {
+  end = iso::skip_while(text, position, iso::is_letter);
+  const std::string_view word = iso::piece(text, position, end);
+  for (const Keyword& k : keywords)
+    if (iso::equals_ignoring_case(word, k.name)) return k.word;
+  return Word::none;
+}
+
+/// The statement that begins here, none where words do.
+inline Word statement_at(std::string_view text, std::size_t position) {
+  const char c = text[position];
+  if (c == '#') return Word::set_name;  // any statement of its own
+  const char second = iso::at(text, position + 1);
+  if (iso::to_upper(c) == 'O' && !iso::is_letter(second))
+    return iso::begins_o_word(text, position) && iso::stands_first(text, position) ? Word::foreign : Word::none;
+  if (!iso::is_letter(second)) return Word::none;
+  std::size_t end = 0;
+  const Word word = keyword(text, position, end);
+  if (word == Word::none || iso::stands_first(text, position)) return word;
+  const char next = iso::at(text, iso::skip_blanks(text, end));  // a name behind words: a statement with its value only
+  return next == '[' || next == '#' || iso::is_digit(next) ? word : Word::none;
+}
+
+inline bool has_message(std::string_view statement) {
+  return statement.find("#3000") != std::string_view::npos || statement.find("#3006") != std::string_view::npos;
+}
+
+/// To the semicolon behind it, without the comments there; the parentheses of #3000=1(ALARM TEXT) belong to the
+/// statement. `inner`: a comment stands inside it.
+inline std::size_t statement_end(std::string_view text, std::size_t position, bool& inner) {
+  const std::size_t block = iso::skip_while(text, position, [](char c) { return c != ';' && c != '\r' && c != '\n'; });
+  const std::string_view statement = text.substr(0, block);
+  std::size_t end = position + 1;
+  bool behind_comment = false;
+  for (std::size_t i = position; i < block;) {
+    if (statement[i] == '(') {
+      const std::size_t close = iso::skip_bracketed(statement, i);
+      if (!behind_comment && has_message(iso::piece(statement, position, i)))
+        end = close;
+      else
+        behind_comment = true;
+      i = close;
+      continue;
+    }
+    if (!iso::is_blank(statement[i])) {
+      end = i + 1;
+      inner |= behind_comment;
+    }
+    ++i;
+  }
+  return end;
+}
+
+/// Where the words behind THEN begin; 0 where no words stand there.
+inline std::size_t words_behind_then(std::string_view text, std::size_t position, std::size_t end) {
+  const std::string_view statement = text.substr(0, end);
+  for (std::size_t i = position + 2; i < end;) {
+    if (statement[i] == '[') {
+      i = iso::skip_bracketed(statement, i);
+      continue;
+    }
+    std::size_t word_end = 0;
+    if (iso::is_letter(statement[i]) && keyword(statement, i, word_end) == Word::then) {
+      const std::size_t next = iso::skip_blanks(statement, word_end);
+      if (next >= end || statement[next] == '#') return 0;
+      std::size_t unused = 0;
+      return iso::is_letter(statement[next]) && keyword(statement, next, unused) == Word::none ? next : 0;
+    }
+    i = iso::is_letter(statement[i]) ? iso::skip_while(statement, i, iso::is_letter) : i + 1;
+  }
+  return 0;
+}
+
+/// The digits behind DO and END.
+inline bool loop_number(std::string_view text, std::size_t position, std::int64_t& number) {
+  const std::size_t digits = iso::skip_blanks(text, position);
+  const std::size_t end = iso::skip_digits(text, digits);
+  if (end == digits || end - digits > 9) return false;
+  number = 0;
+  for (std::size_t i = digits; i < end; ++i) number = number * 10 + (text[i] - '0');
+  return true;
+}
+
+}  // namespace fanuc
