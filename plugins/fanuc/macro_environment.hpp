@@ -8,6 +8,7 @@
 #include <isogloss/flow.hpp>
 #include <isogloss/sdk.hpp>
 
+#include "frame_tag.hpp"
 #include "macro_diagnostics.hpp"
 #include "macro_store.hpp"
 #include "work_offset_id.hpp"
@@ -30,12 +31,15 @@ class MacroFrame {
  private:
   void select_level(const ig::Block& b, const ig_frame& frame) const {
     ig_frame at = frame;
-    for (std::uint32_t level = frame.depth; level > 0 && (at.tag == 0 || (at.tag & shares_locals) != 0);) {
+    for (std::uint32_t level = frame.depth; level > 0 && !has_locals(at);) {
       const auto below = flow.frame(b, --level);
       if (!below) break;
       at = *below;
     }
-    store_->select(at.tag & ~called_by_code, at.tag == 0 ? 1 : at.pass);
+    store_->select(at.depth == 0 ? 0 : at.tag & ~called_by_code, at.depth == 0 ? 1 : at.pass);
+  }
+  static bool has_locals(const ig_frame& frame) {
+    return (frame.tag & ~iso::begins_inside) != 0 && (frame.tag & shares_locals) == 0;
   }
 
   /// The service of MacroVariables; a store of its own where a dialect has none.

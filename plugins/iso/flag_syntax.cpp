@@ -3,6 +3,8 @@
 // canonical name: two digits for one-digit codes, G5 is G05, G54.1 stays.
 #include <vector>
 
+#include <isogloss/flow.hpp>
+
 #include "diagnostics.hpp"
 #include "scan_util.hpp"
 
@@ -48,6 +50,8 @@ struct FlagSyntax {
                                       "A code whose number is an expression: left over as it is, or passed on to the "
                                       "scanners behind this one."};
   ig::TextOption passed_codes{"passed-codes", "", "Codes that are passed on to the scanners behind this one: G65 G66."};
+  ig::Flow flow;
+  ig::Signal parameters{"ProgrammableDataInput.~Parameters", ig::write, ig::Life::modal};
   ig::Config code_calls{"isogloss.code-call/1", ig::Need::optional,
                         "Codes that call a program here are passed on, too."};
   std::array<std::vector<ig_field>, 2> table;
@@ -81,6 +85,7 @@ struct FlagSyntax {
       } else {
         const Code code = read_code(text, number);
         const ig_field field = field_of(text[next], code.index);
+        if (code.index == data_input || code.index == data_end) note_parameters(b, text, next, code);
         if (is_odd_after(text, code.end)) {
           end = odd_number(b, text, next, code.end);
         } else if (field >= passed_on) {
@@ -104,6 +109,21 @@ struct FlagSyntax {
  private:
   /// A field that no chain has: the code is for another scanner.
   static constexpr ig_field passed_on = IG_NO_FIELD - 1;
+
+  static constexpr std::size_t data_input = 100, data_end = 110;  // G10, G11
+
+  /// An index sees no block executed: it must know from the text which N are numbers of parameters.
+  void note_parameters(ig::Block& b, std::string_view text, std::size_t begin, const Code& code) const {
+    if (!flow.is_indexing() || row_of(text[begin]) != 0) return;
+    if (code.index == data_end) {
+      b.erase(parameters);
+      return;
+    }
+    const std::size_t word = skip_blanks(text, code.end);
+    if (to_upper(at(text, word)) != 'L') return;
+    const ig::Decimal number = ig::read_decimal(text, skip_blanks(text, word + 1));
+    if (number.ok && (number.value == 50 || number.value == 52)) b.raise(parameters);
+  }
 
   void enter(std::string_view name, ig_field field) {
     if (name.empty() || !is_flag_letter(name.front())) return;

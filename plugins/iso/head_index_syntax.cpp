@@ -1,5 +1,6 @@
 // The sequence number N10: a name of the block for searches and jumps, never an order. It stands first; elsewhere the
 // control complains or not, so it is taken with a warning. A second N of a block is an ordinary word that nobody uses.
+// Between G10 L50 and G11 N is the number of a parameter, and nothing jumps there.
 #include "diagnostics.hpp"
 #include "program_name.hpp"
 #include "scan_util.hpp"
@@ -14,6 +15,7 @@ struct HeadIndexSyntax {
                                    .scans("Nn");
 
   ig::Out<std::int64_t> n{"Source.N"};
+  ig::Signal parameters{"ProgrammableDataInput.~Parameters", ig::read, ig::Life::modal};
   ig::Flow flow;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
@@ -23,7 +25,7 @@ struct HeadIndexSyntax {
     std::int64_t number = 0;
     for (std::size_t i = digits; i < end; ++i) number = number * 10 + (text[i] - '0');
     b.set(n, number);
-    if (flow.is_indexing()) flow.label(b, NumberedName('N', number).text());
+    if (flow.is_indexing() && !b.is_raised(parameters)) flow.label(b, NumberedName('N', number).text());
     if (position > 0 && !stands_first(text, position))
       b.report(diag("ISO-0114"), ig::Where::columns(position, end), piece(text, position, end));
     return end;

@@ -2,6 +2,7 @@
 // in a file; the control does not run from one into the next, so the second one ends the run.
 #include <string>
 
+#include "frame_tag.hpp"
 #include "program_name.hpp"
 #include "scan_util.hpp"
 #include "subprogram_diagnostics.hpp"
@@ -17,6 +18,7 @@ struct ProgramNumberSyntax {
 
   ig::TextField program{"Source.Program", ig::write};
   ig::Signal begun{"Source.~Program", ig::read | ig::write, ig::Life::frame};
+  ig::Signal parameters{"ProgrammableDataInput.~Parameters", ig::read | ig::write, ig::Life::modal};
   ig::Flow flow;
   std::string name;
 
@@ -28,7 +30,8 @@ struct ProgramNumberSyntax {
     if (flow.is_indexing()) {
       const auto number = numbered_name('O', std::string_view(name).substr(1));
       flow.label(b, number ? number->text() : std::string_view(name), IG_LABEL_PROGRAM);
-    } else if (b.is_raised(begun)) {
+      b.erase(parameters);  // an index knows no G11 that is missing
+    } else if (b.is_raised(begun) || (flow.frame(b).tag & begins_inside) != 0) {
       leave(b, ig::Where::columns(position, end));
       return block_end(text, end);
     }

@@ -2,6 +2,7 @@
 // modal state is the caller's, and stays so after the return.
 #include <cmath>
 
+#include "frame_tag.hpp"
 #include "program_name.hpp"
 #include "scan_util.hpp"
 #include "subprogram_diagnostics.hpp"
@@ -194,6 +195,7 @@ struct SubprogramCall {
                           .files = files.list(),
                           .scope = r.row == 1 ? in_folders : anywhere,
                           .repeats = r.repeats,
+                          .tag = r.start != 0 ? begins_inside : 0,
                           .start = r.start != 0 ? start.text() : std::string_view{}});
   }
 
