@@ -24,6 +24,11 @@ struct FanucMacroStatement {
 
   ig::IntegerOption loops_{"loops", "3", {1, 99}, "The largest number of DO and END."};
   MacroEnvironment environment_;
+  ig::TextField program_{"Source.Program", ig::read | ig::wake};
+  ig::TextField tape_{"TapeBoundary.Text", ig::read | ig::wake};
+  ig::Codes program_end_{{"M02", "M30"}, ig::read | ig::wake};
+  ig::Call return_{{"M99"}, "", ig::read | ig::wake};
+  ig::In<double> p_{"Parsing.P"};
   ig::Signal statement_{"Parsing.~MacroStatement", ig::read | ig::write | ig::wake};
   ig::Out<std::int64_t> variable_{"Vars.Variable", {ig::Life::block, "", "Number of the variable that was assigned."}};
   ig::Out<double> value_{"Vars.Value", {ig::Life::block, "", "What was assigned; absent: null."}};
@@ -56,7 +61,14 @@ struct FanucMacroStatement {
     return end;
   }
 
+  ig::Status restart(ig::Block&) {
+    loops_here_.clear();
+    return ig::Status::unchanged;
+  }
+
   ig::Status build(ig::Block& b) {
+    if (b.has(program_)) note_program(b);
+    if (b.has(tape_) || b.find(program_end_) || b.find(return_)) end_of_program(b);
     if (!b.is_raised(statement_) || end_ > b.source().size()) return ig::Status::unchanged;
     environment_.enter(b);
     std::string_view text = b.source().substr(0, end_);
@@ -69,6 +81,23 @@ struct FanucMacroStatement {
   }
 
  private:
+  /// M99 P in the main program is a jump.
+  void end_of_program(ig::Block& b) {
+    if (b.find(return_) && b.has(p_) && environment_.flow.frame(b).depth == 0)
+      note_jump(b);
+    else
+      loops_here_.end_frame(b, environment_.flow, b.has(tape_) ? macro_diag("FAN-0144") : macro_diag("FAN-0145"));
+  }
+  void note_jump(ig::Block& b) {
+    for (MacroLoops::Loop& loop : own_loops(b)) loop.jumped = true;
+  }
+
+  /// #4115 of the main program. Another program number ends the one before it.
+  void note_program(ig::Block& b) {
+    loops_here_.end_frame(b, environment_.flow, macro_diag("FAN-0144"));
+    if (environment_.flow.frame(b).depth == 0) environment_.store().main_program = program_number(b.text(program_));
+  }
+
   /// The statement with blanks for its comments, so that columns stay.
   void blank_comments(std::string_view text) {
     blanked_.assign(text);
@@ -267,10 +296,10 @@ struct FanucMacroStatement {
     const ig::Flow::Answer answer = environment_.flow.jump(b, label);
     if (answer.is_not_found())
       b.report(macro_diag("FAN-0133"), ig::Where::columns(target, o.end), label.substr(1), answer.reason);
-    for (MacroLoops::Loop& loop : own_loops(b)) loop.jumped = true;
+    note_jump(b);
   }
 
-  std::span<MacroLoops::Loop> own_loops(const ig::Block& b) { return loops_here_.own(b, environment_.flow); }
+  std::span<MacroLoops::Loop> own_loops(ig::Block& b) { return loops_here_.own(b, environment_.flow); }
 
   void execute_while(ig::Block& b, std::string_view text, std::size_t position) {
     std::size_t after = 0;
@@ -352,6 +381,7 @@ struct FanucMacroStatement {
       b.report(macro_diag("FAN-0136"), columns(text, position), static_cast<double>(*number));
       return;
     }
+    open.back().closed = true;
     environment_.flow.go_to(b, open.back().place);
   }
 

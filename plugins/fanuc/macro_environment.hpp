@@ -15,6 +15,12 @@
 
 namespace fanuc {
 
+/// O1234 is 1234; a name in brackets is no number.
+inline std::optional<double> program_number(std::string_view name) {
+  const ig::Decimal number = name.size() > 1 && name[0] == 'O' ? ig::read_decimal(name, 1) : ig::Decimal{};
+  return number.ok ? std::optional(number.value) : std::nullopt;
+}
+
 /// Which local variables are the present ones: those of the macro call that the block's frame belongs to.
 class MacroFrame {
  public:
@@ -216,7 +222,7 @@ class MacroEnvironment : public MacroFrame {
       case 4107: return of(static_cast<double>(b.get_or(radius_row_, std::int64_t{0})));
       case 4109: return of(in_program_unit(b, b.get_or(feed_, 0.0)));
       case 4111: return of(static_cast<double>(b.get_or(length_row_, std::int64_t{0})));
-      case 4115: return program_number(b, out);
+      case 4115: return program_in_force(b, out);
       case 4119: return of(b.get_or(speed_, 0.0));
       case 4120: return of(static_cast<double>(b.get_or(tool_, std::int64_t{0})));
       case 4130: return of(additional_set(b));
@@ -224,12 +230,12 @@ class MacroEnvironment : public MacroFrame {
     }
   }
 
-  /// Of a called program; the host does not know the number of the main program.
-  Fault program_number(const ig::Block& b, double& out) const {
-    const std::string_view name = ig::to_view(flow.frame(b).program);
-    const ig::Decimal number = name.size() > 1 && name[0] == 'O' ? ig::read_decimal(name, 1) : ig::Decimal{};
-    out = number.value;
-    return number.ok ? Fault::none : Fault::not_known_here;
+  /// The name by which the program was called; the main program has the number that it begins with.
+  Fault program_in_force(const ig::Block& b, double& out) const {
+    const ig_frame frame = flow.frame(b);
+    const auto number = frame.depth == 0 ? store().main_program : program_number(ig::to_view(frame.program));
+    out = number.value_or(0);
+    return number ? Fault::none : Fault::not_known_here;
   }
 
   double additional_set(const ig::Block& b) const {

@@ -8,6 +8,8 @@
 
 #include <isogloss/flow.hpp>
 
+#include "macro_diagnostics.hpp"
+
 namespace fanuc {
 
 class MacroLoops {
@@ -15,21 +17,23 @@ class MacroLoops {
   struct Loop {
     std::int64_t number;
     ig_place place;
-    bool jumped;  ///< a GOTO came since: it may have left the loop
+    bool jumped = false;  ///< a GOTO came since: it may have left the loop
+    bool closed = false;  ///< its END was met
   };
 
+  void clear() { *this = {}; }
   /// The loops of the present frame, outer ones first; those of frames that ended are gone.
-  std::span<Loop> own(const ig::Block& b, const ig::Flow& flow) {
+  std::span<Loop> own(ig::Block& b, const ig::Flow& flow) {
     const ig_frame frame = flow.frame(b);
     if (frame.id != frame_ || frame.pass != pass_) enter_frame(b, flow, frame);
     const auto first =
         std::find_if(open_.begin(), open_.end(), [&](const Loop& l) { return l.place.frame == frame.id; });
     return {first, open_.end()};
   }
-  void begin(std::int64_t number, const ig_place& place) { open_.push_back({number, place, false}); }
+  void begin(std::int64_t number, const ig_place& place) { open_.push_back({number, place}); }
   void end_innermost() { open_.pop_back(); }
   /// Takes the loop of this number, and those inside it, off.
-  void leave(const ig::Block& b, const ig::Flow& flow, std::int64_t number) {
+  void leave(ig::Block& b, const ig::Flow& flow, std::int64_t number) {
     const std::span<Loop> open = own(b, flow);
     for (std::size_t i = 0; i < open.size(); ++i)
       if (open[i].number == number) {
@@ -38,15 +42,30 @@ class MacroLoops {
       }
   }
 
+  /// The program of the present frame ends in this block: by its text (FAN-0144), or by an order (FAN-0145).
+  void end_frame(ig::Block& b, const ig::Flow& flow, std::uint32_t diagnostic) {
+    for (const Loop& loop : own(b, flow)) say_open(b, loop, diagnostic);
+    std::erase_if(open_, [&](const Loop& l) { return l.place.frame == frame_; });
+  }
+
  private:
-  void enter_frame(const ig::Block& b, const ig::Flow& flow, const ig_frame& frame) {
+  /// One that a GOTO may have left, or that came round once, has its END somewhere.
+  static void say_open(ig::Block& b, const Loop& loop, std::uint32_t diagnostic) {
+    if (!loop.jumped && !loop.closed)
+      b.report(diagnostic, ig::Where::block(), static_cast<double>(loop.number), static_cast<double>(loop.place.line));
+  }
+
+  void enter_frame(ig::Block& b, const ig::Flow& flow, const ig_frame& frame) {
     const auto is_open = [&](std::uint64_t id) {
       for (std::uint32_t level = 0; level <= frame.depth; ++level)
         if (const auto open = flow.frame(b, level); open && open->id == id) return true;
       return false;
     };
     std::erase_if(open_, [&](const Loop& l) {
-      return !is_open(l.place.frame) || (l.place.frame == frame.id && frame.pass != pass_ && frame.id == frame_);
+      const bool is_over =
+          !is_open(l.place.frame) || (l.place.frame == frame.id && frame.pass != pass_ && frame.id == frame_);
+      if (is_over) say_open(b, l, macro_diag("FAN-0144"));
+      return is_over;
     });
     frame_ = frame.id;
     pass_ = frame.pass;

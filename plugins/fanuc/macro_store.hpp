@@ -76,6 +76,7 @@ struct MacroSettings {
 class MacroStore {
  public:
   MacroSettings settings;
+  std::optional<double> main_program;  ///< its number, where it has one
 
   static constexpr double null = std::numeric_limits<double>::quiet_NaN();
   using Locals = std::array<double, last_local + 1>;
