@@ -1,6 +1,8 @@
-// Macro calls: G65 once, G66 after each block that moves, and the codes that parameters bind to macros. The scanner
-// reads the arguments itself, since a call gives words another meaning: I J K may stand there ten times.
+// Macro calls: G65 once, G66 after each block that moves, G66.1 for each block, and the codes that parameters bind to
+// macros. The scanner reads the arguments itself, since a call gives words another meaning: I J K may stand there ten
+// times.
 #include "code_fields.hpp"
+#include "macro_arguments.hpp"
 #include "macro_environment.hpp"
 #include "macro_program_call.hpp"
 
@@ -8,15 +10,13 @@ namespace fanuc {
 namespace {
 
 enum class IjkSets { automatic, one };
+enum class OwnBlock { calls, waits };
 
-/// The variable of each address, A to Z; 0: no argument.
-constexpr std::array<std::uint8_t, 26> variable_of{1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
-                                                   0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
 constexpr std::uint32_t largest_number = 99'999'999;
 
 struct FanucMacroCall {
   static constexpr auto spec =
-      ig::syntax("FanucMacroCallSyntax", "Macro calls: G65, G66, and codes bound to macros by parameters.")
+      ig::syntax("FanucMacroCallSyntax", "Macro calls: G65, G66, G66.1, and codes bound to macros by parameters.")
           .after("FlagSyntax")
           .before("WordSyntax")
           .scans("GMgm");
@@ -24,12 +24,12 @@ struct FanucMacroCall {
   ig::Choice<IjkSets> ijk_sets_{"ijk-sets", "automatic|one", "automatic",
                                 "A second I, J or K is the next set, #7 #8 #9, or the first one again."};
   ig::IntegerOption nesting_{"nesting", "5", {1, 99}, "Macro calls inside each other that the control permits."};
+  ig::Choice<OwnBlock> own_block_{"each-block-call", "calls|waits", "calls",
+                                  "Whether the block of G66.1 itself calls the macro, with its arguments."};
   CodeFields codes_;
   MacroEnvironment environment_;
   ig::Config bound_{"isogloss.code-call/1", ig::Need::optional, "Which codes call which programs."};
-  ig::Config number_format_{"isogloss.number-format/1", ig::Need::optional, "What arguments without a point count."};
-  ig::In<ig::Symbol> system_{"Unit.System"};
-  ig::Name inch_{"Inch"};
+  ArgumentUnits units_;
   ig::Signal call_{"Parsing.~MacroCall", ig::read | ig::write | ig::wake};
   ig::Signal modal_{"MacroCall.~Modal", ig::write, ig::Life::modal};
 
@@ -45,11 +45,16 @@ struct FanucMacroCall {
     code_end_ = number.end;
     code_.fill('\0');
     const std::string_view code = name_of(letter, *index);
-    const bool is_g65 = code == "G65";
-    is_modal_ = code == "G66";
-    if (!is_g65 && !is_modal_) {
+    const bool is_g65 = code == "G65", each_block = code == "G66.1", is_modal = code == "G66" || each_block;
+    if (b.is_raised(call_)) {
+      b.report(macro_diag("FAN-0170"), ig::Where::columns(position, number.end), code);
+      return iso::block_end(text, position);
+    }
+    is_modal_ = is_modal;
+    each_block_ = each_block;
+    if (!is_g65 && !is_modal) {
       const auto program = bound_.number(code);
-      if (!program || is_in_bound_program(b)) {
+      if (!program || environment_.is_in_bound_program(b)) {
         codes_.set(b, letter, *index, position, number.end);
         return number.end;
       }
@@ -77,7 +82,6 @@ struct FanucMacroCall {
                    ig::Where::columns(begin_, code_end_));
       return ig::Status::changed;
     }
-    MacroStore& store = environment_.store();
     const std::string_view code(code_.data());
     if (!has_program_) {
       b.report(macro_diag("FAN-0161"), where, code);
@@ -88,11 +92,7 @@ struct FanucMacroCall {
     } else if (is_modal_) {
       keep_modal_call(b, where);
     } else if (repeats_ > 0) {
-      say_deep_call(b, store, where);
-      const std::uint64_t tag = store.enter(arguments_);
-      if (!call_program(b, environment_.flow, static_cast<std::int64_t>(program_), static_cast<std::int64_t>(repeats_),
-                        tag | tag_bits_, where))
-        store.leave_last();
+      call_macro(b, where, false);
     }
     return ig::Status::changed;
   }
@@ -109,8 +109,19 @@ struct FanucMacroCall {
       b.alarm();
       return;
     }
-    calls.push_back({static_cast<std::int64_t>(program_), static_cast<std::int64_t>(repeats_), arguments_});
+    calls.push_back(
+        {static_cast<std::int64_t>(program_), static_cast<std::int64_t>(repeats_), arguments_, each_block_});
     b.raise(modal_);
+    if (each_block_ && own_block_ == OwnBlock::calls && repeats_ > 0) call_macro(b, where, true);
+  }
+
+  void call_macro(ig::Block& b, ig::Where where, bool is_modal) {
+    MacroStore& store = environment_.store();
+    say_deep_call(b, store, where);
+    const std::uint64_t tag = store.enter(arguments_, is_modal);
+    if (!call_program(b, environment_.flow, static_cast<std::int64_t>(program_), static_cast<std::int64_t>(repeats_),
+                      tag | tag_bits_, where))
+      store.leave_last();
   }
 
   std::string_view name_of(char letter, std::size_t index) {
@@ -123,14 +134,6 @@ struct FanucMacroCall {
       *last++ = static_cast<char>('0' + index % 10);
     }
     return {code_.data(), static_cast<std::size_t>(last - code_.data())};
-  }
-
-  /// A program that a code called sees all codes as they are.
-  bool is_in_bound_program(const ig::Block& b) const {
-    const ig_frame frame = environment_.flow.frame(b);
-    for (std::uint32_t level = 1; level <= frame.depth; ++level)
-      if (const auto at = environment_.flow.frame(b, level); at && (at->tag & called_by_code) != 0) return true;
-    return false;
   }
 
   std::size_t arguments(ig::Block& b, std::string_view text, std::size_t position) {
@@ -192,7 +195,7 @@ struct FanucMacroCall {
       b.report(macro_diag("FAN-0164"), ig::Where::columns(begin, end), iso::piece(text, begin, end));
       return end;
     }
-    if (literal.ok && !literal.has_point) value.number = counted(b, letter, literal.value, begin, end);
+    if (literal.ok && !literal.has_point) value.number = units_.counted(b, letter, literal.value, begin, end);
     arguments_[variable] = value.is_null() ? MacroStore::null : value.number + 0.0;
     return end;
   }
@@ -230,28 +233,10 @@ struct FanucMacroCall {
     return MacroValue{negative ? -o.value.number : o.value.number, Kind::number};
   }
 
-  /// Lengths and angles without a point count increments, unless the control is set otherwise.
-  double counted(ig::Block& b, char letter, double number, std::size_t begin, std::size_t end) const {
-    if (number == 0 || std::string_view("ABCIJKQRUVWXYZ").find(letter) == std::string_view::npos) return number;
-    double value = number;
-    if (number_format_.number("CalculatorDecimalPoint").value_or(1) == 0) {
-      const bool is_angle = letter >= 'A' && letter <= 'C';
-      const bool is_inch = !is_angle && b.is(system_, inch_);
-      const double increment = number_format_
-                                   .number(is_angle  ? "AngleIncrement_deg"
-                                           : is_inch ? "LengthIncrement_inch"
-                                                     : "LengthIncrement_mm")
-                                   .value_or(is_inch ? 0.0001 : 0.001);
-      value = number / std::round(1 / increment);
-    }
-    b.report(macro_diag("FAN-0166"), ig::Where::columns(begin, end), std::string_view(&letter, 1), number, value);
-    return value;
-  }
-
   // What scan() read, for build().
   std::size_t begin_ = 0, code_end_ = 0, end_ = 0;
   std::array<char, 16> code_{};
-  bool is_modal_ = false, has_program_ = false;
+  bool is_modal_ = false, each_block_ = false, has_program_ = false;
   double program_ = 0, repeats_ = 1;
   std::uint64_t tag_bits_ = 0;
   MacroStore::Locals arguments_ = MacroStore::no_locals();

@@ -28,7 +28,8 @@ struct FanucModalMacro {
       if (calls.empty() && store.depth() == 0) b.erase(modal_);
       return ig::Status::changed;
     }
-    if (calls.empty() || calls.back().repeats == 0 || !(b.is_fresh(move_) || b.is_fresh(steps_)))
+    if (calls.empty() || calls.back().each_block || calls.back().repeats == 0 ||
+        !(b.is_fresh(move_) || b.is_fresh(steps_)))
       return ig::Status::unchanged;
     const MacroStore::ModalCall call = calls.back();
     say_deep_call(b, store, ig::Where::block());

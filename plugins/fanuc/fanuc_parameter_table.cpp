@@ -13,7 +13,7 @@ constexpr std::string_view rotary_type = "1006", rollover_bits = "1008", increme
                            high_speed_peck = "5114", peck = "5115", shift_axis = "5148",
                            boring_return_override = "5149", tapping_bits = "5200", extraction_override = "5211",
                            peck_tapping = "5213", coordinate_bits = "5400", rotation_angle = "5410",
-                           scaling_factor = "5411", overrun = "5440";
+                           scaling_factor = "5411", overrun = "5440", call_bits = "6001";
 
 constexpr const char* shipped[] = {
     "1013|Value=0",    "1202|Value=0",  "1240|X=0|Y=0|Z=0", "1420|X=24000|Y=24000|Z=24000",
@@ -120,12 +120,14 @@ struct FanucParameterTable {
   }
 
   /// Parameters 6050 to 6059: the G codes that call O9010 to O9019; 6080 to 6089: the M codes that call O9020 to O9029
-  /// with arguments; 6071 to 6079: those that call O9001 to O9009 like M98. 0 is no code.
+  /// with arguments; 6071 to 6079: those that call O9001 to O9009 like M98. 0 is no code. 6001 bit 5 TCS: T calls
+  /// O9000.
   Answer program_of_code(std::string_view code) const {
     struct Range {
       char letter;
       int first_parameter, count, first_program;
     };
+    if (code == "T") return bit(call_bits, 5) ? Answer(9000) : std::nullopt;
     if (code.size() < 2) return std::nullopt;
     const ig::Decimal called = ig::read_decimal(code, 1);
     if (!called.ok || called.value == 0) return std::nullopt;

@@ -74,6 +74,9 @@ TEST_CASE("codes that call programs") {
   CHECK(number(table, calls, "M100") == -1);
   CHECK(number(table, calls, "M00") == -1);
   CHECK(number(table, calls, "G") == -1);
+  CHECK(number(table, calls, "T") == -1);
+  const FakeDependency tools(*ig_plugin_v1(), "FanucParameterTable", {{"6001", {{"Value", 32}}}});
+  CHECK(number(tools, calls, "T") == 9000);
 }
 
 TEST_CASE("boring and tapping of a control as delivered") {

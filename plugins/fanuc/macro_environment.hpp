@@ -34,6 +34,14 @@ class MacroFrame {
 
   MacroStore& store() const { return *store_; }
 
+  /// A program that a code called sees all codes as they are.
+  bool is_in_bound_program(const ig::Block& b) const {
+    const ig_frame frame = flow.frame(b);
+    for (std::uint32_t level = 1; level <= frame.depth; ++level)
+      if (const auto at = flow.frame(b, level); at && (at->tag & called_by_code) != 0) return true;
+    return false;
+  }
+
  private:
   void select_level(const ig::Block& b, const ig_frame& frame) const {
     ig_frame at = frame;

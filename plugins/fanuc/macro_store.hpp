@@ -69,8 +69,8 @@ struct MacroSettings {
   ExpressionRules rules;
   std::uint32_t nesting = 5;       ///< brackets inside each other that the control permits
   std::uint32_t call_nesting = 5;  ///< macro calls inside each other that it permits
-  bool geometry_first = false;  ///< #2001 is a geometry, radii from #2401 on; else #2001 is a wear
-  double clock_step_ms = 100;   ///< how far the clocks go on each time they are read
+  bool geometry_first = false;     ///< #2001 is a geometry, radii from #2401 on; else #2001 is a wear
+  double clock_step_ms = 100;      ///< how far the clocks go on each time they are read
 };
 
 class MacroStore {
@@ -80,11 +80,12 @@ class MacroStore {
 
   static constexpr double null = std::numeric_limits<double>::quiet_NaN();
   using Locals = std::array<double, last_local + 1>;
-  /// What G66 keeps: the macro that is called after each block that moves.
+  /// What G66 keeps: the macro that is called after each block that moves; G66.1: with the words of each block.
   struct ModalCall {
     std::int64_t program;
     std::int64_t repeats;
     Locals arguments;
+    bool each_block = false;
   };
   static Locals no_locals() {
     Locals out;

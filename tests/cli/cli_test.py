@@ -507,6 +507,14 @@ class Subprograms(Command):
                 self.assertIn(code, done.stderr)
                 self.assertLess(os.times().children_user - begin, OPTIONS.seconds)
 
+    def test_the_block_of_a_modal_call_calls_or_waits(self):
+        self.write("waits.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="waits" title="A mill" extends="fanuc">'
+                   '<Chain><Configure syntax="FanucMacroCallSyntax" each-block-call="waits"/></Chain></Dialect>')
+        main = self.write("main.nc", "O1\nG66.1 P9100 X1.\nX2.\nG67\nM30\nO9100\nX[10*#24]\nM99\n")
+        self.assertEqual(self.xs(self.run_csv(main, status=0)), ["10", "20"])
+        done = self.run_it("run", main, "-d", self.path / "waits.xml", "--format", "csv", status=0)
+        self.assertEqual(self.xs(done), ["20"])
+
     def test_machines_differ_in_what_p_and_m97_mean(self):
         self.write("haas_like.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="haas_like" title="A mill" '
                    'extends="fanuc"><Chain><Configure syntax="SubprogramCallSyntax" p-form="whole" m97="yes" m198="no" '
