@@ -20,6 +20,20 @@ bool is_given(const DependencyElement& element, const DependencyElement& of_dial
   return of_dialect.alias == element.alias || of_dialect.id == element.id;
 }
 
+std::string columns_of(const ig_dependency& d) {
+  std::string text = "the columns of " + std::string(d.id) + " are ";
+  for (std::uint32_t i = 0; i < d.column_count; ++i) text += (i == 0 ? "" : ", ") + std::string(d.columns[i].name);
+  return text;
+}
+
+/// Where the user, or the dialect, gave the dependency what it holds.
+const Location& place_of(const DependencyElement& of_dialect, const std::vector<DependencyElement>& of_user) {
+  const Location* place = &of_dialect.where;
+  for (const DependencyElement& given : of_user)
+    if (is_given(given, of_dialect)) place = &given.where;
+  return *place;
+}
+
 /// NULL where the dependency does not provide it, or is not there yet.
 const void* service_of(const ig_dependency& d, void* self, std::string_view id) {
   if (self == nullptr || d.provides == nullptr) return nullptr;
@@ -105,7 +119,8 @@ void Chain::create_dependencies() {
     ig_link link{this, &dependency_options_[i], nullptr, tables_[i].get(), {}, false};
     if (d.dependency->create(&link_api(), &link, nullptr, &dependencies_[i]) == IG_FAILED) {
       dependencies_[i] = nullptr;
-      sink_.add(host_diagnostic("IG-0308", d.element.where, {d.element.alias, link.failure}));
+      sink_.add(
+          host_diagnostic("IG-0308", place_of(d.element, settings_.dependencies), {d.element.alias, link.failure}));
       throw std::runtime_error(d.element.alias + " could not be created");
     }
   }
@@ -126,7 +141,7 @@ void Chain::overlay(const DependencyElement& element) {
         const auto column = tables_[i]->column(a.name);
         const std::string path = d.element.alias + "." + key + "." + a.name;
         if (!column) {
-          sink_.add(host_diagnostic("IG-0410", a.where, {path}));
+          sink_.add(host_diagnostic("IG-0410", a.where, {path}, columns_of(*d.dependency)));
           throw std::runtime_error("no column " + path);
         }
         if (!tables_[i]->set(key, static_cast<std::uint32_t>(*column), std::string_view(a.value))) {
@@ -149,6 +164,7 @@ void Chain::assign(const std::string& path, const std::string& value) {
   const std::string name = path.substr(0, dot);
   const std::string rest = dot == std::string::npos ? std::string() : path.substr(dot + 1);
   std::vector<std::string> names;
+  std::string hint;
   for (std::size_t i = 0; i < tables_.size(); ++i) {
     const LinkedDependency& d = linked_.dependencies[i];
     names.push_back(d.element.alias);
@@ -170,7 +186,10 @@ void Chain::assign(const std::string& path, const std::string& value) {
     std::optional<std::size_t> column;
     if (last != std::string::npos) column = tables_[i]->column(rest.substr(last + 1));
     const std::string row = column ? rest.substr(0, last) : rest;
-    if (!column && last != std::string::npos && !tables_[i]->value(row, 0)) break;
+    if (!column && last != std::string::npos && !tables_[i]->value(row, 0)) {
+      hint = columns_of(*d.dependency);
+      break;
+    }
     if (!tables_[i]->set(row, static_cast<std::uint32_t>(column.value_or(0)), std::string_view(value))) {
       sink_.add(host_diagnostic("IG-0411", {"--set"}, {path, value}));
       throw std::runtime_error("no value for " + path);
@@ -178,8 +197,8 @@ void Chain::assign(const std::string& path, const std::string& value) {
     return;
   }
   const std::string near = nearest_name(name, names);
-  sink_.add(
-      host_diagnostic("IG-0410", {"--set"}, {path}, near.empty() || near == name ? "" : "did you mean " + near + "?"));
+  if (hint.empty() && !near.empty() && near != name) hint = "did you mean " + near + "?";
+  sink_.add(host_diagnostic("IG-0410", {"--set"}, {path}, hint));
   throw std::runtime_error("no dependency or column " + path);
 }
 

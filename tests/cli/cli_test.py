@@ -196,6 +196,13 @@ class Run(Command):
                            "--set", "MachineKinematics.A.Z=1", status=2)
         self.assertIn("axes A, C are parallel", same.stderr)
         self.assertIn("IG-0308", same.stderr)
+        # A table that the user's file spoils is said there, not at the dialect that has it.
+        spoiled = self.write("machine.xml", '<Dependencies><MachineAxes><Axis name="Q" Home="0"/></MachineAxes>'
+                                            "</Dependencies>")
+        done = self.run_it("run", self.program, "-d", "iso", "--machine", spoiled, status=2)
+        self.assertRegex(done.stderr, r"machine\.xml:1:\d+: error: MachineAxes could not be created.*\[IG-0308\]")
+        done = self.run_it("run", self.program, "-d", "iso", "--set", "ToolOffsetTable.1.Radius=5", status=2)
+        self.assertRegex(done.stderr, r"'ToolOffsetTable\.1\.Radius' \[IG-0410\]\n.*are H, HWear, D, DWear")
         done = self.run_it("run", self.program, "-d", "fanuc", "--machine", machine(two.format(' Pivot="1"')), status=2)
         self.assertRegex(done.stderr, r"machine\.xml:1:\d+: error: .*Pivot.*\[IG-0219\]")
         done = self.run_it("run", self.program, "-d", "fanuc", "--machine", machine("<MachineKinematic/>"), status=2)
