@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace isogloss {
 
 std::optional<std::size_t> DependencyTable::column(std::string_view name) const {
@@ -57,7 +59,7 @@ bool DependencyTable::set(std::string_view name, std::uint32_t column, std::stri
 bool DependencyTable::set(std::string_view name, std::uint32_t column, double value) {
   if (column >= dependency_->column_count) return false;
   const ig_column_decl& declared = dependency_->columns[column];
-  if (!(value >= declared.minimum && value <= declared.maximum)) return false;
+  if (!std::isfinite(value) || value < declared.minimum || value > declared.maximum) return false;
   row(name)[column] = {fmt::format("{}", value), value, true};
   return true;
 }

@@ -72,6 +72,10 @@ inline constexpr std::array radius_compensation_diagnostics{
         "interference where parameter 19607 bit 5 says so. Here the tool goes over to the next block that it "
         "reaches, where the two paths cross.",
         "G41 D1 (radius 5) (then) X10. (then) X13. Y3. (then) Y20."),
+    ig::diagnostic(IG_ERROR, "ISO-0477", "the radius of D{0} is no radius: 0 is used",
+                   "Geometry and wear of the tool table together are 1 000 000 m or more. Look for a typing error, or "
+                   "for the computation that wrote the table.",
+                   "G41 D1 (with D=2000000000 in the tool table)"),
 };
 
 inline constexpr std::size_t radius_end = subprogram_end + radius_compensation_diagnostics.size();

@@ -123,6 +123,8 @@ struct RadiusCompensation {
     }
   }
 
+  static constexpr double largest_radius = 1e9;  ///< mm; positions are no greater
+
   void find_radius(ig::Block& b, ig::Where where) {
     const std::int64_t id = b.get_or(offset_id_, std::int64_t{0});
     double geometry = 0, wear = 0;
@@ -137,7 +139,12 @@ struct RadiusCompensation {
         b.report(radius_diag("ISO-0464"), where, static_cast<double>(id));
       }
     }
-    b.set(radius_, (geometry + wear) / (offset_is_ == OffsetIs::diameter ? 2 : 1));
+    double radius = (geometry + wear) / (offset_is_ == OffsetIs::diameter ? 2 : 1);
+    if (!(std::fabs(radius) < largest_radius)) {
+      b.report(radius_diag("ISO-0477"), where, static_cast<double>(id));
+      radius = 0;
+    }
+    b.set(radius_, radius);
   }
 };
 

@@ -1,6 +1,7 @@
 /// The tool's length as the table of the machine has it: what H names.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "diagnostics.hpp"
@@ -20,14 +21,17 @@ class ToolLengths {
     return id;
   }
 
-  /// mm, geometry and wear together. Row 0 is length 0; so is a row that the table has not, which is said.
+  /// mm, geometry and wear together. Row 0 is length 0; so is a row that the table has not, or whose sum no number
+  /// holds, which is said.
   double length(ig::Block& b, std::int64_t row, ig::Where where) const {
     if (row == 0) return 0;
     double geometry = 0, wear = 0;
     const bool has_geometry = table_ && table_->get(table_->self, row, 0, &geometry) != 0;
     const bool has_wear = table_ && table_->get(table_->self, row, 1, &wear) != 0;
-    if (!has_geometry && !has_wear) b.report(diag("ISO-0223"), where, static_cast<double>(row));
-    return (has_geometry ? geometry : 0) + (has_wear ? wear : 0);
+    const double sum = (has_geometry ? geometry : 0) + (has_wear ? wear : 0);
+    if ((has_geometry || has_wear) && std::isfinite(sum)) return sum;
+    b.report(diag("ISO-0223"), where, static_cast<double>(row));
+    return 0;
   }
 
  private:

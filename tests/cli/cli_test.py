@@ -514,6 +514,16 @@ class Subprograms(Command):
                 self.assertIn(code, done.stderr)
                 self.assertLess(os.times().children_user - begin, OPTIONS.seconds)
 
+    def test_tables_take_no_sum_that_no_number_holds(self):
+        big = "17" + 307 * "0" + "."
+        main = self.write("main.nc", f"O1\nG91\nG10 L2 P1 X{big}\nG10 L2 P1 X{big}\n#2001={big}\n#2201={big}\nG43 H1 Z1.\n"
+                          f"#12001={big}\n#13001={big}\nG41 D1 X1.\nX2.\nM30\n")
+        done = self.run_it("run", main, "-d", "fanuc", "--emit", "blocks", status=1)
+        for line in done.stdout.splitlines():
+            json.loads(line)
+        for code in ("ISO-0222", "ISO-0223", "ISO-0477"):
+            self.assertIn(code, done.stderr)
+
     def test_the_block_of_a_modal_call_calls_or_waits(self):
         self.write("waits.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="waits" title="A mill" extends="fanuc">'
                    '<Chain><Configure syntax="FanucMacroCallSyntax" each-block-call="waits"/></Chain></Dialect>')
