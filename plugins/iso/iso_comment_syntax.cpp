@@ -23,13 +23,15 @@ struct IsoCommentSyntax {
   ig::TextField text_{"Comment.Text", ig::read | ig::write};
   ig::Name parenthesis{"("};
   ig::Name semicolon_name{";"};
+  ig::Signal several{"Comment.~Several", ig::read | ig::write | ig::wake};
   std::string joined;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     if (text[position] == ';') return after_semicolon(b, text, position);
-    const std::size_t end = block_end(text, position);
+    // The block may be long, and hold thousands of comments: none of them looks at all of it.
     const std::size_t close = text.find(')', position);
-    if (close >= end) {
+    const std::size_t end = block_end(text.substr(0, close), position);
+    if (close == std::string_view::npos || end != close) {
       b.report(diag("ISO-0111"), ig::Where::columns(position, end));
       add(b, parenthesis, piece(text, position + 1, end));
       return end;
@@ -38,15 +40,22 @@ struct IsoCommentSyntax {
     return close + 1;
   }
 
+  /// Once for all comments of the block: each text that is set takes memory of its own.
+  ig::Status build(ig::Block& b) {
+    if (!b.is_raised(several)) return ig::Status::unchanged;
+    b.set_text(text_, joined);
+    return ig::Status::changed;
+  }
+
  private:
   std::size_t after_semicolon(ig::Block& b, std::string_view text, std::size_t position) {
-    const std::size_t end = block_end(text, position);
     if (semicolon == Semicolon::comment) {
+      const std::size_t end = block_end(text, position);
       add(b, semicolon_name, trim(piece(text, position + 1, end)));
       return end;
     }
     const std::size_t next = skip_blanks(text, position + 1);
-    if (next == end) return next;
+    if (block_end(text.substr(0, next + 1), next) == next) return next;
     b.flow(IG_FLOW_SPLIT, next);
     return next;
   }
@@ -56,10 +65,12 @@ struct IsoCommentSyntax {
     if (!b.is_fresh(symbol)) {
       b.set(symbol, opened_by);
       b.set_text(text_, comment);
+      joined.clear();
       return;
     }
-    joined.assign(b.text(text_)).append(1, ' ').append(comment);
-    b.set_text(text_, joined);
+    if (joined.empty()) joined.assign(b.text(text_));
+    joined.append(1, ' ').append(comment);
+    b.raise(several);
   }
 };
 

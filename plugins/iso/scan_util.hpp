@@ -88,13 +88,13 @@ constexpr bool stands_first(std::string_view text, std::size_t position) {
 constexpr std::size_t skip_bracketed(std::string_view text, std::size_t position) {
   const char open = text[position];
   const char close = open == '[' ? ']' : open == '(' ? ')' : '>';
-  const std::size_t end = block_end(text, position);
   std::size_t depth = 0;
-  for (std::size_t i = position; i < end; ++i) {
+  std::size_t i = position;
+  for (; i < text.size() && text[i] != '\r' && text[i] != '\n'; ++i) {
     if (text[i] == open) ++depth;
     if (text[i] == close && --depth == 0) return i + 1;
   }
-  return end;
+  return i;
 }
 
 /// Past one operand of an expression: #1, #[…], #<name>, […], SIN[…], 12.5; `position` itself when there is none.

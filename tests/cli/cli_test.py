@@ -514,6 +514,13 @@ class Subprograms(Command):
                 self.assertIn(code, done.stderr)
                 self.assertLess(os.times().children_user - begin, OPTIONS.seconds)
 
+    def test_long_lines_of_brackets_and_comments_are_read_once(self):
+        for line in ("X[1+1]" * 150000, "#1=" + "(a)1+(b)" * 100000 + "1", "(a)" * 300000 + "X1.", "X1.;" * 100000):
+            main = self.write("main.nc", f"O1\n{line}\nM30\n")
+            begin = os.times().children_user
+            self.run_it("run", main, "-d", "fanuc", "--emit", "none", status=0)
+            self.assertLess(os.times().children_user - begin, OPTIONS.seconds, line[:10])
+
     def test_tables_take_no_sum_that_no_number_holds(self):
         big = "17" + 307 * "0" + "."
         main = self.write("main.nc", f"O1\nG91\nG10 L2 P1 X{big}\nG10 L2 P1 X{big}\n#2001={big}\n#2201={big}\nG43 H1 Z1.\n"
