@@ -36,8 +36,6 @@ Code read_code(std::string_view text, std::size_t position) {
   return code;
 }
 
-enum class Expressions { leave, pass };
-
 struct FlagSyntax {
   static constexpr auto spec = ig::syntax("FlagSyntax", "Reads G and M codes.")
                                    .after("MacroStatementSyntax", "HeadIndexSyntax")

@@ -124,6 +124,9 @@ constexpr std::size_t skip_expression(std::string_view text, std::size_t positio
   return end;
 }
 
+/// What a scanner does with a value that is an expression.
+enum class Expressions { leave, pass };
+
 inline void leave(ig::Block& b, ig_leftover_kind kind, std::string_view name, std::size_t begin, std::size_t end,
                   ig_field field = IG_NO_FIELD) {
   const ig_leftover left{kind, field, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),

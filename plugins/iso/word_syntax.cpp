@@ -29,8 +29,6 @@ std::size_t skip_exponent(std::string_view text, std::size_t position) {
   return end == digits || at(text, end) == '.' ? position : end;
 }
 
-enum class Expressions { leave, pass };
-
 struct WordSyntax {
   static constexpr auto spec = ig::syntax("WordSyntax", "Reads words: an address and its number.")
                                    .after("FlagSyntax", "HeadIndexSyntax", "MacroStatementSyntax")
@@ -203,8 +201,7 @@ struct WordSyntax {
   /// X=#1, X1=10, R5=R2+1: the value reaches to the next blank that stands in no bracket.
   std::size_t assignment(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals) const {
     std::size_t end = skip_blanks(text, equals + 1);
-    const std::size_t limit = block_end(text, end);
-    while (end < limit && !is_blank(text[end]) && text[end] != ';')
+    while (end < text.size() && std::string_view(" \t;\r\n").find(text[end]) == std::string_view::npos)
       end = text[end] == '[' || text[end] == '(' ? skip_bracketed(text, end) : end + 1;
     return expression(b, text, begin, end, equals - begin);
   }

@@ -67,7 +67,7 @@ inline bool read_long_decimal(const char* first, const char* end, double& value)
   out.end = static_cast<std::size_t>(p - text.data());
   double value;
   if (length <= 15) {  // both factors exact, one rounding
-    value = static_cast<double>(digits) / powers[decimals];
+    value = static_cast<double>(static_cast<std::int64_t>(digits)) / powers[decimals];
   } else {
     value = 0;
     out.ok = detail::read_long_decimal(first, p, value);
