@@ -18,7 +18,11 @@ struct BackBoring {
   enum class Positioning { shifted, centred };
   enum class Dwell { none, end_of_cut };
 
-  CannedCycle cycle_{"G87"};
+  enum class Code { g87, g77 };
+
+  ig::Choice<Code> code_{"code", "G87|G77", "G87", "The code of the cycle."};
+  CannedCycle g87_{"G87"}, g77_{"G77"};
+  const CannedCycle& cycle_ = code_ == Code::g87 ? g87_ : g77_;
   CycleDwell dwell_;
   CycleSpindle spindle_;
   ToolShift shift_;

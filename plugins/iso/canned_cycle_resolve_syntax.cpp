@@ -11,10 +11,10 @@ namespace iso {
 namespace {
 
 using Address = CycleWords::Address;
-constexpr std::array stored{Address::Q, Address::P, Address::I, Address::J};  // kept besides the levels
+constexpr std::array stored{Address::Q, Address::P, Address::I, Address::J, Address::K};  // kept besides the levels
 
 /// What Q is, for each cycle of the resolver: peck, tapping in pecks, shift, nothing.
-constexpr std::string_view use_of_q = "pts--pt--s--";
+constexpr std::string_view use_of_q = "ptss--pt--s--";
 
 /// The cycle words of a block that names no cycle code, in the order of cycle_words; F is FeedrateSyntax's.
 class RootWords {
@@ -35,6 +35,8 @@ class RootWords {
 
 enum class InitialLevel { previous, cycle_entry };
 enum class MissingAxis { last_position, error };
+enum class RepeatWord { k_or_l, l };
+enum class BareP { as_written, milliseconds };
 
 struct CannedCycleResolve {
   static constexpr auto spec =
@@ -62,7 +64,8 @@ struct CannedCycleResolve {
   ig::Out<double> r_{"CannedCycle.Params.R"};
   std::array<ig::Out<double>, stored.size()> kept_{
       ig::Out<double>{"CannedCycle.Params.Q"}, ig::Out<double>{"CannedCycle.Params.P"},
-      ig::Out<double>{"CannedCycle.Params.I"}, ig::Out<double>{"CannedCycle.Params.J"}};
+      ig::Out<double>{"CannedCycle.Params.I"}, ig::Out<double>{"CannedCycle.Params.J"},
+      ig::Out<double>{"CannedCycle.Params.K"}};
   ig::Xyz increment_{"CannedCycle.Increment", ig::write, {ig::Life::block, "mm", "From hole to hole of a repeat."}};
   std::array<ig::Out<double>, 3> turn_{ig::Out<double>{"CannedCycle.Increment.A", turn},
                                        ig::Out<double>{"CannedCycle.Increment.B", turn},
@@ -74,6 +77,7 @@ struct CannedCycleResolve {
   // Group 10 outlives the cycles, CannedCycle.ReturnMode does not.
   ig::Signal return_to_r_{"CannedCycle.~ReturnToR", ig::read | ig::write, ig::Life::modal};
 
+  ig::Xyz pattern_{"HolePattern.Step", ig::read};
   FeedInForce feed_{ig::read | ig::write};
   PlaneInForce plane_;
   ig::In<ig::Symbol> plane_term_{"PlaneSelect.Term"};
@@ -90,6 +94,13 @@ struct CannedCycleResolve {
                                    "What a first block without Z or R does."};
   ig::IntegerOption max_repeats_{
       "max-repeats", "10000", {1, most_repeats}, "Holes that one block may drill by K or L."};
+  ig::Choice<RepeatWord> repeat_word_{
+      "repeat-word", "k-or-l|l", "k-or-l",
+      "What counts the holes of a block: K, or L where there is no K; or L alone, K being a length of the cycle."};
+  ig::Choice<BareP> bare_p_{"p-without-point", "as-written|ms", "as-written",
+                            "P without a decimal point: as written, or milliseconds, passed on as seconds."};
+  /// K is kept where it is a word of the cycle.
+  std::size_t stored_count_ = repeat_word_ == RepeatWord::l ? stored.size() : stored.size() - 1;
 
   ig::Status build(ig::Block& b) {
     const bool has_mode = take_return_mode(b);
@@ -224,6 +235,7 @@ struct CannedCycleResolve {
   CycleWords given(ig::Block& b, const Group09& now) const {
     CycleWords out;
     out.mask = b.host()->get_many(b.raw(), words(now), RootWords::letters.size(), out.values.data());
+    if (bare_p_ == BareP::milliseconds && out.has(Address::P)) read_bare_p(b, words(now)[Address::P], out);
     return out;
   }
 
@@ -251,7 +263,8 @@ struct CannedCycleResolve {
   /// The cycle is on from here, but nothing is drilled and none of Q, P, I, J is kept: they stay, to be reported.
   void enter_without_hole(ig::Block& b, const Group09& now) const {
     erase_call(b);
-    for (const Address count : {Address::K, Address::L}) take_word(b, words(now)[count]);
+    if (repeat_word_ == RepeatWord::k_or_l) take_word(b, words(now)[Address::K]);
+    take_word(b, words(now)[Address::L]);
     feed_.resolve(b, take_word(b, words(now)[Address::F]));
     b.amend(term_, call_.name(*now.cycle));
     b.amend(return_mode_, return_mode(b));
@@ -268,6 +281,7 @@ struct CannedCycleResolve {
     const bool incremental = distance_.is_incremental(b);
     const ig::Vec3 start = last_(b);
     const CycleWords in = given(b, now);
+    end_other_way_to_peck(b, in);
     const double level = initial_level(b, now, start[plane.tool]);
     const ig::PartialVec3 old = b.get(hole_);
     const CycleLevels kept{b.get(r_), old.has(plane.tool) ? std::optional(old.value[plane.tool]) : std::nullopt};
@@ -284,6 +298,7 @@ struct CannedCycleResolve {
       hole[axis] = incremental ? start[axis] + word : word;
       step[axis] = incremental ? word : 0;
     }
+    if (count > 1) step = b.get(pattern_).or_else(step);
     const bool drills = count > 0 && (complete || missing_ == MissingAxis::last_position);
 
     store(b, now, in, plane, hole, levels, level, drills);
@@ -305,13 +320,31 @@ struct CannedCycleResolve {
     return levels;
   }
 
+  /// "P500" is half a second, and "P5." five of them.
+  static void read_bare_p(ig::Block& b, ig_field field, CycleWords& words) {
+    ig_word word{};
+    b.host()->word(b.raw(), field, &word);
+    if ((word.flags & IG_WORD_WITHOUT_POINT) == 0) return;
+    words.values[Address::P].number /= 1000;
+    b.host()->rewrite(b.raw(), field, words.values[Address::P]);
+  }
+
+  /// Pecks are said by Q, or by I, J and K: where a block names one of them, what is kept of the other counts no more.
+  void end_other_way_to_peck(ig::Block& b, const CycleWords& in) const {
+    if (repeat_word_ == RepeatWord::k_or_l) return;
+    if (in.has(Address::I) && !in.has(Address::Q)) b.erase(kept_[0]);
+    if (in.has(Address::Q) && !in.has(Address::I))
+      for (const std::size_t i : {2, 3, 4}) b.erase(kept_[i]);
+  }
+
   /// K, or L where there is no K; 0: keep the data, drill nothing.
   int repeats(ig::Block& b, const Group09& now, const CycleWords& in) const {
-    const Address address = in.has(Address::K) ? Address::K : Address::L;
+    const bool by_k = repeat_word_ == RepeatWord::k_or_l && in.has(Address::K);
+    const Address address = by_k ? Address::K : Address::L;
     if (!in.has(address)) return 1;
     const std::string_view letter = RootWords::letters.substr(address, 1);
     const ig_field field = words(now)[address];
-    if (in.has(Address::K) && in.has(Address::L)) b.report(diag("ISO-0315"), ig::Where::word(words(now)[Address::L]));
+    if (by_k && in.has(Address::L)) b.report(diag("ISO-0315"), ig::Where::word(words(now)[Address::L]));
     const double k = in.get_or(address, 1);  // a count: RepeatCount keeps units and increments away from it
     if (!(k >= 0) || k != std::floor(k)) {
       b.report(diag("ISO-0313"), ig::Where::word(field), letter, k);
@@ -330,7 +363,7 @@ struct CannedCycleResolve {
     put(return_mode_, return_mode(b));
     if (level_rule_ == InitialLevel::cycle_entry && now.is_entry) put(initial_level_, level);
     if (levels.r) put(r_, *levels.r);
-    for (std::size_t i = 0; i < stored.size(); ++i)
+    for (std::size_t i = 0; i < stored_count_; ++i)
       if (const auto value = in[stored[i]]) put(kept_[i], *value);
     const auto keep = [&](std::size_t axis, double value) {
       const ig_value v{.number = value};
@@ -359,17 +392,28 @@ struct CannedCycleResolve {
     };
     for (std::size_t axis = 0; axis < 3; ++axis) put(axis, axis == plane.tool ? *levels.bottom : hole[axis]);
     put(Address::R, *levels.r);
-    for (std::size_t i = 0; i < stored.size(); ++i)
+    for (std::size_t i = 0; i < stored_count_; ++i)
       if (const auto value = b.get(kept_[i]); value && !(now.is_called && in.has(stored[i]))) put(stored[i], *value);
     if (now.before && !in.has(Address::Q) && b.has(kept_[0]) && use_of_q[*now.before] != use_of_q[row])
       b.raise(q_of_another_use_);
-    take_word(b, call_.row(row)[Address::L]);
-    if (count == 1) {
-      take_word(b, call_.row(row)[Address::K]);
-      return;
-    }
-    put(Address::K, count);
+    put_count(b, row, count, put);
+    if (count == 1) return;
     if (step != ig::Vec3{}) b.set(increment_, step);
+  }
+
+  /// K is the number of holes; where it is a length of the cycle, L is.
+  template <class Put>
+  void put_count(ig::Block& b, std::size_t row, int count, const Put& put) const {
+    ig_value unused;
+    const bool k_is_length =
+        repeat_word_ == RepeatWord::l && b.host()->get(b.raw(), call_.row(row)[Address::K], &unused) != 0;
+    const Address counter = repeat_word_ == RepeatWord::l ? Address::L : Address::K;
+    const Address other = counter == Address::L ? Address::K : Address::L;
+    if (!k_is_length) take_word(b, call_.row(row)[other]);
+    if (count == 1 && !k_is_length)
+      take_word(b, call_.row(row)[counter]);
+    else
+      put(counter, count);
   }
 
   /// The words are used, but no hole comes of them here.

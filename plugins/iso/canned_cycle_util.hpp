@@ -1,7 +1,8 @@
 /// What all canned cycles share: the words of their call, their levels, their holes.
 ///
 /// CannedCycleResolveSyntax leaves a *resolved call* in Parsing.Gxx: X Y Z R absolute; Q P I J F as given; K only where
-/// the block repeats the cycle, the number of holes. Under G91 the holes of a repeat lie CannedCycle.Increment apart.
+/// the block repeats the cycle, the number of holes. Where the call holds L, that is the number of holes, and K a
+/// length. Under G91 the holes of a repeat lie CannedCycle.Increment apart.
 #pragma once
 
 #include <algorithm>
@@ -79,21 +80,57 @@ class PeckStrokes {
   /// `depth` is the way of one stroke, greater than 0, whichever direction the bottom lies in.
   PeckStrokes(double r_level, double bottom, double depth) : r_level_(r_level), bottom_(bottom), depth_(depth) {}
 
+  /// The first stroke is `depth`, each later one `less` shorter, down to `least`: all of them greater than 0, but for
+  /// `less`, which may be 0.
+  PeckStrokes(double r_level, double bottom, double depth, double less, double least)
+      : r_level_(r_level),
+        bottom_(bottom),
+        depth_(depth),
+        less_(less),
+        least_(least),
+        shrinking_(less > 0 ? std::max(0.0, std::ceil((depth - least) / less - 1e-9)) : 0) {}
+
   /// At least 1, also where the bottom is R or nearer than one stroke. It may be larger than any integer, and is no
   /// number at all where R and the bottom are too far apart for one.
   double number() const {
     const double length = std::fabs(bottom_ - r_level_);
-    const double strokes = std::ceil((length - least_stroke - length * 1e-12) / depth_);
+    const double way = length - least_stroke - length * 1e-12;
+    const double strokes = less_ > 0 ? number_of_shrinking(way) : std::ceil(way / depth_);
     return strokes < 1 ? 1 : strokes;
   }
   /// The level that stroke k = 1, 2, … of `count` = number() reaches.
-  double level(int k, int count) const { return k < count ? r_level_ + out_of_hole() * -depth_ * k : bottom_; }
+  double level(int k, int count) const {
+    if (k >= count) return bottom_;
+    return r_level_ - out_of_hole() * (less_ > 0 ? depth_of(k) : depth_ * k);
+  }
   /// `distance` from a level back towards R, and beyond it when the distance is longer than the hole.
   double above(double level, double distance) const { return level + out_of_hole() * distance; }
 
  private:
   double out_of_hole() const { return bottom_ > r_level_ ? -1 : 1; }
+
+  /// Below R, after k strokes.
+  double depth_of(double k) const {
+    const double full = std::min(k, shrinking_);
+    return full * depth_ - less_ * full * (full - 1) / 2 + (k - full) * least_;
+  }
+  /// The fewest strokes that reach so far.
+  double number_of_shrinking(double way) const {
+    const double after = depth_of(shrinking_);
+    if (std::isnan(way)) return way;  // R and the bottom are too far apart
+    if (way > after) return shrinking_ + std::ceil((way - after) / least_);
+    double low = 0, high = std::min(shrinking_, 1e9);  // no cycle may take so many
+    if (depth_of(high) < way) return high + 1;
+    while (high - low > 1) {
+      const double middle = std::floor((low + high) / 2);
+      (depth_of(middle) < way ? low : high) = middle;
+    }
+    return high;
+  }
+
   double r_level_, bottom_, depth_;
+  double less_ = 0, least_ = 0;
+  double shrinking_ = 0;  ///< strokes that are longer than the least
 };
 
 /// A resolved call while its cycle is carried out.
@@ -139,7 +176,9 @@ class CannedCycle {
     run.start = last_(b);
     run.first = {words.get_or(CycleWords::X, run.start.x), words.get_or(CycleWords::Y, run.start.y),
                  words.get_or(CycleWords::Z, run.start.z)};
-    run.count = static_cast<int>(std::clamp(words.get_or(CycleWords::K, 1), 1.0, double{most_repeats}));
+    const auto counter = words.has(CycleWords::L) ? CycleWords::L : CycleWords::K;
+    run.count = static_cast<int>(std::clamp(words.get_or(counter, 1), 1.0, double{most_repeats}));
+    words.mask &= ~(1u << counter);  // what is left of K is a length
     if (run.count > 1) {
       run.increment = b.get(increment_).or_else({});
       run.turned = polar_repeats_(b, run.plane);
@@ -169,10 +208,10 @@ class CannedCycle {
     return mmds;
   }
 
-  /// Of P, Q, I and J those that this block names and the cycle does not use.
+  /// Of P, Q, I, J and K those that this block names and the cycle does not use.
   void say_unused(ig::Block& b, const CycleRun& run, std::string_view used) const {
-    constexpr std::string_view letters = "PQIJ";
-    constexpr std::array addresses{CycleWords::P, CycleWords::Q, CycleWords::I, CycleWords::J};
+    constexpr std::string_view letters = "PQIJK";
+    constexpr std::array addresses{CycleWords::P, CycleWords::Q, CycleWords::I, CycleWords::J, CycleWords::K};
     for (std::size_t i = 0; i < letters.size(); ++i) {
       const double value = run.words.get_or(addresses[i], 0);
       if (value == 0 || used.find(letters[i]) != std::string_view::npos || !b.is_fresh(stored_[i])) continue;
@@ -194,8 +233,9 @@ class CannedCycle {
  private:
   ig::Call call_;
   ig::Xyz increment_{"CannedCycle.Increment", ig::read, {ig::Life::block, "mm", "From hole to hole of a repeat."}};
-  std::array<ig::In<double>, 4> stored_{ig::In<double>{"CannedCycle.Params.P"}, ig::In<double>{"CannedCycle.Params.Q"},
-                                        ig::In<double>{"CannedCycle.Params.I"}, ig::In<double>{"CannedCycle.Params.J"}};
+  std::array<ig::In<double>, 5> stored_{ig::In<double>{"CannedCycle.Params.P"}, ig::In<double>{"CannedCycle.Params.Q"},
+                                        ig::In<double>{"CannedCycle.Params.I"}, ig::In<double>{"CannedCycle.Params.J"},
+                                        ig::In<double>{"CannedCycle.Params.K"}};
   ig::In<ig::Symbol> return_mode_{"CannedCycle.ReturnMode"};
   ig::In<double> initial_level_{"CannedCycle.InitialLevel"};
   ig::Xyz program_{"ProgramXyz", ig::write};

@@ -78,6 +78,22 @@ TEST_CASE("a peck that is nothing beside the hole does not end") {
   CHECK_FALSE(PeckStrokes(1.7e308, -1.7e308, 1).number() <= 1e9);
 }
 
+TEST_CASE("pecks that grow smaller") {
+  const PeckStrokes inch(0.1, -0.62, 0.25, 0.05, 0.1);
+  REQUIRE(inch.number() == 5);
+  const double levels[] = {-0.15, -0.35, -0.5, -0.6, -0.62};
+  for (int k = 1; k <= 5; ++k) CHECK(inch.level(k, 5) == Approx(levels[k - 1]));
+
+  CHECK(PeckStrokes(0, -10, 4, 0, 4).number() == 3);
+  CHECK(PeckStrokes(0, -9, 4, 1, 1).number() == 3);   // 4 3 2
+  CHECK(PeckStrokes(0, -10, 4, 1, 1).number() == 4);  // 4 3 2 1
+  CHECK(PeckStrokes(0, -10.5, 4, 1, 1).number() == 5);
+  CHECK(PeckStrokes(0, -10, 4, 100, 2).number() == 4);  // 4 2 2 2
+  CHECK(PeckStrokes(0, -1e9, 1, 1e-300, 1e-300).number() >= 1e9);
+  CHECK_FALSE(PeckStrokes(0, -1e300, 1e200, 1e-200, 1).number() <= 30'000);
+  CHECK_FALSE(PeckStrokes(1.7e308, -1.7e308, 2, 1, 1).number() <= 30'000);
+}
+
 TEST_CASE("levels of the pecks") {
   const PeckStrokes down(2, -20, 8);
   CHECK(down.level(1, 3) == -6);

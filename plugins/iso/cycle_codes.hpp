@@ -8,7 +8,7 @@
 
 namespace iso {
 
-inline constexpr std::array<std::string_view, 12> cycle_codes = {"G73", "G74", "G76", "G81", "G82", "G83",
+inline constexpr std::array<std::string_view, 13> cycle_codes = {"G73", "G74", "G76", "G77", "G81", "G82", "G83",
                                                                  "G84", "G85", "G86", "G87", "G88", "G89"};
 
 /// Some other codes, and then the cycles: rows of one Call.

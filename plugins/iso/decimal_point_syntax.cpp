@@ -46,8 +46,9 @@ struct DecimalPointSyntax {
     std::vector<char> letters;
     std::vector<Quantity> quantities;
   };
+  CycleK cycle_k;
   Row block = measured(row_of_block(addresses));
-  Row cycle_block = without_k(block);
+  Row cycle_block = cycle_k.is_length() ? block : without_k(block);
   RepeatCount repeat_count;
   std::vector<Row> rows = measured(rows_of(codes, words));
 
@@ -86,10 +87,11 @@ struct DecimalPointSyntax {
                            : Quantity::other;
   }
 
-  static Row measured(const WordRow& source) {
+  Row measured(const WordRow& source) const {
     Row out{source.code, {}, {}, {}};
     for (std::size_t i = 0; i < source.words.size(); ++i) {
-      const Quantity quantity = quantity_of(source.letters[i], source.units[i]);
+      const bool is_cycle_k = cycle_k.is_length() && source.letters[i] == 'K' && source.units[i] == "1";
+      const Quantity quantity = is_cycle_k ? Quantity::length : quantity_of(source.letters[i], source.units[i]);
       if (quantity == Quantity::other) continue;
       out.words.push_back(source.words[i]);
       out.letters.push_back(source.letters[i]);
@@ -97,7 +99,7 @@ struct DecimalPointSyntax {
     }
     return out;
   }
-  static std::vector<Row> measured(const std::vector<WordRow>& source) {
+  std::vector<Row> measured(const std::vector<WordRow>& source) const {
     std::vector<Row> out;
     for (const WordRow& row : source)
       if (Row r = measured(row); !r.words.empty()) out.push_back(std::move(r));

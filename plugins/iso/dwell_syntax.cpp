@@ -5,20 +5,22 @@
 namespace iso {
 namespace {
 
-enum class TimeUnit { seconds, milliseconds };
+enum class TimeUnit { seconds, milliseconds, by_point };
 
 struct Dwell {
   static constexpr auto spec = ig::syntax("DwellSyntax", "G04 dwell.").after("ParameterizedFlagSyntax");
 
   ig::Call g04_{{"G04"}, "X[s] U[s] P[]"};
   ig::Out<double> time_{"Dwell.Time"};
-  ig::Choice<TimeUnit> p_unit_{"p-unit", "s|ms", "s", "What P counts."};
+  ig::Choice<TimeUnit> p_unit_{"p-unit", "s|ms|by-point", "s",
+                               "What P counts: seconds, milliseconds, or milliseconds only where it has no point."};
 
   ig::Status build(ig::Block& b) {
+    const double p_per_second = p_unit_ == TimeUnit::milliseconds || is_bare(b) ? 1000 : 1;
     const auto words = b.take(g04_);
     if (!words) return ig::Status::unchanged;
     const auto x = (*words)['X'], u = (*words)['U'], p = (*words)['P'];
-    const double seconds = x ? *x : u ? *u : p ? (p_unit_ == TimeUnit::milliseconds ? *p / 1000 : *p) : 0;
+    const double seconds = x ? *x : u ? *u : p ? *p / p_per_second : 0;
     if (x.has_value() + u.has_value() + p.has_value() > 1)
       b.report(diag("ISO-0216"), ig::Where::word(g04_.code(0)), std::string_view(x ? "X" : "U"));
     if (seconds < 0) {
@@ -27,6 +29,14 @@ struct Dwell {
       b.set(time_, seconds);
     }
     return ig::Status::changed;
+  }
+
+ private:
+  bool is_bare(const ig::Block& b) const {
+    if (p_unit_ != TimeUnit::by_point) return false;
+    ig_word word{};
+    b.host()->word(b.raw(), g04_.word(0, 'P'), &word);
+    return (word.flags & IG_WORD_WITHOUT_POINT) != 0;
   }
 };
 

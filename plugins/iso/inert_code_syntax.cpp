@@ -13,10 +13,17 @@ struct InertCode {
                     "Parsing.Flags.G13.1 Parsing.Flags.G23 Parsing.Flags.G40 Parsing.Flags.G40.1 Parsing.Flags.G67",
                     ig::take | ig::wake, "Codes without words that are taken silently.", IG_CODE};
 
+  enum class Tuning { unknown, taken };
+  ig::Call tuning_codes_{{"G103", "G187"}, "P[] E[]"};
+  ig::Choice<Tuning> tuning_{"tuning", "unknown|G103-G187", "unknown",
+                             "Are G103 P (limit of the look-ahead) and G187 P E (smoothness) codes of the control? "
+                             "They change no position."};
+
   ig::Status build(ig::Block& b) {
+    const bool any = tuning_ == Tuning::taken && b.take(tuning_codes_).has_value();
     std::uint32_t found = 0;
     b.host()->take_code(b.raw(), codes_.ids(), static_cast<std::uint32_t>(codes_.size()), &found);
-    return found > 0 ? ig::Status::changed : ig::Status::unchanged;
+    return any || found > 0 ? ig::Status::changed : ig::Status::unchanged;
   }
 };
 

@@ -2,12 +2,14 @@
 /// (EXT) is added to each. The table is asked when a code selects a set and when G10 wrote into it.
 #include "coordinate_offset_util.hpp"
 #include "modal_group.hpp"
+#include "pattern_diagnostics.hpp"
 #include "work_offset_id.hpp"
 
 namespace iso {
 namespace {
 
 enum class DecimalSets { available, absent };
+enum class FurtherSets { absent, g110_g154 };
 
 struct IsoCoordinateOffset {
   static constexpr auto spec =
@@ -17,16 +19,23 @@ struct IsoCoordinateOffset {
 
   ig::Codes sets_{"G54",   "G55",   "G56",   "G57",   "G58",   "G59",   "G59.1", "G59.2",
                   "G59.3", "G59.4", "G59.5", "G59.6", "G59.7", "G59.8", "G59.9", "G54.1"};
+  ig::Codes further_{"G110", "G111", "G112", "G113", "G114", "G115", "G116", "G117", "G118", "G119", "G120",
+                     "G121", "G122", "G123", "G124", "G125", "G126", "G127", "G128", "G129", "G154"};
   ig::Call additional_{{"G54.1"}, "P[]"};
+  ig::Call by_p_{{"G154"}, "P[]"};
   ig::Word p_{"Parsing.P", ig::read, ""};
   ig::In<ig::Symbol> cycle_{"CannedCycle.Term"};
   ig::Out<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
   OffsetSection offset_{"CoordinateOffset"};
   ig::Signal table_changed_{"CoordinateOffset.~TableChanged", ig::read | ig::wake};
   ig::Service<ig_work_offset_1> table_{"isogloss.work-offset/1", ig::Need::required, "The origins."};
-  ig::Name g54_{"G54"}, g54_1_{"G54.1"};
+  ig::Name g54_{"G54"};
   ig::Choice<DecimalSets> decimal_sets_{"decimal-sets", "available|absent", "available",
                                         "Has the control G59.1 to G59.9? Where it has none they are an error."};
+
+  ig::Choice<FurtherSets> further_sets_{
+      "further-sets", "absent|G110-G154", "absent",
+      "Has the control G154 P1 and up, of which G110 to G129 are P1 to P20? Where it has none they are left."};
 
   ig::Status restart(ig::Block& b) {
     select(b, b.text(selected(b)), ig::Where::block());
@@ -41,7 +50,7 @@ struct IsoCoordinateOffset {
         b.report(diag("ISO-0367"), where, b.text(name), b.text(selected(b)));
         return ig::Status::changed;
       }
-      const auto number = set_number(b, name);
+      const auto number = set_number(b, *code);
       if (number) {
         select(b, WorkOffsetId::additional(*number).text(), where);
       } else {
@@ -49,25 +58,40 @@ struct IsoCoordinateOffset {
       }
       return ig::Status::changed;
     }
+    if (further_sets_ == FurtherSets::g110_g154)
+      if (const auto code = take_modal(b, further_)) {
+        select(b, WorkOffsetId::additional(further_number(b, *code)).text(), ig::Where::word(further_.id(*code)));
+        return ig::Status::changed;
+      }
     if (!b.is_raised(table_changed_)) return ig::Status::unchanged;
     select(b, b.text(selected(b)), ig::Where::block());
     return ig::Status::changed;
   }
 
  private:
-  static constexpr std::size_t first_decimal = 6, last_decimal = 14;  // of sets_
+  static constexpr std::size_t first_decimal = 6, last_decimal = 14, plain = 0, g54_1 = 15;  // of sets_
+  static constexpr std::size_t g154 = 20;                                                    // of further_
 
   ig::Symbol selected(const ig::Block& b) const { return b.get_or(id_, static_cast<ig::Symbol>(g54_)); }
 
+  /// G110 to G129 are P1 to P20 of G154; without P that is P1 too.
+  double further_number(ig::Block& b, std::size_t code) const {
+    if (code != g154) return static_cast<double>(code + 1);
+    const auto words = b.take(by_p_);
+    const auto p = words ? (*words)['P'] : std::nullopt;
+    if (!p) b.report(pattern_diag("ISO-0356"), ig::Where::word(by_p_.code(0)), b.text(by_p_.name(0)));
+    return p.value_or(1);
+  }
+
   /// G54.1 without P is P1. G54 P2 is G54.1 P2, unless a canned cycle waits for the P.
-  std::optional<double> set_number(ig::Block& b, ig::Symbol code) const {
-    if (code == g54_1_) {
+  std::optional<double> set_number(ig::Block& b, std::size_t code) const {
+    if (code == g54_1) {
       const auto words = b.take(additional_);
       const auto p = words ? (*words)['P'] : std::nullopt;
       if (!p) b.report(diag("ISO-0368"), ig::Where::word(additional_.code(0)));
       return p.value_or(1);
     }
-    if (code == g54_ && !b.has(cycle_)) return b.take(p_);
+    if (code == plain && !b.has(cycle_)) return b.take(p_);
     return std::nullopt;
   }
 

@@ -12,7 +12,12 @@ struct ManualBoringCycle {
                                    .after("SpindleSpeedSyntax", "CannedCycleResolveSyntax")
                                    .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
 
-  CannedCycle cycle_{"G88"};
+  enum class Codes { g88, g87_g88 };
+
+  ig::Choice<Codes> codes_{"codes", "G88|G87-G88", "G88", "G88 alone, or G87 as well, which does not wait."};
+  CannedCycle g88_alone_{"G88"}, both_{"G88", "G87"};
+  const CannedCycle& cycle_ = codes_ == Codes::g88 ? g88_alone_ : both_;
+  ig::Name g88_{"G88"};
   CycleDwell dwell_;
   CycleSpindle spindle_;
   ig::ManualMotion by_hand_;
@@ -22,8 +27,8 @@ struct ManualBoringCycle {
     const auto run = cycle_.take(b);
     if (!run) return ig::Status::unchanged;
     const double feed = cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom));
-    const double dwell = dwell_.seconds(*run);
-    cycle_.say_unused(b, *run, "P");
+    const double dwell = run->code == g88_ ? dwell_.seconds(*run) : 0;
+    cycle_.say_unused(b, *run, run->code == g88_ ? "P" : "");
     const ig::CompoundMotion& motion = cycle_.motion;
     if (!b.is(term_before_, run->code)) b.report(diag("ISO-0335"), cycle_.where(*run));
     spindle_.begin_clockwise(b, motion, cycle_.where(*run), run->code);

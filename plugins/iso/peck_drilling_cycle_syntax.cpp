@@ -29,7 +29,8 @@ struct PeckDrillingCycle {
     const auto pecks = pecks_.plan(b, cycle_, *run);
     const double feed = pecks ? cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom)) : 0;
     const double dwell = bottom_dwell_ == BottomDwell::bottom ? dwell_.seconds(*run) : 0;
-    cycle_.say_unused(b, *run, bottom_dwell_ == BottomDwell::bottom ? "QP" : "Q");
+    const bool waits = bottom_dwell_ == BottomDwell::bottom;
+    cycle_.say_unused(b, *run, pecks_.used(*run, waits ? "QP" : "Q", waits ? "IJKP" : "IJK"));
     const ig::CompoundMotion& motion = cycle_.motion;
 
     for (int i = 0; i < run->count; ++i) {
@@ -41,7 +42,10 @@ struct PeckDrillingCycle {
           if (k > 1) motion.rapid_to(b, hole.at(pecks->clear_of(k - 1)));
           motion.feed_to(b, hole.at(pecks->level(k)), feed);
           if (dwell > 0 && pecks->is_last(k)) motion.dwell(b, dwell);
-          if (!pecks->is_last(k) || last_retract_ == LastRetract::via_r) motion.rapid_to(b, hole.at(run->r_level));
+          if (!pecks->is_last(k))
+            motion.rapid_to(b, hole.at(pecks->clear_level));
+          else if (last_retract_ == LastRetract::via_r)
+            motion.rapid_to(b, hole.at(run->r_level));
         }
       }
       motion.rapid_to(b, hole.at(run->return_level));

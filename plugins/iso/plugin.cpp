@@ -2,7 +2,7 @@
 // registers itself at the end of its own file.
 #include <algorithm>
 
-#include "radius_compensation_diagnostics.hpp"
+#include "pattern_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -15,14 +15,16 @@ constexpr auto joined(const std::array<ig_diagnostic_decl, Sizes>&... parts) {
   return all;
 }
 
-constexpr auto all_diagnostics = joined(diagnostics, rotary_diagnostics, tilt_diagnostics, tool_center_diagnostics,
-                                        cycle_diagnostics, subprogram_diagnostics, radius_compensation_diagnostics);
+constexpr auto all_diagnostics =
+    joined(diagnostics, rotary_diagnostics, tilt_diagnostics, tool_center_diagnostics, cycle_diagnostics,
+           subprogram_diagnostics, radius_compensation_diagnostics, pattern_diagnostics);
 
 // Each part must stand where its codes are looked for.
 static_assert(all_diagnostics[tool_center_diag("ISO-0441")].code == std::string_view("ISO-0441"));
 static_assert(all_diagnostics[cycle_diag("ISO-0354")].code == std::string_view("ISO-0354"));
 static_assert(all_diagnostics[subprogram_diag("ISO-0494")].code == std::string_view("ISO-0494"));
 static_assert(all_diagnostics[radius_diag("ISO-0461")].code == std::string_view("ISO-0461"));
+static_assert(all_diagnostics[pattern_diag("ISO-0355")].code == std::string_view("ISO-0355"));
 
 }  // namespace
 }  // namespace iso

@@ -6,6 +6,16 @@
 
 namespace iso {
 
+/// What K of a canned cycle is: an option of each syntax that reads lengths.
+class CycleK {
+ public:
+  bool is_length() const { return k_ == Meaning::length; }
+
+ private:
+  enum class Meaning { count, length };
+  ig::Choice<Meaning> k_{"cycle-k", "count|length", "count", "K of a canned cycle counts its repeats, or is a length."};
+};
+
 class RepeatCount {
  public:
   /// True when K of the block itself is a count: a canned cycle is active and no motion code ends it here.

@@ -77,6 +77,8 @@ class ScaleAndMirror {
 class PolarRepeatsInForce {
  public:
   std::optional<PolarRepeats> operator()(const ig::Block& b, const PlaneAxes& plane) const {
+    if (const auto turn = b.get(pattern_turn_))
+      return PolarRepeats{*turn, b.get(pattern_center_).or_else({}), AxisMap{}, AxisMap{}};
     const auto turn = b.get(turn_);
     if (!turn) return std::nullopt;
     return PolarRepeats{*turn, b.get(pole_).or_else({}), scale_and_mirror_.axis(b, plane.first),
@@ -86,6 +88,8 @@ class PolarRepeatsInForce {
  private:
   ig::In<double> turn_{"PolarCoordinate.Turn_deg"};
   ig::Xyz pole_{"PolarCoordinate.Pole", ig::read};
+  ig::In<double> pattern_turn_{"HolePattern.Turn_deg"};
+  ig::Xyz pattern_center_{"HolePattern.Center", ig::read};
   ScaleAndMirror scale_and_mirror_;
 };
 

@@ -50,13 +50,18 @@ class ToolShift {
   };
 
   /// Says so where there is none, or where it is not what the block says.
-  Shift of(ig::Block& b, const CycleRun& run) const { return words_ == Words::q ? by_q(b, run) : by_vector(b, run); }
+  Shift of(ig::Block& b, const CycleRun& run) const {
+    const bool has_vector = run.words.get_or(CycleWords::I, 0) != 0 || run.words.get_or(CycleWords::J, 0) != 0;
+    const bool has_q = run.words.get_or(CycleWords::Q, 0) != 0;
+    return words_ == Words::q || (words_ == Words::q_or_ij && (has_q || !has_vector)) ? by_q(b, run)
+                                                                                      : by_vector(b, run);
+  }
 
   /// Degrees at which the spindle stops.
   double angle() const { return angle_; }
 
  private:
-  enum class Words { q, ij };
+  enum class Words { q, ij, q_or_ij };
   enum class FrameOfShift { program, machine };
 
   Shift by_q(ig::Block& b, const CycleRun& run) const {
@@ -76,7 +81,7 @@ class ToolShift {
     ig::Vec3 vector{run.words.get_or(CycleWords::I, 0), run.words.get_or(CycleWords::J, 0), 0};
     vector[run.plane.tool] = 0;
     if (vector == ig::Vec3{}) report_none(b, run, "I and J");
-    return {in_program(b, run.plane, vector), true};
+    return {in_program(b, run.plane, vector), words_ == Words::ij};
   }
 
   ig::Vec3 unit(const PlaneAxes& plane) const {
@@ -105,8 +110,8 @@ class ToolShift {
 
   ig::Choice<ShiftDirection> direction_{"shift-direction", "+X|-X|+Y|-Y|parameter", "+X",
                                         "Where Q shifts the bar, in terms of G17."};
-  ig::Choice<Words> words_{"shift-words", "q|ij", "q",
-                           "The words of the shift: Q, by rapid, or the vector I J, by feed."};
+  ig::Choice<Words> words_{"shift-words", "q|ij|q-or-ij", "q",
+                           "The words of the shift: Q, by rapid; the vector I J, by feed; Q or else I J, by rapid."};
   ig::Choice<FrameOfShift> frame_{"shift-frame", "program|machine", "program", "Whose axes the shift follows."};
   ig::NumberOption angle_{"angle", "0", {0, 360}, "deg", "Where the spindle stops."};
   ig::Config config_{"isogloss.canned-cycle/1", ig::Need::optional, "The machine's shift direction."};

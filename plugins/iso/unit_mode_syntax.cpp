@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cycle_codes.hpp"
 #include "modal_group.hpp"
 #include "repeat_count.hpp"
 
@@ -26,6 +27,8 @@ struct UnitMode {
   ig::Codes feed_modes_{{"G93", "G94", "G95"}, ig::read};
   ig::In<ig::Symbol> feed_mode_{"Feedrate.Term"};
   RepeatCount repeat_count_;
+  CycleK cycle_k_;
+  ig::Call cycle_ks_{cycle_codes, "K[1]", ig::read | ig::write};
   ig::Name inch_{"Inch"}, metric_{"Metric"}, g93_{"G93"};
 
   UnitMode() {
@@ -48,8 +51,16 @@ struct UnitMode {
  private:
   bool to_metric(ig::Block& b) const {
     const bool inverse_time = is_inverse_time(b);
-    const bool k_is_count = repeat_count_.is_k(b);
+    const bool k_is_count = !cycle_k_.is_length() && repeat_count_.is_k(b);
     bool any = false;
+    for (std::uint32_t row = 0; row < cycle_ks_.code_count() && cycle_k_.is_length(); ++row) {
+      const ig_field k = cycle_ks_.word(row, 'K');
+      ig_value value;
+      if (b.host()->get(b.raw(), k, &value) == 0) continue;
+      any = true;
+      if (const double mm = value.number * mm_per_inch; std::isfinite(mm))
+        b.host()->rewrite(b.raw(), k, {.number = mm});
+    }
     ig_value values[32];
     for (std::size_t at = 0; at < lengths_.size(); at += 32) {
       const auto n = static_cast<std::uint32_t>(std::min<std::size_t>(32, lengths_.size() - at));

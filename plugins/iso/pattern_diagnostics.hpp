@@ -1,0 +1,38 @@
+/// Diagnostics of hole patterns and of what some controls have more of: pecks that grow smaller, further work
+/// coordinate systems, pockets. The part of the plugin's table that follows radius_compensation_diagnostics.hpp.
+#pragma once
+
+#include "radius_compensation_diagnostics.hpp"
+
+namespace iso {
+
+inline constexpr std::array pattern_diagnostics{
+    ig::diagnostic(IG_ERROR, "ISO-0355", "{0} without a canned cycle: nothing is drilled",
+                   "A pattern drills its holes with the cycle in force, or with that of its own block (G81 to G89 and "
+                   "the like). Neither is there.",
+                   "G80 (then) G70 I20. J0 L6"),
+    ig::diagnostic(IG_NOTE, "ISO-0356", "{0} without P: P1 counts",
+                   "The code names a work coordinate system by P. Write P1 where the first one is meant.", "G154"),
+    ig::diagnostic(IG_ERROR, "ISO-0357", "{0}: {1}{2} is no number of holes: nothing is drilled",
+                   "L is a whole number from 1 to 10000.", "G70 I20. J0 L2.5"),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0358", "{0} without {1}: nothing is drilled",
+        "A circle and an arc of holes need I (radius) and L (number), the arc K (angle between holes) too; a "
+        "line needs I (distance) and L. J, the angle, is 0 where it is left out.",
+        "G70 J0 L6"),
+    ig::diagnostic(IG_WARNING, "ISO-0359", "{0}: {1}{2} is negative: a peck has no sign, the sign is ignored",
+                   "I, J and K of a peck cycle are depths of cut and always positive.",
+                   "G83 Z-20. R2. I-8. J1. K2. F100"),
+    ig::diagnostic(IG_ERROR, "ISO-0372", "{0} is not executed: the pocket is missing",
+                   "Pocket cycles are recognised only. The tool stays where it is.", "G13 I5. D1 F200"),
+    ig::diagnostic(IG_WARNING, "ISO-0373", "{0}: I without K: pecks do not grow smaller than {1} mm",
+                   "Each peck is J less than the one before, down to K. Without K they would come to nothing; the last "
+                   "size above 0 is kept.",
+                   "G83 Z-20. R2. I8. J1. F100"),
+};
+
+inline constexpr std::size_t pattern_end = radius_end + pattern_diagnostics.size();
+
+consteval std::uint32_t pattern_diag(std::string_view code) { return index_of(pattern_diagnostics, code, radius_end); }
+
+}  // namespace iso
