@@ -115,6 +115,16 @@ class Run(Command):
         done = self.run_it("run", self.program)
         self.assertRegex(done.stderr, r"note: dialect \w+ \(.*\); -d names another \[IG-0514\]")
 
+    def test_relatives_of_fanuc_are_told_apart(self):
+        for text, dialect in (("%\nO1234 (PART)\nG21 G00 X1.\nM30\n%\n", "fanuc"),
+                              ("%\nO12345\nG21 G00 G54.1 P1 X1.\nM30\n%\n", "fanuc"),
+                              ("%\nO0012 (FOR THE HAAS)\nG21 G00 X1.\nM30\n%\n", "haas"),
+                              ("%\nO01234\nG21 G00 X1.\nM30\n%\n", "haas"),
+                              ("%\nO1234\nG21 G00 G154 P2 X1.\nM30\n%\n", "haas"),
+                              ("%\nO1234\nG187 P1\nM30\n%\n", "haas")):
+            done = self.run_it("run", self.write("guess.nc", text), "--emit", "none")
+            self.assertIn(f"note: dialect {dialect} ", done.stderr)
+
     def test_dialect_by_file(self):
         dialect = self.write("mine.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="mine" extends="iso"/>')
         self.assertEqual(self.run_it("run", self.program, "-d", dialect).stdout,

@@ -1,0 +1,68 @@
+// The settings of a Haas control that change what a program means, by their numbers.
+#include <isogloss/sdk.hpp>
+
+namespace fanuc {
+namespace {
+
+constexpr std::string_view delta_z = "22", shift_direction = "27", retract_above_r = "52", default_to_float = "162";
+
+constexpr const char* shipped[] = {"22|Value=0.508", "27|Value=1", "52|Value=0", "162|Value=0"};
+
+struct HaasSettings {
+  static constexpr auto spec = ig::dependency("HaasSettings", "Settings of a Haas control, by number.")
+                                   .rows("Setting", "number")
+                                   .provides("isogloss.number-format/1", "isogloss.canned-cycle/1")
+                                   .ships(shipped);
+
+  ig::Column value{"Value", nullptr, "", {}, "The setting: mm, or the number of a choice."};
+  ig::Table table;
+
+  const void* service(std::string_view id) const {
+    if (id == "isogloss.number-format/1") return &number_format;
+    return id == "isogloss.canned-cycle/1" ? &cycles : nullptr;
+  }
+
+ private:
+  using Answer = std::optional<double>;
+
+  Answer length(std::string_view setting) const {
+    const Answer mm = table.value(setting, value);
+    return mm && *mm >= 0 ? mm : std::nullopt;
+  }
+  bool is_on(std::string_view setting) const { return table.value(setting, value).value_or(0) != 0; }
+
+  Answer number_format_of(std::string_view name) const {
+    if (name == "CalculatorDecimalPoint") return is_on(default_to_float) ? 1 : 0;
+    if (name == "LengthIncrement_mm" || name == "AngleIncrement_deg") return 0.001;
+    return name == "LengthIncrement_inch" ? Answer(0.0001) : std::nullopt;
+  }
+  Answer cycle_of(std::string_view name) const {
+    if (name == "PeckRetractionDistance_mm" || name == "HighSpeedPeckRetraction_mm") return length(delta_z);
+    if (name == "PeckClearanceAboveR_mm") return length(retract_above_r);
+    if (name == "ShiftDirectionX") return shift({2, 3});
+    if (name == "ShiftDirectionY") return shift({3, 1});
+    if (name == "ShiftDirectionZ") return shift({1, 2});
+    return std::nullopt;
+  }
+  /// 1 X+, 2 X-, 3 Y+, 4 Y-: the axes of the plane, as signed numbers of axes.
+  Answer shift(std::array<double, 2> plane) const {
+    const double choice = table.value(shift_direction, value).value_or(1);
+    const double axis = plane[choice > 2 ? 1 : 0];
+    return choice == 2 || choice == 4 ? -axis : axis;
+  }
+
+  template <Answer (HaasSettings::*question)(std::string_view) const>
+  static std::int32_t ask(void* self, ig_text name, double* out) {
+    const Answer answer = (static_cast<const HaasSettings*>(self)->*question)(ig::to_view(name));
+    if (answer) *out = *answer;
+    return answer ? 1 : 0;
+  }
+
+  ig_config_1 number_format{sizeof(ig_config_1), 0, this, &ask<&HaasSettings::number_format_of>};
+  ig_config_1 cycles{sizeof(ig_config_1), 0, this, &ask<&HaasSettings::cycle_of>};
+};
+
+const ig::Register<HaasSettings> registered;
+
+}  // namespace
+}  // namespace fanuc

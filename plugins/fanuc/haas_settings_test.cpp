@@ -1,0 +1,44 @@
+#include <catch2/catch.hpp>
+
+#include "../../tests/support/fake_dependency.hpp"
+
+using isogloss_test::FakeDependency;
+
+namespace {
+
+double number(const FakeDependency& table, const char* service, std::string_view name) {
+  const auto* s = table.service<ig_config_1>(service);
+  double out = -1000;
+  return s->number(s->self, {name.data(), name.size()}, &out) != 0 ? out : -1000;
+}
+
+constexpr const char* format = "isogloss.number-format/1";
+constexpr const char* cycle = "isogloss.canned-cycle/1";
+
+}  // namespace
+
+TEST_CASE("settings as shipped") {
+  const FakeDependency table(*ig_plugin_v1(), "HaasSettings");
+  CHECK(number(table, format, "CalculatorDecimalPoint") == 0);
+  CHECK(number(table, format, "LengthIncrement_mm") == 0.001);
+  CHECK(number(table, format, "LengthIncrement_inch") == 0.0001);
+  CHECK(number(table, format, "AngleIncrement_deg") == 0.001);
+  CHECK(number(table, cycle, "PeckRetractionDistance_mm") == 0.508);
+  CHECK(number(table, cycle, "HighSpeedPeckRetraction_mm") == 0.508);
+  CHECK(number(table, cycle, "PeckClearanceAboveR_mm") == 0);
+  CHECK(number(table, cycle, "ShiftDirectionX") == 2);
+  CHECK(number(table, cycle, "ShiftDirectionY") == 3);
+  CHECK(number(table, cycle, "ShiftDirectionZ") == 1);
+  CHECK(number(table, cycle, "Unknown") == -1000);
+  CHECK(number(table, format, "Unknown") == -1000);
+}
+
+TEST_CASE("settings of another machine") {
+  const FakeDependency table(
+      *ig_plugin_v1(), "HaasSettings",
+      {{"22", {{"Value", -1}}}, {"27", {{"Value", 4}}}, {"52", {{"Value", 2.54}}}, {"162", {{"Value", 1}}}});
+  CHECK(number(table, format, "CalculatorDecimalPoint") == 1);
+  CHECK(number(table, cycle, "PeckRetractionDistance_mm") == -1000);
+  CHECK(number(table, cycle, "PeckClearanceAboveR_mm") == 2.54);
+  CHECK(number(table, cycle, "ShiftDirectionZ") == -2);
+}
