@@ -1,12 +1,16 @@
 // The settings of a Haas control that change what a program means, by their numbers.
+#include <algorithm>
+
 #include <isogloss/sdk.hpp>
 
 namespace fanuc {
 namespace {
 
+constexpr std::string_view dimensioning = "9", tap_retract_speed = "130";
 constexpr std::string_view delta_z = "22", shift_direction = "27", retract_above_r = "52", default_to_float = "162";
 
-constexpr const char* shipped[] = {"22|Value=0.508", "27|Value=1", "52|Value=0", "162|Value=0"};
+constexpr const char* shipped[] = {"9|Value=0",  "22|Value=0.508", "27|Value=1",
+                                   "52|Value=0", "130|Value=1",    "162|Value=0"};
 
 struct HaasSettings {
   static constexpr auto spec = ig::dependency("HaasSettings", "Settings of a Haas control, by number.")
@@ -33,16 +37,23 @@ struct HaasSettings {
 
   Answer number_format_of(std::string_view name) const {
     if (name == "CalculatorDecimalPoint") return is_on(default_to_float) ? 1 : 0;
+    if (name == "StartsInInch") return is_on(dimensioning) ? 1 : 0;
     if (name == "LengthIncrement_mm" || name == "AngleIncrement_deg") return 0.001;
     return name == "LengthIncrement_inch" ? Answer(0.0001) : std::nullopt;
   }
   Answer cycle_of(std::string_view name) const {
     if (name == "PeckRetractionDistance_mm" || name == "HighSpeedPeckRetraction_mm") return length(delta_z);
     if (name == "PeckClearanceAboveR_mm") return length(retract_above_r);
+    if (name == "TappingExtractionOverride_percent") return tap_speed();
     if (name == "ShiftDirectionX") return shift({2, 3});
     if (name == "ShiftDirectionY") return shift({3, 1});
     if (name == "ShiftDirectionZ") return shift({1, 2});
     return std::nullopt;
+  }
+  /// 0 and 1 are the speed of the way in.
+  Answer tap_speed() const {
+    const double times = table.value(tap_retract_speed, value).value_or(1);
+    return times >= 0 && times <= 9 ? std::max(1.0, times) * 100 : Answer{};
   }
   /// 1 X+, 2 X-, 3 Y+, 4 Y-: the axes of the plane, as signed numbers of axes.
   Answer shift(std::array<double, 2> plane) const {

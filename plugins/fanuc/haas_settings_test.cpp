@@ -23,6 +23,8 @@ TEST_CASE("settings as shipped") {
   CHECK(number(table, format, "LengthIncrement_mm") == 0.001);
   CHECK(number(table, format, "LengthIncrement_inch") == 0.0001);
   CHECK(number(table, format, "AngleIncrement_deg") == 0.001);
+  CHECK(number(table, format, "StartsInInch") == 0);
+  CHECK(number(table, cycle, "TappingExtractionOverride_percent") == 100);
   CHECK(number(table, cycle, "PeckRetractionDistance_mm") == 0.508);
   CHECK(number(table, cycle, "HighSpeedPeckRetraction_mm") == 0.508);
   CHECK(number(table, cycle, "PeckClearanceAboveR_mm") == 0);
@@ -34,10 +36,16 @@ TEST_CASE("settings as shipped") {
 }
 
 TEST_CASE("settings of another machine") {
-  const FakeDependency table(
-      *ig_plugin_v1(), "HaasSettings",
-      {{"22", {{"Value", -1}}}, {"27", {{"Value", 4}}}, {"52", {{"Value", 2.54}}}, {"162", {{"Value", 1}}}});
+  const FakeDependency table(*ig_plugin_v1(), "HaasSettings",
+                             {{"9", {{"Value", 1}}},
+                              {"22", {{"Value", -1}}},
+                              {"130", {{"Value", 3}}},
+                              {"27", {{"Value", 4}}},
+                              {"52", {{"Value", 2.54}}},
+                              {"162", {{"Value", 1}}}});
   CHECK(number(table, format, "CalculatorDecimalPoint") == 1);
+  CHECK(number(table, format, "StartsInInch") == 1);
+  CHECK(number(table, cycle, "TappingExtractionOverride_percent") == 300);
   CHECK(number(table, cycle, "PeckRetractionDistance_mm") == -1000);
   CHECK(number(table, cycle, "PeckClearanceAboveR_mm") == 2.54);
   CHECK(number(table, cycle, "ShiftDirectionZ") == -2);

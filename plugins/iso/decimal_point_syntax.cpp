@@ -47,8 +47,10 @@ struct DecimalPointSyntax {
     std::vector<Quantity> quantities;
   };
   CycleK cycle_k;
+  TappingJ tapping_j;
   Row block = measured(row_of_block(addresses));
-  Row cycle_block = cycle_k.is_length() ? block : without_k(block);
+  Row cycle_block = cycle_k.is_length() ? block : without('K', block);
+  Row tapping_block = without('J', cycle_block);
   RepeatCount repeat_count;
   std::vector<Row> rows = measured(rows_of(codes, words));
 
@@ -70,7 +72,7 @@ struct DecimalPointSyntax {
 
   ig::Status build(ig::Block& b) const {
     if (rule == Rule::as_written && resolution == Resolution::keep) return ig::Status::unchanged;
-    bool changed = read_row(b, repeat_count.is_k(b) ? cycle_block : block);
+    bool changed = read_row(b, !repeat_count.is_k(b) ? block : tapping_j.is_ratio(b) ? tapping_block : cycle_block);
     for (const Row& row : rows) {
       ig_value present;
       if (b.host()->get(b.raw(), row.code, &present) != 0) changed |= read_row(b, row);
@@ -101,17 +103,28 @@ struct DecimalPointSyntax {
   }
   std::vector<Row> measured(const std::vector<WordRow>& source) const {
     std::vector<Row> out;
-    for (const WordRow& row : source)
-      if (Row r = measured(row); !r.words.empty()) out.push_back(std::move(r));
+    for (const WordRow& row : source) {
+      Row r = measured(row);
+      if (tapping_j.is_ratio() && is_tapping(row.code)) r = without('J', std::move(r));
+      if (!r.words.empty()) out.push_back(std::move(r));
+    }
     return out;
   }
 
-  static Row without_k(Row row) {
-    const auto k = std::find(row.letters.begin(), row.letters.end(), 'K');
-    if (k == row.letters.end()) return row;
-    const auto at = k - row.letters.begin();
+  bool is_tapping(ig_field code) const {
+    for (std::size_t i = 0; i < codes.size(); ++i)
+      if (codes.id(i) == code)
+        return std::find(TappingJ::cycles.begin(), TappingJ::cycles.end(), codes.path(i).substr(8)) !=
+               TappingJ::cycles.end();
+    return false;
+  }
+
+  static Row without(char letter, Row row) {
+    const auto found = std::find(row.letters.begin(), row.letters.end(), letter);
+    if (found == row.letters.end()) return row;
+    const auto at = found - row.letters.begin();
     row.words.erase(row.words.begin() + at);
-    row.letters.erase(k);
+    row.letters.erase(found);
     row.quantities.erase(row.quantities.begin() + at);
     return row;
   }

@@ -143,7 +143,7 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_ERROR, "ISO-0280", "{0} is unknown here and not executed",
                    "No syntax of the dialect knows this G code. What it would move or change is missing: positions are "
                    "unreliable from here on.",
-                   "G123"),
+                   "G199"),
     ig::diagnostic(IG_WARNING, "ISO-0281", "{0} is unknown here and not executed",
                    "No syntax of the dialect knows this M code; most M codes are the machine builder's own.", "M123"),
     ig::diagnostic(IG_ERROR, "ISO-0282", "{0} is not executed in this block, nor are its words",
@@ -261,7 +261,7 @@ inline constexpr std::array diagnostics{
                    "one (Fanuc: 5115 for G83, 5114 for G73).",
                    "G83 X10. Y10. Z-20. R2. Q4. F100"),
     ig::diagnostic(
-        IG_NOTE, "ISO-0335", "G88: at the bottom the control waits for the operator",
+        IG_NOTE, "ISO-0335", "{0}: at the bottom the control waits for the operator",
         "The operator draws the tool out of the hole by hand and presses cycle start. The run goes on with a "
         "rapid to R, marked as manual; the time at the bottom is the operator's. Said in the first block of "
         "a run of holes.",

@@ -1,4 +1,5 @@
-/// G88: bore to the bottom by feed, wait (P), stop the spindle; then the operator draws the tool out by hand.
+/// G88: bore to the bottom by feed, wait (P), stop the spindle; then the operator draws the tool out by hand. On some
+/// controls G87 is the same without the wait.
 ///
 /// Works on the call that CannedCycleResolveSyntax has resolved. What the operator does is a rapid to R, marked as
 /// manual. Every step is an item, also one of no length.
@@ -30,7 +31,7 @@ struct ManualBoringCycle {
     const double dwell = run->code == g88_ ? dwell_.seconds(*run) : 0;
     cycle_.say_unused(b, *run, run->code == g88_ ? "P" : "");
     const ig::CompoundMotion& motion = cycle_.motion;
-    if (!b.is(term_before_, run->code)) b.report(diag("ISO-0335"), cycle_.where(*run));
+    if (!b.is(term_before_, run->code)) b.report(diag("ISO-0335"), cycle_.where(*run), b.text(run->code));
     spindle_.begin_clockwise(b, motion, cycle_.where(*run), run->code);
 
     for (int i = 0; i < run->count; ++i) {

@@ -6,7 +6,6 @@
 
 #include "diagnostics.hpp"
 #include "leftovers.hpp"
-#include "pattern_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -42,7 +41,6 @@ struct NotExecuted {
       {ig::Call{{"G12.1"}, ""}, diag("ISO-0270")},
       {ig::Call{{"G07.1"}, "A[mm] B[mm] C[mm]"}, diag("ISO-0270")},
       {ig::Call{{"G22"}, "X Y Z I J K"}, diag("ISO-0272")},
-      {ig::Call{{"G12", "G13", "G150"}, "X Y Z I J K R L[] P[] Q D[] F"}, pattern_diag("ISO-0372")},
   };
   // Their rotary words are no positions to go to.
   ig::Call coordinates_{{"G10", "G50.1", "G51.1", "G52", "G92.1"}, "A B C"};

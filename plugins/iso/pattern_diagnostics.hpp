@@ -1,5 +1,6 @@
 /// Diagnostics of hole patterns and of what some controls have more of: pecks that grow smaller, further work
-/// coordinate systems, pockets. The part of the plugin's table that follows radius_compensation_diagnostics.hpp.
+/// coordinate systems, taps that leave faster. The part of the plugin's table that follows
+/// radius_compensation_diagnostics.hpp.
 #pragma once
 
 #include "radius_compensation_diagnostics.hpp"
@@ -23,12 +24,17 @@ inline constexpr std::array pattern_diagnostics{
     ig::diagnostic(IG_WARNING, "ISO-0359", "{0}: {1}{2} is negative: a peck has no sign, the sign is ignored",
                    "I, J and K of a peck cycle are depths of cut and always positive.",
                    "G83 Z-20. R2. I-8. J1. K2. F100"),
-    ig::diagnostic(IG_ERROR, "ISO-0372", "{0} is not executed: the pocket is missing",
-                   "Pocket cycles are recognised only. The tool stays where it is.", "G13 I5. D1 F200"),
-    ig::diagnostic(IG_WARNING, "ISO-0373", "{0}: I without K: pecks do not grow smaller than {1} mm",
+    ig::diagnostic(IG_WARNING, "ISO-0372", "{0}: I without K: pecks do not grow smaller than {1} mm",
                    "Each peck is J less than the one before, down to K. Without K they would come to nothing; the last "
                    "size above 0 is kept.",
                    "G83 Z-20. R2. I8. J1. F100"),
+    ig::diagnostic(IG_WARNING, "ISO-0373", "{0} before any G20 or G21: lengths count as {1}",
+                   "The program has not said its unit, so a setting of the machine decides. Write G20 or G21 first, or "
+                   "say how the machine is set. Said once in a run.",
+                   "X1. (in a program without G20 and G21)"),
+    ig::diagnostic(IG_WARNING, "ISO-0374", "{0}: the tap cannot leave {1} times as fast; J is left out",
+                   "J of a tapping cycle says how many times as fast the tap leaves the hole, from above 0 to 20.",
+                   "G84 Z-15. R5. F750. J-2."),
 };
 
 inline constexpr std::size_t pattern_end = radius_end + pattern_diagnostics.size();

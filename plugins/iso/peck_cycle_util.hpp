@@ -93,7 +93,7 @@ class PeckCycle {
     double least = std::fabs(run.words.get_or(CycleWords::K, 0));
     if (least == 0 && less > 0) {
       least = first - less * (std::ceil(first / less - 1e-9) - 1);
-      if (is_news) b.report(pattern_diag("ISO-0373"), cycle.where(run), b.text(run.code), least);
+      if (is_news) b.report(pattern_diag("ISO-0372"), cycle.where(run), b.text(run.code), least);
     }
     const PeckStrokes strokes(run.r_level, run.bottom, first, less, std::min(least, first));
     const double number = strokes.number();

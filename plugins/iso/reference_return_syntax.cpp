@@ -7,6 +7,7 @@ namespace iso {
 namespace {
 
 enum class WithoutAxes { nothing, all };
+enum class ToolLength { keep, cancel };
 
 struct ReferenceReturn {
   static constexpr auto spec = ig::syntax("ReferenceReturnSyntax", "G28 and G30 return to a reference position.")
@@ -23,11 +24,18 @@ struct ReferenceReturn {
   ig::Choice<WithoutAxes> without_axes_{"without-axes", "nothing|all", "nothing",
                                         "What G28 or G30 without an axis word returns."};
 
+  ig::Choice<ToolLength> tool_length_{"tool-length", "keep|cancel", "keep",
+                                      "Whether G28 ends G43 and G44 when the axes have arrived."};
+  ig::Out<ig::Symbol> compensation_{"ToolHeightCompensation.Term"};
+  ig::Out<double> offset_{"ToolHeightCompensation.Offset_mm"};
+  ig::Transform frame_{"ToolHeightCompensation", ig::read | ig::write};
+  ig::Name g43_{"G43"}, g44_{"G44"}, g49_{"G49"};
+
   ig::Status build(ig::Block& b) {
     bool any = false;
     if (const auto words = b.take(g28_)) {
       any = true;
-      go(b, *words, g28_, 1);
+      if (go(b, *words, g28_, 1) && tool_length_ == ToolLength::cancel) end_compensation(b);
     }
     if (const auto words = b.take(g30_)) {
       const double which = (*words)['P'].value_or(2);
@@ -43,7 +51,8 @@ struct ReferenceReturn {
  private:
   static constexpr std::uint32_t axes = 63;  // X Y Z A B C of a call
 
-  void go(ig::Block& b, const ig::Words& words, const ig::Call& call, std::uint32_t which) const {
+  /// True when the axes have arrived.
+  bool go(ig::Block& b, const ig::Words& words, const ig::Call& call, std::uint32_t which) const {
     const ig_field code = call.code(0);
     const ig::Vec3 from = last_(b);
     ig::PartialVec3 returned = axis_words(words);
@@ -51,18 +60,18 @@ struct ReferenceReturn {
     if ((words.mask & axes) == 0) {
       if (without_axes_ == WithoutAxes::nothing) {
         b.report(diag("ISO-0340"), ig::Where::word(code), b.text(words.code));
-        return;
+        return false;
       }
       returned = {7, from};
       turned = rotary_.all(b);
     } else if (returned.mask == 0 && turned.mask == 0) {
-      return;  // axes that the machine has not, which was said
+      return false;  // axes that the machine has not, which was said
     }
     const ig::Vec3 intermediate = returned.or_else(from);
     const auto over = b.to_machine(intermediate);
     if (!over) {
       not_invertible(b);
-      return;
+      return false;
     }
     ig::Vec3 reference = *over;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -70,7 +79,7 @@ struct ReferenceReturn {
     const auto end = b.to_program(reference);
     if (!end) {
       not_invertible(b);
-      return;
+      return false;
     }
     const PartialAngles turned_over = rotary_.approach(b, turned);
     PartialAngles turned_home = turned_over;
@@ -87,6 +96,17 @@ struct ReferenceReturn {
     b.set(program_, rounded(*end));
     b.set(machine_, reference);
     rotary_.end(b, turned_home);
+    return true;
+  }
+
+  /// The machine stays where it is; in the program it is a tool length elsewhere.
+  void end_compensation(ig::Block& b) const {
+    if (!b.is(compensation_, g43_) && !b.is(compensation_, g44_)) return;
+    const ig::PartialVec3 machine = b.get(machine_);
+    b.set(compensation_, g49_);
+    b.set(offset_, 0.0);
+    b.set_translation(frame_, {});
+    if (const auto here = b.to_program(machine.value)) b.set(program_, rounded(*here));
   }
 };
 

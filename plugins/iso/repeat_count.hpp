@@ -16,6 +16,23 @@ class CycleK {
   ig::Choice<Meaning> k_{"cycle-k", "count|length", "count", "K of a canned cycle counts its repeats, or is a length."};
 };
 
+/// What J of a tapping cycle is: an option of each syntax that reads lengths.
+class TappingJ {
+ public:
+  static constexpr std::array<std::string_view, 2> cycles{"G74", "G84"};
+
+  bool is_ratio() const { return j_ == Meaning::ratio; }
+  /// Of a block in which a canned cycle is active: J of the block itself is a ratio.
+  bool is_ratio(const ig::Block& b) const { return is_ratio() && (b.is(cycle_, g74_) || b.is(cycle_, g84_)); }
+
+ private:
+  enum class Meaning { length, ratio };
+  ig::Choice<Meaning> j_{"tapping-j", "length|ratio", "length",
+                         "J of G74 and G84 is a length, or how much faster the tap leaves."};
+  ig::In<ig::Symbol> cycle_{"CannedCycle.Term"};
+  ig::Name g74_{"G74"}, g84_{"G84"};
+};
+
 class RepeatCount {
  public:
   /// True when K of the block itself is a count: a canned cycle is active and no motion code ends it here.

@@ -4,6 +4,7 @@
 ///
 /// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
 #include "cycle_spindle.hpp"
+#include "pattern_diagnostics.hpp"
 #include "peck_tapping.hpp"
 
 namespace iso {
@@ -20,6 +21,7 @@ struct TappingCycle {
   enum class Rigid { by_code, always, parameter };
   enum class PeckRetract { by_d, to_r, parameter };
   enum class PeckDwell { last, every };
+  enum class JWord { none, retract_speed };
 
   CannedCycle cycle_{"G84", "G74"};
   CycleDwell dwell_;
@@ -33,6 +35,8 @@ struct TappingCycle {
   ig::Choice<PeckRetract> peck_retract_{"peck-retract", "by-d|to-r|parameter", "by-d",
                                         "How far the tap is withdrawn between the cuts of rigid tapping."};
   ig::Choice<PeckDwell> peck_dwell_{"peck-dwell", "last|every", "last", "After which cuts P waits."};
+  ig::Choice<JWord> j_word_{"j-word", "none|retract-speed", "none",
+                            "Whether J says how many times as fast a rigid tap leaves the hole."};
   ig::IntegerOption max_pecks_{"max-pecks", "10000", {1, most_pecks}, "Cuts of one hole."};
   ig::Config config_{"isogloss.canned-cycle/1", ig::Need::optional, "The machine's tapping parameters."};
 
@@ -46,7 +50,10 @@ struct TappingCycle {
     auto run = cycle_.take(b);
     if (!run) return ig::Status::unchanged;
     const Tap tap = tap_of(b, *run);
-    cycle_.say_unused(b, *run, dwell_at_ == Dwell::none ? "Q" : "PQ");
+    std::string_view used = "PQJ";
+    if (j_word_ == JWord::none || !tap.rigid) used.remove_suffix(1);
+    if (dwell_at_ == Dwell::none) used.remove_prefix(1);
+    cycle_.say_unused(b, *run, used);
     limit_steps(b, *run, tap.steps());
     spindle_.begin(b, cycle_.motion, tap.rigid ? ig::Spindle::stop : tap.in);
     for (int i = 0; i < run->count; ++i) {
@@ -60,6 +67,8 @@ struct TappingCycle {
   }
 
  private:
+  static constexpr double most_speed = 20;  // as the extraction override of a Fanuc: 2000 %
+
   /// What all holes of the block have in common.
   struct Tap {
     ig::Spindle in, out;
@@ -108,7 +117,7 @@ struct TappingCycle {
     tap.out_level = retract_ == Retract::feed_to_r ? run.r_level : run.return_level;
     tap.returns_by_rapid = retract_ == Retract::feed_to_r && run.returns_to_initial;
     tap.feed = cycle_.stroke_feed(b, std::fabs(run.r_level - run.bottom));
-    tap.feed_out = tap.rigid ? tap.feed * extraction_override() / 100 : tap.feed;
+    tap.feed_out = tap.rigid ? tap.feed * retract_speed(b, run) : tap.feed;
     const double dwell = dwell_.seconds(run);
     if (dwell_at_ != Dwell::none) tap.bottom_dwell = dwell;
     if (dwell_at_ == Dwell::bottom_and_r) tap.out_dwell = dwell;
@@ -128,9 +137,15 @@ struct TappingCycle {
     return stop_ == SpindleStop::parameter ? parameter("TappingSpindleStop", 1) != 0
                                            : stop_ == SpindleStop::before_reversal;
   }
-  double extraction_override() const {
+  /// In terms of the speed of the way in.
+  double retract_speed(ig::Block& b, const CycleRun& run) const {
+    if (j_word_ == JWord::retract_speed && run.words.has(CycleWords::J)) {
+      const double j = run.words.get_or(CycleWords::J, 0);
+      if (j > 0 && j <= most_speed) return j;
+      if (j != 0) b.report(pattern_diag("ISO-0374"), cycle_.where(run, CycleWords::J), b.text(run.code), j);
+    }
     const double percent = parameter("TappingExtractionOverride_percent", 100);
-    return percent > 0 ? percent : 100;
+    return percent > 0 ? percent / 100 : 1;
   }
   double parameter(std::string_view name, double fallback) const { return config_.number(name).value_or(fallback); }
 

@@ -5,6 +5,7 @@
 
 #include "cycle_codes.hpp"
 #include "modal_group.hpp"
+#include "pattern_diagnostics.hpp"
 #include "repeat_count.hpp"
 
 namespace iso {
@@ -28,18 +29,43 @@ struct UnitMode {
   ig::In<ig::Symbol> feed_mode_{"Feedrate.Term"};
   RepeatCount repeat_count_;
   CycleK cycle_k_;
+  TappingJ tapping_j_;
   ig::Call cycle_ks_{cycle_codes, "K[1]", ig::read | ig::write};
   ig::Name inch_{"Inch"}, metric_{"Metric"}, g93_{"G93"};
+
+  enum class Unsaid { silent, warning };
+  ig::Choice<Unsaid> unsaid_{"unsaid", "silent|warning", "silent",
+                             "Whether a length before any G20 or G21 is worth a warning: a setting of the machine says "
+                             "what it is."};
+  ig::Config format_{"isogloss.number-format/1", ig::Need::optional, "The unit in which a program starts."};
+  ig::Signal no_unit_yet_{"Unit.~Unsaid", ig::read | ig::write | ig::wake_while, ig::Life::modal};
 
   UnitMode() {
     for (std::size_t i = 0; i < lengths_.size(); ++i) {
       if (lengths_.unit(i) == "mm/min") feeds_.push_back(lengths_.id(i));
       if (lengths_.path(i) == "Parsing.K") k_ = lengths_.id(i);
+      if (lengths_.path(i) == "Parsing.J") j_ = lengths_.id(i);
+      for (const std::string_view cycle : TappingJ::cycles)
+        if (tapping_j_.is_ratio() && lengths_.path(i).substr(8) == std::string(cycle) + ".J")
+          ratios_.push_back(lengths_.id(i));
     }
+  }
+
+  ig::Status restart(ig::Block& b) {
+    const bool in_inch = format_.number("StartsInInch").value_or(0) != 0;
+    if (in_inch) {
+      b.set(term_, modes_.name(0));
+      b.set(system_, inch_);
+    }
+    if (unsaid_ == Unsaid::silent) return in_inch ? ig::Status::changed : ig::Status::unchanged;
+    b.raise(no_unit_yet_);
+    return ig::Status::changed;
   }
 
   ig::Status build(ig::Block& b) {
     const auto mode = take_modal(b, modes_);
+    const bool waits_for_unit = b.is_raised(no_unit_yet_);
+    if (waits_for_unit && (mode || say_unsaid(b))) b.erase(no_unit_yet_);
     if (mode) {
       b.set(term_, modes_.name(*mode));
       b.set(system_, *mode == 0 ? inch_ : metric_);
@@ -49,9 +75,23 @@ struct UnitMode {
   }
 
  private:
+  /// True at the first length that is not 0: the same number, and 25.4 times the way.
+  bool say_unsaid(ig::Block& b) const {
+    for (std::size_t i = 0; i < lengths_.size(); ++i) {
+      ig_value value;
+      if (b.host()->get(b.raw(), lengths_.id(i), &value) == 0 || value.number == 0) continue;
+      b.report(pattern_diag("ISO-0373"), ig::Where::word(lengths_.id(i)), lengths_.path(i).substr(8),
+               std::string_view(b.is(system_, inch_) ? "inches" : "mm"));
+      return true;
+    }
+    return false;
+  }
+
   bool to_metric(ig::Block& b) const {
     const bool inverse_time = is_inverse_time(b);
-    const bool k_is_count = !cycle_k_.is_length() && repeat_count_.is_k(b);
+    const bool in_cycle = repeat_count_.is_k(b);
+    const bool k_is_count = !cycle_k_.is_length() && in_cycle;
+    const bool j_is_ratio = in_cycle && tapping_j_.is_ratio(b);
     bool any = false;
     for (std::uint32_t row = 0; row < cycle_ks_.code_count() && cycle_k_.is_length(); ++row) {
       const ig_field k = cycle_ks_.word(row, 'K');
@@ -68,7 +108,8 @@ struct UnitMode {
       const std::uint32_t found = b.host()->get_many(b.raw(), ids, n, values);
       for (std::uint32_t i = 0; i < n; ++i) {
         if ((found >> i & 1u) == 0) continue;
-        if (k_is_count && ids[i] == k_) continue;
+        if ((k_is_count && ids[i] == k_) || (j_is_ratio && ids[i] == j_)) continue;
+        if (std::find(ratios_.begin(), ratios_.end(), ids[i]) != ratios_.end()) continue;
         if (inverse_time && std::find(feeds_.begin(), feeds_.end(), ids[i]) != feeds_.end()) continue;
         any = true;
         const double mm = values[i].number * mm_per_inch;
@@ -89,7 +130,8 @@ struct UnitMode {
   }
 
   std::vector<ig_field> feeds_;
-  ig_field k_ = IG_NO_FIELD;
+  std::vector<ig_field> ratios_;
+  ig_field k_ = IG_NO_FIELD, j_ = IG_NO_FIELD;
 };
 
 const ig::Register<UnitMode> registered;
