@@ -1,0 +1,24 @@
+/// Diagnostics of the controls that descend from Fanuc's. The part of the plugin's table that follows
+/// macro_diagnostics.hpp.
+#pragma once
+
+#include "macro_diagnostics.hpp"
+
+namespace fanuc {
+
+inline constexpr std::array brand_diagnostics{
+    ig::diagnostic(IG_ERROR, "FAN-0201", "{0} is not executed: {1}",
+                   "The control has this function, but it is recognised here only. The words that belong to it go with "
+                   "it, so that they are not taken for a move.",
+                   "G13 I5. D1 F200"),
+    ig::diagnostic(
+        IG_WARNING, "FAN-0202", "D{0} of a canned cycle has no effect: the feed does not change on the way",
+        "On a Mazak D is the distance at which the feed of a cycle changes. The hole is drilled at one feed.",
+        "G81 X10. Z-20. R2. D3. F100"),
+};
+
+consteval std::uint32_t brand_diag(std::string_view code) {
+  return index_of(brand_diagnostics, code, macro_diagnostics.size());
+}
+
+}  // namespace fanuc
