@@ -98,8 +98,7 @@ struct UnitMode {
       ig_value value;
       if (b.host()->get(b.raw(), k, &value) == 0) continue;
       any = true;
-      if (const double mm = value.number * mm_per_inch; std::isfinite(mm))
-        b.host()->rewrite(b.raw(), k, {.number = mm});
+      convert(b, k, value.number, "K");
     }
     ig_value values[32];
     for (std::size_t at = 0; at < lengths_.size(); at += 32) {
@@ -112,16 +111,19 @@ struct UnitMode {
         if (std::find(ratios_.begin(), ratios_.end(), ids[i]) != ratios_.end()) continue;
         if (inverse_time && std::find(feeds_.begin(), feeds_.end(), ids[i]) != feeds_.end()) continue;
         any = true;
-        const double mm = values[i].number * mm_per_inch;
-        if (std::isfinite(mm)) {
-          b.host()->rewrite(b.raw(), ids[i], {.number = mm});
-        } else {
-          b.report(diag("ISO-0117"), ig::Where::word(ids[i]), lengths_.path(at + i).substr(8));  // "Parsing."
-          b.host()->erase(b.raw(), ids[i]);
-        }
+        convert(b, ids[i], values[i].number, lengths_.path(at + i).substr(8));  // "Parsing."
       }
     }
     return any;
+  }
+
+  static void convert(ig::Block& b, ig_field word, double inches, std::string_view name) {
+    if (const double mm = inches * mm_per_inch; std::isfinite(mm)) {
+      b.host()->rewrite(b.raw(), word, {.number = mm});
+    } else {
+      b.report(diag("ISO-0117"), ig::Where::word(word), name);
+      b.host()->erase(b.raw(), word);
+    }
   }
 
   bool is_inverse_time(const ig::Block& b) const {

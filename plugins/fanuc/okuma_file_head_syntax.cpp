@@ -1,0 +1,20 @@
+/// `$PART.MIN%`: the line that an Okuma writes before a program, its name in the control's memory.
+#include "scan_util.hpp"
+
+namespace fanuc {
+namespace {
+
+struct OkumaFileHead {
+  static constexpr auto spec = ig::syntax("OkumaFileHeadSyntax", "Reads the line $NAME% before a program.")
+                                   .before("IsoCommentSyntax", "WordSyntax", "FlagSyntax")
+                                   .scans("$");
+
+  std::size_t scan(ig::Block&, std::string_view text, std::size_t position) const {
+    return text.find_first_not_of(" \t") == position ? iso::block_end(text, position) : position;
+  }
+};
+
+const ig::Register<OkumaFileHead> registered;
+
+}  // namespace
+}  // namespace fanuc
