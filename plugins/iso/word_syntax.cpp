@@ -45,6 +45,7 @@ struct WordSyntax {
   struct Address {
     ig_field field = IG_NO_FIELD;
     bool counts_increments = false;
+    bool may_lack_point = false;  // P: seconds or milliseconds on some controls
   };
   std::array<Address, 26> table{};
   std::array<bool, 256> begins_word{};
@@ -53,7 +54,9 @@ struct WordSyntax {
     for (std::size_t i = 0; i < addresses.size(); ++i) {
       const unsigned letter = letter_index(addresses.path(i).back());
       const std::string_view unit = addresses.unit(i);
-      if (letter < 26) table[letter] = {addresses.id(i), unit == "mm" || unit == "deg" || unit == "s"};
+      if (letter >= 26) continue;
+      const bool counts = unit == "mm" || unit == "deg" || unit == "s";
+      table[letter] = {addresses.id(i), counts, counts || letter == letter_index('P')};
     }
     for (std::size_t c = 0; c < begins_word.size(); ++c) begins_word[c] = is_address(static_cast<char>(c));
   }
@@ -63,7 +66,7 @@ struct WordSyntax {
     std::array<ig_word, 26> words;
     std::uint32_t count = 0;
     std::uint32_t letters = 0;
-    std::uint32_t flags = 0;  // of all words
+    bool without_point = false;
     std::ptrdiff_t most_decimals = 0;
   };
 
@@ -116,15 +119,14 @@ struct WordSyntax {
       ++run.count;
     }
     run.letters |= 1u << letter;
-    const bool bare = !d.has_point && address.counts_increments && d.value != 0;
-    const auto flags = bare ? static_cast<std::uint32_t>(IG_WORD_WITHOUT_POINT) : 0u;
-    run.flags |= flags;
+    const bool bare = !d.has_point && address.may_lack_point && d.value != 0;
+    run.without_point |= bare && address.counts_increments;
     run.most_decimals = std::max(run.most_decimals, d.decimals);
     run.words[place] = {.field = address.field,
                         .begin = column(begin),
                         .end = column(d.end),
                         .value = {.number = d.value + 0.0},  // -0 becomes 0
-                        .flags = flags,
+                        .flags = bare ? static_cast<std::uint32_t>(IG_WORD_WITHOUT_POINT) : 0u,
                         .reserved = 0};
     return d.end;
   }
@@ -142,7 +144,7 @@ struct WordSyntax {
       }
     }
     b.host()->set_words(b.raw(), run.words.data(), run.count);
-    if (run.flags != 0) b.raise(without_point);
+    if (run.without_point) b.raise(without_point);
     if (run.most_decimals > 3 && b.is_raised(cuts_digits)) b.raise(fine_digits);
   }
 
