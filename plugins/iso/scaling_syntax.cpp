@@ -33,6 +33,7 @@ struct Scaling {
   ig::Config config_{"isogloss.motion/1", ig::Need::optional, "ScalingUnit, ScalingFactor"};
   ig::NumberOption factor_unit_{
       "factor-unit", "0", {0, 1}, "", "What P1 and I1 mean; 0: as isogloss.motion/1 says, else 0.001."};
+  double least_ = factor_unit_ < 1 ? 1 : 0.001;  // of a count; a whole factor is written with decimals
   double unit_ = factor_unit_ > 0 ? double{factor_unit_} : config_.number("ScalingUnit").value_or(0.001);
 
   ig::Status build(ig::Block& b) {
@@ -71,7 +72,7 @@ struct Scaling {
       const char letter = words["IJK"[axis]] ? "IJK"[axis] : 'P';
       const auto counts = has_own && letter == 'P' ? std::nullopt : words[letter];
       if (!counts) continue;
-      if (!(std::fabs(*counts) >= 1 && std::fabs(*counts) <= most_counts) || (letter == 'P' && *counts < 0)) {
+      if (!(std::fabs(*counts) >= least_ && std::fabs(*counts) <= most_counts) || (letter == 'P' && *counts < 0)) {
         b.report(diag("ISO-0386"), ig::Where::word(g51_.word(0, letter)), std::string_view(&letter, 1), *counts);
         return;
       }
