@@ -6,6 +6,7 @@
 namespace fanuc {
 namespace {
 
+constexpr std::string_view scaling = "71", rotation = "72", rotation_adds = "73";
 constexpr std::string_view dimensioning = "9", tap_retract_speed = "130";
 constexpr std::string_view delta_z = "22", shift_direction = "27", retract_above_r = "52", default_to_float = "162";
 
@@ -15,7 +16,8 @@ constexpr const char* shipped[] = {"9|Value=0",  "22|Value=0.508", "27|Value=1",
 struct HaasSettings {
   static constexpr auto spec = ig::dependency("HaasSettings", "Settings of a Haas control, by number.")
                                    .rows("Setting", "number")
-                                   .provides("isogloss.number-format/1", "isogloss.canned-cycle/1")
+                                   .provides("isogloss.number-format/1", "isogloss.canned-cycle/1", "isogloss.motion/1",
+                                             "isogloss.coordinate-system/1")
                                    .ships(shipped);
 
   ig::Column value{"Value", nullptr, "", {}, "The setting: mm, or the number of a choice."};
@@ -23,6 +25,8 @@ struct HaasSettings {
 
   const void* service(std::string_view id) const {
     if (id == "isogloss.number-format/1") return &number_format;
+    if (id == "isogloss.motion/1") return &motion;
+    if (id == "isogloss.coordinate-system/1") return &coordinate_system;
     return id == "isogloss.canned-cycle/1" ? &cycles : nullptr;
   }
 
@@ -50,6 +54,15 @@ struct HaasSettings {
     if (name == "ShiftDirectionZ") return shift({1, 2});
     return std::nullopt;
   }
+  Answer motion_of(std::string_view name) const {
+    if (name == "ArcRadiusTolerance_mm") return 0.01;
+    const Answer factor = name == "ScalingFactor" ? table.value(scaling, value) : std::nullopt;
+    return factor && *factor > 0 ? factor : std::nullopt;
+  }
+  Answer coordinate_system_of(std::string_view name) const {
+    if (name == "RotationAngle_deg") return table.value(rotation, value);
+    return name == "RotationIsIncremental" ? Answer(is_on(rotation_adds) ? 1 : 0) : std::nullopt;
+  }
   /// 0 and 1 are the speed of the way in.
   Answer tap_speed() const {
     const double times = table.value(tap_retract_speed, value).value_or(1);
@@ -70,6 +83,8 @@ struct HaasSettings {
   }
 
   ig_config_1 number_format{sizeof(ig_config_1), 0, this, &ask<&HaasSettings::number_format_of>};
+  ig_config_1 motion{sizeof(ig_config_1), 0, this, &ask<&HaasSettings::motion_of>};
+  ig_config_1 coordinate_system{sizeof(ig_config_1), 0, this, &ask<&HaasSettings::coordinate_system_of>};
   ig_config_1 cycles{sizeof(ig_config_1), 0, this, &ask<&HaasSettings::cycle_of>};
 };
 
