@@ -24,7 +24,7 @@ struct BackBoring {
   CannedCycle g87_{"G87"}, g77_{"G77"};
   const CannedCycle& cycle_ = code_ == Code::g87 ? g87_ : g77_;
   CycleDwell dwell_;
-  CycleSpindle spindle_;
+  RestartedSpindle spindle_;
   ToolShift shift_;
   ig::Choice<RLevel> r_is_{"r-is", "top|bottom", "top", "Which end of the cut R is; Z is the other."};
   ig::Choice<Positioning> positioning_{"positioning", "shifted|centred", "shifted",
@@ -44,7 +44,7 @@ struct BackBoring {
     const ToolShift::Shift shift = shift_.of(b, *run);
     cycle_.say_unused(b, *run, dwell_at_ == Dwell::none ? "QIJ" : "PQIJ");
     const ig::CompoundMotion& motion = cycle_.motion;
-    spindle_.begin_clockwise(b, motion, cycle_.where(*run), run->code);
+    const auto start = spindle_.begin(b, motion, cycle_.where(*run), run->code);
 
     const auto move_aside = [&](const ig::Vec3& to) {
       shift.is_feed ? motion.feed_to(b, to, feed) : motion.rapid_to(b, to);
@@ -62,14 +62,14 @@ struct BackBoring {
       }
       motion.rapid_to(b, aside.at(low));
       move_aside(bore.at(low));
-      motion.spindle(b, ig::Spindle::cw);
+      motion.spindle(b, start);
       motion.feed_to(b, bore.at(high), feed);
       if (dwell > 0) motion.dwell(b, dwell);
       motion.orient(b, shift_.angle());
       move_aside(aside.at(high));
       motion.rapid_to(b, aside.at(run->return_level));
       move_aside(bore.at(run->return_level));
-      motion.spindle(b, ig::Spindle::cw);
+      motion.spindle(b, start);
     }
     cycle_.end(b, *run);
     return ig::Status::changed;

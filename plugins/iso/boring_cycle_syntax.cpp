@@ -17,7 +17,7 @@ struct BoringCycle {
 
   CannedCycle cycle_{"G85", "G86", "G89"};
   CycleDwell dwell_;
-  CycleSpindle spindle_;
+  RestartedSpindle spindle_;
   ig::Config config_{"isogloss.canned-cycle/1", ig::Need::optional, "BoringReturnOverride_percent"};
   ig::Choice<Retract> retract_{"retract", "feed-to-final|feed-to-r", "feed-to-final",
                                "How far G85 and G89 feed back: to the return level, or to R and by rapid from there."};
@@ -34,7 +34,7 @@ struct BoringCycle {
     const double dwell = waits(run->code) ? dwell_.seconds(*run) : 0;
     cycle_.say_unused(b, *run, waits(run->code) ? "P" : "");
     const ig::CompoundMotion& motion = cycle_.motion;
-    if (is_g86) spindle_.begin_clockwise(b, motion, cycle_.where(*run), run->code);
+    const auto start = is_g86 ? spindle_.begin(b, motion, cycle_.where(*run), run->code) : ig::Spindle::stop;
 
     for (int i = 0; i < run->count; ++i) {
       const CycleHole hole = run->hole(i);
@@ -45,7 +45,7 @@ struct BoringCycle {
       if (is_g86) {
         motion.spindle(b, ig::Spindle::stop);
         motion.rapid_to(b, hole.at(run->return_level));
-        motion.spindle(b, ig::Spindle::cw);
+        motion.spindle(b, start);
       } else if (retract_ == Retract::feed_to_final) {
         motion.feed_to(b, hole.at(run->return_level), feed * return_override_);
       } else {

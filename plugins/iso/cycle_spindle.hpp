@@ -22,22 +22,36 @@ class CycleSpindle {
     b.amend(direction_, name(last));
   }
 
-  /// The same for a cycle that stops the spindle and starts it clockwise, whatever it did before; `code` is the
-  /// cycle's.
-  void begin_clockwise(ig::Block& b, const ig::CompoundMotion& motion, const ig::Where& where, ig::Symbol code) const {
-    if (b.is(direction_, ccw_)) b.report(diag("ISO-0336"), where, b.text(code));
-    begin(b, motion, ig::Spindle::cw);
-  }
-
   /// How the spindle turns when the cycle begins; empty when nothing was ever said.
   std::optional<ig::Symbol> direction(const ig::Block& b) const { return b.get(direction_); }
   ig::Symbol name(ig::Spindle direction) const {
     return direction == ig::Spindle::cw ? cw_ : direction == ig::Spindle::ccw ? ccw_ : stop_;
   }
 
+ protected:
+  bool turns_ccw(const ig::Block& b) const { return b.is(direction_, ccw_); }
+
  private:
   ig::Out<ig::Symbol> direction_{"SpindleSpeed.Direction"};
   ig::Name cw_{"CW"}, ccw_{"CCW"}, stop_{"STOP"};
+};
+
+/// Of a cycle that stops the spindle and starts it again.
+class RestartedSpindle : public CycleSpindle {
+ public:
+  /// How the cycle starts it; `code` is the cycle's.
+  ig::Spindle begin(ig::Block& b, const ig::CompoundMotion& motion, const ig::Where& where, ig::Symbol code) const {
+    const bool ccw = turns_ccw(b);
+    if (ccw && restart_ == Restart::clockwise) b.report(diag("ISO-0336"), where, b.text(code));
+    const auto start = ccw && restart_ == Restart::as_before ? ig::Spindle::ccw : ig::Spindle::cw;
+    CycleSpindle::begin(b, motion, start);
+    return start;
+  }
+
+ private:
+  enum class Restart { clockwise, as_before };
+  ig::Choice<Restart> restart_{"restart", "clockwise|as-before", "clockwise",
+                               "How the cycle starts the spindle again: clockwise, or as it turned before."};
 };
 
 /// Fewer holes where the steps of all would be too many; says so. Counts one step for an M code of the block.

@@ -18,7 +18,7 @@ struct FineBoring {
 
   CannedCycle cycle_{"G76"};
   CycleDwell dwell_;
-  CycleSpindle spindle_;
+  RestartedSpindle spindle_;
   ToolShift shift_;
   ig::Choice<Dwell> dwell_at_{"dwell", "none|bottom", "none", "Where P waits."};
 
@@ -31,7 +31,7 @@ struct FineBoring {
     const ToolShift::Shift shift = shift_.of(b, *run);
     cycle_.say_unused(b, *run, dwell_at_ == Dwell::none ? "QIJ" : "PQIJ");
     const ig::CompoundMotion& motion = cycle_.motion;
-    spindle_.begin_clockwise(b, motion, cycle_.where(*run), run->code);
+    const auto start = spindle_.begin(b, motion, cycle_.where(*run), run->code);
 
     const auto move_aside = [&](const ig::Vec3& to) {
       shift.is_feed ? motion.feed_to(b, to, feed) : motion.rapid_to(b, to);
@@ -47,7 +47,7 @@ struct FineBoring {
       move_aside(aside.at(run->bottom));
       motion.rapid_to(b, aside.at(run->return_level));
       move_aside(hole.at(run->return_level));
-      motion.spindle(b, ig::Spindle::cw);
+      motion.spindle(b, start);
     }
     cycle_.end(b, *run);
     return ig::Status::changed;

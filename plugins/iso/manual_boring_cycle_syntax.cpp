@@ -20,7 +20,7 @@ struct ManualBoringCycle {
   const CannedCycle& cycle_ = codes_ == Codes::g88 ? g88_alone_ : both_;
   ig::Name g88_{"G88"};
   CycleDwell dwell_;
-  CycleSpindle spindle_;
+  RestartedSpindle spindle_;
   ig::ManualMotion by_hand_;
   ig::Previous<ig::Symbol> term_before_{"CannedCycle.Term"};
 
@@ -32,7 +32,7 @@ struct ManualBoringCycle {
     cycle_.say_unused(b, *run, run->code == g88_ ? "P" : "");
     const ig::CompoundMotion& motion = cycle_.motion;
     if (!b.is(term_before_, run->code)) b.report(diag("ISO-0335"), cycle_.where(*run), b.text(run->code));
-    spindle_.begin_clockwise(b, motion, cycle_.where(*run), run->code);
+    const auto start = spindle_.begin(b, motion, cycle_.where(*run), run->code);
 
     for (int i = 0; i < run->count; ++i) {
       const CycleHole hole = run->hole(i);
@@ -42,7 +42,7 @@ struct ManualBoringCycle {
       if (dwell > 0) motion.dwell(b, dwell);
       motion.spindle(b, ig::Spindle::stop);
       by_hand_.rapid_to(b, hole.at(run->r_level));
-      motion.spindle(b, ig::Spindle::cw);
+      motion.spindle(b, start);
       if (run->returns_to_initial) motion.rapid_to(b, hole.at(run->return_level));
     }
     cycle_.end(b, *run);
