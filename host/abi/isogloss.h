@@ -411,6 +411,9 @@ typedef struct ig_work_offset_1 {
   void* self;
   int32_t (*get)(void* self, ig_text id, double offset[3]);
   int32_t (*set)(void* self, ig_text id, const double offset[3]);
+  /* The same of A, B and C, in degrees. */
+  int32_t (*get_rotary)(void* self, ig_text id, double offset[3]);
+  int32_t (*set_rotary)(void* self, ig_text id, const double offset[3]);
 } ig_work_offset_1;
 
 /* isogloss.tool-offset/1: column 0 length geometry (H), 1 length wear, 2 radius geometry (D), 3 radius wear; mm. */

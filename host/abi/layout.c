@@ -201,6 +201,8 @@ AT(ig_work_offset_1, reserved, 4);
 AT(ig_work_offset_1, self, 8);
 AT(ig_work_offset_1, get, 16);
 AT(ig_work_offset_1, set, 24);
+AT(ig_work_offset_1, get_rotary, 32);
+AT(ig_work_offset_1, set_rotary, 40);
 
 GROWS_FROM(ig_tool_offset_1, 32);
 AT(ig_tool_offset_1, reserved, 4);

@@ -1,5 +1,6 @@
 // The work offsets: where the origin of each work coordinate system lies in machine coordinates. Sets that the control
 // has but no row names lie at machine zero, as they do before anyone has measured a part.
+#include <array>
 #include <charconv>
 
 #include <isogloss/sdk.hpp>
@@ -20,6 +21,10 @@ struct IsoCoordinateTable {
   ig::Column x{"X", "0", "mm", {}, "Origin in machine coordinates."};
   ig::Column y{"Y", "0", "mm", {}, "Origin in machine coordinates."};
   ig::Column z{"Z", "0", "mm", {}, "Origin in machine coordinates."};
+  std::array<ig::Column, 3> rotary{
+      ig::Column{"A", nullptr, "deg", {-1e6, 1e6}, "Angle of the machine at which the program counts 0."},
+      ig::Column{"B", nullptr, "deg", {-1e6, 1e6}, "Angle of the machine at which the program counts 0."},
+      ig::Column{"C", nullptr, "deg", {-1e6, 1e6}, "Angle of the machine at which the program counts 0."}};
   ig::Table table;
 
   const void* service(std::string_view id) const { return id == "isogloss.work-offset/1" ? &offsets : nullptr; }
@@ -58,7 +63,25 @@ struct IsoCoordinateTable {
                : 0;
   }
 
-  ig_work_offset_1 offsets{sizeof(ig_work_offset_1), 0, this, &get, &set};
+  static std::int32_t get_rotary(void* self, ig_text id, double offset[3]) {
+    const auto& t = *static_cast<const IsoCoordinateTable*>(self);
+    double present[3];
+    if (get(self, id, present) == 0) return 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      offset[axis] = t.table.value(ig::to_view(id), t.rotary[axis]).value_or(0);
+    return 1;
+  }
+  /// Axes whose origin stays are not written: a table that is saved names the axes that have one.
+  static std::int32_t set_rotary(void* self, ig_text id, const double offset[3]) {
+    const auto& t = *static_cast<const IsoCoordinateTable*>(self);
+    double present[3];
+    if (get_rotary(self, id, present) == 0) return 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (offset[axis] != present[axis] && !t.table.set_value(ig::to_view(id), t.rotary[axis], offset[axis])) return 0;
+    return 1;
+  }
+
+  ig_work_offset_1 offsets{sizeof(ig_work_offset_1), 0, this, &get, &set, &get_rotary, &set_rotary};
 };
 
 const ig::Register<IsoCoordinateTable> registered;
