@@ -276,7 +276,8 @@ class MacroEnvironment : public MacroFrame {
     const std::size_t axis = axis_of(b, index);
     if (axis == no_axis) return Fault::unknown_variable;
     if (axis > 2) {
-      out = group == tool_length ? 0 : b.get_or(rotary_[axis - 3], 0.0);
+      const double angle = b.get_or(rotary_[axis - 3], 0.0);
+      out = group == tool_length ? 0 : group == machine ? angle : angle - b.get_or(rotary_offset_[axis - 3], 0.0);
       return Fault::none;
     }
     switch (group) {
@@ -324,13 +325,23 @@ class MacroEnvironment : public MacroFrame {
   }
 
   Fault read_offset(const ig::Block& b, const OffsetCell& cell, double& out) const {
-    if (axis_of(b, cell.axis) == no_axis) return Fault::unknown_variable;
-    if (cell.axis > 2) return Fault::none;  // rotary axes have no offset here
+    const std::size_t axis = axis_of(b, cell.axis);
     double offset[3];
-    if (!offsets_ || offsets_->get(offsets_->self, ig::to_text(cell.id.text()), offset) == 0)
-      return Fault::unknown_variable;
-    out = in_program_unit(b, offset[cell.axis]);
+    if (axis == no_axis || !get_offset(cell, axis, offset)) return Fault::unknown_variable;
+    out = axis > 2 ? offset[axis - 3] : in_program_unit(b, offset[axis]);
     return Fault::none;
+  }
+
+  /// X Y Z or A B C of the set: those of which `axis` is one.
+  bool get_offset(const OffsetCell& cell, std::size_t axis, double (&offset)[3]) const {
+    const ig_text id = ig::to_text(cell.id.text());
+    if (!offsets_ || (axis > 2 && !has_rotary_offsets())) return false;
+    return (axis > 2 ? offsets_->get_rotary : offsets_->get)(offsets_->self, id, offset) != 0;
+  }
+  bool has_rotary_offsets() const {
+    const ig_work_offset_1& table = *offsets_.operator->();
+    constexpr std::size_t with_rotary = offsetof(ig_work_offset_1, set_rotary) + sizeof table.set_rotary;
+    return table.struct_size >= with_rotary && table.get_rotary != nullptr && table.set_rotary != nullptr;
   }
 
   struct ToolCell {
@@ -370,7 +381,7 @@ class MacroEnvironment : public MacroFrame {
 
   Written write_system(ig::Block& b, std::uint32_t n, double value) {
     const double mm = is_inch(b) ? value * inch_mm : value;
-    if (const OffsetCell cell = offset_cell(n); cell.exists) return write_offset(b, cell, mm);
+    if (const OffsetCell cell = offset_cell(n); cell.exists) return write_offset(b, cell, value);
     if (const ToolCell cell = tool_cell(n); cell.row != 0) {
       if (!tools_ || !std::isfinite(mm) || tools_->set(tools_->self, cell.row, cell.column, mm) == 0)
         return Written::no_row;
@@ -383,14 +394,16 @@ class MacroEnvironment : public MacroFrame {
     return Written::done;
   }
 
-  Written write_offset(ig::Block& b, const OffsetCell& cell, double mm) {
-    if (axis_of(b, cell.axis) == no_axis) return Written::no_variable;
+  Written write_offset(ig::Block& b, const OffsetCell& cell, double value) {
+    const std::size_t axis = axis_of(b, cell.axis);
+    if (axis == no_axis) return Written::no_variable;
+    const bool is_rotary = axis > 2;
+    const double to = !is_rotary && is_inch(b) ? value * inch_mm : value;
     double offset[3];
+    if (!std::isfinite(to) || !get_offset(cell, axis, offset)) return Written::no_row;
+    offset[axis % 3] = to;
     const ig_text id = ig::to_text(cell.id.text());
-    if (cell.axis > 2 || !offsets_ || !std::isfinite(mm) || offsets_->get(offsets_->self, id, offset) == 0)
-      return Written::no_row;
-    offset[cell.axis] = mm;
-    if (offsets_->set(offsets_->self, id, offset) == 0) return Written::no_row;
+    if ((is_rotary ? offsets_->set_rotary : offsets_->set)(offsets_->self, id, offset) == 0) return Written::no_row;
     b.raise(offsets_changed_);
     return Written::done;
   }
@@ -410,6 +423,11 @@ class MacroEnvironment : public MacroFrame {
   ig::Xyz program_xyz_{"ProgramXyz", ig::read}, machine_xyz_{"MachineCoordinate", ig::read};
   std::array<ig::In<double>, 3> rotary_{ig::In<double>{"MachineCoordinate.A"}, ig::In<double>{"MachineCoordinate.B"},
                                         ig::In<double>{"MachineCoordinate.C"}};
+  static constexpr ig::About rotary_offset_about{ig::Life::modal, "deg",
+                                                 "What is added to a programmed angle of the axis."};
+  std::array<ig::In<double>, 3> rotary_offset_{ig::In<double>{"RotaryOffset.A", ig::read, rotary_offset_about},
+                                               ig::In<double>{"RotaryOffset.B", ig::read, rotary_offset_about},
+                                               ig::In<double>{"RotaryOffset.C", ig::read, rotary_offset_about}};
   std::array<ig::In<double>, 3> work_origin_{ig::In<double>{"CoordinateOffset.Offset_X"},
                                              ig::In<double>{"CoordinateOffset.Offset_Y"},
                                              ig::In<double>{"CoordinateOffset.Offset_Z"}};

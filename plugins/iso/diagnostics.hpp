@@ -120,9 +120,9 @@ inline constexpr std::array diagnostics{
         "G43.1 H1"),
     ig::diagnostic(
         IG_ERROR, "ISO-0266", "{0} of a rotary axis is not executed: the axis keeps its coordinates",
-        "G92, G10, G52 and the mirror image act on X, Y and Z here, not on A, B and C. Positions of the axis "
-        "from here on are unreliable.",
-        "G92 A0"),
+        "The mirror image acts on X, Y and Z here, not on A, B and C; G10 writes rotary axes into work offsets alone, "
+        "where the table keeps them. Positions of the axis from here on are unreliable.",
+        "G51.1 A0"),
     ig::diagnostic(IG_ERROR, "ISO-0267", "{0} is not executed: its move is left out",
                    "The tool stays where it is. The position is unreliable until every axis is programmed in G90.",
                    "G37 H1 Z0"),

@@ -44,7 +44,7 @@ struct G53p1RotaryPosition {
   MotionGroup group_;
   BlockMotion move_;
   ToolCenterMode mode_;
-  RotaryTurns turn_{ig::read | ig::write};
+  RotaryTurns turn_{ig::read | ig::write, RotaryWordsAre::of_program};
   RotarySolver solver_;
   ToolKinematics machine_;
   ig::Name g68_2_{"G68.2"}, g68_3_{"G68.3"}, g68_4_{"G68.4"};
@@ -147,7 +147,8 @@ struct G53p1RotaryPosition {
       const std::size_t axis = machine_.axis(k);
       if (!b.take(rotary_[axis])) continue;
       out.mask |= 1u << axis;
-      out.value[axis] = turn_.axes().approach(axis, present[axis], to[axis]);
+      const double angle = turn_.is_incremental(b) ? to[axis] : turn_.to_machine(b, axis, to[axis]);
+      out.value[axis] = turn_.axes().approach(axis, present[axis], angle);
     }
     return out;
   }

@@ -1,8 +1,10 @@
 /// G54 to G59.9 and G54.1 P: which of the table's origins the program counts from. The external offset of the table
-/// (EXT) is added to each. The table is asked when a code selects a set and when G10 wrote into it.
+/// (EXT) is added to each, for rotary axes too. The table is asked when a code selects a set and when G10 wrote into
+/// it.
 #include "coordinate_offset_util.hpp"
 #include "modal_group.hpp"
 #include "pattern_diagnostics.hpp"
+#include "rotary_offset_util.hpp"
 #include "work_offset_id.hpp"
 
 namespace iso {
@@ -27,6 +29,7 @@ struct IsoCoordinateOffset {
   ig::In<ig::Symbol> cycle_{"CannedCycle.Term"};
   ig::Out<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
   OffsetSection offset_{"CoordinateOffset"};
+  RotaryOffsetSection rotary_{"CoordinateOffset"};
   ig::Signal table_changed_{"CoordinateOffset.~TableChanged", ig::read | ig::wake};
   ig::Service<ig_work_offset_1> table_{"isogloss.work-offset/1", ig::Need::required, "The origins."};
   ig::Name g54_{"G54"};
@@ -104,8 +107,15 @@ struct IsoCoordinateOffset {
     ig::Vec3 origin{offset[0], offset[1], offset[2]};
     if (table_->get(table_->self, ig::to_text("EXT"), external) != 0)
       origin = origin + ig::Vec3{external[0], external[1], external[2]};
+    rotary_.set(b, rotary_sum(id));
     b.set(id_, b.symbol(id));
     offset_.set(b, origin);
+  }
+
+  Angles rotary_sum(std::string_view id) const {
+    const Angles own = rotary_origin(table_, id).value_or(Angles{});
+    const Angles external = rotary_origin(table_, "EXT").value_or(Angles{});
+    return {own[0] + external[0], own[1] + external[1], own[2] + external[2]};
   }
 };
 

@@ -22,9 +22,9 @@ struct IsoCoordinateTable {
   ig::Column y{"Y", "0", "mm", {}, "Origin in machine coordinates."};
   ig::Column z{"Z", "0", "mm", {}, "Origin in machine coordinates."};
   std::array<ig::Column, 3> rotary{
-      ig::Column{"A", nullptr, "deg", {-1e6, 1e6}, "Angle of the machine at which the program counts 0."},
-      ig::Column{"B", nullptr, "deg", {-1e6, 1e6}, "Angle of the machine at which the program counts 0."},
-      ig::Column{"C", nullptr, "deg", {-1e6, 1e6}, "Angle of the machine at which the program counts 0."}};
+      ig::Column{"A", nullptr, "deg", {-1e9, 1e9}, "Angle of the machine at which the program counts 0."},
+      ig::Column{"B", nullptr, "deg", {-1e9, 1e9}, "Angle of the machine at which the program counts 0."},
+      ig::Column{"C", nullptr, "deg", {-1e9, 1e9}, "Angle of the machine at which the program counts 0."}};
   ig::Table table;
 
   const void* service(std::string_view id) const { return id == "isogloss.work-offset/1" ? &offsets : nullptr; }

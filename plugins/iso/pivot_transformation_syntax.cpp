@@ -12,7 +12,8 @@ struct PivotTransformation {
   static constexpr auto spec =
       ig::syntax("PivotTransformationSyntax", "The frame turns with the rotary axes: tip control, G53.1.")
           .after("IsoG68p2TiltSyntax", "G53p1RotaryPositionSyntax", "ToolCenterPointSyntax", "ToolHeightOffsetSyntax",
-                 "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax", "WorkCoordinateShiftSyntax")
+                 "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax", "WorkCoordinateShiftSyntax",
+                 "RotaryOffsetSyntax")
           .before("CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
 
   ig::InWhile<ig::Symbol> by_angles_{"ToolHeightCompensation.Term", "G43.4", ig::wake};
@@ -35,7 +36,7 @@ struct PivotTransformation {
                  {ig::Life::block, "mm", "Where the block begins, in its own frame, rotary axes at the start."}};
   ig::Signal turns_{"PivotTransform.~Turns", ig::write};
   ToolCenterMode mode_;
-  RotaryTurns turn_{ig::read | ig::write};
+  RotaryTurns turn_{ig::read | ig::write, RotaryWordsAre::of_machine};
   LastProgramXyz last_;
   ToolKinematics machine_;
 

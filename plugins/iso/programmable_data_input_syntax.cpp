@@ -2,7 +2,7 @@
 /// words replace what stands in the table, under G91 they are added. The syntaxes that read the tables hear of it by a
 /// signal and ask again in the same block. Between G10 L50 and G11 stand parameters of the control: their words are
 /// taken, so that nobody reads them as a motion.
-#include "diagnostics.hpp"
+#include "rotary_offset_util.hpp"
 #include "whole_number.hpp"
 #include "work_offset_id.hpp"
 
@@ -17,7 +17,7 @@ struct ProgrammableDataInput {
           .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PositioningModeSyntax")
           .before("ToolHeightOffsetSyntax", "IsoCoordinateOffsetSyntax", "IncrementalResolveSyntax");
 
-  ig::Call g10_{{"G10"}, "L[] P[] R X Y Z"};
+  ig::Call g10_{{"G10"}, "L[] P[] R X Y Z A B C"};
   ig::Codes g11_{"G11"};
   /// After G10 L50, up to G11.
   ig::Signal parameters_{"ProgrammableDataInput.~Parameters", ig::read | ig::write | ig::wake_while, ig::Life::modal};
@@ -29,6 +29,7 @@ struct ProgrammableDataInput {
   ig::Signal tools_changed_{"ToolHeightCompensation.~TableChanged", ig::write};
   ig::Service<ig_work_offset_1> offsets_{"isogloss.work-offset/1", ig::Need::required, "Written by L2 and L20."};
   ig::Service<ig_tool_offset_1> tools_{"isogloss.tool-offset/1", ig::Need::optional, "Written by L10 to L13."};
+  RotaryWords machine_axes_;
   ig::Name g91_{"G91"};
   ig::Choice<ToolColumns> tool_columns_{"tool-columns", "geometry-wear|wear-geometry", "geometry-wear",
                                         "What L10 and L11 (length), L12 and L13 (radius) write, in this order."};
@@ -41,8 +42,9 @@ struct ProgrammableDataInput {
       return (b.is_raised(parameters_) && swallow_parameter(b)) || ends ? ig::Status::changed : ig::Status::unchanged;
     const auto where = ig::Where::word(g10_.code(0));
     const auto table = (*words)['L'] == 1 ? std::optional(11.0) : (*words)['L'];  // L1: older programs
+    if (!is_work_offset(table)) say_not_executed(b, *words);
     if (table && (*table == 50 || *table == 52)) b.raise(parameters_);
-    const bool is_offset = table && (*table == 2 || *table == 20);
+    const bool is_offset = is_work_offset(table);
     const bool is_tool = tools_ && table && *table >= 10 && *table <= 13 && whole_number(*table);
     if (table && !is_offset && !is_tool) {
       b.report(diag("ISO-0220"), where, *table);
@@ -55,6 +57,14 @@ struct ProgrammableDataInput {
   }
 
  private:
+  static bool is_work_offset(std::optional<double> table) { return table && (*table == 2 || *table == 20); }
+
+  /// A, B and C have no meaning beside a tool offset.
+  void say_not_executed(ig::Block& b, const ig::Words& words) const {
+    for (const char axis : rotary_names)
+      if (words[axis]) b.report(diag("ISO-0266"), ig::Where::word(g10_.word(0, axis)), b.text(words.code));
+  }
+
   /// False when the table has no such row.
   bool write_offset(ig::Block& b, const ig::Words& words) const {
     const double row = *words['P'];
@@ -65,7 +75,23 @@ struct ProgrammableDataInput {
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (const auto word = words["XYZ"[axis]]) offset[axis] = adds ? offset[axis] + *word : *word;
     b.raise(offsets_changed_);
-    return offsets_->set(offsets_->self, ig::to_text(id.text()), offset) != 0;
+    return offsets_->set(offsets_->self, ig::to_text(id.text()), offset) != 0 && write_rotary(b, words, id.text());
+  }
+
+  bool write_rotary(ig::Block& b, const ig::Words& words, std::string_view id) const {
+    const PartialAngles named = rotary_coordinates(b, machine_axes_, words, g10_);
+    if (named.mask == 0) return true;
+    auto origin = rotary_origin(offsets_, id);
+    if (!origin) {
+      say_not_executed(b, words);
+      return true;
+    }
+    const bool adds = b.is(positioning_, g91_);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double to = named.value[axis] + (adds ? (*origin)[axis] : 0);
+      if (named.has(axis) && machine_axes_.accept(b, axis, to, g10_.word(0, rotary_names[axis]))) (*origin)[axis] = to;
+    }
+    return set_rotary_origin(offsets_, id, *origin);
   }
 
   bool write_tool(ig::Block& b, const ig::Words& words, double table) const {

@@ -1,7 +1,9 @@
 /// G29: from a reference position back to work, over the intermediate point of the last G28 or G30, by rapid and with
 /// the named axes only. Under G91 the words count from the intermediate point. Stands before ReferenceReturnSyntax,
 /// which takes the words of G28 and G30. Fanuc manual, "Reference position".
+#include "program_xyz_util.hpp"
 #include "reference_position.hpp"
+#include "rotary_offset_util.hpp"
 
 namespace iso {
 namespace {
@@ -24,6 +26,8 @@ struct ReturnFromReference {
   DistanceMode distance_;
   LastProgramXyz last_;
   RotaryReturn rotary_;
+  RotaryOffsets offsets_{ig::read};
+  RotaryAxes axes_;
 
   ig::Status build(ig::Block& b) {
     const bool stored = keep_intermediate(b);
@@ -44,9 +48,19 @@ struct ReturnFromReference {
     const std::uint32_t named = b.host()->get_many(b.raw(), passed_.row(*row), 6, values);
     for (std::size_t axis = 0; axis < 6; ++axis) {
       const ig_field place = axis < 3 ? intermediate_.id(axis) : turned_over_[axis - 3].id();
-      if ((named >> axis & 1u) != 0) b.host()->set(b.raw(), place, values[axis]);
+      if ((named >> axis & 1u) == 0) continue;
+      if (axis >= 3) values[axis].number = of_program(b, axis - 3, values[axis].number);
+      b.host()->set(b.raw(), place, values[axis]);
     }
     return named != 0;
+  }
+
+  /// The point is one of the program: a work offset that changes afterwards takes it along.
+  double of_program(const ig::Block& b, std::size_t axis, double machine) const {
+    const double offset = offsets_.get(b)[axis];
+    if (axes_.rollover(axis) == Rollover::signed_direction && !distance_.is_incremental(b))
+      machine = std::fabs(machine);
+    return offset == 0 ? machine : rounded(machine - offset);
   }
 
   void go(ig::Block& b, const ig::Words& words) const {
@@ -93,7 +107,7 @@ struct ReturnFromReference {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!named.has(axis)) continue;
       if (const auto stored = b.get(turned_over_[axis]))
-        over.value[axis] = rotary_.to_machine(axis, from[axis], *stored);
+        over.value[axis] = rotary_.to_machine(axis, from[axis], *stored + offsets_.get(b)[axis]);
       else
         say_straight(b, rotary_names[axis]);
     }

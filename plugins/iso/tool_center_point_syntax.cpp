@@ -49,7 +49,7 @@ struct ToolCenterPoint {
   TiltFrame tilt_{ig::read};
   ToolLengths lengths_{ig::Need::optional};
   ToolCenterMode mode_;
-  RotaryTurns turn_{ig::read | ig::write};
+  RotaryTurns turn_{ig::read | ig::write, RotaryWordsAre::of_program};
   RotarySolver solver_;
   ToolKinematics machine_;
   ig::Name g43_4_{"G43.4"}, g43_5_{"G43.5"};

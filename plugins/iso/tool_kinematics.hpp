@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "rotary_axis_util.hpp"
+#include "rotary_offset_util.hpp"
 #include "tilt_transform_util.hpp"
 
 namespace iso {
@@ -200,10 +200,13 @@ struct RotaryTurn {
   bool was_moved = false;    ///< something else (G28, G53) has turned the axes since: the frame is to be set anew
 };
 
+/// Before RotaryOffsetSyntax the words are angles of the program, after it angles of the machine.
+enum class RotaryWordsAre { of_program, of_machine };
+
 /// A member of each syntax that lets the frame follow the axes.
 class RotaryTurns {
  public:
-  explicit RotaryTurns(ig::Access state = ig::read) : state_(state) {}
+  RotaryTurns(ig::Access state, RotaryWordsAre words) : state_(state), words_are_(words) {}
 
   /// One look at all that counts: most blocks under tip control ask twice.
   RotaryTurn read(const ig::Block& b, const ToolKinematics& machine) const {
@@ -228,10 +231,14 @@ class RotaryTurns {
     }
     turn.is_followed = has_state;
     turn.to = now;
-    if (has_words && !(is_incremental && b.find(machine_select_)))  // the control ignores G53 under G91
+    if (has_words && !(is_incremental && b.find(machine_select_))) {  // the control ignores G53 under G91
+      const Angles offset = is_incremental ? Angles{} : offset_of_words(b);
       for (std::uint32_t k = 0; k < n; ++k)
-        if ((known >> k & 1u) != 0)
-          turn.to[machine.axis(k)] = position(machine.axis(k), v[k].number, now, is_incremental);
+        if ((known >> k & 1u) != 0) {
+          const std::size_t axis = machine.axis(k);
+          turn.to[axis] = position(axis, v[k].number, offset[axis], now, is_incremental);
+        }
+    }
     if (has_state && differ(machine, turn.from, now) && !is_written(b)) {
       turn.from = now;
       turn.was_moved = true;
@@ -242,16 +249,29 @@ class RotaryTurns {
   bool moves(const ToolKinematics& machine, const RotaryTurn& turn) const {
     return differ(machine, turn.from, turn.to);
   }
+  /// The angle of the machine that the word of a position names.
+  double to_machine(const ig::Block& b, std::size_t axis, double word) const {
+    return RotaryOffsets::to_machine(word, offset_of_words(b)[axis], axes_.rollover(axis));
+  }
+  bool is_incremental(const ig::Block& b) const { return distance_.is_incremental(b); }
   const PivotState& state() const { return state_; }
   const RotaryAngles& angles() const { return angles_; }
   const RotaryAxes& axes() const { return axes_; }
 
  private:
+  /// What has still to be added to the words of positions.
+  Angles offset_of_words(const ig::Block& b) const {
+    if (words_are_ == RotaryWordsAre::of_machine) return {};
+    const Angles offset = offsets_.get(b);
+    return offset == Angles{} || !b.find(machine_select_) ? offset : Angles{};
+  }
+
   /// Where a word sends its axis. One that McAbcSyntax refuses turns nothing; a sign that is a direction is none of the
   /// position.
-  double position(std::size_t axis, double word, const Angles& now, bool is_incremental) const {
+  double position(std::size_t axis, double word, double offset, const Angles& now, bool is_incremental) const {
     if (!(std::fabs(word) < detail::countable_deg) || (axes_.any() && !axes_.has(axis))) return now[axis];
     if (is_incremental) return now[axis] + word;
+    word = RotaryOffsets::to_machine(word, offset, axes_.rollover(axis));
     return axes_.rollover(axis) == Rollover::signed_direction ? std::fabs(word) : word;
   }
 
@@ -274,6 +294,8 @@ class RotaryTurns {
 
   RotaryAngles angles_;
   PivotState state_;
+  RotaryWordsAre words_are_;
+  RotaryOffsets offsets_{ig::read};
   RotaryAxes axes_;
   DistanceMode distance_;
   ig::Codes machine_select_{{"G53"}, ig::read};

@@ -2,8 +2,8 @@
 /// systems. Nothing moves. Fanuc manual, "Setting a workpiece coordinate system" and "Workpiece coordinate system
 /// preset".
 #include "coordinate_offset_util.hpp"
-#include "diagnostics.hpp"
 #include "program_xyz_util.hpp"
+#include "rotary_offset_util.hpp"
 
 namespace iso {
 namespace {
@@ -19,16 +19,23 @@ struct WorkCoordinateShift {
                   "ProgramXyzSyntax", "McXyzSyntax");
 
   ig::Call g92_{{"G92"}, "X Y Z A B C S"};
-  ig::Call g92_1_{{"G92.1"}, "X Y Z"};
-  ig::Call homes_{{"G28", "G30"}, "X Y Z", ig::read | ig::wake};
+  ig::Call g92_1_{{"G92.1"}, "X Y Z A B C"};
+  ig::Call homes_{{"G28", "G30"}, "X Y Z A B C", ig::read | ig::wake};
   OffsetSection shift_{"WorkCoordinateShift", {ig::Life::modal, "mm", "Shift of all work coordinate systems."}};
+  RotaryOffsetSection rotary_{"WorkCoordinateShift"};
+  RotaryOffsetSection work_{"CoordinateOffset", ig::read}, local_{"LocalCoordinateOffset", ig::read};
+  RotaryPosition angles_{ig::read};
+  RotaryWords machine_axes_;
   ig::Out<double> limit_{"SpindleSpeed.Limit_rpm", {ig::Life::modal, "1/min", "Highest speed under G96."}};
   ig::Xyz machine_{"MachineCoordinate", ig::read};
   LastProgramXyz last_;
   /// Axes that went home in a block before: the shift ends when the next block begins.
-  std::array<ig::Signal, 3> homed_{ig::Signal{"WorkCoordinateShift.~HomedX", waits, ig::Life::modal},
+  std::array<ig::Signal, 6> homed_{ig::Signal{"WorkCoordinateShift.~HomedX", waits, ig::Life::modal},
                                    ig::Signal{"WorkCoordinateShift.~HomedY", waits, ig::Life::modal},
-                                   ig::Signal{"WorkCoordinateShift.~HomedZ", waits, ig::Life::modal}};
+                                   ig::Signal{"WorkCoordinateShift.~HomedZ", waits, ig::Life::modal},
+                                   ig::Signal{"WorkCoordinateShift.~HomedA", waits, ig::Life::modal},
+                                   ig::Signal{"WorkCoordinateShift.~HomedB", waits, ig::Life::modal},
+                                   ig::Signal{"WorkCoordinateShift.~HomedC", waits, ig::Life::modal}};
 
   ig::Choice<ReferenceReturn> reference_return_{"reference-return", "keep|cancel", "keep",
                                                 "Does G28 or G30 end the shift of the axes that it names?"};
@@ -50,16 +57,17 @@ struct WorkCoordinateShift {
       set_position(b, *words);
       changed = true;
     }
-    if (reference_return_ == ReferenceReturn::cancel && shift_.get(b) != ig::Vec3{}) changed |= remember_home(b);
+    if (reference_return_ == ReferenceReturn::cancel && is_shifted(b)) changed |= remember_home(b);
     return changed ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
   static constexpr ig::Access waits = ig::read | ig::write | ig::wake_while;
 
+  bool is_shifted(const ig::Block& b) const { return shift_.get(b) != ig::Vec3{} || rotary_.get(b).value != Angles{}; }
+
   void set_position(ig::Block& b, const ig::Words& words) const {
-    for (const char rotary : {'A', 'B', 'C'})
-      if (words[rotary]) b.report(diag("ISO-0266"), ig::Where::word(g92_.word(0, rotary)), std::string_view("G92"));
+    set_angles(b, rotary_coordinates(b, machine_axes_, words, g92_));
     ig::Vec3 position = last_(b);
     const ig::PartialVec3 carried = b.get(machine_);
     const ig::Vec3 tool = carried.complete() ? carried.value : b.to_machine(position).value_or(ig::Vec3{});
@@ -69,6 +77,15 @@ struct WorkCoordinateShift {
       shift_to(b, tool, position);
     else if (words.mask == 0)
       b.report(diag("ISO-0365"), ig::Where::word(g92_.code(0)), b.text(words.code));
+  }
+
+  /// Such that the angles at which the axes stand get these numbers.
+  void set_angles(ig::Block& b, const PartialAngles& named) const {
+    const Angles machine = angles_.get(b).or_else({}), work = work_.get(b).value, local = local_.get(b).value;
+    Angles shift = rotary_.get(b).value;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (named.has(axis)) shift[axis] = rounded(machine[axis] - named.value[axis] - work[axis] - local[axis]);
+    rotary_.set(b, shift);
   }
 
   /// Such that `position` is the program point of the machine point `tool`.
@@ -97,29 +114,40 @@ struct WorkCoordinateShift {
                  *word);
       if (word || words.mask == 0) shift[axis] = 0;
     }
-    shift_.set(b, shift);
+    if ((words.mask & 7u) != 0 || words.mask == 0) shift_.set(b, shift);
+    Angles turned = rotary_.get(b).value;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto word = words[rotary_names[axis]];
+      if (word && *word != 0)
+        b.report(diag("ISO-0366"), ig::Where::word(g92_1_.row(0)[axis + 3]), rotary_names.substr(axis, 1), *word);
+      if (word || words.mask == 0) turned[axis] = 0;
+    }
+    rotary_.set(b, turned);
   }
 
   bool remember_home(ig::Block& b) const {
     const auto home = b.find(homes_);
     if (!home) return false;
-    ig_value words[3];
-    const std::uint32_t named = b.host()->get_many(b.raw(), homes_.row(*home), 3, words);
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    ig_value words[6];
+    const std::uint32_t named = b.host()->get_many(b.raw(), homes_.row(*home), 6, words);
+    for (std::size_t axis = 0; axis < homed_.size(); ++axis)
       if ((named >> axis & 1u) != 0) b.raise(homed_[axis]);
     return named != 0;
   }
 
   bool end_after_home(ig::Block& b) const {
-    ig::Vec3 shift = shift_.get(b);
+    const ig::Vec3 shift = shift_.get(b);
+    ig::Vec3 left = shift;
+    Angles turned = rotary_.get(b).value;
     bool any = false;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t axis = 0; axis < homed_.size(); ++axis) {
       if (!b.is_raised(homed_[axis])) continue;
       b.erase(homed_[axis]);
-      shift[axis] = 0;
+      (axis < 3 ? left[axis] : turned[axis - 3]) = 0;
       any = true;
     }
-    if (any) shift_.set(b, shift);
+    if (left != shift) shift_.set(b, left);
+    rotary_.set(b, turned);
     return any;
   }
 };
