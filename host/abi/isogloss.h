@@ -462,6 +462,11 @@ typedef struct ig_machine_kinematics_1 {
   int32_t (*pivot)(void* self, const double angles[3], double matrix[16]);
   /* The 0, 1 or 2 pairs of angles that give the tool this direction, whatever its length is. */
   uint32_t (*solve)(void* self, const double direction[3], const double present[3], ig_rotary_solution out[2]);
+  /* What the feed of the tip becomes on the axes: the speeds of X, Y and Z of the machine while the tip, at the point
+   * `tip` of the workpiece with a tool of `length` along its axis, goes at `tip_speed` in the workpiece and the rotary
+   * axes, at `angles`, turn at `turning` (degrees a second). */
+  int32_t (*axis_speeds)(void* self, const double angles[3], const double turning[3], const double tip[3],
+                         double length, const double tip_speed[3], double speeds[3]);
 } ig_machine_kinematics_1;
 
 /* Answers one number by name: isogloss.canned-cycle/1 (PeckRetractionDistance_mm, HighSpeedPeckRetraction_mm,

@@ -47,6 +47,8 @@ std::string summary_text(const std::string& program, const std::string& dialect,
          fmt::format("{} … {}", number(s.program_minimum[i]), number(s.program_maximum[i])));
   line("rapid time", s.rapid_time_known ? number(s.rapid_seconds) + " s" : "unknown (no rapid rates)");
   line("feed time", number(s.feed_seconds) + " s" + (s.feed_time_known ? "" : " and moves without a feed"));
+  if (s.slowed_feeds != 0)
+    line("slowed feeds", std::to_string(s.slowed_feeds) + " (an axis would pass its rapid rate)");
   line("dwell time", number(s.dwell_seconds) + " s");
   const double total = s.feed_seconds + s.dwell_seconds + (s.rapid_time_known ? s.rapid_seconds : 0);
   line("time", duration(total) + (s.rapid_time_known && s.feed_time_known ? "" : " and what is unknown"));

@@ -1,11 +1,14 @@
 // What a run amounts to: lengths, extents, times. Everything in machine space, arcs by their true length and bulge; but
-// a feed that leads the tip while rotary axes turn has the length of the tip's way.
+// a feed that leads the tip while rotary axes turn has the length of the tip's way, and is held back where an axis
+// would pass its rapid rate.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "isogloss/engine/chain.hpp"
 #include "isogloss/engine/exporter.hpp"
+#include "led_move.hpp"
 #include "motion_reader.hpp"
 
 namespace isogloss {
@@ -76,9 +79,17 @@ class SummaryExporter : public Exporter {
  public:
   SummaryExporter(Summary& summary, const RapidRates& rates) : reader_(false), s_(summary), rates_(rates) {}
 
-  void begin(Document& initial, const SymbolTable& symbols) override { reader_.begin(initial, symbols); }
+  void begin(Document& initial, const SymbolTable& symbols) override {
+    reader_.begin(initial, symbols);
+    const auto* const service =
+        initial.chain == nullptr ? nullptr : initial.chain->service("isogloss.machine-kinematics/1");
+    kinematics_ = static_cast<const ig_machine_kinematics_1*>(service);
+    tool_length_ = initial.layout().id("ToolHeightCompensation.Offset_mm");
+    lever_ = initial.layout().id("PivotTransform.Lever_mm");
+  }
   bool block(Document& document, const SymbolTable& symbols) override {
     ++s_.blocks;
+    document_ = &document;
     reader_.read(document, symbols, *this);
     return true;
   }
@@ -162,13 +173,36 @@ class SummaryExporter : public Exporter {
     for (unsigned i = 0; i < 6; ++i)
       if (m.from.has(i) && m.machine.has(i) && m.machine.at[i] != m.from.at[i] && !(rates_.per_second[i] > 0))
         s_.rapid_time_known = false;
-    s_.rapid_seconds += least_seconds(m);
+    s_.rapid_seconds += time_of(m, 0);
+  }
+
+  /// Of a move whose feed alone would take so long; 0: a rapid.
+  double time_of(const Move& m, double feed_seconds) {
+    double least = least_seconds(m);
+    bool is_slowed = least > feed_seconds * (1 + 1e-9);
+    double seconds = std::max(least, feed_seconds);
+    if (m.is_led && kinematics_ != nullptr) {
+      const LedMove::Time led = LedMove(*kinematics_, m, led_length()).time(feed_seconds, rates_.per_second);
+      if (led.is_known) {
+        is_slowed = led.is_slowed;
+        seconds = std::max(seconds, led.seconds);
+      }
+    }
+    if (is_slowed && feed_seconds > 0) ++s_.slowed_feeds;
+    return seconds;
+  }
+  /// From the gauge point to the point of the tool's axis that is led.
+  double led_length() const {
+    double length = 0;
+    for (const ig_field f : {tool_length_, lever_})
+      if (f != IG_NO_FIELD && document_->present(f)) length += document_->number(f);
+    return length;
   }
 
   void add_feed_time(const Move& m, double length) {
     if (length == 0) return;
     if (m.has_feed && m.feed_mmds > 0)
-      s_.feed_seconds += std::max(length / m.feed_mmds, least_seconds(m));
+      s_.feed_seconds += time_of(m, length / m.feed_mmds);
     else
       s_.feed_time_known = false;
   }
@@ -221,6 +255,9 @@ class SummaryExporter : public Exporter {
   MotionReader reader_;
   Summary& s_;
   RapidRates rates_;
+  const ig_machine_kinematics_1* kinematics_ = nullptr;
+  const Document* document_ = nullptr;
+  ig_field tool_length_ = IG_NO_FIELD, lever_ = IG_NO_FIELD;
   std::uint32_t machine_known_ = 0, program_known_ = 0;
 };
 

@@ -159,8 +159,21 @@ struct MachineKinematics {
     return n;
   }
 
+  static std::int32_t axis_speeds(void* self, const double angles[3], const double turning[3], const double tip[3],
+                                  double length, const double tip_speed[3], double out[3]) {
+    const RotaryMachine& machine = machine_of(self);
+    Angles at, turns;
+    if (!read_angles(machine, angles, at) || !read_angles(machine, turning, turns)) return 0;
+    const Vector speeds =
+        machine.axis_speeds(at, turns, {tip[0], tip[1], tip[2]}, length, {tip_speed[0], tip_speed[1], tip_speed[2]});
+    if (!speeds.allFinite()) return 0;
+    for (int i = 0; i < 3; ++i) out[i] = speeds[i];
+    return 1;
+  }
+
   RotaryMachine machine;
-  ig_machine_kinematics_1 answers{sizeof(ig_machine_kinematics_1), 0, this, &axes, &tool_axis, &pivot, &solve};
+  ig_machine_kinematics_1 answers{
+      sizeof(ig_machine_kinematics_1), 0, this, &axes, &tool_axis, &pivot, &solve, &axis_speeds};
 };
 
 const ig::Register<MachineKinematics> registered;

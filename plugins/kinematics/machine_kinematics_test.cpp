@@ -48,6 +48,12 @@ class Machine {
   }
   /// X Y Z of the machine for the tip at p, in machine coordinates of the rotary axes at zero.
   Vector gauge(const Angles& at, const Vector& p, double length) const { return carried(at, p + length * tool(at)); }
+  Vector speeds(const Angles& at, const Angles& turning, const Vector& tip, double length, const Vector& feed) const {
+    const double angles[] = {at.a, at.b, at.c}, rates[] = {turning.a, turning.b, turning.c};
+    double out[3] = {};
+    REQUIRE(service_.axis_speeds(service_.self, angles, rates, tip.data(), length, feed.data(), out) == 1);
+    return {out[0], out[1], out[2]};
+  }
   std::vector<ig_rotary_solution> solve(const Vector& t, const Angles& present = {}) const {
     const double now[] = {present.a, present.b, present.c}, direction[] = {t[0], t[1], t[2]};
     ig_rotary_solution out[2] = {};
@@ -324,6 +330,23 @@ TEST_CASE("what no machine can be is refused with the reason") {
              Contains("at most two"));
 }
 
+TEST_CASE("what the feed of the tip becomes on the axes: on paper") {
+  // Table C, its line through machine zero; the tip 100 mm out on X. C at 90 deg/s passes the tip by at 157 mm/s: to
+  // stay on its point of the workpiece the slides must go along, towards -Y, for C+ turns the workpiece clockwise.
+  const Machine table(ac_table);
+  const double around = 100 * std::numbers::pi / 2;
+  CHECK(near(table.speeds({}, {0, 0, 90}, {100, 0, 0}, 50, {0, 0, 0}), {0, -around, 0}));
+  // A feed of 10 mm/s outwards on top of it is one of the machine's X at C0, and towards -Y at C90.
+  CHECK(near(table.speeds({}, {0, 0, 90}, {100, 0, 0}, 50, {10, 0, 0}), {10, -around, 0}));
+  CHECK(near(table.speeds({0, 0, 90}, {0, 0, 90}, {100, 0, 0}, 50, {10, 0, 0}), {-around, -10, 0}));
+  // At rest the feed is the feed.
+  CHECK(near(table.speeds({}, {}, {100, 0, 0}, 50, {1, 2, 3}), {1, 2, 3}));
+  // Head B with its line 180 above the gauge point, a tool of 120: the tip rests, and the slides carry the line of B
+  // round it at a radius of 300.
+  const Machine head({{"B", {{"Place", "head"}, {"PivotZ", 180}}}});
+  CHECK(near(head.speeds({}, {0, 90, 0}, {0, 0, 0}, 120, {0, 0, 0}), {300 * std::numbers::pi / 2, 0, 0}));
+}
+
 TEST_CASE("without rows there is no service") {
   const FakeDependency none(*ig_plugin_v1(), "MachineKinematics");
   CHECK(none.service<ig_machine_kinematics_1>("isogloss.machine-kinematics/1") == nullptr);
@@ -341,6 +364,11 @@ TEST_CASE("no answer to what is no number") {
     CHECK(s.tool_axis(s.self, angles, out) == 0);
     CHECK(s.pivot(s.self, angles, out) == 0);
     CHECK(machine.solve({bad, 0, 1}).empty());
+    const double still[3] = {}, at_zero[3] = {}, bad_point[] = {bad, 0, 0};
+    CHECK(s.axis_speeds(s.self, angles, still, still, 0, still, out) == 0);
+    CHECK(s.axis_speeds(s.self, at_zero, angles, still, 0, still, out) == 0);
+    CHECK(s.axis_speeds(s.self, at_zero, still, bad_point, 0, bad_point, out) == 0);
+    CHECK(s.axis_speeds(s.self, at_zero, still, still, bad, bad_point, out) == 0);
     CHECK(machine.solve({0, 0, 1}, {0, 0, bad}).empty());
   }
   CHECK(machine.solve({0, 0, 0}).empty());
@@ -410,6 +438,17 @@ TEST_CASE("random machines, random directions") {
       const double length = 100 + mm(random) / 10;
       const Vector slides = work * tip - head * Vector(0, 0, -length);
       CHECK(near(machine.gauge(at, tip, length), slides, 1e-9));
+
+      // What the feed becomes on the axes: as far as the slides go in a short time, there and back.
+      const Angles turning{angle(random), angle(random), angle(random)};
+      const Vector feed{mm(random), mm(random), mm(random)};
+      constexpr double dt = 1e-5;
+      const auto after = [&](double time) {
+        const Angles then{at.a + time * turning.a, at.b + time * turning.b, at.c + time * turning.c};
+        return machine.gauge(then, tip + time * feed, length);
+      };
+      const Vector speeds = machine.speeds(at, turning, tip, length, feed);
+      CHECK(near(speeds, (after(dt) - after(-dt)) / (2 * dt), 1e-4));
 
       const auto found = machine.solve(3 * t, at);
       REQUIRE(!found.empty());

@@ -123,6 +123,26 @@ class RotaryMachine {
     translation -= gauge;
   }
 
+  /// The velocity of the machine's X Y Z while the tip at `tip` goes at `tip_speed` and the axes turn at `turning`,
+  /// deg/s. The derivative of pivot(tip + length tool_axis), step by step as those two are computed.
+  Vector axis_speeds(const Angles& angles, const Angles& turning, const Vector& tip, double length,
+                     const Vector& tip_speed) const {
+    Moving tool{turned(tool_, axes_[inner_].direction, turn_of(inner_, angles)), Vector::Zero()};
+    tool.speed = speed_of(inner_, turning) * axes_[inner_].direction.cross(tool.at);
+    if (count_ == 2) tool = carried(tool, outer_, angles, turning);
+    Moving point{tip + length * tool.at, tip_speed + length * tool.speed};
+    Moving gauge{Vector::Zero(), Vector::Zero()};
+    for (std::size_t i = count_; i-- > 0;) {
+      const RotaryAxis& axis = axes_[i];
+      Moving& moving = axis.place == Place::head ? gauge : point;
+      moving.at -= axis.point;
+      moving =
+          axis.place == Place::head ? carried(moving, i, angles, turning) : carried_back(moving, i, angles, turning);
+      moving.at += axis.point;
+    }
+    return point.speed - gauge.speed;
+  }
+
   /// The angles that turn the tool to `direction`, a unit vector: 0, 1 or 2 solutions.
   std::uint32_t solve(const Vector& direction, const Angles& present, std::array<Solution, 2>& out) const {
     out[0] = out[1] = {present, 0};
@@ -191,6 +211,25 @@ class RotaryMachine {
     out.angles[axes_[i].letter] = axes_[i].shown(radians);
   }
   void keep(std::size_t i, Solution& out) const { out.free |= 1u << axes_[i].letter; }
+
+  struct Moving {
+    Vector at, speed;
+  };
+  /// rad/s of the tool relative to the workpiece.
+  double speed_of(std::size_t i, const Angles& turning) const {
+    return axes_[i].sign * turning[axes_[i].letter] * (std::numbers::pi / 180);
+  }
+  Moving carried(const Moving& v, std::size_t i, const Angles& angles, const Angles& turning) const {
+    return carried(v, axes_[i].direction, turn_of(i, angles), speed_of(i, turning));
+  }
+  Moving carried_back(const Moving& v, std::size_t i, const Angles& angles, const Angles& turning) const {
+    const Turn& turn = turn_of(i, angles);
+    return carried(v, axes_[i].direction, {turn.cos, -turn.sin}, -speed_of(i, turning));
+  }
+  static Moving carried(const Moving& v, const Vector& about, const Turn& by, double speed) {
+    const Vector at = turned(v.at, about, by);
+    return {at, turned(v.speed, about, by) + speed * about.cross(at)};
+  }
 
   static Matrix matrix(const Vector& n, const Turn& by) {
     const double k = 1 - by.cos;

@@ -57,7 +57,8 @@ struct Summary {
   double program_minimum[3] = {}, program_maximum[3] = {};
   std::uint32_t axes = 0;  ///< bit for each machine axis that has a value
   std::uint64_t tool_changes = 0;
-  double turned_deg[3] = {};  ///< how far A, B and C turned, there and back
+  double turned_deg[3] = {};       ///< how far A, B and C turned, there and back
+  std::uint64_t slowed_feeds = 0;  ///< that an axis at its rapid rate holds back
 };
 /// Adds up into `summary`, which must live as long as the exporter.
 std::unique_ptr<Exporter> make_summary_exporter(Summary& summary, const RapidRates& rates);
