@@ -139,6 +139,8 @@ class Program:
     def __init__(self, rng, machine):
         self.rng, self.machine = rng, machine
         self.work = [rng.uniform(-100, 100) for _ in range(3)]
+        # The program counts the rotary axes from here.
+        self.turned = {a: rng.choice([0.0, round(rng.uniform(-40, 40), 4)]) for a in machine.letters}
         self.lengths = {1: 120.0, 2: rng.uniform(30, 200)}
         self.length = 0.0
         self.lines, self.wanted = [], {}
@@ -183,8 +185,11 @@ class Program:
         for letter in self.machine.letters:
             if self.rng.random() < 0.7:
                 self.angles[letter] = self.number(-170, 170)
-                text += f" {letter}{self.angles[letter]:.4f}"
+                text += self.word(letter)
         return text
+
+    def word(self, letter):
+        return f" {letter}{self.angles[letter] - self.turned[letter]:.4f}"
 
     def absolute(self):
         text = self.rng.choice(["", "G00 ", "G01 ", "G01 F800. "])
@@ -279,9 +284,8 @@ class Program:
     def level(self):
         self.write("G69")
         self.write("G49")
-        rest = " ".join(f"{a}0" for a in self.machine.letters)
-        self.write(f"G90 G00 {rest}")
         self.plane, self.length, self.angles = None, 0.0, {a: 0.0 for a in self.machine.letters}
+        self.write("G90 G00" + "".join(map(self.word, self.machine.letters)))
 
 
 def make(rng, shape):
@@ -302,7 +306,7 @@ def make(rng, shape):
         p.activate("G43.4" if "angles" in kind else "G43.5")
         if "plane" in kind and "angles" in kind:  # where G53.1 has left the axes is the control's choice
             p.angles = {a: 0.0 for a in machine.letters}
-            p.expect(p.write("G90 G01 F100. Z1. " + " ".join(f"{a}0" for a in machine.letters)))
+            p.expect(p.write("G90 G01 F100. Z1." + "".join(map(p.word, machine.letters))))
             p.point[2] = 1.0
             p.wanted.clear()
         for _ in range(40):
@@ -316,7 +320,7 @@ def make(rng, shape):
 
 
 def run(isogloss, plugins, folder, machine, program):
-    offsets = " ".join(f'{a}="{c!r}"' for a, c in zip("XYZ", program.work))
+    offsets = " ".join(f'{a}="{c!r}"' for a, c in [*zip("XYZ", program.work), *program.turned.items()])
     tools = "".join(f'<Tool id="{h}" H="{length!r}"/>' for h, length in program.lengths.items())
     (folder / "five.xml").write_text(f"""<?xml version="1.0" encoding="UTF-8"?>
 <Dialect xmlns="urn:isogloss:dialect:1" name="five" title="five axes" extends="iso">
