@@ -50,6 +50,27 @@ TEST_CASE("work offsets: what G10 writes is read back, and no set is invented") 
   CHECK(table.service<ig_work_offset_1>("isogloss.tool-offset/1") == nullptr);
 }
 
+TEST_CASE("work offsets: rotary axes have origins of their own") {
+  const FakeDependency table(*ig_plugin_v1(), "IsoCoordinateTable", {{"G55", {{"X", 100}, {"C", 12.5}}}});
+  const auto* s = table.service<ig_work_offset_1>("isogloss.work-offset/1");
+  double o[3] = {1, 1, 1};
+  REQUIRE(s->get_rotary(s->self, text("G55"), o) == 1);
+  CHECK((o[0] == 0 && o[1] == 0 && o[2] == 12.5));
+  REQUIRE(s->get_rotary(s->self, text("G54.1P300"), o) == 1);
+  CHECK((o[0] == 0 && o[1] == 0 && o[2] == 0));
+  const double turned[3] = {-90, 0, 30};
+  CHECK(s->set_rotary(s->self, text("G54.1P7"), turned) == 1);
+  CHECK(s->set_rotary(s->self, text("G55"), turned) == 1);
+  for (const char* id : {"G54.1P7", "G55"}) {
+    REQUIRE(s->get_rotary(s->self, text(id), o) == 1);
+    CHECK((o[0] == -90 && o[1] == 0 && o[2] == 30));
+  }
+  REQUIRE(offset(table, "G55", o));
+  CHECK((o[0] == 100 && o[1] == 0 && o[2] == 0));
+  CHECK(s->get_rotary(s->self, text("G53"), o) == 0);
+  CHECK(s->set_rotary(s->self, text("G53"), turned) == 0);
+}
+
 TEST_CASE("tool offsets: a number without a row is zero, or missing where the table says so") {
   const FakeDependency::Rows rows{{"1", {{"H", 125.4}, {"HWear", -0.1}, {"D", 5}}}};
   const FakeDependency zero(*ig_plugin_v1(), "ToolOffsetTable", rows, {{"size", "99"}});
