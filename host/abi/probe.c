@@ -19,3 +19,6 @@ IG_EXPORT void ig_probe_flow(const ig_flow_1* flow, const ig_go* go, const ig_fr
 void ig_probe_flow(const ig_flow_1* flow, const ig_go* go, const ig_frame* frame, const ig_place* place) {
   (void)flow, (void)go, (void)frame, (void)place;
 }
+
+IG_EXPORT void ig_probe_kinematics(const ig_machine_kinematics_1* kinematics);
+void ig_probe_kinematics(const ig_machine_kinematics_1* kinematics) { (void)kinematics; }

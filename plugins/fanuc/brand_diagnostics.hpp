@@ -23,7 +23,7 @@ inline constexpr std::array brand_diagnostics{
 };
 
 consteval std::uint32_t brand_diag(std::string_view code) {
-  return index_of(brand_diagnostics, code, macro_diagnostics.size());
+  return iso::index_of(brand_diagnostics, code, macro_diagnostics.size());
 }
 
 }  // namespace fanuc
