@@ -32,7 +32,9 @@ struct RotaryOffset {
                                        ig::Word("Parsing.B", ig::read, "deg").id(),
                                        ig::Word("Parsing.C", ig::read, "deg").id()};
   ig::Codes machine_select_{{"G53"}, ig::read};
-  ig::In<bool> aligned_{"TiltTransform.IsAligned"};
+  ig::Field<bool> aligned_{"TiltTransform.IsAligned",
+                           ig::read,
+                           {ig::Life::modal, "", "G53.1 or G53.6 has put the tool upright on the plane."}};
   ToolCenterMode tip_control_;
   DistanceMode distance_;
   RotaryAxes axes_;
