@@ -23,7 +23,6 @@ struct ManyFields {
     word = add("Parsing.X", IG_NUMBER, IG_LIFE_WORD);
     for (int i = 0; i < 200; ++i) owned = add("Parsing.A2.W" + std::to_string(i), IG_NUMBER, IG_LIFE_WORD);
     copy = add("Test.M0", IG_NUMBER, IG_LIFE_BLOCK, modal);
-    layout.modal_count = 70;
     layout.index();
   }
   Layout layout;

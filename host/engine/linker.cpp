@@ -311,8 +311,8 @@ class Linker {
     return record_field(static_cast<std::size_t>(l - lists.begin()), static_cast<std::size_t>(f - l->fields.begin()));
   }
 
-  // ---- ids: modal fields first, of them those whose values from before the block are asked for; then the block's,
-  // switches, codes, words, words of codes (Parsing.G81.X); the values from before the block last
+  // ---- ids: modal fields first, of them those whose values from before the block are asked for, with these values;
+  // then the block's, switches, codes, words, words of codes (Parsing.G81.X)
 
   static std::size_t rank(const Draft& draft) {
     const FieldInfo& info = draft.info;
@@ -323,34 +323,75 @@ class Linker {
     return std::count(info.path.begin(), info.path.end(), '.') > 1 ? 6 : 5;
   }
 
+  /// X Y Z of a section are read and written at once where the bits of the three lie in one word. Three that would
+  /// begin too late in a word let the next numbers that belong to none go first.
+  void keep_points_whole(std::vector<std::uint32_t>& numbers, std::size_t first_id) const {
+    for (std::size_t i = 0; i < numbers.size();) {
+      if (!begins_point(numbers, i)) {
+        ++i;
+        continue;
+      }
+      std::size_t room = 64 - (first_id + i) % 64;
+      for (std::size_t single = i + 3; room < 3 && room > 0 && single < numbers.size();) {
+        if (begins_point(numbers, single)) {
+          single += 3;
+          continue;
+        }
+        const auto found = numbers.begin() + static_cast<std::ptrdiff_t>(single++);
+        if (drafts_[*found].info.type == IG_TRANSFORM) continue;  // they compose in their order
+        std::rotate(numbers.begin() + static_cast<std::ptrdiff_t>(i), found, found + 1);
+        ++i;
+        --room;
+      }
+      i += 3;
+    }
+  }
+  bool begins_point(const std::vector<std::uint32_t>& numbers, std::size_t i) const {
+    if (numbers.size() - i < 3) return false;
+    const auto section = [&](std::size_t k, char axis) -> std::string_view {
+      const std::string_view path = drafts_[numbers[i + k]].info.path;
+      return path.size() > 2 && path[path.size() - 2] == '.' && path.back() == axis ? path.substr(0, path.size() - 1)
+                                                                                    : std::string_view();
+    };
+    const std::string_view x = section(0, 'X');
+    return !x.empty() && section(1, 'Y') == x && section(2, 'Z') == x;
+  }
+
   void assign_ids() {
     Layout& layout = out_->layout;
     std::array<std::vector<std::uint32_t>, 7> order;
-    std::vector<std::uint32_t> previous;  // in the order of their ids, so that one piece of memory holds them
     for (std::uint32_t i = 0; i < drafts_.size(); ++i) order[rank(drafts_[i])].push_back(i);
+    std::vector<std::uint32_t> previous;  // in the order of their ids, so that one piece of memory holds them
     for (const std::vector<std::uint32_t>& same_rank : order)
       for (const std::uint32_t number : same_rank)
         if (drafts_[number].has_previous) previous.push_back(number);
-    id_of_.resize(drafts_.size());
-    previous_id_of_.resize(drafts_.size(), IG_NO_FIELD);
-    layout.fields.reserve(drafts_.size() + previous.size());
-    for (const std::vector<std::uint32_t>& same_rank : order)
-      for (const std::uint32_t number : same_rank) {
-        FieldInfo& info = drafts_[number].info;
-        id_of_[number] = static_cast<ig_field>(layout.fields.size());
-        if (is_carried(info.life)) ++layout.modal_count;
-        if (info.type == IG_TRANSFORM) layout.transforms.push_back(id_of_[number]);
-        layout.fields.push_back(std::move(info));
-      }
     if (previous.size() > maximum_previous)
       say("IG-0216", {}, {std::to_string(previous.size()), std::to_string(maximum_previous)});
+
+    ig_field next = 0;
+    const auto give = [&](std::vector<std::uint32_t>& numbers, std::vector<ig_field>& ids) {
+      keep_points_whole(numbers, next);
+      for (const std::uint32_t number : numbers) ids[number] = next++;
+    };
+    id_of_.resize(drafts_.size(), IG_NO_FIELD);
+    previous_id_of_.resize(drafts_.size(), IG_NO_FIELD);
+    for (std::vector<std::uint32_t>& same_rank : order) {
+      give(same_rank, id_of_);
+      if (&same_rank == &order[0]) give(previous, previous_id_of_);
+    }
+    layout.fields.resize(next);
+    for (const std::vector<std::uint32_t>& same_rank : order)
+      for (const std::uint32_t number : same_rank) {
+        const ig_field id = id_of_[number];
+        if (drafts_[number].info.type == IG_TRANSFORM) layout.transforms.push_back(id);
+        layout.fields[id] = std::move(drafts_[number].info);
+      }
     for (const std::uint32_t number : previous) {
-      FieldInfo copy = layout.fields[id_of_[number]];
+      FieldInfo& copy = layout.fields[previous_id_of_[number]];
+      copy = layout.fields[id_of_[number]];
       copy.life = IG_LIFE_BLOCK;
       copy.hidden = true;
       copy.previous_of = id_of_[number];
-      previous_id_of_[number] = static_cast<ig_field>(layout.fields.size());
-      layout.fields.push_back(std::move(copy));
     }
     layout.index();
     order_for_show();

@@ -460,3 +460,47 @@ TEST_CASE("the first of two providers of a plugin's name is kept") {
   CHECK(library.refused()[0].code == "IG-0306");
   CHECK(library.refused()[1].code == "IG-0307");
 }
+
+TEST_CASE("X Y Z of a section lie side by side in one word of bits, and so do their values from before the block") {
+  constexpr std::uint32_t remembers = IG_READ | IG_WRITE | IG_PREVIOUS;
+  // However many numbers stand before them.
+  for (int before = 0; before <= 64; ++before) {
+    CAPTURE(before);
+    const bool has_previous = GENERATE(false, true);
+    const std::uint32_t access = has_previous ? remembers : IG_READ | IG_WRITE;
+    std::vector<std::string> paths;
+    for (int i = 0; i < before + 5; ++i) paths.push_back("Acme.N" + std::to_string(i));
+    Plugin plugin("p");
+    std::vector<ig_field_decl>& fields = plugin.syntax("Remembers").fields;
+    for (int i = 0; i < before; ++i)
+      fields.push_back(field(paths[static_cast<std::size_t>(i)].c_str(), IG_READ | IG_WRITE, IG_NUMBER, IG_LIFE_MODAL));
+    for (const char* path : {"Acme.X", "Acme.Y", "Acme.Z", "Other.X", "Other.Y", "Other.Z"})
+      fields.push_back(field(path, access, IG_NUMBER, IG_LIFE_MODAL));
+    for (int i = before; i < before + 5; ++i)
+      fields.push_back(field(paths[static_cast<std::size_t>(i)].c_str(), IG_READ | IG_WRITE, IG_NUMBER, IG_LIFE_MODAL));
+    Hand hand{"p"};
+    hand.add("Remembers");
+    Library library({});
+    library.add(plugin.get());
+    DiagnosticList found;
+    const auto linked = link(hand.dialect, library, found);
+    REQUIRE(linked);
+    const Layout& layout = linked->layout;
+    const auto copy_of = [&](ig_field f) {
+      ig_field copy = 0;
+      while (copy < layout.fields.size() && layout.fields[copy].previous_of != f) ++copy;
+      return copy;
+    };
+    for (const char* section : {"Acme.", "Other."}) {
+      const auto id = [&](const char* axis) { return layout.id(std::string(section) + axis); };
+      CHECK(id("Y") == id("X") + 1);
+      CHECK(id("Z") == id("X") + 2);
+      CHECK(id("X") / 64 == id("Z") / 64);
+      if (!has_previous) continue;
+      CHECK(copy_of(id("Y")) == copy_of(id("X")) + 1);
+      CHECK(copy_of(id("Z")) == copy_of(id("X")) + 2);
+      CHECK(copy_of(id("X")) / 64 == copy_of(id("Z")) / 64);
+    }
+    for (const std::string& path : paths) CHECK(layout.find(path));
+  }
+}

@@ -28,7 +28,6 @@ inline Layout test_layout() {
   layout.lists = standard_lists();
   for (ig_field f = 0; f < layout.fields.size(); ++f) {
     const FieldInfo& info = layout.fields[f];
-    if (info.life == IG_LIFE_MODAL) ++layout.modal_count;
     if (info.type == IG_TRANSFORM)
       layout.transforms.push_back(f);
     else if (info.type != IG_CODE && !info.hidden)

@@ -65,7 +65,6 @@ class Layout {
   std::vector<ListInfo> lists;
   std::vector<ig_field> shown;       ///< ids in the order in which JSON shows them (codes and transforms apart)
   std::vector<ig_field> transforms;  ///< in chain order
-  std::uint32_t modal_count = 0;
 
   std::optional<ig_field> find(std::string_view path) const;
   /// IG_NO_FIELD when the chain has no such field.
