@@ -69,6 +69,12 @@ bool FieldPattern::matches(std::string_view path, std::string_view unit) const {
   if (wild == "**") return rest > 0;
   if (wild == "?") return rest == 1;
   if (wild == "*" && path.find('.', prefix_size_) == std::string_view::npos) return rest > 0;
+  if (wild == "*.?") {
+    const std::size_t dot = path.find('.', prefix_size_);
+    if (dot == std::string_view::npos) return false;
+    // A letter alone behind the only point; a digit there may be the decimal of a code.
+    if (dot + 2 == path.size() && dot > prefix_size_ && (path.back() < '0' || path.back() > '9')) return true;
+  }
   return match(segments_, 0, path);
 }
 

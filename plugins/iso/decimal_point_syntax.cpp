@@ -52,7 +52,8 @@ struct DecimalPointSyntax {
   Row cycle_block = cycle_k.is_length() ? block : without('K', block);
   Row tapping_block = without('J', cycle_block);
   RepeatCount repeat_count;
-  std::vector<Row> rows = measured(rows_of(codes, words));
+  bool changes_nothing = rule == Rule::as_written && resolution == Resolution::keep;
+  std::vector<Row> rows = changes_nothing ? std::vector<Row>() : measured(rows_of(codes, words));
 
   /// Increments per unit: exact where the increment is a power of ten.
   struct Steps {
@@ -63,6 +64,10 @@ struct DecimalPointSyntax {
   bool counts_increments = rule == Rule::increment ||
                            (rule == Rule::parameter && number_format.number("CalculatorDecimalPoint").value_or(0) == 0);
 
+  DecimalPointSyntax() {
+    if (changes_nothing) ig::stay_idle();
+  }
+
   /// Most controls keep fine digits, and many programs are full of them: nobody wakes where none are cut.
   ig::Status restart(ig::Block& b) const {
     if (resolution == Resolution::keep) return ig::Status::unchanged;
@@ -71,7 +76,7 @@ struct DecimalPointSyntax {
   }
 
   ig::Status build(ig::Block& b) const {
-    if (rule == Rule::as_written && resolution == Resolution::keep) return ig::Status::unchanged;
+    if (changes_nothing) return ig::Status::unchanged;
     bool changed = read_row(b, !repeat_count.is_k(b) ? block : tapping_j.is_ratio(b) ? tapping_block : cycle_block);
     for (const Row& row : rows) {
       ig_value present;

@@ -77,12 +77,10 @@ class BlockMotion {
   template <class Length>
   void arc(ig::Block& b, const ig::Vec3& center, bool is_ccw, const Length& length) const {
     const double mmds = feed_.mmds(b, length);
-    const ig_field fields[] = {form_.id(),   center_.id(0), center_.id(1), center_.id(2),
-                               is_ccw_.id(), circles_.id(), feedrate_.id()};
-    const ig_value values[] = {symbol(arc_),         {.number = center.x},        {.number = center.y},
-                               {.number = center.z}, {.integer = is_ccw ? 1 : 0}, {.integer = 0},
-                               {.number = mmds}};
-    b.host()->set_many(b.raw(), fields, mmds > 0 ? 7 : 6, values);
+    b.set(center_, center);
+    const ig_field fields[] = {form_.id(), is_ccw_.id(), circles_.id(), feedrate_.id()};
+    const ig_value values[] = {symbol(arc_), {.integer = is_ccw ? 1 : 0}, {.integer = 0}, {.number = mmds}};
+    b.host()->set_many(b.raw(), fields, mmds > 0 ? 4 : 3, values);
     if (mmds <= 0) say_no_feed(b);
   }
   /// By a feed of its own, in mm/s; 0: none is in force, which was said.
