@@ -1,6 +1,9 @@
 // Words and codes whose value is computed: X#1, Z-[#2+1.], G#5, M[#6+10]. Their values have full precision and count as
 // written with a decimal point; an empty variable makes the word absent. Evaluated while the block is read, so that all
 // syntaxes after it see plain words.
+#include <algorithm>
+#include <string>
+
 #include "code_fields.hpp"
 #include "macro_environment.hpp"
 #include "scan_util.hpp"
@@ -63,6 +66,8 @@ struct FanucMacroWord {
     ExpressionRules rules = environment_.rules();
     rules.increment = increment_of(b, letter);
     const auto variables = [&](std::uint32_t number, MacroValue& out) { return environment_.read(b, number, out); };
+    const bool is_variable = text[value] == '#' && iso::is_digit(iso::at(text, value + 1));
+    if (!is_variable && has_inner_comment(text, value)) text = blanked_;
     Outcome o = evaluate_operand(text, value, rules, variables);
     const std::size_t whole = iso::skip_expression(text, value);
     if (!o.ok()) {
@@ -91,6 +96,26 @@ struct FanucMacroWord {
         set_word(b, letter, number, begin, o.end, iso::piece(text, begin, o.end));
     }
     return o.end;
+  }
+
+  /// True when comments stand between the brackets behind `position`; blanked_ is the text with blanks for them.
+  bool has_inner_comment(std::string_view text, std::size_t position) {
+    int depth = 0;
+    bool any = false;
+    for (std::size_t i = position; i < text.size(); ++i) {
+      if (text[i] == '(' && depth > 0) {
+        const std::size_t close = iso::skip_bracketed(text, i);
+        if (!any) blanked_.assign(text);
+        any = true;
+        std::fill(blanked_.begin() + static_cast<std::ptrdiff_t>(i),
+                  blanked_.begin() + static_cast<std::ptrdiff_t>(close), ' ');
+        i = close - 1;
+        continue;
+      }
+      if (text[i] == '[') ++depth;
+      if (text[i] == ']' && --depth <= 0) break;
+    }
+    return any;
   }
 
   /// What ROUND rounds to in this word; 0: whole numbers.
@@ -131,6 +156,8 @@ struct FanucMacroWord {
     else
       b.report(macro_diag("FAN-0152"), ig::Where::columns(begin, end), std::string_view(&letter, 1), number);
   }
+
+  std::string blanked_;
 };
 
 const ig::Register<FanucMacroWord> registered;
