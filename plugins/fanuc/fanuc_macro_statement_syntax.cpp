@@ -111,7 +111,7 @@ struct FanucMacroStatement {
   }
   void say_label(ig::Block& b, std::string_view text, std::size_t position) const {
     std::int64_t number = 0;
-    if (!fanuc::loop_number(text, position + 3, number)) return;
+    if (!fanuc::loop_number(text, iso::skip_while(text, position, iso::is_letter), number)) return;
     const std::string name = "END" + std::to_string(number);
     environment_.flow.label(b, name);
   }
@@ -144,7 +144,7 @@ struct FanucMacroStatement {
   void execute(ig::Block& b, std::string_view text, std::size_t position) {
     if (text[position] == '#') return assign(b, text, position);
     std::size_t behind = 0;
-    switch (keyword(text, position, behind)) {
+    switch (keyword_or_short(text, position, behind)) {
       case Word::if_: return execute_if(b, text, position);
       case Word::while_: return execute_while(b, text, position);
       case Word::do_: return execute_do(b, text, position, position);
@@ -174,7 +174,7 @@ struct FanucMacroStatement {
   /// Nothing where it has no answer, which is said. `after`: behind it.
   std::optional<bool> condition(ig::Block& b, std::string_view text, std::size_t position, std::string_view what,
                                 std::size_t& after) const {
-    const std::size_t bracket = skip_blanks(text, position + what.size());
+    const std::size_t bracket = skip_blanks(text, iso::skip_while(text, position, iso::is_letter));
     if (at(text, bracket) != '[') {
       incomplete(b, text, position, what, "[");
       return std::nullopt;
@@ -194,7 +194,7 @@ struct FanucMacroStatement {
     const std::optional<bool> holds = condition(b, text, position, "IF", after);
     if (!holds) return;
     std::size_t behind = 0;
-    const Word next = is_letter(at(text, after)) ? keyword(text, after, behind) : Word::none;
+    const Word next = is_letter(at(text, after)) ? keyword_or_short(text, after, behind) : Word::none;
     if (next == Word::go_to) {
       if (*holds) execute_go_to(b, text, after, behind);
       return;
@@ -208,7 +208,7 @@ struct FanucMacroStatement {
     }
     const std::size_t statement = skip_blanks(text, behind);
     if (statement >= text.size()) return incomplete(b, text, position, "THEN", "the statement");
-    const Word inner = is_letter(text[statement]) ? keyword(text, statement, behind) : Word::none;
+    const Word inner = is_letter(text[statement]) ? keyword_or_short(text, statement, behind) : Word::none;
     const bool is_plain = text[statement] == '#' || inner == Word::go_to || inner == Word::output;
     if (!is_plain) {
       b.report(macro_diag("FAN-0123"), ig::Where::columns(statement, text.size()), text.substr(statement));
@@ -309,7 +309,7 @@ struct FanucMacroStatement {
     if (!is_letter(at(text, after)) || keyword(text, after, behind) != Word::do_)
       return incomplete(b, text, position, "WHILE", "DO");
     if (*holds) return execute_do(b, text, position, after);
-    const auto number = loop_number(b, text, after, 2);
+    const auto number = loop_number(b, text, after, "DO");
     if (!number) return;
     loops_here_.leave(b, environment_.flow, *number);
     const ig::Flow::Answer answer = environment_.flow.jump(b, end_label(*number), IG_SEARCH_FORWARD, IG_GO_BEHIND);
@@ -322,16 +322,16 @@ struct FanucMacroStatement {
     return {label_.data(), static_cast<std::size_t>(end - label_.data())};
   }
 
-  /// The number behind DO (2 letters) or END (3) at `position`; nothing, and said, where it is none.
+  /// The number behind DO or END at `position`; nothing, and said, where it is none.
   std::optional<std::int64_t> loop_number(ig::Block& b, std::string_view text, std::size_t position,
-                                          std::size_t letters) const {
+                                          std::string_view word) const {
     std::int64_t number = 0;
-    const std::string_view word = letters == 2 ? "DO" : "END";
-    if (!fanuc::loop_number(text, position + letters, number)) {
+    const std::size_t behind = iso::skip_while(text, position, iso::is_letter);
+    if (!fanuc::loop_number(text, behind, number)) {
       incomplete(b, text, position, word, "its number");
       return std::nullopt;
     }
-    const std::size_t digits = skip_blanks(text, position + letters);
+    const std::size_t digits = skip_blanks(text, behind);
     if (!ends(b, text, iso::skip_digits(text, digits))) return std::nullopt;
     if (number < 1 || number > loops_) {
       b.report(macro_diag("FAN-0134"), columns(text, position), word, static_cast<double>(number),
@@ -343,7 +343,7 @@ struct FanucMacroStatement {
 
   /// WHILE […] DO m that holds, and DO m alone. `position`: of the block's statement, `at_do`: of DO.
   void execute_do(ig::Block& b, std::string_view text, std::size_t position, std::size_t at_do) {
-    const auto number = loop_number(b, text, at_do, 2);
+    const auto number = loop_number(b, text, at_do, "DO");
     if (!number) return;
     const ig_place place = environment_.flow.here(b);
     std::span<MacroLoops::Loop> open = own_loops(b);
@@ -363,7 +363,7 @@ struct FanucMacroStatement {
   }
 
   void execute_end(ig::Block& b, std::string_view text, std::size_t position) {
-    const auto number = loop_number(b, text, position, 3);
+    const auto number = loop_number(b, text, position, "END");
     if (!number) return;
     std::span<MacroLoops::Loop> open = own_loops(b);
     while (!open.empty() && open.back().number != *number) {

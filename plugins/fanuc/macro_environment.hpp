@@ -221,6 +221,7 @@ class MacroEnvironment : public MacroFrame {
       case 4009: return of(code(b, cycle_, 80));
       case 4010: return of(code(b, return_mode_, 98));
       case 4011: return of(code(b, scaling_, 50));
+      case 4012: return of(store().settings.offset_in_12 ? code(b, work_offset_, 54) : modal_call());
       case 4013: return of(code(b, surface_speed_, 97));
       case 4014: return of(code(b, work_offset_, 54));
       case 4015: return of(code(b, path_mode_, 64));
@@ -236,6 +237,12 @@ class MacroEnvironment : public MacroFrame {
       case 4130: return of(additional_set(b));
       default: return Fault::not_known_here;
     }
+  }
+
+  double modal_call() const {
+    const std::vector<MacroStore::ModalCall>& calls = store().modal_calls();
+    if (calls.empty()) return 67;
+    return calls.back().each_block ? 66.1 : 66;
   }
 
   /// The name by which the program was called; the main program has the number that it begins with.

@@ -29,6 +29,31 @@ inline Word keyword(std::string_view text, std::size_t position, std::size_t& en
   return Word::none;
 }
 
+/// Words that two letters or more stand for, as for functions.
+inline constexpr std::array shortened{Keyword{"WHILE", Word::while_}, Keyword{"END", Word::end},
+                                      Keyword{"THEN", Word::then},    Keyword{"GOTO", Word::go_to},
+                                      Keyword{"DPRNT", Word::output}, Keyword{"BPRNT", Word::output},
+                                      Keyword{"POPEN", Word::output}, Keyword{"PCLOS", Word::output}};
+
+/// WH, EN, TH … too: where only a statement can stand.
+inline Word keyword_or_short(std::string_view text, std::size_t position, std::size_t& end) {
+  const Word whole = keyword(text, position, end);
+  if (whole != Word::none || end < position + 2) return whole;
+  const std::string_view word = iso::piece(text, position, end);
+  for (const Keyword& k : shortened)
+    if (iso::equals_ignoring_case(word, k.name.substr(0, word.size()))) return k.word;
+  return Word::none;
+}
+
+/// What the shortened word at the beginning of a block needs behind it: more letters are somebody's mistake. GO1 is none,
+/// it is a G01 with a letter for its zero.
+inline bool is_short_statement(std::string_view text, Word word, std::size_t end) {
+  const char next = iso::at(text, iso::skip_blanks(text, end));
+  if (word == Word::end) return iso::is_digit(next);
+  if (word == Word::while_ || word == Word::output) return next == '[';
+  return false;
+}
+
 /// The statement that begins here, none where words do.
 inline Word statement_at(std::string_view text, std::size_t position) {
   const char c = text[position];
@@ -39,7 +64,12 @@ inline Word statement_at(std::string_view text, std::size_t position) {
   if (!iso::is_letter(second)) return Word::none;
   std::size_t end = 0;
   const Word word = keyword(text, position, end);
-  if (word == Word::none || iso::stands_first(text, position)) return word;
+  if (word == Word::none) {
+    if (end < position + 2 || !iso::stands_first(text, position)) return word;
+    const Word meant = keyword_or_short(text, position, end);
+    return is_short_statement(text, meant, end) ? meant : Word::none;
+  }
+  if (iso::stands_first(text, position)) return word;
   const char next = iso::at(text, iso::skip_blanks(text, end));  // a name behind words: a statement with its value only
   return next == '[' || next == '#' || iso::is_digit(next) ? word : Word::none;
 }
@@ -83,7 +113,7 @@ inline std::size_t words_behind_then(std::string_view text, std::size_t position
       continue;
     }
     std::size_t word_end = 0;
-    if (iso::is_letter(statement[i]) && keyword(statement, i, word_end) == Word::then) {
+    if (iso::is_letter(statement[i]) && keyword_or_short(statement, i, word_end) == Word::then) {
       const std::size_t next = iso::skip_blanks(statement, word_end);
       if (next >= end || statement[next] == '#') return 0;
       std::size_t unused = 0;

@@ -70,6 +70,7 @@ struct MacroSettings {
   std::uint32_t nesting = 5;       ///< brackets inside each other that the control permits
   std::uint32_t call_nesting = 5;  ///< macro calls inside each other that it permits
   bool geometry_first = false;     ///< #2001 is a geometry, radii from #2401 on; else #2001 is a wear
+  bool offset_in_12 = false;       ///< #4012 is the work offset; else it is the modal macro call
   double clock_step_ms = 100;      ///< how far the clocks go on each time they are read
 };
 

@@ -15,6 +15,7 @@ enum class ArcRange { full, half };
 enum class Conditions { comparison, any_value };
 enum class Modulus { whole, real };
 enum class ToolVariables { wear_first, geometry_first };
+enum class Group12 { macro_call, work_offset };
 
 struct MacroVariables final : MacroStore::Keeper {
   static constexpr auto spec =
@@ -36,6 +37,8 @@ struct MacroVariables final : MacroStore::Keeper {
   ig::Choice<ToolVariables> tool_variables{"tool-variables", "wear-first|geometry-first", "wear-first",
                                            "#2001 is the wear of length 1 and #2201 its geometry, or the other way "
                                            "round, with radii from #2401 on."};
+  ig::Choice<Group12> group_12{"group-12", "macro-call|work-offset", "macro-call",
+                               "#4012 is 66 or 67, or the work offset in force as #4014 is."};
   ig::IntegerOption nesting{"nesting", "5", {1, 64}, "Brackets inside each other that the control permits."};
   ig::NumberOption clock_step{"clock-step",
                               "100",
@@ -55,6 +58,7 @@ struct MacroVariables final : MacroStore::Keeper {
     store.settings.rules.truth_is_number = conditions == Conditions::any_value;
     store.settings.rules.whole_modulus = modulus == Modulus::whole;
     store.settings.geometry_first = tool_variables == ToolVariables::geometry_first;
+    store.settings.offset_in_12 = group_12 == Group12::work_offset;
     store.settings.nesting = static_cast<std::uint32_t>(nesting);
     store.settings.clock_step_ms = clock_step;
     for (const std::string& name : names) load(name);
