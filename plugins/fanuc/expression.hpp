@@ -61,6 +61,7 @@ struct Outcome {
   std::size_t end = 0;          ///< past what was read
   std::size_t fault_begin = 0;  ///< columns of the fault
   std::size_t fault_end = 0;
+  std::uint32_t variable = 0;  ///< the one that could not be read
 
   bool ok() const { return fault == Fault::none; }
 };
@@ -198,7 +199,7 @@ class ExpressionReader {
   }
 
   Outcome outcome(MacroValue value) const {
-    return {value, fault_, deepest_, end_, fault_begin_, std::min(fault_end_, text_.size())};
+    return {value, fault_, deepest_, end_, fault_begin_, std::min(fault_end_, text_.size()), unread_};
   }
 
   bool fail(Fault fault, std::size_t begin, std::size_t end) {
@@ -438,7 +439,9 @@ class ExpressionReader {
     MacroValue number;
     if (!variable_number(number)) return false;
     const Fault fault = variables_(static_cast<std::uint32_t>(number.number), out);
-    return fault == Fault::none || fail(fault, begin, end_);
+    if (fault == Fault::none) return true;
+    unread_ = static_cast<std::uint32_t>(number.number);
+    return fail(fault, begin, end_);
   }
 
   bool function(MacroValue& out) {
@@ -550,6 +553,7 @@ class ExpressionReader {
   Fault fault_ = Fault::none;
   std::size_t end_ = position_;
   std::size_t fault_begin_ = 0, fault_end_ = 0;
+  std::uint32_t unread_ = 0;
   std::uint32_t depth_ = 0, deepest_ = 0;
 };
 

@@ -245,12 +245,12 @@ struct FanucMacroStatement {
     if (!ends(b, text, o.end)) return;
     using Written = MacroEnvironment::Written;
     const auto where = ig::Where::columns(position, target.end);
-    const std::string_view name = piece(text, position, target.end);
+    const auto name = [&] { return MacroEnvironment::name_of(piece(text, position, target.end), number); };
     switch (environment_.write(b, number, value)) {
       case Written::done: break;
-      case Written::no_variable: b.report(macro_diag("FAN-0109"), where, name); return;
-      case Written::read_only: b.report(macro_diag("FAN-0121"), where, name); return;
-      default: b.report(macro_diag("FAN-0122"), where, name); return;
+      case Written::no_variable: b.report(macro_diag("FAN-0109"), where, name()); return;
+      case Written::read_only: b.report(macro_diag("FAN-0121"), where, name()); return;
+      default: b.report(macro_diag("FAN-0122"), where, name()); return;
     }
     b.set(variable_, static_cast<std::int64_t>(number));
     if (!value.is_null()) b.set(value_, value.number);

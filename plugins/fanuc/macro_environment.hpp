@@ -3,6 +3,7 @@
 #pragma once
 
 #include <ctime>
+#include <string>
 #include <vector>
 
 #include <isogloss/flow.hpp>
@@ -107,7 +108,15 @@ class MacroEnvironment : public MacroFrame {
     const auto where = ig::Where::columns(begin, std::max(end, begin + 1));
     std::string_view piece = text.substr(begin, end - begin);
     if (piece.empty() || piece.front() == '\r' || piece.front() == '\n') piece = "the end of the block";
+    if (o.variable != 0) return b.report(diagnostic_of(o.fault), where, name_of(piece, o.variable));
     b.report(diagnostic_of(o.fault), where, piece);
+  }
+
+  /// #[11000+#1] says nothing of which variable it is: its number stands behind it.
+  static std::string name_of(std::string_view written, std::uint32_t number) {
+    std::string name(written);
+    if (name.find_first_of("[#", 1) != std::string::npos) name += " (#" + std::to_string(number) + ")";
+    return name;
   }
 
   bool has_deep_brackets(const Outcome& o) const { return o.depth > store().settings.nesting; }
