@@ -1,6 +1,7 @@
 // Macro statements: assignments, IF, GOTO, WHILE, alarms, output. The scanner takes the statement as a whole, so that
 // no part of it is read as a word; build() executes it on the text, which is quicker than keeping parsed expressions.
 #include <string>
+#include <utility>
 
 #include "macro_environment.hpp"
 #include "macro_loops.hpp"
@@ -63,6 +64,7 @@ struct FanucMacroStatement {
 
   ig::Status restart(ig::Block&) {
     loops_here_.clear();
+    unbegun_.fill(false);
     return ig::Status::unchanged;
   }
 
@@ -304,7 +306,7 @@ struct FanucMacroStatement {
   void execute_while(ig::Block& b, std::string_view text, std::size_t position) {
     std::size_t after = 0;
     const std::optional<bool> holds = condition(b, text, position, "WHILE", after);
-    if (!holds) return;
+    if (!holds) return note_unbegun(text, position);
     std::size_t behind = 0;
     if (!is_letter(at(text, after)) || keyword(text, after, behind) != Word::do_)
       return incomplete(b, text, position, "WHILE", "DO");
@@ -324,7 +326,7 @@ struct FanucMacroStatement {
 
   /// The number behind DO or END at `position`; nothing, and said, where it is none.
   std::optional<std::int64_t> loop_number(ig::Block& b, std::string_view text, std::size_t position,
-                                          std::string_view word) const {
+                                          std::string_view word) {
     std::int64_t number = 0;
     const std::size_t behind = iso::skip_while(text, position, iso::is_letter);
     if (!fanuc::loop_number(text, behind, number)) {
@@ -332,13 +334,28 @@ struct FanucMacroStatement {
       return std::nullopt;
     }
     const std::size_t digits = skip_blanks(text, behind);
-    if (!ends(b, text, iso::skip_digits(text, digits))) return std::nullopt;
+    if (!ends(b, text, iso::skip_digits(text, digits))) {
+      if (word == "DO") note_unbegun(text, position);
+      return std::nullopt;
+    }
     if (number < 1 || number > loops_) {
       b.report(macro_diag("FAN-0134"), columns(text, position), word, static_cast<double>(number),
                static_cast<double>(loops_));
       return std::nullopt;
     }
     return number;
+  }
+
+  /// The loop of a faulty WHILE or DO: its END is no fault of its own.
+  void note_unbegun(std::string_view text, std::size_t position) {
+    for (std::size_t i = position; i + 2 < text.size(); ++i) {
+      std::int64_t number = 0;
+      if (iso::equals_ignoring_case(text.substr(i, 2), "DO") && fanuc::loop_number(text, i + 2, number) &&
+          number >= 1 && number < static_cast<std::int64_t>(unbegun_.size())) {
+        unbegun_[static_cast<std::size_t>(number)] = true;
+        return;
+      }
+    }
   }
 
   /// WHILE […] DO m that holds, and DO m alone. `position`: of the block's statement, `at_do`: of DO.
@@ -359,6 +376,7 @@ struct FanucMacroStatement {
       loops_here_.leave(b, environment_.flow, *number);
       break;
     }
+    unbegun_[static_cast<std::size_t>(*number)] = false;
     loops_here_.begin(*number, place);
   }
 
@@ -378,6 +396,7 @@ struct FanucMacroStatement {
       open = own_loops(b);
     }
     if (open.empty() || open.back().number != *number) {
+      if (std::exchange(unbegun_[static_cast<std::size_t>(*number)], false)) return;  // why it was not begun is said
       b.report(macro_diag("FAN-0136"), columns(text, position), static_cast<double>(*number));
       return;
     }
@@ -389,6 +408,7 @@ struct FanucMacroStatement {
   bool has_comment_ = false;         // inside it
   std::string blanked_;
   MacroLoops loops_here_;
+  std::array<bool, 100> unbegun_{};  // by number: a faulty DO came, and was said
   std::array<char, 24> label_{'E', 'N', 'D'};
 };
 

@@ -45,8 +45,8 @@ inline Word keyword_or_short(std::string_view text, std::size_t position, std::s
   return Word::none;
 }
 
-/// What the shortened word at the beginning of a block needs behind it: more letters are somebody's mistake. GO1 is none,
-/// it is a G01 with a letter for its zero.
+/// What the shortened word at the beginning of a block needs behind it: more letters are somebody's mistake. GO1 is
+/// none, it is a G01 with a letter for its zero.
 inline bool is_short_statement(std::string_view text, Word word, std::size_t end) {
   const char next = iso::at(text, iso::skip_blanks(text, end));
   if (word == Word::end) return iso::is_digit(next);
