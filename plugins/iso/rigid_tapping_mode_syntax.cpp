@@ -34,19 +34,20 @@ struct RigidTappingMode {
     if (!b.has(term_)) return ig::Status::unchanged;
     const bool awaited = b.is_raised(awaits_cycle_);
     const bool ends = b.find(end_) && !b.find(tapping_);
-    if (awaited && !taps) report_disturbance(b);
+    const bool is_disturbed = awaited && !taps && report_disturbance(b);
     if (ends) b.erase(term_);
-    if (awaited && (ends || taps)) b.erase(awaits_cycle_);
-    return ends || (awaited && taps) ? ig::Status::changed : ig::Status::unchanged;
+    if (awaited && (ends || taps || is_disturbed)) b.erase(awaits_cycle_);
+    return ends || (awaited && taps) || is_disturbed ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
-  void report_disturbance(ig::Block& b) const {
+  bool report_disturbance(ig::Block& b) const {
     const std::string_view what = b.get(axes_).mask != 0   ? "an axis word"
                                   : b.is_fresh(speed_)     ? "S"
                                   : b.is_fresh(direction_) ? "a spindle code"
                                                            : "";
     if (!what.empty()) b.report(diag("ISO-0350"), ig::Where::block(), what);
+    return !what.empty();
   }
 };
 
