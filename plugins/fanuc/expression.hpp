@@ -258,6 +258,7 @@ class ExpressionReader {
       const Relation which = relation();
       if (which == Relation::none) return true;
       if (!as_number(out, begin)) return false;
+      skip_spaces();
       const std::size_t right_begin = position_;
       MacroValue right;
       if (!sum(right) || !as_number(right, right_begin)) return false;
@@ -274,6 +275,7 @@ class ExpressionReader {
       const std::size_t at = position_;
       if (c == '+' || c == '-') {
         ++position_;
+        skip_spaces();
         const std::size_t right_begin = position_;
         MacroValue right;
         if (!product(right) || !as_number(out, begin) || !as_number(right, right_begin)) return false;
@@ -301,12 +303,14 @@ class ExpressionReader {
       const char c = upper(peek());
       if (c == '*' || c == '/') {
         ++position_;
+        skip_spaces();
         const std::size_t right_begin = position_;
         MacroValue right;
         if (!signed_operand(right) || !as_number(out, begin) || !as_number(right, right_begin)) return false;
         if (c == '/' && right.number == 0) return fail(Fault::division_by_zero, right_begin, end_);
         if (!finish(c == '*' ? out.number * right.number : out.number / right.number, out, begin)) return false;
       } else if (c == 'M' && accept("MOD")) {
+        skip_spaces();
         const std::size_t right_begin = position_;
         MacroValue right;
         if (!signed_operand(right) || !as_number(out, begin) || !as_number(right, right_begin)) return false;
@@ -327,6 +331,8 @@ class ExpressionReader {
   /// AND, OR, XOR: of two comparisons, or bit by bit of whole numbers.
   template <class Operation>
   bool bits(MacroValue& out, std::size_t begin, Operation operation, bool (ExpressionReader::*next)(MacroValue&)) {
+    const std::size_t left_end = position_;
+    skip_spaces();
     const std::size_t right_begin = position_;
     MacroValue right;
     if (!(this->*next)(right)) return false;
@@ -336,7 +342,7 @@ class ExpressionReader {
     }
     if (!as_number(out, begin) || !as_number(right, right_begin)) return false;
     std::int32_t a = 0, b = 0;
-    if (!to_bits(out.number, a)) return fail(Fault::no_bits, begin, right_begin);
+    if (!to_bits(out.number, a)) return fail(Fault::no_bits, begin, left_end);
     if (!to_bits(right.number, b)) return fail(Fault::no_bits, right_begin, end_);
     const auto result =
         static_cast<std::int32_t>(operation(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)));
