@@ -91,8 +91,8 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
   }
 }
 
-/// Words of codes have the highest ids. Where a bit word holds none but them, its bits are looked at in blocks only that
-/// have such words: writing one raises a bit that wakes no syntax.
+/// Words of codes have the highest ids. Where a bit word holds none but them, its bits are looked at in blocks only
+/// that have such words: writing one raises a bit that wakes no syntax.
 void Document::find_open_words() {
   const auto is_far = [&](ig_field f) {
     const FieldInfo& info = layout_->fields[f];
