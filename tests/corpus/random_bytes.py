@@ -22,6 +22,8 @@ OUTPUTS = (["--emit", "motions", "--format", "csv"], ["--emit", "blocks", "--for
            ["--emit", "motions", "--format", "jsonl", "--zero-moves", "--exact"],
            ["--emit", "motions", "--format", "text"],
            ["--emit", "none", "--summary", "--block-skip", "1,2", "--optional-stop"])
+# Endless loops are common among damaged macro programs; the budgets' own defaults have tests of their own.
+BUDGETS = ["--max-loop-blocks", "20000", "--max-jumps", "20000"]
 # What an interpreter is likely to stumble over, more than single bytes would find.
 TOKENS = [b"G1", b"G02", b"G3", b"G28", b"G53", b"G52", b"G10", b"L2", b"G81", b"G82", b"G80", b"G91", b"G90", b"G43",
           b"G68.2", b"G65", b"M98", b"M99", b"M6", b"M30", b"GOTO", b"IF", b"WHILE", b"[", b"]", b"#", b"#1=", b"(",
@@ -69,7 +71,7 @@ def case(seed, number, programs):
 
 def fault(isogloss, dialect, output, paths):
     """What went wrong in this run, or None."""
-    command = [isogloss, "run", *paths, "-d", dialect, *output]
+    command = [isogloss, "run", *paths, "-d", dialect, *output, *BUDGETS]
     try:
         run = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=TIMEOUT, check=False)
     except subprocess.TimeoutExpired:
