@@ -67,7 +67,7 @@ struct FanucMacroWord {
     rules.increment = increment_of(b, letter);
     const auto variables = [&](std::uint32_t number, MacroValue& out) { return environment_.read(b, number, out); };
     const bool is_variable = text[value] == '#' && iso::is_digit(iso::at(text, value + 1));
-    if (!is_variable && has_inner_comment(text, value)) text = blanked_;
+    if (!is_variable) text = without_comments(text, begin, value);
     Outcome o = evaluate_operand(text, value, rules, variables);
     const std::size_t whole = iso::skip_expression(text, value);
     if (!o.ok()) {
@@ -98,24 +98,32 @@ struct FanucMacroWord {
     return o.end;
   }
 
-  /// True when comments stand between the brackets behind `position`; blanked_ is the text with blanks for them.
-  bool has_inner_comment(std::string_view text, std::size_t position) {
-    int depth = 0;
-    bool any = false;
-    for (std::size_t i = position; i < text.size(); ++i) {
+  /// The text to the end of the brackets that begin at `value`, with blanks for the comments between them, so that
+  /// columns stay; what stands before the word is not copied, for a line may hold thousands of words. The text itself
+  /// where there are no such comments.
+  std::string_view without_comments(std::string_view text, std::size_t begin, std::size_t value) {
+    constexpr std::size_t longest_name = 64;  // before the first bracket: signs, #, the name of a function
+    std::size_t depth = 0, copied = begin;
+    for (std::size_t i = value; i < text.size(); ++i) {
       if (text[i] == '(' && depth > 0) {
         const std::size_t close = iso::skip_bracketed(text, i);
-        if (!any) blanked_.assign(text);
-        any = true;
-        std::fill(blanked_.begin() + static_cast<std::ptrdiff_t>(i),
-                  blanked_.begin() + static_cast<std::ptrdiff_t>(close), ' ');
+        if (blanked_.size() < text.size()) blanked_.resize(text.size());
+        text.copy(blanked_.data() + copied, i - copied, copied);
+        std::fill(blanked_.data() + i, blanked_.data() + close, ' ');
+        copied = close;
         i = close - 1;
         continue;
       }
+      if (depth == 0 && i - value > longest_name) return text;
       if (text[i] == '[') ++depth;
-      if (text[i] == ']' && --depth <= 0) break;
+      if (text[i] != ']' || depth == 0 || --depth > 0) continue;
+      if (copied == begin) return text;
+      text.copy(blanked_.data() + copied, i + 1 - copied, copied);
+      return std::string_view(blanked_).substr(0, i + 1);
     }
-    return any;
+    if (copied == begin) return text;
+    text.copy(blanked_.data() + copied, text.size() - copied, copied);
+    return std::string_view(blanked_).substr(0, text.size());
   }
 
   /// What ROUND rounds to in this word; 0: whole numbers.

@@ -52,11 +52,12 @@ struct OkumaCode {
  private:
   enum : std::size_t { to_level, to_r };
 
-  /// G04 F1.5: seconds. With X or P DwellSyntax answers.
+  /// G04 F1.5: seconds. With X or P DwellSyntax answers. A negative time is left, and reported as not used.
   bool wait(ig::Block& b) const {
     ig_value seconds;
-    if (b.host()->take(b.raw(), dwell_.word(0, 'F'), &seconds) == 0) return false;
-    if (seconds.number >= 0) b.set(time_, seconds.number);
+    if (b.host()->get(b.raw(), dwell_.word(0, 'F'), &seconds) == 0 || seconds.number < 0) return false;
+    b.host()->take(b.raw(), dwell_.word(0, 'F'), &seconds);
+    b.set(time_, seconds.number);
     return true;
   }
 

@@ -10,7 +10,10 @@ struct OkumaFileHead {
                                    .scans("$");
 
   std::size_t scan(ig::Block&, std::string_view text, std::size_t position) const {
-    return text.find_first_not_of(" \t") == position ? iso::block_end(text, position) : position;
+    if (text.find_first_not_of(" \t") != position) return position;
+    const std::size_t end = iso::block_end(text, position);
+    const std::string_view line = iso::trim(iso::piece(text, position, end));
+    return line.find('%') + 1 == line.size() ? end : position;  // what stands behind the name is no part of it
   }
 };
 

@@ -525,7 +525,8 @@ class Subprograms(Command):
                 self.assertLess(os.times().children_user - begin, OPTIONS.seconds)
 
     def test_long_lines_of_brackets_and_comments_are_read_once(self):
-        for line in ("X[1+1]" * 150000, "#1=" + "(a)1+(b)" * 100000 + "1", "(a)" * 300000 + "X1.", "X1.;" * 100000):
+        for line in ("X[1+1]" * 150000, "X[1(a)+1]" * 100000, "#1=" + "(a)1+(b)" * 100000 + "1",
+                     "(a)" * 300000 + "X1.", "X1.;" * 100000):
             main = self.write("main.nc", f"O1\n{line}\nM30\n")
             begin = os.times().children_user
             self.run_it("run", main, "-d", "fanuc", "--emit", "none", status=0)
