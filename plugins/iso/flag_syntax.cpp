@@ -37,10 +37,8 @@ Code read_code(std::string_view text, std::size_t position) {
 }
 
 struct FlagSyntax {
-  static constexpr auto spec = ig::syntax("FlagSyntax", "Reads G and M codes.")
-                                   .after("MacroStatementSyntax", "HeadIndexSyntax")
-                                   .before("WordSyntax")
-                                   .scans("GMgm");
+  static constexpr auto spec =
+      ig::syntax("FlagSyntax", "Reads G and M codes.").after("HeadIndexSyntax").before("WordSyntax").scans("GMgm");
 
   ig::Fields codes{"codes", "Parsing.Flags.* Parsing.*", ig::write, "The codes that syntaxes of this chain know.",
                    IG_CODE};

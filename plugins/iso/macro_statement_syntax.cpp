@@ -14,7 +14,7 @@ struct MacroStatementSyntax {
   static constexpr auto spec =
       ig::syntax("MacroStatementSyntax", "Recognises macro statements, which evaluation executes.")
           .after("IsoCommentSyntax", "HeadIndexSyntax", "ProgramNumberSyntax")
-          .before("FlagSyntax", "WordSyntax")
+          .before("WordSyntax")
           .scans("#IWDEGTOBPSRCiwdegtobpsrc");
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
