@@ -133,6 +133,9 @@ class Runs {
  public:
   Runs(const RunCommand& command, Session& session, const RunOptions& options, OutputFile* output)
       : command_(command), session_(session), options_(options), output_(output) {}
+  ~Runs() { keep_to_the_end(std::move(linked_)); }
+  Runs(const Runs&) = delete;
+  Runs& operator=(const Runs&) = delete;
 
   int run(const std::string& path) {
     const std::unique_ptr<OpenedProgram> source = OpenedProgram::open(path, session_);
@@ -250,12 +253,12 @@ int RunCommand::run() {
 }  // namespace
 
 int run_command(const Arguments& arguments) {
-  const auto app =
-      make_app("run", "Runs part programs through a dialect and writes what the machine would do.",
-               "isogloss run part.nc -d fanuc --offsets offsets.xml --emit motions --format csv -o part.csv");
+  auto app = make_app("run", "Runs part programs through a dialect and writes what the machine would do.",
+                      "isogloss run part.nc -d fanuc --offsets offsets.xml --emit motions --format csv -o part.csv");
   RunCommand command;
   command.add_to(*app);
   if (const auto done = parse(*app, arguments)) return *done;
+  keep_to_the_end(std::move(app));
   return command.run();
 }
 

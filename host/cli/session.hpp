@@ -63,6 +63,14 @@ class Session {
   DiagnosticWriter diagnostics_;
 };
 
+/// Stays until the process ends, which frees all of it at once: to take thousands of small parts down one by one is
+/// what short programs would wait for.
+template <class T>
+void keep_to_the_end(std::unique_ptr<T> whole) {
+  static auto& kept = *std::make_unique<std::vector<std::unique_ptr<T>>>().release();
+  kept.push_back(std::move(whole));
+}
+
 /// An application with the command's name, help and example.
 std::unique_ptr<CLI::App> make_app(const std::string& name, const std::string& description, const std::string& example);
 

@@ -46,6 +46,7 @@ template <class... A>
 template <class What>
 std::string_view text(const char* s, const What& what, std::size_t longest = longest_page) {
   if (s == nullptr) fault("{} is null", what());
+  if (*s == '\0') return {};  // most units and docs
   const std::size_t size = strnlen(s, longest + 1);
   if (size > longest) fault("{} is longer than {} bytes", what(), longest);
   return {s, size};
@@ -175,23 +176,22 @@ constexpr std::array<bool, 256> path_characters = [] {
 
 /// "Section.Field", "Parsing.G54.1.X", "Section.List[].Section.Field".
 bool is_path(std::string_view path) {
-  if (path.find('.') == std::string_view::npos) return false;
-  std::size_t lists = 0;
-  for (bool first = true, last = false; !last; first = false) {
-    const std::size_t dot = path.find('.');
-    std::string_view part = path.substr(0, dot);
-    last = dot == std::string_view::npos;
-    if (!last) path.remove_prefix(dot + 1);
-    if (part.ends_with("[]")) {
-      if (first || last) return false;
-      part.remove_suffix(2);
+  std::size_t parts = 1, lists = 0;
+  bool is_empty = true;  // the part so far
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (path_characters[static_cast<unsigned char>(path[i])]) {
+      is_empty = false;
+    } else if (path[i] == '.' && !is_empty) {
+      ++parts;
+      is_empty = true;
+    } else if (parts > 1 && !is_empty && path.substr(i).starts_with("[].")) {
       ++lists;
-    }
-    if (part.empty() ||
-        !std::all_of(part.begin(), part.end(), [](char c) { return path_characters[static_cast<unsigned char>(c)]; }))
+      ++i;
+    } else {
       return false;
+    }
   }
-  return lists <= 1;
+  return parts > 1 && !is_empty && lists <= 1;
 }
 
 template <class What>
