@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 #define IG_ABI_MAJOR 1u
-#define IG_ABI_MINOR 2u
+#define IG_ABI_MINOR 3u
 
 #if defined(_WIN32)
 #define IG_EXPORT __declspec(dllexport)
@@ -76,7 +76,7 @@ typedef int32_t ig_status;
 enum { IG_UNCHANGED = 0, IG_CHANGED = 1, IG_FAILED = -1 };
 
 typedef struct ig_host ig_host;         /* the functions that a syntax calls while it runs */
-typedef struct ig_block ig_block;       /* the block document, opaque */
+typedef struct ig_block ig_block;       /* the block document; opaque but for isogloss_view.h */
 typedef struct ig_link ig_link;         /* one element of a dialect while it is created, opaque */
 typedef struct ig_link_api ig_link_api; /* the functions that create() calls */
 typedef struct ig_table ig_table;       /* the rows of a dependency, held by the host, opaque */
@@ -323,7 +323,7 @@ enum { IG_TO_MACHINE = 1, IG_TO_PROGRAM = 2 };
 
 struct ig_host {
   uint32_t struct_size;
-  uint32_t reserved;
+  uint32_t flags; /* IG_HOST_SHOWS_BLOCKS, see isogloss_view.h */
 
   /* Values. get: 1 when the field has a value (a word that was taken has none; a code that was taken has).
    * get_many, take_many: a bit for each of at most 32 fields. set: value, fresh, writer. amend: value and writer, not

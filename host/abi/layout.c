@@ -4,6 +4,7 @@
  * the end of a struct gets a new line at its end; the structs without struct_size cannot grow. */
 #include "isogloss.h"
 #include "isogloss_flow.h"
+#include "isogloss_view.h"
 
 #define AT(type, member, offset) _Static_assert(offsetof(type, member) == (offset), #type "." #member " has moved")
 #define FROZEN(type, size) _Static_assert(sizeof(type) == (size), #type " cannot change its size")
@@ -156,7 +157,7 @@ AT(ig_argument, number, 8);
 AT(ig_argument, text, 16);
 
 GROWS_FROM(ig_host, 296);
-AT(ig_host, reserved, 4);
+AT(ig_host, flags, 4);
 AT(ig_host, get, 8);
 AT(ig_host, get_many, 16);
 AT(ig_host, take, 24);
@@ -332,6 +333,16 @@ CONSTANT(IG_GO_NOT_FOUND, 0);
 CONSTANT(IG_GO_REFUSED, -1);
 CONSTANT(IG_GO_TAKEN, -2);
 CONSTANT(IG_CURRENT_FRAME, 0xffffffff);
+
+FROZEN(ig_view_bits, 64);
+AT(ig_view_bits, present, 0);
+AT(ig_view_bits, fresh, 8);
+FROZEN(ig_view_value, 16);
+AT(ig_view_value, value, 0);
+AT(ig_view, bits, 0);
+AT(ig_view, values, 8);
+AT(ig_view, field_count, 16);
+CONSTANT(IG_HOST_SHOWS_BLOCKS, 1);
 
 #else
 #error "no layout is written down for this machine"

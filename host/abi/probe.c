@@ -1,6 +1,7 @@
 /* Reaches every type of the contract, so that one library describes all of it to abidw. */
 #include "isogloss.h"
 #include "isogloss_flow.h"
+#include "isogloss_view.h"
 
 typedef struct ig_contract {
   const ig_plugin* plugin;
@@ -22,3 +23,6 @@ void ig_probe_flow(const ig_flow_1* flow, const ig_go* go, const ig_frame* frame
 
 IG_EXPORT void ig_probe_kinematics(const ig_machine_kinematics_1* kinematics);
 void ig_probe_kinematics(const ig_machine_kinematics_1* kinematics) { (void)kinematics; }
+
+IG_EXPORT void ig_probe_view(const ig_view* view);
+void ig_probe_view(const ig_view* view) { (void)view; }

@@ -317,7 +317,7 @@ void Chain::start() {
     const ig_run_fn restart = linked_.chain[i].syntax->restart;
     if (restart == nullptr) continue;
     document_.current = static_cast<std::uint16_t>(i + 1);
-    restart(steps_[i].self, host_, reinterpret_cast<ig_block*>(&document_));
+    restart(steps_[i].self, host_, document_.block());
   }
   document_.current = 0;
 }
@@ -358,7 +358,7 @@ std::size_t Chain::scan() {
   Document& d = document_;
   const char* const text = d.source.text.data();
   const std::size_t size = d.source.text.size();
-  ig_block* const block = reinterpret_cast<ig_block*>(&d);
+  ig_block* const block = d.block();
   std::size_t position = 0;
   while (position < size) {
     const auto c = static_cast<unsigned char>(text[position]);
@@ -401,13 +401,13 @@ void Chain::call_watched(Document& d, std::uint32_t position) {
   const ig_run_fn run_step = step.any_build();
   if (settings_.mode == Mode::traced) {
     if (trace) trace(position, true);
-    const ig_status status = run_step(step.self, host_, reinterpret_cast<ig_block*>(&d));
+    const ig_status status = run_step(step.self, host_, d.block());
     if (status == IG_FAILED) tell_failure(d, position);
     if (trace) trace(position, false);
     return;
   }
   const Document before = d;
-  const ig_status status = run_step(step.self, host_, reinterpret_cast<ig_block*>(&d));
+  const ig_status status = run_step(step.self, host_, d.block());
   if (status == IG_FAILED) tell_failure(d, position);
   std::string fault;
   if (status != IG_UNCHANGED && status != IG_CHANGED && status != IG_FAILED)
@@ -443,7 +443,7 @@ bool Chain::call_looking_ahead(Document& d, std::uint32_t position, std::uint32_
   ++builds;
   if (settings_.mode != Mode::fast)
     call_watched(d, position);
-  else if (step.build_ahead(step.self, host_, reinterpret_cast<ig_block*>(&d)) == IG_FAILED)
+  else if (step.build_ahead(step.self, host_, d.block()) == IG_FAILED)
     tell_failure(d, position);
   return true;
 }
@@ -454,6 +454,7 @@ void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
   const std::uint32_t begin = first;
   first = std::max(first, origin) - origin;
   last = std::max(last, origin) - origin;
+  ig_block* const block = d.block();
   for (std::uint32_t base = first & ~63u; base < last; base += 64) {
     std::uint64_t reach = base < first ? ~std::uint64_t{0} << (first - base) : ~std::uint64_t{0};
     if (last - base < 64) reach &= ~(~std::uint64_t{0} << (last - base));
@@ -472,7 +473,7 @@ void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
       ++builds;
       if (is_watched) [[unlikely]]
         call_watched(d, position);
-      else if (step.build(step.self, host_, reinterpret_cast<ig_block*>(&d)) == IG_FAILED) [[unlikely]]
+      else if (step.build(step.self, host_, block) == IG_FAILED) [[unlikely]]
         tell_failure(d, position);
     }
   }
@@ -497,7 +498,7 @@ ig_status Chain::build(std::uint32_t position) {
   if (run_step == nullptr) return IG_UNCHANGED;
   running = &document_;
   document_.current = static_cast<std::uint16_t>(position + 1);
-  const ig_status status = run_step(step.self, host_, reinterpret_cast<ig_block*>(&document_));
+  const ig_status status = run_step(step.self, host_, document_.block());
   if (status == IG_FAILED) tell_failure(document_, position);
   document_.current = 0;
   return status;

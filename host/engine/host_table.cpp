@@ -550,13 +550,13 @@ void flow(ig_block* block, ig_flow what, std::size_t position) {
 
 ig_block* ahead(ig_block* block, std::uint32_t k) {
   const std::vector<Document*>& window = doc(block).chain->window;
-  return k >= 1 && k <= window.size() ? reinterpret_cast<ig_block*>(window[k - 1]) : nullptr;
+  return k >= 1 && k <= window.size() ? window[k - 1]->block() : nullptr;
 }
 
 template <Mode M>
 constexpr ig_host table() {
   return {.struct_size = sizeof(ig_host),
-          .reserved = 0,
+          .flags = M == Mode::fast ? IG_HOST_SHOWS_BLOCKS : 0,  // the others see every read
           .get = get<M>,
           .get_many = get_many<M>,
           .take = take<M>,

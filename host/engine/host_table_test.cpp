@@ -34,7 +34,7 @@ struct Numbers {
   Layout layout;
 };
 
-ig_block* block(Document& d) { return reinterpret_cast<ig_block*>(&d); }
+ig_block* block(Document& d) { return d.block(); }
 
 bool same(const Document& a, const Document& b) {
   for (ig_field f = 0; f < a.size(); ++f) {
@@ -74,6 +74,34 @@ TEST_CASE("three fields side by side are the same as three") {
     CHECK(same(once, one_by_one));
     CHECK(once.set_line == one_by_one.set_line);
   }
+}
+
+TEST_CASE("what a block shows is what the calls answer") {
+  const ig_host& host = host_table(Mode::fast);
+  REQUIRE((host.flags & IG_HOST_SHOWS_BLOCKS) != 0);
+  const Numbers numbers;
+  Document original = numbers.filled();
+  ig_value taken;
+  REQUIRE(host.take(block(original), 10, &taken) == 1);
+  host.erase(block(original), 11);
+  Document d = original;  // a copy shows its own values
+  host.set(block(d), 12, {.number = 12});
+  const auto* const view = reinterpret_cast<const ig_view*>(block(d));
+  REQUIRE(view->field_count == Numbers::count);
+  for (ig_field f = 0; f < Numbers::count; ++f) {
+    CAPTURE(f);
+    ig_value v{.number = -1};
+    const bool present = host.get(block(d), f, &v) != 0;
+    CHECK((view->bits[f / 64].present >> (f % 64) & 1) == (present ? 1 : 0));
+    CHECK((view->bits[f / 64].fresh >> (f % 64) & 1) == (host.is_fresh(block(d), f) != 0 ? 1 : 0));
+    if (present) CHECK(view->values[f].value.number == v.number);
+  }
+  CHECK(host.get(block(original), 12, &taken) == 0);
+}
+
+TEST_CASE("a host that looks at every access shows nothing") {
+  CHECK(host_table(Mode::checked).flags == 0);
+  CHECK(host_table(Mode::traced).flags == 0);
 }
 
 TEST_CASE("three fields of no document are none") {

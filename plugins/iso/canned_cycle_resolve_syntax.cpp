@@ -234,7 +234,7 @@ struct CannedCycleResolve {
 
   CycleWords given(ig::Block& b, const Group09& now) const {
     CycleWords out;
-    out.mask = b.host()->get_many(b.raw(), words(now), RootWords::letters.size(), out.values.data());
+    out.mask = b.get_many(words(now), RootWords::letters.size(), out.values.data());
     if (bare_p_ == BareP::milliseconds && out.has(Address::P)) read_bare_p(b, words(now)[Address::P], out);
     return out;
   }
@@ -243,8 +243,8 @@ struct CannedCycleResolve {
   bool is_hole(ig::Block& b, const Group09& now) const {
     if (!now.is_called && b.find(one_shot_)) return false;
     ig_value v[4];
-    return b.host()->get_many(b.raw(), words(now), 4, v) != 0 ||  // X Y Z R
-           b.host()->get_many(b.raw(), rotary_.data(), 3, v) != 0;
+    return b.get_many(words(now), 4, v) != 0 ||  // X Y Z R
+           b.get_many(rotary_.data(), 3, v) != 0;
   }
 
   static ig_field rotary_word(const char* path) {
@@ -254,7 +254,7 @@ struct CannedCycleResolve {
   /// Rotary words under G91 turn their axis before each hole; McAbcSyntax does.
   void keep_turns(ig::Block& b, int count) const {
     ig_value v[3];
-    const std::uint32_t named = b.host()->get_many(b.raw(), rotary_.data(), 3, v);
+    const std::uint32_t named = b.get_many(rotary_.data(), 3, v);
     for (std::size_t axis = 0; axis < 3; ++axis)
       if ((named >> axis & 1u) != 0) b.set(turn_[axis], v[axis].number);
     if (named != 0) b.set(repeats_, std::int64_t{count});

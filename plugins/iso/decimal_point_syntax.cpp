@@ -147,8 +147,7 @@ struct DecimalPointSyntax {
 
   bool read_row(ig::Block& b, const Row& row) const {
     std::array<ig_value, 32> values;
-    std::uint32_t present =
-        b.host()->get_many(b.raw(), row.words.data(), static_cast<std::uint32_t>(row.words.size()), values.data());
+    std::uint32_t present = b.get_many(row.words.data(), static_cast<std::uint32_t>(row.words.size()), values.data());
     bool changed = false;
     for (; present != 0; present &= present - 1) {
       const std::size_t i = static_cast<std::size_t>(std::countr_zero(present));

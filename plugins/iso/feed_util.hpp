@@ -45,17 +45,12 @@ class FeedInForce {
   /// in mm, asked where the feed depends on it.
   template <class Length>
   double mmds(const ig::Block& b, const Length& length) const {
-    const ig_field fields[] = {value_.id(), term_.id()};
-    ig_value v[2];
-    const std::uint32_t known = b.host()->get_many(b.raw(), fields, 2, v);
-    if ((known & 1u) == 0) return 0;
-    const double f = v[0].number;
-    if ((known & 2u) != 0) {
-      const ig::Symbol term = ig::detail::ValueOf<ig::Symbol>::read(v[1]);
-      if (term == g95_) return f * b.get_or(spindle_speed_, 0.0) / 60;
-      if (term == g93_) return f * length() / 60;
-    }
-    return f / 60;
+    const auto f = b.get(value_);
+    if (!f) return 0;
+    const ig::Symbol term = mode(b);
+    if (term == g95_) return *f * b.get_or(spindle_speed_, 0.0) / 60;
+    if (term == g93_) return *f * length() / 60;
+    return *f / 60;
   }
 
  private:

@@ -36,8 +36,7 @@ struct IncrementalResolve {
     for (std::size_t first = 0; first < words_.size(); first += 32) {
       ig_value v[32];
       const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(32, words_.size() - first));
-      for (std::uint32_t named = b.host()->get_many(b.raw(), words_.ids() + first, count, v); named != 0;
-           named &= named - 1) {
+      for (std::uint32_t named = b.get_many(words_.ids() + first, count, v); named != 0; named &= named - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(named));
         const std::size_t axis = axes_[first + i];
         if (axis == std::string_view::npos) continue;

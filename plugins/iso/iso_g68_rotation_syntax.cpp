@@ -175,7 +175,7 @@ struct IsoG68Rotation {
     const auto call = b.find(positions_);
     const ig_field* const words = call ? positions_.row(*call) : words_.ids();
     ig_value v[3];
-    const std::uint32_t named = b.host()->get_many(b.raw(), words, 3, v);
+    const std::uint32_t named = b.get_many(words, 3, v);
     const auto is_named = [&](std::size_t axis) { return (named >> axis & 1u) != 0; };
     if (!is_named(plane.first) && !is_named(plane.second)) return false;
     const ig::Vec3 programmed = scale_and_mirror_.programmed(b, last_(b));

@@ -417,8 +417,8 @@ struct IsoG68p2Tilt {
 
   bool moves(const ig::Block& b) const {
     ig_value unused[3];
-    return b.find(movers_) || b.find(program_end_) || b.host()->get_many(b.raw(), words_.ids(), 3, unused) != 0 ||
-           b.host()->get_many(b.raw(), rotary_words_.data(), 3, unused) != 0;
+    return b.find(movers_) || b.find(program_end_) || b.get_many(words_.ids(), 3, unused) != 0 ||
+           b.get_many(rotary_words_.data(), 3, unused) != 0;
   }
 
   void give_up(ig::Block& b) const {

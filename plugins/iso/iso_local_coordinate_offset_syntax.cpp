@@ -66,7 +66,7 @@ struct IsoLocalCoordinateOffset {
     const auto preset = b.find(presets_);
     if (!preset) return 0;
     ig_value words[6];
-    const std::uint32_t named = b.host()->get_many(b.raw(), presets_.row(*preset), 6, words);
+    const std::uint32_t named = b.get_many(presets_.row(*preset), 6, words);
     return named == 0 && *preset == 1 ? all : named;
   }
 };

@@ -59,14 +59,19 @@ struct LinearMotion {
 
   /// A degree counts like the unit of lengths that the program is written in; F has become mm.
   void feed_and_turn(ig::Block& b) const {
-    const double linear = way(b), turned = turn(b), unit = b.is(unit_, inch_) ? 25.4 : 1;
+    const double linear = way(b);
     const bool only_turns = linear < same_way_mm;
+    if (!only_turns && (feed_counts_ == FeedCounts::linear_axes || b.is_raised(tip_is_led_))) {
+      motion_.feed(b, [&] { return linear; });
+      return;
+    }
+    const double turned = turn(b), unit = b.is(unit_, inch_) ? 25.4 : 1;
     motion_.feed(b, [&] { return only_turns ? turned : linear; });
     const auto feed = b.get(feedrate_);
     if (!feed || b.is(feed_mode_, g93_)) return;
     if (only_turns) {
       if (unit != 1) b.set(feedrate_, *feed / unit);
-    } else if (feed_counts_ == FeedCounts::all_axes && !b.is_raised(tip_is_led_)) {
+    } else {
       b.set(feedrate_, *feed * linear / std::hypot(linear, unit * turned));
     }
   }

@@ -34,7 +34,7 @@ struct MachineCoordSelect {
     }
     const ig::PartialVec3 named = b.take(words_);
     ig_value unused[3];
-    const bool turns = b.host()->get_many(b.raw(), rotary_.data(), 3, unused) != 0;  // McAbcSyntax takes them
+    const bool turns = b.get_many(rotary_.data(), 3, unused) != 0;  // McAbcSyntax takes them
     if (named.mask == 0 && !turns) {
       b.report(diag("ISO-0331"), ig::Where::word(g53_.id(0)));
       return ig::Status::changed;

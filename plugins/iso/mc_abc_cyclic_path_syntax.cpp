@@ -23,19 +23,21 @@ struct McAbcCyclicPath {
   ig::Status build(ig::Block& b) {
     if (b.is_raised(as_increment_)) return ig::Status::unchanged;  // the program says how far
     const std::uint32_t fresh = rotary_.fresh(b);
-    const PartialAngles from = before_.get(b);
+    if (fresh == 0) return ig::Status::unchanged;
+    const PartialAngles from = before_.get(b), programmed = rotary_.get(b);
+    const std::uint32_t steps = steps_.count(b);
     bool changed = false;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if ((fresh >> axis & 1u) != 0 && from.has(axis)) changed |= turn(b, axis, from.value[axis]);
+      if ((fresh >> axis & 1u) != 0 && from.has(axis))
+        changed |= turn(b, axis, from.value[axis], programmed.value[axis], steps);
     return changed ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
-  bool turn(ig::Block& b, std::size_t axis, double at) const {
+  bool turn(ig::Block& b, std::size_t axis, double at, double programmed, std::uint32_t steps) const {
     bool changed = false;
     const std::uint32_t one = 1u << axis;
-    const double programmed = rotary_.get(b).value[axis];
-    for (std::uint32_t step = 0, n = steps_.count(b); step < n; ++step) {
+    for (std::uint32_t step = 0; step < steps; ++step) {
       PartialAngles to = steps_.get(b, step);
       if (!to.has(axis)) continue;
       const double wanted = to.value[axis];

@@ -26,7 +26,7 @@ struct McXyz {
   ig::Status build(ig::Block& b) {
     if (!b.is_fresh(program_)) return b.frame_changed() ? follow_frame(b) : ig::Status::unchanged;
     b.host()->map_records(b.raw(), item_program_.ids(), item_machine_.ids());
-    const bool is_programmed = b.host()->is_fresh(b.raw(), machine_.id(0)) != 0;  // G53 writes all three axes
+    const bool is_programmed = b.is_fresh(machine_.id(0));  // G53 writes all three axes
     if (is_programmed) return ig::Status::changed;
     const auto machine = b.to_machine(b.get(program_).or_else({}));
     if (machine) b.set(machine_, *machine);

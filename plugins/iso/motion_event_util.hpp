@@ -51,11 +51,7 @@ class MotionGroup {
 class BlockMotion {
  public:
   /// One block never moves twice.
-  bool is_moving(const ig::Block& b) const {
-    const ig_field motions[] = {compound_.id(), form_.id()};
-    ig_value unused[2];
-    return b.host()->get_many(b.raw(), motions, 2, unused) != 0;
-  }
+  bool is_moving(const ig::Block& b) const { return b.has_any(compound_, form_); }
 
   /// Do the rotary axes turn under tool centre point control in this block?
   bool turns(const ig::Block& b) const { return b.is_raised(turns_); }

@@ -46,8 +46,7 @@ struct ParameterizedFlagSyntax {
   ig::Status give_all(ig::Block& b, std::size_t row) const {
     const std::vector<ig_field>& from = sources[row];
     std::array<ig_value, 32> values;
-    std::uint32_t present =
-        b.host()->get_many(b.raw(), from.data(), static_cast<std::uint32_t>(from.size()), values.data());
+    std::uint32_t present = b.get_many(from.data(), static_cast<std::uint32_t>(from.size()), values.data());
     const bool any = present != 0;
     for (; present != 0; present &= present - 1) {
       const std::size_t i = static_cast<std::size_t>(std::countr_zero(present));

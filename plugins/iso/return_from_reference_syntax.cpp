@@ -45,7 +45,7 @@ struct ReturnFromReference {
     const auto row = b.find(passed_);
     if (!row) return false;
     ig_value values[6];
-    const std::uint32_t named = b.host()->get_many(b.raw(), passed_.row(*row), 6, values);
+    const std::uint32_t named = b.get_many(passed_.row(*row), 6, values);
     for (std::size_t axis = 0; axis < 6; ++axis) {
       const ig_field place = axis < 3 ? intermediate_.id(axis) : turned_over_[axis - 3].id();
       if ((named >> axis & 1u) == 0) continue;

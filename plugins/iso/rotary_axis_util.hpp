@@ -24,6 +24,15 @@ struct PartialAngles {
   }
 };
 
+/// The values of three fields, for A, B and C.
+inline PartialAngles angles_of(const ig::Block& b, const std::array<ig_field, 3>& fields) {
+  ig_value v[3];
+  PartialAngles out{b.get_many(fields.data(), 3, v), {}};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (out.has(axis)) out.value[axis] = v[axis].number;
+  return out;
+}
+
 /// Angles that differ by less are the same position; limits are inclusive by this much.
 inline constexpr double same_angle_deg = 1e-6;
 
@@ -89,11 +98,11 @@ class RotaryAngles {
       : words_{word("Parsing.A", words), word("Parsing.B", words), word("Parsing.C", words)} {}
 
   /// A, B and C of this block, as programmed.
-  PartialAngles words(const ig::Block& b) const { return get(b, words_); }
+  PartialAngles words(const ig::Block& b) const { return angles_of(b, words_); }
 
   /// Where the axes stand before the words of this block act: what was carried here, or what a syntax before this one
   /// (G53.1) wrote.
-  PartialAngles present(const ig::Block& b) const { return get(b, machine_); }
+  PartialAngles present(const ig::Block& b) const { return angles_of(b, machine_); }
 
   /// Where the axes stand at the end of the block; under G91 the words count from where they stand. Whole turns more or
   /// less are not decided here.
@@ -115,13 +124,6 @@ class RotaryAngles {
   using Ids = std::array<ig_field, 3>;
   static ig_field word(const char* path, ig::Access access) {
     return ig::Field<double>(path, access, {ig::Life::standard, "deg", ""}).id();
-  }
-  static PartialAngles get(const ig::Block& b, const Ids& ids) {
-    ig_value v[3];
-    PartialAngles out{b.host()->get_many(b.raw(), ids.data(), 3, v), {}};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (out.has(axis)) out.value[axis] = v[axis].number;
-    return out;
   }
 
   Ids words_;

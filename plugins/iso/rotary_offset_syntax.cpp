@@ -70,7 +70,7 @@ struct RotaryOffset {
 
   bool names_angles(const ig::Block& b) const {
     ig_value unused[3];
-    return b.host()->get_many(b.raw(), block_words_.data(), 3, unused) != 0;
+    return b.get_many(block_words_.data(), 3, unused) != 0;
   }
 
   bool resolve(ig::Block& b, const Angles& offset) const {
@@ -79,8 +79,7 @@ struct RotaryOffset {
     for (std::size_t first = 0; first < words_.size(); first += 32) {
       ig_value v[32];
       const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(32, words_.size() - first));
-      for (std::uint32_t named = b.host()->get_many(b.raw(), words_.ids() + first, count, v); named != 0;
-           named &= named - 1) {
+      for (std::uint32_t named = b.get_many(words_.ids() + first, count, v); named != 0; named &= named - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(named));
         const std::size_t axis = axis_of_[first + i];
         if (axis == std::string_view::npos || offset[axis] == 0) continue;

@@ -16,13 +16,7 @@ class RotaryOffsetSection {
       : ids_{offset(section + ".Offset_A", access), offset(section + ".Offset_B", access),
              offset(section + ".Offset_C", access)} {}
 
-  PartialAngles get(const ig::Block& b) const {
-    ig_value v[3];
-    PartialAngles out{b.host()->get_many(b.raw(), ids_.data(), 3, v), {}};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (out.has(axis)) out.value[axis] = v[axis].number;
-    return out;
-  }
+  PartialAngles get(const ig::Block& b) const { return angles_of(b, ids_); }
   /// Writes the axes that change. True when there was one.
   bool set(ig::Block& b, const Angles& to) const {
     const PartialAngles old = get(b);
@@ -50,14 +44,7 @@ class RotaryOffsets {
   explicit RotaryOffsets(ig::Access access = ig::read)
       : ids_{offset("RotaryOffset.A", access), offset("RotaryOffset.B", access), offset("RotaryOffset.C", access)} {}
 
-  Angles get(const ig::Block& b) const {
-    ig_value v[3];
-    const std::uint32_t known = b.host()->get_many(b.raw(), ids_.data(), 3, v);
-    Angles out{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if ((known >> axis & 1u) != 0) out[axis] = v[axis].number;
-    return out;
-  }
+  Angles get(const ig::Block& b) const { return angles_of(b, ids_).or_else({}); }
   void set(ig::Block& b, std::size_t axis, double to) const {
     if (to != 0)
       b.host()->set(b.raw(), ids_[axis], {.number = to});

@@ -48,14 +48,8 @@ class RotaryPosition {
              ig::Field<double>("MachineCoordinate.B", access).id(),
              ig::Field<double>("MachineCoordinate.C", access).id()} {}
 
-  PartialAngles get(const ig::Block& b) const {
-    ig_value v[3];
-    PartialAngles out{b.host()->get_many(b.raw(), ids_.data(), 3, v), {}};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (out.has(axis)) out.value[axis] = v[axis].number;
-    return out;
-  }
-  std::uint32_t fresh(const ig::Block& b) const { return b.host()->fresh_many(b.raw(), ids_.data(), 3); }
+  PartialAngles get(const ig::Block& b) const { return angles_of(b, ids_); }
+  std::uint32_t fresh(const ig::Block& b) const { return b.fresh_many(ids_.data(), 3); }
   void set(ig::Block& b, std::size_t axis, double angle) const {
     b.host()->set(b.raw(), ids_[axis], {.number = angle});
   }

@@ -56,9 +56,7 @@ class ScaleAndMirror {
   }
   /// One of the two axes is mirrored, but not both: arcs and rotations in the plane turn the other way round.
   bool swaps_sense(const ig::Block& b, const PlaneAxes& plane) const {
-    const ig_field terms[] = {scaling_.id(), image_.id()};
-    ig_value unused[2];
-    if (b.host()->get_many(b.raw(), terms, 2, unused) == 0) return false;
+    if (!b.has_any(scaling_, image_)) return false;
     const ig::PartialVec3 factor = b.get(factor_), mirror = b.get(mirror_);
     bool swaps = false;
     for (const std::size_t i : {plane.first, plane.second})

@@ -167,15 +167,9 @@ class PivotState {
   explicit PivotState(ig::Access access)
       : ids_{field("PivotTransform.A", access), field("PivotTransform.B", access), field("PivotTransform.C", access)} {}
 
-  PartialAngles get(const ig::Block& b) const {
-    ig_value v[3];
-    PartialAngles out{b.host()->get_many(b.raw(), ids_.data(), 3, v), {}};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (out.has(axis)) out.value[axis] = v[axis].number;
-    return out;
-  }
+  PartialAngles get(const ig::Block& b) const { return angles_of(b, ids_); }
   ig_field id(std::size_t axis) const { return ids_[axis]; }
-  bool is_fresh(const ig::Block& b) const { return b.host()->fresh_many(b.raw(), ids_.data(), 3) != 0; }
+  bool is_fresh(const ig::Block& b) const { return b.fresh_many(ids_.data(), 3) != 0; }
   void set(ig::Block& b, const ToolKinematics& machine, const Angles& angles) const {
     for (std::size_t k = 0; k < machine.count(); ++k)
       b.host()->set(b.raw(), ids_[machine.axis(k)], {.number = angles[machine.axis(k)]});
@@ -210,36 +204,31 @@ class RotaryTurns {
 
   /// One look at all that counts: most blocks under tip control ask twice.
   RotaryTurn read(const ig::Block& b, const ToolKinematics& machine) const {
-    std::array<ig_field, 6> fields{};
-    std::array<ig_value, 6> v{};
-    const auto n = static_cast<std::uint32_t>(machine.count());
-    for (std::uint32_t k = 0; k < n; ++k) {
-      const std::size_t axis = machine.axis(k);
-      fields[k] = words_[axis];
-      fields[n + k] = machine_[axis];
-      fields[2 * n + k] = state_.id(axis);
-    }
-    const std::uint32_t known = b.host()->get_many(b.raw(), fields.data(), 3 * n, v.data());
-    const bool has_words = (known & ((1u << n) - 1)) != 0, has_state = known >> 2 * n != 0;
-    const bool is_incremental = has_words && distance_.is_incremental(b);
     RotaryTurn turn;
-    Angles now{};
-    for (std::uint32_t k = 0; k < n; ++k) {
+    Angles now{}, words{};
+    std::uint32_t named = 0;
+    for (std::size_t k = 0; k < machine.count(); ++k) {
       const std::size_t axis = machine.axis(k);
-      if ((known >> (n + k) & 1u) != 0) now[axis] = v[n + k].number;
-      turn.from[axis] = (known >> (2 * n + k) & 1u) != 0 ? v[2 * n + k].number : has_state ? 0.0 : now[axis];
+      ig_value v;
+      if (b.get(machine_[axis], v)) now[axis] = v.number;
+      if (b.get(state_.id(axis), v)) {
+        turn.from[axis] = v.number;
+        turn.is_followed = true;
+      }
+      if (b.get(words_[axis], v)) {
+        words[axis] = v.number;
+        named |= 1u << axis;
+      }
     }
-    turn.is_followed = has_state;
+    if (!turn.is_followed) turn.from = now;
     turn.to = now;
-    if (has_words && !(is_incremental && b.find(machine_select_))) {  // the control ignores G53 under G91
+    const bool is_incremental = named != 0 && distance_.is_incremental(b);
+    if (named != 0 && !(is_incremental && b.find(machine_select_))) {  // the control ignores G53 under G91
       const Angles offset = is_incremental ? Angles{} : offset_of_words(b);
-      for (std::uint32_t k = 0; k < n; ++k)
-        if ((known >> k & 1u) != 0) {
-          const std::size_t axis = machine.axis(k);
-          turn.to[axis] = position(axis, v[k].number, offset[axis], now, is_incremental);
-        }
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if ((named >> axis & 1u) != 0) turn.to[axis] = position(axis, words[axis], offset[axis], now, is_incremental);
     }
-    if (has_state && differ(machine, turn.from, now) && !is_written(b)) {
+    if (turn.is_followed && differ(machine, turn.from, now) && !is_written(b)) {
       turn.from = now;
       turn.was_moved = true;
     }
@@ -290,7 +279,7 @@ class RotaryTurns {
   static ig_field word(const char* path) {
     return ig::Field<double>(path, ig::read, {ig::Life::standard, "deg", ""}).id();
   }
-  bool is_written(const ig::Block& b) const { return b.host()->fresh_many(b.raw(), machine_.data(), 3) != 0; }
+  bool is_written(const ig::Block& b) const { return b.fresh_many(machine_.data(), 3) != 0; }
 
   RotaryAngles angles_;
   PivotState state_;

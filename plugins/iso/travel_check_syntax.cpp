@@ -77,13 +77,13 @@ struct TravelCheck {
     const std::uint32_t before = outside(b);
     std::uint32_t now = check_steps(b, before);
     ig_value at[names.size()];
-    const std::uint32_t fresh = b.host()->fresh_many(b.raw(), position_.data(), names.size());
+    const std::uint32_t fresh = b.fresh_many(position_.data(), names.size());
     if (const ig::PartialVec3 center = b.get(center_); center.complete() && (fresh & limited_ & 7u) != 0) {
       const ig::Vec3 start = last_(b);
       now = check_arc(b, {start, b.get(program_).or_else(start), center.value, b.get_or(is_ccw_, false)}, now);
     }
     if (b.is(form_, led_) && (limited_ & 7u) != 0) now = check_curve(b, now);
-    now = check(b, fresh & b.host()->get_many(b.raw(), position_.data(), names.size(), at), at, now);
+    now = check(b, fresh & b.get_many(position_.data(), names.size(), at), at, now);
     if (now == before) return ig::Status::unchanged;
     for (std::size_t axis = 0; axis < names.size(); ++axis) {
       const std::uint32_t bit = 1u << axis;

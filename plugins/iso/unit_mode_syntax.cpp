@@ -104,7 +104,7 @@ struct UnitMode {
     for (std::size_t at = 0; at < lengths_.size(); at += 32) {
       const auto n = static_cast<std::uint32_t>(std::min<std::size_t>(32, lengths_.size() - at));
       const ig_field* const ids = lengths_.ids() + at;
-      const std::uint32_t found = b.host()->get_many(b.raw(), ids, n, values);
+      const std::uint32_t found = b.get_many(ids, n, values);
       for (std::uint32_t i = 0; i < n; ++i) {
         if ((found >> i & 1u) == 0) continue;
         if ((k_is_count && ids[i] == k_) || (j_is_ratio && ids[i] == j_)) continue;

@@ -1,8 +1,6 @@
 // Words: an address and a number, X12.5. The scanner reads on over all words that follow each other and hands them to
 // the host in one call. What is not plainly a word is said: an expression is kept for evaluation, a typing error is a
 // diagnostic that shows the text, and the word is not set.
-#include <bit>
-
 #include "diagnostics.hpp"
 #include "scan_util.hpp"
 
@@ -133,15 +131,9 @@ struct WordSyntax {
 
   void set(ig::Block& b, const Run& run, bool has_more_before) const {
     if (run.count == 0) return;
-    if (has_more_before) {
-      std::array<ig_field, 26> fields;
-      std::array<ig_value, 26> before;
-      for (std::uint32_t i = 0; i < run.count; ++i) fields[i] = run.words[i].field;
-      for (std::uint32_t again = b.host()->get_many(b.raw(), fields.data(), run.count, before.data()); again != 0;
-           again &= again - 1) {
-        const ig_word& w = run.words[static_cast<std::size_t>(std::countr_zero(again))];
-        twice(b, w.field, w.begin, w.end);
-      }
+    for (std::uint32_t i = 0; has_more_before && i < run.count; ++i) {
+      const ig_word& w = run.words[i];
+      if (b.has(w.field)) twice(b, w.field, w.begin, w.end);
     }
     b.host()->set_words(b.raw(), run.words.data(), run.count);
     if (run.without_point) b.raise(without_point);

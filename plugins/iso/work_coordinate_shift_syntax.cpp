@@ -129,7 +129,7 @@ struct WorkCoordinateShift {
     const auto home = b.find(homes_);
     if (!home) return false;
     ig_value words[6];
-    const std::uint32_t named = b.host()->get_many(b.raw(), homes_.row(*home), 6, words);
+    const std::uint32_t named = b.get_many(homes_.row(*home), 6, words);
     for (std::size_t axis = 0; axis < homed_.size(); ++axis)
       if ((named >> axis & 1u) != 0) b.raise(homed_[axis]);
     return named != 0;

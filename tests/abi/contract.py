@@ -8,7 +8,7 @@
 
 The description is what abidw says of a small library that reaches every type (host/abi/probe.c). Compatible means: every
 struct keeps its members, with names, offsets and types, and gets new ones only at its end and only when it begins with
-struct_size. abidiff alone cannot tell an insertion from growth: its suppressions let both pass.
+struct_size; a member called reserved may get a name. abidiff alone cannot tell an insertion from growth: its suppressions let both pass.
 """
 import argparse
 import re
@@ -29,7 +29,7 @@ def describe(header, compiler):
     """The abidw text of the probe library built from this header text."""
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "isogloss.h").write_text(header)
-        for name in ("probe.c", "isogloss_flow.h"):
+        for name in ("probe.c", "isogloss_flow.h", "isogloss_view.h"):
             shutil.copy(ABI / name, folder)
         subprocess.run([compiler, "-std=c11", "-g", "-O0", "-fPIC", "-shared", f"-ffile-prefix-map={folder}=.",
                         "-o", "probe.so", "probe.c"], cwd=folder, check=True)
@@ -68,6 +68,11 @@ def structs(description):
     return members, typedefs
 
 
+def gets_name(old, new):
+    """A reserved member, which is zero until an addition gives it a meaning."""
+    return old[1] == "reserved" and (old[0], old[2]) == (new[0], new[2])
+
+
 def breaks(before, after):
     """What a plugin or host built with `before` would suffer from `after`, one line each."""
     old_structs, old_typedefs = before
@@ -78,7 +83,7 @@ def breaks(before, after):
             yield f"{name} is gone"
             continue
         for old_member, new_member in zip(old, new):
-            if old_member != new_member:
+            if old_member != new_member and not gets_name(old_member, new_member):
                 yield "{}: {} at {} ({}) is now {} at {} ({})".format(
                     name, old_member[1], old_member[0], old_member[2], new_member[1], new_member[0], new_member[2])
                 break
@@ -109,6 +114,10 @@ def edit(header, instruction):
         members[middle], members[other] = members[other], members[middle]
     elif verb == "remove":
         members.pop()
+    elif verb == "name":
+        members = [re.sub(r"\breserved;$", "named;", member) for member in members]
+    elif verb == "rename":
+        members[middle] = re.sub(r"\w+;$", "renamed;", members[middle])
     elif verb == "retype":
         members[middle] = re.sub(r"^\S+", "float", members[middle].removeprefix("const "))
     else:
@@ -119,7 +128,7 @@ def edit(header, instruction):
 def main():
     arguments = argparse.ArgumentParser()
     arguments.add_argument("action", choices=["check", "write"])
-    arguments.add_argument("--edit", help="append|insert|swap|remove|retype:STRUCT")
+    arguments.add_argument("--edit", help="append|insert|swap|remove|name|rename|retype:STRUCT")
     arguments.add_argument("--expect", choices=["compatible", "incompatible"], default="compatible")
     arguments.add_argument("--compiler", default="cc")
     arguments.add_argument("--force", action="store_true", help="write although it breaks plugins (before a release)")

@@ -1,6 +1,8 @@
 /// The block document as a syntax sees it while it runs: a thin, inlined cover over the host's table.
 #pragma once
 
+#include <isogloss_view.h>
+
 #include <optional>
 
 #include "isogloss/options.hpp"
@@ -38,41 +40,87 @@ class Block {
  public:
   Block(const ig_host* host, ig_block* block) : host_(host), block_(block) {}
 
+  /// False where it has no value.
+  bool get(ig_field f, ig_value& out) const {
+    const ig_view* const shown = view();
+    if (shown == nullptr) [[unlikely]]
+      return host_->get(block_, f, &out) != 0;
+    if (!shows(shown, f)) return false;
+    out = shown->values[f].value;
+    return true;
+  }
   template <class T>
   std::optional<T> get(const Field<T>& field) const {
     ig_value v;
-    if (host_->get(block_, field.id(), &v) == 0) return std::nullopt;
+    if (!get(field.id(), v)) return std::nullopt;
     return detail::ValueOf<T>::read(v);
   }
   template <class T>
   T get_or(const Field<T>& field, T fallback) const {
     ig_value v;
-    return host_->get(block_, field.id(), &v) != 0 ? detail::ValueOf<T>::read(v) : fallback;
+    return get(field.id(), v) ? detail::ValueOf<T>::read(v) : fallback;
   }
   bool is(const Field<Symbol>& field, Symbol name) const {
     ig_value v;
-    return host_->get(block_, field.id(), &v) != 0 && v.symbol == name.id;
+    return get(field.id(), v) && v.symbol == name.id;
   }
   PartialVec3 get(const Xyz& xyz) const {
-    if (xyz.point() != IG_NO_FIELD) {
-      double v[3];
-      const std::uint32_t mask = host_->get_point(block_, xyz.point(), v);
-      return {mask, {v[0], v[1], v[2]}};
+    if (const ig_view* const shown = view(); shown != nullptr && three(shown, xyz) == 7) [[likely]] {
+      const ig_view_value* const v = shown->values + xyz.point();
+      return {7, {v[0].value.number, v[1].value.number, v[2].value.number}};
     }
-    ig_value v[3];
-    return triple(host_->get_many(block_, xyz.ids(), 3, v), v);
+    return get_partial(xyz);
+  }
+  bool has(ig_field f) const {
+    const ig_view* const shown = view();
+    if (shown == nullptr) [[unlikely]] {
+      ig_value v;
+      return host_->get(block_, f, &v) != 0;
+    }
+    return shows(shown, f);
   }
   template <class F>
   bool has(const F& field) const {
-    ig_value v;
-    return host_->get(block_, field.id(), &v) != 0;
+    return has(ig_field{field.id()});
+  }
+  /// One of these, at least.
+  template <class... F>
+  bool has_any(const F&... fields) const {
+    return (has(fields) || ...);
+  }
+  /// The values of several fields, at most 32; a bit for each that is present.
+  std::uint32_t get_many(const ig_field* fields, std::uint32_t count, ig_value* out) const {
+    const ig_view* const shown = view();
+    if (shown == nullptr) [[unlikely]]
+      return host_->get_many(block_, fields, count, out);
+    std::uint32_t mask = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (!shows(shown, fields[i])) continue;
+      out[i] = shown->values[fields[i]].value;
+      mask |= 1u << i;
+    }
+    return mask;
+  }
+  /// A bit for each of several fields, at most 32, that was written in this block.
+  std::uint32_t fresh_many(const ig_field* fields, std::uint32_t count) const {
+    std::uint32_t mask = 0;
+    for (std::uint32_t i = 0; i < count; ++i) mask |= static_cast<std::uint32_t>(is_fresh(fields[i])) << i;
+    return mask;
   }
   /// Written in this block, not carried.
+  bool is_fresh(ig_field f) const {
+    const ig_view* const shown = view();
+    if (shown == nullptr) [[unlikely]]
+      return host_->is_fresh(block_, f) != 0;
+    return f < shown->field_count && (shown->bits[f / 64].fresh >> (f % 64) & 1) != 0;
+  }
   template <class F>
   bool is_fresh(const F& field) const {
-    return host_->is_fresh(block_, field.id()) != 0;
+    return is_fresh(ig_field{field.id()});
   }
   bool is_fresh(const Xyz& xyz) const {
+    if (const ig_view* const shown = view(); shown != nullptr && lies_in_one_word(xyz)) [[likely]]
+      return (shown->bits[xyz.point() / 64].fresh >> (xyz.point() % 64) & 7u) != 0;
     return (xyz.point() != IG_NO_FIELD ? host_->fresh_point(block_, xyz.point())
                                        : host_->fresh_many(block_, xyz.ids(), 3)) != 0;
   }
@@ -110,6 +158,7 @@ class Block {
   bool is_raised(const Signal& signal) const { return has(signal); }
 
   std::optional<double> take(const Word& word) {
+    if (const ig_view* const shown = view(); shown != nullptr && !shows(shown, word.id())) return std::nullopt;
     ig_value v;
     if (host_->take(block_, word.id(), &v) == 0) return std::nullopt;
     return v.number;
@@ -202,6 +251,31 @@ class Block {
   ig_block* raw() const { return block_; }
 
  private:
+  /// Null: this host does not show where the values lie.
+  const ig_view* view() const {
+    return (host_->flags & IG_HOST_SHOWS_BLOCKS) != 0 ? reinterpret_cast<const ig_view*>(block_) : nullptr;
+  }
+  static bool shows(const ig_view* shown, ig_field f) {
+    return f < shown->field_count && (shown->bits[f / 64].present >> (f % 64) & 1) != 0;
+  }
+  static bool lies_in_one_word(const Xyz& xyz) { return xyz.point() != IG_NO_FIELD && xyz.point() % 64 <= 61; }
+  /// Which of the three are present; 0 also where they do not lie in one word of bits.
+  static std::uint32_t three(const ig_view* shown, const Xyz& xyz) {
+    if (!lies_in_one_word(xyz)) return 0;
+    return static_cast<std::uint32_t>(shown->bits[xyz.point() / 64].present >> (xyz.point() % 64)) & 7u;
+  }
+  /// Not inlined, so that get() of a whole point is.
+  [[gnu::noinline]] PartialVec3 get_partial(const Xyz& xyz) const {
+    if (xyz.point() != IG_NO_FIELD) {
+      if (const ig_view* const shown = view(); shown != nullptr && lies_in_one_word(xyz) && three(shown, xyz) == 0)
+        return {};
+      double v[3];
+      const std::uint32_t mask = host_->get_point(block_, xyz.point(), v);
+      return {mask, {v[0], v[1], v[2]}};
+    }
+    ig_value v[3];
+    return triple(get_many(xyz.ids(), 3, v), v);
+  }
   static PartialVec3 triple(std::uint32_t mask, const ig_value* v) {
     PartialVec3 out{mask, {}};
     for (std::size_t i = 0; i < 3; ++i)

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <memory>
 #include <span>
 
 #include "isogloss/engine/layout.hpp"
+#include "isogloss_view.h"
 
 namespace isogloss {
 
@@ -57,10 +59,18 @@ struct BlockSource {
 };
 
 class Document {
+  ig_view view_{};  // first: a syntax looks for it where its block begins
+
  public:
   /// Sizes for one layout; `wake` is wake_words masks for each field (which syntaxes a write wakes), 2 or 4 of them.
   Document(const Layout& layout, std::vector<std::uint64_t> wake, std::uint32_t wake_words);
   const Layout& layout() const { return *layout_; }
+  /// As a syntax gets it: it begins with the view of what the document holds now.
+  ig_block* block() {
+    view_ = {reinterpret_cast<const ig_view_bits*>(bits_.data()), reinterpret_cast<const ig_view_value*>(state_.data()),
+             size_, 0};
+    return reinterpret_cast<ig_block*>(this);
+  }
 
   bool present(ig_field f) const { return f < size_ && (bits_[f >> 6].present >> (f & 63) & 1) != 0; }
   bool fresh(ig_field f) const { return f < size_ && (bits_[f >> 6].fresh >> (f & 63) & 1) != 0; }
@@ -311,6 +321,9 @@ class Document {
     std::uint16_t end() const { return static_cast<std::uint16_t>(place >> 16); }
     std::uint16_t writer() const { return static_cast<std::uint16_t>(place >> 32); }
   };
+  static_assert(sizeof(Bits) == sizeof(ig_view_bits) && offsetof(Bits, present) == offsetof(ig_view_bits, present) &&
+                offsetof(Bits, fresh) == offsetof(ig_view_bits, fresh));
+  static_assert(sizeof(State) == sizeof(ig_view_value) && offsetof(State, value) == offsetof(ig_view_value, value));
   std::vector<Bits> bits_;
   std::vector<State> state_;
   // The 64-bit words that hold words and codes; from far_begin_ to far_end_ hold nothing but words of codes.
