@@ -1,5 +1,5 @@
-// Comments: ( … ), not nested, anywhere in a block; and the semicolon, which opens a comment on controls that read it
-// so and ends the block where a listing shows the end-of-block character as one.
+// Comments: ( … ), not nested, anywhere in a block; the semicolon, which opens a comment on controls that read it so
+// and ends the block where a listing shows the end-of-block character as one; and // where the control knows it.
 #include <string>
 
 #include "diagnostics.hpp"
@@ -9,25 +9,30 @@ namespace iso {
 namespace {
 
 enum class Semicolon { comment, end_of_block };
+enum class Slashes { none, comment };
 
 struct IsoCommentSyntax {
   static constexpr auto spec =
-      ig::syntax("IsoCommentSyntax", "Takes comments: ( … ) and, by option, ; to the line's end.")
-          .after("BlockSkipSyntax")
+      ig::syntax("IsoCommentSyntax", "Takes comments: ( … ) and, by option, ; and // to the line's end.")
           .before("FlagSyntax", "WordSyntax")
-          .scans("(;");
+          .scans("(;/");
 
   ig::Choice<Semicolon> semicolon{"semicolon", "comment|end-of-block", "comment",
                                   "What ; means: a comment to the end of the line, or the end of the block."};
+  ig::Choice<Slashes> slashes{"slashes", "none|comment", "none",
+                              "What // means: two block skips, or a comment to the end of the line; then this syntax "
+                              "stands before BlockSkipSyntax."};
   ig::Out<ig::Symbol> symbol{"Comment.Symbol"};
   ig::TextField text_{"Comment.Text", ig::read | ig::write};
   ig::Name parenthesis{"("};
   ig::Name semicolon_name{";"};
+  ig::Name slashes_name{"//"};
   ig::Signal several{"Comment.~Several", ig::read | ig::write | ig::wake};
   std::string joined;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     if (text[position] == ';') return after_semicolon(b, text, position);
+    if (text[position] == '/') return after_slashes(b, text, position);
     // The block may be long, and hold thousands of comments: none of them looks at all of it.
     const std::size_t close = text.find(')', position);
     const std::size_t end = block_end(text.substr(0, close), position);
@@ -48,6 +53,13 @@ struct IsoCommentSyntax {
   }
 
  private:
+  std::size_t after_slashes(ig::Block& b, std::string_view text, std::size_t position) {
+    if (slashes == Slashes::none || at(text, position + 1) != '/') return position;
+    const std::size_t end = block_end(text, position);
+    add(b, slashes_name, trim(piece(text, position + 2, end)));
+    return end;
+  }
+
   std::size_t after_semicolon(ig::Block& b, std::string_view text, std::size_t position) {
     if (semicolon == Semicolon::comment) {
       const std::size_t end = block_end(text, position);
