@@ -7,6 +7,7 @@
 #include "diagnostics.hpp"
 #include "owned_words.hpp"
 #include "repeat_count.hpp"
+#include "unit_codes.hpp"
 
 namespace iso {
 namespace {
@@ -33,7 +34,7 @@ struct DecimalPointSyntax {
   ig::Signal without_point{"Parsing.~WithoutPoint", ig::read | ig::wake};
   ig::Signal fine_digits{"Parsing.~FineDigits", ig::read | ig::wake};
   ig::Signal cuts_digits{"Parsing.~CutsDigits", ig::write, ig::Life::modal};
-  ig::Codes units{{"G20", "G21"}, ig::read};
+  UnitCodes units{ig::read};
   ig::In<ig::Symbol> system{"Unit.System"};
   ig::Name inch{"Inch"};
   ig::Fields addresses{"addresses", "Parsing.?", ig::read | ig::write, "The words of the block."};
@@ -141,8 +142,8 @@ struct DecimalPointSyntax {
   }
 
   bool is_inch(const ig::Block& b) const {
-    const auto code = b.find(units);
-    return code ? *code == 0 : b.is(system, inch);
+    const auto code = units.find(b);
+    return code ? code->is_inch : b.is(system, inch);
   }
 
   bool read_row(ig::Block& b, const Row& row) const {

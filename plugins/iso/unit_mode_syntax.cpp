@@ -1,12 +1,12 @@
-/// G20/G21: inch or metric input. Stands first in the logic: in inch blocks it turns the lengths and feeds that the
-/// block programs into mm, in place, so that nothing after it knows of inches.
+/// G20/G21 (G70/G71): inch or metric input. Stands first in the logic: in inch blocks it turns the lengths and feeds
+/// that the block programs into mm, in place, so that nothing after it knows of inches.
 #include <algorithm>
 #include <cmath>
 
 #include "cycle_codes.hpp"
-#include "modal_group.hpp"
 #include "pattern_diagnostics.hpp"
 #include "repeat_count.hpp"
+#include "unit_codes.hpp"
 
 namespace iso {
 namespace {
@@ -18,7 +18,7 @@ struct UnitMode {
                                    .after("ParameterizedFlagSyntax", "DecimalPointSyntax")
                                    .before("FeedrateSyntax", "CannedCycleResolveSyntax", "ProgramXyzSyntax");
 
-  ig::Codes modes_{"G20", "G21"};
+  UnitCodes modes_{ig::take | ig::wake};
   ig::Fields lengths_{"lengths", "Parsing.**{mm} Parsing.**{mm/min}", ig::read | ig::write,
                       "The words that are lengths or feeds."};
   ig::Out<ig::Symbol> term_{"Unit.Term"};
@@ -31,7 +31,7 @@ struct UnitMode {
   CycleK cycle_k_;
   TappingJ tapping_j_;
   ig::Call cycle_ks_{cycle_codes, "K[1]", ig::read | ig::write};
-  ig::Name inch_{"Inch"}, metric_{"Metric"}, g93_{"G93"};
+  ig::Name g20_{"G20"}, inch_{"Inch"}, metric_{"Metric"}, g93_{"G93"};
 
   enum class Unsaid { silent, warning };
   ig::Choice<Unsaid> unsaid_{"unsaid", "silent|warning", "silent",
@@ -54,7 +54,7 @@ struct UnitMode {
   ig::Status restart(ig::Block& b) {
     const bool in_inch = format_.number("StartsInInch").value_or(0) != 0;
     if (in_inch) {
-      b.set(term_, modes_.name(0));
+      b.set(term_, g20_);
       b.set(system_, inch_);
     }
     if (unsaid_ == Unsaid::silent) return in_inch ? ig::Status::changed : ig::Status::unchanged;
@@ -63,12 +63,12 @@ struct UnitMode {
   }
 
   ig::Status build(ig::Block& b) {
-    const auto mode = take_modal(b, modes_);
+    const auto mode = modes_.take(b);
     const bool waits_for_unit = b.is_raised(no_unit_yet_);
     if (waits_for_unit && (mode || say_unsaid(b))) b.erase(no_unit_yet_);
     if (mode) {
-      b.set(term_, modes_.name(*mode));
-      b.set(system_, *mode == 0 ? inch_ : metric_);
+      b.set(term_, mode->name);
+      b.set(system_, mode->is_inch ? inch_ : metric_);
     }
     const bool converted = b.is(system_, inch_) && to_metric(b);
     return mode || converted ? ig::Status::changed : ig::Status::unchanged;
