@@ -12,6 +12,7 @@ namespace {
 
 enum class DecimalSets { available, absent };
 enum class FurtherSets { absent, g110_g154 };
+enum class G54P { additional, all_sets };
 
 struct IsoCoordinateOffset {
   static constexpr auto spec =
@@ -40,6 +41,10 @@ struct IsoCoordinateOffset {
       "further-sets", "absent|G110-G154", "absent",
       "Has the control G154 P1 and up, of which G110 to G129 are P1 to P20? Where it has none they are left."};
 
+  ig::Choice<G54P> g54_p_{
+      "g54-p", "additional|all-sets", "additional",
+      "What P of G54 counts: the sets of G54.1, or all sets, of which P1 is G54 itself and P7 G59.1."};
+
   ig::Status restart(ig::Block& b) {
     select(b, b.text(selected(b)), ig::Where::block());
     return ig::Status::changed;
@@ -55,7 +60,8 @@ struct IsoCoordinateOffset {
       }
       const auto number = set_number(b, *code);
       if (number) {
-        select(b, WorkOffsetId::additional(*number).text(), where);
+        const bool is_of_all = *code == plain && g54_p_ == G54P::all_sets && *number != 0;
+        select(b, is_of_all ? WorkOffsetId::of_all(*number).text() : WorkOffsetId::additional(*number).text(), where);
       } else {
         select(b, b.text(name), where);
       }
@@ -86,7 +92,7 @@ struct IsoCoordinateOffset {
     return p.value_or(1);
   }
 
-  /// G54.1 without P is P1. G54 P2 is G54.1 P2, unless a canned cycle waits for the P.
+  /// G54.1 without P is P1. G54 P2 is G54.1 P2 (or, by option, G55), unless a canned cycle waits for the P.
   std::optional<double> set_number(ig::Block& b, std::size_t code) const {
     if (code == g54_1) {
       const auto words = b.take(additional_);

@@ -10,6 +10,7 @@ namespace iso {
 namespace {
 
 enum class ToolColumns { geometry_wear, wear_geometry };
+enum class L2Rows { to_g59, all_sets };
 
 struct ProgrammableDataInput {
   static constexpr auto spec =
@@ -33,6 +34,8 @@ struct ProgrammableDataInput {
   ig::Name g91_{"G91"};
   ig::Choice<ToolColumns> tool_columns_{"tool-columns", "geometry-wear|wear-geometry", "geometry-wear",
                                         "What L10 and L11 (length), L12 and L13 (radius) write, in this order."};
+  ig::Choice<L2Rows> l2_rows_{"l2-rows", "to-G59|all-sets", "to-G59",
+                              "What P of L2 counts: EXT and G54 to G59, or all sets, as P of G54 does."};
 
   ig::Status build(ig::Block& b) {
     const bool ends = b.take(g11_).has_value();
@@ -68,7 +71,9 @@ struct ProgrammableDataInput {
   /// False when the table has no such row.
   bool write_offset(ig::Block& b, const ig::Words& words) const {
     const double row = *words['P'];
-    const WorkOffsetId id = *words['L'] == 2 ? WorkOffsetId::basic(row) : WorkOffsetId::additional(row);
+    const WorkOffsetId id = *words['L'] != 2               ? WorkOffsetId::additional(row)
+                            : l2_rows_ == L2Rows::all_sets ? WorkOffsetId::of_all(row)
+                                                           : WorkOffsetId::basic(row);
     double offset[3];
     if (id.text().empty() || offsets_->get(offsets_->self, ig::to_text(id.text()), offset) == 0) return false;
     const bool adds = b.is(positioning_, g91_);

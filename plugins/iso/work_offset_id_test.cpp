@@ -19,6 +19,17 @@ TEST_CASE("P of G54.1 numbers the additional sets from 1") {
   for (const double p : {0.0, -1.0, 2.5, 1e300}) CHECK(WorkOffsetId::additional(p).text().empty());
 }
 
+TEST_CASE("where one number counts all sets") {
+  CHECK(WorkOffsetId::of_all(0).text() == "EXT");
+  CHECK(WorkOffsetId::of_all(1).text() == "G54");
+  CHECK(WorkOffsetId::of_all(6).text() == "G59");
+  CHECK(WorkOffsetId::of_all(7).text() == "G59.1");
+  CHECK(WorkOffsetId::of_all(15).text() == "G59.9");
+  CHECK(WorkOffsetId::of_all(16).text() == "G54.1P16");
+  CHECK(WorkOffsetId::of_all(100).text() == "G54.1P100");
+  for (const double p : {-1.0, 7.5, 1e300}) CHECK(WorkOffsetId::of_all(p).text().empty());
+}
+
 TEST_CASE("numbers that name something are whole and not negative") {
   CHECK(whole_number(0) == 0);
   CHECK(whole_number(42) == 42);
