@@ -7,7 +7,7 @@ namespace iso {
 namespace {
 
 enum class LastRetract { by_d, direct };
-enum class BottomDwell { none, bottom };
+enum class BottomDwell { none, bottom, every_peck };
 
 struct HighSpeedPeckCycle {
   static constexpr auto spec =
@@ -18,7 +18,8 @@ struct HighSpeedPeckCycle {
   CannedCycle cycle_{"G73"};
   PeckCycle pecks_{"HighSpeedPeckRetraction_mm"};
   CycleDwell dwell_;
-  ig::Choice<BottomDwell> bottom_dwell_{"dwell", "none|bottom", "none", "Whether P is a dwell after the last peck."};
+  ig::Choice<BottomDwell> bottom_dwell_{"dwell", "none|bottom|every-peck", "none",
+                                        "Whether P is a dwell: after the last peck, or after each."};
   ig::Choice<LastRetract> last_retract_{
       "last-retract", "by-d|direct", "by-d",
       "The way out after the last peck: back by d and on to the return level, or to the return level at once."};
@@ -28,7 +29,7 @@ struct HighSpeedPeckCycle {
     if (!run) return ig::Status::unchanged;
     const auto pecks = pecks_.plan(b, cycle_, *run);
     const double feed = pecks ? cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom)) : 0;
-    const bool waits = bottom_dwell_ == BottomDwell::bottom;
+    const bool waits = bottom_dwell_ != BottomDwell::none;
     const double dwell = waits ? dwell_.seconds(*run) : 0;
     const bool returns = pecks && pecks->full_return > 0;
     std::string_view used = pecks_.used(*run, returns ? "QKP" : "QP", "IJKP");
@@ -44,7 +45,7 @@ struct HighSpeedPeckCycle {
         double out_at = run->r_level;  // where the chips came out last
         for (int k = 1; k <= pecks->count; ++k) {
           motion.feed_to(b, hole.at(pecks->level(k)), feed);
-          if (dwell > 0 && pecks->is_last(k)) motion.dwell(b, dwell);
+          if (dwell > 0 && (pecks->is_last(k) || bottom_dwell_ == BottomDwell::every_peck)) motion.dwell(b, dwell);
           if (returns && !pecks->is_last(k) && std::fabs(pecks->level(k) - out_at) >= pecks->full_return - 1e-7) {
             motion.rapid_to(b, hole.at(pecks->clear_level));
             out_at = pecks->level(k);

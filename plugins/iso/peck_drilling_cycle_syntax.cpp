@@ -7,7 +7,7 @@ namespace iso {
 namespace {
 
 enum class LastRetract { via_r, direct };
-enum class BottomDwell { none, bottom };
+enum class BottomDwell { none, bottom, every_peck };
 
 struct PeckDrillingCycle {
   static constexpr auto spec =
@@ -21,15 +21,16 @@ struct PeckDrillingCycle {
   ig::Choice<LastRetract> last_retract_{
       "last-retract", "via-r|direct", "via-r",
       "The way out after the last peck: to R and on to the return level, or to the return level at once."};
-  ig::Choice<BottomDwell> bottom_dwell_{"dwell", "none|bottom", "none", "Whether P is a dwell after the last peck."};
+  ig::Choice<BottomDwell> bottom_dwell_{"dwell", "none|bottom|every-peck", "none",
+                                        "Whether P is a dwell: after the last peck, or after each."};
 
   ig::Status build(ig::Block& b) {
     const auto run = cycle_.take(b);
     if (!run) return ig::Status::unchanged;
     const auto pecks = pecks_.plan(b, cycle_, *run);
     const double feed = pecks ? cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom)) : 0;
-    const double dwell = bottom_dwell_ == BottomDwell::bottom ? dwell_.seconds(*run) : 0;
-    const bool waits = bottom_dwell_ == BottomDwell::bottom;
+    const bool waits = bottom_dwell_ != BottomDwell::none;
+    const double dwell = waits ? dwell_.seconds(*run) : 0;
     cycle_.say_unused(b, *run, pecks_.used(*run, waits ? "QP" : "Q", waits ? "IJKP" : "IJK"));
     const ig::CompoundMotion& motion = cycle_.motion;
 
@@ -41,7 +42,7 @@ struct PeckDrillingCycle {
         for (int k = 1; k <= pecks->count; ++k) {
           if (k > 1) motion.rapid_to(b, hole.at(pecks->clear_of(k - 1)));
           motion.feed_to(b, hole.at(pecks->level(k)), feed);
-          if (dwell > 0 && pecks->is_last(k)) motion.dwell(b, dwell);
+          if (dwell > 0 && (pecks->is_last(k) || bottom_dwell_ == BottomDwell::every_peck)) motion.dwell(b, dwell);
           if (!pecks->is_last(k))
             motion.rapid_to(b, hole.at(pecks->clear_level));
           else if (last_retract_ == LastRetract::via_r)
