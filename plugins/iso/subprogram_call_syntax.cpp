@@ -13,6 +13,7 @@ namespace {
 enum class Answered { no, yes };
 enum class PForm { split, whole };
 enum class StartAddress { none, q, h };
+enum class WithoutProgram { error, same_program };
 
 constexpr double largest_number = 99'999'999;
 constexpr std::uint32_t in_folders = IG_IN_FOLDERS;
@@ -29,6 +30,9 @@ struct SubprogramCall {
   ig::IntegerOption p_digits_{"p-digits", "4", {1, 8}, "Digits of a program number where P is split."};
   ig::Choice<StartAddress> start_address_{"start-address", "none|Q|H", "none",
                                           "The word that names the sequence number at which the program begins."};
+  ig::Choice<WithoutProgram> without_program_{
+      "without-program", "error|same-program", "error",
+      "A call that names a sequence number and no program: an error, or a call of that block of the same program."};
   ig::IntegerOption levels_{
       "levels", "10", {0, 1000}, "Calls inside each other that the control permits; 0: any number."};
   ig::Choice<Answered> external_{"m198", "no|yes", "no",
@@ -62,7 +66,7 @@ struct SubprogramCall {
                name);
       return ig::Status::unchanged;
     }
-    Request request{*row, b.text(call_.name(*row)), ig::Where::word(call_.code(*row)), 0, 1, 0};
+    Request request{*row, b.text(call_.name(*row)), ig::Where::word(call_.code(*row)), 0, 1, 0, *row == m97};
     const std::optional<double> p = take(b, *row, 'P', &request.where);
     const std::optional<double> l = take(b, *row, 'L');
     const std::optional<double> start = start_of(b, *row);
@@ -76,6 +80,8 @@ struct SubprogramCall {
       number(b, request, *p, l.has_value());
     else if (!name.empty())
       named(b, request, name);
+    else if (start && without_program_ == WithoutProgram::same_program)
+      of_same_program(b, request);
     else
       b.report(subprogram_diag("ISO-0481"), request.where, request.code);
     return ig::Status::changed;
@@ -89,7 +95,9 @@ struct SubprogramCall {
     std::int64_t program;
     std::uint32_t repeats;
     std::int64_t start;
+    bool is_local;  ///< `program` is a sequence number of the calling program
   };
+  static constexpr std::size_t m97 = 2;  // of call_
 
   bool is_answered(std::size_t row) const { return row == 0 || (row == 1 ? external_ : local_) == Answered::yes; }
 
@@ -125,8 +133,7 @@ struct SubprogramCall {
       return;
     }
     r.program = static_cast<std::int64_t>(p);
-    const bool is_local = r.row == 2;
-    if (!has_count && !is_local && p_form_ == PForm::split) {
+    if (!has_count && !r.is_local && p_form_ == PForm::split) {
       std::int64_t limit = 1;
       for (std::int64_t i = 0; i < p_digits_; ++i) limit *= 10;
       if (r.program >= limit && r.program % limit != 0) {
@@ -167,6 +174,13 @@ struct SubprogramCall {
       say(b, r, answer);
   }
 
+  void of_same_program(ig::Block& b, Request& r) const {
+    r.program = r.start;
+    r.is_local = true;
+    show(b, r);
+    if (may_call(b, r)) say(b, r, ask(b, r));
+  }
+
   void show(ig::Block& b, const Request& r) const {
     b.set(p_, r.program);
     b.set(l_, static_cast<std::int64_t>(r.repeats));
@@ -180,13 +194,13 @@ struct SubprogramCall {
     const ig_frame frame = flow_.frame(b);
     if (levels_ == 0 || static_cast<std::int64_t>(frame.depth) < levels_) return true;
     b.report(subprogram_diag("ISO-0486"), r.where, static_cast<double>(frame.depth),
-             NumberedName('O', r.program).text());
+             NumberedName(r.is_local ? 'N' : 'O', r.program).text());
     b.alarm();
     return false;
   }
 
   ig::Flow::Answer ask(ig::Block& b, const Request& r) const {
-    if (r.row == 2)
+    if (r.is_local)
       return flow_.call(b,
                         {.program = NumberedName('N', r.program).text(), .scope = IG_IN_PROGRAM, .repeats = r.repeats});
     const ProgramFileNames files(r.program);
@@ -201,7 +215,7 @@ struct SubprogramCall {
 
   static void say(ig::Block& b, const Request& r, const ig::Flow::Answer& answer) {
     if (answer.is_not_found())
-      b.report(subprogram_diag("ISO-0485"), r.where, NumberedName(r.row == 2 ? 'N' : 'O', r.program).text(),
+      b.report(subprogram_diag("ISO-0485"), r.where, NumberedName(r.is_local ? 'N' : 'O', r.program).text(),
                answer.reason);
     else if (answer.status == IG_GO_TAKEN)
       b.report(subprogram_diag("ISO-0493"), r.where, r.code);
