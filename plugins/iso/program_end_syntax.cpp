@@ -1,10 +1,15 @@
 /// M02/M30: the program ends after this block. An M99 that nobody answered as a return stands in the main program,
-/// where the control would start again: the run ends there too, and says so.
+/// where the control would start again: the run ends there too, and says so. Some controls return from a called program
+/// at its M30.
+#include <isogloss/flow.hpp>
+
 #include "leftovers.hpp"
 #include "modal_group.hpp"
 
 namespace iso {
 namespace {
+
+enum class InSubprogram { end, return_to_caller };
 
 struct ProgramEnd {
   static constexpr auto spec = ig::syntax("ProgramEndSyntax", "M02/M30 end of the program; M99 in the main program.");
@@ -13,8 +18,16 @@ struct ProgramEnd {
   ig::Call back_to_start_{{"M99"}, "P[] L[]"};
   ig::Out<ig::Symbol> term_{"ProgramEnd.Term"};
 
+  ig::Choice<InSubprogram> in_subprogram_{"in-subprogram", "end|return", "end",
+                                          "M02 and M30 of a called program: end of the run, or back to the caller."};
+  ig::Flow flow_;
+
   ig::Status build(ig::Block& b) {
     const auto end = take_modal(b, end_);
+    if (end && in_subprogram_ == InSubprogram::return_to_caller && flow_.frame(b).depth > 0) {
+      flow_.leave(b);
+      return ig::Status::changed;
+    }
     const bool again = is_unanswered(b, back_to_start_.code(0));
     if (!end && !again) return ig::Status::unchanged;
     if (again) {
