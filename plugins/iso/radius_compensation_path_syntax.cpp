@@ -8,7 +8,7 @@
 namespace iso {
 namespace {
 
-enum class Approach { a, b };
+enum class Approach { a, b, parameter };
 enum class Interference { alarm, avoid, ignore };
 
 struct RadiusCompensationPath {
@@ -47,7 +47,11 @@ struct RadiusCompensationPath {
                                    ig::Name{"Acute"},    ig::Name{"Round"},     ig::Name{"Square"},
                                    ig::Name{"Crossing"}, ig::Name{"NoSolution"}};
 
-  ig::Choice<Approach> start_up_{"start-up", "a|b", "a", "Start and end of compensation, type A or B."};
+  ig::Choice<Approach> start_up_{"start-up", "a|b|parameter", "a",
+                                 "Start and end of compensation: type A or B, or as the control's parameters say."};
+  ig::Config parameters_{"isogloss.motion/1", ig::Need::optional, "RadiusCompensationStartUp: 0 type A, 1 type B."};
+  bool is_type_b_ = start_up_ == Approach::b || (start_up_ == Approach::parameter &&
+                                                 parameters_.number("RadiusCompensationStartUp").value_or(0) != 0);
   ig::Choice<OuterCorner> outer_corner_{"outer-corner", "lines|arc", "lines",
                                         "How the tool goes round an outer corner."};
   ig::Choice<Interference> interference_{"interference", "alarm|avoid|ignore", "alarm",
@@ -144,7 +148,7 @@ struct RadiusCompensationPath {
       const Corner round = corner_to(now, next, offset);
       const bool is_outer =
           round.kind == CornerKind::obtuse || round.kind == CornerKind::acute || round.kind == CornerKind::round;
-      if (start_up_ == Approach::b && is_outer)
+      if (is_type_b_ && is_outer)
         corner = round;
       else
         corner.leave = next.move.offset_start(offset);
@@ -173,7 +177,7 @@ struct RadiusCompensationPath {
     if (next.kind != ContourAhead::Next::Kind::move || !now.move.fits(offset)) return square_corner(now.move, offset);
     if (next.offset == 0) {
       if (next.direction.length() > 0) return directed_end(now.move, offset, next.direction);
-      if (start_up_ == Approach::a || next.move.is_arc) return square_corner(now.move, offset);
+      if (!is_type_b_ || next.move.is_arc) return square_corner(now.move, offset);
       const Corner round = corner_to(now, next, offset);
       return round.kind == CornerKind::inner ? square_corner(now.move, offset) : round;
     }
