@@ -1,0 +1,86 @@
+/// Codes that call a macro of the machine's builder: G200 to G999, and the G, M and T codes that parameters bind to
+/// one. Such a macro is in MACRO format and is not executed; the words of the block are its arguments and move nothing.
+/// So it is with the codes of two and more decimals (G68.18), which are of robots.
+#include <string>
+
+#include "scan_util.hpp"
+#include "syntec_diagnostics.hpp"
+
+namespace syntec {
+namespace {
+
+struct SyntecMacroCode {
+  static constexpr auto spec =
+      ig::syntax("SyntecMacroCodeSyntax", "Says which macros of the builder are not executed, and takes their words.")
+          .after("FlagSyntax")
+          .before("FanucMacroCallSyntax", "ParameterizedFlagSyntax", "DecimalPointSyntax", "ToolChangeSyntax")
+          .scans("GMgm");
+
+  /// What a macro takes of its block: with one axis it takes all, and an M code takes everything but T.
+  static constexpr std::string_view of_g = "XYZABCIJKUVWPQRLE", of_m = "XYZABCIJKUVWPQRLEDFHS";
+
+  std::vector<ig::Word> words_ = words();
+  ig::Word tool_{"Parsing.T", ig::read | ig::wake};
+  ig::Signal called_{"Parsing.~BuilderMacro", ig::read | ig::write | ig::wake};
+  ig::Signal by_m_{"Parsing.~BuilderMacroByM", ig::read | ig::write};
+  ig::Config macros_{"isogloss.code-call/1", ig::Need::optional, "Which codes call a macro, and its number."};
+  bool tool_calls_ = macros_.number("T").has_value();
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    const ig::Decimal code = ig::read_decimal(text, iso::skip_blanks(text, position + 1));
+    if (!code.ok || code.value < 0 || code.value > 99'999 || iso::at(text, code.end) == '=') return position;
+    const char letter = iso::to_upper(text[position]);
+    const std::string name = name_of(letter, iso::piece(text, iso::skip_blanks(text, position + 1), code.end));
+    if (!macros_.number(name)) return position;
+    const auto where = ig::Where::columns(position, code.end);
+    if (letter == 'G' && code.value < 200 && code.decimals > 1)
+      b.report(diag("SYN-0003"), where, name, "it belongs to robots and signals, and its words go with it");
+    else
+      b.report(diag("SYN-0002"), where, name, file_of(name));
+    b.raise(called_);
+    if (letter == 'M') b.raise(by_m_);
+    return code.end;
+  }
+
+  ig::Status build(ig::Block& b) const {
+    if (tool_calls_ && b.has(tool_)) b.report(diag("SYN-0002"), ig::Where::word(tool_.id()), "T", "T0000");
+    if (!b.is_raised(called_)) return ig::Status::unchanged;
+    const std::size_t count = b.is_raised(by_m_) ? of_m.size() : of_g.size();
+    for (std::size_t i = 0; i < count; ++i) b.take(words_[i]);
+    return ig::Status::changed;
+  }
+
+ private:
+  static std::vector<ig::Word> words() {
+    std::vector<ig::Word> out;
+    for (const char letter : of_m) out.emplace_back(std::string("Parsing.") + letter, ig::read);
+    return out;
+  }
+
+  /// G0 is G00, G200.0 is G200.
+  static std::string name_of(char letter, std::string_view number) {
+    while (number.size() > 1 && number.front() == '0' && iso::is_digit(number[1])) number.remove_prefix(1);
+    if (number.ends_with(".0")) number.remove_suffix(2);
+    if (number.ends_with('.')) number.remove_suffix(1);
+    return std::string(1, letter) + (iso::skip_digits(number, 0) < 2 ? "0" : "") + std::string(number);
+  }
+
+  /// The macro's file: G0200, G200001 of G200.1, M0123.
+  static std::string file_of(std::string_view name) {
+    const std::size_t point = std::min(name.find('.'), name.size());
+    std::string digits(name.substr(1, point - 1));
+    const std::size_t width = point < name.size() ? 3 : 4;
+    if (digits.size() < width) digits.insert(0, width - digits.size(), '0');
+    if (point < name.size()) {
+      const std::string_view decimals = name.substr(point + 1);
+      if (decimals.size() < 3) digits.append(3 - decimals.size(), '0');
+      digits.append(decimals);
+    }
+    return name.front() + digits;
+  }
+};
+
+const ig::Register<SyntecMacroCode> registered;
+
+}  // namespace
+}  // namespace syntec

@@ -1,0 +1,166 @@
+// The parameters of a Syntec control that change what a program means, by their numbers. Values stand as on the
+// parameter page; this file knows their units.
+#include <cmath>
+
+#include <isogloss/sdk.hpp>
+
+namespace syntec {
+namespace {
+
+constexpr std::string_view control_precision = "17", axis_type = "1006", axis_name = "1020", first_reference = "1240",
+                           travel_maximum = "1320", travel_minimum = "1321", rapid_rate = "1420", t_macro = "3215",
+                           decimal_point = "3241", spindle_limit = "3741", peck_retract = "4002",
+                           compensation_type = "5003";
+constexpr std::string_view axis_letters = "XYZABC";
+
+constexpr const char* shipped[] = {"17|Value=2",   "1240|X=0|Y=0|Z=0", "1420|X=24000|Y=24000|Z=24000",
+                                   "3241|Value=0", "3741|Value=0",     "4002|Value=1000",
+                                   "5003|Value=0"};
+
+struct SyntecParameterTable {
+  static constexpr auto spec = ig::dependency("SyntecParameterTable", "Parameters of a Syntec control, by number.")
+                                   .rows("Parameter", "number")
+                                   .provides("isogloss.number-format/1", "isogloss.canned-cycle/1", "isogloss.motion/1",
+                                             "isogloss.machine-axis/1", "isogloss.code-call/1")
+                                   .ships(shipped);
+
+  enum class PeckUnit { blu, micron };
+  ig::Choice<PeckUnit> peck_unit{"pr4002-unit", "blu|micron", "blu",
+                                 "What Pr4002 counts: basic length units, which are microns where Pr17 is 2, or always "
+                                 "microns."};
+  ig::Column value{"Value", nullptr, "", {}, "The parameter, where it is one for the whole control."};
+  std::array<ig::Column, 6> axes{ig::Column{"X", nullptr, "", {}, "The parameter of the X axis."},
+                                 ig::Column{"Y", nullptr, "", {}, "The parameter of the Y axis."},
+                                 ig::Column{"Z", nullptr, "", {}, "The parameter of the Z axis."},
+                                 ig::Column{"A", nullptr, "", {}, "The parameter of the A axis."},
+                                 ig::Column{"B", nullptr, "", {}, "The parameter of the B axis."},
+                                 ig::Column{"C", nullptr, "", {}, "The parameter of the C axis."}};
+  ig::Table table;
+
+  const void* service(std::string_view id) const {
+    if (id == "isogloss.number-format/1") return &number_format;
+    if (id == "isogloss.canned-cycle/1") return &cycles;
+    if (id == "isogloss.motion/1") return &motion;
+    if (id == "isogloss.code-call/1") return &code_calls;
+    return id == "isogloss.machine-axis/1" ? &machine : nullptr;
+  }
+
+ private:
+  using Answer = std::optional<double>;
+
+  Answer number(std::string_view parameter) const { return table.value(parameter, value); }
+
+  /// Pr1020 gives the axis of a column another name; X, Y, Z, A, B, C otherwise.
+  char name_of(std::size_t column) const {
+    const double code = table.value(axis_name, axes[column]).value_or(0);
+    for (std::size_t i = 0; i < axis_letters.size(); ++i)
+      if (code == axis_letters[i] || code == 100.0 * static_cast<double>(i + 1)) return axis_letters[i];
+    return axis_letters[column];
+  }
+  /// An axis that two columns name is that of the first of them.
+  Answer of_axis(std::string_view parameter, char axis) const {
+    for (std::size_t column = 0; column < axes.size(); ++column)
+      if (name_of(column) == axis) return table.value(parameter, axes[column]);
+    return std::nullopt;
+  }
+
+  /// Pr17: 1 is 0.01 mm, 2 is 0.001 mm, 3 is 0.0001 mm; degrees as mm, inches a tenth of it.
+  double increment() const {
+    const double precision = number(control_precision).value_or(2);
+    return precision == 1 ? 0.01 : precision == 3 ? 0.0001 : 0.001;
+  }
+
+  Answer number_format_of(std::string_view name) const {
+    if (name == "CalculatorDecimalPoint") return number(decimal_point).value_or(0) != 0 ? 1 : 0;
+    if (name == "LengthIncrement_mm" || name == "AngleIncrement_deg") return increment();
+    return name == "LengthIncrement_inch" ? Answer(increment() / 10) : std::nullopt;
+  }
+  /// One distance for all: G73, G83 and peck tapping.
+  Answer cycle_of(std::string_view name) const {
+    if (name != "PeckRetractionDistance_mm" && name != "HighSpeedPeckRetraction_mm" &&
+        name != "PeckTappingRetraction_mm")
+      return std::nullopt;
+    const Answer count = number(peck_retract);
+    if (!count || *count < 0) return std::nullopt;
+    return *count / std::round(1 / (peck_unit == PeckUnit::micron ? 0.001 : increment()));
+  }
+  Answer motion_of(std::string_view name) const {
+    if (name == "ArcRadiusTolerance_mm") return 0.01;
+    if (name == "RadiusCompensationStartUp")
+      return std::fmod(std::floor(number(compensation_type).value_or(0)), 2) == 1 ? 1 : 0;  // bit 0
+    const Answer limit = name == "MaximumSpindleSpeed_rpm" ? number(spindle_limit) : std::nullopt;
+    return limit && *limit > 0 ? limit : std::nullopt;
+  }
+
+  /// The number of the macro that a code calls: G200 to G999 as they are; G codes by Pr3701 to Pr3710, M codes by
+  /// Pr3601 to Pr3610; T where Pr3215 is not 0. G codes of two and more decimals (G68.18) are no milling and 0: they
+  /// are passed on to the syntax that says so.
+  Answer macro_of_code(std::string_view code) const {
+    if (code == "T") return number(t_macro).value_or(0) != 0 ? Answer(0) : std::nullopt;
+    if (code.size() < 2) return std::nullopt;
+    const ig::Decimal called = ig::read_decimal(code, 1);
+    if (!called.ok || called.end != code.size()) return std::nullopt;
+    if (code[0] == 'G' && called.value >= 200 && called.value < 1000) return std::floor(called.value);
+    if (code[0] == 'G' && called.decimals > 1) return 0;
+    for (int i = 0; i < 10; ++i) {
+      if (code[0] == 'M' && called.value > 0 && number(std::to_string(3601 + i)) == called.value) return called.value;
+      if (code[0] == 'G' && registered_code(number(std::to_string(3701 + i)).value_or(0)) == called.value)
+        return std::floor(called.value);
+    }
+    return std::nullopt;
+  }
+
+  /// Pr3701 to Pr3710 count the codes that a macro may replace.
+  static Answer registered_code(double choice) {
+    constexpr std::array codes{0.0, 1.0, 2.0, 3.0, 53.0, 40.0, 41.0, 42.0, 43.0, 44.0, 49.0, 4.0, 2.4, 3.4};
+    if (choice == -1) return codes[0];
+    for (std::size_t i = 1; i < codes.size(); ++i)
+      if (choice == static_cast<double>(i)) return codes[i];
+    return std::nullopt;
+  }
+
+  static std::int32_t write(Answer answer, double* out) {
+    if (answer) *out = *answer;
+    return answer ? 1 : 0;
+  }
+  template <Answer (SyntecParameterTable::*question)(std::string_view) const>
+  static std::int32_t ask(void* self, ig_text name, double* out) {
+    return write((static_cast<const SyntecParameterTable*>(self)->*question)(ig::to_view(name)), out);
+  }
+
+  static const SyntecParameterTable& self_of(void* self) { return *static_cast<const SyntecParameterTable*>(self); }
+  /// The machine starts at the first reference position.
+  static std::int32_t home(void* self, char axis, double* position) { return reference(self, axis, 1, position); }
+  static std::int32_t reference(void* self, char axis, std::uint32_t which, double* position) {
+    static constexpr std::string_view numbers[] = {first_reference, "1241", "1242", "1243"};
+    return which >= 1 && which <= 4 ? write(self_of(self).of_axis(numbers[which - 1], axis), position) : 0;
+  }
+  static std::int32_t travel(void* self, char axis, double* low, double* high) {
+    const Answer from = self_of(self).of_axis(travel_minimum, axis), to = self_of(self).of_axis(travel_maximum, axis);
+    return from && to && *from <= *to ? write(from, low) & write(to, high) : 0;  // the other way round: no limits
+  }
+  static std::int32_t rapid(void* self, char axis, double* per_second) {
+    const Answer per_minute = self_of(self).of_axis(rapid_rate, axis);
+    return per_minute && *per_minute >= 0 ? write(*per_minute / 60, per_second) : 0;
+  }
+  /// Pr1006: 1 is type A, the shortest way; 2 type B, the sign is the direction; any other counts on.
+  static std::int32_t rollover(void* self, char axis, std::uint32_t* mode) {
+    const Answer type = std::string_view("ABC").find(axis) == std::string_view::npos
+                            ? std::nullopt
+                            : self_of(self).of_axis(axis_type, axis);
+    if (!type) return 0;
+    *mode = *type == 1 ? 1 : *type == 2 ? 2 : 0;
+    return 1;
+  }
+
+  ig_config_1 number_format{sizeof(ig_config_1), 0, this, &ask<&SyntecParameterTable::number_format_of>};
+  ig_config_1 cycles{sizeof(ig_config_1), 0, this, &ask<&SyntecParameterTable::cycle_of>};
+  ig_config_1 motion{sizeof(ig_config_1), 0, this, &ask<&SyntecParameterTable::motion_of>};
+  ig_config_1 code_calls{sizeof(ig_config_1), 0, this, &ask<&SyntecParameterTable::macro_of_code>};
+  ig_machine_axis_1 machine{sizeof(ig_machine_axis_1), 0, this, &home, &reference, &travel, &rapid, &rollover};
+};
+
+const ig::Register<SyntecParameterTable> registered;
+
+}  // namespace
+}  // namespace syntec

@@ -1,0 +1,140 @@
+#include <catch2/catch.hpp>
+
+#include "../../tests/support/fake_dependency.hpp"
+
+using isogloss_test::FakeDependency;
+
+namespace {
+
+double number(const FakeDependency& table, const char* service, std::string_view name) {
+  const auto* s = table.service<ig_config_1>(service);
+  double out = -1000;
+  return s->number(s->self, {name.data(), name.size()}, &out) != 0 ? out : -1000;
+}
+
+constexpr const char* format = "isogloss.number-format/1";
+constexpr const char* cycle = "isogloss.canned-cycle/1";
+constexpr const char* motion = "isogloss.motion/1";
+constexpr const char* macro = "isogloss.code-call/1";
+
+constexpr const char* table_id = "SyntecParameterTable";
+FakeDependency with(const FakeDependency::Rows& rows, std::map<std::string, std::string> options = {}) {
+  return FakeDependency(*ig_plugin_v1(), table_id, rows, std::move(options));
+}
+
+}  // namespace
+
+TEST_CASE("a control as delivered") {
+  const FakeDependency table = with({});
+  CHECK(number(table, format, "CalculatorDecimalPoint") == 0);
+  CHECK(number(table, format, "LengthIncrement_mm") == 0.001);
+  CHECK(number(table, format, "LengthIncrement_inch") == 0.0001);
+  CHECK(number(table, format, "AngleIncrement_deg") == 0.001);
+  CHECK(number(table, format, "Unknown") == -1000);
+  CHECK(number(table, cycle, "PeckRetractionDistance_mm") == 1);
+  CHECK(number(table, cycle, "HighSpeedPeckRetraction_mm") == 1);
+  CHECK(number(table, cycle, "PeckTappingRetraction_mm") == 1);
+  CHECK(number(table, cycle, "Unknown") == -1000);
+  CHECK(number(table, motion, "ArcRadiusTolerance_mm") == 0.01);
+  CHECK(number(table, motion, "RadiusCompensationStartUp") == 0);
+  CHECK(number(table, motion, "MaximumSpindleSpeed_rpm") == -1000);
+  CHECK(number(table, motion, "Unknown") == -1000);
+  for (const char* const code : {"T", "M123", "G00", "G81", "G199.9", "G1000", "G", "GX", "G2000"})
+    CHECK(number(table, macro, code) == -1000);
+}
+
+TEST_CASE("Pr4002 is one distance, counted in basic length units") {
+  CHECK(number(with({{"4002", {{"Value", 2000}}}}), cycle, "PeckRetractionDistance_mm") == 2);
+  CHECK(number(with({{"4002", {{"Value", 2000}}}}), cycle, "HighSpeedPeckRetraction_mm") == 2);
+  const FakeDependency::Rows coarse{{"4002", {{"Value", 50}}}, {"17", {{"Value", 1}}}};
+  const FakeDependency::Rows fine{{"4002", {{"Value", 500}}}, {"17", {{"Value", 3}}}};
+  CHECK(number(with(coarse), cycle, "PeckRetractionDistance_mm") == 0.5);
+  CHECK(number(with(fine), cycle, "PeckRetractionDistance_mm") == 0.05);
+  CHECK(number(with(coarse, {{"pr4002-unit", "micron"}}), cycle, "PeckRetractionDistance_mm") == 0.05);
+  CHECK(number(with({{"4002", {{"Value", 0}}}}), cycle, "PeckRetractionDistance_mm") == 0);
+  CHECK(number(with({{"4002", {{"Value", -1}}}}), cycle, "PeckRetractionDistance_mm") == -1000);
+}
+
+TEST_CASE("Pr17 and Pr3241 say what a number without a point is") {
+  const FakeDependency fine = with({{"17", {{"Value", 3}}}, {"3241", {{"Value", 1}}}});
+  CHECK(number(fine, format, "LengthIncrement_mm") == 0.0001);
+  CHECK(number(fine, format, "LengthIncrement_inch") == 0.00001);
+  CHECK(number(fine, format, "CalculatorDecimalPoint") == 1);
+  CHECK(number(with({{"17", {{"Value", 1}}}}), format, "LengthIncrement_mm") == 0.01);
+  CHECK(number(with({{"17", {{"Value", 1e300}}}}), format, "LengthIncrement_mm") == 0.001);
+}
+
+TEST_CASE("Pr5003 and Pr3741") {
+  const FakeDependency table = with({{"5003", {{"Value", 1}}}, {"3741", {{"Value", 12000}}}});
+  CHECK(number(table, motion, "RadiusCompensationStartUp") == 1);
+  CHECK(number(table, motion, "MaximumSpindleSpeed_rpm") == 12000);
+  CHECK(number(with({{"5003", {{"Value", 2}}}}), motion, "RadiusCompensationStartUp") == 0);
+  CHECK(number(with({{"5003", {{"Value", 3}}}}), motion, "RadiusCompensationStartUp") == 1);
+  CHECK(number(with({{"5003", {{"Value", 1e300}}}}), motion, "RadiusCompensationStartUp") == 0);
+  CHECK(number(with({{"5003", {{"Value", -1}}}}), motion, "RadiusCompensationStartUp") == 0);
+}
+
+TEST_CASE("codes that call a macro") {
+  CHECK(number(with({}), macro, "G200") == 200);
+  CHECK(number(with({}), macro, "G200.1") == 200);
+  CHECK(number(with({}), macro, "G999") == 999);
+  CHECK(number(with({}), macro, "G68.18") == 0);
+  const FakeDependency table = with({{"3215", {{"Value", 2}}},
+                                     {"3601", {{"Value", 6}}},
+                                     {"3610", {{"Value", 123}}},
+                                     {"3701", {{"Value", -1}}},
+                                     {"3702", {{"Value", 4}}},
+                                     {"3703", {{"Value", 14}}}});
+  CHECK(number(table, macro, "T") == 0);
+  CHECK(number(table, macro, "M06") == 6);
+  CHECK(number(table, macro, "M123") == 123);
+  CHECK(number(table, macro, "M00") == -1000);
+  CHECK(number(table, macro, "G00") == 0);
+  CHECK(number(table, macro, "G53") == 53);
+  CHECK(number(table, macro, "G53.1") == -1000);
+  CHECK(number(table, macro, "G01") == -1000);
+}
+
+TEST_CASE("the axes of the machine") {
+  const FakeDependency table = with({{"1240", {{"Z", 350}, {"A", 0}}},
+                                     {"1420", {{"X", 30000}, {"Y", -1}}},
+                                     {"1006", {{"A", 1}, {"B", 2}, {"C", 0}}},
+                                     {"1320", {{"X", 500}}},
+                                     {"1321", {{"X", -10}}}});
+  const auto* axis = table.service<ig_machine_axis_1>("isogloss.machine-axis/1");
+  double at = 1, high = 1;
+  REQUIRE(axis->home(axis->self, 'Z', &at) == 1);
+  CHECK(at == 350);
+  CHECK(axis->home(axis->self, 'A', &at) == 1);
+  CHECK(axis->home(axis->self, 'B', &at) == 0);
+  CHECK(axis->reference(axis->self, 'Z', 2, &at) == 0);
+  CHECK(axis->reference(axis->self, 'Z', 0, &at) == 0);
+  CHECK(axis->reference(axis->self, 'Z', 5, &at) == 0);
+  REQUIRE(axis->rapid_rate(axis->self, 'X', &at) == 1);
+  CHECK(at == 500);
+  CHECK(axis->rapid_rate(axis->self, 'Y', &at) == 0);
+  REQUIRE(axis->travel(axis->self, 'X', &at, &high) == 1);
+  CHECK(at == -10);
+  CHECK(high == 500);
+  CHECK(axis->travel(axis->self, 'Y', &at, &high) == 0);
+  std::uint32_t mode = 9;
+  REQUIRE(axis->rollover(axis->self, 'A', &mode) == 1);
+  CHECK(mode == 1);
+  REQUIRE(axis->rollover(axis->self, 'B', &mode) == 1);
+  CHECK(mode == 2);
+  REQUIRE(axis->rollover(axis->self, 'C', &mode) == 1);
+  CHECK(mode == 0);
+  CHECK(axis->rollover(axis->self, 'X', &mode) == 0);
+}
+
+TEST_CASE("Pr1020 names the axis of a column") {
+  const FakeDependency table = with({{"1020", {{"A", 67}, {"C", 200}}}, {"1240", {{"A", 90}, {"Y", 7}, {"C", 8}}}});
+  const auto* axis = table.service<ig_machine_axis_1>("isogloss.machine-axis/1");
+  double at = 1;
+  REQUIRE(axis->home(axis->self, 'C', &at) == 1);
+  CHECK(at == 90);
+  CHECK(axis->home(axis->self, 'A', &at) == 0);
+  REQUIRE(axis->home(axis->self, 'Y', &at) == 1);  // column Y stands before column C
+  CHECK(at == 7);
+  CHECK(axis->home(axis->self, '?', &at) == 0);
+}

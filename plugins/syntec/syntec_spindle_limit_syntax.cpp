@@ -1,0 +1,31 @@
+/// S beyond the speed that parameter Pr3741 allows is said. The speed stays as programmed.
+#include "syntec_diagnostics.hpp"
+
+namespace syntec {
+namespace {
+
+struct SyntecSpindleLimit {
+  static constexpr auto spec = ig::syntax("SyntecSpindleLimitSyntax", "Says an S beyond the spindle's greatest speed.")
+                                   .after("SpindleSpeedSyntax");
+
+  ig::In<double> speed_{"SpindleSpeed.SpindleSpeed_rpm", ig::wake};
+  ig::In<double> s_{"Parsing.S"};
+  ig::Config motion_{"isogloss.motion/1", ig::Need::optional, "MaximumSpindleSpeed_rpm"};
+  double limit_ = motion_.number("MaximumSpindleSpeed_rpm").value_or(0);
+
+  SyntecSpindleLimit() {
+    if (!(limit_ > 0)) ig::stay_idle();
+  }
+
+  ig::Status build(ig::Block& b) const {
+    const double speed = b.get_or(speed_, 0.0);
+    if (limit_ > 0 && b.is_fresh(speed_) && speed > limit_)
+      b.report(diag("SYN-0005"), ig::Where::word(s_.id()), speed, limit_);
+    return ig::Status::unchanged;
+  }
+};
+
+const ig::Register<SyntecSpindleLimit> registered;
+
+}  // namespace
+}  // namespace syntec
