@@ -19,7 +19,9 @@ struct SyntecFileHead {
   ig::Flow flow_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
-    if (iso::skip_blanks(text, 0) != position) return position;
+    std::size_t before = position;  // backwards: a long line may hold many of these marks
+    while (before > 0 && iso::is_blank(text[before - 1])) --before;
+    if (before > 0) return position;
     return text[position] == '%' ? macro_mark(b, text, position) : axis_group(b, text, position);
   }
 

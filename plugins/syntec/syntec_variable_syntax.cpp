@@ -13,8 +13,13 @@ struct SyntecVariable {
           .before("FlagSyntax", "WordSyntax")
           .scans("@");
 
+  /// Only the first @ of a block can begin it, and a long block may hold thousands.
+  ig::Signal seen_{"Parsing.~AtSign", ig::read | ig::write};
+
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
-    if (iso::stands_first(text, position)) {
+    const bool is_first = !b.is_raised(seen_);
+    b.raise(seen_);
+    if (is_first && iso::stands_first(text, position)) {
       std::size_t end = iso::skip_while(text, position, [](char c) { return c != ';' && c != '\r' && c != '\n'; });
       end = std::min(end, text.find("//", position));
       while (iso::is_blank(text[end - 1])) --end;
