@@ -60,6 +60,7 @@ class Block:
 class Machine:
     """The part that is the same for every cycle: modal codes, which blocks drill, levels and repeats."""
 
+    MACHINE_LEVELS = True  # G87 cuts from R up to Z, P counts milliseconds, M29 is known
     CYCLES = (73, 74, 76, 81, 82, 83, 84, 85, 86, 87, 88, 89)
 
     def __init__(self, settings=None):

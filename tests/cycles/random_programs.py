@@ -15,7 +15,7 @@ class RandomProgram:
         self.random = random.Random(seed)
         self.model = model()
         self.cycles = [c for c in model.CYCLES if cycles is None or c in cycles]
-        self.machine_levels = model is Machine  # of G87
+        self.machine_levels = model.MACHINE_LEVELS  # of G87
         self.lines = []
         self.start()
         while len(self.lines) < blocks:

@@ -10,6 +10,8 @@ from machine import AXIS, REVERSE, Hole, Machine, Settings, Uncertain
 
 
 class Seeds(Machine):
+    MACHINE_LEVELS = False
+
     def __init__(self, settings=None):
         super().__init__(settings or Settings(peck=Fraction(5), chip=Fraction(5)))
 
