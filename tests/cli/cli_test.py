@@ -121,9 +121,25 @@ class Run(Command):
                               ("%\nO0012 (FOR THE HAAS)\nG21 G00 X1.\nM30\n%\n", "haas"),
                               ("%\nO01234\nG21 G00 X1.\nM30\n%\n", "haas"),
                               ("%\nO1234\nG21 G00 G154 P2 X1.\nM30\n%\n", "haas"),
-                              ("%\nO1234\nG187 P1\nM30\n%\n", "haas")):
-            done = self.run_it("run", self.write("guess.nc", text), "--emit", "none")
+                              ("%\nO1234\nG187 P1\nM30\n%\n", "haas"),
+                              ("%@MACRO\n#1 := 1;\nM99;\n", "syntec"),
+                              ("\n %@macro\nM99;\n", "syntec"),
+                              ("%\nO1234 (SYNTEC 22MA)\nG71 G00 X1.\nM30\n%\n", "syntec"),
+                              ("%\nG90 G59.4 G00 X1.\nM98 H100\nM30\nN100 M99\n%\n", "syntec")):
+            declined = 1 if "@macro" in text.lower() else 0
+            done = self.run_it("run", self.write("guess.nc", text), "--emit", "none", status=declined)
             self.assertIn(f"note: dialect {dialect} ", done.stderr)
+
+    def test_the_table_of_the_file_answers_before_the_inherited_one(self):
+        dialect = self.write("both.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="both" extends="fanuc">'
+                                         '<Plugins><Plugin name="syntec"/></Plugins><Dependencies>'
+                                         '<SyntecParameterTable><Parameter number="4002" Value="3000"/>'
+                                         '</SyntecParameterTable></Dependencies></Dialect>')
+        program = self.write("pecks.nc", "G00 Z50.\nG99 G73 X0. Z-10. R0. Q5. F100\nG83 X1. Z-10. R0. Q5.\nM30\n")
+        for name, back in (("fanuc", -4), (dialect, -2)):
+            done = self.run_it("run", program, "-d", name)
+            levels = [e["ProgramXyz"]["Z"] for e in map(json.loads, done.stdout.splitlines()) if e["Event"] == "rapid"]
+            self.assertEqual(levels.count(back), 2, name)
 
     def test_dialect_by_file(self):
         dialect = self.write("mine.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="mine" extends="iso"/>')
