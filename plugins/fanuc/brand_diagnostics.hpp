@@ -20,6 +20,10 @@ inline constexpr std::array brand_diagnostics{
         "On an Okuma a cycle with M53 returns to the level of G71. That is done where the tool stands at this "
         "level when the cycle begins; here it stands elsewhere, or no G71 came before.",
         "G71 Z100 (then, at Z50) G81 X10 Z-20 R5 F200 M53"),
+    ig::diagnostic(IG_WARNING, "FAN-0204", "{0} without an axis: nothing is mirrored",
+                   "G101 mirrors the axes that its block names, each at the work zero; the value of the word does not "
+                   "count.",
+                   "G101"),
 };
 
 consteval std::uint32_t brand_diag(std::string_view code) {

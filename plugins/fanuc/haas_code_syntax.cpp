@@ -12,7 +12,6 @@ struct HaasCode {
   RecognisedCodes codes_{{
       {ig::Call{{"G12", "G13", "G150"}, "X Y Z I J K L[] P[] Q R D[]"}, "the pocket is missing"},
       {ig::Call{{"G47"}, "X Y Z I J[deg] P[] R D[] E[mm/min]"}, "the engraving is missing"},
-      {ig::Call{{"G100", "G101"}, "X Y Z A B C"}, "positions are not mirrored"},
       {ig::Call{{"G35", "G36", "G136"}, "X Y Z A I J K D[]"}, "nothing is measured, and its move is left out"},
       {ig::Call{{"G107"}, "X Y Z A B C Q R"}, "the path is not wrapped around the cylinder"},
       {ig::Call{{"G143", "G234", "G254"}, "H[]"}, "positions do not follow the rotary axes"},

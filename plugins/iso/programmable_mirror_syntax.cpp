@@ -16,7 +16,7 @@ struct ProgrammableMirror {
 
   ig::Call on_{{"G51.1"}, "X Y Z"};
   ig::Call off_{{"G50.1"}, "X Y Z"};
-  ig::InWhile<ig::Symbol> term_{"MirrorImage.Term", "G51.1", ig::write};
+  ig::InWhile<ig::Symbol> term_{"MirrorImage.Term", nullptr, ig::write};
   ig::Xyz mirror_{"MirrorImage", ig::read | ig::write};
   GeometryWords words_;
   PlaneInForce plane_;
@@ -55,7 +55,7 @@ struct ProgrammableMirror {
   }
 
   bool mirror(ig::Block& b) const {
-    words_.report_untouched(b, on_.name(0));
+    words_.report_untouched(b, b.get(term_).value_or(on_.name(0)));
     const auto here = words_.find(b);
     if (!here) return false;
     const ig::PartialVec3 at = b.get(mirror_);
