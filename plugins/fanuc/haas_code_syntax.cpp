@@ -10,7 +10,7 @@ struct HaasCode {
                                    .before("NotExecutedSyntax", "UnconsumedCheckSyntax");
 
   RecognisedCodes codes_{{
-      {ig::Call{{"G12", "G13", "G150"}, "X Y Z I J K L[] P[] Q R D[]"}, "the pocket is missing"},
+      {ig::Call{{"G150"}, "X Y Z I J K L[] P[] Q R D[]"}, "the pocket is missing"},
       {ig::Call{{"G47"}, "X Y Z I J[deg] P[] R D[] E[mm/min]"}, "the engraving is missing"},
       {ig::Call{{"G35", "G36", "G136"}, "X Y Z A I J K D[]"}, "nothing is measured, and its move is left out"},
       {ig::Call{{"G107"}, "X Y Z A B C Q R"}, "the path is not wrapped around the cylinder"},
