@@ -37,6 +37,7 @@ enum class InitialLevel { previous, cycle_entry };
 enum class MissingAxis { last_position, error };
 enum class RepeatWord { k_or_l, l };
 enum class BareP { as_written, milliseconds };
+enum class ZeroRepeats { keep_data, position };
 
 struct CannedCycleResolve {
   static constexpr auto spec =
@@ -99,6 +100,11 @@ struct CannedCycleResolve {
       "What counts the holes of a block: K, or L where there is no K; or L alone, K being a length of the cycle."};
   ig::Choice<BareP> bare_p_{"p-without-point", "as-written|ms", "as-written",
                             "P without a decimal point: as written, or milliseconds, passed on as seconds."};
+  ig::Choice<ZeroRepeats> zero_repeats_{"zero-repeats", "keep-data|position", "keep-data",
+                                        "What the block of a cycle does that drills no hole (K0, L0): nothing, or go "
+                                        "to X and Y by rapid."};
+  ig::CompoundMotion motion_;
+  ig::Xyz program_{"ProgramXyz", ig::write};
   /// K is kept where it is a word of the cycle.
   std::size_t stored_count_ = repeat_word_ == RepeatWord::l ? stored.size() : stored.size() - 1;
 
@@ -306,6 +312,15 @@ struct CannedCycleResolve {
       call(b, now, in, plane, hole, levels, step, count);
     else
       swallow(b, now);
+    const bool passes_by = count == 0 && zero_repeats_ == ZeroRepeats::position;
+    if (passes_by && (in.has(plane.first) || in.has(plane.second))) position(b, call_.name(row), hole);
+  }
+
+  /// Round an obstacle: to the place of a hole, at the level where the tool is, without drilling.
+  void position(ig::Block& b, ig::Symbol cycle, const ig::Vec3& hole) const {
+    motion_.begin(b, cycle);
+    motion_.rapid_to(b, hole);
+    b.set(program_, hole);
   }
 
   /// A first block without Z or R.
