@@ -17,7 +17,8 @@ class ContourAhead {
     double offset = 0;  ///< 0: it cancels
     bool is_rapid = false;
     ContourMove move{};
-    Point2 direction{};  ///< of the cancel, where the program gives one
+    Point2 direction{};            ///< of the cancel, where the program gives one
+    bool cancels_at_rest = false;  ///< the code that cancels stands in a block without a move before it
   };
 
   double offset_in_force(const ig::Block& b) const {
@@ -40,6 +41,10 @@ class ContourAhead {
         return next;
       }
       if (motion.kind == ContourMotion::Kind::rest) {
+        if (ahead.has(corner_arc_)) {
+          next.kind = Next::Kind::barrier;
+          return next;
+        }
         cancels |= offset_in_force(ahead) == 0;
         if (!is_comment(ahead.source()) && ++rests > rests_allowed) break;
         continue;
@@ -48,6 +53,7 @@ class ContourAhead {
       next.offset = offset_in_force(ahead);
       next.is_rapid = ahead.get_or(is_rapid_, false);
       next.move = motion.move;
+      next.cancels_at_rest = cancels;
       next.direction = ContourMotionOf::in_plane(plane, ahead.get(cancel_direction_).or_else({}));
       if (other_frame && !bring_here(b, ahead, motion, next.move)) next.kind = Next::Kind::barrier;
       return next;
@@ -72,6 +78,7 @@ class ContourAhead {
       if (motion.kind == ContourMotion::Kind::by_steps || !(motion.plane == plane)) break;
       if (offset_in_force(ahead) != offset) break;
       if (motion.kind == ContourMotion::Kind::rest) {
+        if (ahead.has(corner_arc_)) break;
         if (!is_comment(ahead.source()) && ++rests > rests_allowed) break;
         continue;
       }
@@ -115,6 +122,7 @@ class ContourAhead {
   ig::In<double> radius_{"RadiusCompensation.Radius_mm"};
   ig::Xyz cancel_direction_{"RadiusCompensation.CancelDirection", ig::read, {ig::Life::block, "mm", ""}};
   ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
+  ig::In<ig::Symbol> corner_arc_{"RadiusCompensation.CornerArc"};
   ig::Name left_{"Left"}, right_{"Right"};
 };
 

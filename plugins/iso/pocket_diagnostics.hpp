@@ -26,8 +26,9 @@ inline constexpr std::array pocket_diagnostics{
                    "The control mills circular pockets in XY alone. Program G17.", "G18 (then) G13 I10. D1 F200"),
 };
 
-consteval std::uint32_t pocket_diag(std::string_view code) {
-  return index_of(pocket_diagnostics, code, pattern_end + rotary_offset_diagnostics.size());
-}
+inline constexpr std::size_t pocket_begin = pattern_end + rotary_offset_diagnostics.size();
+inline constexpr std::size_t pocket_end = pocket_begin + pocket_diagnostics.size();
+
+consteval std::uint32_t pocket_diag(std::string_view code) { return index_of(pocket_diagnostics, code, pocket_begin); }
 
 }  // namespace iso

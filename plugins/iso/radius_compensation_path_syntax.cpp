@@ -2,7 +2,8 @@
 /// centre, which touches the contour and turns its corners. Needs the next move of the contour, so it looks ahead.
 /// Fanuc manual, "Details of cutter compensation".
 #include "contour_ahead.hpp"
-#include "radius_compensation_diagnostics.hpp"
+#include "corner_diagnostics.hpp"
+#include "feed_util.hpp"
 #include "tool_steps.hpp"
 
 namespace iso {
@@ -10,6 +11,7 @@ namespace {
 
 enum class Approach { a, b, parameter };
 enum class Interference { alarm, avoid, ignore };
+enum class WithoutMove { next_move, at_once };
 
 struct RadiusCompensationPath {
   static constexpr auto spec =
@@ -38,6 +40,11 @@ struct RadiusCompensationPath {
   ig::Out<bool> is_ccw_{"MotionEvent.IsCcw"};
   ig::Out<std::int64_t> circles_{"MotionEvent.AdditionalCircleNum"};
   ig::In<ig::Symbol> program_end_{"ProgramEnd.Term"};
+  ig::In<ig::Symbol> corner_arc_{"RadiusCompensation.CornerArc"};
+  ig::Xyz corner_direction_{"RadiusCompensation.CornerDirection", ig::read, {ig::Life::block, "mm", ""}};
+  ig::In<ig::Symbol> motion_code_{"MotionState.Term"};
+  ig::Name rapid_code_{"G00"};
+  FeedInForce feed_{ig::read};
   RotaryPosition rotary_{ig::read};
   ContourMotionOf motion_;
   ContourAhead ahead_;
@@ -57,6 +64,9 @@ struct RadiusCompensationPath {
   ig::Choice<Interference> interference_{"interference", "alarm|avoid|ignore", "alarm",
                                          "What a move is that the tool cannot reach between its neighbours: left out "
                                          "with an alarm, left out, or made as computed."};
+  ig::Choice<WithoutMove> without_move_{"without-move", "next-move|at-once", "next-move",
+                                        "When the tool starts up and cancels in a block without a move: with the next "
+                                        "move, or there and then (type C)."};
   ig::IntegerOption rests_allowed_{"blocks-without-move",
                                    "2",
                                    {0, 10},
@@ -80,7 +90,7 @@ struct RadiusCompensationPath {
     if (tool_.is_off && b.has(program_end_)) b.report(radius_diag("ISO-0473"), ig::Where::block());
     switch (now.kind) {
       case ContourMotion::Kind::by_steps: return suspend(b, now);
-      case ContourMotion::Kind::rest: return tool_.is_off ? rest(b, now) : ig::Status::unchanged;
+      case ContourMotion::Kind::rest: return rest_or_step(b, now, offset);
       case ContourMotion::Kind::move: break;
     }
     if (offset == 0) return cancel(b, now);
@@ -177,7 +187,8 @@ struct RadiusCompensationPath {
     if (next.kind != ContourAhead::Next::Kind::move || !now.move.fits(offset)) return square_corner(now.move, offset);
     if (next.offset == 0) {
       if (next.direction.length() > 0) return directed_end(now.move, offset, next.direction);
-      if (!is_type_b_ || next.move.is_arc) return square_corner(now.move, offset);
+      const bool goes_at_once = without_move_ == WithoutMove::at_once && next.cancels_at_rest;
+      if (!is_type_b_ || next.move.is_arc || goes_at_once) return square_corner(now.move, offset);
       const Corner round = corner_to(now, next, offset);
       return round.kind == CornerKind::inner ? square_corner(now.move, offset) : round;
     }
@@ -259,6 +270,84 @@ struct RadiusCompensationPath {
     }
     tool_ = {};
     return ig::Status::unchanged;
+  }
+
+  /// A block without a move in the plane may move the tool all the same: G39, and start and end of type C.
+  ig::Status rest_or_step(ig::Block& b, const ContourMotion& now, double offset) {
+    const bool may_step = without_move_ == WithoutMove::at_once && !now.has_event;
+    if (!tool_.is_off) return may_step ? start_at_rest(b, now, offset) : ig::Status::unchanged;
+    if (b.has(corner_arc_)) return turn_on_arc(b, now, offset);
+    if (may_step && offset == 0) return cancel_at_rest(b, now);
+    return rest(b, now);
+  }
+
+  /// By the motion code in force.
+  ToolSteps::Manner manner_of_step(ig::Block& b, double length) const {
+    const bool is_rapid = b.is(motion_code_, rapid_code_) || !b.has(motion_code_);
+    const double mmds = is_rapid ? 0 : feed_.mmds(b, [&] { return length; });
+    return {is_rapid, mmds > 0 ? std::optional(mmds) : std::nullopt, 0};
+  }
+
+  /// Square to the next move.
+  ig::Status start_at_rest(ig::Block& b, const ContourMotion& now, double offset) {
+    const ContourAhead::Next next = ahead_.next(b, now.plane, rests_allowed_);
+    if (next.kind != ContourAhead::Next::Kind::move || next.offset * offset <= 0) return ig::Status::unchanged;
+    stand_at(now, now.from, offset);
+    step_to(b, now, next.move.offset_start(offset), starting);
+    return ig::Status::changed;
+  }
+
+  ig::Status cancel_at_rest(ig::Block& b, const ContourMotion& now) {
+    step_to(b, now, now.move.end, cancelling);
+    tool_ = {};
+    return ig::Status::changed;
+  }
+
+  void step_to(ig::Block& b, const ContourMotion& now, const Point2& to, Phase phase) {
+    turn_corner(b, now, manner_of_step(b, 0));
+    const ig::Vec3 end = at(now, to, now.to[now.plane.tool]);
+    steps_.line(b, end, manner_of_step(b, iso::length(end - tool_.at)));
+    tool_.at = end;
+    b.set(phase_, phases_[phase]);
+    finish(b, now);
+  }
+
+  /// G39: about the corner, until the tool stands square to the next move, or to the direction of the program.
+  ig::Status turn_on_arc(ig::Block& b, const ContourMotion& now, double offset) {
+    const Point2 middle = now.move.end, from = ContourMotionOf::in_plane(now.plane, tool_.at);
+    Point2 to = from;
+    const ig::PartialVec3 named = b.get(corner_direction_);
+    if (named.mask != 0) {
+      const Point2 way = ContourMotionOf::in_plane(now.plane, named.or_else({}));
+      to = middle + (offset / way.length()) * left_of(way);
+    } else if (const auto next = ahead_.next(b, now.plane, rests_allowed_);
+               next.kind == ContourAhead::Next::Kind::move && next.offset * offset > 0) {
+      to = next.move.offset_start(offset);
+    } else {
+      b.report(corner_diag("ISO-0478"), ig::Where::block(), std::string_view("no move on this side follows"));
+      b.alarm();
+      return rest(b, now);
+    }
+    const bool is_inner = cross(from - middle, to - middle) * offset > 0;
+    if (is_inner) {
+      b.report(corner_diag("ISO-0479"), ig::Where::block());
+      b.alarm();
+    }
+    const double height = tool_.at[now.plane.tool];
+    const ig::Vec3 end = at(now, to, height);
+    const ToolSteps::Manner manner = manner_of_step(b, (to - from).length());
+    if (!is_same(from, to) && !is_inner)
+      steps_.arc(b, end, at(now, middle, height), offset < 0, {false, manner.feed_mmds, 0});
+    else if (!is_same(from, to))
+      steps_.line(b, end, manner);
+    tool_.at = end;
+    b.set(phase_, phases_[offsetting]);
+    b.set(corner_, corners_[static_cast<std::size_t>(CornerKind::round)]);
+    if (is_same(from, to))
+      keep_position(b, now);
+    else
+      finish(b, now);
+    return ig::Status::changed;
   }
 
   /// No move in the plane: the tool keeps its distance. What moves across the plane goes with it.

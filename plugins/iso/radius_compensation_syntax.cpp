@@ -1,8 +1,8 @@
 /// G40/G41/G42 and D: whether the tool runs beside the contour, on which side, and how far: the state that
 /// RadiusCompensationPathSyntax makes the tool's path from. Fanuc manual, "Cutter compensation".
 #include "contour_motion.hpp"
+#include "corner_diagnostics.hpp"
 #include "modal_group.hpp"
-#include "radius_compensation_diagnostics.hpp"
 #include "scale_and_mirror.hpp"
 #include "whole_number.hpp"
 
@@ -12,6 +12,7 @@ namespace {
 enum class OffsetIs { radius, diameter };
 enum class OffsetWord { d, d_or_h };
 enum class TableChange { next_block, next_d };
+enum class CornerCode { none, g39 };
 
 struct RadiusCompensation {
   static constexpr auto spec =
@@ -36,6 +37,12 @@ struct RadiusCompensation {
   /// since the cancelling code stands at the start of most programs and must wake nobody from there on.
   ig::Signal active_{"RadiusCompensation.~Active", ig::read | ig::write | ig::wake_while, ig::Life::modal};
   ig::Signal path_{"RadiusCompensation.~Path", ig::write};
+  ig::Call corner_arc_code_{{"G39"}, "I J K"};
+  ig::Out<ig::Symbol> corner_arc_{"RadiusCompensation.CornerArc",
+                                  {ig::Life::block, "", "The code that turns the corner where the tool is on an arc."}};
+  ig::Xyz corner_direction_{"RadiusCompensation.CornerDirection",
+                            ig::write,
+                            {ig::Life::block, "mm", "Direction square to which the arc of G39 ends, as programmed."}};
   ig::In<std::int64_t> length_id_{"ToolHeightCompensation.OffsetId"};
   ig::Signal table_changed_{"ToolHeightCompensation.~TableChanged", ig::read | ig::wake};
   ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::required, "Radius geometry and wear."};
@@ -48,6 +55,9 @@ struct RadiusCompensation {
                                       "Whether H in the block of G41 or G42 names the radius where D is missing."};
   ig::Choice<TableChange> table_change_{"table-change", "next-block|next-d", "next-block",
                                         "From when on a radius counts that the program changes under compensation."};
+
+  ig::Choice<CornerCode> corner_code_{"corner-arc", "none|G39", "G39",
+                                      "The code that makes the tool turn a corner on an arc."};
 
   bool said_zero_ = false;
 
@@ -66,7 +76,9 @@ struct RadiusCompensation {
     const auto where = d ? ig::Where::word(d_.id()) : code ? ig::Where::word(codes_.id(*code)) : ig::Where::block();
     if (d) set_offset_id(b, *d, where);
     if (code) b.set(term_, codes_.name(*code));
-    if (!is_on(b)) return leave(b, code.has_value(), was_on) || d ? ig::Status::changed : ig::Status::unchanged;
+    const bool has_g39 = corner_code_ == CornerCode::g39 && find_corner_arc(b);
+    if (!is_on(b))
+      return leave(b, code.has_value(), was_on) || d || has_g39 ? ig::Status::changed : ig::Status::unchanged;
 
     if (code && !d) name_offset_without_d(b, *code, where);
     const bool asks_again = b.is_raised(table_changed_) && table_change_ == TableChange::next_block;
@@ -80,6 +92,25 @@ struct RadiusCompensation {
 
  private:
   bool is_on(const ig::Block& b) const { return b.is(term_, g41_) || b.is(term_, g42_); }
+
+  bool find_corner_arc(ig::Block& b) const {
+    if (!b.find(corner_arc_code_)) return false;
+    const ig_field code = corner_arc_code_.code(0);
+    const auto words = *b.take(corner_arc_code_);
+    const ContourMotion motion = motion_(b);
+    const bool moves = motion.kind != ContourMotion::Kind::rest || motion.has_event;
+    if (!is_on(b) || moves) {
+      b.report(corner_diag("ISO-0478"), ig::Where::word(code),
+               std::string_view(moves ? "its block moves" : "neither G41 nor G42 is in force"));
+      return true;
+    }
+    b.set(corner_arc_, words.code);
+    ig::Vec3 way;
+    for (const std::size_t axis : {motion.plane.first, motion.plane.second})
+      way[axis] = scale_and_mirror_.axis(b, axis).factor * words["IJK"[axis]].value_or(0);
+    if (way != ig::Vec3{}) b.set(corner_direction_, way);
+    return true;
+  }
 
   /// Off, or on the way off: the tool is back on the contour after the first straight move in the plane.
   bool leave(ig::Block& b, bool has_code, bool was_on) const {
