@@ -14,11 +14,40 @@ struct HaasCode {
       {ig::Call{{"G47"}, "X Y Z I J[deg] P[] R D[] E[mm/min]"}, "the engraving is missing"},
       {ig::Call{{"G35", "G36", "G136"}, "X Y Z A I J K D[]"}, "nothing is measured, and its move is left out"},
       {ig::Call{{"G107"}, "X Y Z A B C Q R"}, "the path is not wrapped around the cylinder"},
-      {ig::Call{{"G143", "G234", "G254"}, "H[]"}, "positions do not follow the rotary axes"},
+      {ig::Call{{"G143", "G254"}, "H[]"}, "positions do not follow the rotary axes"},
       {ig::Call{{"G174", "G184"}, "X Y Z R"}, "the cycle is missing, and blocks after it only move"},
+      {ig::Call{{"G153", "G155", "G161", "G162", "G163", "G164", "G165", "G166", "G169"}, "E I J K L[] P[] Q"},
+       "the cycle is missing, and blocks after it only move"},
+      {ig::Call{{"G141"}, "D[]"}, "the path is not compensated, up to G40"},
+      {ig::Call{{"M96"}, "P[] Q[]"}, "the program goes on with the next block, whatever the input is"},
+      {ig::Call{{"M109"}, "P[]"}, "nobody answers, and its variable keeps its value"},
   }};
+  ig::Codes g255_{"G255"};
+  /// Under G141 each block says by I, J and K where the tool touches.
+  ig::Codes compensation_on_{{"G141"}, ig::read};
+  ig::Codes compensation_off_{{"G40", "G41", "G42"}, ig::read};
+  ig::Signal compensation_{"HaasCode.~Compensation", ig::read | ig::write | ig::wake_while, ig::Life::modal};
+  std::array<ig::Word, 3> contact_{ig::Word{"Parsing.I", ig::take}, ig::Word{"Parsing.J", ig::take},
+                                   ig::Word{"Parsing.K", ig::take}};
+  ig::Codes arcs_{{"G02", "G03"}, ig::read};
 
-  ig::Status build(ig::Block& b) { return codes_.say(b); }
+  ig::Status build(ig::Block& b) {
+    bool changed = take_contact(b);
+    changed |= b.take(g255_).has_value();
+    return codes_.say(b) == ig::Status::changed || changed ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  bool take_contact(ig::Block& b) const {
+    const bool was_on = b.is_raised(compensation_), begins = b.find(compensation_on_).has_value();
+    const bool ends = b.find(compensation_off_).has_value() && !begins;
+    if (begins && !was_on) b.raise(compensation_);
+    if (ends && was_on) b.erase(compensation_);
+    bool any = begins != was_on && (begins || ends);
+    if ((!was_on && !begins) || ends || b.find(arcs_)) return any;
+    for (const ig::Word& word : contact_) any |= b.take(word).has_value();
+    return any;
+  }
 };
 
 const ig::Register<HaasCode> registered;
