@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+
 namespace isogloss {
 
 namespace fs = std::filesystem;
@@ -66,6 +67,7 @@ bool Flow::select_program(const std::string& name) {
 std::int32_t Flow::go(const Document& document, ig_go& request) {
   const bool is_built = &document == &document.chain->document() && document.current <= linked_.post_logic_begin;
   if (!is_built) return not_found(request, "where the run goes on is settled before post-logic");
+  if (request.kind == IG_ASK_LABEL) return ask_label(request);
   if (has_request()) return IG_GO_TAKEN;
   switch (request.kind) {
     case IG_GO_CALL: return call(document, request);
@@ -75,6 +77,12 @@ std::int32_t Flow::go(const Document& document, ig_go& request) {
     case IG_GO_START: return jump(request);
     default: return not_found(request, "this host knows no such request");
   }
+}
+
+std::int32_t Flow::ask_label(ig_go& request) {
+  const bool found = labels(*frame_->file).find(view(request.label), here_, request.search).has_value();
+  if (frame_->file->source->is_lost()) return IG_GO_REFUSED;
+  return found ? std::int32_t{IG_GO_DONE} : not_found(request, "looked in this program, " + frame_->file->name);
 }
 
 std::int32_t Flow::not_found(ig_go& request, std::string reason) {

@@ -70,6 +70,7 @@ class Flow : public FlowHost {
     bool is_local = false;
   };
 
+  std::int32_t ask_label(ig_go& request);
   std::int32_t call(const Document& document, ig_go& request);
   std::int32_t leave(ig_go& request);
   std::int32_t jump(ig_go& request);

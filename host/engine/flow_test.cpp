@@ -1,9 +1,10 @@
 // Calls, returns, jumps and loops, by a plugin made by hand. A block of its language is letters and digits, which are
 // shown, and one request: !NAME calls (!NAME*3 three times, ?NAME a place of this program, ~NAME in folders only),
 // ^ returns (^NAME to a label of the caller, ^0 without the passes that are left), >NAME jumps (+ forward only, < back,
-// ) behind), @ keeps the place, & goes to it, % ends the program, $ starts over. :NAME begins a program, =NAME is a
-// label.
+// ) behind), @ keeps the place, & goes to it, % ends the program, $ starts over, [NAME asks whether a label comes.
+// :NAME begins a program, =NAME is a label.
 #include "flow.hpp"
+
 
 #include <catch2/catch.hpp>
 #include <ctime>
@@ -71,6 +72,10 @@ void ask(const Language& l, ig_block* block, char what, std::string_view name, s
       go.kind = IG_GO_LABEL;
       go.flags = IG_GO_BEHIND;
       break;
+    case '[':
+      go.kind = IG_ASK_LABEL;
+      go.search = IG_SEARCH_FORWARD;
+      break;
     case '&':
       go.kind = IG_GO_PLACE;
       go.place = l.kept;
@@ -120,7 +125,7 @@ struct Fixture {
     reader.fields = {test::field("Test.Shown", IG_WRITE, IG_TEXT, IG_LIFE_BLOCK),
                      test::field("Test.Mode", IG_WRITE, IG_INTEGER, IG_LIFE_MODAL),
                      test::field("Test.Begun", IG_WRITE, IG_INTEGER, IG_LIFE_FRAME)};
-    reader.out.triggers = "!?~^>+<)@&%$:=;abcdefghijklmnopqrstuvwxyz0123456789";
+    reader.out.triggers = "!?~^>+<)@&%$:=;[abcdefghijklmnopqrstuvwxyz0123456789";
     reader.out.scan = scan;
     reader.out.build = nullptr;
     reader.out.create = create;
@@ -263,6 +268,19 @@ TEST_CASE("a kept place is gone to, in its own frame only") {
   f.diagnostics.all.clear();
   CHECK(f.run("@\n!s\nd\n%\n:s\n&\nx\n^") == "x' d");
   CHECK(answers == "0 the place belongs to another call|");
+}
+
+TEST_CASE("a block asks whether a label comes, and the run goes on") {
+  Fixture f;
+  CHECK(f.run("=m\n[n;a\n=n;b\n%") == "a b");
+  CHECK(answers.empty());
+  CHECK(f.run("=m\n[m;a\n!s\nb\n%\n:s\n[q;[m;x\n=q;^\n") == "a x' b");
+  CHECK(answers == "0 looked in this program, main|0 looked in this program, main|");
+}
+
+TEST_CASE("a block that asks may still go somewhere") {
+  Fixture f;
+  CHECK(f.run("a\n[n>n\nb\n=n;c\n%") == "a c");
 }
 
 TEST_CASE("a place of the program itself is called") {

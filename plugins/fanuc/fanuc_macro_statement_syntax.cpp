@@ -1,5 +1,7 @@
 // Macro statements: assignments, IF, GOTO, WHILE, alarms, output. The scanner takes the statement as a whole, so that
 // no part of it is read as a word; build() executes it on the text, which is quicker than keeping parsed expressions.
+#include <isogloss_flow.h>
+
 #include <string>
 #include <utility>
 
@@ -25,6 +27,7 @@ struct FanucMacroStatement {
 
   ig::IntegerOption loops_{"loops", "3", {1, 99}, "The largest number of DO and END."};
   MacroEnvironment environment_;
+  ig::Service<ig_flow_1> flow_{IG_FLOW_SERVICE, ig::Need::optional, "Whether a loop has its END."};
   ig::TextField program_{"Source.Program", ig::read | ig::wake};
   ig::TextField tape_{"TapeBoundary.Text", ig::read | ig::wake};
   ig::Codes program_end_{{"M02", "M30"}, ig::read | ig::wake};
@@ -88,7 +91,7 @@ struct FanucMacroStatement {
     if (b.find(return_) && b.has(p_) && environment_.flow.frame(b).depth == 0)
       note_jump(b);
     else
-      loops_here_.end_frame(b, environment_.flow, b.has(tape_) ? macro_diag("FAN-0144") : macro_diag("FAN-0145"));
+      loops_here_.end_frame(b, environment_.flow);
   }
   void note_jump(ig::Block& b) {
     for (MacroLoops::Loop& loop : own_loops(b)) loop.jumped = true;
@@ -96,7 +99,7 @@ struct FanucMacroStatement {
 
   /// #4115 of the main program. Another program number ends the one before it.
   void note_program(ig::Block& b) {
-    loops_here_.end_frame(b, environment_.flow, macro_diag("FAN-0144"));
+    loops_here_.end_frame(b, environment_.flow);
     if (environment_.flow.frame(b).depth == 0) environment_.store().main_program = program_number(b.text(program_));
   }
 
@@ -319,6 +322,17 @@ struct FanucMacroStatement {
       b.report(macro_diag("FAN-0135"), columns(text, after), static_cast<double>(*number), answer.reason);
   }
 
+  /// Does no block of that name stand behind this one in the program?
+  bool lacks(ig::Block& b, std::string_view label) const {
+    if (!flow_) return false;
+    ig_go go{};
+    go.struct_size = sizeof go;
+    go.kind = IG_ASK_LABEL;
+    go.label = ig::to_text(label);
+    go.search = IG_SEARCH_FORWARD;
+    return flow_->go(b.raw(), &go) == IG_GO_NOT_FOUND;
+  }
+
   std::string_view end_label(std::int64_t number) {
     char* const end = std::to_chars(label_.data() + 3, label_.data() + label_.size(), number).ptr;
     return {label_.data(), static_cast<std::size_t>(end - label_.data())};
@@ -378,6 +392,8 @@ struct FanucMacroStatement {
     }
     unbegun_[static_cast<std::size_t>(*number)] = false;
     loops_here_.begin(*number, place);
+    if (lacks(b, end_label(*number)))
+      b.report(macro_diag("FAN-0144"), columns(text, at_do), static_cast<double>(*number));
   }
 
   void execute_end(ig::Block& b, std::string_view text, std::size_t position) {
@@ -400,7 +416,6 @@ struct FanucMacroStatement {
       b.report(macro_diag("FAN-0136"), columns(text, position), static_cast<double>(*number));
       return;
     }
-    open.back().closed = true;
     environment_.flow.go_to(b, open.back().place);
   }
 

@@ -110,14 +110,10 @@ inline constexpr std::array macro_diagnostics{
                    "The control executes one macro statement behind THEN. Here the words are executed when the "
                    "condition holds.",
                    "IF[#1 EQ 0] THEN M01"),
-    ig::diagnostic(IG_ERROR, "FAN-0144", "END{0} of the loop in line {1} is missing: the program ends before it",
-                   "Each DO has its END behind it in the same program; the control stops with an alarm.",
-                   "WHILE[#1 LT 5]DO1 (then, without END1, the next program number)"),
-    ig::diagnostic(IG_WARNING, "FAN-0145",
-                   "the program ends in the first pass of the loop DO{0} of line {1}: is END{0} there?",
-                   "M99 or M30 came before END. Where END is missing the control stops with an alarm; where it stands "
-                   "behind this block, the program ended early.",
-                   "WHILE[#1 LT 5]DO1 (then, without END1) M30"),
+    ig::diagnostic(IG_ERROR, "FAN-0144", "DO{0} without END{0}: the program ends before it",
+                   "Each DO has its END behind it in the same program; the control stops with an alarm. The blocks "
+                   "behind DO are run once.",
+                   "WHILE[#1 LT 5]DO1 (then, without END1, the end of the program)"),
     // words
     ig::diagnostic(IG_ERROR, "FAN-0151", "'{0}': {1} takes no variable; it is not used",
                    "Sequence and program numbers are written as numbers.", "N#1 G00 X1."),

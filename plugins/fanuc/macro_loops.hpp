@@ -18,7 +18,6 @@ class MacroLoops {
     std::int64_t number;
     ig_place place;
     bool jumped = false;  ///< a GOTO came since: it may have left the loop
-    bool closed = false;  ///< its END was met
   };
 
   void clear() { *this = {}; }
@@ -42,19 +41,13 @@ class MacroLoops {
       }
   }
 
-  /// The program of the present frame ends in this block: by its text (FAN-0144), or by an order (FAN-0145).
-  void end_frame(ig::Block& b, const ig::Flow& flow, std::uint32_t diagnostic) {
-    for (const Loop& loop : own(b, flow)) say_open(b, loop, diagnostic);
+  /// The program of the present frame ends in this block.
+  void end_frame(ig::Block& b, const ig::Flow& flow) {
+    own(b, flow);
     std::erase_if(open_, [&](const Loop& l) { return l.place.frame == frame_; });
   }
 
  private:
-  /// One that a GOTO may have left, or that came round once, has its END somewhere.
-  static void say_open(ig::Block& b, const Loop& loop, std::uint32_t diagnostic) {
-    if (!loop.jumped && !loop.closed)
-      b.report(diagnostic, ig::Where::block(), static_cast<double>(loop.number), static_cast<double>(loop.place.line));
-  }
-
   void enter_frame(ig::Block& b, const ig::Flow& flow, const ig_frame& frame) {
     const auto is_open = [&](std::uint64_t id) {
       for (std::uint32_t level = 0; level <= frame.depth; ++level)
@@ -62,10 +55,7 @@ class MacroLoops {
       return false;
     };
     std::erase_if(open_, [&](const Loop& l) {
-      const bool is_over =
-          !is_open(l.place.frame) || (l.place.frame == frame.id && frame.pass != pass_ && frame.id == frame_);
-      if (is_over) say_open(b, l, macro_diag("FAN-0144"));
-      return is_over;
+      return !is_open(l.place.frame) || (l.place.frame == frame.id && frame.pass != pass_ && frame.id == frame_);
     });
     frame_ = frame.id;
     pass_ = frame.pass;
