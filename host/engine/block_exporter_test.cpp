@@ -56,6 +56,47 @@ TEST_CASE("names and texts that a program made up are escaped") {
   CHECK(streamed["Parsing"] == show_json(t.d, t.symbols)["Parsing"]);
 }
 
+TEST_CASE("a section that was carried shows what it holds in each block") {
+  TestDocument t;
+  StringOutput out;
+  const auto e = make_block_exporter(out, Format::jsonl);
+  e->begin(t.d, t.symbols);
+  const auto shows_all = [&](std::uint32_t line) {
+    out.text.clear();
+    CHECK(e->block(t.d, t.symbols));
+    CHECK(e->end());
+    Json streamed = Json::parse(out.text);
+    CHECK(streamed["Source"]["Line"] == line);
+    streamed.erase("Source");
+    CHECK(streamed == show_json(t.d, t.symbols));
+  };
+  t.block(1, "first");
+  t.name("Unit.System", "Metric");
+  t.number("Feedrate.FeedrateValue", 600);
+  t.shift(1, 2, 3.5);
+  t.place(10, 0, 5);
+  shows_all(1);
+  t.block(2, "carried");
+  shows_all(2);
+  t.block(3, "a value of another kind, one more, one less");
+  t.number("Feedrate.FeedrateValue", -0.0);
+  t.name("Feedrate.Unit", "mm/min");
+  t.d.erase(t.layout.id("Unit.System"));
+  shows_all(3);
+  t.block(4, "written anew");
+  t.number("Feedrate.FeedrateValue", 0.0);
+  shows_all(4);
+  t.block(5, "what is left over stands among the values");
+  t.d.add_leftover(IG_LEFT_EXPRESSION, t.layout.id("Feedrate.FeedrateValue"), 0, 4, "what");
+  shows_all(5);
+  t.block(6, "another frame");
+  t.shift(1, 2, 4.5);
+  shows_all(6);
+  t.block(7, "and back");
+  t.name("Unit.System", "Metric");
+  shows_all(7);
+}
+
 TEST_CASE("source fields that a syntax wrote stand with the block's own") {
   TestDocument t;
   t.block(3, "A1");

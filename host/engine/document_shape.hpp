@@ -63,6 +63,14 @@ class DocumentView {
   void show(const Document& d, const SymbolTable& symbols, const ShowOptions& options, Sink& sink) const {
     Walk<Sink>{*this, d, symbols, options, sink}.run();
   }
+  /// One section alone, in a walk of the caller's.
+  template <class Sink>
+  void show_section(const ShapeNode& section, const Document& d, const SymbolTable& symbols, const ShowOptions& options,
+                    Sink& sink) const {
+    Walk<Sink>{*this, d, symbols, options, sink}.run_section(section);
+  }
+  const std::vector<ShapeNode>& sections() const { return sections_; }
+  const std::vector<ig_field>& transforms() const { return transforms_; }
 
  private:
   template <class Sink>
@@ -76,11 +84,15 @@ class DocumentView {
     void run() {
       for (const ShapeNode& section : view.sections_) {
         if (options.sections != nullptr && !options.sections->contains(section.name)) continue;
-        if (options.source != nullptr && section.name == "Source")
-          show_source(section);
-        else
-          show(section);
+        run_section(section);
       }
+    }
+
+    void run_section(const ShapeNode& section) {
+      if (options.source != nullptr && section.name == "Source")
+        show_source(section);
+      else
+        show(section);
     }
 
     void show_source(const ShapeNode& section) {
