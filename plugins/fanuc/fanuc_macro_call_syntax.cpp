@@ -58,7 +58,8 @@ struct FanucMacroCall {
         codes_.set(b, letter, *index, position, number.end);
         return number.end;
       }
-      program_ = *program;
+      program_ = std::fabs(*program);
+      is_modal_ = *program < 0;
       tag_bits_ = called_by_code;
       if (program_ < first_macro) {
         tag_bits_ |= shares_locals;

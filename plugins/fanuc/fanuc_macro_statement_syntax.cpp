@@ -68,6 +68,7 @@ struct FanucMacroStatement {
   ig::Status restart(ig::Block&) {
     loops_here_.clear();
     unbegun_.fill(false);
+    said_output_.clear();
     return ig::Status::unchanged;
   }
 
@@ -155,8 +156,11 @@ struct FanucMacroStatement {
       case Word::do_: return execute_do(b, text, position, position);
       case Word::end: return execute_end(b, text, position);
       case Word::go_to: return execute_go_to(b, text, position, behind);
-      case Word::output: return put_out(b, environment_, text, position, behind);
-      case Word::set_name: b.report(macro_diag("FAN-0141"), columns(text, position), text.substr(position)); return;
+      case Word::output: return put_out(b, environment_, said_output_, text, position, behind);
+      case Word::set_name:
+        if (said_output_.is_first("SETVN"))
+          b.report(macro_diag("FAN-0141"), columns(text, position), text.substr(position));
+        return;
       default: incomplete(b, text, position, text.substr(position), "IF");
     }
   }
@@ -422,6 +426,7 @@ struct FanucMacroStatement {
   std::size_t begin_ = 0, end_ = 0;  // of the statement that scan() found
   bool has_comment_ = false;         // inside it
   std::string blanked_;
+  SaidOutput said_output_;
   MacroLoops loops_here_;
   std::array<bool, 100> unbegun_{};  // by number: a faulty DO came, and was said
   std::array<char, 24> label_{'E', 'N', 'D'};

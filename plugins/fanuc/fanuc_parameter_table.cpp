@@ -120,7 +120,8 @@ struct FanucParameterTable {
   }
 
   /// Parameters 6050 to 6059: the G codes that call O9010 to O9019; 6080 to 6089: the M codes that call O9020 to O9029
-  /// with arguments; 6071 to 6079: those that call O9001 to O9009 like M98. 0 is no code. 6001 bit 5 TCS: T calls
+  /// with arguments; 6071 to 6079: those that call O9001 to O9009 like M98. 0 is no code. A G code that is negative in
+  /// the table makes a modal call, and the number of its program is the answer, negative too. 6001 bit 5 TCS: T calls
   /// O9000.
   Answer program_of_code(std::string_view code) const {
     struct Range {
@@ -132,8 +133,11 @@ struct FanucParameterTable {
     const ig::Decimal called = ig::read_decimal(code, 1);
     if (!called.ok || called.value == 0) return std::nullopt;
     for (const Range& r : {Range{'G', 6050, 10, 9010}, Range{'M', 6071, 9, 9001}, Range{'M', 6080, 10, 9020}})
-      for (int i = 0; i < r.count && code[0] == r.letter; ++i)
-        if (number(std::to_string(r.first_parameter + i)) == called.value) return r.first_program + i;
+      for (int i = 0; i < r.count && code[0] == r.letter; ++i) {
+        const Answer bound = number(std::to_string(r.first_parameter + i));
+        if (bound == called.value) return r.first_program + i;
+        if (bound == -called.value && r.letter == 'G') return -(r.first_program + i);
+      }
     return std::nullopt;
   }
 

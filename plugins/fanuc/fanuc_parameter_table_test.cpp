@@ -63,11 +63,15 @@ TEST_CASE("codes that call programs") {
   const char* const calls = "isogloss.code-call/1";
   const FakeDependency table(*ig_plugin_v1(), "FanucParameterTable",
                              {{"6050", {{"Value", 100}}},
+                              {"6051", {{"Value", -101}}},
                               {"6059", {{"Value", 65.5}}},
                               {"6071", {{"Value", 6}}},
                               {"6072", {{"Value", 0}}},
-                              {"6081", {{"Value", 80}}}});
+                              {"6081", {{"Value", 80}}},
+                              {"6082", {{"Value", -81}}}});
+  CHECK(number(table, calls, "M81") == -1);
   CHECK(number(table, calls, "G100") == 9010);
+  CHECK(number(table, calls, "G101") == -9011);
   CHECK(number(table, calls, "G65.5") == 9019);
   CHECK(number(table, calls, "M06") == 9001);
   CHECK(number(table, calls, "M80") == 9021);

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <string>
+#include <utility>
 
 #include "macro_environment.hpp"
 #include "scan_util.hpp"
@@ -31,15 +32,30 @@ inline std::size_t put_variable(ig::Block& b, const MacroEnvironment& environmen
   return open + 4;
 }
 
-/// Says what DPRNT puts out, and that the others were met.
-inline void put_out(ig::Block& b, const MacroEnvironment& environment, std::string_view text, std::size_t position,
-                    std::size_t behind) {
+/// Which of POPEN, PCLOS, BPRNT and SETVN were said: each once in a run.
+class SaidOutput {
+ public:
+  void clear() { said_ = 0; }
+  /// True the first time; two letters tell the words apart, shortened or not.
+  bool is_first(std::string_view word) {
+    const char first = iso::to_upper(iso::at(word, 0)), second = iso::to_upper(iso::at(word, 1));
+    const unsigned kind = first == 'B' ? 0 : first == 'S' ? 1 : second == 'O' ? 2 : 3;
+    return (std::exchange(said_, said_ | 1u << kind) >> kind & 1u) == 0;
+  }
+
+ private:
+  unsigned said_ = 0;
+};
+
+/// Says what DPRNT puts out, and, once, that the others were met.
+inline void put_out(ig::Block& b, const MacroEnvironment& environment, SaidOutput& said, std::string_view text,
+                    std::size_t position, std::size_t behind) {
   using iso::piece;
   const auto whole = ig::Where::columns(position, std::max(text.size(), position + 1));
   const std::string_view word = piece(text, position, behind);
   const std::size_t bracket = iso::skip_blanks(text, behind);
   if (!iso::equals_ignoring_case(word, "DPRNT")) {
-    b.report(macro_diag("FAN-0141"), whole, text.substr(position));
+    if (said.is_first(word)) b.report(macro_diag("FAN-0141"), whole, text.substr(position));
     return;
   }
   if (iso::at(text, bracket) != '[' || iso::skip_bracketed(text, bracket) < text.size() || text.back() != ']') {
