@@ -134,7 +134,8 @@ Json describe(const Dialect& d) {
   out["Extends"] = d.ancestors;
   out["Extensions"] = d.extensions;
   out["Signatures"] = d.signatures;
-  out["Segmenter"] = d.segmenter;
+  out["Segmenter"] = d.segmenter.type;
+  if (!d.segmenter.continuation.empty()) out["Continuation"] = d.segmenter.continuation;
   const auto attributes = [](const std::vector<Attribute>& list) {
     Json o = Json::object();
     for (const Attribute& a : list) o[a.name] = a.value;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "cursor.hpp"
 #include "flow_host.hpp"
 #include "host_table.hpp"
 #include "options.hpp"
@@ -367,6 +368,10 @@ std::size_t Chain::scan() {
       continue;
     }
     if (c == '\r' || c == '\n') {  // a lone carriage return ends a line, too
+      if (d.source.is_joined) {
+        ++position;
+        continue;
+      }
       split_at = position + 1;
       break;
     }
@@ -504,6 +509,17 @@ ig_status Chain::build(std::uint32_t position) {
   return status;
 }
 
+/// A range that reaches into the next line ends with its own.
+static void place_in_joined(const BlockSource& source, std::uint32_t begin, std::uint32_t end, Diagnostic& out) {
+  const LinePlace place = LinePlace::of(source.text, begin);
+  const auto column = static_cast<std::uint32_t>(begin - place.begin) + (place.line == 0 ? source.column : 0);
+  out.where.line = source.line + place.line;
+  out.where.column = column + 1;
+  if (end <= begin) return;
+  const std::size_t line_end = std::min(source.text.find_first_of("\r\n", begin), source.text.size());
+  out.end_column = column + 1 + static_cast<std::uint32_t>(std::min<std::size_t>(end, line_end) - begin);
+}
+
 void Chain::report(const Document& d, Severity severity, std::string_view code, std::string message,
                    std::uint32_t begin, std::uint32_t end, std::string hint) {
   const auto& severities = linked_.dialect.severities;
@@ -512,6 +528,8 @@ void Chain::report(const Document& d, Severity severity, std::string_view code, 
   Diagnostic out{severity, std::string(code), std::move(message), {}, 0, std::move(hint)};
   out.where = {std::string(d.source.file), d.source.line, d.source.column + begin + 1};
   if (end > begin) out.end_column = d.source.column + end + 1;
+  if (d.source.is_joined) [[unlikely]]
+    place_in_joined(d.source, begin, end, out);
   sink_.add(std::move(out));
 }
 

@@ -94,8 +94,11 @@ std::unique_ptr<Source> open_file(const std::string& path, std::string& error) {
 
 std::unique_ptr<Source> memory_source(std::string_view text) { return std::make_unique<MemorySource>(text); }
 
-void Cursor::open(Source& source, std::size_t maximum_line_bytes) {
+void Cursor::open(Source& source, std::size_t maximum_line_bytes, const Segmenter& segmenter) {
   source_ = &source;
+  segmenter_ = &segmenter;
+  joins_ = !segmenter.continuation.empty();
+  skips_ = false;
   maximum_ = std::max<std::size_t>(maximum_line_bytes, 1);
   if (buffer_.empty()) buffer_.resize(window);
   begin_ = end_ = whole_ = 0;
@@ -134,6 +137,7 @@ void Cursor::start() {
 
 void Cursor::seek(std::uint64_t offset, std::uint32_t number) {
   if (!started_) start();
+  skips_ = false;
   number_ = number - 1;
   offset = std::max(offset, first_);
   const std::uint64_t first = offset_ - (begin_ - whole_), last = offset_ + (end_ - begin_);
@@ -146,26 +150,84 @@ void Cursor::seek(std::uint64_t offset, std::uint32_t number) {
   offset_ = offset;
 }
 
+/// From byte `size` of the block on. False where none came: `size` is then all that there is, or more than the limit.
+inline bool Cursor::find_end(std::size_t& size) {
+  while (true) {  // `size`: bytes known to hold no end
+    const char* const from = buffer_.data() + begin_ + size;
+    if (const void* const found = std::memchr(from, terminator_, end_ - begin_ - size)) {
+      size = static_cast<std::size_t>(static_cast<const char*>(found) - (buffer_.data() + begin_));
+      return true;
+    }
+    size = end_ - begin_;
+    if (size > maximum_ || !fill()) return false;
+  }
+}
+
+bool Cursor::goes_on(std::string_view line) const {
+  const auto ends_in_mark = [&](std::string_view text) {
+    const std::size_t last = text.find_last_not_of(" \t\r");
+    return last != std::string_view::npos && text.substr(0, last + 1).ends_with(segmenter_->continuation);
+  };
+  if (ends_in_mark(line)) return true;
+  const std::size_t comment = segmenter_->comment.empty() ? std::string_view::npos : line.find(segmenter_->comment);
+  return comment != std::string_view::npos && ends_in_mark(line.substr(0, comment));
+}
+
+/// More lines for a block whose first line ends at `size`. False when the last one has no end.
+bool Cursor::join(Line& line, std::size_t& size) {
+  std::size_t begin = 0;
+  while (size <= maximum_ && goes_on({buffer_.data() + begin_ + begin, size - begin})) {
+    begin = ++size;
+    const bool has_end = find_end(size);
+    if (!has_end && size == begin) {  // the mark stood in the last line
+      --size;
+      return true;
+    }
+    ++line.lines;
+    ++number_;
+    if (!has_end) return false;
+  }
+  // A block that is too long ends here for the reader; what it goes on in is no block either.
+  skips_ = size > maximum_ && goes_on({buffer_.data() + begin_ + begin, size - begin});
+  return true;
+}
+
+/// Line by line, so that a block takes no more memory than the limit.
+bool Cursor::skip_rest_of_block() {
+  while (skips_) {
+    std::size_t size = 0;
+    const bool has_end = find_end(size);
+    if (size == 0 && !has_end) return false;
+    ++number_;
+    Line line;
+    if (!has_end && size > maximum_) {
+      skips_ = false;
+      cut_long_line(line, size);
+      continue;
+    }
+    skips_ = goes_on({buffer_.data() + begin_, size});
+    const std::size_t used = size + (has_end ? 1 : 0);
+    begin_ += used;
+    offset_ += used;
+    bytes_ += used;
+  }
+  return true;
+}
+
 bool Cursor::next(Line& line) {
   if (!started_) start();
-  std::size_t searched = 0;  // bytes of this line known to hold no end
-  const char* found = nullptr;
-  while (true) {
-    const char* const from = buffer_.data() + begin_ + searched;
-    found = static_cast<const char*>(std::memchr(from, terminator_, end_ - begin_ - searched));
-    if (found != nullptr) break;
-    searched = end_ - begin_;
-    if (searched > maximum_ || !fill()) break;
-  }
-  const std::size_t size =
-      found != nullptr ? static_cast<std::size_t>(found - (buffer_.data() + begin_)) : end_ - begin_;
-  if (size == 0 && found == nullptr) return false;
-  line.truncated = size > maximum_;
+  if (skips_ && !skip_rest_of_block()) return false;
+  std::size_t size = 0;
+  bool has_end = find_end(size);
+  if (size == 0 && !has_end) return false;
   line.number = ++number_;
+  line.lines = 1;
   line.offset = offset_;
-  if (line.truncated && found == nullptr) return cut_long_line(line, size);
+  if (joins_ && has_end) has_end = join(line, size);
+  line.truncated = size > maximum_;
+  if (line.truncated && !has_end) return cut_long_line(line, size);
   line.text = std::string_view(buffer_.data() + begin_, std::min(size, maximum_));
-  const std::size_t used = size + (found != nullptr ? 1 : 0);
+  const std::size_t used = size + (has_end ? 1 : 0);
   begin_ += used;
   offset_ += used;
   bytes_ += used;
@@ -200,6 +262,14 @@ bool Cursor::cut_long_line(Line& line, std::size_t size) {
   std::copy(kept.begin(), kept.end(), buffer_.begin());
   line.text = std::string_view(buffer_.data(), kept.size());
   return true;
+}
+
+LinePlace LinePlace::of(std::string_view text, std::size_t position) {
+  const char end = text.find('\n') != std::string_view::npos ? '\n' : '\r';
+  LinePlace place;
+  for (std::size_t i = 0; i < std::min(position, text.size()); ++i)
+    if (text[i] == end) place = {place.line + 1, i + 1};
+  return place;
 }
 
 // ---- spool

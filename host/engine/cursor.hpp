@@ -4,15 +4,24 @@
 #include <string_view>
 #include <vector>
 
+#include "isogloss/engine/dialect.hpp"
 #include "isogloss/engine/runner.hpp"
 
 namespace isogloss {
 
 struct Line {
-  std::string_view text;  ///< without its end; alive until the next call
+  std::string_view text;  ///< without its end; alive until the next call. The ends of lines that go on are in it
   std::uint64_t offset = 0;
   std::uint32_t number = 0;
-  bool truncated = false;  ///< longer than the limit; the rest is skipped
+  std::uint32_t lines = 1;  ///< that the segmenter joined
+  bool truncated = false;   ///< longer than the limit; the rest is skipped
+};
+
+/// Where byte `position` of joined lines stands.
+struct LinePlace {
+  std::uint32_t line = 0;    ///< lines before it
+  std::size_t begin = 0;     ///< of its own line
+  static LinePlace of(std::string_view text, std::size_t position);
 };
 
 /// Lines end in LF or CR LF; a file without any LF has lines that end in CR. A leading byte order mark is skipped.
@@ -20,10 +29,12 @@ struct Line {
 class Cursor {
  public:
   Cursor() = default;
-  /// The source has places.
-  Cursor(Source& source, std::size_t maximum_line_bytes) { open(source, maximum_line_bytes); }
+  /// The source has places. The segmenter outlives the cursor.
+  Cursor(Source& source, std::size_t maximum_line_bytes, const Segmenter& segmenter) {
+    open(source, maximum_line_bytes, segmenter);
+  }
   /// From the beginning of another source; the buffer stays.
-  void open(Source& source, std::size_t maximum_line_bytes);
+  void open(Source& source, std::size_t maximum_line_bytes, const Segmenter& segmenter);
   bool next(Line& line);
   /// The next line is the one that begins at this offset.
   void seek(std::uint64_t offset, std::uint32_t number);
@@ -36,9 +47,15 @@ class Cursor {
  private:
   bool fill();  // false: nothing more came
   void start();
+  bool find_end(std::size_t& size);
+  bool goes_on(std::string_view line) const;
+  bool join(Line& line, std::size_t& size);
+  bool skip_rest_of_block();
   bool cut_long_line(Line& line, std::size_t size);
 
   Source* source_ = nullptr;
+  const Segmenter* segmenter_ = nullptr;
+  bool joins_ = false, skips_ = false;
   std::size_t maximum_ = 1;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;

@@ -61,7 +61,7 @@ class FileReader {
   bool read_head() {
     const pugi::xml_node root = xml_.root();
     file_.own.file = xml_.file();
-    file_.own.segmenter.clear();
+    file_.own.segmenter = {};
     const std::string_view space = root.attribute("xmlns").value();
     if (std::string_view(root.name()) != "Dialect" || space != dialect_namespace) {
       const std::string found = root.attribute("xmlns") ? fmt::format("<{} xmlns=\"{}\">", root.name(), space)
@@ -110,10 +110,24 @@ class FileReader {
   }
 
   void read_segmenter(pugi::xml_node node) {
-    only_attributes(node, {"type"});
+    only_attributes(node, {"type", "continuation", "comment"});
     leaves(node, {});
-    file_.own.segmenter = required(node, "type");
-    if (!file_.own.segmenter.empty() && file_.own.segmenter != "line") bad_value(node, "type", "line");
+    Segmenter& own = file_.own.segmenter;
+    own.type = required(node, "type");
+    if (!own.type.empty() && own.type != "line") bad_value(node, "type", "line");
+    own.continuation = mark(node, "continuation");
+    own.comment = mark(node, "comment");
+    if (!own.comment.empty() && own.continuation.empty()) bad_value(node, "comment", "a continuation beside it");
+  }
+
+  /// A few characters of a program's text, or nothing.
+  std::string mark(pugi::xml_node node, const char* attribute) {
+    constexpr std::size_t longest = 8;
+    const pugi::xml_attribute a = node.attribute(attribute);
+    const std::string_view text = a.value();
+    if (a && (text.empty() || text.size() > longest || text.find_first_of(" \t\r\n") != std::string_view::npos))
+      bad_value(node, attribute, "1 to 8 characters without blanks");
+    return std::string(text);
   }
 
   void read_plugins(pugi::xml_node node) {

@@ -160,7 +160,7 @@ class Reading {
       report_("IG-0113", element.where, {shown(element.alias), fmt::format("line {}", first->where.line)},
               fmt::format("<{} as=\"…\">", shown(element.syntax)));
     }
-    if (file.own.segmenter.empty()) file.own.segmenter = "line";
+    if (file.own.segmenter.type.empty()) file.own.segmenter.type = "line";
     return std::move(file.own);
   }
 
@@ -171,7 +171,7 @@ class Reading {
     base.name = own.name;
     if (!own.title.empty()) base.title = own.title;
     base.file = own.file;
-    if (!own.segmenter.empty()) base.segmenter = own.segmenter;
+    if (!own.segmenter.type.empty()) base.segmenter = own.segmenter;
     if (file.has_files) {
       if (!own.extensions.empty()) base.extensions = own.extensions;
       base.signatures = own.signatures;

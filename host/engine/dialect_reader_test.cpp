@@ -95,7 +95,7 @@ std::vector<std::string> image(const Dialect& d) {
   add(dependencies_of(d));
   add(d.extensions);
   add(d.signatures);
-  add({d.name, d.title, d.segmenter});
+  add({d.name, d.title, d.segmenter.type, d.segmenter.continuation, d.segmenter.comment});
   for (const PluginReference& p : d.plugins) all.push_back(p.name);
   for (const InitialField& f : d.initial) all.push_back(f.path + "=" + f.value);
   for (const auto& [code, severity] : d.severities) all.push_back(code + " " + std::string(to_string(severity)));
@@ -105,7 +105,7 @@ std::vector<std::string> image(const Dialect& d) {
 using Strings = std::vector<std::string>;
 
 const char* const root_content = R"(<Files extensions=".nc .tap"><Signature pattern="%*"/></Files>
-<Segmenter type="line"/>
+<Segmenter type="line" continuation="~" comment=";"/>
 <Plugins><Plugin name="one"/></Plugins>
 <Dependencies>
   <Offsets><Row id="a" X="1"/></Offsets>
@@ -243,6 +243,9 @@ TEST_CASE("what a dialect file says wrongly is told with code and place") {
       {"", "<Initial><Field path=\"A.B\"/></Initial>", {"IG-0109 2:10"}},
       {"", "<Severities><Severity code=\"A-1\" is=\"fatal\"/></Severities>", {"IG-0110 2:34"}},
       {"", "<Segmenter type=\"lines\"/>", {"IG-0110 2:12"}},
+      {"", "<Segmenter type=\"line\" continuation=\"\"/>", {"IG-0110 2:24"}},
+      {"", "<Segmenter type=\"line\" continuation=\"a b\"/>", {"IG-0110 2:24"}},
+      {"", "<Segmenter type=\"line\" comment=\";\"/>", {"IG-0110 2:24"}},
       {"", "<Files extensions=\"nc\"/>", {"IG-0110 2:8"}},
       {"", "<Files><Signature pattern=\"*\"/></Files>", {"IG-0110 2:19"}},
       {"", "<Plugins><Plugin name=\"../a\"/></Plugins>", {"IG-0110 2:18"}},

@@ -70,7 +70,10 @@ constexpr const char* frame = R"(
   <xs:complexType name="dialect.Segmenter">
     <xs:annotation><xs:documentation>How text is cut into blocks.</xs:documentation></xs:annotation>
     <xs:attribute name="type" use="required"><xs:simpleType><xs:restriction base="xs:string"><xs:enumeration value="line"/></xs:restriction></xs:simpleType></xs:attribute>
+    <xs:attribute name="continuation" type="dialect.Mark"><xs:annotation><xs:documentation>A line that ends in this mark goes on in the next one: both are one block. Without it each line is a block.</xs:documentation></xs:annotation></xs:attribute>
+    <xs:attribute name="comment" type="dialect.Mark"><xs:annotation><xs:documentation>What begins a comment, which may stand behind the mark.</xs:documentation></xs:annotation></xs:attribute>
   </xs:complexType>
+  <xs:simpleType name="dialect.Mark"><xs:restriction base="xs:string"><xs:pattern value="[^ \t\r\n]{1,8}"/></xs:restriction></xs:simpleType>
   <xs:complexType name="dialect.Plugins">
     <xs:sequence>
       <xs:element name="Plugin" minOccurs="0" maxOccurs="unbounded"><xs:complexType>

@@ -57,7 +57,7 @@ class Writer {
     set(root, "name", dialect_.name);
     if (!dialect_.title.empty()) set(root, "title", dialect_.title);
     add_files(root);
-    set(root.append_child("Segmenter"), "type", dialect_.segmenter);
+    add_segmenter(root);
     add_plugins(root);
     add_dependencies(root);
     add_initial(root);
@@ -73,6 +73,13 @@ class Writer {
     pugi::xml_node files = root.append_child("Files");
     if (!dialect_.extensions.empty()) set(files, "extensions", joined(dialect_.extensions));
     for (const std::string& pattern : dialect_.signatures) set(files.append_child("Signature"), "pattern", pattern);
+  }
+
+  void add_segmenter(pugi::xml_node root) const {
+    pugi::xml_node segmenter = root.append_child("Segmenter");
+    set(segmenter, "type", dialect_.segmenter.type);
+    if (!dialect_.segmenter.continuation.empty()) set(segmenter, "continuation", dialect_.segmenter.continuation);
+    if (!dialect_.segmenter.comment.empty()) set(segmenter, "comment", dialect_.segmenter.comment);
   }
 
   void add_plugins(pugi::xml_node root) const {

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "cursor.hpp"
 #include "flow_host.hpp"
 #include "isogloss/engine/document_json.hpp"
 #include "json_difference.hpp"
@@ -130,7 +131,9 @@ class Explainer : public Exporter {
   }
 
   bool is_wanted(const Document& document) const {
-    return document.source.line == target_.line && chain_->flow != nullptr &&
+    const BlockSource& source = document.source;
+    const std::uint32_t more = source.is_joined ? LinePlace::of(source.text, source.text.size()).line : 0;
+    return target_.line - source.line <= more && chain_->flow != nullptr &&
            chain_->flow->is_file(document.source.file, target_.file);
   }
 

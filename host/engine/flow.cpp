@@ -43,7 +43,7 @@ Flow::Flow(const LinkedDialect& linked, Source& source, const std::string& name,
   frame_->file = &file;
   frame_->id = ++last_id_;
   cursor_ = &frame_->cursor;
-  cursor_->open(*file.source, options_.maximum_line_bytes);
+  cursor_->open(*file.source, options_.maximum_line_bytes, linked_.dialect.segmenter);
 }
 
 std::uint64_t Flow::bytes() const {
@@ -277,7 +277,8 @@ void Flow::enter(Document& document, const Place& next) {
   if (!frame.is_local) document.clear_frame_values();
   frame_ = &frame;
   cursor_ = &frame.cursor;
-  if (cursor_->source() != frame.file->source) cursor_->open(*frame.file->source, options_.maximum_line_bytes);
+  if (cursor_->source() != frame.file->source) 
+    cursor_->open(*frame.file->source, options_.maximum_line_bytes, linked_.dialect.segmenter);
   seek(frame.start);
 }
 

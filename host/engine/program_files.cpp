@@ -17,7 +17,7 @@ std::string lower(std::string_view text) {
   return out;
 }
 
-bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r") == std::string_view::npos; }
+bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
 
 }  // namespace
 
@@ -76,7 +76,8 @@ Indexer::Indexer(const LinkedDialect& linked, const ChainSettings& settings, std
             return own;
           }(),
           ignored_),
-      maximum_(maximum_line_bytes) {
+      maximum_(maximum_line_bytes),
+      segmenter_(linked.dialect.segmenter) {
   chain_.collect_labels();
   chain_.flow = this;
 }
@@ -97,7 +98,7 @@ std::unique_ptr<LabelIndex> Indexer::index(ProgramFile& file) {
   auto out = std::make_unique<LabelIndex>();
   labels_ = out.get();
   start();
-  Cursor cursor(*file.source, maximum_);
+  Cursor cursor(*file.source, maximum_, segmenter_);
   bool ended = false;
   for (Line line; !ended && cursor.next(line);) {
     std::size_t column = 0;
@@ -105,7 +106,7 @@ std::unique_ptr<LabelIndex> Indexer::index(ProgramFile& file) {
       const std::string_view rest = line.text.substr(column);
       if (is_blank(rest)) break;
       at_ = {line.offset, static_cast<std::uint32_t>(column), line.number};
-      chain_.begin_block({file.name, line.number, static_cast<std::uint32_t>(column), rest});
+      chain_.begin_block({file.name, line.number, static_cast<std::uint32_t>(column), rest, line.lines > 1});
       column += std::max<std::size_t>(chain_.scan(), 1);
       ended = chain_.ends_file;
     } while (!ended && column < line.text.size());
@@ -117,7 +118,7 @@ std::unique_ptr<LabelIndex> Indexer::index(ProgramFile& file) {
 }
 
 std::size_t Indexer::block_end(std::string_view text) {
-  chain_.begin_block({{}, 0, 0, text});
+  chain_.begin_block({{}, 0, 0, text, !segmenter_.continuation.empty()});
   const std::size_t end = chain_.scan();
   ignored_.all.clear();
   return end;

@@ -76,6 +76,7 @@ class Indexer : public FlowHost {
   DiagnosticList ignored_;
   Chain chain_;
   std::size_t maximum_;
+  const Segmenter& segmenter_;
   Place at_;
   LabelIndex* labels_ = nullptr;
   std::string program_;

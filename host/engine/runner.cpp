@@ -15,7 +15,7 @@ constexpr std::uint64_t progress_interval = 1u << 16;
 
 bool is_blank(std::string_view text) {
   for (const char c : text)
-    if (c != ' ' && c != '\t' && c != '\r') return false;
+    if (c != ' ' && c != '\t' && c != '\r' && c != '\n') return false;
   return true;
 }
 
@@ -91,7 +91,7 @@ class Run {
       }
       flow_.at({line.offset, column, line.number});
       if (flow_.is_over()) return;
-      chain_.begin_block({file, line.number, column, rest});
+      chain_.begin_block(source_of(line, file, column, rest));
       const std::size_t end = chain_.scan();
       if (end < rest.size()) chain_.document().source.text = rest.substr(0, end);
       run_block();
@@ -99,18 +99,31 @@ class Run {
       offset += std::max<std::size_t>(end, 1);
       if (flow_.has_request()) {
         const Place next = place_behind(line, offset);
-        if (line.number == options_.stop_after_line && next.column == 0) count_pass(file);
+        if (holds_last(line) && next.column == 0) count_pass(file);
         if (!over_) flow_.perform(chain_.document(), next);
         return;
       }
     } while (!over_ && offset < line.text.size());
-    if (line.number == options_.stop_after_line && has_run && !has_more(line, offset)) count_pass(file);
+    if (holds_last(line) && has_run && !has_more(line, offset)) count_pass(file);
   }
+
+  static BlockSource source_of(const Line& line, std::string_view file, std::uint32_t column, std::string_view text) {
+    BlockSource source{file, line.number, column, text, line.lines > 1};
+    if (source.is_joined && column > 0) {
+      const LinePlace place = LinePlace::of(line.text, column);
+      source.line += place.line;
+      source.column = static_cast<std::uint32_t>(column - place.begin);
+    }
+    return source;
+  }
+
+  /// Is the line at which the run stops one of these?
+  bool holds_last(const Line& line) const { return options_.stop_after_line - line.number < line.lines; }
 
   /// Where the run goes on behind a block that ends at this column.
   Place place_behind(const Line& line, std::size_t column) {
     if (has_more(line, column)) return {line.offset, static_cast<std::uint32_t>(column), line.number};
-    return {flow_.cursor().offset(), 0, line.number + 1};
+    return {flow_.cursor().offset(), 0, line.number + line.lines};
   }
 
   static bool has_more(const Line& line, std::size_t column) {

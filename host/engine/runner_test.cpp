@@ -196,7 +196,8 @@ TEST_CASE("a run ends at its limit of blocks, and says so") {
 
 Strings lines_of(std::string_view text, std::size_t maximum = 1000, bool* truncated = nullptr) {
   const auto source = memory_source(text);
-  Cursor cursor(*source, maximum);
+  const Segmenter by_line{"line", {}, {}};
+  Cursor cursor(*source, maximum, by_line);
   Strings out;
   for (Line line; cursor.next(line);) {
     out.emplace_back(line.text);
@@ -222,6 +223,58 @@ TEST_CASE("a line that is too long is cut, and the next one is whole") {
   CHECK(truncated);
   CHECK(lines_of(longer, 1000) == Strings{longer.substr(0, 1000)});
   CHECK(lines_of("a\n" + longer + "\n\nc", 700'000) == Strings{"a", longer, "", "c"});
+}
+
+struct Joined {
+  std::string text;
+  std::uint32_t number, lines;
+  bool truncated;
+  friend bool operator==(const Joined&, const Joined&) = default;
+};
+
+std::vector<Joined> joined(std::string_view text, const Segmenter& segmenter, std::size_t maximum = 1000) {
+  const auto source = memory_source(text);
+  Cursor cursor(*source, maximum, segmenter);
+  std::vector<Joined> out;
+  for (Line line; cursor.next(line);)
+    out.push_back({std::string(line.text), line.number, line.lines, line.truncated});
+  return out;
+}
+
+TEST_CASE("lines that end in the segmenter's mark are one block with those that follow") {
+  const Segmenter tilde{"line", "~", ";"}, dots{"line", "...", ""};
+  CHECK(joined("a ~\n b\nc\n", tilde) == std::vector<Joined>{{"a ~\n b", 1, 2, false}, {"c", 3, 1, false}});
+  CHECK(joined("a;x ~ \r\nb~\r\nc\r\nd", tilde) ==
+        std::vector<Joined>{{"a;x ~ \r\nb~\r\nc", 1, 3, false}, {"d", 4, 1, false}});
+  CHECK(joined("a ~ ;x\nb;~y\nc", tilde) == std::vector<Joined>{{"a ~ ;x\nb;~y", 1, 2, false}, {"c", 3, 1, false}});
+  CHECK(joined("a~\rb\rc", tilde) == std::vector<Joined>{{"a~\rb", 1, 2, false}, {"c", 3, 1, false}});
+  CHECK(joined("a~\n", tilde) == std::vector<Joined>{{"a~", 1, 1, false}});
+  CHECK(joined("a~", tilde) == std::vector<Joined>{{"a~", 1, 1, false}});
+  CHECK(joined("a ...\nb ~\nc..", dots) == std::vector<Joined>{{"a ...\nb ~", 1, 2, false}, {"c..", 3, 1, false}});
+  CHECK(joined("a ... ;x\nb", dots) == std::vector<Joined>{{"a ... ;x", 1, 1, false}, {"b", 2, 1, false}});
+}
+
+TEST_CASE("a block of lines that go on is bounded, and what it goes on in is no block") {
+  std::string text;
+  for (int i = 0; i < 300'000; ++i) text += "~\n";
+  const Segmenter tilde{"line", "~", ""};
+  const std::vector<Joined> all = joined(text + "end\nb\n", tilde, 1000);
+  REQUIRE(all.size() == 2);
+  CHECK(all[0].text == text.substr(0, 1000));
+  CHECK(all[0].truncated);
+  CHECK(all[1] == Joined{"b", 300'002, 1, false});
+}
+
+TEST_CASE("what is said of joined lines has the line and the column where it stands") {
+  Fixture f;
+  f.linked->dialect.segmenter.continuation = "&";
+  Collector out;
+  const auto source = memory_source("X1 &\n  \x01 & \r\n X2\nX3 \x01");
+  run(*f.linked, *source, "t", {}, {&out}, f.diagnostics);
+  CHECK(out.blocks == Strings{"1:2+3", "4:3+0"});
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> places;
+  for (const Diagnostic& d : f.diagnostics.all) places.emplace_back(d.where.line, d.where.column);
+  CHECK(places == std::vector<std::pair<std::uint32_t, std::uint32_t>>{{2, 3}, {4, 4}});
 }
 
 TEST_CASE("lines are the same wherever the reading windows end") {

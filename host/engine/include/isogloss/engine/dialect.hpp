@@ -55,6 +55,13 @@ struct PluginReference {
   Location where;
 };
 
+/// How text is cut into blocks.
+struct Segmenter {
+  std::string type;          ///< "line"
+  std::string continuation;  ///< a line that ends in it goes on in the next one; empty: each line is a block
+  std::string comment;       ///< what begins here may stand behind the mark; empty: nothing may
+};
+
 /// A dialect with all that it extends folded in.
 struct Dialect {
   std::string name;
@@ -63,7 +70,7 @@ struct Dialect {
   std::vector<std::string> ancestors;   ///< names, nearest first
   std::vector<std::string> extensions;  ///< ".nc"
   std::vector<std::string> signatures;  ///< shell patterns (* ? [0-9]) for a line in the head of a program
-  std::string segmenter = "line";
+  Segmenter segmenter{"line", {}, {}};
   std::vector<PluginReference> plugins;
   std::vector<DependencyElement> dependencies;  ///< nearest provider first
   std::vector<InitialField> initial;

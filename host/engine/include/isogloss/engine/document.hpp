@@ -56,6 +56,7 @@ struct BlockSource {
   std::uint32_t line = 0;    ///< from 1
   std::uint32_t column = 0;  ///< of the text's first byte, from 0: a line may hold several blocks
   std::string_view text;     ///< alive until the block is finished
+  bool is_joined = false;    ///< of several lines, whose ends are in the text
 };
 
 class Document {
