@@ -27,6 +27,9 @@ struct ToolHeightOffset {
   ig::Transform tilt_{"TiltTransform", ig::read | ig::wake};
   ig::Transform frame_{"ToolHeightCompensation"};
   ig::Signal table_changed_{"ToolHeightCompensation.~TableChanged", ig::read | ig::wake};
+  ig::In<double> delta_{"ToolHeightCompensation.Delta_mm",
+                        ig::read,
+                        {ig::Life::modal, "mm", "What the tool call adds to the length of the table."}};
   ToolLengths lengths_{ig::Need::required};
   /// Lengths that a block without Z put in force: the next Z word under G91 travels them.
   ig::Field<double> untravelled_{"ToolHeightCompensation.Untravelled_mm",
@@ -90,7 +93,7 @@ struct ToolHeightOffset {
   }
 
   void compensate(ig::Block& b, ig::Where where) const {
-    const double length = lengths_.length(b, b.get_or(offset_id_, std::int64_t{0}), where);
+    const double length = lengths_.length(b, b.get_or(offset_id_, std::int64_t{0}), where) + b.get_or(delta_, 0.0);
     const double signed_length = b.is(term_, g44_) ? -length : length;
     b.set(offset_, signed_length);
     b.set_translation(frame_, signed_length * tool_axis(b));
