@@ -19,8 +19,8 @@ struct Line {
 
 /// Where byte `position` of joined lines stands.
 struct LinePlace {
-  std::uint32_t line = 0;    ///< lines before it
-  std::size_t begin = 0;     ///< of its own line
+  std::uint32_t line = 0;  ///< lines before it
+  std::size_t begin = 0;   ///< of its own line
   static LinePlace of(std::string_view text, std::size_t position);
 };
 

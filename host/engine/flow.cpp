@@ -277,7 +277,7 @@ void Flow::enter(Document& document, const Place& next) {
   if (!frame.is_local) document.clear_frame_values();
   frame_ = &frame;
   cursor_ = &frame.cursor;
-  if (cursor_->source() != frame.file->source) 
+  if (cursor_->source() != frame.file->source)
     cursor_->open(*frame.file->source, options_.maximum_line_bytes, linked_.dialect.segmenter);
   seek(frame.start);
 }

@@ -236,8 +236,7 @@ std::vector<Joined> joined(std::string_view text, const Segmenter& segmenter, st
   const auto source = memory_source(text);
   Cursor cursor(*source, maximum, segmenter);
   std::vector<Joined> out;
-  for (Line line; cursor.next(line);)
-    out.push_back({std::string(line.text), line.number, line.lines, line.truncated});
+  for (Line line; cursor.next(line);) out.push_back({std::string(line.text), line.number, line.lines, line.truncated});
   return out;
 }
 

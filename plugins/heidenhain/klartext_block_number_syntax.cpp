@@ -1,0 +1,69 @@
+// The block number, and the skip sign / or /1 to /9 before or behind it. The number is a name for people only: nothing
+// jumps there. While the operator has the skip switched on, the block is not executed.
+#include <bitset>
+#include <stdexcept>
+
+#include "klartext_text.hpp"
+
+namespace heidenhain {
+namespace {
+
+std::bitset<10> read_layers(std::string_view list) {
+  std::bitset<10> layers;
+  for (const char c : list) {
+    if (c == ',' || iso::is_blank(c)) continue;
+    if (c < '1' || c > '9') throw std::invalid_argument("block-skip: layers are 1 to 9, separated by commas");
+    layers.set(static_cast<std::size_t>(c - '0'));
+  }
+  return layers;
+}
+
+struct KlartextBlockNumber {
+  static constexpr auto spec =
+      ig::syntax("KlartextBlockNumberSyntax", "Takes the block number and the skip sign.").scans("0123456789/");
+
+  ig::TextOption layers_{"block-skip", "", "Layers that are switched on, 1 to 9, separated by commas."};
+  ig::Setting setting_{"block-skip"};
+  ig::Out<std::int64_t> n_{"Source.N"};
+  ig::Out<ig::Symbol> symbol_{"BlockSkip.Symbol"};
+  ig::Out<std::int64_t> layer_{"BlockSkip.Layer"};
+  ig::TextField body_{"BlockSkip.Body", ig::write};
+  ig::Name slash_{"/"};
+  std::bitset<10> on_ = read_layers(setting_.text().empty() ? layers_.text() : setting_.text());
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    const std::size_t words = first_word(text);
+    if (position >= words || iso::skip_blanks(text, 0) != position) return position;
+    std::size_t i = position;
+    if (text[i] == '/' && skips(b, text, i)) return text.size();
+    i = iso::skip_blanks(text, i);
+    const std::size_t end = iso::skip_digits(text, i);
+    if (end > i && end - i <= 18) {
+      std::int64_t number = 0;
+      for (std::size_t k = i; k < end; ++k) number = number * 10 + (text[k] - '0');
+      b.set(n_, number);
+    }
+    i = iso::skip_blanks(text, end);
+    if (at(text, i) == '/' && i < words && skips(b, text, i)) return text.size();
+    return words;
+  }
+
+ private:
+  /// Takes the sign at `i`; true where the block is skipped.
+  bool skips(ig::Block& b, std::string_view text, std::size_t& i) const {
+    const char digit = at(text, i + 1);
+    const bool has_layer = digit >= '1' && digit <= '9' && !is_digit(at(text, i + 2));
+    const std::size_t layer = has_layer ? static_cast<std::size_t>(digit - '0') : 1;
+    i += has_layer ? 2 : 1;
+    if (!on_.test(layer)) return false;
+    b.set(symbol_, slash_);
+    b.set(layer_, static_cast<std::int64_t>(layer));
+    if (const std::string_view rest = trim(text.substr(i)); !rest.empty()) b.set_text(body_, rest);
+    return true;
+  }
+};
+
+const ig::Register<KlartextBlockNumber> registered;
+
+}  // namespace
+}  // namespace heidenhain

@@ -1,0 +1,26 @@
+// CP with IPA beyond 360 degrees: how many whole circles the arc makes more.
+#include <isogloss/sdk.hpp>
+
+namespace heidenhain {
+namespace {
+
+struct KlartextHelix {
+  static constexpr auto spec = ig::syntax("KlartextHelixSyntax", "CP IPA beyond 360 degrees: whole circles more.")
+                                   .after("KlartextMotionSyntax", "CircularMotionSyntax");
+
+  ig::In<std::int64_t> circles_{"KlartextPath.Circles", ig::wake};
+  ig::In<ig::Symbol> form_{"MotionEvent.Form"};
+  ig::Out<std::int64_t> additional_{"MotionEvent.AdditionalCircleNum"};
+  ig::Name arc_{"McArc"};
+
+  ig::Status build(ig::Block& b) {
+    if (!b.is(form_, arc_)) return ig::Status::unchanged;
+    b.set(additional_, b.get_or(circles_, std::int64_t{0}));
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<KlartextHelix> registered;
+
+}  // namespace
+}  // namespace heidenhain

@@ -1,0 +1,249 @@
+// What the words of a path block mean: increments become positions, polar coordinates become rectangular ones, the pole
+// CC becomes the centre of an arc, and CT finds its own. From here on the block is one of G00 to G03, as anywhere else.
+#include <numbers>
+
+#include "arc_util.hpp"
+#include "klartext_diagnostics.hpp"
+#include "plane_util.hpp"
+#include "program_xyz_util.hpp"
+#include "tilt_transform_util.hpp"
+
+namespace heidenhain {
+namespace {
+
+struct KlartextMotion {
+  static constexpr auto spec =
+      ig::syntax("KlartextMotionSyntax", "Increments, polar coordinates, pole and tangent become a path.")
+          .after("KlartextPathSyntax", "UnitModeSyntax", "PlaneSelectSyntax")
+          .before("KlartextDrillingCycleSyntax", "MachineCoordSelectSyntax", "ProgramXyzSyntax", "McAbcSyntax",
+                  "CircularMotionSyntax", "LinearMotionSyntax");
+
+  ig::In<ig::Symbol> function_{"KlartextPath.Function", ig::wake};
+  ig::In<bool> is_ccw_{"KlartextPath.IsCcw"};
+  ig::Xyz words_{"Parsing", ig::read | ig::write | ig::take};
+  std::array<ig_field, 6> steps_{step("IX", "mm"),  step("IY", "mm"),  step("IZ", "mm"),
+                                 step("IA", "deg"), step("IB", "deg"), step("IC", "deg")};
+  std::array<ig_field, 4> polar_{step("PR", "mm"), step("PA", "deg"), step("IPR", "mm"), step("IPA", "deg")};
+  std::array<ig_field, 3> rotary_{rotary("Parsing.A"), rotary("Parsing.B"), rotary("Parsing.C")};
+  std::array<ig::Previous<double>, 3> angles_{ig::Previous<double>{"MachineCoordinate.A"},
+                                              ig::Previous<double>{"MachineCoordinate.B"},
+                                              ig::Previous<double>{"MachineCoordinate.C"}};
+  std::array<ig_field, 3> centers_{center("Parsing.I"), center("Parsing.J"), center("Parsing.K")};
+  ig::Codes motions_{{"G00", "G01", "G02", "G03"}, ig::read | ig::write};
+  ig::Xyz pole_{"KlartextPath.Pole", ig::read | ig::write, {ig::Life::modal, "mm", "The pole CC, in the plane."}};
+  ig::Xyz tangent_{"KlartextPath.Tangent",
+                   ig::read | ig::write,
+                   {ig::Life::modal, "", "Where the path before goes on to: a unit vector."}};
+  ig::Out<std::int64_t> circles_{"KlartextPath.Circles", {ig::Life::block, "", "Whole circles of CP beyond the arc."}};
+  iso::PlaneInForce plane_;
+  iso::LastProgramXyz last_;
+  ig::Name lp_{"LP"}, c_{"C"}, cc_{"CC"}, cr_{"CR"}, ct_{"CT"}, cp_{"CP"}, ctp_{"CTP"}, rnd_{"RND"};
+
+  ig::Status build(ig::Block& b) {
+    const ig::Symbol function = b.get_or(function_, ig::Symbol{});
+    const ig::PartialVec3 named = b.get(words_);
+    ig_value steps[6];
+    const std::uint32_t has_steps = b.host()->take_many(b.raw(), steps_.data(), 6, steps);
+    if ((has_steps >> 3) != 0) turn(b, has_steps >> 3, steps + 3);
+    if (function == cc_) return set_pole(b, named, has_steps & 7u, steps);
+
+    Way way{plane_(b), last_(b), {}, named.mask | (has_steps & 7u), function};
+    way.to = named.or_else(way.from);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if ((has_steps >> axis & 1u) != 0) way.to[axis] = way.from[axis] + steps[axis].number;
+    const bool is_polar = function == lp_ || function == cp_ || function == ctp_;
+    if (is_polar && !resolve_polar(b, way)) return drop(b);
+    if (way.mask == 0 && function != c_) return ig::Status::changed;
+    if (is_polar || (has_steps & 7u) != 0 || function == c_) put(b, way);
+
+    if (function == c_ || function == cp_) return about_pole(b, way);
+    if (function == ct_ || function == ctp_)
+      along_tangent(b, way);
+    else if (function == cr_)
+      keep_tangent_of_radius(b, way);
+    else
+      keep_tangent(b, way.to - way.from);
+    return ig::Status::changed;
+  }
+
+ private:
+  struct Way {
+    iso::PlaneAxes plane;
+    ig::Vec3 from, to;
+    std::uint32_t mask;  // axes that the block moves
+    ig::Symbol function;
+    iso::Point2 start() const { return {from[plane.first], from[plane.second]}; }
+    iso::Point2 end() const { return {to[plane.first], to[plane.second]}; }
+    void set_end(const iso::Point2& p) {
+      to[plane.first] = p.u;
+      to[plane.second] = p.v;
+      mask |= 1u << plane.first | 1u << plane.second;
+    }
+  };
+
+  static ig_field step(std::string_view name, const char* unit) {
+    return ig::detail::declare_field({{"Parsing.", name}, IG_NUMBER, ig::take, {ig::Life::word, unit, ""}});
+  }
+  static ig_field rotary(const char* path) {
+    return ig::Field<double>(path, ig::read | ig::write, {ig::Life::standard, "deg", ""}).id();
+  }
+  static ig_field center(const char* path) {
+    return ig::Field<double>(path, ig::read | ig::write, {ig::Life::standard, "mm", ""}).id();
+  }
+
+  void turn(ig::Block& b, std::uint32_t named, const ig_value* steps) const {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if ((named >> axis & 1u) != 0)
+        b.host()->set(b.raw(), rotary_[axis], {.number = b.get_or(angles_[axis], 0.0) + steps[axis].number});
+  }
+
+  /// Positions of the block; an axis that it does not move has no word.
+  void put(ig::Block& b, const Way& way) const {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if ((way.mask >> axis & 1u) != 0) b.host()->set(b.raw(), words_.id(axis), {.number = iso::rounded(way.to[axis])});
+  }
+
+  /// The block has no meaning: its words go with it.
+  ig::Status drop(ig::Block& b) const {
+    b.take(words_);
+    return ig::Status::changed;
+  }
+
+  ig::Status set_pole(ig::Block& b, const ig::PartialVec3& named, std::uint32_t has_steps,
+                      const ig_value* steps) const {
+    const ig::Vec3 last = last_(b);
+    // Alone it is where the tool stands; an axis that is not named keeps its pole.
+    ig::Vec3 pole = named.mask == 0 && has_steps == 0 ? last : b.get(pole_).or_else(last);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (named.has(axis)) pole[axis] = named.value[axis];
+      if ((has_steps >> axis & 1u) != 0) pole[axis] = last[axis] + steps[axis].number;
+    }
+    b.set(pole_, pole);
+    b.take(words_);
+    return ig::Status::changed;
+  }
+
+  bool has_pole(ig::Block& b, const Way& way) const {
+    if (b.get(pole_).complete()) return true;
+    b.report(hei("HEI-0132"), ig::Where::block(), b.text(way.function));
+    return false;
+  }
+  iso::Point2 pole(const ig::Block& b, const iso::PlaneAxes& plane) const {
+    const ig::Vec3 p = b.get(pole_).value;
+    return {p[plane.first], p[plane.second]};
+  }
+
+  bool resolve_polar(ig::Block& b, Way& way) const {
+    ig_value v[4];
+    const std::uint32_t has = b.host()->take_many(b.raw(), polar_.data(), 4, v);
+    if (!has_pole(b, way)) return false;
+    if (has == 0 && way.function != cp_) return true;
+    const iso::Point2 center = pole(b, way.plane), out = way.start() - center;
+    constexpr double degree = std::numbers::pi / 180;
+    double radius = out.length();
+    double angle = radius > 0 ? std::atan2(out.v, out.u) / degree : 0;
+    if ((has & 1u) != 0) radius = v[0].number;
+    if ((has & 4u) != 0) radius += v[2].number;
+    const bool is_turn = (has & 8u) != 0;
+    const double turned = is_turn ? v[3].number : 0;
+    const bool has_angle = (has & 2u) != 0;
+    if (has_angle) angle = v[1].number;
+    const bool is_whole = is_turn && !has_angle && std::remainder(turned, 360.0) == 0 && (has & 5u) == 0;
+    if (is_whole || (!has_angle && !is_turn && (has & 5u) == 0)) {
+      way.set_end(way.start());
+    } else {
+      const iso::Turn t = iso::Turn::by(angle + turned);
+      way.set_end({center.u + radius * t.cos, center.v + radius * t.sin});
+    }
+    if (is_turn && way.function == cp_) note_circles(b, way, center, turned);
+    return true;
+  }
+
+  /// IPA may be more than a whole circle. Its sign is the sense of rotation.
+  void note_circles(ig::Block& b, const Way& way, const iso::Point2& center, double turned) const {
+    const auto is_ccw = b.get(is_ccw_);
+    if (!is_ccw || turned == 0) return;
+    if ((turned > 0) != *is_ccw) {
+      b.report(hei("HEI-0137"), ig::Where::block(), b.text(way.function));
+      return;
+    }
+    const double arc = std::fabs(iso::sweep(way.start(), way.end(), center, *is_ccw)) * (180 / std::numbers::pi);
+    const double more = std::round((std::fabs(turned) - arc) / 360);
+    if (more >= 1) b.set(circles_, static_cast<std::int64_t>(std::min(more, 1e9)));
+  }
+
+  // ---- arcs
+
+  ig::Status about_pole(ig::Block& b, const Way& way) const {
+    const auto is_ccw = b.get(is_ccw_);
+    if (!has_pole(b, way)) return drop(b);
+    if (is_ccw) arc(b, way, pole(b, way.plane), *is_ccw);
+    return ig::Status::changed;
+  }
+
+  void arc(ig::Block& b, const Way& way, const iso::Point2& center, bool is_ccw) const {
+    const iso::Point2 from = way.start();
+    b.host()->set(b.raw(), centers_[way.plane.first], {.number = center.u - from.u});
+    b.host()->set(b.raw(), centers_[way.plane.second], {.number = center.v - from.v});
+    const iso::Point2 out = way.end() - center;
+    keep_tangent(b, in_space(way.plane, is_ccw ? iso::Point2{-out.v, out.u} : iso::Point2{out.v, -out.u}));
+  }
+
+  void raise(ig::Block& b, std::size_t motion) const {
+    ig_value v;
+    v.integer = 1;
+    b.host()->set(b.raw(), motions_.id(motion), v);
+  }
+
+  /// CT: the arc that leaves where the path before goes on to, and ends at the point.
+  void along_tangent(ig::Block& b, const Way& way) const {
+    const ig::PartialVec3 known = b.get(tangent_);
+    const iso::Point2 way_in_plane = way.end() - way.start();
+    const iso::Point2 t{known.value[way.plane.first], known.value[way.plane.second]};
+    const double length = way_in_plane.length(), t_length = t.length();
+    if (!known.complete() || t_length < 1e-9 || length < iso::same_point_mm) {
+      b.report(hei("HEI-0134"), ig::Where::block(), b.text(way.function));
+      raise(b, 1);
+      return keep_tangent(b, way.to - way.from);
+    }
+    const iso::Point2 left{-t.v / t_length, t.u / t_length};
+    const double aside = way_in_plane.u * left.u + way_in_plane.v * left.v;
+    const double ahead = way_in_plane.u * t.u + way_in_plane.v * t.v;
+    if (std::fabs(aside) < iso::same_point_mm) {  // straight on; straight back is no arc
+      if (ahead < 0) b.report(hei("HEI-0134"), ig::Where::block(), b.text(way.function));
+      raise(b, 1);
+      return keep_tangent(b, way.to - way.from);
+    }
+    const double radius = length * length / (2 * aside);
+    raise(b, aside > 0 ? 3 : 2);
+    arc(b, way, {way.start().u + radius * left.u, way.start().v + radius * left.v}, aside > 0);
+  }
+
+  void keep_tangent_of_radius(ig::Block& b, const Way& way) const {
+    ig_value radius;
+    const auto is_ccw = b.get(is_ccw_);
+    if (!is_ccw || b.host()->get(b.raw(), radius_, &radius) == 0 ||
+        (way.end() - way.start()).length() < iso::same_point_mm)
+      return keep_tangent(b, way.to - way.from);
+    const iso::Point2 center = iso::center_by_radius(way.start(), way.end(), radius.number, *is_ccw);
+    const iso::Point2 out = way.end() - center;
+    keep_tangent(b, in_space(way.plane, *is_ccw ? iso::Point2{-out.v, out.u} : iso::Point2{out.v, -out.u}));
+  }
+
+  static ig::Vec3 in_space(const iso::PlaneAxes& plane, const iso::Point2& p) {
+    ig::Vec3 out;
+    out[plane.first] = p.u;
+    out[plane.second] = p.v;
+    return out;
+  }
+  void keep_tangent(ig::Block& b, const ig::Vec3& direction) const {
+    if (const auto unit = iso::unit(direction)) b.set(tangent_, *unit);
+  }
+
+  ig_field radius_ = center("Parsing.R");
+};
+
+const ig::Register<KlartextMotion> registered;
+
+}  // namespace
+}  // namespace heidenhain

@@ -1,0 +1,254 @@
+// Path functions: L, LP, LN, CC, C, CR, CT, CP, CTP, and what goes with them: RND, CHF, APPR, DEP. The scanner takes
+// the block as a whole and writes its words; KlartextMotionSyntax makes a path of them. A block that begins with an
+// axis or an M function counts as L.
+#include "feed_words.hpp"
+#include "m_functions.hpp"
+
+namespace heidenhain {
+namespace {
+
+enum Function : std::size_t { L, LP, LN, C, CC, CR, CT, CP, CTP, RND, CHF, APPR, DEP, function_count };
+
+constexpr std::array<std::string_view, function_count> names{"L",  "LP",  "LN",  "C",   "CC",   "CR", "CT",
+                                                             "CP", "CTP", "RND", "CHF", "APPR", "DEP"};
+
+struct KlartextPath {
+  static constexpr auto spec =
+      ig::syntax("KlartextPathSyntax", "L, CC, C, CR, CT, polar LP, CP, CTP: words of a path block.")
+          .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
+          .scans("ABCDILMRXYZabcdilmrxyz");
+
+  Values values_;
+  FeedWords feed_;
+  MFunctions m_;
+  ig::Out<ig::Symbol> function_{"KlartextPath.Function", {ig::Life::block, "", "The path function of the block."}};
+  ig::Out<bool> is_ccw_{"KlartextPath.IsCcw", {ig::Life::block, "", "DR+ of the block; DR- is false."}};
+  std::array<ig_field, 6> axes_{word("X", "mm"),  word("Y", "mm"),  word("Z", "mm"),
+                                word("A", "deg"), word("B", "deg"), word("C", "deg")};
+  std::array<ig_field, 6> steps_{word("IX", "mm"),  word("IY", "mm"),  word("IZ", "mm"),
+                                 word("IA", "deg"), word("IB", "deg"), word("IC", "deg")};
+  std::array<ig_field, 2> polar_{word("PR", "mm"), word("PA", "deg")};
+  std::array<ig_field, 2> polar_steps_{word("IPR", "mm"), word("IPA", "deg")};
+  ig_field radius_ = word("R", "mm");
+  ig::Codes motions_{{"G00", "G01", "G02", "G03"}, ig::write};
+  ig::Signal compensated_{"KlartextPath.~Compensated", ig::read | ig::write, ig::Life::modal};
+  std::array<ig::Name, CHF> symbols_{ig::Name{"L"},  ig::Name{"LP"}, ig::Name{"LN"}, ig::Name{"C"},   ig::Name{"CC"},
+                                     ig::Name{"CR"}, ig::Name{"CT"}, ig::Name{"CP"}, ig::Name{"CTP"}, ig::Name{"RND"}};
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    if (!stands_first(text, position)) return position;
+    const auto found = function_at(text, position);
+    if (!found) return position;
+    if (values_.is_indexing()) return statement_end(text, position);
+    Path path{found->function, found->end, found->end == position ? std::string_view("L") : names[found->function]};
+    path.end = statement_end(text, position);
+    if (path.function == RND || path.function == CHF) return corner(b, text, position, path);
+    return read(b, text, position, path);
+  }
+
+ private:
+  struct Found {
+    Function function;
+    std::size_t end;
+  };
+  struct Path {
+    Function function;
+    std::size_t position;
+    std::string_view name;
+    std::size_t end = 0;
+    bool is_rapid = false, has_tool_vector = false;
+    std::optional<bool> is_ccw{};
+  };
+
+  static ig_field word(std::string_view name, const char* unit) {
+    return ig::detail::declare_field({{"Parsing.", name}, IG_NUMBER, ig::read | ig::write, {ig::Life::word, unit, ""}});
+  }
+
+  static std::optional<Found> function_at(std::string_view text, std::size_t position) {
+    const std::size_t end = letters_end(text, position);
+    const std::string_view letters = piece(text, position, end);
+    const char next = at(text, end);
+    const bool is_word = next == '+' || next == '-' || is_digit(next) || next == '.';
+    for (std::size_t i = 0; i < function_count; ++i)
+      if (iso::equals_ignoring_case(letters, names[i]) && (i != C || !is_word))
+        return Found{static_cast<Function>(i), end};
+    // L, C and CC with their first word glued to them: LX+10, CCX+5, LIX+5
+    for (const Function f : {LP, LN, CC, CR, CT, CP, L, C}) {
+      const std::size_t size = names[f].size();
+      if (letters.size() <= size || letters.size() > size + 3 || !is_word) continue;
+      if (iso::equals_ignoring_case(letters.substr(0, size), names[f]) && is_axis_word(letters.substr(size)))
+        return Found{f, position + size};
+    }
+    if (letters.size() == 1 && to_upper(letters[0]) == 'M' && is_digit(at(text, iso::skip_blanks(text, end))))
+      return Found{L, position};
+    const bool has_value = is_word || to_upper(next) == 'Q' || (letters.size() > 1 && to_upper(letters.back()) == 'Q');
+    const std::string_view axis =
+        letters.size() > 1 && to_upper(letters.back()) == 'Q' ? letters.substr(0, letters.size() - 1) : letters;
+    if (has_value && is_axis_word(axis)) return Found{L, position};
+    return std::nullopt;
+  }
+  static bool is_axis_word(std::string_view letters) {
+    if (letters.size() == 2 && to_upper(letters[0]) == 'I') letters.remove_prefix(1);
+    return letters.size() == 1 && std::string_view("XYZABC").find(to_upper(letters[0])) != std::string_view::npos;
+  }
+
+  // ---- words
+
+  std::size_t read(ig::Block& b, std::string_view text, std::size_t begin, Path& path) const {
+    std::size_t i = path.position;
+    while (true) {
+      i = skip(text, i);
+      if (i >= path.end) break;
+      const std::size_t next = word_at(b, text, i, path);
+      if (next == i) {
+        unknown(b, text, i, path);
+        break;
+      }
+      i = next;
+    }
+    finish(b, begin, path);
+    return path.end;
+  }
+
+  std::size_t word_at(ig::Block& b, std::string_view text, std::size_t i, Path& path) const {
+    const char c = to_upper(text[i]), d = to_upper(at(text, i + 1));
+    if (path.function >= APPR)
+      if (const std::size_t end = shape_at(b, text, i, path); end != i) return end;
+    if (c == 'I') {
+      if (const std::size_t axis = axis_of(d); axis < 6) return put(b, text, i, i + 2, steps_[axis], path);
+      const std::size_t p = d == 'P' ? polar_of(at(text, i + 2)) : 2;
+      return p < 2 ? put(b, text, i, i + 3, polar_steps_[p], path) : i;
+    }
+    if (const std::size_t axis = axis_of(c); axis < 6) return put(b, text, i, i + 1, axes_[axis], path);
+    switch (c) {
+      case 'P': {
+        const std::size_t p = polar_of(d);
+        return p < 2 ? put(b, text, i, i + 2, polar_[p], path) : i;
+      }
+      case 'F': return feed_.scan(b, values_, text, i, path.is_rapid);
+      case 'M': return m_.scan(b, values_, text, i);
+      case 'R': return radius(b, text, i, path);
+      case 'D': {
+        const std::size_t sign = iso::skip_blanks(text, i + 2);
+        const char s = at(text, sign);
+        if (d != 'R' || (s != '+' && s != '-')) return i;
+        path.is_ccw = s == '+';
+        return sign + 1;
+      }
+      case 'N':
+      case 'T': {
+        if (path.function != LN || axis_of(d) > 2) return i;
+        const Value v = values_.read(b, text, i + 2);
+        path.has_tool_vector = path.has_tool_vector || c == 'T';
+        return v.ok ? v.end : i;
+      }
+      default: return i;
+    }
+  }
+
+  /// LT, LN, CT, LCT, and LEN, CCA, R with a value: how the tool would approach the contour or leave it.
+  std::size_t shape_at(ig::Block& b, std::string_view text, std::size_t i, const Path& path) const {
+    const std::size_t end = letters_end(text, i);
+    const std::string_view letters = piece(text, i, end);
+    const auto is = [&](std::string_view name) { return iso::equals_ignoring_case(letters, name); };
+    for (const std::string_view shape : {"LT", "LN", "CT", "LCT", "PLT", "PLN", "PCT", "PLCT"})
+      if (is(shape)) return end;
+    const bool is_radius = is("R") && at(text, end) != '0';
+    if (!is("LEN") && !is("CCA") && !is_radius) return i;
+    const Value v = values_.read(b, text, end);
+    if (!v.ok) b.report(hei("HEI-0104"), ig::Where::columns(i, end), path.name, letters);
+    return v.ok ? v.end : end;
+  }
+
+  static std::size_t axis_of(char c) { return std::min<std::size_t>(std::string_view("XYZABC").find(to_upper(c)), 6); }
+  static std::size_t polar_of(char c) { return std::min<std::size_t>(std::string_view("RA").find(to_upper(c)), 2); }
+
+  std::size_t put(ig::Block& b, std::string_view text, std::size_t begin, std::size_t value, ig_field field,
+                  Path& path) const {
+    const Value v = values_.read(b, text, value);
+    if (!v.ok) {
+      b.report(hei("HEI-0104"), ig::Where::columns(begin, value), path.name, piece(text, begin, value));
+      return value;
+    }
+    const ig_word word{field, iso::column(begin), iso::column(v.end), {.number = v.number + 0.0}, 0, 0};
+    b.host()->set_words(b.raw(), &word, 1);
+    return v.end;
+  }
+
+  /// R0, RL, RR; R alone, the prompt that was left without an answer; R and a number of CR.
+  std::size_t radius(ig::Block& b, std::string_view text, std::size_t i, Path& path) const {
+    const char d = to_upper(at(text, i + 1));
+    const bool is_alone = !is_letter(at(text, i + 2)) && !is_digit(at(text, i + 2));
+    if ((d == 'L' || d == 'R') && is_alone) {
+      if (!b.is_raised(compensated_)) b.report(hei("HEI-0131"), ig::Where::columns(i, i + 2), piece(text, i, i + 2));
+      b.raise(compensated_);
+      return i + 2;
+    }
+    if (path.function == CR) return put(b, text, i, i + 1, radius_, path);
+    if (d == '0' && is_alone) {
+      b.erase(compensated_);
+      return i + 2;
+    }
+    // R+ and R- of a paraxial block lengthen or shorten it by the radius
+    if (d == '+' || d == '-') {
+      b.report(hei("HEI-0131"), ig::Where::columns(i, i + 2), piece(text, i, i + 2));
+      return i + 2;
+    }
+    return is_letter(d) || is_digit(d) ? i : i + 1;
+  }
+
+  static void unknown(ig::Block& b, std::string_view text, std::size_t i, const Path& path) {
+    const std::string_view rest = trim(piece(text, i, path.end));
+    b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, path.name);
+  }
+
+  void finish(ig::Block& b, std::size_t begin, const Path& path) const {
+    const bool is_approach = path.function >= APPR;
+    b.set(function_, symbols_[is_approach ? straight_function(b) : path.function]);
+    const auto code = [&](std::size_t motion) {
+      const ig_word word{
+          motions_.id(motion), iso::column(begin), iso::column(std::max(path.position, begin + 1)), ig_value{}, 0, 0};
+      b.host()->set_words(b.raw(), &word, 1);
+    };
+    const auto where = ig::Where::columns(begin, std::max(path.position, begin + 1));
+    if (path.function == LN && path.has_tool_vector)
+      b.report(hei("HEI-0130"), where, std::string_view("the tool vector TX TY TZ of LN"),
+               std::string_view("the rotary axes stay"));
+    if (is_approach)
+      b.report(
+          hei("HEI-0130"), where, path.name,
+          std::string_view(path.function == APPR ? "the tool goes straight to the first point of the contour"
+                                                 : "the tool goes straight to the point that is named, if one is"));
+    if (path.function <= LN || is_approach) {
+      code(path.is_rapid ? 0 : 1);
+    } else if (path.function != CC) {
+      if (path.is_rapid) b.report(hei("HEI-0135"), where, path.name);
+      if (path.is_ccw) {
+        b.set(is_ccw_, *path.is_ccw);
+        code(*path.is_ccw ? 3 : 2);
+      } else if (path.function != CT && path.function != CTP) {
+        b.report(hei("HEI-0133"), where, path.name);
+        code(1);
+      }
+    }
+  }
+
+  Function straight_function(const ig::Block& b) const {
+    ig_value unused;
+    for (const ig_field word : {polar_[0], polar_[1], polar_steps_[0], polar_steps_[1]})
+      if (b.host()->get(b.raw(), word, &unused) != 0) return LP;
+    return L;
+  }
+
+  std::size_t corner(ig::Block& b, std::string_view text, std::size_t begin, const Path& path) const {
+    const std::string_view whole = trim(piece(text, begin, path.end));
+    b.report(hei("HEI-0130"), ig::Where::columns(begin, begin + whole.size()), path.name,
+             std::string_view("the corner stays sharp"));
+    return path.end;
+  }
+};
+
+const ig::Register<KlartextPath> registered;
+
+}  // namespace
+}  // namespace heidenhain

@@ -1,0 +1,143 @@
+/// How Klartext is written: what separates words, where a statement ends, keywords, numbers with a comma.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "scan_util.hpp"
+
+namespace heidenhain {
+
+using iso::at;
+using iso::is_digit;
+using iso::is_letter;
+using iso::piece;
+using iso::to_upper;
+
+/// A line that ends in ~ goes on in the next one; the mark and the line end between them separate words.
+constexpr bool is_space(char c) { return c == ' ' || c == '\t' || c == '~' || c == '\r' || c == '\n'; }
+constexpr bool is_line_end(char c) { return c == '\r' || c == '\n'; }
+
+constexpr std::size_t line_end(std::string_view text, std::size_t position) {
+  return iso::skip_while(text, position, [](char c) { return !is_line_end(c); });
+}
+
+/// To the next word of the statement: past blanks, and past a comment behind which the block goes on. A comment that
+/// ends the block stays.
+constexpr std::size_t skip(std::string_view text, std::size_t position) {
+  while (position < text.size()) {
+    if (is_space(text[position])) {
+      ++position;
+    } else if (text[position] == ';') {
+      const std::size_t end = line_end(text, position);
+      if (end >= text.size()) return position;
+      position = end;
+    } else {
+      break;
+    }
+  }
+  return position;
+}
+
+/// Nothing more of the statement at this position?
+constexpr bool is_end(std::string_view text, std::size_t position) {
+  return position >= text.size() || text[position] == ';';
+}
+
+/// Behind the statement: the end of the block, or the comment that ends it. Text in quotes may hold a semicolon.
+constexpr std::size_t statement_end(std::string_view text, std::size_t position) {
+  bool quoted = false;
+  while (position < text.size()) {
+    const char c = text[position];
+    if (c == '"') quoted = !quoted;
+    if (is_line_end(c)) quoted = false;
+    if (c == ';' && !quoted) {
+      const std::size_t next = skip(text, position);
+      if (next == position) return position;
+      position = next;
+      continue;
+    }
+    ++position;
+  }
+  return position;
+}
+
+/// Where the words of the block begin: behind its number and the skip sign.
+constexpr std::size_t first_word(std::string_view text) {
+  std::size_t i = iso::skip_blanks(text, 0);
+  if (at(text, i) == '/')
+    i = iso::skip_blanks(text, i + (is_digit(at(text, i + 1)) && !is_digit(at(text, i + 2)) ? 2 : 1));
+  i = iso::skip_blanks(text, iso::skip_digits(text, i));
+  if (at(text, i) == '/') i = iso::skip_blanks(text, i + (is_digit(at(text, i + 1)) ? 2 : 1));
+  return i;
+}
+constexpr bool stands_first(std::string_view text, std::size_t position) { return position == first_word(text); }
+
+/// Behind the words of `upper`, each of which may be followed by blanks; `position` itself where they do not stand
+/// there. The last word must end: no letter follows it.
+constexpr std::size_t keyword(std::string_view text, std::size_t position, std::string_view upper) {
+  std::size_t i = position;
+  for (std::size_t k = 0; k < upper.size(); ++k) {
+    if (upper[k] == ' ') {
+      i = skip(text, i);
+      continue;
+    }
+    if (to_upper(at(text, i)) != upper[k]) return position;
+    ++i;
+  }
+  if (is_letter(upper.back()) && is_letter(at(text, i))) return position;
+  return i;
+}
+
+/// The letters at a position.
+constexpr std::size_t letters_end(std::string_view text, std::size_t position) {
+  return iso::skip_while(text, position, is_letter);
+}
+
+/// Trimmed of blanks and line ends.
+constexpr std::string_view trim(std::string_view text) {
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// An unsigned number at `position`, whose fraction follows a point or a comma.
+inline ig::Decimal read_number(std::string_view text, std::size_t position) {
+  const std::size_t whole = iso::skip_digits(text, position);
+  if (at(text, whole) != ',') {
+    if (at(text, position) == '-' || at(text, position) == '+') return {.end = position};
+    return ig::read_decimal(text, position);
+  }
+  const std::size_t end = iso::skip_digits(text, whole + 1);
+  std::array<char, 64> copy{};
+  if (end - position < copy.size()) {
+    text.copy(copy.data(), end - position, position);
+    copy[whole - position] = '.';
+    ig::Decimal d = ig::read_decimal({copy.data(), end - position}, 0);
+    d.end = d.end == 0 ? position : end;
+    return d;
+  }
+  std::string longer(piece(text, position, end));
+  longer[whole - position] = '.';
+  ig::Decimal d = ig::read_decimal(longer, 0);
+  d.end = end;
+  return d;
+}
+
+/// The name of a label or program: a number, "a name", or letters and digits; upper case. Empty where there is none.
+inline std::string read_name(std::string_view text, std::size_t position, std::size_t& end) {
+  std::string name;
+  if (at(text, position) == '"') {
+    const std::size_t close = iso::skip_while(text, position + 1, [](char c) { return c != '"' && !is_line_end(c); });
+    name = trim(piece(text, position + 1, close));
+    end = close < text.size() ? close + 1 : close;
+  } else {
+    end = iso::skip_while(text, position, [](char c) { return !is_space(c) && c != ';'; });
+    name = piece(text, position, end);
+  }
+  for (char& c : name) c = to_upper(c);
+  return name;
+}
+
+}  // namespace heidenhain

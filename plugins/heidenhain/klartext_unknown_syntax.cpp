@@ -1,0 +1,102 @@
+// What no other scanner of Klartext took: statements that are known by name but not executed, programs in DIN/ISO
+// format, and whatever else begins a block. Each is one diagnostic.
+#include "klartext_values.hpp"
+
+namespace heidenhain {
+namespace {
+
+struct KlartextUnknown {
+  static constexpr auto spec =
+      ig::syntax("KlartextUnknownSyntax", "Statements that are recognised but not executed; DIN/ISO programs.")
+          .after("KlartextProgramSyntax", "KlartextParameterSyntax", "KlartextLabelSyntax", "KlartextToolCallSyntax",
+                 "KlartextCycleSyntax", "KlartextPlaneSyntax", "KlartextPathSyntax")
+          .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz%+-.,:=\"'()[]{}<>#$&@!?_\\|^*/0123456789");
+
+  Values values_;
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    const std::size_t end = statement_end(text, position);
+    if (values_.is_indexing()) return end;
+    const std::string_view whole = trim(piece(text, position, end));
+    const auto where = ig::Where::columns(position, position + whole.size());
+    if (is_din(text, position)) {
+      b.report(hei("HEI-0102"), where);
+      b.flow(IG_FLOW_END_FILE);
+      return text.size();
+    }
+    for (const Known& known : statements)
+      if (keyword(text, position, known.words) != position) {
+        b.report(hei("HEI-0122"), where, whole, std::string_view(known.effect));
+        return end;
+      }
+    b.report(hei("HEI-0101"), where, whole);
+    return end;
+  }
+
+ private:
+  struct Known {
+    const char* words;
+    const char* effect;
+  };
+  static constexpr const char* probing = "nothing is probed, and results keep their values";
+  static constexpr const char* contour = "what is machined along this contour is missing";
+  static constexpr const char* program = "the program that it names is not run";
+  static constexpr const char* path =
+      "the path is missing; positions are unreliable up to the next block with all axes";
+  static constexpr std::array statements{
+      Known{"TCH PROBE", probing},
+      Known{"FUNCTION TCPM", "X Y Z do not follow the rotary axes"},
+      Known{"FUNCTION RESET TCPM", "nothing was switched on"},
+      Known{"FUNCTION PARAXCOMP", "parallel axes are not known"},
+      Known{"FUNCTION PARAXMODE", "parallel axes are not known"},
+      Known{"FUNCTION MODE", "the kinematics stay"},
+      Known{"FUNCTION", "what it switches on is not executed"},
+      Known{"TRANS DATUM", "the datum stays"},
+      Known{"TRANS MIRROR", "positions are not mirrored"},
+      Known{"TRANS ROTATION", "positions are not rotated"},
+      Known{"TRANS SCALE", "positions are not scaled"},
+      Known{"SEL TABLE", "the datum table is not read"},
+      Known{"SEL PATTERN", "the points are missing"},
+      Known{"SEL CONTOUR", contour},
+      Known{"SEL PGM", program},
+      Known{"SEL CYCLE", program},
+      Known{"CALL SELECTED PGM", program},
+      Known{"CALL SELECTED CYCLE", program},
+      Known{"PATTERN DEF", "the points are missing"},
+      Known{"DECLARE CONTOUR", contour},
+      Known{"DECLARE STRING", "string parameters keep their values"},
+      Known{"CONTOUR DEF", contour},
+      Known{"SPL", path},
+      Known{"FPOL", path},
+      Known{"FLT", path},
+      Known{"FCT", path},
+      Known{"FL", path},
+      Known{"FC", path},
+      Known{"FSELECT", path},
+      Known{"FIXED TABLE", "the table is not read"},
+      Known{"OPEN TABLE", "the table is not read"},
+      Known{"TABDATA", "the table is not read"},
+      Known{"SECTION MONITORING", "nothing is monitored"},
+      Known{"MONITORING", "nothing is monitored"},
+      Known{"INIT", "the value stays"},
+      Known{"CUTTER", "the path is that of the program"},
+      Known{"POLARKIN", "the kinematics stay"},
+  };
+
+  /// %NAME G71 *, and N10 G00 …: a Klartext block begins with a bare number.
+  static bool is_din(std::string_view text, std::size_t position) {
+    if (!stands_first(text, position)) return false;
+    if (text[position] == '%') return true;
+    if (to_upper(text[position]) != 'N' && to_upper(text[position]) != 'G') return false;
+    std::size_t i = iso::skip_digits(text, position + 1);
+    if (i == position + 1) return false;
+    if (to_upper(text[position]) == 'G') return true;
+    i = iso::skip_blanks(text, i);
+    return to_upper(at(text, i)) == 'G' && is_digit(at(text, i + 1));
+  }
+};
+
+const ig::Register<KlartextUnknown> registered;
+
+}  // namespace
+}  // namespace heidenhain

@@ -1,0 +1,162 @@
+/// M functions, which stand in any block: those that ISO has as well become its codes, the others become what they
+/// mean, or are said.
+#pragma once
+
+#include <charconv>
+#include <vector>
+
+#include "klartext_values.hpp"
+
+namespace heidenhain {
+
+/// A member of each syntax whose blocks hold M functions.
+class MFunctions {
+ public:
+  MFunctions() {
+    for (std::size_t i = 0; i < codes_.size(); ++i) {
+      std::string_view name = codes_.path(i);
+      for (const std::string_view prefix : {"Parsing.Flags.", "Parsing."})
+        if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
+      std::uint32_t number = 0;
+      if (name.size() < 3 || name[0] != 'M') continue;
+      const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
+      if (error != std::errc{} || end != name.data() + name.size() || number > most) continue;
+      if (table_.size() <= number) table_.resize(number + 1, IG_NO_FIELD);
+      table_[number] = codes_.id(i);
+    }
+  }
+
+  /// The M at `position`; returns the position behind it and behind the words that belong to it.
+  std::size_t scan(ig::Block& b, const Values& values, std::string_view text, std::size_t position) const {
+    const std::size_t digits = iso::skip_blanks(text, position + 1);
+    const Value v = values.read(b, text, digits);
+    if (!v.ok) return position + 1;  // M alone: the prompt was left without an answer
+    const std::size_t end = at(text, v.end) == '.' ? v.end + 1 : v.end;
+    const double rounded = std::round(v.number);
+    if (values.is_indexing()) return end;
+    if (!(rounded >= 0 && rounded <= most) || rounded != v.number) {
+      iso::leave(b, IG_LEFT_UNKNOWN, piece(text, position, end), position, end);
+      return end;
+    }
+    return set(b, text, static_cast<std::uint32_t>(rounded), position, end);
+  }
+
+ private:
+  static constexpr std::uint32_t most = 999;
+
+  std::size_t set(ig::Block& b, std::string_view text, std::uint32_t number, std::size_t begin, std::size_t end) const {
+    const auto where = ig::Where::columns(begin, end);
+    const std::string_view name = trim(piece(text, begin, end));
+    switch (number) {
+      case 13:
+      case 14:
+        code(b, number == 13 ? 3 : 4, begin, end);
+        code(b, 8, begin, end);
+        return end;
+      case 89:
+        b.set(modal_call_, true);
+        b.set(call_, true);
+        return end;
+      case 99:
+        b.erase(modal_call_);
+        b.set(call_, true);
+        return end;
+      case 91: flag(b, g53_.id(0), begin, end); return end;
+      case 92:
+        b.report(hei("HEI-0175"), where);
+        flag(b, g53_.id(0), begin, end);
+        return end;
+      case 128: {
+        flag(b, tcp_.code(0), begin, end);
+        const std::size_t feed = skip(text, end);  // M128 F: how fast the machine may follow
+        return to_upper(at(text, feed)) == 'F' ? word_end(text, feed) : end;
+      }
+      case 129: flag(b, length_.code(0), begin, end); return end;
+      case 136:
+        b.raise(per_revolution_);
+        flag(b, feed_modes_.id(1), begin, end);
+        return end;
+      case 137:
+        b.erase(per_revolution_);
+        flag(b, feed_modes_.id(0), begin, end);
+        return end;
+      default: break;
+    }
+    for (const Said& s : said)
+      if (s.number == number) {
+        const std::size_t rest = s.has_words ? statement_end(text, end) : end;
+        if (s.severity != IG_NOTE)
+          b.report(s.severity == IG_ERROR ? hei("HEI-0139") : hei("HEI-0140"), where, name, std::string_view(s.effect));
+        return rest;
+      }
+    code(b, number, begin, end);
+    return end;
+  }
+
+  void code(ig::Block& b, std::uint32_t number, std::size_t begin, std::size_t end) const {
+    if (number < table_.size() && table_[number] != IG_NO_FIELD) return flag(b, table_[number], begin, end);
+    std::array<char, 8> name{'M', '0'};
+    char* const last = std::to_chars(name.data() + (number < 10 ? 2 : 1), name.data() + name.size(), number).ptr;
+    iso::leave(b, IG_LEFT_UNKNOWN, {name.data(), static_cast<std::size_t>(last - name.data())}, begin, end);
+  }
+  static void flag(ig::Block& b, ig_field field, std::size_t begin, std::size_t end) {
+    const ig_word word{field, iso::column(begin), iso::column(end), ig_value{}, 0, 0};
+    b.host()->set_words(b.raw(), &word, 1);
+  }
+  static std::size_t word_end(std::string_view text, std::size_t position) {
+    return iso::skip_while(text, position, [](char c) { return !is_space(c) && c != ';'; });
+  }
+
+  struct Said {
+    std::uint32_t number;
+    ig_severity severity;  // a note: nothing is said, since nothing changes
+    bool has_words;
+    const char* effect;
+  };
+  static constexpr std::array said{
+      Said{90, IG_NOTE, false, ""},
+      Said{107, IG_NOTE, false, ""},
+      Said{108, IG_NOTE, false, ""},
+      Said{127, IG_NOTE, false, ""},
+      Said{141, IG_NOTE, false, ""},
+      Said{148, IG_NOTE, false, ""},
+      Said{149, IG_NOTE, false, ""},
+      Said{94, IG_ERROR, true, "the rotary axes keep what they have counted beyond 360"},
+      Said{97, IG_WARNING, false, "it has a meaning with RL and RR only"},
+      Said{98, IG_WARNING, false, "it has a meaning with RL and RR only"},
+      Said{103, IG_WARNING, true, "plunging has the feed in force"},
+      Said{109, IG_WARNING, false, "the feed on arcs is that of the tool's centre"},
+      Said{110, IG_WARNING, false, "the feed on arcs is that of the tool's centre"},
+      Said{111, IG_NOTE, false, ""},
+      Said{114, IG_ERROR, false, "X Y Z do not follow the rotary axes"},
+      Said{115, IG_NOTE, false, ""},
+      Said{116, IG_WARNING, false, "the feed of rotary axes counts degrees"},
+      Said{117, IG_NOTE, false, ""},
+      Said{118, IG_WARNING, true, "the handwheel moves nothing here"},
+      Said{120, IG_WARNING, true, "it has a meaning with RL and RR only"},
+      Said{124, IG_WARNING, true, "no point of the path is left out"},
+      Said{126, IG_WARNING, false, "the way of a rotary axis is as the table of the machine's axes says"},
+      Said{130, IG_ERROR, false, "the words of the block are positions in the tilted plane"},
+      Said{134, IG_NOTE, false, ""},
+      Said{135, IG_NOTE, false, ""},
+      Said{138, IG_ERROR, true, "all rotary axes take part in tilting"},
+      Said{140, IG_ERROR, true, "the retract along the tool axis is missing"},
+      Said{144, IG_ERROR, false, "positions do not follow the rotary axes"},
+      Said{145, IG_NOTE, false, ""},
+  };
+
+  ig::Fields codes_{"codes", "Parsing.Flags.* Parsing.*", ig::write, "The codes that syntaxes of this chain know.",
+                    IG_CODE};
+  std::vector<ig_field> table_;
+  ig::Codes g53_{{"G53"}, ig::write};
+  ig::Codes feed_modes_{{"G94", "G95"}, ig::write};
+  ig::Call tcp_{{"G43.4"}, "", ig::write};
+  ig::Call length_{{"G43"}, "", ig::write};
+  ig::Out<bool> call_{"KlartextCycle.IsCalled",
+                      {ig::Life::block, "", "The block calls the cycle: CYCL CALL, M99 or M89."}};
+  ig::Out<bool> modal_call_{"KlartextCycle.IsModal",
+                            {ig::Life::modal, "", "M89: each positioning block calls the cycle."}};
+  ig::Signal per_revolution_{"KlartextFeed.~PerRevolution", ig::write, ig::Life::modal};
+};
+
+}  // namespace heidenhain

@@ -1,0 +1,95 @@
+/// The Q parameters that a program writes, and its counters of repeats. The dependency QParameters owns them; the
+/// syntaxes of this plugin reach them through its service.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace heidenhain {
+
+inline constexpr const char* q_store_service = "heidenhain.q-parameters/1";
+
+/// Of the tag of a frame: what called the text.
+enum CallTag : std::uint64_t { called_label = 1, called_program = 2 };
+
+/// Q, QL (of one program alone) and QR (kept when the power is off).
+enum class QKind : std::uint8_t { q, local, retained };
+
+struct QNumber {
+  QKind kind = QKind::q;
+  std::uint32_t number = 0;
+};
+
+class QStore {
+ public:
+  static constexpr std::uint32_t q_count = 2000, other_count = 500;
+  static constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+  static bool exists(const QNumber& q) { return q.number < (q.kind == QKind::q ? q_count : other_count); }
+
+  /// NaN where it has no value; the parameter exists. `program`: the frame whose local ones count.
+  double get(const QNumber& q, std::uint64_t program) const {
+    if (q.kind == QKind::q) return q_[q.number];
+    if (q.kind == QKind::retained) return retained_[q.number];
+    for (const Locals& l : locals_)
+      if (l.program == program) return l.values[q.number];
+    return undefined;
+  }
+  void set(const QNumber& q, std::uint64_t program, double value) {
+    if (q.kind == QKind::q)
+      q_[q.number] = value;
+    else if (q.kind == QKind::retained)
+      retained_[q.number] = value;
+    else
+      locals(program).values[q.number] = value;
+  }
+
+  /// CALL LBL … REP: how often the part is still to be repeated; `total` where its block is new. False: no more.
+  bool repeat(std::uint64_t frame, std::uint64_t offset, double total) {
+    const auto same = [&](const Repeat& r) { return r.frame == frame && r.offset == offset; };
+    const auto it = std::find_if(repeats_.begin(), repeats_.end(), same);
+    if (it == repeats_.end()) {
+      if (!(total >= 1)) return false;
+      // A part that was left by a jump leaves its counter behind.
+      if (repeats_.size() >= most_repeats) repeats_.erase(repeats_.begin());
+      repeats_.push_back({frame, offset, std::floor(total) - 1});
+      return true;
+    }
+    if (it->left < 1) {
+      repeats_.erase(it);
+      return false;
+    }
+    --it->left;
+    return true;
+  }
+
+ private:
+  struct Locals {
+    std::uint64_t program;
+    std::vector<double> values;
+  };
+  struct Repeat {
+    std::uint64_t frame, offset;
+    double left;
+  };
+  static constexpr std::size_t most_repeats = 1000, most_programs = 64;
+
+  Locals& locals(std::uint64_t program) {
+    for (Locals& l : locals_)
+      if (l.program == program) return l;
+    if (locals_.size() >= most_programs) locals_.erase(locals_.begin());
+    locals_.push_back({program, std::vector<double>(other_count, undefined)});
+    return locals_.back();
+  }
+
+  std::vector<double> q_ = std::vector<double>(q_count, undefined);
+  std::vector<double> retained_ = std::vector<double>(other_count, undefined);
+  std::vector<Locals> locals_;
+  std::vector<Repeat> repeats_;
+};
+
+}  // namespace heidenhain
