@@ -53,6 +53,9 @@ class FeedWords {
   double in_unit(const ig::Block& b, double feed) const {
     return inch_feed_ == InchFeed::tenths && b.is(system_, inch_) ? feed / 10 : feed;
   }
+  double as_written(const ig::Block& b, double feed) const {
+    return inch_feed_ == InchFeed::tenths && b.is(system_, inch_) ? feed * 10 : feed;
+  }
   std::optional<double> of_tool_call(const ig::Block& b) const { return b.get(tool_feed_); }
 
  private:

@@ -62,11 +62,15 @@ struct HeidenhainCoordinateOffset {
   void shift(ig::Block& b) const {
     const ig::Vec3 old = local_.get(b);
     ig::Vec3 now = old;
+    bool is_reset = true;
     for (std::size_t row = 0; row < 2; ++row) {
       ig_value v[6];
       const std::uint32_t named = b.host()->take_many(b.raw(), datum_.row(row), 6, v);
       for (std::size_t axis = 0; axis < 3; ++axis)
-        if ((named >> axis & 1u) != 0) now[axis] = v[axis].number + (row == 1 ? old[axis] : 0);
+        if ((named >> axis & 1u) != 0) {
+          now[axis] = v[axis].number + (row == 1 ? old[axis] : 0);
+          is_reset = is_reset && now[axis] == 0;
+        }
       const bool turns = (named >> 3) != 0 && (v[3].number != 0 || v[4].number != 0 || v[5].number != 0);
       if (turns)
         b.report(hei("HEI-0161"), ig::Where::word(datum_.code(row)), 7.0,
@@ -74,7 +78,7 @@ struct HeidenhainCoordinateOffset {
     }
     std::uint32_t found = 0;
     b.host()->take_code(b.raw(), datum_.codes(), datum_.code_count(), &found);
-    if (b.is(tilt_, g68_2_) && now != ig::Vec3{} && now != old) {
+    if (b.is(tilt_, g68_2_) && !is_reset && now != old) {
       b.report(hei("HEI-0161"), ig::Where::block(), 7.0, std::string_view("in a tilted plane the datum stays"));
       return;
     }

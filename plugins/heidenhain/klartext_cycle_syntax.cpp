@@ -145,7 +145,7 @@ struct KlartextCycle {
       const std::size_t word = letters_end(text, first);
       Value v = values_.read(b, text, first);
       if (!v.ok && iso::equals_ignoring_case(piece(text, first, word), "FAUTO")) {
-        v = {feed_.of_tool_call(b).value_or(0), word, feed_.of_tool_call(b).has_value()};
+        v = {feed_.as_written(b, feed_.of_tool_call(b).value_or(0)), word, feed_.of_tool_call(b).has_value()};
       } else if (!v.ok && iso::equals_ignoring_case(piece(text, first, word), "FMAX")) {
         v = {fastest, word, true};
       }

@@ -228,6 +228,7 @@ struct KlartextPath {
         code(*path.is_ccw ? 3 : 2);
       } else if (path.function != CT && path.function != CTP) {
         b.report(hei("HEI-0133"), where, path.name);
+        b.host()->erase(b.raw(), radius_);
         code(1);
       }
     }

@@ -86,6 +86,11 @@ struct KlartextPlane {
   }
 
   static constexpr std::array<std::string_view, kind_count> names{"SPATIAL", "EULER", "VECTOR", "RELATIV", "RESET"};
+  std::string_view shown() const {
+    static constexpr std::array<std::string_view, kind_count> all{"PLANE SPATIAL", "PLANE EULER", "PLANE VECTOR",
+                                                                  "PLANE RELATIV", "PLANE RESET"};
+    return all[command_.kind];
+  }
   static constexpr std::array<std::string_view, 3> spatial_words{"SPA", "SPB", "SPC"};
   static constexpr std::array<std::string_view, 3> euler_words{"EULPR", "EULNUT", "EULROT"};
   static constexpr std::array<std::string_view, 6> vector_words{"BX", "BY", "BZ", "NX", "NY", "NZ"};
@@ -172,10 +177,10 @@ struct KlartextPlane {
     for (std::size_t k = 0; k < words().size(); ++k) {
       any = any || command_.words[k];
       if (command_.words[k] || command_.kind == relative) continue;
-      b.report(hei("HEI-0170"), where(), names[command_.kind], words()[k]);
+      b.report(hei("HEI-0170"), where(), shown(), words()[k]);
       return false;
     }
-    if (!any) b.report(hei("HEI-0170"), where(), names[command_.kind], std::string_view("SPA, SPB or SPC"));
+    if (!any) b.report(hei("HEI-0170"), where(), shown(), std::string_view("SPA, SPB or SPC"));
     return any;
   }
 
@@ -210,7 +215,7 @@ struct KlartextPlane {
   void tilt(ig::Block& b) {
     const auto m = plane(b);
     if (!m || !iso::is_finite(*m)) {
-      b.report(hei("HEI-0170"), where(), names[command_.kind], std::string_view("a direction"));
+      b.report(hei("HEI-0170"), where(), shown(), std::string_view("a direction"));
       return;
     }
     const bool is_spatial = command_.kind == spatial;
@@ -228,7 +233,7 @@ struct KlartextPlane {
 
   void position(ig::Block& b, const ig::Vec3& normal) {
     if (!machine_) {
-      b.report(hei("HEI-0172"), where(), names[command_.kind],
+      b.report(hei("HEI-0172"), where(), shown(),
                std::string_view(command_.move == Move::stay || command_.move == Move::none
                                     ? "Q120 to Q122 are not known"
                                     : "they do not turn, and Q120 to Q122 are not known"));
@@ -305,7 +310,7 @@ struct KlartextPlane {
     if (b.is(term_, g68_2_)) b.host()->set(b.raw(), end_.id(0), v);
     if (command_.move != Move::turn && command_.move != Move::move) return;
     if (!machine_) {
-      b.report(hei("HEI-0172"), where(), names[reset], std::string_view("they do not turn"));
+      b.report(hei("HEI-0172"), where(), shown(), std::string_view("they do not turn"));
       return;
     }
     if (command_.move == Move::move)

@@ -17,7 +17,8 @@ struct KlartextUnknown {
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     const std::size_t end = statement_end(text, position);
     if (values_.is_indexing()) return end;
-    const std::string_view whole = trim(piece(text, position, end));
+    // Of a block of several lines the first one names it.
+    const std::string_view whole = trim(piece(text, position, std::min(end, line_end(text, position))));
     const auto where = ig::Where::columns(position, position + whole.size());
     if (is_din(text, position)) {
       b.report(hei("HEI-0102"), where);

@@ -1,0 +1,7 @@
+0 BEGIN PGM flow_sub INCH
+1 L Z+Q1 F50
+2 CALL LBL 1
+3 LBL 1
+4 L IZ+1
+5 LBL 0
+6 END PGM flow_sub INCH
