@@ -21,7 +21,7 @@ struct KlartextComment {
     if (text[position] == '~') return continues(text, position) ? position + 1 : position;
     const bool is_first = stands_first(text, position);
     if (text[position] == '*' && !is_first) return position;
-    const std::size_t end = is_first ? text.size() : line_end(text, position);
+    const std::size_t end = is_first ? text.size() : comment_end(text, position);
     if (!b.is_fresh(symbol_)) {
       b.set(symbol_, text[position] == '*' ? star_ : semicolon_);
       b.set_text(text_, without_marks(piece(text, position + 1, end)));

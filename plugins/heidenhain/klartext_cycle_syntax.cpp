@@ -11,10 +11,10 @@ namespace heidenhain {
 namespace {
 
 struct KlartextCycle {
-  static constexpr auto spec = ig::syntax("KlartextCycleSyntax", "CYCL DEF and CYCL CALL.")
+  static constexpr auto spec = ig::syntax("KlartextCycleSyntax", "CYCL DEF, CYCL CALL and TRANS DATUM.")
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
                                    .before("HeidenhainCoordinateOffsetSyntax", "KlartextDrillingCycleSyntax")
-                                   .scans("CQcq");
+                                   .scans("CQTcqt");
 
   Values values_;
   FeedWords feed_;
@@ -48,6 +48,8 @@ struct KlartextCycle {
     const bool is_open = b.is_raised(is_open_);
     const std::size_t end = statement_end(text, position);
     const std::size_t definition = behind_def(text, position), call = keyword(text, position, "CYCL CALL");
+    if (const std::size_t datum = keyword(text, position, "TRANS DATUM"); datum != position)
+      return trans_datum(b, text.substr(0, end), position, datum);
     // Listings show the parameters of a cycle on lines of their own, without a number.
     if (to_upper(text[position]) == 'Q') {
       if (!is_open || position != iso::skip_blanks(text, 0) || values_.is_indexing() || b.has(n_)) return position;
@@ -200,9 +202,6 @@ struct KlartextCycle {
       case 13:
         if (part > 0) say("the spindle is not oriented");
         return;
-      case 19:
-        if (part > 0 && has_letter(text, number.end)) say("the plane is not tilted");
-        return;
       case 30:
         if (part > 0) say("the points of the file are not run");
         return;
@@ -310,6 +309,24 @@ struct KlartextCycle {
     word(b, rotation_.word(0, is_zx ? 'Z' : is_yz ? 'Y' : 'X'), where.begin, where.end, 0);
     word(b, rotation_.word(0, is_zx ? 'X' : is_yz ? 'Z' : 'Y'), where.begin, where.end, 0);
     word(b, rotation_.word(0, 'R'), where.begin, where.end, angle);
+  }
+
+  /// TRANS DATUM AXIS X+10, TABLE TABLINE 5, RESET: what cycle 7 does.
+  std::size_t trans_datum(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
+    if (values_.is_indexing()) return text.size();
+    i = skip(text, i);
+    const std::size_t axis = keyword(text, i, "AXIS"), reset = keyword(text, i, "RESET");
+    if (axis != i) {
+      datum(b, text, axis);
+    } else if (reset != i) {
+      code(b, datum_.code(0), begin, reset);
+      for (std::size_t k = 0; k < 3; ++k) word(b, datum_.row(0)[k], begin, reset, 0);
+    } else {
+      const std::string_view whole = trim(text.substr(begin));
+      b.report(hei("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole,
+               std::string_view("the datum table is not known, the shift stays"));
+    }
+    return text.size();
   }
 
   // ---- CYCL CALL

@@ -178,7 +178,7 @@ struct KlartextPath {
   /// R0, RL, RR; R alone, the prompt that was left without an answer; R and a number of CR.
   std::size_t radius(ig::Block& b, std::string_view text, std::size_t i, Path& path) const {
     const char d = to_upper(at(text, i + 1));
-    const bool is_alone = !is_letter(at(text, i + 2)) && !is_digit(at(text, i + 2));
+    const bool is_alone = !is_digit(at(text, i + 2)) && at(text, i + 2) != '.' && at(text, i + 2) != ',';
     if ((d == 'L' || d == 'R') && is_alone) {
       if (!b.is_raised(compensated_)) b.report(hei("HEI-0131"), ig::Where::columns(i, i + 2), piece(text, i, i + 2));
       b.raise(compensated_);

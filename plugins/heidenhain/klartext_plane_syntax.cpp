@@ -15,10 +15,11 @@ enum class Choice { sum, farthest };
 
 struct KlartextPlane {
   static constexpr auto spec =
-      ig::syntax("KlartextPlaneSyntax", "PLANE SPATIAL, EULER, VECTOR, RELATIV and RESET.")
+      ig::syntax("KlartextPlaneSyntax", "PLANE, CYCL DEF 19 and FUNCTION TCPM: tilted planes and tip control.")
           .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
-          .before("IsoG68p2TiltSyntax", "G53p1RotaryPositionSyntax", "KlartextMotionSyntax", "McAbcSyntax")
-          .scans("Pp");
+          .before("KlartextCycleSyntax", "IsoG68p2TiltSyntax", "G53p1RotaryPositionSyntax", "ToolCenterPointSyntax",
+                  "KlartextMotionSyntax", "McAbcSyntax")
+          .scans("CFPcfp");
 
   Values values_;
   FeedWords feed_;
@@ -28,6 +29,8 @@ struct KlartextPlane {
   ig::Codes end_{{"G69"}, ig::write};
   ig::Call turn_{{"G53.1", "G53.6"}, "P[] H[] R", ig::write};
   ig::Codes motions_{{"G00", "G01"}, ig::write};
+  ig::Call tip_{{"G43.4"}, "", ig::write};
+  ig::Call length_{{"G43"}, "", ig::write};
   std::array<ig_field, 3> rotary_{rotary("Parsing.A"), rotary("Parsing.B"), rotary("Parsing.C")};
   std::array<ig::Previous<double>, 3> present_{ig::Previous<double>{"MachineCoordinate.A"},
                                                ig::Previous<double>{"MachineCoordinate.B"},
@@ -37,7 +40,8 @@ struct KlartextPlane {
                                         ig::In<double>{"TiltTransform.K"}};
   ig::Out<bool> stay_{"KlartextPlane.IsStaying",
                       {ig::Life::block, "", "PLANE ... STAY: the program positions the axes itself."}};
-  ig::Name g69_{"G69"}, g68_2_{"G68.2"};
+  ig::Out<ig::Symbol> length_term_{"ToolHeightCompensation.Term"};
+  ig::Name g69_{"G69"}, g68_2_{"G68.2"}, g43_4_{"G43.4"}, g43_{"G43"};
   iso::ToolKinematics machine_;
   iso::RotarySolver solver_;
   ig::Choice<Choice> choice_{"choice", "sum|farthest", "sum",
@@ -46,15 +50,22 @@ struct KlartextPlane {
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     if (!stands_first(text, position)) return position;
-    const std::size_t i = keyword(text, position, "PLANE");
-    if (i == position) return position;
+    const std::size_t i = keyword(text, position, "PLANE"), cycle = behind_cycle_19(text, position);
+    const std::size_t tcpm = keyword(text, position, "FUNCTION TCPM");
+    const std::size_t no_tcpm = keyword(text, position, "FUNCTION RESET TCPM");
+    if (i == position && cycle == position && tcpm == position && no_tcpm == position) return position;
     const std::size_t end = statement_end(text, position);
     if (values_.is_indexing()) return end;
+    if (tcpm != position || no_tcpm != position) {
+      lead_tip(b, text.substr(0, end), position, std::max(tcpm, no_tcpm), tcpm != position);
+      return end;
+    }
     command_ = {};
     command_.begin = position;
     const std::string_view whole = trim(piece(text, position, end));
     command_.end = position + whole.size();
-    if (read(b, text.substr(0, end), i)) b.raise(statement_);
+    if (i != position ? read(b, text.substr(0, end), i) : read_cycle(b, text.substr(0, end), cycle))
+      b.raise(statement_);
     return end;
   }
 
@@ -96,6 +107,67 @@ struct KlartextPlane {
   static constexpr std::array<std::string_view, 6> vector_words{"BX", "BY", "BZ", "NX", "NY", "NZ"};
 
   // ---- text
+
+  /// CYCL DEF 19.1: where its words begin; 19.0 only names the cycle and is left to KlartextCycleSyntax.
+  static std::size_t behind_cycle_19(std::string_view text, std::size_t position) {
+    const std::size_t definition = keyword(text, position, "CYCL DEF");
+    if (definition == position) return position;
+    std::size_t i = skip(text, definition);
+    if (text.substr(std::min(i, text.size())).substr(0, 2) != "19") return position;
+    i = iso::skip_blanks(text, i + 2);
+    if (at(text, i) != '.') return position;
+    i = iso::skip_blanks(text, i + 1);
+    return at(text, i) == '1' && !is_digit(at(text, i + 1)) ? i + 1 : position;
+  }
+
+  /// Spatial angles; those that are not named keep their value. All 0, or none at all: no plane.
+  bool read_cycle(ig::Block& b, std::string_view text, std::size_t i) {
+    bool any = false, is_tilted = false;
+    while ((i = skip(text, i)) < text.size()) {
+      const std::size_t axis = std::string_view("ABC").find(to_upper(text[i]));
+      const Value v = axis < 3 ? values_.read(b, text, i + 1) : Value{};
+      if (axis < 3 && v.ok) {
+        command_.words[axis] = v.number;
+        any = true;
+        i = v.end;
+      } else if (to_upper(text[i]) == 'F') {
+        i = feed_.scan(b, values_, text, i, command_.is_rapid);
+      } else {
+        const std::string_view rest = trim(text.substr(i));
+        b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("CYCL DEF 19"));
+        break;
+      }
+    }
+    for (std::size_t axis = 0; axis < 3 && any; ++axis) {
+      if (!command_.words[axis]) command_.words[axis] = b.is(term_, g68_2_) ? b.get_or(angles_[axis], 0.0) : 0;
+      is_tilted = is_tilted || *command_.words[axis] != 0;
+    }
+    command_.kind = is_tilted ? spatial : reset;
+    command_.move = Move::stay;
+    return true;
+  }
+
+  /// The tip of the tool is led while the rotary axes turn: as M128.
+  void lead_tip(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i, bool starts) const {
+    const auto word = [&](ig_field field) {
+      const ig_word w{field, iso::column(begin), iso::column(i), ig_value{}, 0, 0};
+      b.host()->set_words(b.raw(), &w, 1);
+    };
+    word(starts ? tip_.code(0) : length_.code(0));
+    const std::size_t after = i;
+    for (const std::string_view words : {"F TCP", "F CONT", "AXIS POS", "PATHCTRL AXIS", "REFPNT TIP-TIP"})
+      if (const std::size_t next = skip(text, i), behind = keyword(text, next, words); behind != next) i = behind;
+    i = skip(text, i);
+    if (!starts || i >= text.size()) {
+      if (!starts && i < text.size())
+        b.report(hei("HEI-0105"), ig::Where::columns(after, text.size()), trim(text.substr(after)),
+                 std::string_view("FUNCTION RESET TCPM"));
+      return;
+    }
+    const std::string_view rest = trim(text.substr(i));
+    b.report(hei("HEI-0171"), ig::Where::columns(i, i + rest.size()), rest,
+             std::string_view("the words of rotary axes are positions of the axes, as after M128"));
+  }
 
   bool read(ig::Block& b, std::string_view text, std::size_t i) {
     i = skip(text, i);
@@ -221,6 +293,11 @@ struct KlartextPlane {
     const bool is_spatial = command_.kind == spatial;
     const ig::Vec3 angles =
         is_spatial ? ig::Vec3{*command_.words[0], *command_.words[1], *command_.words[2]} : spatial_angles(*m);
+    // PLANE ends tip control.
+    if (b.is(length_term_, g43_4_)) {
+      b.set(length_term_, g43_);
+      b.set_call(length_, 0);
+    }
     // One plane may follow another: each counts from the workpiece.
     if (b.is(term_, g68_2_)) b.set(term_, g69_);
     b.set_call(plane_, 0);

@@ -23,6 +23,20 @@ constexpr std::size_t line_end(std::string_view text, std::size_t position) {
   return iso::skip_while(text, position, [](char c) { return !is_line_end(c); });
 }
 
+/// Behind the comment at `position`. A line that ~ adds goes on with the comment, which was too long for its own,
+/// unless the mark stands before the comment or the line is the next parameter of a cycle.
+constexpr std::size_t comment_end(std::string_view text, std::size_t position) {
+  const std::size_t end = line_end(text, position);
+  if (end >= text.size()) return end;
+  std::size_t before = position;
+  while (before > 0 && iso::is_blank(text[before - 1])) --before;
+  if (before > 0 && text[before - 1] == '~') return end;
+  const std::size_t q = iso::skip_while(text, end, is_space);
+  const std::size_t digits = to_upper(at(text, q)) == 'Q' ? iso::skip_digits(text, q + 1) : q;
+  const bool is_parameter = digits > q + 1 && at(text, iso::skip_blanks(text, digits)) == '=';
+  return is_parameter ? end : text.size();
+}
+
 /// To the next word of the statement: past blanks, and past a comment behind which the block goes on. A comment that
 /// ends the block stays.
 constexpr std::size_t skip(std::string_view text, std::size_t position) {
@@ -30,7 +44,7 @@ constexpr std::size_t skip(std::string_view text, std::size_t position) {
     if (is_space(text[position])) {
       ++position;
     } else if (text[position] == ';') {
-      const std::size_t end = line_end(text, position);
+      const std::size_t end = comment_end(text, position);
       if (end >= text.size()) return position;
       position = end;
     } else {
@@ -78,12 +92,12 @@ constexpr bool stands_first(std::string_view text, std::size_t position) { retur
 /// there. The last word must end: no letter follows it.
 constexpr std::size_t keyword(std::string_view text, std::size_t position, std::string_view upper) {
   std::size_t i = position;
-  for (std::size_t k = 0; k < upper.size(); ++k) {
-    if (upper[k] == ' ') {
+  for (const char c : upper) {
+    if (c == ' ') {
       i = skip(text, i);
       continue;
     }
-    if (to_upper(at(text, i)) != upper[k]) return position;
+    if (to_upper(at(text, i)) != c) return position;
     ++i;
   }
   if (is_letter(upper.back()) && is_letter(at(text, i))) return position;

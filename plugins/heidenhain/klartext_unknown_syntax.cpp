@@ -46,13 +46,10 @@ struct KlartextUnknown {
       "the path is missing; positions are unreliable up to the next block with all axes";
   static constexpr std::array statements{
       Known{"TCH PROBE", probing},
-      Known{"FUNCTION TCPM", "X Y Z do not follow the rotary axes"},
-      Known{"FUNCTION RESET TCPM", "nothing was switched on"},
       Known{"FUNCTION PARAXCOMP", "parallel axes are not known"},
       Known{"FUNCTION PARAXMODE", "parallel axes are not known"},
       Known{"FUNCTION MODE", "the kinematics stay"},
       Known{"FUNCTION", "what it switches on is not executed"},
-      Known{"TRANS DATUM", "the datum stays"},
       Known{"TRANS MIRROR", "positions are not mirrored"},
       Known{"TRANS ROTATION", "positions are not rotated"},
       Known{"TRANS SCALE", "positions are not scaled"},
