@@ -102,7 +102,7 @@ struct KlartextCycle {
   void define(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) {
     i = skip(text, i);
     const auto number = number_at(text, i);
-    const std::string_view whole = trim(text.substr(begin));
+    const std::string_view whole = rest_of_line(text, begin);
     const auto where = ig::Where::columns(begin, begin + std::min(whole.size(), line_end(whole, 0)));
     if (!number) {
       b.report(hei("HEI-0168"), where, whole.substr(0, line_end(whole, 0)));
@@ -245,7 +245,7 @@ struct KlartextCycle {
       }
       const Value v = axis < 6 ? values_.read(b, text, letter + 1) : Value{};
       if (!v.ok) {
-        const std::string_view rest = trim(text.substr(i));
+        const std::string_view rest = rest_of_line(text, i);
         b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("CYCL DEF 7"));
         return;
       }
@@ -322,7 +322,7 @@ struct KlartextCycle {
       code(b, datum_.code(0), begin, reset);
       for (std::size_t k = 0; k < 3; ++k) word(b, datum_.row(0)[k], begin, reset, 0);
     } else {
-      const std::string_view whole = trim(text.substr(begin));
+      const std::string_view whole = rest_of_line(text, begin);
       b.report(hei("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole,
                std::string_view("the datum table is not known, the shift stays"));
     }
@@ -335,7 +335,7 @@ struct KlartextCycle {
     i = skip(text, i);
     const std::size_t pattern = keyword(text, i, "PAT"), position = keyword(text, i, "POS");
     if (pattern != i) {
-      const std::string_view whole = trim(text.substr(begin));
+      const std::string_view whole = rest_of_line(text, begin);
       b.report(hei("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole,
                std::string_view("the holes of the pattern are missing"));
       return;
@@ -348,7 +348,7 @@ struct KlartextCycle {
     while ((i = skip(text, i)) < text.size()) {
       const std::size_t next = call_word(b, text, i, is_rapid);
       if (next == i) {
-        const std::string_view rest = trim(text.substr(i));
+        const std::string_view rest = rest_of_line(text, i);
         b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("CYCL CALL"));
         break;
       }

@@ -79,7 +79,7 @@ struct KlartextLabel {
   static void say_rest(ig::Block& b, std::string_view text, std::size_t i, std::string_view of) {
     i = skip(text, i);
     if (i >= text.size()) return;
-    const std::string_view rest = trim(text.substr(i));
+    const std::string_view rest = rest_of_line(text, i);
     b.report(hei("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, of);
   }
 

@@ -66,7 +66,7 @@ struct KlartextParameter {
     const std::size_t equals = q ? skip(text, end) : position;
     if (!q) {
       if (to_upper(at(text, position)) == 'Q' && to_upper(at(text, position + 1)) == 'S')
-        b.report(hei("HEI-0116"), from(text, begin_), trim(text.substr(begin_)));
+        b.report(hei("HEI-0116"), from(text, begin_), rest_of_line(text, begin_));
       else
         b.report(hei("HEI-0119"), from(text, begin_), std::string_view("the Q parameter"));
       return std::nullopt;
@@ -95,7 +95,7 @@ struct KlartextParameter {
     if (!t) return;
     const std::size_t first = skip(text, t->after);
     if (at(text, first) == '"' || (to_upper(at(text, first)) == 'Q' && to_upper(at(text, first + 1)) == 'S')) {
-      b.report(hei("HEI-0116"), from(text, begin_), trim(text.substr(begin_)));
+      b.report(hei("HEI-0116"), from(text, begin_), rest_of_line(text, begin_));
       return;
     }
     if (const auto value = values_.formula(b, text, t->after, end_)) assign(b, *t, *value);
@@ -113,7 +113,7 @@ struct KlartextParameter {
     if (number <= 8 || number == 13) return compute(b, text, i, number);
     if (number <= 12) return jump(b, text, i, number);
     if (number == 14) return error(b, text, i);
-    const std::string_view whole = trim(text.substr(begin_));
+    const std::string_view whole = rest_of_line(text, begin_);
     if (number == 15 || number == 16 || number == 38) return;  // output: no position depends on it
     b.report(hei("HEI-0117"), ig::Where::columns(begin_, begin_ + whole.size()), double(number));
   }
@@ -136,7 +136,7 @@ struct KlartextParameter {
   bool ends(ig::Block& b, std::string_view text, std::size_t i) const {
     i = skip(text, i);
     if (i >= text.size()) return true;
-    const std::string_view rest = trim(text.substr(i));
+    const std::string_view rest = rest_of_line(text, i);
     b.report(hei("HEI-0110"), ig::Where::columns(i, i + rest.size()), rest);
     return false;
   }

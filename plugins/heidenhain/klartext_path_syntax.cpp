@@ -198,7 +198,7 @@ struct KlartextPath {
   }
 
   static void unknown(ig::Block& b, std::string_view text, std::size_t i, const Path& path) {
-    const std::string_view rest = trim(piece(text, i, path.end));
+    const std::string_view rest = rest_of_line(text, i);
     b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, path.name);
   }
 

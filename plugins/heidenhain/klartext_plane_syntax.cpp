@@ -133,7 +133,7 @@ struct KlartextPlane {
       } else if (to_upper(text[i]) == 'F') {
         i = feed_.scan(b, values_, text, i, command_.is_rapid);
       } else {
-        const std::string_view rest = trim(text.substr(i));
+        const std::string_view rest = rest_of_line(text, i);
         b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("CYCL DEF 19"));
         break;
       }
@@ -164,7 +164,7 @@ struct KlartextPlane {
                  std::string_view("FUNCTION RESET TCPM"));
       return;
     }
-    const std::string_view rest = trim(text.substr(i));
+    const std::string_view rest = rest_of_line(text, i);
     b.report(hei("HEI-0171"), ig::Where::columns(i, i + rest.size()), rest,
              std::string_view("the words of rotary axes are positions of the axes, as after M128"));
   }
@@ -175,7 +175,7 @@ struct KlartextPlane {
     for (std::size_t k = 0; k < kind_count; ++k)
       if (iso::equals_ignoring_case(piece(text, i, letters), names[k])) command_.kind = static_cast<Kind>(k);
     if (command_.kind == kind_count) {
-      const std::string_view whole = trim(text.substr(command_.begin));
+      const std::string_view whole = rest_of_line(text, command_.begin);
       b.report(hei("HEI-0171"), where(), whole.substr(0, line_end(whole, 0)),
                std::string_view("the plane stays as it was"));
       return false;
@@ -184,7 +184,7 @@ struct KlartextPlane {
     while ((i = skip(text, i)) < text.size()) {
       const std::size_t next = word_at(b, text, i);
       if (next == i) {
-        const std::string_view rest = trim(text.substr(i));
+        const std::string_view rest = rest_of_line(text, i);
         b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("PLANE"));
         break;
       }

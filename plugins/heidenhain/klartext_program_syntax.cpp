@@ -54,7 +54,7 @@ struct KlartextProgram {
  private:
   std::size_t begin(ig::Block& b, std::string_view text, std::size_t position, std::size_t i) {
     const std::size_t end = statement_end(text, position);
-    const std::string_view rest = trim(piece(text, i, end));
+    const std::string_view rest = rest_of_line(text, i);
     const std::size_t blank = rest.find_last_of(" \t");
     const std::string_view unit = rest.substr(blank == std::string_view::npos ? 0 : blank + 1);
     const bool is_inch = iso::equals_ignoring_case(unit, "INCH");
@@ -79,7 +79,7 @@ struct KlartextProgram {
     b.host()->set_words(b.raw(), &word, 1);
     while ((i = skip(text, i)) < end) {
       if (to_upper(text[i]) != 'M') {
-        const std::string_view rest = trim(piece(text, i, end));
+        const std::string_view rest = rest_of_line(text, i);
         b.report(hei("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("STOP"));
         break;
       }

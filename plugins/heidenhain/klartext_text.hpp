@@ -116,6 +116,11 @@ constexpr std::string_view trim(std::string_view text) {
   return text;
 }
 
+/// What stands from a position to the end of its line, for a message.
+constexpr std::string_view rest_of_line(std::string_view text, std::size_t position) {
+  return trim(piece(text, position, line_end(text, position)));
+}
+
 /// An unsigned number at `position`, whose fraction follows a point or a comma.
 inline ig::Decimal read_number(std::string_view text, std::size_t position) {
   const std::size_t whole = iso::skip_digits(text, position);

@@ -63,7 +63,7 @@ struct KlartextToolCall {
     while ((i = skip(text, i)) < text.size()) {
       const std::size_t next = call_word(b, text, i, length, radius, has_delta, is_rapid);
       if (next == i) {
-        const std::string_view rest = trim(text.substr(i));
+        const std::string_view rest = rest_of_line(text, i);
         b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("TOOL CALL"));
         break;
       }
@@ -158,7 +158,7 @@ struct KlartextToolCall {
     word(b, t_.id(), begin, i, tool);
     i = skip(text, i);
     if (i >= text.size()) return;
-    const std::string_view rest = trim(text.substr(i));
+    const std::string_view rest = rest_of_line(text, i);
     b.report(hei("HEI-0122"), ig::Where::columns(i, i + rest.size()), rest,
              std::string_view("length and radius of a tool come from the table of tools"));
   }
