@@ -34,6 +34,9 @@ struct KlartextCycle {
   ig::Call datum_{{"DATUM", "IDATUM"}, "X Y Z A B C", ig::write};
   ig::Call rotation_{{"G68"}, "X Y Z R[deg]", ig::write};
   ig::Codes rotation_end_{{"G69"}, ig::write};
+  ig::Call mirror_{{"G50.1", "G51.1"}, "X Y Z", ig::write};
+  ig::In<ig::Symbol> mirror_term_{"MirrorImage.Term"};
+  ig::Xyz mirror_image_{"MirrorImage", ig::read};
   ig::In<ig::Symbol> tilt_{"TiltTransform.Term"};
   ig::In<double> turned_{"TiltTransform.R"};
   ig::In<ig::Symbol> plane_{"PlaneSelect.Term"};
@@ -187,7 +190,7 @@ struct KlartextCycle {
         if (part > 0) datum(b, text, number.end);
         return;
       case 8:
-        if (part > 0 && has_letter(text, number.end)) say("positions are not mirrored");
+        if (part > 0) mirror(b, text, number.end, where, part == 1);
         return;
       case 9:
         if (part > 0) dwell(b, text, number.end);
@@ -256,6 +259,26 @@ struct KlartextCycle {
     }
   }
 
+  /// CYCL DEF 8.1 X Y: the axes that are mirrored about the datum; none: no mirror image.
+  void mirror(ig::Block& b, std::string_view text, std::size_t i, ig::Where where, bool is_anew) const {
+    if (is_anew && b.has(mirror_term_)) code(b, mirror_.code(0), where.begin, where.end);
+    // A rotation that was defined in a mirror image has been turned the other way round.
+    if (b.is(tilt_, g68_) && b.has(mirror_term_) && mirrored_axes_in_plane(b) == 1)
+      b.report(hei("HEI-0161"), where, 8.0, std::string_view("the rotation in force keeps its sense"));
+    while ((i = skip(text, i)) < text.size()) {
+      const std::size_t axis = std::string_view("XYZ").find(to_upper(text[i]));
+      const std::size_t tool = b.is(plane_, g18_) ? 1 : b.is(plane_, g19_) ? 0 : 2;
+      if (axis > 2 || axis == tool) {
+        b.report(hei("HEI-0161"), ig::Where::columns(i, i + 1), 8.0,
+                 std::string_view(axis > 2 ? "only X, Y and Z can be mirrored here" : "the tool axis is not mirrored"));
+      } else {
+        code(b, mirror_.code(1), i, i + 1);
+        word(b, mirror_.row(1)[axis], i, i + 1, 0);
+      }
+      ++i;
+    }
+  }
+
   /// The number behind the word, which is in any language: V.ZEIT 1.5
   Value number_behind(ig::Block& b, std::string_view text, std::size_t i) const {
     i = skip(text, i);
@@ -279,6 +302,14 @@ struct KlartextCycle {
       b.set(dwell_, v.number);
   }
 
+  int mirrored_axes_in_plane(const ig::Block& b) const {
+    const std::size_t tool = b.is(plane_, g18_) ? 1 : b.is(plane_, g19_) ? 0 : 2;
+    const ig::PartialVec3 mirror = b.get(mirror_image_);
+    int count = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) count += axis != tool && mirror.has(axis) ? 1 : 0;
+    return count;
+  }
+
   bool scales(ig::Block& b, std::string_view text, std::size_t i) const {
     const Value v = number_behind(b, text, i);
     return !v.ok || v.number != 1;
@@ -294,7 +325,10 @@ struct KlartextCycle {
       return;
     }
     const bool is_rotated = b.is(tilt_, g68_);
-    const double angle = v.number + (is_step && is_rotated ? b.get_or(turned_, 0.0) : 0);
+    // IsoG68RotationSyntax turns the other way in a mirrored system, and keeps the angle that it turns.
+    const bool is_mirrored = b.has(mirror_term_) && mirrored_axes_in_plane(b) == 1;
+    const double in_force = is_rotated ? b.get_or(turned_, 0.0) : 0;
+    const double angle = v.number + (is_step ? (is_mirrored ? -in_force : in_force) : 0);
     if (b.is(tilt_, g68_2_)) {
       if (angle != 0)
         b.report(hei("HEI-0161"), where, 10.0, std::string_view("positions in the tilted plane are not rotated"));

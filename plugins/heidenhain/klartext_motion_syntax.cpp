@@ -6,6 +6,7 @@
 #include "klartext_diagnostics.hpp"
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
+#include "scale_and_mirror.hpp"
 #include "tilt_transform_util.hpp"
 
 namespace heidenhain {
@@ -15,8 +16,8 @@ struct KlartextMotion {
   static constexpr auto spec =
       ig::syntax("KlartextMotionSyntax", "Increments, polar coordinates, pole and tangent become a path.")
           .after("KlartextPathSyntax", "UnitModeSyntax", "PlaneSelectSyntax")
-          .before("KlartextDrillingCycleSyntax", "MachineCoordSelectSyntax", "ProgramXyzSyntax", "McAbcSyntax",
-                  "CircularMotionSyntax", "LinearMotionSyntax");
+          .before("ProgrammableMirrorSyntax", "KlartextDrillingCycleSyntax", "MachineCoordSelectSyntax",
+                  "ProgramXyzSyntax", "McAbcSyntax", "CircularMotionSyntax", "LinearMotionSyntax");
 
   ig::In<ig::Symbol> function_{"KlartextPath.Function", ig::wake};
   ig::In<bool> is_ccw_{"KlartextPath.IsCcw"};
@@ -37,6 +38,8 @@ struct KlartextMotion {
   ig::Out<std::int64_t> circles_{"KlartextPath.Circles", {ig::Life::block, "", "Whole circles of CP beyond the arc."}};
   iso::PlaneInForce plane_;
   iso::LastProgramXyz last_;
+  iso::ScaleAndMirror mirror_;
+  ig::In<ig::Symbol> mirror_term_{"MirrorImage.Term"};
   ig::Name lp_{"LP"}, c_{"C"}, cc_{"CC"}, cr_{"CR"}, ct_{"CT"}, cp_{"CP"}, ctp_{"CTP"}, rnd_{"RND"};
 
   ig::Status build(ig::Block& b) {
@@ -47,7 +50,7 @@ struct KlartextMotion {
     if ((has_steps >> 3) != 0) turn(b, has_steps >> 3, steps + 3);
     if (function == cc_) return set_pole(b, named, has_steps & 7u, steps);
 
-    Way way{plane_(b), last_(b), {}, named.mask | (has_steps & 7u), function};
+    Way way{plane_(b), start(b), {}, named.mask | (has_steps & 7u), function};
     way.to = named.or_else(way.from);
     for (std::size_t axis = 0; axis < 3; ++axis)
       if ((has_steps >> axis & 1u) != 0) way.to[axis] = way.from[axis] + steps[axis].number;
@@ -81,6 +84,12 @@ struct KlartextMotion {
     }
   };
 
+  /// Where the program stands, as it would say it: mirror images come after this syntax.
+  ig::Vec3 start(ig::Block& b) const {
+    const ig::Vec3 last = last_(b);
+    return b.has(mirror_term_) ? iso::rounded(mirror_.programmed(b, last)) : last;
+  }
+
   static ig_field step(std::string_view name, const char* unit) {
     return ig::detail::declare_field({{"Parsing.", name}, IG_NUMBER, ig::take, {ig::Life::word, unit, ""}});
   }
@@ -111,7 +120,7 @@ struct KlartextMotion {
 
   ig::Status set_pole(ig::Block& b, const ig::PartialVec3& named, std::uint32_t has_steps,
                       const ig_value* steps) const {
-    const ig::Vec3 last = last_(b);
+    const ig::Vec3 last = start(b);
     // Alone it is where the tool stands; an axis that is not named keeps its pole.
     ig::Vec3 pole = named.mask == 0 && has_steps == 0 ? last : b.get(pole_).or_else(last);
     for (std::size_t axis = 0; axis < 3; ++axis) {
