@@ -107,6 +107,10 @@ std::size_t scan(void* self, const ig_host* host, ig_block* block, const char* d
   } else if (what == ':' || what == '=') {
     l.flow->label(block, text(name), what == ':' ? IG_LABEL_PROGRAM : IG_LABEL_PLACE);
     if (what == ':') host->set(block, l.frame, {.integer = 0});
+  } else if (what == '#') {  // a label that says where it stands
+    ig_place place{};
+    l.flow->here(block, &place);
+    l.flow->label(block, text("x" + std::to_string(place.line)), IG_LABEL_PLACE);
   } else if (l.flow->is_indexing != 0) {
     return end;
   } else if (what == '%') {
@@ -125,7 +129,7 @@ struct Fixture {
     reader.fields = {test::field("Test.Shown", IG_WRITE, IG_TEXT, IG_LIFE_BLOCK),
                      test::field("Test.Mode", IG_WRITE, IG_INTEGER, IG_LIFE_MODAL),
                      test::field("Test.Begun", IG_WRITE, IG_INTEGER, IG_LIFE_FRAME)};
-    reader.out.triggers = "!?~^>+<)@&%$:=;[abcdefghijklmnopqrstuvwxyz0123456789";
+    reader.out.triggers = "!?~^>+<)@&%$:=;[#abcdefghijklmnopqrstuvwxyz0123456789";
     reader.out.scan = scan;
     reader.out.build = nullptr;
     reader.out.create = create;
@@ -354,6 +358,11 @@ TEST_CASE("programs are found beside the main program and in the folders given")
   CHECK(f.codes().empty());
   CHECK(f.run("!q") == "q'@q.prg:2");
   CHECK(f.codes() == "IG-0420");
+}
+
+TEST_CASE("while a file is indexed a block knows where it stands") {
+  Fixture f;
+  CHECK(f.run("a\n>x4\nb\n#\nc\n", "main") == "a c");
 }
 
 TEST_CASE("what follows the end is noted unless the run was there") {

@@ -67,7 +67,7 @@ class Indexer : public FlowHost {
   void label(std::string_view name, ig_label_kind kind) override;
   std::int32_t go(const Document&, ig_go&) override { return IG_GO_DONE; }
   bool frame(std::uint32_t, ig_frame&) const override { return false; }
-  ig_place here() const override { return {}; }
+  ig_place here() const override { return {0, at_.offset, at_.line, at_.column}; }
   bool is_file(std::string_view, std::string_view) const override { return false; }
 
  private:
