@@ -1,0 +1,169 @@
+/// What the drilling cycles share: the parameters of their call, their levels along the drilling axis, and the way
+/// there.
+#pragma once
+
+#include <cmath>
+
+#include "cycle_signatures.hpp"
+#include "plane_util.hpp"
+#include "program_xyz_util.hpp"
+#include "siemens_diagnostics.hpp"
+
+namespace siemens {
+
+/// The feed in force, as FeedrateSyntax has written it.
+class FeedInForce {
+ public:
+  /// mm/s of that number, or of the F in force; 0 where it is not known.
+  double mmds(const ig::Block& b, std::optional<double> own = std::nullopt) const {
+    const double f = own.value_or(b.get_or(value_, 0.0));
+    if (!(f > 0)) return 0;
+    if (b.is(term_, g95_)) return f * b.get_or(rpm_, 0.0) / 60;
+    return b.is(term_, g93_) ? 0 : f / 60;
+  }
+  double rpm(const ig::Block& b) const { return b.get_or(rpm_, 0.0); }
+
+ private:
+  ig::In<double> value_{"Feedrate.FeedrateValue"};
+  ig::In<ig::Symbol> term_{"Feedrate.Term"};
+  ig::In<double> rpm_{"SpindleSpeed.SpindleSpeed_rpm"};
+  ig::Name g93_{"G93"}, g95_{"G95"};
+};
+
+/// A call while its cycle is carried out. Levels are positions of the drilling axis.
+struct DrillingRun {
+  const CycleFields* cycle = nullptr;
+  std::array<std::optional<double>, CycleFields::most> values;
+  iso::PlaneAxes plane;
+  ig::Vec3 hole;  ///< its drilling axis says nothing
+  double retract = 0, reference = 0, start = 0, depth = 0;
+  double out = 1;  ///< 1 where the axis leaves the hole towards plus
+  double feed = 0;
+  double dwell = 0;  ///< DTB in seconds
+
+  std::optional<double> operator[](std::string_view parameter) const { return values[cycle->index_of(parameter)]; }
+  ig::Vec3 at(double level) const { return plane.at_level(hole, level); }
+};
+
+/// A member of each cycle syntax.
+class DrillingCall {
+ public:
+  /// From the first of cycle_signatures on.
+  DrillingCall(std::size_t first, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) cycles_.emplace_back(cycle_signatures[first + i], ig::take | ig::wake);
+  }
+
+  /// The call of this block, and the move to the hole that the block makes before it. Nothing where there is no call,
+  /// or one that the control refuses, which was said: X Y Z of the block then move as they would without it.
+  std::optional<DrillingRun> take(ig::Block& b) const {
+    for (const CycleFields& cycle : cycles_) {
+      std::uint32_t found = 0;
+      if (b.host()->take_code(b.raw(), cycle.code().codes(), 1, &found) < 0) continue;
+      DrillingRun run;
+      run.cycle = &cycle;
+      for (std::size_t i = 0; i < cycle.size(); ++i) {
+        ig_value v;
+        if (b.host()->take(b.raw(), cycle.field(i).id(), &v) != 0) run.values[i] = v.number;
+      }
+      if (!resolve(b, run)) {
+        b.alarm();
+        return std::nullopt;
+      }
+      motion.begin(b, cycle.code().name(0));
+      approach(b, run);
+      return run;
+    }
+    return std::nullopt;
+  }
+
+  void end(ig::Block& b, const DrillingRun& run) const { b.set(program_, run.at(run.retract)); }
+
+  /// The control stops before the hole.
+  void stay(ig::Block& b, const DrillingRun& run) const {
+    b.set(program_, run.hole);
+    b.alarm();
+  }
+
+  static ig::Where where(const DrillingRun& run, std::string_view parameter = {}) {
+    const std::size_t i = parameter.empty() ? run.cycle->size() : run.cycle->index_of(parameter);
+    return ig::Where::word(i < run.cycle->size() ? run.cycle->field(i).id() : run.cycle->code().code(0));
+  }
+
+  /// Seconds: turns of the spindle where the number is negative.
+  double seconds(ig::Block& b, const DrillingRun& run, std::optional<double> number) const {
+    if (!number || *number >= 0) return number.value_or(0);
+    const double rpm = feed.rpm(b);
+    if (rpm > 0) return -*number * 60 / rpm;
+    b.report(diag("SIE-0187"), where(run), run.cycle->name(), *number);
+    return 0;
+  }
+
+  ig::CompoundMotion motion;
+  FeedInForce feed;
+
+ private:
+  bool resolve(ig::Block& b, DrillingRun& run) const {
+    const std::string_view name = run.cycle->name();
+    for (const std::string_view needed : {"RTP", "RFP"})
+      if (!run[needed]) {
+        b.report(diag("SIE-0185"), where(run), name, needed);
+        return false;
+      }
+    run.plane = plane_(b);
+    run.retract = *run["RTP"];
+    run.reference = *run["RFP"];
+    const auto absolute = run["DP"];
+    auto relative = run["DPR"];
+    if (relative && *relative == 0 && absolute) relative.reset();
+    if (!absolute && !relative) {
+      b.report(diag("SIE-0185"), where(run), name, std::string_view("DP or DPR"));
+      return false;
+    }
+    if (absolute && relative) b.report(diag("SIE-0188"), where(run), name);
+    const bool is_down = relative ? run.retract > run.reference : *absolute <= run.reference;
+    run.out = is_down ? 1 : -1;
+    run.depth = relative ? run.reference - run.out * std::fabs(*relative) : *absolute;
+    run.start = run.reference + run.out * std::fabs(run["SDIS"].value_or(0));
+    if ((relative && run.retract == run.reference) || run.out * (run.retract - run.reference) < 0) {
+      b.report(diag("SIE-0189"), where(run), name, run.retract, run.reference);
+      return false;
+    }
+    for (const double level : {run.depth, run.start})
+      if (!(std::fabs(level) < 1e9)) {
+        b.report(diag("SIE-0105"), where(run), name);
+        return false;
+      }
+    run.feed = feed.mmds(b);
+    if (run.feed <= 0 && name != "CYCLE85") b.report(diag("SIE-0186"), where(run), name);
+    if (const auto mode = run["GMODE"]; mode && *mode != 0) b.report(diag("SIE-0190"), where(run), name, *mode);
+    if (const auto mode = run["VARI"]; name == "CYCLE82" && mode && *mode != 0)
+      b.report(diag("SIE-0191"), where(run), name, *mode);
+    run.dwell = seconds(b, run, run["DTB"]);
+    return true;
+  }
+
+  void approach(ig::Block& b, DrillingRun& run) const {
+    const ig::Vec3 from = last_(b);
+    const ig::PartialVec3 named = b.take(words_);
+    run.hole = named.or_else(from);
+    if (named.mask == 0) return;
+    const auto code = b.find(codes_);
+    const ig::Symbol term = code ? codes_.name(*code) : b.get_or(state_, codes_.name(0));
+    if (term == codes_.name(0)) {
+      motion.rapid_to(b, run.hole);
+      return;
+    }
+    if (term != codes_.name(1)) b.report(diag("SIE-0192"), where(run), run.cycle->name());
+    motion.feed_to(b, run.hole, feed.mmds(b));
+  }
+
+  std::vector<CycleFields> cycles_;
+  ig::Xyz words_{"Parsing", ig::take};
+  ig::Xyz program_{"ProgramXyz", ig::write};
+  ig::Codes codes_{{"G00", "G01", "G02", "G03"}, ig::read};
+  ig::In<ig::Symbol> state_{"MotionState.Term"};
+  iso::PlaneInForce plane_;
+  iso::LastProgramXyz last_;
+};
+
+}  // namespace siemens

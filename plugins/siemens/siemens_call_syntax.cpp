@@ -1,0 +1,292 @@
+// Calls: NAME(1,2), NAME P3, L100, CALL "NAME", EXTCALL("NAME"), and the cycles, whose parameters become words. What
+// the control knows by name but this run does not execute is one diagnostic for each call.
+#include "cycle_signatures.hpp"
+#include "siemens_expression.hpp"
+
+namespace siemens {
+namespace {
+
+using iso::at;
+using iso::piece;
+using iso::skip_blanks;
+
+/// A blank-separated list of names.
+class NameSet {
+ public:
+  explicit NameSet(std::string_view list) {
+    while (!(list = iso::trim(list)).empty()) {
+      const std::size_t end = std::min(list.find(' '), list.size());
+      names_.push_back(upper(list.substr(0, end)));
+      list.remove_prefix(end);
+    }
+  }
+  bool holds(const std::string& name) const { return std::find(names_.begin(), names_.end(), name) != names_.end(); }
+
+ private:
+  std::vector<std::string> names_;
+};
+
+struct SiemensCall {
+  static constexpr auto spec = ig::syntax("SiemensCallSyntax", "Calls of subprograms and cycles.")
+                                   .after("SiemensWordSyntax", "SiemensFlowSyntax", "SiemensDeclarationSyntax")
+                                   .before("UnitModeSyntax", "ProgramEndSyntax")
+                                   .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_");
+
+  ig::TextOption silent_list_{"silent", "MSG WORKPIECE GROUP_BEGIN GROUP_END GROUP_ADDEND SETMS",
+                              "Procedures of the control that move nothing and change nothing here."};
+  std::vector<CycleFields> cycles_ = all_cycles();
+  ig::Codes modal_{{"MCALL"}, ig::read};
+  ig::TextField message_{"Message.Text", ig::write, {ig::Life::block, "", "What MSG shows."}};
+  ig::Signal call_{"Parsing.~Call", ig::read | ig::write | ig::wake};
+  ig::Out<ig::Symbol> term_{"SubProgramCall.Term"};
+  ig::TextField file_{"SubProgramCall.FileName", ig::write};
+  Environment environment_;
+  NameSet silent_{silent_list_.text()};
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
+    const std::size_t end = skip_name(text, position);
+    const bool is_l =
+        iso::to_upper(text[position]) == 'L' && end > position + 1 && iso::skip_digits(text, position + 1) == end;
+    if (end - position < 2 || (iso::is_digit(at(text, position + 1)) && !is_l)) return position;
+    if (environment_.flow.is_indexing()) return statement_end(text, position);
+    std::string name = upper(piece(text, position, end));
+    begin_ = position;
+    std::size_t next = skip_blanks(text, end);
+    if (is_synchronized(text, position, name)) {
+      const std::size_t last = statement_text_end(text, position);
+      b.report(diag("SIE-0168"), ig::Where::columns(position, last), piece(text, position, last));
+      return statement_end(text, position);
+    }
+    environment_.enter(b);
+    arguments_.clear();
+    if (name == "CALL" || name == "PCALL" || name == "EXTCALL" || name == "ISOCALL")
+      return indirect(b, text.substr(0, statement_text_end(text, position)), next, name);
+    const bool has_bracket = at(text, next) == '(';
+    if (has_bracket) {
+      const std::size_t close = skip_call(text, next);
+      if (const CycleFields* const cycle = cycle_of(name)) {
+        pass(b, *cycle, text, next, close);
+        return close;
+      }
+      if (is_known(b, text, name, next, close)) return close;
+      if (!read_arguments(b, text.substr(0, close), next)) return close;
+      next = skip_blanks(text, close);
+    } else if (is_foreign_cycle(name)) {
+      b.report(diag("SIE-0181"), ig::Where::columns(position, end), std::string_view(name));
+      return end;
+    } else if (silent_.holds(name)) {
+      return end;
+    }
+    return request(b, text, next, std::move(name), has_bracket ? next : end);
+  }
+
+  ig::Status build(ig::Block& b) {
+    if (!b.is_raised(call_)) return ig::Status::unchanged;
+    const auto where = ig::Where::columns(begin_, end_);
+    b.set(term_, b.symbol(program_));
+    if (b.find(modal_)) {
+      b.report(diag("SIE-0166"), where, std::string_view(program_));
+      return ig::Status::changed;
+    }
+    if (repeats_ < 1) return ig::Status::changed;
+    const ig_text file = ig::to_text(program_);
+    ig::Flow::Call call;
+    call.program = program_;
+    call.files = {&file, 1};
+    call.repeats = static_cast<std::uint32_t>(repeats_);
+    call.tag = environment_.store().pass(std::move(arguments_));
+    const ig::Flow::Answer answer = environment_.flow.call(b, call);
+    if (answer.is_not_found())
+      b.report(diag("SIE-0165"), where, std::string_view(program_), answer.reason);
+    else if (answer.status == IG_GO_TAKEN)
+      b.report(diag("SIE-0167"), where, std::string_view(program_));
+    return ig::Status::changed;
+  }
+
+ private:
+  static std::vector<CycleFields> all_cycles() {
+    std::vector<CycleFields> out;
+    for (const CycleSignature& s : cycle_signatures) out.emplace_back(s, ig::write);
+    return out;
+  }
+  const CycleFields* cycle_of(std::string_view name) const {
+    for (const CycleFields& c : cycles_)
+      if (c.name() == name) return &c;
+    return nullptr;
+  }
+  /// Cycles of the control that are not executed here.
+  static bool is_foreign_cycle(std::string_view name) {
+    for (const std::string_view family : {"CYCLE", "POCKET", "SLOT", "HOLES", "LONGHOLE"})
+      if (name.starts_with(family) && iso::skip_digits(name, family.size()) == name.size() &&
+          (name.size() > family.size() || family == "LONGHOLE"))
+        return true;
+    return false;
+  }
+  static bool is_synchronized(std::string_view text, std::size_t position, std::string_view name) {
+    for (const std::string_view word : {"WHEN", "WHENEVER", "EVERY", "FROM", "DO"})
+      if (name == word) return true;
+    return (name == "ID" || name == "IDS") && at(text, skip_blanks(text, skip_name(text, position))) == '=';
+  }
+
+  /// MSG("…"), SETAL(65000), cycles that are not executed. False: a subprogram.
+  bool is_known(ig::Block& b, std::string_view text, const std::string& name, std::size_t open, std::size_t close) {
+    const auto where = ig::Where::columns(begin_, close);
+    if (is_foreign_cycle(name)) {
+      b.report(diag("SIE-0181"), where, std::string_view(name));
+      return true;
+    }
+    if (name == "SETAL") {
+      if (read_arguments(b, text.substr(0, close), open))
+        b.report(diag("SIE-0170"), where,
+                 arguments_.empty() || !arguments_[0].value ? 0.0 : arguments_[0].value->number);
+      b.alarm();
+      return true;
+    }
+    for (const std::string_view transformation : {"TRAORI", "TRANSMIT", "TRACYL", "TRAANG", "TRACON"})
+      if (name == transformation) {
+        b.report(diag("SIE-0183"), where, std::string_view(name));
+        return true;
+      }
+    if (!silent_.holds(name)) return false;
+    if (name == "MSG" && at(text, skip_blanks(text, open + 1)) == '"') {
+      const std::size_t first = skip_blanks(text, open + 1) + 1;
+      b.set_text(message_, piece(text, first, std::min(text.find('"', first), close)));
+    }
+    return true;
+  }
+
+  // ---- Parameters
+
+  bool read_arguments(ig::Block& b, std::string_view text, std::size_t open) {
+    std::size_t next = skip_blanks(text, open + 1);
+    if (at(text, next) == ')') return true;
+    for (;;) {
+      Argument& argument = arguments_.emplace_back();
+      next = skip_blanks(text, next);
+      if (const char c = at(text, next); c != ',' && c != ')') {
+        Expression e(b, environment_, text, next);
+        argument.value = e.value();
+        if (!argument.value) return false;
+        const std::size_t end = skip_name(text, next);
+        if (is_name_start(text[next]) && skip_blanks(text, end) == skip_blanks(text, e.position()))
+          argument.name = upper(piece(text, next, end));
+        next = skip_blanks(text, e.position());
+      }
+      if (at(text, next) == ')') return true;
+      if (at(text, next) != ',' || arguments_.size() > 1000) {
+        b.report(diag("SIE-0169"), ig::Where::columns(next, std::max(next + 1, text.size())),
+                 text.substr(std::min(next, text.size())));
+        return false;
+      }
+      ++next;
+    }
+  }
+
+  void pass(ig::Block& b, const CycleFields& cycle, std::string_view text, std::size_t open, std::size_t close) {
+    if (!read_arguments(b, text.substr(0, close), open)) {
+      b.report(diag("SIE-0182"), ig::Where::columns(begin_, close), cycle.name());
+      return;
+    }
+    if (arguments_.size() > cycle.size())
+      b.report(diag("SIE-0184"), ig::Where::columns(begin_, close), cycle.name(),
+               static_cast<double>(arguments_.size()), static_cast<double>(cycle.size()));
+    std::array<ig_word, CycleFields::most + 1> words;
+    std::uint32_t count = 0;
+    const std::uint16_t begin = iso::column(begin_), end = iso::column(close);
+    words[count++] = {cycle.code().code(0), begin, end, ig_value{}, 0, 0};
+    for (std::size_t i = 0; i < std::min(arguments_.size(), cycle.size()); ++i) {
+      const std::optional<Value>& v = arguments_[i].value;
+      if (!v) continue;
+      const double number = v->is_text() ? (v->text == "0" ? 0.0 : 1.0) : v->number;  // the name of a swivel data set
+      words[count++] = {cycle.field(i).id(), begin, end, {.number = number + 0.0}, 0, 0};
+    }
+    b.host()->set_words(b.raw(), words.data(), count);
+  }
+
+  // ---- Subprograms
+
+  /// CALL "NAME", EXTCALL("FOLDER/NAME.SPF"), PCALL NAME(1,2)
+  std::size_t indirect(ig::Block& b, std::string_view text, std::size_t next, const std::string& how) {
+    const bool is_name = is_name_start(at(text, next));
+    const std::size_t name_end = skip_name(text, next);
+    std::string name = upper(piece(text, next, name_end));
+    const Variable* const variable = is_name ? environment_.store().find(name) : nullptr;
+    if (name == "BLOCK") {
+      b.report(diag("SIE-0171"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
+      return text.size();
+    }
+    if (!is_name || (variable != nullptr && variable->value.is_text())) {
+      Expression e(b, environment_, text, next);
+      const auto path = e.value();
+      if (!path || !path->is_text()) {
+        if (path || next >= text.size())
+          b.report(diag("SIE-0169"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
+        return text.size();
+      }
+      name = program_of(path->text);
+      next = e.position();
+    } else {
+      next = skip_blanks(text, name_end);
+      if (at(text, next) == '(') {
+        const std::size_t close = skip_call(text, next);
+        if (!read_arguments(b, text.substr(0, close), next)) return text.size();
+        next = close;
+      }
+    }
+    next = skip_blanks(text, next);
+    if (next < text.size() && how == "CALL") {
+      b.report(diag("SIE-0171"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
+      return text.size();
+    }
+    return request(b, text, next, std::move(name), next);
+  }
+
+  /// NAME of /_N_SPF_DIR/_N_NAME_SPF, FOLDER\NAME.SPF and NAME.
+  static std::string program_of(std::string_view path) {
+    path.remove_prefix(std::min(path.find_last_of("/\\:") + 1, path.size()));
+    std::string name = upper(iso::trim(path.substr(0, path.find('.'))));
+    if (name.starts_with("_N_")) name.erase(0, 3);
+    for (const std::string_view kind : {"_SPF", "_MPF"})
+      if (name.size() > 4 && name.ends_with(kind)) name.erase(name.size() - 4);
+    return name;
+  }
+
+  /// P3 or P=R1 behind the name; `next` is where it may stand.
+  std::size_t request(ig::Block& b, std::string_view text, std::size_t next, std::string name, std::size_t end) {
+    repeats_ = 1;
+    end_ = end;
+    const char behind = at(text, next + 1);
+    if (iso::to_upper(at(text, next)) == 'P' && !is_name_start(behind)) {
+      std::size_t value = skip_blanks(text, next + 1);
+      if (at(text, value) == '=') value = skip_blanks(text, value + 1);
+      Expression e(b, environment_, text.substr(0, statement_text_end(text, next)), value);
+      const auto times = e.number();
+      if (!times) return std::max(e.position(), value);
+      end_ = e.position();
+      repeats_ = *times;
+      if (!(repeats_ >= 0 && repeats_ <= 9999) || repeats_ != std::floor(repeats_)) {
+        b.report(diag("SIE-0172"), ig::Where::columns(next, end_), std::string_view(name), *times);
+        repeats_ = 0;
+        return end_;
+      }
+    }
+    if (b.is_raised(call_)) {
+      b.report(diag("SIE-0167"), ig::Where::columns(begin_, end_), std::string_view(name));
+      return end_;
+    }
+    program_ = std::move(name);
+    b.raise(call_);
+    return end_;
+  }
+
+  // What scan() has found.
+  std::size_t begin_ = 0, end_ = 0;
+  std::string program_;
+  std::vector<Argument> arguments_;
+  double repeats_ = 1;
+};
+
+const ig::Register<SiemensCall> registered;
+
+}  // namespace
+}  // namespace siemens

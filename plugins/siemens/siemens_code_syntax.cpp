@@ -1,0 +1,101 @@
+/// Functions of the control that are known by name but not executed: each is one error that says what is missing, and
+/// the words that belong to it go with it.
+#include <vector>
+
+#include "leftovers.hpp"
+#include "siemens_diagnostics.hpp"
+
+namespace siemens {
+namespace {
+
+struct SiemensCode {
+  static constexpr auto spec =
+      ig::syntax("SiemensCodeSyntax", "Codes that are recognised but not executed: one error each.")
+          .after("ParameterizedFlagSyntax")
+          .before("SiemensPositionSyntax", "ProgramXyzSyntax");
+
+  struct Feature {
+    ig::Call codes;
+    std::string_view missing;
+  };
+  std::vector<Feature> features_{
+      {ig::Call{{"TRAORI", "TRANSMIT", "TRACYL", "TRAANG", "TRACON"}, ""},
+       "the transformation is missing: machine coordinates are wrong up to TRAFOOF"},
+      {ig::Call{{"G74", "G75"}, "X[] Y[] Z[] A[] B[] C[]"}, "the way to the reference or fixed point is missing"},
+      {ig::Call{{"G33", "G34", "G35", "G331", "G332", "G63"}, "I J K"},
+       "the thread is not cut; its blocks move by feed"},
+      {ig::Call{{"CT", "POLY", "ASPLINE", "BSPLINE", "CSPLINE", "INVCW", "INVCCW"}, ""},
+       "the curve is missing; its blocks move as the motion code before it says"},
+      {ig::Call{{"G110", "G111", "G112"}, "X Y Z"}, "the pole is not kept: AP and RP have no meaning"},
+      {ig::Call{{"ROTS", "AROTS", "CROTS"}, "X[deg] Y[deg] Z[deg]"}, "positions are not turned"},
+      {ig::Call{{"G58", "G59"}, "X Y Z"}, "positions are not shifted"},
+      {ig::Call{{"G25", "G26"}, "X Y Z"}, "the limit of the working area or of the spindle speed is not watched"},
+      {ig::Call{{"G147", "G148", "G247", "G248", "G347", "G348"}, ""}, "the soft approach or retraction is missing"},
+      {ig::Call{{"G291"}, ""}, "the blocks up to G290 are ISO code and are read wrong"},
+      {ig::Call{{"G961", "G962", "G971", "G972"}, "S[]"}, "the speed of the spindle is not known"},
+      {ig::Call{{"OFFN", "TOFFL", "TOFFR", "TOFF"}, ""}, "the offset is missing"},
+      {ig::Call{{"MEAS", "MEAW"}, ""}, "the measurement is missing"},
+      {ig::Call{{"DIAMON", "DIAM90"}, ""}, "X is read as a radius"},
+  };
+  struct Word {
+    ig::Word word;
+    std::string_view missing;
+  };
+  std::vector<Word> words_ = declared_words();
+
+  ig::Status build(ig::Block& b) {
+    bool any = false;
+    for (const Feature& feature : features_)
+      for (std::uint32_t row = 0; row < feature.codes.code_count(); ++row) any |= take(b, feature, row);
+    for (const Word& word : words_) {
+      if (!b.has(word.word)) continue;
+      b.report(diag("SIE-0262"), ig::Where::word(word.word.id()), word.missing);
+      b.take(word.word);
+      any = true;
+    }
+    return any ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  static std::vector<Word> declared_words() {
+    struct Known {
+      const char* name;
+      std::string_view missing;
+    };
+    static constexpr Known known[] = {{"CHF", "CHF=: the chamfer is missing; the corner stays sharp"},
+                                      {"CHR", "CHR=: the chamfer is missing; the corner stays sharp"},
+                                      {"RND", "RND=: the rounding is missing; the corner stays sharp"},
+                                      {"RNDM", "RNDM=: the roundings are missing; corners stay sharp"},
+                                      {"ANG", "ANG=: the end point of the contour line is not computed"},
+                                      {"AP", "AP=: the polar position is not computed"},
+                                      {"RP", "RP=: the polar position is not computed"},
+                                      {"FB", "FB=: the feed of this block is that of F"},
+                                      {"FZ", "FZ=: the feed per tooth is not known"},
+                                      {"A2", "A2= B2= C2=: the tool keeps its direction"},
+                                      {"B2", "B2=: the tool keeps its direction"},
+                                      {"C2", "C2=: the tool keeps its direction"},
+                                      {"A3", "A3= B3= C3=: the tool keeps its direction"},
+                                      {"B3", "B3=: the tool keeps its direction"},
+                                      {"C3", "C3=: the tool keeps its direction"}};
+    std::vector<Word> out;
+    for (const Known& k : known)
+      out.push_back({ig::Word(std::string("Parsing.").append(k.name), ig::wake, ""), k.missing});
+    return out;
+  }
+  static bool take(ig::Block& b, const Feature& feature, std::uint32_t row) {
+    const ig_field code = feature.codes.code(row);
+    if (!iso::is_unanswered(b, code)) return false;
+    std::uint32_t found = 0;
+    ig_value unused[32];
+    b.host()->take_code(b.raw(), &code, 1, &found);
+    b.host()->take_many(b.raw(), feature.codes.row(row), static_cast<std::uint32_t>(feature.codes.letters().size()),
+                        unused);
+    b.report(diag("SIE-0261"), ig::Where::word(code), b.text(feature.codes.name(row)), feature.missing);
+    return true;
+  }
+};
+
+const ig::Register<SiemensCode> registered;
+
+}  // namespace
+}  // namespace siemens

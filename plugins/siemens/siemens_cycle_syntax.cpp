@@ -1,0 +1,83 @@
+/// MCALL: a drilling cycle after each block that moves. The call is kept, and raised anew in each block that programs
+/// X, Y or Z; MCALL alone ends it. A call without MCALL is left to the cycles, which drill where the tool stands.
+#include "cycle_signatures.hpp"
+#include "siemens_diagnostics.hpp"
+
+namespace siemens {
+namespace {
+
+struct SiemensCycle {
+  static constexpr auto spec = ig::syntax("SiemensCycleSyntax", "MCALL: the cycle that blocks with a move repeat.")
+                                   .after("SiemensUnitSyntax", "SiemensPositionSyntax")
+                                   .before("SiemensDrillingCycleSyntax", "SiemensDeepHoleCycleSyntax",
+                                           "SiemensReamingCycleSyntax", "ProgramXyzSyntax");
+
+  std::vector<CycleFields> cycles_ = all_cycles();
+  ig::Codes modal_{"MCALL"};
+  ig::InWhile<ig::Symbol> term_{"CannedCycle.Term", nullptr, ig::write};
+  std::vector<std::vector<ig::Field<double>>> kept_ = all_kept();
+  ig::Xyz words_{"Parsing", ig::read};
+
+  ig::Status build(ig::Block& b) {
+    const bool is_modal = b.take(modal_).has_value();
+    if (!is_modal) return b.has(term_) && repeat(b) ? ig::Status::changed : ig::Status::unchanged;
+    forget(b);
+    for (std::size_t i = 0; i < cycles_.size(); ++i)
+      if (keep(b, i)) break;
+    return ig::Status::changed;
+  }
+
+ private:
+  static std::vector<CycleFields> all_cycles() {
+    std::vector<CycleFields> out;
+    for (std::size_t i = 0; i < drilling_cycles; ++i)
+      out.emplace_back(cycle_signatures[i], ig::read | ig::write | ig::take | ig::wake);
+    return out;
+  }
+  std::vector<std::vector<ig::Field<double>>> all_kept() const {
+    std::vector<std::vector<ig::Field<double>>> out;
+    for (const CycleFields& cycle : cycles_) {
+      std::vector<ig::Field<double>>& row = out.emplace_back();
+      for (std::size_t i = 0; i < cycle.size(); ++i)
+        row.emplace_back(std::string("CannedCycle.Params.").append(cycle.parameter(i)), ig::read | ig::write,
+                         ig::About{ig::Life::modal, "", "A parameter of the cycle, as called."});
+    }
+    return out;
+  }
+
+  void forget(ig::Block& b) const {
+    if (!b.has(term_)) return;
+    b.erase(term_);
+    for (const auto& row : kept_)
+      for (const auto& field : row) b.erase(field);
+  }
+
+  bool keep(ig::Block& b, std::size_t i) const {
+    std::uint32_t found = 0;
+    if (b.host()->take_code(b.raw(), cycles_[i].code().codes(), 1, &found) < 0) return false;
+    for (std::size_t k = 0; k < cycles_[i].size(); ++k) {
+      ig_value v;
+      if (b.host()->take(b.raw(), cycles_[i].field(k).id(), &v) != 0) b.set(kept_[i][k], v.number);
+    }
+    b.host()->erase(b.raw(), cycles_[i].code().code(0));  // nobody drills in this block
+    b.set(term_, cycles_[i].code().name(0));
+    return true;
+  }
+
+  bool repeat(ig::Block& b) const {
+    if (b.get(words_).mask == 0) return false;
+    for (std::size_t i = 0; i < cycles_.size(); ++i) {
+      if (!b.is(term_, cycles_[i].code().name(0))) continue;
+      b.set_call(cycles_[i].code(), 0);
+      for (std::size_t k = 0; k < cycles_[i].size(); ++k)
+        if (const auto v = b.get(kept_[i][k])) b.set(cycles_[i].field(k), *v);
+      return true;
+    }
+    return false;
+  }
+};
+
+const ig::Register<SiemensCycle> registered;
+
+}  // namespace
+}  // namespace siemens

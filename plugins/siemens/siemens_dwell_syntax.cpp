@@ -1,0 +1,40 @@
+/// G4: wait. F counts seconds, S turns of the spindle; neither is the feed or the speed of the blocks after it.
+#include "siemens_diagnostics.hpp"
+
+namespace siemens {
+namespace {
+
+struct SiemensDwell {
+  static constexpr auto spec = ig::syntax("SiemensDwellSyntax", "G4 dwell: F seconds, S turns of the spindle.")
+                                   .after("ParameterizedFlagSyntax")
+                                   .before("FeedrateSyntax", "SpindleSpeedSyntax");
+
+  ig::Call g04_{{"G04"}, "F[s] S[]"};
+  ig::Out<double> time_{"Dwell.Time"};
+  ig::In<double> speed_{"SpindleSpeed.SpindleSpeed_rpm"};
+
+  ig::Status build(ig::Block& b) {
+    const auto words = b.take(g04_);
+    if (!words) return ig::Status::unchanged;
+    const auto where = ig::Where::word(g04_.code(0));
+    const auto seconds = (*words)['F'], turns = (*words)['S'];
+    const double rpm = b.get_or(speed_, 0.0);
+    if (!seconds && !turns) {
+      b.report(diag("SIE-0201"), where);
+    } else if (seconds.value_or(0) < 0 || turns.value_or(0) < 0) {
+      b.report(diag("SIE-0202"), where);
+    } else if (seconds) {
+      b.set(time_, *seconds);
+    } else if (rpm > 0) {
+      b.set(time_, *turns * 60 / rpm);
+    } else {
+      b.report(diag("SIE-0203"), where);
+    }
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<SiemensDwell> registered;
+
+}  // namespace
+}  // namespace siemens

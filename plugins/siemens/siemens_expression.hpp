@@ -1,0 +1,62 @@
+/// Expressions of the Siemens language, read and computed in one pass over the text. Faults are reported where they
+/// stand. Recursion is bounded by the brackets that are read.
+#pragma once
+
+#include "siemens_environment.hpp"
+
+namespace siemens {
+
+class Expression {
+ public:
+  /// Reads `text` up to its end.
+  Expression(ig::Block& b, const Environment& environment, std::string_view text, std::size_t position)
+      : b_(b), environment_(environment), text_(text), at_(position) {}
+
+  /// Nothing where it has no value, which was said.
+  std::optional<Value> value();
+  std::optional<double> number();
+  std::optional<bool> truth();
+  /// Where reading has stopped.
+  std::size_t position() const { return at_; }
+
+  /// R1, R[…], NAME, NAME[…], $NAME[…]: the name of a variable, with its indices computed.
+  struct Reference {
+    std::string name;
+    std::size_t begin = 0, end = 0;
+    bool is_r = false;
+    std::size_t r = 0;
+  };
+  std::optional<Reference> reference();
+
+ private:
+  static constexpr int deepest = 40;
+
+  std::optional<Value> level(int priority);
+  std::optional<Value> unary();
+  std::optional<Value> operand();
+  std::optional<Value> literal();
+  std::optional<Value> call(const std::string& name, std::size_t begin);
+  std::optional<Value> read(const Reference& r);
+  std::optional<Value> apply(std::string_view op, const Value& l, const Value& r, std::size_t begin);
+  std::string_view take_operator(int priority);
+  bool indices(std::string& name);
+
+  char peek() const { return iso::at(text_, at_); }
+  void skip_blanks() { at_ = iso::skip_blanks(text_, at_); }
+  template <class... Args>
+  std::nullopt_t fail(std::uint32_t diagnostic, std::size_t begin, const Args&... args) {
+    if (!failed_) b_.report(diagnostic, ig::Where::columns(begin, std::max(at_, begin + 1)), args...);
+    failed_ = true;
+    return std::nullopt;
+  }
+  std::string_view shown(std::size_t begin) const { return iso::piece(text_, begin, std::max(at_, begin)); }
+
+  ig::Block& b_;
+  const Environment& environment_;
+  std::string_view text_;
+  std::size_t at_;
+  int depth_ = 0;
+  bool failed_ = false;
+};
+
+}  // namespace siemens

@@ -1,0 +1,118 @@
+/// TRANS, ROT, SCALE, MIRROR and their additive forms: the programmable frame. TRANS and its kin replace the whole of
+/// it, also what the others of them have said; ATRANS and its kin act in the frame as it is.
+#include "plane_util.hpp"
+#include "siemens_diagnostics.hpp"
+#include "tilt_transform_util.hpp"
+
+namespace siemens {
+namespace {
+
+using iso::Mat4;
+
+struct SiemensFrame {
+  static constexpr auto spec =
+      ig::syntax("SiemensFrameSyntax",
+                 "TRANS, ROT, SCALE, MIRROR, ATRANS, AROT, ASCALE, AMIRROR: the programmable frame.")
+          .after("SiemensUnitSyntax", "PlaneSelectSyntax")
+          .before("SiemensSwivelSyntax", "SiemensToolOffsetSyntax", "SiemensPositionSyntax", "ProgramXyzSyntax",
+                  "McXyzSyntax");
+
+  ig::Call trans_{{"TRANS", "ATRANS"}, "X Y Z"};
+  ig::Call rot_{{"ROT", "AROT"}, "X[deg] Y[deg] Z[deg]"};
+  ig::Call scale_{{"SCALE", "ASCALE"}, "X[] Y[] Z[]"};
+  ig::Call mirror_{{"MIRROR", "AMIRROR"}, "X[] Y[] Z[]"};
+  ig::Word rpl_{"Parsing.RPL", ig::take, "deg", "Turn about the normal of the plane."};
+  ig::Out<ig::Symbol> term_{"ProgrammableFrame.Term", {ig::Life::modal, "", "The instruction that was last."}};
+  ig::Signal uneven_{"ProgrammableFrame.~Uneven", ig::write, ig::Life::modal};
+  ig::Transform frame_{"ProgrammableFrame", ig::read | ig::write};
+  iso::PlaneInForce plane_;
+
+  ig::Status build(ig::Block& b) {
+    bool any = false;
+    std::uint32_t seen = 0;
+    for (const ig::Call* call : {&trans_, &rot_, &scale_, &mirror_})
+      if (const auto words = b.take(*call)) {
+        if (++seen > 1) b.report(diag("SIE-0243"), ig::Where::word(call->code(words->row)), b.text(words->code));
+        change(b, *call, *words);
+        any = true;
+      }
+    return any ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  void change(ig::Block& b, const ig::Call& call, const ig::Words& words) const {
+    const auto where = ig::Where::word(call.code(words.row));
+    Mat4 m = iso::identity_frame;
+    if (&call == &trans_)
+      m = iso::at_origin(m, {words['X'].value_or(0), words['Y'].value_or(0), words['Z'].value_or(0)});
+    if (&call == &rot_) m = rotation(b, words, where);
+    if (&call == &scale_ || &call == &mirror_) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto word = words["XYZ"[axis]];
+        if (!word) continue;
+        if (&call == &scale_ && !(*word > 0)) {
+          b.report(diag("SIE-0241"), where, b.text(words.code), *word);
+          return;
+        }
+        m[5 * axis] = &call == &scale_ ? *word : -1;
+      }
+    }
+    const bool is_additive = words.row == 1;
+    if (is_additive) m = iso::product(m, present(b));
+    if (!is_sound(m)) {
+      b.report(diag("SIE-0242"), where, b.text(words.code));
+      return;
+    }
+    b.host()->set_transform(b.raw(), frame_.id(), m.data());
+    b.set(term_, words.code);
+    if (is_even(m))
+      b.erase(uneven_);
+    else
+      b.raise(uneven_);
+  }
+
+  Mat4 present(const ig::Block& b) const {
+    Mat4 m;
+    return b.host()->transform(b.raw(), frame_.id(), m.data()) != 0 ? m : iso::identity_frame;
+  }
+
+  /// About Z, then the new Y, then the new X: of row vectors X comes first.
+  Mat4 rotation(ig::Block& b, const ig::Words& words, ig::Where where) const {
+    const auto rpl = b.take(rpl_);
+    const bool has_axes = words['X'] || words['Y'] || words['Z'];
+    if (rpl && has_axes) b.report(diag("SIE-0244"), where);
+    if (rpl && !has_axes) return iso::turn_about(plane_(b).tool, *rpl);
+    return iso::roll_pitch_yaw({words['X'].value_or(0), words['Y'].value_or(0), words['Z'].value_or(0)}, {0, 1, 2},
+                               iso::TurnedAxes::fixed);
+  }
+
+  static double row_length(const Mat4& m, std::size_t row) {
+    return std::sqrt(m[4 * row] * m[4 * row] + m[4 * row + 1] * m[4 * row + 1] + m[4 * row + 2] * m[4 * row + 2]);
+  }
+  /// Finite, and with a way back.
+  static bool is_sound(const Mat4& m) {
+    constexpr double least = 1e-9, most = 1e9;
+    for (const double element : m)
+      if (!(std::fabs(element) < 1e12)) return false;
+    for (std::size_t row = 0; row < 3; ++row)
+      if (!(row_length(m, row) > least && row_length(m, row) < most)) return false;
+    return true;
+  }
+  /// A circle stays a circle.
+  static bool is_even(const Mat4& m) {
+    const double x = row_length(m, 0);
+    for (std::size_t row = 0; row < 3; ++row) {
+      if (std::fabs(row_length(m, row) - x) > 1e-9 * x) return false;
+      const std::size_t next = (row + 1) % 3;
+      const double skew =
+          m[4 * row] * m[4 * next] + m[4 * row + 1] * m[4 * next + 1] + m[4 * row + 2] * m[4 * next + 2];
+      if (std::fabs(skew) > 1e-9 * x * x) return false;
+    }
+    return true;
+  }
+};
+
+const ig::Register<SiemensFrame> registered;
+
+}  // namespace
+}  // namespace siemens

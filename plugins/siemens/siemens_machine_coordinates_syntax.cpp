@@ -1,0 +1,53 @@
+/// G53, G153 and SUPA: for this block no frame acts on the axis words, only the length of the tool, unless D0 has put
+/// it off. Group 1 decides how the block moves. Increments count from where the axes stand.
+#include "axis_modes.hpp"
+#include "program_xyz_util.hpp"
+#include "siemens_diagnostics.hpp"
+
+namespace siemens {
+namespace {
+
+struct SiemensMachineCoordinates {
+  static constexpr auto spec =
+      ig::syntax("SiemensMachineCoordinatesSyntax", "G53/G153/SUPA: a block without frames.")
+          .after("PositioningModeSyntax", "SiemensToolOffsetSyntax", "SiemensCoordinateOffsetSyntax")
+          .before("SiemensPositionSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+
+  ig::Codes codes_{"G53", "G153", "SUPA"};
+  ig::Xyz words_{"Parsing", ig::take};
+  AxisModes modes_{ig::read};
+  ig::Xyz program_{"ProgramXyz", ig::write};
+  ig::Xyz machine_{"MachineCoordinate", ig::read | ig::write};
+  ig::Transform tool_{"ToolHeightCompensation", ig::read};
+  iso::DistanceMode distance_;
+  iso::LastProgramXyz last_;
+  ig::Name ac_{"AC"}, ic_{"IC"};
+
+  ig::Status build(ig::Block& b) {
+    if (!b.take(codes_)) return ig::Status::unchanged;
+    const ig::PartialVec3 named = b.take(words_);
+    if (named.mask == 0) return ig::Status::changed;
+    const ig::PartialVec3 carried = b.get(machine_);
+    ig::Vec3 to = carried.complete() ? carried.value : b.to_machine(last_(b)).value_or(ig::Vec3{});
+    double m[16];
+    ig::Vec3 length;
+    if (b.host()->transform(b.raw(), tool_.id(), m) != 0) length = {m[12], m[13], m[14]};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!named.has(axis)) continue;
+      const auto mode = modes_.get(b, axis);
+      const bool is_increment = mode ? *mode == ic_ : distance_.is_incremental(b);
+      to[axis] = named.value[axis] + (is_increment ? to[axis] : length[axis]);
+    }
+    b.set(machine_, to);
+    if (const auto program = b.to_program(to))
+      b.set(program_, iso::rounded(*program));
+    else
+      b.report(diag("SIE-0212"), ig::Where::block());
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<SiemensMachineCoordinates> registered;
+
+}  // namespace
+}  // namespace siemens

@@ -1,0 +1,94 @@
+/// G91, IC and AC: distances become positions, in place, so that nothing after this syntax knows of them; I=AC(50)
+/// becomes a distance from the start of the arc. DC, ACP and ACN say which way a rotary axis turns.
+#include <cmath>
+
+#include "axis_modes.hpp"
+#include "program_xyz_util.hpp"
+#include "siemens_diagnostics.hpp"
+
+namespace siemens {
+namespace {
+
+struct SiemensPosition {
+  static constexpr auto spec =
+      ig::syntax("SiemensPositionSyntax", "G91, AC, IC, DC, ACP and ACN: words become positions.")
+          .after("SiemensUnitSyntax", "PositioningModeSyntax", "SiemensCoordinateOffsetSyntax")
+          .before("SiemensArcSyntax", "ProgramXyzSyntax", "McAbcSyntax");
+
+  ig::InWhile<ig::Symbol> mode_{"PositioningMode.Term", "G91", ig::wake};
+  std::vector<ig::Word> words_ = declared_words();
+  AxisModes modes_{ig::read | ig::wake};
+  std::array<ig::Previous<double>, 3> angles_{ig::Previous<double>{"MachineCoordinate.A"},
+                                              ig::Previous<double>{"MachineCoordinate.B"},
+                                              ig::Previous<double>{"MachineCoordinate.C"}};
+  iso::LastProgramXyz last_;
+  ig::Name g91_{"G91"}, ac_{"AC"}, ic_{"IC"}, dc_{"DC"}, acp_{"ACP"}, acn_{"ACN"};
+
+  enum class Whole { counted, circle };
+  ig::Status build(ig::Block& b) {
+    const bool g91 = b.is(mode_, g91_);
+    bool any = false;
+    std::optional<ig::Vec3> last;
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      const auto v = b.get(words_[i]);
+      if (!v) continue;
+      const auto mode = modes_.get(b, i);
+      const bool is_centre = i >= 6;
+      if (!mode && (!g91 || (is_centre && i < 9))) continue;
+      if (i < 3 || is_centre) {
+        if (!last) last = last_(b);
+        any |= linear(b, i, *v, mode, g91, (*last)[i % 3]);
+      } else {
+        any |= rotary(b, i, *v, mode, g91);
+      }
+    }
+    return any ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  static std::vector<ig::Word> declared_words() {
+    std::vector<ig::Word> out;
+    for (const std::string_view name : AxisModes::words) {
+      const bool is_angle = name == "A" || name == "B" || name == "C";
+      out.emplace_back(std::string("Parsing.").append(name), ig::read | ig::write, is_angle ? "deg" : "mm");
+    }
+    return out;
+  }
+  void rewrite(ig::Block& b, std::size_t word, double value) const {
+    b.host()->rewrite(b.raw(), words_[word].id(), {.number = value});
+  }
+
+  bool linear(ig::Block& b, std::size_t word, double value, const std::optional<ig::Symbol>& mode, bool g91,
+              double start) const {
+    if (mode && *mode != ac_ && *mode != ic_) {
+      b.report(diag("SIE-0213"), ig::Where::word(words_[word].id()), b.text(*mode));
+      return false;
+    }
+    const bool is_distance = word < 6 || word >= 9 ? (mode ? *mode == ic_ : g91) : !mode || *mode == ic_;
+    const bool wants_distance = word >= 6 && word < 9;  // I J K: from the start
+    if (is_distance == wants_distance) return false;
+    rewrite(b, word, wants_distance ? value - start : value + start);
+    return true;
+  }
+
+  bool rotary(ig::Block& b, std::size_t word, double value, const std::optional<ig::Symbol>& mode, bool g91) const {
+    const double present = b.get_or(angles_[word - 3], 0.0);
+    if (mode ? *mode == ic_ : g91) {
+      rewrite(b, word, present + value);
+      return true;
+    }
+    if (!mode || *mode == ac_) return false;
+    if (value < 0 || value >= 360) b.report(diag("SIE-0214"), ig::Where::word(words_[word].id()), b.text(*mode), value);
+    double turn = std::fmod(value - present, 360);
+    if (turn < 0) turn += 360;
+    if (*mode == acn_ && turn > 0) turn -= 360;
+    if (*mode == dc_ && turn > 180) turn -= 360;
+    rewrite(b, word, present + turn);
+    return true;
+  }
+};
+
+const ig::Register<SiemensPosition> registered;
+
+}  // namespace
+}  // namespace siemens

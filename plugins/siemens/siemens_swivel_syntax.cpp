@@ -1,0 +1,114 @@
+/// CYCLE800: a swivelled plane, and the rotary axes that put the tool upright on it. The call becomes the words that
+/// IsoG68p2TiltSyntax (the plane) and G53p1RotaryPositionSyntax (the axes) execute.
+#include "cycle_signatures.hpp"
+#include "siemens_diagnostics.hpp"
+#include "tilt_transform_util.hpp"
+#include "whole_number.hpp"
+
+namespace siemens {
+namespace {
+
+struct SiemensSwivel {
+  static constexpr auto spec = ig::syntax("SiemensSwivelSyntax", "CYCLE800 swivelled plane.")
+                                   .after("SiemensUnitSyntax", "SiemensFrameSyntax")
+                                   .before("IsoG68p2TiltSyntax", "G53p1RotaryPositionSyntax");
+
+  CycleFields call_{cycle_signatures[drilling_cycles], ig::take | ig::wake};
+  ig::Call plane_{{"G68.2", "G68.4"}, "X Y Z I[deg] J[deg] K[deg] P[] Q[]", ig::write};
+  ig::Call align_{{"G53.1"}, "P[]", ig::write};
+  ig::Codes cancel_{{"G69"}, ig::write};
+  ig::Field<ig::Symbol> term_{"TiltTransform.Term", ig::read | ig::write, {ig::Life::modal, "", "The code in force."}};
+  ig::Name g68_2_{"G68.2"}, g68_4_{"G68.4"};
+
+  ig::Status build(ig::Block& b) {
+    std::uint32_t found = 0;
+    if (b.host()->take_code(b.raw(), call_.code().codes(), 1, &found) < 0) return ig::Status::unchanged;
+    const auto where = ig::Where::word(call_.code().code(0));
+    std::array<std::optional<double>, CycleFields::most> v;
+    std::size_t given = 0;
+    for (std::size_t i = 0; i < call_.size(); ++i) {
+      ig_value value;
+      if (b.host()->take(b.raw(), call_.field(i).id(), &value) == 0) continue;
+      v[i] = value.number;
+      ++given;
+    }
+    if (given == 0 || v[tc].value_or(1) == 0) {
+      cancel(b);
+      return ig::Status::changed;
+    }
+    swivel(b, v, where);
+    return ig::Status::changed;
+  }
+
+ private:
+  enum Parameter : std::size_t { fr, tc, st, mode, x0, y0, z0, angle_a, angle_b, angle_c, x1, y1, z1, dir };
+  using Values = std::array<std::optional<double>, CycleFields::most>;
+
+  bool is_tilted(const ig::Block& b) const { return b.is(term_, g68_2_) || b.is(term_, g68_4_); }
+
+  void cancel(ig::Block& b) const {
+    if (is_tilted(b)) b.host()->set(b.raw(), cancel_.id(0), {.integer = 1});
+  }
+
+  void swivel(ig::Block& b, const Values& v, ig::Where where) const {
+    const auto whole_mode = iso::whole_number(v[mode].value_or(57));
+    const auto status = iso::whole_number(v[st].value_or(0));
+    if (!whole_mode || *whole_mode > 255 || !status) {
+      b.report(diag("SIE-0251"), where, v[mode].value_or(57));
+      cancel(b);
+      return;
+    }
+    if (v[fr].value_or(0) != 0) b.report(diag("SIE-0253"), where);
+    const std::int64_t way = *whole_mode / 64;
+    std::array<std::size_t, 3> axes{static_cast<std::size_t>(*whole_mode % 4),
+                                    static_cast<std::size_t>(*whole_mode / 4 % 4),
+                                    static_cast<std::size_t>(*whole_mode / 16 % 4)};
+    std::array<double, 3> turns{v[angle_a].value_or(0), v[angle_b].value_or(0), v[angle_c].value_or(0)};
+    if (way == solid_angle) {  // A about Z, then B about the new Y
+      axes = {3, 2, 1};
+      turns[2] = 0;
+    } else if (way != axis_by_axis) {
+      b.report(diag("SIE-0252"), where, static_cast<double>(*whole_mode),
+               std::string_view(way == 2 ? "projection angles" : "angles of the rotary axes"));
+      cancel(b);
+      return;
+    }
+    if (axes[0] * axes[1] * axes[2] != 6 || axes[0] + axes[1] + axes[2] != 6) {
+      b.report(diag("SIE-0251"), where, static_cast<double>(*whole_mode));
+      cancel(b);
+      return;
+    }
+    if (*status / 10 % 10000 != 0) b.report(diag("SIE-0254"), where, static_cast<double>(*status));
+    ig::Vec3 angles;
+    iso::Mat4 m = iso::identity_frame;
+    double order = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      angles[axes[i] - 1] = turns[i];
+      m = iso::product(iso::turn_about(axes[i] - 1, turns[i]), m);
+      order = order * 10 + static_cast<double>(axes[i]);
+    }
+    const ig::Vec3 origin = ig::Vec3{v[x0].value_or(0), v[y0].value_or(0), v[z0].value_or(0)} +
+                            iso::mapped(m, {v[x1].value_or(0), v[y1].value_or(0), v[z1].value_or(0)});
+    const bool is_additive = *status % 10 == 1 && is_tilted(b);
+    const std::size_t row = is_additive ? 1 : 0;
+    // A new plane replaces the one before, which is no fault here.
+    if (!is_additive && is_tilted(b)) b.erase(term_);
+    b.set_call(plane_, row);
+    constexpr std::string_view names = "XYZIJK";
+    const double values[] = {origin.x, origin.y, origin.z, angles.x, angles.y, angles.z};
+    for (std::size_t i = 0; i < names.size(); ++i) b.set_word(plane_, row, names[i], values[i]);
+    b.set_word(plane_, row, 'P', 1);
+    b.set_word(plane_, row, 'Q', order);
+    const double direction = v[dir].value_or(1);
+    if (direction == 0) return;
+    b.set_call(align_, 0);
+    b.set_word(align_, 0, 'P', direction > 0 ? 1 : 2);
+  }
+
+  static constexpr std::int64_t axis_by_axis = 0, solid_angle = 1;
+};
+
+const ig::Register<SiemensSwivel> registered;
+
+}  // namespace
+}  // namespace siemens

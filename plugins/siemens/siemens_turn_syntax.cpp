@@ -1,0 +1,32 @@
+/// TURN=n: a helix makes n full turns more than its end point needs.
+#include <cmath>
+
+#include "siemens_diagnostics.hpp"
+
+namespace siemens {
+namespace {
+
+struct SiemensTurn {
+  static constexpr auto spec =
+      ig::syntax("SiemensTurnSyntax", "TURN= further full turns of a helix.").after("CircularMotionSyntax");
+
+  ig::Word turn_{"Parsing.TURN", ig::wake, "", "Further full turns."};
+  ig::Out<std::int64_t> circles_{"MotionEvent.AdditionalCircleNum"};
+  ig::In<ig::Symbol> form_{"MotionEvent.Form"};
+  ig::Name arc_{"McArc"};
+
+  ig::Status build(ig::Block& b) {
+    const auto n = b.take(turn_);
+    if (!n) return ig::Status::unchanged;
+    if (!b.is(form_, arc_) || *n < 0 || *n > 999 || *n != std::floor(*n))
+      b.report(diag("SIE-0226"), ig::Where::word(turn_.id()), *n);
+    else
+      b.set(circles_, static_cast<std::int64_t>(*n));
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<SiemensTurn> registered;
+
+}  // namespace
+}  // namespace siemens

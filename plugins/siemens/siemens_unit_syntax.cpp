@@ -1,0 +1,63 @@
+/// G70/G71 and G700/G710: inch or metric input. G70 is for positions alone: F stays mm/min; under G700 F is inch/min.
+/// Stands first in the logic: it turns what the block programs into mm, so that nothing after it knows of inches.
+#include <cmath>
+
+#include "siemens_diagnostics.hpp"
+
+namespace siemens {
+namespace {
+
+struct SiemensUnit {
+  static constexpr auto spec =
+      ig::syntax("SiemensUnitSyntax", "G70/G71/G700/G710 inch or metric input; lengths become mm.")
+          .after("ParameterizedFlagSyntax")
+          .before("FeedrateSyntax", "SiemensCycleSyntax", "ProgramXyzSyntax");
+
+  ig::Codes modes_{"G70", "G71", "G700", "G710"};
+  ig::Fields lengths_{"lengths", "Parsing.**{mm}", ig::read | ig::write, "The words that are lengths."};
+  ig::Fields feeds_{"feeds", "Parsing.**{mm/min}", ig::read | ig::write, "The words that are feeds."};
+  ig::Out<ig::Symbol> term_{"Unit.Term"};
+  ig::InWhile<ig::Symbol> system_{"Unit.System", "Inch", ig::write};
+  ig::Codes feed_modes_{{"G93", "G94", "G95"}, ig::read};
+  ig::In<ig::Symbol> feed_mode_{"Feedrate.Term"};
+  ig::Name inch_{"Inch"}, metric_{"Metric"}, g93_{"G93"}, g700_{"G700"};
+
+  ig::Status build(ig::Block& b) {
+    const auto mode = b.take(modes_);
+    if (mode) {
+      b.set(term_, modes_.name(*mode));
+      b.set(system_, *mode % 2 == 0 ? inch_ : metric_);
+    }
+    if (!b.is(system_, inch_)) return mode ? ig::Status::changed : ig::Status::unchanged;
+    bool any = convert(b, lengths_);
+    if (b.is(term_, g700_) && !is_inverse_time(b)) any |= convert(b, feeds_);
+    return mode || any ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  bool is_inverse_time(const ig::Block& b) const {
+    const auto mode = b.find(feed_modes_);
+    return mode ? feed_modes_.name(*mode) == g93_ : b.is(feed_mode_, g93_);
+  }
+
+  static bool convert(ig::Block& b, const ig::Fields& words) {
+    bool any = false;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      ig_value v;
+      if (b.host()->get(b.raw(), words.id(i), &v) == 0) continue;
+      any = true;
+      if (const double mm = v.number * 25.4; std::isfinite(mm)) {
+        b.host()->rewrite(b.raw(), words.id(i), {.number = mm});
+      } else {
+        b.report(diag("SIE-0105"), ig::Where::word(words.id(i)), words.path(i).substr(8));
+        b.host()->erase(b.raw(), words.id(i));
+      }
+    }
+    return any;
+  }
+};
+
+const ig::Register<SiemensUnit> registered;
+
+}  // namespace
+}  // namespace siemens

@@ -1,0 +1,49 @@
+// R parameters and what the user says of variables of the machine: global user data (GUD), machine and setting data.
+#include <stdexcept>
+#include <string>
+
+#include <isogloss/rows.hpp>
+#include <isogloss/sdk.hpp>
+
+#include "scan_util.hpp"
+#include "variable_store.hpp"
+
+namespace siemens {
+namespace {
+
+struct SiemensVariables {
+  static constexpr auto spec =
+      ig::dependency("SiemensVariables", "R parameters, and given values of data that the machine holds.")
+          .rows("Variable", "name")
+          .provides(variable_service);
+
+  ig::IntegerOption r_parameters{"r-parameters", "1000", {1, 32'535}, "How many R parameters there are, from R0."};
+  ig::Column value{"Value", "0", "", {}, "What it holds when the program starts."};
+  ig::Table table;
+  ig::RowNames names;
+  VariableStore store;
+
+  SiemensVariables() {
+    store.set_r_count(static_cast<std::size_t>(r_parameters));
+    for (const std::string& name : names) load(name);
+  }
+
+  const void* service(std::string_view id) const { return id == variable_service ? &store : nullptr; }
+
+ private:
+  void load(const std::string& written) {
+    std::string name = written;
+    for (char& c : name) c = iso::to_upper(c);
+    const double given = table.value(written, value).value_or(0);
+    const bool is_r = name.size() > 1 && name[0] == 'R' && iso::skip_digits(name, 1) == name.size();
+    if (!is_r) return store.give(std::move(name), given);
+    VariableStore::RParameter* const r = name.size() < 8 ? store.r(std::stoul(name.substr(1))) : nullptr;
+    if (r == nullptr) throw std::runtime_error(name + " is none of the R parameters: see r-parameters");
+    *r = {given, true};
+  }
+};
+
+const ig::Register<SiemensVariables> registered;
+
+}  // namespace
+}  // namespace siemens

@@ -1,0 +1,359 @@
+// Words: X10, G1, CR=5, X=AC(10), X=R1*2, and assignments R1=5, NAME=3. Reads on over all words that follow each other
+// and hands them to the host in one call. Values are computed while the block is read, so that the syntaxes after this
+// one see plain words.
+#include "axis_modes.hpp"
+#include "siemens_expression.hpp"
+#include "word_fields.hpp"
+
+namespace siemens {
+namespace {
+
+using iso::at;
+using iso::is_digit;
+using iso::is_letter;
+using iso::piece;
+using iso::skip_blanks;
+
+constexpr bool is_number_part(char c) { return is_digit(c) || c == '.' || c == '+' || c == '-'; }
+constexpr bool begins_number(char c) { return is_number_part(c); }
+
+struct SiemensWord {
+  static constexpr auto spec = ig::syntax("SiemensWordSyntax", "Words, codes and assignments of the Siemens language.")
+                                   .after("HeadIndexSyntax", "SiemensStatementSyntax")
+                                   .before("ParameterizedFlagSyntax")
+                                   .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$0123456789+-.,=");
+
+  WordFields fields_;
+  AxisModes modes_{ig::write};
+  ig::TextField tool_name_{"ToolName.Text", ig::write, {ig::Life::block, "", "T=\"…\" of this block."}};
+  Environment environment_;
+  ig::IntegerOption master_{"master-spindle", "1", {1, 31}, "The spindle that S and M3 mean; S1= and M1= name one."};
+
+  /// Words that follow each other, until one host call takes them.
+  struct Run {
+    std::array<ig_word, 32> words;
+    std::uint32_t count = 0;
+  };
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
+    const char first = text[position];
+    if (!is_name_start(first) && first != '$') return without_address(b, text, position);
+    Run run;
+    std::size_t next = position, end = position;
+    do {
+      const std::size_t behind = item(b, text, next, run);
+      if (behind == next) break;  // for another scanner
+      end = behind;
+      next = skip_blanks(text, end);
+    } while (next < text.size() && (is_name_start(text[next]) || text[next] == '$'));
+    give(b, run);
+    return end;
+  }
+
+ private:
+  static ig::Where columns(std::size_t begin, std::size_t end) { return ig::Where::columns(begin, end); }
+
+  void give(ig::Block& b, Run& run) const {
+    if (run.count > 0) b.host()->set_words(b.raw(), run.words.data(), run.count);
+    run.count = 0;
+  }
+  void add(ig::Block& b, Run& run, ig_field field, std::size_t begin, std::size_t end, double value,
+           std::string_view name) const {
+    if (run.count == run.words.size()) give(b, run);
+    bool again = false;
+    for (std::uint32_t i = 0; i < run.count; ++i) again = again || run.words[i].field == field;
+    ig_value before;
+    if (again || (begin > 0 && b.host()->get(b.raw(), field, &before) != 0)) {
+      give(b, run);
+      b.report(diag("SIE-0122"), columns(begin, end), name);
+    }
+    run.words[run.count++] = {field, iso::column(begin), iso::column(end), {.number = value + 0.0}, 0, 0};
+  }
+
+  std::size_t item(ig::Block& b, std::string_view text, std::size_t begin, Run& run) {
+    const char c = iso::to_upper(text[begin]);
+    const std::size_t second = begin + 1;
+    const char d = at(text, second);
+    if (c == '$' || c == '_' || is_name_start(d)) return named(b, text, begin, run);
+    if (c == 'R' && (is_digit(d) || d == '[')) return assignment(b, text, begin, run);
+    const std::size_t number = skip_blanks(text, second);
+    const char v = at(text, number);
+    if (v == '=' && at(text, number + 1) != '=') return valued(b, text, begin, second, number + 1, run);
+    if (v == '[') return named(b, text, begin, run);
+    if (!begins_number(v)) return empty_word(b, text, begin);
+    if (c == 'G' || c == 'M') return code(b, text, begin, number, run);
+    if (c == 'N' || (c == 'L' && is_digit(v))) return begin;
+    const ig::Decimal n = ig::read_decimal(text, number);
+    if (!n.ok) return refuse(b, diag("SIE-0121"), text, begin, iso::skip_while(text, number, is_number_part));
+    std::size_t end = n.end;
+    double value = n.value;
+    if (const char behind = at(text, end); !(is_letter(behind) || iso::is_blank(behind) || behind == '\0'))
+      if (const std::size_t equals = skip_blanks(text, end); at(text, equals) == '=' && !n.has_point)
+        return valued(b, text, begin, end, equals + 1, run);
+    if (at(text, end) == '.' || at(text, end) == ',')
+      return refuse(b, diag("SIE-0123"), text, begin,
+                    iso::skip_while(text, end, [](char o) { return is_digit(o) || o == '.' || o == ','; }));
+    if (const std::size_t equals = skip_blanks(text, end);
+        !n.has_point && at(text, equals) == '=' && at(text, equals + 1) != '=')
+      return valued(b, text, begin, end, equals + 1, run);
+    if (iso::equals_ignoring_case(text.substr(end, 2), "EX")) {
+      Expression e(b, environment_, text, number);
+      const auto computed = e.number();
+      if (!computed) return std::max(e.position(), end);
+      value = *computed;
+      end = e.position();
+    }
+    word(b, run, std::string_view(&c, 1), fields_.letter(c), begin, end, value);
+    return end;
+  }
+
+  void word(ig::Block& b, Run& run, std::string_view name, ig_field field, std::size_t begin, std::size_t end,
+            double value) const {
+    if (field == IG_NO_FIELD)
+      iso::leave(b, IG_LEFT_WORD, name, begin, end);
+    else
+      add(b, run, field, begin, end, value, name);
+  }
+
+  static std::size_t refuse(ig::Block& b, std::uint32_t diagnostic, std::string_view text, std::size_t begin,
+                            std::size_t end) {
+    b.report(diagnostic, columns(begin, end), piece(text, begin, end));
+    return end;
+  }
+  static std::size_t empty_word(ig::Block& b, std::string_view text, std::size_t begin) {
+    return refuse(b, diag("SIE-0121"), text, begin, begin + 1);
+  }
+
+  // ---- G and M
+
+  std::size_t code(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number, Run& run) {
+    const std::size_t end = iso::skip_digits(text, number);
+    const std::size_t equals = skip_blanks(text, end);
+    if (at(text, equals) == '=' && at(text, equals + 1) != '=') return valued(b, text, begin, end, equals + 1, run);
+    if (end == number || at(text, end) == '.')
+      return refuse(b, diag("SIE-0125"), text, begin, iso::skip_while(text, number, is_number_part));
+    std::uint32_t n = 0;
+    for (std::size_t i = number; i < end && n < 100'000; ++i) n = n * 10 + static_cast<std::uint32_t>(text[i] - '0');
+    set_code(b, run, iso::to_upper(text[begin]), n, begin, end);
+    return end;
+  }
+
+  void set_code(ig::Block& b, Run& run, char letter, std::uint32_t n, std::size_t begin, std::size_t end) const {
+    const ig_field field = fields_.code(letter, n);
+    if (field != IG_NO_FIELD) {
+      if (run.count == run.words.size()) give(b, run);
+      run.words[run.count++] = {field, iso::column(begin), iso::column(end), ig_value{}, 0, 0};
+      return;
+    }
+    std::array<char, 16> name{letter, '0'};
+    const auto last = std::to_chars(name.data() + (n < 10 ? 2 : 1), name.data() + name.size(), n).ptr;
+    iso::leave(b, IG_LEFT_UNKNOWN, {name.data(), static_cast<std::size_t>(last - name.data())}, begin, end);
+  }
+
+  // ---- NAME=value
+
+  /// A name of two characters and more, or one with an index.
+  std::size_t named(ig::Block& b, std::string_view text, std::size_t begin, Run& run) {
+    if (text[begin] == '$') return assignment(b, text, begin, run);
+    std::size_t end = skip_name(text, begin);
+    const std::size_t behind = skip_blanks(text, end);
+    if (at(text, behind) == '[') return assignment(b, text, begin, run);
+    if (at(text, behind) == '=' && at(text, behind + 1) != '=') {
+      if (environment_.flow.is_indexing()) return iso::block_end(text, begin);
+      const std::string name = upper(piece(text, begin, end));
+      environment_.enter(b);
+      const bool is_variable = environment_.store().find(name) != nullptr || environment_.store().given(name);
+      const bool has_number =
+          is_digit(name.back()) && iso::is_letter(name[0]) && iso::skip_digits(name, 1) == name.size();
+      if (!is_variable && (fields_.address(name) != IG_NO_FIELD || has_number))
+        return valued(b, text, begin, end, behind + 1, run);
+      return assignment(b, text, begin, run);
+    }
+    const ig_field field = fields_.code(upper(piece(text, begin, end)));
+    if (field == IG_NO_FIELD || at(text, behind) == '(') return begin;
+    if (run.count == run.words.size()) give(b, run);
+    run.words[run.count++] = {field, iso::column(begin), iso::column(end), ig_value{}, 0, 0};
+    return end;
+  }
+
+  /// X=…, CR=…, X1=…, M1=3, S2=500, T="DRILL": `equals` is behind the equals sign.
+  std::size_t valued(ig::Block& b, std::string_view text, std::size_t begin, std::size_t name_end, std::size_t equals,
+                     Run& run) {
+    if (environment_.flow.is_indexing()) return iso::block_end(text, begin);
+    std::string name = upper(iso::trim(piece(text, begin, name_end)));
+    const bool has_number = name.size() > 1 && iso::skip_digits(name, 1) == name.size();
+    const std::size_t value_at = skip_blanks(text, equals);
+    const std::size_t line_end = statement_text_end(text, equals);
+    const std::string_view statement = text.substr(0, line_end);
+    if (name == "T" || name == "D") return tool(b, statement, begin, value_at, run, name);
+    const ig::Symbol mode = take_mode(b, statement, value_at);
+    Expression e(b, environment_, statement, mode == ig::Symbol{} ? value_at : at_bracket_);
+    const auto value = e.number();
+    const std::size_t end = std::max(e.position(), equals);
+    if (!value) return line_end_of_fault(text, end);
+    if (name[0] == 'G' || name[0] == 'M' || name[0] == 'S' || name[0] == 'H')
+      if (name.size() == 1 || has_number) return extended(b, text, begin, end, name, *value, run);
+    const ig_field field = fields_.address(name);
+    if (mode != ig::Symbol{}) {
+      const std::size_t word_index = AxisModes::index_of(name);
+      if (word_index < AxisModes::words.size())
+        modes_.set(b, word_index, mode);
+      else
+        b.report(diag("SIE-0128"), columns(begin, end), std::string_view(name), b.text(mode));
+    }
+    word(b, run, name, field, begin, end, *value);
+    return end;
+  }
+
+  /// A value that could not be read: the rest of the word, up to a blank outside brackets, goes with it.
+  static std::size_t line_end_of_fault(std::string_view text, std::size_t position) {
+    std::size_t end = position;
+    while (end < text.size() && std::string_view(" \t;\r\n").find(text[end]) == std::string_view::npos)
+      end = text[end] == '(' ? std::max(skip_call(text, end), end + 1) : end + 1;
+    return end;
+  }
+
+  /// AC IC DC ACP ACN before a bracket; at_bracket_ is where the bracket opens.
+  ig::Symbol take_mode(ig::Block& b, std::string_view text, std::size_t position) {
+    const std::size_t end = skip_name(text, position);
+    const std::size_t open = skip_blanks(text, end);
+    if (end == position || end - position > 3 || at(text, open) != '(') return {};
+    for (const std::string_view mode : {"AC", "IC", "DC", "ACP", "ACN"})
+      if (iso::equals_ignoring_case(piece(text, position, end), mode)) {
+        at_bracket_ = open;
+        return b.symbol(mode);
+      }
+    return {};
+  }
+
+  /// G=, M=, M1=3, S1=500, H=: with a number the address of one spindle, or of an auxiliary function.
+  std::size_t extended(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end, const std::string& name,
+                       double value, Run& run) const {
+    const char letter = name[0];
+    const bool is_master = name.size() == 1 || name.substr(1) == std::to_string(static_cast<std::int64_t>(master_)) ||
+                           (letter == 'M' && name == "M0");
+    if (!is_master || letter == 'H') {
+      b.report(diag("SIE-0126"), columns(begin, end), piece(text, begin, end));
+      return end;
+    }
+    if (letter == 'S') {
+      word(b, run, "S", fields_.letter('S'), begin, end, value);
+    } else if (value < 0 || value > 99'999 || value != std::floor(value) || (letter == 'G' && name.size() > 1)) {
+      b.report(diag("SIE-0125"), columns(begin, end), piece(text, begin, end));
+    } else {
+      set_code(b, run, letter, static_cast<std::uint32_t>(value), begin, end);
+    }
+    return end;
+  }
+
+  std::size_t tool(ig::Block& b, std::string_view text, std::size_t begin, std::size_t value_at, Run& run,
+                   const std::string& name) const {
+    const std::size_t end_of_name = skip_name(text, value_at);
+    Expression e(b, environment_, text, value_at);
+    // T=DRILL without quotes is written, too; the control reads a variable there [?].
+    const bool is_bare_name =
+        end_of_name > value_at && is_letter(text[value_at]) &&
+        std::string_view("[(").find(at(text, skip_blanks(text, end_of_name))) == std::string_view::npos;
+    if (is_bare_name && name == "T" &&
+        environment_.store().find(upper(piece(text, value_at, end_of_name))) == nullptr &&
+        !is_r(text, value_at, end_of_name)) {
+      b.report(diag("SIE-0132"), columns(begin, end_of_name), piece(text, value_at, end_of_name));
+      b.set_text(tool_name_, piece(text, value_at, end_of_name));
+      return end_of_name;
+    }
+    const auto value = e.value();
+    if (!value) return line_end_of_fault(text, std::max(e.position(), value_at));
+    if (!value->is_text())
+      word(b, run, name, fields_.letter(name[0]), begin, e.position(), value->number);
+    else if (name == "T")
+      b.set_text(tool_name_, value->text);
+    else
+      b.report(diag("SIE-0107"), columns(begin, e.position()), piece(text, begin, e.position()));
+    return e.position();
+  }
+  static bool is_r(std::string_view text, std::size_t begin, std::size_t end) {
+    return iso::to_upper(text[begin]) == 'R' && end > begin + 1 && iso::skip_digits(text, begin + 1) == end;
+  }
+
+  // ---- Variables
+
+  std::size_t assignment(ig::Block& b, std::string_view text, std::size_t begin, Run& run) {
+    if (environment_.flow.is_indexing()) return iso::block_end(text, begin);
+    give(b, run);
+    const std::string_view statement = text.substr(0, statement_text_end(text, begin));
+    Expression target(b, environment_, statement, begin);
+    const auto reference = target.reference();
+    if (!reference) return line_end_of_fault(text, std::max(target.position(), begin + 1));
+    const std::size_t equals = skip_blanks(statement, target.position());
+    if (at(statement, equals) != '=') {
+      b.report(diag("SIE-0127"), columns(begin, target.position()), piece(text, begin, target.position()));
+      return target.position();
+    }
+    environment_.enter(b);
+    const bool is_unknown_array = reference->name.find('[') != std::string::npos && !array_of(reference->name);
+    if (!reference->is_r && (reference->name[0] == '$' || is_unknown_array) &&
+        !environment_.store().given(reference->name)) {
+      const std::size_t end = iso::skip_while(statement, equals, [](char) { return true; });
+      b.report(reference->name[0] == '$' ? diag("SIE-0129") : diag("SIE-0131"), columns(begin, end),
+               std::string_view(reference->name));
+      return end;
+    }
+    Expression e(b, environment_, statement, equals + 1);
+    const auto value = e.value();
+    const std::size_t end = std::max(e.position(), equals + 1);
+    if (!value) return line_end_of_fault(text, end);
+    assign(b, *reference, *value, begin, end);
+    return end;
+  }
+
+  Variable* array_of(const std::string& element) const {
+    Variable* const v = environment_.store().find(element.substr(0, element.find('[')));
+    return v != nullptr && v->is_array ? v : nullptr;
+  }
+
+  void assign(ig::Block& b, const Expression::Reference& to, const Value& value, std::size_t begin,
+              std::size_t end) const {
+    VariableStore& store = environment_.store();
+    if (to.is_r) {
+      if (value.is_text())
+        b.report(diag("SIE-0130"), columns(begin, end), std::string_view(to.name));
+      else
+        *store.r(to.r) = {value.number, true};
+      return;
+    }
+    Variable* const present = store.find(to.name);
+    const Variable* const model = present != nullptr ? present : array_of(to.name);
+    if (model == nullptr && store.given(to.name)) {
+      if (!value.is_text()) store.give(to.name, value.number);
+      return;
+    }
+    if (model == nullptr) {
+      b.report(diag("SIE-0124"), columns(begin, end), std::string_view(to.name));
+      return;
+    }
+    auto fitting = value.as(model->value.type);
+    if (!fitting)
+      b.report(diag("SIE-0130"), columns(begin, end), std::string_view(to.name));
+    else if (present != nullptr)
+      present->value = std::move(*fitting);
+    else if (!store.define(to.name, std::move(*fitting)))
+      b.report(diag("SIE-0114"), columns(begin, end), std::string_view(to.name));
+  }
+
+  static std::size_t without_address(ig::Block& b, std::string_view text, std::size_t position) {
+    const std::size_t end =
+        iso::skip_while(text, position, [](char c) { return is_number_part(c) || c == ',' || c == '='; });
+    if (piece(text, position, end).find_first_of("0123456789") == std::string_view::npos) {
+      iso::leave(b, IG_LEFT_TEXT, piece(text, position, end), position, end);
+      return end;
+    }
+    return refuse(b, diag("SIE-0115"), text, position, end);
+  }
+
+  std::size_t at_bracket_ = 0;
+};
+
+const ig::Register<SiemensWord> registered;
+
+}  // namespace
+}  // namespace siemens

@@ -1,0 +1,143 @@
+/// The variables of a run: R parameters, and named ones of each program that is running. The dependency
+/// SiemensVariables owns one; the syntaxes of this plugin reach it through its service.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace siemens {
+
+inline constexpr const char* variable_service = "siemens.variables/1";
+
+enum class Type : std::uint8_t { real, integer, boolean, text };
+
+struct Value {
+  double number = 0;
+  Type type = Type::real;
+  std::string text;
+
+  static Value real(double n) { return {n, Type::real, {}}; }
+  static Value integer(double n) { return {n, Type::integer, {}}; }
+  static Value truth(bool yes) { return {yes ? 1.0 : 0.0, Type::boolean, {}}; }
+  static Value string(std::string t) { return {0, Type::text, std::move(t)}; }
+  bool is_text() const { return type == Type::text; }
+
+  /// As a variable of that type takes it: INT rounds, BOOL is 0 or 1. Nothing where text meets number.
+  std::optional<Value> as(Type wanted) const {
+    if (is_text() != (wanted == Type::text)) return std::nullopt;
+    if (wanted == Type::integer) return integer(std::round(number));
+    if (wanted == Type::boolean) return truth(number != 0);
+    Value out = *this;
+    out.type = wanted;
+    return out;
+  }
+};
+
+struct Variable {
+  Value value;
+  bool is_array = false;
+};
+
+/// What a call passes: values, and the names of the caller's variables that VAR parameters change.
+struct Argument {
+  std::optional<Value> value;
+  std::string name;
+};
+
+class VariableStore {
+ public:
+  static constexpr std::size_t most_names = 100'000;  ///< of one program, elements of arrays counted
+
+  void set_r_count(std::size_t count) { r_.assign(count, {}); }
+  std::size_t r_count() const { return r_.size(); }
+
+  /// R parameters: nothing where there is none of that number.
+  struct RParameter {
+    double value = 0;
+    bool is_given = false;  ///< by the user or by the program
+  };
+  RParameter* r(std::size_t number) { return number < r_.size() ? &r_[number] : nullptr; }
+
+  /// Names that the user gave a value: data of the machine.
+  void give(std::string name, double value) { given_[std::move(name)] = value; }
+
+  /// The program with this frame runs. Programs above it have ended: what their VAR parameters hold goes to the caller.
+  void enter(std::uint64_t frame) {
+    if (frame == scopes_.back().frame) return;
+    while (scopes_.size() > 1 && scopes_.back().frame > frame) {
+      const Scope ended = std::move(scopes_.back());
+      scopes_.pop_back();
+      for (const auto& [inner, outer] : ended.references)
+        if (const auto it = ended.variables.find(inner); it != ended.variables.end()) set(outer, it->second.value);
+    }
+    if (scopes_.back().frame != frame) scopes_.push_back({frame, {}, {}, {}});
+  }
+
+  Variable* find(const std::string& name) {
+    Scope& scope = scopes_.back();
+    const auto it = scope.variables.find(name);
+    return it == scope.variables.end() ? nullptr : &it->second;
+  }
+  std::optional<double> given(const std::string& name) const {
+    const auto it = given_.find(name);
+    return it == given_.end() ? std::nullopt : std::optional(it->second);
+  }
+  /// False where there are too many.
+  bool define(const std::string& name, Value value, bool is_array = false) {
+    auto& variables = scopes_.back().variables;
+    if (variables.size() >= most_names) return false;
+    variables[name] = {std::move(value), is_array};
+    return true;
+  }
+  void refer(const std::string& inner, const std::string& outer) { scopes_.back().references[inner] = outer; }
+
+  std::uint64_t pass(std::vector<Argument> arguments) {
+    passed_ = std::move(arguments);
+    return ++tag_;
+  }
+  /// What the call of the present program passed; for the first statement of it.
+  const std::vector<Argument>& passed(std::uint64_t tag) {
+    if (tag != 0 && tag == tag_) scopes_.back().arguments = passed_;
+    return scopes_.back().arguments;
+  }
+
+  bool say_once(const std::string& what) { return said_.emplace(what, true).second; }
+
+  void restart() {
+    scopes_.assign(1, {});
+    passed_.clear();
+    said_.clear();
+  }
+
+ private:
+  void set(const std::string& name, const Value& value) {
+    if (name.size() > 1 && name[0] == 'R' && name.find_first_not_of("0123456789", 1) == std::string::npos) {
+      if (name.size() < 8)
+        if (RParameter* const p = r(static_cast<std::size_t>(std::stoul(name.substr(1))))) *p = {value.number, true};
+      return;
+    }
+    if (Variable* const v = find(name))
+      if (const auto fitting = value.as(v->value.type)) v->value = *fitting;
+  }
+
+  struct Scope {
+    std::uint64_t frame = 0;
+    std::unordered_map<std::string, Variable> variables;
+    std::map<std::string, std::string> references;
+    std::vector<Argument> arguments;  // of each pass anew
+  };
+  std::vector<RParameter> r_;
+  std::unordered_map<std::string, double> given_;
+  std::vector<Scope> scopes_{1};
+  std::vector<Argument> passed_;
+  std::uint64_t tag_ = 0;
+  std::unordered_map<std::string, bool> said_;
+};
+
+}  // namespace siemens
