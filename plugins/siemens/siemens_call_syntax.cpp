@@ -32,7 +32,7 @@ struct SiemensCall {
                                    .before("UnitModeSyntax", "ProgramEndSyntax")
                                    .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_");
 
-  ig::TextOption silent_list_{"silent", "MSG WORKPIECE GROUP_BEGIN GROUP_END GROUP_ADDEND SETMS",
+  ig::TextOption silent_list_{"silent", "MSG WORKPIECE GROUP_BEGIN GROUP_END GROUP_ADDEND SETMS FGROUP",
                               "Procedures of the control that move nothing and change nothing here."};
   std::vector<CycleFields> cycles_ = all_cycles();
   ig::Codes modal_{{"MCALL"}, ig::read};
@@ -270,6 +270,11 @@ struct SiemensCall {
         return end_;
       }
     }
+    if (const std::size_t rest = skip_blanks(text, end_); !is_alone(text, rest)) {
+      const std::size_t last = statement_text_end(text, rest);
+      b.report(diag("SIE-0173"), ig::Where::columns(begin_, last), std::string_view(name), piece(text, rest, last));
+      return statement_end(text, rest);
+    }
     if (b.is_raised(call_)) {
       b.report(diag("SIE-0167"), ig::Where::columns(begin_, end_), std::string_view(name));
       return end_;
@@ -277,6 +282,12 @@ struct SiemensCall {
     program_ = std::move(name);
     b.raise(call_);
     return end_;
+  }
+
+  /// Behind a call: nothing, or a word, which stands wrong, but is read. Else the line is no statement at all.
+  static bool is_alone(std::string_view text, std::size_t rest) {
+    if (statement_end(text, rest) == rest) return true;
+    return is_name_start(text[rest]) && !is_name_start(at(text, rest + 1));
   }
 
   // What scan() has found.

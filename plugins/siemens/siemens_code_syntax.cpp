@@ -43,8 +43,14 @@ struct SiemensCode {
   };
   std::vector<Word> words_ = declared_words();
 
+  // Smoothing and limits: they change no end point.
+  std::array<ig::Word, 7> quiet_{ig::Word{"Parsing.ADIS"}, ig::Word{"Parsing.ADISPOS"}, ig::Word{"Parsing.CTOL"},
+                                 ig::Word{"Parsing.OTOL"}, ig::Word{"Parsing.STOLF"},   ig::Word{"Parsing.LIMS"},
+                                 ig::Word{"Parsing.DISC"}};
+
   ig::Status build(ig::Block& b) {
     bool any = false;
+    for (const ig::Word& word : quiet_) any |= b.take(word).has_value();
     for (const Feature& feature : features_)
       for (std::uint32_t row = 0; row < feature.codes.code_count(); ++row) any |= take(b, feature, row);
     for (const Word& word : words_) {
@@ -70,6 +76,7 @@ struct SiemensCode {
                                       {"AP", "AP=: the polar position is not computed"},
                                       {"RP", "RP=: the polar position is not computed"},
                                       {"FB", "FB=: the feed of this block is that of F"},
+                                      {"OVR", "OVR=: feeds are those of F"},
                                       {"FZ", "FZ=: the feed per tooth is not known"},
                                       {"A2", "A2= B2= C2=: the tool keeps its direction"},
                                       {"B2", "B2=: the tool keeps its direction"},

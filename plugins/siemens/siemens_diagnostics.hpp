@@ -141,6 +141,10 @@ inline constexpr std::array diagnostics{
                    "CALL BLOCK A TO B"),
     ig::diagnostic(IG_ERROR, "SIE-0172", "{0} P={1}: a call is made from 0 to 9999 times", "P is a whole number.",
                    "L10 P=-1"),
+    ig::diagnostic(IG_ERROR, "SIE-0173", "{0} is no statement that is known here: '{1}' behind it is not read",
+                   "A call of a subprogram stands alone, but for P. Where the name is a code of the control, it is "
+                   "missing here with what it does.",
+                   "FINISH CUT OUTSIDE"),
     // cycles
     ig::diagnostic(IG_ERROR, "SIE-0181", "{0} is not executed: its moves are missing",
                    "The run knows CYCLE81, CYCLE82, CYCLE83, CYCLE85 and CYCLE800.", "POCKET3(…)"),

@@ -97,10 +97,10 @@ std::optional<Value> Expression::unary() {
   auto v = operand();
   if (!v) return std::nullopt;
   if (v->is_text() && !prefix.empty()) return fail(diag("SIE-0107"), begin, shown(begin));
-  for (auto c = prefix.rbegin(); c != prefix.rend(); ++c) {
-    if (*c == '-') v->number = -v->number + 0.0;
-    if (*c == '!') v = Value::truth(v->number == 0);
-    if (*c == '~') {
+  for (std::size_t i = prefix.size(); i-- > 0;) {
+    if (prefix[i] == '-') v->number = -v->number + 0.0;
+    if (prefix[i] == '!') v = Value::truth(v->number == 0);
+    if (prefix[i] == '~') {
       if (!is_bits(v->number)) return fail(diag("SIE-0106"), begin, shown(begin));
       v = Value::integer(static_cast<double>(~static_cast<std::int32_t>(static_cast<std::int64_t>(v->number))));
     }

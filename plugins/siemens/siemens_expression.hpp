@@ -2,6 +2,8 @@
 /// stand. Recursion is bounded by the brackets that are read.
 #pragma once
 
+#include <algorithm>
+
 #include "siemens_environment.hpp"
 
 namespace siemens {
@@ -10,7 +12,7 @@ class Expression {
  public:
   /// Reads `text` up to its end.
   Expression(ig::Block& b, const Environment& environment, std::string_view text, std::size_t position)
-      : b_(b), environment_(environment), text_(text), at_(position) {}
+      : b_(b), environment_(environment), text_(text), at_(std::min(position, text.size())) {}
 
   /// Nothing where it has no value, which was said.
   std::optional<Value> value();

@@ -52,8 +52,9 @@ struct SiemensFlow {
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     if (text[position] == ':') return main_block(b, text, position);
-    if (!is_name_start(at(text, position + 1))) return position;
     const std::size_t end = skip_name(text, position);
+    // The control wants two letters first; L1: is written, too.
+    if (end - position < 2 || (iso::is_digit(text[position + 1]) && at(text, end) != ':')) return position;
     const std::size_t behind = skip_blanks(text, end);
     if (at(text, behind) == ':' && at(text, behind + 1) != '=') {
       const std::string name = upper(piece(text, position, end));
