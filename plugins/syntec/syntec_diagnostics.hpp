@@ -30,6 +30,9 @@ inline constexpr std::array diagnostics{
                    "The spindle does not turn so fast; what the control does then (turn at the limit, or stop with an "
                    "alarm) is the machine builder's choice. The speed is recorded as programmed.",
                    "M03 S20000 (with Pr3741 = 12000)"),
+    ig::diagnostic(IG_WARNING, "SYN-0006", "{0}: E{1} is no tolerance; the one in force stays",
+                   "E of high-speed, high-precision control is how far the path may round a corner off: more than 0.",
+                   "G05 P10000 E0"),
 };
 
 consteval std::uint32_t diag(std::string_view code) { return iso::index_of(diagnostics, code, 0); }

@@ -1,0 +1,35 @@
+/// E of G05 P10000 and G05.1: the tolerance of high-speed, high-precision control. It rounds corners and moves no
+/// programmed point, so it is recorded beside what PathSmoothingSyntax records.
+#include "syntec_diagnostics.hpp"
+
+namespace syntec {
+namespace {
+
+struct SyntecHighSpeed {
+  static constexpr auto spec = ig::syntax("SyntecHighSpeedSyntax", "E of G05 and G05.1: the tolerance, as a record.")
+                                   .after("ParameterizedFlagSyntax", "UnitModeSyntax");
+
+  ig::Call codes_{{"G05", "G05.1"}, "E[mm]"};
+  ig::Field<double> tolerance_{"PathSmoothing.Tolerance_mm",
+                               ig::read | ig::write,
+                               {ig::Life::modal, "mm", "How far the path may round a corner off."}};
+
+  ig::Status build(ig::Block& b) const {
+    bool any = false;
+    for (std::uint32_t row = 0; row < codes_.code_count(); ++row) {
+      ig_value e;
+      if (b.host()->take(b.raw(), codes_.word(row, 'E'), &e) == 0) continue;
+      any = true;
+      if (e.number > 0)
+        b.set(tolerance_, e.number);
+      else
+        b.report(diag("SYN-0006"), ig::Where::word(codes_.word(row, 'E')), b.text(codes_.name(row)), e.number);
+    }
+    return any ? ig::Status::changed : ig::Status::unchanged;
+  }
+};
+
+const ig::Register<SyntecHighSpeed> registered;
+
+}  // namespace
+}  // namespace syntec
