@@ -2,6 +2,7 @@
 // block wrote.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 #include <optional>
 #include <vector>
@@ -234,6 +235,10 @@ class WrittenSection {
       if (d.present(field)) kept_.push_back({field, 0});
   }
 
+  /// -0 is written otherwise than 0.
+  static bool has_same_bits(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+  }
   bool have_same_frames(const Document& d) {
     frames_.resize(transforms_.size());
     bool same = true;
@@ -243,7 +248,7 @@ class WrittenSection {
       if (!present && !kept.present) continue;
       const bool is_moving = d.is_moving_frame(transforms_[i]);
       const bool has_same_matrix =
-          present && std::memcmp(kept.matrix.data(), d.frame(transforms_[i]).matrix, sizeof kept.matrix) == 0;
+          present && std::equal(kept.matrix.begin(), kept.matrix.end(), d.frame(transforms_[i]).matrix, has_same_bits);
       if (present == kept.present && is_moving == kept.is_moving && has_same_matrix) continue;
       same = false;
       kept.present = present;
