@@ -13,6 +13,10 @@ inline constexpr std::array corner_diagnostics{
     ig::diagnostic(IG_ERROR, "ISO-0479", "G39 at an inner corner: the tool goes straight, without an arc",
                    "The arc leads round an outer corner. At an inner one it would lie in the part.",
                    "G41 D1 (radius 5) (then) X10. (then) G39 (then) Y10."),
+    ig::diagnostic(IG_ERROR, "ISO-0480", "{0} is not executed: the corner stays sharp",
+                   "Chamfers (,C) and roundings (,R) between two straight moves are recognised only. The tool goes to "
+                   "the corner itself.",
+                   "G01 X10. ,C1. F100 (then) Y10."),
 };
 
 inline constexpr std::size_t corner_end = pocket_end + corner_diagnostics.size();
