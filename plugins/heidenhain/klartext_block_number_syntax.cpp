@@ -20,7 +20,7 @@ std::bitset<10> read_layers(std::string_view list) {
 
 struct KlartextBlockNumber {
   static constexpr auto spec =
-      ig::syntax("KlartextBlockNumberSyntax", "Takes the block number and the skip sign.").scans("0123456789/");
+      ig::syntax("KlartextBlockNumberSyntax", "Takes the block number and the skip sign.").scans("0123456789/Nn");
 
   ig::TextOption layers_{"block-skip", "", "Layers that are switched on, 1 to 9, separated by commas."};
   ig::Setting setting_{"block-skip"};
@@ -35,8 +35,9 @@ struct KlartextBlockNumber {
     const std::size_t words = first_word(text);
     if (position >= words || iso::skip_blanks(text, 0) != position) return position;
     std::size_t i = position;
-    if (text[i] == '/' && skips(b, text, i)) return text.size();
+    if (text[i] == '/' && skips(b, text, i, true)) return text.size();
     i = iso::skip_blanks(text, i);
+    if (to_upper(at(text, i)) == 'N') ++i;
     const std::size_t end = iso::skip_digits(text, i);
     if (end > i && end - i <= 18) {
       std::int64_t number = 0;
@@ -44,17 +45,16 @@ struct KlartextBlockNumber {
       b.set(n_, number);
     }
     i = iso::skip_blanks(text, end);
-    if (at(text, i) == '/' && i < words && skips(b, text, i)) return text.size();
+    if (at(text, i) == '/' && i < words && skips(b, text, i, false)) return text.size();
     return words;
   }
 
  private:
   /// Takes the sign at `i`; true where the block is skipped.
-  bool skips(ig::Block& b, std::string_view text, std::size_t& i) const {
-    const char digit = at(text, i + 1);
-    const bool has_layer = digit >= '1' && digit <= '9' && !is_digit(at(text, i + 2));
-    const std::size_t layer = has_layer ? static_cast<std::size_t>(digit - '0') : 1;
-    i += has_layer ? 2 : 1;
+  bool skips(ig::Block& b, std::string_view text, std::size_t& i, bool before_number) const {
+    const std::size_t end = skip_sign_end(text, i, before_number);
+    const std::size_t layer = end == i + 2 ? static_cast<std::size_t>(text[i + 1] - '0') : 1;
+    i = end;
     if (!on_.test(layer)) return false;
     b.set(symbol_, slash_);
     b.set(layer_, static_cast<std::int64_t>(layer));

@@ -77,13 +77,22 @@ constexpr std::size_t statement_end(std::string_view text, std::size_t position)
   return position;
 }
 
-/// Where the words of the block begin: behind its number and the skip sign.
+/// Behind the skip sign / or /1 to /9 at `position`. Before the block number a lone digit is the number itself, unless
+/// another number follows: /5 L, /3 12 L.
+constexpr std::size_t skip_sign_end(std::string_view text, std::size_t position, bool before_number) {
+  const char layer = at(text, position + 1);
+  const bool is_layer = layer >= '1' && layer <= '9' && !is_digit(at(text, position + 2));
+  if (!is_layer) return position + 1;
+  return before_number && !is_digit(at(text, iso::skip_blanks(text, position + 2))) ? position + 1 : position + 2;
+}
+
+/// Where the words of the block begin: behind its number, 12 or N12, and the skip sign.
 constexpr std::size_t first_word(std::string_view text) {
   std::size_t i = iso::skip_blanks(text, 0);
-  if (at(text, i) == '/')
-    i = iso::skip_blanks(text, i + (is_digit(at(text, i + 1)) && !is_digit(at(text, i + 2)) ? 2 : 1));
+  if (at(text, i) == '/') i = iso::skip_blanks(text, skip_sign_end(text, i, true));
+  if (to_upper(at(text, i)) == 'N' && is_digit(at(text, i + 1))) ++i;
   i = iso::skip_blanks(text, iso::skip_digits(text, i));
-  if (at(text, i) == '/') i = iso::skip_blanks(text, i + (is_digit(at(text, i + 1)) ? 2 : 1));
+  if (at(text, i) == '/') i = iso::skip_blanks(text, skip_sign_end(text, i, false));
   return i;
 }
 constexpr bool stands_first(std::string_view text, std::size_t position) { return position == first_word(text); }
