@@ -38,6 +38,11 @@ struct KlartextMotion {
   ig::Out<std::int64_t> circles_{"KlartextPath.Circles", {ig::Life::block, "", "Whole circles of CP beyond the arc."}};
   iso::PlaneInForce plane_;
   iso::LastProgramXyz last_;
+  ig::In<bool> to_limit_{"KlartextPath.RetractsToLimit",
+                         ig::read,
+                         {ig::Life::block, "", "M140 MB MAX: along the tool axis to the end of the travel."}};
+  ig::Word distance_{"Parsing.MB", ig::take, "mm", "M140 MB: how far along the tool axis."};
+  ig::Service<ig_machine_axis_1> machine_{"isogloss.machine-axis/1", ig::Need::optional, "The travel of Z, for M140."};
   iso::ScaleAndMirror mirror_;
   ig::In<ig::Symbol> mirror_term_{"MirrorImage.Term"};
   ig::Name lp_{"LP"}, c_{"C"}, cc_{"CC"}, cr_{"CR"}, ct_{"CT"}, cp_{"CP"}, ctp_{"CTP"}, rnd_{"RND"};
@@ -56,6 +61,7 @@ struct KlartextMotion {
       if ((has_steps >> axis & 1u) != 0) way.to[axis] = way.from[axis] + steps[axis].number;
     const bool is_polar = function == lp_ || function == cp_ || function == ctp_;
     if (is_polar && !resolve_polar(b, way)) return drop(b);
+    if (retracts(b)) retract(b, way);
     if (way.mask == 0 && function != c_) return ig::Status::changed;
     if (is_polar || (has_steps & 7u) != 0 || function == c_) put(b, way);
 
@@ -110,6 +116,33 @@ struct KlartextMotion {
   void put(ig::Block& b, const Way& way) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
       if ((way.mask >> axis & 1u) != 0) b.host()->set(b.raw(), words_.id(axis), {.number = iso::rounded(way.to[axis])});
+  }
+
+  bool retracts(const ig::Block& b) const { return b.has(to_limit_) || b.has(distance_); }
+
+  /// M140: back along the tool axis. The end of the travel is known where that is Z of the machine.
+  void retract(ig::Block& b, Way& way) const {
+    const auto distance = b.take(distance_);
+    const auto say = [&](std::string_view why) {
+      b.report(hei("HEI-0139"), ig::Where::block(), std::string_view("M140"), why);
+    };
+    if (way.mask != 0) return say("the retract behind another move of the block is missing");
+    ig::Vec3 out = way.from;
+    if (distance) {
+      out[way.plane.tool] += *distance;
+    } else {
+      ig::Vec3 beyond = way.from;
+      beyond[way.plane.tool] += 1;
+      const auto here = b.to_machine(last_(b)), there = b.to_machine(beyond);
+      double minimum = 0, maximum = 0;
+      const bool known = machine_ && machine_->travel(machine_->self, 'Z', &minimum, &maximum) != 0;
+      if (!known || !here || !there || std::fabs(there->z - here->z - 1) > 1e-9)
+        return say("the retract is missing: where the travel of the tool axis ends is not known");
+      out[way.plane.tool] += std::fmax(0, maximum - here->z);
+    }
+    way.to = out;
+    way.mask = 1u << way.plane.tool;
+    put(b, way);
   }
 
   /// The block has no meaning: its words go with it.

@@ -56,7 +56,7 @@ struct KlartextPath {
     std::size_t position;
     std::string_view name;
     std::size_t end = 0;
-    bool is_rapid = false, has_tool_vector = false;
+    bool is_rapid = false, has_axis = false, has_tool_vector = false;
     std::optional<bool> is_ccw{};
   };
 
@@ -172,6 +172,7 @@ struct KlartextPath {
     }
     const ig_word word{field, iso::column(begin), iso::column(v.end), {.number = v.number + 0.0}, 0, 0};
     b.host()->set_words(b.raw(), &word, 1);
+    path.has_axis = true;
     return v.end;
   }
 
@@ -220,7 +221,7 @@ struct KlartextPath {
           std::string_view(path.function == APPR ? "the tool goes straight to the first point of the contour"
                                                  : "the tool goes straight to the point that is named, if one is"));
     if (path.function <= LN || is_approach) {
-      code(path.is_rapid ? 0 : 1);
+      code(path.is_rapid || (m_.retracts(b) && !path.has_axis) ? 0 : 1);
     } else if (path.function != CC) {
       if (path.is_rapid) b.report(hei("HEI-0135"), where, path.name);
       if (path.is_ccw) {

@@ -38,11 +38,40 @@ class MFunctions {
       iso::leave(b, IG_LEFT_UNKNOWN, piece(text, position, end), position, end);
       return end;
     }
+    if (rounded == 140) return retract(b, values, text, position, end);
     return set(b, text, static_cast<std::uint32_t>(rounded), position, end);
   }
 
+  /// The block holds M140 MB.
+  bool retracts(const ig::Block& b) const { return b.has(to_limit_) || b.has(distance_); }
+
  private:
   static constexpr std::uint32_t most = 999;
+
+  /// M140 MB 50, M140 MB MAX: back along the tool axis. An F of its own follows.
+  std::size_t retract(ig::Block& b, const Values& values, std::string_view text, std::size_t begin,
+                      std::size_t end) const {
+    const std::size_t first = skip(text, end), by = keyword(text, first, "MB"), value = skip(text, by);
+    const std::size_t limit = by == first ? first : keyword(text, value, "MAX");
+    std::size_t behind = limit;
+    if (by != first && limit != value) {
+      b.set(to_limit_, true);
+    } else if (const Value v = by == first ? Value{} : values.read(b, text, value); v.ok) {
+      const ig_word word{distance_.id(), iso::column(begin), iso::column(v.end), {.number = v.number}, 0, 0};
+      b.host()->set_words(b.raw(), &word, 1);
+      behind = v.end;
+    } else {
+      b.report(hei("HEI-0104"), ig::Where::columns(begin, end), std::string_view("M140"), std::string_view("MB"));
+      return end;
+    }
+    const std::size_t feed = skip(text, behind);
+    if (to_upper(at(text, feed)) != 'F') return behind;
+    const std::size_t feed_end = word_end(text, feed);
+    if (!iso::equals_ignoring_case(piece(text, feed, feed_end), "FMAX"))
+      b.report(hei("HEI-0140"), ig::Where::columns(begin, feed_end), piece(text, feed, feed_end),
+               std::string_view("M140 retracts by rapid"));
+    return feed_end;
+  }
 
   std::size_t set(ig::Block& b, std::string_view text, std::uint32_t number, std::size_t begin, std::size_t end) const {
     const auto where = ig::Where::columns(begin, end);
@@ -140,7 +169,6 @@ class MFunctions {
       Said{134, IG_NOTE, false, ""},
       Said{135, IG_NOTE, false, ""},
       Said{138, IG_ERROR, true, "all rotary axes take part in tilting"},
-      Said{140, IG_ERROR, true, "the retract along the tool axis is missing"},
       Said{144, IG_ERROR, false, "positions do not follow the rotary axes"},
       Said{145, IG_NOTE, false, ""},
   };
@@ -149,6 +177,10 @@ class MFunctions {
                     IG_CODE};
   std::vector<ig_field> table_;
   ig::Codes g53_{{"G53"}, ig::write};
+  ig::Out<bool> to_limit_{"KlartextPath.RetractsToLimit",
+                          {ig::Life::block, "", "M140 MB MAX: along the tool axis to the end of the travel."}};
+  ig::Field<double> distance_{
+      "Parsing.MB", ig::read | ig::write, {ig::Life::word, "mm", "M140 MB: how far along the tool axis."}};
   ig::Codes feed_modes_{{"G94", "G95"}, ig::write};
   ig::Call tcp_{{"G43.4"}, "", ig::write};
   ig::Call length_{{"G43"}, "", ig::write};
