@@ -80,7 +80,7 @@ inline constexpr std::array klartext_diagnostics{
     ig::diagnostic(IG_WARNING, "HEI-0138", "FAUTO without F in TOOL CALL: the feed in force stays",
                    "F AUTO is the feed of the last TOOL CALL.", "5 L X+10 F AUTO"),
     ig::diagnostic(IG_ERROR, "HEI-0139", "{0} is not executed: {1}", "An M function that is recognised only.",
-                   "5 L M140 MB MAX"),
+                   "5 L X+10 M130"),
     ig::diagnostic(IG_WARNING, "HEI-0140", "{0} is not executed: {1}",
                    "An M function that changes how the control moves, but not where to.", "5 M126"),
     // tool
