@@ -56,6 +56,10 @@ struct KlartextCycle {
     // Listings show the parameters of a cycle on lines of their own, without a number.
     if (to_upper(text[position]) == 'Q') {
       if (!is_open || position != iso::skip_blanks(text, 0) || values_.is_indexing() || b.has(n_)) return position;
+      if (!is_parameter_alone(text.substr(0, end), position)) {
+        b.erase(is_open_);
+        return position;
+      }
       const std::size_t next = parameters(b, text.substr(0, end), position, true);
       return next == position ? position : end;
     }
@@ -133,14 +137,41 @@ struct KlartextCycle {
     return std::find(all.begin(), all.end(), cycle) != all.end();
   }
 
+  /// Q200=2 with nothing behind it; else the line is a formula.
+  static bool is_parameter_alone(std::string_view text, std::size_t position) {
+    std::size_t end = position;
+    const bool is_q = Values::q_at(text, position, end).has_value();
+    const std::size_t equals = skip(text, end);
+    if (!is_q || at(text, equals) != '=') return false;
+    const std::size_t first = skip(text, equals + 1), word = letters_end(text, first);
+    const std::string_view name = piece(text, first, word);
+    if (iso::equals_ignoring_case(name, "FAUTO") || iso::equals_ignoring_case(name, "FMAX"))
+      return skip(text, word) >= text.size();
+    std::size_t i = iso::skip_while(text, first, [](char c) { return c == '+' || c == '-' || iso::is_blank(c); });
+    std::size_t q_end = i;
+    if (Values::q_at(text, i, q_end))
+      i = q_end;
+    else if (const ig::Decimal d = read_number(text, i); d.ok)
+      i = d.end;
+    else
+      return false;
+    return skip(text, i) >= text.size();
+  }
+
   /// Q200=2 and so on, between the words of the cycle's name; behind the last of them. `position` where there is none.
   std::size_t parameters(ig::Block& b, std::string_view text, std::size_t position, bool defines) {
     std::size_t done = position;
+    bool is_said = false;
     for (std::size_t i = skip(text, position); i < text.size(); i = skip(text, i)) {
       std::size_t end = i;
       const auto q = Values::q_at(text, i, end);
       const std::size_t equals = q ? skip(text, end) : i;
       if (!q || at(text, equals) != '=') {
+        const std::size_t next = std::max(i + 1, iso::skip_while(text, i, [](char c) { return !is_space(c); }));
+        if (done != position && !is_said)
+          b.report(hei("HEI-0105"), ig::Where::columns(i, next), piece(text, i, next),
+                   std::string_view("a parameter of CYCL DEF"));
+        is_said = is_said || done != position;
         i = std::max(i + 1, iso::skip_while(text, i, [](char c) { return !is_space(c) && c != ';'; }));
         continue;
       }
