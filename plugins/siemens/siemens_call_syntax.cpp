@@ -32,7 +32,7 @@ struct SiemensCall {
                                    .before("UnitModeSyntax", "ProgramEndSyntax")
                                    .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_");
 
-  ig::TextOption silent_list_{"silent", "MSG WORKPIECE GROUP_BEGIN GROUP_END GROUP_ADDEND SETMS FGROUP",
+  ig::TextOption silent_list_{"silent", "MSG WORKPIECE GROUP_BEGIN GROUP_END GROUP_ADDEND SETMS FGROUP CYCLE832",
                               "Procedures of the control that move nothing and change nothing here."};
   std::vector<CycleFields> cycles_ = all_cycles();
   ig::Codes modal_{{"MCALL"}, ig::read};
@@ -71,7 +71,7 @@ struct SiemensCall {
       if (is_known(b, text, name, next, close)) return close;
       if (!read_arguments(b, text.substr(0, close), next)) return close;
       next = skip_blanks(text, close);
-    } else if (is_foreign_cycle(name)) {
+    } else if (is_foreign_cycle(name) && !silent_.holds(name)) {
       b.report(diag("SIE-0181"), ig::Where::columns(position, end), std::string_view(name));
       return end;
     } else if (silent_.holds(name)) {
@@ -131,7 +131,7 @@ struct SiemensCall {
   /// MSG("…"), SETAL(65000), cycles that are not executed. False: a subprogram.
   bool is_known(ig::Block& b, std::string_view text, const std::string& name, std::size_t open, std::size_t close) {
     const auto where = ig::Where::columns(begin_, close);
-    if (is_foreign_cycle(name)) {
+    if (is_foreign_cycle(name) && !silent_.holds(name)) {
       b.report(diag("SIE-0181"), where, std::string_view(name));
       return true;
     }

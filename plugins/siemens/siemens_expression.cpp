@@ -189,11 +189,13 @@ bool Expression::indices(std::string& name) {
     skip_blanks();
     const std::size_t begin = at_, end = skip_name(text_, at_);
     const char behind = iso::at(text_, iso::skip_blanks(text_, end));
-    const bool is_axis = end > begin && end - begin <= 2 && iso::is_letter(text_[begin]) &&
-                         (behind == ',' || behind == ']') && name[0] == '$' &&
-                         !iso::equals_ignoring_case(iso::piece(text_, begin, begin + 1), "R");
+    const std::string word = upper(iso::piece(text_, begin, end));
+    const bool stands_alone = !word.empty() && word.size() <= 2 && (behind == ',' || behind == ']');
+    const bool names_axis = stands_alone && std::string_view("ABCUVWXYZ").find(word[0]) != std::string_view::npos &&
+                            environment_.store().find(word) == nullptr;
+    const bool is_axis = names_axis || (stands_alone && name[0] == '$' && iso::is_letter(word[0]) && word[0] != 'R');
     if (is_axis) {  // $AA_IM[X]
-      name += upper(iso::piece(text_, begin, end));
+      name += word;
       at_ = end;
     } else {
       if (++depth_ > deepest) {

@@ -292,7 +292,7 @@ struct SiemensWord {
     environment_.enter(b);
     const bool is_unknown_array = reference->name.find('[') != std::string::npos && !array_of(reference->name);
     if (!reference->is_r && (reference->name[0] == '$' || is_unknown_array) &&
-        !environment_.store().given(reference->name)) {
+        !environment_.store().given(reference->name) && !changes_no_position(reference->name)) {
       const std::size_t end = iso::skip_while(statement, equals, [](char) { return true; });
       b.report(reference->name[0] == '$' ? diag("SIE-0129") : diag("SIE-0131"), columns(begin, end),
                std::string_view(reference->name));
@@ -302,8 +302,16 @@ struct SiemensWord {
     const auto value = e.value();
     const std::size_t end = std::max(e.position(), equals + 1);
     if (!value) return line_end_of_fault(text, end);
+    if (is_unknown_array && changes_no_position(reference->name)) return end;
     assign(b, *reference, *value, begin, end);
     return end;
+  }
+
+  /// Speeds and accelerations of single axes.
+  static bool changes_no_position(std::string_view name) {
+    for (const std::string_view known : {"FGREF[", "ACC[", "VELOLIM[", "JERKLIM[", "OVRA["})
+      if (name.starts_with(known)) return true;
+    return false;
   }
 
   Variable* array_of(const std::string& element) const {
