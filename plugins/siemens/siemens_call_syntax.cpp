@@ -37,6 +37,7 @@ struct SiemensCall {
   std::vector<CycleFields> cycles_ = all_cycles();
   ig::Codes modal_{{"MCALL"}, ig::read};
   ig::TextField message_{"Message.Text", ig::write, {ig::Life::block, "", "What MSG shows."}};
+  ig::Signal modal_call_{"ModalCall.~Begins", ig::write};
   ig::Signal call_{"Parsing.~Call", ig::read | ig::write | ig::wake};
   ig::Out<ig::Symbol> term_{"SubProgramCall.Term"};
   ig::TextField file_{"SubProgramCall.FileName", ig::write};
@@ -85,7 +86,8 @@ struct SiemensCall {
     const auto where = ig::Where::columns(begin_, end_);
     b.set(term_, b.symbol(program_));
     if (b.find(modal_)) {
-      b.report(diag("SIE-0166"), where, std::string_view(program_));
+      environment_.store().modal = {program_, std::move(arguments_), environment_.flow.frame(b).id};
+      b.raise(modal_call_);
       return ig::Status::changed;
     }
     if (repeats_ < 1) return ig::Status::changed;

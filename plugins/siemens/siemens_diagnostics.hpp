@@ -126,8 +126,6 @@ inline constexpr std::array diagnostics{
                    "A subprogram is looked for in the file, beside it and in the folders given with --subprograms. "
                    "Cycles of the machine builder are there, too.",
                    "L999"),
-    ig::diagnostic(IG_ERROR, "SIE-0166", "MCALL {0}: the subprogram is not called after the moves",
-                   "Modal calls are executed for CYCLE81, CYCLE82, CYCLE83 and CYCLE85.", "MCALL L10"),
     ig::diagnostic(IG_ERROR, "SIE-0167", "this block asks for more than one jump or call: {0} is not called",
                    "A call stands in a block of its own.", "L10 L20"),
     ig::diagnostic(IG_ERROR, "SIE-0168", "synchronized action: '{0}' is not executed",

@@ -50,8 +50,17 @@ struct Argument {
   std::string name;
 };
 
+/// MCALL NAME(…): called after each block of that program that moves.
+struct ModalCall {
+  std::string program;
+  std::vector<Argument> arguments;
+  std::uint64_t frame = 0;
+};
+
 class VariableStore {
  public:
+  ModalCall modal;
+
   static constexpr std::size_t most_names = 100'000;  ///< of one program, elements of arrays counted
 
   void set_r_count(std::size_t count) { r_.assign(count, {}); }
