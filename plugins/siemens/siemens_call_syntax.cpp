@@ -261,7 +261,7 @@ struct SiemensCall {
     if (iso::to_upper(at(text, next)) == 'P' && !is_name_start(behind)) {
       std::size_t value = skip_blanks(text, next + 1);
       if (at(text, value) == '=') value = skip_blanks(text, value + 1);
-      Expression e(b, environment_, text.substr(0, statement_text_end(text, next)), value);
+      Expression e(b, environment_, text, value);
       const auto times = e.number();
       if (!times) return std::max(e.position(), value);
       end_ = e.position();
@@ -279,7 +279,7 @@ struct SiemensCall {
     }
     if (b.is_raised(call_)) {
       b.report(diag("SIE-0167"), ig::Where::columns(begin_, end_), std::string_view(name));
-      return end_;
+      return statement_end(text, end_);
     }
     program_ = std::move(name);
     b.raise(call_);
@@ -288,7 +288,7 @@ struct SiemensCall {
 
   /// Behind a call: nothing, or a word, which stands wrong, but is read. Else the line is no statement at all.
   static bool is_alone(std::string_view text, std::size_t rest) {
-    if (statement_end(text, rest) == rest) return true;
+    if (rest >= text.size() || std::string_view(";\r\n").find(text[rest]) != std::string_view::npos) return true;
     return is_name_start(text[rest]) && !is_name_start(at(text, rest + 1));
   }
 

@@ -139,7 +139,7 @@ std::optional<Value> Expression::operand() {
       return call(name, begin);
     }
   } else if (c != '$') {
-    return fail(diag("SIE-0101"), begin, text_.substr(std::min(begin, text_.size()), 20));
+    return fail(diag("SIE-0101"), begin, next_text(begin));
   }
   const auto r = reference();
   return r ? read(*r) : std::nullopt;

@@ -53,6 +53,12 @@ class Expression {
   }
   std::string_view shown(std::size_t begin) const { return iso::piece(text_, begin, std::max(at_, begin)); }
 
+  /// A little of what stands there, without the comment.
+  std::string_view next_text(std::size_t begin) const {
+    const std::string_view some = text_.substr(std::min(begin, text_.size()), 20);
+    return iso::trim(some.substr(0, some.find_first_of(";\r\n")));
+  }
+
   ig::Block& b_;
   const Environment& environment_;
   std::string_view text_;

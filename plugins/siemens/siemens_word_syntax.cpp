@@ -183,11 +183,9 @@ struct SiemensWord {
     std::string name = upper(iso::trim(piece(text, begin, name_end)));
     const bool has_number = name.size() > 1 && iso::skip_digits(name, 1) == name.size();
     const std::size_t value_at = skip_blanks(text, equals);
-    const std::size_t line_end = statement_text_end(text, equals);
-    const std::string_view statement = text.substr(0, line_end);
-    if (name == "T" || name == "D") return tool(b, statement, begin, value_at, run, name);
-    const ig::Symbol mode = take_mode(b, statement, value_at);
-    Expression e(b, environment_, statement, mode == ig::Symbol{} ? value_at : at_bracket_);
+    if (name == "T" || name == "D") return tool(b, text, begin, value_at, run, name);
+    const ig::Symbol mode = take_mode(b, text, value_at);
+    Expression e(b, environment_, text, mode == ig::Symbol{} ? value_at : at_bracket_);
     const auto value = e.number();
     const std::size_t end = std::max(e.position(), equals);
     if (!value) return line_end_of_fault(text, end);
@@ -280,12 +278,11 @@ struct SiemensWord {
   std::size_t assignment(ig::Block& b, std::string_view text, std::size_t begin, Run& run) {
     if (environment_.flow.is_indexing()) return iso::block_end(text, begin);
     give(b, run);
-    const std::string_view statement = text.substr(0, statement_text_end(text, begin));
-    Expression target(b, environment_, statement, begin);
+    Expression target(b, environment_, text, begin);
     const auto reference = target.reference();
     if (!reference) return line_end_of_fault(text, std::max(target.position(), begin + 1));
-    const std::size_t equals = skip_blanks(statement, target.position());
-    if (at(statement, equals) != '=') {
+    const std::size_t equals = skip_blanks(text, target.position());
+    if (at(text, equals) != '=') {
       b.report(diag("SIE-0127"), columns(begin, target.position()), piece(text, begin, target.position()));
       return target.position();
     }
@@ -293,12 +290,12 @@ struct SiemensWord {
     const bool is_unknown_array = reference->name.find('[') != std::string::npos && !array_of(reference->name);
     if (!reference->is_r && (reference->name[0] == '$' || is_unknown_array) &&
         !environment_.store().given(reference->name) && !changes_no_position(reference->name)) {
-      const std::size_t end = iso::skip_while(statement, equals, [](char) { return true; });
+      const std::size_t end = statement_text_end(text, equals);
       b.report(reference->name[0] == '$' ? diag("SIE-0129") : diag("SIE-0131"), columns(begin, end),
                std::string_view(reference->name));
       return end;
     }
-    Expression e(b, environment_, statement, equals + 1);
+    Expression e(b, environment_, text, equals + 1);
     const auto value = e.value();
     const std::size_t end = std::max(e.position(), equals + 1);
     if (!value) return line_end_of_fault(text, end);
