@@ -18,12 +18,15 @@ struct SiemensVariables {
           .provides(variable_service);
 
   ig::IntegerOption r_parameters{"r-parameters", "1000", {1, 32'535}, "How many R parameters there are, from R0."};
+  ig::IntegerOption most_variables{
+      "most-variables", "100000", {1, 10'000'000}, "Variables that one program may have, elements of arrays counted."};
   ig::Column value{"Value", "0", "", {}, "What it holds when the program starts."};
   ig::Table table;
   ig::RowNames names;
   VariableStore store;
 
   SiemensVariables() {
+    store.most_names = static_cast<std::size_t>(most_variables);
     store.set_r_count(static_cast<std::size_t>(r_parameters));
     for (const std::string& name : names) load(name);
   }

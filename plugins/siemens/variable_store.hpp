@@ -61,7 +61,7 @@ class VariableStore {
  public:
   ModalCall modal;
 
-  static constexpr std::size_t most_names = 100'000;  ///< of one program, elements of arrays counted
+  std::size_t most_names = 100'000;  ///< of one program, elements of arrays counted
 
   void set_r_count(std::size_t count) { r_.assign(count, {}); }
   std::size_t r_count() const { return r_.size(); }
