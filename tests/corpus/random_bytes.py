@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Feeds random bytes and damaged programs to `isogloss run`: exit status 0, 1 or 2, never a signal, 3 or a hang.
 
-  random_bytes.py --isogloss PATH [--seconds 15] [--seed S] [--keep DIR] [--dialects fanuc,iso,syntec,heidenhain]
+  random_bytes.py --isogloss PATH [--seconds 15] [--seed S] [--keep DIR] [--dialects fanuc,iso,syntec,heidenhain,siemens]
 
 Case number i of a seed is always the same bytes. Cases run in batches, a file each; a batch that goes wrong is taken
 apart to find the file.
@@ -33,6 +33,7 @@ TOKENS = [b"G1", b"G02", b"G3", b"G28", b"G53", b"G52", b"G10", b"L2", b"G81", b
           b"Q1=", b"FN 0:Q1=", b"LBL 1\n", b"CALL LBL 1 REP3\n", b"CYCL DEF 200", b"CYCL CALL", b"L X+Q1", b"CC", b"C X+1 DR+",
           b"PLANE SPATIAL SPA+1", b"TOOL CALL 1 Z", b"~\n",
           b"<", b">", b"\"", b"'", b"\\", b"$", b"@", b"~", b"=", b"?", b"*", b"{", b"}",
+          b"R1=", b"X=IC(1)", b"CYCLE83(50,0,2,-20)", b"IF R1>0", b"ENDIF", b"GOTOF A", b"A:", b"TRANS X1", b"MCALL", b"AP=30",
           b"%@MACRO", b"//", b"@1:=", b"@[", b"$2", b"G200.1 X1", b"G68.18", b"G54P7", b"M98H10", b"G70"]
 
 
@@ -89,7 +90,7 @@ def main():
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
     parser.add_argument("--seconds", type=float, default=15)
     parser.add_argument("--seed", default="1")
-    parser.add_argument("--dialects", default="fanuc,iso,syntec,heidenhain")
+    parser.add_argument("--dialects", default="fanuc,iso,syntec,heidenhain,siemens")
     parser.add_argument("--keep", type=pathlib.Path, help="write cases that go wrong there")
     options = parser.parse_args()
     isogloss = options.isogloss.resolve()
