@@ -325,6 +325,7 @@ void Chain::start() {
 
 void Chain::begin_block(const BlockSource& source) {
   running = &document_;
+  if (source.is_joined && joined_ != nullptr) joined_->forget();
   document_.begin(source);
   document_.changes |= passing_;
   if (document_.changes != 0) look_at_state();
@@ -510,14 +511,17 @@ ig_status Chain::build(std::uint32_t position) {
 }
 
 /// A range that reaches into the next line ends with its own.
-static void place_in_joined(const BlockSource& source, std::uint32_t begin, std::uint32_t end, Diagnostic& out) {
-  const LinePlace place = LinePlace::of(source.text, begin);
+void Chain::place_in_joined(const Document& d, std::uint32_t begin, std::uint32_t end, Diagnostic& out) {
+  const BlockSource& source = d.source;
+  if (joined_ == nullptr) joined_ = std::make_unique<LinePlaces>();
+  const LinePlace place = &d == &document_ ? joined_->at(source.text, begin) : LinePlace::of(source.text, begin);
   const auto column = static_cast<std::uint32_t>(begin - place.begin) + (place.line == 0 ? source.column : 0);
   out.where.line = source.line + place.line;
   out.where.column = column + 1;
   if (end <= begin) return;
-  const std::size_t line_end = std::min(source.text.find_first_of("\r\n", begin), source.text.size());
-  out.end_column = column + 1 + static_cast<std::uint32_t>(std::min<std::size_t>(end, line_end) - begin);
+  const std::string_view behind = source.text.substr(std::min<std::size_t>(begin, source.text.size()));
+  const std::size_t size = behind.substr(0, end - begin).find_first_of("\r\n");
+  out.end_column = column + 1 + static_cast<std::uint32_t>(std::min<std::size_t>(end - begin, size));
 }
 
 void Chain::report(const Document& d, Severity severity, std::string_view code, std::string message,
@@ -529,7 +533,7 @@ void Chain::report(const Document& d, Severity severity, std::string_view code, 
   out.where = {std::string(d.source.file), d.source.line, d.source.column + begin + 1};
   if (end > begin) out.end_column = d.source.column + end + 1;
   if (d.source.is_joined) [[unlikely]]
-    place_in_joined(d.source, begin, end, out);
+    place_in_joined(d, begin, end, out);
   sink_.add(std::move(out));
 }
 

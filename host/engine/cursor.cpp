@@ -264,12 +264,14 @@ bool Cursor::cut_long_line(Line& line, std::size_t size) {
   return true;
 }
 
-LinePlace LinePlace::of(std::string_view text, std::size_t position) {
-  const char end = text.find('\n') != std::string_view::npos ? '\n' : '\r';
-  LinePlace place;
-  for (std::size_t i = 0; i < std::min(position, text.size()); ++i)
-    if (text[i] == end) place = {place.line + 1, i + 1};
-  return place;
+LinePlace LinePlace::of(std::string_view text, std::size_t position) { return LinePlaces().at(text, position); }
+
+LinePlace LinePlaces::at(std::string_view text, std::size_t position) {
+  if (position < looked_) forget();
+  if (end_ == '\0') end_ = text.find('\n') != std::string_view::npos ? '\n' : '\r';
+  for (const std::size_t last = std::min(position, text.size()); looked_ < last; ++looked_)
+    if (text[looked_] == end_) place_ = {place_.line + 1, looked_ + 1};
+  return place_;
 }
 
 // ---- spool

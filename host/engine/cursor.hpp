@@ -24,6 +24,19 @@ struct LinePlace {
   static LinePlace of(std::string_view text, std::size_t position);
 };
 
+/// The same for one text, of which each part is looked at once as long as the questions come in order.
+class LinePlaces {
+ public:
+  LinePlace at(std::string_view text, std::size_t position);
+  /// Another text is next.
+  void forget() { *this = {}; }
+
+ private:
+  char end_ = '\0';  // of lines; NUL: no text was seen
+  std::size_t looked_ = 0;
+  LinePlace place_;
+};
+
 /// Lines end in LF or CR LF; a file without any LF has lines that end in CR. A leading byte order mark is skipped.
 /// A cursor goes back for nothing as long as the place lies in its window.
 class Cursor {

@@ -3,6 +3,7 @@
 #include "isogloss/engine/runner.hpp"
 
 #include <catch2/catch.hpp>
+#include <ctime>
 
 #include "cursor.hpp"
 #include "test_plugin.hpp"
@@ -274,6 +275,22 @@ TEST_CASE("what is said of joined lines has the line and the column where it sta
   std::vector<std::pair<std::uint32_t, std::uint32_t>> places;
   for (const Diagnostic& d : f.diagnostics.all) places.emplace_back(d.where.line, d.where.column);
   CHECK(places == std::vector<std::pair<std::uint32_t, std::uint32_t>>{{2, 3}, {4, 4}});
+}
+
+TEST_CASE("a block of many lines is looked at once, whatever is said of it") {
+  Fixture f;
+  f.linked->dialect.segmenter.continuation = "&";
+  std::string text;
+  constexpr std::uint32_t lines = 200'000;
+  for (std::uint32_t i = 1; i < lines; ++i) text += "\x01&\n";
+  text += " \x01\n";
+  const auto source = memory_source(text);
+  const std::clock_t begin = std::clock();
+  run(*f.linked, *source, "t", {}, {}, f.diagnostics);
+  CHECK(std::clock() - begin < 5 * CLOCKS_PER_SEC);
+  REQUIRE(!f.diagnostics.all.empty());
+  CHECK(f.diagnostics.all.back().where.line == lines);
+  CHECK(f.diagnostics.all.back().where.column == 2);
 }
 
 TEST_CASE("lines are the same wherever the reading windows end") {

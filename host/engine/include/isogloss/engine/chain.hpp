@@ -12,6 +12,7 @@
 namespace isogloss {
 
 class FlowHost;
+class LinePlaces;
 
 enum class Mode { fast, checked, traced };
 
@@ -125,6 +126,7 @@ class Chain {
     std::uint64_t awake[4];  // what its value of now wakes
   };
 
+  void place_in_joined(const Document& d, std::uint32_t begin, std::uint32_t end, Diagnostic& out);
   void create_dependencies();
   void create_syntaxes();
   void watch_modal_state();
@@ -145,6 +147,7 @@ class Chain {
   const LinkedDialect& linked_;
   ChainSettings settings_;
   DiagnosticSink& sink_;
+  std::unique_ptr<LinePlaces> joined_;  // of the block, once it needs them
   SymbolTable symbols_;
   Document document_;
   const ig_host* host_;
