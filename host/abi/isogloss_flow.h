@@ -54,8 +54,8 @@ enum {
   IG_GO_LABEL = 3,  /* the block `label` of this program */
   IG_GO_PLACE = 4,  /* `place`, of this frame */
   IG_GO_START = 5,  /* the first block of this frame */
-  IG_ASK_LABEL = 6  /* nowhere: IG_GO_DONE where IG_GO_LABEL with the same `search` would find `label`, IG_GO_REFUSED where
-                     * the text cannot be read again; the block may still ask for something */
+  IG_ASK_LABEL = 6  /* nowhere: IG_GO_DONE where IG_GO_LABEL with the same `search` would find `label`, IG_GO_REFUSED
+                     * where the text cannot be read again; the block may still ask for something */
 };
 
 /* Where a called program may be; 0: IG_IN_FILES | IG_IN_FOLDERS. */

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-
 namespace isogloss {
 
 namespace fs = std::filesystem;

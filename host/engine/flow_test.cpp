@@ -5,7 +5,6 @@
 // :NAME begins a program, =NAME is a label.
 #include "flow.hpp"
 
-
 #include <catch2/catch.hpp>
 #include <ctime>
 #include <fstream>
