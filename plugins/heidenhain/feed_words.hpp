@@ -42,6 +42,7 @@ class FeedWords {
     if (is_per_revolution && !was_per_revolution) code(b, modes_.id(1), position, v.end);
     if (!is_per_revolution && was_per_revolution && !b.is_raised(per_revolution_))
       code(b, modes_.id(0), position, v.end);
+    if (b.has(f_)) b.report(hei("HEI-0106"), ig::Where::columns(position, v.end), trim(piece(text, position, v.end)));
     put(b, is_per_revolution ? v.number : in_unit(b, v.number), position, v.end);
     return v.end;
   }

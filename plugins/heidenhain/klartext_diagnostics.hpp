@@ -20,6 +20,9 @@ inline constexpr std::array klartext_diagnostics{
                    "The block is executed as if the word were not there.", "5 L X"),
     ig::diagnostic(IG_WARNING, "HEI-0105", "'{0}' behind {1} has no meaning", "The rest of the block is executed.",
                    "5 LBL 1 X+5"),
+    ig::diagnostic(IG_WARNING, "HEI-0106", "'{0}' names again what stands in this block already: the last one counts",
+                   "A block names each axis once, as a position or as an increment, and has one feed and one DR.",
+                   "5 L X+10 IX+1"),
     // Q parameters
     ig::diagnostic(IG_ERROR, "HEI-0110", "a value should stand here, not '{0}'",
                    "A formula is made of numbers, Q parameters, brackets and functions (SIN, SQRT, ...), with an "

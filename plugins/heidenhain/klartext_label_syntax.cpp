@@ -96,7 +96,10 @@ struct KlartextLabel {
       say_rest(b, text, rep, "CALL LBL");
     } else if (rep < text.size()) {
       const Value times = values_.read(b, text, skip(text, behind_rep));
-      if (times.ok) return repeat(b, name, where, times.number);
+      if (times.ok) {
+        say_rest(b, text, times.end, "CALL LBL");
+        return repeat(b, name, where, times.number);
+      }
       if (skip(text, behind_rep) < text.size()) say_rest(b, text, behind_rep, "CALL LBL");
     }
     name.insert(0, 1, 'L');

@@ -115,15 +115,15 @@ struct KlartextPath {
     if (path.function >= APPR)
       if (const std::size_t end = shape_at(b, text, i, path); end != i) return end;
     if (c == 'I') {
-      if (const std::size_t axis = axis_of(d); axis < 6) return put(b, text, i, i + 2, steps_[axis], path);
+      if (const std::size_t axis = axis_of(d); axis < 6) return put(b, text, i, i + 2, steps_[axis], path, axes_[axis]);
       const std::size_t p = d == 'P' ? polar_of(at(text, i + 2)) : 2;
-      return p < 2 ? put(b, text, i, i + 3, polar_steps_[p], path) : i;
+      return p < 2 ? put(b, text, i, i + 3, polar_steps_[p], path, polar_[p]) : i;
     }
-    if (const std::size_t axis = axis_of(c); axis < 6) return put(b, text, i, i + 1, axes_[axis], path);
+    if (const std::size_t axis = axis_of(c); axis < 6) return put(b, text, i, i + 1, axes_[axis], path, steps_[axis]);
     switch (c) {
       case 'P': {
         const std::size_t p = polar_of(d);
-        return p < 2 ? put(b, text, i, i + 2, polar_[p], path) : i;
+        return p < 2 ? put(b, text, i, i + 2, polar_[p], path, polar_steps_[p]) : i;
       }
       case 'F': return feed_.scan(b, values_, text, i, path.is_rapid);
       case 'M': return m_.scan(b, values_, text, i);
@@ -132,6 +132,7 @@ struct KlartextPath {
         const std::size_t sign = iso::skip_blanks(text, i + 2);
         const char s = at(text, sign);
         if (d != 'R' || (s != '+' && s != '-')) return i;
+        if (path.is_ccw) b.report(hei("HEI-0106"), ig::Where::columns(i, sign + 1), piece(text, i, sign + 1));
         path.is_ccw = s == '+';
         return sign + 1;
       }
@@ -163,13 +164,17 @@ struct KlartextPath {
   static std::size_t axis_of(char c) { return std::min<std::size_t>(std::string_view("XYZABC").find(to_upper(c)), 6); }
   static std::size_t polar_of(char c) { return std::min<std::size_t>(std::string_view("RA").find(to_upper(c)), 2); }
 
-  std::size_t put(ig::Block& b, std::string_view text, std::size_t begin, std::size_t value, ig_field field,
-                  Path& path) const {
+  /// `other`: the same axis as an increment or as a position.
+  std::size_t put(ig::Block& b, std::string_view text, std::size_t begin, std::size_t value, ig_field field, Path& path,
+                  ig_field other = IG_NO_FIELD) const {
     const Value v = values_.read(b, text, value);
     if (!v.ok) {
       b.report(hei("HEI-0104"), ig::Where::columns(begin, value), path.name, piece(text, begin, value));
       return value;
     }
+    if (b.has(field) || b.has(other))
+      b.report(hei("HEI-0106"), ig::Where::columns(begin, v.end), trim(piece(text, begin, v.end)));
+    if (b.has(other)) b.host()->erase(b.raw(), other);
     const ig_word word{field, iso::column(begin), iso::column(v.end), {.number = v.number + 0.0}, 0, 0};
     b.host()->set_words(b.raw(), &word, 1);
     path.has_axis = true;

@@ -152,6 +152,8 @@ struct SiemensCall {
     if (!silent_.holds(name)) return false;
     if (name == "MSG" && at(text, skip_blanks(text, open + 1)) == '"') {
       const std::size_t first = skip_blanks(text, open + 1) + 1;
+      if (text.find('"', first) == std::string_view::npos)
+        b.report(diag("SIE-0102"), ig::Where::columns(first - 1, text.size()));
       b.set_text(message_, piece(text, first, std::min(text.find('"', first), close)));
     }
     return true;
