@@ -4,24 +4,32 @@
 
 namespace isogloss {
 
-Frame Frame::from(const double (&m)[16]) {
-  Frame frame;
-  std::memcpy(frame.matrix, m, sizeof frame.matrix);
+void Frame::assign(const double* m) {
+  std::memcpy(matrix, m, sizeof matrix);
   const bool rotates = m[0] != 1 || m[1] != 0 || m[2] != 0 || m[3] != 0 || m[4] != 0 || m[5] != 1 || m[6] != 0 ||
                        m[7] != 0 || m[8] != 0 || m[9] != 0 || m[10] != 1 || m[11] != 0 || m[15] != 1;
-  frame.kind = rotates ? Kind::general : (m[12] == 0 && m[13] == 0 && m[14] == 0) ? Kind::identity : Kind::translation;
-  return frame;
+  kind = rotates ? Kind::general : (m[12] == 0 && m[13] == 0 && m[14] == 0) ? Kind::identity : Kind::translation;
+  is_moving = false;
 }
 
 Frame operator*(const Frame& first, const Frame& then) {
   if (first.kind == Frame::Kind::identity) return then;
   if (then.kind == Frame::Kind::identity) return first;
-  Frame out = first;
-  if (first.kind == Frame::Kind::translation && then.kind == Frame::Kind::translation) {
-    for (int i = 12; i < 15; ++i) out.matrix[i] += then.matrix[i];
+  if (first.kind == Frame::Kind::translation && then.kind == Frame::Kind::general) {
+    Frame out = then;
+    const double* const way = first.matrix + 12;
+    for (int column = 0; column < 4; ++column)
+      out.matrix[12 + column] = way[0] * then.matrix[column] + way[1] * then.matrix[4 + column] +
+                                way[2] * then.matrix[8 + column] + then.matrix[12 + column];
     return out;
   }
-  out.kind = Frame::Kind::general;
+  Frame out = first;
+  if (then.kind == Frame::Kind::translation) {
+    for (int row = 0; row < 4; ++row)
+      for (int column = 0; column < 3; ++column)
+        out.matrix[row * 4 + column] += first.matrix[row * 4 + 3] * then.matrix[12 + column];
+    return out;
+  }
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column) {
       double sum = 0;
@@ -322,9 +330,9 @@ void Document::set_frame(ig_field f, const Frame& frame) {
   composed_valid_ = false;
 }
 
-void Document::move_frame(ig_field f, const Frame& frame) {
+void Document::move_frame(ig_field f, const double* matrix) {
   Frame& slot = frames_[frame_index(f)];
-  slot = frame;
+  slot.assign(matrix);
   slot.is_moving = true;
   set(f, state_[f].value);
   frame_moved = true;
@@ -334,8 +342,14 @@ void Document::move_frame(ig_field f, const Frame& frame) {
 const Frame& Document::composed() {
   if (!composed_valid_) {
     composed_ = Frame{};
-    for (std::size_t i = 0; i < frames_.size(); ++i)
-      if (present(layout_->transforms[i])) composed_ = composed_ * frames_[i];
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+      const Frame& entry = frames_[i];
+      if (entry.kind == Frame::Kind::identity || !present(layout_->transforms[i])) continue;
+      if (composed_.kind == Frame::Kind::identity)
+        composed_ = entry;
+      else
+        composed_ = composed_ * entry;
+    }
     composed_valid_ = true;
     inverse_valid_ = false;
   }

@@ -247,7 +247,7 @@ class Loader {
       for (std::size_t i = 0; i < 16; ++i) m[i] = read_value((*matrix)[i], IG_NUMBER, path, symbols_).number;
       const auto kind = entry.find("Kind");
       if (kind != entry.end() && *kind == "Dynamic")
-        d_.move_frame(f, Frame::from(m));
+        d_.move_frame(f, m);
       else
         d_.set_frame(f, Frame::from(m));
     }

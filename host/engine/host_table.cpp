@@ -347,9 +347,7 @@ template <Mode M>
 void set_transform(ig_block* block, ig_field f, const double matrix[16]) {
   Document& d = doc(block);
   if (!is_transform<M>(d, f, Use::write)) return;
-  double m[16];
-  std::memcpy(m, matrix, sizeof m);
-  d.set_frame(f, Frame::from(m));
+  d.set_frame(f, Frame::from(matrix));
   note_line<M>(d, f);
 }
 
@@ -357,9 +355,7 @@ template <Mode M>
 void set_moving_transform(ig_block* block, ig_field f, const double matrix[16]) {
   Document& d = doc(block);
   if (!is_transform<M>(d, f, Use::write)) return;
-  double m[16];
-  std::memcpy(m, matrix, sizeof m);
-  d.move_frame(f, Frame::from(m));
+  d.move_frame(f, matrix);
   note_line<M>(d, f);
 }
 

@@ -24,12 +24,13 @@ struct McAbcCyclicPath {
     if (b.is_raised(as_increment_)) return ig::Status::unchanged;  // the program says how far
     const std::uint32_t fresh = rotary_.fresh(b);
     if (fresh == 0) return ig::Status::unchanged;
-    const PartialAngles from = before_.get(b), programmed = rotary_.get(b);
     const std::uint32_t steps = steps_.count(b);
     bool changed = false;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if ((fresh >> axis & 1u) != 0 && from.has(axis))
-        changed |= turn(b, axis, from.value[axis], programmed.value[axis], steps);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if ((fresh >> axis & 1u) == 0) continue;
+      const auto from = before_.get(b, axis), programmed = rotary_.get(b, axis);
+      if (from && programmed) changed |= turn(b, axis, *from, *programmed, steps);
+    }
     return changed ? ig::Status::changed : ig::Status::unchanged;
   }
 

@@ -26,11 +26,27 @@ struct PartialAngles {
 
 /// The values of three fields, for A, B and C.
 inline PartialAngles angles_of(const ig::Block& b, const std::array<ig_field, 3>& fields) {
-  ig_value v[3];
-  PartialAngles out{b.get_many(fields.data(), 3, v), {}};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (out.has(axis)) out.value[axis] = v[axis].number;
+  PartialAngles out;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    ig_value v;
+    if (!b.get(fields[axis], v)) continue;
+    out.mask |= 1u << axis;
+    out.value[axis] = v.number;
+  }
   return out;
+}
+
+/// Writes the angles that there are.
+inline void set_angles(ig::Block& b, const std::array<ig_field, 3>& fields, const PartialAngles& to) {
+  ig_field named[3];
+  ig_value v[3];
+  std::uint32_t n = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!to.has(axis)) continue;
+    named[n] = fields[axis];
+    v[n++].number = to.value[axis];
+  }
+  b.host()->set_many(b.raw(), named, n, v);
 }
 
 /// Angles that differ by less are the same position; limits are inclusive by this much.
@@ -61,13 +77,14 @@ inline double countable(double angle) { return std::fabs(angle) < countable_deg 
 /// Whole turns are added to `to`, so that 0.3 stays 0.3.
 inline double nearest_turn(double from, double to, HalfTurn half = HalfTurn::positive) {
   constexpr double noise = 1e-9;
+  if (std::fabs(to - from) < 179 && std::fabs(from) < detail::countable_deg) return to + 0.0;  // + 0.0: no -0
   to = detail::countable(to);
   if (!(std::fabs(from) < detail::countable_deg)) return to;
   double turns = std::round((from - to) / 360);
   const double way = to + 360 * turns - from;
   if (half == HalfTurn::positive && way < -180 + noise) ++turns;
   if (half == HalfTurn::negative && way > 180 - noise) --turns;
-  return to + 360 * turns + 0.0;  // + 0.0: no -0
+  return to + 360 * turns + 0.0;
 }
 
 /// The position that `to` without its sign names, in the direction of the sign. No way at all where the axis is there.

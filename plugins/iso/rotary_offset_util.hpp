@@ -44,6 +44,7 @@ class RotaryOffsets {
   explicit RotaryOffsets(ig::Access access = ig::read)
       : ids_{offset("RotaryOffset.A", access), offset("RotaryOffset.B", access), offset("RotaryOffset.C", access)} {}
 
+  bool any(const ig::Block& b) const { return b.has(ids_[0]) || b.has(ids_[1]) || b.has(ids_[2]); }
   Angles get(const ig::Block& b) const { return angles_of(b, ids_).or_else({}); }
   void set(ig::Block& b, std::size_t axis, double to) const {
     if (to != 0)

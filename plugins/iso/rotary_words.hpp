@@ -49,14 +49,15 @@ class RotaryPosition {
              ig::Field<double>("MachineCoordinate.C", access).id()} {}
 
   PartialAngles get(const ig::Block& b) const { return angles_of(b, ids_); }
+  std::optional<double> get(const ig::Block& b, std::size_t axis) const {
+    ig_value v;
+    return b.get(ids_[axis], v) ? std::optional(v.number) : std::nullopt;
+  }
   std::uint32_t fresh(const ig::Block& b) const { return b.fresh_many(ids_.data(), 3); }
   void set(ig::Block& b, std::size_t axis, double angle) const {
     b.host()->set(b.raw(), ids_[axis], {.number = angle});
   }
-  void set(ig::Block& b, const PartialAngles& to) const {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (to.has(axis)) set(b, axis, to.value[axis]);
-  }
+  void set(ig::Block& b, const PartialAngles& to) const { set_angles(b, ids_, to); }
 
  private:
   std::array<ig_field, 3> ids_;

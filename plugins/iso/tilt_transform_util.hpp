@@ -146,9 +146,9 @@ inline std::optional<Mat4> from_projections(const ig::Vec3& angles) {
 }
 
 inline bool is_finite(const Mat4& m) {
-  for (const double element : m)
-    if (!std::isfinite(element)) return false;
-  return true;
+  double nothing = 0;
+  for (const double element : m) nothing += 0 * element;  // what is not finite makes it one that is no number
+  return nothing == 0;
 }
 
 /// A member of each syntax that asks for the entry or writes it.

@@ -19,6 +19,8 @@ class ToolKinematics {
   /// 0, 1, 2 for A, B, C; the axis nearer the machine's base first.
   std::size_t axis(std::size_t i) const { return axes_[i]; }
   bool has(std::size_t axis) const { return (mask_ >> axis & 1u) != 0; }
+  /// A bit for each of A, B and C.
+  std::uint32_t mask() const { return mask_; }
   /// A head carries the tool and a table the workpiece.
   bool is_mixed() const { return count_ == 2 && is_table_[0] != is_table_[1]; }
   bool is_table(std::size_t i) const { return is_table_[i]; }
@@ -171,8 +173,7 @@ class PivotState {
   ig_field id(std::size_t axis) const { return ids_[axis]; }
   bool is_fresh(const ig::Block& b) const { return b.fresh_many(ids_.data(), 3) != 0; }
   void set(ig::Block& b, const ToolKinematics& machine, const Angles& angles) const {
-    for (std::size_t k = 0; k < machine.count(); ++k)
-      b.host()->set(b.raw(), ids_[machine.axis(k)], {.number = angles[machine.axis(k)]});
+    set_angles(b, ids_, {machine.mask(), angles});
   }
   void erase(ig::Block& b) const {
     for (const ig_field id : ids_) b.host()->erase(b.raw(), id);
@@ -205,33 +206,35 @@ class RotaryTurns {
   /// One look at all that counts: most blocks under tip control ask twice.
   RotaryTurn read(const ig::Block& b, const ToolKinematics& machine) const {
     RotaryTurn turn;
-    Angles now{}, words{};
+    Angles words{};
     std::uint32_t named = 0;
-    for (std::size_t k = 0; k < machine.count(); ++k) {
+    bool was_moved = false;
+    for (std::size_t k = 0, count = machine.count(); k < count; ++k) {
       const std::size_t axis = machine.axis(k);
       ig_value v;
-      if (b.get(machine_[axis], v)) now[axis] = v.number;
+      const double now = b.get(machine_[axis], v) ? v.number : 0;
+      turn.from[axis] = turn.to[axis] = now;
       if (b.get(state_.id(axis), v)) {
-        turn.from[axis] = v.number;
         turn.is_followed = true;
+        was_moved |= v.number != now;
+        turn.from[axis] = v.number;
       }
       if (b.get(words_[axis], v)) {
         words[axis] = v.number;
         named |= 1u << axis;
       }
     }
-    if (!turn.is_followed) turn.from = now;
-    turn.to = now;
-    const bool is_incremental = named != 0 && distance_.is_incremental(b);
-    if (named != 0 && !(is_incremental && b.find(machine_select_))) {  // the control ignores G53 under G91
-      const Angles offset = is_incremental ? Angles{} : offset_of_words(b);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        if ((named >> axis & 1u) != 0) turn.to[axis] = position(axis, words[axis], offset[axis], now, is_incremental);
+    if (was_moved) leave_for(b, machine, turn);
+    if (named == 0) {
+      turn.moves = moves(machine, turn);
+      return turn;
     }
-    if (turn.is_followed && differ(machine, turn.from, now) && !is_written(b)) {
-      turn.from = now;
-      turn.was_moved = true;
-    }
+    const bool is_incremental = distance_.is_incremental(b);
+    if (is_incremental && b.find(machine_select_)) named = 0;  // the control ignores G53 under G91
+    const Angles offset = is_incremental ? Angles{} : offset_of_words(b);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if ((named >> axis & 1u) != 0)
+        turn.to[axis] = position(axis, words[axis], offset[axis], turn.to[axis], is_incremental);
     turn.moves = moves(machine, turn);
     return turn;
   }
@@ -248,18 +251,26 @@ class RotaryTurns {
   const RotaryAxes& axes() const { return axes_; }
 
  private:
+  /// The frame stands for other angles than those at which the axes are: something has turned them since, unless it is
+  /// this block that does.
+  void leave_for(const ig::Block& b, const ToolKinematics& machine, RotaryTurn& turn) const {
+    const Angles& now = turn.to;
+    if (!differ(machine, turn.from, now) || is_written(b)) return;
+    turn.from = now;
+    turn.was_moved = true;
+  }
+
   /// What has still to be added to the words of positions.
   Angles offset_of_words(const ig::Block& b) const {
-    if (words_are_ == RotaryWordsAre::of_machine) return {};
-    const Angles offset = offsets_.get(b);
-    return offset == Angles{} || !b.find(machine_select_) ? offset : Angles{};
+    if (words_are_ == RotaryWordsAre::of_machine || !offsets_.any(b) || b.find(machine_select_)) return {};
+    return offsets_.get(b);
   }
 
   /// Where a word sends its axis. One that McAbcSyntax refuses turns nothing; a sign that is a direction is none of the
   /// position.
-  double position(std::size_t axis, double word, double offset, const Angles& now, bool is_incremental) const {
-    if (!(std::fabs(word) < detail::countable_deg) || (axes_.any() && !axes_.has(axis))) return now[axis];
-    if (is_incremental) return now[axis] + word;
+  double position(std::size_t axis, double word, double offset, double now, bool is_incremental) const {
+    if (!(std::fabs(word) < detail::countable_deg) || (axes_.any() && !axes_.has(axis))) return now;
+    if (is_incremental) return now + word;
     word = RotaryOffsets::to_machine(word, offset, axes_.rollover(axis));
     return axes_.rollover(axis) == Rollover::signed_direction ? std::fabs(word) : word;
   }
@@ -271,7 +282,8 @@ class RotaryTurns {
       const std::size_t axis = machine.axis(k);
       const double way = b[axis] - a[axis];
       if (way == 0) continue;
-      const double rest = axes_.rollover(axis) == Rollover::counts_on ? way : std::remainder(way, 360.0);
+      const bool is_same_turn = std::fabs(way) < 180 || axes_.rollover(axis) == Rollover::counts_on;
+      const double rest = is_same_turn ? way : std::remainder(way, 360.0);
       if (!(std::fabs(rest) <= noise)) return true;
     }
     return false;

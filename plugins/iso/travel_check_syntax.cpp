@@ -1,6 +1,8 @@
 /// The travel of the machine's axes: every position of a block, every place where an arc turns back, and the curve on
 /// which the machine goes while rotary axes turn about the tip, against the limits that the machine declares. A machine
 /// without limits costs nothing.
+#include <bit>
+
 #include "arc_util.hpp"
 #include "plane_util.hpp"
 #include "rotary_words.hpp"
@@ -76,14 +78,8 @@ struct TravelCheck {
   ig::Status build(ig::Block& b) const {
     const std::uint32_t before = outside(b);
     std::uint32_t now = check_steps(b, before);
-    ig_value at[names.size()];
-    const std::uint32_t fresh = b.fresh_many(position_.data(), names.size());
-    if (const ig::PartialVec3 center = b.get(center_); center.complete() && (fresh & limited_ & 7u) != 0) {
-      const ig::Vec3 start = last_(b);
-      now = check_arc(b, {start, b.get(program_).or_else(start), center.value, b.get_or(is_ccw_, false)}, now);
-    }
-    if (b.is(form_, led_) && (limited_ & 7u) != 0) now = check_curve(b, now);
-    now = check(b, fresh & b.get_many(position_.data(), names.size(), at), at, now);
+    if ((limited_ & 7u) != 0) now = check_between(b, now);
+    now = check_end(b, now);
     if (now == before) return ig::Status::unchanged;
     for (std::size_t axis = 0; axis < names.size(); ++axis) {
       const std::uint32_t bit = 1u << axis;
@@ -96,9 +92,33 @@ struct TravelCheck {
  private:
   std::uint32_t outside(const ig::Block& b) const {
     std::uint32_t mask = 0;
-    for (std::size_t axis = 0; axis < names.size(); ++axis)
-      if ((limited_ >> axis & 1u) != 0 && b.is_raised(outside_[axis])) mask |= 1u << axis;
+    for (std::uint32_t rest = limited_; rest != 0; rest &= rest - 1)
+      if (b.is_raised(outside_[axis_of(rest)])) mask |= rest & ~(rest - 1);
     return mask;
+  }
+
+  static std::size_t axis_of(std::uint32_t lowest_bit_of) {
+    return static_cast<std::size_t>(std::countr_zero(lowest_bit_of));
+  }
+
+  /// What the block writes where it ends.
+  std::uint32_t check_end(ig::Block& b, std::uint32_t outside) const {
+    for (std::uint32_t rest = limited_; rest != 0; rest &= rest - 1) {
+      const std::size_t axis = axis_of(rest);
+      ig_value v;
+      if (b.is_fresh(position_[axis]) && b.get(position_[axis], v)) outside = check_axis(b, axis, v.number, outside);
+    }
+    return outside;
+  }
+
+  /// X, Y and Z between the ends of the move.
+  std::uint32_t check_between(ig::Block& b, std::uint32_t outside) const {
+    const ig::PartialVec3 center = b.get(center_);
+    if (center.complete() && (b.fresh_many(position_.data(), 3) & limited_) != 0) {
+      const ig::Vec3 start = last_(b);
+      outside = check_arc(b, {start, b.get(program_).or_else(start), center.value, b.get_or(is_ccw_, false)}, outside);
+    }
+    return b.is(form_, led_) ? check_curve(b, outside) : outside;
   }
 
   std::uint32_t check_steps(ig::Block& b, std::uint32_t outside) const {
@@ -145,22 +165,21 @@ struct TravelCheck {
 
   /// A position between the ends of a move: that the axis is back inside, the end says.
   std::uint32_t pass(ig::Block& b, std::size_t axis, double position, std::uint32_t outside) const {
-    ig_value at[names.size()];
-    at[axis].number = position;
-    return outside | check(b, 1u << axis, at, outside);
+    return (limited_ >> axis & 1u) != 0 ? outside | check_axis(b, axis, position, outside) : outside;
   }
 
   /// The tip goes straight in the workpiece, the angles evenly: looked at every few degrees.
   std::uint32_t check_curve(ig::Block& b, std::uint32_t outside) const {
-    const ig::PartialVec3 begin = b.get(here_before_), end = b.get(here_);
-    if (!kinematics_ || !begin.complete() || !end.complete()) return outside;
+    if (!kinematics_) return outside;
     const PartialAngles known_from = rotary_before_.get(b), known_to = rotary_.get(b);
     const Angles from = known_from.or_else({}), to = known_to.or_else(from);
     double widest = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) widest = std::fmax(widest, std::fabs(to[axis] - from[axis]));
     constexpr double look_deg = 2, most_looks = 360;
+    if (!(widest > look_deg)) return outside;
+    const ig::PartialVec3 begin = b.get(here_before_), end = b.get(here_);
+    if (!begin.complete() || !end.complete()) return outside;
     const double looks = std::fmin(std::ceil(widest / look_deg), most_looks);
-    if (!(looks >= 2)) return outside;
     const double length = b.get_or(length_, 0.0);
     const auto first = tip(begin.value, from, length), last = tip(end.value, to, length);
     if (!first || !last) return outside;
@@ -205,21 +224,18 @@ struct TravelCheck {
 
   /// The axes that are outside after this position; an axis that it does not name stays as it was.
   std::uint32_t check(ig::Block& b, std::uint32_t named, const ig_value* at, std::uint32_t outside) const {
-    for (std::size_t axis = 0; axis < names.size(); ++axis) {
-      const std::uint32_t bit = 1u << axis;
-      if ((named & limited_ & bit) == 0) continue;
-      const double position = at[axis].number;
-      const AngleRange& travel = travel_[axis];
-      if (travel.holds(position)) {
-        outside &= ~bit;
-        continue;
-      }
-      if ((outside & bit) == 0)
-        b.report(rotary_diag("ISO-0403"), ig::Where::block(), names.substr(axis, 1), position,
-                 position > travel.maximum ? travel.maximum : travel.minimum);
-      outside |= bit;
-    }
+    for (std::uint32_t rest = named & limited_; rest != 0; rest &= rest - 1)
+      outside = check_axis(b, axis_of(rest), at[axis_of(rest)].number, outside);
     return outside;
+  }
+  std::uint32_t check_axis(ig::Block& b, std::size_t axis, double position, std::uint32_t outside) const {
+    const std::uint32_t bit = 1u << axis;
+    const AngleRange& travel = travel_[axis];
+    if (travel.holds(position)) return outside & ~bit;
+    if ((outside & bit) == 0)
+      b.report(rotary_diag("ISO-0403"), ig::Where::block(), names.substr(axis, 1), position,
+               position > travel.maximum ? travel.maximum : travel.minimum);
+    return outside | bit;
   }
 
   static Axes each(std::string_view section, ig::Access access) {

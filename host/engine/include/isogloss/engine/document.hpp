@@ -22,7 +22,13 @@ struct Frame {
   double matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   bool is_moving = false;  ///< in the block that set it last
 
-  static Frame from(const double (&m)[16]);
+  /// Row vectors: 16 numbers, row by row.
+  void assign(const double* m);
+  static Frame from(const double* m) {
+    Frame frame;
+    frame.assign(m);
+    return frame;
+  }
   void map(const double (&in)[3], double (&out)[3]) const {
     if (kind == Kind::general) {
       for (int i = 0; i < 3; ++i)
@@ -241,7 +247,7 @@ class Document {
 
   void set_frame(ig_field f, const Frame& frame);
   /// An entry that moves with the axes in this block, as it is at the end of the block.
-  void move_frame(ig_field f, const Frame& frame);
+  void move_frame(ig_field f, const double* matrix);
   const Frame& frame(ig_field f) const { return frames_[frame_index(f)]; }
   /// All entries composed in chain order.
   const Frame& composed();
