@@ -14,6 +14,7 @@ struct TapeBoundarySyntax {
   ig::TextField text_{"TapeBoundary.Text", ig::write};
   ig::Signal started{"TapeBoundary.~Started", ig::read | ig::write, ig::Life::frame};
   ig::Signal program{"Source.~Program", ig::read, ig::Life::frame};
+  ig::Signal ended{"TapeBoundary.~Ended", ig::write};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     const std::size_t end = block_end(text, position);
@@ -22,6 +23,7 @@ struct TapeBoundarySyntax {
       const std::size_t behind = std::max(mark_end, position + 1);
       b.set_text(text_, text[position] == '%' ? piece(text, position, behind) : "^Z");
       skipped(b, text, behind, end);
+      b.raise(ended);
       b.flow(IG_FLOW_END_FILE);
       return end;
     }
