@@ -171,6 +171,9 @@ class MacroEnvironment : public MacroFrame {
     if (within(n, 4201, 4230) || within(n, 4301, 4330)) return modal(b, n - 200, out);
     if (within(n, 4401, 4430) || within(n, 4501, 4530)) return Fault::not_known_here;
     if (within(n, 5001, 5100)) return position(b, (n - 5001) / 20, (n - 5001) % 20, out);
+    if (n == store().settings.tool_variable) return modal(b, 4120, out);
+    if (n == store().settings.speed_variable) return modal(b, 4119, out);
+    if (is_local_shift(n)) return local_shift(b, n - 5201, out);
     if (const OffsetCell cell = offset_cell(n); cell.exists) return read_offset(b, cell, out);
     if (const ToolCell cell = tool_cell(n); cell.row != 0) return read_tool(b, cell, out);
     if (store().is_assumed(n)) {
@@ -240,6 +243,7 @@ class MacroEnvironment : public MacroFrame {
       case 4107: return of(static_cast<double>(b.get_or(radius_row_, std::int64_t{0})));
       case 4109: return of(in_program_unit(b, b.get_or(feed_, 0.0)));
       case 4111: return of(static_cast<double>(b.get_or(length_row_, std::int64_t{0})));
+      case 4114: return sequence_number(b, out);
       case 4115: return program_in_force(b, out);
       case 4119: return of(b.get_or(speed_, 0.0));
       case 4120: return of(static_cast<double>(b.get_or(tool_, std::int64_t{0})));
@@ -252,6 +256,13 @@ class MacroEnvironment : public MacroFrame {
     const std::vector<MacroStore::ModalCall>& calls = store().modal_calls();
     if (calls.empty()) return 67;
     return calls.back().each_block ? 66.1 : 66;
+  }
+
+  /// Of the block before; where it has none, the last one is not kept here.
+  Fault sequence_number(const ig::Block& b, double& out) const {
+    const auto n = b.get(previous_n_);
+    out = static_cast<double>(n.value_or(0));
+    return n ? Fault::none : Fault::not_known_here;
   }
 
   /// The name by which the program was called; the main program has the number that it begins with.
@@ -324,8 +335,16 @@ class MacroEnvironment : public MacroFrame {
     iso::WorkOffsetId id = iso::WorkOffsetId::basic(0);
   };
 
+  bool is_local_shift(std::uint32_t n) const { return store().settings.local_in_5201 && within(n, 5201, 5206); }
+  Fault local_shift(const ig::Block& b, std::uint32_t index, double& out) const {
+    const std::size_t axis = axis_of(b, index);
+    if (axis > 2) return Fault::not_known_here;
+    out = in_program_unit(b, b.get_or(local_origin_[axis], 0.0));
+    return Fault::none;
+  }
+
   /// #5201 the external offset, #5221 G54 …, twenty to a set; #7001 and #14001 G54.1 P1 …; #2501, #2601, #2701 by axes.
-  static OffsetCell offset_cell(std::uint32_t n) {
+  OffsetCell offset_cell(std::uint32_t n) const {
     const auto basic = [](std::uint32_t set, std::uint32_t axis) {
       return OffsetCell{true, axis, iso::WorkOffsetId::basic(set)};
     };
@@ -336,7 +355,8 @@ class MacroEnvironment : public MacroFrame {
     if (within(n, 5201, 5340)) return basic((n - 5201) / 20, (n - 5201) % 20);
     if (within(n, 7001, 7960)) return additional(n - 7001);
     if (within(n, 14001, 20000)) return additional(n - 14001);
-    if (within(n, 2500, 2799) && n % 100 <= 6) return basic(n % 100, n / 100 - 25);
+    const bool has_by_axes = !store().settings.radii_from_2401;
+    if (has_by_axes && within(n, 2500, 2799) && n % 100 <= 6) return basic(n % 100, n / 100 - 25);
     return {};
   }
 
@@ -366,16 +386,12 @@ class MacroEnvironment : public MacroFrame {
   };
   /// Columns of the tool offset service: 0 length, 1 its wear, 2 radius, 3 its wear.
   ToolCell tool_cell(std::uint32_t n) const {
-    if (within(n, 10001, 10999)) return {n - 10000, 1};
-    if (within(n, 11001, 11999)) return {n - 11000, 0};
-    if (within(n, 12001, 12999)) return {n - 12000, 3};
-    if (within(n, 13001, 13999)) return {n - 13000, 2};
-    if (!store().settings.geometry_first) {
-      if (within(n, 2001, 2200)) return {n - 2000, 1};
-      if (within(n, 2201, 2400)) return {n - 2200, 0};
-    } else if (within(n, 2001, 2800)) {
-      return {(n - 2001) % 200 + 1, (n - 2001) / 200};
-    }
+    const MacroSettings& settings = store().settings;
+    const std::uint32_t wear_first = settings.tools == ToolVariables::wear_first ? 1 : 0;
+    if (settings.tools != ToolVariables::geometry_first && within(n, 10001, 13999) && n % 1000 != 0)
+      return {n % 1000, (n / 1000 - 10) ^ wear_first};
+    if (within(n, 2001, settings.radii_from_2401 ? 2800 : 2400))
+      return {(n - 2001) % 200 + 1, ((n - 2001) / 200) ^ wear_first};
     return {};
   }
 
@@ -397,6 +413,7 @@ class MacroEnvironment : public MacroFrame {
 
   Written write_system(ig::Block& b, std::uint32_t n, double value) {
     const double mm = is_inch(b) ? value * inch_mm : value;
+    if (is_local_shift(n)) return Written::read_only;
     if (const OffsetCell cell = offset_cell(n); cell.exists) return write_offset(b, cell, value);
     if (const ToolCell cell = tool_cell(n); cell.row != 0) {
       if (!tools_ || !std::isfinite(mm) || tools_->set(tools_->self, cell.row, cell.column, mm) == 0)
@@ -405,6 +422,7 @@ class MacroEnvironment : public MacroFrame {
       return Written::done;
     }
     if (within(n, 4001, 4530) || within(n, 5001, 5100) || n == 3011 || n == 3012) return Written::read_only;
+    if (n == store().settings.tool_variable || n == store().settings.speed_variable) return Written::read_only;
     if (n != 3001 && n != 3002 && !store().is_assumed(n) && store().given(n) == nullptr) return Written::no_variable;
     store().give(n, value);
     return Written::done;
@@ -436,6 +454,7 @@ class MacroEnvironment : public MacroFrame {
       length_{"ToolHeightCompensation.Offset_mm"};
   ig::In<std::int64_t> tool_{"ToolChange.ToolId"}, length_row_{"ToolHeightCompensation.OffsetId"},
       radius_row_{"RadiusCompensation.OffsetId"};
+  ig::Previous<std::int64_t> previous_n_{"Source.N"};
   ig::Xyz program_xyz_{"ProgramXyz", ig::read}, machine_xyz_{"MachineCoordinate", ig::read};
   std::array<ig::In<double>, 3> rotary_{ig::In<double>{"MachineCoordinate.A"}, ig::In<double>{"MachineCoordinate.B"},
                                         ig::In<double>{"MachineCoordinate.C"}};

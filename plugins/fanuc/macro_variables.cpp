@@ -14,7 +14,8 @@ namespace {
 enum class ArcRange { full, half };
 enum class Conditions { comparison, any_value };
 enum class Modulus { whole, real };
-enum class ToolVariables { wear_first, geometry_first };
+enum class RadiusVariables { none, from_2401 };
+enum class FirstOffset { external, local };
 enum class Group12 { macro_call, work_offset };
 
 struct MacroVariables final : MacroStore::Keeper {
@@ -34,9 +35,18 @@ struct MacroVariables final : MacroStore::Keeper {
                                     "A condition compares and a comparison is no number, or a comparison is 1 or 0 "
                                     "and any number but 0 is a condition that holds."};
   ig::Choice<Modulus> modulus{"mod", "whole|real", "whole", "Does MOD round its operands to whole numbers?"};
-  ig::Choice<ToolVariables> tool_variables{"tool-variables", "wear-first|geometry-first", "wear-first",
-                                           "#2001 is the wear of length 1 and #2201 its geometry, or the other way "
-                                           "round, with radii from #2401 on."};
+  ig::Choice<ToolVariables> tool_variables{"tool-variables", "wear-first|series-15|geometry-first", "wear-first",
+                                           "#2001 and #10001 are the wear of length 1, #2201 and #11001 its geometry; "
+                                           "or the other way round; or so without #10001 and on, with radii from #2401 "
+                                           "on."};
+  ig::Choice<RadiusVariables> radius_variables{"radius-variables", "none|from-2401", "none",
+                                               "#2401 to #2800: work offsets at #2500 and on only, or radii of tools."};
+  ig::Choice<FirstOffset> first_offset{"first-offset", "external|local", "external",
+                                       "#5201 and on: the external offset, or the shift of G52."};
+  ig::IntegerOption tool_in_spindle{
+      "tool-in-spindle", "0", {0, 99'999}, "Number of the variable that is the tool in the spindle; 0: none."};
+  ig::IntegerOption spindle_speed{
+      "spindle-speed", "0", {0, 99'999}, "Number of the variable that is the speed of the spindle; 0: none."};
   ig::Choice<Group12> group_12{"group-12", "macro-call|work-offset", "macro-call",
                                "#4012 is 66 or 67, or the work offset in force as #4014 is."};
   ig::IntegerOption nesting{"nesting", "5", {1, 64}, "Brackets inside each other that the control permits."};
@@ -57,7 +67,12 @@ struct MacroVariables final : MacroStore::Keeper {
     store.settings.rules.arcs_are_signed = arcs == ArcRange::half;
     store.settings.rules.truth_is_number = conditions == Conditions::any_value;
     store.settings.rules.whole_modulus = modulus == Modulus::whole;
-    store.settings.geometry_first = tool_variables == ToolVariables::geometry_first;
+    store.settings.tools = tool_variables;
+    store.settings.radii_from_2401 =
+        radius_variables == RadiusVariables::from_2401 || tool_variables == ToolVariables::geometry_first;
+    store.settings.local_in_5201 = first_offset == FirstOffset::local;
+    store.settings.tool_variable = static_cast<std::uint32_t>(tool_in_spindle);
+    store.settings.speed_variable = static_cast<std::uint32_t>(spindle_speed);
     store.settings.offset_in_12 = group_12 == Group12::work_offset;
     store.settings.nesting = static_cast<std::uint32_t>(nesting);
     store.settings.clock_step_ms = clock_step;
