@@ -90,9 +90,11 @@ struct FanucMacroCall {
       b.report(macro_diag("FAN-0162"), where, code, program_);
     } else if (repeats_ < 0 || repeats_ > largest_number || repeats_ != std::floor(repeats_)) {
       b.report(macro_diag("FAN-0167"), where, code, repeats_);
+    } else if (repeats_ == 0) {
+      b.report(macro_diag("FAN-0172"), where, code);
     } else if (is_modal_) {
       keep_modal_call(b, where);
-    } else if (repeats_ > 0) {
+    } else {
       call_macro(b, where, false);
     }
     return ig::Status::changed;
@@ -113,7 +115,7 @@ struct FanucMacroCall {
     calls.push_back(
         {static_cast<std::int64_t>(program_), static_cast<std::int64_t>(repeats_), arguments_, each_block_});
     b.raise(modal_);
-    if (each_block_ && own_block_ == OwnBlock::calls && repeats_ > 0) call_macro(b, where, true);
+    if (each_block_ && own_block_ == OwnBlock::calls) call_macro(b, where, true);
   }
 
   void call_macro(ig::Block& b, ig::Where where, bool is_modal) {

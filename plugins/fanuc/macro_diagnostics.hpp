@@ -157,6 +157,8 @@ inline constexpr std::array macro_diagnostics{
                    "Each G66 that no G67 ended is one level of macro calls. The control stops with an alarm. The calls "
                    "before stay in force.",
                    "G66 P9010 (six times, without G67)"),
+    ig::diagnostic(IG_WARNING, "FAN-0172", "{0} with the count 0: the macro is not called",
+                   "L says how often; leave it out for one call.", "G65 P9010 L0"),
 };
 
 consteval std::uint32_t macro_diag(std::string_view code) { return iso::index_of(macro_diagnostics, code, 0); }

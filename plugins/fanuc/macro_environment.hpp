@@ -106,6 +106,8 @@ class MacroEnvironment : public MacroFrame {
     if (end > text.size()) end = text.size();
     const std::size_t begin = std::min(o.fault_begin, end);
     const auto where = ig::Where::columns(begin, std::max(end, begin + 1));
+    if (o.fault == Fault::too_deep)
+      return b.report(diagnostic_of(o.fault), where, static_cast<double>(rules().deepest));
     std::string_view piece = text.substr(begin, end - begin);
     if (piece.empty() || piece.front() == '\r' || piece.front() == '\n') piece = "the end of the block";
     if (o.variable != 0) return b.report(diagnostic_of(o.fault), where, name_of(piece, o.variable));

@@ -1,5 +1,8 @@
 // Comments: ( … ), not nested, anywhere in a block; the semicolon, which opens a comment on controls that read it so
 // and ends the block where a listing shows the end-of-block character as one; and // where the control knows it.
+// Files for such a control hold remarks behind semicolons all the same: plain text there is no block.
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include "diagnostics.hpp"
@@ -28,6 +31,7 @@ struct IsoCommentSyntax {
   ig::Name semicolon_name{";"};
   ig::Name slashes_name{"//"};
   ig::Signal several{"Comment.~Several", ig::read | ig::write | ig::wake};
+  ig::Signal said_remark{"Comment.~SaidRemark", ig::read | ig::write, ig::Life::modal};
   std::string joined;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
@@ -68,8 +72,37 @@ struct IsoCommentSyntax {
     }
     const std::size_t next = skip_blanks(text, position + 1);
     if (block_end(text.substr(0, next + 1), next) == next) return next;
+    if (is_remark(text, next)) return remark(b, text, position, next);
     b.flow(IG_FLOW_SPLIT, next);
     return next;
+  }
+
+  std::size_t remark(ig::Block& b, std::string_view text, std::size_t position, std::size_t begin) {
+    const std::size_t end = block_end(text, begin);
+    if (!b.is_raised(said_remark)) b.report(diag("ISO-0399"), ig::Where::columns(position, end));
+    b.raise(said_remark);
+    add(b, semicolon_name, trim(piece(text, begin, end)));
+    return end;
+  }
+
+  /// Neither an address with its value nor a statement nor a sign that begins a block.
+  static bool is_remark(std::string_view text, std::size_t position) {
+    const char first = text[position];
+    if (!is_letter(first)) return std::string_view("#[(/;%<:").find(first) == std::string_view::npos;
+    const std::size_t letters_end = skip_while(text, position, is_letter);
+    const char next = at(text, skip_blanks(text, letters_end));
+    const std::size_t letters = letters_end - position;
+    const bool has_value = is_digit(next) || std::string_view("#[").find(next) != std::string_view::npos;
+    if (letters == 1) return is_letter(next);
+    const bool is_zero_as_letter = letters == 2 && to_upper(text[position + 1]) == 'O';
+    return !has_value || !(is_zero_as_letter || begins_statement(piece(text, position, letters_end)));
+  }
+
+  /// The first two letters tell the statements of macros.
+  static bool begins_statement(std::string_view word) {
+    constexpr std::array<std::string_view, 10> statements{"IF", "WH", "GO", "DO", "EN", "TH", "DP", "BP", "PO", "PC"};
+    const std::array<char, 2> begin{to_upper(word[0]), to_upper(word[1])};
+    return std::find(statements.begin(), statements.end(), std::string_view(begin.data(), 2)) != statements.end();
   }
 
   /// Several comments of a block are one text, joined by blanks, under the symbol of the first.

@@ -1,7 +1,7 @@
 /// G10: the program writes the control's tables: work offsets (L2, L20) and tool offsets (L10 to L13). Under G90 the
 /// words replace what stands in the table, under G91 they are added. The syntaxes that read the tables hear of it by a
-/// signal and ask again in the same block. Between G10 L50 and G11 stand parameters of the control: their words are
-/// taken, so that nobody reads them as a motion.
+/// signal and ask again in the same block. Between G10 L50 and G11 stand parameters of the control, after G10 L3 lives
+/// of tools: their words are taken, so that nobody reads them as a motion or a tool change.
 #include "rotary_offset_util.hpp"
 #include "whole_number.hpp"
 #include "work_offset_id.hpp"
@@ -16,13 +16,18 @@ struct ProgrammableDataInput {
   static constexpr auto spec =
       ig::syntax("ProgrammableDataInputSyntax", "G10 writes work offsets and tool offsets.")
           .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PositioningModeSyntax")
-          .before("ToolHeightOffsetSyntax", "IsoCoordinateOffsetSyntax", "IncrementalResolveSyntax");
+          .before("ToolChangeSyntax", "ToolHeightOffsetSyntax", "IsoCoordinateOffsetSyntax", "IncrementalResolveSyntax");
 
   ig::Call g10_{{"G10"}, "L[] P[] R X Y Z A B C"};
   ig::Codes g11_{"G11"};
   /// After G10 L50, up to G11.
   ig::Signal parameters_{"ProgrammableDataInput.~Parameters", ig::read | ig::write | ig::wake_while, ig::Life::modal};
+  /// After G10 L3, L75 and L76, up to G11.
+  ig::Signal tool_data_{"ProgrammableDataInput.~ToolData", ig::read | ig::write | ig::wake_while, ig::Life::modal};
   ig::Word p_{"Parsing.P", ig::read, ""}, r_{"Parsing.R", ig::read};
+  std::array<ig::Word, 5> of_tool_{ig::Word{"Parsing.T", ig::read, ""}, ig::Word{"Parsing.H", ig::read, ""},
+                                   ig::Word{"Parsing.D", ig::read, ""}, ig::Word{"Parsing.L", ig::read, ""},
+                                   ig::Word{"Parsing.Q", ig::read}};
   ig::Xyz positions_{"Parsing", ig::read};
   ig::Word i_{"Parsing.I", ig::read}, j_{"Parsing.J", ig::read}, k_{"Parsing.K", ig::read};
   ig::In<ig::Symbol> positioning_{"PositioningMode.Term"};
@@ -39,14 +44,21 @@ struct ProgrammableDataInput {
 
   ig::Status build(ig::Block& b) {
     const bool ends = b.take(g11_).has_value();
-    if (ends) b.erase(parameters_);
+    if (ends) {
+      b.erase(parameters_);
+      b.erase(tool_data_);
+    }
     const auto words = b.take(g10_);
-    if (!words)
-      return (b.is_raised(parameters_) && swallow_parameter(b)) || ends ? ig::Status::changed : ig::Status::unchanged;
+    if (!words) {
+      const bool swallowed = (b.is_raised(parameters_) && swallow_parameter(b)) ||
+                             (b.is_raised(tool_data_) && swallow_tool_data(b));
+      return swallowed || ends ? ig::Status::changed : ig::Status::unchanged;
+    }
     const auto where = ig::Where::word(g10_.code(0));
     const auto table = (*words)['L'] == 1 ? std::optional(11.0) : (*words)['L'];  // L1: older programs
     if (!is_work_offset(table)) say_not_executed(b, *words);
     if (table && (*table == 50 || *table == 52)) b.raise(parameters_);
+    if (table && (*table == 3 || *table == 75 || *table == 76)) b.raise(tool_data_);
     const bool is_offset = is_work_offset(table);
     const bool is_tool = tools_ && table && *table >= 10 && *table <= 13 && whole_number(*table);
     if (table && !is_offset && !is_tool) {
@@ -109,9 +121,21 @@ struct ProgrammableDataInput {
     return tools_->set(tools_->self, *row, column, old + *words['R']) != 0;
   }
 
+  bool programs_position(const ig::Block& b) const {
+    return b.get(positions_).mask != 0 || b.has(i_) || b.has(j_) || b.has(k_);
+  }
+
+  /// G10 has said that none of it is kept.
+  bool swallow_tool_data(ig::Block& b) const {
+    if (programs_position(b)) return false;
+    bool any = b.take(p_).has_value();
+    for (const ig::Word& word : of_tool_) any |= b.take(word).has_value();
+    return b.take(r_).has_value() || any;
+  }
+
   /// P and R of a block that programs no position.
   bool swallow_parameter(ig::Block& b) const {
-    if (b.get(positions_).mask != 0 || b.has(i_) || b.has(j_) || b.has(k_)) return false;
+    if (programs_position(b)) return false;
     bool any = false;
     for (const ig::Word* const word : {&p_, &r_}) {
       if (!b.take(*word)) continue;

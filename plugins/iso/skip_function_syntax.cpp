@@ -12,7 +12,7 @@ struct SkipFunction {
                                    .before("CircularMotionSyntax", "LinearMotionSyntax")
                                    .first_writer("Motion");
 
-  ig::Call g31_{{"G31"}, "P[]"};
+  ig::Call g31_{{"G31"}, "P[] Q[] R[]"};
   ig::Xyz machine_{"MachineCoordinate", ig::read};
   ig::Xyz program_{"ProgramXyz", ig::read};
   ig::Signal said_{"SkipFunction.~Said", ig::read | ig::write, ig::Life::modal};
