@@ -16,9 +16,12 @@ struct FanucMacroWord {
       ig::syntax("FanucMacroWordSyntax", "Words and codes whose value is a variable or an expression.")
           .after("FlagSyntax", "WordSyntax", "FanucMacroStatementSyntax")
           .before("ParameterizedFlagSyntax")
-          .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz");
+          .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz,");
 
   ig::Fields addresses_{"addresses", "Parsing.?", ig::write, "The addresses that words may have."};
+  /// A comma before C and R: a corner's chamfer and rounding.
+  ig::Field<double> chamfer_{"Parsing.CornerBreak.C", ig::write, {ig::Life::standard, "mm", ""}};
+  ig::Field<double> rounding_{"Parsing.CornerBreak.R", ig::write, {ig::Life::standard, "mm", ""}};
   CodeFields codes_;
   ig::Config number_format_{"isogloss.number-format/1", ig::Need::optional, "The increments that ROUND rounds to."};
   ig::Codes units_{{"G20", "G21"}, ig::read};
@@ -43,7 +46,11 @@ struct FanucMacroWord {
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     bool negative = false;
-    const std::size_t value = skip_signs(text, position + 1, negative);
+    const bool is_corner = text[position] == ',';
+    const std::size_t letter = is_corner ? iso::skip_blanks(text, position + 1) : position;
+    const char name = iso::to_upper(iso::at(text, letter));
+    if (is_corner && name != 'C' && name != 'R') return position;
+    const std::size_t value = skip_signs(text, letter + 1, negative);
     const char c = iso::at(text, value);
     const bool is_function = iso::is_letter(c) && iso::at(text, iso::skip_while(text, value, iso::is_letter)) == '[';
     if (c != '#' && c != '[' && !is_function) return position;
@@ -62,9 +69,10 @@ struct FanucMacroWord {
   }
 
   std::size_t word(ig::Block& b, std::string_view text, std::size_t begin, std::size_t value, bool negative) {
-    const char letter = iso::to_upper(text[begin]);
+    const bool is_corner = text[begin] == ',';
+    const char letter = iso::to_upper(text[is_corner ? iso::skip_blanks(text, begin + 1) : begin]);
     ExpressionRules rules = environment_.rules();
-    rules.increment = increment_of(b, letter);
+    rules.increment = increment_of(b, is_corner ? 'R' : letter);
     const auto variables = [&](std::uint32_t number, MacroValue& out) { return environment_.read(b, number, out); };
     const bool is_variable = text[value] == '#' && iso::is_digit(iso::at(text, value + 1));
     if (!is_variable) text = without_comments(text, begin, value);
@@ -90,7 +98,9 @@ struct FanucMacroWord {
                std::string_view(&letter, 1));
     } else if (!o.value.is_null()) {
       const double number = negative ? -o.value.number : o.value.number;
-      if (letter == 'G' || letter == 'M')
+      if (is_corner)
+        set_corner(b, letter, number, begin, o.end);
+      else if (letter == 'G' || letter == 'M')
         set_code(b, letter, number, begin, o.end);
       else
         set_word(b, letter, number, begin, o.end, iso::piece(text, begin, o.end));
@@ -153,6 +163,16 @@ struct FanucMacroWord {
                        .begin = iso::column(begin),
                        .end = iso::column(end),
                        .value = {.number = (is_whole ? std::round(number) : number) + 0.0},
+                       .flags = 0,
+                       .reserved = 0};
+    b.host()->set_words(b.raw(), &word, 1);
+  }
+
+  void set_corner(ig::Block& b, char letter, double number, std::size_t begin, std::size_t end) const {
+    const ig_word word{.field = (letter == 'C' ? chamfer_ : rounding_).id(),
+                       .begin = iso::column(begin),
+                       .end = iso::column(end),
+                       .value = {.number = number + 0.0},
                        .flags = 0,
                        .reserved = 0};
     b.host()->set_words(b.raw(), &word, 1);

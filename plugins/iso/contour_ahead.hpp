@@ -2,8 +2,17 @@
 #pragma once
 
 #include "contour_motion.hpp"
+#include "corner_break_util.hpp"
 
 namespace iso {
+
+/// A line that holds nothing but a comment is no block to the control.
+inline bool is_comment_line(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos || (text[first] != '(' && text[first] != ';')) return false;
+  const std::size_t last = text.find_last_not_of(" \t\r;");
+  return text[first] == ';' || (last != std::string_view::npos && text[last] == ')' && text.find(')') == last);
+}
 
 /// A member of the syntax that looks ahead.
 class ContourAhead {
@@ -46,7 +55,7 @@ class ContourAhead {
           return next;
         }
         cancels |= offset_in_force(ahead) == 0;
-        if (!is_comment(ahead.source()) && ++rests > rests_allowed) break;
+        if (!is_comment_line(ahead.source()) && ++rests > rests_allowed) break;
         continue;
       }
       next.kind = Next::Kind::move;
@@ -62,10 +71,12 @@ class ContourAhead {
     return next;
   }
 
-  /// The moves that follow on the same side at the same distance, as far as the control reads.
+  /// The moves that follow on the same side at the same distance, as far as the control reads. The first begins at
+  /// `start`, where that is given: behind a corner that is broken.
   using Moves = std::array<ContourMove, 8>;
   std::size_t moves(ig::Block& b, const PlaneAxes& plane, double offset, std::int64_t rests_allowed,
-                    Moves& moves) const {
+                    const std::optional<Point2>& start, Moves& moves) const {
+    std::array<Break, 8> breaks{};
     std::size_t count = 0;
     bool other_frame = false;
     std::int64_t rests = 0;
@@ -79,18 +90,24 @@ class ContourAhead {
       if (offset_in_force(ahead) != offset) break;
       if (motion.kind == ContourMotion::Kind::rest) {
         if (ahead.has(corner_arc_)) break;
-        if (!is_comment(ahead.source()) && ++rests > rests_allowed) break;
+        if (!is_comment_line(ahead.source()) && ++rests > rests_allowed) break;
         continue;
       }
       rests = 0;
       moves[count] = motion.move;
       if (other_frame && !bring_here(b, ahead, motion, moves[count])) break;
+      breaks[count] = {ahead.get_or(break_size_, 0.0), ahead.is(break_term_, rounding_)};
       ++count;
     }
-    return count;
+    return with_corners(moves, count, start.value_or(moves[0].start), breaks);
   }
 
  private:
+  struct Break {
+    double size = 0;
+    bool is_rounding = false;
+  };
+
   /// The move as the frame of this block shows it.
   static bool bring_here(ig::Block& b, ig::Block& ahead, const ContourMotion& motion, ContourMove& move) {
     const auto bring = [&](const ig::Vec3& p) -> std::optional<Point2> {
@@ -109,12 +126,23 @@ class ContourAhead {
     return true;
   }
 
-  /// A line that holds nothing but a comment is no block to the control.
-  static bool is_comment(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos || (text[first] != '(' && text[first] != ';')) return false;
-    const std::size_t last = text.find_last_not_of(" \t\r;");
-    return text[first] == ';' || (last != std::string_view::npos && text[last] == ')' && text.find(')') == last);
+  /// The moves with what breaks their corners between them.
+  static std::size_t with_corners(Moves& moves, std::size_t count, Point2 begin, const std::array<Break, 8>& breaks) {
+    Moves out;
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < count && n < out.size(); ++i) {
+      const ContourMove& move = moves[i];
+      CornerBreaking broken;
+      broken.why = Unbroken::straight_on;
+      if (breaks[i].size > 0 && i + 1 < count)
+        broken = break_corner(move, begin, moves[i + 1], breaks[i].size, breaks[i].is_rounding);
+      const bool is_broken = broken.why == Unbroken::no;
+      out[n++] = between_corners(move, begin, is_broken ? broken.corner.begin : move.end);
+      if (is_broken && n < out.size()) out[n++] = broken.corner.move();
+      begin = is_broken ? broken.corner.end : move.end;
+    }
+    moves = out;
+    return n;
   }
 
   ContourMotionOf motion_;
@@ -123,7 +151,9 @@ class ContourAhead {
   ig::Xyz cancel_direction_{"RadiusCompensation.CancelDirection", ig::read, {ig::Life::block, "mm", ""}};
   ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
   ig::In<ig::Symbol> corner_arc_{"RadiusCompensation.CornerArc"};
-  ig::Name left_{"Left"}, right_{"Right"};
+  ig::In<ig::Symbol> break_term_{"CornerBreak.Term", ig::read, {ig::Life::block, "", ""}};
+  ig::In<double> break_size_{"CornerBreak.Size_mm", ig::read, {ig::Life::block, "mm", ""}};
+  ig::Name left_{"Left"}, right_{"Right"}, rounding_{",R"};
 };
 
 }  // namespace iso

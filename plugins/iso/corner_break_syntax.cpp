@@ -1,5 +1,5 @@
-/// ,C and ,R behind a straight move: a chamfer, a rounding at the corner to the next one. Not executed: the corner is
-/// run sharp, which is said.
+/// ,C and ,R behind a move: a chamfer, a rounding at the corner to the next one. The scanner reads the number;
+/// CornerBreakSizeSyntax says what it means.
 #include "corner_diagnostics.hpp"
 #include "scan_util.hpp"
 
@@ -7,24 +7,34 @@ namespace iso {
 namespace {
 
 struct CornerBreak {
-  static constexpr auto spec = ig::syntax("CornerBreakSyntax", "Says chamfers and roundings of corners: ,C and ,R.")
+  static constexpr auto spec = ig::syntax("CornerBreakSyntax", "Reads chamfers and roundings of corners: ,C and ,R.")
                                    .after("IsoCommentSyntax")
                                    .before("WordSyntax")
                                    .scans(",");
 
-  ig::Flow flow;
+  ig::Field<double> chamfer_{"Parsing.CornerBreak.C", ig::read | ig::write, {ig::Life::standard, "mm", ""}};
+  ig::Field<double> rounding_{"Parsing.CornerBreak.R", ig::read | ig::write, {ig::Life::standard, "mm", ""}};
+  ig::Signal without_point_{"Parsing.~WithoutPoint", ig::write};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     const std::size_t letter = skip_blanks(text, position + 1);
     const char name = to_upper(at(text, letter));
     if (name != 'C' && name != 'R') return position;
-    const std::size_t value = skip_blanks(text, letter + 1);
-    const ig::Decimal number = ig::read_decimal(text, value);
-    const std::size_t end = number.ok ? number.end : skip_expression(text, value);
-    if (end == value) return position;
-    if (!flow.is_indexing())
-      b.report(corner_diag("ISO-0480"), ig::Where::columns(position, end), piece(text, position, end));
-    return end;
+    const ig::Decimal number = ig::read_decimal(text, skip_blanks(text, letter + 1));
+    if (!number.ok || at(text, number.end) == '.') return position;
+    const ig_field field = (name == 'C' ? chamfer_ : rounding_).id();
+    if (b.has(field))
+      b.report(diag("ISO-0108"), ig::Where::columns(position, number.end), std::string_view(name == 'C' ? ",C" : ",R"));
+    const bool bare = !number.has_point && number.value != 0;
+    const ig_word word{.field = field,
+                       .begin = column(position),
+                       .end = column(number.end),
+                       .value = {.number = number.value + 0.0},
+                       .flags = bare ? static_cast<std::uint32_t>(IG_WORD_WITHOUT_POINT) : 0u,
+                       .reserved = 0};
+    b.host()->set_words(b.raw(), &word, 1);
+    if (bare) b.raise(without_point_);
+    return number.end;
   }
 };
 

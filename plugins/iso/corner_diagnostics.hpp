@@ -13,10 +13,11 @@ inline constexpr std::array corner_diagnostics{
     ig::diagnostic(IG_ERROR, "ISO-0479", "G39 at an inner corner: the tool goes straight, without an arc",
                    "The arc leads round an outer corner. At an inner one it would lie in the part.",
                    "G41 D1 (radius 5) (then) X10. (then) G39 (then) Y10."),
-    ig::diagnostic(IG_ERROR, "ISO-0480", "{0} is not executed: the corner stays sharp",
-                   "Chamfers (,C) and roundings (,R) between two straight moves are recognised only. The tool goes to "
-                   "the corner itself.",
-                   "G01 X10. ,C1. F100 (then) Y10."),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0480", "{0} is not executed, the corner stays sharp: {1}",
+        "A chamfer (,C) or a rounding (,R) stands between two feed moves in the plane, which are both long "
+        "enough for it; one block without a move may stand between them. The tool goes to the corner itself.",
+        "G01 X10. ,C11. F100 (then) Y10."),
 };
 
 inline constexpr std::size_t corner_end = pocket_end + corner_diagnostics.size();

@@ -1,10 +1,9 @@
 /// The tool's path beside the contour: under G41 and G42 each block's move is replaced by the moves of the tool's
 /// centre, which touches the contour and turns its corners. Needs the next move of the contour, so it looks ahead.
 /// Fanuc manual, "Details of cutter compensation".
-#include "contour_ahead.hpp"
-#include "corner_diagnostics.hpp"
+#include "broken_contour.hpp"
+#include "event_to_steps.hpp"
 #include "feed_util.hpp"
-#include "tool_steps.hpp"
 
 namespace iso {
 namespace {
@@ -22,6 +21,7 @@ struct RadiusCompensationPath {
           .looks_ahead(ContourAhead::window);
 
   ig::Signal path_{"RadiusCompensation.~Path", ig::read | ig::wake};
+  ig::Signal corner_path_{"CornerBreak.~Path", ig::read | ig::wake};
   ig::In<ig::Symbol> term_{"RadiusCompensation.Term"};
   ig::Out<ig::Symbol> phase_{"RadiusCompensation.Phase",
                              {ig::Life::block, "", "StartUp, Offset or Cancel: what the move of the block is."}};
@@ -33,12 +33,6 @@ struct RadiusCompensationPath {
                   {ig::Life::modal, "mm", "From the programmed point to the tool's centre, program coordinates."}};
   ig::Xyz machine_{"MachineCoordinate", ig::read | ig::write};
   ig::Out<ig::Symbol> compound_{"CompoundMotion.Term"};
-  ig::Out<ig::Symbol> form_{"MotionEvent.Form"};
-  ig::Out<bool> is_rapid_{"MotionEvent.IsRapid"};
-  ig::Out<double> feedrate_{"MotionEvent.Feedrate_mmds"};
-  ig::Xyz center_{"MotionEvent.ArcCenter", ig::read | ig::write};
-  ig::Out<bool> is_ccw_{"MotionEvent.IsCcw"};
-  ig::Out<std::int64_t> circles_{"MotionEvent.AdditionalCircleNum"};
   ig::In<ig::Symbol> program_end_{"ProgramEnd.Term"};
   ig::In<ig::Symbol> corner_arc_{"RadiusCompensation.CornerArc"};
   ig::Xyz corner_direction_{"RadiusCompensation.CornerDirection", ig::read, {ig::Life::block, "mm", ""}};
@@ -48,6 +42,8 @@ struct RadiusCompensationPath {
   RotaryPosition rotary_{ig::read};
   ContourMotionOf motion_;
   ContourAhead ahead_;
+  BrokenContour contour_;
+  EventToSteps event_;
   ToolSteps steps_;
   std::array<ig::Name, 3> phases_{ig::Name{"StartUp"}, ig::Name{"Offset"}, ig::Name{"Cancel"}};
   std::array<ig::Name, 8> corners_{ig::Name{"Tangent"},  ig::Name{"Inner"},     ig::Name{"Obtuse"},
@@ -74,11 +70,17 @@ struct RadiusCompensationPath {
 
   ig::Status restart(ig::Block&) {
     tool_ = {};
+    contour_.forget();
     return ig::Status::unchanged;
   }
 
   ig::Status build(ig::Block& b) {
     const ContourMotion now = motion_(b);
+    const BrokenContour::Piece piece = contour_.take(b, now);
+    programmed_ = now.to;
+    manner_.reset();
+    inserted_.reset();
+    next_start_.reset();
     const double offset = ahead_.offset_in_force(b);
     find_tool(b, now);
     if (!tool_.is_off && offset == 0) return ig::Status::unchanged;
@@ -93,8 +95,16 @@ struct RadiusCompensationPath {
       case ContourMotion::Kind::rest: return rest_or_step(b, now, offset);
       case ContourMotion::Kind::move: break;
     }
-    if (offset == 0) return cancel(b, now);
-    return tool_.is_off ? go_on(b, now, offset) : start(b, now, offset);
+    if (piece.corner) {
+      inserted_ = piece.corner->move;
+      next_start_ = piece.corner->move.end;
+    }
+    const ig::Status status = follow(b, piece.motion, offset);
+    if (!manner_) return status;
+    contour_.say(b, piece);
+    inserted_.reset();
+    if (piece.corner) go_round_corner(b, *piece.corner, offset);
+    return status;
   }
 
  private:
@@ -116,6 +126,57 @@ struct RadiusCompensationPath {
   };
   Tool tool_;
 
+  // Of the block that is built.
+  ig::Vec3 programmed_;
+  std::optional<ToolSteps::Manner> manner_;  ///< of its move, once that is taken
+  std::optional<ContourMove> inserted_;      ///< what breaks the corner at the end of its move, still to come
+  std::optional<Point2> next_start_;         ///< where the next block begins behind that
+
+  ig::Status follow(ig::Block& b, const ContourMotion& now, double offset) {
+    if (offset == 0) return cancel(b, now);
+    return tool_.is_off ? go_on(b, now, offset) : start(b, now, offset);
+  }
+
+  /// A chamfer or a rounding is a move of the contour like others. Behind the move that cancels nothing is beside it.
+  void go_round_corner(ig::Block& b, const ContourMotion& corner, double offset) {
+    if (tool_.is_off) {
+      go_on(b, corner, offset != 0 ? offset : tool_.offset);
+      return;
+    }
+    const ToolSteps::Manner manner{false, manner_->feed_mmds, 0};
+    if (corner.move.is_arc)
+      steps_.arc(b, corner.to, at(corner, corner.move.center, corner.to[corner.plane.tool]), corner.move.is_ccw,
+                 manner);
+    else
+      steps_.line(b, corner.to, manner);
+    tool_.at = corner.to;
+    finish(b);
+    tool_ = {};
+  }
+
+  /// What comes after the move at hand.
+  ContourAhead::Next following(ig::Block& b, const ContourMotion& now, double offset) const {
+    ContourAhead::Next next;
+    if (inserted_) {
+      next.kind = ContourAhead::Next::Kind::move;
+      next.offset = offset;
+      next.move = *inserted_;
+      return next;
+    }
+    next = ahead_.next(b, now.plane, rests_allowed_);
+    if (next_start_ && next.kind == ContourAhead::Next::Kind::move)
+      next.move = between_corners(next.move, *next_start_, next.move.end);
+    return next;
+  }
+  std::size_t following(ig::Block& b, const ContourMotion& now, double offset, ContourAhead::Moves& moves) const {
+    const std::size_t count = ahead_.moves(b, now.plane, offset, rests_allowed_, next_start_, moves);
+    if (!inserted_) return count;
+    const std::size_t kept = std::min(count, moves.size() - 1);
+    std::copy_backward(moves.begin(), moves.begin() + static_cast<std::ptrdiff_t>(kept),
+                       moves.begin() + static_cast<std::ptrdiff_t>(kept) + 1);
+    moves[0] = *inserted_;
+    return kept + 1;
+  }
   /// In the frame of this block. A block alone (a case) finds the vector in the block before it.
   void find_tool(ig::Block& b, const ContourMotion& now) {
     if (!tool_.is_off) {
@@ -152,7 +213,7 @@ struct RadiusCompensationPath {
       b.alarm();
       return ig::Status::unchanged;
     }
-    const ContourAhead::Next next = ahead_.next(b, now.plane, rests_allowed_);
+    const ContourAhead::Next next = following(b, now, offset);
     Corner corner = square_corner(now.move, offset);
     if (next.kind == ContourAhead::Next::Kind::move && next.offset * offset > 0) {
       const Corner round = corner_to(now, next, offset);
@@ -175,7 +236,7 @@ struct RadiusCompensationPath {
     const Point2 from = ContourMotionOf::in_plane(now.plane, tool_.at);
     if (tool_.is_blind && !is_same(from, now.move.offset_start(offset)))
       b.report(radius_diag("ISO-0475"), ig::Where::block());
-    const ContourAhead::Next next = ahead_.next(b, now.plane, rests_allowed_);
+    const ContourAhead::Next next = following(b, now, offset);
     const Corner corner = end_of(b, now, offset, next);
     say_too_far(b, next);
     const ig::Status status = move(b, now, offsetting, corner, offset);
@@ -211,7 +272,7 @@ struct RadiusCompensationPath {
     const bool is_narrow = corner.kind == CornerKind::inner || corner.kind == CornerKind::no_solution;
     if (!is_narrow && next.move.fits(offset)) return std::nullopt;
     ContourAhead::Moves moves;
-    const std::size_t count = ahead_.moves(b, now.plane, offset, rests_allowed_, moves);
+    const std::size_t count = following(b, now, offset, moves);
     const Point2 from = tool_.corner.count == 0 ? ContourMotionOf::in_plane(now.plane, tool_.at) : tool_.corner.last();
     std::optional<Corner> trial;
     if (corner.kind != CornerKind::no_solution) trial = corner;
@@ -242,7 +303,7 @@ struct RadiusCompensationPath {
     tool_.at[now.plane.tool] = now.to[now.plane.tool];
     steps_.line(b, tool_.at, manner);
     b.set(phase_, phases_[offsetting]);
-    finish(b, now);
+    finish(b);
     return ig::Status::changed;
   }
 
@@ -309,7 +370,7 @@ struct RadiusCompensationPath {
     steps_.line(b, end, manner_of_step(b, iso::length(end - tool_.at)));
     tool_.at = end;
     b.set(phase_, phases_[phase]);
-    finish(b, now);
+    finish(b);
   }
 
   /// G39: about the corner, until the tool stands square to the next move, or to the direction of the program.
@@ -344,9 +405,9 @@ struct RadiusCompensationPath {
     b.set(phase_, phases_[offsetting]);
     b.set(corner_, corners_[static_cast<std::size_t>(CornerKind::round)]);
     if (is_same(from, to))
-      keep_position(b, now);
+      keep_position(b);
     else
-      finish(b, now);
+      finish(b);
     return ig::Status::changed;
   }
 
@@ -358,10 +419,10 @@ struct RadiusCompensationPath {
       const ToolSteps::Manner manner = take_event(b);
       steps_.line(b, to, manner);
       tool_.at = to;
-      finish(b, now);
+      finish(b);
       return ig::Status::changed;
     }
-    keep_position(b, now);
+    keep_position(b);
     return ig::Status::changed;
   }
 
@@ -395,7 +456,7 @@ struct RadiusCompensationPath {
     keep_corner(b, now, height);
     b.set(phase_, phases_[phase]);
     if (phase != cancelling) b.set(corner_, corners_[static_cast<std::size_t>(corner.kind)]);
-    finish(b, now);
+    finish(b);
     return ig::Status::changed;
   }
 
@@ -457,28 +518,22 @@ struct RadiusCompensationPath {
     return out;
   }
 
-  /// One block never moves twice: the steps take the place of the move.
-  ToolSteps::Manner take_event(ig::Block& b) const {
-    const ToolSteps::Manner manner{b.get_or(is_rapid_, false), b.get(feedrate_), b.get_or(circles_, std::int64_t{0})};
-    b.erase(form_);
-    b.erase(is_rapid_);
-    b.erase(feedrate_);
-    for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), center_.id(axis));
-    b.erase(is_ccw_);
-    b.erase(circles_);
-    return manner;
+  /// Of the move of the block, for all its steps.
+  ToolSteps::Manner take_event(ig::Block& b) {
+    if (!manner_) manner_ = event_.take(b);
+    return *manner_;
   }
 
-  void finish(ig::Block& b, const ContourMotion& now) {
+  void finish(ig::Block& b) {
     b.set(compound_, b.get_or(term_, ig::Symbol{}));
     const std::uint32_t turned = rotary_.fresh(b);
     PartialAngles rotary = rotary_.get(b);
     rotary.mask &= turned;
     steps_.finish(b, rotary);
-    keep_position(b, now);
+    keep_position(b);
   }
 
-  void keep_position(ig::Block& b, const ContourMotion& now) {
+  void keep_position(ig::Block& b) {
     const auto machine = b.to_machine(tool_.at);
     if (machine) {
       tool_.machine = *machine;
@@ -487,7 +542,7 @@ struct RadiusCompensationPath {
       else
         b.amend(machine_, *machine);
     }
-    const ig::Vec3 vector = tool_.at - now.to;
+    const ig::Vec3 vector = tool_.at - programmed_;
     b.set(vector_, rounded(vector));
   }
 };

@@ -228,12 +228,16 @@ struct WordSyntax {
   }
 
   /// G01 X5. ,C2. or ,R2.: a chamfer or corner radius, which is no C and no R word.
-  static std::size_t corner(ig::Block& b, std::string_view text, std::size_t position) {
+  std::size_t corner(ig::Block& b, std::string_view text, std::size_t position) const {
     const std::size_t letter = skip_blanks(text, position + 1);
     if (!is_letter(at(text, letter))) return position;
     const std::size_t number = skip_blanks(text, letter + 1);
+    const char c = to_upper(text[letter]);
+    if (expressions == Expressions::pass && (c == 'C' || c == 'R') &&
+        begins_expression(text, skip_while(text, number, is_sign_or_blank)))
+      return position;
     const std::size_t end = skip_expression(text, number);
-    const char name[2] = {',', to_upper(text[letter])};
+    const char name[2] = {',', c};
     leave(b, IG_LEFT_WORD, {name, 2}, position, end);
     return end;
   }

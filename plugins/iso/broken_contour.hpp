@@ -1,0 +1,118 @@
+/// The contour with its corners broken: what the move of a block becomes where it, or the one before it, ends in a
+/// chamfer or a rounding. Needs the next move, so it is for syntaxes that look ahead.
+#pragma once
+
+#include "contour_ahead.hpp"
+#include "corner_break_util.hpp"
+#include "corner_diagnostics.hpp"
+#include "rotary_words.hpp"
+
+namespace iso {
+
+/// A member of each syntax that looks ahead and follows the contour; it is asked in every block from a broken corner
+/// to the next move.
+class BrokenContour {
+ public:
+  struct Piece {
+    ContourMotion motion;                 ///< of the block, without what the corners at its ends take
+    std::optional<ContourMotion> corner;  ///< what stands at its end
+    std::string_view unbroken;            ///< why nothing does, where something should
+    bool begins_behind_corner = false;
+  };
+
+  void forget() { start_.reset(); }
+
+  Piece take(ig::Block& b, const ContourMotion& now) {
+    Piece piece{now, std::nullopt, {}, false};
+    if (now.kind == ContourMotion::Kind::by_steps) start_.reset();
+    Point2 begin = now.move.start;
+    if (now.kind == ContourMotion::Kind::move && start_) {
+      begin = *start_;
+      place(piece.motion.from, now.plane, begin);
+      piece.motion.move = between_corners(now.move, begin, now.move.end);
+      piece.begins_behind_corner = true;
+      start_.reset();
+    }
+    if (!b.has(term_)) return piece;
+    CornerBreaking broken;
+    piece.unbroken = find(b, now, begin, broken);
+    if (!piece.unbroken.empty() || broken.why != Unbroken::no) return piece;
+    ContourMotion corner = now;
+    corner.move = broken.corner.move();
+    corner.from = corner.to = now.to;
+    place(corner.from, now.plane, broken.corner.begin);
+    place(corner.to, now.plane, broken.corner.end);
+    piece.motion.move = between_corners(now.move, begin, broken.corner.begin);
+    piece.motion.to = corner.from;
+    piece.corner = corner;
+    start_ = broken.corner.end;
+    return piece;
+  }
+
+  void say(ig::Block& b, const Piece& piece) const {
+    if (piece.unbroken.empty()) return;
+    b.report(corner_diag("ISO-0480"), ig::Where::word(words_[b.is(term_, rounding_) ? 1 : 0].id()),
+             b.text(b.get_or(term_, ig::Symbol{})), piece.unbroken);
+    b.alarm();
+  }
+
+  ig::Symbol term(const ig::Block& b) const { return b.get_or(term_, ig::Symbol{}); }
+
+ private:
+  static void place(ig::Vec3& to, const PlaneAxes& plane, const Point2& p) {
+    to[plane.first] = rounded(p.u);
+    to[plane.second] = rounded(p.v);
+  }
+  static bool rises(const ContourMotion& m) { return std::fabs(m.to[m.plane.tool] - m.from[m.plane.tool]) > 1e-9; }
+
+  /// Empty where the corner is broken, or where there is none to break.
+  std::string_view find(ig::Block& b, const ContourMotion& now, const Point2& begin, CornerBreaking& out) const {
+    if (now.kind != ContourMotion::Kind::move || b.get_or(is_rapid_, false))
+      return "its block makes no feed move in the plane";
+    if (rises(now)) return "its move leaves the plane";
+    if (rotary_.fresh(b) != 0) return "rotary axes turn in its block";
+    ContourMotion next;
+    if (const std::string_view why = find_next(b, now, next); !why.empty()) return why;
+    out = break_corner(now.move, begin, next.move, b.get_or(size_, 0.0), b.is(term_, rounding_));
+    switch (out.why) {
+      case Unbroken::doubles_back: return "the next move goes back the same way";
+      case Unbroken::no_place: return "no arc of this radius touches both moves";
+      case Unbroken::first_too_short: return "the move before it is too short";
+      case Unbroken::second_too_short: return "the move behind it is too short";
+      case Unbroken::no:
+      case Unbroken::straight_on: break;
+    }
+    return {};
+  }
+
+  /// The control lets one block without a move, a dwell, stand between.
+  std::string_view find_next(ig::Block& b, const ContourMotion& now, ContourMotion& next) const {
+    int rests = 0;
+    for (std::uint32_t k = 1; k <= ContourAhead::window; ++k) {
+      ig_block* const raw = b.host()->ahead(b.raw(), k);
+      if (raw == nullptr) return "no move follows";
+      ig::Block ahead(b.host(), raw);
+      next = motion_(ahead);
+      if (ahead.frame_changed()) return "the coordinate system changes before the next move";
+      if (!(next.plane == now.plane)) return "the plane changes before the next move";
+      const bool is_plain = next.kind == ContourMotion::Kind::move && !ahead.get_or(is_rapid_, false) && !rises(next);
+      if (is_plain) return {};
+      if (next.kind != ContourMotion::Kind::rest || next.has_event) return "the next move is no feed move in the plane";
+      if (!is_comment_line(ahead.source()) && ++rests > 1) return "no move follows at once";
+    }
+    return "no move follows at once";
+  }
+
+  ContourMotionOf motion_;
+  ig::In<ig::Symbol> term_{"CornerBreak.Term", ig::read, {ig::Life::block, "", ""}};
+  std::array<ig::Field<double>, 2> words_{
+      ig::Field<double>{"Parsing.CornerBreak.C", ig::read, {ig::Life::standard, "mm", ""}},
+      ig::Field<double>{"Parsing.CornerBreak.R", ig::read, {ig::Life::standard, "mm", ""}}};
+  ig::In<double> size_{"CornerBreak.Size_mm", ig::read, {ig::Life::block, "mm", ""}};
+  ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
+  RotaryPosition rotary_{ig::read};
+  ig::Name rounding_{",R"};
+  std::optional<Point2> start_;  ///< where the next move begins: behind the corner that was broken
+};
+
+}  // namespace iso
