@@ -30,24 +30,14 @@ struct HaasCode {
   std::array<ig::Word, 3> contact_{ig::Word{"Parsing.I", ig::take}, ig::Word{"Parsing.J", ig::take},
                                    ig::Word{"Parsing.K", ig::take}};
   ig::Codes arcs_{{"G02", "G03"}, ig::read};
-  /// What no cycle, call or pocket has taken.
-  ig::Word repeats_{"Parsing.L", ig::take | ig::wake, ""};
 
   ig::Status build(ig::Block& b) {
     bool changed = take_contact(b);
     changed |= b.take(g255_).has_value();
-    changed |= say_repeats(b);
     return codes_.say(b) == ig::Status::changed || changed ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
-  bool say_repeats(ig::Block& b) const {
-    const auto l = b.take(repeats_);
-    if (!l) return false;
-    if (*l != 1) b.report(brand_diag("FAN-0201"), ig::Where::word(repeats_.id()), "L", "the block is executed once");
-    return true;
-  }
-
   bool take_contact(ig::Block& b) const {
     const bool was_on = b.is_raised(compensation_), begins = b.find(compensation_on_).has_value();
     const bool ends = b.find(compensation_off_).has_value() && !begins;

@@ -1,5 +1,5 @@
 /// G53: for this block the axis words are positions of the gauge point in machine coordinates. No offset acts on them,
-/// tool length included; axes that are not named stay. Under G91 the control ignores G53.
+/// tool length included; axes that are not named stay. Under G91 most controls ignore G53.
 #include "motion_event_util.hpp"
 #include "program_xyz_util.hpp"
 
@@ -7,6 +7,7 @@ namespace iso {
 namespace {
 
 enum class Motion { modal, rapid };
+enum class UnderG91 { ignored, absolute };
 
 struct MachineCoordSelect {
   static constexpr auto spec =
@@ -24,17 +25,19 @@ struct MachineCoordSelect {
   DistanceMode distance_;
   LastProgramXyz last_;
   ig::Choice<Motion> motion_{"motion", "modal|rapid", "modal", "How the block moves: by group 01, or by rapid always."};
+  ig::Choice<UnderG91> under_g91_{"under-g91", "ignored|absolute", "ignored",
+                                  "G53 under G91: nothing moves, or X, Y and Z are positions all the same."};
 
   ig::Status build(ig::Block& b) {
     if (!b.take(g53_)) return ig::Status::unchanged;
-    if (distance_.is_incremental(b)) {
+    ig_value unused[3];
+    const bool turns = b.get_many(rotary_.data(), 3, unused) != 0;  // McAbcSyntax takes them
+    if (distance_.is_incremental(b) && (under_g91_ == UnderG91::ignored || turns)) {
       b.report(diag("ISO-0330"), ig::Where::word(g53_.id(0)));
       b.raise(axis_words_void_);
       return ig::Status::changed;
     }
     const ig::PartialVec3 named = b.take(words_);
-    ig_value unused[3];
-    const bool turns = b.get_many(rotary_.data(), 3, unused) != 0;  // McAbcSyntax takes them
     if (named.mask == 0 && !turns) {
       b.report(diag("ISO-0331"), ig::Where::word(g53_.id(0)));
       return ig::Status::changed;
