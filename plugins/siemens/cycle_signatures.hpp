@@ -17,21 +17,45 @@ struct CycleSignature {
   std::string_view parameters;
 };
 
-inline constexpr CycleSignature cycle_signatures[] = {
+inline constexpr CycleSignature drilling_signatures[] = {
     {"CYCLE81", "RTP RFP SDIS DP DPR DTB[s] GMODE[1] DMODE[1] AMODE[1]"},
     {"CYCLE82", "RTP RFP SDIS DP DPR DTB[s] GMODE[1] DMODE[1] AMODE[1] VARI[1] S_ZA S_FA[1] S_ZD S_FD[1]"},
     {"CYCLE83",
      "RTP RFP SDIS DP DPR FDEP FDPR DAM DTB[s] DTS[s] FRF[1] VARI[1] AXN[1] MDEP VRT DTD[s] DIS1 GMODE[1] DMODE[1] "
      "AMODE[1]"},
+    {"CYCLE84",
+     "RTP RFP SDIS DP DPR DTB[s] SDAC[1] MPIT[1] PIT[1] POSS[deg] SST[1] SST1[1] AXN[1] PITA[1] TECHNO[1] VARI[1] DAM "
+     "VRT PITM[1] PTAB[1] PTABA[1] GMODE[1] DMODE[1] AMODE[1]"},
+    {"CYCLE840",
+     "RTP RFP SDIS DP DPR DTB[s] SDR[1] SDAC[1] ENC[1] MPIT[1] PIT[1] AXN[1] PITA[1] TECHNO[1] PITM[1] PTAB[1] "
+     "PTABA[1] GMODE[1] DMODE[1] AMODE[1]"},
     {"CYCLE85", "RTP RFP SDIS DP DPR DTB[s] FFR[mm/min] RFF[mm/min] GMODE[1] DMODE[1] AMODE[1]"},
-    {"CYCLE800", "FR[1] TC[1] ST[1] MODE[1] X0 Y0 Z0 A[deg] B[deg] C[deg] X1 Y1 Z1 DIR[1] FR_I DMODE[1]"}};
+    {"CYCLE86", "RTP RFP SDIS DP DPR DTB[s] SDIR[1] RPA RPO RPAP POSS[deg] GMODE[1] DMODE[1] AMODE[1]"},
+    {"CYCLE87", "RTP RFP SDIS DP DPR SDIR[1]"},
+    {"CYCLE88", "RTP RFP SDIS DP DPR DTB[s] SDIR[1]"},
+    {"CYCLE89", "RTP RFP SDIS DP DPR DTB[s] GMODE[1] DMODE[1] AMODE[1]"}};
 
-inline constexpr std::size_t drilling_cycles = 4;  ///< they come first
+inline constexpr CycleSignature swivel_signature{
+    "CYCLE800", "FR[1] TC[1] ST[1] MODE[1] X0 Y0 Z0 A[deg] B[deg] C[deg] X1 Y1 Z1 DIR[1] FR_I DMODE[1]"};
+
+/// Where the cycle under MCALL works.
+inline constexpr CycleSignature pattern_signatures[] = {
+    {"HOLES1", "SPCA SPCO STA1[deg] FDIS DBH NUM[1] VARI[1] UMODE[1] HIDE[1] NSP[1] DMODE[1]"},
+    {"HOLES2", "CPA CPO RAD STA1[deg] INDA[deg] NUM[1] VARI[1] UMODE[1] HIDE[1] NSP[1] DMODE[1]"},
+    {"CYCLE801",
+     "SPCA SPCO STA[deg] DIS1 DIS2 NUM1[1] NUM2[1] VARI[1] UMODE[1] ANG1[deg] ANG2[deg] HIDE[1] NSP[1] DMODE[1]"},
+    {"CYCLE802", "XA[1] YA[1] X0 Y0 X1 Y1 X2 Y2 X3 Y3 X4 Y4 X5 Y5 X6 Y6 X7 Y7 X8 Y8 VARI[1] UMODE[1] DMODE[1]"}};
+
+constexpr const CycleSignature& drilling_signature(std::string_view name) {
+  std::size_t i = 0;
+  while (drilling_signatures[i].name != name) ++i;
+  return drilling_signatures[i];
+}
 
 /// The code of a cycle and its parameters, as fields: Parsing.CYCLE81.RTP.
 class CycleFields {
  public:
-  static constexpr std::size_t most = 20;
+  static constexpr std::size_t most = 24;
 
   CycleFields(const CycleSignature& signature, ig::Access access)
       : name_(signature.name), code_({signature.name}, "", access) {

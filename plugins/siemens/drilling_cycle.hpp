@@ -4,10 +4,9 @@
 
 #include <cmath>
 
-#include "cycle_signatures.hpp"
+#include "hole_pattern.hpp"
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
-#include "siemens_diagnostics.hpp"
 
 namespace siemens {
 
@@ -30,27 +29,41 @@ class FeedInForce {
   ig::Name g93_{"G93"}, g95_{"G95"};
 };
 
+/// How a dwell is given.
+enum class DwellUnit { by_sign, seconds, turns };
+
 /// A call while its cycle is carried out. Levels are positions of the drilling axis.
 struct DrillingRun {
   const CycleFields* cycle = nullptr;
   std::array<std::optional<double>, CycleFields::most> values;
   iso::PlaneAxes plane;
-  ig::Vec3 hole;  ///< its drilling axis says nothing
+  ig::Vec3 hole;                                 ///< its drilling axis is where the tool comes from
+  std::optional<std::vector<ig::Vec3>> pattern;  ///< the holes of HOLES1 and its kin
   double retract = 0, reference = 0, start = 0, depth = 0;
   double out = 1;  ///< 1 where the axis leaves the hole towards plus
   double feed = 0;
   double dwell = 0;  ///< DTB in seconds
 
-  std::optional<double> operator[](std::string_view parameter) const { return values[cycle->index_of(parameter)]; }
+  std::optional<double> operator[](std::string_view parameter) const {
+    const std::size_t i = cycle->index_of(parameter);
+    return i < values.size() ? values[i] : std::nullopt;
+  }
+  /// A digit of AMODE and its kin, counted from the right.
+  double mode(std::string_view parameter, int digit) const {
+    return std::fmod(std::floor((*this)[parameter].value_or(0) / std::pow(10, digit)), 10);
+  }
+  DwellUnit dwell_unit(int digit) const {
+    const double unit = mode("AMODE", digit);
+    return unit == 1 ? DwellUnit::seconds : unit == 2 ? DwellUnit::turns : DwellUnit::by_sign;
+  }
   ig::Vec3 at(double level) const { return plane.at_level(hole, level); }
 };
 
 /// A member of each cycle syntax.
 class DrillingCall {
  public:
-  /// From the first of cycle_signatures on.
-  DrillingCall(std::size_t first, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) cycles_.emplace_back(cycle_signatures[first + i], ig::take | ig::wake);
+  DrillingCall(std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names) cycles_.emplace_back(drilling_signature(name), ig::take | ig::wake);
   }
 
   /// The call of this block, and the move to the hole that the block makes before it. Nothing where there is no call,
@@ -66,17 +79,38 @@ class DrillingCall {
         if (b.host()->take(b.raw(), cycle.field(i).id(), &v) != 0) run.values[i] = v.number;
       }
       if (!resolve(b, run)) {
+        pattern_.take(b, run.plane, last_(b));
         b.alarm();
         return std::nullopt;
       }
+      run.pattern = pattern_.take(b, run.plane, last_(b));
       motion.begin(b, cycle.code().name(0));
-      approach(b, run);
+      if (!run.pattern) approach(b, run);
       return run;
     }
     return std::nullopt;
   }
 
-  void end(ig::Block& b, const DrillingRun& run) const { b.set(program_, run.at(run.retract)); }
+  /// The steps at each hole, and the rapid in the plane to it where a pattern names the holes.
+  template <class Steps>
+  void drill(ig::Block& b, DrillingRun& run, const Steps& steps) const {
+    if (!run.pattern) {
+      steps(run);
+    } else {
+      double level = last_(b)[run.plane.tool];
+      for (const ig::Vec3& hole : *run.pattern) {
+        run.hole = hole;
+        motion.rapid_to(b, run.at(level));
+        steps(run);
+        level = run.retract;
+      }
+      if (run.pattern->empty()) {
+        stay(b, run);
+        return;
+      }
+    }
+    b.set(program_, run.at(run.retract));
+  }
 
   /// The control stops before the hole.
   void stay(ig::Block& b, const DrillingRun& run) const {
@@ -89,11 +123,13 @@ class DrillingCall {
     return ig::Where::word(i < run.cycle->size() ? run.cycle->field(i).id() : run.cycle->code().code(0));
   }
 
-  /// Seconds: turns of the spindle where the number is negative.
-  double seconds(ig::Block& b, const DrillingRun& run, std::optional<double> number) const {
-    if (!number || *number >= 0) return number.value_or(0);
+  /// Seconds: turns of the spindle where the number is negative, or where the mode (AMODE) says so.
+  double seconds(ig::Block& b, const DrillingRun& run, std::optional<double> number,
+                 DwellUnit unit = DwellUnit::by_sign) const {
+    if (!number || *number == 0) return 0;
+    if (unit == DwellUnit::seconds || (unit == DwellUnit::by_sign && *number > 0)) return std::fabs(*number);
     const double rpm = feed.rpm(b);
-    if (rpm > 0) return -*number * 60 / rpm;
+    if (rpm > 0) return std::fabs(*number) * 60 / rpm;
     b.report(diag("SIE-0187"), where(run), run.cycle->name(), *number);
     return 0;
   }
@@ -110,21 +146,23 @@ class DrillingCall {
         return false;
       }
     run.plane = plane_(b);
+    run.hole = last_(b);
     run.retract = *run["RTP"];
     run.reference = *run["RFP"];
-    const auto absolute = run["DP"];
-    auto relative = run["DPR"];
-    if (relative && *relative == 0 && absolute) relative.reset();
-    if (!absolute && !relative) {
+    const auto dp = run["DP"], dpr = run["DPR"];
+    if (!dp && !dpr) {
       b.report(diag("SIE-0185"), where(run), name, std::string_view("DP or DPR"));
       return false;
     }
-    if (absolute && relative) b.report(diag("SIE-0188"), where(run), name);
-    const bool is_down = relative ? run.retract > run.reference : *absolute <= run.reference;
+    const double absolute = dp.value_or(0), relative = dpr.value_or(0), which = run.mode("AMODE", 0);
+    const bool both = dp && dpr && relative != 0;
+    const bool is_relative = both ? which != 2 : !dp;
+    if (both && which != 1 && which != 2) b.report(diag("SIE-0188"), where(run), name);
+    const bool is_down = is_relative ? run.retract > run.reference : absolute <= run.reference;
     run.out = is_down ? 1 : -1;
-    run.depth = relative ? run.reference - run.out * std::fabs(*relative) : *absolute;
+    run.depth = is_relative ? run.reference - run.out * std::fabs(relative) : absolute;
     run.start = run.reference + run.out * std::fabs(run["SDIS"].value_or(0));
-    if ((relative && run.retract == run.reference) || run.out * (run.retract - run.reference) < 0) {
+    if ((is_relative && run.retract == run.reference) || run.out * (run.retract - run.reference) < 0) {
       b.report(diag("SIE-0189"), where(run), name, run.retract, run.reference);
       return false;
     }
@@ -134,11 +172,13 @@ class DrillingCall {
         return false;
       }
     run.feed = feed.mmds(b);
-    if (run.feed <= 0 && name != "CYCLE85") b.report(diag("SIE-0186"), where(run), name);
-    if (const auto mode = run["GMODE"]; mode && *mode != 0) b.report(diag("SIE-0190"), where(run), name, *mode);
+    const bool has_own_feed = name == "CYCLE85" || name.starts_with("CYCLE84");
+    if (run.feed <= 0 && !has_own_feed) b.report(diag("SIE-0186"), where(run), name);
+    if (const auto mode = run["GMODE"]; mode && *mode != 0 && name != "CYCLE86")
+      b.report(diag("SIE-0190"), where(run), name, *mode);
     if (const auto mode = run["VARI"]; name == "CYCLE82" && mode && *mode != 0)
       b.report(diag("SIE-0191"), where(run), name, *mode);
-    run.dwell = seconds(b, run, run["DTB"]);
+    run.dwell = seconds(b, run, run["DTB"], run.dwell_unit(1));
     return true;
   }
 
@@ -158,6 +198,7 @@ class DrillingCall {
   }
 
   std::vector<CycleFields> cycles_;
+  HolePattern pattern_{ig::take};
   ig::Xyz words_{"Parsing", ig::take};
   ig::Xyz program_{"ProgramXyz", ig::write};
   ig::Codes codes_{{"G00", "G01", "G02", "G03"}, ig::read};

@@ -108,7 +108,9 @@ struct SiemensCall {
  private:
   static std::vector<CycleFields> all_cycles() {
     std::vector<CycleFields> out;
-    for (const CycleSignature& s : cycle_signatures) out.emplace_back(s, ig::write);
+    for (const CycleSignature& s : drilling_signatures) out.emplace_back(s, ig::write);
+    for (const CycleSignature& s : pattern_signatures) out.emplace_back(s, ig::write);
+    out.emplace_back(swivel_signature, ig::write);
     return out;
   }
   const CycleFields* cycle_of(std::string_view name) const {
@@ -201,7 +203,9 @@ struct SiemensCall {
     for (std::size_t i = 0; i < std::min(arguments_.size(), cycle.size()); ++i) {
       const std::optional<Value>& v = arguments_[i].value;
       if (!v) continue;
-      const double number = v->is_text() ? (v->text == "0" ? 0.0 : 1.0) : v->number;  // the name of a swivel data set
+      if (v->is_text() && v->text.empty() && cycle.parameter(i) != "TC") continue;
+      // Of texts counts whether they are there; "0" of a swivel data set is none.
+      const double number = v->is_text() ? (v->text == "0" ? 0.0 : 1.0) : v->number;
       words[count++] = {cycle.field(i).id(), begin, end, {.number = number + 0.0}, 0, 0};
     }
     b.host()->set_words(b.raw(), words.data(), count);

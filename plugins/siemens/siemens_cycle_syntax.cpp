@@ -1,26 +1,32 @@
 /// MCALL: a drilling cycle after each block that moves. The call is kept, and raised anew in each block that programs
-/// X, Y or Z; MCALL alone ends it. A call without MCALL is left to the cycles, which drill where the tool stands.
-#include "cycle_signatures.hpp"
+/// X, Y or Z, or a pattern of holes; MCALL alone ends it. A call without MCALL is left to the cycles, which drill where
+/// the tool stands.
+#include "hole_pattern.hpp"
 #include "siemens_diagnostics.hpp"
 
 namespace siemens {
 namespace {
 
 struct SiemensCycle {
-  static constexpr auto spec = ig::syntax("SiemensCycleSyntax", "MCALL: the cycle that blocks with a move repeat.")
-                                   .after("SiemensUnitSyntax", "SiemensPositionSyntax")
-                                   .before("SiemensDrillingCycleSyntax", "SiemensDeepHoleCycleSyntax",
-                                           "SiemensReamingCycleSyntax", "ProgramXyzSyntax");
+  static constexpr auto spec =
+      ig::syntax("SiemensCycleSyntax", "MCALL: the cycle that blocks with a move repeat.")
+          .after("SiemensUnitSyntax", "SiemensPositionSyntax")
+          .before("SiemensDrillingCycleSyntax", "SiemensDeepHoleCycleSyntax", "SiemensReamingCycleSyntax",
+                  "SiemensBoringCycleSyntax", "SiemensTappingCycleSyntax", "ProgramXyzSyntax");
 
   std::vector<CycleFields> cycles_ = all_cycles();
   ig::Codes modal_{"MCALL"};
   ig::InWhile<ig::Symbol> term_{"CannedCycle.Term", nullptr, ig::write};
   std::vector<std::vector<ig::Field<double>>> kept_ = all_kept();
   ig::Xyz words_{"Parsing", ig::read};
+  HolePattern pattern_{ig::take | ig::wake};
 
   ig::Status build(ig::Block& b) {
     const bool is_modal = b.take(modal_).has_value();
-    if (!is_modal) return b.has(term_) && repeat(b) ? ig::Status::changed : ig::Status::unchanged;
+    const bool has_pattern = pattern_.stands_in(b);
+    if (has_pattern && (is_modal || !b.has(term_))) pattern_.refuse(b);
+    if (!is_modal)
+      return (b.has(term_) && repeat(b, has_pattern)) || has_pattern ? ig::Status::changed : ig::Status::unchanged;
     forget(b);
     for (std::size_t i = 0; i < cycles_.size(); ++i)
       if (keep(b, i)) break;
@@ -30,8 +36,7 @@ struct SiemensCycle {
  private:
   static std::vector<CycleFields> all_cycles() {
     std::vector<CycleFields> out;
-    for (std::size_t i = 0; i < drilling_cycles; ++i)
-      out.emplace_back(cycle_signatures[i], ig::read | ig::write | ig::take | ig::wake);
+    for (const CycleSignature& s : drilling_signatures) out.emplace_back(s, ig::read | ig::write | ig::take | ig::wake);
     return out;
   }
   std::vector<std::vector<ig::Field<double>>> all_kept() const {
@@ -64,8 +69,8 @@ struct SiemensCycle {
     return true;
   }
 
-  bool repeat(ig::Block& b) const {
-    if (b.get(words_).mask == 0) return false;
+  bool repeat(ig::Block& b, bool has_pattern) const {
+    if (!has_pattern && b.get(words_).mask == 0) return false;
     for (std::size_t i = 0; i < cycles_.size(); ++i) {
       if (!b.is(term_, cycles_[i].code().name(0))) continue;
       b.set_call(cycles_[i].code(), 0);

@@ -10,16 +10,18 @@ struct SiemensDeepHoleCycle {
                                    .after("SiemensCycleSyntax", "FeedrateSyntax")
                                    .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
 
-  DrillingCall cycle_{2, 1};
+  DrillingCall cycle_{"CYCLE83"};
   ig::NumberOption chip_break_{"chip-break", "1", {0, 1000}, "mm", "The way back of VARI 0 where VRT does not say it."};
   std::vector<double> depths_;  // of the strokes, below the reference plane; its memory is kept
 
   ig::Status build(ig::Block& b) {
-    const auto run = cycle_.take(b);
+    auto run = cycle_.take(b);
     if (!run) return ig::Status::changed;
     if (plan(b, *run)) {
-      drill(b, *run);
-      cycle_.end(b, *run);
+      const Waits waits{
+          cycle_.seconds(b, *run, (*run)["DTS"], run->dwell_unit(2)),
+          (*run)["DTD"].value_or(0) != 0 ? cycle_.seconds(b, *run, (*run)["DTD"], run->dwell_unit(3)) : run->dwell};
+      cycle_.drill(b, *run, [&](const DrillingRun& hole) { drill(b, hole, waits); });
     } else {
       cycle_.stay(b, *run);
     }
@@ -30,12 +32,14 @@ struct SiemensDeepHoleCycle {
   static constexpr std::size_t most_strokes = 10'000;
   static constexpr double rounding_mm = 1e-9;
 
-  void drill(ig::Block& b, const DrillingRun& run) const {
+  struct Waits {
+    double at_start, at_end;  // s
+  };
+
+  void drill(ig::Block& b, const DrillingRun& run, const Waits& waits) const {
     const ig::CompoundMotion& motion = cycle_.motion;
     const double total = std::fabs(run.reference - run.depth);
     const bool clears_chips = run["VARI"].value_or(0) == 1;
-    const double at_start = cycle_.seconds(b, run, run["DTS"]);
-    const double at_end = run["DTD"].value_or(0) != 0 ? cycle_.seconds(b, run, run["DTD"]) : run.dwell;
     const double own = run["DIS1"].value_or(0), back = run["VRT"].value_or(0);
     const double ahead = own > 0 ? own : total <= 30 ? 0.6 : std::fmin(total / 50, 7);
     const double break_way = back > 0 ? back : double{chip_break_};
@@ -45,13 +49,13 @@ struct SiemensDeepHoleCycle {
     for (std::size_t k = 0; k < depths_.size(); ++k) {
       if (k > 0 && clears_chips) {
         motion.rapid_to(b, run.at(run.start));
-        if (at_start > 0) motion.dwell(b, at_start);
+        if (waits.at_start > 0) motion.dwell(b, waits.at_start);
         motion.rapid_to(b, level(depths_[k - 1] - ahead));
       } else if (k > 0) {
         motion.feed_to(b, level(depths_[k - 1] - break_way), run.feed);
       }
       motion.feed_to(b, level(depths_[k]), k == 0 ? run.feed * factor(run) : run.feed);
-      const double wait = k + 1 == depths_.size() ? at_end : run.dwell;
+      const double wait = k + 1 == depths_.size() ? waits.at_end : run.dwell;
       if (wait > 0) motion.dwell(b, wait);
     }
     motion.rapid_to(b, run.at(run.retract));

@@ -145,7 +145,8 @@ inline constexpr std::array diagnostics{
                    "FINISH CUT OUTSIDE"),
     // cycles
     ig::diagnostic(IG_ERROR, "SIE-0181", "{0} is not executed: its moves are missing",
-                   "The run knows CYCLE81, CYCLE82, CYCLE83, CYCLE85 and CYCLE800.", "POCKET3(…)"),
+                   "The run knows CYCLE81 to CYCLE89, CYCLE840, CYCLE800, HOLES1, HOLES2, CYCLE801 and CYCLE802.",
+                   "POCKET3(…)"),
     ig::diagnostic(IG_ERROR, "SIE-0182", "{0}: a parameter has no value; the cycle is not executed", "Why was said.",
                    "CYCLE81(50,0,2,NOWHERE)"),
     ig::diagnostic(IG_ERROR, "SIE-0183", "{0} is not executed: machine coordinates are wrong up to TRAFOOF",
@@ -178,6 +179,18 @@ inline constexpr std::array diagnostics{
                    "The control stops with alarm 61111 or the like.", "CYCLE83(50,0,2,-20,,-5,,0,0,0,3)"),
     ig::diagnostic(IG_ERROR, "SIE-0195", "{0} takes more than {1} strokes: it is not executed",
                    "Look at the first depth and the degression.", "CYCLE83(50,0,2,-20,,-0.0001)"),
+    ig::diagnostic(IG_NOTE, "SIE-0196",
+                   "{0}: M0 stops the program at the bottom; the events show it behind the way out",
+                   "The operator goes on there, and the tool leaves the hole.", "CYCLE87(50,0,2,-20,,3)"),
+    ig::diagnostic(IG_ERROR, "SIE-0197", "{0}: {1}={2} is no direction of the spindle (alarm 61102): not executed",
+                   "3 is clockwise, 4 counter-clockwise, 5 (SDAC only) stop. Without it the spindle turns already.",
+                   "CYCLE86(50,0,2,-20,,0,7)"),
+    ig::diagnostic(IG_ERROR, "SIE-0198", "{0}: MPIT={1} and PIT={2} give no pitch (alarm 61001): not executed",
+                   "One of them says the pitch; both only where they agree. MPIT is a size of the coarse series, M3 to "
+                   "M48.",
+                   "CYCLE84(50,0,2,-15)"),
+    ig::diagnostic(IG_ERROR, "SIE-0199", "{0}: the speed of the spindle is not known: not executed",
+                   "Program S before, or the speed of CYCLE84 (SST).", "CYCLE84(50,0,2,-15,,,3,,1.5)"),
     // logic
     ig::diagnostic(IG_ERROR, "SIE-0201", "G4 without F and S: nothing waits",
                    "F is the time in seconds, S the number of turns of the spindle.", "G4"),
@@ -238,6 +251,16 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_ERROR, "SIE-0261", "{0} is not executed: {1}", "The function is known by name only.",
                    "G33 Z-10 K2"),
     ig::diagnostic(IG_ERROR, "SIE-0262", "{0}", "The word is known by name only.", "G1 X10 RND=5"),
+    // patterns of holes
+    ig::diagnostic(IG_ERROR, "SIE-0271", "{0} without a drilling cycle under MCALL: no hole is made",
+                   "MCALL with a cycle stands before; a subprogram under MCALL is not called at the positions.",
+                   "HOLES1(0,0,0,0,10,5)"),
+    ig::diagnostic(IG_ERROR, "SIE-0272", "{0}: {1} holes are not executed; at most {2} are",
+                   "The number is whole and at least 1; a row has at most 999 holes, a grid 9999.",
+                   "HOLES2(0,0,20,0,0,0)"),
+    ig::diagnostic(IG_ERROR, "SIE-0273", "{0}: {1} not executed: no hole is made",
+                   "Executed are rows, circles, full grids and lists of absolute positions.",
+                   "CYCLE801(0,0,0,10,10,3,3,1)"),
 };
 
 consteval std::uint32_t diag(std::string_view code) { return iso::index_of(diagnostics, code, 0); }

@@ -9,17 +9,18 @@ struct SiemensDrillingCycle {
                                    .after("SiemensCycleSyntax", "FeedrateSyntax")
                                    .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
 
-  DrillingCall cycle_{0, 2};
+  DrillingCall cycle_{"CYCLE81", "CYCLE82"};
 
   ig::Status build(ig::Block& b) {
-    const auto run = cycle_.take(b);
+    auto run = cycle_.take(b);
     if (!run) return ig::Status::changed;
     const ig::CompoundMotion& motion = cycle_.motion;
-    motion.rapid_to(b, run->at(run->start));
-    motion.feed_to(b, run->at(run->depth), run->feed);
-    if (run->dwell > 0) motion.dwell(b, run->dwell);
-    motion.rapid_to(b, run->at(run->retract));
-    cycle_.end(b, *run);
+    cycle_.drill(b, *run, [&](const DrillingRun& hole) {
+      motion.rapid_to(b, hole.at(hole.start));
+      motion.feed_to(b, hole.at(hole.depth), hole.feed);
+      if (hole.dwell > 0) motion.dwell(b, hole.dwell);
+      motion.rapid_to(b, hole.at(hole.retract));
+    });
     return ig::Status::changed;
   }
 };

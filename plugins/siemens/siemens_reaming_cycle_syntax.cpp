@@ -1,28 +1,32 @@
-/// CYCLE85: rapid to the safety distance, feed FFR to the depth, wait there, feed RFF back, rapid to the retract plane.
+/// CYCLE85 and CYCLE89: rapid to the safety distance, feed to the depth, wait there, feed back, rapid to the retract
+/// plane. CYCLE85 has feeds of its own, FFR and RFF.
 #include "drilling_cycle.hpp"
 
 namespace siemens {
 namespace {
 
 struct SiemensReamingCycle {
-  static constexpr auto spec = ig::syntax("SiemensReamingCycleSyntax", "CYCLE85 reaming: feed in, feed out.")
-                                   .after("SiemensCycleSyntax", "FeedrateSyntax")
-                                   .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
+  static constexpr auto spec =
+      ig::syntax("SiemensReamingCycleSyntax", "CYCLE85/CYCLE89 reaming and boring: feed in, feed out.")
+          .after("SiemensCycleSyntax", "FeedrateSyntax")
+          .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
 
-  DrillingCall cycle_{3, 1};
+  DrillingCall cycle_{"CYCLE85", "CYCLE89"};
 
   ig::Status build(ig::Block& b) {
-    const auto run = cycle_.take(b);
+    auto run = cycle_.take(b);
     if (!run) return ig::Status::changed;
-    const double in = speed(b, *run, "FFR", run->feed);
-    const double back = speed(b, *run, "RFF", in);
+    const bool has_feeds = run->cycle->name() == "CYCLE85";
+    const double in = has_feeds ? speed(b, *run, "FFR", run->feed) : run->feed;
+    const double back = has_feeds ? speed(b, *run, "RFF", in) : run->feed;
     const ig::CompoundMotion& motion = cycle_.motion;
-    motion.rapid_to(b, run->at(run->start));
-    motion.feed_to(b, run->at(run->depth), in);
-    if (run->dwell > 0) motion.dwell(b, run->dwell);
-    motion.feed_to(b, run->at(run->start), back);
-    motion.rapid_to(b, run->at(run->retract));
-    cycle_.end(b, *run);
+    cycle_.drill(b, *run, [&](const DrillingRun& hole) {
+      motion.rapid_to(b, hole.at(hole.start));
+      motion.feed_to(b, hole.at(hole.depth), in);
+      if (hole.dwell > 0) motion.dwell(b, hole.dwell);
+      motion.feed_to(b, hole.at(hole.start), back);
+      motion.rapid_to(b, hole.at(hole.retract));
+    });
     return ig::Status::changed;
   }
 

@@ -13,7 +13,7 @@ struct SiemensSwivel {
                                    .after("SiemensUnitSyntax", "SiemensFrameSyntax")
                                    .before("IsoG68p2TiltSyntax", "G53p1RotaryPositionSyntax");
 
-  CycleFields call_{cycle_signatures[drilling_cycles], ig::take | ig::wake};
+  CycleFields call_{swivel_signature, ig::take | ig::wake};
   ig::Call plane_{{"G68.2", "G68.4"}, "X Y Z I[deg] J[deg] K[deg] P[] Q[]", ig::write};
   ig::Call align_{{"G53.1"}, "P[]", ig::write};
   ig::Codes cancel_{{"G69"}, ig::write};

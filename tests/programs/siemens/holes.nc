@@ -1,0 +1,21 @@
+; Patterns of holes: a row from either end, circles, a grid, a list.
+G17 G710 G90 G94 G0 X0 Y0 Z50
+S1000 M3 F200
+MCALL CYCLE81(20,0,2,-5)
+HOLES1(10,5,30,0,10,3)
+HOLES1(10,5,30,0,10,3)
+HOLES2(0,0,20,90,0,4)
+HOLES2(0,0,20,0,-45,2)
+CYCLE801(0,0,0,10,5,3,2)
+CYCLE802(111111111,111111111,1,2,3,4,,,,,,,,,,,,,,,0,0,1)
+MCALL
+; Nobody drills here, and these are refused.
+HOLES1(0,0,0,0,10,5)
+MCALL CYCLE83(20,0,2,-10,,-4,,0,0,0,1,1)
+HOLES2(0,0,20,90,0,2)
+HOLES2(0,0,20,90,0,0)
+CYCLE801(0,0,0,10,5,3,3,1)
+CYCLE802(111111112,111111111,1,2,3,4)
+MCALL
+X0 Y0
+M30
