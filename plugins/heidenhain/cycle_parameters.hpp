@@ -13,27 +13,47 @@ namespace heidenhain {
 /// Parameters of the cycles that are executed, and what they count.
 struct CycleParameter {
   std::uint32_t q;
+  const char* name;
   const char* unit;
   const char* doc;
 };
 
 inline constexpr std::array cycle_parameters{
-    CycleParameter{200, "mm", "Set-up clearance, above the surface."},
-    CycleParameter{201, "mm", "Depth below the surface, negative."},
-    CycleParameter{202, "mm", "Infeed."},
-    CycleParameter{203, "mm", "The surface."},
-    CycleParameter{204, "mm", "Second set-up clearance, above the surface."},
-    CycleParameter{205, "mm", "Least infeed."},
-    CycleParameter{206, "mm/min", "Feed of plunging."},
-    CycleParameter{208, "mm/min", "Feed of the retract."},
-    CycleParameter{210, "s", "Dwell at the top."},
-    CycleParameter{211, "s", "Dwell at the bottom."},
-    CycleParameter{212, "mm", "By how much each infeed is smaller."},
-    CycleParameter{213, "", "Chip breaks before a retract."},
-    CycleParameter{256, "mm", "Retract of a chip break."},
-    CycleParameter{343, "", "1: the depth follows from the diameter."},
-    CycleParameter{344, "mm", "Diameter of the centre."},
-    CycleParameter{395, "", "1: the depth is that of the full diameter."},
+    CycleParameter{200, "Q200", "mm", "Set-up clearance, above the surface."},
+    CycleParameter{201, "Q201", "mm", "Depth below the surface, negative."},
+    CycleParameter{202, "Q202", "mm", "Infeed."},
+    CycleParameter{203, "Q203", "mm", "The surface."},
+    CycleParameter{204, "Q204", "mm", "Second set-up clearance, above the surface."},
+    CycleParameter{205, "Q205", "mm", "Least infeed."},
+    CycleParameter{206, "Q206", "mm/min", "Feed of plunging."},
+    CycleParameter{208, "Q208", "mm/min", "Feed of the retract."},
+    CycleParameter{210, "Q210", "s", "Dwell at the top."},
+    CycleParameter{211, "Q211", "s", "Dwell at the bottom."},
+    CycleParameter{212, "Q212", "mm", "By how much each infeed is smaller."},
+    CycleParameter{213, "Q213", "", "Chip breaks before a retract."},
+    CycleParameter{214, "Q214", "", "Direction off the wall: 1 -first axis, 2 -second, 3 +first, 4 +second."},
+    CycleParameter{239, "Q239", "mm", "Pitch, negative for a left-hand thread."},
+    CycleParameter{249, "Q249", "mm", "Depth of the counterbore, from the underside."},
+    CycleParameter{250, "Q250", "mm", "Thickness of the material."},
+    CycleParameter{251, "Q251", "mm", "Off-centre distance of the bar."},
+    CycleParameter{252, "Q252", "mm", "From the underside of the bar to the edge."},
+    CycleParameter{253, "Q253", "mm/min", "Feed of pre-positioning."},
+    CycleParameter{254, "Q254", "mm/min", "Feed of counterboring."},
+    CycleParameter{255, "Q255", "s", "Dwell at the counterbore."},
+    CycleParameter{256, "Q256", "mm", "Retract of a chip break."},
+    CycleParameter{257, "Q257", "mm", "Infeed up to a chip break."},
+    CycleParameter{258, "Q258", "mm", "Advanced stop distance, first infeed."},
+    CycleParameter{259, "Q259", "mm", "Advanced stop distance, last infeed."},
+    CycleParameter{334, "Q334", "mm", "Infeed of one turn of the helix."},
+    CycleParameter{335, "Q335", "mm", "Diameter of the hole."},
+    CycleParameter{336, "Q336", "deg", "Angle of the oriented stop."},
+    CycleParameter{342, "Q342", "mm", "Diameter that is there already."},
+    CycleParameter{343, "Q343", "", "1: the depth follows from the diameter."},
+    CycleParameter{344, "Q344", "mm", "Diameter of the centre."},
+    CycleParameter{351, "Q351", "", "+1: climb milling, -1: conventional."},
+    CycleParameter{379, "Q379", "mm", "Deepened starting point."},
+    CycleParameter{395, "Q395", "", "1: the depth is that of the full diameter."},
+    CycleParameter{403, "Q403", "", "Factor of the speed at the retract."},
 };
 
 constexpr std::size_t index_of_parameter(std::uint32_t q) {
@@ -47,7 +67,7 @@ class CycleDefinition {
  public:
   explicit CycleDefinition(ig::Access access) {
     for (std::size_t i = 0; i < fields_.size(); ++i)
-      fields_[i] = ig::detail::declare_field({{"CycleDefinition.Q", name(cycle_parameters[i].q)},
+      fields_[i] = ig::detail::declare_field({{"CycleDefinition.", cycle_parameters[i].name},
                                               IG_NUMBER,
                                               access,
                                               {ig::Life::modal, cycle_parameters[i].unit, cycle_parameters[i].doc}});
@@ -66,12 +86,6 @@ class CycleDefinition {
   }
 
  private:
-  static std::string_view name(std::uint32_t q) {
-    static constexpr std::string_view names[] = {"200", "201", "202", "203", "204", "205", "206", "208",
-                                                 "210", "211", "212", "213", "256", "343", "344", "395"};
-    static_assert(std::size(names) == cycle_parameters.size());
-    return names[index_of_parameter(q)];
-  }
   std::array<ig_field, cycle_parameters.size()> fields_{};
 };
 

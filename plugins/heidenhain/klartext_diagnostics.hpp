@@ -100,7 +100,7 @@ inline constexpr std::array klartext_diagnostics{
                    "5 TOOL CALL 5 Y S3000"),
     // cycles
     ig::diagnostic(IG_ERROR, "HEI-0160", "cycle {0} is not executed: what it machines is missing",
-                   "Executed are 200, 201, 203 and 240. Positions after the call are those before it.",
+                   "Executed are 200 to 207, 209 and 240. Positions after the call are those before it.",
                    "5 CYCL CALL (after CYCL DEF 252)"),
     ig::diagnostic(IG_ERROR, "HEI-0161", "cycle {0} is not executed: {1}",
                    "The cycle acts where it is defined. It is recognised as a whole.", "5 CYCL DEF 11.1 SCL 0.5"),
@@ -114,7 +114,8 @@ inline constexpr std::array klartext_diagnostics{
                    "A depth below the surface is negative. Controls make this an error by a parameter (MP7441).",
                    "5 CYCL DEF 200 Q201=+20"),
     ig::diagnostic(IG_ERROR, "HEI-0166", "cycle {0}: {1} is {2}; it is not executed",
-                   "A feed must be greater than 0, and a hole takes at most 100000 steps.", "5 CYCL DEF 200 Q206=0"),
+                   "A feed must be greater than 0; that of a rigid tap is the speed times the pitch.",
+                   "5 CYCL DEF 200 Q206=0"),
     ig::diagnostic(IG_ERROR, "HEI-0167", "{0} in the block of an arc: the cycle is not executed",
                    "A cycle call stands in a straight positioning block.", "5 CR X+10 R+20 DR+ M99"),
     ig::diagnostic(IG_ERROR, "HEI-0168", "{0} is no cycle definition that is understood",
@@ -135,6 +136,17 @@ inline constexpr std::array klartext_diagnostics{
                    "The words of the block are taken as positions of the machine (M91).", "5 L Z+0 FMAX M92"),
     ig::diagnostic(IG_ERROR, "HEI-0176", "no position of the rotary axes inside their travel gives this plane{0}",
                    "The plane lies; the axes stay.", "5 PLANE SPATIAL SPA+0 SPB+95 SPC+0 TURN FMAX SEQ+"),
+    // cycles again
+    ig::diagnostic(IG_ERROR, "HEI-0177", "cycle {0} would take more than {1} steps in one block; it is not executed",
+                   "An infeed is very small, or a pattern has very many points.", "5 CYCL DEF 200 Q202=0.00001"),
+    ig::diagnostic(IG_ERROR, "HEI-0178", "cycle {0} with {1}={2} is not executed: what it machines is missing",
+                   "The cycle is executed with other values of this parameter.", "5 CYCL DEF 205 Q379=+5"),
+    ig::diagnostic(IG_WARNING, "HEI-0179", "cycle {0} has no parameter {1}: the cycle takes no notice of it",
+                   "The Q parameter gets the value all the same. Look for a typing error.",
+                   "5 CYCL DEF 200 DRILLING Q200=2 Q999=5"),
+    ig::diagnostic(IG_WARNING, "HEI-0180", "cycle 220 with Q365=1: the tool goes straight from hole to hole",
+                   "The control goes along the pitch circle. The holes are the same.",
+                   "5 CYCL DEF 220 POLAR PATTERN Q365=1"),
 };
 
 consteval std::uint32_t hei(std::string_view code) { return iso::index_of(klartext_diagnostics, code, 0); }

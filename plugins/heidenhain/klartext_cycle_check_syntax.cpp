@@ -1,0 +1,46 @@
+// Calls of cycles that no syntax before has executed: each is said, and the block moves as if it did not call.
+#include "klartext_diagnostics.hpp"
+
+namespace heidenhain {
+namespace {
+
+struct KlartextCycleCheck {
+  static constexpr auto spec = ig::syntax("KlartextCycleCheckSyntax", "Says calls of cycles that nothing executes.")
+                                   .after("KlartextCycleSyntax", "KlartextPathSyntax")
+                                   .before("MachineCoordSelectSyntax", "ProgramXyzSyntax");
+
+  ig::In<bool> call_{"KlartextCycle.IsCalled", ig::wake, {ig::Life::block, "", ""}};
+  ig::In<bool> modal_call_{"KlartextCycle.IsModal", ig::wake_while, {ig::Life::modal, "", ""}};
+  ig::Signal done_{"KlartextCycle.~Done", ig::read};
+  ig::Signal said_{"CycleDefinition.~Said", ig::read | ig::write, ig::Life::modal};
+  ig::In<std::int64_t> number_{"CycleDefinition.Number", ig::read, {ig::Life::modal, "", ""}};
+  ig::In<std::int64_t> pattern_{"KlartextPattern.Number", ig::read, {ig::Life::block, "", ""}};
+  ig::Xyz words_{"Parsing", ig::read};
+  ig::Codes others_{{"G02", "G03", "G53"}, ig::read};
+
+  ig::Status build(ig::Block& b) const {
+    if (b.is_raised(done_)) return ig::Status::unchanged;
+    const bool is_called = b.has(call_);
+    if (!is_called && b.get(words_).mask == 0) return ig::Status::unchanged;
+    const bool is_pattern = b.has(pattern_);
+    const std::string_view call = is_pattern ? "the pattern" : is_called ? "CYCL CALL or M99" : "M89";
+    const std::int64_t number = b.get_or(number_, std::int64_t{0});
+    if (number == 0) {
+      b.report(hei("HEI-0162"), ig::Where::block(), call);
+    } else if (b.find(others_) && is_known(number)) {
+      b.report(hei("HEI-0167"), ig::Where::block(), call);
+    } else if (!b.is_raised(said_)) {
+      b.report(hei("HEI-0160"), ig::Where::block(), static_cast<double>(number));
+      b.raise(said_);
+    }
+    return ig::Status::changed;
+  }
+
+ private:
+  static bool is_known(std::int64_t number) { return (number >= 200 && number <= 209) || number == 240; }
+};
+
+const ig::Register<KlartextCycleCheck> registered;
+
+}  // namespace
+}  // namespace heidenhain
