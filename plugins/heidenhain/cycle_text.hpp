@@ -143,8 +143,9 @@ class CycleText {
     const Value v = values_.read(b, text, i);
     if (v.ok) return v;
     const std::size_t word = letters_end(text, i);
-    if (iso::equals_ignoring_case(piece(text, i, word), "FMAX")) return {fastest, word, true};
-    if (!iso::equals_ignoring_case(piece(text, i, word), "FAUTO")) return v;
+    const auto is = [&](std::string_view name) { return iso::equals_ignoring_case(piece(text, i, word), name); };
+    if (is("FMAX") || is("MAX")) return {fastest, word, true};
+    if (!is("FAUTO") && !is("AUTO")) return v;
     const auto of_tool_call = feed_.of_tool_call(b);
     return {feed_.as_written(b, of_tool_call.value_or(0)), word, of_tool_call.has_value()};
   }

@@ -90,9 +90,8 @@ struct KlartextCycle {
     const std::size_t equals = skip(text, end);
     if (!is_q || at(text, equals) != '=') return false;
     const std::size_t first = skip(text, equals + 1), word = letters_end(text, first);
-    const std::string_view name = piece(text, first, word);
-    if (iso::equals_ignoring_case(name, "FAUTO") || iso::equals_ignoring_case(name, "FMAX"))
-      return skip(text, word) >= text.size();
+    for (const std::string_view name : {"FAUTO", "FMAX", "AUTO", "MAX"})
+      if (iso::equals_ignoring_case(piece(text, first, word), name)) return skip(text, word) >= text.size();
     std::size_t i = iso::skip_while(text, first, [](char c) { return c == '+' || c == '-' || iso::is_blank(c); });
     std::size_t q_end = i;
     if (Values::q_at(text, i, q_end))

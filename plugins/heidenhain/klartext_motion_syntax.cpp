@@ -14,8 +14,8 @@ namespace {
 
 struct KlartextMotion {
   static constexpr auto spec =
-      ig::syntax("KlartextMotionSyntax", "Increments, polar coordinates, pole and tangent become a path.")
-          .after("KlartextPathSyntax", "UnitModeSyntax", "PlaneSelectSyntax")
+      ig::syntax("KlartextMotionSyntax", "Increments, polar coordinates and tangents become a path.")
+          .after("KlartextPathSyntax", "KlartextPoleSyntax", "UnitModeSyntax", "PlaneSelectSyntax")
           .before("ProgrammableMirrorSyntax", "KlartextDrillingCycleSyntax", "MachineCoordSelectSyntax",
                   "ProgramXyzSyntax", "McAbcSyntax", "CircularMotionSyntax", "LinearMotionSyntax");
 
@@ -31,7 +31,7 @@ struct KlartextMotion {
                                               ig::Previous<double>{"MachineCoordinate.C"}};
   std::array<ig_field, 3> centers_{center("Parsing.I"), center("Parsing.J"), center("Parsing.K")};
   ig::Codes motions_{{"G00", "G01", "G02", "G03"}, ig::read | ig::write};
-  ig::Xyz pole_{"KlartextPath.Pole", ig::read | ig::write, {ig::Life::modal, "mm", "The pole CC, in the plane."}};
+  ig::Xyz pole_{"KlartextPath.Pole", ig::read, {ig::Life::modal, "mm", "The pole CC, in its plane."}};
   ig::Xyz tangent_{"KlartextPath.Tangent",
                    ig::read | ig::write,
                    {ig::Life::modal, "", "Where the path before goes on to: a unit vector."}};
@@ -49,11 +49,11 @@ struct KlartextMotion {
 
   ig::Status build(ig::Block& b) {
     const ig::Symbol function = b.get_or(function_, ig::Symbol{});
+    if (function == cc_) return ig::Status::unchanged;
     const ig::PartialVec3 named = b.get(words_);
     ig_value steps[6];
     const std::uint32_t has_steps = b.host()->take_many(b.raw(), steps_.data(), 6, steps);
     if ((has_steps >> 3) != 0) turn(b, has_steps >> 3, steps + 3);
-    if (function == cc_) return set_pole(b, named, has_steps & 7u, steps);
 
     Way way{plane_(b), start(b), {}, named.mask | (has_steps & 7u), function};
     way.to = named.or_else(way.from);
@@ -147,20 +147,6 @@ struct KlartextMotion {
 
   /// The block has no meaning: its words go with it.
   ig::Status drop(ig::Block& b) const {
-    b.take(words_);
-    return ig::Status::changed;
-  }
-
-  ig::Status set_pole(ig::Block& b, const ig::PartialVec3& named, std::uint32_t has_steps,
-                      const ig_value* steps) const {
-    const ig::Vec3 last = start(b);
-    // Alone it is where the tool stands; an axis that is not named keeps its pole.
-    ig::Vec3 pole = named.mask == 0 && has_steps == 0 ? last : b.get(pole_).or_else(last);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (named.has(axis)) pole[axis] = named.value[axis];
-      if ((has_steps >> axis & 1u) != 0) pole[axis] = last[axis] + steps[axis].number;
-    }
-    b.set(pole_, pole);
     b.take(words_);
     return ig::Status::changed;
   }

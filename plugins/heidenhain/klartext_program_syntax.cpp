@@ -26,11 +26,18 @@ struct KlartextProgram {
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     if (!stands_first(text, position)) return position;
     if (const std::size_t i = keyword(text, position, "BEGIN PGM"); i != position) return begin(b, text, position, i);
-    if (keyword(text, position, "END PGM") != position) {
-      if (!values_.is_indexing()) b.raise(ends_);
-      return statement_end(text, position);
+    if (const std::size_t i = keyword(text, position, "END PGM"); i != position) {
+      const std::size_t end = statement_end(text, position);
+      if (values_.is_indexing()) return end;
+      b.raise(ends_);
+      name_and_unit(b, text.substr(0, end), i, "END PGM");
+      return end;
     }
-    if (keyword(text, position, "BLK FORM") != position) return statement_end(text, position);
+    if (const std::size_t i = keyword(text, position, "BLK FORM"); i != position) {
+      const std::size_t end = statement_end(text, position);
+      if (!values_.is_indexing()) blank(b, text.substr(0, end), i);
+      return end;
+    }
     if (const std::size_t i = keyword(text, position, "STOP"); i != position) return stop(b, text, position, i);
     return position;
   }
@@ -52,20 +59,66 @@ struct KlartextProgram {
   }
 
  private:
+  struct NameAndUnit {
+    std::string_view name;
+    std::string_view unit;  // MM or INCH; empty where none stands there
+  };
+
+  /// NAME MM: what stands behind the unit is said, but for the one of a name that is a unit itself.
+  NameAndUnit name_and_unit(ig::Block& b, std::string_view text, std::size_t i, std::string_view of) const {
+    i = skip(text, i);
+    const std::size_t first = i;
+    while (i < text.size()) {
+      const std::size_t end = iso::skip_while(text, i, [](char c) { return !is_space(c); });
+      const std::string_view word = piece(text, i, end);
+      const std::size_t next = skip(text, end);
+      const bool is_name = i == first && is_unit(piece(text, next, iso::skip_while(text, next, is_letter)));
+      if (is_unit(word) && !is_name) {
+        if (next < text.size() && !values_.is_indexing()) {
+          const std::string_view rest = rest_of_line(text, next);
+          b.report(hei("HEI-0105"), ig::Where::columns(next, next + rest.size()), rest, of);
+        }
+        return {trim(piece(text, first, i)), word};
+      }
+      i = next;
+    }
+    return {trim(piece(text, first, text.size())), {}};
+  }
+  static bool is_unit(std::string_view word) {
+    return iso::equals_ignoring_case(word, "MM") || iso::equals_ignoring_case(word, "INCH");
+  }
+
+  /// BLK FORM 0.1 Z X+0 Y+0 Z-20; other shapes have words of their own, and files.
+  void blank(ig::Block& b, std::string_view text, std::size_t i) const {
+    const ig::Decimal corner = read_number(text, skip(text, i));
+    if (!corner.ok) return;
+    for (i = skip(text, corner.end); i < text.size(); i = skip(text, i)) {
+      const std::size_t letter = to_upper(text[i]) == 'I' ? i + 1 : i;
+      const bool is_axis = std::string_view("XYZUVW").find(to_upper(at(text, letter))) != std::string_view::npos;
+      if (!is_axis || is_letter(at(text, letter + 1)) != (to_upper(at(text, letter + 1)) == 'Q')) {
+        const std::string_view rest = rest_of_line(text, i);
+        b.report(hei("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("BLK FORM"));
+        return;
+      }
+      const Value v = values_.read(b, text, letter + 1);
+      i = v.ok ? v.end : letter + 1;
+    }
+  }
+
   std::size_t begin(ig::Block& b, std::string_view text, std::size_t position, std::size_t i) {
     const std::size_t end = statement_end(text, position);
-    const std::string_view rest = rest_of_line(text, i);
-    const std::size_t blank = rest.find_last_of(" \t");
-    const std::string_view unit = rest.substr(blank == std::string_view::npos ? 0 : blank + 1);
-    const bool is_inch = iso::equals_ignoring_case(unit, "INCH");
-    const bool has_unit = is_inch || iso::equals_ignoring_case(unit, "MM");
-    name_ = trim(has_unit ? rest.substr(0, rest.size() - unit.size()) : rest);
+    const NameAndUnit found = name_and_unit(b, text.substr(0, end), i, "BEGIN PGM");
+    const bool is_inch = iso::equals_ignoring_case(found.unit, "INCH");
+    name_ = found.name;
     b.set_text(program_, name_);
     for (char& c : name_) c = to_upper(c);
     if (values_.is_indexing()) {
       values_.flow().label(b, name_, IG_LABEL_PROGRAM);
       return end;
     }
+    if (found.unit.empty())
+      b.report(hei("HEI-0104"), ig::Where::columns(position, i), std::string_view("BEGIN PGM"),
+               std::string_view("MM or INCH"));
     const ig_word word{units_.id(is_inch ? 0 : 1), iso::column(position), iso::column(position + 1), ig_value{}, 0, 0};
     b.host()->set_words(b.raw(), &word, 1);
     return end;
