@@ -24,6 +24,30 @@ inline constexpr std::array brand_diagnostics{
                    "G101 mirrors the axes that its block names, each at the work zero; the value of the word does not "
                    "count.",
                    "G101"),
+    ig::diagnostic(
+        IG_WARNING, "FAN-0205", "{0}: nothing is measured here, {1} keeps its value",
+        "On the machine a probe ends the move and the control writes what it measured. Here the move goes to "
+        "its end, and blocks after it see the offset of before.",
+        "G36 Y-0.7 F10."),
+    ig::diagnostic(
+        IG_WARNING, "FAN-0206",
+        "G47: the strokes of the text are not shown: it begins at X{0} Y{1}, {2} mm high, at an angle of {3} "
+        "degrees; the tool is taken to stay over its beginning{4}",
+        "The letters are a font of the control. The tool goes to the place where the text begins and to R, so "
+        "that Z is right afterwards; X and Y are where the last letter ends, which the font decides. A block "
+        "with X and Y under G90 makes them right again.",
+        "G47 P0 (TEXT) X2. Y2. I45. J5. R1. Z-0.1 F150. E100."),
+    ig::diagnostic(
+        IG_WARNING, "FAN-0207",
+        "G150: the pocket of program {0}, down to Z{1}, is not milled here; the tool is taken to stand over "
+        "its start",
+        "How the control clears the contour of its subprogram is not known exactly. The tool goes to the "
+        "start of the pocket and to R. G40 and an X Y move, which follow as a rule, make the position right again.",
+        "G150 P61502 X3.25 Y4.5 Z-1.5 G41 J0.35 K0.01 Q0.25 R0.1 D1 F15."),
+    ig::diagnostic(IG_WARNING, "FAN-0208", "G141: D{0} has no radius here, so nothing is compensated up to G40",
+                   "Compensation in space is not executed. With the radius 0 the path is right as it is programmed; "
+                   "the machine's own radius shifts it.",
+                   "G141 D1 X0. Y0. Z0."),
 };
 
 consteval std::uint32_t brand_diag(std::string_view code) {

@@ -1,5 +1,6 @@
 /// Functions of a Haas mill that are recognised but not executed. F of such a block is the feed in force all the same.
 #include "recognised_codes.hpp"
+#include "whole_number.hpp"
 
 namespace fanuc {
 namespace {
@@ -10,21 +11,19 @@ struct HaasCode {
                                    .before("NotExecutedSyntax", "UnconsumedCheckSyntax");
 
   RecognisedCodes codes_{{
-      {ig::Call{{"G150"}, "X Y Z I J K L[] P[] Q R D[]"}, "the pocket is missing"},
-      {ig::Call{{"G47"}, "X Y Z I J[deg] P[] R D[] E[mm/min]"}, "the engraving is missing"},
-      {ig::Call{{"G35", "G36", "G136"}, "X Y Z A I J K D[]"}, "nothing is measured, and its move is left out"},
       {ig::Call{{"G107"}, "X Y Z A B C Q R"}, "the path is not wrapped around the cylinder"},
       {ig::Call{{"G143", "G254"}, "H[]"}, "positions do not follow the rotary axes"},
       {ig::Call{{"G174", "G184"}, "X Y Z R"}, "the cycle is missing, and blocks after it only move"},
       {ig::Call{{"G153", "G155", "G161", "G162", "G163", "G164", "G165", "G166", "G169"}, "E I J K L[] P[] Q"},
        "the cycle is missing, and blocks after it only move"},
-      {ig::Call{{"G141"}, "D[]"}, "the path is not compensated, up to G40"},
       {ig::Call{{"M96"}, "P[] Q[]"}, "the program goes on with the next block, whatever the input is"},
       {ig::Call{{"M109"}, "P[]"}, "nobody answers, and its variable keeps its value"},
   }};
   ig::Codes g255_{"G255"};
   /// Under G141 each block says by I, J and K where the tool touches.
-  ig::Codes compensation_on_{{"G141"}, ig::read};
+  ig::Call compensation_on_{{"G141"}, "D[]"};
+  ig::In<std::int64_t> offset_id_{"RadiusCompensation.OffsetId"};
+  ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional, "Radius geometry and wear of D."};
   ig::Codes compensation_off_{{"G40", "G41", "G42"}, ig::read};
   ig::Signal compensation_{"HaasCode.~Compensation", ig::read | ig::write | ig::wake_while, ig::Life::modal};
   std::array<ig::Word, 3> contact_{ig::Word{"Parsing.I", ig::take}, ig::Word{"Parsing.J", ig::take},
@@ -33,11 +32,30 @@ struct HaasCode {
 
   ig::Status build(ig::Block& b) {
     bool changed = take_contact(b);
+    changed |= say_compensation(b);
     changed |= b.take(g255_).has_value();
     return codes_.say(b) == ig::Status::changed || changed ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
+  /// Without a radius the path is right as it is.
+  bool say_compensation(ig::Block& b) const {
+    const auto words = b.take(compensation_on_);
+    if (!words) return false;
+    const auto where = ig::Where::word(compensation_on_.code(0));
+    const double d = (*words)['D'].value_or(static_cast<double>(b.get_or(offset_id_, std::int64_t{0})));
+    const auto id = iso::whole_number(d);
+    double geometry = 0, wear = 0;
+    if (id && table_ && table_->get(table_->self, *id, 2, &geometry) == 0) geometry = 0;
+    if (id && table_ && table_->get(table_->self, *id, 3, &wear) == 0) wear = 0;
+    if (!id || geometry + wear != 0)
+      b.report(brand_diag("FAN-0201"), where, std::string_view("G141"),
+               std::string_view(id ? "the path is not compensated, up to G40" : "D is no offset number"));
+    else if (*id != 0)
+      b.report(brand_diag("FAN-0208"), where, d);
+    return true;
+  }
+
   bool take_contact(ig::Block& b) const {
     const bool was_on = b.is_raised(compensation_), begins = b.find(compensation_on_).has_value();
     const bool ends = b.find(compensation_off_).has_value() && !begins;

@@ -1,0 +1,61 @@
+/// G150 of a Haas: the pocket whose contour a subprogram describes. How the control clears it is not known exactly, so
+/// it is not milled here; the tool goes to where the pocket begins, and to R.
+#include "brand_diagnostics.hpp"
+#include "haas_cycle_target.hpp"
+#include "whole_number.hpp"
+
+namespace fanuc {
+namespace {
+
+struct HaasPocket {
+  static constexpr auto spec = ig::syntax("HaasPocketSyntax", "G150 of a Haas: a pocket, without its passes.")
+                                   .after("UnitModeSyntax", "PositioningModeSyntax", "IsoCoordinateOffsetSyntax",
+                                          "ToolHeightOffsetSyntax", "ProgrammableMirrorSyntax")
+                                   .before("CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax",
+                                           "McXyzSyntax", "RadiusCompensationSyntax", "NotExecutedSyntax");
+
+  ig::Call call_{{"G150"}, "X Y Z I J K L[] P[] Q R D[]"};
+  ig::CompoundMotion motion_;
+  ig::Xyz program_{"ProgramXyz", ig::write};
+  ig::Out<std::int64_t> offset_id_{"RadiusCompensation.OffsetId"};
+  HaasCycleTarget target_;
+  iso::LastProgramXyz last_;
+
+  ig::Status build(ig::Block& b) {
+    const auto row = b.find(call_);
+    if (!row) return ig::Status::unchanged;
+    const auto where = ig::Where::word(call_.code(*row));
+    const ig::Words words = *b.take(call_);
+    if (const std::string_view fault = fault_of(words); !fault.empty()) {
+      b.report(brand_diag("FAN-0201"), where, std::string_view("G150"), fault);
+      return ig::Status::changed;
+    }
+    if (const auto d = words['D']) b.set(offset_id_, *iso::whole_number(*d));
+    const ig::Vec3 from = last_(b);
+    ig::Vec3 to = from;
+    for (std::size_t axis = 0; axis < 2; ++axis) to[axis] = target_(b, axis, from[axis], words["XYZ"[axis]]);
+    b.report(brand_diag("FAN-0207"), where, *words['P'], target_(b, 2, from.z, words['Z']));
+    motion_.begin(b, words.code);
+    motion_.rapid_to(b, to);
+    to.z = target_(b, 2, from.z, words['R']);
+    motion_.rapid_to(b, to);
+    b.set(program_, to);
+    return ig::Status::changed;
+  }
+
+ private:
+  /// Why the control cannot mill it either.
+  static std::string_view fault_of(const ig::Words& words) {
+    if (!words['P'] || !iso::whole_number(*words['P'])) return "P names no subprogram";
+    if (!words['Z']) return "Z, the bottom, is missing";
+    if (words['I'] && words['J']) return "of I and J only one may say the width of a cut";
+    if (words['Q'] && !(*words['Q'] > 0)) return "Q, the depth of a pass, is not greater than 0";
+    if (words['D'] && !iso::whole_number(*words['D'])) return "D is no offset number";
+    return {};
+  }
+};
+
+const ig::Register<HaasPocket> registered;
+
+}  // namespace
+}  // namespace fanuc
