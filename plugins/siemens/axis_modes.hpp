@@ -10,8 +10,9 @@ namespace siemens {
 
 class AxisModes {
  public:
-  static constexpr std::array<std::string_view, 12> words{"X", "Y", "Z", "A",  "B",  "C",
-                                                          "I", "J", "K", "I1", "J1", "K1"};
+  static constexpr std::array<std::string_view, 14> words{"X", "Y", "Z",  "A",  "B",  "C",  "I",
+                                                          "J", "K", "I1", "J1", "K1", "AP", "RP"};
+  static constexpr std::size_t ap = 12, rp = 13;  ///< the polar ones
 
   explicit AxisModes(ig::Access access) {
     for (const std::string_view word : words)

@@ -32,8 +32,12 @@ struct SiemensCall {
                                    .before("UnitModeSyntax", "ProgramEndSyntax")
                                    .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_");
 
-  ig::TextOption silent_list_{"silent", "MSG WORKPIECE GROUP_BEGIN GROUP_END GROUP_ADDEND SETMS FGROUP CYCLE832",
-                              "Procedures of the control that move nothing and change nothing here."};
+  // Messages and pictures; what the path is measured on; other channels; couplings of spindles.
+  ig::TextOption silent_list_{
+      "silent",
+      "MSG WORKPIECE GROUP_BEGIN GROUP_END GROUP_ADDEND SETMS FGROUP CYCLE832 WAITM WAITMC SETM "
+      "CLEARM WAITS WAITP WAITE COUPDEF COUPDEL COUPON COUPONC COUPOF COUPOFS COUPRES WRITE",
+      "Procedures of the control that move nothing and change nothing here."};
   std::vector<CycleFields> cycles_ = all_cycles();
   ig::Codes modal_{{"MCALL"}, ig::read};
   ig::TextField message_{"Message.Text", ig::write, {ig::Life::block, "", "What MSG shows."}};
@@ -76,6 +80,7 @@ struct SiemensCall {
       b.report(diag("SIE-0181"), ig::Where::columns(position, end), std::string_view(name));
       return end;
     } else if (silent_.holds(name)) {
+      if (name == "SETMS") environment_.store().master_spindle.reset();
       return end;
     }
     return request(b, text, next, std::move(name), has_bracket ? next : end);
@@ -132,6 +137,37 @@ struct SiemensCall {
     return (name == "ID" || name == "IDS") && at(text, skip_blanks(text, skip_name(text, position))) == '=';
   }
 
+  /// What is missing of a procedure that changes the path.
+  static std::string_view not_executed(std::string_view name) {
+    struct Known {
+      std::string_view name, missing;
+    };
+    static constexpr std::string_view origin = "the axis counts from its origin of before",
+                                      coupled = "the axis that follows another one stands still";
+    static constexpr Known known[] = {{"PRESETON", origin},
+                                      {"PRESETONS", origin},
+                                      {"TANG", coupled},
+                                      {"TANGON", coupled},
+                                      {"TRAILON", coupled},
+                                      {"LEADON", coupled},
+                                      {"EGON", coupled},
+                                      {"EGONSYN", coupled},
+                                      {"ORIRESET", "the rotary axes do not turn"},
+                                      {"TOFFON", "the offset is missing"}};
+    for (const Known& k : known)
+      if (k.name == name) return k.missing;
+    return {};
+  }
+
+  /// SETMS(2): what S and M3 mean from here on.
+  void name_master(ig::Block& b, std::string_view text, std::size_t open) {
+    if (!read_arguments(b, text, open)) return;
+    environment_.store().master_spindle.reset();
+    if (!arguments_.empty() && arguments_[0].value && !arguments_[0].value->is_text())
+      environment_.store().master_spindle =
+          static_cast<std::int64_t>(std::fmax(0, std::fmin(std::round(arguments_[0].value->number), 999)));
+  }
+
   /// MSG("…"), SETAL(65000), cycles that are not executed. False: a subprogram.
   bool is_known(ig::Block& b, std::string_view text, const std::string& name, std::size_t open, std::size_t close) {
     const auto where = ig::Where::columns(begin_, close);
@@ -146,12 +182,17 @@ struct SiemensCall {
       b.alarm();
       return true;
     }
+    if (const std::string_view missing = not_executed(name); !missing.empty()) {
+      b.report(diag("SIE-0174"), where, std::string_view(name), missing);
+      return true;
+    }
     for (const std::string_view transformation : {"TRAORI", "TRANSMIT", "TRACYL", "TRAANG", "TRACON"})
       if (name == transformation) {
         b.report(diag("SIE-0183"), where, std::string_view(name));
         return true;
       }
     if (!silent_.holds(name)) return false;
+    if (name == "SETMS") name_master(b, text.substr(0, close), open);
     if (name == "MSG" && at(text, skip_blanks(text, open + 1)) == '"') {
       const std::size_t first = skip_blanks(text, open + 1) + 1;
       if (text.find('"', first) == std::string_view::npos)

@@ -21,12 +21,9 @@ struct SiemensCode {
   std::vector<Feature> features_{
       {ig::Call{{"TRAORI", "TRANSMIT", "TRACYL", "TRAANG", "TRACON"}, ""},
        "the transformation is missing: machine coordinates are wrong up to TRAFOOF"},
-      {ig::Call{{"G74", "G75"}, "X[] Y[] Z[] A[] B[] C[]"}, "the way to the reference or fixed point is missing"},
-      {ig::Call{{"G33", "G34", "G35", "G331", "G332", "G63"}, "I J K"},
-       "the thread is not cut; its blocks move by feed"},
+      {ig::Call{{"G33", "G34", "G35"}, "I J K"}, "the thread is not cut; its blocks move by feed"},
       {ig::Call{{"CT", "POLY", "ASPLINE", "BSPLINE", "CSPLINE", "INVCW", "INVCCW"}, ""},
        "the curve is missing; its blocks move as the motion code before it says"},
-      {ig::Call{{"G110", "G111", "G112"}, "X Y Z"}, "the pole is not kept: AP and RP have no meaning"},
       {ig::Call{{"ROTS", "AROTS", "CROTS"}, "X[deg] Y[deg] Z[deg]"}, "positions are not turned"},
       {ig::Call{{"G58", "G59"}, "X Y Z"}, "positions are not shifted"},
       {ig::Call{{"G25", "G26"}, "X Y Z"}, "the limit of the working area or of the spindle speed is not watched"},
@@ -44,9 +41,9 @@ struct SiemensCode {
   std::vector<Word> words_ = declared_words();
 
   // Smoothing and limits: they change no end point.
-  std::array<ig::Word, 7> quiet_{ig::Word{"Parsing.ADIS"}, ig::Word{"Parsing.ADISPOS"}, ig::Word{"Parsing.CTOL"},
+  std::array<ig::Word, 9> quiet_{ig::Word{"Parsing.ADIS"}, ig::Word{"Parsing.ADISPOS"}, ig::Word{"Parsing.CTOL"},
                                  ig::Word{"Parsing.OTOL"}, ig::Word{"Parsing.STOLF"},   ig::Word{"Parsing.LIMS"},
-                                 ig::Word{"Parsing.DISC"}};
+                                 ig::Word{"Parsing.DISC"}, ig::Word{"Parsing.FRC"},     ig::Word{"Parsing.FRCM"}};
 
   ig::Status build(ig::Block& b) {
     bool any = false;
@@ -73,10 +70,8 @@ struct SiemensCode {
                                       {"RND", "RND=: the rounding is missing; the corner stays sharp"},
                                       {"RNDM", "RNDM=: the roundings are missing; corners stay sharp"},
                                       {"ANG", "ANG=: the end point of the contour line is not computed"},
-                                      {"AP", "AP=: the polar position is not computed"},
-                                      {"RP", "RP=: the polar position is not computed"},
-                                      {"FB", "FB=: the feed of this block is that of F"},
                                       {"OVR", "OVR=: feeds are those of F"},
+                                      {"SVC", "SVC=: the speed of the spindle is not known"},
                                       {"FZ", "FZ=: the feed per tooth is not known"},
                                       {"A2", "A2= B2= C2=: the tool keeps its direction"},
                                       {"B2", "B2=: the tool keeps its direction"},

@@ -34,7 +34,7 @@ inline constexpr std::array diagnostics{
                    "IF R1==1 AND R2==2 GOTOF L10"),
     ig::diagnostic(IG_ERROR, "SIE-0109", "the function {0} is not known here",
                    "Known are SIN COS TAN ASIN ACOS ATAN2 SQRT ABS POT TRUNC ROUND ROUNDUP LN EXP MINVAL MAXVAL BOUND "
-                   "STRLEN NUMBER. What needs the value is not executed.",
+                   "STRLEN NUMBER TOUPPER TOLOWER. What needs the value is not executed.",
                    "R1=GETT(1)"),
     ig::diagnostic(
         IG_ERROR, "SIE-0110", "the value of {0} is not known here",
@@ -143,6 +143,8 @@ inline constexpr std::array diagnostics{
                    "A call of a subprogram stands alone, but for P. Where the name is a code of the control, it is "
                    "missing here with what it does.",
                    "FINISH CUT OUTSIDE"),
+    ig::diagnostic(IG_ERROR, "SIE-0174", "{0} is not executed: {1}", "The procedure is known by name only.",
+                   "PRESETON(X,0)"),
     // cycles
     ig::diagnostic(IG_ERROR, "SIE-0181", "{0} is not executed: its moves are missing",
                    "The run knows CYCLE81 to CYCLE89, CYCLE840, CYCLE800, HOLES1, HOLES2, CYCLE801 and CYCLE802.",
@@ -261,6 +263,28 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_ERROR, "SIE-0273", "{0}: {1} not executed: no hole is made",
                    "Executed are rows, circles, full grids and lists of absolute positions.",
                    "CYCLE801(0,0,0,10,10,3,3,1)"),
+    // polar positions, reference points, threads, feeds of one block
+    ig::diagnostic(IG_ERROR, "SIE-0274", "{0}: a word more than the pole takes is not used",
+                   "The pole lies in the plane; it is given by two axes, or by AP= and RP=.", "G111 X10 Y5 Z3"),
+    ig::diagnostic(IG_WARNING, "SIE-0275", "the machine does not know position {0} of {1}: machine zero counts",
+                   "Give the reference positions in the file of the machine (MachineAxes).", "G75 Z0"),
+    ig::diagnostic(IG_ERROR, "SIE-0276", "{0} without an axis: nothing moves", "Each axis that is to go is named.",
+                   "G74"),
+    ig::diagnostic(IG_ERROR, "SIE-0277", "FP={0} is no fixed point: nothing moves",
+                   "Fixed points are numbered from 1 to 4.", "G75 FP=7 Z0"),
+    ig::diagnostic(IG_ERROR, "SIE-0278", "the polar radius is {0}: the position is not computed", "RP= is 0 or more.",
+                   "G1 AP=30 RP=-5"),
+    ig::diagnostic(IG_ERROR, "SIE-0279", "AP= and RP= beside an axis of the plane: the polar position counts",
+                   "A position in the plane is given in one way.", "G1 X10 AP=30 RP=50"),
+    ig::diagnostic(IG_ERROR, "SIE-0281", "FB={0} is no feed: F counts", "FB= is greater than 0.", "G1 X10 FB=0"),
+    ig::diagnostic(IG_WARNING, "SIE-0282", "FB= has no effect: the block does not move by feed",
+                   "FB= stands with G1, G2 and G3.", "G0 X10 FB=200"),
+    ig::diagnostic(IG_ERROR, "SIE-0283", "FB=: no F is in force, so the speed of this block is not known",
+                   "FB= is measured against F here: program F before.", "G1 X10 FB=200 (without F)"),
+    ig::diagnostic(IG_ERROR, "SIE-0284", "{0} with a pitch of {1}: the thread is not cut",
+                   "I, J or K is the pitch, for X, Y and Z; a negative one is a left-hand thread.", "G331 Z-10"),
+    ig::diagnostic(IG_ERROR, "SIE-0285", "{0}: the speed of the spindle is not known, so neither is the feed",
+                   "Program S before, or in the block.", "G331 Z-10 K1.5 (without S)"),
 };
 
 consteval std::uint32_t diag(std::string_view code) { return iso::index_of(diagnostics, code, 0); }

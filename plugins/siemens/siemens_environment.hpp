@@ -34,6 +34,9 @@ class Environment {
       if (const auto tool = b.get(tool_)) return static_cast<double>(*tool);
     if (variable == "$P_F" || variable == "$AC_F") return b.get(feed_);
     if (variable == "$P_S") return b.get(speed_);
+    // The program runs at the machine from its beginning: no block search, no simulation, no test.
+    for (const std::string_view off : {"$P_SEARCH", "$P_SIM", "$P_ISTEST", "$P_DRYRUN"})
+      if (variable == off) return 0;
     return std::nullopt;
   }
 

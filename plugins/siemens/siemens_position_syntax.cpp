@@ -1,6 +1,7 @@
 /// G91, IC and AC: distances become positions, in place, so that nothing after this syntax knows of them; I=AC(50)
 /// becomes a distance from the start of the arc. DC, ACP and ACN say which way a rotary axis turns.
 #include <cmath>
+#include <span>
 
 #include "axis_modes.hpp"
 #include "program_xyz_util.hpp"
@@ -48,7 +49,7 @@ struct SiemensPosition {
  private:
   static std::vector<ig::Word> declared_words() {
     std::vector<ig::Word> out;
-    for (const std::string_view name : AxisModes::words) {
+    for (const std::string_view name : std::span(AxisModes::words).first(AxisModes::ap)) {
       const bool is_angle = name == "A" || name == "B" || name == "C";
       out.emplace_back(std::string("Parsing.").append(name), ig::read | ig::write, is_angle ? "deg" : "mm");
     }

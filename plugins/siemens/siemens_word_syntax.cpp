@@ -196,7 +196,7 @@ struct SiemensWord {
       const std::size_t word_index = AxisModes::index_of(name);
       if (word_index < AxisModes::words.size())
         modes_.set(b, word_index, mode);
-      else
+      else if (!(name == "SPOS" || name == "SPOSA") || b.text(mode) == "IC")  // an angle, whichever way it is reached
         b.report(diag("SIE-0128"), columns(begin, end), std::string_view(name), b.text(mode));
     }
     word(b, run, name, field, begin, end, *value);
@@ -228,8 +228,7 @@ struct SiemensWord {
   std::size_t extended(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end, const std::string& name,
                        double value, Run& run) const {
     const char letter = name[0];
-    const bool is_master = name.size() == 1 || name.substr(1) == std::to_string(static_cast<std::int64_t>(master_)) ||
-                           (letter == 'M' && name == "M0");
+    const bool is_master = name.size() == 1 || is_master_spindle(name.substr(1)) || (letter == 'M' && name == "M0");
     if (!is_master || letter == 'H') {
       b.report(diag("SIE-0126"), columns(begin, end), piece(text, begin, end));
       return end;
@@ -242,6 +241,33 @@ struct SiemensWord {
       set_code(b, run, letter, static_cast<std::uint32_t>(value), begin, end);
     }
     return end;
+  }
+
+  /// Of the machine, or what SETMS has named.
+  bool is_master_spindle(std::string_view number) const {
+    const auto named = environment_.store().master_spindle;
+    return number == std::to_string(named.value_or(static_cast<std::int64_t>(master_)));
+  }
+
+  /// SPOS[2]=90 and LIMS[2]=3000 behind the index: of the master spindle, or said.
+  std::size_t of_spindle(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
+                         const std::string& indexed, Run& run) {
+    const std::size_t bracket = indexed.find('[');
+    const std::string name = indexed.substr(0, bracket);
+    const std::size_t value_at = skip_blanks(text, equals + 1);
+    const ig::Symbol mode = take_mode(b, text, value_at);
+    Expression e(b, environment_, text, mode == ig::Symbol{} ? value_at : at_bracket_);
+    const auto value = e.number();
+    const std::size_t end = std::max(e.position(), equals + 1);
+    if (!value) return line_end_of_fault(text, end);
+    if (is_master_spindle(std::string_view(indexed).substr(bracket + 1, indexed.size() - bracket - 2)))
+      word(b, run, name, fields_.address(name), begin, end, *value);
+    else
+      b.report(diag("SIE-0126"), columns(begin, end), piece(text, begin, end));
+    return end;
+  }
+  static bool belongs_to_spindle(std::string_view name) {
+    return name.starts_with("SPOS[") || name.starts_with("SPOSA[") || name.starts_with("LIMS[");
   }
 
   std::size_t tool(ig::Block& b, std::string_view text, std::size_t begin, std::size_t value_at, Run& run,
@@ -287,6 +313,7 @@ struct SiemensWord {
       return target.position();
     }
     environment_.enter(b);
+    if (belongs_to_spindle(reference->name)) return of_spindle(b, text, begin, equals, reference->name, run);
     const bool is_unknown_array = reference->name.find('[') != std::string::npos && !array_of(reference->name);
     if (!reference->is_r && (reference->name[0] == '$' || is_unknown_array) &&
         !environment_.store().given(reference->name) && !changes_no_position(reference->name)) {
@@ -306,7 +333,7 @@ struct SiemensWord {
 
   /// Speeds and accelerations of single axes.
   static bool changes_no_position(std::string_view name) {
-    for (const std::string_view known : {"FGREF[", "ACC[", "VELOLIM[", "JERKLIM[", "OVRA["})
+    for (const std::string_view known : {"FGREF[", "ACC[", "VELOLIM[", "JERKLIM[", "OVRA[", "FL[", "FA[", "ATOL["})
       if (name.starts_with(known)) return true;
     return false;
   }

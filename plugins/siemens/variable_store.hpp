@@ -60,6 +60,7 @@ struct ModalCall {
 class VariableStore {
  public:
   ModalCall modal;
+  std::optional<std::int64_t> master_spindle;  ///< what SETMS has named
 
   std::size_t most_names = 100'000;  ///< of one program, elements of arrays counted
 
@@ -122,6 +123,7 @@ class VariableStore {
     scopes_.assign(1, {});
     passed_.clear();
     said_.clear();
+    master_spindle.reset();
   }
 
  private:

@@ -1,0 +1,40 @@
+/// FB=: the feed of one block, in the unit of F. F stays what it is.
+#include <isogloss/sdk.hpp>
+
+#include "siemens_diagnostics.hpp"
+
+namespace siemens {
+namespace {
+
+struct SiemensBlockFeed {
+  static constexpr auto spec =
+      ig::syntax("SiemensBlockFeedSyntax", "FB= the feed of one block.")
+          .after("FeedrateSyntax", "SpindleSpeedSyntax", "CircularMotionSyntax", "LinearMotionSyntax");
+
+  ig::Word fb_{"Parsing.FB", ig::wake, "mm/min", "The feed of this block."};
+  ig::In<double> value_{"Feedrate.FeedrateValue"};
+  ig::In<ig::Symbol> form_{"MotionEvent.Form"};
+  ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
+  ig::Field<double> feedrate_{"MotionEvent.Feedrate_mmds", ig::read | ig::write, {ig::Life::standard, "mm/s", ""}};
+
+  ig::Status build(ig::Block& b) {
+    const auto fb = b.take(fb_);
+    if (!fb) return ig::Status::unchanged;
+    const auto where = ig::Where::word(fb_.id());
+    const double f = b.get_or(value_, 0.0), mmds = b.get_or(feedrate_, 0.0);
+    if (!(*fb > 0))
+      b.report(diag("SIE-0281"), where, *fb);
+    else if (!b.has(form_) || b.get_or(is_rapid_, false))
+      b.report(diag("SIE-0282"), where);
+    else if (f > 0 && mmds > 0 && mmds * (*fb / f) < 1e9)
+      b.set(feedrate_, mmds * (*fb / f));
+    else
+      b.report(diag("SIE-0283"), where);
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<SiemensBlockFeed> registered;
+
+}  // namespace
+}  // namespace siemens

@@ -1,0 +1,96 @@
+/// G331 and G332: tapping in step with the spindle, in and out, by a pitch of its own. G63: one block by feed, with a
+/// tap in a floating holder.
+#include <cmath>
+
+#include "cycle_spindle.hpp"
+#include "drilling_cycle.hpp"
+
+namespace siemens {
+namespace {
+
+struct SiemensThread {
+  static constexpr auto spec =
+      ig::syntax("SiemensThreadSyntax", "G331/G332 rigid tapping, G63 tapping by feed.")
+          .after("SiemensPositionSyntax", "FeedrateSyntax", "SpindleSpeedSyntax", "SiemensSpindlePositionSyntax")
+          .before("SiemensCycleSyntax", "ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
+
+  ig::Call codes_{{"G331", "G332", "G63"}, "I J K"};
+  ig::Codes others_{{"G00", "G01", "G02", "G03", "G33", "CIP"}, ig::read | ig::wake};
+  ig::Field<ig::Symbol> term_{"ThreadCutting.Term",
+                              ig::read | ig::write | ig::wake_while,
+                              {ig::Life::modal, "", "G331 or G332, as long as no other motion code comes."}};
+  ig::Field<double> pitch_{"ThreadCutting.Pitch",
+                           ig::read | ig::write,
+                           {ig::Life::modal, "mm", "Way of one turn, negative for a left-hand thread."}};
+  ig::Xyz words_{"Parsing", ig::take};
+  ig::Xyz program_{"ProgramXyz", ig::write};
+  ig::CompoundMotion motion_;
+  iso::CycleSpindle spindle_;
+  FeedInForce feed_;
+  iso::LastProgramXyz last_;
+  ig::Name g63_{"G63"}, g332_{"G332"};
+
+  ig::Status build(ig::Block& b) {
+    const auto call = b.take(codes_);
+    if (call && call->code == g63_) {
+      by_feed(b, *call);
+      return ig::Status::changed;
+    }
+    if (!call && b.find(others_)) {
+      if (!b.has(term_)) return ig::Status::unchanged;
+      b.erase(term_);
+      b.erase(pitch_);
+      return ig::Status::changed;
+    }
+    if (call) begin(b, *call);
+    if (b.has(term_)) cut(b);
+    return ig::Status::changed;
+  }
+
+ private:
+  std::optional<ig::Vec3> target(ig::Block& b) const {
+    const ig::PartialVec3 named = b.take(words_);
+    return named.mask == 0 ? std::nullopt : std::optional(named.or_else(last_(b)));
+  }
+
+  void by_feed(ig::Block& b, const ig::Words& call) const {
+    const auto to = target(b);
+    if (!to) return;
+    const double mmds = feed_.mmds(b);
+    if (mmds <= 0) b.report(diag("SIE-0186"), ig::Where::word(codes_.code(call.row)), b.text(call.code));
+    motion_.begin(b, call.code);
+    motion_.feed_to(b, *to, mmds);
+    b.set(program_, *to);
+  }
+
+  void begin(ig::Block& b, const ig::Words& call) {
+    double pitch = 0;
+    for (const char letter : {'I', 'J', 'K'})
+      if (const auto word = call[letter]) pitch = *word;
+    b.set(term_, call.code);
+    if (pitch != 0 && std::fabs(pitch) < 1e6)
+      b.set(pitch_, pitch);
+    else if (call.mask != 0 || !b.has(pitch_))
+      b.report(diag("SIE-0284"), ig::Where::word(codes_.code(call.row)), b.text(call.code), pitch);
+  }
+
+  void cut(ig::Block& b) const {
+    const auto to = target(b);
+    const double pitch = b.get_or(pitch_, 0.0), rpm = feed_.rpm(b);
+    if (!to || pitch == 0) return;
+    const ig::Symbol code = b.get_or(term_, ig::Symbol{});
+    if (rpm <= 0) b.report(diag("SIE-0285"), ig::Where::block(), b.text(code));
+    const bool turns_right = (pitch > 0) != (code == g332_);
+    motion_.begin(b, code);
+    spindle_.begin(b, motion_, ig::Spindle::stop);
+    motion_.spindle(b, turns_right ? ig::Spindle::cw : ig::Spindle::ccw);
+    motion_.feed_to(b, *to, std::fabs(pitch) * rpm / 60);
+    motion_.spindle(b, ig::Spindle::stop);
+    b.set(program_, *to);
+  }
+};
+
+const ig::Register<SiemensThread> registered;
+
+}  // namespace
+}  // namespace siemens

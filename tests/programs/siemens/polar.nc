@@ -1,0 +1,34 @@
+; Poles and polar positions; feeds of one block; reference and fixed points.
+G17 G710 G90 G94 G0 X0 Y0 Z50
+S1000 M3 F200
+G111 X10 Y5
+G1 AP=30 RP=20
+AP=60
+G91 AP=30 Z-5
+G90
+G3 AP=180 RP=20
+G110 X5
+G0 AP=0 RP=10
+G112 AP=90 RP=10
+G2 AP=IC(-90)
+; The tool goes on from X-15 Y5 by words of its own.
+G1 X100 Y0 FB=400
+X110
+G0 X120 FB=300
+MCALL CYCLE81(50,0,2,-5)
+G111 X0 Y0
+G0 AP=0 RP=50
+AP=120
+AP=240
+MCALL
+G74 X1=0 Y1=0
+X10 Y10
+G75 Z0
+G75 FP=2 X0 Y0 Z0
+; What is refused.
+G1 RP=-5
+G1 X5 AP=10
+G75 FP=9 Z0
+G74
+G111 X5 Z5
+M30
