@@ -31,7 +31,12 @@ struct KlartextPath {
   std::array<ig_field, 2> polar_steps_{word("IPR", "mm"), word("IPA", "deg")};
   ig_field radius_ = word("R", "mm");
   ig::Codes motions_{{"G00", "G01", "G02", "G03"}, ig::write};
-  ig::Signal compensated_{"KlartextPath.~Compensated", ig::read | ig::write, ig::Life::modal};
+  ig::Codes sides_{{"G40", "G41", "G42"}, ig::write};
+  ig::Field<double> offset_word_{"Parsing.D", ig::write, {ig::Life::word, "", ""}};
+  ig::In<ig::Symbol> side_in_force_{"RadiusCompensation.Term"};
+  ig::In<std::int64_t> offset_in_force_{"RadiusCompensation.OffsetId"};
+  ig::In<std::int64_t> tool_{"ToolHeightCompensation.OffsetId"};
+  ig::Name g41_{"G41"}, g42_{"G42"};
   std::array<ig::Name, CHF> symbols_{ig::Name{"L"},  ig::Name{"LP"}, ig::Name{"LN"}, ig::Name{"C"},   ig::Name{"CC"},
                                      ig::Name{"CR"}, ig::Name{"CT"}, ig::Name{"CP"}, ig::Name{"CTP"}, ig::Name{"RND"}};
 
@@ -186,13 +191,12 @@ struct KlartextPath {
     const char d = to_upper(at(text, i + 1));
     const bool is_alone = !is_digit(at(text, i + 2)) && at(text, i + 2) != '.' && at(text, i + 2) != ',';
     if ((d == 'L' || d == 'R') && is_alone) {
-      if (!b.is_raised(compensated_)) b.report(hei("HEI-0131"), ig::Where::columns(i, i + 2), piece(text, i, i + 2));
-      b.raise(compensated_);
+      compensate(b, d == 'L' ? 1 : 2, i, i + 2);
       return i + 2;
     }
     if (path.function == CR) return put(b, text, i, i + 1, radius_, path);
     if (d == '0' && is_alone) {
-      b.erase(compensated_);
+      uncompensate(b, i, i + 2);
       return i + 2;
     }
     // R+ and R- of a paraxial block lengthen or shorten it by the radius
@@ -201,6 +205,21 @@ struct KlartextPath {
       return i + 2;
     }
     return is_letter(d) || is_digit(d) ? i : i + 1;
+  }
+
+  /// The side of the contour, and the tool in the spindle, where they are not in force already.
+  void compensate(ig::Block& b, std::size_t side, std::size_t begin, std::size_t end) const {
+    const std::int64_t tool = b.get_or(tool_, std::int64_t{0});
+    if (b.is(side_in_force_, side == 1 ? g41_ : g42_) && b.get_or(offset_in_force_, std::int64_t{0}) == tool) return;
+    const ig_word words[] = {
+        {sides_.id(side), iso::column(begin), iso::column(end), ig_value{}, 0, 0},
+        {offset_word_.id(), iso::column(begin), iso::column(end), {.number = static_cast<double>(tool)}, 0, 0}};
+    b.host()->set_words(b.raw(), words, 2);
+  }
+  void uncompensate(ig::Block& b, std::size_t begin, std::size_t end) const {
+    if (!b.is(side_in_force_, g41_) && !b.is(side_in_force_, g42_)) return;
+    const ig_word word{sides_.id(0), iso::column(begin), iso::column(end), ig_value{}, 0, 0};
+    b.host()->set_words(b.raw(), &word, 1);
   }
 
   static void unknown(ig::Block& b, std::string_view text, std::size_t i, const Path& path) {
@@ -220,6 +239,7 @@ struct KlartextPath {
     if (path.function == LN && path.has_tool_vector)
       b.report(hei("HEI-0130"), where, std::string_view("the tool vector TX TY TZ of LN"),
                std::string_view("the rotary axes stay"));
+    if (path.function == DEP) uncompensate(b, where.begin, where.end);
     if (is_approach)
       b.report(
           hei("HEI-0130"), where, path.name,

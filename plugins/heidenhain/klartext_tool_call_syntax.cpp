@@ -23,7 +23,8 @@ struct KlartextToolCall {
   ig::Out<double> delta_{"ToolHeightCompensation.Delta_mm",
                          {ig::Life::modal, "mm", "What the tool call adds to the length of the table."}};
   ig::Signal delta_changed_{"ToolHeightCompensation.~TableChanged", ig::write};
-  ig::Out<double> radius_delta_{"KlartextTool.RadiusDelta_mm", {ig::Life::modal, "mm", "DR of the tool call."}};
+  ig::Out<double> radius_delta_{"RadiusCompensation.Delta_mm",
+                                {ig::Life::modal, "mm", "What the tool call adds to the radius of the table."}};
   ig::In<ig::Symbol> system_{"Unit.System"};
   ig::Name inch_{"Inch"};
   ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional,

@@ -30,6 +30,9 @@ struct RadiusCompensation {
   ig::Out<ig::Symbol> side_{"RadiusCompensation.Side"};
   ig::Out<std::int64_t> offset_id_{"RadiusCompensation.OffsetId"};
   ig::Out<double> radius_{"RadiusCompensation.Radius_mm"};
+  ig::In<double> delta_{"RadiusCompensation.Delta_mm",
+                        ig::read,
+                        {ig::Life::modal, "mm", "What the tool call adds to the radius of the table."}};
   ig::Xyz direction_{"RadiusCompensation.CancelDirection",
                      ig::write,
                      {ig::Life::block, "mm", "Direction of the wall that the contour ends at, as programmed."}};
@@ -170,7 +173,7 @@ struct RadiusCompensation {
         b.report(radius_diag("ISO-0464"), where, static_cast<double>(id));
       }
     }
-    double radius = (geometry + wear) / (offset_is_ == OffsetIs::diameter ? 2 : 1);
+    double radius = (geometry + wear) / (offset_is_ == OffsetIs::diameter ? 2 : 1) + b.get_or(delta_, 0.0);
     if (!(std::fabs(radius) < largest_radius)) {
       b.report(radius_diag("ISO-0477"), where, static_cast<double>(id));
       radius = 0;
