@@ -1,5 +1,6 @@
 /// Functions of Mazak's EIA/ISO programs that are recognised but not executed, and D of a canned cycle: a distance
 /// there, no number of a tool radius.
+#include "brand_diagnostics.hpp"
 #include "cycle_codes.hpp"
 #include "recognised_codes.hpp"
 #include "repeat_count.hpp"
@@ -13,12 +14,13 @@ struct MazakCode {
           .after("ParameterizedFlagSyntax")
           .before("CannedCycleResolveSyntax", "RadiusCompensationSyntax", "NotExecutedSyntax", "UnconsumedCheckSyntax");
 
-  RecognisedCodes codes_{{
-      {ig::Call{{"G71.1", "G72.1", "G75", "G78", "G79", "G82.2", "G84.2", "G84.3"},
-                "X Y Z R I J K L[] P[] Q D[] B E[mm/min]"},
-       "the cycle is missing, and blocks after it only move"},
-      {ig::Call{{"G54.2"}, "P[]"}, "positions do not follow the rotary table"},
-  }};
+  iso::RecognisedCodes codes_{brand_diag("FAN-0201"),
+                              {
+                                  {ig::Call{{"G71.1", "G72.1", "G75", "G78", "G79", "G82.2", "G84.2", "G84.3"},
+                                            "X Y Z R I J K L[] P[] Q D[] B E[mm/min]"},
+                                   "the cycle is missing, and blocks after it only move"},
+                                  {ig::Call{{"G54.2"}, "P[]"}, "positions do not follow the rotary table"},
+                              }};
 
   ig::Word d_{"Parsing.D", ig::take | ig::wake, ""};
   ig::Call cycles_{iso::cycle_codes, "", ig::read};
@@ -28,8 +30,7 @@ struct MazakCode {
     const bool is_hole = b.find(cycles_) || modal_cycle_.is_k(b);
     const auto d = is_hole ? b.take(d_) : std::nullopt;
     if (d) b.report(brand_diag("FAN-0202"), ig::Where::word(d_.id()), *d);
-    const ig::Status status = codes_.say(b);
-    return d ? ig::Status::changed : status;
+    return codes_.say(b) || d ? ig::Status::changed : ig::Status::unchanged;
   }
 };
 

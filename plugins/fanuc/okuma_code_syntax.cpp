@@ -2,6 +2,7 @@
 /// is right where the cycle begins at the level of G71.
 #include <cmath>
 
+#include "brand_diagnostics.hpp"
 #include "cycle_codes.hpp"
 #include "recognised_codes.hpp"
 
@@ -13,15 +14,17 @@ struct OkumaCode {
                                    .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PlaneSelectSyntax")
                                    .before("DwellSyntax", "CannedCycleResolveSyntax", "NotExecutedSyntax");
 
-  RecognisedCodes codes_{{
-      {ig::Call{{"G15", "G16"}, "H[]"}, "positions stand without the work offset"},
-      {ig::Call{{"G54", "G55", "G56", "G57", "G58", "G59"}, "H[]"}, "positions stand without the tool length"},
-      {ig::Call{{"G10", "G11"}, "X Y Z P[deg]"}, "positions are neither shifted nor turned"},
-      {ig::Call{{"G30"}, "P[]"}, "the move to the home position is left out"},
-      {ig::Call{{"G62"}, "X Y Z"}, "positions are not mirrored"},
-      {ig::Call{{"G274", "G284"}, "X Y Z R P[] Q"}, "the cycle is missing, and blocks after it only move"},
-      {ig::Call{{"M52"}, ""}, "a cycle returns to the level at which it began, not to the upper limit"},
-  }};
+  iso::RecognisedCodes codes_{
+      brand_diag("FAN-0201"),
+      {
+          {ig::Call{{"G15", "G16"}, "H[]"}, "positions stand without the work offset"},
+          {ig::Call{{"G54", "G55", "G56", "G57", "G58", "G59"}, "H[]"}, "positions stand without the tool length"},
+          {ig::Call{{"G10", "G11"}, "X Y Z P[deg]"}, "positions are neither shifted nor turned"},
+          {ig::Call{{"G30"}, "P[]"}, "the move to the home position is left out"},
+          {ig::Call{{"G62"}, "X Y Z"}, "positions are not mirrored"},
+          {ig::Call{{"G274", "G284"}, "X Y Z R P[] Q"}, "the cycle is missing, and blocks after it only move"},
+          {ig::Call{{"M52"}, ""}, "a cycle returns to the level at which it began, not to the upper limit"},
+      }};
   ig::Codes end_of_length_{"G53"};
   ig::Call dwell_{{"G04"}, "F[s]"};
   ig::Call level_{{"G71"}, "Z"};
@@ -46,7 +49,7 @@ struct OkumaCode {
       any = true;
       return_to(b, *code);
     }
-    return codes_.say(b) == ig::Status::changed || any ? ig::Status::changed : ig::Status::unchanged;
+    return codes_.say(b) || any ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:

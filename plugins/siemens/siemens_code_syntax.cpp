@@ -2,7 +2,7 @@
 /// the words that belong to it go with it.
 #include <vector>
 
-#include "leftovers.hpp"
+#include "recognised_codes.hpp"
 #include "siemens_diagnostics.hpp"
 
 namespace siemens {
@@ -14,26 +14,22 @@ struct SiemensCode {
           .after("ParameterizedFlagSyntax")
           .before("SiemensPositionSyntax", "ProgramXyzSyntax");
 
-  struct Feature {
-    ig::Call codes;
-    std::string_view missing;
-  };
-  std::vector<Feature> features_{
-      {ig::Call{{"TRAORI", "TRANSMIT", "TRACYL", "TRAANG", "TRACON"}, ""},
-       "the transformation is missing: machine coordinates are wrong up to TRAFOOF"},
-      {ig::Call{{"G33", "G34", "G35"}, "I J K"}, "the thread is not cut; its blocks move by feed"},
-      {ig::Call{{"CT", "POLY", "ASPLINE", "BSPLINE", "CSPLINE", "INVCW", "INVCCW"}, ""},
-       "the curve is missing; its blocks move as the motion code before it says"},
-      {ig::Call{{"ROTS", "AROTS", "CROTS"}, "X[deg] Y[deg] Z[deg]"}, "positions are not turned"},
-      {ig::Call{{"G58", "G59"}, "X Y Z"}, "positions are not shifted"},
-      {ig::Call{{"G25", "G26"}, "X Y Z"}, "the limit of the working area or of the spindle speed is not watched"},
-      {ig::Call{{"G147", "G148", "G247", "G248", "G347", "G348"}, ""}, "the soft approach or retraction is missing"},
-      {ig::Call{{"G291"}, ""}, "the blocks up to G290 are ISO code and are read wrong"},
-      {ig::Call{{"G961", "G962", "G971", "G972"}, "S[]"}, "the speed of the spindle is not known"},
-      {ig::Call{{"OFFN", "TOFFL", "TOFFR", "TOFF"}, ""}, "the offset is missing"},
-      {ig::Call{{"MEAS", "MEAW"}, ""}, "the measurement is missing"},
-      {ig::Call{{"DIAMON", "DIAM90"}, ""}, "X is read as a radius"},
-  };
+  iso::RecognisedCodes codes_{
+      diag("SIE-0261"),
+      {{ig::Call{{"TRAORI", "TRANSMIT", "TRACYL", "TRAANG", "TRACON"}, ""},
+        "the transformation is missing: machine coordinates are wrong up to TRAFOOF"},
+       {ig::Call{{"G33", "G34", "G35"}, "I J K"}, "the thread is not cut; its blocks move by feed"},
+       {ig::Call{{"CT", "POLY", "ASPLINE", "BSPLINE", "CSPLINE", "INVCW", "INVCCW"}, ""},
+        "the curve is missing; its blocks move as the motion code before it says"},
+       {ig::Call{{"ROTS", "AROTS", "CROTS"}, "X[deg] Y[deg] Z[deg]"}, "positions are not turned"},
+       {ig::Call{{"G58", "G59"}, "X Y Z"}, "positions are not shifted"},
+       {ig::Call{{"G25", "G26"}, "X Y Z"}, "the limit of the working area or of the spindle speed is not watched"},
+       {ig::Call{{"G147", "G148", "G247", "G248", "G347", "G348"}, ""}, "the soft approach or retraction is missing"},
+       {ig::Call{{"G291"}, ""}, "the blocks up to G290 are ISO code and are read wrong"},
+       {ig::Call{{"G961", "G962", "G971", "G972"}, "S[]"}, "the speed of the spindle is not known"},
+       {ig::Call{{"OFFN", "TOFFL", "TOFFR", "TOFF"}, ""}, "the offset is missing"},
+       {ig::Call{{"MEAS", "MEAW"}, ""}, "the measurement is missing"},
+       {ig::Call{{"DIAMON", "DIAM90"}, ""}, "X is read as a radius"}}};
   struct Word {
     ig::Word word;
     std::string_view missing;
@@ -46,10 +42,8 @@ struct SiemensCode {
                                  ig::Word{"Parsing.DISC"}, ig::Word{"Parsing.FRC"},     ig::Word{"Parsing.FRCM"}};
 
   ig::Status build(ig::Block& b) {
-    bool any = false;
+    bool any = codes_.say(b);
     for (const ig::Word& word : quiet_) any |= b.take(word).has_value();
-    for (const Feature& feature : features_)
-      for (std::uint32_t row = 0; row < feature.codes.code_count(); ++row) any |= take(b, feature, row);
     for (const Word& word : words_) {
       if (!b.has(word.word)) continue;
       b.report(diag("SIE-0262"), ig::Where::word(word.word.id()), word.missing);
@@ -83,17 +77,6 @@ struct SiemensCode {
     for (const Known& k : known)
       out.push_back({ig::Word(std::string("Parsing.").append(k.name), ig::wake, ""), k.missing});
     return out;
-  }
-  static bool take(ig::Block& b, const Feature& feature, std::uint32_t row) {
-    const ig_field code = feature.codes.code(row);
-    if (!iso::is_unanswered(b, code)) return false;
-    std::uint32_t found = 0;
-    ig_value unused[32];
-    b.host()->take_code(b.raw(), &code, 1, &found);
-    b.host()->take_many(b.raw(), feature.codes.row(row), static_cast<std::uint32_t>(feature.codes.letters().size()),
-                        unused);
-    b.report(diag("SIE-0261"), ig::Where::word(code), b.text(feature.codes.name(row)), feature.missing);
-    return true;
   }
 };
 
