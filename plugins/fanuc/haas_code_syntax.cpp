@@ -15,7 +15,8 @@ struct HaasCode {
       brand_diag("FAN-0201"),
       {
           {ig::Call{{"G107"}, "X Y Z A B C Q R"}, "the path is not wrapped around the cylinder"},
-          {ig::Call{{"G143", "G254"}, "H[]"}, "positions do not follow the rotary axes"},
+          {ig::Call{{"G143"}, "H[]"}, "positions do not follow the rotary axes"},
+          {ig::Call{{"G254"}, ""}, "positions do not follow the rotary axes"},
           {ig::Call{{"G174", "G184"}, "X Y Z R"}, "the cycle is missing, and blocks after it only move"},
           {ig::Call{{"G153", "G155", "G161", "G162", "G163", "G164", "G165", "G166", "G169"}, "E I J K L[] P[] Q"},
            "the cycle is missing, and blocks after it only move"},

@@ -19,6 +19,8 @@ struct CircularPocket {
           .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
 
   ig::Call call_{{"G12", "G13"}, "X Y Z I K Q L[1] D[]"};
+  /// Q belongs to K: without it, it is a word that nobody uses.
+  ig::Field<double> stray_q_{"Parsing.Q", ig::read | ig::write, {ig::Life::standard, "mm", ""}};
   ig::CompoundMotion motion_;
   ToolSteps steps_;
   ig::Xyz program_{"ProgramXyz", ig::write};
@@ -42,6 +44,8 @@ struct CircularPocket {
     const auto row = b.find(call_);
     if (!row) return ig::Status::unchanged;
     const ig_field code = call_.code(*row);
+    if (const ig_field q = call_.word(*row, 'Q'); b.has(q) && !b.has(call_.word(*row, 'K')))
+      b.host()->move(b.raw(), q, stray_q_.id());
     const auto words = *b.take(call_);
     const ig::Vec3 start = last_(b);
     Pocket pocket;
