@@ -48,6 +48,11 @@ inline constexpr std::array brand_diagnostics{
                    "Compensation in space is not executed. With the radius 0 the path is right as it is programmed; "
                    "the machine's own radius shifts it.",
                    "G141 D1 X0. Y0. Z0."),
+    ig::diagnostic(
+        IG_ERROR, "FAN-0209", "rotary axes have turned under G254: the work offset stays where it was",
+        "G255 ends G254 before the rotary axes turn, and G254 comes again when they stand. The work offset is "
+        "that of the angles at which G254 came.",
+        "G254 (then) G00 B45."),
 };
 
 consteval std::uint32_t brand_diag(std::string_view code) {

@@ -16,14 +16,12 @@ struct HaasCode {
       {
           {ig::Call{{"G107"}, "X Y Z A B C Q R"}, "the path is not wrapped around the cylinder"},
           {ig::Call{{"G143"}, "H[]"}, "positions do not follow the rotary axes"},
-          {ig::Call{{"G254"}, ""}, "positions do not follow the rotary axes"},
           {ig::Call{{"G174", "G184"}, "X Y Z R"}, "the cycle is missing, and blocks after it only move"},
           {ig::Call{{"G153", "G155", "G161", "G162", "G163", "G164", "G165", "G166", "G169"}, "E I J K L[] P[] Q"},
            "the cycle is missing, and blocks after it only move"},
           {ig::Call{{"M96"}, "P[] Q[]"}, "the program goes on with the next block, whatever the input is"},
           {ig::Call{{"M109"}, "P[]"}, "nobody answers, and its variable keeps its value"},
       }};
-  ig::Codes g255_{"G255"};
   /// Under G141 each block says by I, J and K where the tool touches.
   ig::Call compensation_on_{{"G141"}, "D[]"};
   ig::In<std::int64_t> offset_id_{"RadiusCompensation.OffsetId"};
@@ -37,7 +35,6 @@ struct HaasCode {
   ig::Status build(ig::Block& b) {
     bool changed = take_contact(b);
     changed |= say_compensation(b);
-    changed |= b.take(g255_).has_value();
     return codes_.say(b) || changed ? ig::Status::changed : ig::Status::unchanged;
   }
 
