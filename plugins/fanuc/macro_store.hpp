@@ -74,11 +74,11 @@ struct MacroSettings {
   std::uint32_t nesting = 5;       ///< brackets inside each other that the control permits
   std::uint32_t call_nesting = 5;  ///< macro calls inside each other that it permits
   ToolVariables tools = ToolVariables::wear_first;
-  bool radii_from_2401 = false;    ///< #2401 to #2800 are radii of tools; else #2500 and on are work offsets
-  bool local_in_5201 = false;      ///< #5201 and on are the shift of G52; else the external offset
+  bool radii_from_2401 = false;  ///< #2401 to #2800 are radii of tools; else #2500 and on are work offsets
+  bool local_in_5201 = false;    ///< #5201 and on are the shift of G52; else the external offset
   std::uint32_t tool_variable = 0, speed_variable = 0;  ///< the tool in the spindle, and its speed; 0: no variable
-  bool offset_in_12 = false;       ///< #4012 is the work offset; else it is the modal macro call
-  double clock_step_ms = 100;      ///< how far the clocks go on each time they are read
+  bool offset_in_12 = false;                            ///< #4012 is the work offset; else it is the modal macro call
+  double clock_step_ms = 100;                           ///< how far the clocks go on each time they are read
 };
 
 class MacroStore {

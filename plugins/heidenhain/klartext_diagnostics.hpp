@@ -63,9 +63,10 @@ inline constexpr std::array klartext_diagnostics{
     // path functions
     ig::diagnostic(IG_ERROR, "HEI-0130", "{0} is not executed: {1}",
                    "The path differs from that of the control here, up to where the note says.", "5 RND R5"),
-    ig::diagnostic(IG_ERROR, "HEI-0131", "{0} is not executed: the block goes to its point itself",
-                   "R+ and R- make a paraxial move longer or shorter by the radius of the tool. RL and RR are executed.",
-                   "5 X+10 R+"),
+    ig::diagnostic(
+        IG_ERROR, "HEI-0131", "{0} is not executed: the block goes to its point itself",
+        "R+ and R- make a paraxial move longer or shorter by the radius of the tool. RL and RR are executed.",
+        "5 X+10 R+"),
     ig::diagnostic(IG_ERROR, "HEI-0132", "{0} without a pole: no CC came before", "The block does not move.",
                    "5 CP PA+90 DR+"),
     ig::diagnostic(IG_ERROR, "HEI-0133", "{0} without DR+ or DR-: the sense of rotation is missing",

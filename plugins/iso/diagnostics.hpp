@@ -441,10 +441,11 @@ inline constexpr std::array diagnostics{
                    "Beside G05.1 an axis word says which axes are smoothed, and its value is 0. A move stands in a "
                    "block of its own.",
                    "G05.1 Q1 X10."),
-    ig::diagnostic(IG_WARNING, "ISO-0399", "what stands behind ; is taken for a remark: the control ends the block there",
-                   "In files for this control ; shows where a block ends, and what follows is the next block. Plain text "
-                   "is none, and the control would stop with an alarm. Write remarks in parentheses. Said once a run.",
-                   "N1 G21 ; mm mode"),
+    ig::diagnostic(
+        IG_WARNING, "ISO-0399", "what stands behind ; is taken for a remark: the control ends the block there",
+        "In files for this control ; shows where a block ends, and what follows is the next block. Plain text "
+        "is none, and the control would stop with an alarm. Write remarks in parentheses. Said once a run.",
+        "N1 G21 ; mm mode"),
 };
 
 consteval std::uint32_t diag(std::string_view code) { return index_of(diagnostics, code, 0); }

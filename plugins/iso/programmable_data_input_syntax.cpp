@@ -13,10 +13,10 @@ enum class ToolColumns { geometry_wear, wear_geometry };
 enum class L2Rows { to_g59, all_sets };
 
 struct ProgrammableDataInput {
-  static constexpr auto spec =
-      ig::syntax("ProgrammableDataInputSyntax", "G10 writes work offsets and tool offsets.")
-          .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PositioningModeSyntax")
-          .before("ToolChangeSyntax", "ToolHeightOffsetSyntax", "IsoCoordinateOffsetSyntax", "IncrementalResolveSyntax");
+  static constexpr auto spec = ig::syntax("ProgrammableDataInputSyntax", "G10 writes work offsets and tool offsets.")
+                                   .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PositioningModeSyntax")
+                                   .before("ToolChangeSyntax", "ToolHeightOffsetSyntax", "IsoCoordinateOffsetSyntax",
+                                           "IncrementalResolveSyntax");
 
   ig::Call g10_{{"G10"}, "L[] P[] R X Y Z A B C"};
   ig::Codes g11_{"G11"};
@@ -50,8 +50,8 @@ struct ProgrammableDataInput {
     }
     const auto words = b.take(g10_);
     if (!words) {
-      const bool swallowed = (b.is_raised(parameters_) && swallow_parameter(b)) ||
-                             (b.is_raised(tool_data_) && swallow_tool_data(b));
+      const bool swallowed =
+          (b.is_raised(parameters_) && swallow_parameter(b)) || (b.is_raised(tool_data_) && swallow_tool_data(b));
       return swallowed || ends ? ig::Status::changed : ig::Status::unchanged;
     }
     const auto where = ig::Where::word(g10_.code(0));
