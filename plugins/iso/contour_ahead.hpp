@@ -74,8 +74,13 @@ class ContourAhead {
   /// The moves that follow on the same side at the same distance, as far as the control reads. The first begins at
   /// `start`, where that is given: behind a corner that is broken.
   using Moves = std::array<ContourMove, 8>;
+  /// Which of them are cut at a height: by feed, and without a move across the plane.
+  struct Walls {
+    double height = 0;
+    std::array<bool, std::tuple_size_v<Moves>> are{};
+  };
   std::size_t moves(ig::Block& b, const PlaneAxes& plane, double offset, std::int64_t rests_allowed,
-                    const std::optional<Point2>& start, Moves& moves) const {
+                    const std::optional<Point2>& start, Moves& moves, Walls* walls = nullptr) const {
     std::array<Break, 8> breaks{};
     std::size_t count = 0;
     bool other_frame = false;
@@ -97,9 +102,13 @@ class ContourAhead {
       moves[count] = motion.move;
       if (other_frame && !bring_here(b, ahead, motion, moves[count])) break;
       breaks[count] = {ahead.get_or(break_size_, 0.0), ahead.is(break_term_, rounding_)};
+      if (walls != nullptr)
+        walls->are[count] = !other_frame && !ahead.get_or(is_rapid_, false) &&
+                            std::fabs(motion.from[plane.tool] - walls->height) < same_point_mm &&
+                            std::fabs(motion.to[plane.tool] - walls->height) < same_point_mm;
       ++count;
     }
-    return with_corners(moves, count, start.value_or(moves[0].start), breaks);
+    return with_corners(moves, count, start.value_or(moves[0].start), breaks, walls);
   }
 
  private:
@@ -127,8 +136,10 @@ class ContourAhead {
   }
 
   /// The moves with what breaks their corners between them.
-  static std::size_t with_corners(Moves& moves, std::size_t count, Point2 begin, const std::array<Break, 8>& breaks) {
+  static std::size_t with_corners(Moves& moves, std::size_t count, Point2 begin, const std::array<Break, 8>& breaks,
+                                  Walls* walls) {
     Moves out;
+    Walls walls_out;
     std::size_t n = 0;
     for (std::size_t i = 0; i < count && n < out.size(); ++i) {
       const ContourMove& move = moves[i];
@@ -137,11 +148,16 @@ class ContourAhead {
       if (breaks[i].size > 0 && i + 1 < count)
         broken = break_corner(move, begin, moves[i + 1], breaks[i].size, breaks[i].is_rounding);
       const bool is_broken = broken.why == Unbroken::no;
+      if (walls != nullptr) walls_out.are[n] = walls->are[i];
       out[n++] = between_corners(move, begin, is_broken ? broken.corner.begin : move.end);
-      if (is_broken && n < out.size()) out[n++] = broken.corner.move();
+      if (is_broken && n < out.size()) {
+        if (walls != nullptr) walls_out.are[n] = walls->are[i] && walls->are[i + 1];
+        out[n++] = broken.corner.move();
+      }
       begin = is_broken ? broken.corner.end : move.end;
     }
     moves = out;
+    if (walls != nullptr) walls->are = walls_out.are;
     return n;
   }
 

@@ -76,6 +76,12 @@ inline constexpr std::array radius_compensation_diagnostics{
                    "Geometry and wear of the tool table together are 1 000 000 m or more. Look for a typing error, or "
                    "for the computation that wrote the table.",
                    "G41 D1 (with D=2000000000 in the tool table)"),
+    ig::diagnostic(
+        IG_WARNING, "ISO-0496", "beside this block the tool cuts {0} mm into the contour of one that follows",
+        "Two parts of the contour lie nearer to each other than the tool is wide, and there are blocks between "
+        "them: a neck. A control compares fewer blocks, if any, and cuts. Said where the neck begins, of "
+        "straight moves and arcs by feed at one height, some blocks ahead.",
+        "G41 D1 (radius 5), into a pocket through an opening of 8 mm"),
 };
 
 inline constexpr std::size_t radius_end = subprogram_end + radius_compensation_diagnostics.size();

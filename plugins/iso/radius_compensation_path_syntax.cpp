@@ -2,6 +2,7 @@
 /// centre, which touches the contour and turns its corners. Needs the next move of the contour, so it looks ahead.
 /// Fanuc manual, "Details of cutter compensation".
 #include "broken_contour.hpp"
+#include "contour_clearance.hpp"
 #include "event_to_steps.hpp"
 #include "feed_util.hpp"
 
@@ -22,6 +23,7 @@ struct RadiusCompensationPath {
 
   ig::Signal path_{"RadiusCompensation.~Path", ig::read | ig::wake};
   ig::Signal corner_path_{"CornerBreak.~Path", ig::read | ig::wake};
+  ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
   ig::In<ig::Symbol> term_{"RadiusCompensation.Term"};
   ig::Out<ig::Symbol> phase_{"RadiusCompensation.Phase",
                              {ig::Life::block, "", "StartUp, Offset or Cancel: what the move of the block is."}};
@@ -168,13 +170,17 @@ struct RadiusCompensationPath {
       next.move = between_corners(next.move, *next_start_, next.move.end);
     return next;
   }
-  std::size_t following(ig::Block& b, const ContourMotion& now, double offset, ContourAhead::Moves& moves) const {
-    const std::size_t count = ahead_.moves(b, now.plane, offset, rests_allowed_, next_start_, moves);
+  std::size_t following(ig::Block& b, const ContourMotion& now, double offset, ContourAhead::Moves& moves,
+                        ContourAhead::Walls* walls = nullptr) const {
+    const std::size_t count = ahead_.moves(b, now.plane, offset, rests_allowed_, next_start_, moves, walls);
     if (!inserted_) return count;
     const std::size_t kept = std::min(count, moves.size() - 1);
-    std::copy_backward(moves.begin(), moves.begin() + static_cast<std::ptrdiff_t>(kept),
-                       moves.begin() + static_cast<std::ptrdiff_t>(kept) + 1);
-    moves[0] = *inserted_;
+    const auto put_first = [kept](auto& list, const auto& first) {
+      std::copy_backward(list.begin(), list.begin() + kept, list.begin() + kept + 1);
+      list[0] = first;
+    };
+    put_first(moves, *inserted_);
+    if (walls != nullptr) put_first(walls->are, true);
     return kept + 1;
   }
   /// In the frame of this block. A block alone (a case) finds the vector in the block before it.
@@ -239,6 +245,7 @@ struct RadiusCompensationPath {
     const ContourAhead::Next next = following(b, now, offset);
     const Corner corner = end_of(b, now, offset, next);
     say_too_far(b, next);
+    if (may_be_narrow(now, next, corner)) say_neck(b, now, offset, corner);
     const ig::Status status = move(b, now, offsetting, corner, offset);
     tool_.is_blind = next.kind == ContourAhead::Next::Kind::none;
     return status;
@@ -288,6 +295,37 @@ struct RadiusCompensationPath {
     }
     return std::nullopt;
   }
+
+  // ---- necks: two parts of the contour that are no neighbours lie nearer to each other than the tool is wide
+
+  /// A contour of short lines that turns little by little is not looked at: nothing there can face this move.
+  bool may_be_narrow(const ContourMotion& now, const ContourAhead::Next& next, const Corner& corner) const {
+    if (interference_ == Interference::ignore || tool_.left_out > 0) return false;
+    if (next.kind != ContourAhead::Next::Kind::move || next.offset == 0 || next.is_rapid) return false;
+    if (corner.kind == CornerKind::no_solution) return false;
+    return now.move.is_arc || next.move.is_arc ||
+           dot(now.move.direction_at_end(), next.move.direction_at_start()) < least_turn_;
+  }
+
+  /// The two moves behind this one are neighbours, which their corners look after; the last one leads away.
+  void say_neck(ig::Block& b, const ContourMotion& now, double offset, const Corner& corner) {
+    const double height = now.to[now.plane.tool];
+    if (b.get_or(is_rapid_, false) || std::fabs(now.from[now.plane.tool] - height) > same_point_mm) return;
+    if (!now.move.fits(offset)) return;
+    ContourAhead::Moves moves;
+    ContourAhead::Walls walls{height, {}};
+    const std::size_t count = following(b, now, offset, moves, &walls);
+    const Point2 from = tool_.corner.count == 0 ? ContourMotionOf::in_plane(now.plane, tool_.at) : tool_.corner.last();
+    if (now.move.way(from, corner.leave, offset) < same_point_mm) return;
+    const ContourMove path{from, corner.leave, now.move.is_arc, now.move.center, now.move.is_ccw};
+    double deepest = least_cut_mm_;
+    for (std::size_t n = 2; n + leads_away_ < count; ++n)
+      if (walls.are[n] && moves[n].fits(offset)) deepest = std::fmax(deepest, std::fabs(offset) - gap(path, moves[n]));
+    if (deepest > least_cut_mm_) b.report(radius_diag("ISO-0496"), ig::Where::block(), deepest);
+  }
+  static constexpr double least_turn_ = 0.996;   ///< 5 degrees
+  static constexpr double least_cut_mm_ = 0.01;  ///< coordinates are rounded
+  static constexpr std::size_t leads_away_ = 1;
 
   ig::Status leave_out(ig::Block& b, const ContourMotion& now, double offset) {
     --tool_.left_out;
