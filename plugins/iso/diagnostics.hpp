@@ -441,6 +441,10 @@ inline constexpr std::array diagnostics{
                    "Beside G05.1 an axis word says which axes are smoothed, and its value is 0. A move stands in a "
                    "block of its own.",
                    "G05.1 Q1 X10."),
+    ig::diagnostic(IG_WARNING, "ISO-0398", "M29 was no rigid tapping: {0}, and no tapping cycle, comes after it",
+                   "M29 without S may be a function of the machine (a chip conveyor). It is taken for one where the "
+                   "next S, spindle code or axis move is not a tapping cycle. Said once a run.",
+                   "M29 (then) G01 X10."),
     ig::diagnostic(
         IG_WARNING, "ISO-0399", "what stands behind ; is taken for a remark: the control ends the block there",
         "In files for this control ; shows where a block ends, and what follows is the next block. Plain text "

@@ -1,5 +1,6 @@
 /// M29: the tapping cycles that follow are rigid, axis and spindle turn as one. The spindle is stopped here and started
-/// by the cycle. Ends with G80 or a motion code, as the cycles do.
+/// by the cycle. Ends with G80 or a motion code, as the cycles do. Many machines use M29 for something else: without S,
+/// and with something else than the cycle behind it, it is taken for that.
 #include "diagnostics.hpp"
 
 namespace iso {
@@ -15,6 +16,9 @@ struct RigidTappingMode {
                               ig::read | ig::write | ig::wake_while,
                               {ig::Life::modal, "", "The code that made tapping rigid; absent where it is not."}};
   ig::Signal awaits_cycle_{"RigidTapping.~AwaitsCycle", ig::read | ig::write, ig::Life::modal};
+  /// M29 had no S: the cycle must come before anything is stopped.
+  ig::Signal is_unsure_{"RigidTapping.~IsUnsure", ig::read | ig::write, ig::Life::modal};
+  ig::Signal said_{"RigidTapping.~Said", ig::read | ig::write, ig::Life::modal};
   ig::Out<ig::Symbol> direction_{"SpindleSpeed.Direction"};
   ig::In<double> speed_{"SpindleSpeed.SpindleSpeed_rpm"};
   ig::Xyz axes_{"Parsing", ig::read};
@@ -27,7 +31,11 @@ struct RigidTappingMode {
     const bool taps = b.find(tapping_) || b.is(cycle_, g84_) || b.is(cycle_, g74_);
     if (b.take(m29_)) {
       b.set(term_, m29_.name(0));
-      b.set(direction_, stop_);
+      b.erase(is_unsure_);
+      if (taps || b.is_fresh(speed_))
+        b.set(direction_, stop_);
+      else
+        b.raise(is_unsure_);
       if (!taps) b.raise(awaits_cycle_);
       return ig::Status::changed;
     }
@@ -35,19 +43,26 @@ struct RigidTappingMode {
     const bool awaited = b.is_raised(awaits_cycle_);
     const bool ends = b.find(end_) && !b.find(tapping_);
     const bool is_disturbed = awaited && !taps && report_disturbance(b);
-    if (ends) b.erase(term_);
+    if (awaited && taps && b.is_raised(is_unsure_)) b.set(direction_, stop_);
+    if (ends || (is_disturbed && b.is_raised(is_unsure_))) b.erase(term_);
     if (awaited && (ends || taps || is_disturbed)) b.erase(awaits_cycle_);
     return ends || (awaited && taps) || is_disturbed ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
-  bool report_disturbance(ig::Block& b) const {
+  bool report_disturbance(ig::Block& b) {
     const std::string_view what = b.get(axes_).mask != 0   ? "an axis word"
                                   : b.is_fresh(speed_)     ? "S"
                                   : b.is_fresh(direction_) ? "a spindle code"
                                                            : "";
-    if (!what.empty()) b.report(diag("ISO-0350"), ig::Where::block(), what);
-    return !what.empty();
+    if (what.empty()) return false;
+    if (!b.is_raised(is_unsure_)) {
+      b.report(diag("ISO-0350"), ig::Where::block(), what);
+    } else if (!b.is_raised(said_)) {
+      b.report(diag("ISO-0398"), ig::Where::block(), what);
+      b.raise(said_);
+    }
+    return true;
   }
 };
 
