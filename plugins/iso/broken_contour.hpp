@@ -17,13 +17,14 @@ class BrokenContour {
     ContourMotion motion;                 ///< of the block, without what the corners at its ends take
     std::optional<ContourMotion> corner;  ///< what stands at its end
     std::string_view unbroken;            ///< why nothing does, where something should
+    bool is_expected = false;             ///< nothing needs to be said of that
     bool begins_behind_corner = false;
   };
 
   void forget() { start_.reset(); }
 
   Piece take(ig::Block& b, const ContourMotion& now) {
-    Piece piece{now, std::nullopt, {}, false};
+    Piece piece{.motion = now, .corner = std::nullopt, .unbroken = {}};
     if (now.kind == ContourMotion::Kind::by_steps) start_.reset();
     Point2 begin = now.move.start;
     if (now.kind == ContourMotion::Kind::move && start_) {
@@ -35,7 +36,10 @@ class BrokenContour {
     }
     if (!b.has(term_)) return piece;
     CornerBreaking broken;
-    piece.unbroken = find(b, now, begin, broken);
+    const Form* const form = form_of(b);
+    if (form == nullptr) return piece;
+    piece.unbroken = find(b, now, begin, *form, broken);
+    piece.is_expected = form->is_modal && broken.why == Unbroken::no;
     if (!piece.unbroken.empty() || broken.why != Unbroken::no) return piece;
     ContourMotion corner = now;
     corner.move = broken.corner.move();
@@ -50,15 +54,41 @@ class BrokenContour {
   }
 
   void say(ig::Block& b, const Piece& piece) const {
-    if (piece.unbroken.empty()) return;
-    b.report(corner_diag("ISO-0480"), ig::Where::word(words_[b.is(term_, rounding_) ? 1 : 0].id()),
-             b.text(b.get_or(term_, ig::Symbol{})), piece.unbroken);
-    b.alarm();
+    if (piece.unbroken.empty() || piece.is_expected) return;
+    const Form* const form = form_of(b);
+    b.report(corner_diag("ISO-0480"), form == nullptr ? ig::Where::block() : ig::Where::word(form->word.id()),
+             b.text(term(b)), piece.unbroken);
+    if (unfit_ == Unfit::alarm) b.alarm();
   }
 
   ig::Symbol term(const ig::Block& b) const { return b.get_or(term_, ig::Symbol{}); }
 
  private:
+  enum class Unfit { alarm, said };
+  enum class Shape { legs, length, rounding };
+
+  /// How a corner is written: the name that stands in CornerBreak.Term, and the word.
+  struct Form {
+    ig::Name name;
+    Shape shape;
+    ig::Field<double> word;
+    bool is_modal = false;  ///< of every corner: nothing to say where there is none
+  };
+  static ig::Field<double> word(const char* path) {
+    return ig::Field<double>{path, ig::read, {ig::Life::standard, "mm", ""}};
+  }
+  const Form* form_of(const ig::Block& b) const {
+    for (const Form& form : forms_)
+      if (b.is(term_, form.name)) return &form;
+    return nullptr;
+  }
+
+  /// A chamfer of that length takes this much of both moves.
+  static double leg(const ContourMotion& a, const ContourMotion& b, double length) {
+    const double along = dot(a.move.direction_at_end(), b.move.direction_at_start());
+    return length / (2 * std::sqrt(std::fmax((1 + along) / 2, 1e-12)));
+  }
+
   static void place(ig::Vec3& to, const PlaneAxes& plane, const Point2& p) {
     to[plane.first] = rounded(p.u);
     to[plane.second] = rounded(p.v);
@@ -66,14 +96,20 @@ class BrokenContour {
   static bool rises(const ContourMotion& m) { return std::fabs(m.to[m.plane.tool] - m.from[m.plane.tool]) > 1e-9; }
 
   /// Empty where the corner is broken, or where there is none to break.
-  std::string_view find(ig::Block& b, const ContourMotion& now, const Point2& begin, CornerBreaking& out) const {
+  std::string_view find(ig::Block& b, const ContourMotion& now, const Point2& begin, const Form& form,
+                        CornerBreaking& out) const {
     if (now.kind != ContourMotion::Kind::move || b.get_or(is_rapid_, false))
       return "its block makes no feed move in the plane";
     if (rises(now)) return "its move leaves the plane";
     if (rotary_.fresh(b) != 0) return "rotary axes turn in its block";
     ContourMotion next;
     if (const std::string_view why = find_next(b, now, next); !why.empty()) return why;
-    out = break_corner(now.move, begin, next.move, b.get_or(size_, 0.0), b.is(term_, rounding_));
+    double size = b.get_or(size_, 0.0);
+    if (form.shape == Shape::length) {
+      if (now.move.is_arc || next.move.is_arc) return "its length is known between straight moves only";
+      size = leg(now, next, size);
+    }
+    out = break_corner(now.move, begin, next.move, size, form.shape == Shape::rounding);
     switch (out.why) {
       case Unbroken::doubles_back: return "the next move goes back the same way";
       case Unbroken::no_place: return "no arc of this radius touches both moves";
@@ -105,13 +141,17 @@ class BrokenContour {
 
   ContourMotionOf motion_;
   ig::In<ig::Symbol> term_{"CornerBreak.Term", ig::read, {ig::Life::block, "", ""}};
-  std::array<ig::Field<double>, 2> words_{
-      ig::Field<double>{"Parsing.CornerBreak.C", ig::read, {ig::Life::standard, "mm", ""}},
-      ig::Field<double>{"Parsing.CornerBreak.R", ig::read, {ig::Life::standard, "mm", ""}}};
+  std::array<Form, 6> forms_{Form{ig::Name{",C"}, Shape::legs, word("Parsing.CornerBreak.C")},
+                             Form{ig::Name{",R"}, Shape::rounding, word("Parsing.CornerBreak.R")},
+                             Form{ig::Name{"CHR="}, Shape::legs, word("Parsing.CHR")},
+                             Form{ig::Name{"CHF="}, Shape::length, word("Parsing.CHF")},
+                             Form{ig::Name{"RND="}, Shape::rounding, word("Parsing.RND")},
+                             Form{ig::Name{"RNDM="}, Shape::rounding, word("Parsing.RNDM"), true}};
+  ig::Choice<Unfit> unfit_{"corner-does-not-fit", "alarm|said", "alarm",
+                           "A corner that cannot be broken stops the control, or stays sharp."};
   ig::In<double> size_{"CornerBreak.Size_mm", ig::read, {ig::Life::block, "mm", ""}};
   ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
   RotaryPosition rotary_{ig::read};
-  ig::Name rounding_{",R"};
   std::optional<Point2> start_;  ///< where the next move begins: behind the corner that was broken
 };
 

@@ -37,9 +37,9 @@ struct SiemensCode {
   std::vector<Word> words_ = declared_words();
 
   // Smoothing and limits: they change no end point.
-  std::array<ig::Word, 9> quiet_{ig::Word{"Parsing.ADIS"}, ig::Word{"Parsing.ADISPOS"}, ig::Word{"Parsing.CTOL"},
+  std::array<ig::Word, 7> quiet_{ig::Word{"Parsing.ADIS"}, ig::Word{"Parsing.ADISPOS"}, ig::Word{"Parsing.CTOL"},
                                  ig::Word{"Parsing.OTOL"}, ig::Word{"Parsing.STOLF"},   ig::Word{"Parsing.LIMS"},
-                                 ig::Word{"Parsing.DISC"}, ig::Word{"Parsing.FRC"},     ig::Word{"Parsing.FRCM"}};
+                                 ig::Word{"Parsing.DISC"}};
 
   ig::Status build(ig::Block& b) {
     bool any = codes_.say(b);
@@ -59,10 +59,8 @@ struct SiemensCode {
       const char* name;
       std::string_view missing;
     };
-    static constexpr Known known[] = {{"CHF", "CHF=: the chamfer is missing; the corner stays sharp"},
-                                      {"CHR", "CHR=: the chamfer is missing; the corner stays sharp"},
-                                      {"RND", "RND=: the rounding is missing; the corner stays sharp"},
-                                      {"RNDM", "RNDM=: the roundings are missing; corners stay sharp"},
+    static constexpr Known known[] = {{"FRC", "FRC=: the corner is cut by F"},
+                                      {"FRCM", "FRCM=: corners are cut by F"},
                                       {"ANG", "ANG=: the end point of the contour line is not computed"},
                                       {"OVR", "OVR=: feeds are those of F"},
                                       {"SVC", "SVC=: the speed of the spindle is not known"},

@@ -252,7 +252,7 @@ inline constexpr std::array diagnostics{
                    "_ST: only the ones digit (new or additive) is.", "CYCLE800(0,\"\",100000,57,0,0,0,10,0,0)"),
     ig::diagnostic(IG_ERROR, "SIE-0261", "{0} is not executed: {1}", "The function is known by name only.",
                    "G33 Z-10 K2"),
-    ig::diagnostic(IG_ERROR, "SIE-0262", "{0}", "The word is known by name only.", "G1 X10 RND=5"),
+    ig::diagnostic(IG_ERROR, "SIE-0262", "{0}", "The word is known by name only.", "G1 X10 FZ=0.1"),
     // patterns of holes
     ig::diagnostic(IG_ERROR, "SIE-0271", "{0} without a drilling cycle under MCALL: no hole is made",
                    "MCALL with a cycle stands before; a subprogram under MCALL is not called at the positions.",
@@ -285,6 +285,11 @@ inline constexpr std::array diagnostics{
                    "I, J or K is the pitch, for X, Y and Z; a negative one is a left-hand thread.", "G331 Z-10"),
     ig::diagnostic(IG_ERROR, "SIE-0285", "{0}: the speed of the spindle is not known, so neither is the feed",
                    "Program S before, or in the block.", "G331 Z-10 K1.5 (without S)"),
+    // corners
+    ig::diagnostic(IG_ERROR, "SIE-0286", "{0}{1} is less than 0: the corner stays sharp",
+                   "Lengths and radii of corners are 0 or more.", "G1 X10 RND=-2"),
+    ig::diagnostic(IG_ERROR, "SIE-0287", "{0} is the second word for this corner: it is not used",
+                   "A corner is chamfered or rounded, in one way.", "G1 X10 CHR=2 RND=2"),
 };
 
 consteval std::uint32_t diag(std::string_view code) { return iso::index_of(diagnostics, code, 0); }
