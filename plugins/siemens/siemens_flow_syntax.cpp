@@ -1,32 +1,15 @@
 // Labels, jumps, branches and loops. The scanner takes the statement as a whole; build() executes it. Which ELSE and
 // ENDIF belong to an IF is known by names that they get while the program is indexed: ENDIF@12 ends the IF of line 12.
-#include "loop_stack.hpp"
-#include "siemens_expression.hpp"
+#include "branch_index.hpp"
+#include "flow_jumps.hpp"
 
 namespace siemens {
 namespace {
 
+using Word = FlowWord;
 using iso::at;
 using iso::piece;
 using iso::skip_blanks;
-
-enum class Word : std::uint8_t {
-  none,
-  if_,
-  else_,
-  endif,
-  while_,
-  endwhile,
-  for_,
-  endfor,
-  loop,
-  endloop,
-  repeat,
-  repeatb,
-  until,
-  go,
-  case_
-};
 
 struct SiemensFlow {
   static constexpr auto spec =
@@ -44,7 +27,7 @@ struct SiemensFlow {
   ig::Out<ig::Symbol> end_{"ProgramEnd.Term"};
 
   ig::Status restart(ig::Block&) {
-    open_.clear();
+    branches_.restart();
     loops_.clear();
     if (!environment_.flow.is_indexing()) environment_.store().restart();
     return ig::Status::unchanged;
@@ -62,9 +45,9 @@ struct SiemensFlow {
       environment_.flow.label(b, name);
       return behind + 1;
     }
-    const Word word = word_of(piece(text, position, end));
+    const Word word = flow_word(piece(text, position, end));
     if (word == Word::none || (at(text, behind) == '=' && at(text, behind + 1) != '=')) return position;
-    if (environment_.flow.is_indexing()) index(b, word, text, end);
+    if (environment_.flow.is_indexing()) branches_.note(b, word, text, end);
     word_ = word;
     begin_ = position;
     behind_ = end;
@@ -86,24 +69,6 @@ struct SiemensFlow {
   }
 
  private:
-  static Word word_of(std::string_view name) {
-    struct Known {
-      std::string_view name;
-      Word word;
-    };
-    static constexpr Known known[] = {
-        {"IF", Word::if_},        {"ELSE", Word::else_},        {"ENDIF", Word::endif},
-        {"WHILE", Word::while_},  {"ENDWHILE", Word::endwhile}, {"FOR", Word::for_},
-        {"ENDFOR", Word::endfor}, {"LOOP", Word::loop},         {"ENDLOOP", Word::endloop},
-        {"REPEAT", Word::repeat}, {"REPEATB", Word::repeatb},   {"UNTIL", Word::until},
-        {"GOTO", Word::go},       {"GOTOF", Word::go},          {"GOTOB", Word::go},
-        {"GOTOC", Word::go},      {"GOTOS", Word::go},          {"CASE", Word::case_}};
-    if (name.size() > 8 || name.size() < 2) return Word::none;
-    for (const Known& k : known)
-      if (iso::equals_ignoring_case(name, k.name)) return k.word;
-    return Word::none;
-  }
-
   /// :100 is a main block: a sequence number to which programs jump as to N100.
   std::size_t main_block(ig::Block& b, std::string_view text, std::size_t position) const {
     const std::size_t end = iso::skip_digits(text, position + 1);
@@ -113,49 +78,6 @@ struct SiemensFlow {
   }
 
   std::int64_t line_of(const ig::Block& b) const { return environment_.flow.here(b).line; }
-
-  // ---- While the program is indexed
-
-  void index(ig::Block& b, Word word, std::string_view text, std::size_t behind) {
-    const std::int64_t line = line_of(b);
-    switch (word) {
-      case Word::if_:
-        if (!jumps(text, behind)) open_.push_back({Word::if_, line, 0});
-        return;
-      case Word::while_:
-      case Word::for_:
-      case Word::loop: open_.push_back({word, line, 0}); return;
-      case Word::else_:
-        if (open_.empty() || open_.back().word != Word::if_) return;
-        environment_.flow.label(b, named("ELSE@", open_.back().line));
-        open_.back().else_line = line;
-        return;
-      case Word::endif: close(b, Word::if_, "ENDIF@"); return;
-      case Word::endwhile: close(b, Word::while_, "ENDWHILE@"); return;
-      case Word::endfor: close(b, Word::for_, "ENDFOR@"); return;
-      case Word::endloop: close(b, Word::loop, "ENDLOOP@"); return;
-      default: return;
-    }
-  }
-  void close(ig::Block& b, Word word, std::string_view name) {
-    if (open_.empty() || open_.back().word != word) return;
-    environment_.flow.label(b, named(name, open_.back().line));
-    if (open_.back().else_line != 0) environment_.flow.label(b, named(name, open_.back().else_line));
-    open_.pop_back();
-  }
-  static std::string named(std::string_view name, std::int64_t line) {
-    return std::string(name).append(std::to_string(line));
-  }
-  /// Does a GOTO stand behind the condition?
-  static bool jumps(std::string_view text, std::size_t position) {
-    const std::size_t end = statement_end(text, position);
-    bool quoted = false;
-    for (std::size_t i = position; i + 4 <= end; ++i) {
-      if (text[i] == '"') quoted = !quoted;
-      if (!quoted && !is_name_part(text[i - 1]) && iso::equals_ignoring_case(text.substr(i, 4), "GOTO")) return true;
-    }
-    return false;
-  }
 
   // ---- One statement
 
@@ -176,25 +98,12 @@ struct SiemensFlow {
       case Word::endfor: return end_loop(b, text, LoopKind::for_, "FOR");
       case Word::endloop: return end_loop(b, text, LoopKind::loop, "LOOP");
       case Word::until: return execute_until(b, text);
-      case Word::go: go(b, text, begin_); return;
-      case Word::case_: return execute_case(b, text);
+      case Word::go: jumps_.go(b, text, begin_); return;
+      case Word::case_: return jumps_.by_case(b, text, begin_, behind_);
       case Word::none: return;
     }
   }
 
-  static ig::Where columns(std::string_view text, std::size_t begin) {
-    return ig::Where::columns(begin, std::max(text.size(), begin + 1));
-  }
-  /// False, and said, when something stands behind the statement.
-  static bool ends(ig::Block& b, std::string_view text, std::size_t position) {
-    const std::size_t rest = skip_blanks(text, position);
-    if (rest >= text.size()) return true;
-    b.report(diag("SIE-0141"), columns(text, rest), text.substr(rest));
-    return false;
-  }
-  static bool is_word(std::string_view text, std::size_t position, std::string_view word) {
-    return iso::equals_ignoring_case(piece(text, position, skip_name(text, position)), word);
-  }
   /// The condition behind the word, and where reading stopped. WHILE (…) DO is written, too.
   std::optional<bool> condition(ig::Block& b, std::string_view text, std::size_t& after) const {
     Expression e(b, environment_, text, behind_);
@@ -206,18 +115,19 @@ struct SiemensFlow {
   void execute_if(ig::Block& b, std::string_view text, std::int64_t line) {
     std::size_t after = 0;
     const auto holds = condition(b, text, after);
-    const bool has_jump = after < text.size() && word_of(piece(text, after, skip_name(text, after))) == Word::go;
+    const bool jumps_here = after < text.size() && flow_word(piece(text, after, skip_name(text, after))) == Word::go;
     if (!holds) {
       // Neither branch is known to be right: both are left out.
-      if (!jumps(text, behind_)) jump_behind(b, text, "ENDIF@", "ENDIF", line);
+      if (!has_jump(text, behind_)) jump_behind(b, text, "ENDIF@", "ENDIF", line);
       return;
     }
-    if (has_jump) {
-      if (*holds) go(b, text, after);
+    if (jumps_here) {
+      if (*holds) jumps_.go(b, text, after);
       return;
     }
     if (!ends(b, text, after) || *holds) return;
-    if (jump(b, named("ELSE@", line), IG_SEARCH_FORWARD).is_not_found()) jump_behind(b, text, "ENDIF@", "ENDIF", line);
+    if (jump(b, BranchIndex::named("ELSE@", line), IG_SEARCH_FORWARD).is_not_found())
+      jump_behind(b, text, "ENDIF@", "ENDIF", line);
   }
 
   ig::Flow::Answer jump(ig::Block& b, std::string_view label, ig_search search) const {
@@ -225,7 +135,7 @@ struct SiemensFlow {
   }
   void jump_behind(ig::Block& b, std::string_view text, std::string_view prefix, std::string_view word,
                    std::int64_t line) const {
-    const ig::Flow::Answer answer = jump(b, named(prefix, line), IG_SEARCH_FORWARD);
+    const ig::Flow::Answer answer = jump(b, BranchIndex::named(prefix, line), IG_SEARCH_FORWARD);
     if (answer.is_not_found()) b.report(diag("SIE-0142"), columns(text, begin_), word);
   }
 
@@ -401,87 +311,6 @@ struct SiemensFlow {
     if (until.substr(0, until.find(' ')) == b.text(label_)) environment_.flow.go_to(b, section->place);
   }
 
-  // ---- GOTO
-
-  /// GOTOF LABEL at `position`; LABEL is a name, a sequence number or a text.
-  void go(ig::Block& b, std::string_view text, std::size_t position) {
-    const std::size_t behind = skip_name(text, position);
-    const std::string kind = upper(piece(text, position, behind));
-    loops_.enter(environment_.flow.frame(b));
-    if (kind == "GOTOS") {
-      if (ends(b, text, behind)) environment_.flow.restart(b);
-      return;
-    }
-    const std::size_t target = skip_blanks(text, behind);
-    std::size_t end = skip_name(text, target);
-    std::string label = upper(piece(text, target, end));
-    const Variable* const variable = label.empty() ? nullptr : environment_.store().find(label);
-    const std::size_t next = skip_blanks(text, end);
-    if (label.empty() || (variable != nullptr && variable->value.is_text()) ||
-        text.substr(std::min(next, text.size())).starts_with("<<")) {
-      Expression e(b, environment_, text, target);
-      const auto name = e.value();
-      if (!name) return;
-      if (!name->is_text()) {
-        b.report(diag("SIE-0148"), columns(text, target), text.substr(std::min(target, text.size())));
-        return;
-      }
-      label = upper(iso::trim(name->text));
-      if (label.ends_with(':')) label.pop_back();
-      end = e.position();
-    }
-    if (iso::is_digit(label.empty() ? '0' : label[0])) {
-      b.report(diag("SIE-0148"), columns(text, target), text.substr(std::min(target, text.size())));
-      return;
-    }
-    if (!ends(b, text, end)) return;
-    const bool is_number = label.size() > 1 && label[0] == 'N' && iso::skip_digits(label, 1) == label.size();
-    if (is_number) label.erase(1, std::min(label.find_first_not_of('0', 1), label.size() - 1) - 1);
-    const ig_search search = kind == "GOTOF"   ? ig_search{IG_SEARCH_FORWARD}
-                             : kind == "GOTOB" ? ig_search{IG_SEARCH_BACKWARD}
-                                               : ig_search{IG_SEARCH_AROUND};
-    const ig::Flow::Answer answer = environment_.flow.jump(b, label, search);
-    if (answer.is_not_found()) {
-      if (kind != "GOTOC") b.report(diag("SIE-0149"), columns(text, target), std::string_view(label), answer.reason);
-      return;
-    }
-    loops_.note_jump(frame(b));
-  }
-
-  /// CASE (x) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C
-  void execute_case(ig::Block& b, std::string_view text) {
-    Expression e(b, environment_, text, behind_);
-    const auto value = e.number();
-    if (!value) return;
-    std::size_t next = skip_blanks(text, e.position());
-    if (!is_word(text, next, "OF")) {
-      b.report(diag("SIE-0144"), columns(text, begin_));
-      return;
-    }
-    next = skip_blanks(text, next + 2);
-    while (next < text.size()) {
-      bool matches = is_word(text, next, "DEFAULT");
-      if (matches) {
-        next += 7;
-      } else {
-        Expression constant(b, environment_, text, next);
-        const auto n = constant.number();
-        if (!n) return;
-        matches = *n == *value;
-        next = constant.position();
-      }
-      next = skip_blanks(text, next);
-      const std::size_t behind = skip_name(text, next);
-      if (word_of(piece(text, next, behind)) != Word::go) {
-        b.report(diag("SIE-0144"), columns(text, begin_));
-        return;
-      }
-      const std::size_t label = skip_blanks(text, behind), end = skip_name(text, label);
-      if (matches) return go(b, text.substr(0, end), next);
-      next = skip_blanks(text, end);
-    }
-  }
-
   // ---- RET, M17, and M2 and M30 of a subprogram
 
   bool leave(ig::Block& b) const {
@@ -500,12 +329,9 @@ struct SiemensFlow {
     return true;
   }
 
-  struct Open {
-    Word word;
-    std::int64_t line, else_line;
-  };
-  std::vector<Open> open_;  // while the program is indexed
+  BranchIndex branches_{environment_};  // while the program is indexed
   LoopStack loops_;
+  Jumps jumps_{environment_, loops_};
   Word word_ = Word::none;  // what scan() has found
   std::size_t begin_ = 0, behind_ = 0, end_statement_ = 0;
   std::string first_label_;

@@ -1,0 +1,97 @@
+/// GOTO and its kin, and CASE, which chooses one of them.
+#pragma once
+
+#include "flow_words.hpp"
+#include "loop_stack.hpp"
+
+namespace siemens {
+
+class Jumps {
+ public:
+  Jumps(const Environment& environment, LoopStack& loops) : environment_(environment), loops_(loops) {}
+
+  /// GOTOF LABEL at `position`; LABEL is a name, a sequence number or a text.
+  void go(ig::Block& b, std::string_view text, std::size_t position) {
+    const std::size_t behind = skip_name(text, position);
+    const std::string kind = upper(iso::piece(text, position, behind));
+    loops_.enter(environment_.flow.frame(b));
+    if (kind == "GOTOS") {
+      if (ends(b, text, behind)) environment_.flow.restart(b);
+      return;
+    }
+    const std::size_t target = iso::skip_blanks(text, behind);
+    std::size_t end = skip_name(text, target);
+    std::string label = upper(iso::piece(text, target, end));
+    const Variable* const variable = label.empty() ? nullptr : environment_.store().find(label);
+    const std::size_t next = iso::skip_blanks(text, end);
+    if (label.empty() || (variable != nullptr && variable->value.is_text()) ||
+        text.substr(std::min(next, text.size())).starts_with("<<")) {
+      Expression e(b, environment_, text, target);
+      const auto name = e.value();
+      if (!name) return;
+      if (!name->is_text()) {
+        b.report(diag("SIE-0148"), columns(text, target), text.substr(std::min(target, text.size())));
+        return;
+      }
+      label = upper(iso::trim(name->text));
+      if (label.ends_with(':')) label.pop_back();
+      end = e.position();
+    }
+    if (iso::is_digit(label.empty() ? '0' : label[0])) {
+      b.report(diag("SIE-0148"), columns(text, target), text.substr(std::min(target, text.size())));
+      return;
+    }
+    if (!ends(b, text, end)) return;
+    const bool is_number = label.size() > 1 && label[0] == 'N' && iso::skip_digits(label, 1) == label.size();
+    if (is_number) label.erase(1, std::min(label.find_first_not_of('0', 1), label.size() - 1) - 1);
+    const ig_search search = kind == "GOTOF"   ? ig_search{IG_SEARCH_FORWARD}
+                             : kind == "GOTOB" ? ig_search{IG_SEARCH_BACKWARD}
+                                               : ig_search{IG_SEARCH_AROUND};
+    const ig::Flow::Answer answer = environment_.flow.jump(b, label, search);
+    if (answer.is_not_found()) {
+      if (kind != "GOTOC") b.report(diag("SIE-0149"), columns(text, target), std::string_view(label), answer.reason);
+      return;
+    }
+    loops_.note_jump(environment_.flow.frame(b).id);
+  }
+
+  /// CASE (x) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C
+  void by_case(ig::Block& b, std::string_view text, std::size_t begin, std::size_t behind_case) {
+    Expression e(b, environment_, text, behind_case);
+    const auto value = e.number();
+    if (!value) return;
+    std::size_t next = iso::skip_blanks(text, e.position());
+    if (!is_word(text, next, "OF")) {
+      b.report(diag("SIE-0144"), columns(text, begin));
+      return;
+    }
+    next = iso::skip_blanks(text, next + 2);
+    while (next < text.size()) {
+      bool matches = is_word(text, next, "DEFAULT");
+      if (matches) {
+        next += 7;
+      } else {
+        Expression constant(b, environment_, text, next);
+        const auto n = constant.number();
+        if (!n) return;
+        matches = *n == *value;
+        next = constant.position();
+      }
+      next = iso::skip_blanks(text, next);
+      const std::size_t behind = skip_name(text, next);
+      if (flow_word(iso::piece(text, next, behind)) != FlowWord::go) {
+        b.report(diag("SIE-0144"), columns(text, begin));
+        return;
+      }
+      const std::size_t label = iso::skip_blanks(text, behind), end = skip_name(text, label);
+      if (matches) return go(b, text.substr(0, end), next);
+      next = iso::skip_blanks(text, end);
+    }
+  }
+
+ private:
+  const Environment& environment_;
+  LoopStack& loops_;
+};
+
+}  // namespace siemens
