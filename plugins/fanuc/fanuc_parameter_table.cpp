@@ -2,13 +2,12 @@
 // sees them on the parameter page; this file knows their units and bits.
 #include <cmath>
 
-#include <isogloss/sdk.hpp>
+#include "parameter_services.hpp"
 
 namespace fanuc {
 namespace {
 
 constexpr std::string_view rotary_type = "1006", rollover_bits = "1008", increment_system = "1013", reset = "1202",
-                           first_reference = "1240", travel_maximum = "1320", travel_minimum = "1321",
                            rapid_rate = "1420", decimal_point = "3401", arc_tolerance = "3410", cycle_bits = "5101",
                            high_speed_peck = "5114", peck = "5115", shift_axis = "5148",
                            boring_return_override = "5149", tapping_bits = "5200", extraction_override = "5211",
@@ -141,49 +140,28 @@ struct FanucParameterTable {
     return std::nullopt;
   }
 
-  static std::int32_t write(Answer answer, double* out) {
-    if (answer) *out = *answer;
-    return answer ? 1 : 0;
-  }
-  template <Answer (FanucParameterTable::*question)(std::string_view) const>
-  static std::int32_t ask(void* self, ig_text name, double* out) {
-    return write((static_cast<const FanucParameterTable*>(self)->*question)(ig::to_view(name)), out);
-  }
-
-  static const FanucParameterTable& self_of(void* self) { return *static_cast<const FanucParameterTable*>(self); }
-  /// The machine starts at the first reference position.
-  static std::int32_t home(void* self, char axis, double* position) { return reference(self, axis, 1, position); }
-  static std::int32_t reference(void* self, char axis, std::uint32_t which, double* position) {
-    static constexpr std::string_view numbers[] = {first_reference, "1241", "1242", "1243"};
-    return which >= 1 && which <= 4 ? write(self_of(self).of_axis(numbers[which - 1], axis), position) : 0;
-  }
-  static std::int32_t travel(void* self, char axis, double* low, double* high) {
-    const Answer from = self_of(self).of_axis(travel_minimum, axis), to = self_of(self).of_axis(travel_maximum, axis);
-    return from && to && *from <= *to ? write(from, low) & write(to, high) : 0;  // the other way round: no limits
-  }
   /// 1006 bits 0 and 1, ROT and ROS: 01 is a rotary axis of type A, the only one that can roll over. 1008 bit 0 ROA: it
   /// does; bit 1 RAB: by the sign of the command, not by the shortest way.
-  static std::int32_t rollover(void* self, char axis, std::uint32_t* mode) {
-    if (std::string_view("ABC").find(axis) == std::string_view::npos) return 0;
-    const Answer type = self_of(self).of_axis(rotary_type, axis), bits = self_of(self).of_axis(rollover_bits, axis);
-    if (!type && !bits) return 0;
+  std::optional<std::uint32_t> rollover_of(char axis) const {
+    if (std::string_view("ABC").find(axis) == std::string_view::npos) return std::nullopt;
+    const Answer type = of_axis(rotary_type, axis), bits = of_axis(rollover_bits, axis);
+    if (!type && !bits) return std::nullopt;
     const bool is_type_a = (static_cast<std::uint32_t>(type.value_or(1)) & 3u) == 1;
     const auto how = static_cast<std::uint32_t>(bits.value_or(0));
     const bool rolls = is_type_a && (how & 1u) != 0;
-    *mode = !rolls ? 0 : (how & 2u) != 0 ? 2 : 1;
-    return 1;
+    return !rolls ? 0 : (how & 2u) != 0 ? 2 : 1;
   }
-  static std::int32_t rapid(void* self, char axis, double* per_second) {
-    const Answer per_minute = self_of(self).of_axis(rapid_rate, axis);
-    return per_minute ? write(*per_minute / 60, per_second) : 0;
-  }
+  /// A minute.
+  Answer rapid_of(char axis) const { return of_axis(rapid_rate, axis); }
 
-  ig_config_1 number_format{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::number_format_of>};
-  ig_config_1 cycles{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::cycle_of>};
-  ig_config_1 motion{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::motion_of>};
-  ig_config_1 coordinate_system{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::coordinate_system_of>};
-  ig_config_1 code_calls{sizeof(ig_config_1), 0, this, &ask<&FanucParameterTable::program_of_code>};
-  ig_machine_axis_1 machine{sizeof(ig_machine_axis_1), 0, this, &home, &reference, &travel, &rapid, &rollover};
+  using Services = iso::ParameterServices<FanucParameterTable>;
+  ig_config_1 number_format = Services::config<&FanucParameterTable::number_format_of>(this);
+  ig_config_1 cycles = Services::config<&FanucParameterTable::cycle_of>(this);
+  ig_config_1 motion = Services::config<&FanucParameterTable::motion_of>(this);
+  ig_config_1 coordinate_system = Services::config<&FanucParameterTable::coordinate_system_of>(this);
+  ig_config_1 code_calls = Services::config<&FanucParameterTable::program_of_code>(this);
+  ig_machine_axis_1 machine = Services::machine_axes<&FanucParameterTable::of_axis, &FanucParameterTable::rapid_of,
+                                                     &FanucParameterTable::rollover_of>(this);
 };
 
 const ig::Register<FanucParameterTable> registered;

@@ -2,14 +2,13 @@
 // parameter page; this file knows their units.
 #include <cmath>
 
-#include <isogloss/sdk.hpp>
+#include "parameter_services.hpp"
 
 namespace syntec {
 namespace {
 
-constexpr std::string_view control_precision = "17", axis_type = "1006", axis_name = "1020", first_reference = "1240",
-                           travel_maximum = "1320", travel_minimum = "1321", rapid_rate = "1420", t_macro = "3215",
-                           decimal_point = "3241", spindle_limit = "3741", peck_retract = "4002",
+constexpr std::string_view control_precision = "17", axis_type = "1006", axis_name = "1020", rapid_rate = "1420",
+                           t_macro = "3215", decimal_point = "3241", spindle_limit = "3741", peck_retract = "4002",
                            compensation_type = "5003";
 constexpr std::string_view axis_letters = "XYZABC";
 
@@ -119,45 +118,26 @@ struct SyntecParameterTable {
     return std::nullopt;
   }
 
-  static std::int32_t write(Answer answer, double* out) {
-    if (answer) *out = *answer;
-    return answer ? 1 : 0;
-  }
-  template <Answer (SyntecParameterTable::*question)(std::string_view) const>
-  static std::int32_t ask(void* self, ig_text name, double* out) {
-    return write((static_cast<const SyntecParameterTable*>(self)->*question)(ig::to_view(name)), out);
-  }
-
-  static const SyntecParameterTable& self_of(void* self) { return *static_cast<const SyntecParameterTable*>(self); }
-  /// The machine starts at the first reference position.
-  static std::int32_t home(void* self, char axis, double* position) { return reference(self, axis, 1, position); }
-  static std::int32_t reference(void* self, char axis, std::uint32_t which, double* position) {
-    static constexpr std::string_view numbers[] = {first_reference, "1241", "1242", "1243"};
-    return which >= 1 && which <= 4 ? write(self_of(self).of_axis(numbers[which - 1], axis), position) : 0;
-  }
-  static std::int32_t travel(void* self, char axis, double* low, double* high) {
-    const Answer from = self_of(self).of_axis(travel_minimum, axis), to = self_of(self).of_axis(travel_maximum, axis);
-    return from && to && *from <= *to ? write(from, low) & write(to, high) : 0;  // the other way round: no limits
-  }
-  static std::int32_t rapid(void* self, char axis, double* per_second) {
-    const Answer per_minute = self_of(self).of_axis(rapid_rate, axis);
-    return per_minute && *per_minute >= 0 ? write(*per_minute / 60, per_second) : 0;
+  /// A minute.
+  Answer rapid_of(char axis) const {
+    const Answer rate = of_axis(rapid_rate, axis);
+    return rate && *rate >= 0 ? rate : std::nullopt;
   }
   /// Pr1006: 1 is type A, the shortest way; 2 type B, the sign is the direction; any other counts on.
-  static std::int32_t rollover(void* self, char axis, std::uint32_t* mode) {
-    const Answer type = std::string_view("ABC").find(axis) == std::string_view::npos
-                            ? std::nullopt
-                            : self_of(self).of_axis(axis_type, axis);
-    if (!type) return 0;
-    *mode = *type == 1 ? 1 : *type == 2 ? 2 : 0;
-    return 1;
+  std::optional<std::uint32_t> rollover_of(char axis) const {
+    const Answer type =
+        std::string_view("ABC").find(axis) == std::string_view::npos ? std::nullopt : of_axis(axis_type, axis);
+    if (!type) return std::nullopt;
+    return *type == 1 ? 1 : *type == 2 ? 2 : 0;
   }
 
-  ig_config_1 number_format{sizeof(ig_config_1), 0, this, &ask<&SyntecParameterTable::number_format_of>};
-  ig_config_1 cycles{sizeof(ig_config_1), 0, this, &ask<&SyntecParameterTable::cycle_of>};
-  ig_config_1 motion{sizeof(ig_config_1), 0, this, &ask<&SyntecParameterTable::motion_of>};
-  ig_config_1 code_calls{sizeof(ig_config_1), 0, this, &ask<&SyntecParameterTable::macro_of_code>};
-  ig_machine_axis_1 machine{sizeof(ig_machine_axis_1), 0, this, &home, &reference, &travel, &rapid, &rollover};
+  using Services = iso::ParameterServices<SyntecParameterTable>;
+  ig_config_1 number_format = Services::config<&SyntecParameterTable::number_format_of>(this);
+  ig_config_1 cycles = Services::config<&SyntecParameterTable::cycle_of>(this);
+  ig_config_1 motion = Services::config<&SyntecParameterTable::motion_of>(this);
+  ig_config_1 code_calls = Services::config<&SyntecParameterTable::macro_of_code>(this);
+  ig_machine_axis_1 machine = Services::machine_axes<&SyntecParameterTable::of_axis, &SyntecParameterTable::rapid_of,
+                                                     &SyntecParameterTable::rollover_of>(this);
 };
 
 const ig::Register<SyntecParameterTable> registered;
