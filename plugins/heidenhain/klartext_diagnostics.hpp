@@ -62,7 +62,7 @@ inline constexpr std::array klartext_diagnostics{
                    "5 SEL TABLE \"ZERO.D\""),
     // path functions
     ig::diagnostic(IG_ERROR, "HEI-0130", "{0} is not executed: {1}",
-                   "The path differs from that of the control here, up to where the note says.", "5 RND R5"),
+                   "The path differs from that of the control here, up to where the note says.", "5 DEP LN LEN20"),
     ig::diagnostic(
         IG_ERROR, "HEI-0131", "{0} is not executed: the block goes to its point itself",
         "R+ and R- make a paraxial move longer or shorter by the radius of the tool. RL and RR are executed.",
@@ -148,6 +148,8 @@ inline constexpr std::array klartext_diagnostics{
     ig::diagnostic(IG_WARNING, "HEI-0180", "cycle 220 with Q365=1: the tool goes straight from hole to hole",
                    "The control goes along the pitch circle. The holes are the same.",
                    "5 CYCL DEF 220 POLAR PATTERN Q365=1"),
+    ig::diagnostic(IG_WARNING, "HEI-0181", "{0} of {1} is not executed: the corner has the feed of the move before",
+                   "F of RND and CHF counts for the corner alone.", "5 RND R5 F100"),
 };
 
 consteval std::uint32_t hei(std::string_view code) { return iso::index_of(klartext_diagnostics, code, 0); }

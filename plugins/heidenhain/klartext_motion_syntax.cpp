@@ -45,6 +45,7 @@ struct KlartextMotion {
   ig::Service<ig_machine_axis_1> machine_{"isogloss.machine-axis/1", ig::Need::optional, "The travel of Z, for M140."};
   iso::ScaleAndMirror mirror_;
   ig::In<ig::Symbol> mirror_term_{"MirrorImage.Term"};
+  ig::Out<bool> in_plane_{"KlartextPath.IsFeedInPlane", {ig::Life::block, "", "The move may end in a corner."}};
   ig::Name lp_{"LP"}, c_{"C"}, cc_{"CC"}, cr_{"CR"}, ct_{"CT"}, cp_{"CP"}, ctp_{"CTP"}, rnd_{"RND"};
 
   ig::Status build(ig::Block& b) {
@@ -64,6 +65,8 @@ struct KlartextMotion {
     if (retracts(b)) retract(b, way);
     if (way.mask == 0 && function != c_) return ig::Status::changed;
     if (is_polar || (has_steps & 7u) != 0 || function == c_) put(b, way);
+    if (way.to[way.plane.tool] == way.from[way.plane.tool] && has_steps < 8 && can_end_in_corner(b))
+      b.set(in_plane_, true);
 
     if (function == c_ || function == cp_) return about_pole(b, way);
     if (function == ct_ || function == ctp_)
@@ -104,6 +107,16 @@ struct KlartextMotion {
   }
   static ig_field center(const char* path) {
     return ig::Field<double>(path, ig::read | ig::write, {ig::Life::standard, "mm", ""}).id();
+  }
+
+  /// A feed move without rotary axes: KlartextCornerSyntax looks for RND and CHF behind it.
+  bool can_end_in_corner(const ig::Block& b) const {
+    const auto code = b.find(motions_);
+    if (!code || *code == 0) return false;
+    ig_value unused;
+    for (const ig_field axis : rotary_)
+      if (b.host()->get(b.raw(), axis, &unused) != 0) return false;
+    return true;
   }
 
   void turn(ig::Block& b, std::uint32_t named, const ig_value* steps) const {
@@ -148,6 +161,7 @@ struct KlartextMotion {
   /// The block has no meaning: its words go with it.
   ig::Status drop(ig::Block& b) const {
     b.take(words_);
+    b.erase(in_plane_);
     return ig::Status::changed;
   }
 

@@ -37,6 +37,11 @@ struct KlartextPath {
   ig::In<std::int64_t> offset_in_force_{"RadiusCompensation.OffsetId"};
   ig::In<std::int64_t> tool_{"ToolHeightCompensation.OffsetId"};
   ig::Name g41_{"G41"}, g42_{"G42"};
+  ig::Out<double> corner_radius_{"KlartextCorner.Radius_mm", {ig::Life::block, "mm", "RND R"}};
+  ig::Out<double> chamfer_{"KlartextCorner.Chamfer_mm", {ig::Life::block, "mm", "CHF"}};
+  ig::Signal corner_open_{"KlartextCorner.~Open", ig::read | ig::write, ig::Life::modal};
+  ig::In<ig::Symbol> system_{"Unit.System"};
+  ig::Name inch_{"Inch"};
   std::array<ig::Name, CHF> symbols_{ig::Name{"L"},  ig::Name{"LP"}, ig::Name{"LN"}, ig::Name{"C"},   ig::Name{"CC"},
                                      ig::Name{"CR"}, ig::Name{"CT"}, ig::Name{"CP"}, ig::Name{"CTP"}, ig::Name{"RND"}};
 
@@ -48,6 +53,7 @@ struct KlartextPath {
     Path path{found->function, found->end, found->end == position ? std::string_view("L") : names[found->function]};
     path.end = statement_end(text, position);
     if (path.function == RND || path.function == CHF) return corner(b, text, position, path);
+    if (path.function != CC && b.is_raised(corner_open_)) b.erase(corner_open_);
     return read(b, text, position, path);
   }
 
@@ -267,10 +273,33 @@ struct KlartextPath {
     return L;
   }
 
-  std::size_t corner(ig::Block& b, std::string_view text, std::size_t begin, const Path& path) const {
-    const std::string_view whole = trim(piece(text, begin, path.end));
-    b.report(hei("HEI-0130"), ig::Where::columns(begin, begin + whole.size()), path.name,
-             std::string_view("the corner stays sharp"));
+  /// RND R5, CHF 2: between two moves; F of its own.
+  std::size_t corner(ig::Block& b, std::string_view text, std::size_t begin, Path& path) const {
+    std::size_t i = skip(text, path.position);
+    if (path.function == RND && to_upper(at(text, i)) == 'R') i = skip(text, i + 1);
+    const Value v = i < path.end ? values_.read(b, text, i) : Value{};
+    const auto where = ig::Where::columns(begin, std::max(path.position, v.end));
+    if (!v.ok) {
+      b.report(hei("HEI-0104"), where, path.name, std::string_view(path.function == RND ? "R" : "the length"));
+      return path.end;
+    }
+    for (i = skip(text, v.end); i < path.end; i = skip(text, i)) {
+      const char c = to_upper(text[i]);
+      std::size_t next = c == 'M' ? m_.scan(b, values_, text, i) : i;
+      if (c == 'F') next = std::max(i + 1, iso::skip_while(text, i, [](char x) { return !is_space(x) && x != ';'; }));
+      if (c == 'F') b.report(hei("HEI-0181"), ig::Where::columns(i, next), piece(text, i, next), path.name);
+      if (next == i) {
+        unknown(b, text, i, path);
+        break;
+      }
+      i = next;
+    }
+    if (v.number < 0) {
+      b.report(hei("HEI-0130"), where, path.name, std::string_view("it is less than 0, the corner stays sharp"));
+    } else if (v.number > 0) {
+      b.set(path.function == RND ? corner_radius_ : chamfer_, b.is(system_, inch_) ? v.number * 25.4 : v.number);
+      b.raise(corner_open_);
+    }
     return path.end;
   }
 };

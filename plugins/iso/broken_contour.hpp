@@ -121,9 +121,9 @@ class BrokenContour {
     return {};
   }
 
-  /// The control lets one block without a move, a dwell, stand between.
+  /// Fanuc lets one block without a move, a dwell, stand between.
   std::string_view find_next(ig::Block& b, const ContourMotion& now, ContourMotion& next) const {
-    int rests = 0;
+    std::int64_t rests = 0;
     for (std::uint32_t k = 1; k <= ContourAhead::window; ++k) {
       ig_block* const raw = b.host()->ahead(b.raw(), k);
       if (raw == nullptr) return "no move follows";
@@ -134,14 +134,16 @@ class BrokenContour {
       const bool is_plain = next.kind == ContourMotion::Kind::move && !ahead.get_or(is_rapid_, false) && !rises(next);
       if (is_plain) return {};
       if (next.kind != ContourMotion::Kind::rest || next.has_event) return "the next move is no feed move in the plane";
-      if (!is_comment_line(ahead.source()) && ++rests > 1) return "no move follows at once";
+      if (!is_comment_line(ahead.source()) && ++rests > rests_allowed_) return "no move follows at once";
     }
     return "no move follows at once";
   }
 
   ContourMotionOf motion_;
   ig::In<ig::Symbol> term_{"CornerBreak.Term", ig::read, {ig::Life::block, "", ""}};
-  std::array<Form, 6> forms_{Form{ig::Name{",C"}, Shape::legs, word("Parsing.CornerBreak.C")},
+  std::array<Form, 8> forms_{Form{ig::Name{"CHF"}, Shape::legs, word("Parsing.CornerBreak.C")},
+                             Form{ig::Name{"RND"}, Shape::rounding, word("Parsing.CornerBreak.R")},
+                             Form{ig::Name{",C"}, Shape::legs, word("Parsing.CornerBreak.C")},
                              Form{ig::Name{",R"}, Shape::rounding, word("Parsing.CornerBreak.R")},
                              Form{ig::Name{"CHR="}, Shape::legs, word("Parsing.CHR")},
                              Form{ig::Name{"CHF="}, Shape::length, word("Parsing.CHF")},
@@ -152,6 +154,8 @@ class BrokenContour {
   ig::In<double> size_{"CornerBreak.Size_mm", ig::read, {ig::Life::block, "mm", ""}};
   ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
   RotaryPosition rotary_{ig::read};
+  ig::IntegerOption rests_allowed_{
+      "blocks-at-corner", "1", {0, 10}, "Blocks without a move that may stand between the moves of a broken corner."};
   std::optional<Point2> start_;  ///< where the next move begins: behind the corner that was broken
 };
 
