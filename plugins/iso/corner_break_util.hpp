@@ -103,10 +103,8 @@ inline CornerBreaking break_corner(const ContourMove& a, const Point2& a_begin, 
 
 /// What the corners at its two ends leave of a move. A line keeps its direction, even where nothing is left of it.
 inline ContourMove between_corners(ContourMove m, const Point2& begin, const Point2& end) {
-  if (m.is_arc)
-    m.start = begin;
-  else if (is_same(m.start, end))
-    m.start = end - m.direction_at_end();
+  const Point2 direction = m.direction_at_end();
+  m.start = m.is_arc || !is_same(begin, end) ? begin : end - direction;
   m.end = end;
   return m;
 }
