@@ -15,6 +15,7 @@
 namespace iso {
 namespace {
 
+enum class OffsetChange { warning, allowed };
 enum class Unnamed { zero, tool };
 enum class Q0 { shift, origin };
 
@@ -104,6 +105,9 @@ struct IsoG68p2Tilt {
                      "P2 Q0: X Y Z lead from the first point to the origin, in the plane, or are the origin itself."};
   ig::Choice<Unnamed> unnamed_{"unnamed-origin", "zero|tool", "zero",
                                "An axis of the origin that G68.2 or G68.4 does not name: 0, or where the tool stands."};
+  ig::Choice<OffsetChange> offset_change_{"offset-change", "warning|allowed", "warning",
+                                          "Another work offset, or a move in machine coordinates, while a plane is "
+                                          "tilted."};
   ig::IntegerOption vertical_{
       "vertical-axis", "3", {1, 3}, "G68.3: X of the plane is square to the tool and to this axis (1 X, 2 Y, 3 Z)."};
 
@@ -438,6 +442,7 @@ struct IsoG68p2Tilt {
   }
 
   void warn_of_changes(ig::Block& b) const {
+    if (offset_change_ == OffsetChange::allowed) return;
     if (const auto set = b.find(changes_))
       b.report(tilt_diag("ISO-0424"), ig::Where::word(changes_.id(*set)), b.text(changes_.name(*set)));
     if (const auto code = b.find(changes_with_words_))

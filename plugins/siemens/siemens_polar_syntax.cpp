@@ -27,7 +27,6 @@ struct SiemensPolar {
                                          ig::Word{"Parsing.AR", ig::read, "deg"},
                                          ig::Word{"Parsing.I1", ig::read, "mm"}};
   AxisModes modes_{ig::read | ig::write};
-  ig::Out<ig::Symbol> term_{"PolarCoordinate.Term"};
   ig::Xyz pole_{"PolarCoordinate.Pole", ig::read | ig::write};
   ig::Out<double> radius_{"PolarCoordinate.Radius"}, angle_{"PolarCoordinate.Angle_deg"};
   ig::Codes motions_{{"G00", "G01", "G02", "G03"}, ig::read};
@@ -70,7 +69,6 @@ struct SiemensPolar {
       return;
     }
     b.set(pole_, iso::rounded(at));
-    b.set(term_, words.code);
     b.erase(radius_);
     b.erase(angle_);
   }
