@@ -75,6 +75,7 @@ struct SiemensCode {
                                       {"TOFFL", "TOFFL=: the length of the tool is that of the table"},
                                       {"TOFFR", "TOFFR=: the radius of the tool is that of the table"},
                                       {"TOFF", "TOFF=: the tool is that of the table"},
+                                      {"DL", "DL=: the additional offset of the edge does not count"},
                                       {"TCARR", "TCARR=: the tool carrier does not count"},
                                       {"LEAD", "LEAD=: the tool keeps its direction"},
                                       {"TILT", "TILT=: the tool keeps its direction"},

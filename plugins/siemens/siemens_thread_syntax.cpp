@@ -15,7 +15,7 @@ struct SiemensThread {
           .before("SiemensCycleSyntax", "ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
 
   ig::Call codes_{{"G331", "G332", "G63"}, "I J K"};
-  ig::Codes others_{{"G00", "G01", "G02", "G03", "G33", "CIP"}, ig::read | ig::wake};
+  ig::Codes others_{{"G00", "G01", "G02", "G03", "G33", "CIP"}, ig::read};
   ig::Field<ig::Symbol> term_{"ThreadCutting.Term",
                               ig::read | ig::write | ig::wake_while,
                               {ig::Life::modal, "", "G331 or G332, as long as no other motion code comes."}};
