@@ -19,6 +19,12 @@ struct CycleParameter {
 };
 
 inline constexpr std::array cycle_parameters{
+    // Parts of the older cycles, CYCL DEF 1.1 to 1.5; signs and units as written.
+    CycleParameter{1, "Part1", "", "SET UP of cycles 1, 2 and 17."},
+    CycleParameter{2, "Part2", "", "DEPTH of them."},
+    CycleParameter{3, "Part3", "", "PECKING of cycle 1, DWELL of 2, PITCH of 17."},
+    CycleParameter{4, "Part4", "", "DWELL of cycle 1, F of 2."},
+    CycleParameter{5, "Part5", "", "F of cycle 1."},
     CycleParameter{200, "Q200", "mm", "Set-up clearance, above the surface."},
     CycleParameter{201, "Q201", "mm", "Depth below the surface, negative."},
     CycleParameter{202, "Q202", "mm", "Infeed."},

@@ -135,6 +135,20 @@ class CycleText {
     return 25.4 * (is_feed ? feed_.in_unit(b, value) : value);
   }
 
+  /// The number behind the word, which is in any language: V.ZEIT 1.5
+  Value number_behind(ig::Block& b, std::string_view text, std::size_t i) const {
+    i = skip(text, i);
+    if (const Value v = values_.read(b, text, i); v.ok) return v;
+    while (i < text.size()) {
+      const char c = text[i];
+      std::size_t end = i;
+      if (is_digit(c) || c == '+' || c == '-' || (c == '.' && is_digit(at(text, i + 1))) || Values::q_at(text, i, end))
+        break;
+      ++i;
+    }
+    return values_.read(b, text, i);
+  }
+
   const Values& values() const { return values_; }
   const FeedWords& feed() const { return feed_; }
 

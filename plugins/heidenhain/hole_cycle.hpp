@@ -47,7 +47,8 @@ class HoleCycle {
   /// Where the block calls one of the cycles: `self.prepare(b, run)` reads the parameters of its own and gives the
   /// steps of one hole, nothing where the cycle cannot run, which it says; the block then moves as it would without
   /// the call. `self.machine(b, run)` makes the steps of one hole, from above it, the way there being made;
-  /// `self.begin(b, run)` comes before all of them.
+  /// `self.begin(b, run)` comes before all of them. Where `self.find_surface(b, run)` exists, it finds surface and
+  /// clearance in place of Q203 and Q200; `run.level` is where the tool stands then.
   template <class Self>
   ig::Status run(ig::Block& b, Self& self) const {
     const bool is_called = b.has(call_);
@@ -56,6 +57,8 @@ class HoleCycle {
     const std::int64_t number = b.get_or(number_, std::int64_t{0});
     const auto cycle = std::find_if(cycles_.begin(), cycles_.end(), [&](const Term& t) { return t.number == number; });
     if (cycle == cycles_.end() || b.find(others_)) return ig::Status::unchanged;
+    if (number < 100 && pattern_.is_set(b))
+      return ig::Status::unchanged;  // a pattern calls cycles with numbers from 200
     b.raise(done_);
     HoleRun c;
     c.number = number;
@@ -63,7 +66,13 @@ class HoleCycle {
     c.hole = last_(b);
     c.offset = b.has(at_position_) ? named.value[c.plane.tool] * (named.has(c.plane.tool) ? 1 : 0) : 0;
     const HolePattern::Points points = pattern_(b, c.plane);
-    const std::optional<double> steps = surface(b, c) ? self.prepare(b, c) : std::nullopt;
+    c.level = named.or_else(c.hole)[c.plane.tool];
+    bool has_surface = false;
+    if constexpr (requires { self.find_surface(b, c); })
+      has_surface = self.find_surface(b, c);
+    else
+      has_surface = find_surface(b, c);
+    const std::optional<double> steps = has_surface ? self.prepare(b, c) : std::nullopt;
     if (!steps || points.count == 0) return ig::Status::changed;
     if (!(*steps * static_cast<double>(points.count) <= most_steps)) {
       b.report(hei("HEI-0177"), ig::Where::block(), static_cast<double>(number), most_steps);
@@ -179,7 +188,7 @@ class HoleCycle {
 
   static std::string_view name(std::uint32_t q) { return cycle_parameters[index_of_parameter(q)].name; }
 
-  bool surface(ig::Block& b, HoleRun& c) const {
+  bool find_surface(ig::Block& b, HoleRun& c) const {
     const auto clearance = needed(b, c, 200);
     if (!clearance) return false;
     c.clearance = std::fabs(*clearance);

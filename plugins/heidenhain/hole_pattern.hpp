@@ -62,6 +62,7 @@ class HolePattern {
   void set(ig::Block& b, std::uint32_t q, double value) const {
     if (const std::size_t i = index_of(q); i < fields_.size()) b.host()->set(b.raw(), fields_[i], {.number = value});
   }
+  bool is_set(const ig::Block& b) const { return b.has(number_); }
   void set_number(ig::Block& b, std::int64_t number) const { b.set(number_, number); }
 
   static constexpr std::size_t index_of(std::uint32_t q) {

@@ -37,7 +37,9 @@ struct KlartextCycleCheck {
   }
 
  private:
-  static bool is_known(std::int64_t number) { return (number >= 200 && number <= 209) || number == 240; }
+  static bool is_known(std::int64_t number) {
+    return (number >= 200 && number <= 209) || number == 240 || number == 1 || number == 2 || number == 17;
+  }
 };
 
 const ig::Register<KlartextCycleCheck> registered;

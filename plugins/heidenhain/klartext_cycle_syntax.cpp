@@ -70,8 +70,24 @@ struct KlartextCycle {
       b.erase(modal_call_);
       if (!number->part) b.raise(is_open_);
     }
-    if (!number->part) parameters(b, text, number->end);
+    if (!number->part)
+      parameters(b, text, number->end);
+    else if (*number->part > 0)
+      part(b, text, *number);
     return text.size();
+  }
+
+  /// CYCL DEF 1.2 DEPTH -20: a part of one of the older cycles.
+  void part(ig::Block& b, std::string_view text, const CycleNumber& number) const {
+    const bool is_known = number.cycle == 1 || number.cycle == 2 || number.cycle == 17;
+    const std::uint32_t most = number.cycle == 1 ? 5 : number.cycle == 2 ? 4 : 3;
+    if (!is_known || *number.part > most || b.get_or(number_, std::int64_t{0}) != number.cycle) return;
+    const Value v = text_.number_behind(b, text, number.end);
+    const auto where = ig::Where::columns(number.end, std::max(number.end + 1, v.ok ? v.end : text.size()));
+    if (!v.ok)
+      b.report(hei("HEI-0104"), where, std::string_view("CYCL DEF"), std::string_view("the value"));
+    else if (std::isfinite(v.number))
+      definition_.set(b, *number.part, v.number);
   }
 
   std::size_t parameters(ig::Block& b, std::string_view text, std::size_t position) const {

@@ -101,7 +101,8 @@ inline constexpr std::array klartext_diagnostics{
                    "5 TOOL CALL 5 Y S3000"),
     // cycles
     ig::diagnostic(IG_ERROR, "HEI-0160", "cycle {0} is not executed: what it machines is missing",
-                   "Executed are 200 to 207, 209 and 240. Positions after the call are those before it.",
+                   "Executed are 200 to 207, 209 and 240, and 1, 2 and 17 of the older ones. Positions after the call "
+                   "are those before it.",
                    "5 CYCL CALL (after CYCL DEF 252)"),
     ig::diagnostic(IG_ERROR, "HEI-0161", "cycle {0} is not executed: {1}",
                    "The cycle acts where it is defined. It is recognised as a whole.", "5 CYCL DEF 11.1 SCL 0.5"),
@@ -150,6 +151,9 @@ inline constexpr std::array klartext_diagnostics{
                    "5 CYCL DEF 220 POLAR PATTERN Q365=1"),
     ig::diagnostic(IG_WARNING, "HEI-0181", "{0} of {1} is not executed: the corner has the feed of the move before",
                    "F of RND and CHF counts for the corner alone.", "5 RND R5 F100"),
+    ig::diagnostic(IG_ERROR, "HEI-0182", "{0} would begin, turn or end more than 1000 km away: the block does not move",
+                   "An increment, a polar coordinate or an arc is computed from a position that no machine has.",
+                   "5 LP PR+1000000000000 PA+45"),
 };
 
 consteval std::uint32_t hei(std::string_view code) { return iso::index_of(klartext_diagnostics, code, 0); }

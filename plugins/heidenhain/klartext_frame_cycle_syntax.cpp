@@ -177,22 +177,8 @@ struct KlartextFrameCycle {
     }
   }
 
-  /// The number behind the word, which is in any language: V.ZEIT 1.5
-  Value number_behind(ig::Block& b, std::string_view text, std::size_t i) const {
-    i = skip(text, i);
-    if (const Value v = text_.values().read(b, text, i); v.ok) return v;
-    while (i < text.size()) {
-      const char c = text[i];
-      std::size_t end = i;
-      if (is_digit(c) || c == '+' || c == '-' || (c == '.' && is_digit(at(text, i + 1))) || Values::q_at(text, i, end))
-        break;
-      ++i;
-    }
-    return text_.values().read(b, text, i);
-  }
-
   void dwell(ig::Block& b, std::string_view text, std::size_t i) const {
-    const Value v = number_behind(b, text, i);
+    const Value v = text_.number_behind(b, text, i);
     if (!v.ok || v.number < 0)
       b.report(hei("HEI-0104"), ig::Where::columns(i, std::max(i + 1, text.size())), std::string_view("CYCL DEF 9"),
                std::string_view("the time"));
@@ -209,7 +195,7 @@ struct KlartextFrameCycle {
   }
 
   bool scales(ig::Block& b, std::string_view text, std::size_t i) const {
-    const Value v = number_behind(b, text, i);
+    const Value v = text_.number_behind(b, text, i);
     return !v.ok || v.number != 1;
   }
 
@@ -217,7 +203,7 @@ struct KlartextFrameCycle {
   void rotate(ig::Block& b, std::string_view text, std::size_t i, ig::Where where) const {
     const std::size_t first = skip(text, i);
     const bool is_step = to_upper(at(text, first)) == 'I';
-    const Value v = number_behind(b, text, first);
+    const Value v = text_.number_behind(b, text, first);
     if (!v.ok) {
       b.report(hei("HEI-0104"), where, std::string_view("CYCL DEF 10"), std::string_view("ROT"));
       return;

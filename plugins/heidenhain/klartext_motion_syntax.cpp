@@ -63,6 +63,11 @@ struct KlartextMotion {
     const bool is_polar = function == lp_ || function == cp_ || function == ctp_;
     if (is_polar && !resolve_polar(b, way)) return drop(b);
     if (retracts(b)) retract(b, way);
+    const bool is_computed = is_polar || (has_steps & 7u) != 0 || named.mask == 0 || function == c_ || function == ct_;
+    if (is_computed && !(is_position(way.from) && is_position(way.to))) {
+      b.report(hei("HEI-0182"), ig::Where::block(), b.text(function));
+      return drop(b);
+    }
     if (way.mask == 0 && function != c_) return ig::Status::changed;
     if (is_polar || (has_steps & 7u) != 0 || function == c_) put(b, way);
     if (way.to[way.plane.tool] == way.from[way.plane.tool] && has_steps < 8 && can_end_in_corner(b))
@@ -158,6 +163,12 @@ struct KlartextMotion {
     put(b, way);
   }
 
+  /// Farther away no machine goes, and numbers lose what is computed with them.
+  static bool is_position(const ig::Vec3& p) {
+    constexpr double farthest = 1e9;
+    return std::fabs(p.x) < farthest && std::fabs(p.y) < farthest && std::fabs(p.z) < farthest;
+  }
+
   /// The block has no meaning: its words go with it.
   ig::Status drop(ig::Block& b) const {
     b.take(words_);
@@ -219,6 +230,10 @@ struct KlartextMotion {
   ig::Status about_pole(ig::Block& b, const Way& way) const {
     const auto is_ccw = b.get(is_ccw_);
     if (!has_pole(b, way)) return drop(b);
+    if (!is_position(b.get(pole_).value)) {
+      b.report(hei("HEI-0182"), ig::Where::block(), b.text(way.function));
+      return drop(b);
+    }
     if (is_ccw) arc(b, way, pole(b, way.plane), *is_ccw);
     return ig::Status::changed;
   }
