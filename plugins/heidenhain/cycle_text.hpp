@@ -18,19 +18,19 @@ struct CycleNumber {
   static std::optional<CycleNumber> at(std::string_view text, std::size_t i) {
     CycleNumber out;
     const auto read = [&](std::size_t from, std::uint32_t& value) {
-      const std::size_t end = iso::skip_digits(text, from);
-      if (end == from || std::from_chars(text.data() + from, text.data() + end, value).ec != std::errc{}) return from;
-      return end;
+      const std::size_t behind = iso::skip_digits(text, from);
+      const bool is_read =
+          behind != from && std::from_chars(text.data() + from, text.data() + behind, value).ec == std::errc{};
+      return is_read ? behind : from;
     };
-    const std::size_t end = read(i, out.cycle);
-    if (end == i) return std::nullopt;
-    out.end = end;
-    const std::size_t point = iso::skip_blanks(text, end);
-    std::uint32_t part = 0;
+    out.end = read(i, out.cycle);
+    if (out.end == i) return std::nullopt;
+    const std::size_t point = iso::skip_blanks(text, out.end);
+    std::uint32_t number_of_part = 0;
     const std::size_t digits = iso::skip_blanks(text, point + 1);
     if (iso::at(text, point) != '.') return out;
-    if (const std::size_t part_end = read(digits, part); part_end != digits) {
-      out.part = part;
+    if (const std::size_t part_end = read(digits, number_of_part); part_end != digits) {
+      out.part = number_of_part;
       out.end = part_end;
     }
     return out;
