@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Cycles 200, 201, 203 and 240 with random parameters, against a computation of its own in exact fractions.
+"""Cycles 200, 201, 203, 205 to 207, 209 and 240 with random parameters, against a computation of its own in exact fractions.
 
   cycles_test.py --isogloss PATH [--cases 400] [--seed S]
 
@@ -19,13 +19,15 @@ from fractions import Fraction as F
 def levels(q, kind):
     """Depths below the surface, positive, one for each infeed."""
     total, infeed = -q[201], q.get(202, F(0))
-    if kind in (201, 240) or infeed == 0 or infeed >= total:
+    if kind == 209:
+        infeed = q[257]
+    if kind in (201, 206, 207, 240) or infeed == 0 or infeed >= total:
         return [total]
     out, done = [], F(0)
     while done < total:
         done = min(done + infeed, total)
         out.append(done)
-        if kind == 203 and q[212] > 0:
+        if kind in (203, 205) and q[212] > 0:
             infeed = max(infeed - q[212], min(q[205], infeed))
     return out
 
@@ -35,9 +37,17 @@ def model(kind, q):
     surface = q[203]
     safe = surface + q[200]
     end = surface + q[204] if q[204] > q[200] else safe
-    retract = q.get(208) or q[206]
+    retract = q.get(208) or q.get(206)
     depths = levels(q, kind)
     yield "rapid", safe, None
+    if kind in (206, 207, 209):
+        yield from tap(kind, q, depths)
+        yield "rapid", end, None
+        return
+    if kind == 205:
+        yield from peck(q, depths)
+        yield "rapid", end, None
+        return
     breaks = 0
     for k, depth in enumerate(depths):
         bottom = surface - depth
@@ -62,11 +72,52 @@ def model(kind, q):
     yield "rapid", end, None
 
 
+def tap(kind, q, depths):
+    """The program has S1000. A retract of 0 turns is one to the safe level."""
+    surface, safe = q[203], q[203] + q[200]
+    feed = q[206] if kind == 206 else 1000 * abs(q[239])
+    for depth in depths:
+        yield "feed", surface - depth, feed
+        if kind == 206:
+            yield "dwell", q[211], None
+        back = abs(q[256] * q[239]) if kind == 209 and depth != depths[-1] else 0
+        yield "feed", min(surface - depth + back, safe) if back else safe, feed
+
+
+def peck(q, depths):
+    surface, safe = q[203], q[203] + q[200]
+    reached = F(0)
+    for k, depth in enumerate(depths):
+        while q[257] > 0 and depth - reached > q[257]:
+            reached += q[257]
+            yield "feed", surface - reached, q[206]
+            yield "rapid", min(surface - reached + q[256], safe), None
+        reached = depth
+        yield "feed", surface - depth, q[206]
+        if k == len(depths) - 1:
+            break
+        yield "rapid", safe, None
+        share = F(k, len(depths) - 2) if len(depths) > 2 else F(0)
+        yield "rapid", min(surface - depth + q[258] + share * (q[259] - q[258]), safe), None
+    yield "dwell", q[211], None
+    yield ("feed", safe, q[208] or q[206]) if 208 in q else ("rapid", safe, None)
+
+
 def draw(rnd):
-    kind = rnd.choice((200, 201, 203, 240))
+    kind = rnd.choice((200, 201, 203, 205, 206, 207, 209, 240))
     number = lambda low, high: F(rnd.randint(low * 100, high * 100), 100)
     q = {200: number(0, 5), 201: -number(1, 60), 206: number(50, 900), 203: number(-20, 20),
          204: rnd.choice((F(0), number(0, 80))), 211: rnd.choice((F(0), number(0, 2)))}
+    if kind in (207, 209):
+        del q[206], q[211]
+        q[239] = rnd.choice((-1, 1)) * number(0, 2) or F(1)
+    if kind == 209:
+        q.update({257: rnd.choice((F(0), number(1, 30))), 256: rnd.choice((F(0), number(0, 3)))})
+    if kind == 205:
+        q.update({202: rnd.choice((F(0), number(3, 30))), 212: rnd.choice((F(0), number(0, 3))), 205: number(1, 4),
+                  257: rnd.choice((F(0), number(1, 9))), 256: number(0, 1), 258: number(0, 2), 259: number(0, 2)})
+        if rnd.random() < 0.5:
+            q[208] = rnd.choice((F(0), number(50, 900)))
     if kind in (200, 203):
         q.update({202: rnd.choice((F(0), number(1, 30))), 210: rnd.choice((F(0), number(0, 1)))})
     if kind in (201, 203):
