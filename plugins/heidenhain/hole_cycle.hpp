@@ -73,7 +73,11 @@ class HoleCycle {
     else
       has_surface = find_surface(b, c);
     const std::optional<double> steps = has_surface ? self.prepare(b, c) : std::nullopt;
-    if (!steps || points.count == 0) return ig::Status::changed;
+    if (!steps) return ig::Status::changed;
+    if (points.count == 0) {
+      b.report(hei("HEI-0183"), ig::Where::block());
+      return ig::Status::changed;
+    }
     if (!(*steps * static_cast<double>(points.count) <= most_steps)) {
       b.report(hei("HEI-0177"), ig::Where::block(), static_cast<double>(number), most_steps);
       return ig::Status::changed;

@@ -154,6 +154,9 @@ inline constexpr std::array klartext_diagnostics{
     ig::diagnostic(IG_ERROR, "HEI-0182", "{0} would begin, turn or end more than 1000 km away: the block does not move",
                    "An increment, a polar coordinate or an arc is computed from a position that no machine has.",
                    "5 LP PR+1000000000000 PA+45"),
+    ig::diagnostic(IG_ERROR, "HEI-0183", "the pattern has no point: nothing is machined",
+                   "Q241 of cycle 220, Q242 and Q243 of cycle 221 are numbers from 1 to 1000000.",
+                   "5 CYCL DEF 221 CARTESIAN PATTERN Q242=0"),
 };
 
 consteval std::uint32_t hei(std::string_view code) { return iso::index_of(klartext_diagnostics, code, 0); }
