@@ -74,7 +74,6 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
       points_end_(size_ < 2 ? 0 : size_ - 2),
       bits_(words_),
       state_(size_),
-      wake_(std::move(wake)),
       frames_(layout.transforms.size()) {
   for (ig_field f = 0; f < size_; ++f) {
     const FieldInfo& info = layout.fields[f];
@@ -88,10 +87,12 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
       bits.words |= bit(f);
     if (info.previous_of != IG_NO_FIELD) keep_previous(info.previous_of, f);
   }
-  find_open_words();
-  point_wake_.resize(std::size_t{points_end_} * wake_words_);
-  for (std::size_t i = 0; i < point_wake_.size(); ++i)
-    point_wake_[i] = wake_[i] | wake_[i + wake_words_] | wake_[i + 2 * std::size_t{wake_words_}];
+  find_open_words(wake);
+  Wakes wakes{std::move(wake), std::vector<std::uint64_t>(std::size_t{points_end_} * wake_words_)};
+  for (std::size_t i = 0; i < wakes.by_point.size(); ++i)
+    wakes.by_point[i] =
+        wakes.by_field[i] | wakes.by_field[i + wake_words_] | wakes.by_field[i + 2 * std::size_t{wake_words_}];
+  share(std::make_shared<const Wakes>(std::move(wakes)));
   for (const ListInfo& list : layout.lists) {
     ListData data;
     data.stride = static_cast<std::uint32_t>(list.fields.size());
@@ -101,7 +102,7 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
 
 /// Words of codes have the highest ids. Where a bit word holds none but them, its bits are looked at in blocks only
 /// that have such words: writing one raises a bit that wakes no syntax.
-void Document::find_open_words() {
+void Document::find_open_words(std::vector<std::uint64_t>& wake) {
   const auto is_far = [&](ig_field f) {
     const FieldInfo& info = layout_->fields[f];
     if (info.previous_of != IG_NO_FIELD) return true;  // nothing but begin() writes it
@@ -124,7 +125,21 @@ void Document::find_open_words() {
   }
   far_bit_ = std::uint64_t{1} << 63;
   for (ig_field f = far_begin_ * 64; f < std::min(size_, far_end_ * 64); ++f)
-    wake_[std::size_t{f} * wake_words_ + 1] |= far_bit_;
+    wake[std::size_t{f} * wake_words_ + 1] |= far_bit_;
+}
+
+void Document::share(std::shared_ptr<const Wakes> wakes) {
+  wakes_ = std::move(wakes);
+  wake_ = wakes_->by_field.data();
+  point_wake_ = wakes_->by_point.data();
+}
+
+void Document::silence(std::uint32_t bit) {
+  const std::uint64_t others = ~(std::uint64_t{1} << (bit % 64));
+  Wakes own = *wakes_;
+  for (std::vector<std::uint64_t>* list : {&own.by_field, &own.by_point})
+    for (std::size_t i = bit / 64; i < list->size(); i += wake_words_) (*list)[i] &= others;
+  share(std::make_shared<const Wakes>(std::move(own)));
 }
 
 void Document::keep_previous(ig_field field, ig_field copy) {

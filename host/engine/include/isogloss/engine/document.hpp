@@ -104,7 +104,7 @@ class Document {
   void set_many(const ig_field* f, std::uint32_t count, const ig_value* v) {
     State* const state = state_.data();
     Bits* const bits = bits_.data();
-    const std::uint64_t* const wakes = wake_.data();
+    const std::uint64_t* const wakes = wake_;
     const std::uint32_t stride = wake_words_;
     const std::uint64_t place = written();
     std::uint64_t low = active[0], high = active[1];
@@ -206,7 +206,7 @@ class Document {
     bits.present |= these;
     bits.fresh |= these;
     bits.taken &= ~these;
-    wake_by(point_wake_.data() + std::size_t{x} * wake_words_);
+    wake_by(point_wake_ + std::size_t{x} * wake_words_);
   }
   void set_text(ig_field f, std::string_view text);
   /// A word or a code of the text, with its columns; codes are numbered in their order.
@@ -229,11 +229,7 @@ class Document {
   /// From now on every change of the field adds these bits to `changes`.
   void watch(ig_field f, std::uint64_t changes);
   /// No write wakes the syntax of this bit any more.
-  void silence(std::uint32_t bit) {
-    const std::uint64_t others = ~(std::uint64_t{1} << (bit % 64));
-    for (std::size_t i = bit / 64; i < wake_.size(); i += wake_words_) wake_[i] &= others;
-    for (std::size_t i = bit / 64; i < point_wake_.size(); i += wake_words_) point_wake_[i] &= others;
-  }
+  void silence(std::uint32_t bit);
   void move(ig_field from, ig_field to);
 
   /// Starts the next block: values from before it are put aside, modal fields are carried, the rest goes.
@@ -292,7 +288,7 @@ class Document {
   static constexpr std::uint64_t bit(ig_field f) { return std::uint64_t{1} << (f & 63); }
   /// The place of what is no word of the text: the syntax that runs wrote it.
   std::uint64_t written() const { return std::uint64_t{current} << 32; }
-  void wake(ig_field f) { wake_by(wake_.data() + std::size_t{f} * wake_words_); }
+  void wake(ig_field f) { wake_by(wake_ + std::size_t{f} * wake_words_); }
   void wake_by(const std::uint64_t* woken) {
     active[0] |= woken[0];
     active[1] |= woken[1];
@@ -315,7 +311,7 @@ class Document {
     return i;
   }
   void keep_previous(ig_field field, ig_field copy);
-  void find_open_words();
+  void find_open_words(std::vector<std::uint64_t>& wake);
   bool has_far_words() const { return (active[1] & far_bit_) != 0; }
   void mark_pointless(ig_field f, bool pointless);
   const Layout* layout_;
@@ -336,7 +332,15 @@ class Document {
   // The 64-bit words that hold words and codes; from far_begin_ to far_end_ hold nothing but words of codes.
   std::uint32_t open_begin_ = 0, far_begin_ = 0, far_end_ = 0;
   std::uint64_t far_bit_ = 0;  // of active[1]: this block has such words; 0: active has no bit to spare
-  std::vector<std::uint64_t> wake_, point_wake_;  // by field; by the first of three
+  /// Which syntaxes the writing of a field wakes, wake_words_ for each; and that of three fields, by the first. Copies of
+  /// the document share it: blocks are copied while they wait for those that follow.
+  struct Wakes {
+    std::vector<std::uint64_t> by_field, by_point;
+  };
+  void share(std::shared_ptr<const Wakes> wakes);
+  std::shared_ptr<const Wakes> wakes_;
+  const std::uint64_t* wake_ = nullptr;
+  const std::uint64_t* point_wake_ = nullptr;
   struct Watcher {
     ig_field field;
     std::uint64_t changes;
