@@ -1,6 +1,7 @@
 // RND and CHF stand in a block of their own between two moves. The move before must end short of the corner, so each
 // feed move looks whether such a block follows, and gets the corner that CornerBreakPathSyntax and the radius
 // compensation make the path from.
+#include "corner_break_state.hpp"
 #include "klartext_diagnostics.hpp"
 
 namespace heidenhain {
@@ -24,9 +25,7 @@ struct KlartextCorner {
   ig::Signal open_{"KlartextCorner.~Open", ig::read | ig::wake_while, ig::Life::modal};
   ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
   ig::In<ig::Symbol> compound_{"CompoundMotion.Term"};
-  ig::Out<ig::Symbol> term_{"CornerBreak.Term", {ig::Life::block, "", "What stands at the end of the move."}};
-  ig::Out<double> size_{"CornerBreak.Size_mm",
-                        {ig::Life::block, "mm", "From the corner to both ends of the chamfer, or the radius."}};
+  iso::CornerBreakState corner_{ig::write};
   ig::Signal path_{"CornerBreak.~Path", ig::write};
   ig::Name rnd_{"RND"}, chf_{"CHF"};
 
@@ -66,8 +65,9 @@ struct KlartextCorner {
       if (ahead.has_any(form_, compound_)) return false;
       if (!ahead.has_any(radius_, chamfer_)) continue;
       const bool is_rounding = ahead.has(radius_);
-      b.set(term_, is_rounding ? rnd_ : chf_);
-      b.set(size_, is_rounding ? ahead.get_or(radius_, 0.0) : ahead.get_or(chamfer_, 0.0));
+      corner_.set(b, is_rounding
+                         ? iso::CornerBreakState::Corner{rnd_, iso::CornerShape::rounding, ahead.get_or(radius_, 0.0)}
+                         : iso::CornerBreakState::Corner{chf_, iso::CornerShape::legs, ahead.get_or(chamfer_, 0.0)});
       return true;
     }
     return false;

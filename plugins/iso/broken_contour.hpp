@@ -3,7 +3,6 @@
 #pragma once
 
 #include "contour_ahead.hpp"
-#include "corner_break_util.hpp"
 #include "corner_diagnostics.hpp"
 #include "rotary_words.hpp"
 
@@ -34,12 +33,11 @@ class BrokenContour {
       piece.begins_behind_corner = true;
       start_.reset();
     }
-    if (!b.has(term_)) return piece;
+    const auto wanted = state_.get(b);
+    if (!wanted) return piece;
     CornerBreaking broken;
-    const Form* const form = form_of(b);
-    if (form == nullptr) return piece;
-    piece.unbroken = find(b, now, begin, *form, broken);
-    piece.is_expected = form->is_modal && broken.why == Unbroken::no;
+    piece.unbroken = find(b, now, begin, *wanted, broken);
+    piece.is_expected = wanted->is_modal && broken.why == Unbroken::no;
     if (!piece.unbroken.empty() || broken.why != Unbroken::no) return piece;
     ContourMotion corner = now;
     corner.move = broken.corner.move();
@@ -55,38 +53,22 @@ class BrokenContour {
 
   void say(ig::Block& b, const Piece& piece) const {
     if (piece.unbroken.empty() || piece.is_expected) return;
-    const Form* const form = form_of(b);
-    b.report(corner_diag("ISO-0480"), form == nullptr ? ig::Where::block() : ig::Where::word(form->word.id()),
-             b.text(term(b)), piece.unbroken);
+    b.report(corner_diag("ISO-0480"), where(b), b.text(term(b)), piece.unbroken);
     if (unfit_ == Unfit::alarm) b.alarm();
   }
 
-  ig::Symbol term(const ig::Block& b) const { return b.get_or(term_, ig::Symbol{}); }
+  ig::Symbol term(const ig::Block& b) const {
+    const auto corner = state_.get(b);
+    return corner ? corner->term : ig::Symbol{};
+  }
 
  private:
   enum class Unfit { alarm, said };
-  enum class Shape { legs, length, rounding };
 
-  /// How a corner is written: the name that stands in CornerBreak.Term, and the word.
-  struct Form {
-    ig::Name name;
-    Shape shape;
-    ig::Field<double> word;
-    bool is_modal = false;  ///< of every corner: nothing to say where there is none
-  };
-  static ig::Field<double> word(const char* path) {
-    return ig::Field<double>{path, ig::read, {ig::Life::standard, "mm", ""}};
-  }
-  const Form* form_of(const ig::Block& b) const {
-    for (const Form& form : forms_)
-      if (b.is(term_, form.name)) return &form;
-    return nullptr;
-  }
-
-  /// A chamfer of that length takes this much of both moves.
-  static double leg(const ContourMotion& a, const ContourMotion& b, double length) {
-    const double along = dot(a.move.direction_at_end(), b.move.direction_at_start());
-    return length / (2 * std::sqrt(std::fmax((1 + along) / 2, 1e-12)));
+  ig::Where where(const ig::Block& b) const {
+    for (std::size_t i = 0; i < words_.size(); ++i)
+      if (b.is_fresh(words_.id(i))) return ig::Where::word(words_.id(i));
+    return ig::Where::block();
   }
 
   static void place(ig::Vec3& to, const PlaneAxes& plane, const Point2& p) {
@@ -96,25 +78,21 @@ class BrokenContour {
   static bool rises(const ContourMotion& m) { return std::fabs(m.to[m.plane.tool] - m.from[m.plane.tool]) > 1e-9; }
 
   /// Empty where the corner is broken, or where there is none to break.
-  std::string_view find(ig::Block& b, const ContourMotion& now, const Point2& begin, const Form& form,
-                        CornerBreaking& out) const {
+  std::string_view find(ig::Block& b, const ContourMotion& now, const Point2& begin,
+                        const CornerBreakState::Corner& wanted, CornerBreaking& out) const {
     if (now.kind != ContourMotion::Kind::move || b.get_or(is_rapid_, false))
       return "its block makes no feed move in the plane";
     if (rises(now)) return "its move leaves the plane";
     if (rotary_.fresh(b) != 0) return "rotary axes turn in its block";
     ContourMotion next;
     if (const std::string_view why = find_next(b, now, next); !why.empty()) return why;
-    double size = b.get_or(size_, 0.0);
-    if (form.shape == Shape::length) {
-      if (now.move.is_arc || next.move.is_arc) return "its length is known between straight moves only";
-      size = leg(now, next, size);
-    }
-    out = break_corner(now.move, begin, next.move, size, form.shape == Shape::rounding);
+    out = break_corner(now.move, begin, next.move, wanted.size, wanted.shape);
     switch (out.why) {
       case Unbroken::doubles_back: return "the next move goes back the same way";
       case Unbroken::no_place: return "no arc of this radius touches both moves";
       case Unbroken::first_too_short: return "the move before it is too short";
       case Unbroken::second_too_short: return "the move behind it is too short";
+      case Unbroken::length_at_arc: return "its length is known between straight moves only";
       case Unbroken::no:
       case Unbroken::straight_on: break;
     }
@@ -140,18 +118,11 @@ class BrokenContour {
   }
 
   ContourMotionOf motion_;
-  ig::In<ig::Symbol> term_{"CornerBreak.Term", ig::read, {ig::Life::block, "", ""}};
-  std::array<Form, 8> forms_{Form{ig::Name{"CHF"}, Shape::legs, word("Parsing.CornerBreak.C")},
-                             Form{ig::Name{"RND"}, Shape::rounding, word("Parsing.CornerBreak.R")},
-                             Form{ig::Name{",C"}, Shape::legs, word("Parsing.CornerBreak.C")},
-                             Form{ig::Name{",R"}, Shape::rounding, word("Parsing.CornerBreak.R")},
-                             Form{ig::Name{"CHR="}, Shape::legs, word("Parsing.CHR")},
-                             Form{ig::Name{"CHF="}, Shape::length, word("Parsing.CHF")},
-                             Form{ig::Name{"RND="}, Shape::rounding, word("Parsing.RND")},
-                             Form{ig::Name{"RNDM="}, Shape::rounding, word("Parsing.RNDM"), true}};
+  CornerBreakState state_{ig::read};
+  ig::Fields words_{"corner-words", "Parsing.CornerBreak.?", ig::read,
+                    "The words of a corner: at the one that the block has stands what is said of it."};
   ig::Choice<Unfit> unfit_{"corner-does-not-fit", "alarm|said", "alarm",
                            "A corner that cannot be broken stops the control, or stays sharp."};
-  ig::In<double> size_{"CornerBreak.Size_mm", ig::read, {ig::Life::block, "mm", ""}};
   ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
   RotaryPosition rotary_{ig::read};
   ig::IntegerOption rests_allowed_{

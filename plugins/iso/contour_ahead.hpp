@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contour_motion.hpp"
-#include "corner_break_util.hpp"
+#include "corner_break_state.hpp"
 
 namespace iso {
 
@@ -101,7 +101,7 @@ class ContourAhead {
       rests = 0;
       moves[count] = motion.move;
       if (other_frame && !bring_here(b, ahead, motion, moves[count])) break;
-      breaks[count] = {ahead.get_or(break_size_, 0.0), ahead.is(break_term_, rounding_)};
+      breaks[count] = break_.get(ahead);
       if (walls != nullptr)
         walls->are[count] = !other_frame && !ahead.get_or(is_rapid_, false) &&
                             std::fabs(motion.from[plane.tool] - walls->height) < same_point_mm &&
@@ -112,10 +112,7 @@ class ContourAhead {
   }
 
  private:
-  struct Break {
-    double size = 0;
-    bool is_rounding = false;
-  };
+  using Break = std::optional<CornerBreakState::Corner>;
 
   /// The move as the frame of this block shows it.
   static bool bring_here(ig::Block& b, ig::Block& ahead, const ContourMotion& motion, ContourMove& move) {
@@ -145,8 +142,8 @@ class ContourAhead {
       const ContourMove& move = moves[i];
       CornerBreaking broken;
       broken.why = Unbroken::straight_on;
-      if (breaks[i].size > 0 && i + 1 < count)
-        broken = break_corner(move, begin, moves[i + 1], breaks[i].size, breaks[i].is_rounding);
+      if (breaks[i] && i + 1 < count)
+        broken = break_corner(move, begin, moves[i + 1], breaks[i]->size, breaks[i]->shape);
       const bool is_broken = broken.why == Unbroken::no;
       if (walls != nullptr) walls_out.are[n] = walls->are[i];
       out[n++] = between_corners(move, begin, is_broken ? broken.corner.begin : move.end);
@@ -167,9 +164,8 @@ class ContourAhead {
   ig::Xyz cancel_direction_{"RadiusCompensation.CancelDirection", ig::read, {ig::Life::block, "mm", ""}};
   ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
   ig::In<ig::Symbol> corner_arc_{"RadiusCompensation.CornerArc"};
-  ig::In<ig::Symbol> break_term_{"CornerBreak.Term", ig::read, {ig::Life::block, "", ""}};
-  ig::In<double> break_size_{"CornerBreak.Size_mm", ig::read, {ig::Life::block, "mm", ""}};
-  ig::Name left_{"Left"}, right_{"Right"}, rounding_{",R"};
+  CornerBreakState break_{ig::read};
+  ig::Name left_{"Left"}, right_{"Right"};
 };
 
 }  // namespace iso

@@ -15,7 +15,10 @@ struct BrokenCorner {
   ContourMove move() const { return {begin, end, is_arc, center, is_ccw}; }
 };
 
-enum class Unbroken { no, straight_on, doubles_back, no_place, first_too_short, second_too_short };
+/// What the size of a corner means: of a chamfer how far from the corner its ends lie, or how long it is; or a radius.
+enum class CornerShape { legs, length, rounding };
+
+enum class Unbroken { no, straight_on, doubles_back, no_place, first_too_short, second_too_short, length_at_arc };
 
 struct CornerBreaking {
   Unbroken why = Unbroken::no;
@@ -84,7 +87,7 @@ inline Unbroken find_chamfer(const ContourMove& a, const ContourMove& b, double 
 /// From `a`, of which what comes behind `a_begin` is left, to `b`, which begins where `a` ends. Directions within a
 /// degree count as one. Fanuc manual, "Optional chamfering and corner rounding".
 inline CornerBreaking break_corner(const ContourMove& a, const Point2& a_begin, const ContourMove& b, double size,
-                                   bool is_rounding) {
+                                   CornerShape shape) {
   constexpr double sine_of_a_degree = 0.017452406437283512;
   const Point2 u1 = a.direction_at_end(), u2 = b.direction_at_start();
   CornerBreaking out;
@@ -92,7 +95,15 @@ inline CornerBreaking break_corner(const ContourMove& a, const Point2& a_begin, 
     out.why = dot(u1, u2) > 0 ? Unbroken::straight_on : Unbroken::doubles_back;
     return out;
   }
-  out.why = is_rounding ? detail::find_rounding(a, b, size, out.corner) : detail::find_chamfer(a, b, size, out.corner);
+  if (shape == CornerShape::length) {
+    if (a.is_arc || b.is_arc) {
+      out.why = Unbroken::length_at_arc;
+      return out;
+    }
+    size /= 2 * std::sqrt((1 + dot(u1, u2)) / 2);
+  }
+  out.why = shape == CornerShape::rounding ? detail::find_rounding(a, b, size, out.corner)
+                                           : detail::find_chamfer(a, b, size, out.corner);
   if (out.why != Unbroken::no) return out;
   if (!detail::lies_within(a, a_begin, out.corner.begin))
     out.why = Unbroken::first_too_short;

@@ -15,10 +15,10 @@ void check_point(const Point2& got, const Point2& wanted) {
 }
 
 CornerBreaking round(const ContourMove& a, const ContourMove& b, double r) {
-  return break_corner(a, a.start, b, r, true);
+  return break_corner(a, a.start, b, r, CornerShape::rounding);
 }
 CornerBreaking chamfer(const ContourMove& a, const ContourMove& b, double c) {
-  return break_corner(a, a.start, b, c, false);
+  return break_corner(a, a.start, b, c, CornerShape::legs);
 }
 
 }  // namespace
@@ -29,6 +29,18 @@ TEST_CASE("a chamfer lies as far from the corner on both moves") {
   check_point(found.corner.begin, {-2, 0});
   check_point(found.corner.end, {0, 2});
   CHECK_FALSE(found.corner.is_arc);
+}
+
+TEST_CASE("a chamfer by its length") {
+  const ContourMove a = line({-20, 0}, {0, 0});
+  const CornerBreaking square = break_corner(a, a.start, line({0, 0}, {0, 30}), std::sqrt(8.0), CornerShape::length);
+  REQUIRE(square.why == Unbroken::no);
+  check_point(square.corner.begin, {-2, 0});
+  check_point(square.corner.end, {0, 2});
+  const CornerBreaking sharp = break_corner(a, a.start, line({0, 0}, {-20, 20}), 3, CornerShape::length);
+  CHECK((sharp.corner.end - sharp.corner.begin).length() == Approx(3));
+  const ContourMove round = arc({0, 0}, {-20, 0}, {-10, 0}, true);
+  CHECK(break_corner(a, a.start, round, 3, CornerShape::length).why == Unbroken::length_at_arc);
 }
 
 TEST_CASE("a chamfer on an arc counts along the chord") {
@@ -94,7 +106,7 @@ TEST_CASE("corners that cannot be broken") {
   CHECK(chamfer(a, line({0, 0}, {0, 5}), 6).why == Unbroken::second_too_short);
   CHECK(round(a, line({0, 0}, {0, 30}), 1e300).why != Unbroken::no);
   CHECK(round(a, arc({0, 0}, {0, 4}, {0, 2}, true), 9).why != Unbroken::no);
-  CHECK(break_corner(a, {-3, 0}, line({0, 0}, {0, 30}), 4, false).why == Unbroken::first_too_short);
+  CHECK(break_corner(a, {-3, 0}, line({0, 0}, {0, 30}), 4, CornerShape::legs).why == Unbroken::first_too_short);
 }
 
 TEST_CASE("a line of which nothing is left keeps its direction") {

@@ -332,8 +332,8 @@ class Document {
   // The 64-bit words that hold words and codes; from far_begin_ to far_end_ hold nothing but words of codes.
   std::uint32_t open_begin_ = 0, far_begin_ = 0, far_end_ = 0;
   std::uint64_t far_bit_ = 0;  // of active[1]: this block has such words; 0: active has no bit to spare
-  /// Which syntaxes the writing of a field wakes, wake_words_ for each; and that of three fields, by the first. Copies of
-  /// the document share it: blocks are copied while they wait for those that follow.
+  /// Which syntaxes the writing of a field wakes, wake_words_ for each; and that of three fields, by the first. Copies
+  /// of the document share it: blocks are copied while they wait for those that follow.
   struct Wakes {
     std::vector<std::uint64_t> by_field, by_point;
   };
