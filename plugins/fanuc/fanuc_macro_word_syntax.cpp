@@ -23,6 +23,7 @@ struct FanucMacroWord {
   ig::Field<double> chamfer_{"Parsing.CornerBreak.C", ig::write, {ig::Life::standard, "mm", ""}};
   ig::Field<double> rounding_{"Parsing.CornerBreak.R", ig::write, {ig::Life::standard, "mm", ""}};
   CodeFields codes_;
+  PassedCodeMark mark_;
   ig::Config number_format_{"isogloss.number-format/1", ig::Need::optional, "The increments that ROUND rounds to."};
   ig::Codes units_{{"G20", "G21"}, ig::read};
   ig::In<ig::Symbol> system_{"Unit.System"};
@@ -179,6 +180,7 @@ struct FanucMacroWord {
   }
 
   void set_code(ig::Block& b, char letter, double number, std::size_t begin, std::size_t end) {
+    if (letter == 'M') mark_.note(b, environment_.store(), letter, number);
     if (const auto index = CodeFields::index_of(number))
       codes_.set(b, letter, *index, begin, end);
     else

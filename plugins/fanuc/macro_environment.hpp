@@ -74,6 +74,22 @@ class MacroFrame {
   Store store_;
 };
 
+/// A member of each syntax that notes or reads what #4113 and #4114 answer.
+class PassedCodeMark {
+ public:
+  void note(ig::Block& b, MacroStore& store, char letter, double number) const {
+    if (!b.is_raised(noted_here_)) store.passed.begin_block();
+    b.raise(noted_here_);
+    store.passed.note(letter == 'M' ? PassedCodes::m : PassedCodes::n, number);
+  }
+  std::optional<double> of_blocks_before(const ig::Block& b, const MacroStore& store, PassedCodes::Which which) const {
+    return b.is_raised(noted_here_) ? store.passed.before(which) : store.passed.last(which);
+  }
+
+ private:
+  ig::Signal noted_here_{"PassedCode.~NotedHere", ig::read | ig::write};
+};
+
 class MacroEnvironment : public MacroFrame {
  public:
   const ExpressionRules& rules() const { return store().settings.rules; }
@@ -245,7 +261,8 @@ class MacroEnvironment : public MacroFrame {
       case 4107: return of(static_cast<double>(b.get_or(radius_row_, std::int64_t{0})));
       case 4109: return of(in_program_unit(b, b.get_or(feed_, 0.0)));
       case 4111: return of(static_cast<double>(b.get_or(length_row_, std::int64_t{0})));
-      case 4114: return sequence_number(b, out);
+      case 4113: return passed(b, PassedCodes::m, out);
+      case 4114: return passed(b, PassedCodes::n, out);
       case 4115: return program_in_force(b, out);
       case 4119: return of(b.get_or(speed_, 0.0));
       case 4120: return of(static_cast<double>(b.get_or(tool_, std::int64_t{0})));
@@ -261,10 +278,10 @@ class MacroEnvironment : public MacroFrame {
   }
 
   /// Of the block before; where it has none, the last one is not kept here.
-  Fault sequence_number(const ig::Block& b, double& out) const {
-    const auto n = b.get(previous_n_);
-    out = static_cast<double>(n.value_or(0));
-    return n ? Fault::none : Fault::not_known_here;
+  Fault passed(const ig::Block& b, PassedCodes::Which which, double& out) const {
+    const auto number = passed_.of_blocks_before(b, store(), which);
+    out = number.value_or(0);
+    return number ? Fault::none : Fault::not_known_here;
   }
 
   /// The name by which the program was called; the main program has the number that it begins with.
@@ -456,7 +473,7 @@ class MacroEnvironment : public MacroFrame {
       length_{"ToolHeightCompensation.Offset_mm"};
   ig::In<std::int64_t> tool_{"ToolChange.ToolId"}, length_row_{"ToolHeightCompensation.OffsetId"},
       radius_row_{"RadiusCompensation.OffsetId"};
-  ig::Previous<std::int64_t> previous_n_{"Source.N"};
+  PassedCodeMark passed_;
   ig::Xyz program_xyz_{"ProgramXyz", ig::read}, machine_xyz_{"MachineCoordinate", ig::read};
   std::array<ig::In<double>, 3> rotary_{ig::In<double>{"MachineCoordinate.A"}, ig::In<double>{"MachineCoordinate.B"},
                                         ig::In<double>{"MachineCoordinate.C"}};

@@ -81,9 +81,23 @@ struct MacroSettings {
   double clock_step_ms = 100;                           ///< how far the clocks go on each time they are read
 };
 
+/// The last M code and the last sequence number of the blocks before, and those of the block that is read.
+class PassedCodes {
+ public:
+  enum Which : std::size_t { m, n };
+  void begin_block() { before_ = last_; }
+  void note(Which which, double number) { last_[which] = number; }
+  std::optional<double> before(Which which) const { return before_[which]; }
+  std::optional<double> last(Which which) const { return last_[which]; }
+
+ private:
+  std::array<std::optional<double>, 2> before_, last_;
+};
+
 class MacroStore {
  public:
   MacroSettings settings;
+  PassedCodes passed;
   std::optional<double> main_program;  ///< its number, where it has one
 
   static constexpr double null = std::numeric_limits<double>::quiet_NaN();

@@ -1,0 +1,37 @@
+/// The last M code and the last sequence number that the program has passed, for #4113 and #4114. Looks at the text and
+/// takes nothing of it: a code that no syntax knows counts, too.
+#include "macro_environment.hpp"
+#include "scan_util.hpp"
+
+namespace fanuc {
+namespace {
+
+struct FanucPassedCode {
+  static constexpr auto spec = ig::syntax("FanucPassedCodeSyntax", "Notes M codes and sequence numbers: #4113, #4114.")
+                                   .after("BlockSkipSyntax", "IsoCommentSyntax")
+                                   .before("HeadIndexSyntax", "FlagSyntax")
+                                   .scans("GMNgmn");
+
+  MacroFrame macros_;
+  PassedCodeMark mark_;
+
+  /// G and M codes stand in a row, which FlagSyntax takes as one.
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    if (macros_.flow.is_indexing()) return position;
+    std::size_t next = position;
+    while (next < text.size()) {
+      const char letter = iso::to_upper(text[next]);
+      if (letter != 'G' && letter != 'M' && letter != 'N') break;
+      const ig::Decimal number = ig::read_decimal(text, iso::skip_blanks(text, next + 1));
+      if (!number.ok) break;
+      if (letter != 'G') mark_.note(b, macros_.store(), letter, number.value);
+      next = iso::skip_blanks(text, number.end);
+    }
+    return position;
+  }
+};
+
+const ig::Register<FanucPassedCode> registered;
+
+}  // namespace
+}  // namespace fanuc
