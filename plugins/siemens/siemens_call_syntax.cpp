@@ -35,7 +35,7 @@ struct SiemensCall {
   // Messages and pictures; what the path is measured on; other channels; couplings of spindles.
   ig::TextOption silent_list_{
       "silent",
-      "MSG WORKPIECE GROUP_BEGIN GROUP_END GROUP_ADDEND SETMS FGROUP CYCLE832 WAITM WAITMC SETM "
+      "MSG WORKPIECE GROUP_BEGIN GROUP_END GROUP_ADDEND E_END SETMS FGROUP CYCLE832 WAITM WAITMC SETM "
       "CLEARM WAITS WAITP WAITE COUPDEF COUPDEL COUPON COUPONC COUPOF COUPOFS COUPRES WRITE",
       "Procedures of the control that move nothing and change nothing here."};
   std::vector<CycleFields> cycles_ = all_cycles();
@@ -129,6 +129,13 @@ struct SiemensCall {
       if (name.starts_with(family) && iso::skip_digits(name, family.size()) == name.size() &&
           (name.size() > family.size() || family == "LONGHOLE"))
         return true;
+    return is_shopmill_step(name);
+  }
+  /// E_DR(…), E_MI_PL(…), E_PS_CIR(…): what a work step of ShopMill drills and mills, and where.
+  static bool is_shopmill_step(std::string_view name) {
+    if (name == "E_CON" || name == "E_DR") return true;
+    for (const std::string_view family : {"E_CP_", "E_DR_", "E_MI_", "E_PI_", "E_PO_", "E_PS_", "E_SL_"})
+      if (name.starts_with(family)) return true;
     return false;
   }
   static bool is_synchronized(std::string_view text, std::size_t position, std::string_view name) {
@@ -143,7 +150,8 @@ struct SiemensCall {
       std::string_view name, missing;
     };
     static constexpr std::string_view origin = "the axis counts from its origin of before",
-                                      coupled = "the axis that follows another one stands still";
+                                      coupled = "the axis that follows another one stands still",
+                                      head = "the unit, the plane and the work offset it sets are missing";
     static constexpr Known known[] = {{"PRESETON", origin},
                                       {"PRESETONS", origin},
                                       {"TANG", coupled},
@@ -153,7 +161,10 @@ struct SiemensCall {
                                       {"EGON", coupled},
                                       {"EGONSYN", coupled},
                                       {"ORIRESET", "the rotary axes do not turn"},
-                                      {"TOFFON", "the offset is missing"}};
+                                      {"TOFFON", "the offset is missing"},
+                                      {"E_HEAD", head},
+                                      {"E_CONFIG", head},
+                                      {"E_TCARR", "the plane is not swivelled"}};
     for (const Known& k : known)
       if (k.name == name) return k.missing;
     return {};

@@ -147,7 +147,8 @@ inline constexpr std::array diagnostics{
                    "PRESETON(X,0)"),
     // cycles
     ig::diagnostic(IG_ERROR, "SIE-0181", "{0} is not executed: its moves are missing",
-                   "The run knows CYCLE81 to CYCLE89, CYCLE840, CYCLE800, HOLES1, HOLES2, CYCLE801 and CYCLE802.",
+                   "The run knows CYCLE81 to CYCLE89, CYCLE840, CYCLE800, HOLES1, HOLES2, CYCLE801 and CYCLE802. What "
+                   "ShopMill's work steps (E_DR, E_MI_PL, E_PS_CIR, …) do is known to the control alone.",
                    "POCKET3(…)"),
     ig::diagnostic(IG_ERROR, "SIE-0182", "{0}: a parameter has no value; the cycle is not executed", "Why was said.",
                    "CYCLE81(50,0,2,NOWHERE)"),
