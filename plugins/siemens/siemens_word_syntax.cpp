@@ -203,12 +203,16 @@ struct SiemensWord {
     return end;
   }
 
-  /// A value that could not be read: the rest of the word, up to a blank outside brackets, goes with it.
+  /// A value that could not be read: the rest of it, up to a blank outside brackets with no operator behind it, goes
+  /// with it.
   static std::size_t line_end_of_fault(std::string_view text, std::size_t position) {
-    std::size_t end = position;
-    while (end < text.size() && std::string_view(" \t;\r\n").find(text[end]) == std::string_view::npos)
-      end = text[end] == '(' ? std::max(skip_call(text, end), end + 1) : end + 1;
-    return end;
+    for (std::size_t end = position;;) {
+      while (end < text.size() && std::string_view(" \t;\r\n").find(text[end]) == std::string_view::npos)
+        end = text[end] == '(' ? std::max(skip_call(text, end), end + 1) : end + 1;
+      const std::size_t next = skip_blanks(text, end);
+      if (next >= text.size() || std::string_view("+-*/<>").find(text[next]) == std::string_view::npos) return end;
+      end = skip_blanks(text, next + 1);
+    }
   }
 
   /// AC IC DC ACP ACN before a bracket; at_bracket_ is where the bracket opens.
@@ -327,6 +331,7 @@ struct SiemensWord {
     const std::size_t end = std::max(e.position(), equals + 1);
     if (!value) return line_end_of_fault(text, end);
     if (is_unknown_array && changes_no_position(reference->name)) return end;
+    if (belongs_to_approach(reference->name)) return end;
     assign(b, *reference, *value, begin, end);
     return end;
   }
@@ -335,6 +340,13 @@ struct SiemensWord {
   static bool changes_no_position(std::string_view name) {
     for (const std::string_view known : {"FGREF[", "ACC[", "VELOLIM[", "JERKLIM[", "OVRA[", "FL[", "FA[", "ATOL["})
       if (name.starts_with(known)) return true;
+    return false;
+  }
+
+  /// How far and how fast G147 to G348 approach and retract. The code says that it is not executed.
+  static bool belongs_to_approach(std::string_view name) {
+    for (const std::string_view known : {"DISR", "DISRP", "DISCL", "FAD"})
+      if (name == known) return true;
     return false;
   }
 
