@@ -1,5 +1,6 @@
 /// E of G05 P10000 and G05.1: the tolerance of high-speed, high-precision control. It rounds corners and moves no
-/// programmed point, so it is recorded beside what PathSmoothingSyntax records.
+/// programmed point, so it is recorded beside what PathSmoothingSyntax records. G120.1 and G121 choose among sets of
+/// its parameters, and move nothing either.
 #include "syntec_diagnostics.hpp"
 
 namespace syntec {
@@ -10,12 +11,15 @@ struct SyntecHighSpeed {
                                    .after("ParameterizedFlagSyntax", "UnitModeSyntax");
 
   ig::Call codes_{{"G05", "G05.1"}, "E[mm]"};
+  ig::Call sets_{{"G120.1"}, "P[] Q[]"};
+  ig::Codes end_of_set_{"G121"};
   ig::Field<double> tolerance_{"PathSmoothing.Tolerance_mm",
                                ig::read | ig::write,
                                {ig::Life::modal, "mm", "How far the path may round a corner off."}};
 
   ig::Status build(ig::Block& b) const {
-    bool any = false;
+    bool any = b.take(sets_).has_value();
+    any |= b.take(end_of_set_).has_value();
     for (std::uint32_t row = 0; row < codes_.code_count(); ++row) {
       ig_value e;
       if (b.host()->take(b.raw(), codes_.word(row, 'E'), &e) == 0) continue;
