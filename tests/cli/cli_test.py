@@ -122,11 +122,15 @@ class Run(Command):
                               ("%\nO01234\nG21 G00 X1.\nM30\n%\n", "haas"),
                               ("%\nO1234\nG21 G00 G154 P2 X1.\nM30\n%\n", "haas"),
                               ("%\nO1234\nG187 P1\nM30\n%\n", "haas"),
+                              ("%\nO4113\nG21\nM31\nT1 M6\nM30\n%\n", "fanuc"),
+                              ("G54\nT30 M06\nG65 P9995 W54. A20. D-10.\nM30\n", "haas"),
+                              ("%\nO1030\nG20\nG00 X1.\nG53 G49 Z0.0 M05 (Z HOME)\nM30\n%\n", "haas"),
+                              ("T02 M06\nM59 P2\nG04 P1.0\nM59 P3\nM30\n", "haas"),
                               ("%@MACRO\n#1 := 1;\nM99;\n", "syntec"),
                               ("\n %@macro\nM99;\n", "syntec"),
                               ("%\nO1234 (SYNTEC 22MA)\nG71 G00 X1.\nM30\n%\n", "syntec"),
                               ("%\nG90 G59.4 G00 X1.\nM98 H100\nM30\nN100 M99\n%\n", "syntec")):
-            declined = 1 if "@macro" in text.lower() else 0
+            declined = 1 if "@macro" in text.lower() or "P9995" in text else 0
             done = self.run_it("run", self.write("guess.nc", text), "--emit", "none", status=declined)
             self.assertIn(f"note: dialect {dialect} ", done.stderr)
 
