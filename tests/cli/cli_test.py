@@ -126,11 +126,15 @@ class Run(Command):
                               ("G54\nT30 M06\nG65 P9995 W54. A20. D-10.\nM30\n", "haas"),
                               ("%\nO1030\nG20\nG00 X1.\nG53 G49 Z0.0 M05 (Z HOME)\nM30\n%\n", "haas"),
                               ("T02 M06\nM59 P2\nG04 P1.0\nM59 P3\nM30\n", "haas"),
+                              ("O1000\nG15 H1\nG0 X1 Y1\nM02\n", "okuma"),
+                              ("O1\n(FLANGE)\nG15H=VC32\nM02\n", "okuma"),
+                              ("O1\nNCYL G81 X1 Y1 Z-1 R1 F1\nM02\n", "okuma"),
+                              ("VC31=VS27\nG0 X1\nM02\n", "okuma"),
                               ("%@MACRO\n#1 := 1;\nM99;\n", "syntec"),
                               ("\n %@macro\nM99;\n", "syntec"),
                               ("%\nO1234 (SYNTEC 22MA)\nG71 G00 X1.\nM30\n%\n", "syntec"),
                               ("%\nG90 G59.4 G00 X1.\nM98 H100\nM30\nN100 M99\n%\n", "syntec")):
-            declined = 1 if "@macro" in text.lower() or "P9995" in text else 0
+            declined = 1 if "@macro" in text.lower() or "P9995" in text or dialect == "okuma" else 0
             done = self.run_it("run", self.write("guess.nc", text), "--emit", "none", status=declined)
             self.assertIn(f"note: dialect {dialect} ", done.stderr)
 
