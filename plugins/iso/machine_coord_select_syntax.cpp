@@ -32,14 +32,15 @@ struct MachineCoordSelect {
     if (!b.take(g53_)) return ig::Status::unchanged;
     ig_value unused[3];
     const bool turns = b.get_many(rotary_.data(), 3, unused) != 0;  // McAbcSyntax takes them
-    if (distance_.is_incremental(b) && (under_g91_ == UnderG91::ignored || turns)) {
-      b.report(diag("ISO-0330"), ig::Where::word(g53_.id(0)));
-      b.raise(axis_words_void_);
-      return ig::Status::changed;
-    }
-    const ig::PartialVec3 named = b.take(words_);
+    const bool incremental = distance_.is_incremental(b) && (under_g91_ == UnderG91::ignored || turns);
+    const ig::PartialVec3 named = incremental ? b.get(words_) : b.take(words_);
     if (named.mask == 0 && !turns) {
       b.report(diag("ISO-0331"), ig::Where::word(g53_.id(0)));
+      return ig::Status::changed;
+    }
+    if (incremental) {
+      b.report(diag("ISO-0330"), ig::Where::word(g53_.id(0)));
+      b.raise(axis_words_void_);
       return ig::Status::changed;
     }
     const ig::PartialVec3 carried = b.get(machine_);
