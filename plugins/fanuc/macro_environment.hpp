@@ -320,7 +320,7 @@ class MacroEnvironment : public MacroFrame {
 
   Fault position(const ig::Block& b, std::uint32_t group, std::uint32_t index, double& out) const {
     const std::size_t axis = axis_of(b, index);
-    if (axis == no_axis) return Fault::unknown_variable;
+    if (axis == no_axis) return index < 6 && axis_of(b, 3) == no_axis ? Fault::not_known_here : Fault::unknown_variable;
     if (axis > 2) {
       const double angle = b.get_or(rotary_[axis - 3], 0.0);
       out = group == tool_length ? 0 : group == machine ? angle : angle - b.get_or(rotary_offset_[axis - 3], 0.0);
