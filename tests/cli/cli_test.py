@@ -118,6 +118,7 @@ class Run(Command):
     def test_relatives_of_fanuc_are_told_apart(self):
         for text, dialect in (("%\nO1234 (PART)\nG21 G00 X1.\nM30\n%\n", "fanuc"),
                               ("%\nO12345\nG21 G00 G54.1 P1 X1.\nM30\n%\n", "fanuc"),
+                              ("%\n<POCKET>(PROBE)\nG21 G00 X1.\nM30\n%\n", "fanuc"),
                               ("%\nO0012 (FOR THE HAAS)\nG21 G00 X1.\nM30\n%\n", "haas"),
                               ("%\nO01234\nG21 G00 X1.\nM30\n%\n", "haas"),
                               ("%\nO1234\nG21 G00 G154 P2 X1.\nM30\n%\n", "haas"),
