@@ -83,6 +83,15 @@ struct KlartextLabel {
     b.report(hei("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, of);
   }
 
+  /// REP 3/3: the control shows how many repeats are left, and writes it into listings.
+  static std::size_t behind_count_left(std::string_view text, std::size_t end) {
+    const std::size_t slash = skip(text, end);
+    if (at(text, slash) != '/') return end;
+    const std::size_t digits = skip(text, slash + 1);
+    const std::size_t behind = iso::skip_while(text, digits, [](char c) { return c >= '0' && c <= '9'; });
+    return behind == digits ? end : behind;
+  }
+
   void call(ig::Block& b, std::string_view text, std::size_t i) {
     std::size_t end = i;
     std::string name = called_name(b, text, i, end);
@@ -97,7 +106,7 @@ struct KlartextLabel {
     } else if (rep < text.size()) {
       const Value times = values_.read(b, text, skip(text, behind_rep));
       if (times.ok) {
-        say_rest(b, text, times.end, "CALL LBL");
+        say_rest(b, text, behind_count_left(text, times.end), "CALL LBL");
         return repeat(b, name, where, times.number);
       }
       if (skip(text, behind_rep) < text.size()) say_rest(b, text, behind_rep, "CALL LBL");
