@@ -153,7 +153,7 @@ struct KlartextPlane {
       const ig_word w{field, iso::column(begin), iso::column(i), ig_value{}, 0, 0};
       b.host()->set_words(b.raw(), &w, 1);
     };
-    word(starts ? tip_.code(0) : length_.code(0));
+    if (starts || b.is(length_term_, g43_4_)) word(starts ? tip_.code(0) : length_.code(0));
     const std::size_t after = i;
     for (const std::string_view words : {"F TCP", "F CONT", "AXIS POS", "PATHCTRL AXIS", "REFPNT TIP-TIP"})
       if (const std::size_t next = skip(text, i), behind = keyword(text, next, words); behind != next) i = behind;

@@ -100,7 +100,9 @@ class MFunctions {
         const std::size_t feed = skip(text, end);  // M128 F: how fast the machine may follow
         return to_upper(at(text, feed)) == 'F' ? word_end(text, feed) : end;
       }
-      case 129: flag(b, length_.code(0), begin, end); return end;
+      case 129:  // without M128 in front the length stays as TOOL CALL has left it
+        if (b.is(length_term_, led_)) flag(b, length_.code(0), begin, end);
+        return end;
       case 136:
         b.raise(per_revolution_);
         flag(b, feed_modes_.id(1), begin, end);
@@ -184,6 +186,8 @@ class MFunctions {
   ig::Codes feed_modes_{{"G94", "G95"}, ig::write};
   ig::Call tcp_{{"G43.4"}, "", ig::write};
   ig::Call length_{{"G43"}, "", ig::write};
+  ig::Previous<ig::Symbol> length_term_{"ToolHeightCompensation.Term"};
+  ig::Name led_{"G43.4"};
   ig::Out<bool> call_{"KlartextCycle.IsCalled",
                       {ig::Life::block, "", "The block calls the cycle: CYCL CALL, M99 or M89."}};
   ig::Out<bool> modal_call_{"KlartextCycle.IsModal",
