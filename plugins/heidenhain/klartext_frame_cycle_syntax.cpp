@@ -10,7 +10,7 @@ struct KlartextFrameCycle {
   static constexpr auto spec = ig::syntax("KlartextFrameCycleSyntax", "Cycles that act where they are defined.")
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax", "KlartextCycleSyntax")
                                    .before("HeidenhainCoordinateOffsetSyntax", "KlartextDrillingCycleSyntax")
-                                   .scans("CTct");
+                                   .scans("CFTcft");
 
   CycleText text_;
   HolePattern pattern_{ig::write};
@@ -32,9 +32,20 @@ struct KlartextFrameCycle {
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (!stands_first(text, position)) return position;
     const std::size_t definition = keyword(text, position, "CYCL DEF"), datum = keyword(text, position, "TRANS DATUM");
-    if (definition == position && datum == position) return position;
+    const std::size_t pause = keyword(text, position, "FUNCTION DWELL TIME");
+    if (definition == position && datum == position && pause == position) return position;
     const std::size_t end = statement_end(text, position);
     text = text.substr(0, end);
+    if (pause != position) {
+      if (text_.values().is_indexing()) return end;
+      const Value seconds = text_.values().read(b, text, skip(text, pause));
+      dwell(b, seconds, position, end, "FUNCTION DWELL");
+      const std::size_t rest = seconds.ok ? skip(text, seconds.end) : end;
+      if (rest < end)
+        b.report(hei("HEI-0105"), ig::Where::columns(rest, end), trim(text.substr(rest)),
+                 std::string_view("FUNCTION DWELL TIME"));
+      return end;
+    }
     if (datum != position) {
       if (!text_.values().is_indexing()) trans_datum(b, text, position, datum);
       return end;
@@ -100,7 +111,7 @@ struct KlartextFrameCycle {
         if (part > 0) mirror(b, text, number.end, where, part == 1);
         return;
       case 9:
-        if (part > 0) dwell(b, text, number.end);
+        if (part > 0) dwell(b, text_.number_behind(b, text, number.end), number.end, text.size(), "CYCL DEF 9");
         return;
       case 10:
         if (part > 0) rotate(b, text, number.end, where);
@@ -177,13 +188,11 @@ struct KlartextFrameCycle {
     }
   }
 
-  void dwell(ig::Block& b, std::string_view text, std::size_t i) const {
-    const Value v = text_.number_behind(b, text, i);
-    if (!v.ok || v.number < 0)
-      b.report(hei("HEI-0104"), ig::Where::columns(i, std::max(i + 1, text.size())), std::string_view("CYCL DEF 9"),
-               std::string_view("the time"));
+  void dwell(ig::Block& b, const Value& seconds, std::size_t begin, std::size_t end, std::string_view of) const {
+    if (!seconds.ok || seconds.number < 0)
+      b.report(hei("HEI-0104"), ig::Where::columns(begin, std::max(begin + 1, end)), of, std::string_view("the time"));
     else
-      b.set(dwell_, v.number);
+      b.set(dwell_, seconds.number);
   }
 
   int mirrored_axes_in_plane(const ig::Block& b) const {
