@@ -229,7 +229,7 @@ struct KlartextPath {
   }
 
   static void unknown(ig::Block& b, std::string_view text, std::size_t i, const Path& path) {
-    const std::string_view rest = rest_of_line(text, i);
+    const std::string_view line = rest_of_line(text, i), rest = trim(line.substr(0, statement_end(line, 0)));
     b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, path.name);
   }
 
