@@ -31,6 +31,7 @@ class Run {
         flow_(linked, source, name, options, sink_),
         length_(static_cast<std::uint32_t>(linked.chain.size())),
         stop_(linked.layout.id("ProgramStop.Term")),
+        end_(linked.layout.id("Source.~End")),
         window_(linked) {
     chain_.flow = &flow_;
   }
@@ -48,11 +49,12 @@ class Run {
       if (next_line(line))
         run_line(line);
       else if (!flow_.leave_at_end(chain_.document()))
-        break;
+        over_ = text_ended_ = true;
       over_ = over_ || flow_.is_over() || (is_line_done_ && window_.is_empty());
     }
     flush_window();
-    if (program_ended_) say_what_follows();
+    if (text_ended_) run_end();
+    if (program_ended_ || text_ended_) say_what_follows();
     return finish();
   }
 
@@ -61,6 +63,7 @@ class Run {
     Cursor& cursor = flow_.cursor();
     if (!cursor.next(line)) return false;
     ++result_.lines;
+    last_line_ = line.number + line.lines - 1;
     if (line.number == 1 && cursor.is_utf16()) {
       sink_.add(host_diagnostic("IG-0413", {flow_.file_name(), 1, 1}, {}));
       return false;
@@ -144,9 +147,10 @@ class Run {
     if (chain_.alarmed && !waits) answer_alarm(d);
     if (chain_.alarmed && options_.stop_on_error) over_ = true;
     if (chain_.ends_program || chain_.ends_file) {
-      // The text of a called program may end, the program as a whole does not.
-      over_ = over_ || chain_.ends_program || !(flow_.has_request() || flow_.request_end(d));
       program_ended_ = chain_.ends_program && !chain_.ends_file;
+      // The text of a called program may end, the program as a whole does not.
+      text_ended_ = !over_ && !chain_.ends_program && !flow_.has_request() && !flow_.request_end(d);
+      over_ = over_ || chain_.ends_program || text_ended_;
     }
     if (options_.maximum_blocks != 0 && result_.blocks >= options_.maximum_blocks && !over_) {
       over_ = true;
@@ -220,6 +224,15 @@ class Run {
     sink_.pass_on();
   }
 
+  /// The main program's text ended and no block ended the program: its syntaxes may say what they think of that. This
+  /// is no block of the program and reaches no exporter.
+  void run_end() {
+    if (end_ == IG_NO_FIELD || result_.blocks == 0 || result_.output_closed) return;
+    chain_.begin_block({flow_.file_name(), last_line_, 0, {}, false});
+    chain_.document().set(end_, {.integer = 1});
+    chain_.run(chain_.document(), 0, linked_.post_logic_begin);
+  }
+
   /// Text behind the end of the program that no call or jump reached is said once.
   void say_what_follows() {
     if (const auto first = flow_.first_not_run())
@@ -244,9 +257,10 @@ class Run {
   RunResult result_;
   std::uint64_t passes_ = 0;
   bool is_line_done_ = false;
-  ig_field stop_;
+  ig_field stop_, end_;
+  std::uint32_t last_line_ = 0;
   LookAheadWindow window_;
-  bool over_ = false, program_ended_ = false, said_wide_ = false;
+  bool over_ = false, program_ended_ = false, text_ended_ = false, said_wide_ = false;
 };
 
 }  // namespace

@@ -31,6 +31,10 @@ std::size_t scan(void* self, const ig_host* host, ig_block* block, const char* t
     host->report(block, 0, IG_NO_FIELD, 0, 0, nullptr, 0);
     return position + 1;
   }
+  if (text[position] == '.' || text[position] == '%') {
+    host->flow(block, text[position] == '.' ? IG_FLOW_END : IG_FLOW_END_FILE, 0);
+    return position + 1;
+  }
   if (position + 1 >= size) return position;
   host->set(block, static_cast<Ids*>(self)->first, {.number = static_cast<double>(text[position + 1] - '0')});
   return position + 2;
@@ -54,12 +58,17 @@ ig_status add_next(void* self, const ig_host* host, ig_block* block) {
   return IG_CHANGED;
 }
 
+ig_status miss_end(void*, const ig_host* host, ig_block* block) {
+  host->report(block, 2, IG_NO_FIELD, 0, 0, nullptr, 0);
+  return IG_UNCHANGED;
+}
+
 struct Fixture {
-  Fixture() : library({}) {
+  explicit Fixture(bool misses_end = false) : library({}) {
     auto& reader = plugin.syntax("Reader");
     reader.fields = {test::field("Test.X", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK),
                      test::field("Test.Unused", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK)};
-    reader.out.triggers = "X;!";
+    reader.out.triggers = "X;!.%";
     reader.out.scan = scan;
     reader.out.build = nullptr;
     auto& sum = plugin.syntax("Sum");
@@ -72,13 +81,18 @@ struct Fixture {
       s->out.destroy = destroy;
     }
     plugin.diagnostics = {{sizeof(ig_diagnostic_decl), IG_NOTE, "T-0001", "read", "", ""},
-                          {sizeof(ig_diagnostic_decl), IG_ERROR, "T-0002", "seven", "", ""}};
+                          {sizeof(ig_diagnostic_decl), IG_ERROR, "T-0002", "seven", "", ""},
+                          {sizeof(ig_diagnostic_decl), IG_WARNING, "T-0003", "no end", "", ""}};
+    auto& end = plugin.syntax("End");
+    end.fields = {test::field("Source.~End", IG_READ | IG_WAKE, IG_SWITCH, IG_LIFE_BLOCK)};
+    end.out.build = miss_end;
     library.add(plugin.get());
     Dialect dialect;
     dialect.name = "test";
     dialect.plugins = {{plugin.get()->name, {}}};
     dialect.chain = {{Stage::parsing, "Reader", "Reader", {}, false, {}},
                      {Stage::post_logic, "Sum", "Sum", {}, false, {}}};
+    if (misses_end) dialect.chain.insert(dialect.chain.end() - 1, {Stage::logic, "End", "End", {}, false, {}});
     linked = link(dialect, library, diagnostics);
     diagnostics.all.clear();  // notes of fields that nothing reads
   }
@@ -147,6 +161,29 @@ TEST_CASE("diagnostics keep the order of the blocks, whatever stage says them") 
   run(*f.linked, *source, "t", {}, {&out}, f.diagnostics);
   CHECK(said(f.diagnostics) ==
         Strings{"1 T-0001", "2 T-0001", "2 T-0002", "2 IG-0408", "3 T-0001", "4 T-0001", "5 T-0001", "6 T-0001"});
+}
+
+TEST_CASE("a text that ends before its program does wakes who wants to know, behind all blocks and once") {
+  Fixture f(true);
+  REQUIRE(f.linked != nullptr);
+  const auto run_text = [&f](std::string_view text, std::uint64_t maximum_blocks = 0) {
+    Collector out;
+    RunOptions options;
+    options.maximum_blocks = maximum_blocks;
+    f.diagnostics.all.clear();
+    run(*f.linked, *memory_source(text), "t", options, {&out}, f.diagnostics);
+    return out.blocks;
+  };
+  CHECK(run_text("X1\n!\n\n") == Strings{"1:1+0", "2:"});
+  CHECK(said(f.diagnostics) == Strings{"2 T-0001", "3 T-0003"});
+  run_text("X1\n%\n!");
+  CHECK(said(f.diagnostics) == Strings{"2 T-0003", "3 IG-0414"});
+  run_text("X1\n.\n");
+  CHECK(said(f.diagnostics).empty());
+  run_text("X1\nX2\nX3", 2);
+  CHECK(said(f.diagnostics) == Strings{"2 IG-0407"});
+  CHECK(run_text("\n\n").empty());
+  CHECK(said(f.diagnostics).empty());
 }
 
 TEST_CASE("an alarm behind the window stops the run there: what was read ahead is not executed") {

@@ -20,6 +20,7 @@ std::vector<FieldInfo> make_fields() {
       field("Source.N", integer, block, "", "Sequence number."),
       field("Source.Program", text, block, "", "Program number or name that begins here."),
       field("Source.Iteration", integer, block, "", "Pass of a loop or repeat, from 1."),
+      field("Source.~End", IG_SWITCH, block, "", "Raised once, behind the last line of a program that no block ended."),
       field("Comment.Symbol", name, block, "", "What opened the comment."),
       field("Comment.Text", text, block, "", "The comment without its brackets."),
       field("BlockSkip.Symbol", name, block, "", "The skip character."),

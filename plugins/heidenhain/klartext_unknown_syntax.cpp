@@ -23,6 +23,7 @@ struct KlartextUnknown {
     if (is_din(text, position)) {
       b.report(hei("HEI-0102"), where);
       b.flow(IG_FLOW_END_FILE);
+      if (values_.flow().frame(b).depth == 0) b.end_program();
       return text.size();
     }
     for (const Known& known : statements)

@@ -1,6 +1,6 @@
 /// M02/M30: the program ends after this block. An M99 that nobody answered as a return stands in the main program,
 /// where the control would start again: the run ends there too, and says so. Some controls return from a called program
-/// at its M30. A main program that runs into the mark at the end of its file stops the control with an alarm.
+/// at its M30. A main program that runs into the end of its file stops the control with an alarm.
 #include <isogloss/flow.hpp>
 
 #include "leftovers.hpp"
@@ -23,12 +23,12 @@ struct ProgramEnd {
   ig::Choice<InSubprogram> in_subprogram_{"in-subprogram", "end|return", "end",
                                           "M02 and M30 of a called program: end of the run, or back to the caller."};
   ig::Choice<MissingEnd> missing_end_{"missing-end", "silent|warning", "silent",
-                                      "Is a main program said that reaches the % at the end of its file?"};
-  ig::Signal tape_ended_{"TapeBoundary.~Ended", ig::read | ig::wake};
+                                      "Is a main program said whose file ends before it does?"};
+  ig::Signal text_ended_{"Source.~End", ig::read | ig::wake};
   ig::Flow flow_;
 
   ig::Status build(ig::Block& b) {
-    if (b.is_raised(tape_ended_) && missing_end_ == MissingEnd::warning && flow_.frame(b).depth == 0)
+    if (b.is_raised(text_ended_) && missing_end_ == MissingEnd::warning)
       b.report(subprogram_diag("ISO-0495"), ig::Where::block());
     const auto end = take_modal(b, end_);
     if (end && in_subprogram_ == InSubprogram::return_to_caller && flow_.frame(b).depth > 0) {

@@ -18,6 +18,7 @@ struct ProgramNumberSyntax {
 
   ig::TextField program{"Source.Program", ig::write};
   ig::Signal begun{"Source.~Program", ig::read | ig::write, ig::Life::frame};
+  ig::Signal number_before{"Source.~NumberBefore", ig::write, ig::Life::frame};
   ig::Signal parameters{"ProgrammableDataInput.~Parameters", ig::read | ig::write, ig::Life::modal};
   ig::Flow flow;
   std::string name;
@@ -36,6 +37,7 @@ struct ProgramNumberSyntax {
       return block_end(text, end);
     }
     b.raise(begun);
+    b.raise(number_before);
     return end;
   }
 

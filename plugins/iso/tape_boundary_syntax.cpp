@@ -1,5 +1,6 @@
 // % marks the start and the end of the program on the tape. What stands between the first % and the end of its line is
-// leader and skipped; nothing after the second % is program. Ctrl-Z ends a file as the second % does. A file without
+// leader and skipped; nothing after the second % is program. A % right behind the program number is the first one: some
+// write the number above it. Ctrl-Z ends a file as the second % does. A file without
 // marks is a program all the same, and so is one that holds the last mark only.
 #include "diagnostics.hpp"
 #include "scan_util.hpp"
@@ -14,16 +15,16 @@ struct TapeBoundarySyntax {
   ig::TextField text_{"TapeBoundary.Text", ig::write};
   ig::Signal started{"TapeBoundary.~Started", ig::read | ig::write, ig::Life::frame};
   ig::Signal program{"Source.~Program", ig::read, ig::Life::frame};
-  ig::Signal ended{"TapeBoundary.~Ended", ig::write};
+  ig::Signal number_before{"Source.~NumberBefore", ig::read | ig::write | ig::wake_while, ig::Life::frame};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     const std::size_t end = block_end(text, position);
     const std::size_t mark_end = skip_while(text, position, [](char c) { return c == '%'; });
-    if (text[position] != '%' || b.is_raised(started) || b.is_raised(program)) {
+    const bool has_begun = b.is_raised(program) && !b.is_raised(number_before);
+    if (text[position] != '%' || b.is_raised(started) || has_begun) {
       const std::size_t behind = std::max(mark_end, position + 1);
       b.set_text(text_, text[position] == '%' ? piece(text, position, behind) : "^Z");
       skipped(b, text, behind, end);
-      b.raise(ended);
       b.flow(IG_FLOW_END_FILE);
       return end;
     }
@@ -32,6 +33,11 @@ struct TapeBoundarySyntax {
     if (program_follows(text, mark_end)) return mark_end;
     skipped(b, text, mark_end, end);
     return end;
+  }
+
+  ig::Status build(ig::Block& b) {
+    b.erase(number_before);
+    return ig::Status::changed;
   }
 
  private:

@@ -25,9 +25,12 @@ struct SyntecFileHead {
     return text[position] == '%' ? macro_mark(b, text, position) : axis_group(b, text, position);
   }
 
-  /// A program that was called is left where it is declined.
+  /// A program that was called is left where it is declined; any other ends there.
   ig::Status build(ig::Block& b) const {
-    if (flow_.frame(b).depth > 0) flow_.leave(b);
+    if (flow_.frame(b).depth > 0)
+      flow_.leave(b);
+    else
+      b.end_program();
     return ig::Status::unchanged;
   }
 
