@@ -450,6 +450,15 @@ inline constexpr std::array diagnostics{
         "In files for this control ; shows where a block ends, and what follows is the next block. Plain text "
         "is none, and the control would stop with an alarm. Write remarks in parentheses. Said once a run.",
         "N1 G21 ; mm mode"),
+    ig::diagnostic(
+        IG_WARNING, "ISO-0511", "G04 without a time: F of this block is the feed, no time passes",
+        "The time of G04 stands in X, U or P here; other controls read it from F. G04 alone is an exact stop.",
+        "G04 F2."),
+    ig::diagnostic(
+        IG_NOTE, "ISO-0512", "H{0} without G43 or G44: the number is kept, no tool length is in force",
+        "The length of row H counts from the next G43 or G44 on. Until then the tool goes as deep as if it had "
+        "no length.",
+        "G00 Z50. H1"),
 };
 
 consteval std::uint32_t diag(std::string_view code) { return index_of(diagnostics, code, 0); }

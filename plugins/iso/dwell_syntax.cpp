@@ -12,6 +12,7 @@ struct Dwell {
 
   ig::Call g04_{{"G04"}, "X[s] U[s] P[]"};
   ig::Out<double> time_{"Dwell.Time"};
+  ig::In<double> feed_{"Feedrate.FeedrateValue"};
   ig::Choice<TimeUnit> p_unit_{"p-unit", "s|ms|by-point", "s",
                                "What P counts: seconds, milliseconds, or milliseconds only where it has no point."};
 
@@ -27,6 +28,8 @@ struct Dwell {
       b.report(diag("ISO-0215"), ig::Where::word(g04_.code(0)), seconds);
     } else if (x || u || p) {
       b.set(time_, seconds);
+    } else if (b.is_fresh(feed_)) {
+      b.report(diag("ISO-0511"), ig::Where::word(g04_.code(0)));
     }
     return ig::Status::changed;
   }

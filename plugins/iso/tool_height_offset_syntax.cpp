@@ -66,6 +66,7 @@ struct ToolHeightOffset {
                        : h  ? ig::Where::word(h_.id())
                             : ig::Where::block();
     if (h) set_offset_id(b, *h, where);
+    if (h && !call && *h > 0 && !is_active(b) && b.has(offset_id_)) b.report(diag("ISO-0512"), where, *h);
     const double before = b.get_or(offset_, 0.0);
 
     if (call && call->code == g49_) {
