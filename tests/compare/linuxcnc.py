@@ -4,7 +4,7 @@
   linuxcnc.py --isogloss PATH [--programs N] [--seed S] [--cycles G81,G82] [--keep DIR] [FILE.nc...]
 
 Programs are the ones that stand beside this script (or FILE), and N random ones in the language that both controls
-share (plain.py). What they are known to part in stands in tests/differences.md: `translated` writes it in LinuxCNC's
+share (plain.py), and as many with macros (macro.py). What they are known to part in stands in tests/differences.md: `translated` writes it in LinuxCNC's
 way where there is one. Lengths must agree to 1e-4 mm, in inches to half of rs274's last decimal. Exit status 77
 where rs274 is not installed.
 """
@@ -19,6 +19,7 @@ import sys
 import tempfile
 
 import canon
+import macro
 import moves
 import plain
 
@@ -51,7 +52,7 @@ class Comparison:
         (folder / "tools.xml").write_text(f"<ToolOffsetTable>\n{rows}</ToolOffsetTable>\n")
 
     def theirs(self, text):
-        (self.folder / "in.ngc").write_text(translated(text))
+        (self.folder / "in.ngc").write_text(text)
         (self.folder / "fresh.var").write_text("")
         (self.folder / "out.canon").unlink(missing_ok=True)
         run = subprocess.run(["rs274", "-t", "tool.tbl", "-v", "fresh.var", "-g", "in.ngc", "out.canon"],
@@ -74,10 +75,10 @@ class Comparison:
             raise RuntimeError(f"isogloss ends with {run.returncode}: {run.stderr[:600]}")
         return list(moves.without_zero_moves(moves.from_csv(run.stdout)))
 
-    def compare(self, text):
+    def compare(self, text, translation):
         """(moves compared, report of the first difference or None)"""
         try:
-            ours, theirs = self.ours(text), self.theirs(text)
+            ours, theirs = self.ours(text), self.theirs(translation)
         except RuntimeError as error:
             return 0, str(error)
         source = text.splitlines()
@@ -104,15 +105,17 @@ def main():
         return SKIPPED
 
     files = options.files or sorted(HERE.glob("*.nc"))
-    programs = [(f.name, f.read_text()) for f in files]
+    programs = [(f.name, text, translated(text)) for f in files for text in [f.read_text()]]
     if not options.files:
-        programs += [(f"seed {s}", plain.program(s, options.cycles.split(",")))
-                     for s in range(options.seed, options.seed + options.programs)]
+        seeds = range(options.seed, options.seed + options.programs)
+        programs += [(f"seed {s}", text, translated(text))
+                     for s in seeds for text in [plain.program(s, options.cycles.split(","))]]
+        programs += [(f"macro seed {s}", *macro.program(s)) for s in seeds]
     compared = differing = 0
     with tempfile.TemporaryDirectory(prefix="isogloss-compare-") as name:
         comparison = Comparison(options.isogloss.resolve(), pathlib.Path(name), CLEARANCE)
-        for title, text in programs:
-            count, report = comparison.compare(text)
+        for title, text, translation in programs:
+            count, report = comparison.compare(text, translation)
             compared += count
             if report:
                 differing += 1
@@ -120,6 +123,7 @@ def main():
                 if options.keep:
                     options.keep.mkdir(parents=True, exist_ok=True)
                     (options.keep / f"{title.replace(' ', '')}.nc").write_text(text)
+                    (options.keep / f"{title.replace(' ', '')}.ngc").write_text(translation)
     print(f"{len(programs)} programs, {compared} moves equal, {differing} programs differ")
     return 1 if differing else 0
 
