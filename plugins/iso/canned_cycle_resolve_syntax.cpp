@@ -34,7 +34,7 @@ class RootWords {
 };
 
 enum class InitialLevel { previous, cycle_entry };
-enum class MissingAxis { last_position, error };
+enum class MissingAxis { last_position, error, error_without_depth };
 enum class RepeatWord { k_or_l, l };
 enum class BareP { as_written, milliseconds };
 enum class ZeroRepeats { keep_data, position };
@@ -91,8 +91,9 @@ struct CannedCycleResolve {
   ig::Choice<InitialLevel> level_rule_{
       "initial-level", "previous|cycle-entry", "previous",
       "Where G98 returns to and G91 measures R from: the tool before the block, or where the cycle mode was entered."};
-  ig::Choice<MissingAxis> missing_{"missing-axis", "last-position|error", "last-position",
-                                   "What a first block without Z or R does."};
+  ig::Choice<MissingAxis> missing_{"missing-axis", "last-position|error|error-without-depth", "last-position",
+                                   "What a first block without Z or R does: take the tool's position; drill nothing; "
+                                   "or take the tool's level for R and drill nothing without Z."};
   ig::IntegerOption max_repeats_{
       "max-repeats", "10000", {1, most_repeats}, "Holes that one block may drill by K or L."};
   ig::Choice<RepeatWord> repeat_word_{
@@ -293,10 +294,11 @@ struct CannedCycleResolve {
     const CycleLevels kept{b.get(r_), old.has(plane.tool) ? std::optional(old.value[plane.tool]) : std::nullopt};
     CycleLevels levels = resolve_levels({in[Address::R], in[plane.tool]}, kept, level, incremental);
     const bool complete = levels.r && levels.bottom;
+    const bool fills = takes_position(levels.bottom || (incremental && in.has(plane.tool)));
     const int count = repeats(b, now, in);
     if (count > 1 && incremental) keep_turns(b, count);
     if (!complete && count > 0)
-      levels = fill(b, row, "XYZ"[plane.tool], levels, start[plane.tool], in[plane.tool], incremental);
+      levels = fill(b, row, "XYZ"[plane.tool], levels, start[plane.tool], in[plane.tool], incremental, fills);
 
     ig::Vec3 hole = start, step;
     for (const std::size_t axis : {plane.first, plane.second}) {
@@ -305,7 +307,7 @@ struct CannedCycleResolve {
       step[axis] = incremental ? word : 0;
     }
     if (count > 1) step = b.get(pattern_).or_else(step);
-    const bool drills = count > 0 && (complete || missing_ == MissingAxis::last_position);
+    const bool drills = count > 0 && (complete || fills);
 
     store(b, now, in, plane, hole, levels, level, drills);
     if (drills)
@@ -323,13 +325,19 @@ struct CannedCycleResolve {
     b.set(program_, hole);
   }
 
+  /// Whether the tool's position stands for what the first block leaves out.
+  bool takes_position(bool has_depth) const {
+    return missing_ == MissingAxis::last_position || (missing_ == MissingAxis::error_without_depth && has_depth);
+  }
+
   /// A first block without Z or R.
   CycleLevels fill(ig::Block& b, std::size_t row, char tool_axis, CycleLevels levels, double position,
-                   std::optional<double> depth, bool incremental) const {
-    const char missing = levels.r ? tool_axis : 'R';
-    const std::uint32_t what = missing_ == MissingAxis::error ? diag("ISO-0311") : diag("ISO-0312");
+                   std::optional<double> depth, bool incremental, bool fills) const {
+    const bool lacks_depth = missing_ == MissingAxis::error_without_depth && !fills;
+    const char missing = levels.r || lacks_depth ? tool_axis : 'R';
+    const std::uint32_t what = fills ? diag("ISO-0312") : diag("ISO-0311");
     b.report(what, ig::Where::word(call_.code(row)), b.text(call_.name(row)), std::string_view(&missing, 1));
-    if (missing_ == MissingAxis::error) return levels;
+    if (!fills) return levels;
     if (!levels.r) levels.r = position;
     if (!levels.bottom) levels.bottom = incremental && depth ? *levels.r + *depth : position;
     return levels;
