@@ -53,6 +53,15 @@ inline constexpr std::array brand_diagnostics{
         "G255 ends G254 before the rotary axes turn, and G254 comes again when they stand. The work offset is "
         "that of the angles at which G254 came.",
         "G254 (then) G00 B45."),
+    ig::diagnostic(
+        IG_ERROR, "FAN-0210",
+        "G54.2 P{0} is not executed: its fixture offset is not known here, and positions do not follow the rotary "
+        "table",
+        "The control adds a fixture offset, and turns it with the table. Up to G54.2 P0 positions lack that offset; it "
+        "is 0 where the workpiece is set on the centre of the table.",
+        "G54.2 P1"),
+    ig::diagnostic(IG_ERROR, "FAN-0211", "G54.2 without P: no fixture offset is chosen",
+                   "P0 cancels the fixture offset, P1 to P8 choose one.", "G54.2"),
 };
 
 consteval std::uint32_t brand_diag(std::string_view code) {

@@ -19,7 +19,6 @@ struct MazakCode {
                                   {ig::Call{{"G71.1", "G72.1", "G75", "G78", "G79", "G82.2", "G84.2", "G84.3"},
                                             "X Y Z R I J K L[] P[] Q D[] B E[mm/min]"},
                                    "the cycle is missing, and blocks after it only move"},
-                                  {ig::Call{{"G54.2"}, "P[]"}, "positions do not follow the rotary table"},
                               }};
 
   ig::Word d_{"Parsing.D", ig::take | ig::wake, ""};
