@@ -36,6 +36,10 @@ struct WordSyntax {
   ig::Choice<Expressions> expressions{"expressions", "leave|pass", "leave",
                                       "A word whose value is an expression: left over as it is, or passed on to the "
                                       "scanners behind this one."};
+  enum class SecondT { counts, next };
+  ig::Choice<SecondT> second_t{"second-t", "counts|next", "counts",
+                               "A second T in a block: it counts instead of the first, or it is the next tool."};
+  ig::Field<double> next_tool{"Parsing.NextTool", ig::write};
   ig::Signal without_point{"Parsing.~WithoutPoint", ig::write};
   ig::Signal fine_digits{"Parsing.~FineDigits", ig::write};
   ig::Signal cuts_digits{"Parsing.~CutsDigits", ig::read, ig::Life::modal};
@@ -61,9 +65,10 @@ struct WordSyntax {
 
   /// Words that follow each other, until one host call takes them.
   struct Run {
-    std::array<ig_word, 26> words;
+    std::array<ig_word, 27> words;  // each letter, and the next tool
     std::uint32_t count = 0;
     std::uint32_t letters = 0;
+    bool has_next_tool = false;
     bool without_point = false;
     std::ptrdiff_t most_decimals = 0;
   };
@@ -109,10 +114,17 @@ struct WordSyntax {
       return d.end;
     }
     std::uint32_t place = run.count;
+    ig_field field = address.field;
     if ((run.letters >> letter & 1u) != 0) [[unlikely]] {
-      place = 0;
-      while (run.words[place].field != address.field) ++place;
-      twice(b, address.field, begin, d.end);
+      if (is_next_tool(letter, run)) {
+        field = next_tool.id();
+        run.has_next_tool = true;
+        ++run.count;
+      } else {
+        place = 0;
+        while (run.words[place].field != field) ++place;
+        twice(b, field, begin, d.end);
+      }
     } else {
       ++run.count;
     }
@@ -120,7 +132,7 @@ struct WordSyntax {
     const bool bare = !d.has_point && address.may_lack_point && d.value != 0;
     run.without_point |= bare && address.counts_increments;
     run.most_decimals = std::max(run.most_decimals, d.decimals);
-    run.words[place] = {.field = address.field,
+    run.words[place] = {.field = field,
                         .begin = column(begin),
                         .end = column(d.end),
                         .value = {.number = d.value + 0.0},  // -0 becomes 0
@@ -129,11 +141,21 @@ struct WordSyntax {
     return d.end;
   }
 
-  void set(ig::Block& b, const Run& run, bool has_more_before) const {
+  bool is_next_tool(unsigned letter, const Run& run) const {
+    return second_t == SecondT::next && letter == letter_index('T') && !run.has_next_tool;
+  }
+
+  void set(ig::Block& b, Run& run, bool has_more_before) const {
     if (run.count == 0) return;
     for (std::uint32_t i = 0; has_more_before && i < run.count; ++i) {
-      const ig_word& w = run.words[i];
-      if (b.has(w.field)) twice(b, w.field, w.begin, w.end);
+      ig_word& w = run.words[i];
+      if (!b.has(w.field)) continue;
+      if (w.field == table[letter_index('T')].field && is_next_tool(letter_index('T'), run)) {
+        w.field = next_tool.id();
+        run.has_next_tool = true;
+      } else {
+        twice(b, w.field, w.begin, w.end);
+      }
     }
     b.host()->set_words(b.raw(), run.words.data(), run.count);
     if (run.without_point) b.raise(without_point);
