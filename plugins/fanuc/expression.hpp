@@ -91,6 +91,7 @@ enum class Function : std::uint8_t {
   exp,
   pow,
   adp,
+  prm,
   none
 };
 
@@ -105,7 +106,7 @@ inline constexpr std::array functions{
     FunctionName{"ABS", Function::abs},   FunctionName{"BIN", Function::bin},     FunctionName{"BCD", Function::bcd},
     FunctionName{"RND", Function::round}, FunctionName{"ROUND", Function::round}, FunctionName{"FIX", Function::fix},
     FunctionName{"FUP", Function::fup},   FunctionName{"LN", Function::ln},       FunctionName{"EXP", Function::exp},
-    FunctionName{"POW", Function::pow},   FunctionName{"ADP", Function::adp}};
+    FunctionName{"POW", Function::pow},   FunctionName{"ADP", Function::adp},     FunctionName{"PRM", Function::prm}};
 
 constexpr bool equals(std::string_view text, std::string_view capitals) {
   if (text.size() != capitals.size()) return false;
@@ -464,7 +465,7 @@ class ExpressionReader {
     if (!open() || !comparison(first) || !as_number(first, opened)) return false;
     skip_spaces();
     bool has_second = false;
-    if (peek() == ',' && (which == Function::atan || which == Function::pow)) {
+    if (peek() == ',' && (which == Function::atan || which == Function::pow || which == Function::prm)) {
       ++position_;
       has_second = true;
       const std::size_t second_begin = position_;
@@ -472,6 +473,7 @@ class ExpressionReader {
     }
     if (!close(opened)) return false;
     if (which == Function::pow && !has_second) return fail(Fault::no_operand, end_ - 1, end_);
+    if (which == Function::prm) return parameter(first, has_second ? &second : nullptr, out, begin);
     if (which == Function::atan && !has_second && is_second_bracket_next()) {
       skip_spaces();
       ++position_;
@@ -482,6 +484,35 @@ class ExpressionReader {
     }
     if (has_second && which == Function::atan) return arc_tangent(first.number, second.number, out, begin);
     return apply(which, first.number, second.number, out, begin);
+  }
+
+  /// PRM[number], PRM[number, bit], and either with /[axis]: the axis counts from 1.
+  bool parameter(const MacroValue& number, const MacroValue* bit, MacroValue& out, std::size_t begin) {
+    MacroValue axis;
+    const bool has_axis = is_second_bracket_next();
+    if (has_axis) {
+      skip_spaces();
+      ++position_;
+      skip_spaces();
+      const std::size_t axis_begin = position_;
+      if (!bracket(axis) || !as_number(axis, axis_begin)) return false;
+    }
+    const auto whole = [](double x, double least, double most) {
+      return x >= least && x <= most && x == std::floor(x);
+    };
+    if (!whole(number.number, 1, 99'999) || (bit != nullptr && !whole(bit->number, 0, 7)) ||
+        (has_axis && !whole(axis.number, 1, 32)))
+      return fail(Fault::out_of_domain, begin, end_);
+    if constexpr (requires { variables_.parameter(0U, 0U, out); }) {
+      const Fault fault = variables_.parameter(static_cast<std::uint32_t>(number.number),
+                                               has_axis ? static_cast<std::uint32_t>(axis.number) : 0, out);
+      if (fault != Fault::none) return fail(fault, begin, end_);
+      if (bit != nullptr)
+        out.number = (static_cast<std::uint32_t>(out.number) >> static_cast<std::uint32_t>(bit->number)) & 1U;
+      return true;
+    } else {
+      return fail(Fault::not_known_here, begin, end_);
+    }
   }
 
   /// ATAN[a]/[b]
@@ -566,7 +597,9 @@ class ExpressionReader {
 }  // namespace detail
 
 /// The expression that begins at `position`; it ends before the first character that cannot continue it.
-/// `variables(number, value)` gives a variable and answers Fault::none, or says why there is none.
+/// `variables(number, value)` gives a variable and answers Fault::none, or says why there is none;
+/// `variables.parameter( number, axis, value)`, where it has that, a parameter of the control. Axis 0: one that is for
+/// the whole control.
 template <class Variables>
 Outcome evaluate(std::string_view text, std::size_t position, const ExpressionRules& rules,
                  const Variables& variables) {

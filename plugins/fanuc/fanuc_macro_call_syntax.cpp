@@ -223,9 +223,7 @@ struct FanucMacroCall {
     bool negative = false;
     for (char c = iso::at(text, position); c == '-' || c == '+' || iso::is_blank(c); c = iso::at(text, ++position))
       negative ^= c == '-';
-    const Outcome o =
-        evaluate_operand(text, position, environment_.rules(),
-                         [&](std::uint32_t number, MacroValue& out) { return environment_.read(b, number, out); });
+    const Outcome o = evaluate_operand(text, position, environment_.rules(), environment_.reader(b));
     if (!o.ok()) {
       environment_.report(b, o, text);
       end = std::max({iso::skip_expression(text, position), o.end, o.fault_end, begin + 1});

@@ -122,9 +122,7 @@ struct FanucMacroStatement {
     environment_.flow.label(b, name);
   }
   Outcome evaluate_at(ig::Block& b, std::string_view text, std::size_t position) const {
-    const Outcome o = evaluate(text, position, environment_.rules(), [&](std::uint32_t number, MacroValue& out) {
-      return environment_.read(b, number, out);
-    });
+    const Outcome o = evaluate(text, position, environment_.rules(), environment_.reader(b));
     if (!o.ok()) {
       environment_.report(b, o, text);
     } else if (environment_.has_deep_brackets(o)) {
@@ -229,9 +227,7 @@ struct FanucMacroStatement {
   // ---- assignment
 
   void assign(ig::Block& b, std::string_view text, std::size_t position) {
-    const Outcome target =
-        evaluate_reference(text, position, environment_.rules(),
-                           [&](std::uint32_t number, MacroValue& out) { return environment_.read(b, number, out); });
+    const Outcome target = evaluate_reference(text, position, environment_.rules(), environment_.reader(b));
     if (!target.ok()) return environment_.report(b, target, text);
     const auto number = static_cast<std::uint32_t>(target.value.number);
     const std::size_t equals = skip_blanks(text, target.end);

@@ -74,7 +74,7 @@ struct FanucMacroWord {
     const char letter = iso::to_upper(text[is_corner ? iso::skip_blanks(text, begin + 1) : begin]);
     ExpressionRules rules = environment_.rules();
     rules.increment = increment_of(b, is_corner ? 'R' : letter);
-    const auto variables = [&](std::uint32_t number, MacroValue& out) { return environment_.read(b, number, out); };
+    const auto variables = environment_.reader(b);
     const bool is_variable = text[value] == '#' && iso::is_digit(iso::at(text, value + 1));
     if (!is_variable) text = without_comments(text, begin, value);
     Outcome o = evaluate_operand(text, value, rules, variables);

@@ -25,7 +25,8 @@ struct FanucParameterTable {
       ig::dependency("FanucParameterTable", "Parameters of a Fanuc control, by number and axis.")
           .rows("Parameter", "number")
           .provides("isogloss.number-format/1", "isogloss.canned-cycle/1", "isogloss.motion/1",
-                    "isogloss.machine-axis/1", "isogloss.coordinate-system/1", "isogloss.code-call/1")
+                    "isogloss.machine-axis/1", "isogloss.coordinate-system/1", "isogloss.code-call/1",
+                    "isogloss.control-parameter/1")
           .ships(shipped);
 
   ig::Column value{"Value", nullptr, "", {}, "The parameter, where it is one for the whole control."};
@@ -43,6 +44,7 @@ struct FanucParameterTable {
     if (id == "isogloss.motion/1") return &motion;
     if (id == "isogloss.coordinate-system/1") return &coordinate_system;
     if (id == "isogloss.code-call/1") return &code_calls;
+    if (id == "isogloss.control-parameter/1") return &parameters;
     return id == "isogloss.machine-axis/1" ? &machine : nullptr;
   }
 
@@ -140,6 +142,13 @@ struct FanucParameterTable {
     return std::nullopt;
   }
 
+  /// "1321" or "1321.X": a parameter as its page shows it.
+  Answer parameter_of(std::string_view name) const {
+    const std::size_t point = name.find('.');
+    if (point == std::string_view::npos) return number(name);
+    return point + 2 == name.size() ? of_axis(name.substr(0, point), name.back()) : std::nullopt;
+  }
+
   /// 1006 bits 0 and 1, ROT and ROS: 01 is a rotary axis of type A, the only one that can roll over. 1008 bit 0 ROA: it
   /// does; bit 1 RAB: by the sign of the command, not by the shortest way.
   std::optional<std::uint32_t> rollover_of(char axis) const {
@@ -160,6 +169,7 @@ struct FanucParameterTable {
   ig_config_1 motion = Services::config<&FanucParameterTable::motion_of>(this);
   ig_config_1 coordinate_system = Services::config<&FanucParameterTable::coordinate_system_of>(this);
   ig_config_1 code_calls = Services::config<&FanucParameterTable::program_of_code>(this);
+  ig_config_1 parameters = Services::config<&FanucParameterTable::parameter_of>(this);
   ig_machine_axis_1 machine = Services::machine_axes<&FanucParameterTable::of_axis, &FanucParameterTable::rapid_of,
                                                      &FanucParameterTable::rollover_of>(this);
 };

@@ -94,6 +94,17 @@ class MacroEnvironment : public MacroFrame {
  public:
   const ExpressionRules& rules() const { return store().settings.rules; }
 
+  /// What an expression of this block reads: for evaluate() and its like.
+  struct Reader {
+    const MacroEnvironment& environment;
+    ig::Block& block;
+    Fault operator()(std::uint32_t number, MacroValue& out) const { return environment.read(block, number, out); }
+    Fault parameter(std::uint32_t number, std::uint32_t axis, MacroValue& out) const {
+      return environment.read_parameter(block, number, axis, out);
+    }
+  };
+  Reader reader(ig::Block& b) const { return {*this, b}; }
+
   /// The block shows what it read.
   Fault read(ig::Block& b, std::uint32_t number, MacroValue& out) const {
     if (const double* const stored = store().find(number)) {
@@ -174,6 +185,21 @@ class MacroEnvironment : public MacroFrame {
     const Fault fault = system_value(b, n, value);
     out = {value, Kind::number};
     return fault;
+  }
+
+  /// Axis 1 to 3 are X Y Z, then the rotary axes that the machine has; 0: a parameter for the whole control.
+  Fault read_parameter(const ig::Block& b, std::uint32_t number, std::uint32_t axis, MacroValue& out) const {
+    std::string name = std::to_string(number);
+    if (axis != 0) {
+      const std::size_t index = axis_of(b, axis - 1);
+      if (index == no_axis) return Fault::not_known_here;
+      name += '.';
+      name += "XYZABC"[index];
+    }
+    const auto value = parameters_.number(name);
+    if (!value) return Fault::not_known_here;
+    out = {*value, Kind::number};
+    return Fault::none;
   }
 
   static bool within(std::uint32_t n, std::uint32_t first, std::uint32_t last) { return n >= first && n <= last; }
@@ -502,6 +528,7 @@ class MacroEnvironment : public MacroFrame {
   ig::Signal tools_changed_{"ToolHeightCompensation.~TableChanged", ig::write};
   ig::Service<ig_work_offset_1> offsets_{"isogloss.work-offset/1", ig::Need::optional, "#5201 and on."};
   ig::Service<ig_tool_offset_1> tools_{"isogloss.tool-offset/1", ig::Need::optional, "#2001 and on."};
+  ig::Config parameters_{"isogloss.control-parameter/1", ig::Need::optional, "PRM[]: parameters of the control."};
   ig::Service<ig_machine_axis_1> machine_{"isogloss.machine-axis/1", ig::Need::optional, "The rotary axes there are."};
   ig::Name inch_{"Inch"};
 };

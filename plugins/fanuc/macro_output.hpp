@@ -13,9 +13,7 @@ namespace fanuc {
 /// #1[43]: four digits before, three behind the point. 0: it is written wrong.
 inline std::size_t put_variable(ig::Block& b, const MacroEnvironment& environment, std::string_view text,
                                 std::size_t position, std::string& line) {
-  const Outcome o = evaluate_operand(text, position, environment.rules(), [&](std::uint32_t number, MacroValue& out) {
-    return environment.read(b, number, out);
-  });
+  const Outcome o = evaluate_operand(text, position, environment.rules(), environment.reader(b));
   if (!o.ok()) {
     environment.report(b, o, text);
     return 0;
