@@ -69,6 +69,8 @@ struct FanucMacroStatement {
     loops_here_.clear();
     unbegun_.fill(false);
     said_output_.clear();
+    wait_ = {};
+    waited_.clear();
     return ig::Status::unchanged;
   }
 
@@ -186,6 +188,7 @@ struct FanucMacroStatement {
       incomplete(b, text, position, what, "[");
       return std::nullopt;
     }
+    environment_.forget_signals();
     const Outcome o = evaluate_at(b, text, bracket);
     if (!o.ok()) return std::nullopt;
     after = skip_blanks(text, o.end);
@@ -203,7 +206,7 @@ struct FanucMacroStatement {
     std::size_t behind = 0;
     const Word next = is_letter(at(text, after)) ? keyword_or_short(text, after, behind) : Word::none;
     if (next == Word::go_to) {
-      if (*holds) execute_go_to(b, text, after, behind);
+      if (*holds) execute_go_to(b, text, after, behind, true);
       return;
     }
     if (next != Word::then) {
@@ -285,7 +288,10 @@ struct FanucMacroStatement {
 
   // ---- flow
 
-  void execute_go_to(ig::Block& b, std::string_view text, std::size_t position, std::size_t behind) {
+  /// `by_condition`: IF was asked, and holds.
+  void execute_go_to(ig::Block& b, std::string_view text, std::size_t position, std::size_t behind,
+                     bool by_condition = false) {
+    const bool may_wait = by_condition && asked_only_signals();
     const std::size_t target = skip_blanks(text, behind);
     if (target >= text.size()) return incomplete(b, text, position, "GOTO", "the sequence number");
     const Outcome o = evaluate_at(b, text, target);
@@ -298,6 +304,7 @@ struct FanucMacroStatement {
     std::array<char, 24> name{'N'};
     char* const end = std::to_chars(name.data() + 1, name.data() + name.size(), static_cast<std::int64_t>(n)).ptr;
     const std::string_view label(name.data(), static_cast<std::size_t>(end - name.data()));
+    if (may_wait && lacks(b, label) && waits_again(b)) return;
     const ig::Flow::Answer answer = environment_.flow.jump(b, label);
     if (answer.is_not_found())
       b.report(macro_diag("FAN-0133"), ig::Where::columns(target, o.end), label.substr(1), answer.reason);
@@ -313,13 +320,34 @@ struct FanucMacroStatement {
     std::size_t behind = 0;
     if (!is_letter(at(text, after)) || keyword(text, after, behind) != Word::do_)
       return incomplete(b, text, position, "WHILE", "DO");
-    if (*holds) return execute_do(b, text, position, after);
+    if (*holds && !(asked_only_signals() && waits_again(b))) return execute_do(b, text, position, after);
     const auto number = loop_number(b, text, after, "DO");
     if (!number) return;
     loops_here_.leave(b, environment_.flow, *number);
     const ig::Flow::Answer answer = environment_.flow.jump(b, end_label(*number), IG_SEARCH_FORWARD, IG_GO_BEHIND);
     if (answer.is_not_found())
       b.report(macro_diag("FAN-0135"), columns(text, after), static_cast<double>(*number), answer.reason);
+  }
+
+  /// The last condition read a signal of the machine, and else nothing that changes by itself.
+  bool asked_only_signals() const { return environment_.signals().last != 0 && !environment_.signals().others_also; }
+
+  /// A condition that goes back holds here with nothing written since it last did: the program waits for the machine,
+  /// which is not here. True, and said, when it came so a second time: what it waits for has come.
+  bool waits_again(ig::Block& b) {
+    const ig_place place = environment_.flow.here(b);
+    const Wait now{place.frame, place.offset, environment_.flow.frame(b).pass, environment_.store().writes()};
+    if (now != wait_) {
+      wait_ = now;
+      return false;
+    }
+    wait_ = {};
+    const std::uint32_t signal = environment_.signals().last;
+    if (std::find(waited_.begin(), waited_.end(), signal) == waited_.end()) {
+      waited_.push_back(signal);
+      b.report(macro_diag("FAN-0173"), columns(b.source().substr(0, end_), begin_), static_cast<double>(signal));
+    }
+    return true;
   }
 
   /// Does no block of that name stand behind this one in the program?
@@ -423,6 +451,14 @@ struct FanucMacroStatement {
   bool has_comment_ = false;         // inside it
   std::string blanked_;
   SaidOutput said_output_;
+  struct Wait {
+    std::uint64_t frame = 0, offset = 0;
+    std::uint32_t pass = 0;
+    std::uint64_t writes = ~std::uint64_t{0};
+    bool operator==(const Wait&) const = default;
+  };
+  Wait wait_;                          // the last condition that went back
+  std::vector<std::uint32_t> waited_;  // signals whose wait was said
   MacroLoops loops_here_;
   std::array<bool, 100> unbegun_{};  // by number: a faulty DO came, and was said
   std::array<char, 24> label_{'E', 'N', 'D'};

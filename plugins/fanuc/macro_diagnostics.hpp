@@ -159,6 +159,11 @@ inline constexpr std::array macro_diagnostics{
                    "G66 P9010 (six times, without G67)"),
     ig::diagnostic(IG_WARNING, "FAN-0172", "{0} with the count 0: the macro is not called",
                    "L says how often; leave it out for one call.", "G65 P9010 L0"),
+    ig::diagnostic(
+        IG_WARNING, "FAN-0173", "the program waits for #{0}, whose state is not known here: the wait is left",
+        "A WHILE or an IF with GOTO asks a signal of the machine over and over, and nothing else changes. The "
+        "run goes on as if the machine had answered. Said once for each signal.",
+        "WHILE[#1004EQ0]DO1 (then) END1"),
 };
 
 consteval std::uint32_t macro_diag(std::string_view code) { return iso::index_of(macro_diagnostics, code, 0); }

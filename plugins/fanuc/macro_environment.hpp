@@ -105,6 +105,14 @@ class MacroEnvironment : public MacroFrame {
   };
   Reader reader(ig::Block& b) const { return {*this, b}; }
 
+  /// Of the variables of the control that were read since the last forget_signals().
+  struct Signals {
+    std::uint32_t last = 0;    ///< a signal of the machine whose state is not known here; 0: none was read
+    bool others_also = false;  ///< one that may change by itself
+  };
+  void forget_signals() const { signals_ = {}; }
+  const Signals& signals() const { return signals_; }
+
   /// The block shows what it read.
   Fault read(ig::Block& b, std::uint32_t number, MacroValue& out) const {
     if (const double* const stored = store().find(number)) {
@@ -182,10 +190,16 @@ class MacroEnvironment : public MacroFrame {
 
   Fault read_system(ig::Block& b, std::uint32_t n, MacroValue& out) const {
     double value = 0;
+    const bool is_signal = is_signal_of_machine(n) && store().is_assumed(n) && store().given(n) == nullptr;
+    if (is_signal)
+      signals_.last = n;
+    else
+      signals_.others_also = true;
     const Fault fault = system_value(b, n, value);
     out = {value, Kind::number};
     return fault;
   }
+  static bool is_signal_of_machine(std::uint32_t n) { return within(n, 1000, 1199); }
 
   /// Axis 1 to 3 are X Y Z, then the rotary axes that the machine has; 0: a parameter for the whole control.
   Fault read_parameter(const ig::Block& b, std::uint32_t number, std::uint32_t axis, MacroValue& out) const {
@@ -488,6 +502,7 @@ class MacroEnvironment : public MacroFrame {
   }
 
   mutable std::vector<std::uint32_t> assumed_;
+  mutable Signals signals_;
 
   ig::In<ig::Symbol> motion_{"MotionState.Term"}, plane_{"PlaneSelect.Term"}, positioning_{"PositioningMode.Term"},
       feed_mode_{"Feedrate.Term"}, unit_{"Unit.Term"}, system_{"Unit.System"}, radius_term_{"RadiusCompensation.Term"},

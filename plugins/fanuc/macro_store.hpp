@@ -139,6 +139,7 @@ class MacroStore {
   }
   /// False where it is none of these.
   bool set(std::uint32_t number, double value) {
+    ++writes_;
     if (number <= last_local) {
       levels_[present_].values[number] = value;
       return true;
@@ -158,6 +159,7 @@ class MacroStore {
     return it != given_.end() && it->first == number ? &it->second : nullptr;
   }
   void give(std::uint32_t number, double value) {
+    ++writes_;
     const auto it = std::lower_bound(given_.begin(), given_.end(), number, before);
     if (it != given_.end() && it->first == number)
       it->second = value;
@@ -165,6 +167,8 @@ class MacroStore {
       given_.insert(it, {number, value});
   }
   bool is_assumed(std::uint32_t number) const { return assumed_.holds(number); }
+  /// How often a variable was written so far.
+  std::uint64_t writes() const { return writes_; }
 
   /// A macro call: its local variables, known by the tag that its frame will show. They wait for that frame, since the
   /// calling block goes on with those of the caller. Modal calls go on inside it; one that runs by itself does not call
@@ -229,6 +233,7 @@ class MacroStore {
   NumberRanges assumed_;
   Keeper* keeper_ = nullptr;
   std::uint64_t last_tag_ = 0;
+  std::uint64_t writes_ = 0;
   static constexpr std::uint64_t no_frame = ~std::uint64_t{0};
   std::uint64_t frame_ = no_frame;  // whose level is the present one
   std::uint32_t pass_ = 0;
