@@ -51,6 +51,7 @@ struct FanucMacroCall {
       return iso::block_end(text, position);
     }
     is_modal_ = is_modal;
+    name_.clear();
     each_block_ = each_block;
     if (!is_g65 && !is_modal) {
       const auto program = bound_.number(code);
@@ -79,14 +80,13 @@ struct FanucMacroCall {
     environment_.enter(b);
     const auto where = ig::Where::columns(begin_, end_);
     if ((tag_bits_ & shares_locals) != 0) {
-      call_program(b, environment_.flow, static_cast<std::int64_t>(program_), 1, tag_bits_,
-                   ig::Where::columns(begin_, code_end_));
+      call_program(b, environment_.flow, called(), 1, tag_bits_, ig::Where::columns(begin_, code_end_));
       return ig::Status::changed;
     }
     const std::string_view code(code_.data());
     if (!has_program_) {
       b.report(macro_diag("FAN-0161"), where, code);
-    } else if (program_ < 1 || program_ > largest_number || program_ != std::floor(program_)) {
+    } else if (name_.empty() && (program_ < 1 || program_ > largest_number || program_ != std::floor(program_))) {
       b.report(macro_diag("FAN-0162"), where, code, program_);
     } else if (repeats_ < 0 || repeats_ > largest_number || repeats_ != std::floor(repeats_)) {
       b.report(macro_diag("FAN-0167"), where, code, repeats_);
@@ -112,8 +112,7 @@ struct FanucMacroCall {
       b.alarm();
       return;
     }
-    calls.push_back(
-        {static_cast<std::int64_t>(program_), static_cast<std::int64_t>(repeats_), arguments_, each_block_});
+    calls.push_back({called(), static_cast<std::int64_t>(repeats_), arguments_, each_block_});
     b.raise(modal_);
     if (each_block_ && own_block_ == OwnBlock::calls) call_macro(b, where, true);
   }
@@ -122,10 +121,11 @@ struct FanucMacroCall {
     MacroStore& store = environment_.store();
     say_deep_call(b, store, where);
     const std::uint64_t tag = store.enter(arguments_, is_modal);
-    if (!call_program(b, environment_.flow, static_cast<std::int64_t>(program_), static_cast<std::int64_t>(repeats_),
-                      tag | tag_bits_, where))
+    if (!call_program(b, environment_.flow, called(), static_cast<std::int64_t>(repeats_), tag | tag_bits_, where))
       store.leave_last();
   }
+
+  CalledProgram called() const { return {name_.empty() ? static_cast<std::int64_t>(program_) : 0, name_}; }
 
   std::string_view name_of(char letter, std::size_t index) {
     std::size_t size = 0;
@@ -173,6 +173,14 @@ struct FanucMacroCall {
     const ig::Decimal literal = ig::read_decimal(text, at_value);
     MacroValue value{literal.value, Kind::number};
     std::size_t end = literal.end;
+    if (letter == '<' && tag_bits_ == 0) {
+      end = iso::skip_bracketed(text, begin);
+      if (end > begin + 2 && text[end - 1] == '>') {
+        has_program_ = true;
+        name_ = iso::piece(text, begin, end);
+        return end;
+      }
+    }
     if (index >= 26) {
       end = iso::skip_while(text, begin + 1, [](char c) { return !iso::is_letter(c) && c != '(' && c != ';'; });
       return refuse(b, text, begin, end);
@@ -189,6 +197,7 @@ struct FanucMacroCall {
       } else {
         has_program_ = true;
         program_ = value.number;
+        name_.clear();
       }
       return end;
     }
@@ -237,6 +246,7 @@ struct FanucMacroCall {
   // What scan() read, for build().
   std::size_t begin_ = 0, code_end_ = 0, end_ = 0;
   std::array<char, 16> code_{};
+  std::string name_;  // <PART>; empty: the program has a number
   bool is_modal_ = false, each_block_ = false, has_program_ = false;
   double program_ = 0, repeats_ = 1;
   std::uint64_t tag_bits_ = 0;

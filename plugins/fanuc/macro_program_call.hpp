@@ -1,4 +1,4 @@
-/// Asks the host to call a program by its number.
+/// Asks the host to call a program by its number or its name.
 #pragma once
 
 #include <isogloss/flow.hpp>
@@ -17,20 +17,26 @@ inline void say_deep_call(ig::Block& b, const MacroStore& store, ig::Where where
 }
 
 /// False where nothing is called, which is said.
-inline bool call_program(ig::Block& b, const ig::Flow& flow, std::int64_t number, std::int64_t repeats,
+inline bool call_program(ig::Block& b, const ig::Flow& flow, const CalledProgram& program, std::int64_t repeats,
                          std::uint64_t tag, ig::Where where) {
-  const iso::NumberedName name('O', number);
-  const iso::ProgramFileNames files(number);
+  const iso::NumberedName number('O', program.number);
+  const iso::ProgramFileNames files(program.number);
   ig::Flow::Call call;
-  call.program = name.text();
+  call.program = number.text();
   call.files = files.list();
+  ig_text file{};
+  if (!program.name.empty()) {
+    call.program = program.name;
+    file = ig::to_text(call.program.substr(1, call.program.size() - 2));
+    call.files = {&file, 1};
+  }
   call.repeats = static_cast<std::uint32_t>(repeats);
   call.tag = tag;
   const ig::Flow::Answer answer = flow.call(b, call);
   if (answer.is_not_found())
-    b.report(macro_diag("FAN-0165"), where, name.text(), answer.reason);
+    b.report(macro_diag("FAN-0165"), where, call.program, answer.reason);
   else if (answer.status == IG_GO_TAKEN)
-    b.report(macro_diag("FAN-0170"), where, name.text());
+    b.report(macro_diag("FAN-0170"), where, call.program);
   return answer.is_done();
 }
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -94,6 +95,12 @@ class PassedCodes {
   std::array<std::optional<double>, 2> before_, last_;
 };
 
+/// O9010, or <PART> as it is written.
+struct CalledProgram {
+  std::int64_t number = 0;
+  std::string name{};  ///< empty: it is called by its number
+};
+
 class MacroStore {
  public:
   MacroSettings settings;
@@ -104,7 +111,7 @@ class MacroStore {
   using Locals = std::array<double, last_local + 1>;
   /// What G66 keeps: the macro that is called after each block that moves; G66.1: with the words of each block.
   struct ModalCall {
-    std::int64_t program;
+    CalledProgram program;
     std::int64_t repeats;
     Locals arguments;
     bool each_block = false;
