@@ -104,7 +104,7 @@ struct SiemensCall {
     call.tag = environment_.store().pass(std::move(arguments_));
     const ig::Flow::Answer answer = environment_.flow.call(b, call);
     if (answer.is_not_found())
-      b.report(diag("SIE-0165"), where, std::string_view(program_), answer.reason);
+      environment_.report_once(b, diag("SIE-0165"), where, begin_, std::string_view(program_), answer.reason);
     else if (answer.status == IG_GO_TAKEN)
       b.report(diag("SIE-0167"), where, std::string_view(program_));
     return ig::Status::changed;

@@ -84,7 +84,7 @@ inline constexpr std::array diagnostics{
                    "G[2]=) are not executed.",
                    "G[1]=2"),
     ig::diagnostic(IG_WARNING, "SIE-0132", "T={0}: a name of a tool stands in quotation marks",
-                   "Here it counts as the name.", "T=DRILL"),
+                   "Here it counts as the name. A number with a point is one, too.", "T=DRILL"),
     // flow
     ig::diagnostic(IG_ERROR, "SIE-0141", "'{0}' should not stand here: the statement is not executed",
                    "Nothing stands behind the statement but a comment.", "ENDIF X10"),
@@ -223,7 +223,7 @@ inline constexpr std::array diagnostics{
                    "TURN= is a whole number from 0 to 999 and stands with an arc.", "G1 X10 TURN=2"),
     ig::diagnostic(IG_ERROR, "SIE-0231", "D{0} is no cutting edge", "Edges are numbered from 1; D0 ends the offset.",
                    "D1.5"),
-    ig::diagnostic(IG_WARNING, "SIE-0232", "the tool '{0}' has a name: in the table of tools it is row {1}",
+    ig::diagnostic(IG_NOTE, "SIE-0232", "the tool '{0}' has a name: in the table of tools it is row {1}",
                    "Names are counted in the order in which the program uses them, from 1. Said once for each.",
                    "T=\"DRILL\""),
     ig::diagnostic(IG_WARNING, "SIE-0233",

@@ -21,6 +21,19 @@ class Environment {
   /// Before variables are read or written in a block.
   void enter(ig::Block& b) const { store().enter(flow.frame(b).id); }
 
+  /// What a loop or a subprogram meets again at the same place of the text is said once for that place.
+  template <class... Args>
+  void report_once(ig::Block& b, std::uint32_t diagnostic, const ig::Where& where, std::size_t column,
+                   const Args&... args) const {
+    const ig_frame f = flow.frame(b);
+    const ig_place here = flow.here(b);
+    std::string place(ig::to_view(f.file));
+    for (const std::uint64_t n : {std::uint64_t{diagnostic}, here.offset, std::uint64_t{here.line},
+                                  static_cast<std::uint64_t>(column)})
+      place.append(1, '\n').append(std::to_string(n));
+    if (store().say_once(place)) b.report(diagnostic, where, args...);
+  }
+
   /// $AA_IW[X], $AA_IM[X], $P_EP[X]: where the block before has ended.
   std::optional<double> position(const ig::Block& b, std::string_view variable, char axis) const {
     const std::size_t at = std::string_view("XYZABC").find(axis);

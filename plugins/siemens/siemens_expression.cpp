@@ -278,7 +278,11 @@ std::optional<Value> Expression::read(const Reference& r) {
   if (r.name == "$PI") return Value::real(std::numbers::pi);
   if (const auto n = environment_.known(b_, r.name)) return Value::real(*n);
   at_ = r.end;
-  return fail(r.name[0] == '$' ? diag("SIE-0110") : diag("SIE-0111"), r.begin, std::string_view(r.name));
+  if (!failed_)
+    environment_.report_once(b_, r.name[0] == '$' ? diag("SIE-0110") : diag("SIE-0111"),
+                             ig::Where::columns(r.begin, r.end), r.begin, std::string_view(r.name));
+  failed_ = true;
+  return std::nullopt;
 }
 
 std::optional<Value> Expression::call(const std::string& name, std::size_t begin) {

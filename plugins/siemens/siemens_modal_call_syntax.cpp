@@ -41,7 +41,8 @@ struct SiemensModalCall {
     b.set(term_, b.symbol(modal.program));
     const ig::Flow::Answer answer = environment_.flow.call(b, call);
     if (answer.is_not_found())
-      b.report(diag("SIE-0165"), ig::Where::block(), std::string_view(modal.program), answer.reason);
+      environment_.report_once(b, diag("SIE-0165"), ig::Where::block(), 0, std::string_view(modal.program),
+                               answer.reason);
     else if (answer.status == IG_GO_TAKEN)
       b.report(diag("SIE-0167"), ig::Where::block(), std::string_view(modal.program));
   }

@@ -291,13 +291,21 @@ struct SiemensWord {
     }
     const auto value = e.value();
     if (!value) return line_end_of_fault(text, std::max(e.position(), value_at));
-    if (!value->is_text())
+    if (name == "T" && !value->is_text() && is_with_point(text, value_at, e.position(), value->number)) {
+      b.report(diag("SIE-0132"), columns(begin, e.position()), piece(text, value_at, e.position()));
+      b.set_text(tool_name_, iso::trim(piece(text, value_at, e.position())));
+    } else if (!value->is_text())
       word(b, run, name, fields_.letter(name[0]), begin, e.position(), value->number);
     else if (name == "T")
       b.set_text(tool_name_, value->text);
     else
       b.report(diag("SIE-0107"), columns(begin, e.position()), piece(text, begin, e.position()));
     return e.position();
+  }
+  /// T=2.19: the name of a tool, as tool managements have them, and no number.
+  static bool is_with_point(std::string_view text, std::size_t begin, std::size_t end, double value) {
+    const ig::Decimal n = ig::read_decimal(text, begin);
+    return n.ok && n.has_point && n.end == end && value != std::floor(value);
   }
   static bool is_r(std::string_view text, std::size_t begin, std::size_t end) {
     return iso::to_upper(text[begin]) == 'R' && end > begin + 1 && iso::skip_digits(text, begin + 1) == end;
@@ -322,8 +330,8 @@ struct SiemensWord {
     if (!reference->is_r && (reference->name[0] == '$' || is_unknown_array) &&
         !environment_.store().given(reference->name) && !changes_no_position(reference->name)) {
       const std::size_t end = statement_text_end(text, equals);
-      b.report(reference->name[0] == '$' ? diag("SIE-0129") : diag("SIE-0131"), columns(begin, end),
-               std::string_view(reference->name));
+      environment_.report_once(b, reference->name[0] == '$' ? diag("SIE-0129") : diag("SIE-0131"), columns(begin, end),
+                               begin, std::string_view(reference->name));
       return end;
     }
     Expression e(b, environment_, text, equals + 1);
@@ -372,7 +380,7 @@ struct SiemensWord {
       return;
     }
     if (model == nullptr) {
-      b.report(diag("SIE-0124"), columns(begin, end), std::string_view(to.name));
+      environment_.report_once(b, diag("SIE-0124"), columns(begin, end), begin, std::string_view(to.name));
       return;
     }
     auto fitting = value.as(model->value.type);
