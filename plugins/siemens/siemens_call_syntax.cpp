@@ -1,6 +1,7 @@
 // Calls: NAME(1,2), NAME P3, L100, CALL "NAME", EXTCALL("NAME"), and the cycles, whose parameters become words. What
 // the control knows by name but this run does not execute is one diagnostic for each call.
 #include "cycle_signatures.hpp"
+#include "flow_words.hpp"
 #include "siemens_expression.hpp"
 
 namespace siemens {
@@ -40,6 +41,7 @@ struct SiemensCall {
       "Procedures of the control that move nothing and change nothing here."};
   std::vector<CycleFields> cycles_ = all_cycles();
   ig::Codes modal_{{"MCALL"}, ig::read};
+  ig::Codes traori_{{"TRAORI"}, ig::write};
   ig::TextField message_{"Message.Text", ig::write, {ig::Life::block, "", "What MSG shows."}};
   ig::Signal modal_call_{"ModalCall.~Begins", ig::write};
   ig::Signal call_{"Parsing.~Call", ig::read | ig::write | ig::wake};
@@ -55,6 +57,8 @@ struct SiemensCall {
     if (end - position < 2 || (iso::is_digit(at(text, position + 1)) && !is_l)) return position;
     if (environment_.flow.is_indexing()) return statement_end(text, position);
     std::string name = upper(piece(text, position, end));
+    if (const std::string* const macro = environment_.store().macro(name); macro != nullptr && !is_expanded_)
+      return expand(b, text, position, end, *macro);
     begin_ = position;
     std::size_t next = skip_blanks(text, end);
     if (is_synchronized(text, position, name)) {
@@ -86,9 +90,25 @@ struct SiemensCall {
     return request(b, text, next, std::move(name), has_bracket ? next : end);
   }
 
+  /// A name for a call (DEFINE).
+  std::size_t expand(ig::Block& b, std::string_view text, std::size_t position, std::size_t end,
+                     const std::string& macro) {
+    const ExpandedText as(text, position, end, macro);
+    const bool is_flow = flow_word(piece(macro, 0, skip_name(macro, 0))) != FlowWord::none;
+    is_expanded_ = true;
+    const std::size_t behind = is_flow ? position : scan(b, as.text(), position);
+    is_expanded_ = false;
+    end_ = as.original(end_);
+    if (behind <= position || skip_blanks(as.text(), behind) < as.macro_end()) {
+      b.report(diag("SIE-0288"), ig::Where::columns(position, end), std::string_view(macro));
+      return end;
+    }
+    return as.original(behind);
+  }
+
   ig::Status build(ig::Block& b) {
     if (!b.is_raised(call_)) return ig::Status::unchanged;
-    const auto where = ig::Where::columns(begin_, end_);
+    const auto where = ig::Where::columns(begin_, std::max(end_, begin_));
     b.set(term_, b.symbol(program_));
     if (b.find(modal_)) {
       environment_.store().modal = {program_, std::move(arguments_), environment_.flow.frame(b).id};
@@ -197,7 +217,12 @@ struct SiemensCall {
       b.report(diag("SIE-0174"), where, std::string_view(name), missing);
       return true;
     }
-    for (const std::string_view transformation : {"TRAORI", "TRANSMIT", "TRACYL", "TRAANG", "TRACON"})
+    if (name == "TRAORI") {  // TRAORI(1), TRAORI(1,0,0,1): one transformation is known
+      const ig_word word{traori_.id(0), iso::column(begin_), iso::column(close), ig_value{}, 0, 0};
+      b.host()->set_words(b.raw(), &word, 1);
+      return true;
+    }
+    for (const std::string_view transformation : {"TRANSMIT", "TRACYL", "TRAANG", "TRACON"})
       if (name == transformation) {
         b.report(diag("SIE-0183"), where, std::string_view(name));
         return true;
@@ -225,9 +250,7 @@ struct SiemensCall {
         Expression e(b, environment_, text, next);
         argument.value = e.value();
         if (!argument.value) return false;
-        const std::size_t end = skip_name(text, next);
-        if (is_name_start(text[next]) && skip_blanks(text, end) == skip_blanks(text, e.position()))
-          argument.name = upper(piece(text, next, end));
+        name_of(b, text, next, e.position(), argument);
         next = skip_blanks(text, e.position());
       }
       if (at(text, next) == ')') return true;
@@ -238,6 +261,18 @@ struct SiemensCall {
       }
       ++next;
     }
+  }
+
+  /// Where a variable alone stands, a VAR parameter may change it.
+  void name_of(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end, Argument& argument) const {
+    if (!is_name_start(text[begin])) return;
+    const std::size_t open = skip_blanks(text, skip_name(text, begin));
+    if (at(text, open) != '[' && open != skip_blanks(text, end)) return;
+    Expression variable(b, environment_, text, begin);
+    const auto reference = variable.reference();
+    if (!reference || skip_blanks(text, variable.position()) != skip_blanks(text, end)) return;
+    argument.name = reference->name;
+    argument.elements = environment_.store().elements(argument.name);
   }
 
   void pass(ig::Block& b, const CycleFields& cycle, std::string_view text, std::size_t open, std::size_t close) {
@@ -355,6 +390,7 @@ struct SiemensCall {
   std::string program_;
   std::vector<Argument> arguments_;
   double repeats_ = 1;
+  bool is_expanded_ = false;  // the text is what DEFINE says
 };
 
 const ig::Register<SiemensCall> registered;

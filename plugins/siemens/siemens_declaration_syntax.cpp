@@ -1,4 +1,4 @@
-// DEF, PROC, EXTERN: variables of the program, and what a call has passed to it.
+// DEF, DEFINE, PROC, EXTERN: variables of the program, names for texts, and what a call has passed.
 #include "siemens_expression.hpp"
 
 namespace siemens {
@@ -9,7 +9,7 @@ using iso::piece;
 using iso::skip_blanks;
 
 struct SiemensDeclaration {
-  static constexpr auto spec = ig::syntax("SiemensDeclarationSyntax", "DEF, PROC and EXTERN.")
+  static constexpr auto spec = ig::syntax("SiemensDeclarationSyntax", "DEF, DEFINE, PROC and EXTERN.")
                                    .after("SiemensFlowSyntax")
                                    .before("SiemensWordSyntax")
                                    .scans("DPERdper");
@@ -42,18 +42,20 @@ struct SiemensDeclaration {
     environment_.enter(b);
     const std::string_view text = b.source().substr(0, end_statement_);
     if (word_ == Word::def) define(b, text, behind_);
+    if (word_ == Word::define) define_macro(b, text);
     if (word_ == Word::proc) begin_program(b, text);
     if (word_ == Word::other) b.report(diag("SIE-0161"), columns(text, begin_), text.substr(begin_));
     return ig::Status::changed;
   }
 
  private:
-  enum class Word : std::uint8_t { none, def, proc, external, other };
+  enum class Word : std::uint8_t { none, def, define, proc, external, other };
   static Word word_of(std::string_view name) {
     if (iso::equals_ignoring_case(name, "DEF")) return Word::def;
     if (iso::equals_ignoring_case(name, "PROC")) return Word::proc;
     if (iso::equals_ignoring_case(name, "EXTERN") || iso::equals_ignoring_case(name, "EXTERNAL")) return Word::external;
-    if (iso::equals_ignoring_case(name, "DEFINE") || iso::equals_ignoring_case(name, "REDEF")) return Word::other;
+    if (iso::equals_ignoring_case(name, "DEFINE")) return Word::define;
+    if (iso::equals_ignoring_case(name, "REDEF")) return Word::other;
     return Word::none;
   }
   static ig::Where columns(std::string_view text, std::size_t begin) {
@@ -80,6 +82,18 @@ struct SiemensDeclaration {
   }
   static Value empty(Type type) { return {0, type, {}}; }
 
+  // ---- DEFINE NAME AS TEXT
+
+  void define_macro(ig::Block& b, std::string_view text) const {
+    const std::size_t name = skip_blanks(text, behind_), end = skip_name(text, name);
+    const std::size_t as = skip_blanks(text, end), by = skip_blanks(text, skip_name(text, as));
+    if (end == name || !is_word(text, as, "AS") || by >= text.size()) {
+      b.report(diag("SIE-0162"), columns(text, name), text.substr(std::min(name, text.size())));
+      return;
+    }
+    environment_.store().define_macro(upper(piece(text, name, end)), std::string(text.substr(by)));
+  }
+
   // ---- DEF REAL A=1, B[3], C
 
   void define(ig::Block& b, std::string_view text, std::size_t position) {
@@ -102,11 +116,12 @@ struct SiemensDeclaration {
       const bool is_array = at(text, next) == '[';
       if (is_array) next = skip_blanks(text, std::min(text.find(']', next), text.size() - 1) + 1);
       Value value = empty(*type);
-      if (at(text, next) == '=' && !initial(b, text, next, name, is_array, value)) return;
-      if (!environment_.store().define(name, std::move(value), is_array)) {
+      if (!environment_.store().define(name, value, is_array)) {
         b.report(diag("SIE-0114"), columns(text, begin), std::string_view(name));
         return;
       }
+      if (at(text, next) == '=' && !initial(b, text, next, name, is_array, value)) return;
+      if (Variable* const defined = environment_.store().find(name)) defined->value = std::move(value);
       next = skip_blanks(text, next);
       if (next >= text.size()) return;
       if (text[next] != ',') {
@@ -195,7 +210,8 @@ struct SiemensDeclaration {
       return false;
     }
     next = skip_blanks(text, end);
-    if (at(text, next) == '[') next = skip_blanks(text, std::min(text.find(']', next), text.size() - 1) + 1);
+    const bool is_array = at(text, next) == '[';
+    if (is_array) next = skip_blanks(text, std::min(text.find(']', next), text.size() - 1) + 1);
     Value value = empty(*type);
     bool has_default = false;
     if (at(text, next) == '=') {
@@ -216,7 +232,10 @@ struct SiemensDeclaration {
     } else if (!has_default && !is_called) {
       b.report(diag("SIE-0164"), ig::Where::columns(begin, end), std::string_view(name));
     }
-    environment_.store().define(name, std::move(value));
+    environment_.store().define(name, std::move(value), is_array);
+    if (is_array)
+      for (const auto& [element, own] : argument.elements)
+        if (auto fitting = own.as(*type)) environment_.store().define(name + element, std::move(*fitting));
     if (is_reference && !argument.name.empty()) environment_.store().refer(name, argument.name);
     return true;
   }

@@ -109,9 +109,9 @@ inline constexpr std::array diagnostics{
                    "The control stops with an alarm. Here the run goes on in the next block.", "GOTOF NOWHERE"),
     // programs
     ig::diagnostic(IG_ERROR, "SIE-0161", "'{0}' is not executed",
-                   "Of declarations DEF with REAL, INT, BOOL, CHAR, STRING and AXIS is executed, PROC and EXTERN. "
-                   "Macros (DEFINE), FRAME variables and REDEF are not.",
-                   "DEFINE GORAP AS G0 G90"),
+                   "Of declarations DEF with REAL, INT, BOOL, CHAR, STRING and AXIS is executed, DEFINE, PROC and EXTERN. "
+                   "FRAME variables and REDEF are not.",
+                   "DEF FRAME PART"),
     ig::diagnostic(IG_ERROR, "SIE-0162", "'{0}' should not stand in a declaration",
                    "The form is DEF REAL A=1, B, C[3].", "DEF REAL A B"),
     ig::diagnostic(IG_WARNING, "SIE-0163", "SAVE: the codes of the caller do not come back",
@@ -153,7 +153,9 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_ERROR, "SIE-0182", "{0}: a parameter has no value; the cycle is not executed", "Why was said.",
                    "CYCLE81(50,0,2,NOWHERE)"),
     ig::diagnostic(IG_ERROR, "SIE-0183", "{0} is not executed: machine coordinates are wrong up to TRAFOOF",
-                   "Transformations are not computed in this dialect.", "TRAORI(1)"),
+                   "TRAORI needs a machine that says where its rotary axes sit (--machine FILE). TRANSMIT, TRACYL, TRAANG "
+                   "and TRACON are not computed in this dialect.",
+                   "TRANSMIT"),
     ig::diagnostic(IG_WARNING, "SIE-0184", "{0} with {1} parameters: those behind number {2} are not used",
                    "The signature in the manual has fewer.", "CYCLE81(1,2,… 12 values)"),
     ig::diagnostic(IG_ERROR, "SIE-0185", "{0} without {1}: it is not executed", "The control stops with an alarm.",
@@ -291,6 +293,10 @@ inline constexpr std::array diagnostics{
                    "Lengths and radii of corners are 0 or more.", "G1 X10 RND=-2"),
     ig::diagnostic(IG_ERROR, "SIE-0287", "{0} is the second word for this corner: it is not used",
                    "A corner is chamfered or rounded, in one way.", "G1 X10 CHR=2 RND=2"),
+    ig::diagnostic(IG_ERROR, "SIE-0288", "the text '{0}' that stands for this name (DEFINE) is not executed here",
+                   "A name can stand for words, for a call and for a value. It does not stand for parts of them, for "
+                   "branches and jumps, or for another such name.",
+                   "DEFINE AWAY AS GOTOF END"),
 };
 
 consteval std::uint32_t diag(std::string_view code) { return iso::index_of(diagnostics, code, 0); }

@@ -8,6 +8,7 @@
 
 #include "scan_util.hpp"
 #include "siemens_diagnostics.hpp"
+#include "system_data.hpp"
 #include "variable_store.hpp"
 
 namespace siemens {
@@ -15,6 +16,7 @@ namespace siemens {
 class Environment {
  public:
   ig::Flow flow;
+  SystemData system;
 
   VariableStore& store() const { return const_cast<VariableStore&>(*store_.operator->()); }
 
@@ -34,35 +36,8 @@ class Environment {
     if (store().say_once(place)) b.report(diagnostic, where, args...);
   }
 
-  /// $AA_IW[X], $AA_IM[X], $P_EP[X]: where the block before has ended.
-  std::optional<double> position(const ig::Block& b, std::string_view variable, char axis) const {
-    const std::size_t at = std::string_view("XYZABC").find(axis);
-    if (at == std::string_view::npos) return std::nullopt;
-    const bool of_machine = variable == "$AA_IM" || variable == "$AA_MW";
-    if (!of_machine && variable != "$AA_IW" && variable != "$P_EP" && variable != "$AA_WCS") return std::nullopt;
-    return b.get(of_machine || at > 2 ? machine_[at] : program_[at]);
-  }
-  std::optional<double> known(const ig::Block& b, std::string_view variable) const {
-    if (variable == "$P_TOOLNO" || variable == "$TC_MPP6")
-      if (const auto tool = b.get(tool_)) return static_cast<double>(*tool);
-    if (variable == "$P_F" || variable == "$AC_F") return b.get(feed_);
-    if (variable == "$P_S") return b.get(speed_);
-    // The program runs at the machine from its beginning: no block search, no simulation, no test.
-    for (const std::string_view off : {"$P_SEARCH", "$P_SIM", "$P_ISTEST", "$P_DRYRUN"})
-      if (variable == off) return 0;
-    return std::nullopt;
-  }
-
  private:
   ig::Service<VariableStore> store_{variable_service, ig::Need::required, "The variables."};
-  std::array<ig::In<double>, 6> machine_{ig::In<double>{"MachineCoordinate.X"}, ig::In<double>{"MachineCoordinate.Y"},
-                                         ig::In<double>{"MachineCoordinate.Z"}, ig::In<double>{"MachineCoordinate.A"},
-                                         ig::In<double>{"MachineCoordinate.B"}, ig::In<double>{"MachineCoordinate.C"}};
-  std::array<ig::In<double>, 3> program_{ig::In<double>{"ProgramXyz.X"}, ig::In<double>{"ProgramXyz.Y"},
-                                         ig::In<double>{"ProgramXyz.Z"}};
-  ig::In<std::int64_t> tool_{"ToolChange.SpindleToolId"};
-  ig::In<double> feed_{"Feedrate.FeedrateValue"};
-  ig::In<double> speed_{"SpindleSpeed.SpindleSpeed_rpm"};
 };
 
 constexpr bool is_name_start(char c) { return iso::is_letter(c) || c == '_'; }
@@ -75,6 +50,25 @@ inline std::string upper(std::string_view name) {
   for (char& c : out) c = iso::to_upper(c);
   return out;
 }
+
+/// A block in which the name from `begin` to `end` has become what DEFINE says of it. Columns before it stay.
+class ExpandedText {
+ public:
+  ExpandedText(std::string_view text, std::size_t begin, std::size_t end, std::string_view by)
+      : begin_(begin), end_(end), macro_end_(begin + by.size()) {
+    text_.append(text.substr(0, begin)).append(by).append(text.substr(end));
+  }
+  std::string_view text() const { return text_; }
+  std::size_t macro_end() const { return macro_end_; }
+  /// Where reading has come to, in the text as it is written.
+  std::size_t original(std::size_t position) const {
+    return position <= begin_ ? position : std::max(position, macro_end_) - macro_end_ + end_;
+  }
+
+ private:
+  std::string text_;
+  std::size_t begin_, end_, macro_end_;
+};
 
 /// Where the statement ends: at a comment, which a string may look like, or at the end of the block.
 constexpr std::size_t statement_end(std::string_view text, std::size_t position) {

@@ -134,6 +134,10 @@ std::optional<Value> Expression::operand() {
       at_ = end;
       return Value::real(std::numbers::pi);
     }
+    if (const std::string* const macro = environment_.store().macro(name)) {
+      at_ = end;
+      return of_macro(begin, *macro);
+    }
     if (const std::size_t open = iso::skip_blanks(text_, end); iso::at(text_, open) == '(') {
       at_ = open;
       return call(name, begin);
@@ -143,6 +147,23 @@ std::optional<Value> Expression::operand() {
   }
   const auto r = reference();
   return r ? read(*r) : std::nullopt;
+}
+
+/// What DEFINE says of the name that was read: a value in itself.
+std::optional<Value> Expression::of_macro(std::size_t begin, const std::string& macro) {
+  if (depth_ > 0 && depth_ >= deepest) return fail(diag("SIE-0103"), begin, static_cast<double>(deepest));
+  const std::string padded = std::string(begin, ' ') + macro;
+  Expression e(b_, environment_, padded, begin);
+  e.depth_ = depth_ + 1;
+  e.is_in_macro_ = true;
+  auto v = is_in_macro_ ? std::nullopt : e.value();
+  if (!is_in_macro_ && !v) {
+    failed_ = true;
+    return std::nullopt;
+  }
+  if (!v || iso::skip_blanks(padded, e.position()) < padded.size())
+    return fail(diag("SIE-0288"), begin, std::string_view(macro));
+  return v;
 }
 
 std::optional<Value> Expression::literal() {
@@ -193,7 +214,7 @@ bool Expression::indices(std::string& name) {
     const bool stands_alone = !word.empty() && word.size() <= 2 && (behind == ',' || behind == ']');
     const bool names_axis = stands_alone && std::string_view("ABCUVWXYZ").find(word[0]) != std::string_view::npos &&
                             environment_.store().find(word) == nullptr;
-    const bool is_axis = names_axis || (stands_alone && name[0] == '$' && iso::is_letter(word[0]) && word[0] != 'R');
+    const bool is_axis = names_axis || (stands_alone && name[0] == '$' && iso::is_letter(word[0]) && (word[0] != 'R' || word == "RT"));
     if (is_axis) {  // $AA_IM[X]
       name += word;
       at_ = end;
@@ -271,12 +292,11 @@ std::optional<Value> Expression::read(const Reference& r) {
   if (bracket != std::string::npos) {
     if (const Variable* const array = store.find(r.name.substr(0, bracket)); array != nullptr && array->is_array)
       return array->value;
-    const char axis = bracket + 3 == r.name.size() ? r.name[bracket + 1] : '\0';
-    if (const auto p = environment_.position(b_, r.name.substr(0, bracket), axis)) return Value::real(*p);
   }
   if (const auto n = store.given(r.name)) return Value::real(*n);
   if (r.name == "$PI") return Value::real(std::numbers::pi);
-  if (const auto n = environment_.known(b_, r.name)) return Value::real(*n);
+  if (r.name[0] == '$')
+    if (const auto n = environment_.system.read(b_, r.name)) return Value::real(*n);
   at_ = r.end;
   if (!failed_)
     environment_.report_once(b_, r.name[0] == '$' ? diag("SIE-0110") : diag("SIE-0111"),

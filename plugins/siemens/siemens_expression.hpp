@@ -37,6 +37,7 @@ class Expression {
   std::optional<Value> unary();
   std::optional<Value> operand();
   std::optional<Value> literal();
+  std::optional<Value> of_macro(std::size_t begin, const std::string& macro);
   std::optional<Value> call(const std::string& name, std::size_t begin);
   std::optional<Value> read(const Reference& r);
   std::optional<Value> apply(std::string_view op, const Value& l, const Value& r, std::size_t begin);
@@ -65,6 +66,7 @@ class Expression {
   std::size_t at_;
   int depth_ = 0;
   bool failed_ = false;
+  bool is_in_macro_ = false;  // they do not nest
 };
 
 }  // namespace siemens

@@ -74,6 +74,10 @@ struct SiemensWord {
     const char c = iso::to_upper(text[begin]);
     const std::size_t second = begin + 1;
     const char d = at(text, second);
+    if (environment_.store().has_macros() && !is_expanded_ && c != '$')
+      if (const std::size_t end = skip_name(text, begin); at(text, skip_blanks(text, end)) != '=')
+        if (const std::string* const macro = environment_.store().macro(upper(piece(text, begin, end))))
+          return expand(b, text, begin, end, *macro, run);
     if (c == '$' || c == '_' || is_name_start(d)) return named(b, text, begin, run);
     if (c == 'R' && (is_digit(d) || d == '[')) return assignment(b, text, begin, run);
     const std::size_t number = skip_blanks(text, second);
@@ -105,6 +109,32 @@ struct SiemensWord {
     }
     word(b, run, std::string_view(&c, 1), fields_.letter(c), begin, end, value);
     return end;
+  }
+
+  /// The words for which a name stands (DEFINE); a name for a call is SiemensCallSyntax's. What an address opens is
+  /// closed behind the name: DEFINE LEFT AS X= and LEFT 10.
+  std::size_t expand(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end, const std::string& macro,
+                     Run& run) {
+    const ExpandedText as(text, begin, end, macro);
+    std::size_t next = begin;
+    is_expanded_ = true;
+    while (next < as.macro_end()) {
+      const std::size_t first = run.count, behind = item(b, as.text(), next, run);
+      if (behind == next) break;
+      for (std::size_t i = std::min<std::size_t>(first, run.count); i < run.count; ++i) {
+        run.words[i].begin = iso::column(begin);
+        run.words[i].end = iso::column(end);
+      }
+      next = skip_blanks(as.text(), behind);
+      if (next < as.macro_end() && !is_name_start(as.text()[next]) && as.text()[next] != '$') break;
+    }
+    is_expanded_ = false;
+    if (next == begin) return begin;
+    if (next < as.macro_end()) {
+      b.report(diag("SIE-0288"), columns(begin, end), std::string_view(macro));
+      return end;
+    }
+    return as.original(next);
   }
 
   void word(ig::Block& b, Run& run, std::string_view name, ig_field field, std::size_t begin, std::size_t end,
@@ -326,12 +356,13 @@ struct SiemensWord {
     }
     environment_.enter(b);
     if (belongs_to_spindle(reference->name)) return of_spindle(b, text, begin, equals, reference->name, run);
+    if (reference->name[0] == '$' && !environment_.store().given(reference->name))
+      return write_system(b, text, begin, equals, reference->name);
     const bool is_unknown_array = reference->name.find('[') != std::string::npos && !array_of(reference->name);
-    if (!reference->is_r && (reference->name[0] == '$' || is_unknown_array) &&
-        !environment_.store().given(reference->name) && !changes_no_position(reference->name)) {
+    if (!reference->is_r && is_unknown_array && !environment_.store().given(reference->name) &&
+        !changes_no_position(reference->name)) {
       const std::size_t end = statement_text_end(text, equals);
-      environment_.report_once(b, reference->name[0] == '$' ? diag("SIE-0129") : diag("SIE-0131"), columns(begin, end),
-                               begin, std::string_view(reference->name));
+      environment_.report_once(b, diag("SIE-0131"), columns(begin, end), begin, std::string_view(reference->name));
       return end;
     }
     Expression e(b, environment_, text, equals + 1);
@@ -342,6 +373,58 @@ struct SiemensWord {
     if (belongs_to_approach(reference->name)) return end;
     assign(b, *reference, *value, begin, end);
     return end;
+  }
+
+  /// $P_UIFR[1,X,TR]=5, $P_UIFR[1]=CTRANS(X,5,Y,3), $TC_DP3[1,1]=120
+  std::size_t write_system(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
+                           const std::string& name) const {
+    const auto refuse = [&](std::size_t end) {
+      environment_.report_once(b, diag("SIE-0129"), columns(begin, end), begin, std::string_view(name));
+      return end;
+    };
+    const std::size_t value_at = skip_blanks(text, equals + 1), end_of_name = skip_name(text, value_at);
+    const std::size_t last = statement_text_end(text, equals);
+    if (at(text, skip_blanks(text, end_of_name)) == '(' &&
+        iso::equals_ignoring_case(piece(text, value_at, end_of_name), "CTRANS")) {
+      std::size_t next = skip_blanks(text, end_of_name);
+      const auto shift = shift_at(b, text, next);
+      if (!shift || next < last || !environment_.system.write_shift(b, name, *shift)) return refuse(last);
+      return next;
+    }
+    if (at(text, value_at) == '$') {
+      Expression other(b, environment_, text, value_at);
+      const auto reference = other.reference();
+      const auto shift = reference && other.position() == last ? environment_.system.shift_of(b, reference->name)
+                                                               : std::nullopt;
+      if (shift && environment_.system.write_shift(b, name, *shift)) return last;
+    }
+    if (environment_.system.write(b, name, std::nullopt) == Written::without_effect) return last;
+    if (!environment_.system.takes(name)) return refuse(last);
+    Expression e(b, environment_, text, value_at);
+    const auto value = e.value();
+    const std::size_t end = std::max(e.position(), equals + 1);
+    if (!value) return line_end_of_fault(text, end);
+    if (value->is_text() || environment_.system.write(b, name, value->number) == Written::no) return refuse(end);
+    return end;
+  }
+
+  /// (X,5,Y,3): nothing where it holds another axis, or no value.
+  std::optional<std::array<double, 3>> shift_at(ig::Block& b, std::string_view text, std::size_t& next) const {
+    std::array<double, 3> shift{};
+    do {
+      next = skip_blanks(text, next + 1);
+      const std::size_t end = skip_name(text, next), comma = skip_blanks(text, end);
+      const std::size_t axis = end == next + 1 ? std::string_view("XYZ").find(iso::to_upper(text[next])) : 3;
+      if (axis > 2 || at(text, comma) != ',') return std::nullopt;
+      Expression e(b, environment_, text, comma + 1);
+      const auto value = e.number();
+      if (!value) return std::nullopt;
+      shift[axis] = *value;
+      next = skip_blanks(text, e.position());
+    } while (at(text, next) == ',');
+    if (at(text, next) != ')') return std::nullopt;
+    ++next;
+    return shift;
   }
 
   /// Speeds and accelerations of single axes.
@@ -403,6 +486,7 @@ struct SiemensWord {
   }
 
   std::size_t at_bracket_ = 0;
+  bool is_expanded_ = false;  // the text is what DEFINE says
 };
 
 const ig::Register<SiemensWord> registered;

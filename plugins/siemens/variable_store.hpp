@@ -40,14 +40,16 @@ struct Value {
 };
 
 struct Variable {
-  Value value;
+  Value value;  ///< of an array what elements hold that nobody has set
   bool is_array = false;
+  std::vector<std::string> elements{};  ///< [1] and so on: those with a variable of their own
 };
 
 /// What a call passes: values, and the names of the caller's variables that VAR parameters change.
 struct Argument {
   std::optional<Value> value;
   std::string name;
+  std::vector<std::pair<std::string, Value>> elements{};  ///< of an array, where name is one
 };
 
 /// MCALL NAME(…): called after each block of that program that moves.
@@ -84,7 +86,12 @@ class VariableStore {
       const Scope ended = std::move(scopes_.back());
       scopes_.pop_back();
       for (const auto& [inner, outer] : ended.references)
-        if (const auto it = ended.variables.find(inner); it != ended.variables.end()) set(outer, it->second.value);
+        if (const auto it = ended.variables.find(inner); it != ended.variables.end()) {
+          if (!it->second.is_array) set(outer, it->second.value);
+          for (const std::string& element : it->second.elements)
+            if (const auto own = ended.variables.find(inner + element); own != ended.variables.end())
+              set(outer + element, own->second.value);
+        }
     }
     if (scopes_.back().frame != frame) scopes_.push_back({frame, {}, {}, {}});
   }
@@ -101,9 +108,23 @@ class VariableStore {
   /// False where there are too many.
   bool define(const std::string& name, Value value, bool is_array = false) {
     auto& variables = scopes_.back().variables;
+    if (is_array)
+      for (const auto& [element, own] : elements(name)) variables.erase(name + element);
     if (variables.size() >= most_names) return false;
-    variables[name] = {std::move(value), is_array};
+    const auto [it, is_new] = variables.insert_or_assign(name, Variable{std::move(value), is_array});
+    const std::size_t bracket = name.find('[');
+    if (!is_new || bracket == std::string::npos) return true;
+    if (const auto array = variables.find(name.substr(0, bracket)); array != variables.end())
+      array->second.elements.push_back(name.substr(bracket));
     return true;
+  }
+  /// The elements of an array that have a value of their own.
+  std::vector<std::pair<std::string, Value>> elements(const std::string& array) {
+    std::vector<std::pair<std::string, Value>> out;
+    if (const Variable* const v = find(array))
+      for (const std::string& element : v->elements)
+        if (const Variable* const own = find(array + element)) out.emplace_back(element, own->value);
+    return out;
   }
   void refer(const std::string& inner, const std::string& outer) { scopes_.back().references[inner] = outer; }
 
@@ -117,12 +138,21 @@ class VariableStore {
     return scopes_.back().arguments;
   }
 
+  /// DEFINE NAME AS TEXT.
+  void define_macro(const std::string& name, std::string text) { macros_[name] = std::move(text); }
+  bool has_macros() const { return !macros_.empty(); }
+  const std::string* macro(const std::string& name) const {
+    const auto it = macros_.find(name);
+    return it == macros_.end() ? nullptr : &it->second;
+  }
+
   bool say_once(const std::string& what) { return said_.emplace(what, true).second; }
 
   void restart() {
     scopes_.assign(1, {});
     passed_.clear();
     said_.clear();
+    macros_.clear();
     master_spindle.reset();
   }
 
@@ -133,8 +163,13 @@ class VariableStore {
         if (RParameter* const p = r(static_cast<std::size_t>(std::stoul(name.substr(1))))) *p = {value.number, true};
       return;
     }
-    if (Variable* const v = find(name))
+    if (Variable* const v = find(name)) {
       if (const auto fitting = value.as(v->value.type)) v->value = *fitting;
+      return;
+    }
+    const Variable* const array = find(name.substr(0, name.find('[')));
+    if (array == nullptr || !array->is_array) return;
+    if (auto fitting = value.as(array->value.type)) define(name, std::move(*fitting));
   }
 
   struct Scope {
@@ -149,6 +184,7 @@ class VariableStore {
   std::vector<Argument> passed_;
   std::uint64_t tag_ = 0;
   std::unordered_map<std::string, bool> said_;
+  std::unordered_map<std::string, std::string> macros_;
 };
 
 }  // namespace siemens
