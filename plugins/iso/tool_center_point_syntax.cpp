@@ -10,6 +10,8 @@
 namespace iso {
 namespace {
 
+enum class RefusedCodes { said, executed };
+
 struct ToolCenterPoint {
   static constexpr auto spec =
       ig::syntax("ToolCenterPointSyntax", "G43.4/G43.5 tool centre point control.")
@@ -53,6 +55,8 @@ struct ToolCenterPoint {
   RotarySolver solver_;
   ToolKinematics machine_;
   ig::Name g43_4_{"G43.4"}, g43_5_{"G43.5"};
+  ig::Choice<RefusedCodes> refused_{"refused-codes", "said|executed", "said",
+                                    "Functions that a Fanuc refuses under tip control: said, or just executed."};
   ig::Choice<SolutionChoice> choice_{"choice", solution_choices, "min-sum",
                                      "Which of the solutions G43.5 takes: see G53p1RotaryPositionSyntax."};
 
@@ -78,7 +82,7 @@ struct ToolCenterPoint {
       b.set(term_, codes_.name(*named));
       b.erase(untravelled_);
     }
-    if (was_on) say_excluded(b);
+    if (was_on && refused_ == RefusedCodes::said) say_excluded(b);
     RotaryTurn turn = turn_.read(b, machine_);
     const bool takes = b.is(term_, g43_5_) && turn_to_direction(b, turn);
     return follow(b, turn, starts, h, where) || takes ? ig::Status::changed : ig::Status::unchanged;

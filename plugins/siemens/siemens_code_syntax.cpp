@@ -17,7 +17,7 @@ struct SiemensCode {
   iso::RecognisedCodes codes_{
       diag("SIE-0261"),
       {
-          {ig::Call{{"TRAORI", "TRANSMIT", "TRACYL", "TRAANG", "TRACON"}, ""},
+          {ig::Call{{"TRANSMIT", "TRACYL", "TRAANG", "TRACON"}, ""},
            "the transformation is missing: machine coordinates are wrong up to TRAFOOF"},
           {ig::Call{{"G33", "G34", "G35"}, "I J K"}, "the thread is not cut; its blocks move by feed"},
           {ig::Call{{"CT", "POLY", "ASPLINE", "BSPLINE", "CSPLINE", "INVCW", "INVCCW"}, ""},

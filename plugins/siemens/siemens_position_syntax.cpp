@@ -5,6 +5,7 @@
 
 #include "axis_modes.hpp"
 #include "program_xyz_util.hpp"
+#include "rotary_position.hpp"
 #include "siemens_diagnostics.hpp"
 
 namespace siemens {
@@ -23,7 +24,8 @@ struct SiemensPosition {
                                               ig::Previous<double>{"MachineCoordinate.B"},
                                               ig::Previous<double>{"MachineCoordinate.C"}};
   iso::LastProgramXyz last_;
-  ig::Name g91_{"G91"}, ac_{"AC"}, ic_{"IC"}, dc_{"DC"}, acp_{"ACP"}, acn_{"ACN"};
+  RotaryModes rotary_;
+  ig::Name g91_{"G91"}, ac_{"AC"}, ic_{"IC"};
 
   enum class Whole { counted, circle };
   ig::Status build(ig::Block& b) {
@@ -40,7 +42,7 @@ struct SiemensPosition {
         if (!last) last = last_(b);
         any |= linear(b, i, *v, mode, g91, (*last)[i % 3]);
       } else {
-        any |= rotary(b, i, *v, mode, g91);
+        any |= turn(b, i, *v, mode, g91);
       }
     }
     return any ? ig::Status::changed : ig::Status::unchanged;
@@ -72,19 +74,14 @@ struct SiemensPosition {
     return true;
   }
 
-  bool rotary(ig::Block& b, std::size_t word, double value, const std::optional<ig::Symbol>& mode, bool g91) const {
+  bool turn(ig::Block& b, std::size_t word, double value, const std::optional<ig::Symbol>& mode, bool g91) const {
     const double present = b.get_or(angles_[word - 3], 0.0);
-    if (mode ? *mode == ic_ : g91) {
+    if (!mode && g91) {
       rewrite(b, word, present + value);
       return true;
     }
     if (!mode || *mode == ac_) return false;
-    if (value < 0 || value >= 360) b.report(diag("SIE-0214"), ig::Where::word(words_[word].id()), b.text(*mode), value);
-    double turn = std::fmod(value - present, 360);
-    if (turn < 0) turn += 360;
-    if (*mode == acn_ && turn > 0) turn -= 360;
-    if (*mode == dc_ && turn > 180) turn -= 360;
-    rewrite(b, word, present + turn);
+    rewrite(b, word, rotary_.position(b, ig::Where::word(words_[word].id()), value, *mode, present));
     return true;
   }
 };

@@ -4,6 +4,7 @@
 
 #include "plane_util.hpp"
 #include "siemens_diagnostics.hpp"
+#include "tool_kinematics.hpp"
 #include "whole_number.hpp"
 
 namespace siemens {
@@ -37,6 +38,8 @@ struct SiemensToolOffset {
                           "Where the table keeps further edges: D1 of tool 5 is row 5, D2 is row 5 + this."};
   ig::Choice<AfterChange> after_change_{"after-change", "D1|D0|kept", "D1", "The edge in force after a tool change."};
   iso::PlaneInForce plane_;
+  iso::ToolCenterMode mode_;
+  ig::Word h_{"Parsing.H", ig::write, ""};
   ig::Name d0_{"D0"};
 
   ig::Status restart(ig::Block& b) {
@@ -49,6 +52,7 @@ struct SiemensToolOffset {
     const auto where = d ? ig::Where::word(d_.id()) : ig::Where::block();
     if (!d && b.is_fresh(is_change_) && after_change_ != AfterChange::kept)
       d = after_change_ == AfterChange::d1 ? 1 : 0;
+    const bool leads_tip = mode_.is_on(b);
     const bool turned = b.is_fresh(orientation_) || b.is_fresh(tilt_) || b.find(planes_);
     if (d) {
       const auto edge = iso::whole_number(*d);
@@ -57,7 +61,7 @@ struct SiemensToolOffset {
         return ig::Status::changed;
       }
       put_in_force(b, *edge, where);
-    } else if (turned && b.get_or(edge_, std::int64_t{0}) != 0) {
+    } else if (turned && !leads_tip && b.get_or(edge_, std::int64_t{0}) != 0) {
       apply(b, b.get_or(offset_, 0.0));
     }
     return ig::Status::changed;
@@ -68,9 +72,10 @@ struct SiemensToolOffset {
     const auto tool = b.get(spindle_tool_);
     b.set(edge_, edge);
     if (edge == 0) {
+      b.set(radius_id_, std::int64_t{0});
+      if (mode_.is_on(b)) return b.set(h_, 0.0);
       b.set(term_, d0_);
       b.set(offset_id_, std::int64_t{0});
-      b.set(radius_id_, std::int64_t{0});
       b.set(offset_, 0.0);
       apply(b, 0);
       return;
@@ -84,9 +89,10 @@ struct SiemensToolOffset {
       b.report(diag("SIE-0233"), where, static_cast<double>(*tool), static_cast<double>(edge),
                static_cast<double>(row));
     const double length = is_known ? geometry + wear : 0;
+    b.set(radius_id_, row);
+    if (mode_.is_on(b)) return b.set(h_, static_cast<double>(is_known ? row : 0));
     b.set(term_, b.symbol("D" + std::to_string(edge)));
     b.set(offset_id_, row);
-    b.set(radius_id_, row);
     b.set(offset_, length);
     apply(b, length);
   }

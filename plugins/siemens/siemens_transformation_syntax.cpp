@@ -1,0 +1,121 @@
+/// TRAORI: X Y Z are positions of the tool's tip in the workpiece, wherever the rotary axes have turned it. The call
+/// becomes what ToolCenterPointSyntax executes: G43.4, which takes angles, or G43.5, where the block names a direction
+/// (A3= B3= C3=). TRAFOOF ends it.
+#include "axis_modes.hpp"
+#include "plane_util.hpp"
+#include "rotary_position.hpp"
+#include "tool_kinematics.hpp"
+
+namespace siemens {
+namespace {
+
+struct SiemensTransformation {
+  static constexpr auto spec =
+      ig::syntax("SiemensTransformationSyntax", "TRAORI and TRAFOOF: the tip of the tool is led.")
+          .after("ParameterizedFlagSyntax", "SiemensUnitSyntax", "G53p1RotaryPositionSyntax")
+          .before("SiemensToolOffsetSyntax", "ToolCenterPointSyntax", "SiemensPositionSyntax");
+
+  ig::Codes on_{"TRAORI"}, off_{"TRAFOOF"};
+  ig::Codes planes_{{"G17", "G18", "G19"}, ig::read};
+  ig::Codes arcs_{{"G02", "G03", "CIP"}, ig::read};
+  ig::In<ig::Symbol> motion_{"MotionState.Term"};
+  ig::InWhile<ig::Symbol> by_angles_{"ToolHeightCompensation.Term", "G43.4", ig::write};
+  ig::InWhile<ig::Symbol> by_direction_{"ToolHeightCompensation.Term", "G43.5"};
+  ig::Call tip_{{"G43.4", "G43.5"}, "H[]", ig::write};
+  ig::Word h_{"Parsing.H", ig::take, ""};
+  std::array<ig::Word, 3> vector_{ig::Word{"Parsing.A3", ig::take, ""}, ig::Word{"Parsing.B3", ig::take, ""},
+                                  ig::Word{"Parsing.C3", ig::take, ""}};
+  std::array<ig::Word, 3> direction_{ig::Word{"Parsing.I", ig::write}, ig::Word{"Parsing.J", ig::write},
+                                     ig::Word{"Parsing.K", ig::write}};
+  std::array<ig::Word, 3> rotary_{ig::Word{"Parsing.A", ig::read | ig::write, "deg"},
+                                  ig::Word{"Parsing.B", ig::read | ig::write, "deg"},
+                                  ig::Word{"Parsing.C", ig::read | ig::write, "deg"}};
+  std::array<ig::In<double>, 3> angles_{ig::In<double>{"MachineCoordinate.A"}, ig::In<double>{"MachineCoordinate.B"},
+                                        ig::In<double>{"MachineCoordinate.C"}};
+  AxisModes modes_{ig::read | ig::write};
+  ig::Out<std::int64_t> offset_id_{"ToolHeightCompensation.OffsetId"};
+  ig::Field<std::int64_t> edge_{"ToolHeightCompensation.Edge",
+                                ig::read,
+                                {ig::Life::modal, "", "D: the cutting edge in force; 0: none."}};
+  ig::In<double> offset_{"ToolHeightCompensation.Offset_mm"};
+  ig::Transform frame_{"ToolHeightCompensation"};
+  ig::Xyz orientation_{"ToolOrientation", ig::read | ig::write};
+  ig::Field<bool> aligned_{"TiltTransform.IsAligned",
+                           ig::read,
+                           {ig::Life::modal, "", "G53.1 or G53.6 has put the tool upright on the plane."}};
+  iso::PlaneInForce plane_;
+  iso::ToolKinematics machine_;
+  iso::ToolCenterMode mode_;
+  RotaryModes turn_;
+  ig::Name g43_5_{"G43.5"}, g02_{"G02"}, g03_{"G03"};
+
+  ig::Status build(ig::Block& b) {
+    const bool was_on = mode_.is_on(b);
+    if (b.take(off_)) {
+      if (was_on) end(b);
+      return ig::Status::changed;
+    }
+    const auto on = b.take(on_);
+    if (on && !machine_) {
+      b.report(diag("SIE-0183"), ig::Where::word(on_.id(*on)), b.text(on_.name(*on)));
+      return ig::Status::changed;
+    }
+    if (!on && !was_on) return ig::Status::unchanged;
+    if (was_on)
+      if (const auto h = b.take(h_)) b.report(diag("SIE-0126"), ig::Where::word(h_.id()), std::string_view("H"));
+    if (!b.has(offset_id_)) b.set(offset_id_, std::int64_t{0});
+    const bool has_angles = take_modes(b);
+    const bool has_vector = b.has(vector_[0]) || b.has(vector_[1]) || b.has(vector_[2]);
+    const bool by_vector = has_vector && take_vector(b);
+    const bool is_by_vector = b.is(by_direction_, g43_5_);
+    if (by_vector ? on || !is_by_vector : on || (is_by_vector && has_angles)) b.set_call(tip_, by_vector ? 1 : 0);
+    return ig::Status::changed;
+  }
+
+ private:
+  /// Angles that a word counts from the present one, or in a direction, become angles of the machine.
+  bool take_modes(ig::Block& b) const {
+    bool any = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto word = b.get(rotary_[i]);
+      if (!word) continue;
+      any = true;
+      const auto mode = modes_.get(b, 3 + i);
+      if (!mode) continue;
+      const double to = turn_.position(b, ig::Where::word(rotary_[i].id()), *word, *mode, b.get_or(angles_[i], 0.0));
+      b.host()->rewrite(b.raw(), rotary_[i].id(), {.number = to});
+      modes_.set(b, 3 + i, turn_.ac);
+    }
+    return any;
+  }
+
+  /// False where the block is an arc, whose I J K are its centre.
+  bool take_vector(ig::Block& b) const {
+    const ig::Symbol in_force = b.get_or(motion_, ig::Symbol{});
+    const bool is_arc = b.find(arcs_) || in_force == g02_ || in_force == g03_;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto component = b.take(vector_[i]);
+      if (!is_arc) b.set(direction_[i], component.value_or(0));
+    }
+    if (is_arc) b.report(diag("SIE-0262"), ig::Where::block(), std::string_view("A3= B3= C3= in an arc: the tool keeps its direction"));
+    return !is_arc;
+  }
+
+  /// The length lies along the axis of the plane again, or along the tool that CYCLE800 has put upright.
+  void end(ig::Block& b) const {
+    const ig::PartialVec3 orientation = b.get(orientation_);
+    const bool stays = b.has(aligned_) && orientation.complete();
+    ig::Vec3 axis;
+    axis[plane_(b).tool] = 1;
+    if (stays) axis = orientation.value;
+    if (!stays)
+      for (std::size_t i = 0; i < 3; ++i) b.host()->erase(b.raw(), orientation_.id(i));
+    b.set(by_angles_, b.symbol("D" + std::to_string(b.get_or(edge_, std::int64_t{0}))));
+    b.set_translation(frame_, b.get_or(offset_, 0.0) * axis);
+  }
+};
+
+const ig::Register<SiemensTransformation> registered;
+
+}  // namespace
+}  // namespace siemens
