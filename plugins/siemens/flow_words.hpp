@@ -65,4 +65,7 @@ inline bool has_jump(std::string_view text, std::size_t position) {
   return false;
 }
 
+/// The label of the block with a pattern of holes, at each of which MCALL calls a subprogram.
+inline std::string pattern_label(std::int64_t line) { return "PATTERN@" + std::to_string(line); }
+
 }  // namespace siemens

@@ -55,7 +55,12 @@ struct SiemensCall {
     const bool is_l =
         iso::to_upper(text[position]) == 'L' && end > position + 1 && iso::skip_digits(text, position + 1) == end;
     if (end - position < 2 || (iso::is_digit(at(text, position + 1)) && !is_l)) return position;
-    if (environment_.flow.is_indexing()) return statement_end(text, position);
+    if (environment_.flow.is_indexing()) {
+      for (const CycleSignature& s : pattern_signatures)
+        if (iso::equals_ignoring_case(piece(text, position, end), s.name))
+          environment_.flow.label(b, pattern_label(environment_.flow.here(b).line));
+      return statement_end(text, position);
+    }
     std::string name = upper(piece(text, position, end));
     if (const std::string* const macro = environment_.store().macro(name); macro != nullptr && !is_expanded_)
       return expand(b, text, position, end, *macro);

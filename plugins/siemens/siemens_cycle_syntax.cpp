@@ -20,11 +20,13 @@ struct SiemensCycle {
   std::vector<std::vector<ig::Field<double>>> kept_ = all_kept();
   ig::Xyz words_{"Parsing", ig::read};
   HolePattern pattern_{ig::take | ig::wake};
+  ig::Signal subprogram_{"ModalCall.~InForce", ig::read, ig::Life::modal};
 
   ig::Status build(ig::Block& b) {
     const bool is_modal = b.take(modal_).has_value();
     const bool has_pattern = pattern_.stands_in(b);
-    if (has_pattern && (is_modal || !b.has(term_))) pattern_.refuse(b);
+    const bool is_called = has_pattern && !is_modal && b.is_raised(subprogram_);
+    if (has_pattern && !is_called && (is_modal || !b.has(term_))) pattern_.refuse(b);
     if (!is_modal)
       return (b.has(term_) && repeat(b, has_pattern)) || has_pattern ? ig::Status::changed : ig::Status::unchanged;
     forget(b);

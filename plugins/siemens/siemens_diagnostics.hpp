@@ -258,7 +258,7 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_ERROR, "SIE-0262", "{0}", "The word is known by name only.", "G1 X10 FZ=0.1"),
     // patterns of holes
     ig::diagnostic(IG_ERROR, "SIE-0271", "{0} without a drilling cycle under MCALL: no hole is made",
-                   "MCALL with a cycle stands before; a subprogram under MCALL is not called at the positions.",
+                   "MCALL with a cycle or a subprogram stands before.",
                    "HOLES1(0,0,0,0,10,5)"),
     ig::diagnostic(IG_ERROR, "SIE-0272", "{0}: {1} holes are not executed; at most {2} are",
                    "The number is whole and at least 1; a row has at most 999 holes, a grid 9999.",
@@ -297,6 +297,9 @@ inline constexpr std::array diagnostics{
                    "A name can stand for words, for a call and for a value. It does not stand for parts of them, for "
                    "branches and jumps, or for another such name.",
                    "DEFINE AWAY AS GOTOF END"),
+    ig::diagnostic(IG_ERROR, "SIE-0289", "{0} holes of the pattern before this block are not made",
+                   "The subprogram that MCALL calls at the holes ends with M17 or RET; this one did not come back to them.",
+                   "MCALL UP (then) HOLES1(0,0,0,0,10,5)"),
 };
 
 consteval std::uint32_t diag(std::string_view code) { return iso::index_of(diagnostics, code, 0); }

@@ -321,12 +321,20 @@ struct SiemensFlow {
     if (code) b.take(returns_);
     if (is_inside) {
       b.set(returned_, code ? returns_.name(*code) : ends_.name(*b.take(ends_)));
-      environment_.flow.leave(b);
+      leave_subprogram(b);
     } else {
       b.set(end_, returns_.name(*code));
       b.end_program();
     }
     return true;
+  }
+
+  /// Behind the call; or back to the pattern of holes that called.
+  void leave_subprogram(ig::Block& b) const {
+    const std::vector<PatternCall>& patterns = environment_.store().patterns;
+    const std::uint64_t tag = environment_.flow.frame(b).tag;
+    const bool is_of_pattern = !patterns.empty() && tag != 0 && patterns.back().tag == tag && patterns.back().is_open();
+    environment_.flow.leave(b, is_of_pattern ? std::string_view(patterns.back().label) : std::string_view());
   }
 
   BranchIndex branches_{environment_};  // while the program is indexed

@@ -38,6 +38,10 @@ struct SiemensModalCall {
     call.program = modal.program;
     call.files = {&file, 1};
     call.tag = environment_.store().pass(modal.arguments);
+    const ig_place here = environment_.flow.here(b);
+    if (auto& patterns = environment_.store().patterns;
+        !patterns.empty() && patterns.back().is_at(here.frame, here.offset))
+      patterns.back().tag = call.tag;
     b.set(term_, b.symbol(modal.program));
     const ig::Flow::Answer answer = environment_.flow.call(b, call);
     if (answer.is_not_found())

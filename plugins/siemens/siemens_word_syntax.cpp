@@ -409,13 +409,13 @@ struct SiemensWord {
   }
 
   /// (X,5,Y,3): nothing where it holds another axis, or no value.
-  std::optional<std::array<double, 3>> shift_at(ig::Block& b, std::string_view text, std::size_t& next) const {
-    std::array<double, 3> shift{};
+  std::optional<SystemData::Shift> shift_at(ig::Block& b, std::string_view text, std::size_t& next) const {
+    SystemData::Shift shift{};
     do {
       next = skip_blanks(text, next + 1);
       const std::size_t end = skip_name(text, next), comma = skip_blanks(text, end);
-      const std::size_t axis = end == next + 1 ? std::string_view("XYZ").find(iso::to_upper(text[next])) : 3;
-      if (axis > 2 || at(text, comma) != ',') return std::nullopt;
+      const std::size_t axis = end == next + 1 ? std::string_view("XYZABC").find(iso::to_upper(text[next])) : 6;
+      if (axis > 5 || at(text, comma) != ',') return std::nullopt;
       Expression e(b, environment_, text, comma + 1);
       const auto value = e.number();
       if (!value) return std::nullopt;

@@ -74,25 +74,28 @@ class SystemData {
     return is_description_of_tool(name.base) ? Written::without_effect : Written::no;
   }
 
-  /// $P_UIFR[n] and its kin as a whole: the shift of X, Y and Z, the other axes are 0.
-  bool write_shift(const ig::Block& b, std::string_view text, const std::array<double, 3>& shift) const {
+  /// $P_UIFR[n] and its kin as a whole: X Y Z A B C.
+  using Shift = std::array<double, 6>;
+  bool write_shift(const ig::Block& b, std::string_view text, const Shift& shift) const {
     const Name name(text);
     const auto frame = frame_of(b, name);
     if (!frame || name.base == "$P_IFRAME" || name.count > (name.base == "$P_UBFR" ? 0u : 1u) || !offsets_) return false;
-    double mm[3];
+    double mm[3], degrees[3];
     for (std::size_t i = 0; i < 3; ++i) {
       mm[i] = shift[i] * unit(b);
-      if (!(std::fabs(mm[i]) < 1e9)) return false;
+      degrees[i] = shift[3 + i];
+      if (!(std::fabs(mm[i]) < 1e9 && std::fabs(degrees[i]) < 1e9)) return false;
     }
-    const double none[3] = {0, 0, 0};
-    offsets_->set_rotary(offsets_->self, ig::to_text(*frame), none);
+    offsets_->set_rotary(offsets_->self, ig::to_text(*frame), degrees);
     return offsets_->set(offsets_->self, ig::to_text(*frame), mm) != 0;
   }
-  std::optional<std::array<double, 3>> shift_of(const ig::Block& b, std::string_view text) const {
-    double mm[3];
+  std::optional<Shift> shift_of(const ig::Block& b, std::string_view text) const {
+    double mm[3], degrees[3];
     const auto frame = frame_of(b, Name(text));
-    if (!frame || !offsets_ || offsets_->get(offsets_->self, ig::to_text(*frame), mm) == 0) return std::nullopt;
-    return std::array<double, 3>{mm[0] / unit(b), mm[1] / unit(b), mm[2] / unit(b)};
+    if (!frame || !offsets_ || offsets_->get(offsets_->self, ig::to_text(*frame), mm) == 0 ||
+        offsets_->get_rotary(offsets_->self, ig::to_text(*frame), degrees) == 0)
+      return std::nullopt;
+    return Shift{mm[0] / unit(b), mm[1] / unit(b), mm[2] / unit(b), degrees[0], degrees[1], degrees[2]};
   }
 
  private:

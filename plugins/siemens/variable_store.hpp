@@ -2,6 +2,7 @@
 /// SiemensVariables owns one; the syntaxes of this plugin reach it through its service.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -59,9 +60,23 @@ struct ModalCall {
   std::uint64_t frame = 0;
 };
 
+/// A pattern of holes at each of which MCALL calls a subprogram. Its block is executed once for each hole: the end of
+/// the subprogram goes back to it.
+struct PatternCall {
+  std::uint64_t frame = 0;   ///< of the block with the pattern
+  std::uint64_t offset = 0;  ///< where that block begins
+  std::uint64_t tag = 0;     ///< of the call that is running
+  std::string label;
+  std::vector<std::array<double, 3>> holes;
+  std::size_t next = 0;
+  bool is_open() const { return next < holes.size(); }
+  bool is_at(std::uint64_t f, std::uint64_t o) const { return frame == f && offset == o; }
+};
+
 class VariableStore {
  public:
   ModalCall modal;
+  std::vector<PatternCall> patterns;  ///< the innermost last
   std::optional<std::int64_t> master_spindle;  ///< what SETMS has named
 
   std::size_t most_names = 100'000;  ///< of one program, elements of arrays counted
@@ -153,6 +168,7 @@ class VariableStore {
     passed_.clear();
     said_.clear();
     macros_.clear();
+    patterns.clear();
     master_spindle.reset();
   }
 
