@@ -19,6 +19,11 @@ class FeedWords {
       if (const std::size_t word = letters_end(text, next); word > next) kind = piece(text, next, word);
     }
     const auto is = [&](std::string_view name) { return iso::equals_ignoring_case(kind, name); };
+    // FMAXM3, FAUTOR0: the letter of the next word is none of this one.
+    for (const std::string_view name : {"MAX", "AUTO"})
+      if (kind.size() == name.size() + 1 && to_upper(kind.back()) != 'T' && is_digit(at(text, letters)) &&
+          iso::equals_ignoring_case(kind.substr(0, name.size()), name))
+        kind.remove_suffix(1);
     if (is("MAX") || is("AUTO")) {
       end = static_cast<std::size_t>(kind.data() + kind.size() - text.data());
       if (is("MAX"))
@@ -32,6 +37,11 @@ class FeedWords {
     const char by = kind.empty() ? '\0' : to_upper(kind[0]);
     const bool is_per_revolution = by == 'U';
     const bool is_unknown = by == 'Z' || by == 'T' || is("MAXT");
+    if (letters > position + 2 && !is_per_revolution && !is_unknown && by != 'Q' && at(text, letters) != '=') {
+      b.report(hei("HEI-0103"), ig::Where::columns(position, letters), piece(text, position, letters),
+               std::string_view("F"));
+      return letters;
+    }
     const Value v = values.read(b, text, is_per_revolution || is_unknown ? letters : position + 1);
     if (!v.ok) return is_unknown ? letters : position + 1;  // F alone: the prompt was left without an answer
     if (is_unknown) {

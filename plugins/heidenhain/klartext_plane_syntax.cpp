@@ -310,9 +310,13 @@ struct KlartextPlane {
 
   void position(ig::Block& b, const ig::Vec3& normal) {
     if (!machine_) {
+      // They are 0 from here on: what reads them says nothing of the same cause.
+      QStore* const store = values_.store();
+      for (std::uint32_t q = 120; q <= 122 && store != nullptr; ++q)
+        if (std::isnan(store->get({QKind::q, q}, 0))) store->set({QKind::q, q}, 0, 0);
       b.report(hei("HEI-0172"), where(), shown(),
                std::string_view(command_.move == Move::stay || command_.move == Move::none
-                                    ? "Q120 to Q122 are not known"
+                                    ? "Q120 to Q122 are not known: 0 is taken where nothing else gave them a value"
                                     : "they do not turn, and Q120 to Q122 are not known"));
       return;
     }

@@ -39,7 +39,7 @@ class MFunctions {
       return end;
     }
     if (rounded == 140) return retract(b, values, text, position, end);
-    return set(b, text, static_cast<std::uint32_t>(rounded), position, end);
+    return set(b, values, text, static_cast<std::uint32_t>(rounded), position, end);
   }
 
   /// The block holds M140 MB.
@@ -73,7 +73,22 @@ class MFunctions {
     return feed_end;
   }
 
-  std::size_t set(ig::Block& b, std::string_view text, std::uint32_t number, std::size_t begin, std::size_t end) const {
+  /// M128 F: how fast the axes may follow, which changes no path. Its value is read, since a parameter of it may have
+  /// none.
+  static std::size_t behind_feed(ig::Block& b, const Values& values, std::string_view text, std::size_t end) {
+    const std::size_t feed = skip(text, end);
+    if (to_upper(at(text, feed)) != 'F') return end;
+    const std::size_t word = word_end(text, feed);
+    for (const std::string_view name : {"FMAX", "FAUTO"})
+      if (iso::equals_ignoring_case(piece(text, feed, word), name)) return word;
+    const Value v = values.read(b, text, skip(text, feed + 1));
+    if (v.ok) return v.end;
+    b.report(hei("HEI-0104"), ig::Where::columns(feed, word), std::string_view("M128"), piece(text, feed, word));
+    return word;
+  }
+
+  std::size_t set(ig::Block& b, const Values& values, std::string_view text, std::uint32_t number, std::size_t begin,
+                  std::size_t end) const {
     const auto where = ig::Where::columns(begin, end);
     const std::string_view name = trim(piece(text, begin, end));
     switch (number) {
@@ -95,11 +110,7 @@ class MFunctions {
         b.report(hei("HEI-0175"), where);
         flag(b, g53_.id(0), begin, end);
         return end;
-      case 128: {
-        flag(b, tcp_.code(0), begin, end);
-        const std::size_t feed = skip(text, end);  // M128 F: how fast the machine may follow
-        return to_upper(at(text, feed)) == 'F' ? word_end(text, feed) : end;
-      }
+      case 128: flag(b, tcp_.code(0), begin, end); return behind_feed(b, values, text, end);
       case 129:  // without M128 in front the length stays as TOOL CALL has left it
         if (b.is(length_term_, led_)) flag(b, length_.code(0), begin, end);
         return end;
