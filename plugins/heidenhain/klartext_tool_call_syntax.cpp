@@ -1,5 +1,5 @@
 // TOOL CALL: the tool, its axis, its speed and feed, its length and what DL adds to it. TOOL DEF names a tool that the
-// magazine may fetch.
+// magazine may fetch, or writes its length and radius into the table of tools.
 #include "feed_words.hpp"
 #include "m_functions.hpp"
 
@@ -28,7 +28,7 @@ struct KlartextToolCall {
   ig::In<ig::Symbol> system_{"Unit.System"};
   ig::Name inch_{"Inch"};
   ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional,
-                                       "Radius for Q108, length for Q114."};
+                                       "Radius for Q108, length for Q114; TOOL DEF writes it."};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (!stands_first(text, position)) return position;
@@ -151,17 +151,42 @@ struct KlartextToolCall {
     if (const auto length = sum(0)) store->set({QKind::q, 114}, 0, *length);
   }
 
-  /// TOOL DEF 5 names a tool; with L and R it once defined one.
+  /// TOOL DEF 5 names a tool that the magazine may fetch; TOOL DEF 5 L+100 R+5 defines it.
   void read_definition(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
     i = skip(text, i);
     double tool = 0;
     if (tool_at(b, text, i, tool) != Name::number) return;
-    word(b, t_.id(), begin, i, tool);
-    i = skip(text, i);
-    if (i >= text.size()) return;
-    const std::string_view rest = rest_of_line(text, i);
-    b.report(hei("HEI-0122"), ig::Where::columns(i, i + rest.size()), rest,
-             std::string_view("length and radius of a tool come from the table of tools"));
+    const std::size_t words = skip(text, i);
+    if (words >= text.size()) return word(b, t_.id(), begin, i, tool);
+    for (i = words; i < text.size(); i = skip(text, i)) {
+      const char c = to_upper(text[i]);
+      const bool is_word = (c == 'L' || c == 'R') && (!is_letter(at(text, i + 1)) || to_upper(at(text, i + 1)) == 'Q');
+      if (!is_word) {
+        const std::string_view rest = rest_of_line(text, i);
+        b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("TOOL DEF"));
+        return;
+      }
+      const Value v = read(b, text, i + 1);
+      const std::size_t end =
+          v.ok ? v.end : iso::skip_while(text, i + 1, [](char sign) { return sign == '+' || sign == '-'; });
+      const auto where = ig::Where::columns(i, end);
+      if (!v.ok) {
+        b.report(hei("HEI-0104"), where, std::string_view("TOOL DEF"), piece(text, i, end));
+      } else if (!define(tool, c == 'L' ? 0 : 2, in_mm(b, v.number))) {
+        const std::string_view whole = rest_of_line(text, begin);
+        b.report(hei("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole,
+                 std::string_view("the table of tools has no such tool"));
+        return;
+      }
+      i = end;
+    }
+  }
+
+  /// Length or radius of a tool, into the table; tool 0 is none, and has neither.
+  bool define(double tool, std::uint32_t column, double mm) const {
+    if (tool == 0 && mm == 0) return true;
+    const bool is_number = table_ && tool >= 0 && tool < 1e9 && std::isfinite(mm);
+    return is_number && table_->set(table_->self, static_cast<std::int64_t>(tool), column, mm) != 0;
   }
 };
 
