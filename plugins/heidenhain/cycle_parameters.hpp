@@ -57,9 +57,13 @@ inline constexpr std::array cycle_parameters{
     CycleParameter{343, "Q343", "", "1: the depth follows from the diameter."},
     CycleParameter{344, "Q344", "mm", "Diameter of the centre."},
     CycleParameter{351, "Q351", "", "+1: climb milling, -1: conventional."},
+    CycleParameter{367, "Q367", "", "Where the pocket or slot lies about the tool; 0: the tool stands at its centre."},
+    CycleParameter{370, "Q370", "", "Overlap of the passes."},
     CycleParameter{379, "Q379", "mm", "Deepened starting point."},
     CycleParameter{395, "Q395", "", "1: the depth is that of the full diameter."},
+    CycleParameter{401, "Q401", "%", "Factor of the feed below the dwell depth."},
     CycleParameter{403, "Q403", "", "Factor of the speed at the retract."},
+    CycleParameter{435, "Q435", "mm", "Dwell depth, from the surface."},
 };
 
 constexpr std::size_t index_of_parameter(std::uint32_t q) {

@@ -224,6 +224,7 @@ class HoleCycle {
   /// second one.
   template <class Self>
   void machine_all(ig::Block& b, const Self& self, HoleRun& c, const HolePattern::Points& points) const {
+    if (points.list != nullptr) return machine_list(b, self, c, points);
     const double end = c.end;
     c.level = c.hole[c.plane.tool];
     rapid_to(b, c, end);
@@ -232,6 +233,29 @@ class HoleCycle {
       motion.rapid_to(b, c.at(c.level));
       rapid_to(b, c, c.safe);
       c.end = points.is_high || i + 1 == points.count ? end : c.safe;
+      self.machine(b, c);
+    }
+  }
+
+  /// CYCL CALL PAT: between the points the tool stands as high as it stood at the call, or at the second set-up
+  /// clearance where that is higher. Each point adds to the surface.
+  template <class Self>
+  void machine_list(ig::Block& b, const Self& self, HoleRun& c, const HolePattern::Points& points) const {
+    const double at_call = c.hole[c.plane.tool];
+    double end = c.end, added = 0;
+    c.level = at_call;
+    const auto code = b.find(motions_);
+    const double between = code && *code == 0 ? 0 : in_mmds(b, b.get_or(feed_, 0.0));
+    for (std::int64_t i = 0; i < points.count; ++i) {
+      const double more = (*points.list)[static_cast<std::size_t>(i)].surface - added;
+      added += more;
+      for (double* const level : {&c.surface, &c.safe, &c.bottom, &end}) *level += more;
+      const double high = c.out() > 0 ? std::fmax(at_call, end) : std::fmin(at_call, end);
+      if (c.level != high) rapid_to(b, c, high);
+      c.hole = pattern_.point(b, points, c.plane, c.hole, i);
+      feed_to(b, c, high, between);
+      rapid_to(b, c, c.safe);
+      c.end = high;
       self.machine(b, c);
     }
   }

@@ -1,4 +1,5 @@
-/// Cycles 220 and 221: the points of a circle or of rows at which the cycle defined last runs at once.
+/// Where the cycle defined last runs: the points of a circle or of rows, cycles 220 and 221, which run it at once, or
+/// those of PATTERN DEF, for CYCL CALL PAT.
 #pragma once
 
 #include <cmath>
@@ -7,6 +8,7 @@
 #include "cycle_parameters.hpp"
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
+#include "q_store.hpp"
 #include "scale_and_mirror.hpp"
 
 namespace heidenhain {
@@ -37,7 +39,8 @@ inline constexpr std::array pattern_parameters{
 class HolePattern {
  public:
   explicit HolePattern(ig::Access access)
-      : number_("KlartextPattern.Number", access, {ig::Life::block, "", "220 or 221: the pattern that runs here."}) {
+      : number_("KlartextPattern.Number", access,
+                {ig::Life::block, "", "220 or 221: the pattern that runs here; 0: that of PATTERN DEF."}) {
     for (std::size_t i = 0; i < fields_.size(); ++i) {
       const CycleParameter& p = pattern_parameters[i];
       fields_[i] = ig::detail::declare_field(
@@ -48,6 +51,7 @@ class HolePattern {
   struct Points {
     bool is_pattern = false;
     bool is_high = false;
+    const std::vector<PatternPoint>* list = nullptr;  ///< of PATTERN DEF
     std::int64_t count = 1;
     std::int64_t in_row = 1;
     double angle = 0, step = 0;  ///< of a circle
@@ -76,6 +80,11 @@ class HolePattern {
     const auto number = b.get(number_);
     if (!number) return p;
     p.is_pattern = true;
+    if (*number == 0) {
+      if (store_) p.list = &store_->pattern;
+      p.count = p.list != nullptr ? static_cast<std::int64_t>(p.list->size()) : 0;
+      return p;
+    }
     p.is_high = get(b, 301).value_or(0) != 0;
     if (*number == 221) {
       p.in_row = whole(get(b, 242).value_or(1));
@@ -96,7 +105,11 @@ class HolePattern {
   ig::Vec3 point(const ig::Block& b, const Points& p, const iso::PlaneAxes& plane, ig::Vec3 here,
                  std::int64_t i) const {
     double u = 0, v = 0;
-    if (b.get_or(number_, std::int64_t{0}) == 221) {
+    if (p.list != nullptr) {
+      const PatternPoint& of_list = (*p.list)[static_cast<std::size_t>(i)];
+      u = of_list.first;
+      v = of_list.second;
+    } else if (b.get_or(number_, std::int64_t{0}) == 221) {
       const std::int64_t row = i / p.in_row, place = i % p.in_row;
       const std::int64_t column = row % 2 == 0 ? place : p.in_row - 1 - place;
       const double along = get(b, 237).value_or(0) * static_cast<double>(column);
@@ -128,6 +141,7 @@ class HolePattern {
   ig::Field<std::int64_t> number_;
   std::array<ig_field, pattern_parameters.size()> fields_{};
   iso::ScaleAndMirror mirror_;
+  ig::Service<QStore> store_{q_store_service, ig::Need::optional, "The points of PATTERN DEF."};
 };
 
 }  // namespace heidenhain

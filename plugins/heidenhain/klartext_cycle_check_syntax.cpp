@@ -38,7 +38,8 @@ struct KlartextCycleCheck {
 
  private:
   static bool is_known(std::int64_t number) {
-    return (number >= 200 && number <= 209) || number == 240 || number == 1 || number == 2 || number == 17;
+    return (number >= 200 && number <= 209) || number == 240 || number == 241 || (number >= 251 && number <= 254) ||
+           number == 1 || number == 2 || number == 17;
   }
 };
 

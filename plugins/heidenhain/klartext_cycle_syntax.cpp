@@ -1,6 +1,7 @@
 // CYCL DEF of cycles that wait for a call, and CYCL CALL. The number of a cycle decides what it is, since its name
 // comes in the language of the control. A definition is kept in CycleDefinition, and its Q parameters get their values.
 #include "cycle_text.hpp"
+#include "hole_pattern.hpp"
 #include "m_functions.hpp"
 
 namespace heidenhain {
@@ -15,6 +16,7 @@ struct KlartextCycle {
   CycleText text_;
   MFunctions m_;
   CycleDefinition definition_{ig::read | ig::write};
+  HolePattern pattern_{ig::write};
   ig::Out<std::int64_t> number_{"CycleDefinition.Number", {ig::Life::modal, "", "The cycle that CYCL CALL runs."}};
   ig::Signal said_{"CycleDefinition.~Said", ig::write, ig::Life::modal};
   ig::Signal is_open_{"CycleDefinition.~Open", ig::read | ig::write, ig::Life::modal};
@@ -124,17 +126,20 @@ struct KlartextCycle {
   void read_call(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
     i = skip(text, i);
     const std::size_t pattern = keyword(text, i, "PAT"), position = keyword(text, i, "POS");
-    if (pattern != i) {
+    const QStore* const store = text_.values().store();
+    if (pattern != i && (store == nullptr || store->pattern.empty())) {
       const std::string_view whole = rest_of_line(text, begin);
       b.report(hei("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole,
                std::string_view("the holes of the pattern are missing"));
       return;
     }
     b.set(call_, true);
+    if (pattern != i) pattern_.set_number(b, 0);
     bool is_rapid = false;
     const bool is_positioned = position != i;
     if (is_positioned) b.set(at_position_, true);
-    i = position;
+    const bool is_moving = is_positioned || pattern != i;
+    i = std::max(position, pattern);
     while ((i = skip(text, i)) < text.size()) {
       const std::size_t next = call_word(b, text, i, is_rapid);
       if (next == i) {
@@ -144,7 +149,7 @@ struct KlartextCycle {
       }
       i = next;
     }
-    if (is_positioned) code(b, motions_.id(is_rapid ? 0 : 1), begin, begin + 9);
+    if (is_moving) code(b, motions_.id(is_rapid ? 0 : 1), begin, begin + 9);
   }
 
   std::size_t call_word(ig::Block& b, std::string_view text, std::size_t i, bool& is_rapid) const {

@@ -101,9 +101,9 @@ inline constexpr std::array klartext_diagnostics{
                    "5 TOOL CALL 5 Y S3000"),
     // cycles
     ig::diagnostic(IG_ERROR, "HEI-0160", "cycle {0} is not executed: what it machines is missing",
-                   "Executed are 200 to 207, 209 and 240, and 1, 2 and 17 of the older ones. Positions after the call "
-                   "are those before it.",
-                   "5 CYCL CALL (after CYCL DEF 252)"),
+                   "Executed are 200 to 209, 240 and 241, and 1, 2 and 17 of the older ones; of 251 to 254 where they "
+                   "begin and end. Positions after the call are those before it.",
+                   "5 CYCL CALL (after CYCL DEF 262)"),
     ig::diagnostic(IG_ERROR, "HEI-0161", "cycle {0} is not executed: {1}",
                    "The cycle acts where it is defined. It is recognised as a whole.", "5 CYCL DEF 11.1 SCL 0.5"),
     ig::diagnostic(IG_ERROR, "HEI-0162", "{0} without a cycle: no CYCL DEF came before", "Nothing is machined.",
@@ -115,9 +115,11 @@ inline constexpr std::array klartext_diagnostics{
     ig::diagnostic(IG_WARNING, "HEI-0165", "cycle {0}: Q201 is positive, the cycle works upwards",
                    "A depth below the surface is negative. Controls make this an error by a parameter (MP7441).",
                    "5 CYCL DEF 200 Q201=+20"),
-    ig::diagnostic(IG_ERROR, "HEI-0166", "cycle {0}: {1} is {2}; it is not executed",
-                   "A feed must be greater than 0; that of a rigid tap is the speed times the pitch.",
-                   "5 CYCL DEF 200 Q206=0"),
+    ig::diagnostic(
+        IG_ERROR, "HEI-0166", "cycle {0}: {1} is {2}; it is not executed",
+        "A feed must be greater than 0, and so must an infeed that has no other meaning; the feed of a rigid tap "
+        "is the speed times the pitch.",
+        "5 CYCL DEF 200 Q206=0"),
     ig::diagnostic(IG_ERROR, "HEI-0167", "{0} in the block of an arc: the cycle is not executed",
                    "A cycle call stands in a straight positioning block.", "5 CR X+10 R+20 DR+ M99"),
     ig::diagnostic(IG_ERROR, "HEI-0168", "{0} is no cycle definition that is understood",
@@ -157,6 +159,23 @@ inline constexpr std::array klartext_diagnostics{
     ig::diagnostic(IG_ERROR, "HEI-0183", "the pattern has no point: nothing is machined",
                    "Q241 of cycle 220, Q242 and Q243 of cycle 221 are numbers from 1 to 1000000.",
                    "5 CYCL DEF 221 CARTESIAN PATTERN Q242=0"),
+    ig::diagnostic(IG_WARNING, "HEI-0184",
+                   "cycle {0}: the table of tools gives tool {1} no radius: its centre runs along the wall",
+                   "The path of the cycle is the wall less the radius of the tool.",
+                   "5 CYCL CALL (after CYCL DEF 208, with a tool that is not in the table)"),
+    ig::diagnostic(IG_ERROR, "HEI-0185", "cycle {0} is not executed: {1}",
+                   "The control stops here. Look at the diameters of the tool and of the hole.",
+                   "5 CYCL DEF 208 BORE MILLING Q335=5 (with a tool of 10 mm)"),
+    ig::diagnostic(
+        IG_ERROR, "HEI-0186", "cycle {0} goes to where it begins and to where it ends: what it machines is missing",
+        "The passes of a pocket or a slot are not known step by step. Positions behind the cycle are those of "
+        "the control.",
+        "5 CYCL CALL (after CYCL DEF 251)"),
+    ig::diagnostic(IG_ERROR, "HEI-0187", "{0}: the number of points is less than 1, or there are more than {1}",
+                   "The points of this definition are missing.", "5 PATTERN DEF ROW1 (X+0 Y+0 D+8 NUM0 ROT+0 Z+0)"),
+    ig::diagnostic(IG_WARNING, "HEI-0188", "cycle {0} sets no speed and no coolant of its own here: {1}",
+                   "The tool moves as the cycle does; the spindle and the coolant stay as they are.",
+                   "5 CYCL CALL (after CYCL DEF 241)"),
 };
 
 consteval std::uint32_t hei(std::string_view code) { return iso::index_of(klartext_diagnostics, code, 0); }

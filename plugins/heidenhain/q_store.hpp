@@ -1,5 +1,5 @@
-/// The Q parameters that a program writes, and its counters of repeats. The dependency QParameters owns them; the
-/// syntaxes of this plugin reach them through its service.
+/// The Q parameters that a program writes, its counters of repeats, and its pattern of points. The dependency
+/// QParameters owns them; the syntaxes of this plugin reach them through its service.
 #pragma once
 
 #include <algorithm>
@@ -22,6 +22,11 @@ enum class QKind : std::uint8_t { q, local, retained };
 struct QNumber {
   QKind kind = QKind::q;
   std::uint32_t number = 0;
+};
+
+/// A position of PATTERN DEF in the plane across the tool, and what it adds to the surface; mm, as programmed.
+struct PatternPoint {
+  double first, second, surface;
 };
 
 class QStore {
@@ -66,6 +71,9 @@ class QStore {
     --it->left;
     return true;
   }
+
+  /// What PATTERN DEF defined last, for CYCL CALL PAT.
+  std::vector<PatternPoint> pattern;
 
  private:
   struct Locals {
