@@ -127,8 +127,9 @@ inline constexpr std::array klartext_diagnostics{
     // frames
     ig::diagnostic(IG_ERROR, "HEI-0170", "{0}: {1} is missing or no number; the plane stays",
                    "The words of a plane follow its kind.", "5 PLANE SPATIAL SPA+0 SPB+30 STAY"),
-    ig::diagnostic(IG_ERROR, "HEI-0171", "{0} is not executed: {1}", "Executed are PLANE SPATIAL and PLANE RESET.",
-                   "5 PLANE VECTOR BX1 BY0 BZ0 NX0 NY0 NZ1 STAY"),
+    ig::diagnostic(IG_ERROR, "HEI-0171", "{0} is not executed: {1}",
+                   "Executed are PLANE SPATIAL, EULER, VECTOR, POINTS, AXIAL, RELATIV and RESET.",
+                   "5 PLANE PROJECTED PROPR+24 PROMIN+24 ROT+0 STAY"),
     ig::diagnostic(IG_ERROR, "HEI-0172", "{0}: the machine's rotary axes are not known, so that {1}",
                    "The dependency MachineKinematics says where they sit (--machine FILE).",
                    "5 PLANE SPATIAL SPA+0 SPB+30 SPC+0 STAY"),

@@ -1,25 +1,21 @@
-// PLANE SPATIAL, EULER, VECTOR, RELATIV and RESET: the tilted working plane. The plane becomes a G68.2 with three
-// spatial angles, its positioning a G53.1 (TURN) or G53.6 (MOVE) with the angles that are found here; they go to Q120
-// to Q122 as well, for the block that positions the axes after STAY.
-#include <numbers>
-
+// PLANE SPATIAL, EULER, VECTOR, POINTS, AXIAL, RELATIV and RESET: the tilted working plane. The plane becomes a G68.2
+// with three spatial angles, its positioning a G53.1 (TURN) or G53.6 (MOVE) with the angles that are found here; they
+// go to Q120 to Q122 as well, for the block that positions the axes after STAY.
 #include "feed_words.hpp"
 #include "m_functions.hpp"
+#include "plane_definition.hpp"
+#include "plane_positioning.hpp"
 #include "program_xyz_util.hpp"
-#include "tool_kinematics.hpp"
 
 namespace heidenhain {
 namespace {
 
-enum class Choice { sum, farthest };
-
 struct KlartextPlane {
-  static constexpr auto spec =
-      ig::syntax("KlartextPlaneSyntax", "PLANE, CYCL DEF 19 and FUNCTION TCPM: tilted planes and tip control.")
-          .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
-          .before("KlartextCycleSyntax", "IsoG68p2TiltSyntax", "G53p1RotaryPositionSyntax", "ToolCenterPointSyntax",
-                  "KlartextMotionSyntax", "McAbcSyntax")
-          .scans("CFPcfp");
+  static constexpr auto spec = ig::syntax("KlartextPlaneSyntax", "PLANE and CYCL DEF 19: tilted planes.")
+                                   .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
+                                   .before("KlartextCycleSyntax", "IsoG68p2TiltSyntax", "G53p1RotaryPositionSyntax",
+                                           "ToolCenterPointSyntax", "KlartextMotionSyntax", "McAbcSyntax")
+                                   .scans("CPcp");
 
   Values values_;
   FeedWords feed_;
@@ -29,12 +25,8 @@ struct KlartextPlane {
   ig::Codes end_{{"G69"}, ig::write};
   ig::Call turn_{{"G53.1", "G53.6"}, "P[] H[] R", ig::write};
   ig::Codes motions_{{"G00", "G01"}, ig::write};
-  ig::Call tip_{{"G43.4"}, "", ig::write};
   ig::Call length_{{"G43"}, "", ig::write};
   std::array<ig_field, 3> rotary_{rotary("Parsing.A"), rotary("Parsing.B"), rotary("Parsing.C")};
-  std::array<ig::Previous<double>, 3> present_{ig::Previous<double>{"MachineCoordinate.A"},
-                                               ig::Previous<double>{"MachineCoordinate.B"},
-                                               ig::Previous<double>{"MachineCoordinate.C"}};
   ig::Out<ig::Symbol> term_{"TiltTransform.Term"};
   std::array<ig::In<double>, 3> angles_{ig::In<double>{"TiltTransform.I"}, ig::In<double>{"TiltTransform.J"},
                                         ig::In<double>{"TiltTransform.K"}};
@@ -42,24 +34,14 @@ struct KlartextPlane {
                       {ig::Life::block, "", "PLANE ... STAY: the program positions the axes itself."}};
   ig::Out<ig::Symbol> length_term_{"ToolHeightCompensation.Term"};
   ig::Name g69_{"G69"}, g68_2_{"G68.2"}, g43_4_{"G43.4"}, g43_{"G43"};
-  iso::ToolKinematics machine_;
-  iso::RotarySolver solver_;
-  ig::Choice<Choice> choice_{"choice", "sum|farthest", "sum",
-                             "Which solution is taken without SEQ: the shorter way of both axes together, or of the "
-                             "one that goes farther."};
+  PlanePositioning axes_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     if (!stands_first(text, position)) return position;
     const std::size_t i = keyword(text, position, "PLANE"), cycle = behind_cycle_19(text, position);
-    const std::size_t tcpm = keyword(text, position, "FUNCTION TCPM");
-    const std::size_t no_tcpm = keyword(text, position, "FUNCTION RESET TCPM");
-    if (i == position && cycle == position && tcpm == position && no_tcpm == position) return position;
+    if (i == position && cycle == position) return position;
     const std::size_t end = statement_end(text, position);
     if (values_.is_indexing()) return end;
-    if (tcpm != position || no_tcpm != position) {
-      lead_tip(b, text.substr(0, end), position, std::max(tcpm, no_tcpm), tcpm != position);
-      return end;
-    }
     command_ = {};
     command_.begin = position;
     const std::string_view whole = trim(piece(text, position, end));
@@ -71,7 +53,7 @@ struct KlartextPlane {
 
   ig::Status build(ig::Block& b) {
     if (!b.is_raised(statement_)) return ig::Status::unchanged;
-    if (command_.kind == reset)
+    if (command_.plane.kind == PlaneDefinition::reset)
       end_plane(b);
     else
       tilt(b);
@@ -79,12 +61,10 @@ struct KlartextPlane {
   }
 
  private:
-  enum Kind : std::size_t { spatial, euler, vector, relative, reset, kind_count };
   enum class Move { none, stay, turn, move };
   struct Command {
-    Kind kind = kind_count;
+    PlaneDefinition plane{};
     std::size_t begin = 0, end = 0;
-    std::array<std::optional<double>, 9> words{};
     Move move = Move::none;
     int sequence = 0;
     double distance = 0;
@@ -96,15 +76,7 @@ struct KlartextPlane {
     return ig::Field<double>(path, ig::read | ig::write, {ig::Life::standard, "deg", ""}).id();
   }
 
-  static constexpr std::array<std::string_view, kind_count> names{"SPATIAL", "EULER", "VECTOR", "RELATIV", "RESET"};
-  std::string_view shown() const {
-    static constexpr std::array<std::string_view, kind_count> all{"PLANE SPATIAL", "PLANE EULER", "PLANE VECTOR",
-                                                                  "PLANE RELATIV", "PLANE RESET"};
-    return all[command_.kind];
-  }
-  static constexpr std::array<std::string_view, 3> spatial_words{"SPA", "SPB", "SPC"};
-  static constexpr std::array<std::string_view, 3> euler_words{"EULPR", "EULNUT", "EULROT"};
-  static constexpr std::array<std::string_view, 6> vector_words{"BX", "BY", "BZ", "NX", "NY", "NZ"};
+  std::string_view shown() const { return command_.plane.shown(); }
 
   // ---- text
 
@@ -127,7 +99,7 @@ struct KlartextPlane {
       const std::size_t axis = std::string_view("ABC").find(to_upper(text[i]));
       const Value v = axis < 3 ? values_.read(b, text, i + 1) : Value{};
       if (axis < 3 && v.ok) {
-        command_.words[axis] = v.number;
+        command_.plane.words[axis] = v.number;
         any = true;
         i = v.end;
       } else if (to_upper(text[i]) == 'F') {
@@ -139,42 +111,20 @@ struct KlartextPlane {
       }
     }
     for (std::size_t axis = 0; axis < 3 && any; ++axis) {
-      if (!command_.words[axis]) command_.words[axis] = b.is(term_, g68_2_) ? b.get_or(angles_[axis], 0.0) : 0;
-      is_tilted = is_tilted || *command_.words[axis] != 0;
+      if (!command_.plane.words[axis])
+        command_.plane.words[axis] = b.is(term_, g68_2_) ? b.get_or(angles_[axis], 0.0) : 0;
+      is_tilted = is_tilted || *command_.plane.words[axis] != 0;
     }
-    command_.kind = is_tilted ? spatial : reset;
+    command_.plane.kind = is_tilted ? PlaneDefinition::spatial : PlaneDefinition::reset;
     command_.move = Move::stay;
     return true;
-  }
-
-  /// The tip of the tool is led while the rotary axes turn: as M128.
-  void lead_tip(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i, bool starts) const {
-    const auto word = [&](ig_field field) {
-      const ig_word w{field, iso::column(begin), iso::column(i), ig_value{}, 0, 0};
-      b.host()->set_words(b.raw(), &w, 1);
-    };
-    if (starts || b.is(length_term_, g43_4_)) word(starts ? tip_.code(0) : length_.code(0));
-    const std::size_t after = i;
-    for (const std::string_view words : {"F TCP", "F CONT", "AXIS POS", "PATHCTRL AXIS", "REFPNT TIP-TIP"})
-      if (const std::size_t next = skip(text, i), behind = keyword(text, next, words); behind != next) i = behind;
-    i = skip(text, i);
-    if (!starts || i >= text.size()) {
-      if (!starts && i < text.size())
-        b.report(hei("HEI-0105"), ig::Where::columns(after, text.size()), trim(text.substr(after)),
-                 std::string_view("FUNCTION RESET TCPM"));
-      return;
-    }
-    const std::string_view rest = rest_of_line(text, i);
-    b.report(hei("HEI-0171"), ig::Where::columns(i, i + rest.size()), rest,
-             std::string_view("the words of rotary axes are positions of the axes, as after M128"));
   }
 
   bool read(ig::Block& b, std::string_view text, std::size_t i) {
     i = skip(text, i);
     const std::size_t letters = letters_end(text, i);
-    for (std::size_t k = 0; k < kind_count; ++k)
-      if (iso::equals_ignoring_case(piece(text, i, letters), names[k])) command_.kind = static_cast<Kind>(k);
-    if (command_.kind == kind_count) {
+    command_.plane.kind = PlaneDefinition::kind_of(piece(text, i, letters));
+    if (command_.plane.kind == PlaneDefinition::kind_count) {
       const std::string_view whole = rest_of_line(text, command_.begin);
       b.report(hei("HEI-0171"), where(), whole.substr(0, line_end(whole, 0)),
                std::string_view("the plane stays as it was"));
@@ -193,23 +143,23 @@ struct KlartextPlane {
     return is_complete(b);
   }
 
-  std::span<const std::string_view> words() const {
-    if (command_.kind == euler) return euler_words;
-    if (command_.kind == vector) return vector_words;
-    return spatial_words;
+  /// P1X holds a digit, and a Q behind the letters begins the value: SPAQ1.
+  static std::size_t keyword_prefix(std::string_view text, std::size_t i, std::string_view upper) {
+    const std::size_t end = i + upper.size();
+    const bool is_word = iso::equals_ignoring_case(text.substr(i).substr(0, upper.size()), upper);
+    return is_word && (!is_letter(at(text, end)) || to_upper(at(text, end)) == 'Q') ? end : i;
   }
 
   std::size_t word_at(ig::Block& b, std::string_view text, std::size_t i) {
     const std::size_t letters = letters_end(text, i);
-    // A Q behind the letters begins the value: SPAQ1
     const std::string_view word = piece(text, i, letters);
     const auto is = [&](std::string_view name) { return iso::equals_ignoring_case(word, name); };
-    for (std::size_t k = 0; k < words().size() && command_.kind != reset; ++k) {
-      const std::string_view name = words()[k];
-      if (!iso::equals_ignoring_case(word.substr(0, name.size()), name)) continue;
-      const Value v = values_.read(b, text, i + name.size());
+    const auto names = command_.plane.names();
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const std::size_t value = keyword_prefix(text, i, names[k]);
+      const Value v = value != i ? values_.read(b, text, value) : Value{};
       if (!v.ok) continue;
-      command_.words[k] = v.number;
+      command_.plane.words[k] = v.number;
       return v.end;
     }
     if (is("STAY")) return set(Move::stay, letters);
@@ -244,15 +194,18 @@ struct KlartextPlane {
   }
 
   bool is_complete(ig::Block& b) const {
-    if (command_.kind == reset) return true;
+    const PlaneDefinition& plane = command_.plane;
+    if (plane.kind == PlaneDefinition::reset) return true;
     bool any = false;
-    for (std::size_t k = 0; k < words().size(); ++k) {
-      any = any || command_.words[k];
-      if (command_.words[k] || command_.kind == relative) continue;
-      b.report(hei("HEI-0170"), where(), shown(), words()[k]);
+    for (std::size_t k = 0; k < plane.names().size(); ++k) {
+      any = any || plane.words[k];
+      if (plane.words[k] || plane.takes_some()) continue;
+      b.report(hei("HEI-0170"), where(), shown(), plane.names()[k]);
       return false;
     }
-    if (!any) b.report(hei("HEI-0170"), where(), shown(), std::string_view("SPA, SPB or SPC"));
+    if (!any)
+      b.report(hei("HEI-0170"), where(), shown(),
+               std::string_view(plane.kind == PlaneDefinition::axial ? "A, B or C" : "SPA, SPB or SPC"));
     return any;
   }
 
@@ -260,39 +213,30 @@ struct KlartextPlane {
 
   iso::Mat4 present_plane(const ig::Block& b) const {
     if (!b.is(term_, g68_2_)) return iso::identity_frame;
-    return spatial_plane({b.get_or(angles_[0], 0.0), b.get_or(angles_[1], 0.0), b.get_or(angles_[2], 0.0)});
-  }
-  static iso::Mat4 spatial_plane(const ig::Vec3& angles) {
-    return iso::roll_pitch_yaw(angles, {0, 1, 2}, iso::TurnedAxes::fixed);
-  }
-
-  /// Its rows are the axes of the plane; nothing where the words give none.
-  std::optional<iso::Mat4> plane(const ig::Block& b) const {
-    const auto w = [&](std::size_t i) { return command_.words[i].value_or(0); };
-    switch (command_.kind) {
-      case euler: return iso::euler_zxz({w(0), w(1), w(2)});
-      case vector: return iso::from_z_and_x({w(3), w(4), w(5)}, {w(0), w(1), w(2)});
-      case relative: return iso::product(spatial_plane({w(0), w(1), w(2)}), present_plane(b));
-      default: return spatial_plane({w(0), w(1), w(2)});
-    }
-  }
-
-  static ig::Vec3 spatial_angles(const iso::Mat4& m) {
-    constexpr double degree = std::numbers::pi / 180;
-    const double b = std::asin(std::fmax(-1, std::fmin(1, -m[2])));
-    if (std::fabs(m[0]) < 1e-12 && std::fabs(m[1]) < 1e-12) return {std::atan2(-m[9], m[5]) / degree, b / degree, 0};
-    return {std::atan2(m[6], m[10]) / degree, b / degree, std::atan2(m[1], m[0]) / degree};
+    return PlaneDefinition::spatial_plane(
+        {b.get_or(angles_[0], 0.0), b.get_or(angles_[1], 0.0), b.get_or(angles_[2], 0.0)});
   }
 
   void tilt(ig::Block& b) {
-    const auto m = plane(b);
+    const iso::Angles now = axes_.present(b);
+    iso::Angles axial = now;
+    for (std::size_t axis = 0; axis < 3 && command_.plane.kind == PlaneDefinition::axial; ++axis)
+      axial[axis] = command_.plane.words[axis].value_or(now[axis]);
+    if (command_.plane.kind == PlaneDefinition::axial && !axes_) {
+      b.report(hei("HEI-0172"), where(), shown(), std::string_view("the plane stays"));
+      return;
+    }
+    for (std::size_t axis = 0; axis < 3 && command_.plane.kind == PlaneDefinition::axial; ++axis)
+      if (command_.plane.words[axis] && !axes_.machine().has(axis))
+        b.report(hei("HEI-0171"), where(), std::string_view("ABC").substr(axis, 1),
+                 std::string_view("the machine has no such axis"));
+    const auto m = command_.plane.frame(present_plane(b), axial, axes_.machine());
     if (!m || !iso::is_finite(*m)) {
       b.report(hei("HEI-0170"), where(), shown(), std::string_view("a direction"));
       return;
     }
-    const bool is_spatial = command_.kind == spatial;
-    const ig::Vec3 angles =
-        is_spatial ? ig::Vec3{*command_.words[0], *command_.words[1], *command_.words[2]} : spatial_angles(*m);
+    const ig::Vec3 angles = command_.plane.kind == PlaneDefinition::spatial ? command_.plane.words_from(0)
+                                                                            : PlaneDefinition::spatial_angles(*m);
     // PLANE ends tip control.
     if (b.is(length_term_, g43_4_)) {
       b.set(length_term_, g43_);
@@ -305,11 +249,15 @@ struct KlartextPlane {
     for (std::size_t i = 0; i < 3; ++i) b.set_word(plane_, 0, "IJK"[i], angles[i]);
     b.set_word(plane_, 0, 'P', 1);
     b.set_word(plane_, 0, 'Q', 123);
-    position(b, {(*m)[8], (*m)[9], (*m)[10]});
+    if (command_.plane.kind == PlaneDefinition::axial)
+      position(b, axes_.are_inside(axial) ? std::optional(axial) : std::nullopt);
+    else
+      position(b, axes_ ? axes_.choose({(*m)[8], (*m)[9], (*m)[10]}, now, command_.sequence) : std::nullopt);
   }
 
-  void position(ig::Block& b, const ig::Vec3& normal) {
-    if (!machine_) {
+  /// `angles`: those of the plane, nothing where none are inside the travel.
+  void position(ig::Block& b, const std::optional<iso::Angles>& angles) {
+    if (!axes_) {
       // They are 0 from here on: what reads them says nothing of the same cause.
       QStore* const store = values_.store();
       for (std::uint32_t q = 120; q <= 122 && store != nullptr; ++q)
@@ -320,9 +268,6 @@ struct KlartextPlane {
                                     : "they do not turn, and Q120 to Q122 are not known"));
       return;
     }
-    iso::Angles now{};
-    for (std::size_t axis = 0; axis < 3; ++axis) now[axis] = b.get_or(present_[axis], 0.0);
-    const auto angles = choose(normal, now);
     if (!angles) {
       b.report(hei("HEI-0176"), where(),
                std::string_view(command_.sequence > 0   ? " with SEQ+"
@@ -335,7 +280,7 @@ struct KlartextPlane {
     if (QStore* const store = values_.store())
       for (std::size_t axis = 0; axis < 3; ++axis)
         store->set({QKind::q, static_cast<std::uint32_t>(120 + axis)}, 0,
-                   machine_.has(axis) ? iso::rounded((*angles)[axis]) : 0);
+                   axes_.machine().has(axis) ? iso::rounded((*angles)[axis]) : 0);
     if (command_.move != Move::turn && command_.move != Move::move) {
       b.set(stay_, true);
       return;
@@ -348,41 +293,10 @@ struct KlartextPlane {
 
   void turn_axes(ig::Block& b, const iso::Angles& angles) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (machine_.has(axis)) b.host()->set(b.raw(), rotary_[axis], {.number = iso::rounded(angles[axis])});
+      if (axes_.machine().has(axis)) b.host()->set(b.raw(), rotary_[axis], {.number = iso::rounded(angles[axis])});
     ig_value v;
     v.integer = 1;
     b.host()->set(b.raw(), motions_.id(command_.is_rapid ? 0 : 1), v);
-  }
-
-  /// SEQ is the sign of the master axis: the first one counted from the tool, or the last one counted from the table.
-  std::size_t master() const {
-    const bool is_head = machine_.count() == 2 && !machine_.is_table(1) && !machine_.is_table(0);
-    const bool second_is_head = machine_.count() == 2 && !machine_.is_table(1);
-    return machine_.axis(is_head || second_is_head ? 1 : 0);
-  }
-
-  std::optional<iso::Angles> choose(const ig::Vec3& normal, const iso::Angles& now) const {
-    const iso::RotaryCandidates found = solver_.candidates(machine_, normal, now);
-    std::optional<iso::Angles> best;
-    double best_way = 0;
-    for (std::size_t i = 0; i < found.count; ++i) {
-      constexpr double same = 1e-6;
-      const double angle = std::remainder(found.angles[i][master()], 360.0) * command_.sequence;
-      if (angle < -same) continue;
-      double sum = 0, farthest = 0;
-      for (std::size_t k = 0; k < machine_.count(); ++k) {
-        const double way = std::fabs(found.angles[i][machine_.axis(k)] - now[machine_.axis(k)]);
-        sum += way;
-        farthest = std::fmax(farthest, way);
-      }
-      const double way = choice_ == Choice::sum ? sum : farthest;
-      const bool is_better =
-          !best || way < best_way - same || (way < best_way + same && found.angles[i][master()] > (*best)[master()]);
-      if (!is_better) continue;
-      best = found.angles[i];
-      best_way = way;
-    }
-    return best;
   }
 
   void end_plane(ig::Block& b) {
@@ -390,7 +304,7 @@ struct KlartextPlane {
     v.integer = 1;
     if (b.is(term_, g68_2_)) b.host()->set(b.raw(), end_.id(0), v);
     if (command_.move != Move::turn && command_.move != Move::move) return;
-    if (!machine_) {
+    if (!axes_) {
       b.report(hei("HEI-0172"), where(), shown(), std::string_view("they do not turn"));
       return;
     }
