@@ -18,6 +18,8 @@ std::uint64_t read_passes(std::string_view text, std::int64_t otherwise) {
   return passes;
 }
 
+enum class PMeans { in_caller, in_own_program };
+
 struct SubprogramReturn {
   static constexpr auto spec = ig::syntax("SubprogramReturnSyntax", "M99: back to the calling program.")
                                    .after("SubprogramCallSyntax")
@@ -28,6 +30,9 @@ struct SubprogramReturn {
                             {0, 1e15},
                             "How often M99 lets the main program run before the run ends; 0: until a limit ends it."};
   ig::Setting setting_{"main-passes"};
+  ig::Choice<PMeans> p_means_{"p-means", "in-caller|in-own-program", "in-caller",
+                              "Whose block N M99 P of a subprogram goes to: the calling program's, or its own, which "
+                              "goes on."};
   ig::Call return_{{"M99"}, "P[] L[]"};
   ig::Out<ig::Symbol> term_{"SubProgramReturn.Term"};
   ig::Out<std::int64_t> p_{"SubProgramReturn.P"};
@@ -42,10 +47,32 @@ struct SubprogramReturn {
 
   ig::Status build(ig::Block& b) {
     if (!b.find(return_)) return ig::Status::unchanged;
-    return flow_.frame(b).depth == 0 ? in_main(b) : in_subprogram(b);
+    if (flow_.frame(b).depth == 0) return in_main(b);
+    return p_means_ == PMeans::in_own_program && wanted(b) ? within_subprogram(b) : in_subprogram(b);
   }
 
  private:
+  std::optional<std::int64_t> wanted(const ig::Block& b) const {
+    ig_value p;
+    return b.host()->get(b.raw(), return_.word(0, 'P'), &p) != 0 ? whole_number(p.number) : std::nullopt;
+  }
+
+  /// A jump; nothing returns. Without such a block the subprogram goes on.
+  ig::Status within_subprogram(ig::Block& b) {
+    const ig::Where where = place_of_p(b);
+    const ig::Words words = *b.take(return_);
+    b.set(term_, return_.name(0));
+    if (const auto l = words['L']) b.report(subprogram_diag("ISO-0489"), where, *l);
+    const std::int64_t label = sequence_number(b, words, where).value_or(0);
+    const ig::Flow::Answer answer = flow_.jump(b, NumberedName('N', label).text());
+    if (answer.is_not_found()) {
+      b.report(subprogram_diag("ISO-0494"), where, static_cast<double>(label));
+      b.end_program();
+    }
+    say(b, answer, where);
+    return ig::Status::changed;
+  }
+
   ig::Status in_subprogram(ig::Block& b) {
     const ig::Where where = place_of_p(b);
     const ig::Words words = *b.take(return_);
@@ -71,9 +98,7 @@ struct SubprogramReturn {
   /// run.
   ig::Status in_main(ig::Block& b) {
     const ig::Where where = place_of_p(b);
-    ig_value p;
-    const bool has_p = b.host()->get(b.raw(), return_.word(0, 'P'), &p) != 0;
-    const auto wanted = has_p ? whole_number(p.number) : std::nullopt;
+    const auto wanted = this->wanted(b);
     const std::int64_t number = wanted.value_or(0);
     const NumberedName label('N', number);
     ig::Flow::Answer answer{IG_GO_NOT_FOUND, {}};
