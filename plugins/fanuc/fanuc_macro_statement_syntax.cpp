@@ -18,14 +18,20 @@ using iso::is_letter;
 using iso::piece;
 using iso::skip_blanks;
 
+enum class Governs { statement, rest_of_block };
+
 struct FanucMacroStatement {
   static constexpr auto spec =
       ig::syntax("FanucMacroStatementSyntax", "Macro statements: assignments, IF, WHILE, GOTO, alarms and output.")
           .after("IsoCommentSyntax", "HeadIndexSyntax", "ProgramNumberSyntax")
           .before("WordSyntax")
-          .scans("#IWDEGTOBPSRCiwdegtobpsrc");
+          .scans("[#IWDEGTOBPSRCiwdegtobpsrc");
 
   ig::IntegerOption loops_{"loops", "3", {1, 99}, "The largest number of DO and END."};
+  ig::Choice<Governs> governs_{
+      "if-governs", "statement|rest-of-block", "statement",
+      "What hangs on the condition of IF: the one macro statement behind THEN, or all that stands behind the condition "
+      "in the block, with or without THEN; then also [condition] M99."};
   MacroEnvironment environment_;
   ig::Service<ig_flow_1> flow_{IG_FLOW_SERVICE, ig::Need::optional, "Whether a loop has its END."};
   ig::TextField program_{"Source.Program", ig::read | ig::wake};
@@ -40,6 +46,7 @@ struct FanucMacroStatement {
   ig::Name message_stop_{"#3006"};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
+    if (text[position] == '[') return scan_return(b, text, position);
     const Word word = statement_at(text, position);
     if (word == Word::none) return position;
     const bool stands_first = iso::stands_first(text, position);
@@ -58,6 +65,9 @@ struct FanucMacroStatement {
     }
     begin_ = position;
     end_ = end;
+    if (word == Word::if_ && governs_ == Governs::rest_of_block)
+      if (const std::size_t rest = governed(text, position, end); rest != 0)
+        return scan_governed(b, text, position, rest, end);
     if (word == Word::if_)
       if (const std::size_t words = words_behind_then(text, position, end); words != 0)
         return scan_words(b, text, position, words, end);
@@ -145,10 +155,53 @@ struct FanucMacroStatement {
     return words;
   }
 
+  // ---- all that stands behind the condition
+
+  std::size_t scan_governed(ig::Block& b, std::string_view text, std::size_t position, std::size_t rest,
+                            std::size_t end) {
+    environment_.enter(b);
+    std::size_t after = 0;
+    const std::optional<bool> holds = condition(b, text.substr(0, end), position, "IF", after);
+    if (!holds || !*holds) return end;
+    if (is_letter(text[rest])) return rest;
+    begin_ = rest;
+    end_ = assignment_end(text, rest, end);
+    b.raise(statement_);
+    return end_;
+  }
+
+  /// [#100 LT 10] M99: an M99 if it holds. With P10 it is a GOTO10, and so a statement.
+  std::size_t scan_return(ig::Block& b, std::string_view text, std::size_t position) {
+    if (governs_ != Governs::rest_of_block || !iso::stands_first(text, position)) return position;
+    bool has_comment = false;
+    const std::size_t end = statement_end(text, position, has_comment);
+    const std::size_t rest = skip_blanks(text, iso::skip_bracketed(text.substr(0, end), position));
+    const std::size_t behind = return_end(text.substr(0, end), rest);
+    if (behind == 0) return position;
+    if (environment_.flow.is_indexing()) return end;
+    if (iso::to_upper(at(text, behind)) == 'P') {
+      begin_ = position;
+      end_ = end;
+      has_comment_ = has_comment;
+      b.raise(statement_);
+      return end;
+    }
+    environment_.enter(b);
+    const Outcome o = evaluate_at(b, text.substr(0, end), position);
+    return o.ok() && o.value.number != 0 ? rest : end;
+  }
+
+  void execute_return_to(ig::Block& b, std::string_view text, std::size_t position) {
+    const Outcome o = evaluate_at(b, text, position);
+    if (!o.ok() || o.value.number == 0) return;
+    execute_go_to(b, text, position, return_end(text, skip_blanks(text, o.end)) + 1);
+  }
+
   // ---- one statement
 
   void execute(ig::Block& b, std::string_view text, std::size_t position) {
     if (text[position] == '#') return assign(b, text, position);
+    if (text[position] == '[') return execute_return_to(b, text, position);
     std::size_t behind = 0;
     switch (keyword_or_short(text, position, behind)) {
       case Word::if_: return execute_if(b, text, position);

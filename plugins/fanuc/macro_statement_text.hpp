@@ -124,6 +124,48 @@ inline std::size_t words_behind_then(std::string_view text, std::size_t position
   return 0;
 }
 
+/// What hangs on the condition of an IF and is an assignment or words, with THEN before it or not; 0 where something
+/// else stands there.
+inline std::size_t governed(std::string_view text, std::size_t position, std::size_t end) {
+  const std::string_view statement = text.substr(0, end);
+  const std::size_t bracket = iso::skip_blanks(statement, iso::skip_while(statement, position, iso::is_letter));
+  if (iso::at(statement, bracket) != '[') return 0;
+  std::size_t rest = iso::skip_blanks(statement, iso::skip_bracketed(statement, bracket));
+  std::size_t word_end = 0;
+  if (iso::is_letter(iso::at(statement, rest)) && keyword_or_short(statement, rest, word_end) == Word::then)
+    rest = iso::skip_blanks(statement, word_end);
+  if (iso::at(statement, rest) == '#') return rest;
+  const bool is_words =
+      iso::is_letter(iso::at(statement, rest)) && keyword_or_short(statement, rest, word_end) == Word::none;
+  return is_words ? rest : 0;
+}
+
+/// Where the assignment ends and words begin, "#101=0.0 M99": at a single letter outside of brackets. Functions and
+/// operators have two letters or more.
+inline std::size_t assignment_end(std::string_view text, std::size_t position, std::size_t end) {
+  const std::string_view statement = text.substr(0, end);
+  for (std::size_t i = position; i < end;) {
+    if (statement[i] == '[' || statement[i] == '(') {
+      i = iso::skip_bracketed(statement, i);
+    } else if (iso::is_letter(statement[i])) {
+      const std::size_t letters = iso::skip_while(statement, i, iso::is_letter);
+      if (letters == i + 1) return i;
+      i = letters;
+    } else {
+      ++i;
+    }
+  }
+  return end;
+}
+
+/// Behind an M99 that begins here; 0 where none does.
+inline std::size_t return_end(std::string_view text, std::size_t position) {
+  if (iso::to_upper(iso::at(text, position)) != 'M') return 0;
+  const std::size_t digits = iso::skip_blanks(text, position + 1);
+  const std::size_t end = iso::skip_digits(text, digits);
+  return iso::piece(text, digits, end) == "99" ? iso::skip_blanks(text, end) : 0;
+}
+
 /// The digits behind DO and END.
 inline bool loop_number(std::string_view text, std::size_t position, std::int64_t& number) {
   const std::size_t digits = iso::skip_blanks(text, position);
