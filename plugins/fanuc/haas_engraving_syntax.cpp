@@ -17,10 +17,7 @@ struct HaasEngraving {
                                            "McXyzSyntax", "NotExecutedSyntax");
 
   ig::Call call_{{"G47"}, "X Y Z I[deg] J P[] R D[] E[mm/min]"};
-  ig::CompoundMotion motion_;
-  ig::Xyz program_{"ProgramXyz", ig::write};
   HaasCycleTarget target_;
-  iso::LastProgramXyz last_;
 
   ig::Status build(ig::Block& b) const {
     const auto row = b.find(call_);
@@ -31,17 +28,10 @@ struct HaasEngraving {
       b.report(brand_diag("FAN-0201"), where, std::string_view("G47"), fault);
       return ig::Status::changed;
     }
-    const ig::Vec3 from = last_(b);
-    ig::Vec3 to = from;
-    for (std::size_t axis = 0; axis < 2; ++axis) to[axis] = target_(b, axis, from[axis], words["XYZ"[axis]]);
+    const ig::Vec3 start = target_.go_to_start(b, words);
     constexpr double an_inch = 25.4;
-    b.report(brand_diag("FAN-0206"), where, to.x, to.y, words['J'].value_or(an_inch), words['I'].value_or(0),
+    b.report(brand_diag("FAN-0206"), where, start.x, start.y, words['J'].value_or(an_inch), words['I'].value_or(0),
              std::string_view(target_.is_incremental(b) ? ", from where G91 goes on" : ""));
-    motion_.begin(b, words.code);
-    motion_.rapid_to(b, to);
-    to.z = target_(b, 2, from.z, words['R']);
-    motion_.rapid_to(b, to);
-    b.set(program_, to);
     return ig::Status::changed;
   }
 

@@ -15,11 +15,8 @@ struct HaasPocket {
                                            "McXyzSyntax", "RadiusCompensationSyntax", "NotExecutedSyntax");
 
   ig::Call call_{{"G150"}, "X Y Z I J K L[] P[] Q R D[]"};
-  ig::CompoundMotion motion_;
-  ig::Xyz program_{"ProgramXyz", ig::write};
   ig::Out<std::int64_t> offset_id_{"RadiusCompensation.OffsetId"};
   HaasCycleTarget target_;
-  iso::LastProgramXyz last_;
 
   ig::Status build(ig::Block& b) {
     const auto row = b.find(call_);
@@ -31,15 +28,8 @@ struct HaasPocket {
       return ig::Status::changed;
     }
     if (const auto d = words['D']) b.set(offset_id_, *iso::whole_number(*d));
-    const ig::Vec3 from = last_(b);
-    ig::Vec3 to = from;
-    for (std::size_t axis = 0; axis < 2; ++axis) to[axis] = target_(b, axis, from[axis], words["XYZ"[axis]]);
-    b.report(brand_diag("FAN-0207"), where, *words['P'], target_(b, 2, from.z, words['Z']));
-    motion_.begin(b, words.code);
-    motion_.rapid_to(b, to);
-    to.z = target_(b, 2, from.z, words['R']);
-    motion_.rapid_to(b, to);
-    b.set(program_, to);
+    b.report(brand_diag("FAN-0207"), where, *words['P'], target_(b, 2, words['Z']));
+    target_.go_to_start(b, words);
     return ig::Status::changed;
   }
 
