@@ -79,6 +79,7 @@ struct MacroSettings {
   bool local_in_5201 = false;    ///< #5201 and on are the shift of G52; else the external offset
   std::uint32_t tool_variable = 0, speed_variable = 0;  ///< the tool in the spindle, and its speed; 0: no variable
   bool offset_in_12 = false;                            ///< #4012 is the work offset; else it is the modal macro call
+  bool repeats_keep_locals = false;                     ///< G65 L: only the first time begins with the arguments
   double clock_step_ms = 100;                           ///< how far the clocks go on each time they are read
 };
 
@@ -134,15 +135,16 @@ class MacroStore {
     for (const auto& r : common.all()) add(r, false);
     for (const auto& r : permanent.all()) add(r, true);
   }
+  /// #10100 is #100 where the distance is 10000; 0: nothing is.
+  void alias(std::uint32_t distance) { alias_ = distance; }
   void assume(NumberRanges assumed) { assumed_ = std::move(assumed); }
   void keep_in(Keeper* keeper) { keeper_ = keeper; }
 
   /// The variable's place, null where it is none of these. Good until the next call.
   const double* find(std::uint32_t number) const {
     if (number <= last_local) return &levels_[present_].values[number];
-    for (const Area& a : areas_)
-      if (number - a.first < a.values.size()) return &a.values[number - a.first];
-    return nullptr;
+    const Area* const area = area_of(number);
+    return area != nullptr ? &area->values[number - area->first] : nullptr;
   }
   /// False where it is none of these.
   bool set(std::uint32_t number, double value) {
@@ -151,13 +153,11 @@ class MacroStore {
       levels_[present_].values[number] = value;
       return true;
     }
-    for (Area& a : areas_) {
-      if (number - a.first >= a.values.size()) continue;
-      a.values[number - a.first] = value;
-      if (a.is_permanent && keeper_ != nullptr) keeper_->keep(number, value);
-      return true;
-    }
-    return false;
+    const Area* const area = area_of(number);
+    if (area == nullptr) return false;
+    areas_[static_cast<std::size_t>(area - areas_.data())].values[number - area->first] = value;
+    if (area->is_permanent && keeper_ != nullptr) keeper_->keep(number, value);
+    return true;
   }
 
   /// Variables of the control that the user gave a value, or that the program wrote: signals, switches.
@@ -210,7 +210,7 @@ class MacroStore {
     Level& level = levels_[present_];
     if (level.tag != tag || level.pass == pass) return;
     level.pass = pass;
-    level.values = level.arguments;
+    if (!settings.repeats_keep_locals) level.values = level.arguments;
   }
   std::size_t depth() const { return present_; }
 
@@ -229,6 +229,18 @@ class MacroStore {
   static bool before(const std::pair<std::uint32_t, double>& given, std::uint32_t number) {
     return given.first < number;
   }
+  const Area* holding(std::uint32_t number) const {
+    for (const Area& a : areas_)
+      if (number - a.first < a.values.size()) return &a;
+    return nullptr;
+  }
+  /// `number` becomes that by which the area knows the variable.
+  const Area* area_of(std::uint32_t& number) const {
+    const Area* const area = holding(number);
+    if (area != nullptr || alias_ == 0 || number <= alias_ + last_local) return area;
+    number -= alias_;
+    return holding(number);
+  }
   void add(const NumberRanges::Range& range, bool is_permanent) {
     areas_.push_back({range.first, is_permanent, std::vector<double>(range.last - range.first + 1, null)});
   }
@@ -238,6 +250,7 @@ class MacroStore {
   std::vector<Area> areas_;
   std::vector<std::pair<std::uint32_t, double>> given_;
   NumberRanges assumed_;
+  std::uint32_t alias_ = 0;
   Keeper* keeper_ = nullptr;
   std::uint64_t last_tag_ = 0;
   std::uint64_t writes_ = 0;

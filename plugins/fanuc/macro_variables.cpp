@@ -16,6 +16,7 @@ enum class Conditions { comparison, any_value };
 enum class Modulus { whole, real };
 enum class RadiusVariables { none, from_2401 };
 enum class FirstOffset { external, local };
+enum class RepeatedCall { arguments, kept };
 enum class Group12 { macro_call, work_offset };
 
 struct MacroVariables final : MacroStore::Keeper {
@@ -49,6 +50,13 @@ struct MacroVariables final : MacroStore::Keeper {
       "spindle-speed", "0", {0, 99'999}, "Number of the variable that is the speed of the spindle; 0: none."};
   ig::Choice<Group12> group_12{"group-12", "macro-call|work-offset", "macro-call",
                                "#4012 is 66 or 67, or the work offset in force as #4014 is."};
+  ig::IntegerOption other_names{"other-names",
+                                "0",
+                                {0, 99'999},
+                                "#10100 is #100 where this is 10000, and so with all that hold values; 0: none."};
+  ig::Choice<RepeatedCall> repeated_call{"repeated-call", "arguments|kept", "arguments",
+                                         "What the local variables of G65 L are from the second time on: the arguments "
+                                         "anew, or what the time before left in them."};
   ig::IntegerOption nesting{"nesting", "5", {1, 64}, "Brackets inside each other that the control permits."};
   ig::NumberOption clock_step{"clock-step",
                               "100",
@@ -63,6 +71,8 @@ struct MacroVariables final : MacroStore::Keeper {
 
   MacroVariables() {
     store.define(read(common.text(), "common"), read(permanent.text(), "permanent"));
+    store.alias(static_cast<std::uint32_t>(other_names));
+    store.settings.repeats_keep_locals = repeated_call == RepeatedCall::kept;
     store.assume(read(assumed.text(), "assumed-zero"));
     store.settings.rules.arcs_are_signed = arcs == ArcRange::half;
     store.settings.rules.truth_is_number = conditions == Conditions::any_value;
