@@ -1,9 +1,10 @@
 // G and M codes. A code that some linked syntax declares is a field of its own, found through a table by letter and
 // number, so that the syntaxes after this one test a bit. A code that nobody declares stays as a leftover under its
 // canonical name: two digits for one-digit codes, G5 is G05, G54.1 stays.
-#include <vector>
-
 #include <isogloss/flow.hpp>
+
+#include <string>
+#include <vector>
 
 #include "diagnostics.hpp"
 #include "scan_util.hpp"
@@ -153,9 +154,18 @@ struct FlagSyntax {
     name[size++] = to_upper(text[begin]);
     if (skip_digits(digits, 0) < 2) name[size++] = '0';
     for (const char c : digits.substr(0, name.size() - size)) name[size++] = c;
-    if (code_calls.number({name.data(), size})) return false;
+    if (calls_program({name.data(), size})) return false;
     leave(b, IG_LEFT_UNKNOWN, {name.data(), size}, begin, end);
     return true;
+  }
+
+  /// A table is searched once for a code: a loop may ask for the same one a million times.
+  bool calls_program(std::string_view code) const {
+    std::size_t hash = 0;
+    for (const char c : code) hash = hash * 31 + static_cast<unsigned char>(c);
+    Asked& asked = asked_[hash % asked_.size()];
+    if (asked.code != code) asked = {std::string(code), code_calls.number(code).has_value()};
+    return asked.calls;
   }
 
   /// `begin`: not a code at all, another scanner may read it.
@@ -195,6 +205,12 @@ struct FlagSyntax {
     b.report(diagnostic, ig::Where::columns(begin, end), piece(text, begin, end));
     return end;
   }
+
+  struct Asked {
+    std::string code;
+    bool calls = false;
+  };
+  mutable std::array<Asked, 16> asked_{};
 };
 
 const ig::Register<FlagSyntax> registered;
