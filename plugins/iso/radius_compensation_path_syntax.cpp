@@ -65,6 +65,8 @@ struct RadiusCompensationPath {
   ig::Choice<WithoutMove> without_move_{"without-move", "next-move|at-once", "next-move",
                                         "When the tool starts up and cancels in a block without a move: with the next "
                                         "move, or there and then (type C)."};
+  ig::IntegerOption compared_{
+      "moves-compared", "8", {1, 8}, "Moves ahead that a block is compared with for interference."};
   ig::IntegerOption rests_allowed_{"blocks-without-move",
                                    "2",
                                    {0, 10},
@@ -172,7 +174,9 @@ struct RadiusCompensationPath {
   }
   std::size_t following(ig::Block& b, const ContourMotion& now, double offset, ContourAhead::Moves& moves,
                         ContourAhead::Walls* walls = nullptr) const {
-    const std::size_t count = ahead_.moves(b, now.plane, offset, rests_allowed_, next_start_, moves, walls);
+    const auto most = static_cast<std::size_t>(static_cast<std::int64_t>(compared_));
+    const std::size_t count =
+        std::min(most, ahead_.moves(b, now.plane, offset, rests_allowed_, next_start_, moves, walls));
     if (!inserted_) return count;
     const std::size_t kept = std::min(count, moves.size() - 1);
     const auto put_first = [kept](auto& list, const auto& first) {
