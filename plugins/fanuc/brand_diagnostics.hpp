@@ -54,15 +54,14 @@ inline constexpr std::array brand_diagnostics{
         "that of the angles at which G254 came.",
         "G254 (then) G00 B45."),
     ig::diagnostic(
-        IG_ERROR, "FAN-0210",
-        "G54.2 P{0} is not executed: its fixture offset is not known here, and positions do not follow the rotary "
-        "table",
-        "The control adds a fixture offset, and turns it with the table. Up to G54.2 P0 positions lack that offset; it "
-        "is 0 where the workpiece is set on the centre of the table.",
+        IG_ERROR, "FAN-0210", "{0} P{1} is not executed: {2}",
+        "G54.2 adds a fixture offset and turns it with the table; it is 0 where the workpiece is set on the "
+        "centre of the table. G54.4 shifts and turns positions by a measured setting error. Up to P0 positions "
+        "lack that.",
         "G54.2 P1"),
-    ig::diagnostic(IG_ERROR, "FAN-0211", "G54.2 without P: no fixture offset is chosen",
-                   "P0 cancels the fixture offset, P1 to P8 choose one.", "G54.2"),
-    ig::diagnostic(IG_WARNING, "FAN-0219", "G143: H{0} has no length here, so nothing is added along the tool up to G49",
+    ig::diagnostic(IG_ERROR, "FAN-0211", "{0} without P: nothing is chosen",
+                   "P0 cancels, P1 and up choose a row of the control's table.", "G54.2"),
+    ig::diagnostic(IG_WARNING, "FAN-0212", "G143: H{0} has no length here, so nothing is added along the tool up to G49",
                    "The length on five axes is not executed. With the length 0 the positions are right as they are "
                    "programmed; the machine's own length shifts them along the turned tool.",
                    "G143 H1 X0. Y0. Z20. A-10. B5."),

@@ -1,5 +1,5 @@
-/// G54.2 P: the fixture offset that follows the rotary table. P0 cancels it, which changes nothing where it never was;
-/// the offsets themselves stand in no table here.
+/// G54.2 P: the fixture offset that follows the rotary table; G54.4 P: the setting error of the workpiece. P0 cancels
+/// them, which changes nothing where they never were; what P1 and up choose stands in no table here.
 #include "brand_diagnostics.hpp"
 
 namespace fanuc {
@@ -7,25 +7,37 @@ namespace {
 
 struct FanucFixtureOffset {
   static constexpr auto spec =
-      ig::syntax("FanucFixtureOffsetSyntax", "Says that a fixture offset (G54.2 P) does not follow the rotary table.")
+      ig::syntax(
+          "FanucFixtureOffsetSyntax",
+          "Says that a fixture offset (G54.2 P) and a setting error of the workpiece (G54.4 P) are not executed.")
           .after("ParameterizedFlagSyntax")
           .before("NotExecutedSyntax", "UnconsumedCheckSyntax");
 
-  ig::Call code_{{"G54.2"}, "P[]"};
+  ig::Call codes_{{"G54.2", "G54.4"}, "P[]"};
 
   ig::Status build(ig::Block& b) {
-    if (!b.find(code_)) return ig::Status::unchanged;
-    const ig_field code = code_.code(0);
-    ig_value p{};
-    std::uint32_t found = 0;
-    const bool has_p = b.host()->take(b.raw(), code_.word(0, 'P'), &p) != 0;
-    b.host()->take_code(b.raw(), &code, 1, &found);
-    if (!has_p)
-      b.report(brand_diag("FAN-0211"), ig::Where::word(code));
-    else if (p.number != 0)
-      b.report(brand_diag("FAN-0210"), ig::Where::word(code), p.number);
-    return ig::Status::changed;
+    bool any = false;
+    for (std::uint32_t row = 0; row < codes_.code_count(); ++row) any |= take(b, row);
+    return any ? ig::Status::changed : ig::Status::unchanged;
   }
+
+ private:
+  bool take(ig::Block& b, std::uint32_t row) const {
+    const ig_field code = codes_.code(row);
+    std::uint32_t found = 0;
+    if (b.host()->take_code(b.raw(), &code, 1, &found) < 0) return false;
+    ig_value p{};
+    const std::string_view name = b.text(codes_.name(row));
+    if (b.host()->take(b.raw(), codes_.word(row, 'P'), &p) == 0)
+      b.report(brand_diag("FAN-0211"), ig::Where::word(code), name);
+    else if (p.number != 0)
+      b.report(brand_diag("FAN-0210"), ig::Where::word(code), name, p.number, missing[row]);
+    return true;
+  }
+
+  static constexpr std::array<std::string_view, 2> missing{
+      "its fixture offset is not known here, and positions do not follow the rotary table",
+      "positions are those of a workpiece that is set exactly"};
 };
 
 const ig::Register<FanucFixtureOffset> registered;

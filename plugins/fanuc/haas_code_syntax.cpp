@@ -71,7 +71,7 @@ struct HaasCode {
                std::string_view(id ? "the length of H is not added along the turned tool, up to G49"
                                    : "H is no offset number"));
     else if (*id != 0)
-      b.report(brand_diag("FAN-0219"), where, *h);
+      b.report(brand_diag("FAN-0212"), where, *h);
     return true;
   }
 
