@@ -32,7 +32,7 @@ inline constexpr std::array macro_diagnostics{
                    "#[0-1]=2"),
     ig::diagnostic(IG_ERROR, "FAN-0109", "the control has no variable {0}",
                    "Nothing is read from or written to it. Which common and permanent variables there are is an "
-                   "option of MacroVariables.",
+                   "option of MacroVariables; so is whether #2401 to #2800 are radii of tools (parameter 6004 bit 5).",
                    "#1=#40"),
     ig::diagnostic(IG_ERROR, "FAN-0110", "the value of {0} is not known here",
                    "The variable belongs to the running machine. Give it a value in a table of variables "
