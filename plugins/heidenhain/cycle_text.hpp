@@ -100,7 +100,8 @@ class CycleText {
       std::size_t end = i;
       const auto q = Values::q_at(text, i, end);
       const std::size_t equals = q ? skip(text, end) : i;
-      if (!q || at(text, equals) != '=') {
+      const bool is_feed_word = q && is_feed_word_at(text, equals);
+      if (!q || (at(text, equals) != '=' && !is_feed_word)) {
         const std::size_t next = std::max(i + 1, iso::skip_while(text, i, [](char c) { return !is_space(c); }));
         if (done != position && !is_said)
           b.report(hei("HEI-0105"), ig::Where::columns(i, next), piece(text, i, next),
@@ -109,7 +110,7 @@ class CycleText {
         i = std::max(i + 1, iso::skip_while(text, i, [](char c) { return !is_space(c) && c != ';'; }));
         continue;
       }
-      const std::size_t first = skip(text, equals + 1);
+      const std::size_t first = is_feed_word ? equals : skip(text, equals + 1);
       const std::string_view name = piece(text, i, end);
       const auto where = ig::Where::columns(i, end);
       const Value v = value(b, text, first);
@@ -147,6 +148,14 @@ class CycleText {
       ++i;
     }
     return values_.read(b, text, i);
+  }
+
+  /// Q206 FAUTO, as some listings have it without the sign.
+  static bool is_feed_word_at(std::string_view text, std::size_t i) {
+    const std::string_view word = piece(text, i, letters_end(text, i));
+    for (const std::string_view name : {"FAUTO", "FMAX", "AUTO", "MAX"})
+      if (iso::equals_ignoring_case(word, name)) return true;
+    return false;
   }
 
   const Values& values() const { return values_; }

@@ -30,13 +30,13 @@ struct KlartextBoreMilling {
     const auto diameter = cycle_.needed(b, c, 335), infeed = cycle_.needed(b, c, 334);
     if (!diameter || !infeed || !cycle_.drills(b, c)) return std::nullopt;
     const double overlap = cycle_.get_or(b, 370, 0), hole = std::fabs(*diameter);
-    if (overlap > 0) {
-      b.report(hei("HEI-0178"), ig::Where::block(), 208.0, std::string_view("Q370"), overlap);
-      return std::nullopt;
-    }
     const double tool = radius_of_tool(b);
     radius_ = hole / 2 - tool;
     if (radius_ < -iso::same_point_mm) return refuse(b, "the tool is wider than the hole");
+    if (tool > 0 && overlap > 0 && radius_ > overlap * tool + iso::same_point_mm) {
+      b.report(hei("HEI-0178"), ig::Where::block(), 208.0, std::string_view("Q370"), overlap);
+      return std::nullopt;
+    }
     // Something is left standing in the middle, unless a hole is there already.
     if (tool > 0 && cycle_.get_or(b, 342, 0) == 0 && hole > 4 * tool + iso::same_point_mm)
       return refuse(b, "the hole is wider than two diameters of the tool, and Q342 is 0");

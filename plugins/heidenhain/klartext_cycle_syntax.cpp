@@ -106,10 +106,10 @@ struct KlartextCycle {
     std::size_t end = position;
     const bool is_q = Values::q_at(text, position, end).has_value();
     const std::size_t equals = skip(text, end);
-    if (!is_q || at(text, equals) != '=') return false;
-    const std::size_t first = skip(text, equals + 1), word = letters_end(text, first);
-    for (const std::string_view name : {"FAUTO", "FMAX", "AUTO", "MAX"})
-      if (iso::equals_ignoring_case(piece(text, first, word), name)) return skip(text, word) >= text.size();
+    const bool has_sign = at(text, equals) == '=';
+    const std::size_t first = has_sign ? skip(text, equals + 1) : equals;
+    if (is_q && CycleText::is_feed_word_at(text, first)) return skip(text, letters_end(text, first)) >= text.size();
+    if (!is_q || !has_sign) return false;
     std::size_t i = iso::skip_while(text, first, [](char c) { return c == '+' || c == '-' || iso::is_blank(c); });
     std::size_t q_end = i;
     if (Values::q_at(text, i, q_end))

@@ -45,9 +45,11 @@ inline constexpr std::array klartext_diagnostics{
                    "5 L X+Q50 (and no Q50 before)"),
     ig::diagnostic(IG_ERROR, "HEI-0116", "'{0}': string parameters are not executed",
                    "QS parameters hold text. What depends on them is unreliable from here on.", "5 QS1 = \"A\""),
-    ig::diagnostic(IG_ERROR, "HEI-0117", "FN {0} is not executed",
-                   "Executed are FN 0 to 13. A parameter that this function would write keeps its value.",
-                   "5 FN 18: SYSREAD Q10 = ID50 NR2 IDX1"),
+    ig::diagnostic(
+        IG_ERROR, "HEI-0117", "FN {0} is not executed",
+        "Executed are FN 0 to 13, and FN 18 for the tool, its length and radius, the datum shift and positions. A "
+        "parameter that this function would write keeps its value. Said once for each place of a program.",
+        "5 FN 18: SYSREAD Q10 = ID990 NR2"),
     ig::diagnostic(IG_ERROR, "HEI-0118", "the control stops here with error {0}",
                    "FN 14: ERROR. By default the run goes on.", "5 FN 14: ERROR = 1000"),
     ig::diagnostic(IG_ERROR, "HEI-0119", "the statement is incomplete: {0} is missing", "It is not executed.",
@@ -177,6 +179,10 @@ inline constexpr std::array klartext_diagnostics{
     ig::diagnostic(IG_WARNING, "HEI-0188", "cycle {0} sets no speed and no coolant of its own here: {1}",
                    "The tool moves as the cycle does; the spindle and the coolant stay as they are.",
                    "5 CYCL CALL (after CYCL DEF 241)"),
+    ig::diagnostic(IG_WARNING, "HEI-0189",
+                   "text in brackets is no comment of Klartext: it is skipped here and further on",
+                   "A comment begins with a semicolon. Simulators and other controls write comments in brackets.",
+                   "( SETUP SHEET"),
 };
 
 consteval std::uint32_t hei(std::string_view code) { return iso::index_of(klartext_diagnostics, code, 0); }

@@ -83,13 +83,14 @@ struct KlartextLabel {
     b.report(hei("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, of);
   }
 
-  /// REP 3/3: the control shows how many repeats are left, and writes it into listings.
+  /// REP 3/3, REP Q3/Q3: the control shows how many repeats are left, and writes it into listings.
   static std::size_t behind_count_left(std::string_view text, std::size_t end) {
     const std::size_t slash = skip(text, end);
     if (at(text, slash) != '/') return end;
-    const std::size_t digits = skip(text, slash + 1);
-    const std::size_t behind = iso::skip_while(text, digits, [](char c) { return c >= '0' && c <= '9'; });
-    return behind == digits ? end : behind;
+    const std::size_t count = skip(text, slash + 1);
+    std::size_t behind = count;
+    if (!Values::q_at(text, count, behind)) behind = iso::skip_digits(text, count);
+    return behind == count ? end : behind;
   }
 
   void call(ig::Block& b, std::string_view text, std::size_t i) {

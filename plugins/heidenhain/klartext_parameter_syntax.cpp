@@ -1,6 +1,7 @@
-// Q parameters: FN 0 to FN 8 and FN 13 assign, FN 9 to FN 12 jump to a label, Q1 = … is a formula. The scanner takes
-// the statement as a whole; build() executes it, after all that stood before it.
+// Q parameters: FN 0 to FN 8 and FN 13 assign, FN 9 to FN 12 jump to a label, FN 18 reads, Q1 = … is a formula. The
+// scanner takes the statement as a whole; build() executes it, after all that stood before it.
 #include "klartext_values.hpp"
+#include "system_data.hpp"
 
 namespace heidenhain {
 namespace {
@@ -11,6 +12,7 @@ struct KlartextParameter {
                                    .scans("FQfq");
 
   Values values_;
+  SystemData system_;
   ig::Signal statement_{"Parsing.~KlartextStatement", ig::read | ig::write | ig::wake};
   ig::Out<std::int64_t> parameter_{"Vars.Q", {ig::Life::block, "", "Number of the Q parameter that was assigned."}};
   ig::Out<double> value_{"Vars.Value", {ig::Life::block, "", "What was assigned."}};
@@ -115,6 +117,9 @@ struct KlartextParameter {
     if (number == 14) return error(b, text, i);
     const std::string_view whole = rest_of_line(text, begin_);
     if (number == 15 || number == 16 || number == 38) return;  // output: no position depends on it
+    if (number == 18 && read_system(b, text, i)) return;
+    QStore* const store = values_.store();
+    if (store != nullptr && !store->is_first_time(values_.flow().here(b).offset, whole)) return;
     b.report(hei("HEI-0117"), ig::Where::columns(begin_, begin_ + whole.size()), double(number));
   }
 
@@ -191,6 +196,32 @@ struct KlartextParameter {
       }
     }
     if (ends(b, text, i)) assign(b, *t, result);
+  }
+
+  /// SYSREAD Q1 = ID270 NR1 IDX3; false where that is not known here.
+  bool read_system(ig::Block& b, std::string_view text, std::size_t i) {
+    i = skip(text, glued(text, i, "SYSREAD"));
+    std::size_t end = i;
+    const auto q = Values::q_at(text, i, end);
+    const std::size_t equals = q ? skip(text, end) : i;
+    if (!q || at(text, equals) != '=') return false;
+    SystemData::Request request;
+    std::size_t next = equals + 1;
+    const auto number = [&](std::string_view word) -> std::optional<double> {
+      const std::size_t first = skip(text, next), behind = glued(text, first, word);
+      const Value v = behind == first ? Value{} : values_.read(b, text, behind);
+      if (!v.ok) return std::nullopt;
+      next = v.end;
+      return v.number;
+    };
+    const auto id = number("ID"), nr = number("NR");
+    request.index = number("IDX");
+    if (!id || !nr || skip(text, next) < text.size()) return false;
+    request.id = *id;
+    request.number = *nr;
+    const auto value = system_.read(b, request);
+    if (value) assign(b, {*q, piece(text, i, end), i, equals + 1}, *value);
+    return value.has_value();
   }
 
   /// IF +Q1 EQU +5 GOTO LBL 3

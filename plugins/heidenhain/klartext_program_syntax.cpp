@@ -20,6 +20,7 @@ struct KlartextProgram {
   ig::Codes end_codes_{{"M02", "M30"}, ig::read | ig::wake};
   ig::Out<ig::Symbol> end_term_{"ProgramEnd.Term"};
   ig::Name end_pgm_{"END PGM"};
+  ig::Signal begun_{"KlartextProgram.~Begun", ig::write, ig::Life::modal};
   ig::Signal ends_{"KlartextProgram.~Ends", ig::read | ig::write | ig::wake};
   std::string name_;
 
@@ -116,6 +117,7 @@ struct KlartextProgram {
       values_.flow().label(b, name_, IG_LABEL_PROGRAM);
       return end;
     }
+    b.raise(begun_);
     if (found.unit.empty())
       b.report(hei("HEI-0104"), ig::Where::columns(position, i), std::string_view("BEGIN PGM"),
                std::string_view("MM or INCH"));

@@ -13,6 +13,7 @@ struct KlartextUnknown {
           .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz%+-.,:=\"'()[]{}<>#$&@!?_\\|^*/0123456789");
 
   Values values_;
+  ig::Signal begun_{"KlartextProgram.~Begun", ig::read, ig::Life::modal};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     const std::size_t end = statement_end(text, position);
@@ -20,12 +21,17 @@ struct KlartextUnknown {
     // Of a block of several lines the first one names it.
     const std::string_view whole = trim(piece(text, position, std::min(end, line_end(text, position))));
     const auto where = ig::Where::columns(position, position + whole.size());
-    if (is_din(text, position)) {
+    if (!b.is_raised(begun_) && is_din(text, position)) {
       b.report(hei("HEI-0102"), where);
       b.flow(IG_FLOW_END_FILE);
       if (values_.flow().frame(b).depth == 0) b.end_program();
       return text.size();
     }
+    if (text[position] == '(') {
+      values_.say_brackets(b, where);
+      return end;
+    }
+    if (is_part_of_probing(text, position)) return end;
     for (const Known& known : statements)
       if (keyword(text, position, known.words) != position) {
         b.report(hei("HEI-0122"), where, whole, std::string_view(known.effect));
@@ -79,6 +85,14 @@ struct KlartextUnknown {
       Known{"CUTTER", "the path is that of the program"},
       Known{"POLARKIN", "the kinematics stay"},
   };
+
+  /// TCH PROBE 1.1: its first part, 1.0, is said.
+  static bool is_part_of_probing(std::string_view text, std::size_t position) {
+    const std::size_t behind = keyword(text, position, "TCH PROBE");
+    if (behind == position) return false;
+    const std::size_t point = iso::skip_digits(text, skip(text, behind));
+    return at(text, point) == '.' && is_digit(at(text, point + 1)) && at(text, point + 1) != '0';
+  }
 
   /// %NAME G71 *, and N10 G00 …: a Klartext block begins with a bare number.
   static bool is_din(std::string_view text, std::size_t position) {

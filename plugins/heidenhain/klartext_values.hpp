@@ -77,6 +77,11 @@ class Values {
       b.report(hei("HEI-0114"), where, name);
   }
 
+  /// Text in brackets is a comment of other controls, and of simulators: it is said once.
+  void say_brackets(ig::Block& b, ig::Where where) const {
+    if (QStore* const s = store(); s == nullptr || s->is_first_time(0, "(")) b.report(hei("HEI-0189"), where);
+  }
+
   /// A formula to the end of its statement; nothing, which is said, where it has no result.
   std::optional<double> formula(ig::Block& b, std::string_view text, std::size_t position, std::size_t end) const {
     Parser parser{*this, b, text.substr(0, end), position, 0, false};

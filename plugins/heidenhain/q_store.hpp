@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -72,6 +74,14 @@ class QStore {
     return true;
   }
 
+  /// Is what stands at this place of a program said for the first time? A loop comes there again and again.
+  bool is_first_time(std::uint64_t offset, std::string_view text) {
+    const std::uint64_t place = offset ^ (std::hash<std::string_view>{}(text) << 1);
+    if (std::find(said_.begin(), said_.end(), place) != said_.end()) return false;
+    if (said_.size() < most_places) said_.push_back(place);
+    return true;
+  }
+
   /// What PATTERN DEF defined last, for CYCL CALL PAT.
   std::vector<PatternPoint> pattern;
 
@@ -84,7 +94,7 @@ class QStore {
     std::uint64_t frame, offset;
     double left;
   };
-  static constexpr std::size_t most_repeats = 1000, most_programs = 64;
+  static constexpr std::size_t most_repeats = 1000, most_programs = 64, most_places = 1000;
 
   Locals& locals(std::uint64_t program) {
     for (Locals& l : locals_)
@@ -98,6 +108,7 @@ class QStore {
   std::vector<double> retained_ = std::vector<double>(other_count, undefined);
   std::vector<Locals> locals_;
   std::vector<Repeat> repeats_;
+  std::vector<std::uint64_t> said_;
 };
 
 }  // namespace heidenhain
