@@ -1,0 +1,84 @@
+/// What the host's functions hold an access against: nothing that linking has settled in the fast mode, the
+/// declarations of the syntax in the checked one.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "isogloss/engine/chain.hpp"
+
+namespace isogloss::calls {
+
+inline Document& doc(ig_block* block) { return *reinterpret_cast<Document*>(block); }
+inline const Document& doc(const ig_block* block) { return *reinterpret_cast<const Document*>(block); }
+
+inline bool allowed(const std::vector<std::uint64_t>& mask, ig_field f) {
+  return (f >> 6) < mask.size() && (mask[f >> 6] >> (f & 63) & 1) != 0;
+}
+
+inline void violation(const Document& d, const std::string& what) {
+  if (d.current == 0 || d.chain == nullptr) return;
+  const LinkedSyntax& syntax = d.chain->linked().chain[d.current - 1u];
+  const Diagnostic text = host_diagnostic("IG-0402", {}, {syntax.element.alias, what});
+  d.chain->report(d, text.severity, text.code, text.message, 0, 0);
+}
+
+inline std::string field_name(const Document& d, ig_field f) {
+  if (is_record_field(f)) return list_of(f) < d.layout().lists.size() ? d.layout().lists[list_of(f)].path : "?";
+  return f < d.size() ? d.layout().fields[f].path : "a field that does not exist";
+}
+
+enum class Use { read, write, take };
+
+/// False when the field must not be touched; the fast table only wards off ids that lie outside the document.
+template <Mode M>
+bool may(const Document& d, ig_field f, Use use) {
+  if (f >= d.size()) {
+    if constexpr (M == Mode::checked)
+      if (f != IG_NO_FIELD) violation(d, "it used a field that does not exist");
+    return false;
+  }
+  if constexpr (M == Mode::checked) {
+    if (d.current == 0) return true;
+    const LinkedSyntax& s = d.chain->linked().chain[d.current - 1u];
+    const bool ok = use == Use::read    ? allowed(s.may_read, f) || allowed(s.may_take, f) || allowed(s.may_write, f)
+                    : use == Use::write ? allowed(s.may_write, f)
+                                        : allowed(s.may_take, f);
+    if (!ok)
+      violation(d, std::string(use == Use::read    ? "it reads "
+                               : use == Use::write ? "it writes "
+                                                   : "it takes ") +
+                       field_name(d, f) + ", which it does not declare");
+    return ok;
+  }
+  return true;
+}
+
+template <Mode M>
+bool sound(const Document& d, ig_field f, ig_value v) {
+  if constexpr (M == Mode::checked) {
+    const FieldInfo& info = d.layout().fields[f];
+    if (info.type == IG_NUMBER && !std::isfinite(v.number)) {
+      violation(d, "it gives " + info.path + " a value that is no number");
+      return false;
+    }
+    if (info.type == IG_TRANSFORM || info.type == IG_TEXT) {
+      violation(d, "it gives " + info.path + " a plain value: " +
+                       (info.type == IG_TEXT ? "a text has set_text" : "a transform has set_transform"));
+      return false;
+    }
+    if (info.type == IG_SYMBOL && (v.symbol == 0 || v.symbol > d.chain->symbols().size())) {
+      violation(d, "it gives " + info.path + " a name that does not exist");
+      return false;
+    }
+  }
+  return true;
+}
+
+template <Mode M>
+void note_line(Document& d, ig_field f) {
+  if constexpr (M == Mode::traced)
+    if (f < d.set_line.size()) d.set_line[f] = d.source.line;
+}
+
+}  // namespace isogloss::calls
