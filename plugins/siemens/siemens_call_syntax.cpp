@@ -176,6 +176,8 @@ struct SiemensCall {
     };
     static constexpr std::string_view origin = "the axis counts from its origin of before",
                                       coupled = "the axis that follows another one stands still",
+                                      values = "what it would answer is not known",
+                                      tools = "the table of tools stays as it is",
                                       head = "the unit, the plane and the work offset it sets are missing";
     static constexpr Known known[] = {{"PRESETON", origin},
                                       {"PRESETONS", origin},
@@ -187,6 +189,16 @@ struct SiemensCall {
                                       {"EGONSYN", coupled},
                                       {"ORIRESET", "the rotary axes do not turn"},
                                       {"TOFFON", "the offset is missing"},
+                                      {"GETTCOR", values},
+                                      {"GETTENV", values},
+                                      {"GETDNO", values},
+                                      {"SETDNO", tools},
+                                      {"NEWT", tools},
+                                      {"DELT", tools},
+                                      {"DELTC", tools},
+                                      {"SETMTH", tools},
+                                      {"READ", values},
+                                      {"CALCPOSI", values},
                                       {"E_HEAD", head},
                                       {"E_CONFIG", head},
                                       {"E_TCARR", "the plane is not swivelled"}};
@@ -204,6 +216,16 @@ struct SiemensCall {
           static_cast<std::int64_t>(std::fmax(0, std::fmin(std::round(arguments_[0].value->number), 999)));
   }
 
+  /// GETEXET(NUMBER) and GETSELT(NUMBER): the tool in the spindle, and the one that T has named.
+  void give_tool(ig::Block& b, std::string_view text, std::size_t open, std::string_view tool, ig::Where where) {
+    if (!read_arguments(b, text, open)) return;
+    Variable* const variable = arguments_.empty() ? nullptr : environment_.store().find(arguments_[0].name);
+    if (variable == nullptr || variable->value.is_text())
+      b.report(diag("SIE-0169"), where, text.substr(open));
+    else
+      variable->value.number = environment_.system.read(b, tool).value_or(0);
+  }
+
   /// MSG("…"), SETAL(65000), cycles that are not executed. False: a subprogram.
   bool is_known(ig::Block& b, std::string_view text, const std::string& name, std::size_t open, std::size_t close) {
     const auto where = ig::Where::columns(begin_, close);
@@ -216,6 +238,10 @@ struct SiemensCall {
         b.report(diag("SIE-0170"), where,
                  arguments_.empty() || !arguments_[0].value ? 0.0 : arguments_[0].value->number);
       b.alarm();
+      return true;
+    }
+    if (name == "GETEXET" || name == "GETSELT") {
+      give_tool(b, text.substr(0, close), open, name == "GETEXET" ? "$P_TOOLNO" : "$P_TOOLP", where);
       return true;
     }
     if (const std::string_view missing = not_executed(name); !missing.empty()) {

@@ -35,7 +35,6 @@ struct SiemensCode {
            "positions are not turned with the tool"},
           {ig::Call{{"CUT3DC", "CUT3DF", "CUT3DFF", "CUT3DFS", "CUT3DCC", "CUT3DCCD"}, ""},
            "the radius is compensated in the plane only"},
-          {ig::Call{{"MEAS", "MEAW"}, ""}, "the measurement is missing"},
           {ig::Call{{"DIAMON", "DIAM90"}, ""}, "X is read as a radius"},
       }};
   struct Word {
@@ -43,6 +42,7 @@ struct SiemensCode {
     std::string_view missing;
   };
   std::vector<Word> words_ = declared_words();
+  ig::Signal direction_said_{"SiemensCode.~DirectionSaid", ig::read | ig::write, ig::Life::modal};
 
   // Smoothing and limits: they change no end point.
   std::array<ig::Word, 7> quiet_{ig::Word{"Parsing.ADIS"}, ig::Word{"Parsing.ADISPOS"}, ig::Word{"Parsing.CTOL"},
@@ -52,9 +52,14 @@ struct SiemensCode {
   ig::Status build(ig::Block& b) {
     bool any = codes_.say(b);
     for (const ig::Word& word : quiet_) any |= b.take(word).has_value();
+    std::string_view said;  // of words that belong together the first one is said
     for (const Word& word : words_) {
       if (!b.has(word.word)) continue;
-      b.report(diag("SIE-0262"), ig::Where::word(word.word.id()), word.missing);
+      const bool is_direction = word.missing.ends_with("the tool keeps its direction");
+      if (is_direction ? !b.is_raised(direction_said_) : word.missing != said)
+        b.report(diag("SIE-0262"), ig::Where::word(word.word.id()), word.missing);
+      said = word.missing;
+      if (is_direction) b.raise(direction_said_);
       b.take(word.word);
       any = true;
     }
@@ -79,14 +84,16 @@ struct SiemensCode {
                                       {"TCARR", "TCARR=: the tool carrier does not count"},
                                       {"LEAD", "LEAD=: the tool keeps its direction"},
                                       {"TILT", "TILT=: the tool keeps its direction"},
+                                      {"MEAS", "MEAS=: no probe touches; the move goes to its end"},
+                                      {"MEAW", "MEAW=: no probe touches; the move goes to its end"},
                                       {"SVC", "SVC=: the speed of the spindle is not known"},
                                       {"FZ", "FZ=: the feed per tooth is not known"},
                                       {"A2", "A2= B2= C2=: the tool keeps its direction"},
-                                      {"B2", "B2=: the tool keeps its direction"},
-                                      {"C2", "C2=: the tool keeps its direction"},
+                                      {"B2", "A2= B2= C2=: the tool keeps its direction"},
+                                      {"C2", "A2= B2= C2=: the tool keeps its direction"},
                                       {"A3", "A3= B3= C3=: the tool keeps its direction"},
-                                      {"B3", "B3=: the tool keeps its direction"},
-                                      {"C3", "C3=: the tool keeps its direction"}};
+                                      {"B3", "A3= B3= C3=: the tool keeps its direction"},
+                                      {"C3", "A3= B3= C3=: the tool keeps its direction"}};
     std::vector<Word> out;
     for (const Known& k : known)
       out.push_back({ig::Word(std::string("Parsing.").append(k.name), ig::wake, ""), k.missing});

@@ -108,10 +108,11 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_ERROR, "SIE-0149", "the label {0} is not found: {1}",
                    "The control stops with an alarm. Here the run goes on in the next block.", "GOTOF NOWHERE"),
     // programs
-    ig::diagnostic(IG_ERROR, "SIE-0161", "'{0}' is not executed",
-                   "Of declarations DEF with REAL, INT, BOOL, CHAR, STRING and AXIS is executed, DEFINE, PROC and EXTERN. "
-                   "FRAME variables and REDEF are not.",
-                   "DEF FRAME PART"),
+    ig::diagnostic(
+        IG_ERROR, "SIE-0161", "'{0}' is not executed",
+        "Of declarations DEF with REAL, INT, BOOL, CHAR, STRING and AXIS is executed, DEFINE, PROC and EXTERN. "
+        "FRAME variables and REDEF are not.",
+        "DEF FRAME PART"),
     ig::diagnostic(IG_ERROR, "SIE-0162", "'{0}' should not stand in a declaration",
                    "The form is DEF REAL A=1, B, C[3].", "DEF REAL A B"),
     ig::diagnostic(IG_WARNING, "SIE-0163", "SAVE: the codes of the caller do not come back",
@@ -152,10 +153,11 @@ inline constexpr std::array diagnostics{
                    "POCKET3(…)"),
     ig::diagnostic(IG_ERROR, "SIE-0182", "{0}: a parameter has no value; the cycle is not executed", "Why was said.",
                    "CYCLE81(50,0,2,NOWHERE)"),
-    ig::diagnostic(IG_ERROR, "SIE-0183", "{0} is not executed: machine coordinates are wrong up to TRAFOOF",
-                   "TRAORI needs a machine that says where its rotary axes sit (--machine FILE). TRANSMIT, TRACYL, TRAANG "
-                   "and TRACON are not computed in this dialect.",
-                   "TRANSMIT"),
+    ig::diagnostic(
+        IG_ERROR, "SIE-0183", "{0} is not executed: machine coordinates are wrong up to TRAFOOF",
+        "TRAORI needs a machine that says where its rotary axes sit (--machine FILE). TRANSMIT, TRACYL, TRAANG "
+        "and TRACON are not computed in this dialect.",
+        "TRANSMIT"),
     ig::diagnostic(IG_WARNING, "SIE-0184", "{0} with {1} parameters: those behind number {2} are not used",
                    "The signature in the manual has fewer.", "CYCLE81(1,2,… 12 values)"),
     ig::diagnostic(IG_ERROR, "SIE-0185", "{0} without {1}: it is not executed", "The control stops with an alarm.",
@@ -258,8 +260,7 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_ERROR, "SIE-0262", "{0}", "The word is known by name only.", "G1 X10 FZ=0.1"),
     // patterns of holes
     ig::diagnostic(IG_ERROR, "SIE-0271", "{0} without a drilling cycle under MCALL: no hole is made",
-                   "MCALL with a cycle or a subprogram stands before.",
-                   "HOLES1(0,0,0,0,10,5)"),
+                   "MCALL with a cycle or a subprogram stands before.", "HOLES1(0,0,0,0,10,5)"),
     ig::diagnostic(IG_ERROR, "SIE-0272", "{0}: {1} holes are not executed; at most {2} are",
                    "The number is whole and at least 1; a row has at most 999 holes, a grid 9999.",
                    "HOLES2(0,0,20,0,0,0)"),
@@ -297,9 +298,10 @@ inline constexpr std::array diagnostics{
                    "A name can stand for words, for a call and for a value. It does not stand for parts of them, for "
                    "branches and jumps, or for another such name.",
                    "DEFINE AWAY AS GOTOF END"),
-    ig::diagnostic(IG_ERROR, "SIE-0289", "{0} holes of the pattern before this block are not made",
-                   "The subprogram that MCALL calls at the holes ends with M17 or RET; this one did not come back to them.",
-                   "MCALL UP (then) HOLES1(0,0,0,0,10,5)"),
+    ig::diagnostic(
+        IG_ERROR, "SIE-0289", "{0} holes of the pattern before this block are not made",
+        "The subprogram that MCALL calls at the holes ends with M17 or RET; this one did not come back to them.",
+        "MCALL UP (then) HOLES1(0,0,0,0,10,5)"),
 };
 
 consteval std::uint32_t diag(std::string_view code) { return iso::index_of(diagnostics, code, 0); }

@@ -30,8 +30,8 @@ class Environment {
     const ig_frame f = flow.frame(b);
     const ig_place here = flow.here(b);
     std::string place(ig::to_view(f.file));
-    for (const std::uint64_t n : {std::uint64_t{diagnostic}, here.offset, std::uint64_t{here.line},
-                                  static_cast<std::uint64_t>(column)})
+    for (const std::uint64_t n :
+         {std::uint64_t{diagnostic}, here.offset, std::uint64_t{here.line}, static_cast<std::uint64_t>(column)})
       place.append(1, '\n').append(std::to_string(n));
     if (store().say_once(place)) b.report(diagnostic, where, args...);
   }

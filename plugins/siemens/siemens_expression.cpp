@@ -214,7 +214,8 @@ bool Expression::indices(std::string& name) {
     const bool stands_alone = !word.empty() && word.size() <= 2 && (behind == ',' || behind == ']');
     const bool names_axis = stands_alone && std::string_view("ABCUVWXYZ").find(word[0]) != std::string_view::npos &&
                             environment_.store().find(word) == nullptr;
-    const bool is_axis = names_axis || (stands_alone && name[0] == '$' && iso::is_letter(word[0]) && (word[0] != 'R' || word == "RT"));
+    const bool is_axis =
+        names_axis || (stands_alone && name[0] == '$' && iso::is_letter(word[0]) && (word[0] != 'R' || word == "RT"));
     if (is_axis) {  // $AA_IM[X]
       name += word;
       at_ = end;

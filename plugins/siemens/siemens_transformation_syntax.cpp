@@ -34,9 +34,8 @@ struct SiemensTransformation {
                                         ig::In<double>{"MachineCoordinate.C"}};
   AxisModes modes_{ig::read | ig::write};
   ig::Out<std::int64_t> offset_id_{"ToolHeightCompensation.OffsetId"};
-  ig::Field<std::int64_t> edge_{"ToolHeightCompensation.Edge",
-                                ig::read,
-                                {ig::Life::modal, "", "D: the cutting edge in force; 0: none."}};
+  ig::Field<std::int64_t> edge_{
+      "ToolHeightCompensation.Edge", ig::read, {ig::Life::modal, "", "D: the cutting edge in force; 0: none."}};
   ig::In<double> offset_{"ToolHeightCompensation.Offset_mm"};
   ig::Transform frame_{"ToolHeightCompensation"};
   ig::Xyz orientation_{"ToolOrientation", ig::read | ig::write};
@@ -97,7 +96,9 @@ struct SiemensTransformation {
       const auto component = b.take(vector_[i]);
       if (!is_arc) b.set(direction_[i], component.value_or(0));
     }
-    if (is_arc) b.report(diag("SIE-0262"), ig::Where::block(), std::string_view("A3= B3= C3= in an arc: the tool keeps its direction"));
+    if (is_arc)
+      b.report(diag("SIE-0262"), ig::Where::block(),
+               std::string_view("A3= B3= C3= in an arc: the tool keeps its direction"));
     return !is_arc;
   }
 

@@ -239,9 +239,12 @@ struct SiemensWord {
     for (std::size_t end = position;;) {
       while (end < text.size() && std::string_view(" \t;\r\n").find(text[end]) == std::string_view::npos)
         end = text[end] == '(' ? std::max(skip_call(text, end), end + 1) : end + 1;
-      const std::size_t next = skip_blanks(text, end);
-      if (next >= text.size() || std::string_view("+-*/<>").find(text[next]) == std::string_view::npos) return end;
-      end = skip_blanks(text, next + 1);
+      std::size_t next = skip_blanks(text, end);
+      constexpr std::string_view operators = "+-*/<>";
+      if (next >= text.size() || operators.find(text[next]) == std::string_view::npos) return end;
+      while (next < text.size() && operators.find(text[next]) != std::string_view::npos) ++next;
+      end = skip_blanks(text, next);
+      if (at(text, end) == '"') end = std::min(text.find('"', end + 1), text.size() - 1) + 1;
     }
   }
 
@@ -283,6 +286,20 @@ struct SiemensWord {
     return number == std::to_string(named.value_or(static_cast<std::int64_t>(master_)));
   }
 
+  std::size_t valued_as(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
+                        const std::string& name, Run& run) {
+    const std::size_t value_at = skip_blanks(text, equals + 1);
+    const ig::Symbol mode = take_mode(b, text, value_at);
+    Expression e(b, environment_, text, mode == ig::Symbol{} ? value_at : at_bracket_);
+    const auto value = e.number();
+    const std::size_t end = std::max(e.position(), equals + 1);
+    if (!value) return line_end_of_fault(text, end);
+    if (mode != ig::Symbol{} && AxisModes::index_of(name) < AxisModes::words.size())
+      modes_.set(b, AxisModes::index_of(name), mode);
+    word(b, run, name, fields_.address(name), begin, end, *value);
+    return end;
+  }
+
   /// SPOS[2]=90 and LIMS[2]=3000 behind the index: of the master spindle, or said.
   std::size_t of_spindle(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
                          const std::string& indexed, Run& run) {
@@ -322,8 +339,9 @@ struct SiemensWord {
     const auto value = e.value();
     if (!value) return line_end_of_fault(text, std::max(e.position(), value_at));
     if (name == "T" && !value->is_text() && is_with_point(text, value_at, e.position(), value->number)) {
-      b.report(diag("SIE-0132"), columns(begin, e.position()), piece(text, value_at, e.position()));
-      b.set_text(tool_name_, iso::trim(piece(text, value_at, e.position())));
+      const std::string_view number = iso::trim(piece(text, value_at, e.position()));
+      b.report(diag("SIE-0132"), columns(begin, value_at + number.size()), number);
+      b.set_text(tool_name_, number);
     } else if (!value->is_text())
       word(b, run, name, fields_.letter(name[0]), begin, e.position(), value->number);
     else if (name == "T")
@@ -335,7 +353,7 @@ struct SiemensWord {
   /// T=2.19: the name of a tool, as tool managements have them, and no number.
   static bool is_with_point(std::string_view text, std::size_t begin, std::size_t end, double value) {
     const ig::Decimal n = ig::read_decimal(text, begin);
-    return n.ok && n.has_point && n.end == end && value != std::floor(value);
+    return n.ok && n.has_point && skip_blanks(text, n.end) == skip_blanks(text, end) && value != std::floor(value);
   }
   static bool is_r(std::string_view text, std::size_t begin, std::size_t end) {
     return iso::to_upper(text[begin]) == 'R' && end > begin + 1 && iso::skip_digits(text, begin + 1) == end;
@@ -355,14 +373,26 @@ struct SiemensWord {
       return target.position();
     }
     environment_.enter(b);
+    if (reference->name.size() == 5 && reference->name.starts_with("AX["))  // AX[NAME], NAME of type AXIS
+      return valued_as(b, text, begin, equals, reference->name.substr(3, 1), run);
+    if (const std::size_t name_end = axis_name_end(text, equals, reference->name); name_end != 0) {
+      const std::size_t value_at = skip_blanks(text, equals + 1);
+      environment_.store().find(reference->name)->value = Value::string(upper(piece(text, value_at, name_end)));
+      return name_end;
+    }
     if (belongs_to_spindle(reference->name)) return of_spindle(b, text, begin, equals, reference->name, run);
     if (reference->name[0] == '$' && !environment_.store().given(reference->name))
-      return write_system(b, text, begin, equals, reference->name);
+      return write_system(b, text, begin, equals, reference->name, run);
     const bool is_unknown_array = reference->name.find('[') != std::string::npos && !array_of(reference->name);
     if (!reference->is_r && is_unknown_array && !environment_.store().given(reference->name) &&
         !changes_no_position(reference->name)) {
       const std::size_t end = statement_text_end(text, equals);
       environment_.report_once(b, diag("SIE-0131"), columns(begin, end), begin, std::string_view(reference->name));
+      return end;
+    }
+    if (const ig::Symbol mode = take_mode(b, text, skip_blanks(text, equals + 1)); mode != ig::Symbol{}) {
+      const std::size_t end = skip_call(text, at_bracket_);  // ROTX=DC(10): an axis that the chain does not know
+      environment_.report_once(b, diag("SIE-0124"), columns(begin, end), begin, std::string_view(reference->name));
       return end;
     }
     Expression e(b, environment_, text, equals + 1);
@@ -377,7 +407,7 @@ struct SiemensWord {
 
   /// $P_UIFR[1,X,TR]=5, $P_UIFR[1]=CTRANS(X,5,Y,3), $TC_DP3[1,1]=120
   std::size_t write_system(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
-                           const std::string& name) const {
+                           const std::string& name, Run& run) const {
     const auto refuse = [&](std::size_t end) {
       environment_.report_once(b, diag("SIE-0129"), columns(begin, end), begin, std::string_view(name));
       return end;
@@ -388,22 +418,36 @@ struct SiemensWord {
         iso::equals_ignoring_case(piece(text, value_at, end_of_name), "CTRANS")) {
       std::size_t next = skip_blanks(text, end_of_name);
       const auto shift = shift_at(b, text, next);
-      if (!shift || next < last || !environment_.system.write_shift(b, name, *shift)) return refuse(last);
+      const bool goes_on = at(text, skip_blanks(text, next)) == ':';  // CTRANS(…):CROT(…)
+      if (!shift || goes_on || !environment_.system.write_shift(b, name, *shift)) return refuse(last);
       return next;
     }
     if (at(text, value_at) == '$') {
       Expression other(b, environment_, text, value_at);
       const auto reference = other.reference();
-      const auto shift = reference && other.position() == last ? environment_.system.shift_of(b, reference->name)
-                                                               : std::nullopt;
+      if (const auto code = reference && name == "$P_IFRAME" ? SystemData::code_of(reference->name) : std::nullopt) {
+        set_code(b, run, 'G', *code, begin, other.position());
+        return other.position();
+      }
+      const auto shift =
+          reference && other.position() == last ? environment_.system.shift_of(b, reference->name) : std::nullopt;
       if (shift && environment_.system.write_shift(b, name, *shift)) return last;
     }
+    if (name.starts_with("$A_OUT") || name.starts_with("$A_DB")) {  // signals of the machine, as M codes are
+      b.report(diag("SIE-0126"), columns(begin, last), piece(text, begin, last));
+      return last;
+    }
     if (environment_.system.write(b, name, std::nullopt) == Written::without_effect) return last;
-    if (!environment_.system.takes(name)) return refuse(last);
+    const bool is_store = name.starts_with("$AC_MARKER[") || name.starts_with("$AC_PARAM[");
+    if (!is_store && !environment_.system.takes(name)) return refuse(last);
     Expression e(b, environment_, text, value_at);
     const auto value = e.value();
     const std::size_t end = std::max(e.position(), equals + 1);
     if (!value) return line_end_of_fault(text, end);
+    if (is_store && !value->is_text()) {
+      environment_.store().give_for_run(name, value->number);
+      return end;
+    }
     if (value->is_text() || environment_.system.write(b, name, value->number) == Written::no) return refuse(end);
     return end;
   }
@@ -425,6 +469,17 @@ struct SiemensWord {
     if (at(text, next) != ')') return std::nullopt;
     ++next;
     return shift;
+  }
+
+  /// NAME=X, where NAME is of type AXIS and X no variable: where X ends, 0 where it is something else.
+  std::size_t axis_name_end(std::string_view text, std::size_t equals, const std::string& name) const {
+    const Variable* const target = environment_.store().find(name);
+    if (target == nullptr || !target->value.is_text() || target->is_array) return 0;
+    const std::size_t value_at = skip_blanks(text, equals + 1), end = skip_name(text, value_at);
+    const char behind = at(text, skip_blanks(text, end));
+    if (!is_name_start(at(text, value_at)) || end > value_at + 3 || behind == '(' || behind == '[' || behind == '<')
+      return 0;
+    return environment_.store().find(upper(piece(text, value_at, end))) == nullptr ? end : 0;
   }
 
   /// Speeds and accelerations of single axes.
@@ -459,7 +514,7 @@ struct SiemensWord {
     Variable* const present = store.find(to.name);
     const Variable* const model = present != nullptr ? present : array_of(to.name);
     if (model == nullptr && store.given(to.name)) {
-      if (!value.is_text()) store.give(to.name, value.number);
+      if (!value.is_text()) store.give_for_run(to.name, value.number);
       return;
     }
     if (model == nullptr) {

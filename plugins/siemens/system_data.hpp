@@ -55,6 +55,13 @@ class SystemData {
     return plain(b, name.base);
   }
 
+  /// $P_UIFR[n]: the code that puts this frame in force.
+  static std::optional<std::uint32_t> code_of(std::string_view text) {
+    const Name name(text);
+    const auto n = name.number(0);
+    if (name.base != "$P_UIFR" || name.count != 1 || !n || *n < 0 || *n > 99) return std::nullopt;
+    return static_cast<std::uint32_t>(*n == 0 ? 500 : *n < 5 ? 53 + *n : 500 + *n);
+  }
   /// Is it one of those that write() may take?
   static bool takes(std::string_view text) {
     const Name name(text);
@@ -71,7 +78,7 @@ class SystemData {
       const bool done = std::fabs(mm) < 1e9 && tools_->set(tools_->self, *row, *column_of(name), mm) != 0;
       return done ? Written::taken : Written::no;
     }
-    return is_description_of_tool(name.base) ? Written::without_effect : Written::no;
+    return moves_nothing(name.base) ? Written::without_effect : Written::no;
   }
 
   /// $P_UIFR[n] and its kin as a whole: X Y Z A B C.
@@ -79,7 +86,8 @@ class SystemData {
   bool write_shift(const ig::Block& b, std::string_view text, const Shift& shift) const {
     const Name name(text);
     const auto frame = frame_of(b, name);
-    if (!frame || name.base == "$P_IFRAME" || name.count > (name.base == "$P_UBFR" ? 0u : 1u) || !offsets_) return false;
+    if (!frame || name.base == "$P_IFRAME" || name.count > (name.base == "$P_UBFR" ? 0u : 1u) || !offsets_)
+      return false;
     double mm[3], degrees[3];
     for (std::size_t i = 0; i < 3; ++i) {
       mm[i] = shift[i] * unit(b);
@@ -109,7 +117,7 @@ class SystemData {
 
   /// $AA_IW[X], $AA_IM[X], $P_EP[X]: where the block before has ended.
   std::optional<double> position(const ig::Block& b, const Name& name) const {
-    const bool of_machine = name.base == "$AA_IM" || name.base == "$AA_MW";
+    const bool of_machine = name.base == "$AA_IM";
     if (!of_machine && name.base != "$AA_IW" && name.base != "$P_EP" && name.base != "$AA_WCS") return std::nullopt;
     const std::size_t axis = name.count == 1 ? axis_of(name.index[0]) : std::string_view::npos;
     if (axis == std::string_view::npos) return std::nullopt;
@@ -197,6 +205,8 @@ class SystemData {
     const std::int64_t row = b.get_or(row_, std::int64_t{0});
     if (name == "$P_TOOLNO" || name == "$TC_MPP6")
       if (const auto tool = b.get(tool_)) return static_cast<double>(*tool);
+    if (name == "$P_TOOLP")  // preselected
+      if (const auto tool = b.get(next_tool_)) return static_cast<double>(*tool);
     if (name == "$P_TOOL") return static_cast<double>(b.get_or(edge_, std::int64_t{0}));
     if (name == "$P_TOOLR")
       if (const auto own = offset(b, row, 2), wear = offset(b, row, 3); own && wear) return *own + *wear;
@@ -205,12 +215,17 @@ class SystemData {
     if (name == "$P_SDIR") return b.is(direction_, cw_) ? 3 : b.is(direction_, ccw_) ? 4 : 5;
     if (name == "$P_UIFRNUM") return offset_number(b) - 1;
     // The program runs at the machine from its beginning: no block search, no simulation, no test.
-    for (const std::string_view off : {"$P_SEARCH", "$P_SIM", "$P_ISTEST", "$P_DRYRUN"})
+    // Markers and parameters of the channel are 0 until the program writes them.
+    for (const std::string_view off : {"$P_SEARCH", "$P_SIM", "$P_ISTEST", "$P_DRYRUN", "$AC_MARKER", "$AC_PARAM"})
       if (name == off) return 0;
     return std::nullopt;
   }
-  /// Names, types, magazine places: what moves no axis here.
-  static bool is_description_of_tool(std::string_view base) {
+  /// Names, types, magazine places of tools, clocks and counters: what moves no axis here.
+  static bool moves_nothing(std::string_view base) {
+    for (const std::string_view known :
+         {"$AC_TIMER", "$AC_OPERATING_TIME", "$AC_CYCLE_TIME", "$AC_CUTTING_TIME", "$AC_REQUIRED_PARTS",
+          "$AC_TOTAL_PARTS", "$AC_ACTUAL_PARTS", "$AC_SPECIAL_PARTS"})
+      if (base == known) return true;
     if (base.starts_with("$TC_TP") || base.starts_with("$TC_MPP") || base.starts_with("$TC_DPCE")) return true;
     for (const std::string_view known : {"$TC_DP1", "$TC_DP2", "$TC_DP10", "$TC_DP11", "$TC_DP24", "$TC_DP25"})
       if (base == known) return true;
@@ -254,10 +269,10 @@ class SystemData {
   std::array<ig::In<double>, 3> program_{ig::In<double>{"ProgramXyz.X"}, ig::In<double>{"ProgramXyz.Y"},
                                          ig::In<double>{"ProgramXyz.Z"}};
   ig::In<std::int64_t> tool_{"ToolChange.SpindleToolId"};
+  ig::In<std::int64_t> next_tool_{"ToolChange.ToolId"};
   ig::In<std::int64_t> row_{"ToolHeightCompensation.OffsetId"};
-  ig::Field<std::int64_t> edge_{"ToolHeightCompensation.Edge",
-                                ig::read,
-                                {ig::Life::modal, "", "D: the cutting edge in force; 0: none."}};
+  ig::Field<std::int64_t> edge_{
+      "ToolHeightCompensation.Edge", ig::read, {ig::Life::modal, "", "D: the cutting edge in force; 0: none."}};
   ig::In<double> length_{"ToolHeightCompensation.Offset_mm"};
   ig::In<double> feed_{"Feedrate.FeedrateValue"};
   ig::In<double> speed_{"SpindleSpeed.SpindleSpeed_rpm"};

@@ -76,7 +76,7 @@ struct PatternCall {
 class VariableStore {
  public:
   ModalCall modal;
-  std::vector<PatternCall> patterns;  ///< the innermost last
+  std::vector<PatternCall> patterns;           ///< the innermost last
   std::optional<std::int64_t> master_spindle;  ///< what SETMS has named
 
   std::size_t most_names = 100'000;  ///< of one program, elements of arrays counted
@@ -116,7 +116,12 @@ class VariableStore {
     const auto it = scope.variables.find(name);
     return it == scope.variables.end() ? nullptr : &it->second;
   }
+  /// The same, up to the end of the run.
+  void give_for_run(const std::string& name, double value) {
+    if (given_for_run_.size() < most_names) given_for_run_[name] = value;
+  }
   std::optional<double> given(const std::string& name) const {
+    if (const auto it = given_for_run_.find(name); it != given_for_run_.end()) return it->second;
     const auto it = given_.find(name);
     return it == given_.end() ? std::nullopt : std::optional(it->second);
   }
@@ -168,6 +173,7 @@ class VariableStore {
     passed_.clear();
     said_.clear();
     macros_.clear();
+    given_for_run_.clear();
     patterns.clear();
     master_spindle.reset();
   }
@@ -195,7 +201,7 @@ class VariableStore {
     std::vector<Argument> arguments;  // of each pass anew
   };
   std::vector<RParameter> r_;
-  std::unordered_map<std::string, double> given_;
+  std::unordered_map<std::string, double> given_, given_for_run_;
   std::vector<Scope> scopes_{1};
   std::vector<Argument> passed_;
   std::uint64_t tag_ = 0;

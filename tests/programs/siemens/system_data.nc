@@ -1,0 +1,24 @@
+; Frames and offsets that the program writes, and what it reads of them.
+$P_UIFR[1,X,TR]=100 $P_UIFR[1,Y,TR]=50
+$P_UIFR[2]=CTRANS(X,10,Y,20,Z,-30,B,0)
+$P_UIFR[5]=$P_UIFR[2]
+$TC_DP3[1,1]=120 $TC_DP6[1,1]=5 $TC_DP15[1,1]=0.5
+$TC_DP3[1,2]=80
+$TC_TP2[1]="DRILL"
+$TC_DP4[1,1]=3
+G17 G90 G54 G0 X0 Y0 Z0
+T1 M6
+X=$P_TOOLR Y=$P_TOOLL[1]
+G55 X0 Y0 Z0
+D2
+$P_IFRAME=$P_UIFR[5]
+X0 Y0 Z0
+R10=$P_UIFR[2,X,TR] R11=$P_GG[8] R12=$P_TOOLNO R13=$P_TOOL R14=$P_AD[6]
+X=R10 Y=R11 Z=R12
+X=R13 Y=R14
+X=$AA_IM[X] Y=$AA_IW[Y]
+$AC_MARKER[1]=$AC_MARKER[1]+1
+X=$AC_MARKER[1]
+$AC_TIMER[1]=0
+$A_OUT[1]=1
+M30
