@@ -54,7 +54,8 @@ struct SiemensCall {
     const std::size_t end = skip_name(text, position);
     const bool is_l =
         iso::to_upper(text[position]) == 'L' && end > position + 1 && iso::skip_digits(text, position + 1) == end;
-    if (end - position < 2 || (iso::is_digit(at(text, position + 1)) && !is_l)) return position;
+    const std::string* const macro = macro_at(text, position, end);
+    if (macro == nullptr && (end - position < 2 || (iso::is_digit(at(text, position + 1)) && !is_l))) return position;
     if (environment_.flow.is_indexing()) {
       for (const CycleSignature& s : pattern_signatures)
         if (iso::equals_ignoring_case(piece(text, position, end), s.name))
@@ -62,8 +63,7 @@ struct SiemensCall {
       return statement_end(text, position);
     }
     std::string name = upper(piece(text, position, end));
-    if (const std::string* const macro = environment_.store().macro(name); macro != nullptr && !is_expanded_)
-      return expand(b, text, position, end, *macro);
+    if (macro != nullptr) return expand(b, text, position, end, *macro);
     begin_ = position;
     std::size_t next = skip_blanks(text, end);
     if (is_synchronized(text, position, name)) {
@@ -93,6 +93,13 @@ struct SiemensCall {
       return end;
     }
     return request(b, text, next, std::move(name), has_bracket ? next : end);
+  }
+
+  /// What DEFINE says of the name: one that looks like a code counts, too (DEFINE M6 AS L6).
+  const std::string* macro_at(std::string_view text, std::size_t position, std::size_t end) const {
+    const VariableStore& store = environment_.store();
+    if (is_expanded_ || !store.has_macros() || environment_.flow.is_indexing()) return nullptr;
+    return store.macro(upper(piece(text, position, end)));
   }
 
   /// A name for a call (DEFINE).

@@ -74,7 +74,7 @@ struct SiemensWord {
     const char c = iso::to_upper(text[begin]);
     const std::size_t second = begin + 1;
     const char d = at(text, second);
-    if (environment_.store().has_macros() && !is_expanded_ && c != '$')
+    if (environment_.store().has_macros() && !is_expanded_ && c != '$' && !environment_.flow.is_indexing())
       if (const std::size_t end = skip_name(text, begin); at(text, skip_blanks(text, end)) != '=')
         if (const std::string* const macro = environment_.store().macro(upper(piece(text, begin, end))))
           return expand(b, text, begin, end, *macro, run);
@@ -439,7 +439,7 @@ struct SiemensWord {
     }
     if (environment_.system.write(b, name, std::nullopt) == Written::without_effect) return last;
     const bool is_store = name.starts_with("$AC_MARKER[") || name.starts_with("$AC_PARAM[");
-    if (!is_store && !environment_.system.takes(name)) return refuse(last);
+    if (!is_store && !SystemData::takes(name)) return refuse(last);
     Expression e(b, environment_, text, value_at);
     const auto value = e.value();
     const std::size_t end = std::max(e.position(), equals + 1);
