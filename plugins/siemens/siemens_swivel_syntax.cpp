@@ -1,8 +1,11 @@
 /// CYCLE800: a swivelled plane, and the rotary axes that put the tool upright on it. The call becomes the words that
 /// IsoG68p2TiltSyntax (the plane) and G53p1RotaryPositionSyntax (the axes) execute.
+#include <algorithm>
+
 #include "cycle_signatures.hpp"
 #include "siemens_diagnostics.hpp"
 #include "tilt_transform_util.hpp"
+#include "tool_kinematics.hpp"
 #include "whole_number.hpp"
 
 namespace siemens {
@@ -18,6 +21,9 @@ struct SiemensSwivel {
   ig::Call align_{{"G53.1"}, "P[]", ig::write};
   ig::Codes cancel_{{"G69"}, ig::write};
   ig::Field<ig::Symbol> term_{"TiltTransform.Term", ig::read | ig::write, {ig::Life::modal, "", "The code in force."}};
+  std::array<ig::In<double>, 3> angles_{ig::In<double>{"MachineCoordinate.A"}, ig::In<double>{"MachineCoordinate.B"},
+                                        ig::In<double>{"MachineCoordinate.C"}};
+  iso::ToolKinematics machine_;
   ig::Name g68_2_{"G68.2"}, g68_4_{"G68.4"};
 
   ig::Status build(ig::Block& b) {
@@ -100,9 +106,15 @@ struct SiemensSwivel {
     b.set_word(plane_, row, 'P', 1);
     b.set_word(plane_, row, 'Q', order);
     const double direction = v[dir].value_or(1);
-    if (direction == 0) return;
+    const bool is_level = !is_additive && turns[0] == 0 && turns[1] == 0 && turns[2] == 0;
+    if (direction == 0 || (is_level && !machine_ && is_at_zero(b))) return;
     b.set_call(align_, 0);
     b.set_word(align_, 0, 'P', direction > 0 ? 1 : 2);
+  }
+
+  /// Nothing has turned the rotary axes.
+  bool is_at_zero(const ig::Block& b) const {
+    return std::all_of(angles_.begin(), angles_.end(), [&](const auto& angle) { return b.get_or(angle, 0.0) == 0; });
   }
 
   static constexpr std::int64_t axis_by_axis = 0, solid_angle = 1;
