@@ -1,6 +1,7 @@
 // RND and CHF stand in a block of their own between two moves. The move before must end short of the corner, so each
 // feed move looks whether such a block follows, and gets the corner that CornerBreakPathSyntax and the radius
 // compensation make the path from.
+#include "contour_approach.hpp"
 #include "corner_break_state.hpp"
 #include "klartext_diagnostics.hpp"
 
@@ -25,6 +26,8 @@ struct KlartextCorner {
   ig::Signal open_{"KlartextCorner.~Open", ig::read | ig::wake_while, ig::Life::modal};
   ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
   ig::In<ig::Symbol> compound_{"CompoundMotion.Term"};
+  iso::ContourApproach approach_{ig::wake};
+  ig::In<double> tool_radius_{"RadiusCompensation.Radius_mm"};
   iso::CornerBreakState corner_{ig::write};
   ig::Signal path_{"CornerBreak.~Path", ig::write};
   ig::Name rnd_{"RND"}, chf_{"CHF"};
@@ -40,6 +43,9 @@ struct KlartextCorner {
   ig::Status build(ig::Block& b) {
     const bool was_open = is_open_;
     if (was_open) b.raise(path_);
+    if (approach_.get(b) && b.get_or(tool_radius_, 0.0) == 0)
+      b.report(hei("HEI-0130"), ig::Where::block(), std::string_view("APPR"),
+               std::string_view("the tool has no radius, it goes straight to the first point of the contour"));
     if (b.has_any(radius_, chamfer_)) {
       if (!is_announced_)
         b.report(hei("HEI-0130"), ig::Where::block(), std::string_view(b.has(radius_) ? "RND" : "CHF"),

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "arc_util.hpp"
+#include "klartext_departure.hpp"
 #include "klartext_diagnostics.hpp"
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
@@ -43,6 +44,11 @@ struct KlartextMotion {
                          {ig::Life::block, "", "M140 MB MAX: along the tool axis to the end of the travel."}};
   ig::Word distance_{"Parsing.MB", ig::take, "mm", "M140 MB: how far along the tool axis."};
   ig::Service<ig_machine_axis_1> machine_{"isogloss.machine-axis/1", ig::Need::optional, "The travel of Z, for M140."};
+  KlartextDeparture departure_{ig::read};
+  iso::ContourDeparture leave_{ig::write};
+  ig::In<ig::Symbol> side_{"RadiusCompensation.Term"};
+  ig::In<double> tool_radius_{"RadiusCompensation.Radius_mm"};
+  ig::Name g41_{"G41"}, g42_{"G42"};
   iso::ScaleAndMirror mirror_;
   ig::In<ig::Symbol> mirror_term_{"MirrorImage.Term"};
   ig::Out<bool> in_plane_{"KlartextPath.IsFeedInPlane", {ig::Life::block, "", "The move may end in a corner."}};
@@ -63,6 +69,7 @@ struct KlartextMotion {
     const bool is_polar = function == lp_ || function == cp_ || function == ctp_;
     if (is_polar && !resolve_polar(b, way)) return drop(b);
     if (retracts(b)) retract(b, way);
+    if (const auto off = departure_.get(b)) depart(b, way, *off);
     const bool is_computed = is_polar || (has_steps & 7u) != 0 || named.mask == 0 || function == c_ || function == ct_;
     if (is_computed && !(is_position(way.from) && is_position(way.to))) {
       b.report(hei("HEI-0182"), ig::Where::block(), b.text(function));
@@ -160,6 +167,50 @@ struct KlartextMotion {
     }
     way.to = out;
     way.mask = 1u << way.plane.tool;
+    put(b, way);
+  }
+
+  /// DEP: off the contour, from where the tool's centre stands beside its last point, on the side of RL or RR.
+  void depart(ig::Block& b, Way& way, const KlartextDeparture::Way& off) const {
+    using Shape = KlartextDeparture::Shape;
+    const ig::PartialVec3 known = b.get(tangent_);
+    const iso::Point2 t{known.value[way.plane.first], known.value[way.plane.second]};
+    const bool is_beside = b.is(side_, g41_) || b.is(side_, g42_);
+    const bool is_arc = off.shape == Shape::arc || off.shape == Shape::line_and_arc;
+    const auto say = [&](std::string_view why) {
+      b.report(hei("HEI-0130"), ig::Where::block(), std::string_view("DEP"), why);
+    };
+    if (!known.complete() || std::fabs(t.length() - 1) > 1e-6) return say("no move in the plane came before");
+    if (is_arc && b.has(mirror_term_)) return say("in a mirror image the tool leaves straight");
+    const double left = b.is(side_, g42_) ? -1 : 1, radius = is_beside ? b.get_or(tool_radius_, 0.0) : 0;
+    if (is_arc && !(radius > 0)) return say("the tool has no radius, it leaves straight");
+    const iso::Point2 n{-t.v * left, t.u * left}, contour = way.start();
+    const iso::Point2 from{contour.u + radius * n.u, contour.v + radius * n.v};
+    if (off.shape == Shape::line)
+      way.set_end({from.u + off.length * t.u, from.v + off.length * t.v});
+    else if (off.shape == Shape::normal)
+      way.set_end({from.u + off.length * n.u, from.v + off.length * n.v});
+    if (is_arc) {
+      const double r = off.shape == Shape::arc ? off.radius : std::fabs(off.radius);
+      const iso::Point2 center{from.u + r * n.u, from.v + r * n.v};
+      const bool is_ccw = (left > 0) == (r > 0);
+      iso::Point2 end = iso::ContourApproach::turned(from, center, is_ccw ? off.angle_deg : -off.angle_deg);
+      if (off.shape == Shape::line_and_arc) {
+        // Seen from the end the arc turns the other way.
+        const auto touching = iso::ContourApproach::touching(way.end(), center, r, !is_ccw);
+        if (!touching) return say("its end lies inside the arc, the tool leaves straight");
+        end = *touching;
+      } else {
+        way.set_end(end);
+      }
+      const auto at = [&](const iso::Point2& p) {
+        ig::Vec3 out = way.from;
+        out[way.plane.first] = iso::rounded(p.u);
+        out[way.plane.second] = iso::rounded(p.v);
+        return out;
+      };
+      leave_.set(b, {at(center), at(end), is_ccw});
+    }
     put(b, way);
   }
 

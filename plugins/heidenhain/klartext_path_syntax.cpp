@@ -1,7 +1,9 @@
 // Path functions: L, LP, LN, CC, C, CR, CT, CP, CTP, and what goes with them: RND, CHF, APPR, DEP. The scanner takes
 // the block as a whole and writes its words; KlartextMotionSyntax makes a path of them. A block that begins with an
 // axis or an M function counts as L.
+#include "contour_approach.hpp"
 #include "feed_words.hpp"
+#include "klartext_departure.hpp"
 #include "m_functions.hpp"
 
 namespace heidenhain {
@@ -40,6 +42,12 @@ struct KlartextPath {
   ig::Out<double> corner_radius_{"KlartextCorner.Radius_mm", {ig::Life::block, "mm", "RND R"}};
   ig::Out<double> chamfer_{"KlartextCorner.Chamfer_mm", {ig::Life::block, "mm", "CHF"}};
   ig::Signal corner_open_{"KlartextCorner.~Open", ig::read | ig::write, ig::Life::modal};
+  iso::ContourApproach approach_{ig::write};
+  KlartextDeparture departure_{ig::write};
+  ig::In<ig::Symbol> motion_in_force_{"MotionState.Term"};
+  ig::In<ig::Symbol> feed_term_{"Feedrate.Term"};
+  ig::In<double> feed_in_force_{"Feedrate.FeedrateValue"};
+  ig::Name g00_{"G00"}, g94_{"G94"};
   ig::In<ig::Symbol> system_{"Unit.System"};
   ig::Name inch_{"Inch"};
   std::array<ig::Name, CHF> symbols_{ig::Name{"L"},  ig::Name{"LP"}, ig::Name{"LN"}, ig::Name{"C"},   ig::Name{"CC"},
@@ -69,6 +77,9 @@ struct KlartextPath {
     std::size_t end = 0;
     bool is_rapid = false, has_axis = false, has_tool_vector = false;
     std::optional<bool> is_ccw{};
+    std::optional<iso::ContourApproach::Shape> shape{};  ///< of APPR and DEP
+    std::optional<double> length{}, radius{}, angle{};
+    bool is_beside = false;  ///< RL or RR stands in the block
   };
 
   static ig_field word(std::string_view name, const char* unit) {
@@ -158,17 +169,23 @@ struct KlartextPath {
     }
   }
 
-  /// LT, LN, CT, LCT, and LEN, CCA, R with a value: how the tool would approach the contour or leave it.
-  std::size_t shape_at(ig::Block& b, std::string_view text, std::size_t i, const Path& path) const {
+  /// LT, LN, CT, LCT, in polar coordinates PLT and so on, and LEN, CCA, R with a value: how the tool approaches the
+  /// contour or leaves it.
+  std::size_t shape_at(ig::Block& b, std::string_view text, std::size_t i, Path& path) const {
     const std::size_t end = letters_end(text, i);
     const std::string_view letters = piece(text, i, end);
     const auto is = [&](std::string_view name) { return iso::equals_ignoring_case(letters, name); };
-    for (const std::string_view shape : {"LT", "LN", "CT", "LCT", "PLT", "PLN", "PCT", "PLCT"})
-      if (is(shape)) return end;
+    static constexpr std::array<std::string_view, 8> shapes{"LT", "LN", "CT", "LCT", "PLT", "PLN", "PCT", "PLCT"};
+    for (std::size_t k = 0; k < shapes.size(); ++k)
+      if (is(shapes[k])) {
+        path.shape = static_cast<iso::ContourApproach::Shape>(k % 4);
+        return end;
+      }
     const bool is_radius = is("R") && at(text, end) != '0';
     if (!is("LEN") && !is("CCA") && !is_radius) return i;
     const Value v = values_.read(b, text, end);
     if (!v.ok) b.report(hei("HEI-0104"), ig::Where::columns(i, end), path.name, letters);
+    if (v.ok) (is("LEN") ? path.length : is("CCA") ? path.angle : path.radius) = v.number;
     return v.ok ? v.end : end;
   }
 
@@ -197,6 +214,7 @@ struct KlartextPath {
     const char d = to_upper(at(text, i + 1));
     const bool is_alone = !is_digit(at(text, i + 2)) && at(text, i + 2) != '.' && at(text, i + 2) != ',';
     if ((d == 'L' || d == 'R') && is_alone) {
+      path.is_beside = true;
       compensate(b, d == 'L' ? 1 : 2, i, i + 2);
       return i + 2;
     }
@@ -247,7 +265,7 @@ struct KlartextPath {
       b.report(hei("HEI-0130"), where, std::string_view("the tool vector TX TY TZ of LN"),
                std::string_view("the rotary axes stay"));
     if (path.function == DEP) uncompensate(b, where.begin, where.end);
-    if (is_approach)
+    if (is_approach && !shape_path(b, path))
       b.report(
           hei("HEI-0130"), where, path.name,
           std::string_view(path.function == APPR ? "the tool goes straight to the first point of the contour"
@@ -265,6 +283,35 @@ struct KlartextPath {
         code(1);
       }
     }
+  }
+
+  /// The way to the contour or off it; false where it has none: without RL or RR, or where a word of it is missing.
+  bool shape_path(ig::Block& b, const Path& path) const {
+    using Shape = iso::ContourApproach::Shape;
+    if (!path.shape) return false;
+    const Shape shape = *path.shape;
+    const bool is_line = shape == Shape::line || shape == Shape::normal;
+    const bool is_complete =
+        is_line ? path.length && *path.length >= 0
+                : path.radius && *path.radius != 0 && (shape != Shape::arc || (path.angle && *path.angle > 0));
+    const bool has_side = b.is(side_in_force_, g41_) || b.is(side_in_force_, g42_);
+    if (!is_complete || (path.function == APPR && (!path.is_beside || has_side))) return false;
+    const double unit = b.is(system_, inch_) ? 25.4 : 1;
+    iso::ContourApproach::Way way{
+        shape,       path.length.value_or(0) * unit, path.radius.value_or(0) * unit, path.angle.value_or(0), false,
+        std::nullopt};
+    if (path.function == DEP) {
+      if (!has_side && shape != Shape::line) return false;
+      departure_.set(b, way);
+      return true;
+    }
+    // Up to where the way begins the tool goes on as in the block before; LCT has one feed.
+    if (shape != Shape::line_and_arc) {
+      way.is_rapid = b.is(motion_in_force_, g00_);
+      if (const auto feed = b.get(feed_in_force_); feed && b.is(feed_term_, g94_)) way.feed_mmds = *feed / 60;
+    }
+    approach_.set(b, way);
+    return true;
   }
 
   Function straight_function(const ig::Block& b) const {

@@ -82,6 +82,9 @@ inline constexpr std::array radius_compensation_diagnostics{
         "them: a neck. A control compares fewer blocks, if any, and cuts. Said where the neck begins, of "
         "straight moves and arcs by feed at one height, some blocks ahead.",
         "G41 D1 (radius 5), into a pocket through an opening of 8 mm"),
+    ig::diagnostic(IG_ERROR, "ISO-0497", "the tool stands inside the arc by which it would come to the contour",
+                   "No line touches the arc from there. The tool goes straight to the first point; the control stops.",
+                   "5 APPR LCT X+5 Y+5 R50 RL F300 (from a point that is 20 mm away)"),
 };
 
 inline constexpr std::size_t radius_end = subprogram_end + radius_compensation_diagnostics.size();

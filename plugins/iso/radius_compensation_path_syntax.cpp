@@ -2,6 +2,7 @@
 /// centre, which touches the contour and turns its corners. Needs the next move of the contour, so it looks ahead.
 /// Fanuc manual, "Details of cutter compensation".
 #include "broken_contour.hpp"
+#include "contour_approach.hpp"
 #include "contour_clearance.hpp"
 #include "event_to_steps.hpp"
 #include "feed_util.hpp"
@@ -46,6 +47,8 @@ struct RadiusCompensationPath {
   ContourAhead ahead_;
   BrokenContour contour_;
   EventToSteps event_;
+  ContourApproach approach_{ig::read};
+  ContourDeparture departure_{ig::read};
   ToolSteps steps_;
   std::array<ig::Name, 3> phases_{ig::Name{"StartUp"}, ig::Name{"Offset"}, ig::Name{"Cancel"}};
   std::array<ig::Name, 8> corners_{ig::Name{"Tangent"},  ig::Name{"Inner"},     ig::Name{"Obtuse"},
@@ -236,9 +239,63 @@ struct RadiusCompensationPath {
     }
     say_too_far(b, next);
     stand_at(now, now.from, offset);
-    const ig::Status status = move(b, now, starting, corner, offset);
+    const auto way = approach_.get(b);
+    const ig::Status status = way && next.kind == ContourAhead::Next::Kind::move
+                                  ? approach(b, now, *way, next.move.direction_at_start(), corner, offset)
+                                  : move(b, now, starting, corner, offset);
     tool_.is_blind = next.kind == ContourAhead::Next::Kind::none;
     return status;
+  }
+
+  /// To where the way to the contour begins, there along the third axis, then on the way.
+  ig::Status approach(ig::Block& b, const ContourMotion& now, const ContourApproach::Way& way, const Point2& along,
+                      const Corner& corner, double offset) {
+    const Point2 side = (offset > 0 ? 1.0 : -1.0) * left_of(along);
+    const auto path =
+        ContourApproach::path(way, ContourMotionOf::in_plane(now.plane, now.from), corner.leave, along, side);
+    if (!path || !is_sound(corner)) {
+      b.report(radius_diag("ISO-0497"), ig::Where::block());
+      b.alarm();
+      return move(b, now, starting, corner, offset);
+    }
+    const ToolSteps::Manner manner = take_event(b);
+    const double height = now.to[now.plane.tool];
+    const ig::Vec3 to = at(now, corner.leave, height);
+    const ToolSteps::Manner first{way.is_rapid, way.feed_mmds ? way.feed_mmds : manner.feed_mmds, 0};
+    const double before = now.from[now.plane.tool];
+    steps_.line(b, at(now, path->begin, before), first);
+    if (height != before) steps_.line(b, at(now, path->begin, height), first);
+    if (path->center && !is_same(path->begin, corner.leave))
+      steps_.arc(b, to, at(now, *path->center, height), path->is_ccw, manner);
+    else
+      steps_.line(b, to, manner);
+    tool_.at = to;
+    tool_.offset = offset;
+    tool_.corner_center = now.move.end;
+    tool_.corner = corner;
+    keep_corner(b, now, height);
+    b.set(phase_, phases_[starting]);
+    b.set(corner_, corners_[static_cast<std::size_t>(corner.kind)]);
+    finish(b);
+    return ig::Status::changed;
+  }
+
+  /// On an arc off the contour, then straight on, then along the third axis.
+  ig::Status depart(ig::Block& b, const ContourMotion& now, const ContourDeparture::Arc& arc) {
+    const ToolSteps::Manner manner = take_event(b);
+    turn_corner(b, now, manner);
+    const double height = tool_.at[now.plane.tool];
+    const Point2 center = ContourMotionOf::in_plane(now.plane, arc.center);
+    const Point2 end = ContourMotionOf::in_plane(now.plane, arc.end);
+    steps_.arc(b, at(now, end, height), at(now, center, height), arc.is_ccw, manner);
+    tool_.at = at(now, end, height);
+    if (!is_same(end, now.move.end)) steps_.line(b, at(now, now.move.end, height), manner);
+    if (now.to[now.plane.tool] != height) steps_.line(b, now.to, manner);
+    tool_.at = now.to;
+    b.set(phase_, phases_[cancelling]);
+    finish(b);
+    tool_ = {};
+    return ig::Status::changed;
   }
 
   ig::Status go_on(ig::Block& b, const ContourMotion& now, double offset) {
@@ -355,6 +412,7 @@ struct RadiusCompensationPath {
       b.alarm();
       return go_on(b, now, tool_.offset);
     }
+    if (const auto arc = departure_.get(b)) return depart(b, now, *arc);
     Corner corner;
     corner.leave = now.move.end;
     const ig::Status status = move(b, now, cancelling, corner, 0);
