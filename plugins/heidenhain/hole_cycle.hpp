@@ -13,6 +13,16 @@
 
 namespace heidenhain {
 
+/// What a syntax of such cycles is, and where it stands in the chain: behind all that says where, how fast and in which
+/// plane, before what makes positions of the machine.
+constexpr auto hole_cycle(const char* id, const char* summary) {
+  return ig::syntax(id, summary)
+      .after("KlartextCycleSyntax", "KlartextMotionSyntax", "UnitModeSyntax", "FeedrateSyntax", "PlaneSelectSyntax",
+             "SpindleSpeedSyntax")
+      .before("KlartextCycleCheckSyntax", "MachineCoordSelectSyntax", "ProgramXyzSyntax", "McXyzSyntax", "McAbcSyntax",
+              "LinearMotionSyntax");
+}
+
 /// A cycle while it is carried out. Levels are positions of the tool axis; feeds are mm/s, 0 is a rapid.
 struct HoleRun {
   std::int64_t number = 0;

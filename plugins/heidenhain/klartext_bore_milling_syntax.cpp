@@ -10,11 +10,7 @@ namespace heidenhain {
 namespace {
 
 struct KlartextBoreMilling {
-  static constexpr auto spec = ig::syntax("KlartextBoreMillingSyntax", "Cycle 208 bore milling where it is called.")
-                                   .after("KlartextCycleSyntax", "KlartextMotionSyntax", "UnitModeSyntax",
-                                          "FeedrateSyntax", "PlaneSelectSyntax", "SpindleSpeedSyntax")
-                                   .before("KlartextCycleCheckSyntax", "MachineCoordSelectSyntax", "ProgramXyzSyntax",
-                                           "McXyzSyntax", "McAbcSyntax", "LinearMotionSyntax");
+  static constexpr auto spec = hole_cycle("KlartextBoreMillingSyntax", "Cycle 208 bore milling where it is called.");
 
   HoleCycle cycle_{{208, "CYCL208"}};
   CycleSpindle spindle_;

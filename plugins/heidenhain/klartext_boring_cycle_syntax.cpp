@@ -7,11 +7,7 @@ namespace {
 
 struct KlartextBoringCycle {
   static constexpr auto spec =
-      ig::syntax("KlartextBoringCycleSyntax", "Cycles 202 boring and 204 back boring where they are called.")
-          .after("KlartextCycleSyntax", "KlartextMotionSyntax", "UnitModeSyntax", "FeedrateSyntax", "PlaneSelectSyntax",
-                 "SpindleSpeedSyntax")
-          .before("KlartextCycleCheckSyntax", "MachineCoordSelectSyntax", "ProgramXyzSyntax", "McXyzSyntax",
-                  "McAbcSyntax", "LinearMotionSyntax");
+      hole_cycle("KlartextBoringCycleSyntax", "Cycles 202 boring and 204 back boring where they are called.");
 
   HoleCycle cycle_{{202, "CYCL202"}, {204, "CYCL204"}};
   CycleSpindle spindle_;

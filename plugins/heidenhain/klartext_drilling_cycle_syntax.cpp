@@ -13,10 +13,7 @@ enum class ReEntry { clearance, fixed };
 
 struct KlartextDrillingCycle {
   static constexpr auto spec =
-      ig::syntax("KlartextDrillingCycleSyntax", "Cycles 200, 201, 203 and 240 where they are called.")
-          .after("KlartextCycleSyntax", "KlartextMotionSyntax", "UnitModeSyntax", "FeedrateSyntax", "PlaneSelectSyntax")
-          .before("KlartextCycleCheckSyntax", "MachineCoordSelectSyntax", "ProgramXyzSyntax", "McXyzSyntax",
-                  "McAbcSyntax", "LinearMotionSyntax");
+      hole_cycle("KlartextDrillingCycleSyntax", "Cycles 200, 201, 203 and 240 where they are called.");
 
   HoleCycle cycle_{{200, "CYCL200"}, {201, "CYCL201"}, {203, "CYCL203"}, {240, "CYCL240"}};
   ig::Choice<ReEntry> re_entry_{"re-entry", "clearance|fixed", "clearance",

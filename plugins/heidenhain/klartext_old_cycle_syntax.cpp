@@ -7,11 +7,7 @@ namespace {
 
 struct KlartextOldCycle {
   static constexpr auto spec =
-      ig::syntax("KlartextOldCycleSyntax", "Cycles 1, 2 and 17 of older controls where they are called.")
-          .after("KlartextCycleSyntax", "KlartextMotionSyntax", "UnitModeSyntax", "FeedrateSyntax", "PlaneSelectSyntax",
-                 "SpindleSpeedSyntax")
-          .before("KlartextCycleCheckSyntax", "MachineCoordSelectSyntax", "ProgramXyzSyntax", "McXyzSyntax",
-                  "McAbcSyntax", "LinearMotionSyntax");
+      hole_cycle("KlartextOldCycleSyntax", "Cycles 1, 2 and 17 of older controls where they are called.");
 
   HoleCycle cycle_{{1, "CYCL1"}, {2, "CYCL2"}, {17, "CYCL17"}};
   CycleSpindle spindle_;

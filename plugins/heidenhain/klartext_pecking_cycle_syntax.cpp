@@ -7,10 +7,7 @@ namespace {
 
 struct KlartextPeckingCycle {
   static constexpr auto spec =
-      ig::syntax("KlartextPeckingCycleSyntax", "Cycle 205, universal pecking, where it is called.")
-          .after("KlartextCycleSyntax", "KlartextMotionSyntax", "UnitModeSyntax", "FeedrateSyntax", "PlaneSelectSyntax")
-          .before("KlartextCycleCheckSyntax", "MachineCoordSelectSyntax", "ProgramXyzSyntax", "McXyzSyntax",
-                  "McAbcSyntax", "LinearMotionSyntax");
+      hole_cycle("KlartextPeckingCycleSyntax", "Cycle 205, universal pecking, where it is called.");
 
   HoleCycle cycle_{{205, "CYCL205"}};
 

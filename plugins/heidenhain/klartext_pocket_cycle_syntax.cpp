@@ -7,11 +7,7 @@ namespace {
 
 struct KlartextPocketCycle {
   static constexpr auto spec =
-      ig::syntax("KlartextPocketCycleSyntax", "Cycles 251 to 254 pockets and slots: where they begin and end.")
-          .after("KlartextCycleSyntax", "KlartextMotionSyntax", "UnitModeSyntax", "FeedrateSyntax", "PlaneSelectSyntax",
-                 "SpindleSpeedSyntax")
-          .before("KlartextCycleCheckSyntax", "MachineCoordSelectSyntax", "ProgramXyzSyntax", "McXyzSyntax",
-                  "McAbcSyntax", "LinearMotionSyntax");
+      hole_cycle("KlartextPocketCycleSyntax", "Cycles 251 to 254 pockets and slots: where they begin and end.");
 
   HoleCycle cycle_{{251, "CYCL251"}, {252, "CYCL252"}, {253, "CYCL253"}, {254, "CYCL254"}};
   ig::Signal said_{"CycleDefinition.~Said", ig::read | ig::write, ig::Life::modal};

@@ -7,11 +7,7 @@ namespace {
 
 struct KlartextSingleLipCycle {
   static constexpr auto spec =
-      ig::syntax("KlartextSingleLipCycleSyntax", "Cycle 241 single-lip deep drilling where it is called.")
-          .after("KlartextCycleSyntax", "KlartextMotionSyntax", "UnitModeSyntax", "FeedrateSyntax", "PlaneSelectSyntax",
-                 "SpindleSpeedSyntax")
-          .before("KlartextCycleCheckSyntax", "MachineCoordSelectSyntax", "ProgramXyzSyntax", "McXyzSyntax",
-                  "McAbcSyntax", "LinearMotionSyntax");
+      hole_cycle("KlartextSingleLipCycleSyntax", "Cycle 241 single-lip deep drilling where it is called.");
 
   HoleCycle cycle_{{241, "CYCL241"}};
   ig::Signal said_{"CycleDefinition.~Said", ig::read | ig::write, ig::Life::modal};

@@ -9,11 +9,7 @@ enum class After { stop, as_before };
 
 struct KlartextTappingCycle {
   static constexpr auto spec =
-      ig::syntax("KlartextTappingCycleSyntax", "Cycles 206, 207 and 209, tapping, where they are called.")
-          .after("KlartextCycleSyntax", "KlartextMotionSyntax", "UnitModeSyntax", "FeedrateSyntax", "PlaneSelectSyntax",
-                 "SpindleSpeedSyntax")
-          .before("KlartextCycleCheckSyntax", "MachineCoordSelectSyntax", "ProgramXyzSyntax", "McXyzSyntax",
-                  "McAbcSyntax", "LinearMotionSyntax");
+      hole_cycle("KlartextTappingCycleSyntax", "Cycles 206, 207 and 209, tapping, where they are called.");
 
   HoleCycle cycle_{{206, "CYCL206"}, {207, "CYCL207"}, {209, "CYCL209"}};
   CycleSpindle spindle_;
