@@ -10,7 +10,7 @@ namespace isogloss::cli {
 
 namespace {
 
-constexpr std::size_t head_size = 4096;
+constexpr std::size_t head_size = 8192;
 
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -20,7 +20,7 @@ std::string lower(std::string text) {
 
 /// The first lines of the text, trimmed, without empty ones.
 std::vector<std::string> head_lines(std::string_view head) {
-  constexpr std::size_t enough = 40;
+  constexpr std::size_t enough = 100;
   std::vector<std::string> lines;
   for (std::size_t at = 0; at < head.size() && lines.size() < enough;) {
     const std::size_t end = std::min(head.find_first_of("\r\n", at), head.size());

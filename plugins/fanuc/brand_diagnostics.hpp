@@ -61,7 +61,8 @@ inline constexpr std::array brand_diagnostics{
         "G54.2 P1"),
     ig::diagnostic(IG_ERROR, "FAN-0211", "{0} without P: nothing is chosen",
                    "P0 cancels, P1 and up choose a row of the control's table.", "G54.2"),
-    ig::diagnostic(IG_WARNING, "FAN-0212", "G143: H{0} has no length here, so nothing is added along the tool up to G49",
+    ig::diagnostic(IG_WARNING, "FAN-0212",
+                   "G143: H{0} has no length here, so nothing is added along the tool up to G49",
                    "The length on five axes is not executed. With the length 0 the positions are right as they are "
                    "programmed; the machine's own length shifts them along the turned tool.",
                    "G143 H1 X0. Y0. Z20. A-10. B5."),

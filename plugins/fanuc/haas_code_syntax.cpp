@@ -28,7 +28,8 @@ struct HaasCode {
   /// Under G141 each block says by I, J and K where the tool touches.
   ig::Call compensation_on_{{"G141"}, "D[]"};
   ig::In<std::int64_t> offset_id_{"RadiusCompensation.OffsetId"};
-  ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional, "Length of H and radius of D, with their wear."};
+  ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional,
+                                       "Length of H and radius of D, with their wear."};
   ig::Codes compensation_off_{{"G40", "G41", "G42"}, ig::read};
   ig::Signal compensation_{"HaasCode.~Compensation", ig::read | ig::write | ig::wake_while, ig::Life::modal};
   std::array<ig::Word, 3> contact_{ig::Word{"Parsing.I", ig::take}, ig::Word{"Parsing.J", ig::take},

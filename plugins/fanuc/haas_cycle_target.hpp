@@ -1,5 +1,5 @@
-/// Where X, Y, Z or R of a Haas cycle lies, a position or under G91 a way from where the tool is; and the way to where the
-/// cycle begins.
+/// Where X, Y, Z or R of a Haas cycle lies, a position or under G91 a way from where the tool is; and the way to where
+/// the cycle begins.
 #pragma once
 
 #include "program_xyz_util.hpp"

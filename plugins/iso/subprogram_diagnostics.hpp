@@ -48,7 +48,8 @@ inline constexpr std::array subprogram_diagnostics{
     ig::diagnostic(IG_ERROR, "ISO-0493", "this block asks for more than one jump or call: {0} is not executed",
                    "The control wants M98, M99 and M198 alone in their block.", "M98 P1000 M99"),
     ig::diagnostic(IG_ERROR, "ISO-0494", "M99 P{0}: the program has no N{0}; the run ends here",
-                   "In the main program M99 P jumps to a sequence number of it; on some controls in a subprogram, too.", "M99 P999"),
+                   "In the main program M99 P jumps to a sequence number of it; on some controls in a subprogram, too.",
+                   "M99 P999"),
     ig::diagnostic(IG_WARNING, "ISO-0495", "the main program ends here without M30, M02 or M99",
                    "The run ends. A control that comes to the mark at the end of the tape stops with an alarm (Fanuc: "
                    "END OF RECORD), and what M30 resets stays as it is.",
