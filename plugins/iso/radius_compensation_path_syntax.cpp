@@ -269,15 +269,7 @@ struct RadiusCompensationPath {
       steps_.arc(b, to, at(now, *path->center, height), path->is_ccw, manner);
     else
       steps_.line(b, to, manner);
-    tool_.at = to;
-    tool_.offset = offset;
-    tool_.corner_center = now.move.end;
-    tool_.corner = corner;
-    keep_corner(b, now, height);
-    b.set(phase_, phases_[starting]);
-    b.set(corner_, corners_[static_cast<std::size_t>(corner.kind)]);
-    finish(b);
-    return ig::Status::changed;
+    return arrive(b, now, starting, corner, offset, to);
   }
 
   /// On an arc off the contour, then straight on, then along the third axis.
@@ -549,11 +541,17 @@ struct RadiusCompensationPath {
       steps_.arc(b, to, at(now, now.move.center, tool_.at[now.plane.tool]), now.move.is_ccw, manner);
     else
       steps_.line(b, to, manner);
+    return arrive(b, now, phase, corner, offset, to);
+  }
+
+  /// Where the tool stands before the corner is turned.
+  ig::Status arrive(ig::Block& b, const ContourMotion& now, Phase phase, const Corner& corner, double offset,
+                    const ig::Vec3& to) {
     tool_.at = to;
     tool_.offset = offset;
     tool_.corner_center = now.move.end;
     tool_.corner = corner;
-    keep_corner(b, now, height);
+    keep_corner(b, now, to[now.plane.tool]);
     b.set(phase_, phases_[phase]);
     if (phase != cancelling) b.set(corner_, corners_[static_cast<std::size_t>(corner.kind)]);
     finish(b);

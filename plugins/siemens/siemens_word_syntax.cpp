@@ -3,6 +3,7 @@
 // one see plain words.
 #include "axis_modes.hpp"
 #include "siemens_expression.hpp"
+#include "system_assignment.hpp"
 #include "word_fields.hpp"
 
 namespace siemens {
@@ -286,18 +287,29 @@ struct SiemensWord {
     return number == std::to_string(named.value_or(static_cast<std::int64_t>(master_)));
   }
 
-  std::size_t valued_as(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
-                        const std::string& name, Run& run) {
+  /// What stands behind =, in AC( ) or without; no value where it is a fault.
+  struct Assigned {
+    std::optional<double> value;
+    ig::Symbol mode;
+    std::size_t end;
+  };
+  Assigned assigned(ig::Block& b, std::string_view text, std::size_t equals) {
     const std::size_t value_at = skip_blanks(text, equals + 1);
     const ig::Symbol mode = take_mode(b, text, value_at);
     Expression e(b, environment_, text, mode == ig::Symbol{} ? value_at : at_bracket_);
     const auto value = e.number();
     const std::size_t end = std::max(e.position(), equals + 1);
-    if (!value) return line_end_of_fault(text, end);
-    if (mode != ig::Symbol{} && AxisModes::index_of(name) < AxisModes::words.size())
-      modes_.set(b, AxisModes::index_of(name), mode);
-    word(b, run, name, fields_.address(name), begin, end, *value);
-    return end;
+    return {value, mode, value ? end : line_end_of_fault(text, end)};
+  }
+
+  std::size_t valued_as(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
+                        const std::string& name, Run& run) {
+    const Assigned a = assigned(b, text, equals);
+    if (!a.value) return a.end;
+    if (a.mode != ig::Symbol{} && AxisModes::index_of(name) < AxisModes::words.size())
+      modes_.set(b, AxisModes::index_of(name), a.mode);
+    word(b, run, name, fields_.address(name), begin, a.end, *a.value);
+    return a.end;
   }
 
   /// SPOS[2]=90 and LIMS[2]=3000 behind the index: of the master spindle, or said.
@@ -305,17 +317,13 @@ struct SiemensWord {
                          const std::string& indexed, Run& run) {
     const std::size_t bracket = indexed.find('[');
     const std::string name = indexed.substr(0, bracket);
-    const std::size_t value_at = skip_blanks(text, equals + 1);
-    const ig::Symbol mode = take_mode(b, text, value_at);
-    Expression e(b, environment_, text, mode == ig::Symbol{} ? value_at : at_bracket_);
-    const auto value = e.number();
-    const std::size_t end = std::max(e.position(), equals + 1);
-    if (!value) return line_end_of_fault(text, end);
+    const Assigned a = assigned(b, text, equals);
+    if (!a.value) return a.end;
     if (is_master_spindle(std::string_view(indexed).substr(bracket + 1, indexed.size() - bracket - 2)))
-      word(b, run, name, fields_.address(name), begin, end, *value);
+      word(b, run, name, fields_.address(name), begin, a.end, *a.value);
     else
-      b.report(diag("SIE-0126"), columns(begin, end), piece(text, begin, end));
-    return end;
+      b.report(diag("SIE-0126"), columns(begin, a.end), piece(text, begin, a.end));
+    return a.end;
   }
   static bool belongs_to_spindle(std::string_view name) {
     return name.starts_with("SPOS[") || name.starts_with("SPOSA[") || name.starts_with("LIMS[");
@@ -381,8 +389,11 @@ struct SiemensWord {
       return name_end;
     }
     if (belongs_to_spindle(reference->name)) return of_spindle(b, text, begin, equals, reference->name, run);
-    if (reference->name[0] == '$' && !environment_.store().given(reference->name))
-      return write_system(b, text, begin, equals, reference->name, run);
+    if (reference->name[0] == '$' && !environment_.store().given(reference->name)) {
+      const auto done = SystemAssignment(environment_).run(b, text, begin, equals, reference->name);
+      if (done.code) set_code(b, run, 'G', *done.code, begin, done.end);
+      return done.is_fault ? line_end_of_fault(text, done.end) : done.end;
+    }
     const bool is_unknown_array = reference->name.find('[') != std::string::npos && !array_of(reference->name);
     if (!reference->is_r && is_unknown_array && !environment_.store().given(reference->name) &&
         !changes_no_position(reference->name)) {
@@ -403,72 +414,6 @@ struct SiemensWord {
     if (belongs_to_approach(reference->name)) return end;
     assign(b, *reference, *value, begin, end);
     return end;
-  }
-
-  /// $P_UIFR[1,X,TR]=5, $P_UIFR[1]=CTRANS(X,5,Y,3), $TC_DP3[1,1]=120
-  std::size_t write_system(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
-                           const std::string& name, Run& run) const {
-    const auto refuse = [&](std::size_t end) {
-      environment_.report_once(b, diag("SIE-0129"), columns(begin, end), begin, std::string_view(name));
-      return end;
-    };
-    const std::size_t value_at = skip_blanks(text, equals + 1), end_of_name = skip_name(text, value_at);
-    const std::size_t last = statement_text_end(text, equals);
-    if (at(text, skip_blanks(text, end_of_name)) == '(' &&
-        iso::equals_ignoring_case(piece(text, value_at, end_of_name), "CTRANS")) {
-      std::size_t next = skip_blanks(text, end_of_name);
-      const auto shift = shift_at(b, text, next);
-      const bool goes_on = at(text, skip_blanks(text, next)) == ':';  // CTRANS(…):CROT(…)
-      if (!shift || goes_on || !environment_.system.write_shift(b, name, *shift)) return refuse(last);
-      return next;
-    }
-    if (at(text, value_at) == '$') {
-      Expression other(b, environment_, text, value_at);
-      const auto reference = other.reference();
-      if (const auto code = reference && name == "$P_IFRAME" ? SystemData::code_of(reference->name) : std::nullopt) {
-        set_code(b, run, 'G', *code, begin, other.position());
-        return other.position();
-      }
-      const auto shift =
-          reference && other.position() == last ? environment_.system.shift_of(b, reference->name) : std::nullopt;
-      if (shift && environment_.system.write_shift(b, name, *shift)) return last;
-    }
-    if (name.starts_with("$A_OUT") || name.starts_with("$A_DB")) {  // signals of the machine, as M codes are
-      b.report(diag("SIE-0126"), columns(begin, last), piece(text, begin, last));
-      return last;
-    }
-    if (environment_.system.write(b, name, std::nullopt) == Written::without_effect) return last;
-    const bool is_store = name.starts_with("$AC_MARKER[") || name.starts_with("$AC_PARAM[");
-    if (!is_store && !SystemData::takes(name)) return refuse(last);
-    Expression e(b, environment_, text, value_at);
-    const auto value = e.value();
-    const std::size_t end = std::max(e.position(), equals + 1);
-    if (!value) return line_end_of_fault(text, end);
-    if (is_store && !value->is_text()) {
-      environment_.store().give_for_run(name, value->number);
-      return end;
-    }
-    if (value->is_text() || environment_.system.write(b, name, value->number) == Written::no) return refuse(end);
-    return end;
-  }
-
-  /// (X,5,Y,3): nothing where it holds another axis, or no value.
-  std::optional<SystemData::Shift> shift_at(ig::Block& b, std::string_view text, std::size_t& next) const {
-    SystemData::Shift shift{};
-    do {
-      next = skip_blanks(text, next + 1);
-      const std::size_t end = skip_name(text, next), comma = skip_blanks(text, end);
-      const std::size_t axis = end == next + 1 ? std::string_view("XYZABC").find(iso::to_upper(text[next])) : 6;
-      if (axis > 5 || at(text, comma) != ',') return std::nullopt;
-      Expression e(b, environment_, text, comma + 1);
-      const auto value = e.number();
-      if (!value) return std::nullopt;
-      shift[axis] = *value;
-      next = skip_blanks(text, e.position());
-    } while (at(text, next) == ',');
-    if (at(text, next) != ')') return std::nullopt;
-    ++next;
-    return shift;
   }
 
   /// NAME=X, where NAME is of type AXIS and X no variable: where X ends, 0 where it is something else.

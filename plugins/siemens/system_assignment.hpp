@@ -1,0 +1,87 @@
+/// Assignments to what the control itself keeps: work offsets, tool data, signals, markers.
+#pragma once
+
+#include "siemens_expression.hpp"
+
+namespace siemens {
+
+class SystemAssignment {
+ public:
+  struct Outcome {
+    std::size_t end;                         ///< of the text that was read
+    std::optional<std::uint32_t> code = {};  ///< the G code that it comes to
+    bool is_fault = false;                   ///< the value could not be computed, which was said
+  };
+
+  explicit SystemAssignment(const Environment& environment) : environment_(environment) {}
+
+  /// $P_UIFR[1,X,TR]=5, $P_UIFR[1]=CTRANS(X,5,Y,3), $TC_DP3[1,1]=120
+  Outcome run(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
+              const std::string& name) const {
+    const auto refuse = [&](std::size_t end) -> Outcome {
+      environment_.report_once(b, diag("SIE-0129"), ig::Where::columns(begin, end), begin, std::string_view(name));
+      return {end};
+    };
+    const std::size_t value_at = iso::skip_blanks(text, equals + 1), end_of_name = skip_name(text, value_at);
+    const std::size_t last = statement_text_end(text, equals);
+    if (iso::at(text, iso::skip_blanks(text, end_of_name)) == '(' &&
+        iso::equals_ignoring_case(iso::piece(text, value_at, end_of_name), "CTRANS")) {
+      std::size_t next = iso::skip_blanks(text, end_of_name);
+      const auto shift = shift_at(b, text, next);
+      const bool goes_on = iso::at(text, iso::skip_blanks(text, next)) == ':';  // CTRANS(…):CROT(…)
+      if (!shift || goes_on || !environment_.system.write_shift(b, name, *shift)) return refuse(last);
+      return {next};
+    }
+    if (iso::at(text, value_at) == '$') {
+      Expression other(b, environment_, text, value_at);
+      const auto reference = other.reference();
+      if (const auto code = reference && name == "$P_IFRAME" ? SystemData::code_of(reference->name) : std::nullopt) {
+        return {other.position(), code};
+      }
+      const auto shift =
+          reference && other.position() == last ? environment_.system.shift_of(b, reference->name) : std::nullopt;
+      if (shift && environment_.system.write_shift(b, name, *shift)) return {last};
+    }
+    if (name.starts_with("$A_OUT") || name.starts_with("$A_DB")) {  // signals of the machine, as M codes are
+      b.report(diag("SIE-0126"), ig::Where::columns(begin, last), iso::piece(text, begin, last));
+      return {last};
+    }
+    if (environment_.system.write(b, name, std::nullopt) == Written::without_effect) return {last};
+    const bool is_store = name.starts_with("$AC_MARKER[") || name.starts_with("$AC_PARAM[");
+    if (!is_store && !SystemData::takes(name)) return refuse(last);
+    Expression e(b, environment_, text, value_at);
+    const auto value = e.value();
+    const std::size_t end = std::max(e.position(), equals + 1);
+    if (!value) return {end, std::nullopt, true};
+    if (is_store && !value->is_text()) {
+      environment_.store().give_for_run(name, value->number);
+      return {end};
+    }
+    if (value->is_text() || environment_.system.write(b, name, value->number) == Written::no) return refuse(end);
+    return {end};
+  }
+
+ private:
+  /// (X,5,Y,3): nothing where it holds another axis, or no value.
+  std::optional<SystemData::Shift> shift_at(ig::Block& b, std::string_view text, std::size_t& next) const {
+    SystemData::Shift shift{};
+    do {
+      next = iso::skip_blanks(text, next + 1);
+      const std::size_t end = skip_name(text, next), comma = iso::skip_blanks(text, end);
+      const std::size_t axis = end == next + 1 ? std::string_view("XYZABC").find(iso::to_upper(text[next])) : 6;
+      if (axis > 5 || iso::at(text, comma) != ',') return std::nullopt;
+      Expression e(b, environment_, text, comma + 1);
+      const auto value = e.number();
+      if (!value) return std::nullopt;
+      shift[axis] = *value;
+      next = iso::skip_blanks(text, e.position());
+    } while (iso::at(text, next) == ',');
+    if (iso::at(text, next) != ')') return std::nullopt;
+    ++next;
+    return shift;
+  }
+
+  const Environment& environment_;
+};
+
+}  // namespace siemens
