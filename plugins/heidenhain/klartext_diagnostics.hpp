@@ -183,6 +183,9 @@ inline constexpr std::array klartext_diagnostics{
                    "text in brackets is no comment of Klartext: it is skipped here and further on",
                    "A comment begins with a semicolon. Simulators and other controls write comments in brackets.",
                    "( SETUP SHEET"),
+    ig::diagnostic(IG_WARNING, "HEI-0190", "the program ends here without END PGM, M2 or M30",
+                   "The run ends. The file may have been cut off: what is missing is not known.",
+                   "BEGIN PGM 1 MM (with no END PGM behind it)"),
 };
 
 consteval std::uint32_t hei(std::string_view code) { return iso::index_of(klartext_diagnostics, code, 0); }

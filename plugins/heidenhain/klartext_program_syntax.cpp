@@ -20,7 +20,8 @@ struct KlartextProgram {
   ig::Codes end_codes_{{"M02", "M30"}, ig::read | ig::wake};
   ig::Out<ig::Symbol> end_term_{"ProgramEnd.Term"};
   ig::Name end_pgm_{"END PGM"};
-  ig::Signal begun_{"KlartextProgram.~Begun", ig::write, ig::Life::modal};
+  ig::Signal begun_{"KlartextProgram.~Begun", ig::read | ig::write, ig::Life::modal};
+  ig::Signal text_ended_{"Source.~End", ig::read | ig::wake};
   ig::Signal ends_{"KlartextProgram.~Ends", ig::read | ig::write | ig::wake};
   std::string name_;
 
@@ -44,6 +45,7 @@ struct KlartextProgram {
   }
 
   ig::Status build(ig::Block& b) {
+    if (b.is_raised(text_ended_) && b.is_raised(begun_)) b.report(hei("HEI-0190"), ig::Where::block());
     if (!b.is_raised(ends_)) {
       // What stands behind M2 and M30 are subprograms, and END PGM.
       if (b.find(end_codes_)) b.flow(IG_FLOW_END_FILE);
