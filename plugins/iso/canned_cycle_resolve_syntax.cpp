@@ -86,7 +86,7 @@ struct CannedCycleResolve {
   ig::Name g17_{"G17"};
   DistanceMode distance_;
   LastProgramXyz last_;
-  ig::Name g98_{"G98"}, g99_{"G99"}, cancelled_{"G80"};
+  ig::Name g98_{"G98"}, g99_{"G99"}, cancelled_{"G80"}, g77_{"G77"}, g87_{"G87"};
 
   ig::Choice<InitialLevel> level_rule_{
       "initial-level", "previous|cycle-entry", "previous",
@@ -309,6 +309,8 @@ struct CannedCycleResolve {
     if (count > 1) step = b.get(pattern_).or_else(step);
     const bool drills = count > 0 && (complete || fills);
 
+    if (count > 0 && complete && (now.is_called || in.has(Address::R) || in.has(plane.tool)))
+      say_upward(b, row, levels);
     store(b, now, in, plane, hole, levels, level, drills);
     if (drills)
       call(b, now, in, plane, hole, levels, step, count);
@@ -316,6 +318,14 @@ struct CannedCycleResolve {
       swallow(b, now);
     const bool passes_by = count == 0 && zero_repeats_ == ZeroRepeats::position;
     if (passes_by && (in.has(plane.first) || in.has(plane.second))) position(b, call_.name(row), hole);
+  }
+
+  /// Back boring is meant to go up: G87, and G77 where it has that number.
+  void say_upward(ig::Block& b, std::size_t row, const CycleLevels& levels) const {
+    const double height = *levels.bottom - *levels.r;
+    const ig::Symbol cycle = call_.name(row);
+    if (height > 0 && cycle != g77_ && cycle != g87_)
+      b.report(diag("ISO-0514"), ig::Where::block(), b.text(cycle), height);
   }
 
   /// Round an obstacle: to the place of a hole, at the level where the tool is, without drilling.

@@ -10,7 +10,7 @@
 namespace iso {
 namespace {
 
-enum class MissingCenter { linear, error };
+enum class MissingCenter { linear, warning, error };
 
 struct CircularMotion {
   static constexpr auto spec =
@@ -33,8 +33,10 @@ struct CircularMotion {
   ScaleAndMirror scale_and_mirror_;
   ig::Config config_{"isogloss.motion/1", ig::Need::optional, "ArcRadiusTolerance_mm"};
 
-  ig::Choice<MissingCenter> missing_center_{"missing-center", "linear|error", "linear",
-                                            "What an arc without I, J, K and R is: a straight line, or an alarm."};
+  ig::Choice<MissingCenter> missing_center_{
+      "missing-center", "linear|warning|error", "linear",
+      "What an arc without I, J, K and R is: a straight line, one that is said, or an "
+      "alarm."};
   ig::NumberOption radius_tolerance_{"radius-tolerance",
                                      "0",
                                      {0, 1000},
@@ -130,6 +132,8 @@ struct CircularMotion {
     if (missing_center_ == MissingCenter::error) {
       b.report(diag("ISO-0320"), ig::Where::block());
       b.alarm();
+    } else if (missing_center_ == MissingCenter::warning && path.length() >= same_point_mm) {
+      b.report(diag("ISO-0513"), ig::Where::block());
     }
     motion_.feed(b, [&] { return path.length(); });
   }

@@ -459,6 +459,14 @@ inline constexpr std::array diagnostics{
         "The length of row H counts from the next G43 or G44 on. Until then the tool goes as deep as if it had "
         "no length.",
         "G00 Z50. H1"),
+    ig::diagnostic(IG_WARNING, "ISO-0513", "an arc without a centre and without R: the tool goes straight",
+                   "Parameter 3403 bit 5 of the control says whether that is an alarm. A radius may have been lost.",
+                   "G02 X10. Y10."),
+    ig::diagnostic(
+        IG_WARNING, "ISO-0514", "{0}: the bottom lies {1} mm above R, so the tool is fed away from the part",
+        "R and the bottom are positions along the tool axis, under G91 increments; the bottom lies deeper. A "
+        "Z that was to be a move may stand in a block of a cycle that is still on.",
+        "G81 X10. Y10. Z5. R2."),
 };
 
 consteval std::uint32_t diag(std::string_view code) { return index_of(diagnostics, code, 0); }
