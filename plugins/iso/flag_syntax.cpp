@@ -8,6 +8,7 @@
 
 #include "diagnostics.hpp"
 #include "scan_util.hpp"
+#include "split_numbers.hpp"
 
 namespace iso {
 namespace {
@@ -21,7 +22,8 @@ struct Code {
   std::size_t end = 0;  ///< past what was read, a code or not
 };
 
-Code read_code(std::string_view text, std::size_t position) {
+/// `joins`: G5. 1 is G5.1.
+Code read_code(std::string_view text, std::size_t position, bool joins = false) {
   const std::size_t digits_end = skip_digits(text, position);
   Code code{no_code, digits_end};
   std::uint64_t number = 0;
@@ -29,9 +31,11 @@ Code read_code(std::string_view text, std::size_t position) {
     number = number * 10 + static_cast<std::uint64_t>(text[i] - '0');
   std::uint64_t decimal = 0;
   if (at(text, digits_end) == '.') {
-    code.end = skip_digits(text, digits_end + 1);
-    if (code.end > digits_end + 1) decimal = static_cast<std::uint64_t>(text[digits_end + 1] - '0');
-    if (code.end > digits_end + 2) return code;  // G54.10 is another code than G54.1
+    const std::size_t next = joins ? skip_blanks(text, digits_end + 1) : digits_end + 1;
+    const std::size_t decimals = is_digit(at(text, next)) ? next : digits_end + 1;
+    code.end = skip_digits(text, decimals);
+    if (code.end > decimals) decimal = static_cast<std::uint64_t>(text[decimals] - '0');
+    if (code.end > decimals + 1) return code;  // G54.10 is another code than G54.1
   }
   if (number <= largest_number) code.index = number * 10 + decimal;
   return code;
@@ -46,6 +50,7 @@ struct FlagSyntax {
   ig::Choice<Expressions> expressions{"expressions", "leave|pass", "leave",
                                       "A code whose number is an expression: left over as it is, or passed on to the "
                                       "scanners behind this one."};
+  ig::Choice<SplitNumbers> split_numbers{"split-numbers", "error|join", "error", split_numbers_meaning};
   ig::TextOption passed_codes{"passed-codes", "", "Codes that are passed on to the scanners behind this one: G65 G66."};
   ig::Flow flow;
   ig::Signal parameters{"ProgrammableDataInput.~Parameters", ig::write, ig::Life::modal};
@@ -80,7 +85,7 @@ struct FlagSyntax {
         if (odd == next) break;
         end = odd;
       } else {
-        const Code code = read_code(text, number);
+        const Code code = read_code(text, number, split_numbers == SplitNumbers::join);
         const ig_field field = field_of(text[next], code.index);
         if (code.index == data_input || code.index == data_end) note_parameters(b, text, next, code);
         if (is_odd_after(text, code.end)) {

@@ -7,7 +7,7 @@ namespace iso {
 namespace {
 
 enum class Motion { modal, rapid };
-enum class UnderG91 { ignored, absolute };
+enum class UnderG91 { ignored, words_too, absolute };
 
 struct MachineCoordSelect {
   static constexpr auto spec =
@@ -25,15 +25,16 @@ struct MachineCoordSelect {
   DistanceMode distance_;
   LastProgramXyz last_;
   ig::Choice<Motion> motion_{"motion", "modal|rapid", "modal", "How the block moves: by group 01, or by rapid always."};
-  ig::Choice<UnderG91> under_g91_{"under-g91", "ignored|absolute", "ignored",
-                                  "G53 under G91: nothing moves, or X, Y and Z are positions all the same."};
+  ig::Choice<UnderG91> under_g91_{"under-g91", "ignored|words-too|absolute", "ignored",
+                                  "G53 under G91: nothing moves and the words stay; the words are ignored with it; or "
+                                  "X, Y and Z are positions all the same."};
 
   ig::Status build(ig::Block& b) {
     if (!b.take(g53_)) return ig::Status::unchanged;
     ig_value unused[3];
     const bool turns = b.get_many(rotary_.data(), 3, unused) != 0;  // McAbcSyntax takes them
-    const bool incremental = distance_.is_incremental(b) && (under_g91_ == UnderG91::ignored || turns);
-    const ig::PartialVec3 named = incremental ? b.get(words_) : b.take(words_);
+    const bool incremental = distance_.is_incremental(b) && (under_g91_ != UnderG91::absolute || turns);
+    const ig::PartialVec3 named = incremental && under_g91_ != UnderG91::words_too ? b.get(words_) : b.take(words_);
     if (named.mask == 0 && !turns) {
       b.report(diag("ISO-0331"), ig::Where::word(g53_.id(0)));
       return ig::Status::changed;

@@ -1,8 +1,11 @@
 // Words: an address and a number, X12.5. The scanner reads on over all words that follow each other and hands them to
 // the host in one call. What is not plainly a word is said: an expression is kept for evaluation, a typing error is a
 // diagnostic that shows the text, and the word is not set.
+#include <string>
+
 #include "diagnostics.hpp"
 #include "scan_util.hpp"
+#include "split_numbers.hpp"
 
 namespace iso {
 namespace {
@@ -36,6 +39,7 @@ struct WordSyntax {
   ig::Choice<Expressions> expressions{"expressions", "leave|pass", "leave",
                                       "A word whose value is an expression: left over as it is, or passed on to the "
                                       "scanners behind this one."};
+  ig::Choice<SplitNumbers> split_numbers{"split-numbers", "error|join", "error", split_numbers_meaning};
   enum class SecondT { counts, next };
   ig::Choice<SecondT> second_t{"second-t", "counts|next", "counts",
                                "A second T in a block: it counts instead of the first, or it is the next tool."};
@@ -76,7 +80,10 @@ struct WordSyntax {
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     const char first = text[position];
     if (first == ',') return corner(b, text, position);
-    if (!is_letter(first)) return number_without_address(b, text, position);
+    if (!is_letter(first)) {
+      const std::size_t joined = split_numbers == SplitNumbers::join ? join_number(b, text, position) : position;
+      return joined > position ? joined : number_without_address(b, text, position);
+    }
     Run run;
     std::size_t next = position;
     std::size_t end = position;
@@ -261,6 +268,33 @@ struct WordSyntax {
     const std::size_t end = skip_expression(text, number);
     const char name[2] = {',', c};
     leave(b, IG_LEFT_WORD, {name, 2}, position, end);
+    return end;
+  }
+
+  /// X1. 5 and X1 .5: what stands here goes on with the number of the word before it. Without a point at the blank it
+  /// is no such thing: X10 20 has lost an address.
+  std::size_t join_number(ig::Block& b, std::string_view text, std::size_t position) const {
+    std::size_t before = position;
+    while (before > 0 && is_blank(text[before - 1])) --before;
+    std::size_t number = before;
+    while (number > 0 && is_number_part(text[number - 1])) --number;
+    std::size_t begin = number;
+    while (begin > 0 && is_blank(text[begin - 1])) --begin;
+    if (before == position || number == before || begin == 0 || !is_address(text[begin - 1])) return position;
+    if ((text[before - 1] == '.') == (text[position] == '.')) return position;
+    --begin;
+    const std::size_t end = skip_while(text, position, is_number_part);
+    const std::string whole = std::string(piece(text, number, before)).append(piece(text, position, end));
+    const ig::Decimal d = ig::read_decimal(whole, 0);
+    const ig_field field = table[letter_index(text[begin])].field;
+    ig_word word{};
+    if (!d.ok || d.end != whole.size() || !b.has(field) || b.host()->word(b.raw(), field, &word) == 0 ||
+        word.begin != column(begin))
+      return position;
+    word.value.number = d.value + 0.0;
+    word.end = column(end);
+    word.flags = 0;
+    b.host()->set_words(b.raw(), &word, 1);
     return end;
   }
 
