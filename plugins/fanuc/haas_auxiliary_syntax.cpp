@@ -15,7 +15,7 @@ struct HaasAuxiliary {
                       "M35", "M36", "M39", "M41",  "M42",  "M51",  "M52",  "M53",  "M54", "M55", "M61", "M62",
                       "M63", "M64", "M65", "M73",  "M74",  "M75",  "M78",  "M79",  "M80", "M81", "M82", "M83",
                       "M84", "M86", "M95", "M104", "M105", "M130", "M131", "M138", "M139"};
-  ig::Call relays_{{"M29", "M59", "M69"}, "P[]"};
+  ig::Call relays_{{"M29", "M59", "M69", "M70", "M71"}, "P[]"};
 
   ig::Status build(ig::Block& b) {
     const bool switches = b.take(switches_).has_value();
