@@ -98,6 +98,7 @@ std::int32_t Flow::call(const Document& document, ig_go& request) {
   if (depth_ >= options_.maximum_depth) {
     const Diagnostic text = host_diagnostic("IG-0416", {}, {std::to_string(options_.maximum_depth), chain_of_calls()});
     document.chain->report(document, text.severity, text.code, text.message, 0, 0);
+    if (++refused_ == most_refused && !over_) stop("IG-0422", here_, {std::to_string(most_refused), shown(here_)});
     return IG_GO_REFUSED;
   }
   request_ = Request::call;

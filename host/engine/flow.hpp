@@ -103,7 +103,8 @@ class Flow : public FlowHost {
   Frame* frame_ = nullptr;
   Cursor* cursor_ = nullptr;
   std::uint32_t depth_ = 0, column_ = 0;
-  std::uint64_t last_id_ = 0, jumps_ = 0, loop_blocks_ = 0;
+  std::uint64_t last_id_ = 0, jumps_ = 0, loop_blocks_ = 0, refused_ = 0;
+  static constexpr std::uint64_t most_refused = 1'000;  // calls that were nested too deep
   Place here_;
   bool passing_ = false, over_ = false;
 

@@ -325,7 +325,13 @@ TEST_CASE("loops end at their limits, which name them") {
   }
   SECTION("two that call each other, often") {
     f.run("!s*9\n%\n:s\n!t*9\n^\n:t\n!s*9\n^");
-    CHECK(f.codes().find("IG-0417") != std::string::npos);
+    CHECK(f.codes().ends_with("IG-0416 IG-0422"));
+    CHECK(f.diagnostics.all.size() == 1'001);
+  }
+  SECTION("a call that is repeated") {
+    f.options.maximum_jumps = 5;
+    f.run("!s*9\n%\n:s\n^");
+    CHECK(f.codes() == "IG-0417");
   }
   SECTION("a return to before the call") {
     f.run("=n\n!s\n%\n:s\n^n");

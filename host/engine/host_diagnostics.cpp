@@ -220,6 +220,10 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "Standard input, or a pipe, can be read only once; a temporary file keeps what was read. It could not be "
        "written: the folder for temporary files (TMPDIR) is full or missing.",
        "a jump back in a large program on standard input"},
+      {error, "IG-0422", "stopped after {0} calls that were nested too deep; the last one stands in {1}",
+       "Each call that is not made lets its caller go on, which calls again: programs that call themselves more than "
+       "once would run on for ever.",
+       "a program that calls itself twice"},
       // cases, apply, command line: 0500-0599
       {error, "IG-0501", "malformed page: {0}",
        "A case of a page is a heading, prose, and fences after the lines #Previous:, #Ahead:, #Dependencies:, "
