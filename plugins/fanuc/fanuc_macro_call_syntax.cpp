@@ -145,6 +145,7 @@ struct FanucMacroCall {
     repeats_ = 1;
     set_ = 0;
     last_of_set_ = 0;
+    seen_ = 0;
     end_ = position;
     for (;;) {
       const std::size_t begin = next_word(text, end_);
@@ -190,6 +191,10 @@ struct FanucMacroCall {
       if (!computed) return end;
       value = *computed;
     }
+    const bool comes_in_sets = letter >= 'I' && letter <= 'K' && ijk_sets_ != IjkSets::one;
+    if ((seen_ >> index & 1u) != 0 && !comes_in_sets)
+      b.report(macro_diag("FAN-0174"), ig::Where::columns(begin, end), std::string_view(&letter, 1));
+    seen_ |= 1u << index;
     if (letter == 'P' || letter == 'L') {
       if (value.is_null()) return end;
       if (letter == 'L') {
@@ -251,7 +256,7 @@ struct FanucMacroCall {
   double program_ = 0, repeats_ = 1;
   std::uint64_t tag_bits_ = 0;
   MacroStore::Locals arguments_ = MacroStore::no_locals();
-  std::uint32_t set_ = 0;
+  std::uint32_t set_ = 0, seen_ = 0;  // sets of I J K; letters
   char last_of_set_ = 0;
 };
 

@@ -164,6 +164,8 @@ inline constexpr std::array macro_diagnostics{
         "A WHILE or an IF with GOTO asks a signal of the machine over and over, and nothing else changes. The "
         "run goes on as if the machine had answered. Said once for each signal.",
         "WHILE[#1004EQ0]DO1 (then) END1"),
+    ig::diagnostic(IG_WARNING, "FAN-0174", "{0} stands more than once in this call: the last one counts",
+                   "Each letter is one argument, but for I, J and K, which may come in sets.", "G65 P9010 A1. A2."),
 };
 
 consteval std::uint32_t macro_diag(std::string_view code) { return iso::index_of(macro_diagnostics, code, 0); }
