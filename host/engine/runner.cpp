@@ -63,7 +63,6 @@ class Run {
     Cursor& cursor = flow_.cursor();
     if (!cursor.next(line)) return false;
     ++result_.lines;
-    last_line_ = line.number + line.lines - 1;
     if (line.number == 1 && cursor.is_utf16()) {
       sink_.add(host_diagnostic("IG-0413", {flow_.file_name(), 1, 1}, {}));
       return false;
@@ -228,7 +227,7 @@ class Run {
   /// is no block of the program and reaches no exporter.
   void run_end() {
     if (end_ == IG_NO_FIELD || result_.blocks == 0 || result_.output_closed) return;
-    chain_.begin_block({flow_.file_name(), last_line_, 0, {}, false});
+    chain_.begin_block({flow_.file_name(), flow_.cursor().next_number() - 1, 0, {}, false});
     chain_.document().set(end_, {.integer = 1});
     chain_.run(chain_.document(), 0, linked_.post_logic_begin);
   }
@@ -258,7 +257,6 @@ class Run {
   std::uint64_t passes_ = 0;
   bool is_line_done_ = false;
   ig_field stop_, end_;
-  std::uint32_t last_line_ = 0;
   LookAheadWindow window_;
   bool over_ = false, program_ended_ = false, text_ended_ = false, said_wide_ = false;
 };
