@@ -1,6 +1,6 @@
 // Q parameters: FN 0 to FN 8 and FN 13 assign, FN 9 to FN 12 jump to a label, FN 18 reads, Q1 = … is a formula. The
 // scanner takes the statement as a whole; build() executes it, after all that stood before it.
-#include "klartext_values.hpp"
+#include "cycle_text.hpp"
 #include "system_data.hpp"
 
 namespace heidenhain {
@@ -11,8 +11,11 @@ struct KlartextParameter {
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
                                    .scans("FQfq");
 
-  Values values_;
+  CycleText cycle_;
   SystemData system_;
+  CycleDefinition definition_{ig::read | ig::write};
+  ig::Field<std::int64_t> cycle_number_{
+      "CycleDefinition.Number", ig::read, {ig::Life::modal, "", "The cycle that CYCL CALL runs."}};
   ig::Signal statement_{"Parsing.~KlartextStatement", ig::read | ig::write | ig::wake};
   ig::Out<std::int64_t> parameter_{"Vars.Q", {ig::Life::block, "", "Number of the Q parameter that was assigned."}};
   ig::Out<double> value_{"Vars.Value", {ig::Life::block, "", "What was assigned."}};
@@ -21,7 +24,7 @@ struct KlartextParameter {
     if (!stands_first(text, position) || kind_at(text, position) == Kind::none) return position;
     end_ = statement_end(text, position);
     begin_ = position;
-    if (!values_.is_indexing()) b.raise(statement_);
+    if (!cycle_.values().is_indexing()) b.raise(statement_);
     return end_;
   }
 
@@ -86,10 +89,19 @@ struct KlartextParameter {
       b.alarm();
       return;
     }
-    values_.set(b, t.q, t.name, ig::Where::columns(t.begin, t.begin + t.name.size()), value + 0.0);
+    cycle_.values().set(b, t.q, t.name, ig::Where::columns(t.begin, t.begin + t.name.size()), value + 0.0);
     if (!QStore::exists(t.q)) return;
     if (t.q.kind == QKind::q) b.set(parameter_, static_cast<std::int64_t>(t.q.number));
     b.set(value_, value + 0.0);
+    if (t.q.kind == QKind::q) of_cycle(b, t.q.number, value);
+  }
+
+  /// A cycle reads its parameters when it is called: Q201 = -18 behind CYCL DEF 200 changes the depth.
+  void of_cycle(ig::Block& b, std::uint32_t q, double value) const {
+    const std::size_t i = index_of_parameter(q);
+    if (q < 200 || i >= cycle_parameters.size() || b.get_or(cycle_number_, std::int64_t{0}) < 200) return;
+    const double metric = cycle_.metric(b, cycle_parameters[i].unit, value);
+    if (std::isfinite(metric)) definition_.set(b, q, metric);
   }
 
   void formula(ig::Block& b, std::string_view text) {
@@ -100,7 +112,7 @@ struct KlartextParameter {
       b.report(hei("HEI-0116"), from(text, begin_), rest_of_line(text, begin_));
       return;
     }
-    if (const auto value = values_.formula(b, text, t->after, end_)) assign(b, *t, *value);
+    if (const auto value = cycle_.values().formula(b, text, t->after, end_)) assign(b, *t, *value);
   }
 
   // ---- FN
@@ -118,15 +130,15 @@ struct KlartextParameter {
     const std::string_view whole = rest_of_line(text, begin_);
     if (number == 15 || number == 16 || number == 38) return;  // output: no position depends on it
     if (number == 18 && read_system(b, text, i)) return;
-    QStore* const store = values_.store();
-    if (store != nullptr && !store->is_first_time(values_.flow().here(b).offset, whole)) return;
+    QStore* const store = cycle_.values().store();
+    if (store != nullptr && !store->is_first_time(cycle_.values().flow().here(b).offset, whole)) return;
     b.report(hei("HEI-0117"), ig::Where::columns(begin_, begin_ + whole.size()), double(number));
   }
 
   /// A value at `i`, which goes behind it; said where there is none.
   std::optional<double> value(ig::Block& b, std::string_view text, std::size_t& i) const {
     i = skip(text, i);
-    const Value v = values_.read(b, text, i);
+    const Value v = cycle_.values().read(b, text, i);
     if (v.ok) {
       i = v.end;
       return v.number;
@@ -209,7 +221,7 @@ struct KlartextParameter {
     std::size_t next = equals + 1;
     const auto number = [&](std::string_view word) -> std::optional<double> {
       const std::size_t first = skip(text, next), behind = glued(text, first, word);
-      const Value v = behind == first ? Value{} : values_.read(b, text, behind);
+      const Value v = behind == first ? Value{} : cycle_.values().read(b, text, behind);
       if (!v.ok) return std::nullopt;
       next = v.end;
       return v.number;
@@ -253,7 +265,7 @@ struct KlartextParameter {
                        : number == 11 ? *left > *right
                                       : *left < *right;
     if (!holds) return;
-    const ig::Flow::Answer answer = values_.flow().jump(b, "L" + name, IG_SEARCH_TOP);
+    const ig::Flow::Answer answer = cycle_.values().flow().jump(b, "L" + name, IG_SEARCH_TOP);
     if (answer.is_not_found())
       b.report(hei("HEI-0120"), ig::Where::columns(i, end), std::string_view(name), answer.reason);
   }
