@@ -11,7 +11,8 @@ struct KlartextTcpm {
                                    .scans("Ff");
 
   Values values_;
-  ig::Call tip_{{"G43.4"}, "", ig::write};
+  ig::Call tip_{{"G43.4"}, "H[]", ig::write};
+  ig::Previous<std::int64_t> offset_id_{"ToolHeightCompensation.OffsetId"};
   ig::Call length_{{"G43"}, "", ig::write};
   ig::In<ig::Symbol> length_term_{"ToolHeightCompensation.Term"};
   ig::Name g43_4_{"G43.4"};
@@ -33,6 +34,8 @@ struct KlartextTcpm {
       b.host()->set_words(b.raw(), &w, 1);
     };
     if (starts || b.is(length_term_, g43_4_)) word(starts ? tip_.code(0) : length_.code(0));
+    // Without a TOOL CALL before it the tool in the spindle counts, whose length is not known.
+    if (starts && !b.has(offset_id_)) word(tip_.word(0, 'H'));
     const std::size_t after = i;
     for (const std::string_view words : {"F TCP", "F CONT", "AXIS POS", "PATHCTRL AXIS", "REFPNT TIP-TIP"})
       if (const std::size_t next = skip(text, i), behind = keyword(text, next, words); behind != next) i = behind;

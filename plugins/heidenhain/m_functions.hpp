@@ -110,7 +110,7 @@ class MFunctions {
         b.report(hei("HEI-0175"), where);
         flag(b, g53_.id(0), begin, end);
         return end;
-      case 128: flag(b, tcp_.code(0), begin, end); return behind_feed(b, values, text, end);
+      case 128: lead_tip(b, begin, end); return behind_feed(b, values, text, end);
       case 129:  // without M128 in front the length stays as TOOL CALL has left it
         if (b.is(length_term_, led_)) flag(b, length_.code(0), begin, end);
         return end;
@@ -133,6 +133,12 @@ class MFunctions {
       }
     code(b, number, begin, end);
     return end;
+  }
+
+  /// Without a TOOL CALL before it the tool in the spindle counts, whose length is not known.
+  void lead_tip(ig::Block& b, std::size_t begin, std::size_t end) const {
+    flag(b, tcp_.code(0), begin, end);
+    if (!b.has(offset_id_)) flag(b, tcp_.word(0, 'H'), begin, end);
   }
 
   void code(ig::Block& b, std::uint32_t number, std::size_t begin, std::size_t end) const {
@@ -195,7 +201,8 @@ class MFunctions {
   ig::Field<double> distance_{
       "Parsing.MB", ig::read | ig::write, {ig::Life::word, "mm", "M140 MB: how far along the tool axis."}};
   ig::Codes feed_modes_{{"G94", "G95"}, ig::write};
-  ig::Call tcp_{{"G43.4"}, "", ig::write};
+  ig::Call tcp_{{"G43.4"}, "H[]", ig::write};
+  ig::Previous<std::int64_t> offset_id_{"ToolHeightCompensation.OffsetId"};
   ig::Call length_{{"G43"}, "", ig::write};
   ig::Previous<ig::Symbol> length_term_{"ToolHeightCompensation.Term"};
   ig::Name led_{"G43.4"};

@@ -28,9 +28,11 @@ inline constexpr std::array tool_center_diagnostics{
                    "Under tool centre point control only straight moves are computed together with rotary axes. Arcs "
                    "with resting rotary axes are.",
                    "G43.4 H1 (then) G02 X10. I5. A10. F100"),
-    ig::diagnostic(IG_ERROR, "ISO-0447", "{0}: where the rotary axes of the machine sit is not known: executed as G43",
+    ig::diagnostic(IG_ERROR, "ISO-0447",
+                   "{0}: where the rotary axes of the machine sit is not known: the tip does not follow them",
                    "The tip can be kept on its path only where the axes are known: a dependency MachineKinematics, "
-                   "mostly from --machine FILE. Positions are unreliable wherever a rotary axis is not at zero. Said "
+                   "mostly from --machine FILE. The length of the tool lies along Z, as under G43. Positions are "
+                   "unreliable wherever a rotary axis is not at zero. Said "
                    "once a run.",
                    "G43.4 H1"),
     ig::diagnostic(IG_ERROR, "ISO-0448", "{0} stands alone in its block: X Y Z beside it move nothing",

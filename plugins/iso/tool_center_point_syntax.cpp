@@ -71,7 +71,7 @@ struct ToolCenterPoint {
       if (other) b.report(diag("ISO-0201"), where, b.text(starts ? codes_.name(*named) : others_.name(*other)));
       h = (*b.take(codes_))['H'];
     }
-    if (starts && !machine_) return as_g43(b, codes_.name(*named), h, where);
+    if (starts && !machine_) return as_g43(b, *named, h, where);
     if (!starts && other) {  // the length is ToolHeightOffsetSyntax's again
       if (was_on && !b.has(aligned_))
         for (std::size_t i = 0; i < 3; ++i) b.host()->erase(b.raw(), orientation_.id(i));
@@ -94,8 +94,17 @@ struct ToolCenterPoint {
     return b.host()->get(b.raw(), code, &v) != 0 ? v.integer : 0;
   }
 
-  ig::Status as_g43(ig::Block& b, ig::Symbol code, std::optional<double> h, ig::Where where) const {
-    if (!b.is_raised(said_)) b.report(tool_center_diag("ISO-0447"), where, b.text(code));
+  /// As the program has it: M128 and TRAORI become G43.4.
+  std::string_view as_written(const ig::Block& b, std::size_t code) const {
+    const std::string_view source = b.source();
+    ig_word place{};
+    const bool is_there = b.host()->word(b.raw(), codes_.code(code), &place) != 0;
+    if (!is_there || place.begin >= place.end || place.end > source.size()) return b.text(codes_.name(code));
+    return source.substr(place.begin, std::size_t{place.end} - place.begin);
+  }
+
+  ig::Status as_g43(ig::Block& b, std::size_t code, std::optional<double> h, ig::Where where) const {
+    if (!b.is_raised(said_)) b.report(tool_center_diag("ISO-0447"), where, as_written(b, code));
     b.raise(said_);
     b.set_call(g43_, 0);
     if (h) b.set_word(g43_, 0, 'H', *h);
