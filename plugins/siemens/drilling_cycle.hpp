@@ -138,6 +138,12 @@ class DrillingCall {
   FeedInForce feed;
 
  private:
+  /// That of the call (DMODE), else the one in force.
+  iso::PlaneAxes plane_of(const ig::Block& b, const DrillingRun& run) const {
+    const double plane = run.mode("DMODE", 0);
+    return plane == 1 ? iso::xy_plane : plane == 2 ? iso::zx_plane : plane == 3 ? iso::yz_plane : plane_(b);
+  }
+
   bool resolve(ig::Block& b, DrillingRun& run) const {
     const std::string_view name = run.cycle->name();
     for (const std::string_view needed : {"RTP", "RFP"})
@@ -145,7 +151,7 @@ class DrillingCall {
         b.report(diag("SIE-0185"), where(run), name, needed);
         return false;
       }
-    run.plane = plane_(b);
+    run.plane = plane_of(b, run);
     run.hole = last_(b);
     run.retract = *run["RTP"];
     run.reference = *run["RFP"];

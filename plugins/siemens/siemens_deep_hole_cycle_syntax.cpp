@@ -40,7 +40,8 @@ struct SiemensDeepHoleCycle {
     const ig::CompoundMotion& motion = cycle_.motion;
     const double total = std::fabs(run.reference - run.depth);
     const bool clears_chips = run["VARI"].value_or(0) == 1;
-    const double own = run["DIS1"].value_or(0), back = run["VRT"].value_or(0);
+    const double own = run.mode("AMODE", limit_digit) == 1 ? 0 : run["DIS1"].value_or(0);
+    const double back = run["VRT"].value_or(0);
     const double ahead = own > 0 ? own : total <= 30 ? 0.6 : std::fmin(total / 50, 7);
     const double break_way = back > 0 ? back : double{chip_break_};
     const auto level = [&](double depth) { return run.at(run.reference - run.out * depth); };
@@ -61,9 +62,14 @@ struct SiemensDeepHoleCycle {
     motion.rapid_to(b, run.at(run.retract));
   }
 
+  // Digits of AMODE, from the right.
+  static constexpr int first_depth_digit = 4, degression_digit = 5, limit_digit = 6, feed_digit = 7;
+
+  static bool is_percentage(const DrillingRun& run) { return run.mode("AMODE", feed_digit) == 1; }
+
   static double factor(const DrillingRun& run) {
-    const double f = run["FRF"].value_or(1);
-    return f == 0 ? 1 : f;
+    const double f = run["FRF"].value_or(0);
+    return f == 0 ? 1 : is_percentage(run) ? f / 100 : f;
   }
 
   /// The strokes. False where the control refuses the call, which was said.
@@ -71,15 +77,17 @@ struct SiemensDeepHoleCycle {
     const std::string_view name = run.cycle->name();
     const double total = std::fabs(run.reference - run.depth);
     double first = total;
-    if (const auto relative = run["FDPR"]; relative && *relative != 0)
+    const auto relative = run["FDPR"], absolute = run["FDEP"];
+    if (relative && *relative != 0 && (!absolute || run.mode("AMODE", first_depth_digit) != 2))
       first = std::fabs(*relative);
-    else if (const auto absolute = run["FDEP"])
+    else if (absolute)
       first = run.out * (run.reference - *absolute);
     if (!(first > 0) || first > total + rounding_mm) {
       b.report(diag("SIE-0193"), DrillingCall::where(run, "FDEP"), name, first, total);
       return false;
     }
-    if (const double f = factor(run); !(f >= 0.001 && f <= 1)) {
+    if (const double f = factor(run), least = is_percentage(run) ? 1e-5 : 0.001, most = is_percentage(run) ? 10 : 1;
+        !(f >= least && f <= most)) {
       b.report(diag("SIE-0194"), DrillingCall::where(run, "FRF"), name, f);
       return false;
     }
@@ -87,7 +95,9 @@ struct SiemensDeepHoleCycle {
       b.report(diag("SIE-0191"), DrillingCall::where(run, "AXN"), name, *run["AXN"]);
       return false;
     }
-    const double less = run["DAM"].value_or(0), least = std::fabs(run["MDEP"].value_or(0));
+    double less = run["DAM"].value_or(0);
+    if (run.mode("AMODE", degression_digit) == 2) less = -std::fabs(less) / 100;  // a percentage: a factor
+    const double least = std::fabs(run["MDEP"].value_or(0));
     depths_.assign(1, first);
     double stroke = first;
     while (total - depths_.back() > rounding_mm) {
