@@ -17,6 +17,12 @@ struct SiemensSwivel {
                                    .before("IsoG68p2TiltSyntax", "G53p1RotaryPositionSyntax");
 
   CycleFields call_{swivel_signature, ig::take | ig::wake};
+  enum class OldFrame { deleted, kept };
+  ig::Choice<OldFrame> old_frame_{"programmable-frame", "deleted|kept", "deleted",
+                                  "What becomes of TRANS, ROT, SCALE and MIRROR with a new plane, and with its end."};
+  ig::Transform programmable_{"ProgrammableFrame", ig::read | ig::write};
+  ig::Field<ig::Symbol> programmable_term_{"ProgrammableFrame.Term", ig::write, {ig::Life::modal, "", ""}};
+  ig::Signal uneven_{"ProgrammableFrame.~Uneven", ig::write, ig::Life::modal};
   ig::Call plane_{{"G68.2", "G68.4"}, "X Y Z I[deg] J[deg] K[deg] P[] Q[]", ig::write};
   ig::Call align_{{"G53.1"}, "P[]", ig::write};
   ig::Codes cancel_{{"G69"}, ig::write};
@@ -53,7 +59,17 @@ struct SiemensSwivel {
   bool is_tilted(const ig::Block& b) const { return b.is(term_, g68_2_) || b.is(term_, g68_4_); }
 
   void cancel(ig::Block& b) const {
+    end_programmable_frame(b);
     if (is_tilted(b)) b.host()->set(b.raw(), cancel_.id(0), {.integer = 1});
+  }
+
+  void end_programmable_frame(ig::Block& b) const {
+    iso::Mat4 m;
+    if (old_frame_ == OldFrame::kept || b.host()->transform(b.raw(), programmable_.id(), m.data()) == 0) return;
+    m = iso::identity_frame;
+    b.host()->set_transform(b.raw(), programmable_.id(), m.data());
+    b.erase(programmable_term_);
+    b.erase(uneven_);
   }
 
   void swivel(ig::Block& b, const Values& v, ig::Where where) const {
@@ -96,6 +112,7 @@ struct SiemensSwivel {
     const ig::Vec3 origin = ig::Vec3{v[x0].value_or(0), v[y0].value_or(0), v[z0].value_or(0)} +
                             iso::mapped(m, {v[x1].value_or(0), v[y1].value_or(0), v[z1].value_or(0)});
     const bool is_additive = *status % 10 == 1 && is_tilted(b);
+    if (*status % 10 != 1) end_programmable_frame(b);
     const std::size_t row = is_additive ? 1 : 0;
     // A new plane replaces the one before, which is no fault here.
     if (!is_additive && is_tilted(b)) b.erase(term_);
