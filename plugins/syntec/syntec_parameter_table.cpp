@@ -1,6 +1,10 @@
 // The parameters of a Syntec control that change what a program means, by their numbers. Values stand as on the
 // parameter page; this file knows their units.
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
+
+#include <isogloss/rows.hpp>
 
 #include "parameter_services.hpp"
 
@@ -35,6 +39,11 @@ struct SyntecParameterTable {
                                  ig::Column{"B", nullptr, "", {}, "The parameter of the B axis."},
                                  ig::Column{"C", nullptr, "", {}, "The parameter of the C axis."}};
   ig::Table table;
+  ig::RowNames rows;
+
+  SyntecParameterTable() {
+    for (const std::string& row : rows) check(row);
+  }
 
   const void* service(std::string_view id) const {
     if (id == "isogloss.number-format/1") return &number_format;
@@ -46,6 +55,31 @@ struct SyntecParameterTable {
 
  private:
   using Answer = std::optional<double>;
+
+  /// A value that the parameter does not have would be passed over in silence.
+  void check(const std::string& row) const {
+    const auto refuse = [&row](const std::string& why) { throw std::runtime_error("parameter " + row + ": " + why); };
+    if (row.find_first_not_of("0123456789") != std::string::npos) refuse("its name is the number of a parameter");
+    const bool of_axes = row == axis_type || row == axis_name || row == rapid_rate || row == "1320" || row == "1321" ||
+                         (row.size() == 4 && row.starts_with("124") && row[3] <= '3');
+    const Answer one = number(row);
+    if (of_axes && one) refuse("each axis has its own value: X, Y, Z, A, B, C, not Value");
+    for (std::size_t i = 0; i < axes.size(); ++i)
+      if (const Answer of_one = table.value(row, axes[i])) {
+        if (is_known(row))
+          refuse("it has one value for the whole control: Value, not " + std::string(1, axis_letters[i]));
+        if (row == rapid_rate && *of_one < 0) refuse("a rapid rate is 0 or more");
+      }
+    if (row == control_precision && one && *one != 1 && *one != 2 && *one != 3) refuse("it is 1, 2 or 3");
+    if ((row == peck_retract || row == spindle_limit) && one && *one < 0) refuse("it is 0 or more");
+  }
+  /// The numbers that this table asks for and that are one for the whole control.
+  static bool is_known(std::string_view row) {
+    constexpr std::array ones{control_precision, t_macro,      decimal_point,
+                              spindle_limit,     peck_retract, compensation_type};
+    const bool registers = row.size() == 4 && (row.starts_with("360") || row.starts_with("370")) && row[3] != '0';
+    return registers || row == "3610" || row == "3710" || std::find(ones.begin(), ones.end(), row) != ones.end();
+  }
 
   Answer number(std::string_view parameter) const { return table.value(parameter, value); }
 
