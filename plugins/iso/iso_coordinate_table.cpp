@@ -17,6 +17,10 @@ struct IsoCoordinateTable {
           .provides("isogloss.work-offset/1")
           .ships(shipped);
 
+  ig::IntegerOption additional_sets{"additional-sets",
+                                    "300",
+                                    {0, 99999},
+                                    "The highest P of G54.1 that the control has; a row may name a higher one."};
   WorkOffsetColumns columns;
   ig::Table table;
 
@@ -35,9 +39,9 @@ struct IsoCoordinateTable {
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), n);
     return error == std::errc{} && end == number.data() + number.size() && n >= 1 && n <= maximum;
   }
-  static bool exists(std::string_view id) {
+  bool exists(std::string_view id) const {
     if (id == "EXT") return true;
-    if (id.starts_with("G54.1P")) return is_within(id.substr(6), 300);
+    if (id.starts_with("G54.1P")) return is_within(id.substr(6), additional_sets);
     if (id.starts_with("G59.")) return is_within(id.substr(4), 9);
     return id.size() == 3 && id.starts_with("G5") && id[2] >= '4' && id[2] <= '9';
   }
