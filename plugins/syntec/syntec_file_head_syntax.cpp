@@ -1,6 +1,8 @@
 /// `%@MACRO` makes a file one of the macro language, and `$2` begins the program of the second axis group: neither is
-/// read, and one diagnostic says so where it begins. `$1` begins the program of the first group, which is read.
+/// read, and one diagnostic says so where it begins, however often the file is called. `$1` begins the program of the
+/// first group, which is read.
 #include <isogloss/flow.hpp>
+#include <set>
 
 #include "scan_util.hpp"
 #include "syntec_diagnostics.hpp"
@@ -14,8 +16,8 @@ struct SyntecFileHead {
           .before("TapeBoundarySyntax", "IsoCommentSyntax", "WordSyntax", "FlagSyntax")
           .scans("%$");
 
-  ig::TextField text_{"TapeBoundary.Text", ig::write};
-  ig::Signal declined_{"Source.~Declined", ig::write | ig::wake};
+  ig::TextField text_{"TapeBoundary.Text", ig::read | ig::write};
+  ig::Signal declined_{"Source.~Declined", ig::read | ig::write | ig::wake};
   ig::Flow flow_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
@@ -25,9 +27,18 @@ struct SyntecFileHead {
     return text[position] == '%' ? macro_mark(b, text, position) : axis_group(b, text, position);
   }
 
+  ig::Status restart(ig::Block&) {
+    said_.clear();
+    return ig::Status::unchanged;
+  }
+
   /// A program that was called is left where it is declined; any other ends there.
-  ig::Status build(ig::Block& b) const {
-    if (flow_.frame(b).depth > 0)
+  ig::Status build(ig::Block& b) {
+    if (!b.is_raised(declined_)) return ig::Status::unchanged;
+    const ig_frame frame = flow_.frame(b);
+    const std::string_view head = b.text(text_);
+    if (said_.emplace(ig::to_view(frame.file), head).second) say(b, head);
+    if (frame.depth > 0)
       flow_.leave(b);
     else
       b.end_program();
@@ -42,25 +53,33 @@ struct SyntecFileHead {
     const std::size_t end = std::min(name + mark.size(), text.size());
     if (!iso::equals_ignoring_case(iso::piece(text, name, end), mark) || iso::is_letter(iso::at(text, end)))
       return position;
-    b.set_text(text_, iso::piece(text, position, end));
-    return decline(b, text, position, end, diag("SYN-0001"), {});
+    return decline(b, text, position, end);
   }
 
   std::size_t axis_group(ig::Block& b, std::string_view text, std::size_t position) const {
     const std::size_t end = iso::skip_digits(text, position + 1);
     const std::string_view group = iso::piece(text, position + 1, end);
     if (group.empty()) return position;
-    return group == "1" ? end : decline(b, text, position, end, diag("SYN-0004"), group);
+    return group == "1" ? end : decline(b, text, position, end);
   }
 
   /// Nothing behind it is program, on the same line neither.
-  std::size_t decline(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end, std::uint32_t what,
-                      std::string_view name) const {
-    b.report(what, ig::Where::columns(begin, end), name);
+  std::size_t decline(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) const {
+    b.set_text(text_, iso::piece(text, begin, end));
     b.raise(declined_);
     b.flow(IG_FLOW_END_FILE);
     return iso::block_end(text, end);
   }
+
+  void say(ig::Block& b, std::string_view head) const {
+    const auto where = ig::Where::word(text_.id());
+    if (head.starts_with('$'))
+      b.report(diag("SYN-0004"), where, head.substr(1));
+    else
+      b.report(diag("SYN-0001"), where);
+  }
+
+  std::set<std::pair<std::string, std::string>> said_;  ///< of this run: the file, and what stands at its head
 };
 
 const ig::Register<SyntecFileHead> registered;
