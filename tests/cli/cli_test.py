@@ -134,9 +134,20 @@ class Run(Command):
                               ("%@MACRO\n#1 := 1;\nM99;\n", "syntec"),
                               ("\n %@macro\nM99;\n", "syntec"),
                               ("%\nO1234 (SYNTEC 22MA)\nG71 G00 X1.\nM30\n%\n", "syntec"),
-                              ("%\nG90 G59.4 G00 X1.\nM98 H100\nM30\nN100 M99\n%\n", "syntec")):
+                              ("%\nG90 G59.4 G00 X1.\nM98 H100\nM30\nN100 M99\n%\n", "syntec"),
+                              ("%\n(T4 D=6.)\nN10 G90 G17 G49 G40 G80\nN15 G71\nN20 G00 X1.\nN25 M30\n%\n", "syntec"),
+                              ("%\nN10 G00 G17 G71 G40 G49 G80 G90\nN20 X1.\nN30 M30\n%\n", "syntec"),
+                              ("%\n//PART\nG70\nG0 X1.\nM30\n%\n", "syntec"),
+                              ("G71\nT=\"MILL\" M6\nG0 X1\nM30\n", "siemens"),
+                              ("O1234\nG81 Z-1. R1. F100. L0\nG70 I10. J0 L4\nG80\nM30\n", "haas")):
             declined = 1 if "@macro" in text.lower() or "P9995" in text or dialect == "okuma" else 0
             done = self.run_it("run", self.write("guess.nc", text), "--emit", "none", status=declined)
+            self.assertIn(f"note: dialect {dialect} ", done.stderr)
+
+    def test_the_extension_tells_where_the_text_does_not(self):
+        for name, dialect in (("guess.mpf", "siemens"), ("guess.nc", "syntec")):
+            program = self.write(name, "G71 G90 G17 G40 G49\nG0 X0 Y0 Z5.\nG80\nM30\n")
+            done = self.run_it("run", program, "--emit", "none", status=1 if dialect == "siemens" else 0)
             self.assertIn(f"note: dialect {dialect} ", done.stderr)
 
     def test_the_table_of_the_file_answers_before_the_inherited_one(self):
