@@ -66,10 +66,14 @@ struct KlartextFrameCycle {
     text_.parameters(b, text, number.end, 247, [&](std::uint32_t q, double value) {
       if (q == 339) preset = value;
     });
-    if (preset)
-      word(b, preset_number_.id(), where.begin, where.end, *preset);
-    else
+    if (!preset) {
       b.report(hei("HEI-0163"), where, 247.0, std::string_view("Q339"));
+      return;
+    }
+    word(b, preset_number_.id(), where.begin, where.end, *preset);
+    // The manual: a preset resets shift, mirror image and rotation; a tilted plane stays.
+    if (b.is(tilt_, g68_)) code(b, rotation_end_.id(0), where.begin, where.end);
+    if (b.has(mirror_term_)) code(b, mirror_.code(0), where.begin, where.end);
   }
 
   /// The cycle that was defined last runs at the points of the pattern, at once.
