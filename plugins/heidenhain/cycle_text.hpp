@@ -45,6 +45,20 @@ constexpr bool acts_where_defined(std::uint32_t cycle) {
   return false;
 }
 
+/// Cycles that wait for a call, by the tables of the manuals. Of the others, those of the machine's maker among them,
+/// it is not known when they act.
+constexpr bool waits_for_call(std::uint32_t cycle) {
+  struct Range {
+    std::uint32_t first, last;
+  };
+  constexpr std::array all{Range{1, 6},     Range{12, 12},   Range{15, 18},   Range{21, 29},   Range{39, 39},
+                           Range{200, 215}, Range{225, 225}, Range{230, 233}, Range{240, 241}, Range{251, 258},
+                           Range{262, 267}, Range{270, 277}, Range{290, 292}, Range{810, 883}};
+  for (const Range& r : all)
+    if (r.first <= cycle && cycle <= r.last) return true;
+  return false;
+}
+
 /// The parameters that a cycle has; empty: they are not known here.
 inline std::span<const std::uint16_t> parameters_of(std::int64_t cycle) {
   static constexpr std::uint16_t c200[] = {200, 201, 206, 202, 210, 203, 204, 211, 395};

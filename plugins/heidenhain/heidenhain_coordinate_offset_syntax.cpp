@@ -53,8 +53,10 @@ struct HeidenhainCoordinateOffset {
                           .ptr;
     const std::string_view id(name.data(), static_cast<std::size_t>(end - name.data()));
     double origin[3] = {};
-    if (table_->get(table_->self, ig::to_text(id), origin) == 0) b.report(hei("HEI-0174"), where, number);
-    b.set(id_, b.symbol(id));
+    const ig::Symbol preset = b.symbol(id);
+    if (table_->get(table_->self, ig::to_text(id), origin) == 0 && !b.is(id_, preset))
+      b.report(hei("HEI-0174"), where, number);
+    b.set(id_, preset);
     offset_.set(b, {origin[0], origin[1], origin[2]});
     local_.set(b, {});  // a preset cancels the shift
   }

@@ -71,6 +71,11 @@ struct KlartextCycle {
       b.erase(said_);
       b.erase(modal_call_);
       if (!number->part) b.raise(is_open_);
+      if (!waits_for_call(number->cycle)) {
+        const std::string_view whole = rest_of_line(text, begin);
+        b.report(hei("HEI-0161"), ig::Where::columns(begin, begin + whole.size()), static_cast<double>(number->cycle),
+                 std::string_view("what it does is not known here"));
+      }
     }
     if (!number->part)
       parameters(b, text, number->end);

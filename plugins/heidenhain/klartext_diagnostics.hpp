@@ -41,14 +41,15 @@ inline constexpr std::array klartext_diagnostics{
                    "It is read as 0, and nothing is written to it.", "5 FN 0: Q2000 = +1"),
     ig::diagnostic(IG_ERROR, "HEI-0115", "{0} has no value: 0 is taken",
                    "Nothing has given the parameter a value. Q100 to Q199 come from the control; a table of the "
-                   "dependency QParameters can give them.",
+                   "dependency QParameters can give them. Said once for each parameter.",
                    "5 L X+Q50 (and no Q50 before)"),
     ig::diagnostic(IG_ERROR, "HEI-0116", "'{0}': string parameters are not executed",
                    "QS parameters hold text. What depends on them is unreliable from here on.", "5 QS1 = \"A\""),
     ig::diagnostic(
         IG_ERROR, "HEI-0117", "FN {0} is not executed",
         "Executed are FN 0 to 13, and FN 18 for the tool, its length and radius, the datum shift and positions. A "
-        "parameter that this function would write keeps its value. Said once for each place of a program.",
+        "parameter that this function would write keeps its value. Said once for each function, of FN 18 for each "
+        "value.",
         "5 FN 18: SYSREAD Q10 = ID990 NR2"),
     ig::diagnostic(IG_ERROR, "HEI-0118", "the control stops here with error {0}",
                    "FN 14: ERROR. By default the run goes on.", "5 FN 14: ERROR = 1000"),
@@ -58,7 +59,8 @@ inline constexpr std::array klartext_diagnostics{
     ig::diagnostic(IG_ERROR, "HEI-0120", "there is no LBL {0}: {1}", "The call or jump is not made; the run goes on.",
                    "5 CALL LBL 77"),
     ig::diagnostic(IG_ERROR, "HEI-0121", "the program {0} is not found: {1}",
-                   "The call is not made; what the program would move is missing.", "5 CALL PGM OTHER.H"),
+                   "The calls are not made; what the program would move is missing. Said once for each program.",
+                   "5 CALL PGM OTHER.H"),
     ig::diagnostic(IG_ERROR, "HEI-0122", "'{0}' is not executed: {1}",
                    "The statement is recognised as a whole, so that no part of it is taken for a move.",
                    "5 SEL TABLE \"ZERO.D\""),
@@ -106,8 +108,10 @@ inline constexpr std::array klartext_diagnostics{
                    "Executed are 200 to 209, 240 and 241, and 1, 2 and 17 of the older ones; of 251 to 254 where they "
                    "begin and end. Positions after the call are those before it.",
                    "5 CYCL CALL (after CYCL DEF 262)"),
-    ig::diagnostic(IG_ERROR, "HEI-0161", "cycle {0} is not executed: {1}",
-                   "The cycle acts where it is defined. It is recognised as a whole.", "5 CYCL DEF 11.1 SCL 0.5"),
+    ig::diagnostic(
+        IG_ERROR, "HEI-0161", "cycle {0} is not executed: {1}",
+        "The cycle acts where it is defined, or it is none of the control's own. It is recognised as a whole.",
+        "5 CYCL DEF 11.1 SCL 0.5"),
     ig::diagnostic(IG_ERROR, "HEI-0162", "{0} without a cycle: no CYCL DEF came before", "Nothing is machined.",
                    "5 CYCL CALL"),
     ig::diagnostic(IG_ERROR, "HEI-0163", "cycle {0}: {1} is missing; it is not executed",
@@ -140,7 +144,8 @@ inline constexpr std::array klartext_diagnostics{
     ig::diagnostic(IG_WARNING, "HEI-0174", "preset {0} is not in the table: it is taken to lie at the machine's zero",
                    "Presets are rows of IsoCoordinateTable: DATUM_PRESET_1 and so on.", "5 CYCL DEF 247 Q339=+9"),
     ig::diagnostic(IG_ERROR, "HEI-0175", "M92: the position of the additional machine datum is not known",
-                   "The words of the block are taken as positions of the machine (M91).", "5 L Z+0 FMAX M92"),
+                   "The words of such blocks are taken as positions of the machine (M91). Said once a run.",
+                   "5 L Z+0 FMAX M92"),
     ig::diagnostic(IG_ERROR, "HEI-0176", "no position of the rotary axes inside their travel gives this plane{0}",
                    "The plane lies; the axes stay.", "5 PLANE SPATIAL SPA+0 SPB+95 SPC+0 TURN FMAX SEQ+"),
     // cycles again

@@ -156,7 +156,9 @@ struct KlartextLabel {
     for (char& c : name) c = to_upper(c);
     const std::array<ig_text, 2> files{ig::to_text(file), ig::to_text(name)};
     const ig::Flow::Answer answer = values_.flow().call(b, {.program = name, .files = files, .tag = called_program});
-    if (answer.is_not_found()) b.report(hei("HEI-0121"), ig::Where::columns(i, text.size()), path, answer.reason);
+    if (!answer.is_not_found()) return;
+    if (QStore* const s = values_.store(); s == nullptr || s->is_first_time(121, path))
+      b.report(hei("HEI-0121"), ig::Where::columns(i, text.size()), path, answer.reason);
   }
 
   struct {

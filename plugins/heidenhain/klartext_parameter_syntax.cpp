@@ -130,8 +130,11 @@ struct KlartextParameter {
     const std::string_view whole = rest_of_line(text, begin_);
     if (number == 15 || number == 16 || number == 38) return;  // output: no position depends on it
     if (number == 18 && read_system(b, text, i)) return;
+    // What FN 18 reads is told apart; what the others write or do is not.
     QStore* const store = cycle_.values().store();
-    if (store != nullptr && !store->is_first_time(cycle_.values().flow().here(b).offset, whole)) return;
+    const std::size_t equals = number == 18 ? whole.find('=') : std::string_view::npos;
+    const std::string_view kind = equals == std::string_view::npos ? whole.substr(0, i - begin_) : whole.substr(equals);
+    if (store != nullptr && !store->is_first_time(117, kind)) return;
     b.report(hei("HEI-0117"), ig::Where::columns(begin_, begin_ + whole.size()), double(number));
   }
 

@@ -66,7 +66,7 @@ class Values {
     }
     const double value = s->get(q, program(b));
     if (!std::isnan(value)) return value;
-    b.report(hei("HEI-0115"), where, name);
+    if (store()->is_first_time(115, name)) b.report(hei("HEI-0115"), where, name);
     return 0;
   }
   void set(ig::Block& b, const QNumber& q, std::string_view name, ig::Where where, double value) const {

@@ -107,7 +107,8 @@ class MFunctions {
         return end;
       case 91: flag(b, g53_.id(0), begin, end); return end;
       case 92:
-        b.report(hei("HEI-0175"), where);
+        if (QStore* const s = values.store(); s == nullptr || s->is_first_time(175, ""))
+          b.report(hei("HEI-0175"), where);
         flag(b, g53_.id(0), begin, end);
         return end;
       case 128: lead_tip(b, begin, end); return behind_feed(b, values, text, end);

@@ -74,7 +74,8 @@ class QStore {
     return true;
   }
 
-  /// Is what stands at this place of a program said for the first time? A loop comes there again and again.
+  /// Is what stands at this place of a program said for the first time? A loop comes there again and again. What has
+  /// one cause in many places takes the number of its diagnostic for the place.
   bool is_first_time(std::uint64_t offset, std::string_view text) {
     const std::uint64_t place = offset ^ (std::hash<std::string_view>{}(text) << 1);
     if (std::find(said_.begin(), said_.end(), place) != said_.end()) return false;
