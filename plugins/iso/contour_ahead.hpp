@@ -30,9 +30,12 @@ class ContourAhead {
     bool cancels_at_rest = false;  ///< the code that cancels stands in a block without a move before it
   };
 
-  double offset_in_force(const ig::Block& b) const {
-    const double radius = b.get_or(radius_, 0.0);
-    return b.is(side_, left_) ? radius : b.is(side_, right_) ? -radius : 0;
+  /// In the plane of the program: a frame that scales (SCALE) does not scale the tool.
+  double offset_in_force(ig::Block& b) const {
+    const bool is_left = b.is(side_, left_);
+    if (!is_left && !b.is(side_, right_)) return 0;
+    const double radius = b.get_or(radius_, 0.0) / scale(b);
+    return is_left ? radius : -radius;
   }
 
   Next next(ig::Block& b, const PlaneAxes& plane, std::int64_t rests_allowed) const {
@@ -113,6 +116,14 @@ class ContourAhead {
 
  private:
   using Break = std::optional<CornerBreakState::Corner>;
+
+  /// How long a millimetre of the program is in the machine. What a turned frame adds below 1e-9 is noise.
+  static double scale(ig::Block& b) {
+    const auto origin = b.to_machine({}), unit = b.to_machine({1, 0, 0});
+    if (!origin || !unit) return 1;
+    const double scale = std::round(length(*unit - *origin) * 1e9) / 1e9;
+    return scale > 0 ? scale : 1;
+  }
 
   /// The move as the frame of this block shows it.
   static bool bring_here(ig::Block& b, ig::Block& ahead, const ContourMotion& motion, ContourMove& move) {

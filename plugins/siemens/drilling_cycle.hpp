@@ -192,7 +192,8 @@ class DrillingCall {
     const ig::Vec3 from = last_(b);
     const ig::PartialVec3 named = b.take(words_);
     run.hole = named.or_else(from);
-    if (named.mask == 0) return;
+    const bool turns = b.has(angles_[0]) || b.has(angles_[1]) || b.has(angles_[2]);
+    if (named.mask == 0 && !turns) return;
     const auto code = b.find(codes_);
     const ig::Symbol term = code ? codes_.name(*code) : b.get_or(state_, codes_.name(0));
     if (term == codes_.name(0)) {
@@ -206,6 +207,9 @@ class DrillingCall {
   std::vector<CycleFields> cycles_;
   HolePattern pattern_{ig::take};
   ig::Xyz words_{"Parsing", ig::take};
+  // Rotary axes turn with the first step: the way to the hole.
+  std::array<ig::Word, 3> angles_{ig::Word{"Parsing.A", ig::read, "deg"}, ig::Word{"Parsing.B", ig::read, "deg"},
+                                  ig::Word{"Parsing.C", ig::read, "deg"}};
   ig::Xyz program_{"ProgramXyz", ig::write};
   ig::Codes codes_{{"G00", "G01", "G02", "G03"}, ig::read};
   ig::In<ig::Symbol> state_{"MotionState.Term"};

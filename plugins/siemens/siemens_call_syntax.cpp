@@ -37,7 +37,12 @@ struct SiemensCall {
   ig::TextOption silent_list_{
       "silent",
       "MSG WORKPIECE GROUP_BEGIN GROUP_END GROUP_ADDEND E_END SETMS FGROUP CYCLE832 WAITM WAITMC SETM "
-      "CLEARM WAITS WAITP WAITE COUPDEF COUPDEL COUPON COUPONC COUPOF COUPOFS COUPRES WRITE",
+      "CLEARM WAITS WAITP WAITE COUPDEF COUPDEL COUPON COUPONC COUPOF COUPOFS COUPRES WRITE DELETE BRISKA SOFTA "
+      "DRIVEA JERKA IPOBRKA ADISPOSA NEWCONF TMON TMOF RESETMON SETPIECE CHKDNO CHKDM GWPSON GWPSOF TANGOF TANGDEL "
+      "TLIFT TRAILOF LEADOF EGOFS EGOFC EGDEL MASLOF MASLOFS MASLDEL CTABDEL CTABLOCK CTABUNLOCK TOFFOF SPCON SPCOF "
+      "WAITENC GET GETD RELEASE AXTOCHAN INIT CANCEL LOCK UNLOCK RESET CLRINT ENABLE DISABLE CALLPATH PROTA PROTS "
+      "PROTD "
+      "CPROT CPROTDEF NPROT NPROTDEF FCTDEF CORROF DRFOF IPTRLOCK IPTRUNLOCK POLFMASK POLFMLIN BLSYNC",
       "Procedures of the control that move nothing and change nothing here."};
   std::vector<CycleFields> cycles_ = all_cycles();
   ig::Codes modal_{{"MCALL"}, ig::read};
@@ -82,11 +87,14 @@ struct SiemensCall {
         pass(b, *cycle, text, next, close);
         return close;
       }
-      if (is_known(b, text, name, next, close)) return close;
+      if (is_known(b, text, name, next, close)) return name == "SETINT" ? statement_end(text, close) : close;
       if (!read_arguments(b, text.substr(0, close), next)) return close;
       next = skip_blanks(text, close);
     } else if (is_foreign_cycle(name) && !silent_.holds(name)) {
       b.report(diag("SIE-0181"), ig::Where::columns(position, end), std::string_view(name));
+      return end;
+    } else if (const std::string_view missing = not_executed(name); !missing.empty()) {
+      b.report(diag("SIE-0174"), ig::Where::columns(position, end), std::string_view(name), missing);
       return end;
     } else if (silent_.holds(name)) {
       if (name == "SETMS") environment_.store().master_spindle.reset();
@@ -185,6 +193,8 @@ struct SiemensCall {
                                       coupled = "the axis that follows another one stands still",
                                       values = "what it would answer is not known",
                                       tools = "the table of tools stays as it is",
+                                      axes = "axes, frames and kinematics stay as they are",
+                                      contour = "what the table of the contour is for is missing",
                                       head = "the unit, the plane and the work offset it sets are missing";
     static constexpr Known known[] = {{"PRESETON", origin},
                                       {"PRESETONS", origin},
@@ -194,6 +204,45 @@ struct SiemensCall {
                                       {"LEADON", coupled},
                                       {"EGON", coupled},
                                       {"EGONSYN", coupled},
+                                      {"EGONSYNE", coupled},
+                                      {"EGDEF", coupled},
+                                      {"CTABDEF", coupled},
+                                      {"CTABEND", coupled},
+                                      {"MASLON", coupled},
+                                      {"MASLDEF", coupled},
+                                      {"GEOAX", axes},
+                                      {"AXCTSWE", axes},
+                                      {"AXCTSWED", axes},
+                                      {"CORRTRAFO", axes},
+                                      {"TRAFOON", axes},
+                                      {"ADDFRAME", axes},
+                                      {"START", "the program of the other channel does not run"},
+                                      {"SETINT", "no signal interrupts the program"},
+                                      {"FPO", "the feed stays as F says"},
+                                      {"CONTPRON", contour},
+                                      {"CONTDCON", contour},
+                                      {"EXECTAB", contour},
+                                      {"EXECUTE", contour},
+                                      {"CALCDAT", values},
+                                      {"INTERSEC", values},
+                                      {"MEASURE", values},
+                                      {"FILEDATE", values},
+                                      {"FILETIME", values},
+                                      {"FILESIZE", values},
+                                      {"FILESTAT", values},
+                                      {"FILEINFO", values},
+                                      {"GETT", values},
+                                      {"GETACTTD", values},
+                                      {"LENTOAX", values},
+                                      {"TOOLENV", tools},
+                                      {"DELTOOLENV", tools},
+                                      {"SETTCOR", tools},
+                                      {"DELDL", tools},
+                                      {"DZERO", tools},
+                                      {"TCA", tools},
+                                      {"TCI", tools},
+                                      {"PUTFTOC", tools},
+                                      {"PUTFTOCF", tools},
                                       {"ORIRESET", "the rotary axes do not turn"},
                                       {"TOFFON", "the offset is missing"},
                                       {"GETTCOR", values},

@@ -14,27 +14,42 @@ struct SiemensCode {
           .after("ParameterizedFlagSyntax")
           .before("SiemensPositionSyntax", "ProgramXyzSyntax");
 
+  static constexpr std::string_view thread = "the thread is not cut; its blocks move as the motion code before it says",
+                                    feed = "the feed and the speed that it sets are not known",
+                                    contour = "the way back to the contour is missing";
+
   iso::RecognisedCodes codes_{
       diag("SIE-0261"),
       {
           {ig::Call{{"TRANSMIT", "TRACYL", "TRAANG", "TRACON"}, ""},
            "the transformation is missing: machine coordinates are wrong up to TRAFOOF"},
-          {ig::Call{{"G33", "G34", "G35"}, "I J K"}, "the thread is not cut; its blocks move by feed"},
+          {ig::Call{{"G34", "G35"}, "I J K F[]"}, thread},
+          {ig::Call{{"G335", "G336"}, "I J K CR AR[deg]"}, thread},
           {ig::Call{{"CT", "POLY", "ASPLINE", "BSPLINE", "CSPLINE", "INVCW", "INVCCW"}, ""},
            "the curve is missing; its blocks move as the motion code before it says"},
           {ig::Call{{"ROTS", "AROTS", "CROTS"}, "X[deg] Y[deg] Z[deg]"}, "positions are not turned"},
           {ig::Call{{"G58", "G59"}, "X Y Z"}, "positions are not shifted"},
-          {ig::Call{{"G25", "G26"}, "X Y Z"}, "the limit of the working area or of the spindle speed is not watched"},
+          {ig::Call{{"G25", "G26"}, "X Y Z S[]"},
+           "the limit of the working area or of the spindle speed is not watched"},
           {ig::Call{{"G147", "G148", "G247", "G248", "G347", "G348"}, ""},
            "the soft approach or retraction is missing"},
           {ig::Call{{"G291"}, ""}, "the blocks up to G290 are ISO code and are read wrong"},
-          {ig::Call{{"G961", "G962", "G971", "G972"}, "S[]"}, "the speed of the spindle is not known"},
+          {ig::Call{{"G961", "G962", "G971", "G972", "G973"}, "S[]"}, "the speed of the spindle is not known"},
+          {ig::Call{{"G931", "G942", "G952"}, "S[] F[]"}, feed},
+          {ig::Call{{"REPOSL", "REPOSQ", "REPOSH", "REPOSA", "REPOSQA", "REPOSHA"}, "DISR DISPR[]"}, contour},
+          {ig::Call{{"G461", "G462"}, ""}, "the end of the contour is as under G460"},
+          {ig::Call{{"PTP", "PTPG0", "PTPWOC"}, ""}, "blocks go straight in the workpiece"},
+          {ig::Call{{"SON", "SONS", "PON", "PONS"}, ""}, "the strokes of the punch are missing"},
+          {ig::Call{{"CUTCONON"}, ""}, "the radius goes on being compensated"},
+          {ig::Call{{"FTOCON"}, ""}, "the tool is that of the table"},
           {ig::Call{{"TOFRAME", "TOFRAMEX", "TOFRAMEY", "TOFRAMEZ", "TOROT", "TOROTX", "TOROTY", "TOROTZ", "PAROT",
                      "TCOFR", "TCOFRX", "TCOFRY", "TCOFRZ"},
                     ""},
            "positions are not turned with the tool"},
-          {ig::Call{{"CUT3DC", "CUT3DF", "CUT3DFF", "CUT3DFS", "CUT3DCC", "CUT3DCCD"}, ""},
-           "the radius is compensated in the plane only"},
+          {ig::Call{{"CUT3DC", "CUT3DF", "CUT3DFF", "CUT3DFS", "CUT3DCC", "CUT3DCCD", "CUT3DCD", "CUT3DFD", "CUT2DD",
+                     "CUT2DFD"},
+                    ""},
+           "the radius is that of the table, and is compensated in the plane only"},
           {ig::Call{{"DIAMON", "DIAM90"}, ""}, "X is read as a radius"},
       }};
   struct Word {
@@ -45,9 +60,10 @@ struct SiemensCode {
   ig::Signal direction_said_{"SiemensCode.~DirectionSaid", ig::read | ig::write, ig::Life::modal};
 
   // Smoothing and limits: they change no end point.
-  std::array<ig::Word, 7> quiet_{ig::Word{"Parsing.ADIS"}, ig::Word{"Parsing.ADISPOS"}, ig::Word{"Parsing.CTOL"},
-                                 ig::Word{"Parsing.OTOL"}, ig::Word{"Parsing.STOLF"},   ig::Word{"Parsing.LIMS"},
-                                 ig::Word{"Parsing.DISC"}};
+  std::array<ig::Word, 10> quiet_{ig::Word{"Parsing.OVRRAP"}, ig::Word{"Parsing.ALF"},     ig::Word{"Parsing.DILF"},
+                                  ig::Word{"Parsing.ADIS"},   ig::Word{"Parsing.ADISPOS"}, ig::Word{"Parsing.CTOL"},
+                                  ig::Word{"Parsing.OTOL"},   ig::Word{"Parsing.STOLF"},   ig::Word{"Parsing.LIMS"},
+                                  ig::Word{"Parsing.DISC"}};
 
   ig::Status build(ig::Block& b) {
     bool any = codes_.say(b);

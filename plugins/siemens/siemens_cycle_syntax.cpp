@@ -1,5 +1,5 @@
 /// MCALL: a drilling cycle after each block that moves. The call is kept, and raised anew in each block that programs
-/// X, Y or Z, or a pattern of holes; MCALL alone ends it. A call without MCALL is left to the cycles, which drill where
+/// an axis, or a pattern of holes; MCALL alone ends it. A call without MCALL is left to the cycles, which drill where
 /// the tool stands.
 #include "hole_pattern.hpp"
 #include "siemens_diagnostics.hpp"
@@ -19,6 +19,8 @@ struct SiemensCycle {
   ig::InWhile<ig::Symbol> term_{"CannedCycle.Term", nullptr, ig::write};
   std::vector<std::vector<ig::Field<double>>> kept_ = all_kept();
   ig::Xyz words_{"Parsing", ig::read};
+  std::array<ig::Word, 3> angles_{ig::Word{"Parsing.A", ig::read, "deg"}, ig::Word{"Parsing.B", ig::read, "deg"},
+                                  ig::Word{"Parsing.C", ig::read, "deg"}};
   HolePattern pattern_{ig::take | ig::wake};
   ig::Signal subprogram_{"ModalCall.~InForce", ig::read, ig::Life::modal};
 
@@ -71,8 +73,13 @@ struct SiemensCycle {
     return true;
   }
 
+  /// A rotary axis alone is a move as well: the table turns the next hole under the tool.
+  bool moves(const ig::Block& b) const {
+    return b.get(words_).mask != 0 || b.has(angles_[0]) || b.has(angles_[1]) || b.has(angles_[2]);
+  }
+
   bool repeat(ig::Block& b, bool has_pattern) const {
-    if (!has_pattern && b.get(words_).mask == 0) return false;
+    if (!has_pattern && !moves(b)) return false;
     for (std::size_t i = 0; i < cycles_.size(); ++i) {
       if (!b.is(term_, cycles_[i].code().name(0))) continue;
       b.set_call(cycles_[i].code(), 0);

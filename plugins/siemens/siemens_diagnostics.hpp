@@ -256,7 +256,7 @@ inline constexpr std::array diagnostics{
                    "CYCLE800: status {0}: tracking the tip and aligning the tool are not executed",
                    "_ST: only the ones digit (new or additive) is.", "CYCLE800(0,\"\",100000,57,0,0,0,10,0,0)"),
     ig::diagnostic(IG_ERROR, "SIE-0261", "{0} is not executed: {1}", "The function is known by name only.",
-                   "G33 Z-10 K2"),
+                   "CT X10 Y5"),
     ig::diagnostic(IG_ERROR, "SIE-0262", "{0}", "The word is known by name only.", "G1 X10 FZ=0.1"),
     // patterns of holes
     ig::diagnostic(IG_ERROR, "SIE-0271", "{0} without a drilling cycle under MCALL: no hole is made",

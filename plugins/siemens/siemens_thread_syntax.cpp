@@ -1,5 +1,5 @@
-/// G331 and G332: tapping in step with the spindle, in and out, by a pitch of its own. G63: one block by feed, with a
-/// tap in a floating holder.
+/// G331 and G332: tapping in step with the spindle, in and out, by a pitch of its own. G33: a thread while the spindle
+/// turns on. G63: one block by feed, with a tap in a floating holder.
 #include <cmath>
 
 #include "cycle_spindle.hpp"
@@ -10,15 +10,15 @@ namespace {
 
 struct SiemensThread {
   static constexpr auto spec =
-      ig::syntax("SiemensThreadSyntax", "G331/G332 rigid tapping, G63 tapping by feed.")
+      ig::syntax("SiemensThreadSyntax", "G331/G332 rigid tapping, G33 threads, G63 tapping by feed.")
           .after("SiemensPositionSyntax", "FeedrateSyntax", "SpindleSpeedSyntax", "SiemensSpindlePositionSyntax")
           .before("SiemensCycleSyntax", "ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
 
-  ig::Call codes_{{"G331", "G332", "G63"}, "I J K"};
-  ig::Codes others_{{"G00", "G01", "G02", "G03", "G33", "CIP"}, ig::read};
+  ig::Call codes_{{"G331", "G332", "G63", "G33"}, "I J K"};
+  ig::Codes others_{{"G00", "G01", "G02", "G03", "CIP"}, ig::read};
   ig::Field<ig::Symbol> term_{"ThreadCutting.Term",
                               ig::read | ig::write | ig::wake_while,
-                              {ig::Life::modal, "", "G331 or G332, as long as no other motion code comes."}};
+                              {ig::Life::modal, "", "G331, G332 or G33, as long as no other motion code comes."}};
   ig::Field<double> pitch_{"ThreadCutting.Pitch",
                            ig::read | ig::write,
                            {ig::Life::modal, "mm", "Way of one turn, negative for a left-hand thread."}};
@@ -28,7 +28,7 @@ struct SiemensThread {
   iso::CycleSpindle spindle_;
   FeedInForce feed_;
   iso::LastProgramXyz last_;
-  ig::Name g63_{"G63"}, g332_{"G332"};
+  ig::Name g63_{"G63"}, g332_{"G332"}, g33_{"G33"};
 
   ig::Status build(ig::Block& b) {
     const auto call = b.take(codes_);
@@ -80,8 +80,16 @@ struct SiemensThread {
     if (!to || pitch == 0) return;
     const ig::Symbol code = b.get_or(term_, ig::Symbol{});
     if (rpm <= 0) b.report(diag("SIE-0285"), ig::Where::block(), b.text(code));
-    const bool turns_right = (pitch > 0) != (code == g332_);
     motion_.begin(b, code);
+    if (code == g33_) {  // the pitch is that of the axis that goes farthest
+      const ig::Vec3 way = *to - last_(b);
+      const double farthest = std::fmax(std::fabs(way.x), std::fmax(std::fabs(way.y), std::fabs(way.z)));
+      const double oblique = farthest > 0 ? iso::length(way) / farthest : 1;
+      motion_.feed_to(b, *to, std::fabs(pitch) * rpm / 60 * oblique);
+      b.set(program_, *to);
+      return;
+    }
+    const bool turns_right = (pitch > 0) != (code == g332_);
     spindle_.begin(b, motion_, ig::Spindle::stop);
     motion_.spindle(b, turns_right ? ig::Spindle::cw : ig::Spindle::ccw);
     motion_.feed_to(b, *to, std::fabs(pitch) * rpm / 60);

@@ -71,6 +71,14 @@ struct SiemensWord {
     run.words[run.count++] = {field, iso::column(begin), iso::column(end), {.number = value + 0.0}, 0, 0};
   }
 
+  /// ID=1 and IDS=1 begin a synchronized action, which SiemensCallSyntax says.
+  static bool is_action_number(std::string_view text, std::size_t begin) {
+    const std::size_t end = skip_name(text, begin);
+    const std::string_view name = piece(text, begin, end);
+    return (iso::equals_ignoring_case(name, "ID") || iso::equals_ignoring_case(name, "IDS")) &&
+           at(text, skip_blanks(text, end)) == '=';
+  }
+
   std::size_t item(ig::Block& b, std::string_view text, std::size_t begin, Run& run) {
     const char c = iso::to_upper(text[begin]);
     const std::size_t second = begin + 1;
@@ -79,6 +87,7 @@ struct SiemensWord {
       if (const std::size_t end = skip_name(text, begin); at(text, skip_blanks(text, end)) != '=')
         if (const std::string* const macro = environment_.store().macro(upper(piece(text, begin, end))))
           return expand(b, text, begin, end, *macro, run);
+    if (is_action_number(text, begin)) return begin;
     if (c == '$' || c == '_' || is_name_start(d)) return named(b, text, begin, run);
     if (c == 'R' && (is_digit(d) || d == '[')) return assignment(b, text, begin, run);
     const std::size_t number = skip_blanks(text, second);
@@ -429,7 +438,8 @@ struct SiemensWord {
 
   /// Speeds and accelerations of single axes.
   static bool changes_no_position(std::string_view name) {
-    for (const std::string_view known : {"FGREF[", "ACC[", "VELOLIM[", "JERKLIM[", "OVRA[", "FL[", "FA[", "ATOL["})
+    for (const std::string_view known : {"FGREF[", "ACC[", "VELOLIM[", "JERKLIM[", "ACCLIMA[", "VELOLIMA[", "JERKLIMA[",
+                                         "OVRA[", "FL[", "FA[", "ATOL[", "POLF["})
       if (name.starts_with(known)) return true;
     return false;
   }

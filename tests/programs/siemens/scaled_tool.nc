@@ -1,0 +1,24 @@
+; SCALE does not scale the radius of the tool, MIRROR keeps it beside the contour; a rotary axis alone calls the cycle.
+G17 G90 G54 G0 X0 Y0 Z10 F100 S1000 M3
+T1 M6
+SCALE X2 Y2 Z2
+G1 G41 X10 Y0
+X10 Y30
+G2 X20 Y40 CR=10
+G1 X30
+G40 X50 Y50
+SCALE
+G0 X0 Y0
+MIRROR X0
+G1 G41 X10 Y0
+X10 Y30
+G2 X20 Y40 CR=10
+G1 X40
+G40 X50 Y50
+MIRROR
+G0 X20 Y0 Z10
+MCALL CYCLE81(10,0,1,-5)
+C90
+G1 C180
+MCALL
+M30
