@@ -1,5 +1,6 @@
 // The program number O1234 or :1234, or the name <PART>, which begins a program. Several programs may follow each other
 // in a file; the control does not run from one into the next, so the second one ends the run.
+#include <algorithm>
 #include <string>
 
 #include "frame_tag.hpp"
@@ -52,13 +53,20 @@ struct ProgramNumberSyntax {
     b.end_program();
   }
 
+  /// Of letters, digits and + - _ . alone: a tag of XML is no program.
+  static bool is_name(std::string_view text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+      return is_letter(c) || is_digit(c) || std::string_view("+-_.").find(c) != std::string_view::npos;
+    });
+  }
+
   std::size_t read_name(std::string_view text, std::size_t position) {
     const bool is_o = to_upper(text[position]) == 'O';
     if (is_o && begins_o_word(text, position)) return position;
     const std::size_t start = text[position] == '<' ? position : skip_blanks(text, position + 1);
     if (at(text, start) == '<') {
       const std::size_t close = skip_bracketed(text, start);
-      if (text[close - 1] != '>') return position;
+      if (text[close - 1] != '>' || !is_name(piece(text, start + 1, close - 1))) return position;
       name.assign(piece(text, start, close));
       return close;
     }
