@@ -138,10 +138,7 @@ class CannedCycle {
   double stroke_feed(ig::Block& b, double length_mm) const {
     const double mmds = feed_.mmds(b, [length_mm] { return length_mm; });
     if (mmds > 0) return mmds;
-    if (!feed_.value(b))
-      b.report(diag("ISO-0302"), ig::Where::block());
-    else if (!feed_.is_inverse_time(b))
-      b.report(diag("ISO-0303"), ig::Where::block());
+    if (!feed_.value(b) || !feed_.is_inverse_time(b)) feed_.say_missing(b);
     return mmds;
   }
 

@@ -136,7 +136,7 @@ struct CircularPocket {
 
   void mill(ig::Block& b, const ig::Words& words, Pocket& pocket) const {
     const double mmds = feed_.mmds(b, [&] { return way_of(pocket); });
-    if (mmds <= 0) b.report(feed_.value(b) ? diag("ISO-0303") : diag("ISO-0302"), ig::Where::block());
+    if (mmds <= 0) feed_.say_missing(b);
     const ToolSteps::Manner feed{false, mmds > 0 ? std::optional(mmds) : std::nullopt, 0};
     for (std::int64_t pass = 0; pass < pocket.passes; ++pass) {
       const double depth = target(b, 2, pocket.center.z, words);

@@ -70,10 +70,11 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_ERROR, "ISO-0210", "F{0}: a feed is greater than zero; the feed of before stays in force",
                    "A control stops at the next feed move with F0 or a negative F. Nothing is written for it here.",
                    "G01 X10. F0"),
-    ig::diagnostic(IG_WARNING, "ISO-0211", "{0} without F: the feed in force was given in {1}; none is in force now",
+    ig::diagnostic(IG_ERROR, "ISO-0211", "a feed move without a feed: {0} ended the one given in {1}, and no F follows",
                    "F200 is 200 mm/min under G94 and 200 mm/rev under G95. Where the dialect says "
-                   "mode-change=\"require-f\", changing the mode ends the old feed: program F in this block.",
-                   "G95"),
+                   "mode-change=\"require-f\", changing the mode ends the old feed: program F beside the new mode, or "
+                   "before the first feed move. The move is kept, without a feed.",
+                   "G95 (F100 before), then G01 X10."),
     ig::diagnostic(IG_ERROR, "ISO-0212", "S{0}: a spindle speed is not negative; the speed of before stays in force",
                    "The direction comes from M03 and M04, never from the sign of S.", "M03 S-500"),
     ig::diagnostic(IG_ERROR, "ISO-0213", "T{0} is no tool number",

@@ -12,7 +12,11 @@ namespace iso {
 class FeedInForce {
  public:
   explicit FeedInForce(ig::Access access = ig::read)
-      : value_("Feedrate.FeedrateValue", access), term_("Feedrate.Term", access), unit_("Feedrate.Unit", access) {}
+      : value_("Feedrate.FeedrateValue", access),
+        term_("Feedrate.Term", access),
+        unit_("Feedrate.Unit", access),
+        ended_unit_("Feedrate.EndedUnit", access,
+                    {ig::Life::modal, "", "What the feed counted that G94 or G95 ended; gone with the next F."}) {}
 
   /// F becomes the modal feed, in the mode in force (G94 when none is). Nothing is written without F, nor for one that
   /// is no feed, which is said.
@@ -23,6 +27,7 @@ class FeedInForce {
       return;
     }
     b.set(value_, *f);
+    if (b.has(ended_unit_)) b.erase(ended_unit_);
     if (!b.has(term_)) set_mode(b, g94_);
   }
 
@@ -34,6 +39,22 @@ class FeedInForce {
 
   /// No feed is in force any more, until the next F.
   void forget(ig::Block& b) const { b.erase(value_); }
+
+  /// As forget(), before the mode is set anew: the first feed move without F says why there is none.
+  void end(ig::Block& b) const {
+    if (const auto unit = b.get(unit_)) b.set(ended_unit_, *unit);
+    forget(b);
+  }
+
+  /// No F is in force, or one for each revolution of a spindle that does not turn.
+  void say_missing(ig::Block& b) const {
+    if (value(b))
+      b.report(diag("ISO-0303"), ig::Where::block());
+    else if (const auto unit = b.get(ended_unit_))
+      b.report(diag("ISO-0211"), ig::Where::block(), b.text(mode(b)), b.text(*unit));
+    else
+      b.report(diag("ISO-0302"), ig::Where::block());
+  }
 
   /// As programmed: mm/min, mm/rev or 1/min.
   std::optional<double> value(const ig::Block& b) const { return b.get(value_); }
@@ -57,6 +78,7 @@ class FeedInForce {
   ig::Field<double> value_;
   ig::Field<ig::Symbol> term_;
   ig::Field<ig::Symbol> unit_;
+  ig::Field<ig::Symbol> ended_unit_;
   ig::In<double> spindle_speed_{"SpindleSpeed.SpindleSpeed_rpm"};
   ig::Name g93_{"G93"}, g94_{"G94"}, g95_{"G95"};
   ig::Name per_minute_{"1/min"}, mm_per_minute_{"mm/min"}, mm_per_revolution_{"mm/rev"};

@@ -93,9 +93,8 @@ class BlockMotion {
 
   /// A feed move without a feed; under G93 a path without length needs none.
   void say_no_feed(ig::Block& b) const {
-    const bool has_value = feed_.value(b).has_value();
-    if (has_value && feed_.is_inverse_time(b)) return;
-    b.report(has_value ? diag("ISO-0303") : diag("ISO-0302"), ig::Where::block());
+    if (feed_.value(b) && feed_.is_inverse_time(b)) return;
+    feed_.say_missing(b);
   }
 
   ig::In<ig::Symbol> compound_{"CompoundMotion.Term"};
