@@ -91,9 +91,9 @@ class BlockMotion {
 
   static ig_value symbol(ig::Symbol s) { return ig::detail::ValueOf<ig::Symbol>::write(s); }
 
-  /// A feed move without a feed; under G93 a path without length needs none.
+  /// A feed move without a feed; under G93 a path without length needs none, and what G96 leaves unknown was said.
   void say_no_feed(ig::Block& b) const {
-    if (feed_.value(b) && feed_.is_inverse_time(b)) return;
+    if (feed_.value(b) && (feed_.is_inverse_time(b) || b.is(speed_mode_, surface_))) return;
     feed_.say_missing(b);
   }
 
@@ -105,6 +105,8 @@ class BlockMotion {
   ig::Out<bool> is_ccw_{"MotionEvent.IsCcw"};
   ig::Out<std::int64_t> circles_{"MotionEvent.AdditionalCircleNum"};
   ig::Signal turns_{"PivotTransform.~Turns", ig::read};
+  ig::In<ig::Symbol> speed_mode_{"SpindleSpeed.Term"};
+  ig::Name surface_{"G96"};
   ig::Name linear_{"McLinear"}, arc_{"McArc"}, led_{"ClLinear"};
   FeedInForce feed_;
 };
