@@ -35,7 +35,8 @@ struct SiemensArc {
   ig::Signal uneven_{"ProgrammableFrame.~Uneven", ig::read, ig::Life::modal};
   iso::PlaneInForce plane_;
   iso::LastProgramXyz last_;
-  ig::Name g03_{"G03"};
+  ig::Name g02_{"G02"}, g03_{"G03"};
+  ig::Signal radius_said_{"SiemensArc.~RadiusSaid", ig::read | ig::write, ig::Life::modal};
 
   ig::Status build(ig::Block& b) {
     const bool cip = b.take(cip_).has_value();
@@ -44,7 +45,12 @@ struct SiemensArc {
     if (!cip && b.is_raised(through_) && (arc || b.find(others_))) b.erase(through_);
     bool any = cip;
     if (const auto cr = b.take(cr_)) {
-      b.set(r_, *cr);
+      const bool is_arc = arc || (!b.find(others_) && (b.is(clockwise_, g02_) || b.is(counterclockwise_, g03_)));
+      if (is_arc)
+        b.set(r_, *cr);
+      else if (!b.is_raised(radius_said_))
+        b.report(diag("SIE-0290"), ig::Where::word(cr_.id()), *cr);
+      if (!is_arc) b.raise(radius_said_);
       any = true;
     }
     if (b.is_raised(through_)) return through_point(b, cip) || any ? ig::Status::changed : ig::Status::unchanged;

@@ -33,7 +33,8 @@ struct SiemensCall {
                                    .before("UnitModeSyntax", "ProgramEndSyntax")
                                    .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_");
 
-  // Messages and pictures; what the path is measured on; other channels; couplings of spindles.
+  // Messages and pictures; what the path is measured on; other channels; couplings of spindles, and the end of
+  // couplings, of the handwheel's offset and of synchronized actions, which are not executed either.
   ig::TextOption silent_list_{
       "silent",
       "MSG WORKPIECE GROUP_BEGIN GROUP_END GROUP_ADDEND E_END SETMS FGROUP CYCLE832 WAITM WAITMC SETM "
@@ -91,7 +92,8 @@ struct SiemensCall {
       if (!read_arguments(b, text.substr(0, close), next)) return close;
       next = skip_blanks(text, close);
     } else if (is_foreign_cycle(name) && !silent_.holds(name)) {
-      b.report(diag("SIE-0181"), ig::Where::columns(position, end), std::string_view(name));
+      environment_.report_once(b, diag("SIE-0181"), ig::Where::columns(position, end), position,
+                               std::string_view(name));
       return end;
     } else if (const std::string_view missing = not_executed(name); !missing.empty()) {
       b.report(diag("SIE-0174"), ig::Where::columns(position, end), std::string_view(name), missing);
@@ -286,7 +288,7 @@ struct SiemensCall {
   bool is_known(ig::Block& b, std::string_view text, const std::string& name, std::size_t open, std::size_t close) {
     const auto where = ig::Where::columns(begin_, close);
     if (is_foreign_cycle(name) && !silent_.holds(name)) {
-      b.report(diag("SIE-0181"), where, std::string_view(name));
+      environment_.report_once(b, diag("SIE-0181"), where, begin_, std::string_view(name));
       return true;
     }
     if (name == "SETAL") {
@@ -454,7 +456,8 @@ struct SiemensCall {
     }
     if (const std::size_t rest = skip_blanks(text, end_); !is_alone(text, rest)) {
       const std::size_t last = statement_text_end(text, rest);
-      b.report(diag("SIE-0173"), ig::Where::columns(begin_, last), std::string_view(name), piece(text, rest, last));
+      environment_.report_once(b, diag("SIE-0173"), ig::Where::columns(begin_, last), begin_, std::string_view(name),
+                               piece(text, rest, last));
       return statement_end(text, rest);
     }
     if (b.is_raised(call_)) {

@@ -23,7 +23,6 @@ struct SiemensCode {
       {
           {ig::Call{{"TRANSMIT", "TRACYL", "TRAANG", "TRACON"}, ""},
            "the transformation is missing: machine coordinates are wrong up to TRAFOOF"},
-          {ig::Call{{"G34", "G35"}, "I J K F[]"}, thread},
           {ig::Call{{"G335", "G336"}, "I J K CR AR[deg]"}, thread},
           {ig::Call{{"CT", "POLY", "ASPLINE", "BSPLINE", "CSPLINE", "INVCW", "INVCCW"}, ""},
            "the curve is missing; its blocks move as the motion code before it says"},
@@ -59,30 +58,36 @@ struct SiemensCode {
   std::vector<Word> words_ = declared_words();
   ig::Signal direction_said_{"SiemensCode.~DirectionSaid", ig::read | ig::write, ig::Life::modal};
 
-  // Smoothing and limits: they change no end point.
-  std::array<ig::Word, 10> quiet_{ig::Word{"Parsing.OVRRAP"}, ig::Word{"Parsing.ALF"},     ig::Word{"Parsing.DILF"},
+  // Smoothing and limits, the angle at which a thread begins: they change no end point. Of splines: the code says that
+  // the curve is missing.
+  std::array<ig::Word, 14> quiet_{ig::Word{"Parsing.OVRRAP"}, ig::Word{"Parsing.ALF"},     ig::Word{"Parsing.DILF"},
                                   ig::Word{"Parsing.ADIS"},   ig::Word{"Parsing.ADISPOS"}, ig::Word{"Parsing.CTOL"},
                                   ig::Word{"Parsing.OTOL"},   ig::Word{"Parsing.STOLF"},   ig::Word{"Parsing.LIMS"},
-                                  ig::Word{"Parsing.DISC"}};
+                                  ig::Word{"Parsing.DISC"},   ig::Word{"Parsing.SF"},      ig::Word{"Parsing.SD"},
+                                  ig::Word{"Parsing.PW"},     ig::Word{"Parsing.PL"}};
 
   ig::Status build(ig::Block& b) {
     bool any = codes_.say(b);
     for (const ig::Word& word : quiet_) any |= b.take(word).has_value();
     std::string_view said;  // of words that belong together the first one is said
     for (const Word& word : words_) {
-      if (!b.has(word.word)) continue;
+      const auto value = b.take(word.word);
+      if (!value) continue;
+      any = true;
+      if (*value == 0 && is_additional(word.missing)) continue;  // the end of it
       const bool is_direction = word.missing.ends_with("the tool keeps its direction");
       if (is_direction ? !b.is_raised(direction_said_) : word.missing != said)
         b.report(diag("SIE-0262"), ig::Where::word(word.word.id()), word.missing);
       said = word.missing;
       if (is_direction) b.raise(direction_said_);
-      b.take(word.word);
-      any = true;
     }
     return any ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
+  static bool is_additional(std::string_view missing) {
+    return missing.starts_with("OFFN=") || missing.starts_with("TOFF") || missing.starts_with("DL=");
+  }
   static std::vector<Word> declared_words() {
     struct Known {
       const char* name;

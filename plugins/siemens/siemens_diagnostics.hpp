@@ -40,10 +40,11 @@ inline constexpr std::array diagnostics{
         IG_ERROR, "SIE-0110", "the value of {0} is not known here",
         "The variable belongs to the running machine. Give it a value in a table of variables (--variables FILE).",
         "R1=$AC_TIME"),
-    ig::diagnostic(IG_ERROR, "SIE-0111", "no variable is called {0}",
-                   "The program does not define it: it may be a user variable of the machine (GUD). Give it a value in "
-                   "a table of variables (--variables FILE).",
-                   "X=PART_LENGTH"),
+    ig::diagnostic(
+        IG_ERROR, "SIE-0111", "no variable is called {0}",
+        "The program does not define it: it may be a user variable of the machine (GUD). What needs its value "
+        "is not executed. Give it one in a table of variables (--variables FILE). Said once for each.",
+        "X=PART_LENGTH"),
     ig::diagnostic(IG_WARNING, "SIE-0112", "{0} was given no value: read as 0",
                    "R parameters keep their values between programs. Give it one in a table of variables (--variables "
                    "FILE). Said once for each.",
@@ -63,7 +64,7 @@ inline constexpr std::array diagnostics{
                    "A number holds one decimal point, and no comma.", "G1 X1.2.3 F100"),
     ig::diagnostic(IG_ERROR, "SIE-0124", "no variable is called {0}: nothing is assigned",
                    "The program does not define it: it may be a user variable of the machine (GUD). Give it a value in "
-                   "a table of variables (--variables FILE).",
+                   "a table of variables (--variables FILE). Said once for each.",
                    "PART_LENGTH=5"),
     ig::diagnostic(IG_ERROR, "SIE-0125", "'{0}' is no code", "G and M codes are whole numbers.", "G54.1 P3"),
     ig::diagnostic(IG_WARNING, "SIE-0126", "'{0}' is for another spindle, or an auxiliary function: it is not executed",
@@ -250,13 +251,12 @@ inline constexpr std::array diagnostics{
                    "Axis by axis (57, 27 and so on) and solid angle are executed.",
                    "CYCLE800(0,\"\",0,192,0,0,0,10,20)"),
     ig::diagnostic(IG_WARNING, "SIE-0253", "CYCLE800: the way back before swivelling is missing",
-                   "_FR moves Z, or the tool along its axis, to positions of the machine builder.",
+                   "_FR moves Z, or the tool along its axis, to positions of the machine builder. Said once.",
                    "CYCLE800(1,\"\",0,57,0,0,0,10,0,0)"),
     ig::diagnostic(IG_WARNING, "SIE-0254",
                    "CYCLE800: status {0}: tracking the tip and aligning the tool are not executed",
                    "_ST: only the ones digit (new or additive) is.", "CYCLE800(0,\"\",100000,57,0,0,0,10,0,0)"),
-    ig::diagnostic(IG_ERROR, "SIE-0261", "{0} is not executed: {1}", "The function is known by name only.",
-                   "CT X10 Y5"),
+    ig::diagnostic(IG_ERROR, "SIE-0261", "{0} is not executed: {1}", "The function is known by name only.", "TRANSMIT"),
     ig::diagnostic(IG_ERROR, "SIE-0262", "{0}", "The word is known by name only.", "G1 X10 FZ=0.1"),
     // patterns of holes
     ig::diagnostic(IG_ERROR, "SIE-0271", "{0} without a drilling cycle under MCALL: no hole is made",
@@ -289,6 +289,13 @@ inline constexpr std::array diagnostics{
                    "I, J or K is the pitch, for X, Y and Z; a negative one is a left-hand thread.", "G331 Z-10"),
     ig::diagnostic(IG_ERROR, "SIE-0285", "{0}: the speed of the spindle is not known, so neither is the feed",
                    "Program S before, or in the block.", "G331 Z-10 K1.5 (without S)"),
+    ig::diagnostic(IG_WARNING, "SIE-0290", "CR={0} without G2 or G3: it is not used",
+                   "The radius belongs to an arc of its own block. Said once.", "G1 X10 CR=5"),
+    ig::diagnostic(IG_ERROR, "SIE-0291", "{0}: the pitch stays as it begins: its change (F) is not executed",
+                   "The end point is right; the speed along the thread is not.", "G34 Z-30 K2 F0.1"),
+    ig::diagnostic(IG_WARNING, "SIE-0292", "{0}: the axis goes with the path of its block, not by a feed of its own",
+                   "A positioning axis moves by FA[…], whatever the path does. Its position is right. Said once.",
+                   "POS[Z]=50 FA[Z]=2000"),
     // corners
     ig::diagnostic(IG_ERROR, "SIE-0286", "{0}{1} is less than 0: the corner stays sharp",
                    "Lengths and radii of corners are 0 or more.", "G1 X10 RND=-2"),

@@ -20,6 +20,12 @@ class Environment {
 
   VariableStore& store() const { return const_cast<VariableStore&>(*store_.operator->()); }
 
+  /// A name that is missing is missing wherever it stands: it is said once, an array without its indices.
+  void report_name(ig::Block& b, std::uint32_t diagnostic, const ig::Where& where, const std::string& name) const {
+    const std::string base = name.substr(0, name.find('['));
+    if (store().say_once(std::to_string(diagnostic) + '\n' + base)) b.report(diagnostic, where, std::string_view(base));
+  }
+
   /// Before variables are read or written in a block.
   void enter(ig::Block& b) const { store().enter(flow.frame(b).id); }
 

@@ -65,7 +65,8 @@ std::optional<Value> Expression::level(int priority) {
   for (int count = 0; left; ++count) {
     const std::string_view op = take_operator(priority);
     if (op.empty()) break;
-    if (count == 1 && priority == loosest) b_.report(diag("SIE-0108"), ig::Where::columns(begin, at_), shown(begin));
+    if (count == 1 && priority == loosest)
+      environment_.report_once(b_, diag("SIE-0108"), ig::Where::columns(begin, at_), begin, shown(begin));
     const auto right = level(priority - 1);
     if (!right) return std::nullopt;
     left = apply(op, *left, *right, begin);
@@ -299,9 +300,11 @@ std::optional<Value> Expression::read(const Reference& r) {
   if (r.name[0] == '$')
     if (const auto n = environment_.system.read(b_, r.name)) return Value::real(*n);
   at_ = r.end;
-  if (!failed_)
-    environment_.report_once(b_, r.name[0] == '$' ? diag("SIE-0110") : diag("SIE-0111"),
-                             ig::Where::columns(r.begin, r.end), r.begin, std::string_view(r.name));
+  const auto where = ig::Where::columns(r.begin, r.end);
+  if (!failed_ && r.name[0] == '$')
+    environment_.report_once(b_, diag("SIE-0110"), where, r.begin, std::string_view(r.name));
+  else if (!failed_)
+    environment_.report_name(b_, diag("SIE-0111"), where, r.name);
   failed_ = true;
   return std::nullopt;
 }

@@ -31,6 +31,7 @@ struct SiemensSwivel {
                                         ig::In<double>{"MachineCoordinate.C"}};
   iso::ToolKinematics machine_;
   ig::Name g68_2_{"G68.2"}, g68_4_{"G68.4"};
+  ig::Signal way_said_{"SiemensSwivel.~WaySaid", ig::read | ig::write, ig::Life::modal};
 
   ig::Status build(ig::Block& b) {
     std::uint32_t found = 0;
@@ -80,7 +81,10 @@ struct SiemensSwivel {
       cancel(b);
       return;
     }
-    if (v[fr].value_or(0) != 0) b.report(diag("SIE-0253"), where);
+    if (v[fr].value_or(0) != 0 && !b.is_raised(way_said_)) {
+      b.report(diag("SIE-0253"), where);
+      b.raise(way_said_);
+    }
     const std::int64_t way = *whole_mode / 64;
     std::array<std::size_t, 3> axes{static_cast<std::size_t>(*whole_mode % 4),
                                     static_cast<std::size_t>(*whole_mode / 4 % 4),

@@ -90,6 +90,7 @@ struct SiemensWord {
     if (is_action_number(text, begin)) return begin;
     if (c == '$' || c == '_' || is_name_start(d)) return named(b, text, begin, run);
     if (c == 'R' && (is_digit(d) || d == '[')) return assignment(b, text, begin, run);
+    if (is_digit(d) && is_assigned_variable(b, text, begin)) return assignment(b, text, begin, run);
     const std::size_t number = skip_blanks(text, second);
     const char v = at(text, number);
     if (v == '=' && at(text, number + 1) != '=') return valued(b, text, begin, second, number + 1, run);
@@ -205,6 +206,7 @@ struct SiemensWord {
       const bool is_variable = environment_.store().find(name) != nullptr || environment_.store().given(name);
       const bool has_number =
           is_digit(name.back()) && iso::is_letter(name[0]) && iso::skip_digits(name, 1) == name.size();
+      if (!is_variable && (name == "ID" || name == "IDS")) return begin;  // a synchronized action
       if (!is_variable && (fields_.address(name) != IG_NO_FIELD || has_number))
         return valued(b, text, begin, end, behind + 1, run);
       return assignment(b, text, begin, run);
@@ -224,6 +226,7 @@ struct SiemensWord {
     const bool has_number = name.size() > 1 && iso::skip_digits(name, 1) == name.size();
     const std::size_t value_at = skip_blanks(text, equals);
     if (name == "T" || name == "D") return tool(b, text, begin, value_at, run, name);
+    if (name[0] == 'T' && has_number) return tool_of_spindle(b, text, begin, value_at, run, name.substr(1));
     const ig::Symbol mode = take_mode(b, text, value_at);
     Expression e(b, environment_, text, mode == ig::Symbol{} ? value_at : at_bracket_);
     const auto value = e.number();
@@ -277,7 +280,7 @@ struct SiemensWord {
     const char letter = name[0];
     const bool is_master = name.size() == 1 || is_master_spindle(name.substr(1)) || (letter == 'M' && name == "M0");
     if (!is_master || letter == 'H') {
-      b.report(diag("SIE-0126"), columns(begin, end), piece(text, begin, end));
+      b.report(diag("SIE-0126"), columns(begin, end), iso::trim(piece(text, begin, end)));
       return end;
     }
     if (letter == 'S') {
@@ -338,6 +341,16 @@ struct SiemensWord {
     return name.starts_with("SPOS[") || name.starts_with("SPOSA[") || name.starts_with("LIMS[");
   }
 
+  /// T1=5 and T2="DRILL": the number behind T is the spindle.
+  std::size_t tool_of_spindle(ig::Block& b, std::string_view text, std::size_t begin, std::size_t value_at, Run& run,
+                              const std::string& number) const {
+    if (is_master_spindle(number)) return tool(b, text, begin, value_at, run, "T");
+    Expression e(b, environment_, text, value_at);
+    if (!e.value()) return line_end_of_fault(text, std::max(e.position(), value_at));
+    b.report(diag("SIE-0126"), columns(begin, e.position()), iso::trim(piece(text, begin, e.position())));
+    return e.position();
+  }
+
   std::size_t tool(ig::Block& b, std::string_view text, std::size_t begin, std::size_t value_at, Run& run,
                    const std::string& name) const {
     const std::size_t end_of_name = skip_name(text, value_at);
@@ -392,6 +405,11 @@ struct SiemensWord {
     environment_.enter(b);
     if (reference->name.size() == 5 && reference->name.starts_with("AX["))  // AX[NAME], NAME of type AXIS
       return valued_as(b, text, begin, equals, reference->name.substr(3, 1), run);
+    if (const char axis = positioning_axis(reference->name); axis != '\0') {
+      if (environment_.store().say_once("POS"))
+        b.report(diag("SIE-0292"), columns(begin, target.position()), std::string_view(reference->name));
+      return valued_as(b, text, begin, equals, std::string(1, axis), run);
+    }
     if (const std::size_t name_end = axis_name_end(text, equals, reference->name); name_end != 0) {
       const std::size_t value_at = skip_blanks(text, equals + 1);
       environment_.store().find(reference->name)->value = Value::string(upper(piece(text, value_at, name_end)));
@@ -407,7 +425,10 @@ struct SiemensWord {
     if (!reference->is_r && is_unknown_array && !environment_.store().given(reference->name) &&
         !changes_no_position(reference->name)) {
       const std::size_t end = statement_text_end(text, equals);
-      environment_.report_once(b, diag("SIE-0131"), columns(begin, end), begin, std::string_view(reference->name));
+      if (is_of_control(reference->name))
+        environment_.report_once(b, diag("SIE-0131"), columns(begin, end), begin, std::string_view(reference->name));
+      else
+        environment_.report_name(b, diag("SIE-0124"), columns(begin, target.position()), reference->name);
       return end;
     }
     if (const ig::Symbol mode = take_mode(b, text, skip_blanks(text, equals + 1)); mode != ig::Symbol{}) {
@@ -434,6 +455,27 @@ struct SiemensWord {
     if (!is_name_start(at(text, value_at)) || end > value_at + 3 || behind == '(' || behind == '[' || behind == '<')
       return 0;
     return environment_.store().find(upper(piece(text, value_at, end))) == nullptr ? end : 0;
+  }
+
+  /// Z of POS[Z] and POSA[Z].
+  static char positioning_axis(std::string_view name) {
+    for (const std::string_view known : {"POS[", "POSA["})
+      if (name.starts_with(known) && name.size() == known.size() + 2) return name[known.size()];
+    return '\0';
+  }
+
+  /// X1=, where the program has defined X1.
+  bool is_assigned_variable(ig::Block& b, std::string_view text, std::size_t begin) const {
+    const std::size_t end = skip_name(text, begin), equals = skip_blanks(text, end);
+    if (at(text, equals) != '=' || at(text, equals + 1) == '=' || environment_.flow.is_indexing()) return false;
+    environment_.enter(b);
+    return environment_.store().find(upper(piece(text, begin, end))) != nullptr;
+  }
+
+  /// Axes, spindles and codes by index: no variable of a machine is called so.
+  static bool is_of_control(std::string_view name) {
+    const std::string_view base = name.substr(0, name.find('['));
+    return base.size() == 1 || base == "AX" || base.starts_with("POS") || base == "MOV" || base == "FDA";
   }
 
   /// Speeds and accelerations of single axes.
@@ -473,7 +515,7 @@ struct SiemensWord {
       return;
     }
     if (model == nullptr) {
-      environment_.report_once(b, diag("SIE-0124"), columns(begin, end), begin, std::string_view(to.name));
+      environment_.report_name(b, diag("SIE-0124"), columns(begin, end), to.name);
       return;
     }
     auto fitting = value.as(model->value.type);

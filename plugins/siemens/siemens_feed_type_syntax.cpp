@@ -1,0 +1,36 @@
+/// G96 and its kin stand in one group with G93, G94 and G95: they say what F counts, too. G96 counts it per revolution,
+/// G961 per minute, G962 as before. What is left of them is G96 or G97, as SpindleSpeedSyntax knows them.
+#include <isogloss/sdk.hpp>
+
+namespace siemens {
+namespace {
+
+struct SiemensFeedType {
+  static constexpr auto spec = ig::syntax("SiemensFeedTypeSyntax", "G96, G961, G962, G971 and G972: what F counts.")
+                                   .before("FeedrateSyntax", "SpindleSpeedSyntax");
+
+  ig::Codes kin_{"G961", "G971", "G962", "G972"};
+  ig::Codes constant_{{"G96"}, ig::read | ig::write | ig::wake};
+  ig::Codes ended_{{"G97"}, ig::write};
+  ig::Codes types_{{"G93", "G94", "G95"}, ig::read | ig::write};
+
+  ig::Status build(ig::Block& b) {
+    const auto kin = b.take(kin_);
+    if (!kin && !b.find(constant_)) return ig::Status::unchanged;
+    if (kin) raise(b, *kin % 2 == 0 ? constant_.id(0) : ended_.id(0));
+    const bool keeps_type = kin && *kin >= 2;
+    if (keeps_type || b.find(types_)) return kin ? ig::Status::changed : ig::Status::unchanged;
+    raise(b, types_.id(kin ? per_minute : per_revolution));
+    return ig::Status::changed;
+  }
+
+ private:
+  static constexpr std::size_t per_minute = 1, per_revolution = 2;
+
+  static void raise(ig::Block& b, ig_field code) { b.host()->set(b.raw(), code, {.integer = 1}); }
+};
+
+const ig::Register<SiemensFeedType> registered;
+
+}  // namespace
+}  // namespace siemens
