@@ -13,6 +13,7 @@ namespace {
 enum class Approach { a, b, parameter };
 enum class Interference { alarm, avoid, ignore };
 enum class WithoutMove { next_move, at_once };
+enum class EndOff { said, allowed };
 
 struct RadiusCompensationPath {
   static constexpr auto spec =
@@ -68,6 +69,8 @@ struct RadiusCompensationPath {
   ig::Choice<WithoutMove> without_move_{"without-move", "next-move|at-once", "next-move",
                                         "When the tool starts up and cancels in a block without a move: with the next "
                                         "move, or there and then (type C)."};
+  ig::Choice<EndOff> end_off_{"end-off", "said|allowed", "said",
+                              "A program that ends with compensation cancelled, the tool still beside the contour."};
   ig::IntegerOption compared_{
       "moves-compared", "8", {1, 8}, "Moves ahead that a block is compared with for interference."};
   ig::IntegerOption rests_allowed_{"blocks-without-move",
@@ -96,7 +99,8 @@ struct RadiusCompensationPath {
       b.alarm();
       tool_ = {};
     }
-    if (tool_.is_off && b.has(program_end_)) b.report(radius_diag("ISO-0473"), ig::Where::block());
+    const bool may_end = end_off_ == EndOff::allowed && offset == 0;
+    if (tool_.is_off && b.has(program_end_) && !may_end) b.report(radius_diag("ISO-0473"), ig::Where::block());
     switch (now.kind) {
       case ContourMotion::Kind::by_steps: return suspend(b, now);
       case ContourMotion::Kind::rest: return rest_or_step(b, now, offset);
