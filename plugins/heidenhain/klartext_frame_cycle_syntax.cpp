@@ -14,6 +14,9 @@ struct KlartextFrameCycle {
 
   CycleText text_;
   HolePattern pattern_{ig::write};
+  CycleDefinition definition_{ig::write};
+  ig::Field<std::int64_t> in_force_{
+      "CycleDefinition.Number", ig::read, {ig::Life::modal, "", "The cycle that CYCL CALL runs."}};
   ig::Out<bool> call_{"KlartextCycle.IsCalled",
                       {ig::Life::block, "", "The block calls the cycle: CYCL CALL, M99 or M89."}};
   ig::Field<double> preset_number_{"Parsing.DATUM_PRESET", ig::write, {ig::Life::word, "", ""}};
@@ -83,7 +86,11 @@ struct KlartextFrameCycle {
       const std::size_t i = HolePattern::index_of(q);
       if (i >= pattern_parameters.size()) return;
       const double metric = text_.metric(b, pattern_parameters[i].unit, value);
-      if (std::isfinite(metric)) pattern_.set(b, q, metric);
+      if (!std::isfinite(metric)) return;
+      pattern_.set(b, q, metric);
+      // Clearances and surface are parameters of the cycle, too: they stay for the calls behind the pattern.
+      if (index_of_parameter(q) < cycle_parameters.size() && b.get_or(in_force_, std::int64_t{0}) >= 200)
+        definition_.set(b, q, metric);
     });
     static constexpr std::array<std::uint32_t, 4> of_circle{216, 217, 244, 241};
     static constexpr std::array<std::uint32_t, 6> of_rows{225, 226, 237, 238, 242, 243};
