@@ -1,5 +1,7 @@
 // Cycles that act where they are defined: datum shift, mirror image, dwell, rotation, preset, patterns of holes. Each
-// is done here, or handed to the syntax that executes it; TRANS DATUM does what cycle 7 does.
+// is done here, or handed to the syntax that executes it; TRANS DATUM, MIRROR and ROTATION do what cycles 7, 8, 10 do.
+#include <algorithm>
+
 #include "cycle_text.hpp"
 #include "hole_pattern.hpp"
 
@@ -34,6 +36,7 @@ struct KlartextFrameCycle {
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (!stands_first(text, position)) return position;
+    if (const std::size_t end = trans(b, text, position); end != position) return end;
     const std::size_t definition = keyword(text, position, "CYCL DEF"), datum = keyword(text, position, "TRANS DATUM");
     const std::size_t pause = keyword(text, position, "FUNCTION DWELL TIME");
     if (definition == position && datum == position && pause == position) return position;
@@ -125,7 +128,7 @@ struct KlartextFrameCycle {
         if (part > 0) dwell(b, text_.number_behind(b, text, number.end), number.end, text.size(), "CYCL DEF 9");
         return;
       case 10:
-        if (part > 0) rotate(b, text, number.end, where);
+        if (part > 0) rotate(b, text, number.end, where, "CYCL DEF 10");
         return;
       case 11:
       case 26:
@@ -220,26 +223,29 @@ struct KlartextFrameCycle {
   }
 
   /// CYCL DEF 10.1 ROT+35, IROT+10: about the datum, in the plane.
-  void rotate(ig::Block& b, std::string_view text, std::size_t i, ig::Where where) const {
+  void rotate(ig::Block& b, std::string_view text, std::size_t i, ig::Where where, std::string_view of) const {
     const std::size_t first = skip(text, i);
     const bool is_step = to_upper(at(text, first)) == 'I';
     const Value v = text_.number_behind(b, text, first);
     if (!v.ok) {
-      b.report(hei("HEI-0104"), where, std::string_view("CYCL DEF 10"), std::string_view("ROT"));
+      b.report(hei("HEI-0104"), where, of, std::string_view("ROT"));
       return;
     }
     const bool is_rotated = b.is(tilt_, g68_);
     // IsoG68RotationSyntax turns the other way in a mirrored system, and keeps the angle that it turns.
     const bool is_mirrored = b.has(mirror_term_) && mirrored_axes_in_plane(b) == 1;
     const double in_force = is_rotated ? b.get_or(turned_, 0.0) : 0;
-    const double angle = v.number + (is_step ? (is_mirrored ? -in_force : in_force) : 0);
+    turn(b, where, v.number + (is_step ? (is_mirrored ? -in_force : in_force) : 0));
+  }
+
+  void turn(ig::Block& b, ig::Where where, double angle) const {
     if (b.is(tilt_, g68_2_)) {
       if (angle != 0)
         b.report(hei("HEI-0161"), where, 10.0, std::string_view("positions in the tilted plane are not rotated"));
       return;
     }
     if (angle == 0) {
-      if (is_rotated) code(b, rotation_end_.id(0), where.begin, where.end);
+      if (b.is(tilt_, g68_)) code(b, rotation_end_.id(0), where.begin, where.end);
       return;
     }
     code(b, rotation_.code(0), where.begin, where.end);
@@ -247,6 +253,31 @@ struct KlartextFrameCycle {
     word(b, rotation_.word(0, is_zx ? 'Z' : is_yz ? 'Y' : 'X'), where.begin, where.end, 0);
     word(b, rotation_.word(0, is_zx ? 'X' : is_yz ? 'Z' : 'Y'), where.begin, where.end, 0);
     word(b, rotation_.word(0, 'R'), where.begin, where.end, angle);
+  }
+
+  /// TRANS MIRROR AXIS X, TRANS ROTATION ROT+90, TRANS SCALE SCL1 and their RESET: what cycles 8, 10 and 11 do.
+  std::size_t trans(ig::Block& b, std::string_view text, std::size_t begin) const {
+    const std::size_t mirrored = keyword(text, begin, "TRANS MIRROR"), turned = keyword(text, begin, "TRANS ROTATION");
+    const std::size_t scaled = keyword(text, begin, "TRANS SCALE");
+    if (mirrored == begin && turned == begin && scaled == begin) return begin;
+    const std::size_t end = statement_end(text, begin);
+    if (text_.values().is_indexing()) return end;
+    text = text.substr(0, end);
+    const std::string_view whole = rest_of_line(text, begin);
+    const auto where = ig::Where::columns(begin, begin + whole.size());
+    const std::size_t first = skip(text, std::max({mirrored, turned, scaled}));
+    const std::size_t reset = keyword(text, first, "RESET"), axis = keyword(text, first, "AXIS");
+    if (scaled != begin) {
+      if (reset == first && scales(b, text, first))
+        b.report(hei("HEI-0122"), where, whole, std::string_view("positions are not scaled"));
+    } else if (mirrored != begin) {
+      mirror(b, text, reset != first ? end : axis, where, true);
+    } else if (reset != first) {
+      turn(b, where, 0);
+    } else {
+      rotate(b, text, first, where, "TRANS ROTATION");
+    }
+    return end;
   }
 
   /// TRANS DATUM AXIS X+10, TABLE TABLINE 5, RESET: what cycle 7 does.
