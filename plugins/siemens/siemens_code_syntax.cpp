@@ -49,7 +49,6 @@ struct SiemensCode {
                      "CUT2DFD"},
                     ""},
            "the radius is that of the table, and is compensated in the plane only"},
-          {ig::Call{{"DIAMON", "DIAM90"}, ""}, "X is read as a radius"},
       }};
   struct Word {
     ig::Word word;
@@ -95,7 +94,6 @@ struct SiemensCode {
     };
     static constexpr Known known[] = {{"FRC", "FRC=: the corner is cut by F"},
                                       {"FRCM", "FRCM=: corners are cut by F"},
-                                      {"ANG", "ANG=: the end point of the contour line is not computed"},
                                       {"OVR", "OVR=: feeds are those of F"},
                                       {"OFFN", "OFFN=: the contour is not offset"},
                                       {"TOFFL", "TOFFL=: the length of the tool is that of the table"},

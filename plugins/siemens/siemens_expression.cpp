@@ -315,10 +315,10 @@ std::optional<Value> Expression::call(const std::string& name, std::size_t begin
     std::size_t least, most;
   };
   static constexpr Function functions[] = {
-      {"SIN", 1, 1},    {"COS", 1, 1},     {"TAN", 1, 1},    {"ASIN", 1, 1},   {"ACOS", 1, 1},  {"ATAN2", 2, 2},
-      {"SQRT", 1, 1},   {"ABS", 1, 1},     {"POT", 1, 1},    {"TRUNC", 1, 1},  {"ROUND", 1, 1}, {"ROUNDUP", 1, 1},
-      {"LN", 1, 1},     {"EXP", 1, 1},     {"MINVAL", 2, 2}, {"MAXVAL", 2, 2}, {"BOUND", 3, 3}, {"STRLEN", 1, 1},
-      {"NUMBER", 1, 1}, {"TOUPPER", 1, 1}, {"TOLOWER", 1, 1}};
+      {"SIN", 1, 1},    {"COS", 1, 1},     {"TAN", 1, 1},     {"ASIN", 1, 1},   {"ACOS", 1, 1},  {"ATAN2", 2, 2},
+      {"SQRT", 1, 1},   {"ABS", 1, 1},     {"POT", 1, 1},     {"TRUNC", 1, 1},  {"ROUND", 1, 1}, {"ROUNDUP", 1, 1},
+      {"LN", 1, 1},     {"EXP", 1, 1},     {"MINVAL", 2, 2},  {"MAXVAL", 2, 2}, {"BOUND", 3, 3}, {"STRLEN", 1, 1},
+      {"NUMBER", 1, 1}, {"TOUPPER", 1, 1}, {"TOLOWER", 1, 1}, {"AXNAME", 1, 1}};
   const auto* const f = std::find_if(std::begin(functions), std::end(functions),
                                      [&](const Function& known) { return known.name == name; });
   if (f == std::end(functions)) {
@@ -342,10 +342,11 @@ std::optional<Value> Expression::call(const std::string& name, std::size_t begin
   if (peek() != ')') return fail(diag("SIE-0102"), open);
   ++at_;
   if (count < f->least || count > f->most) return fail(diag("SIE-0113"), begin, f->name, static_cast<double>(f->least));
-  const bool wants_text = name == "STRLEN" || name == "NUMBER" || name == "TOUPPER" || name == "TOLOWER";
+  const bool wants_text =
+      name == "STRLEN" || name == "NUMBER" || name == "TOUPPER" || name == "TOLOWER" || name == "AXNAME";
   for (std::size_t i = 0; i < count; ++i)
     if (v[i].is_text() != wants_text) return fail(diag("SIE-0107"), begin, shown(begin));
-  if (name == "TOUPPER") return Value::string(upper(v[0].text));
+  if (name == "TOUPPER" || name == "AXNAME") return Value::string(upper(v[0].text));
   if (name == "TOLOWER") {
     for (char& c : v[0].text)
       if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));

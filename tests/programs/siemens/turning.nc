@@ -1,4 +1,5 @@
-; Threads, constant cutting rate, the tool of a spindle, both coolants, positioning axes, what is said once.
+; Threads, constant cutting rate, diameters, lines by their angle, the tool of a spindle, both coolants, positioning
+; axes, what is said once.
 G18 G90 G94 F500 DIAMOF
 T1=3 D1
 M6
@@ -31,4 +32,19 @@ ID=1 WHEN $A_IN[1]==1 DO M8
 BSPLINE SD=2
 X20 PW=2
 G34 Z-50 K2 F0.1
+DEF AXIS ALONG
+ALONG=AXNAME("Z")
+G1 AX[ALONG]=2 G94 F200 M41
+DIAMON
+X50 ANG=135
+X=IC(-10) Z=IC(-2)
+G3 X50 Z=IC(-5) CR=5
+G2 X70 Z=IC(-10) I=AC(70) K0
+G1 ANG=180
+DIAM90
+G91 X5
+G90 X100
+SUPA G0 X200 D0
+DIAMOF
+X100
 M30
