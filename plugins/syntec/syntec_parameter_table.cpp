@@ -58,8 +58,9 @@ struct SyntecParameterTable {
 
   /// A value that the parameter does not have would be passed over in silence.
   void check(const std::string& row) const {
-    const auto refuse = [&row](const std::string& why) { throw std::runtime_error("parameter " + row + ": " + why); };
-    if (row.find_first_not_of("0123456789") != std::string::npos) refuse("its name is the number of a parameter");
+    const auto refuse = [&row](const std::string& why) { throw std::runtime_error("parameter '" + row + "': " + why); };
+    if (row.empty() || row.find_first_not_of("0123456789") != std::string::npos)
+      refuse("its name is the number of a parameter");
     const bool of_axes = row == axis_type || row == axis_name || row == rapid_rate || row == "1320" || row == "1321" ||
                          (row.size() == 4 && row.starts_with("124") && row[3] <= '3');
     const Answer one = number(row);

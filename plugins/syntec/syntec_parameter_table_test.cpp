@@ -83,15 +83,16 @@ TEST_CASE("a value that a parameter does not have is refused, not passed over") 
   };
   using Catch::Matchers::Contains;
   for (const double precision : {0.0, 4.0, 2.5, -1.0, 1e300})
-    CHECK_THAT(why({{"17", {{"Value", precision}}}}), Contains("parameter 17: it is 1, 2 or 3"));
-  CHECK_THAT(why({{"4002", {{"Value", -1}}}}), Contains("parameter 4002: it is 0 or more"));
-  CHECK_THAT(why({{"3741", {{"Value", -1}}}}), Contains("parameter 3741: it is 0 or more"));
-  CHECK_THAT(why({{"1420", {{"Y", -1}}}}), Contains("parameter 1420: a rapid rate is 0 or more"));
+    CHECK_THAT(why({{"17", {{"Value", precision}}}}), Contains("parameter '17': it is 1, 2 or 3"));
+  CHECK_THAT(why({{"4002", {{"Value", -1}}}}), Contains("parameter '4002': it is 0 or more"));
+  CHECK_THAT(why({{"3741", {{"Value", -1}}}}), Contains("parameter '3741': it is 0 or more"));
+  CHECK_THAT(why({{"1420", {{"Y", -1}}}}), Contains("parameter '1420': a rapid rate is 0 or more"));
   for (const char* const of_axes : {"1006", "1020", "1240", "1243", "1320", "1321", "1420"})
     CHECK_THAT(why({{of_axes, {{"Value", 1}}}}), Contains("not Value"));
   for (const char* const one : {"17", "3215", "3241", "3601", "3610", "3701", "3710", "3741", "4002", "5003"})
     CHECK_THAT(why({{one, {{"Z", 1}}}}), Contains("not Z"));
-  CHECK_THAT(why({{"Pr17", {{"Value", 1}}}}), Contains("its name is the number of a parameter"));
+  for (const char* const name : {"Pr17", ""})
+    CHECK_THAT(why({{name, {{"Value", 1}}}}), Contains("its name is the number of a parameter"));
   CHECK(why({{"9999", {{"Value", -1}, {"X", -1}}}, {"1244", {{"Value", 1}}}}) == "taken");
 }
 
