@@ -33,7 +33,7 @@ struct SiemensCode {
           {ig::Call{{"G147", "G148", "G247", "G248", "G347", "G348"}, ""},
            "the soft approach or retraction is missing"},
           {ig::Call{{"G291"}, ""}, "the blocks up to G290 are ISO code and are read wrong"},
-          {ig::Call{{"G961", "G962", "G971", "G972", "G973"}, "S[]"}, "the speed of the spindle is not known"},
+          {ig::Call{{"G973"}, "S[]"}, "the speed of the spindle is not known"},
           {ig::Call{{"G931", "G942", "G952"}, "S[] F[]"}, feed},
           {ig::Call{{"REPOSL", "REPOSQ", "REPOSH", "REPOSA", "REPOSQA", "REPOSHA"}, "DISR DISPR[]"}, contour},
           {ig::Call{{"G461", "G462"}, ""}, "the end of the contour is as under G460"},
