@@ -39,7 +39,8 @@ struct CycleNumber {
 
 /// Cycles that act where they are defined; all others wait for a call.
 constexpr bool acts_where_defined(std::uint32_t cycle) {
-  constexpr std::array<std::uint32_t, 17> all{7, 8, 9, 10, 11, 13, 14, 19, 20, 26, 30, 32, 220, 221, 224, 239, 247};
+  constexpr std::array<std::uint32_t, 27> all{7,   8,   9,   10,  11,  13,  14,  19,  20,  26,  30,  32,  220, 221,
+                                              224, 238, 239, 247, 270, 271, 285, 291, 332, 392, 800, 801, 892};
   for (const std::uint32_t c : all)
     if (c == cycle) return true;
   return false;

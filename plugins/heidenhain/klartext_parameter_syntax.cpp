@@ -239,19 +239,39 @@ struct KlartextParameter {
     return value.has_value();
   }
 
-  /// IF +Q1 EQU +5 GOTO LBL 3
+  /// Q1 IS DEFINED, Q1 IS UNDEFINED: whether it holds. Nothing where another condition stands there.
+  std::optional<bool> definedness(ig::Block& b, std::string_view text, std::size_t& next) const {
+    std::size_t i = skip(text, next), end = i;
+    if (at(text, i) == '+') ++i;
+    const auto q = Values::q_at(text, i, end);
+    const std::size_t is = skip(text, end), word = skip(text, keyword(text, is, "IS"));
+    if (!q || word == is) return std::nullopt;
+    const std::size_t defined = keyword(text, word, "DEFINED"), undefined = keyword(text, word, "UNDEFINED");
+    if (defined == word && undefined == word) return std::nullopt;
+    next = std::max(defined, undefined);
+    return cycle_.values().has(b, *q) == (defined != word);
+  }
+
+  /// IF +Q1 EQU +5 GOTO LBL 3, IF Q1 IS UNDEFINED GOTO LBL 3
   void jump(ig::Block& b, std::string_view text, std::size_t i, unsigned number) const {
     static constexpr std::array<std::string_view, 4> comparisons{"EQU", "NE", "GT", "LT"};
     const auto missing = [&](std::string_view what) { b.report(hei("HEI-0119"), from(text, begin_), what); };
     std::size_t next = glued(text, i, "IF");
     if (next == i) return missing("IF");
-    const auto left = value(b, text, next);
-    if (!left) return;
-    i = skip(text, next);
-    next = glued(text, i, comparisons[number - 9]);
-    if (next == i) return missing(comparisons[number - 9]);
-    const auto right = value(b, text, next);
-    if (!right) return;
+    auto holds = number == 9 ? definedness(b, text, next) : std::nullopt;
+    if (!holds) {
+      const auto left = value(b, text, next);
+      if (!left) return;
+      i = skip(text, next);
+      next = glued(text, i, comparisons[number - 9]);
+      if (next == i) return missing(comparisons[number - 9]);
+      const auto right = value(b, text, next);
+      if (!right) return;
+      holds = number == 9    ? same(*left, *right)
+              : number == 10 ? !same(*left, *right)
+              : number == 11 ? *left > *right
+                             : *left < *right;
+    }
     i = skip(text, next);
     next = glued(text, i, "GOTO");
     if (next == i) return missing("GOTO LBL");
@@ -263,11 +283,7 @@ struct KlartextParameter {
     std::string name = read_name(text, i, end);
     if (name.empty()) return missing("the label");
     if (!ends(b, text, end)) return;
-    const bool holds = number == 9    ? same(*left, *right)
-                       : number == 10 ? !same(*left, *right)
-                       : number == 11 ? *left > *right
-                                      : *left < *right;
-    if (!holds) return;
+    if (!*holds) return;
     const ig::Flow::Answer answer = cycle_.values().flow().jump(b, "L" + name, IG_SEARCH_TOP);
     if (answer.is_not_found())
       b.report(hei("HEI-0120"), ig::Where::columns(i, end), std::string_view(name), answer.reason);

@@ -1,6 +1,7 @@
 // PLANE … STAY: nothing moves, and from here on coordinates count in the plane as the rotary axes stand, wherever the
-// program positions them: the frame follows the axes as after TURN.
-#include <isogloss/sdk.hpp>
+// program positions them: the frame follows the axes as after TURN, and the length of the tool lies where the axes have
+// it already, since a program that finds them in place moves none of them.
+#include "tool_kinematics.hpp"
 
 namespace heidenhain {
 namespace {
@@ -17,8 +18,17 @@ struct KlartextPlaneStay {
   ig::Out<bool> aligned_{"TiltTransform.IsAligned",
                          {ig::Life::modal, "", "G53.1 or G53.6 has put the tool upright on the plane."}};
 
+  std::array<ig::In<double>, 3> angles_{ig::In<double>{"MachineCoordinate.A"}, ig::In<double>{"MachineCoordinate.B"},
+                                        ig::In<double>{"MachineCoordinate.C"}};
+  ig::Xyz orientation_{"ToolOrientation", ig::write};
+  iso::ToolKinematics machine_;
+
   ig::Status build(ig::Block& b) {
     b.set(aligned_, true);
+    if (!machine_) return ig::Status::changed;
+    iso::Angles angles{};
+    for (std::size_t i = 0; i < 3; ++i) angles[i] = b.get_or(angles_[i], 0.0);
+    if (const auto tool = machine_.tool_axis(angles)) b.set(orientation_, *tool);
     return ig::Status::changed;
   }
 };

@@ -162,6 +162,13 @@ struct KlartextPlane {
       command_.plane.words[k] = v.number;
       return v.end;
     }
+    // As the manuals of the iTNC write the angle of nutation.
+    if (command_.plane.kind == PlaneDefinition::euler)
+      if (const std::size_t value = keyword_prefix(text, i, "EULNU"); value != i)
+        if (const Value v = values_.read(b, text, value); v.ok) {
+          command_.plane.words[1] = v.number;
+          return v.end;
+        }
     if (is("STAY")) return set(Move::stay, letters);
     if (is("TURN")) return set(Move::turn, letters);
     if (is("MOVE")) return set(Move::move, letters);

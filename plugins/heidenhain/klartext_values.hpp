@@ -58,6 +58,11 @@ class Values {
     return v;
   }
 
+  /// The parameter has a value.
+  bool has(ig::Block& b, const QNumber& q) const {
+    const QStore* const s = store();
+    return s != nullptr && QStore::exists(q) && !std::isnan(s->get(q, program(b)));
+  }
   double get(ig::Block& b, const QNumber& q, std::string_view name, ig::Where where) const {
     const QStore* const s = store();
     if (s == nullptr || !QStore::exists(q)) {

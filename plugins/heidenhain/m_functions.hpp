@@ -127,7 +127,7 @@ class MFunctions {
     }
     for (const Said& s : said)
       if (s.number == number) {
-        const std::size_t rest = s.has_words ? statement_end(text, end) : end;
+        const std::size_t rest = s.has_words ? behind_words(text, end, number == 103) : end;
         if (s.severity != IG_NOTE)
           b.report(s.severity == IG_ERROR ? hei("HEI-0139") : hei("HEI-0140"), where, name, std::string_view(s.effect));
         return rest;
@@ -140,6 +140,17 @@ class MFunctions {
   void lead_tip(ig::Block& b, std::size_t begin, std::size_t end) const {
     flag(b, tcp_.code(0), begin, end);
     if (!b.has(offset_id_)) flag(b, tcp_.word(0, 'H'), begin, end);
+  }
+
+  /// Behind the words of an M function, which end where the next M, R0, RL, RR or F stands (M103 has an F of its own).
+  static std::size_t behind_words(std::string_view text, std::size_t position, bool has_feed) {
+    const std::size_t last = statement_end(text, position);
+    for (std::size_t i = skip(text, position); i < last; i = skip(text, word_end(text, i))) {
+      const char c = to_upper(text[i]), d = to_upper(at(text, i + 1));
+      const bool is_side = c == 'R' && (d == '0' || d == 'L' || d == 'R');
+      if (is_side || (c == 'F' && !has_feed) || (c == 'M' && (is_digit(d) || d == 'Q'))) return i;
+    }
+    return last;
   }
 
   void code(ig::Block& b, std::uint32_t number, std::size_t begin, std::size_t end) const {
@@ -164,6 +175,13 @@ class MFunctions {
   };
   static constexpr std::array said{
       Said{90, IG_NOTE, false, ""},
+      Said{101, IG_NOTE, true, ""},
+      Said{102, IG_NOTE, false, ""},
+      Said{105, IG_NOTE, false, ""},
+      Said{106, IG_NOTE, false, ""},
+      Said{112, IG_NOTE, true, ""},
+      Said{113, IG_NOTE, false, ""},
+      Said{150, IG_NOTE, false, ""},
       Said{107, IG_NOTE, false, ""},
       Said{108, IG_NOTE, false, ""},
       Said{127, IG_NOTE, false, ""},
