@@ -34,6 +34,10 @@ struct KlartextPlane {
                       {ig::Life::block, "", "PLANE ... STAY: the program positions the axes itself."}};
   ig::Out<ig::Symbol> length_term_{"ToolHeightCompensation.Term"};
   ig::Name g69_{"G69"}, g68_2_{"G68.2"}, g43_4_{"G43.4"}, g43_{"G43"};
+  ig::Out<double> retract_{"KlartextPlane.Retract_mm",
+                           {ig::Life::block, "mm", "MB: how far the tool goes out before the axes turn."}};
+  ig::Out<bool> to_limit_{"KlartextPlane.RetractsToLimit",
+                          {ig::Life::block, "", "MB MAX: the tool goes out to the end of the travel."}};
   PlanePositioning axes_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
@@ -62,12 +66,17 @@ struct KlartextPlane {
 
  private:
   enum class Move { none, stay, turn, move };
+  struct Retract {
+    std::optional<double> distance;  ///< nothing: MB MAX
+    std::size_t begin, end;
+  };
   struct Command {
     PlaneDefinition plane{};
     std::size_t begin = 0, end = 0;
     Move move = Move::none;
     int sequence = 0;
     double distance = 0;
+    std::optional<Retract> retract{};
     bool is_rapid = false;
   };
   ig::Where where() const { return ig::Where::columns(command_.begin, command_.end); }
@@ -184,12 +193,14 @@ struct KlartextPlane {
     }
     if (is("DIST") || is("ABST") || is("MB")) {
       const Value v = values_.read(b, text, letters);
-      if (!v.ok) return is("MB") ? std::max(i, keyword(text, skip(text, letters), "MAX")) : i;
-      if (is("MB") && v.number != 0)
-        b.report(hei("HEI-0171"), ig::Where::columns(i, v.end), trim(piece(text, i, v.end)),
-                 std::string_view("the tool does not retract before it turns"));
-      if (!is("MB")) command_.distance = v.number;
-      return v.end;
+      const std::size_t behind = skip(text, letters), limit = is("MB") ? keyword(text, behind, "MAX") : behind;
+      if (!v.ok && limit == behind) return i;
+      const std::size_t end = v.ok ? v.end : limit;
+      if (!is("MB"))
+        command_.distance = v.number;
+      else if (!v.ok || v.number != 0)
+        command_.retract = Retract{v.ok ? std::optional(v.number) : std::nullopt, i, end};
+      return end;
     }
     if (to_upper(text[i]) == 'F') return feed_.scan(b, values_, text, i, command_.is_rapid);
     if (to_upper(text[i]) == 'M') return m_.scan(b, values_, text, i);
@@ -273,6 +284,7 @@ struct KlartextPlane {
                std::string_view(command_.move == Move::stay || command_.move == Move::none
                                     ? "Q120 to Q122 are not known: 0 is taken where nothing else gave them a value"
                                     : "they do not turn, and Q120 to Q122 are not known"));
+      retract(b);
       return;
     }
     if (!angles) {
@@ -293,6 +305,7 @@ struct KlartextPlane {
       return;
     }
     const std::size_t row = command_.move == Move::turn ? 0 : 1;
+    retract(b);
     b.set_call(turn_, row);
     if (row == 1 && command_.distance != 0) b.set_word(turn_, row, 'R', command_.distance);
     turn_axes(b, *angles);
@@ -313,12 +326,33 @@ struct KlartextPlane {
     if (command_.move != Move::turn && command_.move != Move::move) return;
     if (!axes_) {
       b.report(hei("HEI-0172"), where(), shown(), std::string_view("they do not turn"));
+      retract(b);
       return;
     }
     if (command_.move == Move::move)
       b.report(hei("HEI-0171"), where(), std::string_view("MOVE of PLANE RESET"),
                std::string_view("the axes turn as with TURN, and the tip of the tool is not led"));
+    retract(b);
     turn_axes(b, {});
+  }
+
+  /// MB: KlartextPlaneRetractSyntax goes out before the axes turn. Only along Z of the machine: where no head is
+  /// tilted.
+  void retract(ig::Block& b) const {
+    if (!command_.retract || (command_.move != Move::turn && command_.move != Move::move)) return;
+    const iso::Angles now = axes_.present(b);
+    bool is_upright = command_.move == Move::turn && bool(axes_);
+    for (std::size_t k = 0; is_upright && k < axes_.machine().count(); ++k)
+      is_upright = axes_.machine().is_table(k) || std::fabs(now[axes_.machine().axis(k)]) < 1e-9;
+    const Retract& way = *command_.retract;
+    if (!is_upright)
+      b.report(hei("HEI-0171"), ig::Where::columns(way.begin, way.end),
+               trim(piece(b.source(), way.begin, std::min(way.end, b.source().size()))),
+               std::string_view("the tool does not retract before it turns"));
+    else if (way.distance)
+      b.set(retract_, *way.distance);
+    else
+      b.set(to_limit_, true);
   }
 
   Command command_;
