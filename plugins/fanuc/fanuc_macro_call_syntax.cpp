@@ -121,7 +121,11 @@ struct FanucMacroCall {
     MacroStore& store = environment_.store();
     say_deep_call(b, store, where);
     const std::uint64_t tag = store.enter(arguments_, is_modal);
-    if (!call_program(b, environment_.flow, called(), static_cast<std::int64_t>(repeats_), tag | tag_bits_, where))
+    const ig::Flow::Answer answer =
+        ask_program(b, environment_.flow, called(), static_cast<std::int64_t>(repeats_), tag | tag_bits_, where);
+    if (is_modal)
+      settle_modal(store, answer);
+    else if (!answer.is_done())
       store.leave_last();
   }
 

@@ -34,7 +34,7 @@ struct FanucModalMacro {
     const MacroStore::ModalCall call = calls.back();
     say_deep_call(b, store, ig::Where::block());
     const std::uint64_t tag = store.enter(call.arguments, true);
-    if (!call_program(b, frame_.flow, call.program, call.repeats, tag, ig::Where::block())) store.leave_last();
+    settle_modal(store, ask_program(b, frame_.flow, call.program, call.repeats, tag, ig::Where::block()));
     return ig::Status::changed;
   }
 };

@@ -17,8 +17,8 @@ inline void say_deep_call(ig::Block& b, const MacroStore& store, ig::Where where
 }
 
 /// False where nothing is called, which is said.
-inline bool call_program(ig::Block& b, const ig::Flow& flow, const CalledProgram& program, std::int64_t repeats,
-                         std::uint64_t tag, ig::Where where) {
+inline ig::Flow::Answer ask_program(ig::Block& b, const ig::Flow& flow, const CalledProgram& program,
+                                    std::int64_t repeats, std::uint64_t tag, ig::Where where) {
   const iso::NumberedName number('O', program.number);
   const iso::ProgramFileNames files(program.number);
   ig::Flow::Call call;
@@ -37,7 +37,19 @@ inline bool call_program(ig::Block& b, const ig::Flow& flow, const CalledProgram
     b.report(macro_diag("FAN-0165"), where, call.program, answer.reason);
   else if (answer.status == IG_GO_TAKEN)
     b.report(macro_diag("FAN-0170"), where, call.program);
-  return answer.is_done();
+  return answer;
+}
+inline bool call_program(ig::Block& b, const ig::Flow& flow, const CalledProgram& program, std::int64_t repeats,
+                         std::uint64_t tag, ig::Where where) {
+  return ask_program(b, flow, program, repeats, tag, where).is_done();
+}
+
+/// After the macro of G66 or G66.1 was asked for. One that is not there is said once: the blocks behind call it no
+/// more.
+inline void settle_modal(MacroStore& store, const ig::Flow::Answer& answer) {
+  if (answer.is_done()) return;
+  store.leave_last();
+  if (answer.is_not_found()) store.modal_calls().back().repeats = 0;
 }
 
 }  // namespace fanuc
