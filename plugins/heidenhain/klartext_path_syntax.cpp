@@ -136,6 +136,14 @@ struct KlartextPath {
     const char c = to_upper(text[i]), d = to_upper(at(text, i + 1));
     if (path.function >= APPR)
       if (const std::size_t end = shape_at(b, text, i, path); end != i) return end;
+    // LIN_Z-5, LIN_IZ-5: the axis that an arc moves along a straight line, as the newer controls write it.
+    if (path.function >= C && path.function <= CTP && path.function != CC &&
+        iso::equals_ignoring_case(piece(text, i, std::min(i + 4, text.size())), "LIN_")) {
+      const std::size_t axis_word = i + 4;
+      if (axis_of(at(text, axis_word + (to_upper(at(text, axis_word)) == 'I' ? 1 : 0))) > 5) return i;
+      const std::size_t end = word_at(b, text, axis_word, path);
+      return end == axis_word ? i : end;
+    }
     if (c == 'I') {
       if (const std::size_t axis = axis_of(d); axis < 6) return put(b, text, i, i + 2, steps_[axis], path, axes_[axis]);
       const std::size_t p = d == 'P' ? polar_of(at(text, i + 2)) : 2;
