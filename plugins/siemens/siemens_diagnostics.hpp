@@ -154,11 +154,11 @@ inline constexpr std::array diagnostics{
                    "POCKET3(…)"),
     ig::diagnostic(IG_ERROR, "SIE-0182", "{0}: a parameter has no value; the cycle is not executed", "Why was said.",
                    "CYCLE81(50,0,2,NOWHERE)"),
-    ig::diagnostic(
-        IG_ERROR, "SIE-0183", "{0} is not executed: machine coordinates are wrong up to TRAFOOF",
-        "TRAORI needs a machine that says where its rotary axes sit (--machine FILE). TRANSMIT, TRACYL, TRAANG "
-        "and TRACON are not computed in this dialect.",
-        "TRANSMIT"),
+    ig::diagnostic(IG_ERROR, "SIE-0183", "{0} is not executed: machine coordinates are wrong up to TRAFOOF",
+                   "TRAORI is said once. It needs a machine that says where its rotary axes sit (--machine FILE). "
+                   "TRANSMIT, TRACYL, TRAANG "
+                   "and TRACON are not computed in this dialect.",
+                   "TRANSMIT"),
     ig::diagnostic(IG_WARNING, "SIE-0184", "{0} with {1} parameters: those behind number {2} are not used",
                    "The signature in the manual has fewer.", "CYCLE81(1,2,… 12 values)"),
     ig::diagnostic(IG_ERROR, "SIE-0185", "{0} without {1}: it is not executed", "The control stops with an alarm.",
@@ -296,6 +296,11 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_WARNING, "SIE-0292", "{0}: the axis goes with the path of its block, not by a feed of its own",
                    "A positioning axis moves by FA[…], whatever the path does. Its position is right. Said once.",
                    "POS[Z]=50 FA[Z]=2000"),
+    ig::diagnostic(
+        IG_NOTE, "SIE-0293", "the program ends here without M30, M2, M17 or RET",
+        "The run ends at the end of the file. The manual wants the end in the last block of the program; it may "
+        "be a part of one.",
+        "G0 X0 (with no M30 behind it)"),
     // corners
     ig::diagnostic(IG_ERROR, "SIE-0286", "{0}{1} is less than 0: the corner stays sharp",
                    "Lengths and radii of corners are 0 or more.", "G1 X10 RND=-2"),

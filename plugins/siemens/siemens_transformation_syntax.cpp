@@ -45,6 +45,7 @@ struct SiemensTransformation {
   iso::PlaneInForce plane_;
   iso::ToolKinematics machine_;
   iso::ToolCenterMode mode_;
+  ig::Signal refused_{"SiemensTransformation.~Refused", ig::read | ig::write, ig::Life::modal};
   RotaryModes turn_;
   ig::Name g43_5_{"G43.5"}, g02_{"G02"}, g03_{"G03"};
 
@@ -56,7 +57,8 @@ struct SiemensTransformation {
     }
     const auto on = b.take(on_);
     if (on && !machine_) {
-      b.report(diag("SIE-0183"), ig::Where::word(on_.id(*on)), b.text(on_.name(*on)));
+      if (!b.is_raised(refused_)) b.report(diag("SIE-0183"), ig::Where::word(on_.id(*on)), b.text(on_.name(*on)));
+      b.raise(refused_);
       return ig::Status::changed;
     }
     if (!on && !was_on) return ig::Status::unchanged;

@@ -1,0 +1,22 @@
+/// A main program whose file ends before it does: the run ends there, and says so.
+#include "siemens_diagnostics.hpp"
+
+namespace siemens {
+namespace {
+
+struct SiemensFileEnd {
+  static constexpr auto spec =
+      ig::syntax("SiemensFileEndSyntax", "Says that a program ends without M30, M2, M17 or RET.");
+
+  ig::Signal text_ended_{"Source.~End", ig::read | ig::wake};
+
+  ig::Status build(ig::Block& b) {
+    if (b.is_raised(text_ended_)) b.report(diag("SIE-0293"), ig::Where::block());
+    return ig::Status::unchanged;
+  }
+};
+
+const ig::Register<SiemensFileEnd> registered;
+
+}  // namespace
+}  // namespace siemens
