@@ -8,17 +8,17 @@ namespace siemens {
 namespace {
 
 struct SiemensMachineCoordinates {
-  static constexpr auto spec =
-      ig::syntax("SiemensMachineCoordinatesSyntax", "G53/G153/SUPA: a block without frames.")
-          .after("PositioningModeSyntax", "SiemensToolOffsetSyntax", "SiemensCoordinateOffsetSyntax")
-          .before("SiemensPositionSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr auto spec = ig::syntax("SiemensMachineCoordinatesSyntax", "G53/G153/SUPA: a block without frames.")
+                                   .after("PositioningModeSyntax", "SiemensToolOffsetSyntax",
+                                          "SiemensCoordinateOffsetSyntax", "PivotTransformationSyntax")
+                                   .before("SiemensPositionSyntax", "ProgramXyzSyntax", "McXyzSyntax");
 
   ig::Codes codes_{"G53", "G153", "SUPA"};
   ig::Xyz words_{"Parsing", ig::take};
   AxisModes modes_{ig::read};
   ig::Xyz program_{"ProgramXyz", ig::write};
   ig::Xyz machine_{"MachineCoordinate", ig::read | ig::write};
-  ig::Transform tool_{"ToolHeightCompensation", ig::read};
+  ig::Transform tool_{"ToolHeightCompensation", ig::read}, pivot_{"PivotTransform", ig::read};
   iso::DistanceMode distance_;
   iso::LastProgramXyz last_;
   ig::Name ac_{"AC"}, ic_{"IC"};
@@ -29,9 +29,7 @@ struct SiemensMachineCoordinates {
     if (named.mask == 0) return ig::Status::changed;
     const ig::PartialVec3 carried = b.get(machine_);
     ig::Vec3 to = carried.complete() ? carried.value : b.to_machine(last_(b)).value_or(ig::Vec3{});
-    double m[16];
-    ig::Vec3 length;
-    if (b.host()->transform(b.raw(), tool_.id(), m) != 0) length = {m[12], m[13], m[14]};
+    const ig::Vec3 length = tool_length(b);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!named.has(axis)) continue;
       const auto mode = modes_.get(b, axis);
@@ -44,6 +42,17 @@ struct SiemensMachineCoordinates {
     else
       b.report(diag("SIE-0212"), ig::Where::block());
     return ig::Status::changed;
+  }
+
+ private:
+  /// As the machine sees it: the frame has it as the workpiece does, which may be swivelled with the table.
+  ig::Vec3 tool_length(const ig::Block& b) const {
+    double m[16];
+    if (b.host()->transform(b.raw(), tool_.id(), m) == 0) return {};
+    const ig::Vec3 v{m[12], m[13], m[14]};
+    if (b.host()->transform(b.raw(), pivot_.id(), m) == 0) return v;
+    return iso::rounded(ig::Vec3{v.x * m[0] + v.y * m[4] + v.z * m[8], v.x * m[1] + v.y * m[5] + v.z * m[9],
+                                 v.x * m[2] + v.y * m[6] + v.z * m[10]});
   }
 };
 
