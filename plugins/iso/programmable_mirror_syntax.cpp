@@ -8,6 +8,8 @@
 namespace iso {
 namespace {
 
+enum class OtherCodes { warning, allowed };
+
 struct ProgrammableMirror {
   static constexpr auto spec =
       ig::syntax("ProgrammableMirrorSyntax", "G51.1/G50.1 programmable mirror image.")
@@ -21,6 +23,9 @@ struct ProgrammableMirror {
   GeometryWords words_;
   PlaneInForce plane_;
   DistanceMode distance_;
+  ig::Choice<OtherCodes> other_codes_{"other-codes", "warning|allowed", "warning",
+                                      "Codes with words that are not mirrored (G53, G28, …) while a mirror image is in "
+                                      "force: a warning, or as any other."};
 
   ig::Status build(ig::Block& b) {
     bool changed = false;
@@ -55,7 +60,7 @@ struct ProgrammableMirror {
   }
 
   bool mirror(ig::Block& b) const {
-    words_.report_untouched(b, b.get(term_).value_or(on_.name(0)));
+    if (other_codes_ == OtherCodes::warning) words_.report_untouched(b, b.get(term_).value_or(on_.name(0)));
     const auto here = words_.find(b);
     if (!here) return false;
     const ig::PartialVec3 at = b.get(mirror_);

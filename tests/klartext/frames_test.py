@@ -202,8 +202,6 @@ class Program:
         self.check("end")
 
     def machine_block(self):
-        if self.plane is not None or any(self.mirrored):
-            return
         words = {a: self.value() for a in self.random.sample(range(3), self.random.randint(1, 3))}
         self.write("L " + " ".join("XYZ"[a] + f"{v:+.3f}" for a, v in words.items()) + " FMAX M91")
         self.check("machine", words)
