@@ -17,10 +17,10 @@ struct SiemensFrame {
           .before("SiemensSwivelSyntax", "SiemensToolOffsetSyntax", "SiemensPositionSyntax", "ProgramXyzSyntax",
                   "McXyzSyntax");
 
-  ig::Call trans_{{"TRANS", "ATRANS"}, "X Y Z"};
-  ig::Call rot_{{"ROT", "AROT"}, "X[deg] Y[deg] Z[deg]"};
-  ig::Call scale_{{"SCALE", "ASCALE"}, "X[] Y[] Z[]"};
-  ig::Call mirror_{{"MIRROR", "AMIRROR"}, "X[] Y[] Z[]"};
+  ig::Call trans_{{"TRANS", "ATRANS"}, "X Y Z A[deg] B[deg] C[deg]"};
+  ig::Call rot_{{"ROT", "AROT"}, "X[deg] Y[deg] Z[deg] A[deg] B[deg] C[deg]"};
+  ig::Call scale_{{"SCALE", "ASCALE"}, "X[] Y[] Z[] A[] B[] C[]"};
+  ig::Call mirror_{{"MIRROR", "AMIRROR"}, "X[] Y[] Z[] A[] B[] C[]"};
   ig::Word rpl_{"Parsing.RPL", ig::take, "deg", "Turn about the normal of the plane."};
   ig::Out<ig::Symbol> term_{"ProgrammableFrame.Term", {ig::Life::modal, "", "The instruction that was last."}};
   ig::Signal uneven_{"ProgrammableFrame.~Uneven", ig::write, ig::Life::modal};
@@ -42,6 +42,8 @@ struct SiemensFrame {
  private:
   void change(ig::Block& b, const ig::Call& call, const ig::Words& words) const {
     const auto where = ig::Where::word(call.code(words.row));
+    if (words['A'] || words['B'] || words['C'])
+      b.report(diag("SIE-0261"), where, b.text(words.code), std::string_view("the origin of a rotary axis stays"));
     Mat4 m = iso::identity_frame;
     if (&call == &trans_)
       m = iso::at_origin(m, {words['X'].value_or(0), words['Y'].value_or(0), words['Z'].value_or(0)});
