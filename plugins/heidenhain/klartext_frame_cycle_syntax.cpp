@@ -25,6 +25,9 @@ struct KlartextFrameCycle {
   ig::Call datum_{{"DATUM", "IDATUM"}, "X Y Z A B C", ig::write};
   ig::Call rotation_{{"G68"}, "X Y Z R[deg]", ig::write};
   ig::Codes rotation_end_{{"G69"}, ig::write};
+  ig::Field<bool> mirrored_rotation_{"KlartextRotation.IsMirrored",
+                                     ig::read | ig::write,
+                                     {ig::Life::modal, "", "The rotation was defined in a mirror image."}};
   ig::Call mirror_{{"G50.1", "G51.1"}, "X Y Z", ig::write};
   ig::In<ig::Symbol> mirror_term_{"MirrorImage.Term"};
   ig::Xyz mirror_image_{"MirrorImage", ig::read};
@@ -194,7 +197,7 @@ struct KlartextFrameCycle {
   void mirror(ig::Block& b, std::string_view text, std::size_t i, ig::Where where, bool is_anew) const {
     if (is_anew && b.has(mirror_term_)) code(b, mirror_.code(0), where.begin, where.end);
     // A rotation that was defined in a mirror image has been turned the other way round.
-    if (b.is(tilt_, g68_) && b.has(mirror_term_) && mirrored_axes_in_plane(b) == 1)
+    if (b.is(tilt_, g68_) && b.has(mirrored_rotation_))
       b.report(hei("HEI-0161"), where, 8.0, std::string_view("the rotation in force keeps its sense"));
     while ((i = skip(text, i)) < text.size()) {
       const std::size_t axis = std::string_view("XYZ").find(to_upper(text[i]));
@@ -256,6 +259,10 @@ struct KlartextFrameCycle {
       if (b.is(tilt_, g68_)) code(b, rotation_end_.id(0), where.begin, where.end);
       return;
     }
+    if (is_mirrored)
+      b.set(mirrored_rotation_, true);
+    else if (b.has(mirrored_rotation_))
+      b.erase(mirrored_rotation_);
     code(b, rotation_.code(0), where.begin, where.end);
     const bool is_zx = b.is(plane_, g18_), is_yz = b.is(plane_, g19_);
     word(b, rotation_.word(0, is_zx ? 'Z' : is_yz ? 'Y' : 'X'), where.begin, where.end, 0);

@@ -162,7 +162,7 @@ class Program:
         self.angle = self.angle + v if step else v
 
     def mirror(self):
-        if self.plane is not None or (self.angle != 0 and any(self.mirrored)):
+        if self.plane is not None or (self.angle != 0 and self.rotated_after_mirror):
             return
         axes = self.random.sample("XY", self.random.randint(0, 2))
         self.write("CYCL DEF 8.0 MIRROR IMAGE")
