@@ -51,22 +51,32 @@ void DiagnosticWriter::add(Diagnostic diagnostic) {
   ++count.number;
   count.severity = std::max(count.severity, diagnostic.severity);
   switch (policy_.style) {
-    case DiagnosticStyle::text: {
-      const std::uint64_t said = ++said_[diagnostic.code];
-      if (policy_.repeats == 0 || said <= policy_.repeats) write_text(diagnostic);
-      break;
-    }
+    case DiagnosticStyle::text: write_text(diagnostic); break;
     case DiagnosticStyle::json: write_json(diagnostic); break;
     case DiagnosticStyle::sarif: write_sarif(diagnostic); break;
   }
 }
 
 void DiagnosticWriter::write_text(const Diagnostic& d) {
+  if (policy_.repeats == 0) return write_(text_of(d));
+  Said& said = said_[d.code];
+  if (said.lines.size() < policy_.repeats) {
+    std::string text = text_of(d);
+    if (std::find(said.lines.begin(), said.lines.end(), text) == said.lines.end()) {
+      write_(text);
+      said.lines.push_back(std::move(text));
+      return;
+    }
+  }
+  ++said.unsaid;
+}
+
+std::string DiagnosticWriter::text_of(const Diagnostic& d) const {
   const bool colours = policy_.colours;
   std::string line = fmt::format("{}: {}{}: {}{} [{}]\n", printable(place(d)), colours ? colour(d.severity) : "",
                                  to_string(d.severity), colours ? "\033[0m" : "", printable(d.message), d.code);
   if (!d.hint.empty()) line += fmt::format("  hint: {}\n", printable(d.hint));
-  write_(line);
+  return line;
 }
 
 void DiagnosticWriter::write_json(const Diagnostic& d) {
@@ -105,8 +115,8 @@ void DiagnosticWriter::write_sarif(const Diagnostic& d) {
 
 void DiagnosticWriter::finish_program() {
   if (policy_.style == DiagnosticStyle::text && policy_.repeats != 0) {
-    for (const auto& [code, number] : said_)
-      if (number > policy_.repeats) write_(fmt::format("… and {} more [{}]\n", number - policy_.repeats, code));
+    for (const auto& [code, said] : said_)
+      if (said.unsaid != 0) write_(fmt::format("… and {} more [{}]\n", said.unsaid, code));
   }
   said_.clear();
 }

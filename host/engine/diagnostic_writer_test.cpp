@@ -41,7 +41,11 @@ TEST_CASE("Text shows what a terminal would obey, and bytes that are no text") {
 TEST_CASE("Repeats of one code are counted, in each program anew") {
   std::string out;
   DiagnosticWriter writer({.repeats = 2}, [&](std::string_view text) { out += text; });
-  for (int i = 0; i < 5; ++i) writer.add(warning());
+  for (std::uint32_t line = 3; line < 8; ++line) {
+    Diagnostic d = warning();
+    d.where.line = line;
+    writer.add(d);
+  }
   writer.finish_program();
   CHECK(out.ends_with("… and 3 more [AB-1]\n"));
   CHECK(std::count(out.begin(), out.end(), '\n') == 3);
@@ -50,6 +54,11 @@ TEST_CASE("Repeats of one code are counted, in each program anew") {
   CHECK(std::count(out.begin(), out.end(), '\n') == 4);
   CHECK(writer.warnings() == 6);
   CHECK(writer.by_code().at("AB-1").number == 6);
+}
+
+TEST_CASE("What a loop says again at the same place is written once") {
+  CHECK(said({}, {warning(), warning("odder"), warning(), warning()}) ==
+        "part.nc:3:5: warning: odd [AB-1]\npart.nc:3:5: warning: odder [AB-1]\n… and 2 more [AB-1]\n");
 }
 
 TEST_CASE("Warnings become errors on request, and errors have a limit") {

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "isogloss/engine/diagnostic.hpp"
 
@@ -14,7 +15,8 @@ enum class DiagnosticStyle : std::uint8_t { text, json, sarif };
 
 struct DiagnosticPolicy {
   DiagnosticStyle style = DiagnosticStyle::text;
-  std::uint64_t repeats = 5;         ///< text: so many of one code are said in full, the rest as one line; 0: all
+  std::uint64_t repeats = 5;  ///< text: so many of one code are said in full, those of one place and wording once, the
+                              ///< rest as one line; 0: all
   std::uint64_t maximum_errors = 0;  ///< limit_reached() from then on; 0: no limit
   bool warnings_are_errors = false;
   bool colours = false;  ///< text only
@@ -43,14 +45,19 @@ class DiagnosticWriter : public DiagnosticSink {
   bool limit_reached() const { return policy_.maximum_errors != 0 && errors_ >= policy_.maximum_errors; }
 
  private:
+  struct Said {
+    std::vector<std::string> lines;  ///< at most `repeats`
+    std::uint64_t unsaid = 0;
+  };
   void write_text(const Diagnostic& diagnostic);
+  std::string text_of(const Diagnostic& diagnostic) const;
   void write_json(const Diagnostic& diagnostic);
   void write_sarif(const Diagnostic& diagnostic);
 
   DiagnosticPolicy policy_;
   Write write_;
-  std::map<std::string, Count, std::less<>> by_code_;       // since the beginning
-  std::map<std::string, std::uint64_t, std::less<>> said_;  // in this program
+  std::map<std::string, Count, std::less<>> by_code_;  // since the beginning
+  std::map<std::string, Said, std::less<>> said_;      // in this program
   std::uint64_t errors_ = 0, warnings_ = 0;
   bool sarif_open_ = false, finished_ = false;
 };
