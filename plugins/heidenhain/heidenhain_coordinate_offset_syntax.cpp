@@ -3,10 +3,12 @@
 #include <charconv>
 
 #include "coordinate_offset_util.hpp"
-#include "klartext_diagnostics.hpp"
+#include "datum_shift.hpp"
 
 namespace heidenhain {
 namespace {
+
+enum class Order { programmed, shift_first };
 
 struct HeidenhainCoordinateOffset {
   static constexpr auto spec =
@@ -15,13 +17,20 @@ struct HeidenhainCoordinateOffset {
           .before("KlartextMotionSyntax", "KlartextDrillingCycleSyntax", "ProgramXyzSyntax", "McXyzSyntax");
 
   ig::Word number_{"Parsing.DATUM_PRESET", ig::wake, ""};
-  ig::Call datum_{{"DATUM", "IDATUM"}, "X Y Z A B C"};
+  DatumWords words_;
   ig::Out<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
   iso::OffsetSection local_{"LocalCoordinateOffset"};
   iso::OffsetSection offset_{"CoordinateOffset"};
+  TurnedShift turned_{"DatumShift"};
   ig::In<ig::Symbol> tilt_{"TiltTransform.Term"};
+  ig::In<double> angle_{"TiltTransform.R"};
+  ig::InWhile<bool> while_rotated_{"DatumShift.IsRotated"}, while_mirrored_{"DatumShift.IsMirrored"};
+  iso::PlaneInForce plane_;
+  ig::Choice<Order> order_{"order", "programmed|shift-first", "programmed",
+                           "What a shift counts along that comes after a rotation or a mirror image: the axes that "
+                           "these have turned, or those of the preset."};
   ig::Service<ig_work_offset_1> table_{"isogloss.work-offset/1", ig::Need::required, "The presets."};
-  ig::Name g68_2_{"G68.2"};
+  ig::Name g68_{"G68"};
 
   ig::Status restart(ig::Block& b) {
     double origin[3] = {};
@@ -35,9 +44,10 @@ struct HeidenhainCoordinateOffset {
   ig::Status build(ig::Block& b) {
     const bool selects = b.has(number_);
     if (selects) select(b);
-    const bool shifts = b.find(datum_).has_value();
+    const bool shifts = words_.stand_in(b);
     if (shifts) shift(b);
-    return shifts || selects ? ig::Status::changed : ig::Status::unchanged;
+    const bool follows = turned_.is_here(b) && follow(b);
+    return shifts || selects || follows ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
@@ -59,32 +69,28 @@ struct HeidenhainCoordinateOffset {
     b.set(id_, preset);
     offset_.set(b, {origin[0], origin[1], origin[2]});
     local_.set(b, {});  // a preset cancels the shift
+    turned_.end(b);
   }
 
   void shift(ig::Block& b) const {
-    const ig::Vec3 old = local_.get(b);
-    ig::Vec3 now = old;
-    bool is_reset = true;
-    for (std::size_t row = 0; row < 2; ++row) {
-      ig_value v[6];
-      const std::uint32_t named = b.host()->take_many(b.raw(), datum_.row(row), 6, v);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        if ((named >> axis & 1u) != 0) {
-          now[axis] = v[axis].number + (row == 1 ? old[axis] : 0);
-          is_reset = is_reset && now[axis] == 0;
-        }
-      const bool turns = (named >> 3) != 0 && (v[3].number != 0 || v[4].number != 0 || v[5].number != 0);
-      if (turns)
-        b.report(hei("HEI-0161"), ig::Where::word(datum_.code(row)), 7.0,
-                 std::string_view("the datum of a rotary axis stays"));
-    }
-    std::uint32_t found = 0;
-    b.host()->take_code(b.raw(), datum_.codes(), datum_.code_count(), &found);
-    if (b.is(tilt_, g68_2_) && !is_reset && now != old) {
-      b.report(hei("HEI-0161"), ig::Where::block(), 7.0, std::string_view("in a tilted plane the datum stays"));
-      return;
-    }
-    local_.set(b, now);
+    const ig::Vec3 old = turned_.is_here(b) ? turned_.get(b) : local_.get(b);
+    const ig::Vec3 now = words_.take(b, old).to;
+    if (order_ == Order::programmed && old == ig::Vec3{}) turned_.begin(b, b.is(tilt_, g68_), turned_.is_mirrored(b));
+    if (now == ig::Vec3{}) turned_.end(b);
+    if (turned_.is_here(b))
+      turned_.set(b, now);
+    else
+      local_.set(b, now);
+  }
+
+  /// Cycles 8 and 10 that stand before the shift turn it with them.
+  bool follow(ig::Block& b) const {
+    const iso::Mat4 rotation = iso::turn_about(plane_(b).tool, b.get_or(angle_, 0.0));
+    const ig::Vec3 to = turned_.around(b, b.is(tilt_, g68_) ? &rotation : nullptr);
+    if (!turned_.is_here(b)) turned_.end(b);
+    if (to == local_.get(b)) return false;
+    local_.set(b, to);
+    return true;
   }
 };
 

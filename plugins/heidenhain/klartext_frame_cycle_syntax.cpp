@@ -33,6 +33,8 @@ struct KlartextFrameCycle {
   ig::Xyz mirror_image_{"MirrorImage", ig::read};
   ig::In<ig::Symbol> tilt_{"TiltTransform.Term"};
   ig::In<double> turned_{"TiltTransform.R"};
+  ig::Field<double> turned_in_plane_{"PlaneFrame.R", ig::previous, {ig::Life::modal, "deg", ""}};
+  ig::Field<double> plane_rotation_{"Parsing.PLANE_ROTATION", ig::write, {ig::Life::word, "deg", ""}};
   ig::In<ig::Symbol> plane_{"PlaneSelect.Term"};
   ig::Out<double> dwell_{"Dwell.Time"};
   ig::Name g68_{"G68"}, g68_2_{"G68.2"}, g18_{"G18"}, g19_{"G19"};
@@ -228,6 +230,8 @@ struct KlartextFrameCycle {
     return count;
   }
 
+  bool is_mirrored_in_plane(const ig::Block& b) const { return b.has(mirror_term_) && mirrored_axes_in_plane(b) == 1; }
+
   bool scales(ig::Block& b, std::string_view text, std::size_t i) const {
     const Value v = text_.number_behind(b, text, i);
     return !v.ok || v.number != 1;
@@ -244,22 +248,24 @@ struct KlartextFrameCycle {
     }
     const bool is_rotated = b.is(tilt_, g68_);
     // IsoG68RotationSyntax turns the other way in a mirrored system, and keeps the angle that it turns.
-    const bool is_mirrored = b.has(mirror_term_) && mirrored_axes_in_plane(b) == 1;
-    const double in_force = is_rotated ? b.get_or(turned_, 0.0) : 0;
+    const bool is_mirrored = is_mirrored_in_plane(b);
+    const double in_force = b.is(tilt_, g68_2_) ? b.get_or(turned_in_plane_, 0.0)
+                            : is_rotated        ? b.get_or(turned_, 0.0)
+                                                : 0;
     turn(b, where, v.number + (is_step ? (is_mirrored ? -in_force : in_force) : 0));
   }
 
   void turn(ig::Block& b, ig::Where where, double angle) const {
     if (b.is(tilt_, g68_2_)) {
-      if (angle != 0)
-        b.report(hei("HEI-0161"), where, 10.0, std::string_view("positions in the tilted plane are not rotated"));
+      word(b, plane_rotation_.id(), where.begin, where.end, is_mirrored_in_plane(b) ? -angle : angle);
       return;
     }
+    if (b.has(turned_in_plane_)) word(b, plane_rotation_.id(), where.begin, where.end, 0);  // of a plane that ended
     if (angle == 0) {
       if (b.is(tilt_, g68_)) code(b, rotation_end_.id(0), where.begin, where.end);
       return;
     }
-    if (is_mirrored)
+    if (is_mirrored_in_plane(b))
       b.set(mirrored_rotation_, true);
     else if (b.has(mirrored_rotation_))
       b.erase(mirrored_rotation_);

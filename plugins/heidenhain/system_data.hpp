@@ -30,7 +30,7 @@ class SystemData {
     if (is(60, 5)) return in_unit(b, b.get_or(radius_delta_, 0.0));
     if (r.id == 50 && (r.number == 1 || r.number == 2)) return of_table(b, r);
     if (!is_of_axis) return std::nullopt;
-    if (is(220, 2)) return axis < 3 ? std::optional(in_unit(b, b.get_or(shift_[axis], 0.0))) : std::nullopt;
+    if (is(220, 2)) return axis < 3 ? std::optional(in_unit(b, shift(b, axis))) : std::nullopt;
     if (axis > 2 && (is(240, 1) || is(270, 1))) return b.get(angles_[axis - 3]);
     if (is(240, 1)) {
       const auto position = b.get(machine_[axis]);
@@ -59,6 +59,15 @@ class SystemData {
   ig::Previous<double> speed_{"SpindleSpeed.SpindleSpeed_rpm"};
   ig::In<double> length_delta_{"ToolHeightCompensation.Delta_mm", ig::read, {ig::Life::modal, "mm", ""}};
   ig::In<double> radius_delta_{"RadiusCompensation.Delta_mm", ig::read, {ig::Life::modal, "mm", ""}};
+  /// As programmed: in the plane, along turned axes, or else along those of the preset.
+  double shift(const ig::Block& b, std::size_t axis) const {
+    for (const ig::Xyz* of : {&plane_shift_, &turned_shift_})
+      if (const ig::PartialVec3 v = b.get(*of); v.has(axis)) return v.value[axis];
+    return b.get_or(shift_[axis], 0.0);
+  }
+
+  ig::Xyz plane_shift_{"PlaneFrame", ig::previous, {ig::Life::modal, "mm", ""}};
+  ig::Xyz turned_shift_{"DatumShift", ig::previous, {ig::Life::modal, "mm", ""}};
   std::array<ig::Previous<double>, 3> shift_{ig::Previous<double>{"LocalCoordinateOffset.Offset_X"},
                                              ig::Previous<double>{"LocalCoordinateOffset.Offset_Y"},
                                              ig::Previous<double>{"LocalCoordinateOffset.Offset_Z"}};

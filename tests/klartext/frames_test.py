@@ -3,8 +3,9 @@
 
   frames_test.py --isogloss PATH [--programs N] [--seed S]
 
-The model is what the manual says: the datum shift counts from the preset, mirror image and rotation act about it in
-the order of their definition, a plane turns about it. On a machine whose table A carries table C the workpiece turns
+The model is what the manual says: the datum shift counts from the preset, or along the axes that a mirror image or a
+rotation turned before it; mirror image and rotation act about it in the order of their definition, a plane turns about
+it, and a shift and a rotation in the plane act inside the plane. On a machine whose table A carries table C the workpiece turns
 with them. Every move must end where the model does, to 1e-6 mm; after TURN and MOVE the rotary axes must set the
 plane upright, and MOVE must leave the tip where it was in the workpiece.
 """
@@ -71,7 +72,9 @@ class Program:
         self.lines, self.checks = [], {}
         self.preset, self.shift = [0.0] * 3, [0.0] * 3
         self.mirrored, self.angle, self.rotated_after_mirror = (False, False), 0.0, False
+        self.turned_before, self.mirrored_before = False, False  # the shift came after them
         self.plane = None  # a matrix
+        self.inner_shift, self.inner_angle, self.inner_turned_before = [0.0] * 3, 0.0, False
         self.write("BEGIN PGM CHAIN MM")
         self.write("TOOL CALL 1 Z S1000 F500")
         self.move(all_axes=True)
@@ -96,13 +99,25 @@ class Program:
 
     def matrix(self):
         if self.plane is not None:
-            return self.plane
+            return times(self.plane, about(2, self.inner_angle))
         flip = [[-1.0 if i == j and i < 2 and self.mirrored[i] else UNIT[i][j] for j in range(3)] for i in range(3)]
         turn = about(2, self.angle)
         return times(flip, turn) if self.rotated_after_mirror else times(turn, flip)
 
+    def way(self):
+        """The shift along the axes of the preset."""
+        v = [-x if i < 2 and self.mirrored[i] and self.mirrored_before else x for i, x in enumerate(self.shift)]
+        if not self.turned_before:
+            return v
+        is_reversed = self.rotated_after_mirror and sum(self.mirrored) == 1
+        return turned(about(2, -self.angle if is_reversed else self.angle), v)
+
     def frame(self):
-        return self.matrix(), plus(self.preset, self.shift)
+        origin = plus(self.preset, self.way())
+        if self.plane is not None:
+            v = turned(about(2, self.inner_angle), self.inner_shift) if self.inner_turned_before else self.inner_shift
+            origin = plus(origin, turned(self.plane, v))
+        return self.matrix(), origin
 
     # ---- steps
 
@@ -135,13 +150,19 @@ class Program:
         self.check("arc", {0: (False, x), 1: (False, y), 2: (True, height)}, self.frame(), centre, sweep)
 
     def datum(self):
-        if not self.is_plain():
-            return
+        if self.plane is not None:
+            shift = self.inner_shift
+            if not any(shift):
+                self.inner_turned_before = self.inner_angle != 0
+        else:
+            shift = self.shift
+            if not any(shift):
+                self.turned_before, self.mirrored_before = self.angle != 0, any(self.mirrored)
         self.write("CYCL DEF 7.0 DATUM SHIFT")
         for part, axis in enumerate(self.random.sample(range(3), self.random.randint(1, 3)), 1):
             step, v = self.random.random() < 0.3, self.value()
             self.write(f"CYCL DEF 7.{part} {'I' if step else ''}{'XYZ'[axis]}{v:+.3f}")
-            self.shift[axis] = self.shift[axis] + v if step else v
+            shift[axis] = shift[axis] + v if step else v
 
     def datum_preset(self):
         if not self.is_plain():
@@ -149,14 +170,17 @@ class Program:
         row = self.random.choice(list(PRESETS))
         self.write(f"CYCL DEF 247 DATUM SETTING Q339={row:+d}")
         self.preset, self.shift = list(PRESETS[row]), [0.0] * 3
+        self.turned_before, self.mirrored_before = False, False
 
     def rotation(self):
-        if self.plane is not None:
-            return
-        step = self.random.random() < 0.3 and self.angle != 0 and not any(self.mirrored)
+        in_plane = self.plane is not None
+        step = self.random.random() < 0.3 and (self.inner_angle if in_plane else self.angle) != 0 and not any(self.mirrored)
         v = self.value(-180, 180)
         self.write("CYCL DEF 10.0 ROTATION")
         self.write(f"CYCL DEF 10.1 {'I' if step else ''}ROT{v:+.3f}")
+        if in_plane:
+            self.inner_angle = self.inner_angle + v if step else v
+            return
         if not step:
             self.rotated_after_mirror = any(self.mirrored)
         self.angle = self.angle + v if step else v
@@ -168,11 +192,13 @@ class Program:
         self.write("CYCL DEF 8.0 MIRROR IMAGE")
         self.write("CYCL DEF 8.1 " + " ".join(axes))
         self.mirrored = ("X" in axes, "Y" in axes)
+        self.mirrored_before = self.mirrored_before and any(self.mirrored)
         self.rotated_after_mirror = False
 
     def tilt(self):
         if self.plane is None and not self.is_plain():
             return
+        self.reset_plane()
         if self.plane is not None and self.random.random() < 0.4:
             self.end_plane()
             return
@@ -196,7 +222,19 @@ class Program:
         self.write(f"PLANE {kind} {words} {how}{way}")
         self.check("turn" if how != "STAY" else "stay", how, way, self.frame())
 
+    def reset_plane(self):
+        """In the reverse order: rotation, shift. Zeros without a shift of the plane are those of before the plane."""
+        if self.inner_angle != 0:
+            self.write("CYCL DEF 10.0 ROTATION")
+            self.write("CYCL DEF 10.1 ROT+0")
+        if any(self.inner_shift):
+            self.write("CYCL DEF 7.0 DATUM SHIFT")
+            for part, axis in enumerate("XYZ", 1):
+                self.write(f"CYCL DEF 7.{part} {axis}+0")
+        self.inner_shift, self.inner_angle, self.inner_turned_before = [0.0] * 3, 0.0, False
+
     def end_plane(self):
+        self.reset_plane()
         self.plane = None
         self.write(self.random.choice(("PLANE RESET STAY", "PLANE RESET TURN FMAX")))
         self.check("end")
@@ -214,7 +252,7 @@ class Program:
             for part, word in enumerate(text.split() or [""], 1):
                 self.write(f"CYCL DEF {cycle}.{part} {word}".rstrip())
         self.mirrored, self.angle, self.rotated_after_mirror = (False, False), 0.0, False
-        self.shift = [0.0] * 3
+        self.shift, self.turned_before, self.mirrored_before = [0.0] * 3, False, False
 
 
 class Machine:
