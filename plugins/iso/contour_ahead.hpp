@@ -118,8 +118,10 @@ class ContourAhead {
   using Break = std::optional<CornerBreakState::Corner>;
 
   /// How long a millimetre of the program is in the machine. What a turned frame adds below 1e-9 is noise.
-  static double scale(ig::Block& b) {
-    const auto origin = b.to_machine({}), unit = b.to_machine({1, 0, 0});
+  double scale(ig::Block& b) const {
+    ig::Vec3 axis;
+    axis[plane_(b).first] = 1;
+    const auto origin = b.to_machine({}), unit = b.to_machine(axis);
     if (!origin || !unit) return 1;
     const double scale = std::round(length(*unit - *origin) * 1e9) / 1e9;
     return scale > 0 ? scale : 1;
@@ -169,6 +171,7 @@ class ContourAhead {
     return n;
   }
 
+  PlaneInForce plane_;
   ContourMotionOf motion_;
   ig::In<ig::Symbol> side_{"RadiusCompensation.Side"};
   ig::In<double> radius_{"RadiusCompensation.Radius_mm"};

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "arc_util.hpp"
-#include "plane_util.hpp"
+#include "frame_shape.hpp"
 #include "program_xyz_util.hpp"
 #include "siemens_diagnostics.hpp"
 
@@ -33,6 +33,7 @@ struct SiemensArc {
                                   ig::Word{"Parsing.K", ig::take | ig::write}};
   ig::Xyz words_{"Parsing", ig::read | ig::write};
   ig::Signal uneven_{"ProgrammableFrame.~Uneven", ig::read, ig::Life::modal};
+  ig::Transform frame_{"ProgrammableFrame", ig::read};
   iso::PlaneInForce plane_;
   iso::LastProgramXyz last_;
   ig::Name g02_{"G02"}, g03_{"G03"};
@@ -56,7 +57,7 @@ struct SiemensArc {
     if (b.is_raised(through_)) return through_point(b, cip) || any ? ig::Status::changed : ig::Status::unchanged;
     if (b.find(others_)) return any ? ig::Status::changed : ig::Status::unchanged;
     const bool has_words = b.get(words_).mask != 0;
-    if (b.is_raised(uneven_) && has_words) b.report(diag("SIE-0225"), ig::Where::block());
+    if (has_words && is_bent(b)) b.report(diag("SIE-0225"), ig::Where::block());
     if (const auto angle = b.take(ar_)) {
       by_angle(b, *angle, arc ? *arc == 1 : b.is(counterclockwise_, g03_));
       any = true;
@@ -65,6 +66,13 @@ struct SiemensArc {
   }
 
  private:
+  /// The frame makes no circle of an arc in the plane in force.
+  bool is_bent(const ig::Block& b) const {
+    std::array<double, 16> m;
+    return b.is_raised(uneven_) && b.host()->transform(b.raw(), frame_.id(), m.data()) != 0 &&
+           !keeps_circles(m, plane_(b));
+  }
+
   void set(ig::Block& b, const iso::PlaneAxes& plane, const Point2& from_start) const {
     b.set(centre_[plane.first], iso::rounded(from_start.u));
     b.set(centre_[plane.second], iso::rounded(from_start.v));

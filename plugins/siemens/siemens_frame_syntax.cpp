@@ -1,6 +1,6 @@
 /// TRANS, ROT, SCALE, MIRROR and their additive forms: the programmable frame. TRANS and its kin replace the whole of
 /// it, also what the others of them have said; ATRANS and its kin act in the frame as it is.
-#include "plane_util.hpp"
+#include "frame_shape.hpp"
 #include "siemens_diagnostics.hpp"
 #include "tilt_transform_util.hpp"
 
@@ -23,9 +23,12 @@ struct SiemensFrame {
   ig::Call mirror_{{"MIRROR", "AMIRROR"}, "X[] Y[] Z[] A[] B[] C[]"};
   ig::Word rpl_{"Parsing.RPL", ig::take, "deg", "Turn about the normal of the plane."};
   ig::Out<ig::Symbol> term_{"ProgrammableFrame.Term", {ig::Life::modal, "", "The instruction that was last."}};
-  ig::Signal uneven_{"ProgrammableFrame.~Uneven", ig::write, ig::Life::modal};
+  ig::Signal uneven_{"ProgrammableFrame.~Uneven", ig::read | ig::write, ig::Life::modal};
+  ig::InWhile<ig::Symbol> left_{"RadiusCompensation.Term", "G41"}, right_{"RadiusCompensation.Term", "G42"};
+  ig::Signal compensation_said_{"ProgrammableFrame.~CompensationSaid", ig::read | ig::write, ig::Life::modal};
   ig::Transform frame_{"ProgrammableFrame", ig::read | ig::write};
   iso::PlaneInForce plane_;
+  ig::Name g41_{"G41"}, g42_{"G42"};
 
   ig::Status build(ig::Block& b) {
     bool any = false;
@@ -36,10 +39,24 @@ struct SiemensFrame {
         change(b, *call, *words);
         any = true;
       }
-    return any ? ig::Status::changed : ig::Status::unchanged;
+    return say_uneven_compensation(b) || any ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
+  /// Once for each time that G41 or G42 meets such a frame.
+  bool say_uneven_compensation(ig::Block& b) const {
+    const bool is_wrong =
+        b.is_raised(uneven_) && (b.is(left_, g41_) || b.is(right_, g42_)) && !keeps_circles(present(b), plane_(b));
+    if (is_wrong == b.is_raised(compensation_said_)) return false;
+    if (is_wrong) {
+      b.report(diag("SIE-0245"), ig::Where::block());
+      b.raise(compensation_said_);
+    } else {
+      b.erase(compensation_said_);
+    }
+    return true;
+  }
+
   void change(ig::Block& b, const ig::Call& call, const ig::Words& words) const {
     const auto where = ig::Where::word(call.code(words.row));
     if (words['A'] || words['B'] || words['C'])
@@ -67,7 +84,7 @@ struct SiemensFrame {
     }
     b.host()->set_transform(b.raw(), frame_.id(), m.data());
     b.set(term_, words.code);
-    if (is_even(m))
+    if (keeps_circles(m, iso::xy_plane) && keeps_circles(m, iso::zx_plane))
       b.erase(uneven_);
     else
       b.raise(uneven_);
@@ -88,28 +105,13 @@ struct SiemensFrame {
                                iso::TurnedAxes::fixed);
   }
 
-  static double row_length(const Mat4& m, std::size_t row) {
-    return std::sqrt(m[4 * row] * m[4 * row] + m[4 * row + 1] * m[4 * row + 1] + m[4 * row + 2] * m[4 * row + 2]);
-  }
   /// Finite, and with a way back.
   static bool is_sound(const Mat4& m) {
     constexpr double least = 1e-9, most = 1e9;
     for (const double element : m)
       if (!(std::fabs(element) < 1e12)) return false;
     for (std::size_t row = 0; row < 3; ++row)
-      if (!(row_length(m, row) > least && row_length(m, row) < most)) return false;
-    return true;
-  }
-  /// A circle stays a circle.
-  static bool is_even(const Mat4& m) {
-    const double x = row_length(m, 0);
-    for (std::size_t row = 0; row < 3; ++row) {
-      if (std::fabs(row_length(m, row) - x) > 1e-9 * x) return false;
-      const std::size_t next = (row + 1) % 3;
-      const double skew =
-          m[4 * row] * m[4 * next] + m[4 * row + 1] * m[4 * next + 1] + m[4 * row + 2] * m[4 * next + 2];
-      if (std::fabs(skew) > 1e-9 * x * x) return false;
-    }
+      if (!(iso::length(axis_of(m, row)) > least && iso::length(axis_of(m, row)) < most)) return false;
     return true;
   }
 };

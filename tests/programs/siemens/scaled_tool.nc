@@ -7,6 +7,13 @@ X10 Y30
 G2 X20 Y40 CR=10
 G1 X30
 G40 X50 Y50
+; Scales of the plane alone keep circles, others do not.
+SCALE X2 Y2
+G2 X60 Y50 CR=5
+SCALE X2
+G1 G41 X10 Y0
+X10 Y30
+G40 X50 Y50
 SCALE
 G0 X0 Y0
 MIRROR X0

@@ -1,0 +1,25 @@
+/// What a frame makes of circles.
+#pragma once
+
+#include <cmath>
+#include <span>
+
+#include "plane_util.hpp"
+#include "program_xyz_util.hpp"
+
+namespace siemens {
+
+/// Where the frame lets an axis of the program point; its length is the scale of the axis.
+inline ig::Vec3 axis_of(std::span<const double, 16> m, std::size_t axis) {
+  return {m[4 * axis], m[4 * axis + 1], m[4 * axis + 2]};
+}
+
+/// A circle in the plane stays a circle: both axes have one scale and are square to each other.
+inline bool keeps_circles(std::span<const double, 16> m, const iso::PlaneAxes& plane) {
+  const ig::Vec3 u = axis_of(m, plane.first), v = axis_of(m, plane.second);
+  const double size = iso::length(u);
+  const double skew = u.x * v.x + u.y * v.y + u.z * v.z;
+  return std::fabs(iso::length(v) - size) <= 1e-9 * size && std::fabs(skew) <= 1e-9 * size * size;
+}
+
+}  // namespace siemens
