@@ -27,7 +27,8 @@ def programs():
 
 def result(isogloss, folder, dialect, arguments, text):
     (folder / "x.nc").write_text(text)
-    run = subprocess.run([isogloss, "run", "x.nc", "-d", dialect, "--emit", "motions", "--format", "csv", *arguments],
+    run = subprocess.run([isogloss, "run", "x.nc", "--repeats", "0", "-d", dialect, "--emit", "motions", "--format", "csv",
+                          *arguments],
                          cwd=folder, capture_output=True, text=True, timeout=30, check=False)
     events = []
     for row in csv.DictReader(io.StringIO(run.stdout)):
