@@ -188,11 +188,11 @@ inline constexpr std::array klartext_diagnostics{
                    "text in brackets is no comment of Klartext: it is skipped here and further on",
                    "A comment begins with a semicolon. Simulators and other controls write comments in brackets.",
                    "( SETUP SHEET"),
-    ig::diagnostic(IG_WARNING, "HEI-0191",
-                   "{0} while the datum is shifted or turned in the plane of before: both go on counting",
-                   "The manual resets in the reverse order: rotation and shift of the plane first, then the plane. What "
-                   "the control makes of another order is not sure.",
-                   "5 PLANE RESET STAY (after CYCL DEF 7 in the plane)"),
+    ig::diagnostic(
+        IG_WARNING, "HEI-0191", "{0} while the datum is shifted or turned in the plane of before: both go on counting",
+        "The manual resets in the reverse order: rotation and shift of the plane first, then the plane. What "
+        "the control makes of another order is not sure.",
+        "5 PLANE RESET STAY (after CYCL DEF 7 in the plane)"),
     ig::diagnostic(IG_WARNING, "HEI-0190", "the program ends here without END PGM, M2 or M30",
                    "The run ends. The file may have been cut off: what is missing is not known.",
                    "BEGIN PGM 1 MM (with no END PGM behind it)"),
