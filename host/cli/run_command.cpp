@@ -180,18 +180,28 @@ class Runs {
       if (command_.common.maximum_errors != 0) exporters.push_back(&limit);
       if (!command_.tables_to_save.empty())
         exporters.push_back((tables = make_table_saver(command_.tables_to_save, session_)).get());
+      const std::uint64_t errors_before = session_.diagnostics().errors();
       const RunResult result = isogloss::run(*linked_, source, path, options, exporters, session_.diagnostics());
       wrote_ = true;
       output_is_gone_ = output_->reader_is_gone();
       if (session_.diagnostics().limit_reached())
         session_.say("IG-0517", {path, static_cast<std::uint32_t>(result.lines), 0},
                      {std::to_string(session_.diagnostics().errors())});
+      else
+        doubt(path, session_.diagnostics().errors() - errors_before, result.blocks);
       if (command_.summary) write_summary(path, summary);
     } catch (const std::runtime_error& e) {
       if (session_.diagnostics().errors() == 0) session_.say("IG-0513", {path}, {e.what()});
       return cannot_start;  // a syntax could not be created
     }
     return success;
+  }
+
+  /// Errors nearly everywhere have one cause most often.
+  void doubt(const std::string& path, std::uint64_t errors, std::uint64_t blocks) {
+    constexpr std::uint64_t least = 5;
+    if (errors >= least && errors * 4 >= blocks * 3)
+      session_.say("IG-0518", {path}, {std::to_string(errors), std::to_string(blocks)});
   }
 
   void write_summary(const std::string& path, const Summary& summary) {

@@ -224,6 +224,8 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "Each call that is not made lets its caller go on, which calls again: programs that call themselves more than "
        "once would run on for ever.",
        "a program that calls itself twice"},
+      {warning, "IG-0423", "there is no block in the file: nothing is run",
+       "The file is empty, or holds blank lines alone.", "an export that was cut off at once"},
       // cases, apply, command line: 0500-0599
       {error, "IG-0501", "malformed page: {0}",
        "A case of a page is a heading, prose, and fences after the lines #Previous:, #Ahead:, #Dependencies:, "
@@ -259,6 +261,9 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "`isogloss list` names what is there.", "isogloss inspect DrilingCycleSyntax"},
       {warning, "IG-0517", "stopped after {0} errors", "The limit given by --max-errors is reached.",
        "isogloss run part.nc --max-errors 1"},
+      {note, "IG-0518", "{0} errors in {1} blocks: this may be no part program, or one for another control",
+       "At least three of four blocks have an error. `isogloss list dialects` names the dialects, `-d` picks one.",
+       "isogloss run README.md"},
   };
   return table;
 }

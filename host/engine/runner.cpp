@@ -53,6 +53,8 @@ class Run {
       over_ = over_ || flow_.is_over() || (is_line_done_ && window_.is_empty());
     }
     flush_window();
+    if (is_utf16_) return finish();
+    if (text_ended_ && result_.blocks == 0) sink_.add(host_diagnostic("IG-0423", {flow_.file_name(), 0, 0}, {}));
     if (text_ended_) run_end();
     if (program_ended_ || text_ended_) say_what_follows();
     return finish();
@@ -65,6 +67,7 @@ class Run {
     ++result_.lines;
     if (line.number == 1 && cursor.is_utf16()) {
       sink_.add(host_diagnostic("IG-0413", {flow_.file_name(), 1, 1}, {}));
+      is_utf16_ = true;
       return false;
     }
     if (line.truncated) {
@@ -258,7 +261,7 @@ class Run {
   bool is_line_done_ = false;
   ig_field stop_, end_;
   LookAheadWindow window_;
-  bool over_ = false, program_ended_ = false, text_ended_ = false, said_wide_ = false;
+  bool over_ = false, program_ended_ = false, text_ended_ = false, said_wide_ = false, is_utf16_ = false;
 };
 
 }  // namespace

@@ -326,13 +326,28 @@ class Run(Command):
 class Diagnostics(Command):
     def setUp(self):
         super().setUp()
-        self.bad = self.write("bad.nc", "G123\n" * 20)
+        self.bad = self.write("bad.nc", "G123\n" * 20 + "G0 X1.\n" * 10)
 
     def test_repeats_are_grouped(self):
         done = self.run_it("run", self.bad, "-d", "iso", status=1)
         self.assertEqual(done.stderr.count("error:"), 5)
         self.assertRegex(done.stderr, r"… and 15 more \[[A-Z]+-\d+\]")
         self.assertEqual(self.run_it("run", self.bad, "-d", "iso", "--repeats", "0", status=1).stderr.count("error:"), 20)
+
+    def test_what_is_no_program_is_doubted(self):
+        text = self.write("notes.txt", "Ask the shop for\nthe offsets and the\ntools of this part,\nthen write it\nanew.\n")
+        self.assertIn("IG-0518", self.run_it("run", text, "-d", "fanuc", status=1).stderr)
+        self.assertNotIn("IG-0518", self.run_it("run", self.bad, "-d", "iso", status=1).stderr)
+
+    def test_empty_files_and_wide_text_are_said(self):
+        for text in ("", "\n \r\n"):
+            self.assertIn("IG-0423", self.run_it("run", self.write("empty.nc", text), "-d", "fanuc").stderr)
+        wide = self.write("wide.nc", "")
+        with open(wide, "wb") as file:
+            file.write("G0 X1.\n".encode("utf-16"))
+        done = self.run_it("run", wide, "-d", "fanuc", status=1)
+        self.assertIn("IG-0413", done.stderr)
+        self.assertEqual(done.stderr.count("[IG-"), 1)
 
     def test_json(self):
         done = self.run_it("run", self.bad, "-d", "iso", "--diagnostics", "json", status=1)
