@@ -51,32 +51,36 @@ void DiagnosticWriter::add(Diagnostic diagnostic) {
   ++count.number;
   count.severity = std::max(count.severity, diagnostic.severity);
   switch (policy_.style) {
-    case DiagnosticStyle::text: write_text(diagnostic); break;
+    case DiagnosticStyle::text:
+      if (!is_repeat(diagnostic)) write_text(diagnostic);
+      break;
     case DiagnosticStyle::json: write_json(diagnostic); break;
     case DiagnosticStyle::sarif: write_sarif(diagnostic); break;
   }
 }
 
-void DiagnosticWriter::write_text(const Diagnostic& d) {
-  if (policy_.repeats == 0) return write_(text_of(d));
+/// Was it said often enough, or in the same words at the same place?
+bool DiagnosticWriter::is_repeat(const Diagnostic& d) {
+  if (policy_.repeats == 0) return false;
   Said& said = said_[d.code];
-  if (said.lines.size() < policy_.repeats) {
-    std::string text = text_of(d);
-    if (std::find(said.lines.begin(), said.lines.end(), text) == said.lines.end()) {
-      write_(text);
-      said.lines.push_back(std::move(text));
-      return;
-    }
+  const auto is_same = [&](const Diagnostic& other) {
+    return other.where.line == d.where.line && other.where.column == d.where.column && other.message == d.message &&
+           other.where.file == d.where.file;
+  };
+  if (said.written.size() >= policy_.repeats || std::any_of(said.written.begin(), said.written.end(), is_same)) {
+    ++said.unsaid;
+    return true;
   }
-  ++said.unsaid;
+  said.written.push_back(d);
+  return false;
 }
 
-std::string DiagnosticWriter::text_of(const Diagnostic& d) const {
+void DiagnosticWriter::write_text(const Diagnostic& d) {
   const bool colours = policy_.colours;
   std::string line = fmt::format("{}: {}{}: {}{} [{}]\n", printable(place(d)), colours ? colour(d.severity) : "",
                                  to_string(d.severity), colours ? "\033[0m" : "", printable(d.message), d.code);
   if (!d.hint.empty()) line += fmt::format("  hint: {}\n", printable(d.hint));
-  return line;
+  write_(line);
 }
 
 void DiagnosticWriter::write_json(const Diagnostic& d) {

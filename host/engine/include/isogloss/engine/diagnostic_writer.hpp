@@ -46,11 +46,11 @@ class DiagnosticWriter : public DiagnosticSink {
 
  private:
   struct Said {
-    std::vector<std::string> lines;  ///< at most `repeats`
+    std::vector<Diagnostic> written;  // at most `repeats`
     std::uint64_t unsaid = 0;
   };
+  bool is_repeat(const Diagnostic& diagnostic);
   void write_text(const Diagnostic& diagnostic);
-  std::string text_of(const Diagnostic& diagnostic) const;
   void write_json(const Diagnostic& diagnostic);
   void write_sarif(const Diagnostic& diagnostic);
 
