@@ -44,6 +44,10 @@ struct ToolChange {
   ig::Choice<Identification> identification_{"identification", "none|hundredths", "none",
                                              "What follows the point of T: nothing may; or two digits that tell tools "
                                              "of one number apart."};
+  enum class ChangesBy { m06, t };
+  ig::Choice<ChangesBy> changes_by_{"changes-by", "m06|t", "m06",
+                                    "What puts a tool into the spindle: M06, or its T at once (turrets, and machines "
+                                    "without a magazine)."};
   ig::Word t_{"Parsing.T"};
   ig::Word next_word_{"Parsing.NextTool"};
   ig::Codes change_{"M06"};
@@ -52,13 +56,16 @@ struct ToolChange {
   ig::Out<bool> is_change_{"ToolChange.IsChange"};
   ig::Out<ig::Symbol> term_{"ToolChange.Term"};
   ToolField spindle_tool_{"SpindleTool"};
+  ig::Name t_name_{"T"};
 
   ig::Status build(ig::Block& b) {
     const bool has_t = name(b, t_, tool_);
     const bool has_next = name(b, next_word_, next_);
-    if (!b.take(change_)) return has_t || has_next ? ig::Status::changed : ig::Status::unchanged;
+    const bool has_m06 = b.take(change_).has_value();
+    if (!has_m06 && !(has_t && changes_by_ == ChangesBy::t))
+      return has_t || has_next ? ig::Status::changed : ig::Status::unchanged;
     b.set(is_change_, true);
-    b.set(term_, change_.name(0));
+    b.set(term_, has_m06 ? change_.name(0) : t_name_);
     if (const auto tool = tool_.get(b)) {
       spindle_tool_.set(b, *tool);
     } else {

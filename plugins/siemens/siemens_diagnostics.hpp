@@ -234,6 +234,11 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_WARNING, "SIE-0233",
                    "tool {0}, edge D{1}: the table has no row {2}, so length and radius count as 0",
                    "Give the offsets in a table of tools (--tools FILE).", "T5 M6"),
+    ig::diagnostic(
+        IG_WARNING, "SIE-0234", "a move with D{0}, but no M6 has put T{1} into the spindle: {2}",
+        "T alone changes the tool where machine data 22550 is 0; changes-by=\"t\" of ToolChangeSyntax says so of a "
+        "machine. Said once.",
+        "T5 D1, then G0 Z50"),
     ig::diagnostic(IG_ERROR, "SIE-0241", "{0}: the scale {1} is not greater than 0: nothing changes",
                    "MIRROR is what turns the direction of an axis.", "SCALE X0"),
     ig::diagnostic(IG_ERROR, "SIE-0242", "{0}: the frame becomes too large or too small: nothing changes",

@@ -1,0 +1,66 @@
+/// Machines where T alone changes the tool have no M6 in their programs. The first move with an offset shows it: up to
+/// there M6 may still come.
+#include "siemens_diagnostics.hpp"
+
+namespace siemens {
+namespace {
+
+enum class WithoutM6 { changed, waits };
+
+struct SiemensDirectTool {
+  static constexpr auto spec =
+      ig::syntax("SiemensDirectToolSyntax", "T changes the tool where no M6 does.")
+          .after("ToolChangeSyntax", "SiemensToolNameSyntax")
+          .before("SiemensToolOffsetSyntax", "SiemensMachineCoordinatesSyntax", "SiemensPositionSyntax");
+
+  ig::Choice<WithoutM6> without_m6_{"without-m6", "changed|waits", "changed",
+                                    "A move with an offset of a tool that T named and no M6 brought: T has changed the "
+                                    "tool (machine data 22550 = 0), or it waits, and the offset counts as 0."};
+  ig::In<std::int64_t> named_{"ToolChange.ToolId", ig::wake};
+  ig::Out<std::int64_t> in_spindle_{"ToolChange.SpindleToolId"};
+  ig::Out<bool> is_change_{"ToolChange.IsChange"};
+  ig::Out<ig::Symbol> term_{"ToolChange.Term"};
+  ig::Signal waits_{"ToolChange.~Waits", ig::read | ig::write | ig::wake_while, ig::Life::modal};
+  ig::Signal by_t_{"ToolChange.~ByT", ig::read | ig::write | ig::wake_while, ig::Life::modal};
+  ig::Field<double> d_{"Parsing.D", ig::read | ig::write, {ig::Life::word, "", ""}};
+  ig::Field<std::int64_t> edge_{
+      "ToolHeightCompensation.Edge", ig::previous, {ig::Life::modal, "", "D: the cutting edge in force; 0: none."}};
+  ig::Codes machine_{{"G53", "G153", "SUPA"}, ig::read};
+  ig::Xyz words_{"Parsing", ig::read};
+  ig::Name t_{"T"};
+
+  ig::Status build(ig::Block& b) {
+    if (b.is_fresh(is_change_)) {  // M6
+      b.erase(waits_);
+      b.erase(by_t_);
+      return ig::Status::changed;
+    }
+    if (b.is_raised(by_t_)) return b.is_fresh(named_) ? change(b) : ig::Status::unchanged;
+    if (b.is_fresh(named_) && !b.has(in_spindle_)) b.raise(waits_);
+    if (!b.is_raised(waits_) || b.get(words_).mask == 0 || b.find(machine_)) return ig::Status::changed;
+    const double edge = b.get(d_).value_or(static_cast<double>(b.get_or(edge_, std::int64_t{0})));
+    if (edge == 0) return ig::Status::changed;
+    b.report(
+        diag("SIE-0234"), ig::Where::block(), edge, static_cast<double>(b.get_or(named_, std::int64_t{0})),
+        std::string_view(without_m6_ == WithoutM6::changed ? "T is taken to have changed the tool, here and further on"
+                                                           : "length and radius count as 0"));
+    b.erase(waits_);
+    if (without_m6_ == WithoutM6::waits) return ig::Status::changed;
+    b.raise(by_t_);
+    b.set(d_, edge);
+    return change(b);
+  }
+
+ private:
+  ig::Status change(ig::Block& b) const {
+    b.set(in_spindle_, b.get_or(named_, std::int64_t{0}));
+    b.set(is_change_, true);
+    b.set(term_, t_);
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<SiemensDirectTool> registered;
+
+}  // namespace
+}  // namespace siemens
