@@ -18,7 +18,7 @@ struct KlartextPath {
   static constexpr auto spec =
       ig::syntax("KlartextPathSyntax", "L, CC, C, CR, CT, polar LP, CP, CTP: words of a path block.")
           .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
-          .scans("ABCDILMRXYZabcdilmrxyz");
+          .scans("ABCDILMRUVWXYZabcdilmruvwxyz");
 
   Values values_;
   FeedWords feed_;
@@ -111,7 +111,7 @@ struct KlartextPath {
   }
   static bool is_axis_word(std::string_view letters) {
     if (letters.size() == 2 && to_upper(letters[0]) == 'I') letters.remove_prefix(1);
-    return letters.size() == 1 && std::string_view("XYZABC").find(to_upper(letters[0])) != std::string_view::npos;
+    return letters.size() == 1 && std::string_view("XYZABCUVW").find(to_upper(letters[0])) != std::string_view::npos;
   }
 
   // ---- words
@@ -144,6 +144,7 @@ struct KlartextPath {
       const std::size_t end = word_at(b, text, axis_word, path);
       return end == axis_word ? i : end;
     }
+    if (const std::size_t end = parallel_axis(b, text, i); end != i) return end;
     if (c == 'I') {
       if (const std::size_t axis = axis_of(d); axis < 6) return put(b, text, i, i + 2, steps_[axis], path, axes_[axis]);
       const std::size_t p = d == 'P' ? polar_of(at(text, i + 2)) : 2;
@@ -175,6 +176,18 @@ struct KlartextPath {
       }
       default: return i;
     }
+  }
+
+  /// U, V, W move no axis here; the other words of the block still hold, above all M91 and FMAX.
+  std::size_t parallel_axis(ig::Block& b, std::string_view text, std::size_t i) const {
+    const std::size_t letter = to_upper(text[i]) == 'I' ? i + 1 : i;
+    const char c = to_upper(at(text, letter));
+    if (c != 'U' && c != 'V' && c != 'W') return i;
+    const Value v = values_.read(b, text, letter + 1);
+    if (!v.ok) return i;
+    b.report(hei("HEI-0122"), ig::Where::columns(i, v.end), trim(piece(text, i, v.end)),
+             std::string_view("parallel axes are not known"));
+    return v.end;
   }
 
   /// LT, LN, CT, LCT, in polar coordinates PLT and so on, and LEN, CCA, R with a value: how the tool approaches the
