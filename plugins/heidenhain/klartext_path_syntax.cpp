@@ -342,6 +342,24 @@ struct KlartextPath {
     return L;
   }
 
+  /// F of a corner, with its value: F100, F 100, F MAX. Without one it says nothing.
+  std::size_t corner_feed(ig::Block& b, std::string_view text, std::size_t i, const Path& path) const {
+    const auto word_end = [&](std::size_t from) {
+      return iso::skip_while(text, from, [](char x) { return !is_space(x) && x != ';'; });
+    };
+    std::size_t end = std::max(i + 1, word_end(i));
+    if (end == i + 1) {
+      const std::size_t value = iso::skip_blanks(text, end);
+      const char c = to_upper(at(text, value));
+      const bool has_value = is_digit(c) || c == '.' || c == '+' || c == 'Q' || keyword(text, value, "MAX") != value ||
+                             keyword(text, value, "AUTO") != value;
+      if (!has_value) return end;
+      end = word_end(value);
+    }
+    b.report(hei("HEI-0181"), ig::Where::columns(i, end), piece(text, i, end), path.name);
+    return end;
+  }
+
   /// RND R5, CHF 2: between two moves; F of its own.
   std::size_t corner(ig::Block& b, std::string_view text, std::size_t begin, Path& path) const {
     std::size_t i = skip(text, path.position);
@@ -355,8 +373,7 @@ struct KlartextPath {
     for (i = skip(text, v.end); i < path.end; i = skip(text, i)) {
       const char c = to_upper(text[i]);
       std::size_t next = c == 'M' ? m_.scan(b, values_, text, i) : i;
-      if (c == 'F') next = std::max(i + 1, iso::skip_while(text, i, [](char x) { return !is_space(x) && x != ';'; }));
-      if (c == 'F') b.report(hei("HEI-0181"), ig::Where::columns(i, next), piece(text, i, next), path.name);
+      if (c == 'F') next = corner_feed(b, text, i, path);
       if (next == i) {
         unknown(b, text, i, path);
         break;
