@@ -31,7 +31,7 @@ struct KlartextUnknown {
       values_.say_brackets(b, where);
       return end;
     }
-    if (is_part_of_probing(text, position)) return end;
+    if (is_part_of_probing(text, position) || is_mill_mode(text, position, end)) return end;
     for (const Known& known : statements)
       if (keyword(text, position, known.words) != position) {
         b.report(hei("HEI-0122"), where, whole, std::string_view(known.effect));
@@ -97,6 +97,12 @@ struct KlartextUnknown {
     if (behind == position) return false;
     const std::size_t point = iso::skip_digits(text, skip(text, behind));
     return at(text, point) == '.' && is_digit(at(text, point + 1)) && at(text, point + 1) != '0';
+  }
+
+  /// FUNCTION MODE MILL with no name of kinematics: what is in force here anyway, since TURN is not executed.
+  static bool is_mill_mode(std::string_view text, std::size_t position, std::size_t end) {
+    const std::size_t behind = keyword(text, position, "FUNCTION MODE MILL");
+    return behind != position && skip(text, behind) >= end;
   }
 
   /// %NAME G71 *, and N10 G00 …: a Klartext block begins with a bare number.
