@@ -11,7 +11,7 @@ struct KlartextCycle {
   static constexpr auto spec = ig::syntax("KlartextCycleSyntax", "CYCL DEF of cycles that are called, and CYCL CALL.")
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
                                    .before("KlartextDrillingCycleSyntax")
-                                   .scans("CQcq");
+                                   .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz");
 
   CycleText text_;
   MFunctions m_;
@@ -31,23 +31,19 @@ struct KlartextCycle {
   ig::Codes motions_{{"G00", "G01"}, ig::write};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
-    if (!stands_first(text, position)) return position;
     const bool is_open = b.is_raised(is_open_);
+    const char first = to_upper(text[position]);
+    if ((!is_open && first != 'C' && first != 'Q') || !stands_first(text, position)) return position;
     const std::size_t end = statement_end(text, position);
     const std::size_t definition = keyword(text, position, "CYCL DEF"), call = keyword(text, position, "CYCL CALL");
     // Listings show the parameters of a cycle on lines of their own, without a number.
-    if (to_upper(text[position]) == 'Q') {
-      if (!is_open || position != iso::skip_blanks(text, 0) || text_.values().is_indexing() || b.has(n_))
-        return position;
-      if (!is_parameter_alone(text.substr(0, end), position)) {
-        b.erase(is_open_);
-        return position;
-      }
+    const bool is_alone = first == 'Q' && position == iso::skip_blanks(text, 0) && !b.has(n_) &&
+                          is_parameter_alone(text.substr(0, end), position);
+    if (is_open && is_alone && !text_.values().is_indexing())
       return parameters(b, text.substr(0, end), position) == position ? position : end;
-    }
+    if (is_open) b.erase(is_open_);
     if (definition == position && call == position) return position;
     if (text_.values().is_indexing()) return end;
-    if (is_open) b.erase(is_open_);
     if (call != position)
       read_call(b, text.substr(0, end), position, call);
     else

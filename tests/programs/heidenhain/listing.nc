@@ -1,0 +1,31 @@
+; a program without block numbers, typed from a listing
+BEGIN PGM LISTING MM
+TOOL CALL 1 Z S2000
+L Z+50 R0 FMAX M3
+CYCL DEF 200 DRILLING
+  Q200=2
+  ; a comment between the parameters
+  Q201=-10
+
+  Q206=150
+  Q202=10
+  Q210=0
+  Q203=+0
+  Q204=20
+  Q211=0
+L X+10 Y+10 FMAX M99
+Q201=-5
+Q1=-6
+L X+20 FMAX M99
+L X+40 FMAX
+L Z+Q1 F100
+L  W-20 Z+100 R0 FMAX
+V+5 X+0 FMAX
+FUNCTION MODE MILL
+L X+20 F300
+RND R2 F
+L Y+30
+L X+40
+RND R2 F 150
+L Y+40
+END PGM LISTING MM
