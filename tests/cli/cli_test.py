@@ -146,6 +146,11 @@ class Run(Command):
             done = self.run_it("run", self.write("guess.nc", text), "--emit", "none", status=declined)
             self.assertIn(f"note: dialect {dialect} ", done.stderr)
 
+    def test_part_of_a_klartext_program_is_known_by_its_moves(self):
+        for text in ("1 L Z+2,000 R0 F MAX M3\n2 L X+10,000 Y+5,000 R0 F200\n", "L X1 FMAX\nL Z-1 F100\n"):
+            done = self.run_it("run", self.write("guess.nc", text), "--emit", "none")
+            self.assertIn("note: dialect heidenhain ", done.stderr)
+
     def test_the_extension_tells_where_the_text_does_not(self):
         for name, dialect in (("guess.mpf", "siemens"), ("guess.nc", "syntec")):
             program = self.write(name, "G71 G90 G17 G40 G49\nG0 X0 Y0 Z5.\nG80\nM30\n")
