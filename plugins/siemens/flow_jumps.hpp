@@ -42,8 +42,7 @@ class Jumps {
       return;
     }
     if (!ends(b, text, end)) return;
-    const bool is_number = label.size() > 1 && label[0] == 'N' && iso::skip_digits(label, 1) == label.size();
-    if (is_number) label.erase(1, std::min(label.find_first_not_of('0', 1), label.size() - 1) - 1);
+    drop_zeros(label);
     const ig_search search = kind == "GOTOF"   ? ig_search{IG_SEARCH_FORWARD}
                              : kind == "GOTOB" ? ig_search{IG_SEARCH_BACKWARD}
                                                : ig_search{IG_SEARCH_AROUND};
@@ -53,6 +52,25 @@ class Jumps {
       return;
     }
     loops_.note_jump(environment_.flow.frame(b).id);
+  }
+
+  /// GOTOF A IF c GOTOF B at `position`, behind a condition that holds or does not: of several jumps in a block the
+  /// first counts whose condition holds.
+  void by_conditions(ig::Block& b, std::string_view text, std::size_t position, bool holds) {
+    for (;;) {
+      const std::size_t other = find_word(text, position, "IF");
+      if (holds) return go(b, text.substr(0, other), position);
+      if (other == text.size()) return;
+      Expression e(b, environment_, text, other + 2);
+      const auto condition = e.truth();
+      if (!condition) return;
+      position = iso::skip_blanks(text, e.position());
+      if (flow_word(iso::piece(text, position, skip_name(text, position))) != FlowWord::go) {
+        ends(b, text, other);
+        return;
+      }
+      holds = *condition;
+    }
   }
 
   /// CASE (x) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C

@@ -54,6 +54,20 @@ inline bool ends(ig::Block& b, std::string_view text, std::size_t position) {
 inline bool is_word(std::string_view text, std::size_t position, std::string_view word) {
   return iso::equals_ignoring_case(iso::piece(text, position, skip_name(text, position)), word);
 }
+/// Where the word stands from `position` on, outside texts; the end of the text where it does not.
+inline std::size_t find_word(std::string_view text, std::size_t position, std::string_view word) {
+  bool quoted = false;
+  for (std::size_t i = position; i < text.size(); ++i) {
+    if (text[i] == '"') quoted = !quoted;
+    if (!quoted && (i == 0 || !is_name_part(text[i - 1])) && is_word(text, i, word)) return i;
+  }
+  return text.size();
+}
+/// N0430 is the label N430.
+inline void drop_zeros(std::string& label) {
+  const bool is_number = label.size() > 1 && label[0] == 'N' && iso::skip_digits(label, 1) == label.size();
+  if (is_number) label.erase(1, std::min(label.find_first_not_of('0', 1), label.size() - 1) - 1);
+}
 /// Does a GOTO stand behind the condition?
 inline bool has_jump(std::string_view text, std::size_t position) {
   const std::size_t end = statement_end(text, position);

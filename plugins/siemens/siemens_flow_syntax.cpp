@@ -21,6 +21,7 @@ struct SiemensFlow {
   Environment environment_;
   ig::Signal statement_{"Parsing.~FlowStatement", ig::read | ig::write | ig::wake};
   ig::TextField label_{"Label.Name", ig::read | ig::write | ig::wake, {ig::Life::block, "", "The block's label."}};
+  ig::In<std::int64_t> number_{"Source.N", ig::wake};
   ig::Codes returns_{"RET", "M17"};
   ig::Codes ends_{{"M02", "M30"}, ig::take | ig::wake};
   ig::Out<ig::Symbol> returned_{"SubProgramReturn.Term"};
@@ -64,7 +65,8 @@ struct SiemensFlow {
       execute(b, b.source().substr(0, end_statement_));
       any = true;
     }
-    if (b.is_fresh(label_)) end_section(b);
+    if (b.is_fresh(label_)) end_section(b, b.text(label_));
+    if (b.is_fresh(number_)) end_section(b, "N" + std::to_string(b.get_or(number_, std::int64_t{0})));
     return any ? ig::Status::changed : ig::Status::unchanged;
   }
 
@@ -121,10 +123,7 @@ struct SiemensFlow {
       if (!has_jump(text, behind_)) jump_behind(b, text, "ENDIF@", "ENDIF", line);
       return;
     }
-    if (jumps_here) {
-      if (*holds) jumps_.go(b, text, after);
-      return;
-    }
+    if (jumps_here) return jumps_.by_conditions(b, text, after, *holds);
     if (!ends(b, text, after) || *holds) return;
     if (jump(b, BranchIndex::named("ELSE@", line), IG_SEARCH_FORWARD).is_not_found())
       jump_behind(b, text, "ENDIF@", "ENDIF", line);
@@ -260,12 +259,14 @@ struct SiemensFlow {
                  .until = "ENDLABEL"};
       std::size_t next = skip_name(text, name);
       first_label_ = upper(piece(text, name, next));
+      drop_zeros(first_label_);
       next = skip_blanks(text, next);
       if (word_ == Word::repeatb) {
         found.until = first_label_;
       } else if (is_name_start(at(text, next)) && !is_word(text, next, "P")) {
         const std::size_t last = skip_name(text, next);
         found.until = upper(piece(text, next, last));
+        drop_zeros(found.until);
         next = skip_blanks(text, last);
       }
       if (is_word(text, next, "P") && at(text, skip_blanks(text, next + 1)) == '=') {
@@ -302,13 +303,13 @@ struct SiemensFlow {
     loops_.pop();
   }
 
-  /// The label behind which the section in repetition ends.
-  void end_section(ig::Block& b) {
+  /// The label or number behind which the section in repetition ends.
+  void end_section(ig::Block& b, std::string_view label) {
     loops_.enter(environment_.flow.frame(b));
     const Loop* const section = loops_.innermost(frame(b));
     if (section == nullptr || section->kind != LoopKind::section) return;
     const std::string_view until = section->until;
-    if (until.substr(0, until.find(' ')) == b.text(label_)) environment_.flow.go_to(b, section->place);
+    if (until.substr(0, until.find(' ')) == label) environment_.flow.go_to(b, section->place);
   }
 
   // ---- RET, M17, and M2 and M30 of a subprogram
