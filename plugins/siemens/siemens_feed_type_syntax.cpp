@@ -1,5 +1,6 @@
 /// G96 and its kin stand in one group with G93, G94 and G95: they say what F counts, too. G96 counts it per revolution,
-/// G961 per minute, G962 as before. What is left of them is G96 or G97, as SpindleSpeedSyntax knows them.
+/// G961 per minute, G962 as before; and G93, G94 or G95 end G96. What is left of them is G96 or G97, as
+/// SpindleSpeedSyntax knows them.
 #include <isogloss/sdk.hpp>
 
 namespace siemens {
@@ -11,12 +12,13 @@ struct SiemensFeedType {
 
   ig::Codes kin_{"G961", "G971", "G962", "G972"};
   ig::Codes constant_{{"G96"}, ig::read | ig::write | ig::wake};
-  ig::Codes ended_{{"G97"}, ig::write};
-  ig::Codes types_{{"G93", "G94", "G95"}, ig::read | ig::write};
+  ig::Codes ended_{{"G97"}, ig::read | ig::write};
+  ig::Codes types_{{"G93", "G94", "G95"}, ig::read | ig::write | ig::wake};
+  ig::In<ig::Symbol> rate_{"SpindleSpeed.Term"};
 
   ig::Status build(ig::Block& b) {
     const auto kin = b.take(kin_);
-    if (!kin && !b.find(constant_)) return ig::Status::unchanged;
+    if (!kin && !b.find(constant_)) return end_rate(b);
     if (kin) raise(b, *kin % 2 == 0 ? constant_.id(0) : ended_.id(0));
     const bool keeps_type = kin && *kin >= 2;
     if (keeps_type || b.find(types_)) return kin ? ig::Status::changed : ig::Status::unchanged;
@@ -26,6 +28,13 @@ struct SiemensFeedType {
 
  private:
   static constexpr std::size_t per_minute = 1, per_revolution = 2;
+
+  /// G97 where a type of feed takes the place of G96 in its group.
+  ig::Status end_rate(ig::Block& b) const {
+    if (!b.find(types_) || b.find(ended_) || !b.is(rate_, constant_.name(0))) return ig::Status::unchanged;
+    raise(b, ended_.id(0));
+    return ig::Status::changed;
+  }
 
   static void raise(ig::Block& b, ig_field code) { b.host()->set(b.raw(), code, {.integer = 1}); }
 };
