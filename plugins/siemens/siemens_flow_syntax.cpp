@@ -21,7 +21,8 @@ struct SiemensFlow {
   Environment environment_;
   ig::Signal statement_{"Parsing.~FlowStatement", ig::read | ig::write | ig::wake};
   ig::TextField label_{"Label.Name", ig::read | ig::write | ig::wake, {ig::Life::block, "", "The block's label."}};
-  ig::In<std::int64_t> number_{"Source.N", ig::wake};
+  ig::In<std::int64_t> number_{"Source.N"};
+  ig::Signal numbers_end_{"SiemensFlow.~NumbersEnd", ig::write | ig::wake_while, ig::Life::modal};
   ig::Codes returns_{"RET", "M17"};
   ig::Codes ends_{{"M02", "M30"}, ig::take | ig::wake};
   ig::Out<ig::Symbol> returned_{"SubProgramReturn.Term"};
@@ -281,6 +282,7 @@ struct SiemensFlow {
         return;
       }
       if (!ends(b, text, next)) return;
+      if (found.until[0] == 'N') b.raise(numbers_end_);
       found.until += ' ' + first_label_;  // "END BEGIN"
       if (!loops_.push(std::move(found))) {
         b.report(diag("SIE-0143"), columns(text, begin_), static_cast<double>(LoopStack::deepest));
@@ -295,8 +297,7 @@ struct SiemensFlow {
     }
     section->left -= 1;
     const std::string from = section->until.substr(section->until.find(' ') + 1);
-    const ig::Flow::Answer answer = environment_.flow.jump(b, from, IG_SEARCH_BACKWARD);
-    if (!answer.is_not_found()) return;
+    if (!environment_.flow.jump(b, from, IG_SEARCH_BACKWARD).is_not_found()) return;
     const ig::Flow::Answer ahead = environment_.flow.jump(b, from, IG_SEARCH_FORWARD);
     if (!ahead.is_not_found()) return;
     b.report(diag("SIE-0147"), columns(text, begin_), std::string_view(from), ahead.reason);
