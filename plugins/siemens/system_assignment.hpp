@@ -28,8 +28,8 @@ class SystemAssignment {
         iso::equals_ignoring_case(iso::piece(text, value_at, end_of_name), "CTRANS")) {
       std::size_t next = iso::skip_blanks(text, end_of_name);
       const auto shift = shift_at(b, text, next);
-      const bool goes_on = iso::at(text, iso::skip_blanks(text, next)) == ':';  // CTRANS(…):CROT(…)
-      if (!shift || goes_on || !environment_.system.write_shift(b, name, *shift)) return refuse(last);
+      if (!shift || !passes_idle_links(b, text, next) || !environment_.system.write_shift(b, name, *shift))
+        return refuse(last);
       return {next};
     }
     if (iso::at(text, value_at) == '$') {
@@ -62,9 +62,31 @@ class SystemAssignment {
   }
 
  private:
+  /// :CROT(X,0,Y,0,Z,0), as posts and the control itself write it behind CTRANS. False where a link changes the frame.
+  bool passes_idle_links(ig::Block& b, std::string_view text, std::size_t& next) const {
+    while (iso::at(text, iso::skip_blanks(text, next)) == ':') {
+      const std::size_t link = iso::skip_blanks(text, iso::skip_blanks(text, next) + 1), end = skip_name(text, link);
+      const std::string name = upper(iso::piece(text, link, end));
+      const bool scales = name == "CSCALE";
+      if (!scales && name != "CROT" && name != "CFINE") return false;
+      next = iso::skip_blanks(text, end);
+      const double idle = scales ? 1 : 0;
+      const auto values = iso::at(text, next) == '(' ? shift_at(b, text, next, idle) : std::nullopt;
+      if (!values || *values != uniform(idle)) return false;
+    }
+    return true;
+  }
+
+  static SystemData::Shift uniform(double value) {
+    SystemData::Shift shift;
+    shift.fill(value);
+    return shift;
+  }
+
   /// (X,5,Y,3): nothing where it holds another axis, or no value.
-  std::optional<SystemData::Shift> shift_at(ig::Block& b, std::string_view text, std::size_t& next) const {
-    SystemData::Shift shift{};
+  std::optional<SystemData::Shift> shift_at(ig::Block& b, std::string_view text, std::size_t& next,
+                                            double unnamed = 0) const {
+    SystemData::Shift shift = uniform(unnamed);
     do {
       next = iso::skip_blanks(text, next + 1);
       const std::size_t end = skip_name(text, next), comma = iso::skip_blanks(text, end);
