@@ -26,8 +26,10 @@ struct SiemensDirectTool {
   ig::Field<std::int64_t> edge_{
       "ToolHeightCompensation.Edge", ig::previous, {ig::Life::modal, "", "D: the cutting edge in force; 0: none."}};
   ig::Codes machine_{{"G53", "G153", "SUPA"}, ig::read};
+  ig::Codes motions_{{"G00", "G01", "G02", "G03", "CIP"}, ig::read};
+  ig::In<ig::Symbol> motion_{"MotionState.Term"};
   ig::Xyz words_{"Parsing", ig::read};
-  ig::Name t_{"T"};
+  ig::Name t_{"T"}, g00_{"G00"};
 
   ig::Status build(ig::Block& b) {
     if (b.is_fresh(is_change_)) {  // M6
@@ -38,7 +40,7 @@ struct SiemensDirectTool {
     if (b.is_raised(by_t_)) return b.is_fresh(named_) ? change(b) : ig::Status::unchanged;
     if (b.is_fresh(named_) && !b.has(in_spindle_)) b.raise(waits_);
     if (!b.is_raised(waits_) || b.get(words_).mask == 0 || b.find(machine_)) return ig::Status::changed;
-    const double edge = b.get(d_).value_or(static_cast<double>(b.get_or(edge_, std::int64_t{0})));
+    const double edge = edge_of(b);
     if (edge == 0) return ig::Status::changed;
     b.report(
         diag("SIE-0234"), ig::Where::block(), edge, static_cast<double>(b.get_or(named_, std::int64_t{0})),
@@ -52,6 +54,15 @@ struct SiemensDirectTool {
   }
 
  private:
+  /// 0: the tool may wait on. Without any D a rapid may still go to where the tool is changed; a feed move has D1,
+  /// which comes into force with the tool.
+  double edge_of(const ig::Block& b) const {
+    if (const auto d = b.get(d_)) return *d;
+    if (const auto edge = b.get(edge_)) return static_cast<double>(*edge);
+    const auto code = b.find(motions_);
+    const bool is_rapid = code ? *code == 0 : b.is(motion_, g00_);
+    return is_rapid ? 0 : 1;
+  }
   ig::Status change(ig::Block& b) const {
     b.set(in_spindle_, b.get_or(named_, std::int64_t{0}));
     b.set(is_change_, true);
