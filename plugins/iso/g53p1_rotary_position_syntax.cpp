@@ -1,5 +1,6 @@
 /// G53.1 and G53.6: the rotary axes turn the tool upright on the tilted plane in force. Under G53.1 X Y Z of the
 /// machine stay; under G53.6 the tip of the tool stays on the workpiece. Fanuc manual, "Tool axis direction control".
+#include "as_written.hpp"
 #include "motion_event_util.hpp"
 #include "program_xyz_util.hpp"
 #include "tool_center_diagnostics.hpp"
@@ -63,7 +64,7 @@ struct G53p1RotaryPosition {
     if (!call) return follow(b);
     const auto where = ig::Where::word(codes_.code(call->row));
     if (b.take(words_).mask != 0) b.report(tool_center_diag("ISO-0448"), where, b.text(call->code));
-    if (is_refused(b, call->code, where)) return ig::Status::changed;
+    if (is_refused(b, *call, where)) return ig::Status::changed;
 
     const ig::Vec3 normal = plane_normal(b);
     const RotaryTurn turn = turn_.read(b, machine_);
@@ -95,15 +96,20 @@ struct G53p1RotaryPosition {
     return b.is(tilt_term_, g68_2_) || b.is(tilt_term_, g68_3_) || b.is(tilt_term_, g68_4_);
   }
 
+  std::string_view written(const ig::Block& b, const ig::Words& call) const {
+    return as_written(b, codes_.code(call.row), call.code);
+  }
+
   /// Without a plane, under tip control, without a machine: said, and the block does nothing but what else it holds.
-  bool is_refused(ig::Block& b, ig::Symbol code, ig::Where where) const {
+  bool is_refused(ig::Block& b, const ig::Words& call, ig::Where where) const {
+    const std::string_view code = written(b, call);
     if (!is_tilted(b)) {
-      b.report(tool_center_diag("ISO-0441"), where, b.text(code));
+      b.report(tool_center_diag("ISO-0441"), where, code);
     } else if (!machine_) {
-      if (!b.is_raised(said_)) b.report(tool_center_diag("ISO-0442"), where, b.text(code));
+      if (!b.is_raised(said_)) b.report(tool_center_diag("ISO-0442"), where, code);
       b.raise(said_);
     } else if (mode_.is_on(b)) {
-      b.report(tool_center_diag("ISO-0452"), where, b.text(code), b.text(mode_.term(b)));
+      b.report(tool_center_diag("ISO-0452"), where, code, b.text(mode_.term(b)));
     } else {
       return false;
     }
@@ -132,9 +138,9 @@ struct G53p1RotaryPosition {
     const auto angles = RotarySolver::choose(machine_, found, present, choice);
     if (angles) return angles;
     if (found.is_reachable)
-      b.report(tool_center_diag("ISO-0444"), where, b.text(call.code));
+      b.report(tool_center_diag("ISO-0444"), where, written(b, call));
     else
-      b.report(tool_center_diag("ISO-0443"), where, b.text(call.code), normal.x, normal.y, normal.z);
+      b.report(tool_center_diag("ISO-0443"), where, written(b, call), normal.x, normal.y, normal.z);
     b.alarm();
     return std::nullopt;
   }

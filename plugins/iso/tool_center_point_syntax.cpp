@@ -1,6 +1,7 @@
 /// G43.4 and G43.5: X Y Z are positions of the tool's tip in the workpiece, wherever the rotary axes have turned it.
 /// The length lies along the tool axis; the frame turns with the axes (PivotTransformationSyntax). G43.4 takes the
 /// angles, G43.5 the direction of the tool (I J K). Fanuc manual, "Tool center point control".
+#include "as_written.hpp"
 #include "cycle_codes.hpp"
 #include "motion_event_util.hpp"
 #include "tool_center_diagnostics.hpp"
@@ -94,17 +95,9 @@ struct ToolCenterPoint {
     return b.host()->get(b.raw(), code, &v) != 0 ? v.integer : 0;
   }
 
-  /// As the program has it: M128 and TRAORI become G43.4.
-  std::string_view as_written(const ig::Block& b, std::size_t code) const {
-    const std::string_view source = b.source();
-    ig_word place{};
-    const bool is_there = b.host()->word(b.raw(), codes_.code(code), &place) != 0;
-    if (!is_there || place.begin >= place.end || place.end > source.size()) return b.text(codes_.name(code));
-    return source.substr(place.begin, std::size_t{place.end} - place.begin);
-  }
-
   ig::Status as_g43(ig::Block& b, std::size_t code, std::optional<double> h, ig::Where where) const {
-    if (!b.is_raised(said_)) b.report(tool_center_diag("ISO-0447"), where, as_written(b, code));
+    if (!b.is_raised(said_))
+      b.report(tool_center_diag("ISO-0447"), where, as_written(b, codes_.code(code), codes_.name(code)));
     b.raise(said_);
     b.set_call(g43_, 0);
     if (h) b.set_word(g43_, 0, 'H', *h);

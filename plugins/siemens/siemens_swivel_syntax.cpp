@@ -129,8 +129,17 @@ struct SiemensSwivel {
     const double direction = v[dir].value_or(1);
     const bool is_level = !is_additive && turns[0] == 0 && turns[1] == 0 && turns[2] == 0;
     if (direction == 0 || (is_level && !machine_ && is_at_zero(b))) return;
-    b.set_call(align_, 0);
+    align(b);
     b.set_word(align_, 0, 'P', direction > 0 ? 1 : 2);
+  }
+
+  /// Stands where CYCLE800 does, for what is said of it.
+  void align(ig::Block& b) const {
+    ig_word word{};
+    b.host()->word(b.raw(), call_.code().code(0), &word);
+    word.field = align_.code(0);
+    word.value.integer = 1;
+    b.host()->set_words(b.raw(), &word, 1);
   }
 
   /// Nothing has turned the rotary axes.

@@ -1,0 +1,19 @@
+/// What the program has in place of a code: other languages hand theirs over as codes of ISO.
+#pragma once
+
+#include <isogloss/sdk.hpp>
+
+namespace iso {
+
+/// The text at which the code stands, up to a bracket (M128 of G43.4, CYCLE800 of G53.1); the code's own name where
+/// it has no place.
+inline std::string_view as_written(const ig::Block& b, ig_field code, ig::Symbol name) {
+  const std::string_view source = b.source();
+  ig_word place{};
+  const bool is_there = b.host()->word(b.raw(), code, &place) != 0;
+  if (!is_there || place.begin >= place.end || place.end > source.size()) return b.text(name);
+  const std::string_view text = source.substr(place.begin, std::size_t{place.end} - place.begin);
+  return text.substr(0, text.find('('));
+}
+
+}  // namespace iso
