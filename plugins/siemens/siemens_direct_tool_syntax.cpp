@@ -19,13 +19,18 @@ struct SiemensDirectTool {
   ig::In<std::int64_t> named_{"ToolChange.ToolId", ig::wake};
   ig::Out<std::int64_t> in_spindle_{"ToolChange.SpindleToolId"};
   ig::Out<bool> is_change_{"ToolChange.IsChange"};
+  ig::In<bool> wakes_{"ToolChange.IsChange", ig::wake};
   ig::Out<ig::Symbol> term_{"ToolChange.Term"};
   ig::Signal waits_{"ToolChange.~Waits", ig::read | ig::write | ig::wake_while, ig::Life::modal};
-  ig::Signal by_t_{"ToolChange.~ByT", ig::read | ig::write | ig::wake_while, ig::Life::modal};
+  ig::Signal by_t_{"ToolChange.~ByT", ig::read | ig::write, ig::Life::modal};
   ig::Field<double> d_{"Parsing.D", ig::read | ig::write, {ig::Life::word, "", ""}};
   ig::Field<std::int64_t> edge_{
       "ToolHeightCompensation.Edge", ig::previous, {ig::Life::modal, "", "D: the cutting edge in force; 0: none."}};
   ig::Codes machine_{{"G53", "G153", "SUPA"}, ig::read};
+  ig::Call cycles_{
+      {"CYCLE81", "CYCLE82", "CYCLE83", "CYCLE84", "CYCLE840", "CYCLE85", "CYCLE86", "CYCLE87", "CYCLE88", "CYCLE89"},
+      "",
+      ig::read};
   ig::Codes motions_{{"G00", "G01", "G02", "G03", "CIP"}, ig::read};
   ig::In<ig::Symbol> motion_{"MotionState.Term"};
   ig::Xyz words_{"Parsing", ig::read};
@@ -39,7 +44,9 @@ struct SiemensDirectTool {
     }
     if (b.is_raised(by_t_)) return b.is_fresh(named_) ? change(b) : ig::Status::unchanged;
     if (b.is_fresh(named_) && !b.has(in_spindle_)) b.raise(waits_);
-    if (!b.is_raised(waits_) || b.get(words_).mask == 0 || b.find(machine_)) return ig::Status::changed;
+    const bool moves = b.find(cycles_) || b.get(words_).mask != 0;
+    if (!b.is_raised(waits_) || !moves || b.find(machine_) || b.get_or(named_, std::int64_t{0}) == 0)
+      return ig::Status::changed;
     const double edge = edge_of(b);
     if (edge == 0) return ig::Status::changed;
     b.report(
@@ -54,11 +61,12 @@ struct SiemensDirectTool {
   }
 
  private:
-  /// 0: the tool may wait on. Without any D a rapid may still go to where the tool is changed; a feed move has D1,
-  /// which comes into force with the tool.
+  /// 0: the tool may wait on. Without any D a rapid may still go to where the tool is changed; a feed move or a cycle
+  /// has D1, which comes into force with the tool.
   double edge_of(const ig::Block& b) const {
     if (const auto d = b.get(d_)) return *d;
     if (const auto edge = b.get(edge_)) return static_cast<double>(*edge);
+    if (b.find(cycles_)) return 1;
     const auto code = b.find(motions_);
     const bool is_rapid = code ? *code == 0 : b.is(motion_, g00_);
     return is_rapid ? 0 : 1;
