@@ -1,8 +1,6 @@
 // Cycle 7 where other transformations stand around it: each acts in the system that those before it made.
 #pragma once
 
-#include <utility>
-
 #include "klartext_diagnostics.hpp"
 #include "plane_util.hpp"
 #include "tilt_transform_util.hpp"
@@ -12,24 +10,16 @@ namespace heidenhain {
 /// The words of cycle 7, for the syntaxes that shift the datum outside a tilted plane and inside it.
 class DatumWords {
  public:
-  struct Shift {
-    ig::Vec3 to;
-    bool is_end = true;  ///< each axis that is named goes back to 0
-  };
-
   bool stand_in(const ig::Block& b) const { return b.find(call_).has_value(); }
 
   /// Taken; axes that are not named keep `old`.
-  Shift take(ig::Block& b, const ig::Vec3& old) const {
-    Shift shift{old};
+  ig::Vec3 take(ig::Block& b, const ig::Vec3& old) const {
+    ig::Vec3 shift = old;
     for (std::size_t row = 0; row < 2; ++row) {
       ig_value v[6];
       const std::uint32_t named = b.host()->take_many(b.raw(), call_.row(row), 6, v);
       for (std::size_t axis = 0; axis < 3; ++axis)
-        if ((named >> axis & 1u) != 0) {
-          shift.to[axis] = v[axis].number + (row == 1 ? old[axis] : 0);
-          shift.is_end = shift.is_end && shift.to[axis] == 0;
-        }
+        if ((named >> axis & 1u) != 0) shift[axis] = v[axis].number + (row == 1 ? old[axis] : 0);
       const bool turns = (named >> 3) != 0 && (v[3].number != 0 || v[4].number != 0 || v[5].number != 0);
       if (turns)
         b.report(hei("HEI-0161"), ig::Where::word(call_.code(row)), 7.0,

@@ -46,7 +46,8 @@ struct HeidenhainCoordinateOffset {
     if (selects) select(b);
     const bool shifts = words_.stand_in(b);
     if (shifts) shift(b);
-    const bool follows = turned_.is_here(b) && follow(b);
+    const bool follows = turned_.is_here(b);
+    if (follows) follow(b);
     return shifts || selects || follows ? ig::Status::changed : ig::Status::unchanged;
   }
 
@@ -74,7 +75,7 @@ struct HeidenhainCoordinateOffset {
 
   void shift(ig::Block& b) const {
     const ig::Vec3 old = turned_.is_here(b) ? turned_.get(b) : local_.get(b);
-    const ig::Vec3 now = words_.take(b, old).to;
+    const ig::Vec3 now = words_.take(b, old);
     if (order_ == Order::programmed && old == ig::Vec3{}) turned_.begin(b, b.is(tilt_, g68_), turned_.is_mirrored(b));
     if (now == ig::Vec3{}) turned_.end(b);
     if (turned_.is_here(b))
@@ -84,13 +85,11 @@ struct HeidenhainCoordinateOffset {
   }
 
   /// Cycles 8 and 10 that stand before the shift turn it with them.
-  bool follow(ig::Block& b) const {
+  void follow(ig::Block& b) const {
     const iso::Mat4 rotation = iso::turn_about(plane_(b).tool, b.get_or(angle_, 0.0));
     const ig::Vec3 to = turned_.around(b, b.is(tilt_, g68_) ? &rotation : nullptr);
     if (!turned_.is_here(b)) turned_.end(b);
-    if (to == local_.get(b)) return false;
-    local_.set(b, to);
-    return true;
+    if (to != local_.get(b)) local_.set(b, to);
   }
 };
 

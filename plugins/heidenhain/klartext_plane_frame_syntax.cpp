@@ -29,8 +29,7 @@ struct KlartextPlaneFrame {
     const bool is_tilted = b.is(tilt_, g68_2_);
     if (acts(b) && b.has(preset_)) return end(b);
     const bool is_new = b.find(planes_).has_value();
-    if (is_tilted && (is_new || b.find(end_))) leave(b, is_new ? "a new plane" : "the end of the plane");
-    bool any = false;
+    bool any = is_tilted && (is_new || b.find(end_)) && leave(b, is_new ? "a new plane" : "the end of the plane");
     if (const auto angle = b.take(turn_)) {
       if (*angle == 0)
         b.erase(angle_);
@@ -50,11 +49,15 @@ struct KlartextPlaneFrame {
   bool acts(const ig::Block& b) const { return b.has(angle_) || is_shifted(b); }
   bool is_shifted(const ig::Block& b) const { return shift_.get(b) != ig::Vec3{}; }
 
-  void leave(ig::Block& b, std::string_view how) const {
-    if (acts(b))
+  /// Is the frame another one behind it?
+  bool leave(ig::Block& b, std::string_view how) const {
+    if (acts(b)) {
       b.report(hei("HEI-0191"), ig::Where::block(), how);
-    else if (shift_.was_set(b))
-      shift_.end(b);
+      return false;
+    }
+    const bool was_set = shift_.was_set(b);
+    if (was_set) shift_.end(b);
+    return was_set;
   }
 
   /// Zeros alone end the shift of before the plane; they are not for this syntax.
@@ -69,7 +72,7 @@ struct KlartextPlaneFrame {
 
   void shift(ig::Block& b) const {
     const bool is_first = !is_shifted(b);
-    const ig::Vec3 now = words_.take(b, shift_.get(b)).to;
+    const ig::Vec3 now = words_.take(b, shift_.get(b));
     if (is_first) shift_.begin(b, b.has(angle_), shift_.is_mirrored(b));
     shift_.set(b, now);
     if (now == ig::Vec3{}) shift_.begin(b, false, false);

@@ -65,13 +65,14 @@ struct UnitMode {
   ig::Status build(ig::Block& b) {
     const auto mode = modes_.take(b);
     const bool waits_for_unit = b.is_raised(no_unit_yet_);
-    if (waits_for_unit && (mode || say_unsaid(b))) b.erase(no_unit_yet_);
+    const bool is_said = waits_for_unit && (mode || say_unsaid(b));
+    if (is_said) b.erase(no_unit_yet_);
     if (mode) {
       b.set(term_, mode->name);
       b.set(system_, mode->is_inch ? inch_ : metric_);
     }
     const bool converted = b.is(system_, inch_) && to_metric(b);
-    return mode || converted ? ig::Status::changed : ig::Status::unchanged;
+    return mode || converted || is_said ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:

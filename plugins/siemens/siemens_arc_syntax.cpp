@@ -43,8 +43,9 @@ struct SiemensArc {
     const bool cip = b.take(cip_).has_value();
     if (cip) b.raise(through_);
     const auto arc = b.find(arcs_);
-    if (!cip && b.is_raised(through_) && (arc || b.find(others_))) b.erase(through_);
-    bool any = cip;
+    const bool ends = !cip && b.is_raised(through_) && (arc || b.find(others_));
+    if (ends) b.erase(through_);
+    bool any = cip || ends;
     if (const auto cr = b.take(cr_)) {
       const bool is_arc = arc || (!b.find(others_) && (b.is(clockwise_, g02_) || b.is(counterclockwise_, g03_)));
       if (is_arc)

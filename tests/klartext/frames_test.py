@@ -337,8 +337,8 @@ def difference(isogloss, folder, program):
     (folder / "machine.xml").write_text(MACHINE)
     settings = [w for n, xyz in PRESETS.items() for a, v in zip("XYZ", xyz)
                 for w in ("--set", f"IsoCoordinateTable.DATUM_PRESET_{n}.{a}={v}")]
-    run = subprocess.run([isogloss, "run", "in.h", "-d", "heidenhain", "--machine", "machine.xml", "--emit", "motions",
-                          "--format", "csv", "--exact", "--set", f"ToolOffsetTable.1.H={LENGTH}", *settings],
+    run = subprocess.run([isogloss, "run", "in.h", "-d", "heidenhain", "--checked", "--machine", "machine.xml",
+                          "--emit", "motions", "--format", "csv", "--exact", "--set", f"ToolOffsetTable.1.H={LENGTH}", *settings],
                          cwd=folder, capture_output=True, text=True, timeout=60, check=False)
     if run.returncode != 0:
         return 0, f"isogloss ends with {run.returncode}: {run.stderr[:600]}"

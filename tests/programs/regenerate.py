@@ -4,7 +4,8 @@
   regenerate.py --isogloss PATH [--check] [FOLDER/NAME...]
 
 Writes the expectations anew, or with --check compares and shows what changed. NAME.args beside a program holds more
-arguments. Before an expectation is committed somebody has read it against the control's manual.
+arguments. The checked host runs them: a syntax that breaks the contract shows among the diagnostics. Before an
+expectation is committed somebody has read it against the control's manual.
 """
 import argparse
 import difflib
@@ -20,8 +21,8 @@ def results(isogloss, program):
     """{expectation file: text} of one run."""
     arguments = program.with_suffix(".args")
     extra = shlex.split(arguments.read_text()) if arguments.exists() else []
-    run = subprocess.run([isogloss, "run", program.name, "-d", program.parent.name, "--emit", "motions", "--format",
-                          "csv", *extra], cwd=program.parent, capture_output=True, text=True, timeout=60, check=False)
+    run = subprocess.run([isogloss, "run", program.name, "-d", program.parent.name, "--checked", "--emit", "motions",
+                          "--format", "csv", *extra], cwd=program.parent, capture_output=True, text=True, timeout=60, check=False)
     if run.returncode not in (0, 1):
         raise RuntimeError(f"exit status {run.returncode}\n{run.stderr}")
     said = [line for line in run.stderr.splitlines(True) if ".xml:" not in line]  # the dialect has tests of its own

@@ -266,8 +266,8 @@ def difference(isogloss, folder, program):
     settings = [w for g, xyz in OFFSETS.items() if g != "G500" for a, v in zip("XYZ", xyz)
                 for w in ("--set", f"SiemensCoordinateTable.{g}.{a}={v}")]
     settings += ["--set", f"ToolOffsetTable.1.H={LENGTH}"]
-    run = subprocess.run([isogloss, "run", "in.mpf", "-d", "siemens", "--emit", "motions", "--format", "csv", "--exact",
-                          "--zero-moves", *settings], cwd=folder, capture_output=True, text=True, timeout=60, check=False)
+    run = subprocess.run([isogloss, "run", "in.mpf", "-d", "siemens", "--checked", "--emit", "motions", "--format",
+                          "csv", "--exact", "--zero-moves", *settings], cwd=folder, capture_output=True, text=True, timeout=60, check=False)
     if run.returncode != 0 or "warning" in run.stderr:
         return 0, f"isogloss ends with {run.returncode}: {run.stderr[:600]}"
     rows = {int(row["line"]): row for row in csv.DictReader(run.stdout.splitlines())
