@@ -9,14 +9,16 @@ it, and a shift and a rotation in the plane act inside the plane. On a machine w
 with them. Every move must end where the model does, to 1e-6 mm; after TURN and MOVE the rotary axes must set the
 plane upright, and MOVE must leave the tip where it was in the workpiece.
 """
-import argparse
 import csv
 import math
 import pathlib
 import random
 import subprocess
 import sys
-import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+import random_runs  # noqa: E402: it lies in another folder
 
 PRESETS = {1: (10.0, -20.0, 30.5), 2: (-7.25, 3.0, -100.0)}
 LENGTH = 57.3
@@ -352,29 +354,5 @@ def difference(isogloss, folder, program):
     return len(program.checks), None
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--isogloss", required=True, type=pathlib.Path)
-    parser.add_argument("--programs", type=int, default=40)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--keep", type=pathlib.Path, help="write programs that differ there")
-    options = parser.parse_args()
-    compared = differing = 0
-    with tempfile.TemporaryDirectory(prefix="isogloss-klartext-") as name:
-        for seed in range(options.seed, options.seed + options.programs):
-            program = Program(seed)
-            count, report = difference(options.isogloss.resolve(), pathlib.Path(name), program)
-            compared += count
-            if report is None:
-                continue
-            differing += 1
-            print(f"seed {seed}: {report}")
-            if options.keep:
-                options.keep.mkdir(parents=True, exist_ok=True)
-                (options.keep / f"{seed}.h").write_text("\n".join(program.lines) + "\n")
-    print(f"{options.programs} programs, {compared} moves compared, {differing} programs differ")
-    return 1 if differing or compared == 0 else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(random_runs.run(__doc__, Program, difference, ".h"))

@@ -8,14 +8,16 @@ The model is what the manual says of the frames: machine = settable offset + too
 frame (words)). Every move, arcs and helices included, must end where the model does, to 1e-6 mm, and each arc must
 have the centre and the sense that the frame makes of it.
 """
-import argparse
 import csv
 import math
 import pathlib
 import random
 import subprocess
 import sys
-import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+import random_runs  # noqa: E402: it lies in another folder
 
 NORMAL = {"G17": 2, "G18": 1, "G19": 0}
 OFFSETS = {"G54": (10.0, -20.0, 30.5), "G57": (-7.25, 3.0, -100.0), "G505": (1.0, 2.0, 3.0), "G500": (0.0, 0.0, 0.0)}
@@ -292,29 +294,5 @@ def difference(isogloss, folder, program):
     return len(program.ends), None
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--isogloss", required=True, type=pathlib.Path)
-    parser.add_argument("--programs", type=int, default=40)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--keep", type=pathlib.Path, help="write programs that differ there")
-    options = parser.parse_args()
-    compared = differing = 0
-    with tempfile.TemporaryDirectory(prefix="isogloss-siemens-") as name:
-        for seed in range(options.seed, options.seed + options.programs):
-            program = Program(seed)
-            count, report = difference(options.isogloss.resolve(), pathlib.Path(name), program)
-            compared += count
-            if report is None:
-                continue
-            differing += 1
-            print(f"seed {seed}: {report}")
-            if options.keep:
-                options.keep.mkdir(parents=True, exist_ok=True)
-                (options.keep / f"{seed}.mpf").write_text("\n".join(program.lines) + "\n")
-    print(f"{options.programs} programs, {compared} moves compared, {differing} programs differ")
-    return 1 if differing or compared == 0 else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(random_runs.run(__doc__, Program, difference, ".mpf"))
