@@ -54,19 +54,19 @@ int ApplyCommand::run() const {
 }  // namespace
 
 int apply_command(const Arguments& arguments) {
-  const auto app = make_app(
+  CommandLine line(
       "apply",
       "Runs one syntax on one block: the block document before it on standard input, after it on standard output.",
       R"(echo '{"Parsing": {"G04": {"P": 0.5}}}' | isogloss apply DwellSyntax)");
   ApplyCommand command;
-  app->add_option("SYNTAX", command.syntax, "Id of a syntax, or its alias in the dialect")->required();
-  app->add_option("--previous", command.previous, "The whole block before, as JSON")->type_name("FILE");
-  app->add_option("--ahead", command.ahead, "The executed blocks that follow, as a JSON list")->type_name("FILE");
-  app->add_option("--dependencies", command.dependencies, "Dependencies and options as XML, as a case has them")
-      ->type_name("FILE");
-  command.around.add_to(*app);
-  command.common.add_to(*app);
-  if (const auto done = parse(*app, arguments)) return *done;
+  line.option("SYNTAX", command.syntax, "Id of a syntax, or its alias in the dialect").required();
+  line.option("--previous", command.previous, "The whole block before, as JSON").type_name("FILE");
+  line.option("--ahead", command.ahead, "The executed blocks that follow, as a JSON list").type_name("FILE");
+  line.option("--dependencies", command.dependencies, "Dependencies and options as XML, as a case has them")
+      .type_name("FILE");
+  command.around.add_to(line);
+  command.common.add_to(line);
+  if (const auto done = line.parse(arguments)) return *done;
   return command.run();
 }
 

@@ -80,15 +80,14 @@ int CaseCommand::run() const {
 }  // namespace
 
 int case_command(const Arguments& arguments) {
-  const auto app =
-      make_app("case", "Runs the cases of pages: one build of the syntax must turn BeforeBuild into AfterBuild.",
-               "isogloss case plugins/iso/dwell_syntax.md");
+  CommandLine line("case", "Runs the cases of pages: one build of the syntax must turn BeforeBuild into AfterBuild.",
+                   "isogloss case plugins/iso/dwell_syntax.md");
   CaseCommand command;
-  app->add_option("FILE", command.files, "Pages (Markdown); - is standard input");
-  app->add_flag("--all", command.all, "All pages in the plugins");
-  command.around.add_to(*app);
-  command.common.add_to(*app);
-  if (const auto done = parse(*app, arguments)) return *done;
+  line.option("FILE", command.files, "Pages (Markdown); - is standard input");
+  line.flag("--all", command.all, "All pages in the plugins");
+  command.around.add_to(line);
+  command.common.add_to(line);
+  if (const auto done = line.parse(arguments)) return *done;
   return command.run();
 }
 

@@ -24,7 +24,7 @@ namespace {
 constexpr int crash_signals[] = {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL};
 constexpr unsigned seconds_for_reproducer = 20;
 
-char** arguments = nullptr;
+char** own_arguments = nullptr;
 bool may_reproduce = false;
 const char* volatile temporary = nullptr;
 void (*write_here)() = nullptr;
@@ -77,8 +77,8 @@ bool write_reproducer(const Breadcrumb& crumb, const char* file) {
   static char name_option[] = "--reproducer", builds_option[] = "--reproducer-build";
   static char line_option[] = "--reproducer-line", program_option[] = "--reproducer-program";
   std::size_t n = 0;
-  while (arguments[n] != nullptr && n + 9 < argv.size()) {
-    argv[n] = arguments[n];
+  while (own_arguments[n] != nullptr && n + 9 < argv.size()) {
+    argv[n] = own_arguments[n];
     ++n;
   }
   for (const char* extra :
@@ -176,7 +176,7 @@ void handle(int number, void (*handler)(int), int flags) {
 }  // namespace
 
 void guard_crashes(char** argv) {
-  arguments = argv;
+  own_arguments = argv;
   // A stack of its own: running out of stack is one of the crashes.
   constexpr std::size_t stack_size = std::size_t{256} << 10;
   void* const memory = mmap(nullptr, stack_size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -203,6 +203,6 @@ void allow_reproducer() { may_reproduce = true; }
 
 void remove_when_killed(const char* path) { temporary = path; }
 
-void on_crash(void (*writer)()) { write_here = writer; }
+void on_crash(void (*write_reproducer)()) { write_here = write_reproducer; }
 
 }  // namespace isogloss::cli

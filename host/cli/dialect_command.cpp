@@ -47,18 +47,18 @@ int DialectCommand::run() const {
 }  // namespace
 
 int dialect_command(const Arguments& arguments) {
-  const auto app = make_app("dialect", "Writes a dialect with all that it extends as one file.",
-                            "isogloss dialect --effective fanuc --inline -o effective.xml");
+  CommandLine line("dialect", "Writes a dialect with all that it extends as one file.",
+                   "isogloss dialect --effective fanuc --inline -o effective.xml");
   DialectCommand command;
-  app->add_option("--effective", command.name, "The dialect, by name or file")->required()->type_name("DIALECT");
-  app->add_option("--base-directory", command.base_directory,
-                  "Write the tables to files in this folder, named relative to it")
-      ->check(CLI::ExistingDirectory)
-      ->type_name("DIR");
-  app->add_flag("--inline", command.inline_tables, "Write no side files (as without --base-directory)");
-  app->add_option("-o,--output", command.output, "Write to a file")->type_name("FILE");
-  command.common.add_to(*app);
-  if (const auto done = parse(*app, arguments)) return *done;
+  line.option("--effective", command.name, "The dialect, by name or file").required().type_name("DIALECT");
+  line.option("--base-directory", command.base_directory,
+              "Write the tables to files in this folder, named relative to it")
+      .existing_folder()
+      .type_name("DIR");
+  line.flag("--inline", command.inline_tables, "Write no side files (as without --base-directory)");
+  line.option("-o,--output", command.output, "Write to a file").type_name("FILE");
+  command.common.add_to(line);
+  if (const auto done = line.parse(arguments)) return *done;
   return command.run();
 }
 

@@ -114,13 +114,12 @@ int DoctorCommand::run() const {
 }  // namespace
 
 int doctor_command(const Arguments& arguments) {
-  const auto app =
-      make_app("doctor", "Says which folders are searched, what was found, and what was not loaded and why.",
-               "isogloss doctor --plugins ./build/plugins");
+  CommandLine line("doctor", "Says which folders are searched, what was found, and what was not loaded and why.",
+                   "isogloss doctor --plugins ./build/plugins");
   DoctorCommand command;
-  app->add_flag("--json", command.json, "Write JSON");
-  command.common.add_to(*app);
-  if (const auto done = parse(*app, arguments)) return *done;
+  line.flag("--json", command.json, "Write JSON");
+  command.common.add_to(line);
+  if (const auto done = line.parse(arguments)) return *done;
   return command.run();
 }
 

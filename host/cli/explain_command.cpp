@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "crash_guard.hpp"
 #include "isogloss/engine/explain.hpp"
@@ -67,6 +66,17 @@ int ExplainCommand::explain_code(Session& session) const {
   return print(fmt::format("{} ({}, {})\n  {}\n\n{}\n\nExample: {}\n", found->code, to_string(found->severity),
                            found->plugin, found->text, found->explanation, found->example),
                success);
+}
+
+/// IG-0206: capitals and digits, a hyphen, digits.
+bool is_code(std::string_view text) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+  const std::string_view prefix = text.substr(0, text.find('-'));
+  const std::string_view number = text.substr(std::min(prefix.size() + 1, text.size()));
+  return !prefix.empty() && is_capital(prefix.front()) && !number.empty() &&
+         std::all_of(prefix.begin(), prefix.end(), [&](char c) { return is_capital(c) || is_digit(c); }) &&
+         std::all_of(number.begin(), number.end(), is_digit);
 }
 
 std::string origin(const ExplainedValue& v) {
@@ -204,8 +214,7 @@ int ExplainCommand::explain_line(Session& session, const std::string& path) {
 
 int ExplainCommand::run() {
   Session session(common);
-  static const std::regex code("[A-Z][A-Z0-9]*-[0-9]+");
-  if (std::regex_match(what, code)) return explain_code(session);
+  if (is_code(what)) return explain_code(session);
   const std::size_t colon = what.rfind(':');
   const std::string number = colon == std::string::npos ? "" : what.substr(colon + 1);
   const bool is_line = !number.empty() && number.size() < 10 &&
@@ -221,23 +230,22 @@ int ExplainCommand::run() {
 }  // namespace
 
 int explain_command(const Arguments& arguments) {
-  const auto app =
-      make_app("explain",
-               "Explains a line: what each syntax made of it, what was carried into it and who wrote that; "
-               "or says what a diagnostic means.",
-               "isogloss explain part.nc:42 -d fanuc\n  isogloss explain IG-0206");
+  CommandLine line("explain",
+                   "Explains a line: what each syntax made of it, what was carried into it and who wrote that; "
+                   "or says what a diagnostic means.",
+                   "isogloss explain part.nc:42 -d fanuc\n  isogloss explain IG-0206");
   ExplainCommand command;
-  app->add_option("PROGRAM:LINE", command.what, "A line of a program, or the code of a diagnostic")->required();
-  app->add_option("--in", command.target.file, "LINE is one of this file, a called program's (default: PROGRAM's own)")
-      ->type_name("FILE");
-  app->add_option("--pass", command.target.pass, "Which pass, of a line that is run several times")
-      ->check(CLI::PositiveNumber)
-      ->type_name("N")
-      ->capture_default_str();
-  app->add_flag("--json", command.json, "Write JSON");
-  command.program.add_to(*app);
-  command.common.add_to(*app);
-  if (const auto done = parse(*app, arguments)) return *done;
+  line.option("PROGRAM:LINE", command.what, "A line of a program, or the code of a diagnostic").required();
+  line.option("--in", command.target.file, "LINE is one of this file, a called program's (default: PROGRAM's own)")
+      .type_name("FILE");
+  line.option("--pass", command.target.pass, "Which pass, of a line that is run several times")
+      .at_least(1)
+      .type_name("N")
+      .shows_default();
+  line.flag("--json", command.json, "Write JSON");
+  command.program.add_to(line);
+  command.common.add_to(line);
+  if (const auto done = line.parse(arguments)) return *done;
   return command.run();
 }
 

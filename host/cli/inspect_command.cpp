@@ -124,16 +124,16 @@ int InspectCommand::run() const {
 }  // namespace
 
 int inspect_command(const Arguments& arguments) {
-  const auto app = make_app("inspect", "Shows the page and the declaration of a syntax, dependency, dialect or field.",
-                            "isogloss inspect DrillingCycleSyntax -d fanuc");
+  CommandLine line("inspect", "Shows the page and the declaration of a syntax, dependency, dialect or field.",
+                   "isogloss inspect DrillingCycleSyntax -d fanuc");
   InspectCommand command;
-  app->add_option("NAME", command.name, "Id of a syntax or dependency, name or file of a dialect, path of a field")
-      ->required();
-  app->add_option("-d,--dialect", command.dialect, "Also what this dialect makes of it: options, resolved patterns")
-      ->type_name("DIALECT");
-  app->add_flag("--json", command.json, "Write JSON");
-  command.common.add_to(*app);
-  if (const auto done = parse(*app, arguments)) return *done;
+  line.option("NAME", command.name, "Id of a syntax or dependency, name or file of a dialect, path of a field")
+      .required();
+  line.option("-d,--dialect", command.dialect, "Also what this dialect makes of it: options, resolved patterns")
+      .type_name("DIALECT");
+  line.flag("--json", command.json, "Write JSON");
+  command.common.add_to(line);
+  if (const auto done = line.parse(arguments)) return *done;
   return command.run();
 }
 

@@ -82,14 +82,13 @@ int LintCommand::run() const {
 }  // namespace
 
 int lint_command(const Arguments& arguments) {
-  const auto app =
-      make_app("lint", "Checks dialect files: reads them with what they extend, links and starts their chains.",
-               "isogloss lint fanuc ./my-machine.xml --suggest");
+  CommandLine line("lint", "Checks dialect files: reads them with what they extend, links and starts their chains.",
+                   "isogloss lint fanuc ./my-machine.xml --suggest");
   LintCommand command;
-  app->add_option("DIALECT", command.dialects, "Dialects, by name or file")->required();
-  app->add_flag("--suggest", command.suggest, "Print an order of the chain that satisfies every syntax, as a patch");
-  command.common.add_to(*app);
-  if (const auto done = parse(*app, arguments)) return *done;
+  line.option("DIALECT", command.dialects, "Dialects, by name or file").required();
+  line.flag("--suggest", command.suggest, "Print an order of the chain that satisfies every syntax, as a patch");
+  command.common.add_to(line);
+  if (const auto done = line.parse(arguments)) return *done;
   return command.run();
 }
 

@@ -139,16 +139,15 @@ struct ListCommand {
 }  // namespace
 
 int list_command(const Arguments& arguments) {
-  const auto app = make_app("list", "Lists what is there. Without a name: plugins and dialects.",
-                            "isogloss list syntaxes\n  isogloss list diagnostics --json");
+  CommandLine line("list", "Lists what is there. Without a name: plugins and dialects.",
+                   "isogloss list syntaxes\n  isogloss list diagnostics --json");
   ListCommand command;
   std::vector<std::string> names;
   for (const auto& [name, lister] : listers) names.emplace_back(name);
-  app->add_option("WHAT", command.what, "plugins, syntaxes, dialects, dependencies, fields or diagnostics")
-      ->check(CLI::IsMember(names));
-  app->add_flag("--json", command.json, "Write JSON");
-  command.common.add_to(*app);
-  if (const auto done = parse(*app, arguments)) return *done;
+  line.option("WHAT", command.what, "plugins, syntaxes, dialects, dependencies, fields or diagnostics").one_of(names);
+  line.flag("--json", command.json, "Write JSON");
+  command.common.add_to(line);
+  if (const auto done = line.parse(arguments)) return *done;
   return command.run();
 }
 

@@ -78,52 +78,45 @@ std::optional<std::filesystem::path> machine_file(const std::string& named, Sess
 
 }  // namespace
 
-void ProgramOptions::add_to(CLI::App& app) {
-  app.add_option("-d,--dialect", dialect,
-                 "Dialect, by name or file (default: guessed from text and extension, and said)")
-      ->type_name("DIALECT");
-  app.add_option("--machine", machine, "Tables of the machine: its axes and kinematics; a file, or a name in machines/")
-      ->type_name("FILE");
-  app.add_option("--offsets", offsets, "Table of work offsets")->type_name("FILE");
-  app.add_option("--tools", tools, "Table of tool offsets")->type_name("FILE");
-  app.add_option("--variables", variables, "Table of variables: those kept from another run, those of the machine")
-      ->type_name("FILE");
-  app.add_option("--set", set, "One value of a table or dependency, e.g. IsoCoordinateTable.G54.Z=-120 (repeatable)")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false);
-  app.add_option("--block-skip", block_skip, "Layers of the block skip that are on, e.g. 1,3 (default: none)")
-      ->type_name("LAYERS");
-  app.add_flag("--optional-stop", optional_stop, "The optional stop is on");
-  app.add_option("--program", program, "Start at this program of the file (default: the first)")->type_name("NAME");
-  app.add_option("--subprograms", subprograms,
-                 "Where called programs are looked for after the program's own file and folder: a folder, or a file of "
-                 "several programs (repeatable)")
-      ->type_name("PLACE")
-      ->allow_extra_args(false);
-  app.add_option("--on-error", on_error, "What an alarm of the control does")
-      ->check(CLI::IsMember({"stop", "continue"}))
-      ->type_name("stop|continue")
-      ->capture_default_str();
-  app.add_option("--max-blocks", maximum_blocks, "Stop after so many blocks (0: never)")
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("--main-passes", main_passes,
-                 "How often the main program runs where it starts itself over at its end; 0: until a limit ends it "
-                 "(default: the dialect's, mostly once)")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("N");
-  app.add_option("--max-depth", maximum_depth, "How deep calls of programs may be nested")
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("--max-jumps", maximum_jumps, "Stop after so many calls, returns and jumps")
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("--max-loop-blocks", maximum_loop_blocks, "Stop after so many blocks that run again after a jump back")
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("--watchdog", watchdog, "A block that takes longer is a fault of its syntax (0: never)")
-      ->type_name("SECONDS")
-      ->capture_default_str();
+void ProgramOptions::add_to(CommandLine& line) {
+  line.option("-d,--dialect", dialect, "Dialect, by name or file (default: guessed from text and extension, and said)")
+      .type_name("DIALECT");
+  line.option("--machine", machine, "Tables of the machine: its axes and kinematics; a file, or a name in machines/")
+      .type_name("FILE");
+  line.option("--offsets", offsets, "Table of work offsets").type_name("FILE");
+  line.option("--tools", tools, "Table of tool offsets").type_name("FILE");
+  line.option("--variables", variables, "Table of variables: those kept from another run, those of the machine")
+      .type_name("FILE");
+  line.option("--set", set, "One value of a table or dependency, e.g. IsoCoordinateTable.G54.Z=-120 (repeatable)")
+      .type_name("NAME=VALUE");
+  line.option("--block-skip", block_skip, "Layers of the block skip that are on, e.g. 1,3 (default: none)")
+      .type_name("LAYERS");
+  line.flag("--optional-stop", optional_stop, "The optional stop is on");
+  line.option("--program", program, "Start at this program of the file (default: the first)").type_name("NAME");
+  line.option("--subprograms", subprograms,
+              "Where called programs are looked for after the program's own file and folder: a folder, or a file of "
+              "several programs (repeatable)")
+      .type_name("PLACE");
+  line.option("--on-error", on_error, "What an alarm of the control does")
+      .one_of({"stop", "continue"})
+      .type_name("stop|continue")
+      .shows_default();
+  line.option("--max-blocks", maximum_blocks, "Stop after so many blocks (0: never)").type_name("N").shows_default();
+  line.option("--main-passes", main_passes,
+              "How often the main program runs where it starts itself over at its end; 0: until a limit ends it "
+              "(default: the dialect's, mostly once)")
+      .at_least(0)
+      .type_name("N");
+  line.option("--max-depth", maximum_depth, "How deep calls of programs may be nested").type_name("N").shows_default();
+  line.option("--max-jumps", maximum_jumps, "Stop after so many calls, returns and jumps")
+      .type_name("N")
+      .shows_default();
+  line.option("--max-loop-blocks", maximum_loop_blocks, "Stop after so many blocks that run again after a jump back")
+      .type_name("N")
+      .shows_default();
+  line.option("--watchdog", watchdog, "A block that takes longer is a fault of its syntax (0: never)")
+      .type_name("SECONDS")
+      .shows_default();
 }
 
 std::optional<RunOptions> ProgramOptions::make(Session& session) const {

@@ -23,7 +23,7 @@ struct ProgramOptions {
   std::uint64_t maximum_blocks = 0;
   unsigned watchdog = 10;
 
-  void add_to(CLI::App& app);
+  void add_to(CommandLine& line);
   /// Reads the tables and settings; empty when something is wrong, which is then said.
   std::optional<RunOptions> make(Session& session) const;
 };

@@ -78,11 +78,11 @@ const CaseWriter* writer = nullptr;  // for the signal handler, which has no oth
 
 }  // namespace
 
-void ReproducerRequest::add_to(CLI::App& app) {
-  app.add_option("--reproducer", file)->group("");
-  app.add_option("--reproducer-build", build)->group("");
-  app.add_option("--reproducer-line", line)->group("");
-  app.add_option("--reproducer-program", program)->group("");
+void ReproducerRequest::add_to(CommandLine& command_line) {
+  command_line.option("--reproducer", file).group("");
+  command_line.option("--reproducer-build", build).group("");
+  command_line.option("--reproducer-line", line).group("");
+  command_line.option("--reproducer-program", program).group("");
 }
 
 int ReproducerRequest::write(Session& session, const ProgramOptions& program_options, RunOptions options) const {

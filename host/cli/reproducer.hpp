@@ -11,7 +11,7 @@ struct ReproducerRequest {
   std::uint64_t build = 0;  ///< number of the build() that crashed, or of the last one before a scanner crashed
   std::uint32_t line = 0;   ///< of the block
 
-  void add_to(CLI::App& app);
+  void add_to(CommandLine& command_line);
   /// Runs up to that build and writes the case; internal_fault when it was not reached.
   int write(Session& session, const ProgramOptions& program_options, RunOptions options) const;
 };

@@ -26,36 +26,34 @@ struct RunCommand {
   std::vector<std::string> save_table;
   std::vector<TableRequest> tables_to_save;
 
-  void add_to(CLI::App& app);
+  void add_to(CommandLine& line);
   int run();
 };
 
-void RunCommand::add_to(CLI::App& app) {
-  app.add_option("PROGRAM", programs, "Programs, each a run of its own; - is standard input")->required();
-  program.add_to(app);
-  app.add_option("--emit", emit, "What is written (default: motions; with --summary alone: none)")
-      ->check(CLI::IsMember({"blocks", "motions", "none"}))
-      ->type_name("blocks|motions|none");
-  app.add_option("--format", format, "How it is written")
-      ->check(CLI::IsMember({"jsonl", "csv", "text"}))
-      ->type_name("jsonl|csv|text")
-      ->capture_default_str();
-  app.add_option("-o,--output", output, "Write to a file, which appears only when it is complete")->type_name("FILE");
-  app.add_option(
-         "--save-table", save_table,
-         "Write a table as the last run left it, to be given to a later run: MacroVariables=kept.xml (repeatable)")
-      ->type_name("NAME=FILE")
-      ->allow_extra_args(false);
-  app.add_flag("--summary", summary,
-               "Blocks, events, lengths, extents, time and diagnostics by code; on standard error when standard output "
-               "holds data");
-  app.add_flag("--header", header, "JSON Lines: a first line with version, dialect and units");
-  app.add_flag("--exact", exact, "Numbers that read back to the same value instead of 6 decimals");
-  app.add_flag("--zero-moves", zero_moves, "Keep linear moves that change no machine axis");
-  app.add_flag("--checked", checked, "Hold every access of a syntax against its declaration (slow)")->group("Testing");
-  app.add_flag("--call-all", call_all, "Call every syntax in every block; must give the same result")->group("Testing");
-  reproducer.add_to(app);
-  common.add_to(app);
+void RunCommand::add_to(CommandLine& line) {
+  line.option("PROGRAM", programs, "Programs, each a run of its own; - is standard input").required();
+  program.add_to(line);
+  line.option("--emit", emit, "What is written (default: motions; with --summary alone: none)")
+      .one_of({"blocks", "motions", "none"})
+      .type_name("blocks|motions|none");
+  line.option("--format", format, "How it is written")
+      .one_of({"jsonl", "csv", "text"})
+      .type_name("jsonl|csv|text")
+      .shows_default();
+  line.option("-o,--output", output, "Write to a file, which appears only when it is complete").type_name("FILE");
+  line.option("--save-table", save_table,
+              "Write a table as the last run left it, to be given to a later run: MacroVariables=kept.xml (repeatable)")
+      .type_name("NAME=FILE");
+  line.flag("--summary", summary,
+            "Blocks, events, lengths, extents, time and diagnostics by code; on standard error when standard output "
+            "holds data");
+  line.flag("--header", header, "JSON Lines: a first line with version, dialect and units");
+  line.flag("--exact", exact, "Numbers that read back to the same value instead of 6 decimals");
+  line.flag("--zero-moves", zero_moves, "Keep linear moves that change no machine axis");
+  line.flag("--checked", checked, "Hold every access of a syntax against its declaration (slow)").group("Testing");
+  line.flag("--call-all", call_all, "Call every syntax in every block; must give the same result").group("Testing");
+  reproducer.add_to(line);
+  common.add_to(line);
 }
 
 /// Ends the run when enough errors were said.
@@ -263,12 +261,13 @@ int RunCommand::run() {
 }  // namespace
 
 int run_command(const Arguments& arguments) {
-  auto app = make_app("run", "Runs part programs through a dialect and writes what the machine would do.",
-                      "isogloss run part.nc -d fanuc --offsets offsets.xml --emit motions --format csv -o part.csv");
+  auto line = std::make_unique<CommandLine>(
+      "run", "Runs part programs through a dialect and writes what the machine would do.",
+      "isogloss run part.nc -d fanuc --offsets offsets.xml --emit motions --format csv -o part.csv");
   RunCommand command;
-  command.add_to(*app);
-  if (const auto done = parse(*app, arguments)) return *done;
-  keep_to_the_end(std::move(app));
+  command.add_to(*line);
+  if (const auto done = line->parse(arguments)) return *done;
+  keep_to_the_end(std::move(line));
   return command.run();
 }
 

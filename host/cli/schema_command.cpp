@@ -6,15 +6,15 @@
 namespace isogloss::cli {
 
 int schema_command(const Arguments& arguments) {
-  const auto app = make_app("schema",
-                            "Prints the XML Schema of dialect files or the JSON Schema of the block document, "
-                            "made from what the plugins declare.",
-                            "isogloss schema dialect > dialect.xsd");
+  CommandLine line("schema",
+                   "Prints the XML Schema of dialect files or the JSON Schema of the block document, "
+                   "made from what the plugins declare.",
+                   "isogloss schema dialect > dialect.xsd");
   CommonOptions common;
   std::string what;
-  app->add_option("WHAT", what, "dialect or block")->required()->check(CLI::IsMember({"dialect", "block"}));
-  common.add_to(*app);
-  if (const auto done = parse(*app, arguments)) return *done;
+  line.option("WHAT", what, "dialect or block").required().one_of({"dialect", "block"});
+  common.add_to(line);
+  if (const auto done = line.parse(arguments)) return *done;
   Session session(common);
   session.library().load_all();
   return print(what == "dialect" ? dialect_schema(session.library()) : block_schema(session.library()), success);

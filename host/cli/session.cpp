@@ -66,24 +66,23 @@ void write_to_stderr(std::string_view text) { std::fwrite(text.data(), 1, text.s
 
 }  // namespace
 
-void CommonOptions::add_to(CLI::App& app) {
-  app.add_option("--plugins", plugins, "Look for plugins in this folder first")->type_name("DIR")->group("Common");
-  app.add_option("--dialects", dialects, "Look for dialects in this folder first")->type_name("DIR")->group("Common");
-  app.add_option("--diagnostics", diagnostics, "How diagnostics are written to standard error")
-      ->check(CLI::IsMember({"text", "json", "sarif"}))
-      ->type_name("text|json|sarif")
-      ->capture_default_str()
-      ->group("Common");
-  app.add_option("--repeats", repeats, "Say so many diagnostics of one code in full (0: all)")
-      ->type_name("N")
-      ->capture_default_str()
-      ->group("Common");
-  app.add_option("--max-errors", maximum_errors, "Stop after so many errors (0: never)")
-      ->type_name("N")
-      ->capture_default_str()
-      ->group("Common");
-  app.add_flag("--werror", warnings_are_errors, "Warnings are errors")->group("Common");
-  for (const char* const many : {"--plugins", "--dialects"}) app.get_option(many)->allow_extra_args(false);
+void CommonOptions::add_to(CommandLine& line) {
+  line.option("--plugins", plugins, "Look for plugins in this folder first").type_name("DIR").group("Common");
+  line.option("--dialects", dialects, "Look for dialects in this folder first").type_name("DIR").group("Common");
+  line.option("--diagnostics", diagnostics, "How diagnostics are written to standard error")
+      .one_of({"text", "json", "sarif"})
+      .type_name("text|json|sarif")
+      .shows_default()
+      .group("Common");
+  line.option("--repeats", repeats, "Say so many diagnostics of one code in full (0: all)")
+      .type_name("N")
+      .shows_default()
+      .group("Common");
+  line.option("--max-errors", maximum_errors, "Stop after so many errors (0: never)")
+      .type_name("N")
+      .shows_default()
+      .group("Common");
+  line.flag("--werror", warnings_are_errors, "Warnings are errors").group("Common");
 }
 
 Session::Session(const CommonOptions& options)
@@ -123,26 +122,6 @@ int Session::status() const {
   const auto& codes = diagnostics_.by_code();
   if (codes.contains("IG-0401") || codes.contains("IG-0402")) return internal_fault;
   return diagnostics_.errors() > 0 ? input_errors : success;
-}
-
-std::unique_ptr<CLI::App> make_app(const std::string& name, const std::string& description,
-                                   const std::string& example) {
-  auto app = std::make_unique<CLI::App>(description, "isogloss " + name);
-  app->footer("\nExample:\n  " + example);
-  app->set_help_flag("-h,--help", "What the command does");
-  return app;
-}
-
-std::optional<int> parse(CLI::App& app, const Arguments& arguments) {
-  try {
-    app.parse(Arguments(arguments.rbegin(), arguments.rend()));
-    return std::nullopt;
-  } catch (const CLI::CallForHelp&) {
-    return print(app.help(), success);
-  } catch (const CLI::ParseError& e) {
-    std::cerr << app.get_name() << ": " << e.what() << "\n" << app.get_name() << " --help says more\n";
-    return cannot_start;
-  }
 }
 
 std::optional<std::string> read_text(const std::string& path, std::string& error) {

@@ -1,14 +1,13 @@
 /// What every command needs: where things lie, what is loaded, how diagnostics are said.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "command.hpp"
+#include "command_line.hpp"
 #include "isogloss/engine/diagnostic_writer.hpp"
 #include "isogloss/engine/dialect.hpp"
 #include "isogloss/engine/library.hpp"
@@ -29,7 +28,7 @@ struct CommonOptions {
   std::uint64_t maximum_errors = 0;
   bool warnings_are_errors = false;
 
-  void add_to(CLI::App& app);
+  void add_to(CommandLine& line);
 };
 
 /// The dialect whose vocabulary and tables serve where none is named (apply, case), and the last resort of guessing.
@@ -70,12 +69,6 @@ void keep_to_the_end(std::unique_ptr<T> whole) {
   static auto& kept = *std::make_unique<std::vector<std::unique_ptr<T>>>().release();
   kept.push_back(std::move(whole));
 }
-
-/// An application with the command's name, help and example.
-std::unique_ptr<CLI::App> make_app(const std::string& name, const std::string& description, const std::string& example);
-
-/// Parses; a status when the command is done already (help, wrong usage).
-std::optional<int> parse(CLI::App& app, const Arguments& arguments);
 
 /// The text of a file, or of standard input for "-". Empty with a reason in `error`.
 std::optional<std::string> read_text(const std::string& path, std::string& error);

@@ -2,11 +2,11 @@
 
 namespace isogloss::cli {
 
-void SurroundingOptions::add_to(CLI::App& app) {
-  app.add_option("-d,--dialect", dialect,
-                 "Take options and dependencies from this dialect (default: the options' defaults, dependencies of " +
-                     std::string(default_dialect) + ")")
-      ->type_name("DIALECT");
+void SurroundingOptions::add_to(CommandLine& line) {
+  line.option("-d,--dialect", dialect,
+              "Take options and dependencies from this dialect (default: the options' defaults, dependencies of " +
+                  std::string(default_dialect) + ")")
+      .type_name("DIALECT");
 }
 
 std::optional<Surroundings> SurroundingOptions::make(Session& session) const {

@@ -9,7 +9,7 @@ namespace isogloss::cli {
 struct SurroundingOptions {
   std::string dialect;
 
-  void add_to(CLI::App& app);
+  void add_to(CommandLine& line);
   /// Loads every plugin; empty when a dialect was named and cannot be read, which is then said.
   std::optional<Surroundings> make(Session& session) const;
 };

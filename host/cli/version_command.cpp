@@ -6,11 +6,10 @@
 namespace isogloss::cli {
 
 int version_command(const Arguments& arguments) {
-  const auto app =
-      make_app("--version", "Version of the host, of the contract and of the plugins.", "isogloss --version");
+  CommandLine line("--version", "Version of the host, of the contract and of the plugins.", "isogloss --version");
   CommonOptions common;
-  common.add_to(*app);
-  if (const auto done = parse(*app, arguments)) return *done;
+  common.add_to(line);
+  if (const auto done = line.parse(arguments)) return *done;
   Session session(common);
   session.library().load_all();
   std::string out = fmt::format("isogloss {}\ncontract {}.{}\n", ISOGLOSS_VERSION, IG_ABI_MAJOR, IG_ABI_MINOR);

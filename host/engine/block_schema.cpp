@@ -6,14 +6,13 @@
 #include <set>
 
 #include "document_shape.hpp"
+#include "isogloss/engine/document_json.hpp"
 #include "isogloss/engine/library.hpp"
 #include "isogloss/engine/schema.hpp"
 #include "pattern.hpp"
 
 namespace isogloss {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// The layout that a chain of all syntaxes would have. A field that two plugins declare differently is the first's:
 /// they cannot stand in one chain.
@@ -106,9 +105,9 @@ class Everything {
   std::map<std::string, FieldInfo> declared_;
 };
 
-class Writer {
+class BlockSchemaWriter {
  public:
-  explicit Writer(const Layout& layout) : layout_(layout) {}
+  explicit BlockSchemaWriter(const Layout& layout) : layout_(layout) {}
 
   Json document() const {
     Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
@@ -208,7 +207,7 @@ class Writer {
 }  // namespace
 
 std::string block_schema(const Library& library) {
-  return Writer(Everything(library).layout()).document().dump(2) + '\n';
+  return BlockSchemaWriter(Everything(library).layout()).document().dump(2) + '\n';
 }
 
 }  // namespace isogloss

@@ -12,12 +12,13 @@
 #include "isogloss/engine/dialect.hpp"
 #include "isogloss/engine/library.hpp"
 #include "isogloss/engine/schema.hpp"
+#include "xml_source.hpp"
 
 namespace isogloss {
 namespace {
 
 // What no plugin has a say in. The places for syntaxes and dependencies are groups that follow.
-constexpr const char* frame = R"(
+constexpr const char* schema_frame = R"(
 <xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema" xmlns="urn:isogloss:dialect:1"
            targetNamespace="urn:isogloss:dialect:1" elementFormDefault="qualified">
   <xs:element name="Dialect">
@@ -149,13 +150,9 @@ std::string decimal(double value) {
   return {text, end};
 }
 
-void set(pugi::xml_node node, const char* name, const std::string& value) {
-  node.append_attribute(name).set_value(value.c_str());
-}
-
 pugi::xml_node add(pugi::xml_node parent, const char* element, const char* name = nullptr) {
   pugi::xml_node node = parent.append_child(element);
-  if (name != nullptr) set(node, "name", name);
+  if (name != nullptr) set_attribute(node, "name", name);
   return node;
 }
 
@@ -165,13 +162,13 @@ void document(pugi::xml_node node, const std::string& text) {
 }
 
 void add_range(pugi::xml_node restriction, double minimum, double maximum) {
-  if (std::isfinite(minimum)) set(add(restriction, "xs:minInclusive"), "value", decimal(minimum));
-  if (std::isfinite(maximum)) set(add(restriction, "xs:maxInclusive"), "value", decimal(maximum));
+  if (std::isfinite(minimum)) set_attribute(add(restriction, "xs:minInclusive"), "value", decimal(minimum));
+  if (std::isfinite(maximum)) set_attribute(add(restriction, "xs:maxInclusive"), "value", decimal(maximum));
 }
 
 pugi::xml_node restrict_to(pugi::xml_node attribute, const char* base) {
   pugi::xml_node restriction = add(add(attribute, "xs:simpleType"), "xs:restriction");
-  set(restriction, "base", base);
+  set_attribute(restriction, "base", base);
   return restriction;
 }
 
@@ -184,15 +181,15 @@ void add_option(pugi::xml_node type, const ig_option_decl& option) {
   // An inherited element may get it from a Configure, so a schema cannot ask for it.
   std::string doc = with_unit(option.doc, option.unit);
   if (option.fallback == nullptr) doc += doc.empty() ? "Required." : " Required.";
-  if (option.fallback != nullptr) set(attribute, "default", option.fallback);
+  if (option.fallback != nullptr) set_attribute(attribute, "default", option.fallback);
   switch (option.type) {
-    case IG_OPTION_BOOLEAN: set(attribute, "type", "dialect.Boolean"); return document(attribute, doc);
+    case IG_OPTION_BOOLEAN: set_attribute(attribute, "type", "dialect.Boolean"); return document(attribute, doc);
     case IG_OPTION_CHOICE: {
       document(attribute, doc);
       pugi::xml_node restriction = restrict_to(attribute, "xs:string");
       std::istringstream choices(option.choices);
       for (std::string choice; std::getline(choices, choice, '|');)
-        set(add(restriction, "xs:enumeration"), "value", choice);
+        set_attribute(add(restriction, "xs:enumeration"), "value", choice);
       return;
     }
     case IG_OPTION_NUMBER:
@@ -201,17 +198,19 @@ void add_option(pugi::xml_node type, const ig_option_decl& option) {
     case IG_OPTION_INTEGER: {
       document(attribute, doc);
       pugi::xml_node restriction = restrict_to(attribute, "xs:integer");
-      set(add(restriction, "xs:pattern"), "value", "-?[0-9]+");
+      set_attribute(add(restriction, "xs:pattern"), "value", "-?[0-9]+");
       return add_range(restriction, option.minimum, option.maximum);
     }
     case IG_OPTION_FIELDS:
-      set(attribute, "type", "xs:string");
+      set_attribute(attribute, "type", "xs:string");
       return document(attribute, doc + " Field patterns, separated by blanks.");
-    default: set(attribute, "type", "xs:string"); return document(attribute, doc);
+    default: set_attribute(attribute, "type", "xs:string"); return document(attribute, doc);
   }
 }
 
-void add_attribute_group(pugi::xml_node type, const char* group) { set(add(type, "xs:attributeGroup"), "ref", group); }
+void add_attribute_group(pugi::xml_node type, const char* group) {
+  set_attribute(add(type, "xs:attributeGroup"), "ref", group);
+}
 
 void add_syntax_type(pugi::xml_node schema, const ig_syntax& syntax, const ig_plugin& plugin) {
   pugi::xml_node type = add(schema, "xs:complexType", fmt::format("syntax.{}", syntax.id).c_str());
@@ -223,18 +222,18 @@ void add_syntax_type(pugi::xml_node schema, const ig_syntax& syntax, const ig_pl
 
 void add_row(pugi::xml_node type, const ig_dependency& dependency) {
   pugi::xml_node row = add(add(type, "xs:sequence"), "xs:element", dependency.row_element);
-  set(row, "minOccurs", "0");
-  set(row, "maxOccurs", "unbounded");
+  set_attribute(row, "minOccurs", "0");
+  set_attribute(row, "maxOccurs", "unbounded");
   pugi::xml_node row_type = add(row, "xs:complexType");
   pugi::xml_node key = add(row_type, "xs:attribute", dependency.row_key);
-  set(key, "type", "dialect.Text");
-  set(key, "use", "required");
+  set_attribute(key, "type", "dialect.Text");
+  set_attribute(key, "use", "required");
   for (std::uint32_t i = 0; i < dependency.column_count; ++i) {
     const ig_column_decl& column = dependency.columns[i];
     pugi::xml_node attribute = add(row_type, "xs:attribute", column.name);
     document(attribute, with_unit(column.doc, column.unit));
     if (column.is_text != 0) {
-      set(attribute, "type", "xs:string");
+      set_attribute(attribute, "type", "xs:string");
     } else {
       add_range(restrict_to(attribute, "xs:decimal"), column.minimum, column.maximum);
     }
@@ -273,15 +272,15 @@ void add_parts(pugi::xml_node schema, const Library& library) {
 
   pugi::xml_node syntax_choice = add(add(schema, "xs:group", "dialect.Syntax"), "xs:choice");
   for (const auto& [syntax, plugin] : syntaxes)
-    set(add(syntax_choice, "xs:element", syntax->id), "type", fmt::format("syntax.{}", syntax->id));
+    set_attribute(add(syntax_choice, "xs:element", syntax->id), "type", fmt::format("syntax.{}", syntax->id));
   pugi::xml_node dependency_choice = add(add(schema, "xs:group", "dialect.Dependency"), "xs:choice");
   for (const auto& [dependency, plugin] : dependencies)
-    set(dependency_choice.append_child("xs:element"), "ref", dependency->id);
+    set_attribute(dependency_choice.append_child("xs:element"), "ref", dependency->id);
 
   for (const auto& [syntax, plugin] : syntaxes) add_syntax_type(schema, *syntax, *plugin);
   for (const auto& [dependency, plugin] : dependencies) {
     // Global elements: a table file in this namespace can be validated on its own.
-    set(add(schema, "xs:element", dependency->id), "type", fmt::format("dependency.{}", dependency->id));
+    set_attribute(add(schema, "xs:element", dependency->id), "type", fmt::format("dependency.{}", dependency->id));
     add_dependency_type(schema, *dependency, *plugin);
   }
 }
@@ -290,7 +289,7 @@ void add_parts(pugi::xml_node schema, const Library& library) {
 
 std::string dialect_schema(const Library& library) {
   pugi::xml_document document;
-  document.load_string(frame);
+  document.load_string(schema_frame);
   document.prepend_child(pugi::node_comment).set_value(" Generated by `isogloss schema dialect`. ");
   add_parts(document.document_element(), library);
   std::ostringstream out;

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "isogloss/engine/dialect.hpp"
+#include "xml_source.hpp"
 
 namespace isogloss {
 namespace {
@@ -22,12 +23,8 @@ std::string joined(const std::vector<std::string>& words) {
   return all;
 }
 
-void set(pugi::xml_node node, const char* name, const std::string& value) {
-  node.append_attribute(name).set_value(value.c_str());
-}
-
 void set_all(pugi::xml_node node, const std::vector<Attribute>& attributes) {
-  for (const Attribute& a : attributes) set(node, a.name.c_str(), a.value);
+  for (const Attribute& a : attributes) set_attribute(node, a.name.c_str(), a.value);
 }
 
 void add_rows(pugi::xml_node node, const std::vector<TableRow>& rows) {
@@ -45,17 +42,17 @@ std::string side_file_name(const DependencyElement& dependency, const fs::path& 
   return name;
 }
 
-class Writer {
+class DialectWriter {
  public:
-  Writer(const Dialect& dialect, const fs::path& base, bool inline_tables)
+  DialectWriter(const Dialect& dialect, const fs::path& base, bool inline_tables)
       : dialect_(dialect), base_(base), inline_tables_(inline_tables) {}
 
   WrittenDialect write() {
     pugi::xml_document document;
     pugi::xml_node root = document.append_child("Dialect");
-    set(root, "xmlns", "urn:isogloss:dialect:1");
-    set(root, "name", dialect_.name);
-    if (!dialect_.title.empty()) set(root, "title", dialect_.title);
+    set_attribute(root, "xmlns", "urn:isogloss:dialect:1");
+    set_attribute(root, "name", dialect_.name);
+    if (!dialect_.title.empty()) set_attribute(root, "title", dialect_.title);
     add_files(root);
     add_segmenter(root);
     add_plugins(root);
@@ -71,21 +68,24 @@ class Writer {
   void add_files(pugi::xml_node root) const {
     if (dialect_.extensions.empty() && dialect_.signatures.empty()) return;
     pugi::xml_node files = root.append_child("Files");
-    if (!dialect_.extensions.empty()) set(files, "extensions", joined(dialect_.extensions));
-    for (const std::string& pattern : dialect_.signatures) set(files.append_child("Signature"), "pattern", pattern);
+    if (!dialect_.extensions.empty()) set_attribute(files, "extensions", joined(dialect_.extensions));
+    for (const std::string& pattern : dialect_.signatures)
+      set_attribute(files.append_child("Signature"), "pattern", pattern);
   }
 
   void add_segmenter(pugi::xml_node root) const {
     pugi::xml_node segmenter = root.append_child("Segmenter");
-    set(segmenter, "type", dialect_.segmenter.type);
-    if (!dialect_.segmenter.continuation.empty()) set(segmenter, "continuation", dialect_.segmenter.continuation);
-    if (!dialect_.segmenter.comment.empty()) set(segmenter, "comment", dialect_.segmenter.comment);
+    set_attribute(segmenter, "type", dialect_.segmenter.type);
+    if (!dialect_.segmenter.continuation.empty())
+      set_attribute(segmenter, "continuation", dialect_.segmenter.continuation);
+    if (!dialect_.segmenter.comment.empty()) set_attribute(segmenter, "comment", dialect_.segmenter.comment);
   }
 
   void add_plugins(pugi::xml_node root) const {
     if (dialect_.plugins.empty()) return;
     pugi::xml_node plugins = root.append_child("Plugins");
-    for (const PluginReference& plugin : dialect_.plugins) set(plugins.append_child("Plugin"), "name", plugin.name);
+    for (const PluginReference& plugin : dialect_.plugins)
+      set_attribute(plugins.append_child("Plugin"), "name", plugin.name);
   }
 
   void add_dependencies(pugi::xml_node root) {
@@ -93,14 +93,14 @@ class Writer {
     pugi::xml_node dependencies = root.append_child("Dependencies");
     for (const DependencyElement& dependency : dialect_.dependencies) {
       pugi::xml_node node = dependencies.append_child(dependency.id.c_str());
-      if (dependency.alias != dependency.id) set(node, "as", dependency.alias);
+      if (dependency.alias != dependency.id) set_attribute(node, "as", dependency.alias);
       if (inline_tables_ || dependency.source_file.empty()) {
         set_all(node, dependency.options);
         add_rows(node, dependency.rows);
         continue;
       }
       const std::string name = side_file_name(dependency, base_, written_.side_files);
-      set(node, "src", name);
+      set_attribute(node, "src", name);
       pugi::xml_document table;
       pugi::xml_node table_root = table.append_child(dependency.id.c_str());
       set_all(table_root, dependency.options);
@@ -114,8 +114,8 @@ class Writer {
     pugi::xml_node initial = root.append_child("Initial");
     for (const InitialField& field : dialect_.initial) {
       pugi::xml_node node = initial.append_child("Field");
-      set(node, "path", field.path);
-      set(node, "value", field.value);
+      set_attribute(node, "path", field.path);
+      set_attribute(node, "value", field.value);
     }
   }
 
@@ -124,8 +124,8 @@ class Writer {
     pugi::xml_node severities = root.append_child("Severities");
     for (const auto& [code, severity] : dialect_.severities) {
       pugi::xml_node node = severities.append_child("Severity");
-      set(node, "code", code);
-      set(node, "is", std::string(to_string(severity)));
+      set_attribute(node, "code", code);
+      set_attribute(node, "is", std::string(to_string(severity)));
     }
   }
 
@@ -137,8 +137,8 @@ class Writer {
       pugi::xml_node group = chain.child(stage.c_str());
       if (!group) group = chain.append_child(stage.c_str());
       pugi::xml_node node = group.append_child(element.syntax.c_str());
-      if (element.alias != element.syntax) set(node, "as", element.alias);
-      if (element.override_slot) set(node, "override", "true");
+      if (element.alias != element.syntax) set_attribute(node, "as", element.alias);
+      if (element.override_slot) set_attribute(node, "override", "true");
       set_all(node, element.options);
     }
   }
@@ -152,7 +152,7 @@ class Writer {
 }  // namespace
 
 WrittenDialect write_dialect(const Dialect& dialect, const std::filesystem::path& base, bool inline_tables) {
-  return Writer(dialect, base, inline_tables).write();
+  return DialectWriter(dialect, base, inline_tables).write();
 }
 
 }  // namespace isogloss

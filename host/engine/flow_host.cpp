@@ -16,11 +16,11 @@ void copy_known(const T& from, T* to, std::uint32_t size) {
   std::memcpy(static_cast<void*>(to), &from, std::min<std::size_t>(size, sizeof(T)));
 }
 
-void label(ig_block* block, ig_text name, ig_label_kind kind) {
+void add_label(ig_block* block, ig_text name, ig_label_kind kind) {
   if (FlowHost* const host = host_of(block)) host->label({name.data, name.size}, kind);
 }
 
-std::int32_t go(ig_block* block, ig_go* request) {
+std::int32_t request_move(ig_block* block, ig_go* request) {
   FlowHost* const host = host_of(block);
   if (host == nullptr) return IG_GO_DONE;
   ig_go known{};
@@ -31,7 +31,7 @@ std::int32_t go(ig_block* block, ig_go* request) {
   return answer;
 }
 
-std::int32_t frame(const ig_block* block, std::uint32_t level, ig_frame* out) {
+std::int32_t frame_at(const ig_block* block, std::uint32_t level, ig_frame* out) {
   ig_frame found{};
   found.struct_size = out->struct_size;
   if (const FlowHost* const host = host_of(block)) {
@@ -45,7 +45,7 @@ std::int32_t frame(const ig_block* block, std::uint32_t level, ig_frame* out) {
   return 1;
 }
 
-void here(const ig_block* block, ig_place* out) {
+void place_of_block(const ig_block* block, ig_place* out) {
   const FlowHost* const host = host_of(block);
   *out = host != nullptr ? host->here() : ig_place{};
 }
@@ -53,7 +53,12 @@ void here(const ig_block* block, ig_place* out) {
 }  // namespace
 
 ig_flow_1 flow_service() {
-  return {.struct_size = sizeof(ig_flow_1), .is_indexing = 0, .label = label, .go = go, .frame = frame, .here = here};
+  return {.struct_size = sizeof(ig_flow_1),
+          .is_indexing = 0,
+          .label = add_label,
+          .go = request_move,
+          .frame = frame_at,
+          .here = place_of_block};
 }
 
 }  // namespace isogloss

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <random>
 
+#include "../../tests/support/budget.hpp"
 #include "test_plugin.hpp"
 
 namespace isogloss {
@@ -409,7 +410,7 @@ TEST_CASE("random programs end") {
   f.options.maximum_depth = 8;
   const std::string_view pieces[] = {"!s", "!s*9", "!t", "?n", "^",  "^n", "^0", ">n", ">m", "+n", "<m", ")n",
                                      "@",  "&",    "$",  "%",  ":s", ":t", "=n", "=m", "a",  ";",  "\n", "\n"};
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < isogloss_test::budgeted(1000); ++i) {
     std::string program;
     for (int k = 0; k < 25; ++k) program += pieces[random() % std::size(pieces)];
     f.run(program);

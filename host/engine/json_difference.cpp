@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "isogloss/engine/document_json.hpp"
+
 namespace isogloss {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string join(const std::string& path, const std::string& key) { return path.empty() ? key : path + "." + key; }
 

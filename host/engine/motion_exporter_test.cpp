@@ -54,7 +54,7 @@ class Stream {
   bool begun_ = false;
 };
 
-using Names = std::vector<std::string>;
+using EventNames = std::vector<std::string>;
 
 }  // namespace
 
@@ -185,7 +185,7 @@ TEST_CASE("events of one block come in the order of execution") {
     s.t.line(true, 2, 0, 0);
   });
   CHECK(s.names() ==
-        Names{"tool", "spindle", "coolant", "dwell", "rapid", "stop", "end", "rapid", "spindle", "coolant"});
+        EventNames{"tool", "spindle", "coolant", "dwell", "rapid", "stop", "end", "rapid", "spindle", "coolant"});
 }
 
 TEST_CASE("spindle and coolant are told only when they change") {
@@ -244,7 +244,7 @@ TEST_CASE("an oriented stop includes the stop, the restart is a change") {
   s.block(3, [&] { s.t.number("SpindleSpeed.SpindleSpeed_rpm", 100); });  // starts nothing
   s.block(4, [&] { s.t.name("SpindleSpeed.Direction", "CW"); });
   const auto events = s.events();
-  CHECK(s.names() == Names{"orient", "spindle", "orient", "spindle"});
+  CHECK(s.names() == EventNames{"orient", "spindle", "orient", "spindle"});
   CHECK(events[1].dump() == R"({"File":"part.nc","Line":1,"Event":"spindle","Direction":"CW","SpindleSpeed_rpm":900})");
   CHECK(events[2]["Angle_deg"] == 90);
   CHECK(events[3]["Line"] == 4);

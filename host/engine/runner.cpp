@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t widest_column = 65'535;
 constexpr std::uint64_t progress_interval = 1u << 16;
 
-bool is_blank(std::string_view text) {
+bool holds_no_word(std::string_view text) {
   for (const char c : text)
     if (c != ' ' && c != '\t' && c != '\r' && c != '\n') return false;
   return true;
@@ -88,7 +88,7 @@ class Run {
     bool has_run = false;
     do {
       const std::string_view rest = line.text.substr(offset);
-      if (is_blank(rest)) break;
+      if (holds_no_word(rest)) break;
       const auto column = static_cast<std::uint32_t>(offset);
       if (flow_.take_passing()) {
         offset += std::max<std::size_t>(flow_.block_end(rest), 1);
@@ -132,7 +132,7 @@ class Run {
   }
 
   static bool has_more(const Line& line, std::size_t column) {
-    return column < line.text.size() && !is_blank(line.text.substr(column));
+    return column < line.text.size() && !holds_no_word(line.text.substr(column));
   }
 
   /// A pass over the line at which the run stops is done; blocks that wait for others may still be under way.

@@ -51,4 +51,9 @@ class XmlSource {
   pugi::xml_document document_;
 };
 
+/// For those who write XML: adds an attribute behind those that the element has.
+inline void set_attribute(pugi::xml_node element, const char* name, const std::string& value) {
+  element.append_attribute(name).set_value(value.c_str());
+}
+
 }  // namespace isogloss

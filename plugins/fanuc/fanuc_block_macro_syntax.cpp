@@ -93,7 +93,7 @@ struct FanucBlockMacro {
   }
 };
 
-const ig::Register<FanucBlockMacro> registered;
+const ig::Register<FanucBlockMacro> fanuc_block_macro_syntax;
 
 }  // namespace
 }  // namespace fanuc

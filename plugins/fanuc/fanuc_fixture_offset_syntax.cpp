@@ -40,7 +40,7 @@ struct FanucFixtureOffset {
       "positions are those of a workpiece that is set exactly"};
 };
 
-const ig::Register<FanucFixtureOffset> registered;
+const ig::Register<FanucFixtureOffset> fanuc_fixture_offset_syntax;
 
 }  // namespace
 }  // namespace fanuc

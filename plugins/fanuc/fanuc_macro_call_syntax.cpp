@@ -264,7 +264,7 @@ struct FanucMacroCall {
   char last_of_set_ = 0;
 };
 
-const ig::Register<FanucMacroCall> registered;
+const ig::Register<FanucMacroCall> fanuc_macro_call_syntax;
 
 }  // namespace
 }  // namespace fanuc

@@ -517,7 +517,7 @@ struct FanucMacroStatement {
   std::array<char, 24> label_{'E', 'N', 'D'};
 };
 
-const ig::Register<FanucMacroStatement> registered;
+const ig::Register<FanucMacroStatement> fanuc_macro_statement_syntax;
 
 }  // namespace
 }  // namespace fanuc

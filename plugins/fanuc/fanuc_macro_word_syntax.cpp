@@ -190,7 +190,7 @@ struct FanucMacroWord {
   std::string blanked_;
 };
 
-const ig::Register<FanucMacroWord> registered;
+const ig::Register<FanucMacroWord> fanuc_macro_word_syntax;
 
 }  // namespace
 }  // namespace fanuc

@@ -39,7 +39,7 @@ struct FanucModalMacro {
   }
 };
 
-const ig::Register<FanucModalMacro> registered;
+const ig::Register<FanucModalMacro> fanuc_modal_macro_syntax;
 
 }  // namespace
 }  // namespace fanuc

@@ -14,7 +14,7 @@ constexpr std::string_view rotary_type = "1006", rollover_bits = "1008", increme
                            peck_tapping = "5213", coordinate_bits = "5400", rotation_angle = "5410",
                            scaling_factor = "5411", overrun = "5440", call_bits = "6001";
 
-constexpr const char* shipped[] = {
+constexpr const char* shipped_parameters[] = {
     "1013|Value=0",    "1202|Value=0",  "1240|X=0|Y=0|Z=0", "1420|X=24000|Y=24000|Z=24000",
     "3401|Value=0",    "3410|Value=10", "5101|Value=0",     "5114|Value=1000",
     "5115|Value=1000", "5200|Value=0",  "5213|Value=1000",  "5400|Value=128",
@@ -27,7 +27,7 @@ struct FanucParameterTable {
           .provides("isogloss.number-format/1", "isogloss.canned-cycle/1", "isogloss.motion/1",
                     "isogloss.machine-axis/1", "isogloss.coordinate-system/1", "isogloss.code-call/1",
                     "isogloss.control-parameter/1")
-          .ships(shipped);
+          .ships(shipped_parameters);
 
   ig::Column value{"Value", nullptr, "", {}, "The parameter, where it is one for the whole control."};
   std::array<ig::Column, 6> axes{ig::Column{"X", nullptr, "", {}, "The parameter of the X axis."},
@@ -174,7 +174,7 @@ struct FanucParameterTable {
                                                      &FanucParameterTable::rollover_of>(this);
 };
 
-const ig::Register<FanucParameterTable> registered;
+const ig::Register<FanucParameterTable> fanuc_parameter_table;
 
 }  // namespace
 }  // namespace fanuc

@@ -2,44 +2,29 @@
 
 #include "../../tests/support/fake_dependency.hpp"
 
-using isogloss_test::FakeDependency;
-
-namespace {
-
-double number(const FakeDependency& table, const char* service, std::string_view name) {
-  const auto* s = table.service<ig_config_1>(service);
-  double out = -1;
-  return s->number(s->self, {name.data(), name.size()}, &out) != 0 ? out : -1;
-}
-
-constexpr const char* format = "isogloss.number-format/1";
-constexpr const char* cycle = "isogloss.canned-cycle/1";
-constexpr const char* motion = "isogloss.motion/1";
-constexpr const char* coordinates = "isogloss.coordinate-system/1";
-
-}  // namespace
+using namespace isogloss_test;
 
 TEST_CASE("a control as delivered") {
   const FakeDependency table(*ig_plugin_v1(), "FanucParameterTable");
-  CHECK(number(table, format, "CalculatorDecimalPoint") == 0);
-  CHECK(number(table, format, "LengthIncrement_mm") == 0.001);
-  CHECK(number(table, format, "LengthIncrement_inch") == 0.0001);
-  CHECK(number(table, format, "AngleIncrement_deg") == 0.001);
-  CHECK(number(table, cycle, "PeckRetractionDistance_mm") == 1);
-  CHECK(number(table, cycle, "HighSpeedPeckRetraction_mm") == 1);
-  CHECK(number(table, cycle, "BoringReturnOverride_percent") == 100);
-  CHECK(number(table, motion, "ArcRadiusTolerance_mm") == 0.01);
-  CHECK(number(table, motion, "ScalingUnit") == 0.001);
-  CHECK(number(table, motion, "ScalingFactor") == -1);
-  CHECK(number(table, motion, "Unknown") == -1);
+  CHECK(number(table, number_format, "CalculatorDecimalPoint") == 0);
+  CHECK(number(table, number_format, "LengthIncrement_mm") == 0.001);
+  CHECK(number(table, number_format, "LengthIncrement_inch") == 0.0001);
+  CHECK(number(table, number_format, "AngleIncrement_deg") == 0.001);
+  CHECK(number(table, canned_cycle, "PeckRetractionDistance_mm") == 1);
+  CHECK(number(table, canned_cycle, "HighSpeedPeckRetraction_mm") == 1);
+  CHECK(number(table, canned_cycle, "BoringReturnOverride_percent") == 100);
+  CHECK(number(table, motion_settings, "ArcRadiusTolerance_mm") == 0.01);
+  CHECK(number(table, motion_settings, "ScalingUnit") == 0.001);
+  CHECK(number(table, motion_settings, "ScalingFactor") == -1000);
+  CHECK(number(table, motion_settings, "Unknown") == -1000);
 }
 
 TEST_CASE("bits and increments of another control") {
   const FakeDependency fine(*ig_plugin_v1(), "FanucParameterTable",
                             {{"1013", {{"Value", 2}}}, {"3401", {{"Value", 1}}}, {"5115", {{"Value", 5000}}}});
-  CHECK(number(fine, format, "CalculatorDecimalPoint") == 1);
-  CHECK(number(fine, format, "LengthIncrement_mm") == 0.0001);
-  CHECK(number(fine, cycle, "PeckRetractionDistance_mm") == 0.5);
+  CHECK(number(fine, number_format, "CalculatorDecimalPoint") == 1);
+  CHECK(number(fine, number_format, "LengthIncrement_mm") == 0.0001);
+  CHECK(number(fine, canned_cycle, "PeckRetractionDistance_mm") == 0.5);
   const FakeDependency coarse(*ig_plugin_v1(), "FanucParameterTable",
                               {{"1013", {{"Value", 1}}},
                                {"3401", {{"Value", 130}}},
@@ -48,15 +33,15 @@ TEST_CASE("bits and increments of another control") {
                                {"5400", {{"Value", 1}}},
                                {"5440", {{"Y", -50}}},
                                {"5411", {{"Value", 50000}}}});
-  CHECK(number(coarse, motion, "ScalingUnit") == 0.00001);
-  CHECK(number(coarse, motion, "ScalingFactor") == 0.5);
-  CHECK(number(coarse, motion, "UnidirectionalOverrunY_mm") == -0.5);
-  CHECK(number(coarse, motion, "UnidirectionalOverrunX_mm") == -1);
-  CHECK(number(coarse, format, "CalculatorDecimalPoint") == 0);
-  CHECK(number(coarse, format, "LengthIncrement_mm") == 0.01);
-  CHECK(number(coarse, cycle, "HighSpeedPeckRetraction_mm") == 10);
-  CHECK(number(coarse, cycle, "BoringReturnOverride_percent") == 200);
-  CHECK(number(coarse, motion, "ArcRadiusTolerance_mm") == 0);
+  CHECK(number(coarse, motion_settings, "ScalingUnit") == 0.00001);
+  CHECK(number(coarse, motion_settings, "ScalingFactor") == 0.5);
+  CHECK(number(coarse, motion_settings, "UnidirectionalOverrunY_mm") == -0.5);
+  CHECK(number(coarse, motion_settings, "UnidirectionalOverrunX_mm") == -1000);
+  CHECK(number(coarse, number_format, "CalculatorDecimalPoint") == 0);
+  CHECK(number(coarse, number_format, "LengthIncrement_mm") == 0.01);
+  CHECK(number(coarse, canned_cycle, "HighSpeedPeckRetraction_mm") == 10);
+  CHECK(number(coarse, canned_cycle, "BoringReturnOverride_percent") == 200);
+  CHECK(number(coarse, motion_settings, "ArcRadiusTolerance_mm") == 0);
 }
 
 TEST_CASE("codes that call programs") {
@@ -69,30 +54,30 @@ TEST_CASE("codes that call programs") {
                               {"6072", {{"Value", 0}}},
                               {"6081", {{"Value", 80}}},
                               {"6082", {{"Value", -81}}}});
-  CHECK(number(table, calls, "M81") == -1);
+  CHECK(number(table, calls, "M81") == -1000);
   CHECK(number(table, calls, "G100") == 9010);
   CHECK(number(table, calls, "G101") == -9011);
   CHECK(number(table, calls, "G65.5") == 9019);
   CHECK(number(table, calls, "M06") == 9001);
   CHECK(number(table, calls, "M80") == 9021);
-  CHECK(number(table, calls, "M100") == -1);
-  CHECK(number(table, calls, "M00") == -1);
-  CHECK(number(table, calls, "G") == -1);
-  CHECK(number(table, calls, "T") == -1);
+  CHECK(number(table, calls, "M100") == -1000);
+  CHECK(number(table, calls, "M00") == -1000);
+  CHECK(number(table, calls, "G") == -1000);
+  CHECK(number(table, calls, "T") == -1000);
   const FakeDependency tools(*ig_plugin_v1(), "FanucParameterTable", {{"6001", {{"Value", 32}}}});
   CHECK(number(tools, calls, "T") == 9000);
 }
 
 TEST_CASE("boring and tapping of a control as delivered") {
   const FakeDependency table(*ig_plugin_v1(), "FanucParameterTable");
-  CHECK(number(table, cycle, "ShiftDirectionX") == 2);
-  CHECK(number(table, cycle, "ShiftDirectionY") == 3);
-  CHECK(number(table, cycle, "ShiftDirectionZ") == 1);
-  CHECK(number(table, cycle, "TappingSpindleStop") == 1);
-  CHECK(number(table, cycle, "RigidTapping") == 0);
-  CHECK(number(table, cycle, "PeckTappingToR") == 0);
-  CHECK(number(table, cycle, "PeckTappingRetraction_mm") == 1);
-  CHECK(number(table, cycle, "TappingExtractionOverride_percent") == -1);
+  CHECK(number(table, canned_cycle, "ShiftDirectionX") == 2);
+  CHECK(number(table, canned_cycle, "ShiftDirectionY") == 3);
+  CHECK(number(table, canned_cycle, "ShiftDirectionZ") == 1);
+  CHECK(number(table, canned_cycle, "TappingSpindleStop") == 1);
+  CHECK(number(table, canned_cycle, "RigidTapping") == 0);
+  CHECK(number(table, canned_cycle, "PeckTappingToR") == 0);
+  CHECK(number(table, canned_cycle, "PeckTappingRetraction_mm") == 1);
+  CHECK(number(table, canned_cycle, "TappingExtractionOverride_percent") == -1000);
 }
 
 TEST_CASE("the direction of a shift: 5148 of the boring axis before 5101") {
@@ -100,15 +85,15 @@ TEST_CASE("the direction of a shift: 5148 of the boring axis before 5101") {
     return FakeDependency::Rows{{"5101", {{"Value", bits}}}, {"5148", {{"X", 0}, {"Y", -1}}}};
   };
   const FakeDependency minus_x(*ig_plugin_v1(), "FanucParameterTable", with(16));
-  CHECK(number(minus_x, cycle, "ShiftDirectionZ") == -1);
-  CHECK(number(minus_x, cycle, "ShiftDirectionX") == -2);
-  CHECK(number(minus_x, cycle, "ShiftDirectionY") == -1);
+  CHECK(number(minus_x, canned_cycle, "ShiftDirectionZ") == -1);
+  CHECK(number(minus_x, canned_cycle, "ShiftDirectionX") == -2);
+  CHECK(number(minus_x, canned_cycle, "ShiftDirectionY") == -1);
   const FakeDependency plus_y(*ig_plugin_v1(), "FanucParameterTable", with(32));
-  CHECK(number(plus_y, cycle, "ShiftDirectionZ") == 2);
-  CHECK(number(plus_y, cycle, "ShiftDirectionX") == 3);
+  CHECK(number(plus_y, canned_cycle, "ShiftDirectionZ") == 2);
+  CHECK(number(plus_y, canned_cycle, "ShiftDirectionX") == 3);
   const FakeDependency minus_y(*ig_plugin_v1(), "FanucParameterTable", {{"5101", {{"Value", 48}}}});
-  CHECK(number(minus_y, cycle, "ShiftDirectionZ") == -2);
-  CHECK(number(minus_y, cycle, "ShiftDirectionY") == -1);
+  CHECK(number(minus_y, canned_cycle, "ShiftDirectionZ") == -2);
+  CHECK(number(minus_y, canned_cycle, "ShiftDirectionY") == -1);
 }
 
 TEST_CASE("bits of tapping") {
@@ -117,11 +102,11 @@ TEST_CASE("bits of tapping") {
                               {"5200", {{"Value", 1 + 16 + 32}}},
                               {"5211", {{"Value", 150}}},
                               {"5213", {{"Value", 500}}}});
-  CHECK(number(table, cycle, "TappingSpindleStop") == 0);
-  CHECK(number(table, cycle, "RigidTapping") == 1);
-  CHECK(number(table, cycle, "PeckTappingToR") == 1);
-  CHECK(number(table, cycle, "PeckTappingRetraction_mm") == 0.5);
-  CHECK(number(table, cycle, "TappingExtractionOverride_percent") == 150);
+  CHECK(number(table, canned_cycle, "TappingSpindleStop") == 0);
+  CHECK(number(table, canned_cycle, "RigidTapping") == 1);
+  CHECK(number(table, canned_cycle, "PeckTappingToR") == 1);
+  CHECK(number(table, canned_cycle, "PeckTappingRetraction_mm") == 0.5);
+  CHECK(number(table, canned_cycle, "TappingExtractionOverride_percent") == 150);
 }
 
 TEST_CASE("axes have their own values") {
@@ -146,15 +131,15 @@ TEST_CASE("axes have their own values") {
 
 TEST_CASE("coordinate systems: bits and the angle of a rotation") {
   const FakeDependency shipped(*ig_plugin_v1(), "FanucParameterTable");
-  CHECK(number(shipped, coordinates, "RotationAngle_deg") == 0);
-  CHECK(number(shipped, coordinates, "RotationIsIncremental") == 0);
-  CHECK(number(shipped, coordinates, "ResetCancelsLocalCoordinate") == 0);
-  CHECK(number(shipped, coordinates, "Unknown") == -1);
+  CHECK(number(shipped, coordinate_system, "RotationAngle_deg") == 0);
+  CHECK(number(shipped, coordinate_system, "RotationIsIncremental") == 0);
+  CHECK(number(shipped, coordinate_system, "ResetCancelsLocalCoordinate") == 0);
+  CHECK(number(shipped, coordinate_system, "Unknown") == -1000);
   const FakeDependency set(*ig_plugin_v1(), "FanucParameterTable",
                            {{"1202", {{"Value", 8}}}, {"5400", {{"Value", 1}}}, {"5410", {{"Value", 30000}}}});
-  CHECK(number(set, coordinates, "RotationAngle_deg") == 30);
-  CHECK(number(set, coordinates, "RotationIsIncremental") == 1);
-  CHECK(number(set, coordinates, "ResetCancelsLocalCoordinate") == 1);
+  CHECK(number(set, coordinate_system, "RotationAngle_deg") == 30);
+  CHECK(number(set, coordinate_system, "RotationIsIncremental") == 1);
+  CHECK(number(set, coordinate_system, "ResetCancelsLocalCoordinate") == 1);
 }
 
 TEST_CASE("rotary axes: type, rollover and direction") {

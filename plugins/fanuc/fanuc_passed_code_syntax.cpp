@@ -31,7 +31,7 @@ struct FanucPassedCode {
   }
 };
 
-const ig::Register<FanucPassedCode> registered;
+const ig::Register<FanucPassedCode> fanuc_passed_code_syntax;
 
 }  // namespace
 }  // namespace fanuc

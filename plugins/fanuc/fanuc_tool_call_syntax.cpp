@@ -31,7 +31,7 @@ struct FanucToolCall {
   static constexpr std::uint32_t tool_variable = 149;
 };
 
-const ig::Register<FanucToolCall> registered;
+const ig::Register<FanucToolCall> fanuc_tool_call_syntax;
 
 }  // namespace
 }  // namespace fanuc

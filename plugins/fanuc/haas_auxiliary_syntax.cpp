@@ -24,7 +24,7 @@ struct HaasAuxiliary {
   }
 };
 
-const ig::Register<HaasAuxiliary> registered;
+const ig::Register<HaasAuxiliary> haas_auxiliary_syntax;
 
 }  // namespace
 }  // namespace fanuc

@@ -96,7 +96,7 @@ struct HaasCode {
   }
 };
 
-const ig::Register<HaasCode> registered;
+const ig::Register<HaasCode> haas_code_syntax;
 
 }  // namespace
 }  // namespace fanuc

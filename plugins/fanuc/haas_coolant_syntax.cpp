@@ -20,7 +20,7 @@ struct HaasCoolant {
   }
 };
 
-const ig::Register<HaasCoolant> registered;
+const ig::Register<HaasCoolant> haas_coolant_syntax;
 
 }  // namespace
 }  // namespace fanuc

@@ -91,7 +91,7 @@ struct HaasDynamicOffset {
   }
 };
 
-const ig::Register<HaasDynamicOffset> registered;
+const ig::Register<HaasDynamicOffset> haas_dynamic_offset_syntax;
 
 }  // namespace
 }  // namespace fanuc

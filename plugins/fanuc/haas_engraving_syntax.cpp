@@ -47,7 +47,7 @@ struct HaasEngraving {
   }
 };
 
-const ig::Register<HaasEngraving> registered;
+const ig::Register<HaasEngraving> haas_engraving_syntax;
 
 }  // namespace
 }  // namespace fanuc

@@ -55,7 +55,7 @@ struct HaasMeasuring {
   }
 };
 
-const ig::Register<HaasMeasuring> registered;
+const ig::Register<HaasMeasuring> haas_measuring_syntax;
 
 }  // namespace
 }  // namespace fanuc

@@ -50,7 +50,7 @@ struct HaasMirror {
   }
 };
 
-const ig::Register<HaasMirror> registered;
+const ig::Register<HaasMirror> haas_mirror_syntax;
 
 }  // namespace
 }  // namespace fanuc

@@ -45,7 +45,7 @@ struct HaasPocket {
   }
 };
 
-const ig::Register<HaasPocket> registered;
+const ig::Register<HaasPocket> haas_pocket_syntax;
 
 }  // namespace
 }  // namespace fanuc

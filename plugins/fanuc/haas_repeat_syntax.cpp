@@ -63,7 +63,7 @@ struct HaasRepeat {
   }
 };
 
-const ig::Register<HaasRepeat> registered;
+const ig::Register<HaasRepeat> haas_repeat_syntax;
 
 }  // namespace
 }  // namespace fanuc

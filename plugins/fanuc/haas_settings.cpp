@@ -10,15 +10,15 @@ constexpr std::string_view scaling = "71", rotation = "72", rotation_adds = "73"
 constexpr std::string_view dimensioning = "9", tap_retract_speed = "130";
 constexpr std::string_view delta_z = "22", shift_direction = "27", retract_above_r = "52", default_to_float = "162";
 
-constexpr const char* shipped[] = {"9|Value=0",  "22|Value=0.508", "27|Value=1",
-                                   "52|Value=0", "130|Value=1",    "162|Value=0"};
+constexpr const char* shipped_settings[] = {"9|Value=0",  "22|Value=0.508", "27|Value=1",
+                                            "52|Value=0", "130|Value=1",    "162|Value=0"};
 
 struct HaasSettings {
   static constexpr auto spec = ig::dependency("HaasSettings", "Settings of a Haas control, by number.")
                                    .rows("Setting", "number")
                                    .provides("isogloss.number-format/1", "isogloss.canned-cycle/1", "isogloss.motion/1",
                                              "isogloss.coordinate-system/1")
-                                   .ships(shipped);
+                                   .ships(shipped_settings);
 
   ig::Column value{"Value", nullptr, "", {}, "The setting: mm, or the number of a choice."};
   ig::Table table;
@@ -88,7 +88,7 @@ struct HaasSettings {
   ig_config_1 cycles{sizeof(ig_config_1), 0, this, &ask<&HaasSettings::cycle_of>};
 };
 
-const ig::Register<HaasSettings> registered;
+const ig::Register<HaasSettings> haas_settings;
 
 }  // namespace
 }  // namespace fanuc

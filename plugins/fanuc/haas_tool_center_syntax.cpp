@@ -21,7 +21,7 @@ struct HaasToolCenter {
   }
 };
 
-const ig::Register<HaasToolCenter> registered;
+const ig::Register<HaasToolCenter> haas_tool_center_syntax;
 
 }  // namespace
 }  // namespace fanuc

@@ -119,7 +119,7 @@ struct MacroVariables final : MacroStore::Keeper {
   }
 };
 
-const ig::Register<MacroVariables> registered;
+const ig::Register<MacroVariables> macro_variables;
 
 }  // namespace
 }  // namespace fanuc

@@ -33,7 +33,7 @@ struct MazakCode {
   }
 };
 
-const ig::Register<MazakCode> registered;
+const ig::Register<MazakCode> mazak_code_syntax;
 
 }  // namespace
 }  // namespace fanuc

@@ -26,7 +26,7 @@ struct OkumaAssignment {
   }
 };
 
-const ig::Register<OkumaAssignment> registered;
+const ig::Register<OkumaAssignment> okuma_assignment_syntax;
 
 }  // namespace
 }  // namespace fanuc

@@ -78,7 +78,7 @@ struct OkumaCode {
   }
 };
 
-const ig::Register<OkumaCode> registered;
+const ig::Register<OkumaCode> okuma_code_syntax;
 
 }  // namespace
 }  // namespace fanuc

@@ -17,7 +17,7 @@ struct OkumaFileHead {
   }
 };
 
-const ig::Register<OkumaFileHead> registered;
+const ig::Register<OkumaFileHead> okuma_file_head_syntax;
 
 }  // namespace
 }  // namespace fanuc

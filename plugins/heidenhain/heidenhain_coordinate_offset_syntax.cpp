@@ -93,7 +93,7 @@ struct HeidenhainCoordinateOffset {
   }
 };
 
-const ig::Register<HeidenhainCoordinateOffset> registered;
+const ig::Register<HeidenhainCoordinateOffset> heidenhain_coordinate_offset_syntax;
 
 }  // namespace
 }  // namespace heidenhain

@@ -63,7 +63,7 @@ struct KlartextBlockNumber {
   }
 };
 
-const ig::Register<KlartextBlockNumber> registered;
+const ig::Register<KlartextBlockNumber> klartext_block_number_syntax;
 
 }  // namespace
 }  // namespace heidenhain

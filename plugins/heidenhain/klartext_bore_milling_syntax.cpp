@@ -105,7 +105,7 @@ struct KlartextBoreMilling {
   }
 };
 
-const ig::Register<KlartextBoreMilling> registered;
+const ig::Register<KlartextBoreMilling> klartext_bore_milling_syntax;
 
 }  // namespace
 }  // namespace heidenhain

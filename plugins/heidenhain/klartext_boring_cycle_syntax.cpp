@@ -103,7 +103,7 @@ struct KlartextBoringCycle {
   }
 };
 
-const ig::Register<KlartextBoringCycle> registered;
+const ig::Register<KlartextBoringCycle> klartext_boring_cycle_syntax;
 
 }  // namespace
 }  // namespace heidenhain

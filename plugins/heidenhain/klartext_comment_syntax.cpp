@@ -53,7 +53,7 @@ struct KlartextComment {
   }
 };
 
-const ig::Register<KlartextComment> registered;
+const ig::Register<KlartextComment> klartext_comment_syntax;
 
 }  // namespace
 }  // namespace heidenhain

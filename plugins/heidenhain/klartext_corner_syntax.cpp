@@ -80,7 +80,7 @@ struct KlartextCorner {
   }
 };
 
-const ig::Register<KlartextCorner> registered;
+const ig::Register<KlartextCorner> klartext_corner_syntax;
 
 }  // namespace
 }  // namespace heidenhain

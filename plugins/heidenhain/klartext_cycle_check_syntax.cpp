@@ -43,7 +43,7 @@ struct KlartextCycleCheck {
   }
 };
 
-const ig::Register<KlartextCycleCheck> registered;
+const ig::Register<KlartextCycleCheck> klartext_cycle_check_syntax;
 
 }  // namespace
 }  // namespace heidenhain

@@ -175,7 +175,7 @@ struct KlartextCycle {
   }
 };
 
-const ig::Register<KlartextCycle> registered;
+const ig::Register<KlartextCycle> klartext_cycle_syntax;
 
 }  // namespace
 }  // namespace heidenhain

@@ -117,7 +117,7 @@ struct KlartextDrillingCycle {
   }
 };
 
-const ig::Register<KlartextDrillingCycle> registered;
+const ig::Register<KlartextDrillingCycle> klartext_drilling_cycle_syntax;
 
 }  // namespace
 }  // namespace heidenhain

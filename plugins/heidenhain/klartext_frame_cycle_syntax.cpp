@@ -318,7 +318,7 @@ struct KlartextFrameCycle {
   }
 };
 
-const ig::Register<KlartextFrameCycle> registered;
+const ig::Register<KlartextFrameCycle> klartext_frame_cycle_syntax;
 
 }  // namespace
 }  // namespace heidenhain

@@ -20,7 +20,7 @@ struct KlartextHelix {
   }
 };
 
-const ig::Register<KlartextHelix> registered;
+const ig::Register<KlartextHelix> klartext_helix_syntax;
 
 }  // namespace
 }  // namespace heidenhain

@@ -167,7 +167,7 @@ struct KlartextLabel {
   } found_;
 };
 
-const ig::Register<KlartextLabel> registered;
+const ig::Register<KlartextLabel> klartext_label_syntax;
 
 }  // namespace
 }  // namespace heidenhain

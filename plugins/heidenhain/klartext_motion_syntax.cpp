@@ -351,7 +351,7 @@ struct KlartextMotion {
   ig_field radius_ = center("Parsing.R");
 };
 
-const ig::Register<KlartextMotion> registered;
+const ig::Register<KlartextMotion> klartext_motion_syntax;
 
 }  // namespace
 }  // namespace heidenhain

@@ -100,7 +100,7 @@ struct KlartextOldCycle {
   }
 };
 
-const ig::Register<KlartextOldCycle> registered;
+const ig::Register<KlartextOldCycle> klartext_old_cycle_syntax;
 
 }  // namespace
 }  // namespace heidenhain

@@ -315,7 +315,7 @@ struct KlartextParameter {
   std::size_t begin_ = 0, end_ = 0;
 };
 
-const ig::Register<KlartextParameter> registered;
+const ig::Register<KlartextParameter> klartext_parameter_syntax;
 
 }  // namespace
 }  // namespace heidenhain

@@ -11,8 +11,8 @@ namespace {
 
 enum Function : std::size_t { L, LP, LN, C, CC, CR, CT, CP, CTP, RND, CHF, APPR, DEP, function_count };
 
-constexpr std::array<std::string_view, function_count> names{"L",  "LP",  "LN",  "C",   "CC",   "CR", "CT",
-                                                             "CP", "CTP", "RND", "CHF", "APPR", "DEP"};
+constexpr std::array<std::string_view, function_count> function_names{"L",  "LP",  "LN",  "C",   "CC",   "CR", "CT",
+                                                                      "CP", "CTP", "RND", "CHF", "APPR", "DEP"};
 
 struct KlartextPath {
   static constexpr auto spec =
@@ -58,7 +58,8 @@ struct KlartextPath {
     const auto found = function_at(text, position);
     if (!found) return position;
     if (values_.is_indexing()) return statement_end(text, position);
-    Path path{found->function, found->end, found->end == position ? std::string_view("L") : names[found->function]};
+    Path path{found->function, found->end,
+              found->end == position ? std::string_view("L") : function_names[found->function]};
     path.end = statement_end(text, position);
     if (path.function == RND || path.function == CHF) return corner(b, text, position, path);
     if (path.function != CC && b.is_raised(corner_open_)) b.erase(corner_open_);
@@ -92,13 +93,13 @@ struct KlartextPath {
     const char next = at(text, end);
     const bool is_word = next == '+' || next == '-' || is_digit(next) || next == '.';
     for (std::size_t i = 0; i < function_count; ++i)
-      if (iso::equals_ignoring_case(letters, names[i]) && (i != C || !is_word))
+      if (iso::equals_ignoring_case(letters, function_names[i]) && (i != C || !is_word))
         return Found{static_cast<Function>(i), end};
     // L, C and CC with their first word glued to them: LX+10, CCX+5, LIX+5
     for (const Function f : {LP, LN, CC, CR, CT, CP, L, C}) {
-      const std::size_t size = names[f].size();
+      const std::size_t size = function_names[f].size();
       if (letters.size() <= size || letters.size() > size + 3 || !is_word) continue;
-      if (iso::equals_ignoring_case(letters.substr(0, size), names[f]) && is_axis_word(letters.substr(size)))
+      if (iso::equals_ignoring_case(letters.substr(0, size), function_names[f]) && is_axis_word(letters.substr(size)))
         return Found{f, position + size};
     }
     if (letters.size() == 1 && to_upper(letters[0]) == 'M' && is_digit(at(text, iso::skip_blanks(text, end))))
@@ -390,7 +391,7 @@ struct KlartextPath {
   }
 };
 
-const ig::Register<KlartextPath> registered;
+const ig::Register<KlartextPath> klartext_path_syntax;
 
 }  // namespace
 }  // namespace heidenhain

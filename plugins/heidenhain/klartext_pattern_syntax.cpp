@@ -169,7 +169,7 @@ struct KlartextPattern {
   }
 };
 
-const ig::Register<KlartextPattern> registered;
+const ig::Register<KlartextPattern> klartext_pattern_syntax;
 
 }  // namespace
 }  // namespace heidenhain

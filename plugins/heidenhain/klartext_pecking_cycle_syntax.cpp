@@ -65,7 +65,7 @@ struct KlartextPeckingCycle {
   }
 };
 
-const ig::Register<KlartextPeckingCycle> registered;
+const ig::Register<KlartextPeckingCycle> klartext_pecking_cycle_syntax;
 
 }  // namespace
 }  // namespace heidenhain

@@ -101,7 +101,7 @@ struct KlartextPlaneFrame {
   ig::Xyz absolute_{"Parsing.DATUM", ig::read}, steps_{"Parsing.IDATUM", ig::read};
 };
 
-const ig::Register<KlartextPlaneFrame> registered;
+const ig::Register<KlartextPlaneFrame> klartext_plane_frame_syntax;
 
 }  // namespace
 }  // namespace heidenhain

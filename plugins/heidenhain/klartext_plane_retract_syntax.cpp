@@ -57,7 +57,7 @@ struct KlartextPlaneRetract {
   }
 };
 
-const ig::Register<KlartextPlaneRetract> registered;
+const ig::Register<KlartextPlaneRetract> klartext_plane_retract_syntax;
 
 }  // namespace
 }  // namespace heidenhain

@@ -33,7 +33,7 @@ struct KlartextPlaneStay {
   }
 };
 
-const ig::Register<KlartextPlaneStay> registered;
+const ig::Register<KlartextPlaneStay> klartext_plane_stay_syntax;
 
 }  // namespace
 }  // namespace heidenhain

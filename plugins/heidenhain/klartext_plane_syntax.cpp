@@ -358,7 +358,7 @@ struct KlartextPlane {
   Command command_;
 };
 
-const ig::Register<KlartextPlane> registered;
+const ig::Register<KlartextPlane> klartext_plane_syntax;
 
 }  // namespace
 }  // namespace heidenhain

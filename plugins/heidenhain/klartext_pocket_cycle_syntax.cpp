@@ -31,7 +31,7 @@ struct KlartextPocketCycle {
   void machine(ig::Block& b, HoleRun& c) const { cycle_.leave(b, c); }
 };
 
-const ig::Register<KlartextPocketCycle> registered;
+const ig::Register<KlartextPocketCycle> klartext_pocket_cycle_syntax;
 
 }  // namespace
 }  // namespace heidenhain

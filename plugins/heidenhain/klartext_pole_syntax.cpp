@@ -109,7 +109,7 @@ struct KlartextPole {
   }
 };
 
-const ig::Register<KlartextPole> registered;
+const ig::Register<KlartextPole> klartext_pole_syntax;
 
 }  // namespace
 }  // namespace heidenhain

@@ -146,7 +146,7 @@ struct KlartextProgram {
   }
 };
 
-const ig::Register<KlartextProgram> registered;
+const ig::Register<KlartextProgram> klartext_program_syntax;
 
 }  // namespace
 }  // namespace heidenhain

@@ -62,7 +62,7 @@ struct KlartextSingleLipCycle {
   }
 };
 
-const ig::Register<KlartextSingleLipCycle> registered;
+const ig::Register<KlartextSingleLipCycle> klartext_single_lip_cycle_syntax;
 
 }  // namespace
 }  // namespace heidenhain

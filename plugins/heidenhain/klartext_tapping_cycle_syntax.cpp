@@ -92,7 +92,7 @@ struct KlartextTappingCycle {
   }
 };
 
-const ig::Register<KlartextTappingCycle> registered;
+const ig::Register<KlartextTappingCycle> klartext_tapping_cycle_syntax;
 
 }  // namespace
 }  // namespace heidenhain

@@ -52,7 +52,7 @@ struct KlartextTcpm {
   }
 };
 
-const ig::Register<KlartextTcpm> registered;
+const ig::Register<KlartextTcpm> klartext_tcpm_syntax;
 
 }  // namespace
 }  // namespace heidenhain

@@ -190,7 +190,7 @@ struct KlartextToolCall {
   }
 };
 
-const ig::Register<KlartextToolCall> registered;
+const ig::Register<KlartextToolCall> klartext_tool_call_syntax;
 
 }  // namespace
 }  // namespace heidenhain

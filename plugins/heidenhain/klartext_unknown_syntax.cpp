@@ -118,7 +118,7 @@ struct KlartextUnknown {
   }
 };
 
-const ig::Register<KlartextUnknown> registered;
+const ig::Register<KlartextUnknown> klartext_unknown_syntax;
 
 }  // namespace
 }  // namespace heidenhain

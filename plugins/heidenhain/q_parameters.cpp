@@ -35,7 +35,7 @@ struct QParameters {
   const void* service(std::string_view id) const { return id == q_store_service ? &store : nullptr; }
 };
 
-const ig::Register<QParameters> registered;
+const ig::Register<QParameters> q_parameters;
 
 }  // namespace
 }  // namespace heidenhain

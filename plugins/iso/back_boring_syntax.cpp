@@ -91,7 +91,7 @@ struct BackBoring {
   }
 };
 
-const ig::Register<BackBoring> registered;
+const ig::Register<BackBoring> back_boring_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -47,7 +47,7 @@ struct BlockSkipSyntax {
   }
 };
 
-const ig::Register<BlockSkipSyntax> registered;
+const ig::Register<BlockSkipSyntax> block_skip_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -63,7 +63,7 @@ struct BoringCycle {
   static double override_of(std::optional<double> percent) { return percent && *percent > 0 ? *percent / 100 : 1; }
 };
 
-const ig::Register<BoringCycle> registered;
+const ig::Register<BoringCycle> boring_cycle_syntax;
 
 }  // namespace
 }  // namespace iso

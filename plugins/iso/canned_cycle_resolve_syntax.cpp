@@ -459,7 +459,7 @@ struct CannedCycleResolve {
   }
 };
 
-const ig::Register<CannedCycleResolve> registered;
+const ig::Register<CannedCycleResolve> canned_cycle_resolve_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -152,7 +152,7 @@ struct CircularMotion {
   }
 };
 
-const ig::Register<CircularMotion> registered;
+const ig::Register<CircularMotion> circular_motion_syntax;
 
 }  // namespace
 }  // namespace iso

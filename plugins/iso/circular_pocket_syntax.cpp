@@ -176,7 +176,7 @@ struct CircularPocket {
   }
 };
 
-const ig::Register<CircularPocket> registered;
+const ig::Register<CircularPocket> circular_pocket_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -28,7 +28,7 @@ struct Coolant {
   }
 };
 
-const ig::Register<Coolant> registered;
+const ig::Register<Coolant> coolant_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -79,7 +79,7 @@ struct CornerBreakPath {
   }
 };
 
-const ig::Register<CornerBreakPath> registered;
+const ig::Register<CornerBreakPath> corner_break_path_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -60,7 +60,7 @@ struct CornerBreakSize {
   }
 };
 
-const ig::Register<CornerBreakSize> registered;
+const ig::Register<CornerBreakSize> corner_break_size_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -38,7 +38,7 @@ struct CornerBreak {
   }
 };
 
-const ig::Register<CornerBreak> registered;
+const ig::Register<CornerBreak> corner_break_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -191,7 +191,7 @@ struct DecimalPointSyntax {
   }
 };
 
-const ig::Register<DecimalPointSyntax> registered;
+const ig::Register<DecimalPointSyntax> decimal_point_syntax;
 
 }  // namespace
 }  // namespace iso

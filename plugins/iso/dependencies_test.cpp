@@ -3,7 +3,7 @@
 
 #include "../../tests/support/fake_dependency.hpp"
 
-using isogloss_test::FakeDependency;
+using namespace isogloss_test;
 
 namespace {
 
@@ -12,12 +12,6 @@ ig_text text(std::string_view s) { return {s.data(), s.size()}; }
 bool offset(const FakeDependency& table, std::string_view id, double (&out)[3]) {
   const auto* s = table.service<ig_work_offset_1>("isogloss.work-offset/1");
   return s->get(s->self, text(id), out) != 0;
-}
-
-double number(const FakeDependency& config, const char* service, std::string_view name) {
-  const auto* s = config.service<ig_config_1>(service);
-  double out = -1;
-  return s->number(s->self, text(name), &out) != 0 ? out : -1;
 }
 
 }  // namespace
@@ -104,7 +98,7 @@ TEST_CASE("fallback settings") {
   CHECK(number(config, "isogloss.canned-cycle/1", "HighSpeedPeckRetraction_mm") == 0.5);
   const FakeDependency shared(*ig_plugin_v1(), "FallbackConfig", {}, {{"PeckRetractionDistance_mm", "2"}});
   CHECK(number(shared, "isogloss.canned-cycle/1", "HighSpeedPeckRetraction_mm") == 2);
-  CHECK(number(config, "isogloss.canned-cycle/1", "ArcRadiusTolerance_mm") == -1);
+  CHECK(number(config, "isogloss.canned-cycle/1", "ArcRadiusTolerance_mm") == -1000);
   CHECK(number(config, "isogloss.motion/1", "ArcRadiusTolerance_mm") == 0.01);
   CHECK(config.service<ig_config_1>("isogloss.number-format/1") == nullptr);
 }

@@ -38,7 +38,7 @@ struct DrillingCycle {
   }
 };
 
-const ig::Register<DrillingCycle> registered;
+const ig::Register<DrillingCycle> drilling_cycle_syntax;
 
 }  // namespace
 }  // namespace iso

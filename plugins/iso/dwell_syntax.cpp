@@ -43,7 +43,7 @@ struct Dwell {
   }
 };
 
-const ig::Register<Dwell> registered;
+const ig::Register<Dwell> dwell_syntax;
 
 }  // namespace
 }  // namespace iso

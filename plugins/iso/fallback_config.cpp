@@ -80,7 +80,7 @@ struct FallbackConfig {
   ig_config_1 motion{sizeof(ig_config_1), 0, this, &motion_number};
 };
 
-const ig::Register<FallbackConfig> registered;
+const ig::Register<FallbackConfig> fallback_config;
 
 }  // namespace
 }  // namespace iso

@@ -46,7 +46,7 @@ struct Feedrate {
   }
 };
 
-const ig::Register<Feedrate> registered;
+const ig::Register<Feedrate> feedrate_syntax;
 
 }  // namespace
 }  // namespace iso

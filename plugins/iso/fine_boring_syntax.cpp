@@ -54,7 +54,7 @@ struct FineBoring {
   }
 };
 
-const ig::Register<FineBoring> registered;
+const ig::Register<FineBoring> fine_boring_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -218,7 +218,7 @@ struct FlagSyntax {
   mutable std::array<Asked, 16> asked_{};
 };
 
-const ig::Register<FlagSyntax> registered;
+const ig::Register<FlagSyntax> flag_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -219,7 +219,7 @@ struct G53p1RotaryPosition {
   }
 };
 
-const ig::Register<G53p1RotaryPosition> registered;
+const ig::Register<G53p1RotaryPosition> g53p1_rotary_position_syntax;
 
 }  // namespace
 }  // namespace iso

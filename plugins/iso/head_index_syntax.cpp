@@ -32,7 +32,7 @@ struct HeadIndexSyntax {
   }
 };
 
-const ig::Register<HeadIndexSyntax> registered;
+const ig::Register<HeadIndexSyntax> head_index_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -60,7 +60,7 @@ struct HighSpeedPeckCycle {
   }
 };
 
-const ig::Register<HighSpeedPeckCycle> registered;
+const ig::Register<HighSpeedPeckCycle> high_speed_peck_cycle_syntax;
 
 }  // namespace
 }  // namespace iso

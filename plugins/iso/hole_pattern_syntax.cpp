@@ -113,7 +113,7 @@ struct HolePattern {
   }
 };
 
-const ig::Register<HolePattern> registered;
+const ig::Register<HolePattern> hole_pattern_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -29,7 +29,7 @@ struct HomeMcInitializer {
   ig::Status build(ig::Block& b) const { return b.has(coordinates[0]) ? ig::Status::unchanged : restart(b); }
 };
 
-const ig::Register<HomeMcInitializer> registered;
+const ig::Register<HomeMcInitializer> home_mc_initializer;
 
 }  // namespace
 }  // namespace iso

@@ -57,7 +57,7 @@ struct IncrementalResolve {
   }
 };
 
-const ig::Register<IncrementalResolve> registered;
+const ig::Register<IncrementalResolve> incremental_resolve_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -27,7 +27,7 @@ struct InertCode {
   }
 };
 
-const ig::Register<InertCode> registered;
+const ig::Register<InertCode> inert_code_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -119,7 +119,7 @@ struct IsoCommentSyntax {
   }
 };
 
-const ig::Register<IsoCommentSyntax> registered;
+const ig::Register<IsoCommentSyntax> iso_comment_syntax;
 
 }  // namespace
 }  // namespace iso

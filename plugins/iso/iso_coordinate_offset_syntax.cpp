@@ -125,7 +125,7 @@ struct IsoCoordinateOffset {
   }
 };
 
-const ig::Register<IsoCoordinateOffset> registered;
+const ig::Register<IsoCoordinateOffset> iso_coordinate_offset_syntax;
 
 }  // namespace
 }  // namespace iso

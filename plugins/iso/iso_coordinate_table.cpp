@@ -7,15 +7,15 @@
 namespace iso {
 namespace {
 
-constexpr const char* shipped[] = {"EXT|X=0|Y=0|Z=0", "G54|X=0|Y=0|Z=0", "G55|X=0|Y=0|Z=0", "G56|X=0|Y=0|Z=0",
-                                   "G57|X=0|Y=0|Z=0", "G58|X=0|Y=0|Z=0", "G59|X=0|Y=0|Z=0"};
+constexpr const char* shipped_offsets[] = {"EXT|X=0|Y=0|Z=0", "G54|X=0|Y=0|Z=0", "G55|X=0|Y=0|Z=0", "G56|X=0|Y=0|Z=0",
+                                           "G57|X=0|Y=0|Z=0", "G58|X=0|Y=0|Z=0", "G59|X=0|Y=0|Z=0"};
 
 struct IsoCoordinateTable {
   static constexpr auto spec =
       ig::dependency("IsoCoordinateTable", "Work offsets: G54 to G59.9, G54.1 P1 to P300, and the external offset EXT.")
           .rows("Offset", "id")
           .provides("isogloss.work-offset/1")
-          .ships(shipped);
+          .ships(shipped_offsets);
 
   ig::IntegerOption additional_sets{"additional-sets",
                                     "300",
@@ -49,7 +49,7 @@ struct IsoCoordinateTable {
   ig_work_offset_1 offsets = WorkOffsetService<IsoCoordinateTable>::of(this);
 };
 
-const ig::Register<IsoCoordinateTable> registered;
+const ig::Register<IsoCoordinateTable> iso_coordinate_table;
 
 }  // namespace
 }  // namespace iso

@@ -206,7 +206,7 @@ struct IsoG68Rotation {
   }
 };
 
-const ig::Register<IsoG68Rotation> registered;
+const ig::Register<IsoG68Rotation> iso_g68_rotation_syntax;
 
 }  // namespace
 }  // namespace iso

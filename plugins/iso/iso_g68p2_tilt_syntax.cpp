@@ -451,7 +451,7 @@ struct IsoG68p2Tilt {
   }
 };
 
-const ig::Register<IsoG68p2Tilt> registered;
+const ig::Register<IsoG68p2Tilt> iso_g68p2_tilt_syntax;
 
 }  // namespace
 }  // namespace iso

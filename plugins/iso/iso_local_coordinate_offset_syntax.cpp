@@ -71,7 +71,7 @@ struct IsoLocalCoordinateOffset {
   }
 };
 
-const ig::Register<IsoLocalCoordinateOffset> registered;
+const ig::Register<IsoLocalCoordinateOffset> iso_local_coordinate_offset_syntax;
 
 }  // namespace
 }  // namespace iso

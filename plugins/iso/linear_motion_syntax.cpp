@@ -87,7 +87,7 @@ struct LinearMotion {
   static constexpr double same_way_mm = 1e-7;  // shorter is what a frame there and back leaves
 };
 
-const ig::Register<LinearMotion> registered;
+const ig::Register<LinearMotion> linear_motion_syntax;
 
 }  // namespace
 }  // namespace iso

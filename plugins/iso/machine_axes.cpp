@@ -9,13 +9,13 @@
 namespace iso {
 namespace {
 
-constexpr const char* shipped[] = {"X|Home=0", "Y|Home=0", "Z|Home=0"};
+constexpr const char* shipped_axes[] = {"X|Home=0", "Y|Home=0", "Z|Home=0"};
 
 struct MachineAxes {
   static constexpr auto spec = ig::dependency("MachineAxes", "The axes of the machine, in machine coordinates.")
                                    .rows("Axis", "name")
                                    .provides("isogloss.machine-axis/1")
-                                   .ships(shipped);
+                                   .ships(shipped_axes);
 
   ig::Column home_position{"Home", "0", "mm, deg", {}, "Where the axis stands before the first block."};
   std::array<ig::Column, 4> references{
@@ -83,7 +83,7 @@ struct MachineAxes {
   ig_machine_axis_1 axes{sizeof(ig_machine_axis_1), 0, this, &home, &reference, &travel, &rapid, &rollover};
 };
 
-const ig::Register<MachineAxes> registered;
+const ig::Register<MachineAxes> machine_axes;
 
 }  // namespace
 }  // namespace iso

@@ -62,7 +62,7 @@ struct MachineCoordSelect {
   }
 };
 
-const ig::Register<MachineCoordSelect> registered;
+const ig::Register<MachineCoordSelect> machine_coord_select_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -51,7 +51,7 @@ struct MacroStatementSyntax {
   }
 };
 
-const ig::Register<MacroStatementSyntax> registered;
+const ig::Register<MacroStatementSyntax> macro_statement_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -50,7 +50,7 @@ struct ManualBoringCycle {
   }
 };
 
-const ig::Register<ManualBoringCycle> registered;
+const ig::Register<ManualBoringCycle> manual_boring_cycle_syntax;
 
 }  // namespace
 }  // namespace iso

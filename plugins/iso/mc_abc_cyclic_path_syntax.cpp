@@ -66,7 +66,7 @@ struct McAbcCyclicPath {
   }
 };
 
-const ig::Register<McAbcCyclicPath> registered;
+const ig::Register<McAbcCyclicPath> mc_abc_cyclic_path_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -68,7 +68,7 @@ struct McAbc {
   }
 };
 
-const ig::Register<McAbc> registered;
+const ig::Register<McAbc> mc_abc_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -47,7 +47,7 @@ struct McXyz {
   }
 };
 
-const ig::Register<McXyz> registered;
+const ig::Register<McXyz> mc_xyz_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -83,7 +83,7 @@ struct NotExecuted {
   }
 };
 
-const ig::Register<NotExecuted> registered;
+const ig::Register<NotExecuted> not_executed_syntax;
 
 }  // namespace
 }  // namespace iso

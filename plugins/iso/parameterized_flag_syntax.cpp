@@ -100,7 +100,7 @@ struct ParameterizedFlagSyntax {
   }
 };
 
-const ig::Register<ParameterizedFlagSyntax> registered;
+const ig::Register<ParameterizedFlagSyntax> parameterized_flag_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -39,7 +39,7 @@ struct PathMode {
   }
 };
 
-const ig::Register<PathMode> registered;
+const ig::Register<PathMode> path_mode_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -70,7 +70,7 @@ struct PathSmoothing {
   }
 };
 
-const ig::Register<PathSmoothing> registered;
+const ig::Register<PathSmoothing> path_smoothing_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -56,7 +56,7 @@ struct PeckDrillingCycle {
   }
 };
 
-const ig::Register<PeckDrillingCycle> registered;
+const ig::Register<PeckDrillingCycle> peck_drilling_cycle_syntax;
 
 }  // namespace
 }  // namespace iso

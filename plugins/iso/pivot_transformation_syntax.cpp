@@ -118,7 +118,7 @@ struct PivotTransformation {
   }
 };
 
-const ig::Register<PivotTransformation> registered;
+const ig::Register<PivotTransformation> pivot_transformation_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -22,7 +22,7 @@ struct PlaneSelect {
   }
 };
 
-const ig::Register<PlaneSelect> registered;
+const ig::Register<PlaneSelect> plane_select_syntax;
 
 }  // namespace
 }  // namespace iso

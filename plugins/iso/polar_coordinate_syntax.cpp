@@ -149,7 +149,7 @@ struct PolarCoordinate {
   }
 };
 
-const ig::Register<PolarCoordinate> registered;
+const ig::Register<PolarCoordinate> polar_coordinate_syntax;
 
 }  // namespace
 }  // namespace iso

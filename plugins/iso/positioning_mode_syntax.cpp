@@ -24,7 +24,7 @@ struct PositioningMode {
   }
 };
 
-const ig::Register<PositioningMode> registered;
+const ig::Register<PositioningMode> positioning_mode_syntax;
 
 }  // namespace
 }  // namespace iso

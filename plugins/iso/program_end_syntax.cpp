@@ -47,7 +47,7 @@ struct ProgramEnd {
   }
 };
 
-const ig::Register<ProgramEnd> registered;
+const ig::Register<ProgramEnd> program_end_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -77,7 +77,7 @@ struct ProgramNumberSyntax {
   }
 };
 
-const ig::Register<ProgramNumberSyntax> registered;
+const ig::Register<ProgramNumberSyntax> program_number_syntax;
 
 }  // namespace
 }  // namespace iso

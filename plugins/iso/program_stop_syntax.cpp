@@ -27,7 +27,7 @@ struct ProgramStop {
   bool is_on() const { return !setting_.text().empty() && setting_.text() != "off"; }
 };
 
-const ig::Register<ProgramStop> registered;
+const ig::Register<ProgramStop> program_stop_syntax;
 
 }  // namespace
 }  // namespace iso

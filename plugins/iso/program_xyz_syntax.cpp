@@ -24,7 +24,7 @@ struct ProgramXyz {
   }
 };
 
-const ig::Register<ProgramXyz> registered;
+const ig::Register<ProgramXyz> program_xyz_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -146,7 +146,7 @@ struct ProgrammableDataInput {
   }
 };
 
-const ig::Register<ProgrammableDataInput> registered;
+const ig::Register<ProgrammableDataInput> programmable_data_input_syntax;
 
 }  // namespace
 }  // namespace iso

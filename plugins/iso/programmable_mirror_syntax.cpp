@@ -83,7 +83,7 @@ struct ProgrammableMirror {
   }
 };
 
-const ig::Register<ProgrammableMirror> registered;
+const ig::Register<ProgrammableMirror> programmable_mirror_syntax;
 
 }  // namespace
 }  // namespace iso

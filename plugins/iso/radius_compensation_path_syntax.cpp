@@ -649,7 +649,7 @@ struct RadiusCompensationPath {
   }
 };
 
-const ig::Register<RadiusCompensationPath> registered;
+const ig::Register<RadiusCompensationPath> radius_compensation_path_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -182,7 +182,7 @@ struct RadiusCompensation {
   }
 };
 
-const ig::Register<RadiusCompensation> registered;
+const ig::Register<RadiusCompensation> radius_compensation_syntax;
 
 }  // namespace
 }  // namespace iso

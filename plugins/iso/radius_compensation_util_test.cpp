@@ -1,18 +1,10 @@
 #include "radius_compensation_util.hpp"
 
-#include <catch2/catch.hpp>
+#include "contour_test.hpp"
 
 using namespace iso;
 
 namespace {
-
-ContourMove line(Point2 start, Point2 end) { return {start, end, false, {}, false}; }
-ContourMove arc(Point2 start, Point2 end, Point2 center, bool is_ccw) { return {start, end, true, center, is_ccw}; }
-
-void check_point(const Point2& got, const Point2& wanted) {
-  CHECK(got.u == Approx(wanted.u).margin(1e-9));
-  CHECK(got.v == Approx(wanted.v).margin(1e-9));
-}
 
 constexpr double sqrt_half = 0.70710678118654752;
 

@@ -59,7 +59,7 @@ struct ReferenceCheck {
   }
 };
 
-const ig::Register<ReferenceCheck> registered;
+const ig::Register<ReferenceCheck> reference_check_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -110,7 +110,7 @@ struct ReferenceReturn {
   }
 };
 
-const ig::Register<ReferenceReturn> registered;
+const ig::Register<ReferenceReturn> reference_return_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -126,7 +126,7 @@ struct ReturnFromReference {
   }
 };
 
-const ig::Register<ReturnFromReference> registered;
+const ig::Register<ReturnFromReference> return_from_reference_syntax;
 
 }  // namespace
 }  // namespace iso

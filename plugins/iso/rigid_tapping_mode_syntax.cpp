@@ -66,7 +66,7 @@ struct RigidTappingMode {
   }
 };
 
-const ig::Register<RigidTappingMode> registered;
+const ig::Register<RigidTappingMode> rigid_tapping_mode_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -98,7 +98,7 @@ struct RotaryOffset {
   }
 };
 
-const ig::Register<RotaryOffset> registered;
+const ig::Register<RotaryOffset> rotary_offset_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -117,7 +117,7 @@ struct Scaling {
   }
 };
 
-const ig::Register<Scaling> registered;
+const ig::Register<Scaling> scaling_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -29,7 +29,7 @@ struct SkipFunction {
   }
 };
 
-const ig::Register<SkipFunction> registered;
+const ig::Register<SkipFunction> skip_function_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -38,7 +38,7 @@ struct SpindleOrientation {
   }
 };
 
-const ig::Register<SpindleOrientation> registered;
+const ig::Register<SpindleOrientation> spindle_orientation_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -56,7 +56,7 @@ struct SpindleSpeed {
   }
 };
 
-const ig::Register<SpindleSpeed> registered;
+const ig::Register<SpindleSpeed> spindle_speed_syntax;
 
 }  // namespace
 }  // namespace iso

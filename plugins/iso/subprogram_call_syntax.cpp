@@ -222,7 +222,7 @@ struct SubprogramCall {
   }
 };
 
-const ig::Register<SubprogramCall> registered;
+const ig::Register<SubprogramCall> subprogram_call_syntax;
 
 }  // namespace
 }  // namespace iso

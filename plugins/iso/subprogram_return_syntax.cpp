@@ -141,7 +141,7 @@ struct SubprogramReturn {
   }
 };
 
-const ig::Register<SubprogramReturn> registered;
+const ig::Register<SubprogramReturn> subprogram_return_syntax;
 
 }  // namespace
 }  // namespace iso

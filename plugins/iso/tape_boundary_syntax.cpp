@@ -54,7 +54,7 @@ struct TapeBoundarySyntax {
   }
 };
 
-const ig::Register<TapeBoundarySyntax> registered;
+const ig::Register<TapeBoundarySyntax> tape_boundary_syntax;
 
 }  // namespace
 }  // namespace iso

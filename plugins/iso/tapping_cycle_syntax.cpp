@@ -178,7 +178,7 @@ struct TappingCycle {
   }
 };
 
-const ig::Register<TappingCycle> registered;
+const ig::Register<TappingCycle> tapping_cycle_syntax;
 
 }  // namespace
 }  // namespace iso

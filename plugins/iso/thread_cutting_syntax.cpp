@@ -62,7 +62,7 @@ struct ThreadCutting {
   }
 };
 
-const ig::Register<ThreadCutting> registered;
+const ig::Register<ThreadCutting> thread_cutting_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -197,7 +197,7 @@ struct ToolCenterPoint {
   }
 };
 
-const ig::Register<ToolCenterPoint> registered;
+const ig::Register<ToolCenterPoint> tool_center_point_syntax;
 
 }  // namespace
 }  // namespace iso

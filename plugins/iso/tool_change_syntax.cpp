@@ -92,7 +92,7 @@ struct ToolChange {
   }
 };
 
-const ig::Register<ToolChange> registered;
+const ig::Register<ToolChange> tool_change_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -132,7 +132,7 @@ struct ToolHeightOffset {
   }
 };
 
-const ig::Register<ToolHeightOffset> registered;
+const ig::Register<ToolHeightOffset> tool_height_offset_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -60,7 +60,7 @@ struct ToolOffsetTable {
   ig_tool_offset_1 offsets{sizeof(ig_tool_offset_1), 0, this, &get, &set};
 };
 
-const ig::Register<ToolOffsetTable> registered;
+const ig::Register<ToolOffsetTable> tool_offset_table;
 
 }  // namespace
 }  // namespace iso

@@ -249,7 +249,7 @@ struct TravelCheck {
   }
 };
 
-const ig::Register<TravelCheck> registered;
+const ig::Register<TravelCheck> travel_check_syntax;
 
 }  // namespace
 }  // namespace iso

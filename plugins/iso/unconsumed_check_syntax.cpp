@@ -49,7 +49,7 @@ struct UnconsumedCheck {
   }
 };
 
-const ig::Register<UnconsumedCheck> registered;
+const ig::Register<UnconsumedCheck> unconsumed_check_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -52,7 +52,7 @@ struct UnidirectionalPositioning {
   }
 };
 
-const ig::Register<UnidirectionalPositioning> registered;
+const ig::Register<UnidirectionalPositioning> unidirectional_positioning_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -137,7 +137,7 @@ struct UnitMode {
   ig_field k_ = IG_NO_FIELD, j_ = IG_NO_FIELD;
 };
 
-const ig::Register<UnitMode> registered;
+const ig::Register<UnitMode> unit_mode_syntax;
 
 }  // namespace
 }  // namespace iso

@@ -309,7 +309,7 @@ struct WordSyntax {
   }
 };
 
-const ig::Register<WordSyntax> registered;
+const ig::Register<WordSyntax> word_syntax;
 
 }  // namespace
 }  // namespace iso

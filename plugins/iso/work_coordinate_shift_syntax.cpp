@@ -152,7 +152,7 @@ struct WorkCoordinateShift {
   }
 };
 
-const ig::Register<WorkCoordinateShift> registered;
+const ig::Register<WorkCoordinateShift> work_coordinate_shift_syntax;
 
 }  // namespace
 }  // namespace iso

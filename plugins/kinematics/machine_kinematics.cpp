@@ -176,7 +176,7 @@ struct MachineKinematics {
       sizeof(ig_machine_kinematics_1), 0, this, &axes, &tool_axis, &pivot, &solve, &axis_speeds};
 };
 
-const ig::Register<MachineKinematics> registered;
+const ig::Register<MachineKinematics> machine_kinematics;
 
 }  // namespace
 }  // namespace kinematics

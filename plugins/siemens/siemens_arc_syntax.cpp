@@ -145,7 +145,7 @@ struct SiemensArc {
   ig::Codes straight_{{"G01"}, ig::write};
 };
 
-const ig::Register<SiemensArc> registered;
+const ig::Register<SiemensArc> siemens_arc_syntax;
 
 }  // namespace
 }  // namespace siemens

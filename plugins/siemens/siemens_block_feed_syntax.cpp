@@ -34,7 +34,7 @@ struct SiemensBlockFeed {
   }
 };
 
-const ig::Register<SiemensBlockFeed> registered;
+const ig::Register<SiemensBlockFeed> siemens_block_feed_syntax;
 
 }  // namespace
 }  // namespace siemens

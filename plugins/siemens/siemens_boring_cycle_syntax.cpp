@@ -82,7 +82,7 @@ struct SiemensBoringCycle {
   }
 };
 
-const ig::Register<SiemensBoringCycle> registered;
+const ig::Register<SiemensBoringCycle> siemens_boring_cycle_syntax;
 
 }  // namespace
 }  // namespace siemens

@@ -483,7 +483,7 @@ struct SiemensCall {
   bool is_expanded_ = false;  // the text is what DEFINE says
 };
 
-const ig::Register<SiemensCall> registered;
+const ig::Register<SiemensCall> siemens_call_syntax;
 
 }  // namespace
 }  // namespace siemens

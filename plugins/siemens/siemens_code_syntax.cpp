@@ -120,7 +120,7 @@ struct SiemensCode {
   }
 };
 
-const ig::Register<SiemensCode> registered;
+const ig::Register<SiemensCode> siemens_code_syntax;
 
 }  // namespace
 }  // namespace siemens

@@ -21,7 +21,7 @@ struct SiemensComment {
   }
 };
 
-const ig::Register<SiemensComment> registered;
+const ig::Register<SiemensComment> siemens_comment_syntax;
 
 }  // namespace
 }  // namespace siemens

@@ -52,7 +52,7 @@ struct SiemensContourAngle {
   }
 };
 
-const ig::Register<SiemensContourAngle> registered;
+const ig::Register<SiemensContourAngle> siemens_contour_angle_syntax;
 
 }  // namespace
 }  // namespace siemens

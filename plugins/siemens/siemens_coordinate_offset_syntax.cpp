@@ -70,7 +70,7 @@ struct SiemensCoordinateOffset {
   }
 };
 
-const ig::Register<SiemensCoordinateOffset> registered;
+const ig::Register<SiemensCoordinateOffset> siemens_coordinate_offset_syntax;
 
 }  // namespace
 }  // namespace siemens

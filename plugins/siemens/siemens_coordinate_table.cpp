@@ -30,7 +30,7 @@ struct SiemensCoordinateTable {
   ig_work_offset_1 offsets = iso::WorkOffsetService<SiemensCoordinateTable>::of(this);
 };
 
-const ig::Register<SiemensCoordinateTable> registered;
+const ig::Register<SiemensCoordinateTable> siemens_coordinate_table;
 
 }  // namespace
 }  // namespace siemens

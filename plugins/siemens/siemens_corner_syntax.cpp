@@ -71,7 +71,7 @@ struct SiemensCorner {
   }
 };
 
-const ig::Register<SiemensCorner> registered;
+const ig::Register<SiemensCorner> siemens_corner_syntax;
 
 }  // namespace
 }  // namespace siemens

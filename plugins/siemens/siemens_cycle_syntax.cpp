@@ -91,7 +91,7 @@ struct SiemensCycle {
   }
 };
 
-const ig::Register<SiemensCycle> registered;
+const ig::Register<SiemensCycle> siemens_cycle_syntax;
 
 }  // namespace
 }  // namespace siemens

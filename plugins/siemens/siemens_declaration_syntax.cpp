@@ -244,7 +244,7 @@ struct SiemensDeclaration {
   std::size_t begin_ = 0, behind_ = 0, end_statement_ = 0;
 };
 
-const ig::Register<SiemensDeclaration> registered;
+const ig::Register<SiemensDeclaration> siemens_declaration_syntax;
 
 }  // namespace
 }  // namespace siemens

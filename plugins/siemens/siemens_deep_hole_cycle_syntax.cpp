@@ -125,7 +125,7 @@ struct SiemensDeepHoleCycle {
   }
 };
 
-const ig::Register<SiemensDeepHoleCycle> registered;
+const ig::Register<SiemensDeepHoleCycle> siemens_deep_hole_cycle_syntax;
 
 }  // namespace
 }  // namespace siemens

@@ -51,7 +51,7 @@ struct SiemensDiameter {
   }
 };
 
-const ig::Register<SiemensDiameter> registered;
+const ig::Register<SiemensDiameter> siemens_diameter_syntax;
 
 }  // namespace
 }  // namespace siemens

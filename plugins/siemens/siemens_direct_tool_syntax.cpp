@@ -79,7 +79,7 @@ struct SiemensDirectTool {
   }
 };
 
-const ig::Register<SiemensDirectTool> registered;
+const ig::Register<SiemensDirectTool> siemens_direct_tool_syntax;
 
 }  // namespace
 }  // namespace siemens

@@ -25,7 +25,7 @@ struct SiemensDrillingCycle {
   }
 };
 
-const ig::Register<SiemensDrillingCycle> registered;
+const ig::Register<SiemensDrillingCycle> siemens_drilling_cycle_syntax;
 
 }  // namespace
 }  // namespace siemens

@@ -34,7 +34,7 @@ struct SiemensDwell {
   }
 };
 
-const ig::Register<SiemensDwell> registered;
+const ig::Register<SiemensDwell> siemens_dwell_syntax;
 
 }  // namespace
 }  // namespace siemens

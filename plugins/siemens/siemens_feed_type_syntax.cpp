@@ -39,7 +39,7 @@ struct SiemensFeedType {
   static void raise(ig::Block& b, ig_field code) { b.host()->set(b.raw(), code, {.integer = 1}); }
 };
 
-const ig::Register<SiemensFeedType> registered;
+const ig::Register<SiemensFeedType> siemens_feed_type_syntax;
 
 }  // namespace
 }  // namespace siemens

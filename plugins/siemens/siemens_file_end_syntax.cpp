@@ -16,7 +16,7 @@ struct SiemensFileEnd {
   }
 };
 
-const ig::Register<SiemensFileEnd> registered;
+const ig::Register<SiemensFileEnd> siemens_file_end_syntax;
 
 }  // namespace
 }  // namespace siemens

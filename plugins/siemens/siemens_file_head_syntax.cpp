@@ -61,7 +61,7 @@ struct SiemensFileHead {
   }
 };
 
-const ig::Register<SiemensFileHead> registered;
+const ig::Register<SiemensFileHead> siemens_file_head_syntax;
 
 }  // namespace
 }  // namespace siemens

@@ -347,7 +347,7 @@ struct SiemensFlow {
   std::string first_label_;
 };
 
-const ig::Register<SiemensFlow> registered;
+const ig::Register<SiemensFlow> siemens_flow_syntax;
 
 }  // namespace
 }  // namespace siemens

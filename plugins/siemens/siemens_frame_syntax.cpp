@@ -116,7 +116,7 @@ struct SiemensFrame {
   }
 };
 
-const ig::Register<SiemensFrame> registered;
+const ig::Register<SiemensFrame> siemens_frame_syntax;
 
 }  // namespace
 }  // namespace siemens

@@ -56,7 +56,7 @@ struct SiemensMachineCoordinates {
   }
 };
 
-const ig::Register<SiemensMachineCoordinates> registered;
+const ig::Register<SiemensMachineCoordinates> siemens_machine_coordinates_syntax;
 
 }  // namespace
 }  // namespace siemens

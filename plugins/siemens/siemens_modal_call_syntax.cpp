@@ -52,7 +52,7 @@ struct SiemensModalCall {
   }
 };
 
-const ig::Register<SiemensModalCall> registered;
+const ig::Register<SiemensModalCall> siemens_modal_call_syntax;
 
 }  // namespace
 }  // namespace siemens

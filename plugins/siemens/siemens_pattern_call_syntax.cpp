@@ -67,7 +67,7 @@ struct SiemensPatternCall {
   }
 };
 
-const ig::Register<SiemensPatternCall> registered;
+const ig::Register<SiemensPatternCall> siemens_pattern_call_syntax;
 
 }  // namespace
 }  // namespace siemens

@@ -124,7 +124,7 @@ struct SiemensPolar {
   }
 };
 
-const ig::Register<SiemensPolar> registered;
+const ig::Register<SiemensPolar> siemens_polar_syntax;
 
 }  // namespace
 }  // namespace siemens

@@ -86,7 +86,7 @@ struct SiemensPosition {
   }
 };
 
-const ig::Register<SiemensPosition> registered;
+const ig::Register<SiemensPosition> siemens_position_syntax;
 
 }  // namespace
 }  // namespace siemens

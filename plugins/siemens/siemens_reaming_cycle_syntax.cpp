@@ -39,7 +39,7 @@ struct SiemensReamingCycle {
   }
 };
 
-const ig::Register<SiemensReamingCycle> registered;
+const ig::Register<SiemensReamingCycle> siemens_reaming_cycle_syntax;
 
 }  // namespace
 }  // namespace siemens

@@ -77,7 +77,7 @@ struct SiemensReference {
   }
 };
 
-const ig::Register<SiemensReference> registered;
+const ig::Register<SiemensReference> siemens_reference_syntax;
 
 }  // namespace
 }  // namespace siemens

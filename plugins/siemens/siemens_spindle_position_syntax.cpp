@@ -28,7 +28,7 @@ struct SiemensSpindlePosition {
   }
 };
 
-const ig::Register<SiemensSpindlePosition> registered;
+const ig::Register<SiemensSpindlePosition> siemens_spindle_position_syntax;
 
 }  // namespace
 }  // namespace siemens

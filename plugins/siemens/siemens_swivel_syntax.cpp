@@ -150,7 +150,7 @@ struct SiemensSwivel {
   static constexpr std::int64_t axis_by_axis = 0, solid_angle = 1;
 };
 
-const ig::Register<SiemensSwivel> registered;
+const ig::Register<SiemensSwivel> siemens_swivel_syntax;
 
 }  // namespace
 }  // namespace siemens

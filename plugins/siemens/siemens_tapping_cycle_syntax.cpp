@@ -171,7 +171,7 @@ struct SiemensTappingCycle {
   }
 };
 
-const ig::Register<SiemensTappingCycle> registered;
+const ig::Register<SiemensTappingCycle> siemens_tapping_cycle_syntax;
 
 }  // namespace
 }  // namespace siemens

@@ -116,7 +116,7 @@ struct SiemensThread {
   }
 };
 
-const ig::Register<SiemensThread> registered;
+const ig::Register<SiemensThread> siemens_thread_syntax;
 
 }  // namespace
 }  // namespace siemens

@@ -42,7 +42,7 @@ struct SiemensToolName {
   static constexpr std::size_t most_names = 1000;
 };
 
-const ig::Register<SiemensToolName> registered;
+const ig::Register<SiemensToolName> siemens_tool_name_syntax;
 
 }  // namespace
 }  // namespace siemens

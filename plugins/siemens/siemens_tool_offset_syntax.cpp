@@ -105,7 +105,7 @@ struct SiemensToolOffset {
   }
 };
 
-const ig::Register<SiemensToolOffset> registered;
+const ig::Register<SiemensToolOffset> siemens_tool_offset_syntax;
 
 }  // namespace
 }  // namespace siemens

@@ -118,7 +118,7 @@ struct SiemensTransformation {
   }
 };
 
-const ig::Register<SiemensTransformation> registered;
+const ig::Register<SiemensTransformation> siemens_transformation_syntax;
 
 }  // namespace
 }  // namespace siemens

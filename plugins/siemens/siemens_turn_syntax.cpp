@@ -26,7 +26,7 @@ struct SiemensTurn {
   }
 };
 
-const ig::Register<SiemensTurn> registered;
+const ig::Register<SiemensTurn> siemens_turn_syntax;
 
 }  // namespace
 }  // namespace siemens

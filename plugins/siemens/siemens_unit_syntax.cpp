@@ -57,7 +57,7 @@ struct SiemensUnit {
   }
 };
 
-const ig::Register<SiemensUnit> registered;
+const ig::Register<SiemensUnit> siemens_unit_syntax;
 
 }  // namespace
 }  // namespace siemens

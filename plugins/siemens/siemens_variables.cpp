@@ -46,7 +46,7 @@ struct SiemensVariables {
   }
 };
 
-const ig::Register<SiemensVariables> registered;
+const ig::Register<SiemensVariables> siemens_variables;
 
 }  // namespace
 }  // namespace siemens

@@ -541,7 +541,7 @@ struct SiemensWord {
   bool is_expanded_ = false;  // the text is what DEFINE says
 };
 
-const ig::Register<SiemensWord> registered;
+const ig::Register<SiemensWord> siemens_word_syntax;
 
 }  // namespace
 }  // namespace siemens

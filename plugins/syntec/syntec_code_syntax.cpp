@@ -24,7 +24,7 @@ struct SyntecCode {
   ig::Status build(ig::Block& b) const { return codes_.say(b) ? ig::Status::changed : ig::Status::unchanged; }
 };
 
-const ig::Register<SyntecCode> registered;
+const ig::Register<SyntecCode> syntec_code_syntax;
 
 }  // namespace
 }  // namespace syntec

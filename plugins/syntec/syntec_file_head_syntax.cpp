@@ -82,7 +82,7 @@ struct SyntecFileHead {
   std::set<std::pair<std::string, std::string>> said_;  ///< of this run: the file, and what stands at its head
 };
 
-const ig::Register<SyntecFileHead> registered;
+const ig::Register<SyntecFileHead> syntec_file_head_syntax;
 
 }  // namespace
 }  // namespace syntec

@@ -33,7 +33,7 @@ struct SyntecHighSpeed {
   }
 };
 
-const ig::Register<SyntecHighSpeed> registered;
+const ig::Register<SyntecHighSpeed> syntec_high_speed_syntax;
 
 }  // namespace
 }  // namespace syntec

@@ -80,7 +80,7 @@ struct SyntecMacroCode {
   }
 };
 
-const ig::Register<SyntecMacroCode> registered;
+const ig::Register<SyntecMacroCode> syntec_macro_code_syntax;
 
 }  // namespace
 }  // namespace syntec

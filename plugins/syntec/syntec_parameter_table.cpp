@@ -175,7 +175,7 @@ struct SyntecParameterTable {
                                                      &SyntecParameterTable::rollover_of>(this);
 };
 
-const ig::Register<SyntecParameterTable> registered;
+const ig::Register<SyntecParameterTable> syntec_parameter_table;
 
 }  // namespace
 }  // namespace syntec

@@ -2,19 +2,10 @@
 
 #include "../../tests/support/fake_dependency.hpp"
 
-using isogloss_test::FakeDependency;
+using namespace isogloss_test;
 
 namespace {
 
-double number(const FakeDependency& table, const char* service, std::string_view name) {
-  const auto* s = table.service<ig_config_1>(service);
-  double out = -1000;
-  return s->number(s->self, {name.data(), name.size()}, &out) != 0 ? out : -1000;
-}
-
-constexpr const char* format = "isogloss.number-format/1";
-constexpr const char* cycle = "isogloss.canned-cycle/1";
-constexpr const char* motion = "isogloss.motion/1";
 constexpr const char* macro = "isogloss.code-call/1";
 
 constexpr const char* table_id = "SyntecParameterTable";
@@ -26,50 +17,50 @@ FakeDependency with(const FakeDependency::Rows& rows, std::map<std::string, std:
 
 TEST_CASE("a control as delivered") {
   const FakeDependency table = with({});
-  CHECK(number(table, format, "CalculatorDecimalPoint") == 0);
-  CHECK(number(table, format, "LengthIncrement_mm") == 0.001);
-  CHECK(number(table, format, "LengthIncrement_inch") == 0.0001);
-  CHECK(number(table, format, "AngleIncrement_deg") == 0.001);
-  CHECK(number(table, format, "Unknown") == -1000);
-  CHECK(number(table, cycle, "PeckRetractionDistance_mm") == 1);
-  CHECK(number(table, cycle, "HighSpeedPeckRetraction_mm") == 1);
-  CHECK(number(table, cycle, "PeckTappingRetraction_mm") == 1);
-  CHECK(number(table, cycle, "Unknown") == -1000);
-  CHECK(number(table, motion, "ArcRadiusTolerance_mm") == 0.01);
-  CHECK(number(table, motion, "RadiusCompensationStartUp") == 0);
-  CHECK(number(table, motion, "MaximumSpindleSpeed_rpm") == -1000);
-  CHECK(number(table, motion, "Unknown") == -1000);
+  CHECK(number(table, number_format, "CalculatorDecimalPoint") == 0);
+  CHECK(number(table, number_format, "LengthIncrement_mm") == 0.001);
+  CHECK(number(table, number_format, "LengthIncrement_inch") == 0.0001);
+  CHECK(number(table, number_format, "AngleIncrement_deg") == 0.001);
+  CHECK(number(table, number_format, "Unknown") == -1000);
+  CHECK(number(table, canned_cycle, "PeckRetractionDistance_mm") == 1);
+  CHECK(number(table, canned_cycle, "HighSpeedPeckRetraction_mm") == 1);
+  CHECK(number(table, canned_cycle, "PeckTappingRetraction_mm") == 1);
+  CHECK(number(table, canned_cycle, "Unknown") == -1000);
+  CHECK(number(table, motion_settings, "ArcRadiusTolerance_mm") == 0.01);
+  CHECK(number(table, motion_settings, "RadiusCompensationStartUp") == 0);
+  CHECK(number(table, motion_settings, "MaximumSpindleSpeed_rpm") == -1000);
+  CHECK(number(table, motion_settings, "Unknown") == -1000);
   for (const char* const code : {"T", "M123", "G00", "G81", "G199.9", "G1000", "G", "GX", "G2000"})
     CHECK(number(table, macro, code) == -1000);
 }
 
 TEST_CASE("Pr4002 is one distance, counted in basic length units") {
-  CHECK(number(with({{"4002", {{"Value", 2000}}}}), cycle, "PeckRetractionDistance_mm") == 2);
-  CHECK(number(with({{"4002", {{"Value", 2000}}}}), cycle, "HighSpeedPeckRetraction_mm") == 2);
+  CHECK(number(with({{"4002", {{"Value", 2000}}}}), canned_cycle, "PeckRetractionDistance_mm") == 2);
+  CHECK(number(with({{"4002", {{"Value", 2000}}}}), canned_cycle, "HighSpeedPeckRetraction_mm") == 2);
   const FakeDependency::Rows coarse{{"4002", {{"Value", 50}}}, {"17", {{"Value", 1}}}};
   const FakeDependency::Rows fine{{"4002", {{"Value", 500}}}, {"17", {{"Value", 3}}}};
-  CHECK(number(with(coarse), cycle, "PeckRetractionDistance_mm") == 0.5);
-  CHECK(number(with(fine), cycle, "PeckRetractionDistance_mm") == 0.05);
-  CHECK(number(with(coarse, {{"pr4002-unit", "micron"}}), cycle, "PeckRetractionDistance_mm") == 0.05);
-  CHECK(number(with({{"4002", {{"Value", 0}}}}), cycle, "PeckRetractionDistance_mm") == 0);
+  CHECK(number(with(coarse), canned_cycle, "PeckRetractionDistance_mm") == 0.5);
+  CHECK(number(with(fine), canned_cycle, "PeckRetractionDistance_mm") == 0.05);
+  CHECK(number(with(coarse, {{"pr4002-unit", "micron"}}), canned_cycle, "PeckRetractionDistance_mm") == 0.05);
+  CHECK(number(with({{"4002", {{"Value", 0}}}}), canned_cycle, "PeckRetractionDistance_mm") == 0);
 }
 
 TEST_CASE("Pr17 and Pr3241 say what a number without a point is") {
   const FakeDependency fine = with({{"17", {{"Value", 3}}}, {"3241", {{"Value", 1}}}});
-  CHECK(number(fine, format, "LengthIncrement_mm") == 0.0001);
-  CHECK(number(fine, format, "LengthIncrement_inch") == 0.00001);
-  CHECK(number(fine, format, "CalculatorDecimalPoint") == 1);
-  CHECK(number(with({{"17", {{"Value", 1}}}}), format, "LengthIncrement_mm") == 0.01);
+  CHECK(number(fine, number_format, "LengthIncrement_mm") == 0.0001);
+  CHECK(number(fine, number_format, "LengthIncrement_inch") == 0.00001);
+  CHECK(number(fine, number_format, "CalculatorDecimalPoint") == 1);
+  CHECK(number(with({{"17", {{"Value", 1}}}}), number_format, "LengthIncrement_mm") == 0.01);
 }
 
 TEST_CASE("Pr5003 and Pr3741") {
   const FakeDependency table = with({{"5003", {{"Value", 1}}}, {"3741", {{"Value", 12000}}}});
-  CHECK(number(table, motion, "RadiusCompensationStartUp") == 1);
-  CHECK(number(table, motion, "MaximumSpindleSpeed_rpm") == 12000);
-  CHECK(number(with({{"5003", {{"Value", 2}}}}), motion, "RadiusCompensationStartUp") == 0);
-  CHECK(number(with({{"5003", {{"Value", 3}}}}), motion, "RadiusCompensationStartUp") == 1);
-  CHECK(number(with({{"5003", {{"Value", 1e300}}}}), motion, "RadiusCompensationStartUp") == 0);
-  CHECK(number(with({{"5003", {{"Value", -1}}}}), motion, "RadiusCompensationStartUp") == 0);
+  CHECK(number(table, motion_settings, "RadiusCompensationStartUp") == 1);
+  CHECK(number(table, motion_settings, "MaximumSpindleSpeed_rpm") == 12000);
+  CHECK(number(with({{"5003", {{"Value", 2}}}}), motion_settings, "RadiusCompensationStartUp") == 0);
+  CHECK(number(with({{"5003", {{"Value", 3}}}}), motion_settings, "RadiusCompensationStartUp") == 1);
+  CHECK(number(with({{"5003", {{"Value", 1e300}}}}), motion_settings, "RadiusCompensationStartUp") == 0);
+  CHECK(number(with({{"5003", {{"Value", -1}}}}), motion_settings, "RadiusCompensationStartUp") == 0);
 }
 
 TEST_CASE("a value that a parameter does not have is refused, not passed over") {

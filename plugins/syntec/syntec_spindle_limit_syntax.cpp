@@ -25,7 +25,7 @@ struct SyntecSpindleLimit {
   }
 };
 
-const ig::Register<SyntecSpindleLimit> registered;
+const ig::Register<SyntecSpindleLimit> syntec_spindle_limit_syntax;
 
 }  // namespace
 }  // namespace syntec

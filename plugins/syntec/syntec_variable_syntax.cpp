@@ -42,7 +42,7 @@ struct SyntecVariable {
   }
 };
 
-const ig::Register<SyntecVariable> registered;
+const ig::Register<SyntecVariable> syntec_variable_syntax;
 
 }  // namespace
 }  // namespace syntec

@@ -18,6 +18,10 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from budget import budgeted  # noqa: E402: it lies in another folder
+
 import canon
 import macro
 import moves
@@ -94,7 +98,7 @@ class Comparison:
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
-    parser.add_argument("--programs", type=int, default=40)
+    parser.add_argument("--programs", type=int, default=budgeted(40))
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--cycles", default=",".join(plain.CYCLES), help="in the random programs")
     parser.add_argument("--keep", type=pathlib.Path, help="write programs that differ there")

@@ -19,6 +19,10 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from budget import budgeted  # noqa: E402: it lies in another folder
+
 import contours
 from contours import Arc, Line
 
@@ -191,7 +195,7 @@ class Test:
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
-    parser.add_argument("--contours", type=int, default=60)
+    parser.add_argument("--contours", type=int, default=budgeted(60))
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep", type=pathlib.Path, help="write programs that fail there")
     options = parser.parse_args()

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Feeds random bytes and damaged programs to `isogloss run`: exit status 0, 1 or 2, never a signal, 3 or a hang.
 
-  random_bytes.py --isogloss PATH [--seconds 15] [--seed S] [--keep DIR] [--dialects fanuc,iso,syntec,heidenhain,siemens]
+  random_bytes.py --isogloss PATH [--cases 600] [--seed S] [--keep DIR] [--dialects fanuc,iso,haas,…]
 
 Case number i of a seed is always the same bytes. Cases run in batches, a file each; a batch that goes wrong is taken
 apart to find the file.
@@ -12,10 +12,14 @@ import random
 import subprocess
 import sys
 import tempfile
-import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from budget import budgeted  # noqa: E402: it lies in another folder
 
 HERE = pathlib.Path(__file__).resolve().parent
 PROGRAMS = HERE.parent / "programs"
+SUFFIXES = {".nc", ".mpf", ".spf", ".h", ".i"}
 TIMEOUT = 20
 BATCH = 20
 OUTPUTS = (["--emit", "motions", "--format", "csv"], ["--emit", "blocks", "--format", "jsonl"],
@@ -88,18 +92,17 @@ def fault(isogloss, dialect, output, paths):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
-    parser.add_argument("--seconds", type=float, default=15)
+    parser.add_argument("--cases", type=int, default=budgeted(600))
     parser.add_argument("--seed", default="1")
-    parser.add_argument("--dialects", default="fanuc,iso,syntec,heidenhain,siemens")
+    parser.add_argument("--dialects", default="fanuc,iso,haas,mazak,okuma,syntec,heidenhain,siemens")
     parser.add_argument("--keep", type=pathlib.Path, help="write cases that go wrong there")
     options = parser.parse_args()
     isogloss = options.isogloss.resolve()
-    programs = [p.read_bytes() for p in sorted(PROGRAMS.glob("*/*.nc"))]
-    deadline = time.monotonic() + options.seconds
+    programs = [p.read_bytes() for p in sorted(PROGRAMS.glob("*/*")) if p.suffix in SUFFIXES]
     number = failures = 0
     with tempfile.TemporaryDirectory(prefix="isogloss-random-") as name:
         folder = pathlib.Path(name)
-        while time.monotonic() < deadline and failures < 10:
+        while number < options.cases and failures < 10:
             paths = []
             for _ in range(BATCH):
                 path = folder / f"{number}.nc"

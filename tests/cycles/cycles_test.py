@@ -19,6 +19,10 @@ import sys
 import tempfile
 from fractions import Fraction
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from budget import budgeted  # noqa: E402: it lies in another folder
+
 import events
 import worked_lists
 from machine import Machine, Settings, Uncertain
@@ -187,7 +191,7 @@ def main():
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
     parser.add_argument("--dialect", choices=MODELS, help="default: both")
     parser.add_argument("--cycles", default=CYCLES)
-    parser.add_argument("--programs", type=int, default=60)
+    parser.add_argument("--programs", type=int, default=budgeted(60))
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep", type=pathlib.Path, help="write programs that differ there")
     parser.add_argument("files", nargs="*", type=pathlib.Path)

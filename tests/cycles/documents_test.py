@@ -15,6 +15,10 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from budget import budgeted  # noqa: E402: it lies in another folder
+
 from cycles_test import CYCLES
 from machine import AXIS, PLANES
 from random_programs import NEED_Q
@@ -152,7 +156,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
     parser.add_argument("--cycles", default=CYCLES)
-    parser.add_argument("--documents", type=int, default=25)
+    parser.add_argument("--documents", type=int, default=budgeted(25))
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     isogloss = options.isogloss.resolve()

@@ -9,6 +9,10 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from budget import budgeted  # noqa: E402: it lies in another folder
+
 from cycles_test import CYCLES
 
 VALUES = ["0", "0.", "-0.", "1", "-1", "1.", "5.", "-5.", "-20.", "0.001", "-0.001", "0.0001", "99999999.",
@@ -58,7 +62,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
     parser.add_argument("--cycles", default=CYCLES)
-    parser.add_argument("--programs", type=int, default=15)
+    parser.add_argument("--programs", type=int, default=budgeted(15))
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     failed = 0

@@ -15,6 +15,10 @@ import sys
 import tempfile
 from fractions import Fraction
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from budget import budgeted  # noqa: E402: it lies in another folder
+
 import events
 import worked_lists
 from cycles_test import Comparison, Run, check
@@ -67,7 +71,7 @@ def worked(isogloss, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
-    parser.add_argument("--programs", type=int, default=20, help="on each machine")
+    parser.add_argument("--programs", type=int, default=budgeted(20), help="on each machine")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep", type=pathlib.Path, help="write programs that differ there")
     options = parser.parse_args()

@@ -16,6 +16,10 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from budget import budgeted  # noqa: E402: it lies in another folder
+
 from tip_test import MACHINES, Machine, minus, plus, times
 
 STEPS = 4000
@@ -70,7 +74,7 @@ def run(isogloss, folder, machine, rates, move):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
-    parser.add_argument("--programs", type=int, default=40)
+    parser.add_argument("--programs", type=int, default=budgeted(40))
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     rng = random.Random(options.seed)

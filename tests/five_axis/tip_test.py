@@ -16,6 +16,10 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from budget import budgeted  # noqa: E402: it lies in another folder
+
 LETTERS = "ABC"
 NATURAL = {"A": (1.0, 0.0, 0.0), "B": (0.0, 1.0, 0.0), "C": (0.0, 0.0, 1.0)}
 NUTATING = (0.0, math.sqrt(0.5), math.sqrt(0.5))  # inclined by 45 degrees
@@ -346,7 +350,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
     parser.add_argument("--plugins")
-    parser.add_argument("--programs", type=int, default=60)
+    parser.add_argument("--programs", type=int, default=budgeted(60))
     parser.add_argument("--seed", type=int, default=4)
     parser.add_argument("--keep", type=pathlib.Path)
     options = parser.parse_args()

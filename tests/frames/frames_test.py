@@ -15,6 +15,10 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from budget import budgeted  # noqa: E402: it lies in another folder
+
 PLANES = {"G17": (0, 1), "G18": (2, 0), "G19": (1, 2)}  # first and second axis
 SETS = ["G54", "G55", "G56", "G57", "G58", "G59", "G54.1 P1", "G54.1 P2", "G54 P300", "G59.3"]
 LENGTHS = {0: 0.0, 1: 100.0, 2: 57.3, 3: -4.0}
@@ -285,7 +289,7 @@ def option_difference(isogloss, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
-    parser.add_argument("--programs", type=int, default=25)
+    parser.add_argument("--programs", type=int, default=budgeted(25))
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep", type=pathlib.Path, help="write programs that differ there")
     options = parser.parse_args()

@@ -9,6 +9,10 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from budget import budgeted  # noqa: E402: it lies in another folder
+
 AXES = "XYZ"
 
 
@@ -96,7 +100,7 @@ def program(rng, blocks):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--isogloss", required=True)
-    parser.add_argument("--programs", type=int, default=60)
+    parser.add_argument("--programs", type=int, default=budgeted(60))
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     rng = random.Random(options.seed)

@@ -137,4 +137,18 @@ class FakeDependency {
   std::string failure_;
 };
 
+/// The services of a control's parameters.
+inline constexpr const char* number_format = "isogloss.number-format/1";
+inline constexpr const char* canned_cycle = "isogloss.canned-cycle/1";
+inline constexpr const char* motion_settings = "isogloss.motion/1";
+inline constexpr const char* coordinate_system = "isogloss.coordinate-system/1";
+
+/// What a parameter table answers to a name; -1000 where it does not know it.
+inline double number(const FakeDependency& table, const char* service, std::string_view name) {
+  constexpr double unknown = -1000;
+  const auto* s = table.service<ig_config_1>(service);
+  double out = unknown;
+  return s->number(s->self, {name.data(), name.size()}, &out) != 0 ? out : unknown;
+}
+
 }  // namespace isogloss_test

@@ -3,13 +3,15 @@ import argparse
 import pathlib
 import tempfile
 
+from budget import budgeted
+
 
 def run(doc, program_of, difference, suffix):
     """`program_of(seed)` has its lines in `lines`; `difference(isogloss, folder, program)` gives how many moves were
     equal, and what differs or None. The exit status: 1 where a program differs, or none was compared."""
     parser = argparse.ArgumentParser(description=doc, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
-    parser.add_argument("--programs", type=int, default=40)
+    parser.add_argument("--programs", type=int, default=budgeted(40))
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep", type=pathlib.Path, help="write programs that differ there")
     options = parser.parse_args()

@@ -16,6 +16,10 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from budget import budgeted  # noqa: E402: it lies in another folder
+
 from tilt_test import by_euler
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cycles"))
@@ -47,7 +51,7 @@ def difference(level, tilted, plane):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
-    parser.add_argument("--programs", type=int, default=25)
+    parser.add_argument("--programs", type=int, default=budgeted(25))
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     isogloss = options.isogloss.resolve()

@@ -16,6 +16,10 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from budget import budgeted  # noqa: E402: it lies in another folder
+
 LENGTHS = {1: 100.0, 2: 57.3}
 WORK = {"G54": [10.5, -20.25, 30.125], "G55": [-200.0, 100.0, -50.0]}
 WORDS = "XYZ"
@@ -309,7 +313,7 @@ def difference(isogloss, folder, dialect, program):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
-    parser.add_argument("--programs", type=int, default=20)
+    parser.add_argument("--programs", type=int, default=budgeted(20))
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep", type=pathlib.Path, help="write programs that differ there")
     options = parser.parse_args()

@@ -26,6 +26,9 @@ function(isogloss_add_plugin name)
     COMMENT "Embedding the pages of ${name}"
     VERBATIM)
 
+  # A page that was edited costs no syntax another compilation.
+  set_source_files_properties(${embedded} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+
   add_library(${name}_objects OBJECT ${arg_SOURCES} ${embedded})
   target_link_libraries(${name}_objects PUBLIC isogloss::sdk ${arg_LIBRARIES})
   target_include_directories(${name}_objects PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})

@@ -1,0 +1,105 @@
+// The only file that knows the parser's library: its header costs as much as five of our files.
+#include "command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "output_file.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+CLI::Option& option_of(void* option) { return *static_cast<CLI::Option*>(option); }
+
+}  // namespace
+
+struct CommandLine::Parser : CLI::App {
+  using CLI::App::App;
+};
+
+Option& Option::required() {
+  option_of(option_).required();
+  return *this;
+}
+
+Option& Option::type_name(const std::string& name) {
+  option_of(option_).type_name(name);
+  return *this;
+}
+
+Option& Option::one_of(const std::vector<std::string>& words) {
+  option_of(option_).check(CLI::IsMember(words));
+  return *this;
+}
+
+Option& Option::at_least(std::uint64_t minimum) {
+  option_of(option_).check(
+      [minimum](const std::string& text) {
+        std::uint64_t value = 0;
+        const bool is_number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+        if (is_number && CLI::detail::lexical_cast(text, value) && value >= minimum) return std::string();
+        return "'" + text + "' is no whole number from " + std::to_string(minimum) + " on";
+      },
+      "");
+  return *this;
+}
+
+Option& Option::existing_folder() {
+  option_of(option_).check(CLI::ExistingDirectory);
+  return *this;
+}
+
+Option& Option::shows_default() {
+  option_of(option_).capture_default_str();
+  return *this;
+}
+
+Option& Option::group(const std::string& heading) {
+  option_of(option_).group(heading);
+  return *this;
+}
+
+CommandLine::CommandLine(const std::string& name, const std::string& description, const std::string& example)
+    : parser_(std::make_unique<Parser>(description, "isogloss " + name)) {
+  parser_->footer("\nExample:\n  " + example);
+  parser_->set_help_flag("-h,--help", "What the command does");
+}
+
+CommandLine::~CommandLine() = default;
+
+Option CommandLine::option(const std::string& names, std::string& value, const std::string& description) {
+  return Option(parser_->add_option(names, value, description));
+}
+
+Option CommandLine::option(const std::string& names, std::uint32_t& value, const std::string& description) {
+  return Option(parser_->add_option(names, value, description)).at_least(0);
+}
+
+Option CommandLine::option(const std::string& names, std::uint64_t& value, const std::string& description) {
+  return Option(parser_->add_option(names, value, description)).at_least(0);
+}
+
+Option CommandLine::option(const std::string& names, std::vector<std::string>& values, const std::string& description) {
+  CLI::Option* const added = parser_->add_option(names, values, description);
+  if (names.starts_with('-')) added->allow_extra_args(false);
+  return Option(added);
+}
+
+Option CommandLine::flag(const std::string& names, bool& value, const std::string& description) {
+  return Option(parser_->add_flag(names, value, description));
+}
+
+std::optional<int> CommandLine::parse(const Arguments& arguments) {
+  try {
+    parser_->parse(Arguments(arguments.rbegin(), arguments.rend()));
+    return std::nullopt;
+  } catch (const CLI::CallForHelp&) {
+    return print(parser_->help(), success);
+  } catch (const CLI::ParseError& e) {
+    std::cerr << parser_->get_name() << ": " << e.what() << "\n" << parser_->get_name() << " --help says more\n";
+    return cannot_start;
+  }
+}
+
+}  // namespace isogloss::cli
