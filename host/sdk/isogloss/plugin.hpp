@@ -313,7 +313,8 @@ class PluginDescriptor {
 
 }  // namespace detail
 
-/// `const ig::Register<DrillingCycle> registered;` at the end of a syntax's file puts it into the plugin.
+/// `const ig::Register<DrillingCycle> drilling_cycle_syntax;` (any name that is unique in the plugin) at the end of a
+/// syntax's file puts it into the plugin.
 template <class T>
 struct Register {
   Register() {
