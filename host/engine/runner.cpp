@@ -214,11 +214,12 @@ class Run {
     if (chain_.alarmed) answer_alarm(oldest.document);
     chain_.window.clear();
     window_.drop_oldest();
-    if (chain_.alarmed && options_.stop_on_error)
+    if (chain_.alarmed && options_.stop_on_error) {
       window_.clear();  // what the control has read ahead it does not execute
-    if (window_.is_empty()) return;
-    sink_.hold();
-    for (const Diagnostic& d : later) sink_.add(d);
+      return;
+    }
+    if (!window_.is_empty()) sink_.hold();
+    for (const Diagnostic& d : later) sink_.add(d);  // said between two blocks, behind the last one that waits
   }
 
   void flush_window() {

@@ -55,6 +55,52 @@ class Limits(Command):
             self.assertNotIn("IG-0405", done.stderr)
 
 
+class LookAhead(Command):
+    """What the host says of a run does not depend on whether blocks wait for others at that moment."""
+
+    def said(self, program, *arguments):
+        done = subprocess.run([OPTIONS.isogloss, "run", program, "--emit", "none", *arguments], capture_output=True,
+                              text=True, timeout=60, check=False, cwd=self.path)
+        codes = [line.rsplit("[", 1)[1].rstrip("]") for line in done.stderr.splitlines() if "[IG-04" in line]
+        return codes, done.returncode
+
+    def test_every_diagnostic_of_a_run_comes_under_look_ahead(self):
+        wide = "(" + "x" * 1_100_000 + ")"
+        self.write("O2.nc", "O2\nX20.\nX30.\n")
+        self.write("O4.nc", "O7\nX20.\nM99\n")
+        for code, rest, *arguments in (
+                ("IG-0403", f"X20. {wide}\nX30.\nM30"), ("IG-0404", f"X20. ({wide[-90_000:]}\nX30.\nM30"),
+                ("IG-0407", "X20.\nX30.\nX40.\nM30", "--max-blocks", "6"),
+                ("IG-0408", "G02 X20. R1.\nX30.\nM30"), ("IG-0412", "X20. \x01\nX30.\nM30"),
+                ("IG-0414", "X20.\nM30\nX30."), ("IG-0416", "M98 P1\nM30", "--max-depth", "3"),
+                ("IG-0417", "M98 P3 L99\nM30\nO3\nX20.\nM99", "--max-jumps", "5"),
+                ("IG-0418", "WHILE[1EQ1]DO1\nX20.\nX10.\nEND1\nM30", "--max-loop-blocks", "10"),
+                ("IG-0419", "M98 P2\nM30"), ("IG-0420", "M98 P4\nM30")):
+            seen = []
+            for mode in ("G40", "G41 D1"):
+                program = self.write("main.nc", f"O1\nG21 G90 G17 F100\nG00 X0 Y0\n{mode} G01 X10. Y0\n{rest}\n")
+                seen.append(self.said(program, "-d", "fanuc", "--set", "ToolOffsetTable.1.D=0.1", *arguments))
+            self.assertIn(code, seen[0][0])
+            self.assertEqual(seen[0], seen[1], code)
+
+    def test_every_diagnostic_of_a_run_comes_in_klartext(self):
+        wide = "; " + "x" * 1_100_000
+        self.write("2.h", "BEGIN PGM 2 MM\nL X+20\n")
+        self.write("3.h", "BEGIN PGM 3 MM\nL X+20\nCALL PGM 3\nEND PGM 3 MM\n")
+        for code, text, *arguments in (
+                ("IG-0403", f"L X+20 {wide}\nL X+30"), ("IG-0404", f"L X+20 {wide[:90_000]}\nL X+30"),
+                ("IG-0407", "L X+20\nL X+30\nL X+40", "--max-blocks", "4"),
+                ("IG-0416", "CALL PGM 3", "--max-depth", "3"),
+                ("IG-0417", "LBL 1\nL X+20\nCALL LBL 1 REP 100", "--max-jumps", "5"),
+                ("IG-0418", "LBL 1\nL X+20\nCALL LBL 1 REP 100", "--max-loop-blocks", "10"),
+                ("IG-0419", "CALL PGM 2")):
+            program = self.write("main.h", f"BEGIN PGM MAIN MM\nL X+0 Y+0 R0 F1000\n{text}\nEND PGM MAIN MM\n")
+            codes, status = self.said(program, "-d", "heidenhain", *arguments)
+            self.assertIn(code, codes, code)
+            self.assertEqual(status, 1 if code in ("IG-0403", "IG-0407", "IG-0416", "IG-0417", "IG-0418")
+                             else 0, (code, codes))
+
+
 class Usage(Command):
     def test_help_is_data_with_an_example(self):
         done = self.run_it("--help")
