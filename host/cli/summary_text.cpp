@@ -10,6 +10,7 @@ namespace {
 
 /// At most 3 decimals, zeros trimmed.
 std::string number(double value) {
+  if (!std::isfinite(value)) return "too large";
   std::string text = fmt::format("{:.3f}", value);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.ends_with('.')) text.pop_back();
@@ -17,6 +18,8 @@ std::string number(double value) {
 }
 
 std::string duration(double seconds) {
+  constexpr double longest = 1e15;
+  if (!(seconds < longest)) return "too long";
   const auto whole = static_cast<std::uint64_t>(seconds);
   return fmt::format("{}:{:02}:{:04.1f}", whole / 3600, whole / 60 % 60,
                      static_cast<double>(whole % 60) + (seconds - static_cast<double>(whole)));

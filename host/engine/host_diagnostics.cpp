@@ -226,6 +226,10 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "a program that calls itself twice"},
       {warning, "IG-0423", "there is no block in the file: nothing is run",
        "The file is empty, or holds blank lines alone.", "an export that was cut off at once"},
+      {error, "IG-0430", "{0} is too large to compute with: correct the numbers of this block; the run ends here",
+       "A value overflowed, or came so near to it that lengths and angles cannot be computed any more. No position "
+       "from there on would mean anything, so nothing of the block is written and nothing behind it runs.",
+       "two incremental moves by 1e308"},
       // cases, apply, command line: 0500-0599
       {error, "IG-0501", "malformed page: {0}",
        "A case of a page is a heading, prose, and fences after the lines #Previous:, #Ahead:, #Dependencies:, "

@@ -1,8 +1,10 @@
 #include "isogloss/engine/runner.hpp"
 
 #include <algorithm>
+#include <cfenv>
 #include <utility>
 
+#include "finite_values.hpp"
 #include "flow.hpp"
 #include "look_ahead_window.hpp"
 
@@ -32,6 +34,7 @@ class Run {
         length_(static_cast<std::uint32_t>(linked.chain.size())),
         stop_(linked.layout.id("ProgramStop.Term")),
         end_(linked.layout.id("Source.~End")),
+        finite_(linked.layout),
         window_(linked) {
     chain_.flow = &flow_;
   }
@@ -175,11 +178,24 @@ class Run {
   bool execute(Document& d) {
     if (!window_.is_empty()) {
       chain_.run(d, 0, linked_.post_logic_begin);
-      return true;
+      return is_finite(d);
     }
     chain_.run(d, 0, length_);
+    if (!is_finite(d)) return false;
     if (chain_.waits_at != 0) return true;
     export_block(d);
+    return false;
+  }
+
+  /// No value that overflowed leaves the run: nothing behind it can be right.
+  bool is_finite(const Document& d) {
+    if (!finite_.is_suspect(d)) [[likely]]
+      return true;
+    const std::string path = finite_.find_overflow(d);
+    if (path.empty()) return true;
+    over_ = true;
+    const Diagnostic text = host_diagnostic("IG-0430", {}, {path});
+    chain_.report(d, text.severity, text.code, text.message, 0, 0);
     return false;
   }
 
@@ -210,11 +226,12 @@ class Run {
     chain_.alarmed = oldest.alarmed;
     chain_.waits_at = 0;
     chain_.run(oldest.document, oldest.resume_at, length_);
-    export_block(oldest.document);
+    const bool is_sound = is_finite(oldest.document);
+    if (is_sound) export_block(oldest.document);
     if (chain_.alarmed) answer_alarm(oldest.document);
     chain_.window.clear();
     window_.drop_oldest();
-    if (chain_.alarmed && options_.stop_on_error) {
+    if (!is_sound || (chain_.alarmed && options_.stop_on_error)) {
       window_.clear();  // what the control has read ahead it does not execute
       return;
     }
@@ -261,6 +278,7 @@ class Run {
   std::uint64_t passes_ = 0;
   bool is_line_done_ = false;
   ig_field stop_, end_;
+  FiniteValues finite_;
   LookAheadWindow window_;
   bool over_ = false, program_ended_ = false, text_ended_ = false, said_wide_ = false, is_utf16_ = false;
 };

@@ -101,6 +101,37 @@ class LookAhead(Command):
                              else 0, (code, codes))
 
 
+class Overflow(Command):
+    """A value that is not finite never leaves the engine."""
+
+    def test_an_overflow_is_an_error_at_its_block_in_every_output(self):
+        huge = "1" + 308 * "0"
+        words = {dialect: f"G91 G0 X{huge}.\nX{huge}.\nM30\n"
+                 for dialect in ("iso", "fanuc", "haas", "mazak", "okuma", "siemens", "syntec")}
+        words["heidenhain"] = f"BEGIN PGM A MM\nL IX+{huge} F1\nL IX+{huge} F1\nEND PGM A MM\n"
+        for dialect, text in words.items():
+            program = self.write("huge.nc", text)
+            for form in (("--format", "jsonl"), ("--format", "csv"), ("--format", "text"), ("--emit", "blocks"),
+                         ("--summary",)):
+                done = self.run_it("run", program, "-d", dialect, *form, status=1)
+                self.assertIn("[HEI-0182]" if dialect == "heidenhain" else "[IG-0430]", done.stderr)
+                for wrong in ("null", "nan", "inf"):
+                    self.assertNotIn(wrong, done.stdout, (dialect, form))
+
+    def test_an_overflow_under_look_ahead_ends_the_run_at_its_block(self):
+        huge = "1" + 308 * "0"
+        program = self.write("huge.nc", "O1\nG21 G17 F100\nG00 X0 Y0\nG41 D1 G01 X10. Y0\nX20.\n"
+                                        f"X{huge}.\nX30.\nM30\n")
+        done = self.run_it("run", program, "-d", "fanuc", "--set", "ToolOffsetTable.1.D=1", status=1)
+        self.assertIn("huge.nc:6:1: error: ProgramXyz.X is too large to compute with", done.stderr)
+        self.assertEqual([json.loads(line)["Line"] for line in done.stdout.splitlines()], [4, 5])
+
+    def test_a_summary_of_dwells_without_end_is_no_infinity(self):
+        program = self.write("dwell.nc", 2 * ("G04 X1" + 308 * "0" + ".\n") + "M30\n")
+        text = self.run_it("run", program, "-d", "fanuc", "--summary").stdout
+        self.assertNotIn("inf", text)
+
+
 class Usage(Command):
     def test_help_is_data_with_an_example(self):
         done = self.run_it("--help")

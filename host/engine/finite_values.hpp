@@ -1,0 +1,60 @@
+/// Finds values that overflowed. The processor remembers an overflow by itself, so that an ordinary block costs one
+/// look at its flags and at the end of its move; from the first overflow on every block is searched.
+#pragma once
+
+#include <cfenv>
+#include <cmath>
+#include <string>
+
+#include "isogloss/engine/document.hpp"
+
+namespace isogloss {
+
+class FiniteValues {
+ public:
+  explicit FiniteValues(const Layout& layout) {
+    for (int i = 0; i < 3; ++i) machine_[i] = layout.id(std::string("MachineCoordinate.") + "XYZ"[i]);
+    std::feclearexcept(flags);
+  }
+
+  bool is_suspect(const Document& d) {
+    if (std::fetestexcept(flags) != 0) [[unlikely]]
+      has_overflowed_ = true;
+    double size = 0;
+    for (const ig_field f : machine_)
+      if (d.present(f)) size += std::fabs(d.number(f));
+    return has_overflowed_ || !(size < largest);
+  }
+
+  /// The path of a number that is not finite, or too large for its square to be; empty: there is none.
+  std::string find_overflow(const Document& d) const {
+    const Layout& layout = d.layout();
+    for (ig_field f = 0; f < d.size(); ++f)
+      if (layout.fields[f].type == IG_NUMBER && !layout.fields[f].hidden && d.present(f) && overflows(d.number(f)))
+        return layout.fields[f].path;
+    for (std::size_t l = 0; l < d.lists.size(); ++l) {
+      const ListData& list = d.lists[l];
+      const std::vector<FieldInfo>& fields = layout.lists[l].fields;
+      for (std::size_t r = 0; r < list.present.size(); ++r)
+        for (std::size_t i = 0; i < fields.size(); ++i)
+          if (fields[i].type == IG_NUMBER && (list.present[r] >> i & 1) != 0 &&
+              overflows(list.values[r * list.stride + i].number))
+            return layout.lists[l].path + "." + fields[i].path;
+    }
+    for (const ig_field f : layout.transforms)
+      if (d.present(f))
+        for (const double v : d.frame(f).matrix)
+          if (overflows(v)) return layout.fields[f].path;
+    return {};
+  }
+
+ private:
+  static constexpr int flags = FE_OVERFLOW | FE_DIVBYZERO | FE_INVALID;
+  static constexpr double largest = 1e100;
+  static bool overflows(double v) { return !(std::fabs(v) < largest); }
+
+  ig_field machine_[3];
+  bool has_overflowed_ = false;
+};
+
+}  // namespace isogloss
