@@ -192,6 +192,10 @@ std::unique_ptr<OpenedProgram> OpenedProgram::open(const std::string& path, Sess
     size += n;
   }
   head.resize(size);
+  if (error = rest->failure(); !error.empty()) {
+    session.say("IG-0510", {path}, {error});
+    return nullptr;
+  }
   return std::unique_ptr<OpenedProgram>(new OpenedProgram(std::move(rest), std::move(head)));
 }
 

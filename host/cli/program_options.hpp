@@ -41,6 +41,7 @@ class OpenedProgram : public Source {
   std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t size) override {
     return rest_->read_at(offset, buffer, size);
   }
+  std::string failure() const override { return rest_->failure(); }
   std::string_view head() const { return head_; }
 
  private:

@@ -148,7 +148,7 @@ class Runs {
     if (linked_ == nullptr) return cannot_start;
     const int status = run_linked(path, *source);
     session_.diagnostics().finish_program();
-    return std::max(status, session_.status());
+    return std::max({status, session_.status(), summary_status_});
   }
 
   bool output_is_gone() const { return output_is_gone_; }
@@ -206,11 +206,17 @@ class Runs {
     const std::string text = summary_text(path, linked_->dialect.name, summary, session_.diagnostics());
     const bool beside_data = command_.emit != "none" && (command_.output.empty() || command_.output == "-");
     if (beside_data)
-      fmt::print(stderr, "{}", text);
+      summary_status_ = std::max(summary_status_, print_to_stderr(text));
     else if (command_.output.empty())
       output_->write(text);
     else
-      print(text, success);
+      summary_status_ = std::max(summary_status_, print(text, success));
+  }
+
+  /// Where standard error cannot be written the exit status alone can say so.
+  static int print_to_stderr(const std::string& text) {
+    const bool is_out = std::fwrite(text.data(), 1, text.size(), stderr) == text.size() && std::fflush(stderr) == 0;
+    return is_out ? success : cannot_start;
   }
 
   const RunCommand& command_;
@@ -220,6 +226,7 @@ class Runs {
   std::unique_ptr<LinkedDialect> linked_;
   std::string linked_name_;
   bool wrote_ = false, output_is_gone_ = false;
+  int summary_status_ = success;
 };
 
 int RunCommand::run() {
@@ -252,7 +259,11 @@ int RunCommand::run() {
     status = std::max(status, runs.run(path));
     if (runs.output_is_gone()) return status;
   }
-  if (!runs.wrote()) return status;  // nothing ran: an older file stays as it is
+  // Nothing ran, or half a program: an older file stays as it is.
+  if (!runs.wrote() || session.diagnostics().by_code().contains("IG-0431")) {
+    if (output.empty() || output == "-") file->commit();  // what went to a pipe is out
+    return status;
+  }
   if (file->commit() || file->reader_is_gone()) return status;
   session.say("IG-0511", {output.empty() ? "standard output" : output}, {file->error()});
   return std::max<int>(status, cannot_start);

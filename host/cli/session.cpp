@@ -2,14 +2,11 @@
 
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <iostream>
 #include <sstream>
 
 #include "isogloss/engine/own_dependencies.hpp"
+#include "isogloss/engine/runner.hpp"
 #include "output_file.hpp"
 
 namespace isogloss::cli {
@@ -121,27 +118,24 @@ int Session::status() const {
   // A syntax that threw, and one that broke the contract, are faults inside, not faults of the input.
   const auto& codes = diagnostics_.by_code();
   if (codes.contains("IG-0401") || codes.contains("IG-0402")) return internal_fault;
+  // The program could not be read, or its output could not be written: the same for every input and every output.
+  if (codes.contains("IG-0431") || codes.contains("IG-0511")) return cannot_start;
   return diagnostics_.errors() > 0 ? input_errors : success;
 }
 
 std::optional<std::string> read_text(const std::string& path, std::string& error) {
-  std::ostringstream out;
-  if (path == "-") {
-    out << std::cin.rdbuf();
-    return out.str();
-  }
   std::error_code code;
   if (fs::is_directory(path, code)) {
     error = "it is a folder";
     return std::nullopt;
   }
-  std::ifstream in(path, std::ios::binary);
-  if (!in) {
-    error = std::strerror(errno);
-    return std::nullopt;
-  }
-  out << in.rdbuf();
-  return out.str();
+  const std::unique_ptr<Source> source = open_file(path, error);
+  if (source == nullptr) return std::nullopt;
+  std::string out;
+  char buffer[4096];
+  while (const std::size_t n = source->read(buffer, sizeof buffer)) out.append(buffer, n);
+  error = source->failure();
+  return error.empty() ? std::optional(std::move(out)) : std::nullopt;
 }
 
 }  // namespace isogloss::cli

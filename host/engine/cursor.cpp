@@ -15,12 +15,18 @@ namespace {
 
 constexpr std::size_t window = 64 * 1024;  // more would only touch more pages: reading costs the same
 
-/// Bytes of a descriptor, tried again where a signal came between.
+/// Bytes of a descriptor, tried again where a signal came between; negative: why is in errno.
 template <class F>
-std::size_t retry(F&& call) {
+ssize_t try_again(F&& call) {
   ssize_t n;
   do n = call();
   while (n < 0 && errno == EINTR);
+  return n;
+}
+
+template <class F>
+std::size_t retry(F&& call) {
+  const ssize_t n = try_again(std::forward<F>(call));
   return n > 0 ? static_cast<std::size_t>(n) : 0;
 }
 
@@ -32,6 +38,7 @@ class FileSource : public Source {
     const off_t place = ::lseek(descriptor, 0, SEEK_CUR);
     has_places_ = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && place >= 0;
     if (has_places_) base_ = static_cast<std::uint64_t>(place);
+    if (has_places_) size_ = status.st_size;
   }
   ~FileSource() override {
     if (descriptor_ > 2) ::close(descriptor_);
@@ -40,14 +47,30 @@ class FileSource : public Source {
   FileSource& operator=(const FileSource&) = delete;
 
   std::size_t read(char* buffer, std::size_t size) override {
-    return retry([&] { return ::read(descriptor_, buffer, size); });
+    const ssize_t n = try_again([&] { return ::read(descriptor_, buffer, size); });
+    return count(n, ::lseek(descriptor_, 0, SEEK_CUR));
   }
   bool has_places() const override { return has_places_; }
   std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t size) override {
-    return retry([&] { return ::pread(descriptor_, buffer, size, static_cast<off_t>(base_ + offset)); });
+    const off_t place = static_cast<off_t>(base_ + offset);
+    return count(try_again([&] { return ::pread(descriptor_, buffer, size, place); }), place);
   }
+  std::string failure() const override { return failure_; }
 
  private:
+  std::size_t count(ssize_t n, off_t place) {
+    failure_.clear();
+    if (n > 0) return static_cast<std::size_t>(n);
+    struct stat status {};
+    if (n < 0)
+      failure_ = std::strerror(errno);
+    else if (has_places_ && place < size_ && ::fstat(descriptor_, &status) == 0 && status.st_size < size_)
+      failure_ = "it became shorter during the run";
+    return 0;
+  }
+
+  std::string failure_;
+  off_t size_ = 0;  // when it was opened
   int descriptor_;
   bool has_places_ = false;
   std::uint64_t base_ = 0;
@@ -104,7 +127,7 @@ void Cursor::open(Source& source, std::size_t maximum_line_bytes, const Segmente
   begin_ = end_ = whole_ = 0;
   offset_ = 0;
   terminator_ = '\n';
-  started_ = at_end_ = utf16_ = false;
+  started_ = at_end_ = utf16_ = has_failed_ = false;
   number_ = 0;
 }
 
@@ -120,6 +143,7 @@ bool Cursor::fill() {
   const std::size_t n = source_->read_at(offset_ + end_, buffer_.data() + end_, buffer_.size() - end_);
   end_ += n;
   at_end_ = n == 0;
+  if (at_end_) has_failed_ = !source_->failure().empty();
   return n > 0;
 }
 
@@ -145,7 +169,7 @@ void Cursor::seek(std::uint64_t offset, std::uint32_t number) {
     begin_ = whole_ + static_cast<std::size_t>(offset - first);
   } else {
     begin_ = end_ = whole_ = 0;
-    at_end_ = false;
+    at_end_ = has_failed_ = false;
   }
   offset_ = offset;
 }

@@ -52,6 +52,8 @@ class Cursor {
   /// The next line is the one that begins at this offset.
   void seek(std::uint64_t offset, std::uint32_t number);
   bool is_utf16() const { return utf16_; }
+  /// The source could not be read to its end: the line that next() gave last may lack its rest.
+  bool has_failed() const { return has_failed_; }
   std::uint64_t bytes() const { return bytes_; }
   const Source* source() const { return source_; }
   std::uint64_t offset() const { return offset_; }           ///< of the next line
@@ -76,7 +78,7 @@ class Cursor {
   std::uint64_t offset_ = 0;  // of the byte at begin_
   std::uint64_t first_ = 0;   // of the first line
   char terminator_ = '\n';
-  bool started_ = false, at_end_ = false, utf16_ = false;
+  bool started_ = false, at_end_ = false, utf16_ = false, has_failed_ = false;
   std::uint32_t number_ = 0;
   std::uint64_t bytes_ = 0;
 };
@@ -93,6 +95,7 @@ class Spool : public Source {
   bool has_places() const override { return true; }
   std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t size) override;
   bool is_lost() const override { return lost_; }
+  std::string failure() const override { return from_.failure(); }
 
  private:
   std::size_t pull(char* buffer, std::size_t size);

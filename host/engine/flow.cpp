@@ -18,7 +18,9 @@ class HeldFile : public Source {
   explicit HeldFile(Source& from) {
     char buffer[4096];
     while (const std::size_t n = from.read(buffer, sizeof buffer)) text_.append(buffer, n);
+    failure_ = from.failure();
   }
+  std::string failure() const override { return failure_; }
   std::size_t read(char*, std::size_t) override { return 0; }
   bool has_places() const override { return true; }
   std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t size) override {
@@ -26,7 +28,7 @@ class HeldFile : public Source {
   }
 
  private:
-  std::string text_;
+  std::string text_, failure_;
 };
 
 }  // namespace
@@ -352,6 +354,7 @@ LabelIndex& Flow::labels(ProgramFile& file) {
   if (file.labels == nullptr) {
     file.labels = indexer().index(file);
     if (file.source->is_lost()) say_lost(file);
+    if (!file.source->failure().empty()) say_unreadable(file, 0);
   }
   return *file.labels;
 }
@@ -359,6 +362,12 @@ LabelIndex& Flow::labels(ProgramFile& file) {
 /// The rest of a source that can be read only once went by, or what lies before: nothing of it is run any more.
 void Flow::say_lost(const ProgramFile& file) {
   if (!over_) sink_.add(host_diagnostic("IG-0421", {file.name, here_.line, 0}, {file.name}));
+  over_ = true;
+}
+
+/// Where a program goes on cannot be told without the rest of the file.
+void Flow::say_unreadable(const ProgramFile& file, std::uint32_t line) {
+  if (!over_) sink_.add(host_diagnostic("IG-0431", {file.name, line, 0}, {file.source->failure()}));
   over_ = true;
 }
 

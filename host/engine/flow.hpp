@@ -15,6 +15,8 @@ class Flow : public FlowHost {
        DiagnosticSink& sink);
 
   Cursor& cursor() { return *cursor_; }
+  /// Says that the file that runs cannot be read beyond this line, and ends the run.
+  void fail_to_read(std::uint32_t line) { say_unreadable(*frame_->file, line); }
   /// As long-lived as the run: blocks that wait in the look-ahead window keep it.
   const std::string& file_name() const { return frame_->file->name; }
   std::uint64_t bytes() const;
@@ -80,6 +82,7 @@ class Flow : public FlowHost {
   ProgramFile* open(const ProgramPlaces::Found& found);
   LabelIndex& labels(ProgramFile& file);
   void say_lost(const ProgramFile& file);
+  void say_unreadable(const ProgramFile& file, std::uint32_t line);
   Indexer& indexer();
   ProgramPlaces& places();
   void enter(Document& document, const Place& next);

@@ -230,6 +230,10 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "A value overflowed, or came so near to it that lengths and angles cannot be computed any more. No position "
        "from there on would mean anything, so nothing of the block is written and nothing behind it runs.",
        "two incremental moves by 1e308"},
+      {error, "IG-0431", "the file cannot be read beyond this line ({0}): the run ends, and no output file is kept",
+       "The disk or the network failed, or the file became shorter while it was read. Half a program is no program: an "
+       "older file under the name of the output stays.",
+       "a program on a share that was disconnected"},
       // cases, apply, command line: 0500-0599
       {error, "IG-0501", "malformed page: {0}",
        "A case of a page is a heading, prose, and fences after the lines #Previous:, #Ahead:, #Dependencies:, "

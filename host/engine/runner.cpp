@@ -51,7 +51,7 @@ class Run {
     while (!over_) {
       if (next_line(line))
         run_line(line);
-      else if (!flow_.leave_at_end(chain_.document()))
+      else if (!flow_.is_over() && !flow_.leave_at_end(chain_.document()))
         over_ = text_ended_ = true;
       over_ = over_ || flow_.is_over() || (is_line_done_ && window_.is_empty());
     }
@@ -66,7 +66,12 @@ class Run {
  private:
   bool next_line(Line& line) {
     Cursor& cursor = flow_.cursor();
-    if (!cursor.next(line)) return false;
+    const bool has_line = cursor.next(line);
+    if (cursor.has_failed()) [[unlikely]] {
+      flow_.fail_to_read(cursor.next_number() - (has_line ? 1 : 0));
+      return false;
+    }
+    if (!has_line) return false;
     ++result_.lines;
     if (line.number == 1 && cursor.is_utf16()) {
       sink_.add(host_diagnostic("IG-0413", {flow_.file_name(), 1, 1}, {}));

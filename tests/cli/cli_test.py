@@ -132,6 +132,41 @@ class Overflow(Command):
         self.assertNotIn("inf", text)
 
 
+class ReadErrors(Command):
+    """Half a program is not taken for a whole one."""
+
+    def test_a_program_that_becomes_shorter_during_the_run_is_an_error(self):
+        program = self.write("part.nc", "G21 G90 F100\n" + "".join(f"G01 X{i}.\n" for i in range(200_000)) + "M30\n")
+        read_end, write_end = os.pipe()
+        with subprocess.Popen([OPTIONS.isogloss, "run", program, "-d", "fanuc", "--format", "csv"], stdout=write_end,
+                              stderr=subprocess.PIPE, text=True, cwd=self.path) as process:
+            os.close(write_end)
+            os.read(read_end, 100)  # it runs, and waits for its reader
+            os.truncate(program, 100_000)
+            with os.fdopen(read_end, "rb") as rest:
+                rest.read()
+            said = process.stderr.read()
+        self.assertEqual(process.returncode, 2, said)
+        self.assertIn("cannot be read beyond this line (it became shorter during the run)", said)
+        self.assertIn("[IG-0431]", said)
+
+    def test_what_cannot_be_read_keeps_an_older_output(self):
+        output = self.write("out.csv", "older")
+        done = self.run_it("run", "/proc/self/mem", "-d", "fanuc", "-o", output, status=2)
+        self.assertIn("Input/output error", done.stderr)
+        self.assertEqual(output.read_text(), "older")
+
+    def test_every_output_that_fails_is_2(self):
+        for arguments in (("--save-table", "MacroVariables=" + str(self.path / "none" / "x.xml"), "--emit", "none"),
+                          ("-o", self.path / "none" / "x.csv")):
+            self.assertIn("[IG-0511]", self.run_it("run", self.program, "-d", "fanuc", *arguments, status=2).stderr)
+        for arguments in ((), ("-o", self.path / "out.csv")):
+            with open("/dev/full", "wb") as full:
+                process = subprocess.run([OPTIONS.isogloss, "run", self.program, "-d", "fanuc", "--summary", *arguments],
+                                         stdout=full, stderr=subprocess.PIPE, check=False, cwd=self.path)
+            self.assertEqual(process.returncode, 2, process.stderr)
+
+
 class Usage(Command):
     def test_help_is_data_with_an_example(self):
         done = self.run_it("--help")

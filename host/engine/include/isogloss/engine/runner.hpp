@@ -50,6 +50,8 @@ class Source {
   virtual std::size_t read_at(std::uint64_t, char*, std::size_t) { return 0; }
   /// True when what was read can no longer be read again.
   virtual bool is_lost() const { return false; }
+  /// Why the last read gave nothing although the end is not reached; empty: it was the end.
+  virtual std::string failure() const { return {}; }
 };
 std::unique_ptr<Source> open_file(const std::string& path, std::string& error);  ///< "-": standard input
 std::unique_ptr<Source> memory_source(std::string_view text);
