@@ -50,6 +50,10 @@ std::unique_ptr<OutputFile> OutputFile::standard_output() {
 std::unique_ptr<OutputFile> OutputFile::open(const std::string& path, std::string& error) {
   if (path == "-") return standard_output();
   std::error_code ignored;
+  if (std::filesystem::is_symlink(path, ignored) && !std::filesystem::exists(path, ignored)) {
+    error = "it is a link to a file that does not exist";
+    return nullptr;
+  }
   // A link stays a link: what it points at is replaced.
   const std::filesystem::path real = std::filesystem::weakly_canonical(path, ignored);
   const std::string target = real.empty() ? path : real.string();

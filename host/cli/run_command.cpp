@@ -240,6 +240,12 @@ int RunCommand::run() {
   auto tables = read_table_requests(save_table, session);
   if (!options || !tables) return cannot_start;
   tables_to_save = std::move(*tables);
+  std::vector<std::string> inputs = programs, outputs = {output};
+  for (const std::string& table : {program.dialect, program.machine, program.offsets, program.tools, program.variables})
+    inputs.push_back(table);
+  inputs.insert(inputs.end(), program.subprograms.begin(), program.subprograms.end());
+  for (const auto& [name, file] : tables_to_save) outputs.push_back(file);
+  if (!are_apart(inputs, outputs, session)) return cannot_start;
   options->chain.mode = checked ? Mode::checked : Mode::fast;
   options->chain.call_all = call_all;
   if (program.watchdog != 0) watch_blocks(program.watchdog);

@@ -1,5 +1,6 @@
 #include "table_saver.hpp"
 
+#include <filesystem>
 #include <pugixml.hpp>
 #include <sstream>
 
@@ -73,6 +74,34 @@ std::optional<std::vector<TableRequest>> read_table_requests(const std::vector<s
     }
   }
   return sound ? std::optional(std::move(out)) : std::nullopt;
+}
+
+bool are_apart(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs, Session& session) {
+  namespace fs = std::filesystem;
+  std::error_code code;
+  const auto is_replaced = [&](const std::string& file) {
+    const fs::file_status status = fs::status(file, code);
+    return !file.empty() && file != "-" && (!fs::exists(status) || fs::is_regular_file(status));
+  };
+  const auto are_one = [&](const std::string& a, const std::string& b) { return fs::equivalent(a, b, code); };
+  // Two outputs may not be there yet.
+  const auto have_one_name = [&](const std::string& a, const std::string& b) {
+    return are_one(a, b) || fs::weakly_canonical(fs::absolute(a), code) == fs::weakly_canonical(fs::absolute(b), code);
+  };
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (!is_replaced(outputs[i])) continue;
+    for (const std::string& input : inputs)
+      if (!input.empty() && input != "-" && are_one(input, outputs[i])) {
+        session.say("IG-0530", {outputs[i]}, {input});
+        return false;
+      }
+    for (std::size_t k = 0; k < i; ++k)
+      if (is_replaced(outputs[k]) && have_one_name(outputs[k], outputs[i])) {
+        session.say("IG-0531", {outputs[i]}, {outputs[k]});
+        return false;
+      }
+  }
+  return true;
 }
 
 std::unique_ptr<Exporter> make_table_saver(const std::vector<TableRequest>& requests, Session& session) {

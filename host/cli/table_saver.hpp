@@ -16,6 +16,9 @@ using TableRequest = std::pair<std::string, std::string>;
 /// Nothing, and said, where a text is no such request.
 std::optional<std::vector<TableRequest>> read_table_requests(const std::vector<std::string>& texts, Session& session);
 
+/// No output replaces a file that the run reads, nor another output; otherwise false, and said.
+bool are_apart(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs, Session& session);
+
 /// At the end of a run it writes the tables; what fails is said.
 std::unique_ptr<Exporter> make_table_saver(const std::vector<TableRequest>& requests, Session& session);
 

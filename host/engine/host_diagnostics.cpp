@@ -256,6 +256,12 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "a "
        "character device.",
        "isogloss run part.nc -o /"},
+      {error, "IG-0530", "this output would replace {0}, which the run reads: give the output another name",
+       "An output file appears under its name when the run is complete. The program, a table or a dialect of the same "
+       "run must not be lost to it.",
+       "isogloss run part.nc -o part.nc"},
+      {error, "IG-0531", "this output and {0} are one file, and one would be lost: give each another name",
+       "-o and each --save-table write a file of their own.", "isogloss run part.nc -o x --save-table Table=x"},
       {error, "IG-0512", "no dialect in the folders searched",
        "No dialect was named and none could be guessed, since there are none. `isogloss doctor` lists the folders.",
        "isogloss run part.nc --dialects empty"},

@@ -167,6 +167,33 @@ class ReadErrors(Command):
             self.assertEqual(process.returncode, 2, process.stderr)
 
 
+class Overwriting(Command):
+    def test_no_output_replaces_what_the_run_reads(self):
+        text = self.program.read_text()
+        table = self.write("kept.xml", '<MacroVariables><Variable id="500" value="1"/></MacroVariables>')
+        os.symlink("part.nc", self.path / "link.nc")
+        os.link(self.program, self.path / "twin.nc")
+        for name in ("part.nc", "./part.nc", "link.nc", "twin.nc"):
+            for arguments in (("-o", name), ("--save-table", "MacroVariables=" + name)):
+                done = self.run_it("run", "part.nc", "-d", "fanuc", *arguments, status=2)
+                self.assertIn("[IG-0530]", done.stderr)
+                self.assertEqual(self.program.read_text(), text)
+        done = self.run_it("run", "part.nc", "-d", "fanuc", "--variables", table, "-o", "kept.xml", status=2)
+        self.assertIn("kept.xml: error: this output would replace", done.stderr)
+
+    def test_two_outputs_are_two_files(self):
+        done = self.run_it("run", "part.nc", "-d", "fanuc", "-o", "x", "--save-table", "MacroVariables=./x", status=2)
+        self.assertIn("[IG-0531]", done.stderr)
+        self.assertFalse((self.path / "x").exists())
+        self.run_it("run", "part.nc", "-d", "fanuc", "-o", "/dev/null", "--save-table", "MacroVariables=/dev/null")
+
+    def test_a_link_to_nothing_is_refused(self):
+        os.symlink("missing", self.path / "out.csv")
+        done = self.run_it("run", "part.nc", "-d", "fanuc", "-o", "out.csv", status=2)
+        self.assertIn("it is a link to a file that does not exist [IG-0511]", done.stderr)
+        self.assertTrue((self.path / "out.csv").is_symlink())
+
+
 class Usage(Command):
     def test_help_is_data_with_an_example(self):
         done = self.run_it("--help")
