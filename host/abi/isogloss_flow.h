@@ -115,6 +115,10 @@ typedef struct ig_flow_1 {
   /* Frame `level`, from 0 to the depth, or IG_CURRENT_FRAME; 0 when there is no such frame. */
   int32_t (*frame)(const ig_block*, uint32_t level, ig_frame* out);
   void (*here)(const ig_block*, ig_place* out);
+  /* Copies bytes of the main program's text, from `offset` on, and returns their number: 0 at its end, while a file is
+   * indexed, and where no program runs. restart() may look at the text before the first block is read. A host from
+   * before this member has a shorter struct. */
+  size_t (*text)(const ig_block*, uint64_t offset, char* buffer, size_t size);
 } ig_flow_1;
 
 #ifdef __cplusplus

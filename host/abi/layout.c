@@ -262,6 +262,7 @@ AT(ig_flow_1, label, 8);
 AT(ig_flow_1, go, 16);
 AT(ig_flow_1, frame, 24);
 AT(ig_flow_1, here, 32);
+AT(ig_flow_1, text, 40);
 
 CONSTANT(IG_NO_FIELD, 0xffffffff);
 CONSTANT(IG_ABI_MAJOR, 1);

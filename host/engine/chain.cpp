@@ -310,9 +310,10 @@ std::string_view Chain::setting(std::string_view name) const {
   return found == settings_.settings.end() ? std::string_view{} : found->second;
 }
 
-void Chain::start() {
+void Chain::start(std::string_view file) {
   running = &document_;
-  document_.begin({});
+  document_.begin({file, 0, 0, {}, false});
+  ends_program = ends_file = false;
   for (const auto& [field, value] : linked_.initial) document_.set(field, value);
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const ig_run_fn restart = linked_.chain[i].syntax->restart;

@@ -51,6 +51,9 @@ class Flow : public FlowHost {
   std::int32_t go(const Document& document, ig_go& request) override;
   bool frame(std::uint32_t level, ig_frame& out) const override;
   bool is_file(std::string_view name, std::string_view wanted) const override;
+  std::size_t text(std::uint64_t offset, char* buffer, std::size_t size) const override {
+    return files_[0].source->read_at(offset, buffer, size);
+  }
   ig_place here() const override { return {frame_->id, here_.offset, here_.line, here_.column}; }
 
  private:

@@ -50,6 +50,11 @@ void place_of_block(const ig_block* block, ig_place* out) {
   *out = host != nullptr ? host->here() : ig_place{};
 }
 
+std::size_t copy_text(const ig_block* block, std::uint64_t offset, char* buffer, std::size_t size) {
+  const FlowHost* const host = host_of(block);
+  return host != nullptr ? host->text(offset, buffer, size) : 0;
+}
+
 }  // namespace
 
 ig_flow_1 flow_service() {
@@ -58,7 +63,8 @@ ig_flow_1 flow_service() {
           .label = add_label,
           .go = request_move,
           .frame = frame_at,
-          .here = place_of_block};
+          .here = place_of_block,
+          .text = copy_text};
 }
 
 }  // namespace isogloss

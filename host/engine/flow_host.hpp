@@ -17,6 +17,8 @@ class FlowHost {
   virtual std::int32_t go(const Document& document, ig_go& request) = 0;
   virtual bool frame(std::uint32_t level, ig_frame& out) const = 0;
   virtual ig_place here() const = 0;
+  /// Bytes of the main program's text; 0: there are none.
+  virtual std::size_t text(std::uint64_t, char*, std::size_t) const { return 0; }
   /// Is this the file that a user means by `wanted`, with or without its folder? Empty: the main program's.
   virtual bool is_file(std::string_view name, std::string_view wanted) const = 0;
 };

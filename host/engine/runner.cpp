@@ -41,8 +41,9 @@ class Run {
 
   RunResult run() {
     if (options_.prepare) options_.prepare(chain_);
-    chain_.start();
+    chain_.start(flow_.file_name());
     for (Exporter* e : exporters_) e->begin(chain_.document(), chain_.symbols());
+    if (chain_.ends_file) return finish();
     if (!options_.program.empty() && !flow_.select_program(options_.program)) {
       sink_.add(host_diagnostic("IG-0406", {flow_.file_name(), 0, 0}, {options_.program}));
       return finish();

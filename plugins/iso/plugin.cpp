@@ -2,7 +2,7 @@
 // registers itself at the end of its own file.
 #include <algorithm>
 
-#include "corner_diagnostics.hpp"
+#include "recognition_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -18,7 +18,7 @@ constexpr auto joined(const std::array<ig_diagnostic_decl, Sizes>&... parts) {
 constexpr auto all_diagnostics =
     joined(diagnostics, rotary_diagnostics, tilt_diagnostics, tool_center_diagnostics, cycle_diagnostics,
            subprogram_diagnostics, radius_compensation_diagnostics, pattern_diagnostics, rotary_offset_diagnostics,
-           pocket_diagnostics, corner_diagnostics);
+           pocket_diagnostics, corner_diagnostics, recognition_diagnostics);
 
 // Each part must stand where its codes are looked for.
 static_assert(all_diagnostics[tool_center_diag("ISO-0441")].code == std::string_view("ISO-0441"));
@@ -29,6 +29,7 @@ static_assert(all_diagnostics[pattern_diag("ISO-0355")].code == std::string_view
 static_assert(all_diagnostics[rotary_offset_diag("ISO-0405")].code == std::string_view("ISO-0405"));
 static_assert(all_diagnostics[pocket_diag("ISO-0501")].code == std::string_view("ISO-0501"));
 static_assert(all_diagnostics[corner_diag("ISO-0478")].code == std::string_view("ISO-0478"));
+static_assert(all_diagnostics[recognition_diag("ISO-0540")].code == std::string_view("ISO-0540"));
 
 }  // namespace
 }  // namespace iso

@@ -3,6 +3,8 @@
 
 #include <isogloss_flow.h>
 
+#include <cstddef>
+
 #include "isogloss/block.hpp"
 
 namespace ig {
@@ -74,6 +76,11 @@ class Flow {
     ig_place place{};
     if (service_) service_->here(b.raw(), &place);
     return place;
+  }
+  /// Bytes of the main program's text from `offset` on; none: it has ended, or the host is too old to say.
+  std::string_view text(const Block& b, std::uint64_t offset, std::span<char> buffer) const {
+    if (!service_ || service_->struct_size < offsetof(ig_flow_1, text) + sizeof service_->text) return {};
+    return {buffer.data(), service_->text(b.raw(), offset, buffer.data(), buffer.size())};
   }
   /// The frame of this block.
   ig_frame frame(const Block& b) const { return frame(b, IG_CURRENT_FRAME).value_or(ig_frame{}); }

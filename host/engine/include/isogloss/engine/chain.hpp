@@ -74,8 +74,9 @@ class Chain {
   DiagnosticSink& sink() { return sink_; }
   const ig_host& host() const { return *host_; }
 
-  /// The block before the first: initial fields, then every restart().
-  void start();
+  /// The block before the first: initial fields, then every restart(). One of them may end the file, and so the run,
+  /// before it begins.
+  void start(std::string_view file = {});
   /// The document starts a block of this text.
   void begin_block(const BlockSource& source);
   /// Asks the scanners; returns the end of the block in the text (a scanner may split the line).

@@ -1,0 +1,33 @@
+/// `o100 sub`, `O<name> call`, `o101 while [...]`: the O-words of LinuxCNC. No dialect here executes them, and the text
+/// after the first one makes no sense without them, so the run stops there.
+#include <algorithm>
+
+#include "recognition_diagnostics.hpp"
+#include "scan_util.hpp"
+
+namespace iso {
+namespace {
+
+struct LinuxCncOWord {
+  static constexpr auto spec = ig::syntax("LinuxCncOWordSyntax", "Stops the run at the first O-word of LinuxCNC.")
+                                   .before("ProgramNumberSyntax", "MacroStatementSyntax", "WordSyntax")
+                                   .scans("Oo");
+
+  ig::TextField text_{"Source.OWord", ig::write};
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    if (!stands_first(text, position) || !begins_o_word(text, position)) return position;
+    const std::size_t end = block_end(text, position);
+    const std::string_view word = trim(piece(text, position, std::min(end, text.find(';', position))));
+    b.set_text(text_, word);
+    b.report(recognition_diag("ISO-0541"), ig::Where::columns(position, position + word.size()), word);
+    b.end_program();
+    b.flow(IG_FLOW_END_FILE);
+    return end;
+  }
+};
+
+const ig::Register<LinuxCncOWord> linux_cnc_o_word_syntax;
+
+}  // namespace
+}  // namespace iso
