@@ -1,6 +1,6 @@
 /// G04: wait. The X, U or P of G04 is a time and belongs to it, never to a move or to a hole. G04 alone is an exact
 /// stop at the end of the block: no time passes.
-#include "diagnostics.hpp"
+#include "recognition_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -11,6 +11,7 @@ struct Dwell {
   static constexpr auto spec = ig::syntax("DwellSyntax", "G04 dwell.").after("ParameterizedFlagSyntax");
 
   ig::Call g04_{{"G04"}, "X[s] U[s] P[]"};
+  ig::Codes motions_{{"G00", "G01", "G02", "G03"}, ig::read};
   ig::Out<double> time_{"Dwell.Time"};
   ig::In<double> feed_{"Feedrate.FeedrateValue"};
   ig::Choice<TimeUnit> p_unit_{"p-unit", "s|ms|by-point", "s",
@@ -24,6 +25,8 @@ struct Dwell {
     const double seconds = x ? *x : u ? *u : p ? *p / p_per_second : 0;
     if (x.has_value() + u.has_value() + p.has_value() > 1)
       b.report(diag("ISO-0216"), ig::Where::word(g04_.code(0)), std::string_view(x ? "X" : "U"));
+    if (x && p && b.find(motions_))
+      b.report(recognition_diag("ISO-0543"), ig::Where::word(g04_.word(0, 'X')), b.text(words->code));
     if (seconds < 0) {
       b.report(diag("ISO-0215"), ig::Where::word(g04_.code(0)), seconds);
     } else if (x || u || p) {

@@ -54,6 +54,7 @@ struct FlagSyntax {
   ig::TextOption passed_codes{"passed-codes", "", "Codes that are passed on to the scanners behind this one: G65 G66."};
   ig::Flow flow;
   ig::Signal parameters{"ProgrammableDataInput.~Parameters", ig::write, ig::Life::modal};
+  ig::Signal unknown_code{"Source.~UnknownCode", ig::write};
   ig::Config code_calls{"isogloss.code-call/1", ig::Need::optional,
                         "Codes that call a program here are passed on, too."};
   std::array<std::vector<ig_field>, 2> table;
@@ -161,6 +162,7 @@ struct FlagSyntax {
     for (const char c : digits.substr(0, name.size() - size)) name[size++] = c;
     if (calls_program({name.data(), size})) return false;
     leave(b, IG_LEFT_UNKNOWN, {name.data(), size}, begin, end);
+    if (name[0] == 'G') b.raise(unknown_code);
     return true;
   }
 

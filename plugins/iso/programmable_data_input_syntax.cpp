@@ -2,6 +2,7 @@
 /// words replace what stands in the table, under G91 they are added. The syntaxes that read the tables hear of it by a
 /// signal and ask again in the same block. Between G10 L50 and G11 stand parameters of the control, after G10 L3 lives
 /// of tools: their words are taken, so that nobody reads them as a motion or a tool change.
+#include "recognition_diagnostics.hpp"
 #include "rotary_offset_util.hpp"
 #include "whole_number.hpp"
 #include "work_offset_id.hpp"
@@ -60,7 +61,10 @@ struct ProgrammableDataInput {
     if (table && (*table == 50 || *table == 52)) b.raise(parameters_);
     if (table && (*table == 3 || *table == 75 || *table == 76)) b.raise(tool_data_);
     const bool is_offset = is_work_offset(table);
+    if (is_offset && (*words)['R']) say_unused(b, 'R', *table);
     const bool is_tool = tools_ && table && *table >= 10 && *table <= 13 && whole_number(*table);
+    for (const char axis : {'X', 'Y', 'Z'})
+      if (is_tool && (*words)[axis]) say_unused(b, axis, *table);
     if (table && !is_offset && !is_tool) {
       b.report(diag("ISO-0220"), where, *table);
     } else if (!table || !(*words)['P'] || (is_tool && !(*words)['R'])) {
@@ -73,6 +77,10 @@ struct ProgrammableDataInput {
 
  private:
   static bool is_work_offset(std::optional<double> table) { return table && (*table == 2 || *table == 20); }
+
+  void say_unused(ig::Block& b, char word, double table) const {
+    b.report(recognition_diag("ISO-0544"), ig::Where::word(g10_.word(0, word)), std::string_view(&word, 1), table);
+  }
 
   /// A, B and C have no meaning beside a tool offset.
   void say_not_executed(ig::Block& b, const ig::Words& words) const {

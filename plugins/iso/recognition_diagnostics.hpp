@@ -18,6 +18,19 @@ inline constexpr std::array recognition_diagnostics{
                    "O-words begin subprograms, loops and branches. Without them the bodies of subprograms would run as "
                    "the main program, and each loop once.",
                    "o100 sub"),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0542",
+        "{0} is not supported here, so the words {1} of its block move nothing: check the code or the dialect",
+        "A code that the dialect does not know may be a macro, a cycle or a tilted plane, whose words are no "
+        "positions. Positions are unreliable from here on.",
+        "G200 X10. A30."),
+    ig::diagnostic(IG_ERROR, "ISO-0543",
+                   "X of this block is a word of {0} and not a move: program the dwell in a block of its own",
+                   "G04 takes the X of its block for a time, also where a motion code stands beside it.",
+                   "G04 P100 G00 X1. Y1."),
+    ig::diagnostic(IG_ERROR, "ISO-0544",
+                   "{0} beside G10 L{1} is not executed: this table has no such value, so remove the word",
+                   "L2 and L20 write positions of work offsets, L10 to L13 write R alone.", "G10 L10 P1 R5. Z3."),
 };
 
 inline constexpr std::size_t recognition_end = corner_end + recognition_diagnostics.size();

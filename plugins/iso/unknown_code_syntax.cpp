@@ -1,0 +1,39 @@
+/// A G code that the dialect does not know may be a macro, a cycle or a tilted plane: its axis words are no positions.
+#include "leftovers.hpp"
+#include "recognition_diagnostics.hpp"
+
+namespace iso {
+namespace {
+
+struct UnknownCode {
+  static constexpr auto spec = ig::syntax("UnknownCodeSyntax", "The words of an unknown G code move nothing.")
+                                   .after("ParameterizedFlagSyntax", "FlagSyntax")
+                                   .before("UnitModeSyntax", "CannedCycleResolveSyntax", "ProgramXyzSyntax");
+
+  ig::Signal unknown_{"Source.~UnknownCode", ig::read | ig::wake};
+  ig::Codes motions_{{"G00", "G01", "G02", "G03"}, ig::read};
+  std::array<ig::Word, 11> words_{ig::Word{"Parsing.X"}, ig::Word{"Parsing.Y"}, ig::Word{"Parsing.Z"},
+                                  ig::Word{"Parsing.A"}, ig::Word{"Parsing.B"}, ig::Word{"Parsing.C"},
+                                  ig::Word{"Parsing.I"}, ig::Word{"Parsing.J"}, ig::Word{"Parsing.K"},
+                                  ig::Word{"Parsing.R"}, ig::Word{"Parsing.Q"}};
+
+  ig::Status build(ig::Block& b) const {
+    if (!b.is_raised(unknown_) || b.find(motions_)) return ig::Status::unchanged;
+    std::string taken;
+    for (std::size_t i = 0; i < words_.size(); ++i)
+      if (b.take(words_[i])) taken += (taken.empty() ? "" : " ") + std::string(1, "XYZABCIJKRQ"[i]);
+    if (taken.empty()) return ig::Status::unchanged;
+    for (std::uint32_t i = 0; const auto left = leftover(b, i); ++i) {
+      if (left->kind != IG_LEFT_UNKNOWN || !left->name.starts_with('G')) continue;
+      b.report(recognition_diag("ISO-0542"), ig::Where::columns(left->begin, left->end), std::string_view(left->name),
+               std::string_view(taken));
+      break;
+    }
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<UnknownCode> unknown_code_syntax;
+
+}  // namespace
+}  // namespace iso
