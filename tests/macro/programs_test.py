@@ -38,7 +38,9 @@ def result(isogloss, folder, dialect, arguments, text):
             events.append("d" + row["value"])
         elif row["event"] in ("end", "stop"):
             events.append(row["event"][0])
-    return " ".join(events + re.findall(r": (?:error|warning): .*\[([A-Z]+-\d+)\]", run.stderr))
+    said = re.findall(r": (?:error|warning): .*\[([A-Z]+-\d+)\]", run.stderr)
+    # These programs are a few words long and name no unit: the warning of UnitModeSyntax has golden programs of its own.
+    return " ".join(events + [code for code in said if code != "ISO-0373"])
 
 
 def main():
