@@ -16,20 +16,17 @@ namespace {
 struct KlartextMotion {
   static constexpr auto spec =
       ig::syntax("KlartextMotionSyntax", "Increments, polar coordinates and tangents become a path.")
-          .after("KlartextPathSyntax", "KlartextPoleSyntax", "UnitModeSyntax", "PlaneSelectSyntax")
+          .after("KlartextPathSyntax", "KlartextRotaryStepSyntax", "KlartextPoleSyntax", "UnitModeSyntax",
+                 "PlaneSelectSyntax")
           .before("ProgrammableMirrorSyntax", "KlartextDrillingCycleSyntax", "MachineCoordSelectSyntax",
                   "ProgramXyzSyntax", "McAbcSyntax", "CircularMotionSyntax", "LinearMotionSyntax");
 
   ig::In<ig::Symbol> function_{"KlartextPath.Function", ig::wake};
   ig::In<bool> is_ccw_{"KlartextPath.IsCcw"};
   ig::Xyz words_{"Parsing", ig::read | ig::write | ig::take};
-  std::array<ig_field, 6> steps_{step("IX", "mm"),  step("IY", "mm"),  step("IZ", "mm"),
-                                 step("IA", "deg"), step("IB", "deg"), step("IC", "deg")};
+  std::array<ig_field, 3> steps_{step("IX", "mm"), step("IY", "mm"), step("IZ", "mm")};
   std::array<ig_field, 4> polar_{step("PR", "mm"), step("PA", "deg"), step("IPR", "mm"), step("IPA", "deg")};
   std::array<ig_field, 3> rotary_{rotary("Parsing.A"), rotary("Parsing.B"), rotary("Parsing.C")};
-  std::array<ig::Previous<double>, 3> angles_{ig::Previous<double>{"MachineCoordinate.A"},
-                                              ig::Previous<double>{"MachineCoordinate.B"},
-                                              ig::Previous<double>{"MachineCoordinate.C"}};
   std::array<ig_field, 3> centers_{center("Parsing.I"), center("Parsing.J"), center("Parsing.K")};
   ig::Codes motions_{{"G00", "G01", "G02", "G03"}, ig::read | ig::write};
   ig::Xyz pole_{"KlartextPath.Pole", ig::read, {ig::Life::modal, "mm", "The pole CC, in its plane."}};
@@ -58,11 +55,10 @@ struct KlartextMotion {
     const ig::Symbol function = b.get_or(function_, ig::Symbol{});
     if (function == cc_) return ig::Status::unchanged;
     const ig::PartialVec3 named = b.get(words_);
-    ig_value steps[6];
-    const std::uint32_t has_steps = b.host()->take_many(b.raw(), steps_.data(), 6, steps);
-    if ((has_steps >> 3) != 0) turn(b, has_steps >> 3, steps + 3);
+    ig_value steps[3];
+    const std::uint32_t has_steps = b.host()->take_many(b.raw(), steps_.data(), 3, steps);
 
-    Way way{plane_(b), start(b), {}, named.mask | (has_steps & 7u), function};
+    Way way{plane_(b), start(b), {}, named.mask | has_steps, function};
     way.to = named.or_else(way.from);
     for (std::size_t axis = 0; axis < 3; ++axis)
       if ((has_steps >> axis & 1u) != 0) way.to[axis] = way.from[axis] + steps[axis].number;
@@ -70,15 +66,14 @@ struct KlartextMotion {
     if (is_polar && !resolve_polar(b, way)) return drop(b);
     if (retracts(b)) retract(b, way);
     if (const auto off = departure_.get(b)) depart(b, way, *off);
-    const bool is_computed = is_polar || (has_steps & 7u) != 0 || named.mask == 0 || function == c_ || function == ct_;
+    const bool is_computed = is_polar || has_steps != 0 || named.mask == 0 || function == c_ || function == ct_;
     if (is_computed && !(is_position(way.from) && is_position(way.to))) {
       b.report(hei("HEI-0182"), ig::Where::block(), b.text(function));
       return drop(b);
     }
     if (way.mask == 0 && function != c_) return ig::Status::changed;
-    if (is_polar || (has_steps & 7u) != 0 || function == c_) put(b, way);
-    if (way.to[way.plane.tool] == way.from[way.plane.tool] && has_steps < 8 && can_end_in_corner(b))
-      b.set(in_plane_, true);
+    if (is_polar || has_steps != 0 || function == c_) put(b, way);
+    if (way.to[way.plane.tool] == way.from[way.plane.tool] && can_end_in_corner(b)) b.set(in_plane_, true);
 
     if (function == c_ || function == cp_) return about_pole(b, way);
     if (function == ct_ || function == ctp_)
@@ -115,7 +110,7 @@ struct KlartextMotion {
     return ig::detail::declare_field({{"Parsing.", name}, IG_NUMBER, ig::take, {ig::Life::word, unit, ""}});
   }
   static ig_field rotary(const char* path) {
-    return ig::Field<double>(path, ig::read | ig::write, {ig::Life::standard, "deg", ""}).id();
+    return ig::Field<double>(path, ig::read, {ig::Life::standard, "deg", ""}).id();
   }
   static ig_field center(const char* path) {
     return ig::Field<double>(path, ig::read | ig::write, {ig::Life::standard, "mm", ""}).id();
@@ -129,12 +124,6 @@ struct KlartextMotion {
     for (const ig_field axis : rotary_)
       if (b.host()->get(b.raw(), axis, &unused) != 0) return false;
     return true;
-  }
-
-  void turn(ig::Block& b, std::uint32_t named, const ig_value* steps) const {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if ((named >> axis & 1u) != 0)
-        b.host()->set(b.raw(), rotary_[axis], {.number = b.get_or(angles_[axis], 0.0) + steps[axis].number});
   }
 
   /// Positions of the block; an axis that it does not move has no word.

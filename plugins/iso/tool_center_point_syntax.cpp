@@ -31,6 +31,9 @@ struct ToolCenterPoint {
   ig::Out<double> offset_{"ToolHeightCompensation.Offset_mm"};
   ig::Out<double> untravelled_{"ToolHeightCompensation.Untravelled_mm"};
   ig::Signal table_changed_{"ToolHeightCompensation.~TableChanged", ig::read};
+  ig::In<double> delta_{"ToolHeightCompensation.Delta_mm",
+                        ig::read,
+                        {ig::Life::modal, "mm", "What the tool call adds to the length of the table."}};
   ig::Transform frame_{"ToolHeightCompensation"};
   ig::Xyz orientation_{"ToolOrientation", ig::read | ig::write};
   ig::Field<bool> aligned_{"TiltTransform.IsAligned",
@@ -122,7 +125,8 @@ struct ToolCenterPoint {
       b.set(offset_id_, std::int64_t{0});
     }
     const bool looks_up = starts || h || b.is_raised(table_changed_);
-    if (looks_up) b.set(offset_, lengths_.length(b, b.get_or(offset_id_, std::int64_t{0}), where));
+    if (looks_up)
+      b.set(offset_, lengths_.length(b, b.get_or(offset_id_, std::int64_t{0}), where) + b.get_or(delta_, 0.0));
 
     const bool is_anew = looks_up || turn.was_moved || !b.get(orientation_).complete();
     if (!is_anew && !turn.moves) return false;

@@ -17,7 +17,9 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
+import dialect_programs  # noqa: E402: the path must come first
 from budget import budgeted  # noqa: E402: it lies in another folder
 
 LETTERS = "ABC"
@@ -88,6 +90,14 @@ class Machine:
         # What the builder has chosen: on some machines the scale runs the other way, or does not begin at the geometric zero.
         self.signs = {a: rng.choice([1, 1, -1]) for a in self.letters}
         self.zeros = {a: rng.choice([0.0, 0.0, round(rng.uniform(-90, 90), 4)]) for a in self.letters}
+
+    @classmethod
+    def of(cls, axes):
+        """A machine whose axes are given: letter, place, direction and point."""
+        machine = cls(random.Random(0), [])
+        machine.axes = [(letter, place, list(n), list(point)) for letter, place, n, point in axes]
+        machine.letters = [a[0] for a in axes]
+        return machine
 
     def geometric(self, letter, angles):
         return self.signs.get(letter, 1) * (angles[letter] - self.zeros.get(letter, 0.0))
@@ -391,6 +401,7 @@ def main():
                     failures.append(f"program {n} {shape}, line {line}: {program.lines[line - 1]}\n"
                                     f"  tip off by {off:.3g} mm, tool by {lean:.3g}; {event}\n{said}")
                     break
+        failures += dialect_programs.check(isogloss, options.plugins, folder, Machine.of)
     for failure in failures[:5]:
         print(failure)
     print(f"{options.programs} programs, {checked} moves: tip within {worst_mm:.2g} mm, tool within "

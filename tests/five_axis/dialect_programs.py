@@ -1,0 +1,136 @@
+"""Short five-axis programs in Klartext and for SINUMERIK: where must the tool be?
+
+What each block wants is written beside it: the point of the workpiece, the angles of the rotary axes, or the axes of a
+plane. The machine is walked forwards (tip_test.Machine) from the machine coordinates to the tip. The interpreter goes
+the other way.
+"""
+import json
+import math
+import subprocess
+
+TRUNNION = [("A", "table", (1.0, 0.0, 0.0), (0.0, 0.01, -90.0)), ("C", "table", (0.0, 0.0, 1.0), (0.012, -0.03, -150.0))]
+NUTATING = [("B", "head", (0.0, math.sqrt(0.5), math.sqrt(0.5)), (0.0, 0.0, 160.0)),
+            ("C", "table", (0.0, 0.0, 1.0), (0.0, 0.0, -150.0))]
+LIMITS = {"A": 'Minimum="-120" Maximum="120" Rollover="0"', "B": 'Rollover="1"', "C": 'Rollover="1"'}
+
+# Each program: dialect, axes, tools and offsets as XML, text, then what a line wants:
+# line: (program point, angles, length of the tool, axes of its plane), or None where nothing may move. A point that is None:
+# X Y Z of the machine rest.
+def about(n, degrees):
+    """The axes of a plane that is turned about X, Y or Z."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return {"X": ((1, 0, 0), (0, c, s), (0, -s, c)), "Y": ((c, 0, -s), (0, 1, 0), (s, 0, c)),
+            "Z": ((c, s, 0), (-s, c, 0), (0, 0, 1))}[n]
+
+
+ONE_TOOL = '<ToolOffsetTable><Tool id="1" H="100"/></ToolOffsetTable>'
+PROGRAMS = {
+    "IC under M128 turns the frame": (
+        "heidenhain", TRUNNION, ONE_TOOL,
+        """0 BEGIN PGM T MM
+1 TOOL CALL 1 Z S1000
+2 M128
+3 L X0 Y0 Z0 C+45 F200
+4 L X+10 IC+10
+5 L IX-3 IA-20 IC-70
+6 L X+7 C-15
+7 END PGM T MM
+""", {4: ((0, 0, 0), {"C": 45}, 100), 5: ((10, 0, 0), {"C": 55}, 100), 6: ((7, 0, 0), {"A": -20, "C": -15}, 100),
+      7: None}),
+    "DR of a tool call counts under M128": (
+        "heidenhain", TRUNNION, '<ToolOffsetTable><Tool id="1" H="100" D="5"/></ToolOffsetTable>',
+        """0 BEGIN PGM T MM
+1 TOOL CALL 1 Z S1000 DR+0.5
+2 M128
+3 L X-20 Y0 Z0 C+30 R0 F200
+4 L X0 RL
+5 L X20
+6 L Y20
+7 L X40 R0
+8 END PGM T MM
+""", {4: ((-20, 0, 0), {"C": 30}, 100), 5: ((0, 5.5, 0), {"C": 30}, 100), 6: ((14.5, 5.5, 0), {"C": 30}, 100),
+      7: ((14.5, 20, 0), {"C": 30}, 100), 8: ((40, 20, 0), {"C": 30}, 100)}),
+    "IC in a plane moves the program point": (
+        "heidenhain", TRUNNION, ONE_TOOL, """0 BEGIN PGM T MM
+1 TOOL CALL 1 Z S1000
+2 PLANE SPATIAL SPA-30 SPB0 SPC0 TURN FMAX
+3 L X0 Y0 Z0 FMAX
+4 L IC+10 FMAX
+5 L X10 Y0 Z0 FMAX
+6 L C+10 FMAX
+7 END PGM T MM
+""", {4: ((0, 0, 0), {"A": -30}, 100, about("X", -30)), 5: (None, {"A": -30, "C": 10}, 100, about("X", -30)),
+      6: ((10, 0, 0), {"A": -30, "C": 10}, 100, about("X", -30)), 7: None}),
+    "DL of a tool call counts under M128 and TCPM": (
+        "heidenhain", TRUNNION, ONE_TOOL,
+        """0 BEGIN PGM T MM
+1 TOOL CALL 1 Z S1000 DL+0.5
+2 M128
+3 L X0 Y5 Z0 A-30 F200
+4 M129
+5 FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS
+6 L X3 Y5 Z0 A-20 F200
+7 TOOL CALL DL-1
+8 L X4 Y5 Z0 A-10 F200
+9 END PGM T MM
+""", {4: ((0, 5, 0), {"A": -30}, 100.5), 7: ((3, 5, 0), {"A": -20}, 100.5), 9: ((4, 5, 0), {"A": -10}, 99)}),
+}
+
+
+def machine_xml(axes):
+    rows = "".join(f'<Axis name="{a}" {LIMITS[a]}/>' for a, *_ in axes)
+    kinematics = "".join(
+        f'<Axis name="{a}" Place="{place}" Order="{i + 1}" X="{n[0]!r}" Y="{n[1]!r}" Z="{n[2]!r}" '
+        f'PivotX="{p[0]!r}" PivotY="{p[1]!r}" PivotZ="{p[2]!r}"/>' for i, (a, place, n, p) in enumerate(axes))
+    linear = "".join(f'<Axis name="{a}"/>' for a in "XYZ")
+    return f"<MachineAxes>{linear}{rows}</MachineAxes><MachineKinematics>{kinematics}</MachineKinematics>"
+
+
+def run(isogloss, plugins, folder, name):
+    dialect, axes, tables, text, _ = PROGRAMS[name]
+    (folder / "short.xml").write_text(f"""<?xml version="1.0" encoding="UTF-8"?>
+<Dialect xmlns="urn:isogloss:dialect:1" name="short" title="short programs" extends="{dialect}">
+  <Plugins><Plugin name="kinematics"/></Plugins>
+  <Dependencies>{tables}{machine_xml(axes)}</Dependencies>
+</Dialect>
+""")
+    (folder / "short.nc").write_text(text)
+    command = [isogloss, "run", "short.nc", "-d", "short.xml", "--emit", "motions", "--format", "jsonl", "--exact"]
+    if plugins:
+        command += ["--plugins", plugins]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    if done.returncode > 1:
+        raise RuntimeError(done.stderr)
+    return [json.loads(line) for line in done.stdout.splitlines()], done.stderr
+
+
+def check(isogloss, plugins, folder, machine_of):
+    """One text for each thing that is wrong."""
+    failures = []
+    rest = [0, 0, 0]
+    for name, (_, axes, _, text, wanted) in PROGRAMS.items():
+        events, said = run(isogloss, plugins, folder, name)
+        machine = machine_of(axes)
+        last = {e["Line"]: e for e in events if e.get("Event") in ("rapid", "feed", "arc")}
+        for line, goal in wanted.items():
+            event = last.get(line)
+            block = f"{name}, line {line}: {text.splitlines()[line - 1]}\n  "
+            if goal is None or event is None:
+                if (goal is None) != (event is None):
+                    failures.append(f"{block}{'moves' if event else 'no move'}: {event}\n{said}")
+                continue
+            point, angles, length, *plane = goal
+            x, y, z = plane[0] if plane else ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+            at = event["MachineCoordinate"]
+            has = {a: at.get(a, 0.0) for a in machine.letters}
+            tip = machine.in_workpiece(machine.tip([at[a] for a in "XYZ"], has, length), has)
+            in_plane = [sum(a * b for a, b in zip(tip, axis)) for axis in (x, y, z)]
+            shown = [event["ProgramXyz"][a] for a in "XYZ"]
+            astray = math.dist(in_plane, shown)
+            off = math.dist(in_plane, point) if point else math.dist(rest, [at[a] for a in "XYZ"])
+            turned = max(abs(math.remainder(has[a] - angles.get(a, 0), 360)) for a in has)
+            if off > 1e-6 or turned > 1e-6 or astray > 1e-6:
+                failures.append(f"{block}tip off by {off:.3g} mm, an axis by {turned:.3g} degrees, the program point by "
+                                f"{astray:.3g} mm: {event}\n{said}")
+            rest = [at[a] for a in "XYZ"]
+    return failures
