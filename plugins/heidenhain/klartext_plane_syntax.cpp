@@ -78,6 +78,7 @@ struct KlartextPlane {
     double distance = 0;
     std::optional<Retract> retract{};
     bool is_rapid = false;
+    bool turns_table = false;  ///< TABLE ROT; else COORD ROT
   };
   ig::Where where() const { return ig::Where::columns(command_.begin, command_.end); }
 
@@ -189,7 +190,9 @@ struct KlartextPlane {
     }
     if (is("TABLE") || is("COORD")) {
       const std::size_t rot = keyword(text, skip(text, letters), "ROT");
-      return rot == skip(text, letters) ? i : rot;
+      if (rot == skip(text, letters)) return i;
+      command_.turns_table = is("TABLE");
+      return rot;
     }
     if (is("DIST") || is("ABST") || is("MB")) {
       const Value v = values_.read(b, text, letters);
@@ -268,9 +271,10 @@ struct KlartextPlane {
     b.set_word(plane_, 0, 'P', 1);
     b.set_word(plane_, 0, 'Q', 123);
     if (command_.plane.kind == PlaneDefinition::axial)
-      position(b, axes_.are_inside(axial) ? std::optional(axial) : std::nullopt);
-    else
-      position(b, axes_ ? axes_.choose({(*m)[8], (*m)[9], (*m)[10]}, now, command_.sequence) : std::nullopt);
+      return position(b, axes_.are_inside(axial) ? std::optional(axial) : std::nullopt);
+    auto upright = axes_ ? axes_.choose({(*m)[8], (*m)[9], (*m)[10]}, now, command_.sequence) : std::nullopt;
+    if (upright) upright = axes_.with_free_axis(*upright, *m, now, command_.turns_table);
+    position(b, upright);
   }
 
   /// `angles`: those of the plane, nothing where none are inside the travel.

@@ -1,6 +1,9 @@
 /// Where the rotary axes stand upright on a plane, and which of the two ways there is taken.
 #pragma once
 
+#include <numbers>
+
+#include "program_xyz_util.hpp"
 #include "tool_kinematics.hpp"
 
 namespace heidenhain {
@@ -41,6 +44,29 @@ class PlanePositioning {
     }
     return best;
   }
+  /// A table that carries the workpiece and lies square to the tool is free: no angle of it leans the tool. TABLE ROT turns
+  /// it until X of a level plane lies along X of the machine, COORD ROT to 0; a plane that is not level leaves it alone.
+  iso::Angles with_free_axis(const iso::Angles& upright, const iso::Mat4& plane, const iso::Angles& now,
+                             bool turns_table) const {
+    const std::size_t last = machine_.count() - 1, axis = machine_.axis(last);
+    const auto tool = machine_.tool_axis(upright);
+    iso::Angles turned = upright;
+    turned[axis] += 90;
+    const auto other = machine_.tool_axis(turned);
+    if (!machine_.is_table(last) || !tool || !other || iso::dot(*tool, *other) < 1 - same_direction) return upright;
+    if (!turns_table && free_axis_ == FreeAxis::stays) return upright;
+    double to = 0;
+    if (turns_table) {
+      if (plane[10] < 1 - same_direction) return upright;
+      const auto aligned = aligning_angle(upright, axis, {plane[0], plane[1], plane[2]});
+      if (!aligned) return upright;
+      to = *aligned;
+    }
+    iso::Angles out = upright;
+    const iso::AngleRange& travel = solver_.axes().travel(axis);
+    out[axis] = iso::nearest_turn_inside(now[axis], to, travel, iso::HalfTurn::positive);
+    return travel.holds(out[axis]) ? out : upright;
+  }
   bool are_inside(const iso::Angles& angles) const {
     for (std::size_t k = 0; k < machine_.count(); ++k)
       if (!solver_.axes().travel(machine_.axis(k)).holds(angles[machine_.axis(k)])) return false;
@@ -49,6 +75,23 @@ class PlanePositioning {
 
  private:
   enum class Choice { sum, farthest };
+  static constexpr double same_direction = 1e-9;  ///< what a cosine of two directions may lack
+
+  /// Where the table has turned the direction `x` of the workpiece along X of the machine.
+  std::optional<double> aligning_angle(iso::Angles angles, std::size_t axis, const ig::Vec3& x) const {
+    const auto seen = [&](double angle) -> std::optional<ig::Vec3> {
+      angles[axis] = angle;
+      const auto turn = machine_.pivot(angles);
+      if (!turn) return std::nullopt;
+      return iso::mapped(iso::at_origin(*turn, {}), x);
+    };
+    const auto at_zero = seen(0);
+    if (!at_zero) return std::nullopt;
+    const double way = std::atan2(at_zero->y, at_zero->x) * (180 / std::numbers::pi);
+    for (const double angle : {way, -way})
+      if (const auto there = seen(angle); there && there->x > 1 - same_direction) return iso::rounded(angle);
+    return std::nullopt;
+  }
 
   /// SEQ is the sign of the master axis: the first one counted from the tool, or the last one counted from the table.
   std::size_t master() const {
@@ -64,6 +107,10 @@ class PlanePositioning {
   ig::Choice<Choice> choice_{"choice", "sum|farthest", "sum",
                              "Which solution is taken without SEQ: the shorter way of both axes together, or of the "
                              "one that goes farther."};
+  enum class FreeAxis { zero, stays };
+  ig::Choice<FreeAxis> free_axis_{"free-axis", "zero|stays", "zero",
+                                  "Where COORD ROT puts a table that lies square to the tool: at 0 as a TNC 640, or "
+                                  "where it stands as an iTNC 530."};
 };
 
 }  // namespace heidenhain

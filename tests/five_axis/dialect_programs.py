@@ -50,6 +50,27 @@ PROGRAMS = {
 8 END PGM T MM
 """, {4: ((-20, 0, 0), {"C": 30}, 100), 5: ((0, 5.5, 0), {"C": 30}, 100), 6: ((14.5, 5.5, 0), {"C": 30}, 100),
       7: ((14.5, 20, 0), {"C": 30}, 100), 8: ((40, 20, 0), {"C": 30}, 100)}),
+    "TABLE ROT turns a free table, COORD ROT puts it at 0": (
+        "heidenhain", TRUNNION, ONE_TOOL, """0 BEGIN PGM T MM
+1 TOOL CALL 1 Z S1000
+2 PLANE SPATIAL SPA0 SPB0 SPC30 STAY SEQ+ TABLE ROT
+3 L A+Q120 C+Q122 R0 FMAX
+4 L X50 Y5 Z10 FMAX
+5 PLANE RESET STAY
+6 L A+0 C+90 R0 FMAX
+7 PLANE SPATIAL SPA0 SPB0 SPC-20 TURN FMAX TABLE ROT
+8 L X50 Y6 Z10 FMAX
+9 PLANE SPATIAL SPA0 SPB0 SPC40 TURN FMAX COORD ROT
+10 L X50 Y7 Z10 FMAX
+11 L C+90 FMAX
+12 PLANE SPATIAL SPA0 SPB0 SPC40 MOVE DIST0 FMAX
+13 L X50 Y8 Z10 FMAX
+14 PLANE SPATIAL SPA0 SPB30 SPC0 TURN FMAX SEQ- TABLE ROT
+15 L X50 Y9 Z10 FMAX
+16 END PGM T MM
+""", {5: ((50, 5, 10), {"C": 30}, 100, about("Z", 30)), 9: ((50, 6, 10), {"C": -20}, 100, about("Z", -20)),
+      11: ((50, 7, 10), {"C": 0}, 100, about("Z", 40)), 14: ((50, 8, 10), {"C": 0}, 100, about("Z", 40)),
+      16: ((50, 9, 10), {"A": -30, "C": -90}, 100, about("Y", 30))}),
     "IC in a plane moves the program point": (
         "heidenhain", TRUNNION, ONE_TOOL, """0 BEGIN PGM T MM
 1 TOOL CALL 1 Z S1000
