@@ -1,17 +1,23 @@
-// Everything in the handlers is async-signal-safe: write(2), fork(2), execve(2), waitpid(2) and plain memory.
+// Everything in the handlers is async-signal-safe: write(2), fork(2), execve(2), waitpid(2), clocks, timers and plain
+// memory.
 #include "crash_guard.hpp"
 
 #include <fcntl.h>
+#include <pthread.h>
 #include <signal.h>
 #include <sys/mman.h>
+#include <sys/syscall.h>
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <string_view>
 
 #include "command.hpp"
@@ -22,12 +28,37 @@ namespace isogloss::cli {
 namespace {
 
 constexpr int crash_signals[] = {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL};
+constexpr int end_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGUSR1, SIGUSR2};
 constexpr unsigned seconds_for_reproducer = 20;
 
 char** own_arguments = nullptr;
 bool may_reproduce = false;
-const char* volatile temporary = nullptr;
+const char* volatile temporaries[64] = {};  // more than a command opens at once
 void (*write_here)() = nullptr;
+volatile bool is_reporting = false, is_ending = false;
+
+// Of the watch: how long a call may take, and the time that writing took, which is not the call's.
+volatile std::uint64_t patience = 0, time_written = 0;
+volatile int writers = 0;
+
+// Of the lines that a signal must not tear. Motions are written by a thread of their own, which a signal may not reach
+// by itself.
+std::atomic<int> whole_lines = 0, waiting_signal = 0, waits_left = 0;
+std::atomic<bool> has_ended = false;
+pthread_t writing_thread;
+constexpr suseconds_t wait_interval = 50'000;  // microseconds
+constexpr int most_waits = 40;                 // so long may a reader take for the end of a line
+
+std::uint64_t nanoseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<std::uint64_t>(now.tv_sec) * 1'000'000'000 + static_cast<std::uint64_t>(now.tv_nsec);
+}
+
+void remove_temporaries() {
+  for (const char* volatile& path : temporaries)
+    if (path != nullptr) unlink(path);
+}
 
 /// Text in a fixed buffer, for a handler.
 class Line {
@@ -48,6 +79,12 @@ class Line {
     while (n > 0) *this << std::string_view(&digits[--n], 1);
     return *this;
   }
+  /// Of a program or a plugin: what a terminal would obey is shown as a question mark.
+  Line& show(std::string_view text) {
+    for (const char c : text.substr(0, 200))
+      *this << std::string_view(static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? "?" : &c, 1);
+    return *this;
+  }
   const char* text() const { return text_.data(); }
   void say() const { [[maybe_unused]] const ssize_t n = write(STDERR_FILENO, text_.data(), used_); }
 
@@ -63,7 +100,7 @@ std::string_view name_of(int number) {
     case SIGFPE: return "arithmetic fault";
     case SIGBUS: return "bus error";
     case SIGILL: return "illegal instruction";
-    default: return "no end of the block in sight";
+    default: return "no end in sight";
   }
 }
 
@@ -100,7 +137,7 @@ bool write_reproducer(const Breadcrumb& crumb, const char* file) {
       dup2(nowhere, STDERR_FILENO);
     }
     execve("/proc/self/exe", argv.data(), environ);
-    _exit(internal_fault);
+    end_process(internal_fault);
   }
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
@@ -108,28 +145,59 @@ bool write_reproducer(const Breadcrumb& crumb, const char* file) {
   return WIFEXITED(status) && WEXITSTATUS(status) == success;
 }
 
-[[noreturn]] void report_and_exit(int number) {
-  for (const int s : crash_signals) signal(s, SIG_DFL);  // a crash in here ends it
-  if (temporary != nullptr) unlink(temporary);
+/// The report itself crashed: what the first one wrote is all that is known.
+[[noreturn]] void give_up(int) {
+  static constexpr std::string_view text =
+      "\n  the rest of the report is lost, since the memory of the host is damaged\n";
+  [[maybe_unused]] const ssize_t n = write(STDERR_FILENO, text.data(), text.size());
+  end_process(internal_fault);
+}
+
+void handle(int number, void (*handler)(int), int flags) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  sigemptyset(&action.sa_mask);
+  sigaction(number, &action, nullptr);
+}
+
+[[noreturn]] void report_and_end(std::string_view what) {
+  is_reporting = true;
+  for (const int s : crash_signals) handle(s, give_up, SA_ONSTACK | SA_NODEFER);
+  sigset_t crashes;
+  sigemptyset(&crashes);
+  for (const int s : crash_signals) sigaddset(&crashes, s);
+  sigprocmask(SIG_UNBLOCK, &crashes, nullptr);
+  remove_temporaries();
   if (write_here != nullptr) {
     write_here();
-    _exit(internal_fault);
+    end_process(internal_fault);
   }
-  const Breadcrumb crumb = Chain::breadcrumb();
+  // Said step by step: each step trusts more of the memory that the fault may have damaged.
   Line line;
-  line << "isogloss: internal fault: " << name_of(number);
-  if (crumb.syntax != nullptr) {
-    const BlockSource& source = crumb.document->source;
-    line << " in " << crumb.syntax << " of plugin " << crumb.plugin << "\n  at " << source.file << ":" << source.line
-         << ": " << source.text.substr(0, 200);
-  } else if (const char* const plugin = Library::loading(); plugin != nullptr) {
-    line << " while loading the plugin " << plugin;
-  } else {
-    line << " outside any syntax";
-  }
-  line << "\n";
+  line << "isogloss: internal fault: " << what;
   line.say();
-  if (crumb.syntax != nullptr && may_reproduce) {
+  const Breadcrumb crumb = Chain::breadcrumb();
+  const bool is_block = crumb.syntax != nullptr && crumb.document != nullptr;
+  Line place;
+  if (crumb.syntax != nullptr) {
+    (place << " in ").show(crumb.syntax) << " of plugin ";
+    place.show(crumb.plugin) << ", at work in " << crumb.phase << "()";
+  } else if (const char* const plugin = Library::loading(); plugin != nullptr) {
+    (place << " while loading the plugin ").show(plugin) << (Library::is_in_entry() ? ", in its entry function" : "");
+  } else {
+    place << (is_ending ? " in a function of a plugin for the end of the process" : " outside any syntax");
+  }
+  place.say();
+  Line block;
+  if (is_block) {
+    const BlockSource& source = crumb.document->source;
+    (block << "\n  at ").show(source.file) << ":" << source.line << ": ";
+    block.show(source.text);
+  }
+  block << "\n";
+  block.say();
+  if (is_block && may_reproduce) {
     static Line file;
     file << "isogloss-crash-" << static_cast<std::uint64_t>(getpid()) << ".md";
     Line result;
@@ -139,38 +207,82 @@ bool write_reproducer(const Breadcrumb& crumb, const char* file) {
       result << "  a case that shows it could not be written\n";
     result.say();
   }
-  _exit(internal_fault);
+  end_process(internal_fault);
+}
+
+[[noreturn]] void on_crash_signal(int number) { report_and_end(name_of(number)); }
+
+bool is_plugin_at_work() { return Chain::breadcrumb().syntax != nullptr || Library::loading() != nullptr; }
+
+/// Of exit() and quick_exit(), which no plugin may call: half an output would look like a whole one.
+void on_exit_call() {
+  if (!is_reporting && is_plugin_at_work()) report_and_end("a call of exit()");
+}
+
+[[noreturn]] void end_by(int number) {
+  has_ended = true;
+  remove_temporaries();
+  signal(number, SIG_DFL);
+  sigset_t one;
+  sigemptyset(&one);
+  sigaddset(&one, number);
+  raise(number);
+  sigprocmask(SIG_UNBLOCK, &one, nullptr);
+  end_process(128 + number);
+}
+
+/// What is at work, as far as the watch tells it from what comes later.
+struct Work {
+  const void* what = nullptr;
+  const void* phase = nullptr;
+  std::uint64_t builds = 0;
+  const void* text = nullptr;
+  bool operator==(const Work&) const = default;
+};
+
+Work work_now() {
+  const Breadcrumb crumb = Chain::breadcrumb();
+  if (crumb.syntax == nullptr) {
+    const char* const plugin = Library::loading();
+    return {plugin != nullptr ? plugin : is_ending ? "end" : nullptr, nullptr, 0, nullptr};
+  }
+  Work work{crumb.syntax, crumb.phase, 0, nullptr};
+  if (crumb.document != nullptr) {
+    work.builds = crumb.document->chain->builds;
+    work.text = crumb.document->source.text.data();
+  }
+  return work;
 }
 
 void on_alarm(int number) {
-  static volatile std::uint64_t last_builds = 0;
-  static const void* volatile last_text = nullptr;
-  static volatile bool seen = false;
-  const Breadcrumb crumb = Chain::breadcrumb();
-  if (crumb.syntax == nullptr) {
-    seen = false;
+  static Work last;
+  static std::uint64_t begin = 0, written_before = 0;
+  if (waiting_signal != 0) {
+    if (pthread_equal(pthread_self(), writing_thread) == 0) pthread_kill(writing_thread, SIGALRM);
+    if (--waits_left <= 0) end_by(waiting_signal);
     return;
   }
-  const std::uint64_t builds = crumb.document->chain->builds;
-  const void* const text = crumb.document->source.text.data();
-  if (seen && builds == last_builds && text == last_text) report_and_exit(number);
-  seen = true;
-  last_builds = builds;
-  last_text = text;
+  if (writers != 0 || is_reporting) return;
+  const Work work = work_now();
+  const std::uint64_t now = nanoseconds();
+  if (work.what == nullptr || !(work == last)) {
+    last = work;
+    begin = now;
+    written_before = time_written;
+    return;
+  }
+  if (now - begin - (time_written - written_before) < patience) return;
+  report_and_end(work.text != nullptr ? "no end of the block in sight" : name_of(number));
 }
 
 void on_end(int number) {
-  if (temporary != nullptr) unlink(temporary);
-  signal(number, SIG_DFL);
-  raise(number);
-}
-
-void handle(int number, void (*handler)(int), int flags) {
-  struct sigaction action {};
-  action.sa_handler = handler;
-  action.sa_flags = flags;
-  sigemptyset(&action.sa_mask);
-  sigaction(number, &action, nullptr);
+  if (whole_lines == 0 || waiting_signal != 0) end_by(number);
+  waiting_signal = number;
+  waits_left = most_waits;
+  // Wakes the write that waits for its reader, again and again, so that it sees that a signal came.
+  handle(SIGALRM, on_alarm, SA_ONSTACK);
+  const itimerval interval{{0, wait_interval}, {0, wait_interval}};
+  setitimer(ITIMER_REAL, &interval, nullptr);
 }
 
 }  // namespace
@@ -184,16 +296,27 @@ void guard_crashes(char** argv) {
     const stack_t stack{.ss_sp = memory, .ss_flags = 0, .ss_size = stack_size};
     sigaltstack(&stack, nullptr);
   }
-  for (const int s : crash_signals) handle(s, report_and_exit, SA_ONSTACK);
-  for (const int s : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int s : crash_signals) handle(s, on_crash_signal, SA_ONSTACK);
+  std::atexit(on_exit_call);
+  std::at_quick_exit(on_exit_call);
+  for (const int s : end_signals) {
     struct sigaction before {};
     sigaction(s, nullptr, &before);
     if (before.sa_handler != SIG_IGN) handle(s, on_end, 0);  // nohup stays nohup
   }
   signal(SIGPIPE, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);  // the write fails, and says so
 }
 
-void watch_blocks(unsigned seconds) {
+void end_process(int status) {
+  syscall(SYS_exit_group, status);
+  __builtin_unreachable();
+}
+
+void expect_end() { is_ending = true; }
+
+void watch_calls(unsigned seconds) {
+  patience = std::uint64_t{seconds} * 900'000'000;  // a tick may come a little early
   handle(SIGALRM, on_alarm, SA_RESTART | SA_ONSTACK);
   const itimerval interval{{static_cast<time_t>(seconds), 0}, {static_cast<time_t>(seconds), 0}};
   setitimer(ITIMER_REAL, &interval, nullptr);
@@ -201,8 +324,43 @@ void watch_blocks(unsigned seconds) {
 
 void allow_reproducer() { may_reproduce = true; }
 
-void remove_when_killed(const char* path) { temporary = path; }
+Writing::Writing() : begin_(nanoseconds()) { writers = writers + 1; }
+Writing::~Writing() {
+  time_written = time_written + (nanoseconds() - begin_);
+  writers = writers - 1;
+}
+
+WholeLines::WholeLines() {
+  writing_thread = pthread_self();
+  ++whole_lines;
+  while (has_ended) pause();
+}
+WholeLines::~WholeLines() {
+  if (--whole_lines == 0 && waiting_signal != 0) end_by(waiting_signal);
+}
+bool WholeLines::shall_end() { return waiting_signal != 0; }
+
+void remove_when_killed(const char* path) {
+  for (const char* volatile& slot : temporaries) {
+    if (slot != nullptr) continue;
+    slot = path;
+    return;
+  }
+}
+
+void keep_when_killed(const char* path) {
+  for (const char* volatile& slot : temporaries)
+    if (slot == path) slot = nullptr;
+}
 
 void on_crash(void (*write_reproducer)()) { write_here = write_reproducer; }
 
 }  // namespace isogloss::cli
+
+/// A plugin that calls _exit() or _Exit() comes here: the command's own functions go before those of the C library.
+extern "C" [[gnu::visibility("default")]] void _exit(int status) {
+  using namespace isogloss::cli;
+  if (!is_reporting && is_plugin_at_work()) report_and_end("a call of _exit()");
+  end_process(status);
+}
+extern "C" [[gnu::visibility("default")]] void _Exit(int status) noexcept { _exit(status); }

@@ -188,7 +188,7 @@ int ExplainCommand::explain_line(Session& session, const std::string& path) {
   if (dialect->empty()) dialect = guess_dialect(path, source->head(), session);
   const std::unique_ptr<LinkedDialect> linked = dialect ? session.link(*dialect, options->chain.dependencies) : nullptr;
   if (linked == nullptr) return cannot_start;
-  if (program.watchdog != 0) watch_blocks(program.watchdog);
+  watch_calls(program.watchdog);
 
   // What other lines have to say is not what was asked.
   DiagnosticList said;

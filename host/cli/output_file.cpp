@@ -39,8 +39,8 @@ OutputFile::OutputFile(int descriptor, std::string target, std::string temporary
 OutputFile::~OutputFile() {
   if (descriptor_ > STDERR_FILENO) close(descriptor_);
   if (temporary_.empty()) return;
-  remove_when_killed(nullptr);
   unlink(temporary_.c_str());
+  keep_when_killed(temporary_.c_str());
 }
 
 std::unique_ptr<OutputFile> OutputFile::standard_output() {
@@ -92,9 +92,17 @@ void OutputFile::fail(int number) {
 }
 
 bool OutputFile::write_through(std::string_view bytes) {
+  // Who reads a pipe gets whole lines, whatever ends the run; a file that is not complete never appears.
+  const std::unique_ptr<WholeLines> whole = temporary_.empty() ? std::make_unique<WholeLines>() : nullptr;
+  bool is_in_line = false;
   while (!bytes.empty()) {
+    if (whole != nullptr && WholeLines::shall_end()) {
+      if (!is_in_line) break;
+      bytes = bytes.substr(0, bytes.find('\n') + (bytes.find('\n') != std::string_view::npos ? 1 : 0));
+    }
     const ssize_t n = ::write(descriptor_, bytes.data(), bytes.size());
     if (n >= 0) {
+      if (n > 0) is_in_line = bytes[static_cast<std::size_t>(n) - 1] != '\n';
       bytes.remove_prefix(static_cast<std::size_t>(n));
     } else if (errno != EINTR) {
       fail(errno);
@@ -129,7 +137,7 @@ bool OutputFile::commit() {
   }
   if (temporary_.empty()) return true;
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) return fail(errno), false;
-  remove_when_killed(nullptr);
+  keep_when_killed(temporary_.c_str());
   temporary_.clear();
   return true;
 }

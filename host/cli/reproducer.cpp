@@ -1,7 +1,6 @@
 #include "reproducer.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -24,7 +23,7 @@ class CaseWriter : public Exporter {
       const bool is_it = chain_->builds >= request_.build && Chain::breadcrumb().document->source.line == request_.line;
       if (!before || !is_it) return;
       const bool is_written = write(chain_->linked().chain[position].syntax->id, false);
-      _exit(is_written ? success : internal_fault);
+      end_process(is_written ? success : internal_fault);
     };
   }
   void begin(Document& initial, const SymbolTable& symbols) override { keep(initial, symbols); }
@@ -96,7 +95,7 @@ int ReproducerRequest::write(Session& session, const ProgramOptions& program_opt
   CaseWriter cases(*this, *dialect);
   writer = &cases;
   // A scanner that crashes does so again here; this process has nothing to lose, so its handler may write.
-  on_crash([] { _exit(writer->write_after_crash() ? success : internal_fault); });
+  on_crash([] { end_process(writer->write_after_crash() ? success : internal_fault); });
   add_folder_of(program, options);
   options.chain.mode = Mode::traced;
   options.prepare = [&](Chain& chain) { cases.listen(chain); };

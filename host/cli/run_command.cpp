@@ -190,7 +190,7 @@ class Runs {
       if (command_.summary) write_summary(path, summary);
     } catch (const std::runtime_error& e) {
       if (session_.diagnostics().errors() == 0) session_.say("IG-0513", {path}, {e.what()});
-      return cannot_start;  // a syntax could not be created
+      return cannot_start;  // a syntax could not be created; what its exception said may be a fault inside
     }
     return success;
   }
@@ -248,7 +248,7 @@ int RunCommand::run() {
   if (!are_apart(inputs, outputs, session)) return cannot_start;
   options->chain.mode = checked ? Mode::checked : Mode::fast;
   options->chain.call_all = call_all;
-  if (program.watchdog != 0) watch_blocks(program.watchdog);
+  watch_calls(program.watchdog);
   if (!reproducer.file.empty()) return reproducer.write(session, program, std::move(*options));
   if (std::find(programs.begin(), programs.end(), "-") == programs.end()) allow_reproducer();
 

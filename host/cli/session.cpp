@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "crash_guard.hpp"
 #include "isogloss/engine/own_dependencies.hpp"
 #include "isogloss/engine/runner.hpp"
 #include "output_file.hpp"
@@ -59,7 +60,10 @@ DiagnosticPolicy policy(const CommonOptions& options) {
   return out;
 }
 
-void write_to_stderr(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+void write_to_stderr(std::string_view text) {
+  const Writing writing;
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
 
 }  // namespace
 
@@ -117,7 +121,7 @@ void Session::say(std::string_view code, Location where, std::initializer_list<s
 int Session::status() const {
   // A syntax that threw, and one that broke the contract, are faults inside, not faults of the input.
   const auto& codes = diagnostics_.by_code();
-  if (codes.contains("IG-0401") || codes.contains("IG-0402")) return internal_fault;
+  if (codes.contains("IG-0350") || codes.contains("IG-0401") || codes.contains("IG-0402")) return internal_fault;
   // The program could not be read, or its output could not be written: the same for every input and every output.
   if (codes.contains("IG-0431") || codes.contains("IG-0511")) return cannot_start;
   return diagnostics_.errors() > 0 ? input_errors : success;

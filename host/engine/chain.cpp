@@ -14,6 +14,36 @@ namespace {
 
 thread_local const Document* running = nullptr;
 
+/// The call of a plugin that is under way outside the blocks of a run.
+thread_local Breadcrumb outside_blocks;
+
+class Calling {
+ public:
+  Calling(const ig_plugin& plugin, const char* id, const char* phase) : before_(outside_blocks) {
+    outside_blocks = {plugin.name, id, phase, nullptr};
+  }
+  ~Calling() { outside_blocks = before_; }
+  Calling(const Calling&) = delete;
+  Calling& operator=(const Calling&) = delete;
+
+ private:
+  Breadcrumb before_;
+};
+
+/// Of an exception that a function of the contract let out, which none may.
+[[gnu::cold]] Diagnostic exception_diagnostic(const ig_plugin& plugin, const std::string& alias, const char* phase,
+                                              Location where) {
+  std::string words;
+  try {
+    throw;
+  } catch (const std::exception& e) {
+    words = e.what();
+  } catch (...) {
+    words = "no std::exception";
+  }
+  return host_diagnostic("IG-0350", std::move(where), {alias, plugin.name, phase, words});
+}
+
 bool is_blank(unsigned char c) { return c == ' ' || c == '\t'; }
 
 /// Does an element of a file that a run was given speak of this dependency of the dialect?
@@ -72,12 +102,26 @@ Chain::~Chain() {
 }
 
 void Chain::destroy() {
-  for (std::size_t i = 0; i < steps_.size(); ++i)
-    if (steps_[i].self != nullptr) linked_.chain[i].syntax->destroy(steps_[i].self);
-  for (std::size_t i = 0; i < dependencies_.size(); ++i)
-    if (dependencies_[i] != nullptr) linked_.dependencies[i].dependency->destroy(dependencies_[i]);
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const LinkedSyntax& s = linked_.chain[i];
+    destroy_part(*s.plugin, s.element.alias, s.syntax->destroy, steps_[i].self);
+  }
+  for (std::size_t i = 0; i < dependencies_.size(); ++i) {
+    const LinkedDependency& d = linked_.dependencies[i];
+    destroy_part(*d.plugin, d.element.alias, d.dependency->destroy, dependencies_[i]);
+  }
   steps_.clear();
   dependencies_.clear();
+}
+
+void Chain::destroy_part(const ig_plugin& plugin, const std::string& alias, void (*end)(void*), void* self) {
+  if (self == nullptr) return;
+  const Calling calling(plugin, alias.c_str(), "destroy");
+  try {
+    end(self);
+  } catch (...) {
+    sink_.add(exception_diagnostic(plugin, alias, "destroy", {}));
+  }
 }
 
 void Chain::create_dependencies() {
@@ -118,7 +162,17 @@ void Chain::create_dependencies() {
   for (std::size_t i = 0; i < dependencies_.size(); ++i) {
     const LinkedDependency& d = linked_.dependencies[i];
     ig_link link{this, &dependency_options_[i], nullptr, tables_[i].get(), {}, false};
-    if (d.dependency->create(&link_api(), &link, nullptr, &dependencies_[i]) == IG_FAILED) {
+    const Calling calling(*d.plugin, d.element.alias.c_str(), "create");
+    ig_status status = IG_FAILED;
+    try {
+      status = d.dependency->create(&link_api(), &link, nullptr, &dependencies_[i]);
+    } catch (...) {
+      dependencies_[i] = nullptr;
+      sink_.add(
+          exception_diagnostic(*d.plugin, d.element.alias, "create", place_of(d.element, settings_.dependencies)));
+      throw std::runtime_error(d.element.alias + " could not be created");
+    }
+    if (status == IG_FAILED) {
       dependencies_[i] = nullptr;
       sink_.add(
           host_diagnostic("IG-0308", place_of(d.element, settings_.dependencies), {d.element.alias, link.failure}));
@@ -208,7 +262,16 @@ void Chain::create_syntaxes() {
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const LinkedSyntax& s = linked_.chain[i];
     ig_link link{this, &s.options, &s, nullptr, {}, false};
-    if (s.syntax->create(&link_api(), &link, s.ids.data(), &steps_[i].self) == IG_FAILED) {
+    const Calling calling(*s.plugin, s.element.alias.c_str(), "create");
+    ig_status status = IG_FAILED;
+    try {
+      status = s.syntax->create(&link_api(), &link, s.ids.data(), &steps_[i].self);
+    } catch (...) {
+      steps_[i].self = nullptr;
+      sink_.add(exception_diagnostic(*s.plugin, s.element.alias, "create", s.element.where));
+      throw std::runtime_error(s.element.alias + " could not be created");
+    }
+    if (status == IG_FAILED) {
       steps_[i].self = nullptr;
       sink_.add(host_diagnostic("IG-0308", s.element.where, {s.element.alias, link.failure}));
       throw std::runtime_error(s.element.alias + " could not be created");
@@ -319,7 +382,12 @@ void Chain::start(std::string_view file) {
     const ig_run_fn restart = linked_.chain[i].syntax->restart;
     if (restart == nullptr) continue;
     document_.current = static_cast<std::uint16_t>(i + 1);
-    restart(steps_[i].self, host_, document_.block());
+    const Calling calling(*linked_.chain[i].plugin, linked_.chain[i].element.alias.c_str(), "restart");
+    try {
+      restart(steps_[i].self, host_, document_.block());
+    } catch (...) {
+      tell_exception(document_, static_cast<std::uint32_t>(i), "restart");
+    }
   }
   document_.current = 0;
 }
@@ -357,12 +425,35 @@ void Chain::wake(Document& d, std::size_t position) const {
   d.add_leftover(IG_LEFT_TEXT, IG_NO_FIELD, begin, begin + 1, d.source.text.substr(position, 1));
 }
 
+std::size_t Chain::ask_scanner(std::uint32_t position, std::size_t at) {
+  const std::string_view text = document_.source.text;
+  const Step& step = steps_[position];
+  document_.current = static_cast<std::uint16_t>(position + 1);
+  try {
+    const std::size_t end = step.scan(step.self, host_, document_.block(), text.data(), text.size(), at);
+    return end <= text.size() ? end : refuse_end(at);
+  } catch (...) {
+    tell_exception(document_, position, "scan");
+    return at;
+  }
+}
+
+/// What a scanner says to have taken beyond the text it has not seen: the byte is nobody's.
+[[gnu::cold]] std::size_t Chain::refuse_end(std::size_t at) {
+  const LinkedSyntax& s = linked_.chain[document_.current - 1u];
+  const Diagnostic text = host_diagnostic(
+      "IG-0402", {}, {s.element.alias, "its scan() returned an end behind the text, so what it took is not counted"});
+  report(document_, text.severity, text.code, text.message, static_cast<std::uint32_t>(at),
+         static_cast<std::uint32_t>(at + 1));
+  return at;
+}
+
 std::size_t Chain::scan() {
   Document& d = document_;
   const char* const text = d.source.text.data();
   const std::size_t size = d.source.text.size();
-  ig_block* const block = d.block();
   std::size_t position = 0;
+  is_scanning_ = true;
   while (position < size) {
     const auto c = static_cast<unsigned char>(text[position]);
     if (is_blank(c)) {
@@ -379,8 +470,7 @@ std::size_t Chain::scan() {
     }
     std::size_t next = position;
     for (const std::uint16_t scanner : scanners_[c]) {
-      d.current = static_cast<std::uint16_t>(scanner + 1);
-      next = std::min(steps_[scanner].scan(steps_[scanner].self, host_, block, text, size, position), size);
+      next = ask_scanner(scanner, position);
       if (next > position) break;
     }
     if (next <= position) {
@@ -390,6 +480,7 @@ std::size_t Chain::scan() {
     position = next;
     if (split_at != 0 || skip_rest || ends_file) break;
   }
+  is_scanning_ = false;
   d.current = 0;
   return split_at != 0 ? std::min(split_at, size) : size;
 }
@@ -437,6 +528,13 @@ void Chain::tell_failure(const Document& d, std::uint32_t position) {
   failure_said_by = 0;
 }
 
+[[gnu::cold]] void Chain::tell_exception(const Document& d, std::uint32_t position, const char* phase) {
+  const LinkedSyntax& s = linked_.chain[position];
+  const Diagnostic text = exception_diagnostic(*s.plugin, s.element.alias, phase, {});
+  report(d, text.severity, text.code, text.message, 0, 0);
+  failure_said_by = 0;
+}
+
 /// Of a syntax that looks ahead. False when it has to wait for the blocks ahead, and what comes after it with it.
 bool Chain::call_looking_ahead(Document& d, std::uint32_t position, std::uint32_t first) {
   const Step& step = steps_[position];
@@ -472,16 +570,20 @@ void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
       reach &= ~std::uint64_t{1} << bit;
       const Step& step = steps[bit];
       const std::uint32_t position = origin + base + bit;
-      if (step.build == nullptr) [[unlikely]] {
-        if (!call_looking_ahead(d, position, begin)) return;
-        continue;
+      try {
+        if (step.build == nullptr) [[unlikely]] {
+          if (!call_looking_ahead(d, position, begin)) return;
+          continue;
+        }
+        d.current = static_cast<std::uint16_t>(position + 1);
+        ++builds;
+        if (is_watched) [[unlikely]]
+          call_watched(d, position);
+        else if (step.build(step.self, host_, block) == IG_FAILED) [[unlikely]]
+          tell_failure(d, position);
+      } catch (...) {
+        tell_exception(d, position, "build");
       }
-      d.current = static_cast<std::uint16_t>(position + 1);
-      ++builds;
-      if (is_watched) [[unlikely]]
-        call_watched(d, position);
-      else if (step.build(step.self, host_, block) == IG_FAILED) [[unlikely]]
-        tell_failure(d, position);
     }
   }
   d.current = 0;
@@ -505,8 +607,13 @@ ig_status Chain::build(std::uint32_t position) {
   if (run_step == nullptr) return IG_UNCHANGED;
   running = &document_;
   document_.current = static_cast<std::uint16_t>(position + 1);
-  const ig_status status = run_step(step.self, host_, document_.block());
-  if (status == IG_FAILED) tell_failure(document_, position);
+  ig_status status = IG_FAILED;
+  try {
+    status = run_step(step.self, host_, document_.block());
+    if (status == IG_FAILED) tell_failure(document_, position);
+  } catch (...) {
+    tell_exception(document_, position, "build");
+  }
   document_.current = 0;
   return status;
 }
@@ -540,13 +647,14 @@ void Chain::report(const Document& d, Severity severity, std::string_view code, 
 
 const Breadcrumb& Chain::breadcrumb() {
   static thread_local Breadcrumb crumb;
-  crumb = {};
-  if (running == nullptr) return crumb;
+  crumb = outside_blocks;
+  if (crumb.syntax != nullptr || running == nullptr) return crumb;
   crumb.document = running;
   if (running->current == 0 || running->chain == nullptr) return crumb;
   const LinkedSyntax& s = running->chain->linked_.chain[running->current - 1u];
   crumb.plugin = s.plugin->name;
   crumb.syntax = s.syntax->id;
+  crumb.phase = running->chain->is_scanning_ ? "scan" : "build";
   return crumb;
 }
 

@@ -10,6 +10,16 @@ namespace isogloss {
 
 namespace {
 
+// Of a message or a hint: program text and what a plugin says may be of any length.
+constexpr std::size_t longest_text = 4096;
+
+void shorten(std::string& text) {
+  if (text.size() <= longest_text) return;
+  std::size_t size = longest_text;
+  while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xc0) == 0x80) --size;  // no half of a character
+  text = text.substr(0, size) + fmt::format("… and {} bytes more", text.size() - size);
+}
+
 std::string place(const Diagnostic& d) {
   std::string out = d.where.file.empty() ? "isogloss" : d.where.file;
   if (d.where.line != 0) out += fmt::format(":{}", d.where.line);
@@ -44,6 +54,8 @@ DiagnosticWriter::DiagnosticWriter(DiagnosticPolicy policy, Write write) : polic
 DiagnosticWriter::~DiagnosticWriter() = default;
 
 void DiagnosticWriter::add(Diagnostic diagnostic) {
+  shorten(diagnostic.message);
+  shorten(diagnostic.hint);
   if (policy_.warnings_are_errors && diagnostic.severity == Severity::warning) diagnostic.severity = Severity::error;
   errors_ += diagnostic.severity == Severity::error;
   warnings_ += diagnostic.severity == Severity::warning;

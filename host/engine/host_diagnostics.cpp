@@ -158,6 +158,10 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {warning, "IG-0309", "{0} exports {1} symbols besides ig_plugin_v1, {2} for instance",
        "Symbols that leak from one plugin can be taken by another. Build with isogloss_add_plugin().",
        "a plugin built by hand"},
+      {error, "IG-0350", "{0} of plugin {1} threw an exception out of {2}(), whose result cannot be trusted: {3}",
+       "No exception may leave a function of the contract, which is plain C. The host caught it and goes on where that "
+       "is possible. This is a fault of the plugin; the SDK catches what its syntaxes throw.",
+       "a plugin built without the SDK that throws in build()"},
       // runs: 0400-0499
       {error, "IG-0401", "{0} failed: {1}",
        "The syntax threw while it worked on this block; its result cannot be trusted. This is a fault of the plugin.",

@@ -37,12 +37,16 @@ namespace {
 constexpr const char* entry_symbol = "ig_plugin_v1";
 
 thread_local const char* file_being_loaded = nullptr;
+thread_local bool entry_is_at_work = false;
 
 /// Code of the plugin may run while one of these lives.
 class Loading {
  public:
   explicit Loading(const std::string& file) { file_being_loaded = file.c_str(); }
-  ~Loading() { file_being_loaded = nullptr; }
+  ~Loading() {
+    file_being_loaded = nullptr;
+    entry_is_at_work = false;
+  }
   Loading(const Loading&) = delete;
   Loading& operator=(const Loading&) = delete;
 };
@@ -50,6 +54,7 @@ class Loading {
 }  // namespace
 
 const char* Library::loading() { return file_being_loaded; }
+bool Library::is_in_entry() { return entry_is_at_work; }
 
 bool Library::Parts::refuse(const fs::path& file, std::string_view code, std::initializer_list<std::string> arguments) {
   refused.push_back({file, std::string(code), host_diagnostic(code, {}, arguments).message});
@@ -114,12 +119,17 @@ bool Library::Parts::load(const fs::path& file) {
   try {
     boost::dll::shared_library library(file, boost::dll::load_mode::rtld_now | boost::dll::load_mode::rtld_local);
     const auto entry = library.get<const ig_plugin*()>(entry_symbol);
-    if (!admit(file, entry())) return false;
+    entry_is_at_work = true;
+    const ig_plugin* const original = entry();
+    entry_is_at_work = false;
+    if (!admit(file, original)) return false;
     resident.push_back(std::move(library));
     plugins.back().extra_exports = std::move(exports);
     return true;
   } catch (const std::exception& e) {
     return refuse(file, "IG-0303", {name, e.what()});
+  } catch (...) {
+    return refuse(file, "IG-0303", {name, "it threw an exception that is no std::exception"});
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cfenv>
+#include <memory>
 #include <utility>
 
 #include "finite_values.hpp"
@@ -293,7 +294,8 @@ class Run {
 
 RunResult run(const LinkedDialect& linked, Source& source, const std::string& name, const RunOptions& options,
               const std::vector<Exporter*>& exporters, DiagnosticSink& sink) {
-  return Run(linked, source, name, options, exporters, sink).run();
+  // Not on the stack: a plugin that writes beyond its own frame must leave the report of its fault something to read.
+  return std::make_unique<Run>(linked, source, name, options, exporters, sink)->run();
 }
 
 }  // namespace isogloss

@@ -41,6 +41,35 @@ RUN = {
     "crashes_in_build": (3, "", "segmentation fault in BadSyntax of plugin crashes_in_build"),
     "hangs_in_build": (3, "", "no end of the block in sight in BadSyntax of plugin hangs_in_build"),
     "recurses": (3, "", "segmentation fault in BadSyntax of plugin recurses"),
+    "exits_in_build": (3, "", "a call of exit() in BadSyntax of plugin exits_in_build, at work in build()"),
+    "quits_in_build": (3, "", "a call of _exit() in BadSyntax of plugin quits_in_build, at work in build()"),
+    "smashes_the_stack": (3, "", "in BadSyntax of plugin smashes_the_stack, at work in build()"),
+}
+
+# Outside the blocks of a run: what is said in place of one.
+OUTSIDE = {
+    "exits_in_create": "a call of exit() in BadSyntax of plugin exits_in_create, at work in create()",
+    "hangs_in_create": "no end in sight in BadSyntax of plugin hangs_in_create, at work in create()",
+    "create_crashes": "segmentation fault in BadSyntax of plugin create_crashes, at work in create()",
+    "hangs_in_restart": "no end in sight in BadSyntax of plugin hangs_in_restart, at work in restart()",
+    "crashes_in_restart": "segmentation fault in BadSyntax of plugin crashes_in_restart, at work in restart()",
+    "hangs_in_destroy": "no end in sight in BadSyntax of plugin hangs_in_destroy, at work in destroy()",
+    "crashes_in_destroy": "segmentation fault in BadSyntax of plugin crashes_in_destroy, at work in destroy()",
+    "exits_at_load": "a call of exit() while loading the plugin",
+    "hangs_at_load": "no end in sight while loading the plugin",
+    "quits_in_entry": "a call of _exit() while loading the plugin",
+    "hangs_in_entry": "no end in sight while loading the plugin",
+}
+
+# Exceptions that leave a function of the contract: the words that name it.
+RAW = {
+    "lets_out_of_create": "threw an exception out of create(), whose result cannot be trusted: raw create",
+    "lets_out_of_destroy": "threw an exception out of destroy(), whose result cannot be trusted: raw destroy",
+    "lets_out_of_restart": "threw an exception out of restart(), whose result cannot be trusted: raw restart",
+    "lets_out_of_build": "threw an exception out of build(), whose result cannot be trusted: raw build",
+    "lets_out_of_scan": "threw an exception out of scan(), whose result cannot be trusted: raw scan",
+    "lets_a_number_out": "threw an exception out of build(), whose result cannot be trusted: no std::exception",
+    "lets_much_out": "threw an exception out of build(), whose result cannot be trusted: \\x1b[31mxxx",
 }
 
 # What the checked table says; the fast one checks nothing that linking has settled.
@@ -65,9 +94,10 @@ class BadPlugins(unittest.TestCase):
 
     def run_with(self, plugin, *more):
         dialect = self.path / "bad.xml"
+        before = "TapeBoundarySyntax" if "scan" in plugin else "ProgramXyzSyntax"
         dialect.write_text(f'<Dialect xmlns="urn:isogloss:dialect:1" name="bad" extends="iso">'
                            f'<Plugins><Plugin name="{plugin}"/></Plugins><Chain>'
-                           f'<InsertBefore syntax="ProgramXyzSyntax"><BadSyntax/></InsertBefore></Chain></Dialect>')
+                           f'<InsertBefore syntax="{before}"><BadSyntax/></InsertBefore></Chain></Dialect>')
         return self.run_it("run", self.program, "-d", dialect, "--plugins", OPTIONS.plugins / plugin, *more)
 
     def doctor(self, folder):
@@ -106,6 +136,39 @@ class BadPlugins(unittest.TestCase):
                 self.assertIn(code, done.stderr)
                 if status == 3 and code == "":
                     self.assertIn("part.nc:2: G00 X1. Y2. Z3.", done.stderr)
+
+    def test_a_fault_outside_the_blocks_names_plugin_syntax_and_phase(self):
+        for plugin, text in OUTSIDE.items():
+            with self.subTest(plugin):
+                done = self.run_with(plugin, "--watchdog", "1", "-o", self.path / "out.jsonl")
+                self.assertEqual(done.returncode, 3, done.stderr)
+                self.assertIn(f"internal fault: {text}", done.stderr)
+                self.assertIn(plugin, done.stderr)
+                self.assertEqual(list(self.path.glob("out.jsonl*")), [])
+
+    def test_an_exception_that_leaves_the_plugin_is_caught_and_told(self):
+        for plugin, text in RAW.items():
+            with self.subTest(plugin):
+                done = self.run_with(plugin)
+                self.assertEqual(done.returncode, 3, done.stderr[:1000])
+                self.assertIn(f"BadSyntax of plugin {plugin} {text}", done.stderr)
+                self.assertIn("[IG-0350]", done.stderr)
+                self.assertLess(len(done.stderr), 10_000)
+                if plugin not in ("lets_out_of_create",):
+                    self.assertIn('"Line":3', done.stdout)
+
+    def test_lint_tells_what_create_throws(self):
+        self.run_with("lets_out_of_create")
+        done = self.run_it("lint", self.path / "bad.xml", "--plugins", OPTIONS.plugins / "lets_out_of_create")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("[IG-0350]", done.stderr)
+
+    def test_a_scanner_cannot_take_what_lies_behind_the_text(self):
+        done = self.run_with("scans_beyond")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("part.nc:2:1: error: BadSyntax broke the contract: its scan() returned an end behind the text",
+                      done.stderr)
+        self.assertIn('"Z":3', done.stdout)  # the words after it are there
 
     def test_a_throwing_syntax_does_not_end_the_run(self):
         done = self.run_with("throws_in_build")

@@ -1,4 +1,7 @@
 /* Libraries that go wrong before their descriptor is read; the fault is chosen by FAULT_…. */
+#include <stdlib.h>
+#include <unistd.h>
+
 #include "sound.h"
 
 static const ig_syntax syntax = SOUND_SYNTAX;
@@ -17,6 +20,11 @@ const ig_plugin* ig_plugin_v1(void) {
   nobody_defines_this();
 #elif defined(FAULT_crashes_in_entry)
   *(volatile int*)(uintptr_t)8 = 1;
+#elif defined(FAULT_quits_in_entry)
+  _exit(0);
+#elif defined(FAULT_hangs_in_entry)
+  for (volatile int forever = 1; forever;) {
+  }
 #endif
   return &plugin;
 }
@@ -24,6 +32,15 @@ const ig_plugin* ig_plugin_v1(void) {
 
 #if defined(FAULT_crashes_at_load)
 __attribute__((constructor)) static void at_load(void) { *(volatile int*)(uintptr_t)8 = 1; }
+#endif
+
+#if defined(FAULT_exits_at_load)
+__attribute__((constructor)) static void at_load(void) { exit(0); }
+#elif defined(FAULT_hangs_at_load)
+__attribute__((constructor)) static void at_load(void) {
+  for (volatile int forever = 1; forever;) {
+  }
+}
 #endif
 
 #if defined(FAULT_exports_too_much)

@@ -4,6 +4,8 @@ import argparse
 import json
 import os
 import pathlib
+import resource
+import signal
 import subprocess
 import sys
 import tempfile
@@ -982,6 +984,51 @@ class Faults(Command):
     def test_no_temporary_file_is_left(self):
         self.fault("M901", "-o", self.path / "out.jsonl")
         self.assertEqual([p.name for p in self.path.iterdir() if p.name.startswith("out")], [])
+
+
+class Signals(Command):
+    """What ends a run from outside, and whoever reads slowly."""
+    def start(self, *arguments, lines=200_000, line="G01 X{x}. Y2.", **pipes):
+        program = self.write("long.nc", "F1000\n" + "".join(line.format(x=i % 90) + "\n" for i in range(lines)))
+        return subprocess.Popen([OPTIONS.isogloss, "run", program, "-d", "fanuc", *map(str, arguments)], **pipes)
+
+    def test_who_reads_slowly_gets_whole_lines(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            process = self.start(stdout=subprocess.PIPE)
+            with process.stdout:
+                last = process.stdout.read(1000)
+                time.sleep(0.3)  # the pipe is full, and a write waits for its reader
+                process.send_signal(number)
+                time.sleep(0.1)
+                while piece := process.stdout.read(1000):
+                    last = (last + piece)[-1000:]
+            self.assertEqual(process.wait(timeout=20), -number)
+            self.assertTrue(last.endswith(b"}\n"), last[-100:])
+
+    def test_no_temporary_file_is_left(self):
+        for number in (signal.SIGTERM, signal.SIGQUIT, signal.SIGXCPU):
+            process = self.start("-o", self.path / "out.jsonl", "-", stdin=subprocess.PIPE)  # waits for its last program
+            with process.stdin:
+                deadline = time.monotonic() + 20
+                while not list(self.path.glob("out.jsonl.*")) and time.monotonic() < deadline:
+                    time.sleep(0.05)
+                process.send_signal(number)
+                self.assertEqual(process.wait(timeout=20), -number)
+            self.assertEqual(list(self.path.glob("out.jsonl*")), [])
+
+    def test_a_file_that_grows_too_large_is_said(self):
+        process = self.start("-o", self.path / "out.jsonl", stderr=subprocess.PIPE, text=True,
+                             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, 100_000)))
+        self.assertIn("IG-0511", process.communicate(timeout=60)[1])
+        self.assertEqual(process.returncode, 2)
+        self.assertEqual(list(self.path.glob("out.jsonl*")), [])
+
+    def test_a_reader_of_diagnostics_that_pauses_is_no_fault_of_a_syntax(self):
+        process = self.start("--watchdog", "1", "--repeats", "0", "--emit", "none", lines=5000, line="G123",
+                             stderr=subprocess.PIPE, text=True)
+        time.sleep(3.5)
+        self.assertNotIn("internal fault", process.communicate(timeout=60)[1])
+        self.assertEqual(process.returncode, 1)
 
 
 if __name__ == "__main__":

@@ -57,7 +57,8 @@ struct ChainSettings {
 struct Breadcrumb {
   const char* plugin = nullptr;
   const char* syntax = nullptr;
-  const Document* document = nullptr;
+  const char* phase = nullptr;         ///< the function of the contract that is at work: "create", "build" …
+  const Document* document = nullptr;  ///< null outside the blocks of a run
 };
 
 class Chain {
@@ -143,6 +144,10 @@ class Chain {
   void run_range(Document& document, std::uint32_t first, std::uint32_t last);
   void leave_byte(Document& document, std::size_t position);
   void tell_failure(const Document& document, std::uint32_t position);
+  void tell_exception(const Document& document, std::uint32_t position, const char* phase);
+  std::size_t ask_scanner(std::uint32_t position, std::size_t at);
+  std::size_t refuse_end(std::size_t at);
+  void destroy_part(const ig_plugin& plugin, const std::string& alias, void (*destroy)(void*), void* self);
   void destroy();
 
   const LinkedDialect& linked_;
@@ -174,6 +179,7 @@ class Chain {
   std::vector<std::uint16_t> scanners_[256];  // chain positions that a byte triggers
   std::uint64_t inspection_[4] = {};          // as Document::active: from inspection_begin on
   std::uint64_t inspectors_[4] = {};          // of these, what runs when something is left over
+  bool is_scanning_ = false;                  // for a crash report
 };
 
 }  // namespace isogloss

@@ -47,6 +47,8 @@ class Library {
   void add(const ig_plugin* plugin);
   /// The file that is being loaded, for a crash report that a signal handler writes; null when none is.
   static const char* loading();
+  /// While loading() names a file: is its entry function at work, or the initializers of the library before it?
+  static bool is_in_entry();
 
  private:
   struct Parts;
