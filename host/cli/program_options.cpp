@@ -114,6 +114,10 @@ void ProgramOptions::add_to(CommandLine& line) {
   line.option("--max-loop-blocks", maximum_loop_blocks, "Stop after so many blocks that run again after a jump back")
       .type_name("N")
       .shows_default();
+  line.option("--max-repeat-blocks", maximum_repeat_blocks,
+              "Stop after so many blocks that run again since a call repeats its program")
+      .type_name("N")
+      .shows_default();
   line.option("--watchdog", watchdog, "A block that takes longer is a fault of its syntax (0: never)")
       .type_name("SECONDS")
       .shows_default();
@@ -159,6 +163,7 @@ std::optional<RunOptions> ProgramOptions::make(Session& session) const {
   out.maximum_depth = maximum_depth;
   out.maximum_jumps = maximum_jumps;
   out.maximum_loop_blocks = maximum_loop_blocks;
+  out.maximum_repeat_blocks = maximum_repeat_blocks;
   if (optional_stop) out.chain.settings["optional-stop"] = "on";
   if (!program.empty()) out.chain.settings["program"] = program;
   out.program = program;

@@ -18,7 +18,7 @@ struct ProgramOptions {
   std::vector<std::string> subprograms;
   std::string main_passes;
   std::uint32_t maximum_depth = 100;
-  std::uint64_t maximum_jumps = 1'000'000, maximum_loop_blocks = 1'000'000;
+  std::uint64_t maximum_jumps = 1'000'000, maximum_loop_blocks = 100'000'000, maximum_repeat_blocks = 10'000'000;
   std::string on_error = "continue";
   std::uint64_t maximum_blocks = 0;
   unsigned watchdog = 10;

@@ -249,6 +249,7 @@ void Flow::perform(Document& document, const Place& next) {
     case Request::leave: leave_frame(document, to_); break;
     case Request::again:
       ++frame_->pass;
+      if (repeats_at_ == 0) repeats_at_ = depth_;
       if (!frame_->is_local) document.clear_frame_values();
       seek(frame_->start);
       break;
@@ -287,6 +288,7 @@ void Flow::enter(Document& document, const Place& next) {
 void Flow::leave_frame(Document& document, std::optional<Place> to) {
   document.set_frame_values(frame_->below);
   const Place back = frame_->back, called_at = frame_->called_at;
+  if (repeats_at_ == depth_) repeats_at_ = 0;
   frame_ = frames_[--depth_].get();
   cursor_ = &frame_->cursor;
   here_ = called_at;
@@ -340,6 +342,15 @@ void Flow::count_loop() {
     stop("IG-0418", loop_.from,
          {std::to_string(options_.maximum_loop_blocks), std::to_string(loop_.from.line), std::to_string(loop_.to.line),
           std::to_string(loop_.times)});
+}
+
+void Flow::count_repeat() {
+  if (++repeat_blocks_ <= options_.maximum_repeat_blocks) return;
+  const Frame& frame = *frames_[repeats_at_];
+  stop("IG-0450", here_,
+       {std::to_string(options_.maximum_repeat_blocks), frame.program,
+        frames_[repeats_at_ - 1]->file->name + ":" + std::to_string(frame.called_at.line), std::to_string(frame.pass),
+        std::to_string(frame.passes)});
 }
 
 void Flow::stop(std::string_view code, const Place& at, std::initializer_list<std::string> arguments) {

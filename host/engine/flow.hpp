@@ -29,6 +29,7 @@ class Flow : public FlowHost {
   void at(const Place& place) {
     here_ = place;
     if (is_looping_) count_loop();
+    if (repeats_at_ != 0) count_repeat();
   }
   bool is_over() const { return over_; }  ///< a limit is reached, which was said
   bool has_request() const { return request_ != Request::none; }
@@ -93,6 +94,7 @@ class Flow : public FlowHost {
   void seek(const Place& place);
   void note_jump(const Place& to);
   void count_loop();
+  void count_repeat();
   void stop(std::string_view code, const Place& at, std::initializer_list<std::string> arguments);
   std::string shown(const Place& place) const;
   std::string chain_of_calls() const;
@@ -131,6 +133,10 @@ class Flow : public FlowHost {
     Place from, to;
     std::uint64_t times = 0;
   } loop_;
+
+  // The outermost call that repeats its program, and the blocks of all passes after the first.
+  std::uint32_t repeats_at_ = 0;  // its depth; 0: none
+  std::uint64_t repeat_blocks_ = 0;
 
   // What of the main file was reached by calls and jumps.
   std::set<Place> reached_;

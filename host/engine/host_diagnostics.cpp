@@ -207,10 +207,13 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "A called program calls another, and so on. More levels than the limit (`--max-depth`) are almost always a "
        "program that calls itself, directly or through others.",
        "a program that calls itself"},
-      {error, "IG-0417", "stopped after {0} calls and jumps; the last one goes from {1} to {2}",
+      {error, "IG-0417",
+       "stopped after {0} calls and jumps; the last one goes from {1} to {2}: --max-jumps sets another limit",
        "So that no program runs forever, calls, returns and jumps are counted. `--max-jumps` sets another limit.",
        "a call that is repeated millions of times"},
-      {error, "IG-0418", "stopped in a loop after {0} of its blocks: line {1} goes back to line {2}, {3} times so far",
+      {error, "IG-0418",
+       "stopped in a loop after {0} of its blocks: line {1} goes back to line {2}, {3} times so far; --max-loop-blocks "
+       "sets another limit",
        "So that no program runs forever, blocks that run again after a jump back are counted. A main program that "
        "starts over for the next part is such a loop; so is a condition that never comes true. `--max-loop-blocks` "
        "sets another limit.",
@@ -238,6 +241,13 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "The disk or the network failed, or the file became shorter while it was read. Half a program is no program: an "
        "older file under the name of the output stays.",
        "a program on a share that was disconnected"},
+      {error, "IG-0450",
+       "stopped after {0} blocks of repeated calls, in pass {3} of {4} of {1} called at {2}: --max-repeat-blocks sets "
+       "another limit",
+       "So that no output fills the disk, blocks are counted that run again since a call repeats its program. The "
+       "first "
+       "pass of each call is not counted.",
+       "a subprogram of a thousand blocks that is called a million times"},
       // cases, apply, command line: 0500-0599
       {error, "IG-0501", "malformed page: {0}",
        "A case of a page is a heading, prose, and fences after the lines #Previous:, #Ahead:, #Dependencies:, "

@@ -713,8 +713,8 @@ class Subprograms(Command):
 
     def test_endless_programs_end_soon(self):
         for name, program, code in (
-                ("restart", "O1\nG91 X1.\nM99\n", "IG-0418"),
-                ("return", "O1\nN1 M98 P2\nO2\nM99 P1\n", "IG-0418"),
+                ("restart", "O1\nG91 X1.\nM99\n", "IG-0417"),
+                ("return", "O1\nN1 M98 P2\nO2\nM99 P1\n", "IG-0417"),
                 ("itself", "O1\nM98 P1\nM99\n", "ISO-0486"),
                 ("often", "O1\nM98 P2 L9999\nM30\nO2\nM98 P3 L9999\nM99\nO3\nM99\n", "IG-0417")):
             with self.subTest(name):
@@ -769,6 +769,14 @@ class Subprograms(Command):
         self.run_csv(program)
         self.assertIn("IG-0416", self.run_csv(program, "--max-depth", "1", status=1).stderr)
         self.assertIn("IG-0417", self.run_csv(program, "--max-jumps", "2", status=1).stderr)
+        program = self.write("often.nc", "O1\nF100\nM98 P2 L9999\nM30\nO2\nG01 X1.\nM98 P3\nM99\nO3\nG91 X1.\nM99\n")
+        done = self.run_csv(program, "--max-repeat-blocks", "100", status=1)
+        self.assertIn("error: stopped after 100 blocks of repeated calls, in pass 16 of 9999 of O2 called at ",
+                      done.stderr)
+        self.assertIn("often.nc:3: --max-repeat-blocks sets another limit [IG-0450]", done.stderr)
+        self.assertEqual(len(self.xs(done)), 31)
+        program = self.write("loop.nc", "O1\n#1=0\nWHILE[#1LT300000]DO1\n#1=#1+1\n#2=#1\n#2=#1\nEND1\nM30\n")
+        self.assertNotIn("IG-04", self.run_csv(program, "--emit", "none").stderr)  # 1,500,000 blocks
 
 
 class Explain(Command):

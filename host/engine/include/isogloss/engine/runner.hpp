@@ -14,12 +14,13 @@ namespace isogloss {
 
 struct RunOptions {
   ChainSettings chain;
-  bool stop_on_error = false;                     ///< --on-error stop: the control's own stops end the run
-  std::string program;                            ///< O1234: start at that program of the file
-  std::uint64_t maximum_blocks = 0;               ///< 0: no limit
-  std::uint64_t maximum_jumps = 1'000'000;        ///< calls, returns and jumps
-  std::uint64_t maximum_loop_blocks = 1'000'000;  ///< blocks that run again after jumps back
-  std::uint32_t maximum_depth = 100;              ///< of called programs
+  bool stop_on_error = false;                        ///< --on-error stop: the control's own stops end the run
+  std::string program;                               ///< O1234: start at that program of the file
+  std::uint64_t maximum_blocks = 0;                  ///< 0: no limit
+  std::uint64_t maximum_jumps = 1'000'000;           ///< calls, returns and jumps
+  std::uint64_t maximum_loop_blocks = 100'000'000;   ///< blocks that run again after jumps back
+  std::uint64_t maximum_repeat_blocks = 10'000'000;  ///< blocks that run again since a call repeats its program
+  std::uint32_t maximum_depth = 100;                 ///< of called programs
   /// Where called programs may be, in this order: folders, and files that hold several programs.
   std::vector<std::string> program_places;
   std::uint64_t stop_after_line = 0;  ///< ends the run behind this line; 0: no limit (explain)
