@@ -58,9 +58,9 @@ struct TravelCheck {
   RotaryPosition rotary_before_{ig::previous};
   ig::In<double> length_{"ToolHeightCompensation.Offset_mm"};
   ToolKinematics kinematics_;
-  /// The axes of which it was said: until they are back inside.
-  std::array<ig::Signal, names.size()> outside_{outside('X'), outside('Y'), outside('Z'),
-                                                outside('A'), outside('B'), outside('C')};
+  /// A bit for each axis that was reported: until it is back inside. No field of the block, since the blocks that wait
+  /// in the look-ahead window were begun before this one was checked.
+  std::uint32_t outside_ = 0;
   ig::Service<ig_machine_axis_1> machine_{"isogloss.machine-axis/1", ig::Need::optional, "The limits."};
   std::array<AngleRange, names.size()> travel_;
   std::uint32_t limited_ = 0;  // a bit for each axis
@@ -75,28 +75,19 @@ struct TravelCheck {
     if (limited_ == 0) ig::stay_idle();
   }
 
-  ig::Status build(ig::Block& b) const {
-    const std::uint32_t before = outside(b);
-    std::uint32_t now = check_steps(b, before);
-    if ((limited_ & 7u) != 0) now = check_between(b, now);
-    now = check_end(b, now);
-    if (now == before) return ig::Status::unchanged;
-    for (std::size_t axis = 0; axis < names.size(); ++axis) {
-      const std::uint32_t bit = 1u << axis;
-      if ((now & ~before & bit) != 0) b.raise(outside_[axis]);
-      if ((before & ~now & bit) != 0) b.erase(outside_[axis]);
-    }
-    return ig::Status::changed;
+  ig::Status restart(ig::Block&) {
+    outside_ = 0;
+    return ig::Status::unchanged;
+  }
+
+  ig::Status build(ig::Block& b) {
+    outside_ = check_steps(b, outside_);
+    if ((limited_ & 7u) != 0) outside_ = check_between(b, outside_);
+    outside_ = check_end(b, outside_);
+    return ig::Status::unchanged;
   }
 
  private:
-  std::uint32_t outside(const ig::Block& b) const {
-    std::uint32_t mask = 0;
-    for (std::uint32_t rest = limited_; rest != 0; rest &= rest - 1)
-      if (b.is_raised(outside_[axis_of(rest)])) mask |= rest & ~(rest - 1);
-    return mask;
-  }
-
   static std::size_t axis_of(std::uint32_t lowest_bit_of) {
     return static_cast<std::size_t>(std::countr_zero(lowest_bit_of));
   }
@@ -243,9 +234,6 @@ struct TravelCheck {
     for (std::size_t axis = 0; axis < names.size(); ++axis)
       ids[axis] = ig::Field<double>(std::string(section) + names[axis], access).id();
     return ids;
-  }
-  static ig::Signal outside(char axis) {
-    return {std::string("TravelCheck.~Outside") + axis, ig::read | ig::write, ig::Life::modal};
   }
 };
 
