@@ -121,7 +121,8 @@ void Session::say(std::string_view code, Location where, std::initializer_list<s
 int Session::status() const {
   // A syntax that threw, and one that broke the contract, are faults inside, not faults of the input.
   const auto& codes = diagnostics_.by_code();
-  if (codes.contains("IG-0350") || codes.contains("IG-0401") || codes.contains("IG-0402")) return internal_fault;
+  for (const char* const fault : {"IG-0240", "IG-0350", "IG-0401", "IG-0402"})
+    if (codes.contains(fault)) return internal_fault;
   // The program could not be read, or its output could not be written: the same for every input and every output.
   if (codes.contains("IG-0431") || codes.contains("IG-0511")) return cannot_start;
   return diagnostics_.errors() > 0 ? input_errors : success;

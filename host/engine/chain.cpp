@@ -403,13 +403,16 @@ void Chain::begin_block(const BlockSource& source) {
   ends_program = ends_file = alarmed = skip_rest = false;
   split_at = 0;
   failure_said_by = 0;
-  if (settings_.call_all) [[unlikely]]
-    for (std::size_t i = linked_.first_build; i < steps_.size(); ++i) wake(document_, i);
 }
 
 void Chain::wake(Document& d, std::size_t position) const {
   const std::size_t bit = position - linked_.first_build;
   d.active[bit / 64] |= std::uint64_t{1} << (bit % 64);
+}
+
+bool Chain::is_awake(const Document& d, std::size_t position) const {
+  const std::size_t bit = position - linked_.first_build;
+  return (d.active[bit / 64] >> (bit % 64) & 1) != 0;
 }
 
 /// No scanner took this byte of the text.
@@ -505,8 +508,14 @@ void Chain::call_watched(Document& d, std::uint32_t position) {
     return;
   }
   const Document before = d;
+  const bool is_awake_itself = is_awake(d, position);
+  const std::uint64_t reports_before = reports_;
   const ig_status status = run_step(step.self, host_, d.block());
   if (status == IG_FAILED) tell_failure(d, position);
+  if (!is_awake_itself && (reports_ != reports_before || !d.same_content(before))) {
+    const Diagnostic text = host_diagnostic("IG-0240", {}, {linked_.chain[position].element.alias});
+    report(d, text.severity, text.code, text.message, 0, 0);
+  }
   std::string fault;
   if (status != IG_UNCHANGED && status != IG_CHANGED && status != IG_FAILED)
     fault = "its build() returned the status " + std::to_string(status);
@@ -556,6 +565,7 @@ bool Chain::call_looking_ahead(Document& d, std::uint32_t position, std::uint32_
 void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
   const std::uint32_t origin = linked_.first_build;
   const bool is_watched = settings_.mode != Mode::fast;
+  const std::uint64_t forced = settings_.call_all ? ~std::uint64_t{0} : 0;
   const std::uint32_t begin = first;
   first = std::max(first, origin) - origin;
   last = std::max(last, origin) - origin;
@@ -565,7 +575,7 @@ void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
     if (last - base < 64) reach &= ~(~std::uint64_t{0} << (last - base));
     const std::uint64_t& active = d.active[base / 64];
     const Step* const steps = steps_.data() + origin + base;
-    while (const std::uint64_t awake = active & reach) {
+    while (const std::uint64_t awake = (active | forced) & reach) {
       const auto bit = static_cast<unsigned>(__builtin_ctzll(awake));
       reach &= ~std::uint64_t{1} << bit;
       const Step& step = steps[bit];
@@ -598,7 +608,7 @@ void Chain::run(Document& d, std::uint32_t first, std::uint32_t last) {
     for (std::size_t k = 0; k < std::size(inspectors_); ++k) d.active[k] |= inspectors_[k];
   std::uint64_t awake = 0;
   for (std::size_t k = 0; k < std::size(inspection_); ++k) awake |= d.active[k] & inspection_[k];
-  if (awake != 0) run_range(d, inspection, last);
+  if (awake != 0 || settings_.call_all) run_range(d, inspection, last);
 }
 
 ig_status Chain::build(std::uint32_t position) {
@@ -634,6 +644,7 @@ void Chain::place_in_joined(const Document& d, std::uint32_t begin, std::uint32_
 
 void Chain::report(const Document& d, Severity severity, std::string_view code, std::string message,
                    std::uint32_t begin, std::uint32_t end, std::string hint) {
+  ++reports_;
   const auto& severities = linked_.dialect.severities;
   if (!severities.empty())
     if (const auto found = severities.find(std::string(code)); found != severities.end()) severity = found->second;

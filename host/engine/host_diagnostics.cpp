@@ -136,6 +136,10 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "Acme.Message"},
       {error, "IG-0223", "{0} is inspecting, but does not stand in the stage Inspection",
        "Leftovers are known only when every other syntax has run.", "UnconsumedCheckSyntax under <Logic>"},
+      {error, "IG-0240", "{0} acts in this block, though nothing that it declares wakes it: check that in its build()",
+       "Found by run --checked --call-all, which calls every syntax in every block: a syntax that depends on not being "
+       "called gives another result as soon as another declaration wakes it. This is a fault of the plugin.",
+       "a syntax that reads a word without asking whether the block holds it"},
       // libraries and plugins: 0300-0399
       {error, "IG-0301", "{0}: not a shared library ({1})",
        "The file in a plugin folder ends in .so but cannot be read as a shared library of this machine.", "notes.so"},

@@ -21,7 +21,7 @@ struct KlartextCycleCheck {
   ig::Status build(ig::Block& b) const {
     if (b.is_raised(done_)) return ig::Status::unchanged;
     const bool is_called = b.has(call_);
-    if (!is_called && b.get(words_).mask == 0) return ig::Status::unchanged;
+    if (!is_called && (!b.has(modal_call_) || b.get(words_).mask == 0)) return ig::Status::unchanged;
     const bool is_pattern = b.has(pattern_);
     const std::string_view call = is_pattern ? "the pattern" : is_called ? "CYCL CALL or M99" : "M89";
     const std::int64_t number = b.get_or(number_, std::int64_t{0});

@@ -53,7 +53,7 @@ struct KlartextMotion {
 
   ig::Status build(ig::Block& b) {
     const ig::Symbol function = b.get_or(function_, ig::Symbol{});
-    if (function == cc_) return ig::Status::unchanged;
+    if (!b.has(function_) || function == cc_) return ig::Status::unchanged;
     const ig::PartialVec3 named = b.get(words_);
     ig_value steps[3];
     const std::uint32_t has_steps = b.host()->take_many(b.raw(), steps_.data(), 3, steps);

@@ -30,6 +30,7 @@ struct KlartextPlaneRetract {
   iso::ToolSteps steps_;
 
   ig::Status build(ig::Block& b) const {
+    if (!b.has(distance_) && !b.has(to_limit_)) return ig::Status::unchanged;
     const ig::PartialVec3 here = b.get(machine_);
     double minimum = 0, maximum = 0;
     const bool is_known = axes_ && axes_->travel(axes_->self, 'Z', &minimum, &maximum) != 0;

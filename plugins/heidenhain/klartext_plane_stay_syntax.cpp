@@ -24,6 +24,7 @@ struct KlartextPlaneStay {
   iso::ToolKinematics machine_;
 
   ig::Status build(ig::Block& b) {
+    if (!b.has(stay_)) return ig::Status::unchanged;
     b.set(aligned_, true);
     if (!machine_) return ig::Status::changed;
     iso::Angles angles{};

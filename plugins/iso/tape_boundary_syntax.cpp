@@ -35,7 +35,9 @@ struct TapeBoundarySyntax {
     return end;
   }
 
+  /// The number counts in the block behind its own.
   ig::Status build(ig::Block& b) {
+    if (!b.is_raised(number_before) || b.is_fresh(number_before)) return ig::Status::unchanged;
     b.erase(number_before);
     return ig::Status::changed;
   }

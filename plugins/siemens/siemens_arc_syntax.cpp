@@ -57,8 +57,8 @@ struct SiemensArc {
     }
     if (b.is_raised(through_)) return through_point(b, cip) || any ? ig::Status::changed : ig::Status::unchanged;
     if (b.find(others_)) return any ? ig::Status::changed : ig::Status::unchanged;
-    const bool has_words = b.get(words_).mask != 0;
-    if (has_words && is_bent(b)) b.report(diag("SIE-0225"), ig::Where::block());
+    const bool is_arc = arc || b.is(clockwise_, g02_) || b.is(counterclockwise_, g03_);
+    if (is_arc && b.get(words_).mask != 0 && is_bent(b)) b.report(diag("SIE-0225"), ig::Where::block());
     if (const auto angle = b.take(ar_)) {
       by_angle(b, *angle, arc ? *arc == 1 : b.is(counterclockwise_, g03_));
       any = true;

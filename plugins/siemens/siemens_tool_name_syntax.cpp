@@ -22,6 +22,7 @@ struct SiemensToolName {
   }
 
   ig::Status build(ig::Block& b) {
+    if (!b.has(name_)) return ig::Status::unchanged;
     const std::string_view name = b.text(name_);
     const ig::Decimal n = ig::read_decimal(name, 0);
     if (const auto id = n.ok && n.end == name.size() ? iso::whole_number(n.value) : std::nullopt) {

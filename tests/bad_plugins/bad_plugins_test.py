@@ -182,6 +182,14 @@ class BadPlugins(unittest.TestCase):
                 self.assertIn("[IG-0402]", done.stderr)
                 self.assertIn("BadSyntax", done.stderr)
 
+    def test_a_syntax_that_acts_where_nothing_wakes_it_is_named(self):
+        """It wakes at X, so line 1 is none of its blocks; nobody sees it until all syntaxes are called."""
+        self.assertNotIn("IG-0240", self.run_with("acts_unasked", "--checked").stderr)
+        done = self.run_with("acts_unasked", "--checked", "--call-all")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("part.nc:1:1: error: BadSyntax acts in this block", done.stderr)
+        self.assertIn("[IG-0240]", done.stderr)
+
     def test_a_value_of_another_type_does_no_harm(self):
         """The fast table takes it: the frame stays what it was, and the tool goes where it goes without the plugin."""
         sound = self.run_it("run", self.program, "-d", "iso").stdout

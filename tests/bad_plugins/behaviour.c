@@ -18,6 +18,8 @@ static const ig_field_decl fields[] = {SOUND_FIELD("Parsing.X", IG_READ | IG_WAK
 #elif defined(FAULT_sets_a_text_as_number)
                                        {sizeof(ig_field_decl), IG_READ | IG_WRITE, IG_TEXT, IG_LIFE_STANDARD,
                                         "Comment.Text", "", "", 0}};
+#elif defined(FAULT_acts_unasked)
+                                       SOUND_FIELD("Feedrate.FeedrateValue", IG_READ | IG_WRITE)};
 #else
                                        SOUND_FIELD("Feedrate.FeedrateValue", IG_READ)};
 #endif
@@ -69,6 +71,10 @@ static ig_status build(void* self, const ig_host* host, ig_block* block) {
   const ig_value value = {.integer = INT64_MAX};
   host->set(block, ids_of_chain[1], value);
   host->text(block, ids_of_chain[1]);
+#elif defined(FAULT_acts_unasked)
+  const ig_value value = {.number = 1};
+  host->set(block, ids_of_chain[1], value);
+  return IG_CHANGED;
 #elif defined(FAULT_crashes_in_build)
   crash();
 #elif defined(FAULT_exits_in_build)

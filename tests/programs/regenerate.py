@@ -4,7 +4,8 @@
   regenerate.py --isogloss PATH [--check] [FOLDER/NAME...]
 
 Writes the expectations anew, or with --check compares and shows what changed. NAME.args beside a program holds more
-arguments. The checked host runs them: a syntax that breaks the contract shows among the diagnostics. Before an
+arguments. The checked host runs them: a syntax that breaks the contract shows among the diagnostics. Each program runs
+once more with --call-all, which must give the same motions and diagnostics: this proves what wakes a syntax. Before an
 expectation is committed somebody has read it against the control's manual.
 """
 import argparse
@@ -17,12 +18,12 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 
 
-def results(isogloss, program):
+def results(isogloss, program, *more):
     """{expectation file: text} of one run."""
     arguments = program.with_suffix(".args")
     extra = shlex.split(arguments.read_text()) if arguments.exists() else []
     run = subprocess.run([isogloss, "run", program.name, "-d", program.parent.name, "--checked", "--emit", "motions",
-                          "--format", "csv", *extra], cwd=program.parent, capture_output=True, text=True, timeout=60, check=False)
+                          "--format", "csv", *more, *extra], cwd=program.parent, capture_output=True, text=True, timeout=60, check=False)
     if run.returncode not in (0, 1):
         raise RuntimeError(f"exit status {run.returncode}\n{run.stderr}")
     said = [line for line in run.stderr.splitlines(True) if ".xml:" not in line]  # the dialect has tests of its own
@@ -44,11 +45,16 @@ def main():
         title = program.relative_to(HERE).with_suffix("")
         try:
             texts = results(isogloss, program)
+            with_all = results(isogloss, program, "--call-all")
         except (RuntimeError, subprocess.TimeoutExpired) as error:
             changed += 1
             print(f"{title}: {error}")
             continue
         for path, text in texts.items():
+            if with_all[path] != text:
+                changed += 1
+                sys.stdout.writelines(difflib.unified_diff(text.splitlines(True), with_all[path].splitlines(True),
+                                                           path.name, f"{path.name} (--call-all)", n=1))
             old = path.read_text() if path.exists() else ""
             if text == old:
                 continue

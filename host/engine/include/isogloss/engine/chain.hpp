@@ -88,6 +88,8 @@ class Chain {
   ig_status build(std::uint32_t position);
   /// run() calls the syntax there, which has a build().
   void wake(Document& document, std::size_t position) const;
+  /// Whether something woke the syntax there. With call_all run() calls the others as well.
+  bool is_awake(const Document& document, std::size_t position) const;
   std::size_t scan_with(std::uint32_t position);  ///< one scanner alone over the whole text
 
   /// Called before and after each build() in traced mode.
@@ -156,6 +158,7 @@ class Chain {
   std::unique_ptr<LinePlaces> joined_;  // of the block, once it needs them
   SymbolTable symbols_;
   Document document_;
+  std::uint64_t reports_ = 0;  // diagnostics of this chain so far
   const ig_host* host_;
   ig_flow_1 flow_service_;
   struct Step {
