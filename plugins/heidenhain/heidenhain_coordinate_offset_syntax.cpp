@@ -4,6 +4,7 @@
 
 #include "coordinate_offset_util.hpp"
 #include "datum_shift.hpp"
+#include "rotary_offset_util.hpp"
 
 namespace heidenhain {
 namespace {
@@ -35,7 +36,10 @@ struct HeidenhainCoordinateOffset {
   ig::Status restart(ig::Block& b) {
     double origin[3] = {};
     const std::string_view id = b.text(b.get_or(id_, ig::Symbol{}));
-    if (!id.empty()) table_->get(table_->self, ig::to_text(id), origin);
+    if (!id.empty()) {
+      table_->get(table_->self, ig::to_text(id), origin);
+      say_turned(b, id, ig::Where::block());
+    }
     offset_.set(b, {origin[0], origin[1], origin[2]});
     local_.restore(b);
     return ig::Status::changed;
@@ -67,10 +71,16 @@ struct HeidenhainCoordinateOffset {
     const ig::Symbol preset = b.symbol(id);
     if (table_->get(table_->self, ig::to_text(id), origin) == 0 && !b.is(id_, preset))
       b.report(hei("HEI-0174"), where, number);
+    say_turned(b, id, where);
     b.set(id_, preset);
     offset_.set(b, {origin[0], origin[1], origin[2]});
     local_.set(b, {});  // a preset cancels the shift
     turned_.end(b);
+  }
+
+  void say_turned(ig::Block& b, std::string_view id, ig::Where where) const {
+    if (const auto turned = iso::rotary_origin(table_, id); turned && *turned != iso::Angles{})
+      b.report(hei("HEI-0200"), where, id);
   }
 
   void shift(ig::Block& b) const {

@@ -11,6 +11,7 @@ namespace iso {
 namespace {
 
 enum class Motion { modal, rapid };
+enum class UnreachableP { alarm, alternative };
 enum class CenterSide { beyond_tip, towards_holder };
 
 struct G53p1RotaryPosition {
@@ -56,6 +57,9 @@ struct G53p1RotaryPosition {
                                      "Which solution is taken without P: the smallest way of the first axis, of both "
                                      "together, of the one that goes farther; the first axis at 0 or positive, at 0 or "
                                      "negative."};
+  ig::Choice<UnreachableP> unreachable_p_{"unreachable-p", "alarm|alternative", "alarm",
+                                          "What follows where the solution that P names lies outside the travel: an "
+                                          "alarm, or the other solution."};
   ig::Choice<CenterSide> center_side_{"center-side", "beyond-tip|towards-holder", "beyond-tip",
                                       "Where the point lies, R from the tip, that rests under a G53.6 with R."};
 
@@ -135,7 +139,9 @@ struct G53p1RotaryPosition {
     const PartialAngles wanted = take_rotary(b, present);
     RotaryCandidates found = solver_.candidates(machine_, normal, present);
     if (wanted.mask != 0) return by_words(found, wanted, present, choice);
-    const auto angles = RotarySolver::choose(machine_, found, present, choice);
+    auto angles = RotarySolver::choose(machine_, found, present, choice);
+    if (!angles && p != 0 && unreachable_p_ == UnreachableP::alternative)
+      angles = RotarySolver::choose(machine_, found, present, SolutionChoice::min_first);
     if (angles) return angles;
     if (found.is_reachable)
       b.report(tool_center_diag("ISO-0444"), where, written(b, call));

@@ -1,6 +1,7 @@
 /// G54 to G57, G505 to G599 and G500: which of the settable work offsets the program counts from. The base frame of the
 /// table (BASE) is added to each; under G500 it is alone.
 #include "coordinate_offset_util.hpp"
+#include "rotary_offset_util.hpp"
 #include "siemens_diagnostics.hpp"
 
 namespace siemens {
@@ -65,6 +66,9 @@ struct SiemensCoordinateOffset {
       return;
     }
     if (table_->get(table_->self, ig::to_text("BASE"), base) == 0) base[0] = base[1] = base[2] = 0;
+    for (const std::string_view row : {b.text(id), std::string_view("BASE")})
+      if (const auto turned = iso::rotary_origin(table_, row); turned && *turned != iso::Angles{})
+        b.report(diag("SIE-0300"), where, row);
     b.set(id_, id);
     offset_.set(b, {own[0] + base[0], own[1] + base[1], own[2] + base[2]});
   }

@@ -3,6 +3,7 @@
 /// (A3= B3= C3=). TRAFOOF ends it.
 #include "axis_modes.hpp"
 #include "plane_util.hpp"
+#include "program_xyz_util.hpp"
 #include "rotary_position.hpp"
 #include "tool_kinematics.hpp"
 
@@ -12,12 +13,15 @@ namespace {
 struct SiemensTransformation {
   static constexpr auto spec =
       ig::syntax("SiemensTransformationSyntax", "TRAORI and TRAFOOF: the tip of the tool is led.")
-          .after("ParameterizedFlagSyntax", "SiemensUnitSyntax", "G53p1RotaryPositionSyntax")
+          .after("ParameterizedFlagSyntax", "SiemensUnitSyntax", "PositioningModeSyntax", "SiemensFrameSyntax", "G53p1RotaryPositionSyntax")
           .before("SiemensToolOffsetSyntax", "ToolCenterPointSyntax", "SiemensPositionSyntax");
 
   ig::Codes on_{"TRAORI"}, off_{"TRAFOOF"};
   ig::Codes planes_{{"G17", "G18", "G19"}, ig::read};
   ig::Codes arcs_{{"G02", "G03", "CIP"}, ig::read};
+  ig::Codes straights_{{"G00", "G01"}, ig::read};
+  ig::Transform programmable_{"ProgrammableFrame", ig::read};
+  iso::DistanceMode distance_;
   ig::In<ig::Symbol> motion_{"MotionState.Term"};
   ig::InWhile<ig::Symbol> by_angles_{"ToolHeightCompensation.Term", "G43.4", ig::write};
   ig::InWhile<ig::Symbol> by_direction_{"ToolHeightCompensation.Term", "G43.5"};
@@ -69,12 +73,20 @@ struct SiemensTransformation {
     const bool has_vector = b.has(vector_[0]) || b.has(vector_[1]) || b.has(vector_[2]);
     const bool by_vector = has_vector && take_vector(b);
     const bool is_by_vector = b.is(by_direction_, g43_5_);
-    if (by_vector ? on || !is_by_vector : on || (is_by_vector && has_angles)) b.set_call(tip_, by_vector ? 1 : 0);
+    // I J K of an arc are its centre and no direction: the tool rests in its angles.
+    const bool ends_vector = is_by_vector && (has_angles || is_arc(b));
+    if (on || (by_vector ? !is_by_vector : ends_vector)) b.set_call(tip_, by_vector ? 1 : 0);
     return ig::Status::changed;
   }
 
  private:
-  /// Angles that a word counts from the present one, or in a direction, become angles of the machine.
+  bool is_arc(const ig::Block& b) const {
+    const ig::Symbol in_force = b.get_or(motion_, ig::Symbol{});
+    return b.find(arcs_) || (!b.find(straights_) && (in_force == g02_ || in_force == g03_));
+  }
+
+  /// Angles that a word counts from the present one, or in a direction, become angles of the machine; under G91 the way
+  /// there, since every syntax that follows counts a bare word as a distance.
   bool take_modes(ig::Block& b) const {
     bool any = false;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -83,25 +95,32 @@ struct SiemensTransformation {
       any = true;
       const auto mode = modes_.get(b, 3 + i);
       if (!mode) continue;
-      const double to = turn_.position(b, ig::Where::word(rotary_[i].id()), *word, *mode, b.get_or(angles_[i], 0.0));
-      b.host()->rewrite(b.raw(), rotary_[i].id(), {.number = to});
-      modes_.set(b, 3 + i, turn_.ac);
+      const double present = b.get_or(angles_[i], 0.0);
+      const double to = turn_.position(b, ig::Where::word(rotary_[i].id()), *word, *mode, present);
+      const bool is_distance = distance_.is_incremental(b);
+      b.host()->rewrite(b.raw(), rotary_[i].id(), {.number = is_distance ? to - present : to});
+      modes_.set(b, 3 + i, is_distance ? turn_.ic : turn_.ac);
     }
     return any;
   }
 
-  /// False where the block is an arc, whose I J K are its centre.
+  /// False where the block is an arc, whose I J K are its centre. The direction turns with ROT and MIRROR, as X Y Z do.
   bool take_vector(ig::Block& b) const {
-    const ig::Symbol in_force = b.get_or(motion_, ig::Symbol{});
-    const bool is_arc = b.find(arcs_) || in_force == g02_ || in_force == g03_;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto component = b.take(vector_[i]);
-      if (!is_arc) b.set(direction_[i], component.value_or(0));
-    }
-    if (is_arc)
+    std::array<double, 3> v{};
+    for (std::size_t i = 0; i < 3; ++i) v[i] = b.take(vector_[i]).value_or(0);
+    if (is_arc(b)) {
       b.report(diag("SIE-0262"), ig::Where::block(),
                std::string_view("A3= B3= C3= in an arc: the tool keeps its direction"));
-    return !is_arc;
+      return false;
+    }
+    iso::Mat4 m;
+    if (b.host()->transform(b.raw(), programmable_.id(), m.data()) == 0) m = iso::identity_frame;
+    std::array<double, 3> turned{};
+    for (std::size_t row = 0; row < 3; ++row)
+      if (const auto axis = iso::unit({m[4 * row], m[4 * row + 1], m[4 * row + 2]}))
+        for (std::size_t i = 0; i < 3; ++i) turned[i] += v[row] * (*axis)[i];
+    for (std::size_t i = 0; i < 3; ++i) b.set(direction_[i], turned[i]);
+    return true;
   }
 
   /// The length lies along the axis of the plane again, or along the tool that CYCLE800 has put upright.
