@@ -196,11 +196,12 @@ inline constexpr std::array klartext_diagnostics{
     ig::diagnostic(IG_WARNING, "HEI-0190", "the program ends here without END PGM, M2 or M30",
                    "The run ends. The file may have been cut off: what is missing is not known.",
                    "BEGIN PGM 1 MM (with no END PGM behind it)"),
-    ig::diagnostic(IG_ERROR, "HEI-0200",
-                   "{0} has an offset in A, B or C that is not executed: positions of rotary axes may be wrong",
-                   "Of a preset X, Y and Z are executed. Add the offset to the angles of the program, or set it to 0 in "
-                   "the table.",
-                   "5 CYCL DEF 247 Q339=1 (with an offset of C in preset 1)"),
+    ig::diagnostic(
+        IG_ERROR, "HEI-0200",
+        "{0} has an offset in A, B or C that is not executed: positions of rotary axes may be wrong",
+        "Of a preset X, Y and Z are executed. Add the offset to the angles of the program, or set it to 0 in "
+        "the table.",
+        "5 CYCL DEF 247 Q339=1 (with an offset of C in preset 1)"),
 };
 
 consteval std::uint32_t hei(std::string_view code) { return iso::index_of(klartext_diagnostics, code, 0); }

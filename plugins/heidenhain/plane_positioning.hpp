@@ -44,8 +44,9 @@ class PlanePositioning {
     }
     return best;
   }
-  /// A table that carries the workpiece and lies square to the tool is free: no angle of it leans the tool. TABLE ROT turns
-  /// it until X of a level plane lies along X of the machine, COORD ROT to 0; a plane that is not level leaves it alone.
+  /// A table that carries the workpiece and lies square to the tool is free: no angle of it leans the tool. TABLE ROT
+  /// turns it until X of a level plane lies along X of the machine, COORD ROT to 0; a plane that is not level leaves it
+  /// alone.
   iso::Angles with_free_axis(const iso::Angles& upright, const iso::Mat4& plane, const iso::Angles& now,
                              bool turns_table) const {
     const std::size_t last = machine_.count() - 1, axis = machine_.axis(last);

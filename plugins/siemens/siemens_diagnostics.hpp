@@ -323,11 +323,12 @@ inline constexpr std::array diagnostics{
         IG_ERROR, "SIE-0289", "{0} holes of the pattern before this block are not made",
         "The subprogram that MCALL calls at the holes ends with M17 or RET; this one did not come back to them.",
         "MCALL UP (then) HOLES1(0,0,0,0,10,5)"),
-    ig::diagnostic(IG_ERROR, "SIE-0300",
-                   "{0} has an offset in A, B or C that is not executed: positions of rotary axes may be wrong",
-                   "Of a settable frame X, Y and Z are executed. Add the offset to the angles of the program, or set it "
-                   "to 0 in the table.",
-                   "G54 (with an offset of C in its row)"),
+    ig::diagnostic(
+        IG_ERROR, "SIE-0300",
+        "{0} has an offset in A, B or C that is not executed: positions of rotary axes may be wrong",
+        "Of a settable frame X, Y and Z are executed. Add the offset to the angles of the program, or set it "
+        "to 0 in the table.",
+        "G54 (with an offset of C in its row)"),
 };
 
 consteval std::uint32_t diag(std::string_view code) { return iso::index_of(diagnostics, code, 0); }

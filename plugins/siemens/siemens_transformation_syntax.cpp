@@ -13,7 +13,8 @@ namespace {
 struct SiemensTransformation {
   static constexpr auto spec =
       ig::syntax("SiemensTransformationSyntax", "TRAORI and TRAFOOF: the tip of the tool is led.")
-          .after("ParameterizedFlagSyntax", "SiemensUnitSyntax", "PositioningModeSyntax", "SiemensFrameSyntax", "G53p1RotaryPositionSyntax")
+          .after("ParameterizedFlagSyntax", "SiemensUnitSyntax", "PositioningModeSyntax", "SiemensFrameSyntax",
+                 "G53p1RotaryPositionSyntax")
           .before("SiemensToolOffsetSyntax", "ToolCenterPointSyntax", "SiemensPositionSyntax");
 
   ig::Codes on_{"TRAORI"}, off_{"TRAFOOF"};
