@@ -309,12 +309,15 @@ TEST_CASE("loops end at their limits, which name them") {
   Fixture f;
   const std::clock_t begin = std::clock();  // a busy machine is not the program's fault
   SECTION("a jump to itself") {
+    f.options.maximum_loop_blocks = 1'000'000;
     f.run("a\n=n;>n");
     CHECK(f.codes() == "IG-0418");
     CHECK(f.diagnostics.all[0].message ==
-          "stopped in a loop after 1000000 of its blocks: line 2 goes back to line 2, 500001 times so far");
+          "stopped in a loop after 1000000 of its blocks: line 2 goes back to line 2, 500001 times so far; "
+          "--max-loop-blocks sets another limit");
   }
   SECTION("a program that starts over") {
+    f.options.maximum_loop_blocks = 1'000'000;
     f.run("a\nb\n$");
     CHECK(f.codes() == "IG-0418");
     CHECK(f.diagnostics.all[0].where.line == 3);
@@ -334,7 +337,13 @@ TEST_CASE("loops end at their limits, which name them") {
     f.run("!s*9\n%\n:s\n^");
     CHECK(f.codes() == "IG-0417");
   }
+  SECTION("the blocks of a call that is repeated") {
+    f.options.maximum_repeat_blocks = 5;
+    f.run("!s*9\n%\n:s\na\n^");
+    CHECK(f.codes() == "IG-0450");
+  }
   SECTION("a return to before the call") {
+    f.options.maximum_loop_blocks = 1'000'000;
     f.run("=n\n!s\n%\n:s\n^n");
     CHECK(f.codes() == "IG-0418");
     CHECK(f.diagnostics.all[0].message.find("line 2 goes back to line 1") != std::string::npos);
