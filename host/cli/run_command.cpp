@@ -240,12 +240,15 @@ int RunCommand::run() {
   auto tables = read_table_requests(save_table, session);
   if (!options || !tables) return cannot_start;
   tables_to_save = std::move(*tables);
-  std::vector<std::string> inputs = programs, outputs = {output};
-  for (const std::string& table : {program.dialect, program.machine, program.offsets, program.tools, program.variables})
-    inputs.push_back(table);
-  inputs.insert(inputs.end(), program.subprograms.begin(), program.subprograms.end());
-  for (const auto& [name, file] : tables_to_save) outputs.push_back(file);
-  if (!are_apart(inputs, outputs, session)) return cannot_start;
+  std::vector<std::string> sources = programs, saved;
+  sources.push_back(program.dialect);
+  sources.insert(sources.end(), program.subprograms.begin(), program.subprograms.end());
+  const std::vector<std::string> given = {program.machine, program.offsets, program.tools, program.variables};
+  for (const auto& [name, file] : tables_to_save) saved.push_back(file);
+  // A table may be saved where it came from: the next run takes it up again.
+  std::vector<std::string> outputs = saved;
+  outputs.push_back(output);
+  if (!are_apart(sources, outputs, session) || !are_apart(given, {output}, session)) return cannot_start;
   options->chain.mode = checked ? Mode::checked : Mode::fast;
   options->chain.call_all = call_all;
   watch_calls(program.watchdog);

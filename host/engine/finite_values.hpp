@@ -26,15 +26,20 @@ class FiniteValues {
     return has_overflowed_ || !(size < largest);
   }
 
-  /// The path of a number that is not finite, or too large for its square to be; empty: there is none.
+  /// The path of a number that is not finite, or of a coordinate too large for its square to be finite; empty: there
+  /// is none.
   std::string find_overflow(const Document& d) const {
     const Layout& layout = d.layout();
+    for (const ig_field f : machine_)
+      if (d.present(f) && !(std::fabs(d.number(f)) < largest)) return layout.fields[f].path;
     for (ig_field f = 0; f < d.size(); ++f)
-      if (layout.fields[f].type == IG_NUMBER && !layout.fields[f].hidden && d.present(f) && overflows(d.number(f)))
+      if (layout.fields[f].type == IG_NUMBER && !layout.fields[f].hidden && d.present(f) && !std::isfinite(d.number(f)))
         return layout.fields[f].path;
     for (std::size_t l = 0; l < d.lists.size(); ++l) {
       const ListData& list = d.lists[l];
       const std::vector<FieldInfo>& fields = layout.lists[l].fields;
+      const bool has_coordinates = layout.lists[l].path == "CompoundMotion.Items";
+      const auto overflows = [&](double v) { return has_coordinates ? !(std::fabs(v) < largest) : !std::isfinite(v); };
       for (std::size_t r = 0; r < list.present.size(); ++r)
         for (std::size_t i = 0; i < fields.size(); ++i)
           if (fields[i].type == IG_NUMBER && (list.present[r] >> i & 1) != 0 &&
@@ -44,14 +49,13 @@ class FiniteValues {
     for (const ig_field f : layout.transforms)
       if (d.present(f))
         for (const double v : d.frame(f).matrix)
-          if (overflows(v)) return layout.fields[f].path;
+          if (!std::isfinite(v)) return layout.fields[f].path;
     return {};
   }
 
  private:
   static constexpr int flags = FE_OVERFLOW | FE_DIVBYZERO | FE_INVALID;
   static constexpr double largest = 1e100;
-  static bool overflows(double v) { return !(std::fabs(v) < largest); }
 
   ig_field machine_[3];
   bool has_overflowed_ = false;

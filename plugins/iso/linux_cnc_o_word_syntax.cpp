@@ -13,13 +13,10 @@ struct LinuxCncOWord {
                                    .before("ProgramNumberSyntax", "MacroStatementSyntax", "WordSyntax")
                                    .scans("Oo");
 
-  ig::TextField text_{"Source.OWord", ig::write};
-
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (!stands_first(text, position) || !begins_o_word(text, position)) return position;
     const std::size_t end = block_end(text, position);
     const std::string_view word = trim(piece(text, position, std::min(end, text.find(';', position))));
-    b.set_text(text_, word);
     b.report(recognition_diag("ISO-0541"), ig::Where::columns(position, position + word.size()), word);
     b.end_program();
     b.flow(IG_FLOW_END_FILE);
