@@ -601,6 +601,11 @@ void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
 
 void Chain::run(Document& d, std::uint32_t first, std::uint32_t last) {
   running = &d;
+  run_and_inspect(d, first, last);
+  running = &document_;  // a block of the look-ahead window ends before the chain does
+}
+
+void Chain::run_and_inspect(Document& d, std::uint32_t first, std::uint32_t last) {
   const std::uint32_t inspection = std::clamp(linked_.inspection_begin, first, last);
   run_range(d, first, inspection);
   if (inspection == last || waits_at != 0) return;

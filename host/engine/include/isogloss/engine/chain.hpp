@@ -143,6 +143,7 @@ class Chain {
   void assign(const std::string& path, const std::string& value);
   void call_watched(Document& document, std::uint32_t position);  // checked and traced modes
   bool call_looking_ahead(Document& document, std::uint32_t position, std::uint32_t first);
+  void run_and_inspect(Document& d, std::uint32_t first, std::uint32_t last);
   void run_range(Document& document, std::uint32_t first, std::uint32_t last);
   void leave_byte(Document& document, std::size_t position);
   void tell_failure(const Document& document, std::uint32_t position);
