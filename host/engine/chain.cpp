@@ -83,7 +83,8 @@ Chain::Chain(const LinkedDialect& linked, ChainSettings settings, DiagnosticSink
       symbols_(linked.symbols),
       document_(linked.layout, linked.wake, linked.wake_words),
       host_(&host_table(settings_.mode)),
-      flow_service_(flow_service()) {
+      flow_service_(flow_service()),
+      is_plain_(settings_.mode == Mode::fast && !settings_.call_all) {
   document_.chain = this;
   if (settings_.mode == Mode::traced) document_.set_line.resize(document_.size());
   try {
@@ -386,7 +387,7 @@ void Chain::start(std::string_view file) {
     try {
       restart(steps_[i].self, host_, document_.block());
     } catch (...) {
-      tell_exception(document_, static_cast<std::uint32_t>(i), "restart");
+      tell_exception(document_, "restart");
     }
   }
   document_.current = 0;
@@ -428,19 +429,6 @@ bool Chain::is_awake(const Document& d, std::size_t position) const {
   d.add_leftover(IG_LEFT_TEXT, IG_NO_FIELD, begin, begin + 1, d.source.text.substr(position, 1));
 }
 
-std::size_t Chain::ask_scanner(std::uint32_t position, std::size_t at) {
-  const std::string_view text = document_.source.text;
-  const Step& step = steps_[position];
-  document_.current = static_cast<std::uint16_t>(position + 1);
-  try {
-    const std::size_t end = step.scan(step.self, host_, document_.block(), text.data(), text.size(), at);
-    return end <= text.size() ? end : refuse_end(at);
-  } catch (...) {
-    tell_exception(document_, position, "scan");
-    return at;
-  }
-}
-
 /// What a scanner says to have taken beyond the text it has not seen: the byte is nobody's.
 [[gnu::cold]] std::size_t Chain::refuse_end(std::size_t at) {
   const LinkedSyntax& s = linked_.chain[document_.current - 1u];
@@ -451,12 +439,11 @@ std::size_t Chain::ask_scanner(std::uint32_t position, std::size_t at) {
   return at;
 }
 
-std::size_t Chain::scan() {
+/// The bytes from the position on. It is kept where the caller sees it: a scanner may throw.
+[[gnu::always_inline]] inline void Chain::scan_from(std::size_t& position) {
   Document& d = document_;
   const char* const text = d.source.text.data();
   const std::size_t size = d.source.text.size();
-  std::size_t position = 0;
-  is_scanning_ = true;
   while (position < size) {
     const auto c = static_cast<unsigned char>(text[position]);
     if (is_blank(c)) {
@@ -473,9 +460,13 @@ std::size_t Chain::scan() {
     }
     std::size_t next = position;
     for (const std::uint16_t scanner : scanners_[c]) {
-      next = ask_scanner(scanner, position);
+      const Step& step = steps_[scanner];
+      d.current = static_cast<std::uint16_t>(scanner + 1);
+      next = step.scan(step.self, host_, d.block(), text, size, position);
       if (next > position) break;
     }
+    if (next > size) [[unlikely]]
+      next = refuse_end(position);
     if (next <= position) {
       next = position + 1;
       leave_byte(d, position);
@@ -483,8 +474,21 @@ std::size_t Chain::scan() {
     position = next;
     if (split_at != 0 || skip_rest || ends_file) break;
   }
+}
+
+std::size_t Chain::scan() {
+  const std::size_t size = document_.source.text.size();
+  std::size_t position = 0;
+  is_scanning_ = true;
+  for (bool is_done = false; !is_done;) try {
+      scan_from(position);
+      is_done = true;
+    } catch (...) {
+      tell_exception(document_, "scan");
+      leave_byte(document_, position++);
+    }
   is_scanning_ = false;
-  d.current = 0;
+  document_.current = 0;
   return split_at != 0 ? std::min(split_at, size) : size;
 }
 
@@ -537,7 +541,10 @@ void Chain::tell_failure(const Document& d, std::uint32_t position) {
   failure_said_by = 0;
 }
 
-[[gnu::cold]] void Chain::tell_exception(const Document& d, std::uint32_t position, const char* phase) {
+/// Of the syntax at work; what the host itself throws goes on.
+[[gnu::cold]] void Chain::tell_exception(const Document& d, const char* phase) {
+  if (d.current == 0) throw;
+  const std::uint32_t position = d.current - 1u;
   const LinkedSyntax& s = linked_.chain[position];
   const Diagnostic text = exception_diagnostic(*s.plugin, s.element.alias, phase, {});
   report(d, text.severity, text.code, text.message, 0, 0);
@@ -562,11 +569,14 @@ bool Chain::call_looking_ahead(Document& d, std::uint32_t position, std::uint32_
   return true;
 }
 
-void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
+/// Calls what is awake. `begin` is where this pass over the block began: a syntax that looks ahead may have to wait.
+/// Plain is the fast mode without call_all, which pays for neither.
+template <bool is_plain>
+[[gnu::always_inline]] inline void Chain::call_steps(Document& d, std::uint32_t begin, std::uint32_t first,
+                                                     std::uint32_t last) {
   const std::uint32_t origin = linked_.first_build;
-  const bool is_watched = settings_.mode != Mode::fast;
-  const std::uint64_t forced = settings_.call_all ? ~std::uint64_t{0} : 0;
-  const std::uint32_t begin = first;
+  const bool is_watched = !is_plain && settings_.mode != Mode::fast;
+  const std::uint64_t forced = !is_plain && settings_.call_all ? ~std::uint64_t{0} : 0;
   first = std::max(first, origin) - origin;
   last = std::max(last, origin) - origin;
   ig_block* const block = d.block();
@@ -580,40 +590,48 @@ void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
       reach &= ~std::uint64_t{1} << bit;
       const Step& step = steps[bit];
       const std::uint32_t position = origin + base + bit;
-      try {
-        if (step.build == nullptr) [[unlikely]] {
-          if (!call_looking_ahead(d, position, begin)) return;
-          continue;
-        }
-        d.current = static_cast<std::uint16_t>(position + 1);
-        ++builds;
-        if (is_watched) [[unlikely]]
-          call_watched(d, position);
-        else if (step.build(step.self, host_, block) == IG_FAILED) [[unlikely]]
-          tell_failure(d, position);
-      } catch (...) {
-        tell_exception(d, position, "build");
+      if (step.build == nullptr) [[unlikely]] {
+        if (!call_looking_ahead(d, position, begin)) return;
+        continue;
       }
+      d.current = static_cast<std::uint16_t>(position + 1);
+      ++builds;
+      if (is_watched)
+        call_watched(d, position);
+      else if (step.build(step.self, host_, block) == IG_FAILED) [[unlikely]]
+        tell_failure(d, position);
     }
   }
   d.current = 0;
 }
 
+void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
+  for (std::uint32_t next = first; next < last;) try {
+      if (is_plain_)
+        call_steps<true>(d, first, next, last);
+      else
+        call_steps<false>(d, first, next, last);
+      next = last;
+    } catch (...) {
+      next = d.current;
+      tell_exception(d, "build");
+    }
+}
+
 void Chain::run(Document& d, std::uint32_t first, std::uint32_t last) {
   running = &d;
-  run_and_inspect(d, first, last);
+  const std::uint32_t inspection = std::clamp(linked_.inspection_begin, first, last);
+  run_range(d, first, inspection);
+  if (inspection != last && waits_at == 0) inspect(d, inspection, last);
   running = &document_;  // a block of the look-ahead window ends before the chain does
 }
 
-void Chain::run_and_inspect(Document& d, std::uint32_t first, std::uint32_t last) {
-  const std::uint32_t inspection = std::clamp(linked_.inspection_begin, first, last);
-  run_range(d, first, inspection);
-  if (inspection == last || waits_at != 0) return;
+inline void Chain::inspect(Document& d, std::uint32_t first, std::uint32_t last) {
   if (d.has_leftovers())
     for (std::size_t k = 0; k < std::size(inspectors_); ++k) d.active[k] |= inspectors_[k];
   std::uint64_t awake = 0;
   for (std::size_t k = 0; k < std::size(inspection_); ++k) awake |= d.active[k] & inspection_[k];
-  if (awake != 0 || settings_.call_all) run_range(d, inspection, last);
+  if (awake != 0 || settings_.call_all) run_range(d, first, last);
 }
 
 ig_status Chain::build(std::uint32_t position) {
@@ -627,7 +645,7 @@ ig_status Chain::build(std::uint32_t position) {
     status = run_step(step.self, host_, document_.block());
     if (status == IG_FAILED) tell_failure(document_, position);
   } catch (...) {
-    tell_exception(document_, position, "build");
+    tell_exception(document_, "build");
   }
   document_.current = 0;
   return status;

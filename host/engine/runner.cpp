@@ -173,7 +173,7 @@ class Run {
     if (options_.progress && result_.blocks % progress_interval == 0) options_.progress(result_.blocks, flow_.bytes());
   }
 
-  void export_block(Document& d) {
+  [[gnu::always_inline]] inline void export_block(Document& d) {
     for (Exporter* e : exporters_)
       if (!e->block(d, chain_.symbols())) {
         result_.output_closed = true;
@@ -182,7 +182,7 @@ class Run {
   }
 
   /// To its end; or to where it has to wait for the blocks after it, which is true.
-  bool execute(Document& d) {
+  [[gnu::always_inline]] inline bool execute(Document& d) {
     if (!window_.is_empty()) {
       chain_.run(d, 0, linked_.post_logic_begin);
       return is_finite(d);
@@ -195,15 +195,15 @@ class Run {
   }
 
   /// No value that overflowed leaves the run: nothing behind it can be right.
-  bool is_finite(const Document& d) {
-    if (!finite_.is_suspect(d)) [[likely]]
-      return true;
+  bool is_finite(const Document& d) { return !finite_.is_suspect(d) || !tell_overflow(d); }
+
+  [[gnu::cold]] bool tell_overflow(const Document& d) {
     const std::string path = finite_.find_overflow(d);
-    if (path.empty()) return true;
+    if (path.empty()) return false;
     over_ = true;
     const Diagnostic text = host_diagnostic("IG-0430", {}, {path});
     chain_.report(d, text.severity, text.code, text.message, 0, 0);
-    return false;
+    return true;
   }
 
   void answer_alarm(const Document& d) {

@@ -12,10 +12,13 @@ struct UnknownCode {
 
   ig::Signal unknown_{"Source.~UnknownCode", ig::read | ig::wake};
   ig::Codes motions_{{"G00", "G01", "G02", "G03"}, ig::read};
-  std::array<ig::Word, 11> words_{ig::Word{"Parsing.X"}, ig::Word{"Parsing.Y"}, ig::Word{"Parsing.Z"},
-                                  ig::Word{"Parsing.A"}, ig::Word{"Parsing.B"}, ig::Word{"Parsing.C"},
-                                  ig::Word{"Parsing.I"}, ig::Word{"Parsing.J"}, ig::Word{"Parsing.K"},
-                                  ig::Word{"Parsing.R"}, ig::Word{"Parsing.Q"}};
+  // Taken, but no reason to run.
+  std::array<ig::Word, 11> words_{ig::Word{"Parsing.X", ig::read}, ig::Word{"Parsing.Y", ig::read},
+                                  ig::Word{"Parsing.Z", ig::read}, ig::Word{"Parsing.A", ig::read},
+                                  ig::Word{"Parsing.B", ig::read}, ig::Word{"Parsing.C", ig::read},
+                                  ig::Word{"Parsing.I", ig::read}, ig::Word{"Parsing.J", ig::read},
+                                  ig::Word{"Parsing.K", ig::read}, ig::Word{"Parsing.R", ig::read},
+                                  ig::Word{"Parsing.Q", ig::read}};
 
   ig::Status build(ig::Block& b) const {
     if (!b.is_raised(unknown_) || b.find(motions_)) return ig::Status::unchanged;

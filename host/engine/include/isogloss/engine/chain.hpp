@@ -143,12 +143,14 @@ class Chain {
   void assign(const std::string& path, const std::string& value);
   void call_watched(Document& document, std::uint32_t position);  // checked and traced modes
   bool call_looking_ahead(Document& document, std::uint32_t position, std::uint32_t first);
-  void run_and_inspect(Document& d, std::uint32_t first, std::uint32_t last);
+  void inspect(Document& document, std::uint32_t first, std::uint32_t last);
   void run_range(Document& document, std::uint32_t first, std::uint32_t last);
+  template <bool is_plain>
+  void call_steps(Document& document, std::uint32_t begin, std::uint32_t first, std::uint32_t last);
   void leave_byte(Document& document, std::size_t position);
   void tell_failure(const Document& document, std::uint32_t position);
-  void tell_exception(const Document& document, std::uint32_t position, const char* phase);
-  std::size_t ask_scanner(std::uint32_t position, std::size_t at);
+  void tell_exception(const Document& document, const char* phase);
+  void scan_from(std::size_t& position);
   std::size_t refuse_end(std::size_t at);
   void destroy_part(const ig_plugin& plugin, const std::string& alias, void (*destroy)(void*), void* self);
   void destroy();
@@ -183,6 +185,7 @@ class Chain {
   std::vector<std::uint16_t> scanners_[256];  // chain positions that a byte triggers
   std::uint64_t inspection_[4] = {};          // as Document::active: from inspection_begin on
   std::uint64_t inspectors_[4] = {};          // of these, what runs when something is left over
+  const bool is_plain_;
   bool is_scanning_ = false;                  // for a crash report
 };
 
