@@ -20,7 +20,8 @@ enum class FlowWord : std::uint8_t {
   repeatb,
   until,
   go,
-  case_
+  case_,
+  ret
 };
 
 inline FlowWord flow_word(std::string_view name) {

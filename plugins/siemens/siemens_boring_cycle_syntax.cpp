@@ -9,7 +9,8 @@ namespace {
 struct SiemensBoringCycle {
   static constexpr auto spec =
       ig::syntax("SiemensBoringCycleSyntax", "CYCLE86/CYCLE87/CYCLE88 boring: the tool leaves with a resting spindle.")
-          .after("SiemensCycleSyntax", "FeedrateSyntax", "SpindleSpeedSyntax", "SiemensSpindlePositionSyntax")
+          .after("SiemensCycleSyntax", "SiemensReamingCycleSyntax", "FeedrateSyntax", "SpindleSpeedSyntax",
+                 "SiemensSpindlePositionSyntax")
           .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
 
   DrillingCall cycle_{"CYCLE86", "CYCLE87", "CYCLE88"};

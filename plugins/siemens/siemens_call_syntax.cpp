@@ -362,6 +362,7 @@ struct SiemensCall {
     if (!reference || skip_blanks(text, variable.position()) != skip_blanks(text, end)) return;
     argument.name = reference->name;
     argument.elements = environment_.store().elements(argument.name);
+    if (const Variable* const passed = environment_.store().find(argument.name)) argument.sizes = passed->sizes;
   }
 
   void pass(ig::Block& b, const CycleFields& cycle, std::string_view text, std::size_t open, std::size_t close) {

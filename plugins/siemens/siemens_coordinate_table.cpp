@@ -18,6 +18,10 @@ struct SiemensCoordinateTable {
 
   const void* service(std::string_view id) const { return id == "isogloss.work-offset/1" ? &offsets : nullptr; }
 
+  static std::string row_fault(std::string_view row) {
+    return has(row) ? "" : "its rows are BASE, G500, G54 to G57 and G505 to G599";
+  }
+
   static bool has(std::string_view id) {
     if (id == "BASE" || id == "G500" || id == "G54" || id == "G55" || id == "G56" || id == "G57") return true;
     int number = 0;

@@ -1,5 +1,5 @@
 // DEF, DEFINE, PROC, EXTERN: variables of the program, names for texts, and what a call has passed.
-#include "siemens_expression.hpp"
+#include "array_values.hpp"
 
 namespace siemens {
 namespace {
@@ -113,15 +113,22 @@ struct SiemensDeclaration {
         return;
       }
       next = skip_blanks(text, end);
-      const bool is_array = at(text, next) == '[';
-      if (is_array) next = skip_blanks(text, std::min(text.find(']', next), text.size() - 1) + 1);
-      Value value = empty(*type);
-      if (!environment_.store().define(name, value, is_array)) {
+      std::vector<std::uint32_t> sizes;
+      if (at(text, next) == '[' && !read_sizes(b, text, next, name, sizes)) return;
+      const std::pair place(environment_.flow.here(b).offset, begin);
+      if (const Variable* const known = environment_.store().find(name);
+          known != nullptr && known->defined_at != place) {
+        b.report(diag("SIE-0302"), ig::Where::columns(begin, end), std::string_view(name));
+        return;
+      }
+      if (!environment_.store().define(name, empty(*type), !sizes.empty())) {
         b.report(diag("SIE-0114"), columns(text, begin), std::string_view(name));
         return;
       }
-      if (at(text, next) == '=' && !initial(b, text, next, name, is_array, value)) return;
-      if (Variable* const defined = environment_.store().find(name)) defined->value = std::move(value);
+      Variable& defined = *environment_.store().find(name);
+      defined.defined_at = place;
+      defined.sizes = std::move(sizes);
+      if (at(text, next) == '=' && !initial(b, text, next, name)) return;
       next = skip_blanks(text, next);
       if (next >= text.size()) return;
       if (text[next] != ',') {
@@ -132,46 +139,49 @@ struct SiemensDeclaration {
     }
   }
 
-  /// =value; =SET(1,2,3) and =(1,2,3) for the elements of an array, =REP(0) for all of them.
-  bool initial(ig::Block& b, std::string_view text, std::size_t& next, const std::string& name, bool is_array,
-               Value& value) {
-    std::size_t first = skip_blanks(text, next + 1);
-    const bool repeats = is_word(text, first, "REP");
-    const bool is_set = is_word(text, first, "SET");
-    if (is_array && (repeats || is_set)) first = skip_blanks(text, skip_name(text, first));
-    if (is_array && at(text, first) == '(') {
-      const Type type = value.type;
-      std::size_t element = 0;
-      do {
-        first = skip_blanks(text, first + 1);
-        if (const char c = at(text, first); c != ',' && c != ')') {
-          Expression e(b, environment_, text, first);
-          const auto v = e.value();
-          const auto fitting = v ? v->as(type) : std::nullopt;
-          if (!fitting) {
-            if (v) b.report(diag("SIE-0130"), columns(text, begin_), std::string_view(name));
-            return false;
-          }
-          if (repeats)
-            value = *fitting;
-          else if (!environment_.store().define(name + '[' + std::to_string(element) + ']', *fitting))
-            return false;
-          first = skip_blanks(text, e.position());
-        }
-        ++element;
-      } while (at(text, first) == ',');
-      next = std::min(first + 1, text.size());
-      return true;
+  /// [5] and [2,3]: how many elements there are in each dimension.
+  bool read_sizes(ig::Block& b, std::string_view text, std::size_t& next, const std::string& name,
+                  std::vector<std::uint32_t>& sizes) {
+    constexpr double most = 1e6;
+    constexpr std::size_t most_dimensions = 3;
+    const std::size_t open = next;
+    do {
+      Expression e(b, environment_, text, skip_blanks(text, next + 1));
+      const auto size = e.number();
+      if (!size) return false;
+      next = skip_blanks(text, e.position());
+      if (!(*size >= 1 && *size <= most) || *size != std::floor(*size) || sizes.size() == most_dimensions) {
+        b.report(diag("SIE-0301"), ig::Where::columns(open, std::max(next, open + 1)), std::string_view(name),
+                 piece(text, open, std::min(next + 1, text.size())));
+        return false;
+      }
+      sizes.push_back(static_cast<std::uint32_t>(*size));
+    } while (at(text, next) == ',');
+    if (at(text, next) != ']') {
+      b.report(diag("SIE-0102"), columns(text, open));
+      return false;
+    }
+    next = skip_blanks(text, next + 1);
+    return true;
+  }
+
+  /// =value; of an array what ArrayValues reads, or one value for all of its elements.
+  bool initial(ig::Block& b, std::string_view text, std::size_t& next, const std::string& name) {
+    Variable& defined = *environment_.store().find(name);
+    const std::size_t first = skip_blanks(text, next + 1);
+    if (defined.is_array && ArrayValues::begin(text, first, true)) {
+      next = first;
+      return ArrayValues(b, environment_, text).read(next, name, 0);
     }
     Expression e(b, environment_, text, first);
     const auto v = e.value();
     if (!v) return false;
-    auto fitting = v->as(value.type);
+    auto fitting = v->as(defined.value.type);
     if (!fitting) {
       b.report(diag("SIE-0130"), columns(text, begin_), std::string_view(name));
       return false;
     }
-    value = std::move(*fitting);
+    defined.value = std::move(*fitting);
     next = e.position();
     return true;
   }
@@ -233,6 +243,7 @@ struct SiemensDeclaration {
       b.report(diag("SIE-0164"), ig::Where::columns(begin, end), std::string_view(name));
     }
     environment_.store().define(name, std::move(value), is_array);
+    if (is_array) environment_.store().find(name)->sizes = argument.sizes;
     if (is_array)
       for (const auto& [element, own] : argument.elements)
         if (auto fitting = own.as(*type)) environment_.store().define(name + element, std::move(*fitting));

@@ -7,7 +7,7 @@ namespace {
 
 struct SiemensDeepHoleCycle {
   static constexpr auto spec = ig::syntax("SiemensDeepHoleCycleSyntax", "CYCLE83 deep hole drilling in strokes.")
-                                   .after("SiemensCycleSyntax", "FeedrateSyntax")
+                                   .after("SiemensCycleSyntax", "SiemensDrillingCycleSyntax", "FeedrateSyntax")
                                    .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
 
   DrillingCall cycle_{"CYCLE83"};

@@ -23,7 +23,7 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_ERROR, "SIE-0105", "{0}: the result is larger than any number that the control holds",
                    "Look for a typing error.", "R1=EXP(1000)"),
     ig::diagnostic(IG_ERROR, "SIE-0106", "{0} has no value",
-                   "Division by zero, a root of a negative number, ASIN and ACOS beyond 1, TAN(90), bits of what is no "
+                   "A root of a negative number, ASIN and ACOS beyond 1, TAN(90), bits of what is no "
                    "whole number.",
                    "R1=SQRT(-1)"),
     ig::diagnostic(IG_ERROR, "SIE-0107", "{0} mixes text and number",
@@ -41,7 +41,7 @@ inline constexpr std::array diagnostics{
         "The variable belongs to the running machine. Give it a value in a table of variables (--variables FILE).",
         "R1=$AC_TIME"),
     ig::diagnostic(
-        IG_ERROR, "SIE-0111", "no variable is called {0}",
+        IG_ERROR, "SIE-0111", "no variable, array or function is called {0}",
         "The program does not define it: it may be a user variable of the machine (GUD). What needs its value "
         "is not executed. Give it one in a table of variables (--variables FILE). Said once for each.",
         "X=PART_LENGTH"),
@@ -62,7 +62,7 @@ inline constexpr std::array diagnostics{
                    "The control stops with an alarm.", "G1 X1 X2 F100"),
     ig::diagnostic(IG_ERROR, "SIE-0123", "'{0}' is no number: the word is not used",
                    "A number holds one decimal point, and no comma.", "G1 X1.2.3 F100"),
-    ig::diagnostic(IG_ERROR, "SIE-0124", "no variable is called {0}: nothing is assigned",
+    ig::diagnostic(IG_ERROR, "SIE-0124", "no variable or array is called {0}: nothing is assigned",
                    "The program does not define it: it may be a user variable of the machine (GUD). Give it a value in "
                    "a table of variables (--variables FILE). Said once for each.",
                    "PART_LENGTH=5"),
@@ -329,6 +329,27 @@ inline constexpr std::array diagnostics{
         "Of a settable frame X, Y and Z are executed. Add the offset to the angles of the program, or set it "
         "to 0 in the table.",
         "G54 (with an offset of C in its row)"),
+    // arrays
+    ig::diagnostic(IG_ERROR, "SIE-0301", "{0}{1} is no size of an array: it is not defined",
+                   "An array has up to three dimensions, each with a whole number of elements from 1 to 1000000.",
+                   "DEF REAL A[-1]"),
+    ig::diagnostic(IG_ERROR, "SIE-0302", "{0} is defined already: this definition does not count",
+                   "Each name is defined once in a program; its parameters count. The control stops with an alarm.",
+                   "DEF REAL A (twice)"),
+    ig::diagnostic(IG_ERROR, "SIE-0303", "{0} has room for {1} values from there on: the others are not stored",
+                   "Count the elements: DEF REAL A[3] has A[0] to A[2].", "DEF REAL A[2]=SET(1,2,3)"),
+    ig::diagnostic(
+        IG_ERROR, "SIE-0304", "{0} lies outside {1}, whose indices count from 0",
+        "DEF REAL A[3] has A[0], A[1] and A[2]; an array of two dimensions takes two indices. Nothing is read "
+        "or assigned.",
+        "A[3]=1 (behind DEF REAL A[3])"),
+    ig::diagnostic(IG_ERROR, "SIE-0305", "EXECSTRING is not executed with {0}",
+                   "The text holds words and assignments of one block, and no EXECSTRING. Statements of the flow and "
+                   "calls in it are not executed.",
+                   "EXECSTRING(5)"),
+    ig::diagnostic(IG_ERROR, "SIE-0306", "{0} is not executed: RET takes one label or block number, as a text",
+                   "The levels to return over, and a second target, are not executed.", "RET(,2)"),
+    ig::diagnostic(IG_ERROR, "SIE-0307", "{0} divides by zero", "What needs the value is not executed.", "R1=5/0"),
 };
 
 consteval std::uint32_t diag(std::string_view code) { return iso::index_of(diagnostics, code, 0); }

@@ -6,7 +6,7 @@ namespace {
 
 struct SiemensDrillingCycle {
   static constexpr auto spec = ig::syntax("SiemensDrillingCycleSyntax", "CYCLE81/CYCLE82 drilling, rapid retract.")
-                                   .after("SiemensCycleSyntax", "FeedrateSyntax")
+                                   .after("SiemensCycleSyntax", "SiemensPatternCallSyntax", "FeedrateSyntax")
                                    .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
 
   DrillingCall cycle_{"CYCLE81", "CYCLE82"};

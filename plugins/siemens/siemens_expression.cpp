@@ -17,8 +17,16 @@ struct Operator {
 constexpr Operator operators[] = {{"*", 1},     {"/", 1},    {"DIV", 1}, {"MOD", 1}, {"+", 2},  {"-", 2},  {"B_AND", 3},
                                   {"B_XOR", 4}, {"B_OR", 5}, {"AND", 6}, {"XOR", 7}, {"OR", 8}, {"<<", 9}, {"==", 10},
                                   {"<>", 10},   {">=", 10},  {"<=", 10}, {">", 10},  {"<", 10}};
-constexpr int loosest = 10;
+constexpr int join_priority = 9, loosest = 10;
 constexpr double radians = std::numbers::pi / 180;
+
+std::string text_of(const Value& v) {
+  if (v.is_text()) return v.text;
+  if (v.type == Type::boolean) return v.number != 0 ? "1" : "0";
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), v.number).ptr;
+  return {digits.data(), end};
+}
 
 bool is_bits(double n) { return n == std::floor(n) && std::fabs(n) <= 2147483648.0 * 2; }
 
@@ -90,6 +98,8 @@ std::optional<Value> Expression::unary() {
     } else if (iso::equals_ignoring_case(iso::piece(text_, at_, end), "B_NOT")) {
       prefix += '~';
       at_ = end;
+    } else if (text_.substr(at_, 2) == "<<") {
+      return as_text();
     } else {
       break;
     }
@@ -107,6 +117,15 @@ std::optional<Value> Expression::unary() {
     }
   }
   return v;
+}
+
+/// <<5 alone: what stands behind it, as a text.
+std::optional<Value> Expression::as_text() {
+  at_ += 2;
+  if (++depth_ > deepest) return fail(diag("SIE-0103"), at_, static_cast<double>(deepest));
+  const auto v = level(join_priority - 1);
+  --depth_;
+  return v ? std::optional(Value::string(text_of(*v))) : std::nullopt;
 }
 
 std::optional<Value> Expression::operand() {
@@ -292,8 +311,13 @@ std::optional<Value> Expression::read(const Reference& r) {
   if (const Variable* const v = store.find(r.name)) return v->value;
   const std::size_t bracket = r.name.find('[');
   if (bracket != std::string::npos) {
-    if (const Variable* const array = store.find(r.name.substr(0, bracket)); array != nullptr && array->is_array)
+    const std::string base = r.name.substr(0, bracket);
+    if (const Variable* const array = store.find(base); array != nullptr && array->is_array) {
+      at_ = r.end;
+      if (!array->sizes.empty() && !array->number_of(std::string_view(r.name).substr(bracket)))
+        return fail(diag("SIE-0304"), r.begin, std::string_view(r.name), std::string_view(array->shown_as(base)));
       return array->value;
+    }
   }
   if (const auto n = store.given(r.name)) return Value::real(*n);
   if (r.name == "$PI") return Value::real(std::numbers::pi);
@@ -391,13 +415,6 @@ std::optional<Value> Expression::call(const std::string& name, std::size_t begin
 }
 
 std::optional<Value> Expression::apply(std::string_view op, const Value& l, const Value& r, std::size_t begin) {
-  const auto text_of = [](const Value& v) {
-    if (v.is_text()) return v.text;
-    if (v.type == Type::boolean) return std::string(v.number != 0 ? "1" : "0");
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), v.number).ptr;
-    return std::string(digits.data(), end);
-  };
   if (op == "<<") {
     std::string joined = text_of(l) + text_of(r);
     if (joined.size() > 4096) return fail(diag("SIE-0105"), begin, std::string_view("<<"));
@@ -423,7 +440,7 @@ std::optional<Value> Expression::apply(std::string_view op, const Value& l, cons
     const auto x = static_cast<std::int64_t>(a), y = static_cast<std::int64_t>(c);
     return Value::integer(static_cast<double>(op == "B_AND" ? x & y : op == "B_OR" ? x | y : x ^ y));
   }
-  if ((op == "/" || op == "DIV" || op == "MOD") && c == 0) return fail(diag("SIE-0106"), begin, shown(begin));
+  if ((op == "/" || op == "DIV" || op == "MOD") && c == 0) return fail(diag("SIE-0307"), begin, shown(begin));
   const bool whole = l.type != Type::real && r.type != Type::real;
   double out = 0;
   if (op == "+") out = a + c;

@@ -36,6 +36,7 @@ class Expression {
   std::optional<Value> level(int priority);
   std::optional<Value> unary();
   std::optional<Value> operand();
+  std::optional<Value> as_text();
   std::optional<Value> literal();
   std::optional<Value> of_macro(std::size_t begin, const std::string& macro);
   std::optional<Value> call(const std::string& name, std::size_t begin);

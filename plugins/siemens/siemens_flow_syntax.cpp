@@ -47,7 +47,8 @@ struct SiemensFlow {
       environment_.flow.label(b, name);
       return behind + 1;
     }
-    const Word word = flow_word(piece(text, position, end));
+    const bool returns_to = at(text, behind) == '(' && iso::equals_ignoring_case(piece(text, position, end), "RET");
+    const Word word = returns_to ? Word::ret : flow_word(piece(text, position, end));
     if (word == Word::none || (at(text, behind) == '=' && at(text, behind + 1) != '=')) return position;
     if (environment_.flow.is_indexing()) branches_.note(b, word, text, end);
     word_ = word;
@@ -103,6 +104,7 @@ struct SiemensFlow {
       case Word::until: return execute_until(b, text);
       case Word::go: jumps_.go(b, text, begin_); return;
       case Word::case_: return jumps_.by_case(b, text, begin_, behind_);
+      case Word::ret: return return_to(b, text);
       case Word::none: return;
     }
   }
@@ -155,7 +157,13 @@ struct SiemensFlow {
       b.end_program();
       return nullptr;
     }
+    if (kind != LoopKind::until &&
+        !environment_.flow.has_label(b, BranchIndex::named(end_of(kind) + "@", line), IG_SEARCH_FORWARD))
+      b.report(diag("SIE-0142"), columns(text, begin_), std::string_view(end_of(kind)));
     return loops_.innermost(f.id);
+  }
+  static std::string end_of(LoopKind kind) {
+    return kind == LoopKind::while_ ? "ENDWHILE" : kind == LoopKind::for_ ? "ENDFOR" : "ENDLOOP";
   }
   void begin(ig::Block& b, std::string_view text, LoopKind kind, std::int64_t line) {
     if (ends(b, text, behind_)) begun(b, text, kind, line);
@@ -329,6 +337,32 @@ struct SiemensFlow {
       b.end_program();
     }
     return true;
+  }
+
+  /// RET("LABEL"): back to that block of the caller. How many levels and what else the control takes is not executed.
+  void return_to(ig::Block& b, std::string_view text) {
+    const std::size_t open = skip_blanks(text, behind_);
+    Expression e(b, environment_, text, open + 1);
+    const auto label = e.value();
+    if (!label) return;
+    const std::size_t close = skip_blanks(text, e.position());
+    if (!label->is_text() || at(text, close) != ')') {
+      b.report(diag("SIE-0306"), columns(text, begin_), text.substr(begin_));
+      return;
+    }
+    if (!ends(b, text, close + 1)) return;
+    if (environment_.flow.frame(b).depth == 0) {
+      b.set(end_, b.symbol("RET"));
+      b.end_program();
+      return;
+    }
+    std::string name = upper(iso::trim(label->text));
+    drop_zeros(name);
+    b.set(returned_, b.symbol("RET"));
+    const ig::Flow::Answer answer = environment_.flow.leave(b, name);
+    if (!answer.is_not_found()) return;
+    b.report(diag("SIE-0149"), columns(text, open), std::string_view(name), answer.reason);
+    environment_.flow.leave(b);
   }
 
   /// Behind the call; or back to the pattern of holes that called.

@@ -10,7 +10,8 @@ namespace {
 struct SiemensTappingCycle {
   static constexpr auto spec =
       ig::syntax("SiemensTappingCycleSyntax", "CYCLE84 rigid tapping, CYCLE840 tapping with a floating holder.")
-          .after("SiemensCycleSyntax", "FeedrateSyntax", "SpindleSpeedSyntax", "SiemensSpindlePositionSyntax")
+          .after("SiemensCycleSyntax", "SiemensBoringCycleSyntax", "FeedrateSyntax", "SpindleSpeedSyntax",
+                 "SiemensSpindlePositionSyntax")
           .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
 
   DrillingCall cycle_{"CYCLE84", "CYCLE840"};

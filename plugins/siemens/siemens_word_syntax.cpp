@@ -1,8 +1,8 @@
 // Words: X10, G1, CR=5, X=AC(10), X=R1*2, and assignments R1=5, NAME=3. Reads on over all words that follow each other
 // and hands them to the host in one call. Values are computed while the block is read, so that the syntaxes after this
 // one see plain words.
+#include "array_values.hpp"
 #include "axis_modes.hpp"
-#include "siemens_expression.hpp"
 #include "system_assignment.hpp"
 #include "word_fields.hpp"
 
@@ -211,10 +211,30 @@ struct SiemensWord {
         return valued(b, text, begin, end, behind + 1, run);
       return assignment(b, text, begin, run);
     }
+    if (at(text, behind) == '(' && iso::equals_ignoring_case(piece(text, begin, end), "EXECSTRING"))
+      return execute_string(b, text, begin, behind, run);
     const ig_field field = fields_.code(upper(piece(text, begin, end)));
     if (field == IG_NO_FIELD || at(text, behind) == '(') return begin;
     if (run.count == run.words.size()) give(b, run);
     run.words[run.count++] = {field, iso::column(begin), iso::column(end), ig_value{}, 0, 0};
+    return end;
+  }
+
+  /// EXECSTRING("R1="<<NR): the words that the text holds.
+  std::size_t execute_string(ig::Block& b, std::string_view text, std::size_t begin, std::size_t open, Run& run) {
+    const std::size_t end = skip_call(text, open);
+    if (environment_.flow.is_indexing()) return end;
+    Expression e(b, environment_, text, open + 1);
+    const auto value = e.value();
+    if (!value) return end;
+    if (!value->is_text() || at(text, skip_blanks(text, e.position())) != ')' || is_expanded_) {
+      b.report(diag("SIE-0305"), columns(begin, end), iso::trim(piece(text, open + 1, end - 1)));
+      return end;
+    }
+    if (iso::trim(value->text).empty()) return end;
+    const std::size_t behind = expand(b, text, begin, end, value->text, run);
+    if (behind != begin) return behind;
+    b.report(diag("SIE-0305"), columns(begin, end), std::string_view(value->text));
     return end;
   }
 
@@ -421,6 +441,10 @@ struct SiemensWord {
       if (done.code) set_code(b, run, 'G', *done.code, begin, done.end);
       return done.is_fault ? line_end_of_fault(text, done.end) : done.end;
     }
+    if (const Group* const group = group_named(reference->name)) return of_group(b, text, begin, equals, *group, run);
+    if (const Variable* const array = array_of(reference->name);
+        array != nullptr && ArrayValues::begin(text, skip_blanks(text, equals + 1), false))
+      return assign_elements(b, text, begin, equals, *reference, *array);
     const bool is_unknown_array = reference->name.find('[') != std::string::npos && !array_of(reference->name);
     if (!reference->is_r && is_unknown_array && !environment_.store().given(reference->name) &&
         !changes_no_position(reference->name)) {
@@ -444,6 +468,52 @@ struct SiemensWord {
     if (belongs_to_approach(reference->name)) return end;
     assign(b, *reference, *value, begin, end);
     return end;
+  }
+
+  /// A[1]=SET(1,2,3), A[0]=REP(5).
+  std::size_t assign_elements(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
+                              const Expression::Reference& to, const Variable& array) const {
+    const std::size_t bracket = to.name.find('[');
+    const std::string base = to.name.substr(0, bracket);
+    const auto first = array.number_of(std::string_view(to.name).substr(std::min(bracket, to.name.size())));
+    const std::size_t end = skip_call(text, skip_name(text, skip_blanks(text, equals + 1)));
+    if (bracket == std::string::npos || !first) {
+      b.report(diag("SIE-0304"), columns(begin, to.end), std::string_view(to.name),
+               std::string_view(array.shown_as(base)));
+      return end;
+    }
+    std::size_t next = skip_blanks(text, equals + 1);
+    return ArrayValues(b, environment_, text).read(next, base, *first) ? next : end;
+  }
+
+  // G[8]=2 is the second code of group 8. Groups whose order the manuals agree on (Programming manual, G functions).
+  struct Group {
+    std::string_view name;
+    std::array<std::uint32_t, 5> codes;
+    std::uint32_t count;
+  };
+  static const Group* group_named(std::string_view name) {
+    static constexpr std::array groups{Group{"G[1]", {0, 1, 2, 3}, 4},         Group{"G[6]", {17, 18, 19}, 3},
+                                       Group{"G[7]", {40, 41, 42}, 3},         Group{"G[8]", {500, 54, 55, 56, 57}, 5},
+                                       Group{"G[13]", {70, 71, 700, 710}, 4},  Group{"G[14]", {90, 91}, 2},
+                                       Group{"G[15]", {93, 94, 95, 96, 97}, 5}};
+    for (const Group& g : groups)
+      if (g.name == name) return &g;
+    return nullptr;
+  }
+
+  std::size_t of_group(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals, const Group& group,
+                       Run& run) {
+    const Assigned a = assigned(b, text, equals);
+    if (!a.value) return a.end;
+    const double n = *a.value;
+    if (group.name == "G[8]" && n > 5 && n <= 100 && n == std::floor(n))  // G505 and on
+      set_code(b, run, 'G', 499 + static_cast<std::uint32_t>(n), begin, a.end);
+    else if (n >= 1 && n <= group.count && n == std::floor(n))
+      set_code(b, run, 'G', group.codes[static_cast<std::size_t>(n) - 1], begin, a.end);
+    else
+      b.report(diag("SIE-0125"), columns(begin, a.end), piece(text, begin, a.end));
+    return a.end;
   }
 
   /// NAME=X, where NAME is of type AXIS and X no variable: where X ends, 0 where it is something else.
@@ -510,6 +580,13 @@ struct SiemensWord {
     }
     Variable* const present = store.find(to.name);
     const Variable* const model = present != nullptr ? present : array_of(to.name);
+    if (const std::size_t bracket = to.name.find('['); present == nullptr && model != nullptr &&
+                                                       bracket != std::string::npos && !model->sizes.empty() &&
+                                                       !model->number_of(std::string_view(to.name).substr(bracket))) {
+      b.report(diag("SIE-0304"), columns(begin, to.end), std::string_view(to.name),
+               std::string_view(model->shown_as(to.name.substr(0, bracket))));
+      return;
+    }
     if (model == nullptr && store.given(to.name)) {
       if (!value.is_text()) store.give_for_run(to.name, value.number);
       return;

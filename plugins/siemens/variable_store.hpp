@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -43,7 +44,42 @@ struct Value {
 struct Variable {
   Value value;  ///< of an array what elements hold that nobody has set
   bool is_array = false;
-  std::vector<std::string> elements{};  ///< [1] and so on: those with a variable of their own
+  std::vector<std::string> elements{};                 ///< [1] and so on: those with a variable of their own
+  std::vector<std::uint32_t> sizes{};                  ///< of an array, by dimension; empty: not known
+  std::pair<std::uint64_t, std::size_t> defined_at{};  ///< offset of its block, column
+
+  /// The element of these indices, "[0,3]", counted with the last index fastest; nothing: it lies outside.
+  std::optional<std::size_t> number_of(std::string_view indices) const {
+    std::size_t number = 0, next = 1;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      std::uint32_t index = 0;
+      const auto [end, error] = std::from_chars(indices.data() + next, indices.data() + indices.size(), index);
+      if (error != std::errc{} || index >= sizes[i]) return std::nullopt;
+      next = static_cast<std::size_t>(end - indices.data());
+      if (next >= indices.size() || indices[next] != (i + 1 < sizes.size() ? ',' : ']')) return std::nullopt;
+      ++next;
+      number = number * sizes[i] + index;
+    }
+    return next == indices.size() ? std::optional(number) : std::nullopt;
+  }
+  /// The indices of the element of that number.
+  std::string indices_of(std::size_t number) const {
+    std::string out = "]";
+    for (std::size_t i = sizes.size(); i-- > 0; number /= sizes[i])
+      out.insert(0, (i == 0 ? "[" : ",") + std::to_string(number % sizes[i]));
+    return sizes.empty() ? "[" + std::to_string(number) + "]" : out;
+  }
+  std::size_t size() const {
+    std::size_t n = 1;
+    for (const std::uint32_t s : sizes) n *= s;
+    return n;
+  }
+  /// "A[2,3]", as it was defined.
+  std::string shown_as(std::string_view name) const {
+    std::string out(name);
+    for (std::size_t i = 0; i < sizes.size(); ++i) out += (i == 0 ? '[' : ',') + std::to_string(sizes[i]);
+    return out + ']';
+  }
 };
 
 /// What a call passes: values, and the names of the caller's variables that VAR parameters change.
@@ -51,6 +87,7 @@ struct Argument {
   std::optional<Value> value;
   std::string name;
   std::vector<std::pair<std::string, Value>> elements{};  ///< of an array, where name is one
+  std::vector<std::uint32_t> sizes{};
 };
 
 /// MCALL NAME(…): called after each block of that program that moves.

@@ -60,6 +60,13 @@ class Flow {
     go.flags = flags;
     return ask(b, go);
   }
+  /// Would jump() find it? Goes nowhere.
+  bool has_label(Block& b, std::string_view label, ig_search search = IG_SEARCH_AROUND) const {
+    ig_go go = request(IG_ASK_LABEL);
+    go.label = to_text(label);
+    go.search = search;
+    return ask(b, go).is_done();
+  }
   Answer go_to(Block& b, const ig_place& place, std::uint32_t flags = 0) const {
     ig_go go = request(IG_GO_PLACE);
     go.place = place;
