@@ -151,13 +151,11 @@ struct KlartextFrameCycle {
       case 238: return say("the state of the machine is not measured");
       case 239: return say("the load is not learned");
       case 291: return say("the spindle does not follow the axes");
-      case 332:
-      case 392: return say("the settings of the control stay");
       case 800: return say("coordinates are not those of turning");
       case 892: return say("the unbalance is not measured");
       case 247: return preset(b, text, number, where);
-      // 14, 20, 270, 271, 285: contours and gears, said where they are machined; 32: how exactly the path is kept;
-      // 801: the end of 800
+      // 14, 20, 270, 271, 285: contours and gears, said where they are machined; 32, 332, 392: how exactly and how fast
+      // the path is kept; 801: the end of 800
       default: return;
     }
   }

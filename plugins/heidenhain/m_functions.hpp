@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "klartext_values.hpp"
+#include "rotary_axis_util.hpp"
 
 namespace heidenhain {
 
@@ -111,6 +112,9 @@ class MFunctions {
           b.report(hei("HEI-0175"), where);
         flag(b, g53_.id(0), begin, end);
         return end;
+      case 94: return reduce(b, text, begin, end);
+      case 126:
+      case 127: b.set(rotary_path_, b.symbol(number == 126 ? "M126" : "M127")); return end;
       case 128: lead_tip(b, begin, end); return behind_feed(b, values, text, end);
       case 129:  // without M128 in front the length stays as TOOL CALL has left it
         if (b.is(length_term_, led_)) flag(b, length_.code(0), begin, end);
@@ -134,6 +138,19 @@ class MFunctions {
       }
     code(b, number, begin, end);
     return end;
+  }
+
+  /// M94 and M94 C: whole turns go from what the axes show. Axes that turn on and on stand where they stood.
+  std::size_t reduce(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) const {
+    const std::size_t rest = behind_words(text, end, false);
+    const std::size_t named = std::string_view("ABC").find(to_upper(at(text, skip(text, end))));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if ((named > 2 || named == axis) && axes_.has(axis) && axes_.rollover(axis) == iso::Rollover::counts_on) {
+        b.report(hei("HEI-0139"), ig::Where::columns(begin, end), std::string_view("M94"),
+                 std::string_view("the rotary axes keep what they have counted beyond 360"));
+        break;
+      }
+    return rest;
   }
 
   /// Without a TOOL CALL before it the tool in the spindle counts, whose length is not known.
@@ -184,11 +201,9 @@ class MFunctions {
       Said{150, IG_NOTE, false, ""},
       Said{107, IG_NOTE, false, ""},
       Said{108, IG_NOTE, false, ""},
-      Said{127, IG_NOTE, false, ""},
       Said{141, IG_NOTE, false, ""},
       Said{148, IG_NOTE, false, ""},
       Said{149, IG_NOTE, false, ""},
-      Said{94, IG_ERROR, true, "the rotary axes keep what they have counted beyond 360"},
       Said{97, IG_WARNING, false, "it has a meaning with RL and RR only"},
       Said{98, IG_WARNING, false, "it has a meaning with RL and RR only"},
       Said{103, IG_WARNING, true, "plunging has the feed in force"},
@@ -202,7 +217,6 @@ class MFunctions {
       Said{118, IG_WARNING, true, "the handwheel moves nothing here"},
       Said{120, IG_WARNING, true, "it has a meaning with RL and RR only"},
       Said{124, IG_WARNING, true, "no point of the path is left out"},
-      Said{126, IG_WARNING, false, "the way of a rotary axis is as the table of the machine's axes says"},
       Said{130, IG_ERROR, false, "the words of the block are positions in the tilted plane"},
       Said{134, IG_NOTE, false, ""},
       Said{135, IG_NOTE, false, ""},
@@ -229,6 +243,9 @@ class MFunctions {
                       {ig::Life::block, "", "The block calls the cycle: CYCL CALL, M99 or M89."}};
   ig::Out<bool> modal_call_{"KlartextCycle.IsModal",
                             {ig::Life::modal, "", "M89: each positioning block calls the cycle."}};
+  ig::Out<ig::Symbol> rotary_path_{"RotaryPath.Term",
+                                   {ig::Life::modal, "", "M126 or M127: how rotary axes go to a position."}};
+  iso::RotaryAxes axes_;
   ig::Signal per_revolution_{"KlartextFeed.~PerRevolution", ig::write, ig::Life::modal};
 };
 

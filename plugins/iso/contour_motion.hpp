@@ -50,6 +50,7 @@ class ContourMotionOf {
     if (!b.is(form_, arc_)) return;
     out.move.center = in_plane(out.plane, b.get(center_).or_else(out.from));
     out.move.is_ccw = b.get_or(is_ccw_, false);
+    out.move.slack_mm = slack_mm_;
     out.move.is_arc = !is_same(out.move.center, out.move.start) && !is_same(out.move.center, out.move.end);
   }
 
@@ -62,6 +63,8 @@ class ContourMotionOf {
   ig::Name arc_{"McArc"}, led_{"ClLinear"};
   PlaneInForce plane_;
   LastProgramXyz last_;
+  ig::Config config_{"isogloss.motion/1", ig::Need::optional, "ArcRadiusTolerance_mm"};
+  double slack_mm_ = std::fmax(same_point_mm, config_.number("ArcRadiusTolerance_mm").value_or(0));
 };
 
 }  // namespace iso

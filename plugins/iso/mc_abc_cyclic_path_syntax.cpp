@@ -17,6 +17,8 @@ struct McAbcCyclicPath {
   RotaryAxes axes_;
   ig::Signal by_words_{"McAbc.~Turns", ig::read};
   ig::Signal as_increment_{"McAbc.~AsIncrement", ig::read};
+  ig::In<ig::Symbol> term_{"RotaryPath.Term"};
+  ig::Name difference_{"M127"};
   ig::Choice<HalfTurn> half_turn_{"half-turn", "positive|negative", "positive",
                                   "The direction of a way of exactly 180 degrees."};
 
@@ -55,6 +57,12 @@ struct McAbcCyclicPath {
     return true;
   }
 
+  /// From 0 up to 360.
+  static double within_turn(double angle) {
+    const double rest = std::fmod(angle, 360);
+    return rest < 0 ? rest + 360 : rest;
+  }
+
   /// A-0 becomes 0.
   static bool is_same(double a, double b) { return a == b && std::signbit(a) == std::signbit(b); }
 
@@ -62,6 +70,8 @@ struct McAbcCyclicPath {
   double approach(const ig::Block& b, std::size_t axis, double from, double to) const {
     const bool is_signed = axes_.rollover(axis) == Rollover::signed_direction;
     if (is_signed && !b.is_raised(by_words_)) return nearest_turn(from, to, half_turn_);
+    if (b.is(term_, difference_) && axes_.rollover(axis) == Rollover::shortest)
+      return from + (within_turn(to) - within_turn(from));
     return axes_.approach(axis, from, to, half_turn_);
   }
 };

@@ -23,6 +23,7 @@ struct ContourMove {
   bool is_arc = false;
   Point2 center{};
   bool is_ccw = false;
+  double slack_mm = same_point_mm;  ///< how far an arc may lie off its circle, and its radius be short of the tool's
 
   Point2 direction_at_start() const { return is_arc ? tangent(start) : unit(end - start); }
   Point2 direction_at_end() const { return is_arc ? tangent(end) : unit(end - start); }
@@ -31,10 +32,11 @@ struct ContourMove {
   Point2 offset_end(double offset) const { return end + offset * left_of(direction_at_end()); }
   /// Radius of the tool's path on an arc; below zero where the tool does not fit in. At zero it turns on the spot.
   double path_radius(const Point2& at, double offset) const {
-    return (at - center).length() + (is_ccw ? -offset : offset);
+    const double radius = (at - center).length() + (is_ccw ? -offset : offset);
+    return radius < 0 && radius > -slack_mm ? 0 : radius;
   }
   bool fits(double offset) const {
-    return !is_arc || std::fmin(path_radius(start, offset), path_radius(end, offset)) > -same_point_mm;
+    return !is_arc || std::fmin(path_radius(start, offset), path_radius(end, offset)) >= 0;
   }
 
   /// How far the tool goes along the move from `from` to `to`, which lie on its offset: negative where it would have to
@@ -161,9 +163,12 @@ inline Corner corner(const ContourMove& a, const ContourMove& b, double offset, 
   if (bend * offset > 0) {
     const auto at = detail::crossing(detail::curve_at(a, a.end, u1, offset), detail::curve_at(b, b.start, u2, offset),
                                      0.5 * (q1 + q2));
-    out.kind = at ? CornerKind::inner : CornerKind::no_solution;
+    const bool is_tangent = !at && (q1 - q2).length() < std::fmax(a.slack_mm, b.slack_mm);
+    out.kind = at ? CornerKind::inner : is_tangent ? CornerKind::tangent : CornerKind::no_solution;
     if (at)
       out.leave = *at;
+    else if (is_tangent)
+      out.leave = q2;
     else
       out.step_to(q2);
     return out;
