@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 #define IG_ABI_MAJOR 1u
-#define IG_ABI_MINOR 3u
+#define IG_ABI_MINOR 4u
 
 #if defined(_WIN32)
 #define IG_EXPORT __declspec(dllexport)
@@ -216,6 +216,9 @@ typedef struct ig_dependency {
   ig_create_fn create;             /* ids is NULL */
   ig_destroy_fn destroy;
   const void* (*service)(void* self, const char* id); /* a service struct, alive as long as self */
+  /* May be NULL. Why a row that the user named means nothing, or nothing when it means something. Asked after create()
+   * for each row that a dialect, a file or --set gave. Alive until the next call. */
+  ig_text (*row_fault)(void* self, ig_text row); /* since 1.4 */
 } ig_dependency;
 
 typedef struct ig_plugin {

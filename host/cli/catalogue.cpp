@@ -157,6 +157,17 @@ Json describe(const Dialect& d) {
   return out;
 }
 
+Json describe_services(const LinkedDialect& linked) {
+  Json out = Json::array();
+  for (const Provision& p : provisions(linked)) {
+    const auto alias = [&](std::size_t i) { return linked.dependencies[p.dependencies[i]].element.alias; };
+    Json others = Json::array();
+    for (std::size_t i = 1; i < p.dependencies.size(); ++i) others.push_back(alias(i));
+    out.push_back({{"Service", p.service}, {"Answers", alias(0)}, {"Not asked", std::move(others)}});
+  }
+  return out;
+}
+
 Json describe_fields(const Library& library) {
   std::map<std::string, Json> fields;
   const auto field = [&](const std::string& path, ig_type type, ig_life life, std::string_view unit,

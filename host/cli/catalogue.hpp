@@ -14,6 +14,8 @@ using Json = nlohmann::ordered_json;
 Json describe(const ig_syntax& syntax, const ig_plugin& plugin);
 Json describe(const ig_dependency& dependency, const ig_plugin& plugin);
 Json describe(const Dialect& dialect);
+/// Which dependency answers for each service, and which others offer it.
+Json describe_services(const LinkedDialect& linked);
 /// Every field that the standard sections or a syntax declare, by path, with who reads, writes and takes it.
 Json describe_fields(const Library& library);
 /// What a dialect makes of a syntax: its option values and the fields that its patterns stand for.

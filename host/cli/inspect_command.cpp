@@ -111,7 +111,10 @@ int InspectCommand::run() const {
       std::any_of(dialects.begin(), dialects.end(), [&](const Dialect& d) { return d.name == name; });
   if (is_dialect) {
     const std::optional<Dialect> found = session.reader().read(name, session.diagnostics());
-    return found ? show(describe(*found), nullptr, session) : static_cast<int>(input_errors);
+    if (!found) return input_errors;
+    Json out = describe(*found);
+    if (const auto linked_dialect = session.link(name)) out["Services"] = describe_services(*linked_dialect);
+    return show(std::move(out), nullptr, session);
   }
   const Json fields = describe_fields(session.library());
   for (const Json& f : fields)

@@ -52,6 +52,19 @@ std::string suggestion(const Dialect& dialect, Library& library) {
   return is_same ? fmt::format("{}: the order is right\n", dialect.name) : order_patch(dialect, wanted);
 }
 
+/// Services that several dependencies offer: the first one answers for all.
+std::string rivals(const LinkedDialect& linked) {
+  std::string out;
+  for (const Provision& p : provisions(linked)) {
+    if (p.dependencies.size() == 1) continue;
+    const auto alias = [&](std::size_t i) { return linked.dependencies[p.dependencies[i]].element.alias; };
+    out += fmt::format("  {}: {} answers, not {}", p.service, alias(0), alias(1));
+    for (std::size_t i = 2; i < p.dependencies.size(); ++i) out += ", " + alias(i);
+    out += '\n';
+  }
+  return out;
+}
+
 /// False when a dependency or a syntax does not take what the dialect gives it, which it says.
 bool starts(const LinkedDialect& linked, DiagnosticSink& diagnostics) {
   try {
@@ -71,7 +84,8 @@ int LintCommand::run() const {
       const std::unique_ptr<LinkedDialect> linked = link(*dialect, session.library(), session.diagnostics());
       if (linked != nullptr && starts(*linked, session.diagnostics()))
         out += fmt::format("{}: {} syntaxes, {} dependencies, {} fields\n", dialect->name, linked->chain.size(),
-                           linked->dependencies.size(), linked->layout.fields.size());
+                           linked->dependencies.size(), linked->layout.fields.size()) +
+               rivals(*linked);
       if (suggest) out += suggestion(*dialect, session.library());
     }
     session.diagnostics().finish_program();

@@ -7,6 +7,7 @@
 #include "flow_host.hpp"
 #include "host_table.hpp"
 #include "options.hpp"
+#include "row_checks.hpp"
 
 namespace isogloss {
 
@@ -51,10 +52,22 @@ bool is_given(const DependencyElement& element, const DependencyElement& of_dial
   return of_dialect.alias == element.alias || of_dialect.id == element.id;
 }
 
+/// Of rows that are known by one value, though they may have others by axis.
+bool has_one_value(const ig_dependency& d) {
+  return d.column_count == 1 || std::string_view(d.columns[0].name) == "Value";
+}
+
 std::string columns_of(const ig_dependency& d) {
   std::string text = "the columns of " + std::string(d.id) + " are ";
   for (std::uint32_t i = 0; i < d.column_count; ++i) text += (i == 0 ? "" : ", ") + std::string(d.columns[i].name);
   return text;
+}
+
+void set_row(DependencyTable& table, const TableRow& row) {
+  const std::string_view key = key_of(table.dependency(), row);
+  table.add(key);
+  for (const Attribute& a : row.attributes)
+    if (const auto column = table.column(a.name)) table.set(key, static_cast<std::uint32_t>(*column), a.value);
 }
 
 /// Where the user, or the dialect, gave the dependency what it holds.
@@ -140,20 +153,11 @@ void Chain::create_dependencies() {
         table.set(key, static_cast<std::uint32_t>(*column), cell.substr(equals + 1));
     }
   };
-  const auto file_row = [](DependencyTable& table, const TableRow& row) {
-    const ig_dependency& d = table.dependency();
-    std::string_view key;
-    for (const Attribute& a : row.attributes)
-      if (d.row_key != nullptr && a.name == d.row_key) key = a.value;
-    table.add(key);
-    for (const Attribute& a : row.attributes)
-      if (const auto column = table.column(a.name)) table.set(key, static_cast<std::uint32_t>(*column), a.value);
-  };
   for (const LinkedDependency& d : linked_.dependencies) {
     auto table = std::make_unique<DependencyTable>(*d.dependency);
     for (std::uint32_t i = 0; i < d.dependency->default_row_count; ++i)
       create_row(*table, d.dependency->default_rows[i]);
-    for (const TableRow& row : d.element.rows) file_row(*table, row);
+    for (const TableRow& row : d.element.rows) set_row(*table, row);
     tables_.push_back(std::move(table));
     dependency_options_.push_back(d.options);
   }
@@ -179,6 +183,53 @@ void Chain::create_dependencies() {
           host_diagnostic("IG-0308", place_of(d.element, settings_.dependencies), {d.element.alias, link.failure}));
       throw std::runtime_error(d.element.alias + " could not be created");
     }
+    refuse_rows(i);
+  }
+  check_answers();
+}
+
+/// Refuses rows that were given and mean nothing; each is said.
+void Chain::refuse_rows(std::size_t dependency) {
+  const LinkedDependency& d = linked_.dependencies[dependency];
+  if (d.dependency->row_fault == nullptr) return;
+  const Calling calling(*d.plugin, d.element.alias.c_str(), "row_fault");
+  bool is_sound = true;
+  const auto check = [&](const std::string& row, const Location& where) {
+    const ig_text fault = d.dependency->row_fault(dependencies_[dependency], {row.data(), row.size()});
+    if (fault.size == 0) return;
+    is_sound = false;
+    sink_.add(host_diagnostic("IG-0432", where, {d.element.alias, row, std::string(fault.data, fault.size)}));
+  };
+  const auto check_all = [&](const DependencyElement& element) {
+    for (const TableRow& row : element.rows) check(std::string(key_of(*d.dependency, row)), row.where);
+  };
+  check_all(d.element);
+  for (const DependencyElement& given : settings_.dependencies)
+    if (is_given(given, d.element)) check_all(given);
+  for (const AssignedRow& row : assigned_rows_)
+    if (row.dependency == dependency) check(row.name, {"--set"});
+  if (!is_sound) throw std::runtime_error(d.element.alias + " has no such row");
+}
+
+/// Who gives values to a dependency must hear when another one answers in its place.
+void Chain::check_answers() {
+  for (std::size_t i = 0; i < dependencies_.size(); ++i) {
+    const LinkedDependency& d = linked_.dependencies[i];
+    if (d.dependency->provides == nullptr || d.dependency->provides[0] == nullptr) continue;
+    const bool is_assigned =
+        std::any_of(settings_.assignments.begin(), settings_.assignments.end(),
+                    [&](const auto& a) { return a.first.substr(0, a.first.find('.')) == d.element.alias; });
+    if (d.element.rows.empty() && !is_assigned) continue;
+    std::string other;
+    bool answers = false;
+    for (const char* const* id = d.dependency->provides; *id != nullptr && !answers; ++id) {
+      const std::optional<std::size_t> who = answering(*id);
+      answers = !who || *who == i;
+      if (!answers) other = linked_.dependencies[*who].element.alias;
+    }
+    if (!answers)
+      sink_.add(
+          host_diagnostic("IG-0434", is_assigned ? Location{"--set"} : d.element.where, {d.element.alias, other}));
   }
 }
 
@@ -187,25 +238,10 @@ void Chain::overlay(const DependencyElement& element) {
     const LinkedDependency& d = linked_.dependencies[i];
     if (!is_given(element, d.element)) continue;
     for (const Attribute& option : element.options) assign(d.element.alias + "." + option.name, option.value);
-    for (const TableRow& row : element.rows) {
-      std::string key;
-      for (const Attribute& a : row.attributes)
-        if (d.dependency->row_key != nullptr && a.name == d.dependency->row_key) key = a.value;
-      tables_[i]->add(key);
-      for (const Attribute& a : row.attributes) {
-        if (d.dependency->row_key != nullptr && a.name == d.dependency->row_key) continue;
-        const auto column = tables_[i]->column(a.name);
-        const std::string path = d.element.alias + "." + key + "." + a.name;
-        if (!column) {
-          sink_.add(host_diagnostic("IG-0410", a.where, {path}, columns_of(*d.dependency)));
-          throw std::runtime_error("no column " + path);
-        }
-        if (!tables_[i]->set(key, static_cast<std::uint32_t>(*column), std::string_view(a.value))) {
-          sink_.add(host_diagnostic("IG-0411", a.where, {path, a.value}));
-          throw std::runtime_error("no value for " + path);
-        }
-      }
-    }
+    std::vector<Diagnostic> faults = check_rows(*d.dependency, d.element.alias, element.rows);
+    for (Diagnostic& fault : faults) sink_.add(std::move(fault));
+    if (!faults.empty()) throw std::runtime_error("no such rows of " + d.element.alias);
+    for (const TableRow& row : element.rows) set_row(*tables_[i], row);
     return;
   }
   std::vector<std::string> names;
@@ -237,15 +273,16 @@ void Chain::assign(const std::string& path, const std::string& value) {
       return;
     }
     if (rest.empty() || d.dependency->column_count == 0) break;
-    // "ROW.COLUMN", or "ROW" alone for the first column; rows may hold points.
+    // "ROW.COLUMN", or "ROW" alone where it has one value; rows may hold points.
     const std::size_t last = rest.rfind('.');
     std::optional<std::size_t> column;
     if (last != std::string::npos) column = tables_[i]->column(rest.substr(last + 1));
     const std::string row = column ? rest.substr(0, last) : rest;
-    if (!column && last != std::string::npos && !tables_[i]->value(row, 0)) {
+    if (!column && !has_one_value(*d.dependency)) {
       hint = columns_of(*d.dependency);
       break;
     }
+    assigned_rows_.push_back({i, row});
     if (!tables_[i]->set(row, static_cast<std::uint32_t>(column.value_or(0)), std::string_view(value))) {
       sink_.add(host_diagnostic("IG-0411", {"--set"}, {path, value}));
       throw std::runtime_error("no value for " + path);
@@ -350,17 +387,21 @@ void Chain::look_at(Watch& watch, std::uint64_t change) {
 
 const void* Chain::service(std::string_view id) const {
   if (id == IG_FLOW_SERVICE) return &flow_service_;
-  const auto answer = [&](std::size_t i) {
-    return service_of(*linked_.dependencies[i].dependency, dependencies_[i], id);
+  const std::optional<std::size_t> who = answering(id);
+  return who ? service_of(*linked_.dependencies[*who].dependency, dependencies_[*who], id) : nullptr;
+}
+
+/// What the run gave a file for comes first, the last file before all; then the dialect's, in its order.
+std::optional<std::size_t> Chain::answering(std::string_view id) const {
+  const auto answers = [&](std::size_t i) {
+    return service_of(*linked_.dependencies[i].dependency, dependencies_[i], id) != nullptr;
   };
-  // What the run gave a file for comes first, the last file before all; then the dialect's, in its order.
   for (std::size_t given = settings_.dependencies.size(); given-- > 0;)
     for (std::size_t i = 0; i < dependencies_.size(); ++i)
-      if (is_given(settings_.dependencies[given], linked_.dependencies[i].element))
-        if (const void* const s = answer(i)) return s;
+      if (is_given(settings_.dependencies[given], linked_.dependencies[i].element) && answers(i)) return i;
   for (std::size_t i = 0; i < dependencies_.size(); ++i)
-    if (const void* const s = answer(i)) return s;
-  return nullptr;
+    if (answers(i)) return i;
+  return std::nullopt;
 }
 
 DependencyTable* Chain::table(std::string_view dependency) {

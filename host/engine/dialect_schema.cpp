@@ -133,7 +133,7 @@ constexpr const char* schema_frame = R"(
     <xs:attribute name="as" type="dialect.Alias"><xs:annotation><xs:documentation>The name that edits and explanations use, when the element stands more than once.</xs:documentation></xs:annotation></xs:attribute>
   </xs:attributeGroup>
   <xs:attributeGroup name="dialect.Slot">
-    <xs:attribute name="override" type="dialect.Boolean"><xs:annotation><xs:documentation>true: may claim an exclusive slot that another syntax holds.</xs:documentation></xs:annotation></xs:attribute>
+    <xs:attribute name="override" type="dialect.Boolean"><xs:annotation><xs:documentation>true: may claim an exclusive slot that another syntax holds, or take a code that another one takes.</xs:documentation></xs:annotation></xs:attribute>
   </xs:attributeGroup>
   <xs:attributeGroup name="dialect.Table">
     <xs:attribute name="src" type="dialect.Text"><xs:annotation><xs:documentation>A file beside or below this one whose root element has this element's name and holds the rows.</xs:documentation></xs:annotation></xs:attribute>

@@ -136,6 +136,12 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "Acme.Message"},
       {error, "IG-0223", "{0} is inspecting, but does not stand in the stage Inspection",
        "Leftovers are known only when every other syntax has run.", "UnconsumedCheckSyntax under <Logic>"},
+      {error, "IG-0241", "{0} and {1} both answer {2}, and neither says which of them comes first",
+       "Two syntaxes that take one code both act on it: a hole is drilled twice, or gets a rapid too many. Leave one "
+       "of "
+       "them out of the chain. Where both must stand, their declarations after and before say so, or override=\"true\" "
+       "on the second element.",
+       "a vendor's drilling cycle for G81 beside DrillingCycleSyntax"},
       {error, "IG-0240", "{0} acts in this block, though nothing that it declares wakes it: check that in its build()",
        "Found by run --checked --call-all, which calls every syntax in every block: a syntax that depends on not being "
        "called gives another result as soon as another declaration wakes it. This is a fault of the plugin.",
@@ -245,6 +251,20 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "The disk or the network failed, or the file became shorter while it was read. Half a program is no program: an "
        "older file under the name of the output stays.",
        "a program on a share that was disconnected"},
+      {error, "IG-0432", "{0} has no row '{1}': {2}",
+       "A row that no program can reach would be passed over in silence: correct its name or leave it out.",
+       "<Offset id=\"g54\" …/>: names of rows are written as the page of the dependency writes them"},
+      {error, "IG-0433", "{0} has the row '{1}' already, in line {2}",
+       "Of two rows of one name in one table only one could count.", "a tool that a list names twice"},
+      {warning, "IG-0434", "{0} is given values, and nothing asks for them: {1} answers in its place",
+       "Both know the same things, and the first one of the dialect answers. Let the one with the values stand first, "
+       "leave "
+       "the other one out, or give the values to the one that answers; `isogloss lint` shows who answers for what.",
+       "<MachineAxes> with limits behind a parameter table that knows the axes"},
+      {warning, "IG-0451", "{0} is called out of {1}, which is named otherwise",
+       "No file bears the name of the program, and one of the folders that are searched holds it. Where several do, it "
+       "is not called.",
+       "M98 P1002, where PART2.NC begins with O1002"},
       {error, "IG-0450",
        "stopped after {0} blocks of repeated calls, in pass {3} of {4} of {1} called at {2}: --max-repeat-blocks sets "
        "another limit",
@@ -252,6 +272,17 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "first "
        "pass of each call is not counted.",
        "a subprogram of a thousand blocks that is called a million times"},
+      {error, "IG-0452", "stopped after {0} bytes of output: --max-output sets another limit",
+       "So that no program fills the disk. What was written up to there is kept.",
+       "a million calls of a long subprogram"},
+      {error, "IG-0453", "stopped because the run takes more than {0} MiB of memory: --max-memory sets another limit",
+       "A run needs a few megabytes, whatever the size of its program. What was written up to there is kept.",
+       "a program that defines texts in an endless loop"},
+      {error, "IG-0454", "stopped after {0} diagnostics: --max-diagnostics sets another limit",
+       "The text is no program of this control, or a loop says the same a million times. What was written up to there "
+       "is "
+       "kept.",
+       "a loop with an unknown code in it"},
       // cases, apply, command line: 0500-0599
       {error, "IG-0501", "malformed page: {0}",
        "A case of a page is a heading, prose, and fences after the lines #Previous:, #Ahead:, #Dependencies:, "

@@ -1,7 +1,10 @@
 #include "link_checks.hpp"
 
 #include <algorithm>
+#include <bitset>
 #include <map>
+#include <optional>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -93,7 +96,88 @@ void check_slots(const LinkedDialect& linked, std::vector<LinkFault>& faults) {
   }
 }
 
+/// Which syntaxes of the chain know of each other, straight or through others that stand between them.
+class Acquaintance {
+ public:
+  explicit Acquaintance(const LinkedDialect& linked) : behind_(linked.chain.size()) {
+    std::unordered_multimap<std::string_view, std::size_t> places;
+    for (std::size_t i = 0; i < behind_.size(); ++i) places.emplace(linked.chain[i].syntax->id, i);
+    const auto for_each = [&](const char* const* id, auto&& act) {
+      for (; id != nullptr && *id != nullptr; ++id)
+        for (auto [it, end] = places.equal_range(*id); it != end; ++it) act(it->second);
+    };
+    for (std::size_t i = 0; i < behind_.size(); ++i) {
+      for_each(linked.chain[i].syntax->after, [&](std::size_t k) {
+        if (k < i) behind_[k].set(i);
+      });
+      for_each(linked.chain[i].syntax->before, [&](std::size_t k) {
+        if (k > i) behind_[i].set(k);
+      });
+    }
+    for (std::size_t i = behind_.size(); i-- > 0;)
+      for (std::size_t k = i + 1; k < behind_.size(); ++k)
+        if (behind_[i][k]) behind_[i] |= behind_[k];
+  }
+  bool knows(std::size_t first, std::size_t second) const { return behind_[first][second]; }
+
+ private:
+  std::vector<std::bitset<256>> behind_;  // a chain has no more (IG-0216)
+};
+
+/// "G81, G82"; a long list ends with how many more there are.
+std::string codes_of(const Layout& layout, const std::vector<ig_field>& fields) {
+  constexpr std::size_t most = 5;
+  constexpr std::string_view flags = "Parsing.Flags.";
+  std::string out;
+  for (std::size_t i = 0; i < std::min(fields.size(), most); ++i) {
+    const std::string& path = layout.fields[fields[i]].path;
+    out += (i == 0 ? "" : ", ") + path.substr(path.starts_with(flags) ? flags.size() : path.find('.') + 1);
+  }
+  return fields.size() > most ? out + fmt::format(" and {} more", fields.size() - most) : out;
+}
+
+/// Codes that two syntaxes take are answered twice, unless one of them was written with the other in mind.
+void check_codes(const LinkedDialect& linked, std::vector<LinkFault>& faults) {
+  const std::vector<FieldInfo>& fields = linked.layout.fields;
+  std::vector<std::uint64_t> codes((fields.size() + 63) / 64);
+  for (ig_field f = 0; f < fields.size(); ++f)
+    if (fields[f].type == IG_CODE) codes[f >> 6] |= std::uint64_t{1} << (f & 63);
+  std::vector<std::uint64_t> taken(codes.size());
+  const Acquaintance acquaintance(linked);
+  for (std::size_t i = 0; i < linked.chain.size(); ++i) {
+    const LinkedSyntax& second = linked.chain[i];
+    std::uint64_t again = 0;
+    for (std::size_t w = 0; w < codes.size(); ++w) {
+      again |= taken[w] & second.may_take[w];
+      taken[w] |= second.may_take[w] & codes[w];
+    }
+    for (std::size_t k = 0; k < i && again != 0 && !second.element.override_slot; ++k) {
+      const LinkedSyntax& first = linked.chain[k];
+      std::vector<ig_field> both;
+      for (std::size_t w = 0; w < codes.size(); ++w)
+        for (std::uint64_t open = first.may_take[w] & second.may_take[w] & codes[w]; open != 0; open &= open - 1)
+          both.push_back(static_cast<ig_field>(w * 64 + static_cast<std::size_t>(__builtin_ctzll(open))));
+      if (both.empty()) continue;
+      if (acquaintance.knows(k, i)) continue;
+      faults.push_back({"IG-0241",
+                        second.element.where,
+                        {second.element.alias, first.element.alias, codes_of(linked.layout, both)}});
+    }
+  }
+}
+
 }  // namespace
+
+std::vector<Provision> provisions(const LinkedDialect& linked) {
+  std::vector<Provision> out;
+  for (std::size_t i = 0; i < linked.dependencies.size(); ++i)
+    for (const char* const* id = linked.dependencies[i].dependency->provides; id != nullptr && *id != nullptr; ++id) {
+      auto known = std::find_if(out.begin(), out.end(), [&](const Provision& p) { return p.service == *id; });
+      if (known == out.end()) known = out.insert(out.end(), {*id, {}});
+      known->dependencies.push_back(i);
+    }
+  return out;
+}
 
 std::vector<LinkFault> check_services(const LinkedDialect& linked) {
   std::vector<LinkFault> faults;
@@ -122,6 +206,7 @@ std::vector<LinkFault> check_links(const LinkedDialect& linked) {
   check_slots(linked, faults);
   const std::vector<LinkFault> services = check_services(linked);
   faults.insert(faults.end(), services.begin(), services.end());
+  check_codes(linked, faults);
   check_unread(linked, traffic, faults);
   return faults;
 }

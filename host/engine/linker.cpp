@@ -13,6 +13,7 @@
 #include "link_checks.hpp"
 #include "options.hpp"
 #include "pattern.hpp"
+#include "row_checks.hpp"
 
 namespace isogloss {
 
@@ -123,7 +124,7 @@ class Linker {
     }
     d.options =
         read_options(element.alias, element.where, d.dependency->options, d.dependency->option_count, element.options);
-    for (const TableRow& row : element.rows) check_row(d, row);
+    for (Diagnostic& fault : check_rows(*d.dependency, element.alias, element.rows)) add(std::move(fault));
     out_->dependencies.push_back(std::move(d));
   }
 
@@ -155,35 +156,6 @@ class Linker {
         values[i] = std::move(*v);
     }
     return values;
-  }
-
-  void check_row(const LinkedDependency& d, const TableRow& row) {
-    const std::string& owner = d.element.alias;
-    if (d.dependency->row_element == nullptr || row.element != d.dependency->row_element) {
-      say("IG-0217", row.where,
-          {owner, row.element, d.dependency->row_element == nullptr ? "(none)" : d.dependency->row_element});
-      return;
-    }
-    std::vector<std::string> columns;
-    for (std::uint32_t i = 0; i < d.dependency->column_count; ++i) columns.emplace_back(d.dependency->columns[i].name);
-    bool has_key = false;
-    for (const Attribute& a : row.attributes) {
-      if (a.name == d.dependency->row_key) {
-        has_key = !a.value.empty();
-        continue;
-      }
-      const auto found = std::find(columns.begin(), columns.end(), a.name);
-      if (found == columns.end()) {
-        say("IG-0219", a.where, {owner, a.name}, meant(nearest_name(a.name, columns)));
-        continue;
-      }
-      const ig_column_decl& column = d.dependency->columns[found - columns.begin()];
-      if (column.is_text != 0) continue;
-      const std::optional<double> v = parse_number(a.value);
-      if (!v || *v < column.minimum || *v > column.maximum)
-        say("IG-0220", a.where, {a.name, a.value, v ? " within its range" : ""});
-    }
-    if (!has_key) say("IG-0218", row.where, {owner, d.dependency->row_key});
   }
 
   // ---- fields

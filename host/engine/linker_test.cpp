@@ -294,12 +294,13 @@ TEST_CASE("rows fit their table") {
   row(element, "Row", {{"id", "a"}, {"X", "-10"}});
   row(element, "Raw", {{"id", "a"}});
   row(element, "Row", {{"X", "1"}});
-  row(element, "Row", {{"id", "a"}, {"Y", "1"}});
-  row(element, "Row", {{"id", "a"}, {"X", "11"}});
-  row(element, "Row", {{"id", "a"}, {"X", "eleven"}});
+  row(element, "Row", {{"id", "b"}, {"Y", "1"}});
+  row(element, "Row", {{"id", "c"}, {"X", "11"}});
+  row(element, "Row", {{"id", "d"}, {"X", "eleven"}});
+  row(element, "Row", {{"id", "a"}});
   row(hand.depend("Flat"), "Row", {});
   CHECK(faults(hand, {&plugin}) ==
-        Strings{"IG-0217 4", "IG-0218 5", "IG-0219 6", "IG-0220 7", "IG-0220 8", "IG-0217 10"});
+        Strings{"IG-0217 4", "IG-0218 5", "IG-0219 6", "IG-0220 7", "IG-0220 8", "IG-0433 9", "IG-0217 11"});
 }
 
 TEST_CASE("stages, sizes and lives that cannot be") {

@@ -38,6 +38,11 @@ struct FanucParameterTable {
                                  ig::Column{"C", nullptr, "", {}, "The parameter of the C axis."}};
   ig::Table table;
 
+  static std::string row_fault(std::string_view row) {
+    const bool is_number = !row.empty() && row[0] != '0' && row.find_first_not_of("0123456789") == row.npos;
+    return is_number ? "" : "its rows are the numbers of parameters";
+  }
+
   const void* service(std::string_view id) const {
     if (id == "isogloss.number-format/1") return &number_format;
     if (id == "isogloss.canned-cycle/1") return &cycles;

@@ -23,6 +23,12 @@ struct HaasSettings {
   ig::Column value{"Value", nullptr, "", {}, "The setting: mm, or the number of a choice."};
   ig::Table table;
 
+  /// Also what this table does not ask for: the whole page of a machine may be given.
+  static std::string row_fault(std::string_view row) {
+    const bool is_number = !row.empty() && row[0] != '0' && row.find_first_not_of("0123456789") == row.npos;
+    return is_number ? "" : "its rows are the numbers of settings";
+  }
+
   const void* service(std::string_view id) const {
     if (id == "isogloss.number-format/1") return &number_format;
     if (id == "isogloss.motion/1") return &motion;

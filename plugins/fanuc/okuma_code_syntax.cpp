@@ -10,9 +10,10 @@ namespace fanuc {
 namespace {
 
 struct OkumaCode {
-  static constexpr auto spec = ig::syntax("OkumaCodeSyntax", "Reads codes of an Okuma, and says what is not executed.")
-                                   .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PlaneSelectSyntax")
-                                   .before("DwellSyntax", "CannedCycleResolveSyntax", "NotExecutedSyntax");
+  static constexpr auto spec =
+      ig::syntax("OkumaCodeSyntax", "Reads codes of an Okuma, and says what is not executed.")
+          .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PlaneSelectSyntax", "PathModeSyntax")
+          .before("DwellSyntax", "CannedCycleResolveSyntax", "NotExecutedSyntax");
 
   iso::RecognisedCodes codes_{
       brand_diag("FAN-0201"),

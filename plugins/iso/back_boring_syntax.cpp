@@ -11,7 +11,7 @@ namespace {
 struct BackBoring {
   static constexpr auto spec =
       ig::syntax("BackBoringSyntax", "G87 back boring: through the bore beside its centre, then a cut upward.")
-          .after("CannedCycleResolveSyntax", "SpindleSpeedSyntax")
+          .after("CannedCycleResolveSyntax", "ManualBoringCycleSyntax", "SpindleSpeedSyntax")
           .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
 
   enum class RLevel { top, bottom };

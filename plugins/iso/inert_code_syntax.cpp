@@ -6,12 +6,17 @@ namespace iso {
 namespace {
 
 struct InertCode {
-  static constexpr auto spec =
-      ig::syntax("InertCodeSyntax", "Codes that change nothing here.").after("ParameterizedFlagSyntax");
+  static constexpr auto spec = ig::syntax("InertCodeSyntax", "Codes that change nothing here.")
+                                   .after("ParameterizedFlagSyntax", "RadiusCompensationSyntax");
 
   ig::Fields codes_{"codes",
-                    "Parsing.Flags.G13.1 Parsing.Flags.G23 Parsing.Flags.G40 Parsing.Flags.G40.1 Parsing.Flags.G67",
+                    "Parsing.Flags.G13.1 Parsing.Flags.G23 Parsing.Flags.G40 Parsing.Flags.G40.1 Parsing.Flags.G67 "
+                    "Parsing.Flags.G91.1",
                     ig::take | ig::wake, "Codes without words that are taken silently.", IG_CODE};
+
+  ig::Fields with_words_{"with-words", "", ig::take | ig::wake,
+                         "Codes that are taken silently with every word that nothing else of the block uses.", IG_CODE};
+  ig::Fields words_{"words", "Parsing.?", ig::take, "The words that go with them."};
 
   enum class Tuning { unknown, taken };
   ig::Call tuning_codes_{{"G103", "G187"}, "P[] E[]"};
@@ -23,7 +28,14 @@ struct InertCode {
     const bool any = tuning_ == Tuning::taken && b.take(tuning_codes_).has_value();
     std::uint32_t found = 0;
     b.host()->take_code(b.raw(), codes_.ids(), static_cast<std::uint32_t>(codes_.size()), &found);
-    return any || found > 0 ? ig::Status::changed : ig::Status::unchanged;
+    std::uint32_t with_words = 0;
+    if (with_words_.size() > 0)
+      b.host()->take_code(b.raw(), with_words_.ids(), static_cast<std::uint32_t>(with_words_.size()), &with_words);
+    for (std::size_t i = 0; with_words > 0 && i < words_.size(); ++i) {
+      ig_value unused;
+      b.host()->take(b.raw(), words_.id(i), &unused);
+    }
+    return any || found + with_words > 0 ? ig::Status::changed : ig::Status::unchanged;
   }
 };
 

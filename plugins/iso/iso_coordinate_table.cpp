@@ -26,6 +26,16 @@ struct IsoCoordinateTable {
 
   const void* service(std::string_view id) const { return id == "isogloss.work-offset/1" ? &offsets : nullptr; }
 
+  /// A row may name a higher P than the control has. A row of another name no program reaches.
+  std::string row_fault(std::string_view row) const {
+    constexpr std::string_view set = "G54.1P", preset = "DATUM_PRESET_";
+    const bool is_set = row.starts_with(set) && is_within(row.substr(set.size()), most_sets);
+    const bool is_preset =
+        row == "DATUM_PRESET_0" || (row.starts_with(preset) && is_within(row.substr(preset.size()), most_sets));
+    if (exists(row) || is_set || is_preset) return {};
+    return "its rows are EXT, G54 to G59, G59.1 to G59.9, G54.1P1, G54.1P2 and so on, and DATUM_PRESET_0, _1 and so on";
+  }
+
   /// What the control has, or a row names.
   bool has(std::string_view id) const {
     for (const ig::Column& column : columns.linear)
@@ -34,6 +44,8 @@ struct IsoCoordinateTable {
   }
 
  private:
+  static constexpr std::int64_t most_sets = 99'999;
+
   static bool is_within(std::string_view number, std::int64_t maximum) {
     std::int64_t n = 0;
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), n);

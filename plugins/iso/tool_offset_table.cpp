@@ -14,7 +14,7 @@ struct ToolOffsetTable {
                                    .rows("Tool", "id")
                                    .provides("isogloss.tool-offset/1");
 
-  ig::IntegerOption size{"size", "400", {1, 9999}, "Offset numbers that the control has, from 1."};
+  ig::IntegerOption size{"size", "400", {1, 99'999}, "Offset numbers that the control has, from 1."};
   ig::Choice<Unlisted> unlisted{"unlisted", "zero|missing", "zero",
                                 "What a number without a row is: an offset of zero, or none, which is an error."};
   ig::Column length{"H", "0", "mm", {}, "Length, geometry."};
@@ -24,6 +24,14 @@ struct ToolOffsetTable {
   ig::Table table;
 
   const void* service(std::string_view id) const { return id == "isogloss.tool-offset/1" ? &offsets : nullptr; }
+
+  std::string row_fault(std::string_view row) const {
+    std::int64_t id = 0;
+    const auto [end, error] = std::from_chars(row.data(), row.data() + row.size(), id);
+    const bool is_number = error == std::errc{} && end == row.data() + row.size();
+    if (!is_number || RowName(id).text() != row) return "a row is an offset number: 1, 2, 3 and so on, without zeros";
+    return has(id) ? "" : "the control has the numbers 1 to " + std::to_string(size) + " (option size)";
+  }
 
  private:
   struct RowName {

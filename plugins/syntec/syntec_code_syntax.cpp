@@ -8,7 +8,7 @@ namespace {
 
 struct SyntecCode {
   static constexpr auto spec = ig::syntax("SyntecCodeSyntax", "Says the functions of a Syntec that are not executed.")
-                                   .after("ParameterizedFlagSyntax")
+                                   .after("ParameterizedFlagSyntax", "SubprogramCallSyntax")
                                    .before("CannedCycleResolveSyntax", "NotExecutedSyntax", "UnconsumedCheckSyntax");
 
   iso::RecognisedCodes codes_{

@@ -8,7 +8,8 @@ namespace {
 
 struct SyntecHighSpeed {
   static constexpr auto spec = ig::syntax("SyntecHighSpeedSyntax", "E of G05 and G05.1: the tolerance, as a record.")
-                                   .after("ParameterizedFlagSyntax", "UnitModeSyntax");
+                                   .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PathSmoothingSyntax")
+                                   .before("IsoCoordinateOffsetSyntax");
 
   ig::Call codes_{{"G05", "G05.1"}, "E[mm]"};
   ig::Call sets_{{"G120.1"}, "P[] Q[]"};

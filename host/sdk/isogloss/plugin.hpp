@@ -232,6 +232,18 @@ class SyntaxDescriptor {
   ig_syntax out_{};
 };
 
+/// T::row_fault() answers with what a row that means nothing lacks; with nothing for one that means something.
+template <class T>
+ig_text row_fault(void* self, ig_text row) noexcept {
+  try {
+    thread_local std::string answer;
+    answer = static_cast<const T*>(self)->row_fault(to_view(row));
+    return to_text(answer);
+  } catch (...) {
+    return to_text("it cannot be looked at");
+  }
+}
+
 template <class T>
 class DependencyDescriptor {
  public:
@@ -262,6 +274,7 @@ class DependencyDescriptor {
         return nullptr;
       }
     };
+    if constexpr (requires(const T& t) { t.row_fault(std::string_view{}); }) out_.row_fault = &detail::row_fault<T>;
   }
   const ig_dependency* get() const { return &out_; }
 

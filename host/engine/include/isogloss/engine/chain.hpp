@@ -113,6 +113,8 @@ class Chain {
   void report(const Document& document, Severity severity, std::string_view code, std::string message,
               std::uint32_t begin, std::uint32_t end, std::string hint = {});
   const void* service(std::string_view id) const;
+  /// The dependency that answers for a service, by its place in the dialect.
+  std::optional<std::size_t> answering(std::string_view id) const;
   DependencyTable* table(std::string_view dependency);
   std::string_view setting(std::string_view name) const;
 
@@ -141,6 +143,8 @@ class Chain {
   static std::uint64_t change_of(std::size_t watch) { return std::uint64_t{1} << std::min(watch, last_change); }
   void overlay(const DependencyElement& element);
   void assign(const std::string& path, const std::string& value);
+  void refuse_rows(std::size_t dependency);
+  void check_answers();
   void call_watched(Document& document, std::uint32_t position);  // checked and traced modes
   bool call_looking_ahead(Document& document, std::uint32_t position, std::uint32_t first);
   void inspect(Document& document, std::uint32_t first, std::uint32_t last);
@@ -186,7 +190,12 @@ class Chain {
   std::uint64_t inspection_[4] = {};          // as Document::active: from inspection_begin on
   std::uint64_t inspectors_[4] = {};          // of these, what runs when something is left over
   const bool is_plain_;
-  bool is_scanning_ = false;                  // for a crash report
+  struct AssignedRow {
+    std::size_t dependency;
+    std::string name;
+  };
+  std::vector<AssignedRow> assigned_rows_;  // by --set
+  bool is_scanning_ = false;                // for a crash report
 };
 
 }  // namespace isogloss

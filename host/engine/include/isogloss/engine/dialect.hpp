@@ -25,7 +25,7 @@ struct ChainElement {
   std::string syntax;
   std::string alias;
   std::vector<Attribute> options;
-  bool override_slot = false;  ///< override="true": may claim an exclusive slot a second time
+  bool override_slot = false;  ///< override="true": may claim a slot or take a code that another one has
   Location where;
 };
 

@@ -66,6 +66,13 @@ enum class LinkMode { whole, parts };
 std::unique_ptr<LinkedDialect> link(const Dialect& dialect, Library& library, DiagnosticSink& sink,
                                     LinkMode mode = LinkMode::whole);
 
+/// A service and the dependencies that offer it, by their places in the dialect: the first one answers.
+struct Provision {
+  std::string service;
+  std::vector<std::size_t> dependencies;
+};
+std::vector<Provision> provisions(const LinkedDialect& linked);
+
 /// An order of the chain that satisfies after/before, or empty when there is none: for `lint --suggest`.
 std::vector<std::string> suggest_order(const Dialect& dialect, Library& library);
 
