@@ -26,6 +26,10 @@ class Cases {
   void run_page(const std::string& text, const std::string& file) {
     const Page page = read_page(text, file, session_.diagnostics());
     ++pages_;
+    // The page of a dependency need not hold one.
+    const bool needs_none = session_.library().dependency(page.syntax) != nullptr;
+    if (page.cases.empty() && !needs_none && session_.diagnostics().errors() == 0)
+      session_.say("IG-0501", {file}, {"the page holds no case"});
     for (const Case& one : page.cases) {
       const std::string difference = run_case(page, one, file, around_, session_.library());
       if (difference.empty()) {

@@ -46,12 +46,15 @@ Json describe_dialects(Session& session) {
     const std::string source = listed.file.empty() ? listed.name : listed.file.string();
     const std::optional<Dialect> dialect = session.reader().read(source, said);
     if (dialect) link(*dialect, session.library(), said);
-    Json faults = Json::array();
+    Json faults = Json::array(), warnings = Json::array();
     for (const Diagnostic& d : said.all)
-      if (d.severity == Severity::error)
-        faults.push_back(
-            fmt::format("{}:{}:{}: {} [{}]", d.where.file, d.where.line, d.where.column, d.message, d.code));
-    out.push_back({{"Name", listed.name}, {"File", listed.file.string()}, {"Faults", std::move(faults)}});
+      if (d.severity != Severity::note)
+        (d.severity == Severity::error ? faults : warnings)
+            .push_back(fmt::format("{}:{}:{}: {} [{}]", d.where.file, d.where.line, d.where.column, d.message, d.code));
+    out.push_back({{"Name", listed.name},
+                   {"File", listed.file.string()},
+                   {"Faults", std::move(faults)},
+                   {"Warnings", std::move(warnings)}});
   }
   return out;
 }
@@ -82,6 +85,7 @@ std::string as_text(const Json& all) {
     out += fmt::format("  {}: {}, {}\n", d["Name"].get<std::string>(), d["File"].get<std::string>(),
                        d["Faults"].empty() ? "links" : "does not link:");
     for (const Json& fault : d["Faults"]) out += fmt::format("    {}\n", fault.get<std::string>());
+    for (const Json& warning : d["Warnings"]) out += fmt::format("    warning: {}\n", warning.get<std::string>());
   }
   return out;
 }
@@ -105,9 +109,16 @@ int DoctorCommand::run() const {
   all["DialectFolders"] = describe_places(session.dialect_places());
   all["Dialects"] = describe_dialects(session);
   bool is_well = all["Refused"].empty();
-  for (const Json& d : all["Dialects"]) is_well = is_well && d["Faults"].empty();
-  const std::string out = json ? all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-                               : as_text(all) + (is_well ? "All is well.\n" : "Something was not loaded.\n");
+  std::size_t warnings = all["Warnings"].size();
+  for (const Json& d : all["Dialects"]) {
+    is_well = is_well && d["Faults"].empty();
+    warnings += d["Warnings"].size();
+  }
+  const std::string verdict = !is_well        ? "Something was not loaded.\n"
+                              : warnings == 0 ? "All is well.\n"
+                                              : fmt::format("All is loaded, with {} warnings above.\n", warnings);
+  const std::string out =
+      json ? all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : as_text(all) + verdict;
   return print(out, is_well ? success : input_errors);
 }
 

@@ -119,7 +119,10 @@ bool OutputFile::flush() {
 }
 
 bool OutputFile::write(std::string_view bytes) {
-  if (reader_is_gone_ || !error_.empty()) return false;
+  if (reader_is_gone_ || is_over_allowance_ || !error_.empty()) return false;
+  is_over_allowance_ = bytes.size() > allowance_;
+  if (is_over_allowance_) return false;
+  allowance_ -= bytes.size();
   const bool is_large = bytes.size() >= large_piece;  // comes from a buffer already
   if ((is_large || bytes.size() > buffer_size - used_) && !flush()) return false;
   if (is_large) return write_through(bytes);

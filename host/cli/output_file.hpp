@@ -1,6 +1,7 @@
 /// Where data goes: standard output, or a file that appears only when it is complete.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -21,6 +22,9 @@ class OutputFile : public Output {
   OutputFile& operator=(const OutputFile&) = delete;
 
   bool write(std::string_view bytes) override;
+  /// No more than that: write() refuses what goes beyond it.
+  void allow(std::uint64_t bytes) { allowance_ = bytes; }
+  bool is_over_allowance() const { return is_over_allowance_; }
   /// Writes what waits, closes and renames; false with error() set, or when the reader is gone.
   bool commit();
 
@@ -39,7 +43,8 @@ class OutputFile : public Output {
   std::string target_, temporary_;
   std::unique_ptr<char[]> buffer_;
   std::size_t used_ = 0;
-  bool reader_is_gone_ = false;
+  std::uint64_t allowance_ = UINT64_MAX;
+  bool reader_is_gone_ = false, is_over_allowance_ = false;
   std::string error_;
 };
 

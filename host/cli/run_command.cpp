@@ -9,6 +9,7 @@
 #include "output_file.hpp"
 #include "program_options.hpp"
 #include "reproducer.hpp"
+#include "run_budgets.hpp"
 #include "summary_text.hpp"
 #include "table_saver.hpp"
 
@@ -23,6 +24,7 @@ struct RunCommand {
   std::string emit, format = "jsonl", output;
   bool summary = false, header = false, exact = false, zero_moves = false, checked = false, call_all = false;
   ReproducerRequest reproducer;
+  RunBudgets budgets;
   std::vector<std::string> save_table;
   std::vector<TableRequest> tables_to_save;
 
@@ -50,6 +52,7 @@ void RunCommand::add_to(CommandLine& line) {
   line.flag("--header", header, "JSON Lines: a first line with version, dialect and units");
   line.flag("--exact", exact, "Numbers that read back to the same value instead of 6 decimals");
   line.flag("--zero-moves", zero_moves, "Keep linear moves that change no machine axis");
+  budgets.add_to(line);
   line.flag("--checked", checked, "Hold every access of a syntax against its declaration (slow)").group("Testing");
   line.flag("--call-all", call_all, "Call every syntax in every block; must give the same result").group("Testing");
   reproducer.add_to(line);
@@ -175,13 +178,19 @@ class Runs {
         totals = make_summary_exporter(summary, rapid_rates(*linked_, options.chain));
         exporters.push_back(totals.get());
       }
-      if (command_.common.maximum_errors != 0) exporters.push_back(&limit);
+      // The default ends endless loops of errors, which may wait for the next look at the budgets.
+      if (command_.common.maximum_errors != 0 && command_.common.maximum_errors != CommonOptions::many_errors)
+        exporters.push_back(&limit);
+      options.goes_on = [&] { return command_.budgets.hold(path, session_); };
       if (!command_.tables_to_save.empty())
         exporters.push_back((tables = make_table_saver(command_.tables_to_save, session_)).get());
       const std::uint64_t errors_before = session_.diagnostics().errors();
       const RunResult result = isogloss::run(*linked_, source, path, options, exporters, session_.diagnostics());
       wrote_ = true;
-      output_is_gone_ = output_->reader_is_gone();
+      output_is_gone_ = output_->reader_is_gone() || output_->is_over_allowance();
+      if (output_->is_over_allowance())
+        session_.say("IG-0452", {path, static_cast<std::uint32_t>(result.lines), 0},
+                     {std::to_string(command_.budgets.output_bytes)});
       if (session_.diagnostics().limit_reached())
         session_.say("IG-0517", {path, static_cast<std::uint32_t>(result.lines), 0},
                      {std::to_string(session_.diagnostics().errors())});
@@ -248,7 +257,9 @@ int RunCommand::run() {
   // A table may be saved where it came from: the next run takes it up again.
   std::vector<std::string> outputs = saved;
   outputs.push_back(output);
-  if (!are_apart(sources, outputs, session) || !are_apart(given, {output}, session)) return cannot_start;
+  outputs.push_back(common.diagnostics_output);
+  if (!are_apart(sources, outputs, session) || !are_apart(given, {output, common.diagnostics_output}, session))
+    return cannot_start;
   options->chain.mode = checked ? Mode::checked : Mode::fast;
   options->chain.call_all = call_all;
   watch_calls(program.watchdog);
@@ -262,10 +273,12 @@ int RunCommand::run() {
     session.say("IG-0511", {output}, {error});
     return cannot_start;
   }
+  file->allow(budgets.output_bytes);
   int status = success;
   Runs runs(*this, session, *options, file.get());
   for (const std::string& path : programs) {
     status = std::max(status, runs.run(path));
+    if (file->is_over_allowance()) break;
     if (runs.output_is_gone()) return status;
   }
   // Nothing ran, or half a program: an older file stays as it is.

@@ -8,7 +8,6 @@
 #include "crash_guard.hpp"
 #include "isogloss/engine/own_dependencies.hpp"
 #include "isogloss/engine/runner.hpp"
-#include "output_file.hpp"
 
 namespace isogloss::cli {
 
@@ -56,7 +55,7 @@ DiagnosticPolicy policy(const CommonOptions& options) {
   out.repeats = options.repeats;
   out.maximum_errors = options.maximum_errors;
   out.warnings_are_errors = options.warnings_are_errors;
-  out.colours = isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+  out.colours = options.diagnostics_output.empty() && isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
   return out;
 }
 
@@ -70,10 +69,13 @@ void write_to_stderr(std::string_view text) {
 void CommonOptions::add_to(CommandLine& line) {
   line.option("--plugins", plugins, "Look for plugins in this folder first").type_name("DIR").group("Common");
   line.option("--dialects", dialects, "Look for dialects in this folder first").type_name("DIR").group("Common");
-  line.option("--diagnostics", diagnostics, "How diagnostics are written to standard error")
+  line.option("--diagnostics", diagnostics, "How diagnostics are written")
       .one_of({"text", "json", "sarif"})
       .type_name("text|json|sarif")
       .shows_default()
+      .group("Common");
+  line.option("--diagnostics-output", diagnostics_output, "Write diagnostics to a file instead")
+      .type_name("FILE")
       .group("Common");
   line.option("--repeats", repeats, "Say so many diagnostics of one code in full (0: all)")
       .type_name("N")
@@ -92,9 +94,21 @@ Session::Session(const CommonOptions& options)
           places(options.dialects, "--dialects", "ISOGLOSS_DIALECT_PATH", "dialects", "share/isogloss/dialects")),
       library_(folders(plugin_places_)),
       reader_(folders(dialect_places_)),
-      diagnostics_(policy(options), write_to_stderr) {}
+      diagnostics_output_(options.diagnostics_output),
+      diagnostics_(policy(options), [this](std::string_view text) {
+        if (diagnostics_file_ == nullptr || !diagnostics_file_->write(text)) write_to_stderr(text);
+      }) {
+  if (diagnostics_output_.empty()) return;
+  std::string error;
+  diagnostics_file_ = OutputFile::open(diagnostics_output_, error);
+  if (diagnostics_file_ == nullptr) say("IG-0511", {diagnostics_output_}, {error});
+}
 
-Session::~Session() { diagnostics_.finish(); }
+Session::~Session() {
+  diagnostics_.finish();
+  if (diagnostics_file_ == nullptr || diagnostics_file_->commit() || diagnostics_file_->reader_is_gone()) return;
+  write_to_stderr("isogloss: " + diagnostics_output_ + " cannot be written: " + diagnostics_file_->error() + "\n");
+}
 
 std::unique_ptr<LinkedDialect> Session::link(const std::string& name, const std::vector<DependencyElement>& own) {
   std::optional<Dialect> dialect = reader_.read(name, diagnostics_);

@@ -12,6 +12,7 @@
 #include "isogloss/engine/dialect.hpp"
 #include "isogloss/engine/library.hpp"
 #include "isogloss/engine/linker.hpp"
+#include "output_file.hpp"
 
 namespace isogloss::cli {
 
@@ -23,9 +24,10 @@ struct Place {
 
 struct CommonOptions {
   std::vector<std::string> plugins, dialects;
-  std::string diagnostics = "text";
+  std::string diagnostics = "text", diagnostics_output;
   std::uint64_t repeats = 5;
-  std::uint64_t maximum_errors = 0;
+  static constexpr std::uint64_t many_errors = 100'000;
+  std::uint64_t maximum_errors = many_errors;
   bool warnings_are_errors = false;
 
   void add_to(CommandLine& line);
@@ -52,6 +54,8 @@ class Session {
   std::unique_ptr<LinkedDialect> link(const std::string& dialect, const std::vector<DependencyElement>& own = {});
   /// Says one of the host's diagnostics.
   void say(std::string_view code, Location where, std::initializer_list<std::string> arguments, std::string hint = {});
+  /// From now on, whatever --diagnostics-output names; what went there is dropped.
+  void say_to_stderr() { diagnostics_file_.reset(); }
   /// input_errors when there were errors, internal_fault when a plugin broke the contract, else success.
   int status() const;
 
@@ -59,6 +63,8 @@ class Session {
   std::vector<Place> plugin_places_, dialect_places_;
   Library library_;
   DialectReader reader_;
+  std::string diagnostics_output_;
+  std::unique_ptr<OutputFile> diagnostics_file_;
   DiagnosticWriter diagnostics_;
 };
 

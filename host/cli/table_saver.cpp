@@ -92,11 +92,13 @@ bool are_apart(const std::vector<std::string>& inputs, const std::vector<std::st
     if (!is_replaced(outputs[i])) continue;
     for (const std::string& input : inputs)
       if (!input.empty() && input != "-" && are_one(input, outputs[i])) {
+        session.say_to_stderr();
         session.say("IG-0530", {outputs[i]}, {input});
         return false;
       }
     for (std::size_t k = 0; k < i; ++k)
       if (is_replaced(outputs[k]) && have_one_name(outputs[k], outputs[i])) {
+        session.say_to_stderr();
         session.say("IG-0531", {outputs[i]}, {outputs[k]});
         return false;
       }

@@ -62,9 +62,17 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& names) {
+  // Lists of any length come from files. What is looked at in the first milliseconds is enough for a hint.
+  std::size_t comparisons_left = 10'000'000;
   const std::string* best = nullptr;
   std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const std::string& candidate : names) {
+    const std::size_t size_difference =
+        std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size());
+    if (size_difference >= best_distance) continue;  // the distance is at least that
+    const std::size_t cost = (name.size() + 1) * (candidate.size() + 1);
+    if (cost > comparisons_left) break;
+    comparisons_left -= cost;
     const std::size_t distance = edit_distance(name, candidate);
     if (distance < best_distance) {
       best = &candidate;

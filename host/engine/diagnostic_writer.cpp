@@ -129,6 +129,12 @@ void DiagnosticWriter::write_sarif(const Diagnostic& d) {
   write_(out += '}');
 }
 
+std::uint64_t DiagnosticWriter::number() const {
+  std::uint64_t all = 0;
+  for (const auto& [code, count] : by_code_) all += count.number;
+  return all;
+}
+
 void DiagnosticWriter::finish_program() {
   if (policy_.style == DiagnosticStyle::text && policy_.repeats != 0) {
     for (const auto& [code, said] : said_)

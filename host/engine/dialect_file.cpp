@@ -468,7 +468,16 @@ std::vector<DependencyElement> read_dependency_file(const XmlSource& xml, XmlBud
 fs::path below_folder_of(const std::string& file, const std::string& path) {
   const fs::path relative = fs::path(path).lexically_normal();
   if (path.empty() || relative.is_absolute() || *relative.begin() == "..") return {};
-  return (fs::path(file).parent_path() / relative).lexically_normal();
+  const fs::path folder = fs::path(file).parent_path();
+  const fs::path named = (folder / relative).lexically_normal();
+  std::error_code error;
+  const fs::path real = fs::canonical(named, error);
+  if (error) return named;  // it is not there, which its reader says
+  const fs::path real_folder = fs::canonical(folder.empty() ? "." : folder, error);
+  return !error && std::mismatch(real_folder.begin(), real_folder.end(), real.begin(), real.end()).first ==
+                       real_folder.end()
+             ? named
+             : fs::path();
 }
 
 std::string meant(std::string_view name, const std::vector<std::string>& names) {

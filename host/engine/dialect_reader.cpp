@@ -19,7 +19,7 @@ bool names_a_file(std::string_view name) { return name.find('/') != std::string_
 
 bool is_file(const fs::path& path) {
   std::error_code error;
-  return fs::exists(path, error) && !fs::is_directory(path, error);
+  return fs::is_regular_file(path, error);
 }
 
 /// One spelling for each file, so that a loop is seen.
@@ -291,7 +291,7 @@ std::vector<DependencyElement> DialectReader::read_dependencies(const std::files
                                                                 DiagnosticSink& sink) const {
   XmlBudget budget;
   Report report(sink);
-  const std::unique_ptr<XmlSource> xml = XmlSource::open(file, {}, budget, sink);
+  const std::unique_ptr<XmlSource> xml = XmlSource::open(file, {}, budget, sink, Pipes::read);
   if (xml == nullptr) return {};
   std::vector<DependencyElement> all = read_dependency_file(*xml, budget, report);
   return report.failed ? std::vector<DependencyElement>{} : all;

@@ -170,7 +170,30 @@ bool Flow::find_in_folders(const ig_go& request, Target& out) {
     out = {file, at.value_or(Place{}), false};
     return true;
   };
-  return places().find({request.files, request.file_count}, take, reason_);
+  if (places().find({request.files, request.file_count}, take, reason_)) return true;
+  return searched_.emplace(label).second && find_in_neighbours(label, out);
+}
+
+/// A file of another name may hold the program. Where several do, it is not known which one the control has.
+bool Flow::find_in_neighbours(std::string_view label, Target& out) {
+  std::optional<Target> only;
+  const bool are_several = places().find_inside([&](const ProgramPlaces::Found& found) {
+    const std::size_t known = files_.size();
+    ProgramFile* const file = open(found);
+    const auto at = file == nullptr ? std::nullopt : labels(*file).program(label);
+    if (at && !only) {
+      only = Target{file, *at, false};
+      return false;
+    }
+    if (at) reason_ = "it is in " + only->file->name + " and in " + file->name + ": name one file with --subprograms";
+    if (files_.size() > known) files_.pop_back();
+    return at.has_value();
+  });
+  if (are_several || !only) return false;
+  sink_.add(host_diagnostic("IG-0451", {frame_->file->name, here_.line, here_.column + 1},
+                            {std::string(label), only->file->name}));
+  out = *only;
+  return true;
 }
 
 ProgramFile* Flow::open(const ProgramPlaces::Found& found) {

@@ -83,6 +83,7 @@ class Flow : public FlowHost {
   std::int32_t not_found(ig_go& request, std::string reason);
   bool find_program(const ig_go& request, Target& out);
   bool find_in_folders(const ig_go& request, Target& out);
+  bool find_in_neighbours(std::string_view label, Target& out);
   ProgramFile* open(const ProgramPlaces::Found& found);
   LabelIndex& labels(ProgramFile& file);
   void say_lost(const ProgramFile& file);
@@ -107,6 +108,7 @@ class Flow : public FlowHost {
   std::unique_ptr<Indexer> indexer_;
   std::unique_ptr<ProgramPlaces> places_;
   std::unordered_map<std::string, Target> known_;
+  std::set<std::string, std::less<>> searched_;  // programs that were looked for in files of other names
   std::vector<std::unique_ptr<Frame>> frames_;
   Frame* frame_ = nullptr;
   Cursor* cursor_ = nullptr;

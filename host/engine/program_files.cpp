@@ -1,6 +1,7 @@
 #include "program_files.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace isogloss {
 
@@ -191,6 +192,33 @@ bool ProgramPlaces::find(std::span<const ig_text> stems, const std::function<boo
         else if (take({resolved, shown, false}))
           return true;
       }
+    }
+  }
+  return false;
+}
+
+bool ProgramPlaces::find_inside(const std::function<bool(const Found&)>& take) {
+  constexpr std::size_t most_files = 256;
+  std::uintmax_t bytes_left = std::uintmax_t{16} << 20;
+  for (Folder& folder : folders_) {
+    if (folder.is_library) continue;
+    if (!folder.is_listed) list(folder);
+    std::set<std::string> names;
+    for (const auto& [stem, files] : folder.files)
+      for (const std::string& name : files)
+        if (const std::string e = lower(fs::path(name).extension().string());
+            std::find(extensions_.begin(), extensions_.end(), e) != extensions_.end())
+          names.insert(name);
+    if (names.size() > most_files) continue;
+    for (const std::string& name : names) {
+      std::error_code code;
+      const fs::path resolved = fs::canonical(folder.resolved / name, code);
+      if (code || resolved.parent_path() != folder.resolved || !fs::is_regular_file(resolved, code)) continue;
+      const std::uintmax_t size = fs::file_size(resolved, code);
+      if (code || size > bytes_left) continue;
+      bytes_left -= size;
+      const std::string shown = folder.shown == "." ? name : (fs::path(folder.shown) / name).string();
+      if (take({resolved, shown, true})) return true;
     }
   }
   return false;

@@ -95,6 +95,8 @@ class ProgramPlaces {
   /// Calls `take` with each file that may hold the program, the best first, until it says yes. What is in the way goes
   /// to `reason`.
   bool find(std::span<const ig_text> stems, const std::function<bool(const Found&)>& take, std::string& reason);
+  /// Every file of the folders that may hold programs, whatever its name: so many, and so much of them.
+  bool find_inside(const std::function<bool(const Found&)>& take);
   std::string describe() const;  ///< "folder a, file b"
 
  private:

@@ -170,7 +170,10 @@ class Run {
                     host_diagnostic("IG-0407", {}, {std::to_string(result_.blocks)}).message, 0, 0);
     }
     if (waits) keep_in_window(d);
-    if (options_.progress && result_.blocks % progress_interval == 0) options_.progress(result_.blocks, flow_.bytes());
+    if (result_.blocks % progress_interval == 0) {
+      if (options_.progress) options_.progress(result_.blocks, flow_.bytes());
+      over_ = over_ || (options_.goes_on && !options_.goes_on());
+    }
   }
 
   [[gnu::always_inline]] inline void export_block(Document& d) {

@@ -105,10 +105,13 @@ std::vector<RawAttribute> raw_attributes(std::string_view text, std::size_t i) {
 }  // namespace
 
 std::unique_ptr<XmlSource> XmlSource::open(const std::filesystem::path& file, const Location& asked_at,
-                                           XmlBudget& budget, DiagnosticSink& sink) {
+                                           XmlBudget& budget, DiagnosticSink& sink, Pipes pipes) {
   std::error_code error;
-  if (std::filesystem::is_directory(file, error)) {
-    sink.add(host_diagnostic("IG-0102", asked_at, {file.string(), "it is a folder"}));
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  const bool is_pipe = std::filesystem::is_fifo(status) && pipes == Pipes::read;
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) && !is_pipe) {
+    const char* const what = std::filesystem::is_directory(status) ? "it is a folder" : "it is no regular file";
+    sink.add(host_diagnostic("IG-0102", asked_at, {file.string(), what}));
     return nullptr;
   }
   std::ifstream in(file, std::ios::binary);

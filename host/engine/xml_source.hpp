@@ -23,12 +23,15 @@ struct XmlBudget {
 
 /// UTF-8 without a document type; more strictly read than pugixml does: each fault that it would pass over is reported
 /// with its place.
+/// A pipe in a folder that is searched would be waited for; one that the user names is what he wants.
+enum class Pipes : std::uint8_t { refuse, read };
+
 class XmlSource {
  public:
   /// Empty, and reported at `asked_at` (the place that named the file), when the file cannot be read; reported at its
   /// own place when it is not well-formed.
   static std::unique_ptr<XmlSource> open(const std::filesystem::path& file, const Location& asked_at, XmlBudget& budget,
-                                         DiagnosticSink& sink);
+                                         DiagnosticSink& sink, Pipes pipes = Pipes::refuse);
   static std::unique_ptr<XmlSource> parse(std::string file, std::string text, DiagnosticSink& sink);
 
   pugi::xml_node root() const { return document_.document_element(); }

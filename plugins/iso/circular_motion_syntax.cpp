@@ -4,6 +4,7 @@
 #include "motion_event_util.hpp"
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
+#include "recognition_diagnostics.hpp"
 #include "scale_and_mirror.hpp"
 #include "tool_center_diagnostics.hpp"
 
@@ -37,6 +38,11 @@ struct CircularMotion {
       "missing-center", "linear|warning|error", "linear",
       "What an arc without I, J, K and R is: a straight line, one that is said, or an "
       "alarm."};
+  ig::Config number_format_{"isogloss.number-format/1", ig::Need::optional, "CalculatorDecimalPoint"};
+  ig::TextOption whole_numbers_{"whole-numbers", "",
+                                "How the control is set to read numbers without a point as units; said where an arc "
+                                "with such numbers cannot be. Empty: nothing is said."};
+  ig::Signal without_point_{"Parsing.~WithoutPoint", ig::read};
   ig::NumberOption radius_tolerance_{"radius-tolerance",
                                      "0",
                                      {0, 1000},
@@ -107,6 +113,7 @@ struct CircularMotion {
     // Programs round R and the end point: a thousandth is no fault even where no tolerance is set.
     if (radius_shortfall(path.start(), path.end(), radius) > std::fmax(tolerance_, 0.001)) {
       b.report(diag("ISO-0322"), ig::Where::word(r_.id()), std::fabs(radius), (path.end() - path.start()).length() / 2);
+      suspect_whole_numbers(b);
       b.alarm();
     }
     emit(b, path, center_by_radius(path.start(), path.end(), radius, is_ccw), is_ccw);
@@ -123,9 +130,16 @@ struct CircularMotion {
     }
     if (tolerance_ > 0 && std::fabs(at_end - at_start) > tolerance_) {
       b.report(diag("ISO-0321"), ig::Where::block(), at_start, at_end, tolerance_);
+      suspect_whole_numbers(b);
       b.alarm();
     }
     emit(b, path, center, is_ccw);
+  }
+
+  void suspect_whole_numbers(ig::Block& b) const {
+    if (whole_numbers_.text().empty() || !b.is_raised(without_point_)) return;
+    if (number_format_.number("CalculatorDecimalPoint").value_or(0) != 0) return;
+    b.report(recognition_diag("ISO-0546"), ig::Where::block(), whole_numbers_.text());
   }
 
   void without_center(ig::Block& b, const Path& path) const {

@@ -31,6 +31,15 @@ inline constexpr std::array recognition_diagnostics{
     ig::diagnostic(IG_ERROR, "ISO-0544",
                    "{0} beside G10 L{1} is not executed: this table has no such value, so remove the word",
                    "L2 and L20 write positions of work offsets, L10 to L13 write R alone.", "G10 L10 P1 R5. Z3."),
+    ig::diagnostic(IG_ERROR, "ISO-0545", "{0} moves nothing: no axis {1} is known here",
+                   "A machine may have further linear axes U, V and W; here it has X, Y, Z and rotary axes.", "G1 W5."),
+    ig::diagnostic(
+        IG_NOTE, "ISO-0546",
+        "words of this arc have no decimal point, so they count least increments; if the program means "
+        "millimetres or inches, {0}",
+        "The same program is a thousand times larger on a control that is set to read whole numbers as units. "
+        "An arc that cannot close is often the first sign.",
+        "G2 X10. Y0 I5 J0 (where I5 is 0.005 mm)"),
 };
 
 inline constexpr std::size_t recognition_end = corner_end + recognition_diagnostics.size();

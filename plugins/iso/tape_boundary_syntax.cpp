@@ -1,7 +1,10 @@
 // % marks the start and the end of the program on the tape. What stands between the first % and the end of its line is
 // leader and skipped; nothing after the second % is program. A % right behind the program number is the first one: some
 // write the number above it. Ctrl-Z ends a file as the second % does. A file without
-// marks is a program all the same, and so is one that holds the last mark only.
+// marks is a program all the same, and so is one that holds the last mark only. Programs behind the second % can be
+// called.
+#include <isogloss/flow.hpp>
+
 #include "diagnostics.hpp"
 #include "scan_util.hpp"
 
@@ -12,6 +15,7 @@ struct TapeBoundarySyntax {
   static constexpr auto spec =
       ig::syntax("TapeBoundarySyntax", "Takes % at the start and at the end of the program.").scans("%\x1A");
 
+  ig::Flow flow_;
   ig::TextField text_{"TapeBoundary.Text", ig::write};
   ig::Signal started{"TapeBoundary.~Started", ig::read | ig::write, ig::Life::frame};
   ig::Signal program{"Source.~Program", ig::read, ig::Life::frame};
@@ -20,6 +24,7 @@ struct TapeBoundarySyntax {
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     const std::size_t end = block_end(text, position);
     const std::size_t mark_end = skip_while(text, position, [](char c) { return c == '%'; });
+    if (flow_.is_indexing() && text[position] == '%') return program_follows(text, mark_end) ? mark_end : end;
     const bool has_begun = b.is_raised(program) && !b.is_raised(number_before);
     if (text[position] != '%' || b.is_raised(started) || has_begun) {
       const std::size_t behind = std::max(mark_end, position + 1);

@@ -2,6 +2,7 @@
 /// each piece with its columns. What can move the tool elsewhere is an error, the rest a warning, plain text a note.
 #include "diagnostics.hpp"
 #include "leftovers.hpp"
+#include "recognition_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -15,9 +16,18 @@ struct UnconsumedCheck {
   static constexpr auto spec =
       ig::syntax("UnconsumedCheckSyntax", "Reports everything in a block that nobody used.").inspects_leftovers();
 
+  ig::Signal said_{"Source.~UnknownCodeSaid", ig::read};
+  ig::In<ig::Symbol> form_{"MotionEvent.Form"};
+  ig::Name arc_{"McArc"};
+
   ig::Status build(ig::Block& b) {
-    for (std::uint32_t i = 0; const auto left = leftover(b, i); ++i)
-      if (!belongs_to_leftover_code(b, *left)) report(b, *left);
+    bool is_said = b.is_raised(said_);  // of the first unknown G code, with its words
+    for (std::uint32_t i = 0; const auto left = leftover(b, i); ++i) {
+      if (is_said && left->kind == IG_LEFT_UNKNOWN && left->name.starts_with('G'))
+        is_said = false;
+      else if (!belongs_to_leftover_code(b, *left) && !(b.is(form_, arc_) && is_idle_center(b, *left)))
+        report(b, *left);
+    }
     return ig::Status::unchanged;
   }
 
@@ -31,6 +41,15 @@ struct UnconsumedCheck {
     return false;
   }
 
+  /// K0 of an arc in XY, as some posts write it.
+  static bool is_idle_center(const ig::Block& b, const Leftover& word) {
+    const std::string_view source = b.source();
+    return word.kind == IG_LEFT_WORD && (word.name == "I" || word.name == "J" || word.name == "K") &&
+           word.begin < word.end && word.end <= source.size() &&
+           source.substr(word.begin, word.end - word.begin).find_first_not_of("IJKijk+-.0 ") == std::string_view::npos;
+  }
+  static bool is_further_axis(std::string_view name) { return name == "U" || name == "V" || name == "W"; }
+
   static void report(ig::Block& b, const Leftover& left) {
     const auto where = ig::Where::columns(left.begin, left.end);
     const std::string_view name = left.name;
@@ -41,7 +60,12 @@ struct UnconsumedCheck {
     switch (left.kind) {
       case IG_LEFT_UNKNOWN: b.report(is_machine_function ? diag("ISO-0281") : diag("ISO-0280"), where, name); break;
       case IG_LEFT_CODE: b.report(is_machine_function ? diag("ISO-0283") : diag("ISO-0282"), where, name); break;
-      case IG_LEFT_WORD: b.report(is_geometric(name) ? diag("ISO-0284") : diag("ISO-0285"), where, written); break;
+      case IG_LEFT_WORD:
+        if (is_further_axis(name))
+          b.report(recognition_diag("ISO-0545"), where, written, name);
+        else
+          b.report(is_geometric(name) ? diag("ISO-0284") : diag("ISO-0285"), where, written);
+        break;
       case IG_LEFT_EXPRESSION: b.report(diag("ISO-0286"), where, written); break;
       case IG_LEFT_STATEMENT: b.report(diag("ISO-0287"), where, written); break;
       default: b.report(diag("ISO-0288"), where, written);

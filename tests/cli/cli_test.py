@@ -196,6 +196,151 @@ class Overwriting(Command):
         self.assertTrue((self.path / "out.csv").is_symlink())
 
 
+class BadDocuments(Command):
+    def test_deep_and_huge_json_is_an_error_of_the_input(self):
+        for text, reason in (('{"a":' * 20_000 + "1" + "}" * 20_000, "nested more than 100 deep"),
+                             ('{"Parsing": {"X": 1e999}}', "a number beyond 1.8e308")):
+            done = self.run_it("apply", "DwellSyntax", given=text, status=1)
+            self.assertIn(reason, done.stderr)
+            self.assertIn("[IG-0502]", done.stderr)
+
+    def test_a_page_without_a_case_is_an_error(self):
+        page = self.write("page.md", "nothing of this is a page\n")
+        self.assertIn("[IG-0501]", self.run_it("case", page, status=1).stderr)
+
+
+class Tables(Command):
+    """A row that no program can reach is refused by name and line."""
+
+    def refused(self, *arguments, code):
+        self.write("part.nc", "G21 G54 G43 H1\nM30\n")
+        done = self.run_it("run", "part.nc", "-d", "fanuc", "--emit", "none", *arguments, status=2)
+        self.assertIn(f"[{code}]", done.stderr)
+        return done.stderr
+
+    def test_rows_that_mean_nothing(self):
+        offsets = self.write("offsets.xml", """<Dependencies>
+  <IsoCoordinateTable>
+    <Offset id="g54" X="100"/>
+    <Offset id="G77" X="1"/>
+  </IsoCoordinateTable>
+  <ToolOffsetTable>
+    <Tool id="01" H="1"/>
+    <Tool id="abc" H="1"/>
+    <Tool id="401" H="1"/>
+  </ToolOffsetTable>
+</Dependencies>
+""")
+        said = self.refused("--offsets", offsets, code="IG-0432")
+        for line, row in ((3, "g54"), (4, "G77")):
+            self.assertRegex(said, rf"offsets.xml:{line}:\d+: error: IsoCoordinateTable has no row '{row}'")
+        tools = self.write("tools.xml", offsets.read_text().replace("IsoCoordinateTable", "FanucParameterTable")
+                           .replace("Offset id", "Parameter number").replace("g54", "x").replace(' X="100"', ""))
+        said = self.refused("--tools", tools, code="IG-0432")
+        self.assertRegex(said, r"tools.xml:3:\d+: error: FanucParameterTable has no row 'x'")
+        tools.write_text('<ToolOffsetTable>\n<Tool id="01"/>\n<Tool id="401" H="1"/></ToolOffsetTable>')
+        said = self.refused("--tools", tools, code="IG-0432")
+        self.assertRegex(said, r"tools.xml:2:\d+: error: ToolOffsetTable has no row '01'")
+        self.assertRegex(said, r"tools.xml:3:\d+: .* 1 to 400 \(option size\)")
+
+    def test_rows_of_another_shape(self):
+        for text, code in (('<Foo X="1"/>', "IG-0217"), ('<Offset X="1"/>', "IG-0218"),
+                           ('<Offset id="G54" Q="1"/>', "IG-0219"), ('<Offset id="G54" X="a"/>', "IG-0220"),
+                           ('<Offset id="G54" X="1"/>\n<Offset id="G54" X="2"/>', "IG-0433")):
+            table = self.write("rows.xml", f"<IsoCoordinateTable>{text}</IsoCoordinateTable>")
+            self.refused("--offsets", table, code=code)
+
+    def test_rows_of_set(self):
+        self.refused("--set", "IsoCoordinateTable.G54=5", code="IG-0410")
+        self.refused("--set", "IsoCoordinateTable.g54.X=5", code="IG-0432")
+        self.refused("--set", "ToolOffsetTable.0.H=5", code="IG-0432")
+        self.run_it("run", "part.nc", "-d", "fanuc", "--emit", "none", "--set", "FanucParameterTable.3401=1")
+
+    def test_a_table_is_as_long_as_that_of_the_control(self):
+        for dialect, text, row in (("siemens", "T500 D1 M6\nG0 Z0\nM30\n", 500),
+                                   ("heidenhain", "BEGIN PGM A MM\nTOOL CALL 32000 Z S1\nL Z+0 R0 FMAX\nEND PGM A MM\n",
+                                    32000)):
+            program = self.write("part.nc", text)
+            table = self.write("tool.xml", f'<ToolOffsetTable><Tool id="{row}" H="120"/></ToolOffsetTable>')
+            done = self.run_it("run", program, "-d", dialect, "--tools", table)
+            self.assertIn('"Z":120', done.stdout, dialect)
+
+    def test_who_gives_values_hears_that_another_one_answers(self):
+        rows = '<MachineAxes><Axis name="X" Home="0" Minimum="-500" Maximum="500"/></MachineAxes>'
+        dialect = self.write("mine.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="mine" extends="fanuc">'
+                             f"<Dependencies><FanucParameterTable/>{rows}</Dependencies></Dialect>")
+        done = self.run_it("run", self.program, "-d", dialect, "--emit", "none")
+        self.assertRegex(done.stderr, r"warning: MachineAxes is given values.*FanucParameterTable answers.*\[IG-0434\]")
+        done = self.run_it("lint", dialect)
+        self.assertIn("isogloss.machine-axis/1: FanucParameterTable answers, not MachineAxes", done.stdout)
+        self.assertIn("[IG-0434]", done.stderr)
+        services = json.loads(self.run_it("inspect", dialect, "--json").stdout)["Services"]
+        self.assertIn({"Service": "isogloss.machine-axis/1", "Answers": "FanucParameterTable",
+                       "Not asked": ["MachineAxes"]}, services)
+        done = self.run_it("run", self.program, "-d", "fanuc", "--emit", "none", "--set", "MachineAxes.X.Maximum=500")
+        self.assertIn("[IG-0434]", done.stderr)
+
+    def test_two_syntaxes_for_one_code(self):
+        head = '<Dialect xmlns="urn:isogloss:dialect:1" name="mine" extends="iso"><Chain><InsertAfter ' \
+               'syntax="DrillingCycleSyntax"><DrillingCycleSyntax as="Second"%s/></InsertAfter></Chain></Dialect>'
+        done = self.run_it("lint", self.write("twice.xml", head % ""), status=1)
+        self.assertIn("Second and DrillingCycleSyntax both answer G81, G82", done.stderr)
+        self.assertIn("[IG-0241]", done.stderr)
+        self.run_it("lint", self.write("twice.xml", head % ' override="true"'))
+
+
+class OddFiles(Command):
+    def test_a_pipe_among_the_dialects_holds_nobody_up(self):
+        os.mkfifo(self.path / "pipe.xml")
+        self.run_it("list", "dialects", "--dialects", self.path, timeout=20)
+        done = self.run_it("lint", self.path / "pipe.xml", status=1, timeout=20)
+        self.assertIn("[IG-010", done.stderr)
+
+    def test_a_table_behind_a_link_out_of_the_folder_is_refused(self):
+        self.write("secret.xml", '<ToolOffsetTable><Tool id="1" H="5"/></ToolOffsetTable>')
+        folder = self.path / "inside"
+        folder.mkdir()
+        (folder / "tools.xml").symlink_to("../secret.xml")
+        dialect = folder / "mine.xml"
+        dialect.write_text('<Dialect xmlns="urn:isogloss:dialect:1" name="mine" extends="iso"><Dependencies>'
+                           '<ToolOffsetTable src="tools.xml"/></Dependencies></Dialect>')
+        self.assertIn("[IG-0117]", self.run_it("lint", dialect, status=1).stderr)
+
+    def test_a_hint_out_of_many_names_is_soon_found(self):
+        rows = "".join(f'<A{i}x/>' for i in range(200_000))
+        table = self.write("many.xml", f"<Dependencies>{rows}</Dependencies>")
+        self.run_it("run", self.program, "-d", "fanuc", "--emit", "none", "--tools", table, status=2, timeout=20)
+
+    def test_a_program_in_a_file_of_another_name(self):
+        self.write("other.nc", "%\nO1002 (SUB)\nX20.\nM99\n%\n")
+        main = self.write("main.nc", "%\nO1\nG21 G90 G0 X0\nM98 P1002\nM98 P1003\nM30\n%\nO1003\nX30.\nM99\n%\n")
+        done = self.run_it("run", main, "-d", "fanuc", "--format", "csv")
+        self.assertRegex(done.stderr, r"warning: O1002 is called out of \S*other.nc")
+        self.assertEqual([line.split(",")[3] for line in done.stdout.splitlines()[1:3]], ["20", "30"])
+
+    def test_budgets(self):
+        program = self.write("long.nc", "G21 G90 F100\n" + "G1 X1.\nX2.\n" * 100_000 + "M30\n")
+        done = self.run_it("run", program, "-d", "fanuc", "--max-output", "100000", status=1)
+        self.assertIn("stopped after 100000 bytes of output: --max-output sets another limit [IG-0452]", done.stderr)
+        self.assertLess(len(done.stdout), 100_001)
+        self.run_it("run", program, "-d", "fanuc", "--emit", "none", "--max-memory", "1", status=1)
+        wrong = self.write("wrong.nc", "G21\n" + "G1 X1. Q1.\n" * 100_000 + "M30\n")
+        done = self.run_it("run", wrong, "-d", "fanuc", "--emit", "none", "--max-diagnostics", "1000", status=1)
+        self.assertIn("[IG-0454]", done.stderr)
+
+    def test_diagnostics_go_to_a_file(self):
+        wrong = self.write("wrong.nc", "G21\nG200 X1.\nM30\n")
+        done = self.run_it("run", wrong, "-d", "fanuc", "--summary", "--diagnostics", "sarif", "--diagnostics-output",
+                           "x.sarif", status=1)
+        self.assertEqual(done.stderr, "")
+        results = json.loads((self.path / "x.sarif").read_text())["runs"][0]["results"]
+        self.assertEqual([r["ruleId"] for r in results], ["ISO-0542"])
+        done = self.run_it("run", wrong, "-d", "fanuc", "--diagnostics-output", wrong, status=2)
+        self.assertIn("[IG-0530]", done.stderr)
+        self.assertIn("G200", wrong.read_text())
+        self.run_it("run", wrong, "-d", "fanuc", "--diagnostics-output", self.path, status=2)
+
+
 class Usage(Command):
     def test_help_is_data_with_an_example(self):
         done = self.run_it("--help")

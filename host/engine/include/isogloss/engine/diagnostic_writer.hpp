@@ -40,6 +40,7 @@ class DiagnosticWriter : public DiagnosticSink {
     std::uint64_t number = 0;
   };
   const std::map<std::string, Count, std::less<>>& by_code() const { return by_code_; }
+  std::uint64_t number() const;  ///< of all severities, repeats counted
   std::uint64_t errors() const { return errors_; }
   std::uint64_t warnings() const { return warnings_; }
   bool limit_reached() const { return policy_.maximum_errors != 0 && errors_ >= policy_.maximum_errors; }

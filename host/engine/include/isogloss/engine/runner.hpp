@@ -29,6 +29,7 @@ struct RunOptions {
   std::size_t maximum_line_bytes = 1u << 20;
   std::function<void(Chain&)> prepare;  ///< called once the chain is created, before its start; empty: none
   std::function<void(std::uint64_t blocks, std::uint64_t bytes)> progress;  ///< now and then; empty: none
+  std::function<bool()> goes_on;  ///< asked as often; false ends the run, which who answers explains; empty: always
 };
 
 struct RunResult {
