@@ -29,6 +29,7 @@ Json describe_places(const std::vector<Place>& places) {
 /// Plugins that work and are not quite as they should be.
 Json describe_warnings(const Library& library) {
   Json out = Json::array();
+  for (const Diagnostic& d : library.shared_codes()) out.push_back({{"Code", d.code}, {"Message", d.message}});
   for (const LoadedPlugin& p : library.plugins()) {
     if (p.extra_exports.empty()) continue;
     const Diagnostic d = host_diagnostic(

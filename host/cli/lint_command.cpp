@@ -88,6 +88,7 @@ int LintCommand::run() const {
                rivals(*linked);
       if (suggest) out += suggestion(*dialect, session.library());
     }
+    for (Diagnostic& d : session.library().shared_codes()) session.diagnostics().add(std::move(d));
     session.diagnostics().finish_program();
   }
   return print(out, session.status());

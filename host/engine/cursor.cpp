@@ -155,8 +155,11 @@ void Cursor::start() {
   if (byte(0) == 0xef && byte(1) == 0xbb && byte(2) == 0xbf) begin_ = 3;
   offset_ = first_ = begin_;
   utf16_ = (byte(0) == 0xff && byte(1) == 0xfe) || (byte(0) == 0xfe && byte(1) == 0xff);
-  if (std::memchr(buffer_.data(), '\n', end_) == nullptr && std::memchr(buffer_.data(), '\r', end_) != nullptr)
-    terminator_ = '\r';
+  // The first line may be longer than the window.
+  const auto holds = [&](char c) { return std::memchr(buffer_.data(), c, end_) != nullptr; };
+  while (!holds('\n') && !holds('\r') && end_ < maximum_ && fill()) {
+  }
+  if (!holds('\n') && holds('\r')) terminator_ = '\r';
 }
 
 void Cursor::seek(std::uint64_t offset, std::uint32_t number) {

@@ -142,6 +142,8 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "them out of the chain. Where both must stand, their declarations after and before say so, or override=\"true\" "
        "on the second element.",
        "a vendor's drilling cycle for G81 beside DrillingCycleSyntax"},
+      {error, "IG-0243", "{0}: '{1}' names no code: write Parsing.Flags.{1}",
+       "The paths of codes begin with Parsing.Flags. or Parsing.; another field no scanner fills.", "codes=\"M201\""},
       {error, "IG-0240", "{0} acts in this block, though nothing that it declares wakes it: check that in its build()",
        "Found by run --checked --call-all, which calls every syntax in every block: a syntax that depends on not being "
        "called gives another result as soon as another declaration wakes it. This is a fault of the plugin.",
@@ -168,6 +170,11 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {warning, "IG-0309", "{0} exports {1} symbols besides ig_plugin_v1, {2} for instance",
        "Symbols that leak from one plugin can be taken by another. Build with isogloss_add_plugin().",
        "a plugin built by hand"},
+      {warning, "IG-0310", "{0} declares the diagnostic {1}, which {2} declares already",
+       "Codes of diagnostics are unique, so that `isogloss explain CODE` and the severities of a dialect mean one of "
+       "them. "
+       "Each plugin has a prefix of its own.",
+       "two plugins with ACM-0001"},
       {error, "IG-0350", "{0} of plugin {1} threw an exception out of {2}(), whose result cannot be trusted: {3}",
        "No exception may leave a function of the contract, which is plain C. The host caught it and goes on where that "
        "is possible. This is a fault of the plugin; the SDK catches what its syntaxes throw.",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -204,5 +205,18 @@ const ig_dependency* Library::dependency(std::string_view id, const ig_plugin** 
 }
 
 void Library::add(const ig_plugin* plugin) { parts_->admit("(built in)", plugin); }
+
+std::vector<Diagnostic> Library::shared_codes() const {
+  std::map<std::string_view, std::string_view> owners;
+  for (const DiagnosticInfo& info : host_diagnostics()) owners.emplace(info.code, "the host");
+  std::vector<Diagnostic> out;
+  for (const LoadedPlugin& p : plugins())
+    for (std::uint32_t i = 0; i < p.plugin->diagnostic_count; ++i) {
+      const char* const code = p.plugin->diagnostics[i].code;
+      if (const auto [owner, added] = owners.emplace(code, p.plugin->name); !added)
+        out.push_back(host_diagnostic("IG-0310", {}, {p.plugin->name, code, std::string(owner->second)}));
+    }
+  return out;
+}
 
 }  // namespace isogloss

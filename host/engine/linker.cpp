@@ -193,8 +193,11 @@ class Linker {
           add_owner(decl.path);
           continue;
         }
-        for (const FieldPattern& p : patterns(s, decl))
-          if (p.is_literal()) add_owner(p.path());
+        for (const FieldPattern& p : patterns(s, decl)) {
+          if (!p.is_literal()) continue;
+          add_owner(p.path());
+          if (!p.path().starts_with(words_prefix)) say("IG-0243", s.element.where, {s.element.alias, p.path()});
+        }
       }
     for (const LinkedSyntax& s : out_->chain)
       for (std::uint32_t i = 0; i < s.syntax->field_count; ++i) {

@@ -105,6 +105,8 @@ struct FanucMacroWord {
         set_code(b, letter, number, begin, o.end);
       else
         set_word(b, letter, number, begin, o.end, iso::piece(text, begin, o.end));
+    } else if (letter == 'F' && !is_corner) {
+      b.report(macro_diag("FAN-0155"), ig::Where::columns(begin, o.end), iso::piece(text, begin, o.end));
     }
     return o.end;
   }

@@ -125,6 +125,9 @@ inline constexpr std::array macro_diagnostics{
     ig::diagnostic(
         IG_WARNING, "FAN-0154", "'{0}': the address stands more than once in this block: the last one counts",
         "The control lets the last word of an address count without an alarm; so does this run.", "G01 X1. X#1 F100"),
+    ig::diagnostic(IG_NOTE, "FAN-0155", "{0} is empty, so the block has no such word",
+                   "The variable was given no value. A feed move needs F in its block or before it.",
+                   "G01 X10. F#652 (where nothing was assigned to #652)"),
     // calls
     ig::diagnostic(IG_ERROR, "FAN-0161", "{0} without P: no macro is called", "P is the number of the macro program.",
                    "G65 A1. B2."),

@@ -3,10 +3,11 @@
 // canonical name: two digits for one-digit codes, G5 is G05, G54.1 stays.
 #include <isogloss/flow.hpp>
 
+#include <span>
 #include <string>
 #include <vector>
 
-#include "diagnostics.hpp"
+#include "recognition_diagnostics.hpp"
 #include "scan_util.hpp"
 #include "split_numbers.hpp"
 
@@ -100,6 +101,8 @@ struct FlagSyntax {
             b.host()->set_words(b.raw(), words.data(), count);
             count = 0;
           }
+          if (stands_already(b, {words.data(), count}, field))
+            b.report(recognition_diag("ISO-0547"), ig::Where::columns(next, end), trim(piece(text, next, end)));
           words[count++] = {field, column(next), column(end), ig_value{}, 0, 0};
         }
       }
@@ -126,6 +129,13 @@ struct FlagSyntax {
     if (to_upper(at(text, word)) != 'L') return;
     const ig::Decimal number = ig::read_decimal(text, skip_blanks(text, word + 1));
     if (number.ok && (number.value == 50 || number.value == 52)) b.raise(parameters);
+  }
+
+  static bool stands_already(const ig::Block& b, std::span<const ig_word> words, ig_field field) {
+    for (const ig_word& w : words)
+      if (w.field == field) return true;
+    ig_value unused;
+    return b.host()->get(b.raw(), field, &unused) != 0;
   }
 
   void enter(std::string_view name, ig_field field) {

@@ -40,6 +40,8 @@ inline constexpr std::array recognition_diagnostics{
         "The same program is a thousand times larger on a control that is set to read whole numbers as units. "
         "An arc that cannot close is often the first sign.",
         "G2 X10. Y0 I5 J0 (where I5 is 0.005 mm)"),
+    ig::diagnostic(IG_WARNING, "ISO-0547", "{0} stands in this block already: the second one changes nothing",
+                   "A typing error, most often: another code was meant.", "M08 M08"),
 };
 
 inline constexpr std::size_t recognition_end = corner_end + recognition_diagnostics.size();

@@ -339,7 +339,7 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_ERROR, "SIE-0303", "{0} has room for {1} values from there on: the others are not stored",
                    "Count the elements: DEF REAL A[3] has A[0] to A[2].", "DEF REAL A[2]=SET(1,2,3)"),
     ig::diagnostic(
-        IG_ERROR, "SIE-0304", "{0} lies outside {1}, whose indices count from 0",
+        IG_ERROR, "SIE-0304", "{0} lies outside the array, which is defined as {1}: indices count from 0",
         "DEF REAL A[3] has A[0], A[1] and A[2]; an array of two dimensions takes two indices. Nothing is read "
         "or assigned.",
         "A[3]=1 (behind DEF REAL A[3])"),

@@ -127,7 +127,12 @@ struct SiemensWord {
   std::size_t expand(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end, const std::string& macro,
                      Run& run) {
     const ExpandedText as(text, begin, end, macro);
-    std::size_t next = begin;
+    std::size_t next = skip_blanks(as.text(), begin);
+    if (next >= as.macro_end() || (!is_name_start(as.text()[next]) && as.text()[next] != '$')) {
+      b.report(diag("SIE-0288"), columns(begin, end), std::string_view(macro));
+      return end;
+    }
+    const std::size_t start = next;
     is_expanded_ = true;
     while (next < as.macro_end()) {
       const std::size_t first = run.count, behind = item(b, as.text(), next, run);
@@ -140,7 +145,7 @@ struct SiemensWord {
       if (next < as.macro_end() && !is_name_start(as.text()[next]) && as.text()[next] != '$') break;
     }
     is_expanded_ = false;
-    if (next == begin) return begin;
+    if (next == start) return begin;
     if (next < as.macro_end()) {
       b.report(diag("SIE-0288"), columns(begin, end), std::string_view(macro));
       return end;

@@ -324,9 +324,11 @@ class OddFiles(Command):
         self.assertIn("stopped after 100000 bytes of output: --max-output sets another limit [IG-0452]", done.stderr)
         self.assertLess(len(done.stdout), 100_001)
         self.run_it("run", program, "-d", "fanuc", "--emit", "none", "--max-memory", "1", status=1)
-        wrong = self.write("wrong.nc", "G21\n" + "G1 X1. Q1.\n" * 100_000 + "M30\n")
+        wrong = self.write("wrong.nc", "G21\n" + "G1 X1. F100. E1.\n" * 100_000 + "M30\n")
         done = self.run_it("run", wrong, "-d", "fanuc", "--emit", "none", "--max-diagnostics", "1000", status=1)
         self.assertIn("[IG-0454]", done.stderr)
+        errors = self.write("errors.nc", "G21\n" + "G1 X1. Q1. F100.\n" * 200_000 + "M30\n")
+        self.assertIn("[IG-0517]", self.run_it("run", errors, "-d", "fanuc", "--emit", "none", status=1).stderr)
 
     def test_diagnostics_go_to_a_file(self):
         wrong = self.write("wrong.nc", "G21\nG200 X1.\nM30\n")

@@ -40,6 +40,8 @@ class Library {
 
   const std::vector<LoadedPlugin>& plugins() const;
   const std::vector<RefusedPlugin>& refused() const;
+  /// Codes of diagnostics that two of the loaded plugins, or a plugin and the host, declare: warnings.
+  std::vector<Diagnostic> shared_codes() const;
   const ig_plugin* find(std::string_view name) const;
   const ig_syntax* syntax(std::string_view id, const ig_plugin** owner = nullptr) const;
   const ig_dependency* dependency(std::string_view id, const ig_plugin** owner = nullptr) const;
