@@ -22,13 +22,13 @@ class PlanePositioning {
 
   /// Inside the travel; nothing where no position is, or none with that sign of the master axis (0: any).
   std::optional<iso::Angles> choose(const ig::Vec3& normal, const iso::Angles& now, int sequence) const {
-    const iso::RotaryCandidates found = solver_.candidates(machine_, normal, now);
+    const iso::RotarySolver::Sign wanted{master(), sequence};
+    const iso::RotaryCandidates found = solver_.candidates(machine_, normal, now, wanted);
     std::optional<iso::Angles> best;
     double best_way = 0;
     for (std::size_t i = 0; i < found.count; ++i) {
       constexpr double same = 1e-6;
-      const double angle = std::remainder(found.angles[i][master()], 360.0) * sequence;
-      if (angle < -same) continue;
+      if (!solver_.has_sign(wanted, found.angles[i][master()])) continue;
       double sum = 0, farthest = 0;
       for (std::size_t k = 0; k < machine_.count(); ++k) {
         const double way = std::fabs(found.angles[i][machine_.axis(k)] - now[machine_.axis(k)]);

@@ -137,11 +137,11 @@ struct G53p1RotaryPosition {
       return std::nullopt;
     }
     const PartialAngles wanted = take_rotary(b, present);
-    RotaryCandidates found = solver_.candidates(machine_, normal, present);
+    RotaryCandidates found = solver_.candidates(machine_, normal, present, RotarySolver::sign_of(machine_, choice));
     if (wanted.mask != 0) return by_words(found, wanted, present, choice);
-    auto angles = RotarySolver::choose(machine_, found, present, choice);
+    auto angles = solver_.choose(machine_, found, present, choice);
     if (!angles && p != 0 && unreachable_p_ == UnreachableP::alternative)
-      angles = RotarySolver::choose(machine_, found, present, SolutionChoice::min_first);
+      angles = solver_.choose(machine_, found, present, SolutionChoice::min_first);
     if (angles) return angles;
     if (found.is_reachable)
       b.report(tool_center_diag("ISO-0444"), where, written(b, call));
@@ -177,8 +177,8 @@ struct G53p1RotaryPosition {
                             std::fabs(std::remainder(found.angles[i][axis] - wanted.value[axis], 360)) <= agrees_deg);
       if (agrees) agreeing.angles[agreeing.count++] = found.angles[i];
     }
-    auto base = RotarySolver::choose(machine_, agreeing, present, choice);
-    if (!base) base = RotarySolver::choose(machine_, found, present, choice);
+    auto base = solver_.choose(machine_, agreeing, present, choice);
+    if (!base) base = solver_.choose(machine_, found, present, choice);
     return wanted.or_else(base.value_or(present));
   }
 

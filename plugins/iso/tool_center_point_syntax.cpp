@@ -160,8 +160,9 @@ struct ToolCenterPoint {
 
     const auto wanted = has_direction ? direction(b) : std::nullopt;
     if (!wanted) return has_rotary || has_direction;
-    const RotaryCandidates found = solver_.candidates(machine_, *wanted, turn.from);
-    const auto angles = RotarySolver::choose(machine_, found, turn.from, choice_);
+    const RotaryCandidates found =
+        solver_.candidates(machine_, *wanted, turn.from, RotarySolver::sign_of(machine_, choice_));
+    const auto angles = solver_.choose(machine_, found, turn.from, choice_);
     if (!angles) {
       if (found.is_reachable)
         b.report(tool_center_diag("ISO-0444"), ig::Where::block(), b.text(static_cast<ig::Symbol>(g43_5_)));

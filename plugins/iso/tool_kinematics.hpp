@@ -85,7 +85,14 @@ struct RotaryCandidates {
 /// Angles for a direction: both solutions, in the turn of each axis that lies nearest inside its travel.
 class RotarySolver {
  public:
-  RotaryCandidates candidates(const ToolKinematics& machine, const ig::Vec3& direction, const Angles& present) const {
+  /// The master axis is at 0 or at an angle of that sign; 0: at any.
+  struct Sign {
+    std::size_t axis;
+    int sign;
+  };
+
+  RotaryCandidates candidates(const ToolKinematics& machine, const ig::Vec3& direction, const Angles& present,
+                              const Sign& wanted = {0, 0}) const {
     std::array<ig_rotary_solution, 2> found{};
     const std::size_t n = machine.solve(direction, present, found);
     RotaryCandidates out;
@@ -98,6 +105,7 @@ class RotarySolver {
         if ((found[i].free >> axis & 1u) == 0)
           angles[axis] =
               nearest_turn_inside(present[axis], found[i].angles[axis], axes_.travel(axis), HalfTurn::positive);
+        if (axis == wanted.axis && wanted.sign != 0) angles[axis] = turn_with(wanted, angles[axis]);
         is_inside = is_inside && axes_.travel(axis).holds(angles[axis]);
       }
       if (is_inside) out.angles[out.count++] = angles;
@@ -105,14 +113,25 @@ class RotarySolver {
     return out;
   }
 
+  static Sign sign_of(const ToolKinematics& machine, SolutionChoice choice) {
+    return {machine.axis(0), choice == SolutionChoice::positive ? 1 : choice == SolutionChoice::negative ? -1 : 0};
+  }
+
+  /// Of an axis that turns on and on the angle from -180 to 180 counts, and half a turn has both signs.
+  bool has_sign(const Sign& wanted, double angle) const {
+    const AngleRange& travel = axes_.travel(wanted.axis);
+    const bool is_limited = std::isfinite(travel.minimum) || std::isfinite(travel.maximum);
+    const double named = is_limited ? angle : std::remainder(angle, 360.0);
+    return named * wanted.sign >= -same_angle_deg || (!is_limited && std::fabs(named) >= 180 - same_angle_deg);
+  }
+
   /// The one that comes first in the order of the choice; candidates that the choice rules out are dropped.
-  static std::optional<Angles> choose(const ToolKinematics& machine, const RotaryCandidates& from,
-                                      const Angles& present, SolutionChoice choice) {
+  std::optional<Angles> choose(const ToolKinematics& machine, const RotaryCandidates& from, const Angles& present,
+                               SolutionChoice choice) const {
+    const Sign wanted = sign_of(machine, choice);
     std::optional<Angles> best;
     for (std::size_t i = 0; i < from.count; ++i) {
-      const double master = std::remainder(from.angles[i][machine.axis(0)], 360.0);
-      if (choice == SolutionChoice::positive && master < -same_angle_deg) continue;
-      if (choice == SolutionChoice::negative && master > same_angle_deg) continue;
+      if (!has_sign(wanted, from.angles[i][wanted.axis])) continue;
       if (!best || comes_first(machine, from.angles[i], *best, present, choice)) best = from.angles[i];
     }
     return best;
@@ -121,6 +140,13 @@ class RotarySolver {
   const RotaryAxes& axes() const { return axes_; }
 
  private:
+  /// The turn of the angle inside the travel that has the sign, the nearest one; the angle itself where none has.
+  double turn_with(const Sign& wanted, double angle) const {
+    for (const double turns : {0.0, 360.0, -360.0, 720.0, -720.0})
+      if (has_sign(wanted, angle + turns) && axes_.travel(wanted.axis).holds(angle + turns)) return angle + turns;
+    return angle;
+  }
+
   static bool comes_first(const ToolKinematics& machine, const Angles& a, const Angles& b, const Angles& present,
                           SolutionChoice choice) {
     const auto key = [&](const Angles& angles) {
@@ -136,7 +162,8 @@ class RotarySolver {
       const double before = choice == SolutionChoice::min_sum   ? sum
                             : choice == SolutionChoice::min_max ? longest
                                                                 : way[first];
-      const bool is_negative = std::remainder(angles[machine.axis(0)], 360.0) < 0;
+      const double master = std::remainder(angles[machine.axis(0)], 360.0);
+      const bool is_negative = master < 0 && master > -180 + same_angle_deg;  // half a turn is positive, too
       return std::array<double, 6>{before,           way[first],        way[second],
                                    from_zero[first], from_zero[second], is_negative ? 1.0 : 0.0};
     };
