@@ -2,6 +2,7 @@
 /// both with the named axes only. `G91 G28 Z0` goes straight up; `G90 G28 Z0` goes to program Z0 first, as the control
 /// does. Fanuc manual, "Reference position".
 #include "reference_position.hpp"
+#include "tool_kinematics.hpp"
 
 namespace iso {
 namespace {
@@ -10,8 +11,9 @@ enum class WithoutAxes { nothing, all };
 enum class ToolLength { keep, cancel };
 
 struct ReferenceReturn {
-  static constexpr auto spec = ig::syntax("ReferenceReturnSyntax", "G28 and G30 return to a reference position.")
-                                   .after("IncrementalResolveSyntax", "McXyzSyntax", "LinearMotionSyntax");
+  static constexpr auto spec =
+      ig::syntax("ReferenceReturnSyntax", "G28 and G30 return to a reference position.")
+          .after("IncrementalResolveSyntax", "McXyzSyntax", "LinearMotionSyntax", "PivotTransformationSyntax");
 
   ig::Call g28_{{"G28"}, "X Y Z A B C"};
   ig::Call g30_{{"G30"}, "X Y Z A B C P[]"};
@@ -27,9 +29,12 @@ struct ReferenceReturn {
   ig::Choice<ToolLength> tool_length_{"tool-length", "keep|cancel", "keep",
                                       "Whether G28 ends G43 and G44 when the axes have arrived."};
   ig::Out<ig::Symbol> compensation_{"ToolHeightCompensation.Term"};
-  ig::Out<double> offset_{"ToolHeightCompensation.Offset_mm"};
+  ig::Field<double> offset_{"ToolHeightCompensation.Offset_mm", ig::read | ig::write};
   ig::Transform frame_{"ToolHeightCompensation", ig::read | ig::write};
   ig::Name g43_{"G43"}, g44_{"G44"}, g49_{"G49"};
+  ig::Transform turned_frame_{"PivotTransform", ig::read | ig::write};
+  PivotState pivot_{ig::read | ig::write};
+  ToolKinematics kinematics_;
 
   ig::Status build(ig::Block& b) {
     bool any = false;
@@ -76,17 +81,18 @@ struct ReferenceReturn {
     ig::Vec3 reference = *over;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (returned.has(axis)) reference[axis] = reference_(b, axis, which, code);
-    const auto end = b.to_program(reference);
-    if (!end) {
-      not_invertible(b);
-      return false;
-    }
     const PartialAngles turned_over = rotary_.approach(b, turned);
     PartialAngles turned_home = turned_over;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (turned.has(axis))
         turned_home.value[axis] =
             rotary_.to_machine(axis, turned_over.value[axis], reference_(b, axis + 3, which, code));
+    turn_frame(b, turned_home);
+    const auto end = b.to_program(reference);
+    if (!end) {
+      not_invertible(b);
+      return false;
+    }
 
     motion_.begin(b, words.code);
     motion_.rapid_to(b, intermediate, *over);
@@ -97,6 +103,19 @@ struct ReferenceReturn {
     b.set(machine_, reference);
     rotary_.end(b, turned_home);
     return true;
+  }
+
+  /// A frame that stands with the axes (a tilted plane after G53.1, tip control) stands with them where they arrive.
+  void turn_frame(ig::Block& b, const PartialAngles& home) const {
+    const PartialAngles before = pivot_.get(b);
+    if (before.mask == 0 || home.mask == 0 || !kinematics_) return;
+    const Angles angles = home.or_else(before.value);
+    const auto pivot = kinematics_.pivot(angles);
+    if (!pivot || !is_finite(*pivot)) return;
+    const double length = b.get_or(offset_, 0.0);
+    if (const auto tool = kinematics_.tool_axis(angles); tool && length != 0) b.set_translation(frame_, length * *tool);
+    b.host()->set_transform(b.raw(), turned_frame_.id(), pivot->data());
+    pivot_.set(b, kinematics_, angles);
   }
 
   /// The machine stays where it is; in the program it is a tool length elsewhere.
