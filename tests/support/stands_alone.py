@@ -7,14 +7,27 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 
+CACHE = shutil.which("ccache") is not None and "CCACHE_DISABLE" not in os.environ
+
+
 def check(entry):
-    command = re.sub(r" -o \S+ -c ", " -fsyntax-only ", entry["command"])
-    done = subprocess.run(command, shell=True, cwd=entry["directory"], capture_output=True, text=True, check=False)
+    """With a compiler cache a source that has not changed is not read again; without one nothing is generated."""
+    if not CACHE:
+        return run(re.sub(r" -o \S+ -c ", " -fsyntax-only ", entry["command"]), entry["directory"])
+    with tempfile.TemporaryDirectory(prefix="isogloss-alone-") as folder:
+        command = re.sub(r" -o \S+ -c ", f" -O0 -g0 -o {folder}/alone.o -c ", entry["command"])
+        return run("ccache " + command.removeprefix("ccache "), entry["directory"])
+
+
+def run(command, directory):
+    done = subprocess.run(command, shell=True, cwd=directory, capture_output=True, text=True, check=False)
     return done.returncode, done.stderr
 
 
