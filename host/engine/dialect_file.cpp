@@ -469,7 +469,7 @@ fs::path below_folder_of(const std::string& file, const std::string& path) {
   const fs::path relative = fs::path(path).lexically_normal();
   if (path.empty() || relative.is_absolute() || *relative.begin() == "..") return {};
   const fs::path folder = fs::path(file).parent_path();
-  const fs::path named = (folder / relative).lexically_normal();
+  fs::path named = (folder / relative).lexically_normal();
   std::error_code error;
   const fs::path real = fs::canonical(named, error);
   if (error) return named;  // it is not there, which its reader says

@@ -39,7 +39,8 @@ struct FanucParameterTable {
   ig::Table table;
 
   static std::string row_fault(std::string_view row) {
-    const bool is_number = !row.empty() && row[0] != '0' && row.find_first_not_of("0123456789") == row.npos;
+    const bool is_number =
+        !row.empty() && row[0] != '0' && row.find_first_not_of("0123456789") == std::string_view::npos;
     return is_number ? "" : "its rows are the numbers of parameters";
   }
 

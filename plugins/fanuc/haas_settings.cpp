@@ -25,7 +25,8 @@ struct HaasSettings {
 
   /// Also what this table does not ask for: the whole page of a machine may be given.
   static std::string row_fault(std::string_view row) {
-    const bool is_number = !row.empty() && row[0] != '0' && row.find_first_not_of("0123456789") == row.npos;
+    const bool is_number =
+        !row.empty() && row[0] != '0' && row.find_first_not_of("0123456789") == std::string_view::npos;
     return is_number ? "" : "its rows are the numbers of settings";
   }
 
