@@ -117,7 +117,7 @@ int DoctorCommand::run() const {
   }
   const std::string verdict = !is_well        ? "Something was not loaded.\n"
                               : warnings == 0 ? "All is well.\n"
-                                              : fmt::format("All is loaded, with {} warnings above.\n", warnings);
+                                              : fmt::format("All is loaded; warnings: {}.\n", warnings);
   const std::string out =
       json ? all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : as_text(all) + verdict;
   return print(out, is_well ? success : input_errors);

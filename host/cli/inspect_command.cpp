@@ -113,7 +113,8 @@ int InspectCommand::run() const {
     const std::optional<Dialect> found = session.reader().read(name, session.diagnostics());
     if (!found) return input_errors;
     Json out = describe(*found);
-    if (const auto linked_dialect = session.link(name)) out["Services"] = describe_services(*linked_dialect);
+    DiagnosticList unheard;  // `lint` says what keeps it from linking
+    if (const auto whole = link(*found, session.library(), unheard)) out["Services"] = describe_services(*whole);
     return show(std::move(out), nullptr, session);
   }
   const Json fields = describe_fields(session.library());

@@ -231,33 +231,16 @@ bool is_list_of_objects(const Json& json) {
 }
 
 /// No block is nested so deep, and what goes through the objects goes down into each.
-constexpr std::size_t deepest_json = 100;
+constexpr int deepest_json = 100;
 
-bool is_nested_too_deep(std::string_view text) {
-  std::size_t depth = 0;
-  bool is_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (is_string && c == '\\')
-      ++i;
-    else if (c == '"')
-      is_string = !is_string;
-    else if (!is_string && (c == '{' || c == '[') && ++depth > deepest_json)
-      return true;
-    else if (!is_string && (c == '}' || c == ']') && depth > 0)
-      --depth;
-  }
-  return false;
-}
+struct TooDeep {};
 
 Json parse_json(const std::string& text, const Location& where, DiagnosticSink& sink, bool wants_list = false) {
-  if (is_nested_too_deep(text)) {
-    sink.add(host_diagnostic("IG-0502", where,
-                             {"its objects are nested more than " + std::to_string(deepest_json) + " deep"}));
-    return Json();
-  }
   try {
-    Json json = Json::parse(text);
+    Json json = Json::parse(text, [](int depth, Json::parse_event_t, const Json&) -> bool {
+      if (depth > deepest_json) throw TooDeep();
+      return true;
+    });
     if (wants_list ? is_list_of_objects(json) : json.is_object()) return json;
     sink.add(host_diagnostic("IG-0502", where, {wants_list ? "it is no list of objects" : "it is no object"}));
   } catch (const Json::parse_error& e) {
@@ -269,6 +252,9 @@ Json parse_json(const std::string& text, const Location& where, DiagnosticSink& 
     const std::size_t detail = what.find("] ");
     sink.add(host_diagnostic("IG-0502", at,
                              {std::string(detail == std::string_view::npos ? what : what.substr(detail + 2))}));
+  } catch (const TooDeep&) {
+    sink.add(host_diagnostic("IG-0502", where,
+                             {"its objects are nested more than " + std::to_string(deepest_json) + " deep"}));
   } catch (const Json::out_of_range&) {
     sink.add(host_diagnostic("IG-0502", where, {"it holds a number beyond 1.8e308"}));
   }

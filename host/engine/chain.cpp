@@ -195,7 +195,14 @@ void Chain::refuse_rows(std::size_t dependency) {
   const Calling calling(*d.plugin, d.element.alias.c_str(), "row_fault");
   bool is_sound = true;
   const auto check = [&](const std::string& row, const Location& where) {
-    const ig_text fault = d.dependency->row_fault(dependencies_[dependency], {row.data(), row.size()});
+    ig_text fault{};
+    try {
+      fault = d.dependency->row_fault(dependencies_[dependency], {row.data(), row.size()});
+    } catch (...) {
+      is_sound = false;
+      sink_.add(exception_diagnostic(*d.plugin, d.element.alias, "row_fault", where));
+      return;
+    }
     if (fault.size == 0) return;
     is_sound = false;
     sink_.add(host_diagnostic("IG-0432", where, {d.element.alias, row, std::string(fault.data, fault.size)}));

@@ -363,6 +363,35 @@ TEST_CASE("a syntax that refuses to start is told with its reason") {
   CHECK_THAT(found.all[0].message, Catch::Contains("Refuses") && Catch::Contains("not today"));
 }
 
+TEST_CASE("a row that its dependency cannot look at is refused") {
+  Plugin plugin("p");
+  Dependency& table = plugin.dependency("Table");
+  table.out.row_element = "Row";
+  table.out.row_key = "id";
+  table.columns = {column("X")};
+  table.out.row_fault = [](void*, ig_text row) -> ig_text {
+    if (row.size == 3) throw 5;
+    return row.size == 1 ? ig_text{} : ig_text{"one letter", 10};
+  };
+  Hand hand{"p"};
+  DependencyElement& element = hand.depend("Table");
+  for (const char* name : {"a", "bb", "ccc"}) {
+    TableRow row{"Row", {}, hand.next()};
+    row.attributes.push_back({"id", name, row.where});
+    element.rows.push_back(row);
+  }
+  DiagnosticList found;
+  Library library({});
+  library.add(plugin.get());
+  const auto linked = link(hand.dialect, library, found);
+  REQUIRE(linked != nullptr);
+  CHECK_THROWS_AS(Chain(*linked, {}, found), std::runtime_error);
+  REQUIRE(found.all.size() == 2);
+  CHECK(found.all[0].code == "IG-0432");
+  CHECK(found.all[0].message.find("'bb': one letter") != std::string::npos);
+  CHECK(found.all[1].code == "IG-0350");
+}
+
 TEST_CASE("a syntax that stays idle is created, and never called") {
   static int created, built, inspected;
   created = built = inspected = 0;

@@ -199,7 +199,6 @@ bool ProgramPlaces::find(std::span<const ig_text> stems, const std::function<boo
 
 bool ProgramPlaces::find_inside(const std::function<bool(const Found&)>& take) {
   constexpr std::size_t most_files = 256;
-  std::uintmax_t bytes_left = std::uintmax_t{16} << 20;
   for (Folder& folder : folders_) {
     if (folder.is_library) continue;
     if (!folder.is_listed) list(folder);
@@ -215,8 +214,9 @@ bool ProgramPlaces::find_inside(const std::function<bool(const Found&)>& take) {
       const fs::path resolved = fs::canonical(folder.resolved / name, code);
       if (code || resolved.parent_path() != folder.resolved || !fs::is_regular_file(resolved, code)) continue;
       const std::uintmax_t size = fs::file_size(resolved, code);
-      if (code || size > bytes_left) continue;
-      bytes_left -= size;
+      if (code || size > inside_bytes_left_ || inside_files_left_ == 0) continue;
+      inside_bytes_left_ -= size;
+      --inside_files_left_;
       const std::string shown = folder.shown == "." ? name : (fs::path(folder.shown) / name).string();
       if (take({resolved, shown, true})) return true;
     }

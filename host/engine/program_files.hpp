@@ -95,7 +95,8 @@ class ProgramPlaces {
   /// Calls `take` with each file that may hold the program, the best first, until it says yes. What is in the way goes
   /// to `reason`.
   bool find(std::span<const ig_text> stems, const std::function<bool(const Found&)>& take, std::string& reason);
-  /// Every file of the folders that may hold programs, whatever its name: so many, and so much of them.
+  /// Every file of the folders that may hold programs, whatever its name; of a folder of more than 256 none. All calls
+  /// together read 64 MiB of 4096 files at most: a program may ask for any number of others.
   bool find_inside(const std::function<bool(const Found&)>& take);
   std::string describe() const;  ///< "folder a, file b"
 
@@ -107,6 +108,8 @@ class ProgramPlaces {
     std::map<std::string, std::vector<std::string>, std::less<>> files;  // by stem in lower case
   };
   void list(Folder& folder) const;
+  std::uintmax_t inside_bytes_left_ = std::uintmax_t{64} << 20;
+  std::size_t inside_files_left_ = 4096;
   std::vector<Folder> folders_;
   std::vector<std::string> extensions_;
 };

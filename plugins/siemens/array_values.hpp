@@ -25,10 +25,17 @@ class ArrayValues {
     if (iso::at(text_, next) != '(') next = iso::skip_blanks(text_, skip_name(text_, next));
     if (!read_list(next, array)) return false;
     const Variable* const target = environment_.store().find(array);
-    const std::size_t room = target->sizes.empty() ? values_.size() : target->size() - std::min(first, target->size());
+    // One more than the program may have, so that the store says it.
+    const std::size_t most_elements = environment_.store().most_names + 1;
+    const bool is_sized = !target->sizes.empty();
+    const std::size_t room = is_sized ? target->size() - std::min(first, target->size()) : most_elements;
     if (repeats) {
       const std::size_t count = values_.size() > 1 ? count_of(values_[1]) : room;
-      values_.assign(std::min(count, room), values_.empty() ? std::nullopt : values_[0]);
+      if (first == 0 && count >= room && values_[0]) {
+        environment_.store().fill(array, *values_[0]);
+        return true;
+      }
+      values_.assign(std::min({count, room, most_elements}), std::optional<Value>(values_[0]));
     } else if (values_.size() > room) {
       b_.report(diag("SIE-0303"), ig::Where::columns(begin, next), std::string_view(array), static_cast<double>(room));
       values_.resize(room);

@@ -2,6 +2,7 @@
 /// SiemensVariables owns one; the syntaxes of this plugin reach it through its service.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -48,17 +49,19 @@ struct Variable {
   std::vector<std::uint32_t> sizes{};                  ///< of an array, by dimension; empty: not known
   std::pair<std::uint64_t, std::size_t> defined_at{};  ///< offset of its block, column
 
-  /// The element of these indices, "[0,3]", counted with the last index fastest; nothing: it lies outside.
+  /// The element of these indices, "[0,3]", counted with the last index fastest; nothing: it lies outside. Where the
+  /// sizes are not known there is one index, of any size.
   std::optional<std::size_t> number_of(std::string_view indices) const {
+    const std::size_t count = std::max<std::size_t>(sizes.size(), 1);
     std::size_t number = 0, next = 1;
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
+    for (std::size_t i = 0; i < count && next < indices.size(); ++i) {
       std::uint32_t index = 0;
       const auto [end, error] = std::from_chars(indices.data() + next, indices.data() + indices.size(), index);
-      if (error != std::errc{} || index >= sizes[i]) return std::nullopt;
+      if (error != std::errc{} || (!sizes.empty() && index >= sizes[i])) return std::nullopt;
       next = static_cast<std::size_t>(end - indices.data());
-      if (next >= indices.size() || indices[next] != (i + 1 < sizes.size() ? ',' : ']')) return std::nullopt;
+      if (next >= indices.size() || indices[next] != (i + 1 < count ? ',' : ']')) return std::nullopt;
       ++next;
-      number = number * sizes[i] + index;
+      number = sizes.empty() ? index : number * sizes[i] + index;
     }
     return next == indices.size() ? std::optional(number) : std::nullopt;
   }
@@ -77,6 +80,7 @@ struct Variable {
   /// "A[2,3]", as it was defined.
   std::string shown_as(std::string_view name) const {
     std::string out(name);
+    if (sizes.empty()) return out + "[]";
     for (std::size_t i = 0; i < sizes.size(); ++i) out += (i == 0 ? '[' : ',') + std::to_string(sizes[i]);
     return out + ']';
   }
@@ -174,6 +178,14 @@ class VariableStore {
     if (const auto array = variables.find(name.substr(0, bracket)); array != variables.end())
       array->second.elements.push_back(name.substr(bracket));
     return true;
+  }
+  /// Every element of the array has this value.
+  void fill(const std::string& array, Value value) {
+    auto& variables = scopes_.back().variables;
+    for (const auto& [element, own] : elements(array)) variables.erase(array + element);
+    Variable& all = variables.at(array);
+    all.elements.clear();
+    all.value = std::move(value);
   }
   /// The elements of an array that have a value of their own.
   std::vector<std::pair<std::string, Value>> elements(const std::string& array) {

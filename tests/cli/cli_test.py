@@ -318,6 +318,21 @@ class OddFiles(Command):
         self.assertRegex(done.stderr, r"warning: O1002 is called out of \S*other.nc")
         self.assertEqual([line.split(",")[3] for line in done.stdout.splitlines()[1:3]], ["20", "30"])
 
+    def test_any_number_of_missing_programs_is_soon_not_found(self):
+        for number in range(200):
+            self.write(f"other{number}.nc", f"O{5000 + number}\n" + "G1 X1. Y1.\n" * 2_000 + "M99\n")
+        calls = "".join(f"M98 P{number}\n" for number in range(6000, 7500))
+        main = self.write("main.nc", f"O1\nG21 G90\n{calls}M30\n")
+        done = self.run_it("run", main, "-d", "fanuc", "--emit", "none", status=1, timeout=60)
+        self.assertIn("[ISO-0485]", done.stderr)
+
+    def test_two_files_that_hold_a_program_are_named(self):
+        for name in ("a.nc", "b.nc"):
+            self.write(name, "O1002\nX20.\nM99\n")
+        main = self.write("main.nc", "O1\nG21 G90 G0 X0\nM98 P1002\nM30\n")
+        done = self.run_it("run", main, "-d", "fanuc", "--emit", "none", status=1)
+        self.assertRegex(done.stderr, r"it is in \S*a.nc and in \S*b.nc: name one file with --subprograms")
+
     def test_budgets(self):
         program = self.write("long.nc", "G21 G90 F100\n" + "G1 X1.\nX2.\n" * 100_000 + "M30\n")
         done = self.run_it("run", program, "-d", "fanuc", "--max-output", "100000", status=1)

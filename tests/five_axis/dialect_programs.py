@@ -152,6 +152,17 @@ def machine_xml(axes):
     return f"<MachineAxes>{linear}{rows}</MachineAxes><MachineKinematics>{kinematics}</MachineKinematics>"
 
 
+def motions(isogloss, plugins, folder, stem):
+    """The events of STEM.nc under the dialect STEM.xml, and what is said."""
+    command = [isogloss, "run", f"{stem}.nc", "-d", f"{stem}.xml", "--emit", "motions", "--format", "jsonl", "--exact"]
+    if plugins:
+        command += ["--plugins", plugins]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    if done.returncode > 1:
+        raise RuntimeError(done.stderr)
+    return [json.loads(line) for line in done.stdout.splitlines()], done.stderr
+
+
 def run(isogloss, plugins, folder, name):
     dialect, axes, tables, text, _ = PROGRAMS[name]
     (folder / "short.xml").write_text(f"""<?xml version="1.0" encoding="UTF-8"?>
@@ -161,13 +172,7 @@ def run(isogloss, plugins, folder, name):
 </Dialect>
 """)
     (folder / "short.nc").write_text(text)
-    command = [isogloss, "run", "short.nc", "-d", "short.xml", "--emit", "motions", "--format", "jsonl", "--exact"]
-    if plugins:
-        command += ["--plugins", plugins]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-    if done.returncode > 1:
-        raise RuntimeError(done.stderr)
-    return [json.loads(line) for line in done.stdout.splitlines()], done.stderr
+    return motions(isogloss, plugins, folder, "short")
 
 
 def check(isogloss, plugins, folder, machine_of):

@@ -8,11 +8,9 @@ the workpiece. Nothing of the inverse way, which the interpreter goes, is used. 
 the tip to the programmed point of the workpiece within 1e-6 mm, and the tool to the programmed direction within 1e-9.
 """
 import argparse
-import json
 import math
 import pathlib
 import random
-import subprocess
 import sys
 import tempfile
 
@@ -347,13 +345,7 @@ def run(isogloss, plugins, folder, machine, program):
 </Dialect>
 """)
     (folder / "five.nc").write_text("\n".join(program.lines) + "\n")
-    command = [isogloss, "run", "five.nc", "-d", "five.xml", "--emit", "motions", "--format", "jsonl", "--exact"]
-    if plugins:
-        command += ["--plugins", plugins]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-    if done.returncode > 1:
-        raise RuntimeError(done.stderr)
-    return [json.loads(line) for line in done.stdout.splitlines()], done.stderr
+    return dialect_programs.motions(isogloss, plugins, folder, "five")
 
 
 def main():
