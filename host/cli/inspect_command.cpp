@@ -1,7 +1,10 @@
 // The page and the declaration of one syntax, dependency, dialect or field.
 #include <fmt/format.h>
 
+#include <cstring>
+
 #include "catalogue.hpp"
+#include "isogloss/engine/diagnostic_writer.hpp"
 #include "output_file.hpp"
 #include "session.hpp"
 
@@ -57,13 +60,19 @@ std::string as_text(const Json& object, const std::string& indentation) {
   return out;
 }
 
+/// A page is the plugin's own text, which nobody has looked at before.
+std::string read_page(const char* page) {
+  constexpr std::size_t longest = std::size_t{1} << 20;
+  return printable({page, strnlen(page, longest)}, "\n\t");
+}
+
 int InspectCommand::show(Json declaration, const char* page, Session& session) const {
   if (json) {
-    if (page != nullptr) declaration["Page"] = page;
+    if (page != nullptr) declaration["Page"] = read_page(page);
     return print(declaration.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", session.status());
   }
   declaration.erase("HasPage");
-  std::string out = page == nullptr ? "" : page;
+  std::string out = page == nullptr ? "" : read_page(page);
   if (!out.empty() && !out.ends_with('\n')) out += '\n';
   if (!out.empty()) out += "\n---- declaration\n";
   return print(out + as_text(declaration, ""), session.status());

@@ -21,7 +21,7 @@ constexpr std::uint32_t most_declarations = 8192;
 constexpr std::uint32_t most_names = 256;
 constexpr std::uint32_t most_look_ahead = 1000;
 constexpr std::size_t longest_name = 200;
-constexpr std::size_t longest_page = std::size_t{1} << 22;
+constexpr std::size_t longest_text = std::size_t{1} << 16;
 
 // The elements of a dialect file: no syntax and no dependency can be named so.
 constexpr std::array reserved_names{"Dialect",      "Files",       "Signature", "Segmenter", "Plugins", "Plugin",
@@ -44,12 +44,22 @@ template <class... A>
 // ever is one of them shown.
 
 template <class What>
-std::string_view text(const char* s, const What& what, std::size_t longest = longest_page) {
+std::string_view bytes(const char* s, const What& what, std::size_t longest) {
   if (s == nullptr) fault("{} is null", what());
   if (*s == '\0') return {};  // most units and docs
   const std::size_t size = strnlen(s, longest + 1);
   if (size > longest) fault("{} is longer than {} bytes", what(), longest);
   return {s, size};
+}
+
+/// `list`, `inspect` and diagnostics print it, so it holds no byte that a terminal would obey.
+template <class What>
+std::string_view text(const char* s, const What& what, std::size_t longest = longest_text) {
+  const std::string_view all = bytes(s, what, longest);
+  for (const char c : all)
+    if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f)
+      fault("{} holds the control character 0x{:02X}", what(), static_cast<unsigned char>(c));
+  return all;
 }
 
 /// "Owner.member", as a function.
@@ -250,7 +260,7 @@ void check_syntax(const ig_syntax& syntax, std::string_view owner) {
   if (syntax.inspects != 0 && syntax.build == nullptr) fault("{} inspects and has no build", owner);
   if ((syntax.scan == nullptr) != (syntax.triggers == nullptr))
     fault("{} has {}", owner, syntax.scan == nullptr ? "triggers and no scan" : "a scan and no triggers");
-  if (syntax.triggers != nullptr) text(syntax.triggers, member(owner, "triggers"), 256);
+  if (syntax.triggers != nullptr) bytes(syntax.triggers, member(owner, "triggers"), 256);
 }
 
 /// "key|column=value|…"

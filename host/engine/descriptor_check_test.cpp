@@ -68,6 +68,14 @@ TEST_CASE("each fault of a descriptor is found and named") {
       {"two kinds", [](Plugin& p) { p.syntax("GoodTable"); }, "the id 'GoodTable' is declared twice"},
       {"syntax size", [](Plugin& p) { syntax(p).out.struct_size = 8; }, "syntaxes[0] has struct_size 8"},
       {"summary", [](Plugin& p) { syntax(p).out.summary = nullptr; }, "GoodSyntax.summary is null"},
+      {"summary", [](Plugin& p) { syntax(p).out.summary = "\x1b[31mred"; },
+       "GoodSyntax.summary holds the control character 0x1B"},
+      {"summary",
+       [](Plugin& p) {
+         static const std::string long_text(100'000, 'x');
+         syntax(p).out.summary = long_text.c_str();
+       },
+       "GoodSyntax.summary is longer than 65536 bytes"},
       {"look-ahead", [](Plugin& p) { syntax(p).out.look_ahead = 4000000000u; }, "looks 4000000000 blocks ahead"},
       {"create", [](Plugin& p) { syntax(p).out.create = nullptr; }, "GoodSyntax.create is null"},
       {"destroy", [](Plugin& p) { syntax(p).out.destroy = nullptr; }, "GoodSyntax.destroy is null"},

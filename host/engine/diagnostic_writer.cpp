@@ -35,19 +35,19 @@ std::string_view colour(Severity severity) {
   return severity == Severity::error ? "\033[1;31m" : severity == Severity::warning ? "\033[1;35m" : "\033[1;36m";
 }
 
-/// Program text may hold any byte; what a terminal would obey is shown instead.
-std::string printable(std::string_view text) {
+}  // namespace
+
+std::string printable(std::string_view text, std::string_view kept) {
   std::string out;
   for (const char c : valid_utf8(text)) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < 0x20 || byte == 0x7f) && kept.find(c) == std::string_view::npos)
+      out += fmt::format("\\x{:02x}", byte);
     else
       out += c;
   }
   return out;
 }
-
-}  // namespace
 
 DiagnosticWriter::DiagnosticWriter(DiagnosticPolicy policy, Write write) : policy_(policy), write_(std::move(write)) {}
 

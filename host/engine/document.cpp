@@ -87,6 +87,7 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
       bits.words |= bit(f);
     if (info.previous_of != IG_NO_FIELD) keep_previous(info.previous_of, f);
   }
+  wake.resize((size_ + layout.lists.size()) * wake_words_);
   find_open_words(wake);
   Wakes wakes{std::move(wake), std::vector<std::uint64_t>(std::size_t{points_end_} * wake_words_)};
   for (std::size_t i = 0; i < wakes.by_point.size(); ++i)

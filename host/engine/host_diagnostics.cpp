@@ -136,6 +136,14 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "Acme.Message"},
       {error, "IG-0223", "{0} is inspecting, but does not stand in the stage Inspection",
        "Leftovers are known only when every other syntax has run.", "UnconsumedCheckSyntax under <Logic>"},
+      {error, "IG-0224", "{0} fields are read as they were before the block; a chain keeps {1} at most",
+       "A syntax that declares a field as `previous` makes the host keep a copy of it. Leave out syntaxes that the "
+       "machine does not need.",
+       "a generated dialect"},
+      {warning, "IG-0242", "{0} wakes while {1} has a value, and no block begins with one: declare its life as modal",
+       "A block begins with the modal fields of the block before it and with its words. A field of another life has no "
+       "value then, so the syntax is never called for it.",
+       "ig::Field<bool> {\"Acme.IsOn\", ig::wake_while}"},
       {error, "IG-0241", "{0} and {1} both answer {2}, and neither says which of them comes first",
        "Two syntaxes that take one code both act on it: a hole is drilled twice, or gets a rapid too many. Leave one "
        "of "
@@ -144,6 +152,10 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "a vendor's drilling cycle for G81 beside DrillingCycleSyntax"},
       {error, "IG-0243", "{0}: '{1}' names no code: write Parsing.Flags.{1}",
        "The paths of codes begin with Parsing.Flags. or Parsing.; another field no scanner fills.", "codes=\"M201\""},
+      {warning, "IG-0244", "{0}: the pattern '{2}' of the option {1} matches no field of this chain",
+       "Nothing of the option's kind in the chain has such a path, so the pattern is ignored. `isogloss list fields` "
+       "prints the paths that exist.",
+       R"(lengths="Parsing.G81.?{inch}")"},
       {error, "IG-0240", "{0} acts in this block, though nothing that it declares wakes it: check that in its build()",
        "Found by run --checked --call-all, which calls every syntax in every block: a syntax that depends on not being "
        "called gives another result as soon as another declaration wakes it. This is a fault of the plugin.",
@@ -329,7 +341,8 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "isogloss explain part.nc:99999"},
       {error, "IG-0516", "no syntax, dependency, dialect, field or diagnostic '{0}'",
        "`isogloss list` names what is there.", "isogloss inspect DrilingCycleSyntax"},
-      {warning, "IG-0517", "stopped after {0} errors", "The limit given by --max-errors is reached.",
+      {warning, "IG-0517", "stopped after {0} errors: --max-errors sets another limit",
+       "By default 100000, looked at every 65536 blocks: a text with so many is no program of this control.",
        "isogloss run part.nc --max-errors 1"},
       {note, "IG-0518", "{0} errors in {1} blocks: this may be no part program, or one for another control",
        "At least three of four blocks have an error. `isogloss list dialects` names the dialects, `-d` picks one.",

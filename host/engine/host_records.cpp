@@ -56,6 +56,7 @@ std::int32_t append(ig_block* block, const ig_field* fields, std::uint32_t count
   }
   list->present.push_back(present);
   ++list->count;
+  d.wake_by_list(list_of(fields[0]));
   return 1;
 }
 

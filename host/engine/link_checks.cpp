@@ -83,6 +83,20 @@ void check_unread(const LinkedDialect& linked, const Traffic& traffic, std::vect
     }
 }
 
+/// A wake-while looks at a block as it begins: what was carried, what it held before, and its words.
+void check_wakes(const LinkedDialect& linked, std::vector<LinkFault>& faults) {
+  for (const LinkedSyntax& s : linked.chain)
+    for (std::uint32_t i = 0; i < s.syntax->field_count; ++i) {
+      const ig_field f = s.ids[i];
+      if ((s.syntax->fields[i].access & IG_WAKE_WHILE) == 0 || f == IG_NO_FIELD) continue;
+      if (!is_record_field(f)) {
+        const FieldInfo& field = linked.layout.fields[f];
+        if (is_carried(field.life) || field.life == IG_LIFE_WORD || field.previous_of != IG_NO_FIELD) continue;
+      }
+      faults.push_back({"IG-0242", s.element.where, {s.element.alias, s.syntax->fields[i].path}});
+    }
+}
+
 void check_slots(const LinkedDialect& linked, std::vector<LinkFault>& faults) {
   std::map<std::string, const LinkedSyntax*> holders;
   for (const LinkedSyntax& s : linked.chain) {
@@ -203,6 +217,7 @@ std::vector<LinkFault> check_links(const LinkedDialect& linked) {
   const Traffic traffic(linked);
   check_order(linked, faults);
   check_required(linked, traffic, faults);
+  check_wakes(linked, faults);
   check_slots(linked, faults);
   const std::vector<LinkFault> services = check_services(linked);
   faults.insert(faults.end(), services.begin(), services.end());

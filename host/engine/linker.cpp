@@ -341,7 +341,8 @@ class Linker {
       for (const std::uint32_t number : same_rank)
         if (drafts_[number].has_previous) previous.push_back(number);
     if (previous.size() > maximum_previous)
-      say("IG-0216", {}, {std::to_string(previous.size()), std::to_string(maximum_previous)});
+      say("IG-0224", {out_->dialect.file.string(), 0, 0},
+          {std::to_string(previous.size()), std::to_string(maximum_previous)});
 
     ig_field next = 0;
     const auto give = [&](std::vector<std::uint32_t>& numbers, std::vector<ig_field>& ids) {
@@ -433,12 +434,22 @@ class Linker {
           say("IG-0214", s.element.where, {pattern.path()});
         continue;
       }
+      bool is_met = false;
       for (ig_field f = 0; f < in.size(); ++f) {
         const FieldInfo& info = out_->layout.fields[f];
-        if (!info.hidden && info.type == decl.type && pattern.matches(info.path, info.unit)) add(f);
+        if (info.hidden || info.type != decl.type || !pattern.matches(info.path, info.unit)) continue;
+        add(f);
+        is_met = true;
       }
+      if (!is_met && mode_ == LinkMode::whole) say_unmet(s, std::string_view(decl.path).substr(1), pattern.path());
     }
     return out;
+  }
+
+  /// Only of what the dialect itself writes: a default may be for other chains.
+  void say_unmet(const LinkedSyntax& s, std::string_view option, const std::string& pattern) {
+    for (const Attribute& given : s.element.options)
+      if (given.name == option) say("IG-0244", given.where, {s.element.alias, given.name, pattern});
   }
 
   static void permit(LinkedSyntax& s, std::uint32_t access, ig_field f) {
@@ -507,7 +518,8 @@ class Linker {
     while (first < out_->chain.size() && out_->chain[first].syntax->build == nullptr) ++first;
     // The last bit of two words is the document's; two cost no more than one.
     out_->wake_words = out_->chain.size() - first < 128 ? 2 : 4;
-    out_->wake.assign(out_->layout.fields.size() * out_->wake_words, 0);
+    const std::size_t fields = out_->layout.fields.size();
+    out_->wake.assign((fields + out_->layout.lists.size()) * out_->wake_words, 0);
     for (std::uint32_t position = first; position < out_->chain.size(); ++position) {
       const LinkedSyntax& s = out_->chain[position];
       if (s.syntax->build == nullptr) continue;
@@ -517,10 +529,11 @@ class Linker {
         if ((decl.access & (IG_WAKE | IG_WAKE_WHILE)) == 0) continue;
         const std::span<const ig_field> one(&s.ids[i], 1);
         for (const ig_field f : (decl.access & IG_PATTERN) != 0 ? s.expansions[i] : one) {
-          if (f == IG_NO_FIELD || is_record_field(f)) continue;
+          if (f == IG_NO_FIELD) continue;
+          const std::size_t row = is_record_field(f) ? fields + list_of(f) : f;
           if ((decl.access & IG_WAKE) != 0)
-            out_->wake[f * out_->wake_words + place / 64] |= std::uint64_t{1} << (place % 64);
-          if ((decl.access & IG_WAKE_WHILE) != 0)
+            out_->wake[row * out_->wake_words + place / 64] |= std::uint64_t{1} << (place % 64);
+          if ((decl.access & IG_WAKE_WHILE) != 0 && !is_record_field(f))
             out_->wake_while.push_back(
                 {f, decl.wake_value == nullptr ? 0 : out_->symbols.intern(decl.wake_value), position});
         }

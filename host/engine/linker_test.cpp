@@ -325,6 +325,90 @@ TEST_CASE("stages, sizes and lives that cannot be") {
   CHECK(faults(large, {&plugin}) == Strings{"IG-0216 0"});
 }
 
+TEST_CASE("a chain that asks for too many fields of the block before does not link") {
+  Plugin plugin("p");
+  Syntax& curious = plugin.syntax("Curious");
+  std::vector<std::string> paths;
+  for (int i = 0; i < 64; ++i) paths.push_back("Acme.Field" + std::to_string(i));
+  for (const std::string& path : paths) {
+    curious.fields.push_back(field(path.c_str(), IG_WRITE, IG_NUMBER, IG_LIFE_MODAL));
+    curious.fields.push_back(field(path.c_str(), IG_PREVIOUS, IG_NUMBER, IG_LIFE_MODAL));
+  }
+  Hand hand{"p"};
+  hand.add("Curious");
+  CHECK(faults(hand, {&plugin}) == Strings{"IG-0224 0"});
+  curious.fields.resize(126);
+  CHECK(faults(hand, {&plugin}).empty());
+}
+
+TEST_CASE("a wake-while on a field that no block begins with is told") {
+  Plugin plugin("p");
+  plugin.syntax("Modal").fields = {field("Acme.Mode", IG_WRITE | IG_WAKE_WHILE, IG_NUMBER, IG_LIFE_MODAL)};
+  plugin.syntax("Word").fields = {field("Parsing.X", IG_READ | IG_WAKE_WHILE)};
+  plugin.syntax("Block").fields = {field("Acme.Count", IG_READ | IG_WRITE | IG_WAKE_WHILE)};
+  plugin.syntax("Record").fields = {field("CompoundMotion.Items[].Dwell.Time", IG_READ | IG_WAKE_WHILE)};
+  Hand hand{"p"};
+  for (const char* id : {"Modal", "Word", "Block", "Record"}) hand.add(id);
+  const Strings all = faults(hand, {&plugin});
+  CHECK(std::count(all.begin(), all.end(), "IG-0242 4") == 1);
+  CHECK(std::count(all.begin(), all.end(), "IG-0242 5") == 1);
+  CHECK(std::count_if(all.begin(), all.end(), [](const std::string& s) { return s.starts_with("IG-0242"); }) == 2);
+}
+
+TEST_CASE("a pattern of the dialect that matches no field is told; a default is not") {
+  Plugin plugin("p");
+  Syntax& lengths = plugin.syntax("Lengths");
+  lengths.fields = {field("@words", IG_TAKE | IG_PATTERN)};
+  lengths.options = {option("words", IG_OPTION_FIELDS, "Parsing.*.Q")};
+  plugin.syntax("Reader").fields = {field("Parsing.X", IG_TAKE)};
+  Hand by_default{"p"};
+  by_default.add("Reader");
+  by_default.add("Lengths");
+  CHECK(faults(by_default, {&plugin}).empty());
+  Hand given{"p"};
+  given.add("Reader");
+  given.add("Lengths", {{"words", "Parsing.? Parsing.*.X"}});
+  DiagnosticList found;
+  CHECK(faults(given, {&plugin}, &found) == Strings{"IG-0244 4"});
+  CHECK(found.all[0].message.find("'Parsing.*.X'") != std::string::npos);
+}
+
+TEST_CASE("a new record wakes who waits for its list") {
+  static int woken;
+  woken = 0;
+  Plugin plugin("p");
+  Syntax& writer = plugin.syntax("Writer");
+  writer.fields = {field("Acme.Count", IG_WRITE | IG_WAKE_WHILE, IG_NUMBER, IG_LIFE_MODAL),
+                   field("CompoundMotion.Items[].Dwell.Time", IG_WRITE)};
+  writer.out.create = [](const ig_link_api*, ig_link*, const ig_field* ids, void** self) -> ig_status {
+    static ig_field item;
+    item = ids[1];
+    *self = &item;
+    return IG_CHANGED;
+  };
+  writer.out.build = [](void* self, const ig_host* host, ig_block* block) -> ig_status {
+    const ig_value second{.number = 1};
+    return host->append(block, static_cast<const ig_field*>(self), 1, &second) != 0 ? IG_CHANGED : IG_FAILED;
+  };
+  Syntax& waiter = plugin.syntax("Waiter");
+  waiter.fields = {field("CompoundMotion.Items[].Dwell.Time", IG_READ | IG_WAKE)};
+  waiter.out.build = [](void*, const ig_host*, ig_block*) -> ig_status { return ++woken, IG_UNCHANGED; };
+  Hand hand{"p"};
+  hand.add("Writer");
+  hand.add("Waiter");
+  hand.initial("Acme.Count", "1");
+  DiagnosticList found;
+  Library library({});
+  library.add(plugin.get());
+  const auto linked = link(hand.dialect, library, found);
+  REQUIRE(linked != nullptr);
+  Chain chain(*linked, {}, found);
+  chain.start();
+  chain.begin_block({"part.nc", 1, 0, ""});
+  chain.run(chain.document(), 0, 2);
+  CHECK(woken == 1);
+}
+
 TEST_CASE("severities of the dialect hold while it is linked; an error stays one") {
   Plugin plugin("p");
   plugin.syntax("Writer").fields = {field("Acme.Level", IG_WRITE)};

@@ -17,14 +17,15 @@ struct McXyz {
   ig::Xyz machine_{"MachineCoordinate", ig::read | ig::write};
   ig::Fields frame_{"frame", "ProgramToMcTransform.*", ig::read | ig::wake,
                     "Entries of the frame after whose change the program point is derived again.", IG_TRANSFORM};
-  ig::Xyz item_program_{"CompoundMotion.Items[].ProgramXyz", ig::read};
+  ig::Xyz item_program_{"CompoundMotion.Items[].ProgramXyz", ig::read | ig::wake};
   ig::Xyz item_machine_{"CompoundMotion.Items[].MachineCoordinate", ig::write};
 
   /// The tool stands at the home position: that is where its first program point comes from.
   ig::Status restart(ig::Block& b) { return follow_frame(b); }
 
   ig::Status build(ig::Block& b) {
-    if (!b.is_fresh(program_)) return b.frame_changed() ? follow_frame(b) : ig::Status::unchanged;
+    if (!b.is_fresh(program_) && !take_end_of_steps(b))
+      return b.frame_changed() ? follow_frame(b) : ig::Status::unchanged;
     b.host()->map_records(b.raw(), item_program_.ids(), item_machine_.ids());
     const bool is_programmed = b.is_fresh(machine_.id(0));  // G53 writes all three axes
     if (is_programmed) return ig::Status::changed;
@@ -34,6 +35,17 @@ struct McXyz {
   }
 
  private:
+  /// A cycle that says nothing but its steps: the tool stands where the last of them ends.
+  bool take_end_of_steps(ig::Block& b) const {
+    for (std::uint32_t step = b.host()->count(b.raw(), item_program_.id(0)); step-- > 0;) {
+      ig_value at[3];
+      if (b.host()->record(b.raw(), step, item_program_.ids(), 3, at) != 7u) continue;
+      b.set(program_, {at[0].number, at[1].number, at[2].number});
+      return true;
+    }
+    return false;
+  }
+
   ig::Status follow_frame(ig::Block& b) const {
     const ig::PartialVec3 machine = b.get(machine_);
     if (!machine.complete()) return ig::Status::unchanged;

@@ -35,6 +35,9 @@ REFUSED = {
 RUN = {
     "create_refuses": (2, "IG-0308", "BadSyntax"),
     "throws_in_create": (2, "IG-0308", "not in this chain"),
+    "declares_another_field": (2, "IG-0308", "the field 'Parsing.Y' stands where the descriptor has 'Parsing.Z'"),
+    "declares_more_fields": (2, "IG-0308", "the field 'Parsing.Y' stands where the descriptor has ''"),
+    "declares_fewer_options": (2, "IG-0308", "the option '' stands where the descriptor has 'size'"),
     "throws_in_build": (3, "IG-0401", "not this block"),
     "throws_a_number": (3, "IG-0401", "no std::exception"),
     "fails_silently": (3, "IG-0401", "no reason"),

@@ -1,6 +1,8 @@
-// Plugins of the SDK that throw; where is chosen by FAULT_….
+// Plugins of the SDK that throw, or declare another thing each time; which is chosen by FAULT_….
 #include <isogloss/sdk.hpp>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 const char* ig::embedded_page(const char*) noexcept { return nullptr; }
 
@@ -10,6 +12,22 @@ struct Throws {
   static constexpr auto spec = ig::syntax("BadSyntax", "Throws.");
   ig::Word x{"Parsing.X"};
 
+#if defined(FAULT_declares_another_field)
+  ig::Word other{ig::detail::binding != nullptr ? "Parsing.Y" : "Parsing.Z"};
+#elif defined(FAULT_declares_more_fields)
+  std::vector<ig::Word> more = make_more();
+  static std::vector<ig::Word> make_more() {
+    std::vector<ig::Word> out;
+    if (ig::detail::binding != nullptr) out.emplace_back("Parsing.Y");
+    return out;
+  }
+#elif defined(FAULT_declares_fewer_options)
+  std::optional<ig::NumberOption> option = make_option();
+  static std::optional<ig::NumberOption> make_option() {
+    if (ig::detail::binding != nullptr) return std::nullopt;
+    return ig::NumberOption("size", "1", {}, "mm", "A size.");
+  }
+#endif
 #if defined(FAULT_throws_in_create)
   // The prototype of the descriptor has no binding; instances do.
   bool refuses = ig::detail::binding != nullptr ? throw std::runtime_error("not in this chain") : false;

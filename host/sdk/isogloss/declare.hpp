@@ -6,6 +6,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -75,14 +76,55 @@ class Recorder {
   std::size_t left_ = 0;
 };
 
+/// Hands out ids, options, services and columns by position. `declared` is what the same constructors wrote down when
+/// the plugin was loaded: a member that is another one now would get its neighbour's id, so that is refused.
 struct Binding {
   const ig_link_api* api;
   ig_link* link;
   const ig_field* ids;
+  const Recorder* declared = nullptr;  ///< null: not compared
   std::uint32_t field = 0;
   std::uint32_t option = 0;
   std::uint32_t service = 0;
   std::uint32_t column = 0;
+
+  /// Throws where the next field is another than the declared one.
+  void expect_field(const std::array<std::string_view, 4>& pieces) const {
+    if (declared == nullptr) return;
+    if (field >= declared->fields.size()) refuse("field", {pieces.begin(), pieces.end()}, {});
+    std::string_view rest = declared->fields[field].path;
+    for (const std::string_view piece : pieces) {
+      if (!rest.starts_with(piece)) refuse("field", {pieces.begin(), pieces.end()}, declared->fields[field].path);
+      rest.remove_prefix(piece.size());
+    }
+    if (!rest.empty()) refuse("field", {pieces.begin(), pieces.end()}, declared->fields[field].path);
+  }
+  /// The same for options, services and columns: `all` is the recorder's list of them, `id` the member that names one.
+  template <class D>
+  void expect(const char* kind, const std::vector<D> Recorder::*all, const char* D::*id, std::uint32_t next,
+              std::string_view name) const {
+    if (declared == nullptr) return;
+    const std::vector<D>& list = declared->*all;
+    const std::string_view known = next < list.size() ? std::string_view(list[next].*id) : std::string_view();
+    if (known != name) refuse(kind, {name}, known);
+  }
+  /// Throws where fewer members were constructed than declared.
+  void expect_all() const {
+    if (declared == nullptr) return;
+    if (field < declared->fields.size()) refuse("field", {}, declared->fields[field].path);
+    if (option < declared->options.size()) refuse("option", {}, declared->options[option].name);
+    if (service < declared->services.size()) refuse("service", {}, declared->services[service].id);
+    if (column < declared->columns.size()) refuse("column", {}, declared->columns[column].name);
+  }
+
+ private:
+  [[noreturn, gnu::cold, gnu::noinline]] static void refuse(const char* kind, std::vector<std::string_view> now,
+                                                            std::string_view then) {
+    std::string name;
+    for (const std::string_view piece : now) name += piece;
+    throw std::logic_error("the " + std::string(kind) + " '" + name + "' stands where the descriptor has '" +
+                           std::string(then) + "': the members of a syntax must be the same each time it is made");
+  }
 };
 
 // Set only while a descriptor or an instance is constructed.
@@ -136,7 +178,9 @@ inline ig_field declare_field(const Declared& d) {
     return IG_NO_FIELD;
   }
   Binding* const bound = binding;
-  return bound != nullptr ? bound->ids[bound->field++] : IG_NO_FIELD;
+  if (bound == nullptr) return IG_NO_FIELD;
+  bound->expect_field(d.path.pieces);
+  return bound->ids[bound->field++];
 }
 
 /// Has the host of the chain that is created get_point and its kin?

@@ -20,6 +20,8 @@ class Column {
       out.doc = doc;
       detail::recorder->columns.push_back(out);
     } else if (detail::binding != nullptr) {
+      detail::binding->expect("column", &detail::Recorder::columns, &ig_column_decl::name, detail::binding->column,
+                              name);
       index_ = detail::binding->column++;
     }
   }

@@ -28,7 +28,9 @@ inline std::uint32_t declare_option(const char* name, ig_option_type type, const
     recorder->options.push_back(out);
     return 0;
   }
-  return binding != nullptr ? binding->option++ : 0;
+  if (binding == nullptr) return 0;
+  binding->expect("option", &Recorder::options, &ig_option_decl::name, binding->option, name);
+  return binding->option++;
 }
 
 }  // namespace detail
@@ -144,6 +146,9 @@ class Service {
       out.doc = doc;
       detail::recorder->services.push_back(out);
     } else if (detail::binding != nullptr) {
+      detail::binding->expect("service", &detail::Recorder::services, &ig_service_decl::id, detail::binding->service,
+                              id);
+      ++detail::binding->service;
       service_ = static_cast<const T*>(detail::binding->api->service(detail::binding->link, id));
     }
   }

@@ -127,12 +127,18 @@ inline std::string snake_case(std::string_view id) {
 
 inline void report_failure(const ig_link_api* api, ig_link* link, const char* what) { api->fail(link, to_text(what)); }
 
+/// What the constructor of T declares, written down once.
+template <class T>
+const Recorder& recorded_of();
+
 template <class T>
 ig_status create(const ig_link_api* api, ig_link* link, const ig_field* ids, void** self) noexcept {
   try {
-    Binding bound{api, link, ids};
+    Binding bound{api, link, ids, &recorded_of<T>()};
     const Scope<Binding> scope(binding, &bound);
-    *self = std::make_unique<T>().release();
+    auto made = std::make_unique<T>();
+    bound.expect_all();
+    *self = made.release();
     return IG_CHANGED;
   } catch (const std::exception& e) {
     report_failure(api, link, e.what());
@@ -226,6 +232,7 @@ class SyntaxDescriptor {
     if constexpr (requires(T & t, Block & b) { t.build(b); }) out_.build = &detail::build<T>;
   }
   const ig_syntax* get() const { return &out_; }
+  const Recorder& recorded() const { return recorded_; }
 
  private:
   Recorder recorded_;
@@ -277,11 +284,26 @@ class DependencyDescriptor {
     if constexpr (requires(const T& t) { t.row_fault(std::string_view{}); }) out_.row_fault = &detail::row_fault<T>;
   }
   const ig_dependency* get() const { return &out_; }
+  const Recorder& recorded() const { return recorded_; }
 
  private:
   Recorder recorded_;
   ig_dependency out_{};
 };
+
+template <class T>
+constexpr bool is_syntax = std::is_same_v<std::remove_cv_t<decltype(T::spec)>, SyntaxSpec>;
+
+template <class T>
+const auto& descriptor_of() {
+  static const std::conditional_t<is_syntax<T>, SyntaxDescriptor<T>, DependencyDescriptor<T>> descriptor;
+  return descriptor;
+}
+
+template <class T>
+const Recorder& recorded_of() {
+  return descriptor_of<T>().recorded();
+}
 
 /// What the .cpp files of one plugin have put in; filled before the entry function can be called.
 struct Contributions {
@@ -331,17 +353,10 @@ class PluginDescriptor {
 template <class T>
 struct Register {
   Register() {
-    if constexpr (std::is_same_v<std::remove_cv_t<decltype(T::spec)>, SyntaxSpec>) {
-      detail::contributions().syntaxes.push_back([]() -> const ig_syntax* {
-        static const detail::SyntaxDescriptor<T> descriptor;
-        return descriptor.get();
-      });
-    } else {
-      detail::contributions().dependencies.push_back([]() -> const ig_dependency* {
-        static const detail::DependencyDescriptor<T> descriptor;
-        return descriptor.get();
-      });
-    }
+    if constexpr (detail::is_syntax<T>)
+      detail::contributions().syntaxes.push_back([] { return detail::descriptor_of<T>().get(); });
+    else
+      detail::contributions().dependencies.push_back([] { return detail::descriptor_of<T>().get(); });
   }
 };
 

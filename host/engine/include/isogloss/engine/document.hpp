@@ -69,7 +69,8 @@ class Document {
   ig_view view_{};  // first: a syntax looks for it where its block begins
 
  public:
-  /// Sizes for one layout; `wake` is wake_words masks for each field (which syntaxes a write wakes), 2 or 4 of them.
+  /// Sizes for one layout; `wake` is wake_words masks, 2 or 4, for each field (which syntaxes a write wakes) and,
+  /// behind them, for each list (which syntaxes a new record wakes).
   Document(const Layout& layout, std::vector<std::uint64_t> wake, std::uint32_t wake_words);
   const Layout& layout() const { return *layout_; }
   /// As a syntax gets it: it begins with the view of what the document holds now.
@@ -283,6 +284,8 @@ class Document {
 
   /// Takes the block's text into the document itself, so that it outlives the reader's buffer.
   void own_source();
+  /// A record was added to this list.
+  void wake_by_list(std::size_t list) { wake_by(wake_ + (size_ + list) * wake_words_); }
 
  private:
   static constexpr std::uint64_t bit(ig_field f) { return std::uint64_t{1} << (f & 63); }
