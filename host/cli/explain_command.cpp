@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "crash_guard.hpp"
+#include "isogloss/engine/diagnostic_writer.hpp"
 #include "isogloss/engine/explain.hpp"
 #include "output_file.hpp"
 #include "program_options.hpp"
@@ -108,8 +111,16 @@ std::string where_the_run_is(const ExplainedBlock& b) {
   return out;
 }
 
+/// Whom the syntax asks: a table of the dialect, or of the machine.
+std::string asked(const ExplainedStep& step) {
+  std::string out;
+  for (const ExplainedAnswer& a : step.answers)
+    if (out.find(" " + a.dependency) == std::string::npos) out += (out.empty() ? ", asks " : ", ") + a.dependency;
+  return out;
+}
+
 std::string text_of(const ExplainedBlock& b) {
-  std::string out = fmt::format("{}:{}: {}\n", b.where.file, b.where.line, b.text);
+  std::string out = fmt::format("{}:{}: {}\n", b.where.file, b.where.line, printable(b.text, "\t"));
   out += where_the_run_is(b);
   std::size_t width = 0;
   for (const ExplainedValue& v : b.carried) width = std::max(width, v.path.size() + v.value.size() + 3);
@@ -117,7 +128,7 @@ std::string text_of(const ExplainedBlock& b) {
   for (const ExplainedValue& v : b.carried)
     out += fmt::format("  {:<{}}  {}\n", v.path + " = " + v.value, std::min<std::size_t>(width, 60), origin(v));
   for (const ExplainedStep& step : b.steps) {
-    out += fmt::format("\n{}{}\n", step.syntax, step.plugin.empty() ? "" : " (" + step.plugin + ")");
+    out += fmt::format("\n{}{}{}\n", step.syntax, step.plugin.empty() ? "" : " (" + step.plugin + ")", asked(step));
     if (step.changes.empty()) out += "  was called, changed nothing\n";
     for (const ExplainedChange& c : step.changes) {
       if (c.before.empty())
@@ -155,6 +166,8 @@ Json json_of(const ExplainedBlock& b) {
     }
     Json step{{"Syntax", s.syntax}};
     if (!s.plugin.empty()) step["Plugin"] = s.plugin;
+    for (const ExplainedAnswer& a : s.answers)
+      step["Asks"].push_back({{"Service", a.service}, {"Dependency", a.dependency}});
     step["Changes"] = std::move(changes);
     steps.push_back(std::move(step));
   }
@@ -179,6 +192,33 @@ Json json_of(const ExplainedBlock& b) {
           {"Document", Json::parse(b.document)}};
 }
 
+/// The line of a file that can be read again, without its end; `count`: how many lines there are up to it.
+std::optional<std::string> read_line(const std::string& path, std::uint32_t number, std::uint32_t& count) {
+  std::error_code code;
+  std::ifstream file;
+  if (std::filesystem::is_regular_file(path, code)) file.open(path, std::ios::binary);
+  std::string line;
+  for (count = 0; std::getline(file, line);)
+    if (++count == number) return line;
+  return std::nullopt;
+}
+
+/// Why the run has no block there.
+std::string why_not(const ExplainReach& reach, const ExplainTarget& target, const std::string& path) {
+  if (reach.passes > 0 && reach.passes < target.pass)
+    return fmt::format("the run comes to this line {} times", reach.passes);
+  std::uint32_t count = 0;
+  const std::optional<std::string> line =
+      target.file.empty() ? read_line(path, target.line, count) : std::optional<std::string>();
+  if (!line && count > 0) return fmt::format("the file has {} lines", count);
+  if (line && line->find_first_not_of(" \t\r") == std::string::npos) return "the line is empty";
+  if (reach.first == 0) return "no block of this file is executed";
+  if (target.line < reach.first) return fmt::format("the run begins at line {}", reach.first);
+  if (reach.jumped_to != 0)
+    return fmt::format("the run goes from line {} to line {}", reach.jumped_from, reach.jumped_to);
+  return fmt::format("the run ends at {}:{}: {}", reach.last.file, reach.last.line, reach.last_text);
+}
+
 int ExplainCommand::explain_line(Session& session, const std::string& path) {
   std::optional<RunOptions> options = program.make(session);
   const std::unique_ptr<OpenedProgram> source = OpenedProgram::open(path, session);
@@ -192,13 +232,16 @@ int ExplainCommand::explain_line(Session& session, const std::string& path) {
 
   // What other lines have to say is not what was asked.
   DiagnosticList said;
-  std::uint64_t passes = 0;
-  const std::vector<ExplainedBlock> blocks = explain(*linked, *source, path, target, *options, said, &passes);
-  for (Diagnostic& d : said.all)
-    if (d.where.line == target.line || d.where.line == 0) session.diagnostics().add(std::move(d));
+  ExplainReach reach;
+  const std::vector<ExplainedBlock> blocks = explain(*linked, *source, path, target, *options, said, &reach);
+  for (Diagnostic& d : said.all) {
+    const bool ends_the_run = blocks.empty() && d.severity == Severity::error && d.where.line == reach.last.line &&
+                              d.where.file == reach.last.file;
+    if (d.where.line == target.line || d.where.line == 0 || ends_the_run) session.diagnostics().add(std::move(d));
+  }
   if (blocks.empty()) {
     session.say("IG-0515", {target.file.empty() ? path : target.file, target.line, 0}, {std::to_string(target.line)},
-                passes == 0 ? "" : "the run comes to this line " + std::to_string(passes) + " times");
+                why_not(reach, target, path));
     return input_errors;
   }
   std::string out;

@@ -46,7 +46,7 @@ class Explainer : public Exporter {
   bool end() override { return true; }
 
   bool block(Document& document, const SymbolTable& symbols) override {
-    if (!is_wanted(document)) return true;
+    if (!is_wanted(document)) return note(document), true;
     open(document, symbols);
     const auto at =
         std::find_if(open_.begin(), open_.end(), [&](const Open& o) { return o.column == document.source.column; });
@@ -66,9 +66,23 @@ class Explainer : public Exporter {
   }
 
   std::vector<ExplainedBlock> blocks;
-  std::uint64_t passes = 0;
+  ExplainReach reach;
 
  private:
+  /// How the run goes while it is elsewhere.
+  void note(const Document& document) {
+    const BlockSource& source = document.source;
+    reach.last = {std::string(source.file), source.line, source.column + 1};
+    reach.last_text = std::string(source.text);
+    if (chain_->flow == nullptr || !chain_->flow->is_file(source.file, target_.file)) return;
+    if (reach.first == 0) reach.first = source.line;
+    if (reach.jumped_to == 0 && before_ != 0 && before_ < target_.line && source.line > target_.line) {
+      reach.jumped_from = before_;
+      reach.jumped_to = source.line;
+    }
+    before_ = source.line;
+  }
+
   /// A block of the line on its way through the chain. With look-ahead its document is copied while the next one is
   /// built; those that wait come out in their order.
   struct Open {
@@ -91,8 +105,17 @@ class Explainer : public Exporter {
     o.called[position] = true;
     if (o.block.pass != target_.pass) return;
     const LinkedSyntax& s = linked_.chain[position];
-    o.block.steps.push_back(
-        {s.element.alias, s.plugin->name, changes(o.before, json_leaves(show_json(*document, chain_->symbols())))});
+    o.block.steps.push_back({s.element.alias, s.plugin->name, answers(s),
+                             changes(o.before, json_leaves(show_json(*document, chain_->symbols())))});
+  }
+
+  std::vector<ExplainedAnswer> answers(const LinkedSyntax& s) const {
+    std::vector<ExplainedAnswer> out;
+    for (std::uint32_t i = 0; i < s.syntax->service_count; ++i)
+      for (const Provision& p : provisions_)
+        if (p.service == s.syntax->services[i].id)
+          out.push_back({p.service, linked_.dependencies[p.dependencies.front()].element.alias});
+    return out;
   }
 
   /// The record of this block; begun at its first build, when the scanners have just read it.
@@ -100,11 +123,11 @@ class Explainer : public Exporter {
     const bool is_built = &document == &chain_->document();
     for (Open& o : open_)
       if (o.column == document.source.column && (!is_built || o.number == chain_->blocks)) return o;
-    if (passes == 0 || document.source.column <= last_column_) ++passes;
+    if (reach.passes == 0 || document.source.column <= last_column_) ++reach.passes;
     last_column_ = document.source.column;
     Open o{chain_->blocks, document.source.column, {}, {}, std::vector<bool>(linked_.chain.size())};
-    o.block.pass = passes;
-    if (passes != target_.pass) {
+    o.block.pass = reach.passes;
+    if (reach.passes != target_.pass) {
       open_.push_back(std::move(o));
       return open_.back();
     }
@@ -184,7 +207,9 @@ class Explainer : public Exporter {
 
   const LinkedDialect& linked_;
   const ExplainTarget& target_;
+  const std::vector<Provision> provisions_ = provisions(linked_);
   std::uint32_t last_column_ = 0;
+  std::uint32_t before_ = 0;  // the last line of the target's file that was run
   Chain* chain_ = nullptr;
   std::vector<Open> open_;
 };
@@ -193,7 +218,7 @@ class Explainer : public Exporter {
 
 std::vector<ExplainedBlock> explain(const LinkedDialect& linked, Source& source, const std::string& name,
                                     const ExplainTarget& target, RunOptions options, DiagnosticSink& sink,
-                                    std::uint64_t* passes) {
+                                    ExplainReach* reach) {
   Explainer explainer(linked, target);
   options.chain.mode = Mode::traced;
   options.stop_after_line = target.line;
@@ -201,7 +226,7 @@ std::vector<ExplainedBlock> explain(const LinkedDialect& linked, Source& source,
   options.stop_after_pass = target.pass;
   options.prepare = [&](Chain& chain) { explainer.listen(chain); };
   run(linked, source, name, options, {&explainer}, sink);
-  if (passes != nullptr) *passes = explainer.passes;
+  if (reach != nullptr) *reach = std::move(explainer.reach);
   return std::move(explainer.blocks);
 }
 

@@ -987,7 +987,32 @@ class Explain(Command):
         self.assertNotIn("pass", out.stdout)
 
     def test_no_block(self):
-        self.assertIn("no block at line 99", self.run_it("explain", f"{self.program}:99", "-d", "iso", status=1).stderr)
+        done = self.run_it("explain", f"{self.program}:99", "-d", "iso", status=1)
+        self.assertIn("the run has no block at line 99", done.stderr)
+
+    def test_a_line_that_is_not_reached_says_why(self):
+        self.write("O20", "O20\nG91 X1.\nM99\nX2.\n")
+        main = self.write("jumps.nc", "G21\nG00 X0 Y0\n\nGOTO 9\nX1.\nN9 X2.\nM98 P20\nM30\nX3.\n")
+        for line, reason in ((3, "the line is empty"), (5, "the run goes from line 4 to line 6"),
+                             (9, "the run ends at .*jumps.nc:8: M30"), (10, "the file has 9 lines")):
+            done = self.run_it("explain", f"{main}:{line}", "-d", "fanuc", status=1)
+            self.assertRegex(done.stderr, rf"jumps.nc:{line}: error: the run has no block at line {line}.*\n  hint: {reason}")
+        done = self.run_it("explain", f"{main}:4", "--in", "O20", "-d", "fanuc", status=1)
+        self.assertRegex(done.stderr, r"hint: the run ends at .*jumps.nc:8: M30")
+        done = self.run_it("explain", f"{main}:4", "--in", "O21", "-d", "fanuc", status=1)
+        self.assertIn("hint: no block of this file is executed", done.stderr)
+        stops = self.write("stops.nc", "G21 X1.\nM99 P7\nX3.\n")
+        done = self.run_it("explain", f"{stops}:3", "-d", "fanuc", status=1)
+        self.assertIn("[ISO-0494]", done.stderr)
+        self.assertRegex(done.stderr, r"hint: the run ends at .*stops.nc:2: M99 P7")
+
+    def test_who_answers_a_syntax(self):
+        part = self.write("offsets.nc", "G21 G90\nG55 G0 X1.\n")
+        out = self.run_it("explain", f"{part}:2", "-d", "fanuc").stdout
+        self.assertRegex(out, r"IsoCoordinateOffsetSyntax \(iso\), asks IsoCoordinateTable")
+        steps = json.loads(self.run_it("explain", f"{part}:2", "-d", "fanuc", "--json").stdout)[0]["Steps"]
+        asks = {s["Syntax"]: s.get("Asks", []) for s in steps}["IsoCoordinateOffsetSyntax"]
+        self.assertIn({"Service": "isogloss.work-offset/1", "Dependency": "IsoCoordinateTable"}, asks)
         self.run_it("explain", "missing.nc:1", status=2)
 
 

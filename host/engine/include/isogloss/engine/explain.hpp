@@ -21,9 +21,16 @@ struct ExplainedChange {
   std::string before, after;  ///< JSON text; empty: absent
 };
 
+/// Which dependency answers a syntax that asks for a service.
+struct ExplainedAnswer {
+  std::string service;
+  std::string dependency;  ///< alias
+};
+
 struct ExplainedStep {
   std::string syntax;  ///< alias
   std::string plugin;
+  std::vector<ExplainedAnswer> answers{};
   std::vector<ExplainedChange> changes;  ///< empty: it was called and changed nothing
 };
 
@@ -59,10 +66,19 @@ struct ExplainTarget {
   std::uint64_t pass = 1;  ///< from 1
 };
 
-/// Runs `source` up to the target and explains its blocks; none when the run does not come there. `passes`: how often
-/// it came to the line. Diagnostics of the whole run go to `sink`.
+/// What is known of a target that the run does not come to. Lines count from 1; 0: there is none.
+struct ExplainReach {
+  std::uint64_t passes = 0;                      ///< how often the run came to the line
+  std::uint32_t first = 0;                       ///< the first line of the target's file that was run
+  std::uint32_t jumped_from = 0, jumped_to = 0;  ///< two lines run one after the other, the target between them
+  Location last{};                               ///< the last block of the run, in whatever file
+  std::string last_text{};
+};
+
+/// Runs `source` up to the target and explains its blocks; none when the run does not come there, of which `reach`
+/// tells more. Diagnostics of the whole run go to `sink`.
 std::vector<ExplainedBlock> explain(const LinkedDialect& linked, Source& source, const std::string& name,
                                     const ExplainTarget& target, RunOptions options, DiagnosticSink& sink,
-                                    std::uint64_t* passes = nullptr);
+                                    ExplainReach* reach = nullptr);
 
 }  // namespace isogloss
