@@ -1,7 +1,11 @@
 #include "catalogue.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <cstdlib>
 #include <map>
+#include <tuple>
 
 #include "isogloss/engine/layout.hpp"
 
@@ -50,6 +54,29 @@ void add_range(Json& out, double minimum, double maximum) {
 
 void add_text(Json& out, const char* key, const char* value) {
   if (value != nullptr && *value != '\0') out[key] = value;
+}
+
+/// G2 before G10, G54.1 before G54.2.
+struct ByNumber {
+  bool operator()(const std::string& a, const std::string& b) const {
+    const auto key = [](const std::string& s) {
+      std::size_t letters = 0;
+      while (letters < s.size() && (s[letters] < '0' || s[letters] > '9')) ++letters;
+      return std::tuple(s.substr(0, letters), std::strtod(s.c_str() + letters, nullptr), s);
+    };
+    return key(a) < key(b);
+  }
+};
+
+/// DrillingCycleSyntax -> drilling_cycle_syntax, as its files are called.
+std::string snake_case(std::string_view id) {
+  std::string out;
+  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+  for (std::size_t i = 0; i < id.size(); ++i) {
+    if (is_capital(id[i]) && i > 0 && !is_capital(id[i - 1])) out += '_';
+    out += is_capital(id[i]) ? static_cast<char>(id[i] - 'A' + 'a') : id[i];
+  }
+  return out;
 }
 
 Json options(const ig_option_decl* list, std::uint32_t count) {
@@ -202,6 +229,37 @@ Json describe_fields(const Library& library) {
     }
   Json out = Json::array();
   for (auto& [path, f] : fields) out.push_back(std::move(f));
+  return out;
+}
+
+Json describe_codes(const LinkedDialect& linked) {
+  constexpr std::string_view parsing = "Parsing.", flags = "Parsing.Flags.";
+  const std::vector<FieldInfo>& fields = linked.layout.fields;
+  std::map<std::string, ig_field, ByNumber> fields_by_name;
+  std::map<std::string, Json> words;
+  for (ig_field f = 0; f < fields.size(); ++f) {
+    const FieldInfo& field = fields[f];
+    const bool is_code = field.type == IG_CODE;
+    if (field.hidden || !field.path.starts_with(parsing) || (!is_code && field.life != IG_LIFE_WORD)) continue;
+    const std::string name = field.path.substr(field.path.starts_with(flags) ? flags.size() : parsing.size());
+    const std::size_t dot = is_code ? std::string::npos : name.rfind('.');
+    if (dot == std::string::npos)
+      fields_by_name.emplace(name, f);
+    else
+      words[name.substr(0, dot)].push_back(name.substr(dot + 1));
+  }
+  Json out = Json::array();
+  for (const auto& [name, f] : fields_by_name)
+    for (const LinkedSyntax& s : linked.chain) {
+      if ((s.may_take[f >> 6] >> (f & 63) & 1) == 0) continue;
+      Json row{{"Code", name},
+               {"Kind", fields[f].type == IG_CODE ? "code" : "word"},
+               {"Syntax", s.element.alias},
+               {"Page", fmt::format("{}/{}.md", s.plugin->name, snake_case(s.syntax->id))}};
+      if (!fields[f].unit.empty()) row["Unit"] = fields[f].unit;
+      if (const auto own = words.find(name); own != words.end()) row["Words"] = own->second;
+      out.push_back(std::move(row));
+    }
   return out;
 }
 

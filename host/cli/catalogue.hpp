@@ -18,6 +18,9 @@ Json describe(const Dialect& dialect);
 Json describe_services(const LinkedDialect& linked);
 /// Every field that the standard sections or a syntax declare, by path, with who reads, writes and takes it.
 Json describe_fields(const Library& library);
+/// Each code and word of a dialect with each syntax that acts on it, in the order of the chain: plugin and page of the
+/// syntax, the code's own words.
+Json describe_codes(const LinkedDialect& linked);
 /// What a dialect makes of a syntax: its option values and the fields that its patterns stand for.
 Json describe_link(const LinkedSyntax& syntax, const Layout& layout);
 

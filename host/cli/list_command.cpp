@@ -1,4 +1,4 @@
-// What is there: plugins, syntaxes, dialects, dependencies, fields, diagnostics.
+// What is there: plugins, syntaxes, dialects, dependencies, fields, diagnostics, the codes of a dialect.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -86,6 +86,10 @@ Listing diagnostics(Session& session) {
   return out;
 }
 
+Listing codes(const LinkedDialect& linked) {
+  return {"codes", {"Code", "Kind", "Syntax", "Page"}, describe_codes(linked)};
+}
+
 using Lister = Listing (*)(Session&);
 constexpr std::pair<std::string_view, Lister> listers[] = {{"plugins", plugins},   {"dialects", dialects},
                                                            {"syntaxes", syntaxes}, {"dependencies", dependencies},
@@ -93,7 +97,8 @@ constexpr std::pair<std::string_view, Lister> listers[] = {{"plugins", plugins},
 
 std::string cell(const Json& row, const char* column) {
   const auto found = row.find(column);
-  return found == row.end() ? "" : found->is_string() ? found->get<std::string>() : found->dump();
+  if (found == row.end()) return "";
+  return found->is_string() ? found->get<std::string>() : found->dump();
 }
 
 std::string table(const Listing& listing) {
@@ -114,11 +119,22 @@ std::string table(const Listing& listing) {
 
 struct ListCommand {
   CommonOptions common;
-  std::string what;
+  std::string what, dialect;
   bool json = false;
 
   int run() const {
     Session session(common);
+    if ((what == "codes") != !dialect.empty()) {
+      session.say("IG-0513", {}, {"list codes wants a dialect: -d NAME; the other lists take none"});
+      return cannot_start;
+    }
+    if (what == "codes") {
+      const auto linked = session.link(dialect);
+      if (linked == nullptr) return cannot_start;
+      const Listing listing = codes(*linked);
+      return print(json ? listing.rows.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : table(listing),
+                   session.status());
+    }
     session.library().load_all();
     std::string out;
     Json all = Json::object();
@@ -140,11 +156,15 @@ struct ListCommand {
 
 int list_command(const Arguments& arguments) {
   CommandLine line("list", "Lists what is there. Without a name: plugins and dialects.",
-                   "isogloss list syntaxes\n  isogloss list diagnostics --json");
+                   "isogloss list syntaxes\n  isogloss list codes -d fanuc\n  isogloss list diagnostics --json");
   ListCommand command;
   std::vector<std::string> names;
   for (const auto& [name, lister] : listers) names.emplace_back(name);
-  line.option("WHAT", command.what, "plugins, syntaxes, dialects, dependencies, fields or diagnostics").one_of(names);
+  names.emplace_back("codes");
+  line.option("WHAT", command.what, "plugins, syntaxes, dialects, dependencies, fields, diagnostics or codes")
+      .one_of(names);
+  line.option("-d,--dialect", command.dialect, "Whose codes: each with the syntaxes that act on it, and their page")
+      .type_name("DIALECT");
   line.flag("--json", command.json, "Write JSON");
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;

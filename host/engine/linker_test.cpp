@@ -618,3 +618,74 @@ TEST_CASE("X Y Z of a section lie side by side in one word of bits, and so do th
     for (const std::string& path : paths) CHECK(layout.find(path));
   }
 }
+
+TEST_CASE("a run that makes more names than there is room for is told so") {
+  Plugin plugin("p");
+  Syntax& namer = plugin.syntax("Namer");
+  namer.fields = {field("Acme.Count", IG_READ | IG_WAKE_WHILE, IG_NUMBER, IG_LIFE_MODAL)};
+  namer.out.build = [](void*, const ig_host* host, ig_block* block) -> ig_status {
+    for (int i = 0; i < 1'000'001; ++i) {
+      const std::string name = "N" + std::to_string(i);
+      if (host->symbol(block, {name.data(), name.size()}) == 0) return IG_UNCHANGED;
+    }
+    return IG_FAILED;
+  };
+  Hand hand{"p"};
+  hand.add("Namer");
+  hand.initial("Acme.Count", "1");
+  DiagnosticList found;
+  Library library({});
+  library.add(plugin.get());
+  const auto linked = link(hand.dialect, library, found);
+  REQUIRE(linked != nullptr);
+  Chain chain(*linked, {}, found);
+  chain.start();
+  chain.begin_block({"part.nc", 1, 0, ""});
+  chain.run(chain.document(), 0, 1);
+  REQUIRE(found.all.size() == 1);
+  CHECK(found.all[0].code == "IG-0409");
+}
+
+TEST_CASE("a code that two plugins declare is told") {
+  Plugin first("first"), second("second");
+  first.diagnostics = second.diagnostics = {
+      {sizeof(ig_diagnostic_decl), IG_ERROR, "ACME-0001", "text", "why", "example"}};
+  Library library({});
+  library.add(first.get());
+  library.add(second.get());
+  const std::vector<Diagnostic> found = library.shared_codes();
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].code == "IG-0310");
+}
+
+TEST_CASE("a block that makes more steps than there is room for is told so, once") {
+  Plugin plugin("p");
+  Syntax& writer = plugin.syntax("Writer");
+  writer.fields = {field("Acme.Count", IG_READ | IG_WAKE_WHILE, IG_NUMBER, IG_LIFE_MODAL),
+                   field("CompoundMotion.Items[].Dwell.Time", IG_WRITE)};
+  static ig_field item;
+  writer.out.create = [](const ig_link_api*, ig_link*, const ig_field* ids, void**) -> ig_status {
+    item = ids[1];
+    return IG_CHANGED;
+  };
+  writer.out.build = [](void*, const ig_host* host, ig_block* block) -> ig_status {
+    const ig_value second{.number = 1};
+    int refused = 0;
+    for (int i = 0; i < 3'000'000 && refused < 3; ++i) refused += host->append(block, &item, 1, &second) == 0 ? 1 : 0;
+    return refused == 3 ? IG_CHANGED : IG_FAILED;
+  };
+  Hand hand{"p"};
+  hand.add("Writer");
+  hand.initial("Acme.Count", "1");
+  DiagnosticList found;
+  Library library({});
+  library.add(plugin.get());
+  const auto linked = link(hand.dialect, library, found);
+  REQUIRE(linked != nullptr);
+  Chain chain(*linked, {}, found);
+  chain.start();
+  chain.begin_block({"part.nc", 1, 0, ""});
+  chain.run(chain.document(), 0, 1);
+  REQUIRE(found.all.size() == 1);
+  CHECK(found.all[0].code == "IG-0405");
+}

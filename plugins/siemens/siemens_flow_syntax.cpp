@@ -342,14 +342,13 @@ struct SiemensFlow {
   /// RET("LABEL"): back to that block of the caller. How many levels and what else the control takes is not executed.
   void return_to(ig::Block& b, std::string_view text) {
     const std::size_t open = skip_blanks(text, behind_);
+    const auto refuse = [&] { b.report(diag("SIE-0306"), columns(text, begin_), text.substr(begin_)); };
+    if (at(text, skip_blanks(text, open + 1)) == ',') return refuse();
     Expression e(b, environment_, text, open + 1);
     const auto label = e.value();
     if (!label) return;
     const std::size_t close = skip_blanks(text, e.position());
-    if (!label->is_text() || at(text, close) != ')') {
-      b.report(diag("SIE-0306"), columns(text, begin_), text.substr(begin_));
-      return;
-    }
+    if (!label->is_text() || at(text, close) != ')') return refuse();
     if (!ends(b, text, close + 1)) return;
     if (environment_.flow.frame(b).depth == 0) {
       b.set(end_, b.symbol("RET"));

@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -204,6 +205,13 @@ class BadDocuments(Command):
             self.assertIn(reason, done.stderr)
             self.assertIn("[IG-0502]", done.stderr)
 
+    def test_what_apply_cannot_run(self):
+        done = self.run_it("apply", "DwelSyntax", given="{}", status=2)
+        self.assertIn("did you mean DwellSyntax", done.stderr)
+        self.assertIn("[IG-0504]", done.stderr)
+        done = self.run_it("apply", "DwellSyntax", given='{"Parsing": {"G04": {"P": true}}}', status=1)
+        self.assertIn("[IG-0503]", done.stderr)
+
     def test_a_page_without_a_case_is_an_error(self):
         page = self.write("page.md", "nothing of this is a page\n")
         self.assertIn("[IG-0501]", self.run_it("case", page, status=1).stderr)
@@ -254,6 +262,7 @@ class Tables(Command):
         self.refused("--set", "IsoCoordinateTable.G54=5", code="IG-0410")
         self.refused("--set", "IsoCoordinateTable.g54.X=5", code="IG-0432")
         self.refused("--set", "ToolOffsetTable.0.H=5", code="IG-0432")
+        self.refused("--set", "IsoCoordinateTable.G54.X=ten", code="IG-0411")
         self.run_it("run", "part.nc", "-d", "fanuc", "--emit", "none", "--set", "FanucParameterTable.3401=1")
 
     def test_a_table_is_as_long_as_that_of_the_control(self):
@@ -315,7 +324,7 @@ class OddFiles(Command):
         self.write("other.nc", "%\nO1002 (SUB)\nX20.\nM99\n%\n")
         main = self.write("main.nc", "%\nO1\nG21 G90 G0 X0\nM98 P1002\nM98 P1003\nM30\n%\nO1003\nX30.\nM99\n%\n")
         done = self.run_it("run", main, "-d", "fanuc", "--format", "csv")
-        self.assertRegex(done.stderr, r"warning: O1002 is called out of \S*other.nc")
+        self.assertRegex(done.stderr, r"warning: O1002 is called out of \S*other.nc.*\[IG-0451\]")
         self.assertEqual([line.split(",")[3] for line in done.stdout.splitlines()[1:3]], ["20", "30"])
 
     def test_any_number_of_missing_programs_is_soon_not_found(self):
@@ -338,7 +347,8 @@ class OddFiles(Command):
         done = self.run_it("run", program, "-d", "fanuc", "--max-output", "100000", status=1)
         self.assertIn("stopped after 100000 bytes of output: --max-output sets another limit [IG-0452]", done.stderr)
         self.assertLess(len(done.stdout), 100_001)
-        self.run_it("run", program, "-d", "fanuc", "--emit", "none", "--max-memory", "1", status=1)
+        done = self.run_it("run", program, "-d", "fanuc", "--emit", "none", "--max-memory", "1", status=1)
+        self.assertIn("[IG-0453]", done.stderr)
         wrong = self.write("wrong.nc", "G21\n" + "G1 X1. F100. E1.\n" * 100_000 + "M30\n")
         done = self.run_it("run", wrong, "-d", "fanuc", "--emit", "none", "--max-diagnostics", "1000", status=1)
         self.assertIn("[IG-0454]", done.stderr)
@@ -756,6 +766,25 @@ class Listing(Command):
             self.assertIn(sample, text)
         self.assertIn("plugins", self.run_it("list").stdout)
 
+    def test_codes_of_a_dialect(self):
+        rows = json.loads(self.run_it("list", "codes", "-d", "fanuc", "--json").stdout)
+        g81 = [row for row in rows if row["Code"] == "G81"]
+        self.assertIn(("code", "DrillingCycleSyntax", "iso/drilling_cycle_syntax.md"),
+                      [(row["Kind"], row["Syntax"], row["Page"]) for row in g81])
+        self.assertIn("R", g81[0]["Words"])
+        codes = [row["Code"] for row in rows]
+        self.assertLess(codes.index("G02"), codes.index("G10"))
+        text = self.run_it("list", "codes", "-d", "fanuc").stdout
+        self.assertEqual(len(text.splitlines()), len(rows))
+        self.assertRegex(text, r"(?m)^G68\.2 +code +IsoG68p2TiltSyntax +iso/iso_g68p2_tilt_syntax\.md$")
+        for row in rows:
+            plugin, name = row["Page"].split("/")
+            self.assertEqual(len(list((pathlib.Path(__file__).parents[2] / "plugins" / plugin).rglob(name))), 1, row)
+        text = self.run_it("list", "codes", "-d", "siemens").stdout
+        self.assertRegex(text, r"(?m)^CYCLE83 +code +SiemensDeepHoleCycleSyntax +siemens/siemens_deep_hole_cycle_syntax\.md$")
+        self.assertIn("wants a dialect", self.run_it("list", "codes", status=2).stderr)
+        self.assertIn("take none", self.run_it("list", "fields", "-d", "iso", status=2).stderr)
+
     def test_diagnostics_are_complete_and_unique(self):
         rows = json.loads(self.run_it("list", "diagnostics", "--json").stdout)
         codes = [row["Code"] for row in rows]
@@ -778,7 +807,8 @@ class Listing(Command):
         self.assertIn("ProgramXyzSyntax", field["Writers"])
         dialect = json.loads(self.run_it("inspect", "fanuc", "--json").stdout)
         self.assertIn("iso", dialect["Extends"])
-        self.assertIn("did you mean DrillingCycleSyntax", self.run_it("inspect", "DrilingCycleSyntax", status=2).stderr)
+        done = self.run_it("inspect", "DrilingCycleSyntax", status=2)
+        self.assertRegex(done.stderr, r"\[IG-0516\]\n  hint: did you mean DrillingCycleSyntax\?")
 
     def test_doctor_explains_what_is_not_loaded(self):
         self.write("notes.so", "no library")
@@ -803,6 +833,20 @@ class Dialects(Command):
         self.assertRegex(done.stderr, r"mine\.xml:1:\d+: error: .*p-unit.*\[IG-0205\]")
         self.assertEqual(self.run_it("lint", "nothing", status=1).stdout, "")
         self.assertEqual(self.run_it("lint", "iso", "fanuc").stderr, "")
+
+    def test_a_code_of_an_option_is_a_path(self):
+        dialect = self.write("mine.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="mine" extends="fanuc"><Chain>'
+                             '<Configure syntax="InertCodeSyntax" codes="Parsing.Flags.M200 M201"/></Chain></Dialect>')
+        done = self.run_it("lint", dialect, status=1)
+        self.assertIn("'M201' names no code: write Parsing.Flags.M201 [IG-0243]", done.stderr)
+
+    def test_a_command_without_dialects_says_so(self):
+        alone = shutil.copy(OPTIONS.isogloss, self.path / "isogloss")
+        environment = {k: v for k, v in os.environ.items() if not k.startswith("ISOGLOSS_")}
+        done = subprocess.run([alone, "run", self.program], capture_output=True, text=True, check=False, timeout=60,
+                              env=environment)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("[IG-0512]", done.stderr)
 
     def test_lint_starts_the_chain(self):
         """What a dependency refuses to take is no secret until the first run."""
@@ -988,7 +1032,7 @@ class Explain(Command):
 
     def test_no_block(self):
         done = self.run_it("explain", f"{self.program}:99", "-d", "iso", status=1)
-        self.assertIn("the run has no block at line 99", done.stderr)
+        self.assertIn("the run has no block at line 99 [IG-0515]", done.stderr)
 
     def test_a_line_that_is_not_reached_says_why(self):
         self.write("O20", "O20\nG91 X1.\nM99\nX2.\n")
