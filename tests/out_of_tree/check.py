@@ -37,11 +37,11 @@ class Checks:
                      f"{done.stdout}{done.stderr}")
         return done
 
-    def build_project(self, name, status=0):
+    def build_project(self, name, *definitions, status=0):
         folder = self.folder / name
         shutil.rmtree(folder, ignore_errors=True)
         self.run("cmake", "-S", HERE / name, "-B", folder, "-G", "Ninja", f"-DCMAKE_CXX_COMPILER={self.compiler}",
-                 f"-DCMAKE_PREFIX_PATH={self.prefix}", "-DCMAKE_BUILD_TYPE=Release")
+                 f"-DCMAKE_PREFIX_PATH={self.prefix}", "-DCMAKE_BUILD_TYPE=Release", *definitions)
         return folder, self.run("cmake", "--build", folder, status=status)
 
     def install(self):
@@ -54,6 +54,10 @@ class Checks:
         motions = self.run(self.command, "run", program, "-d", "fanuc", "--machine", "ac-table", "--emit", "motions",
                            "--format", "csv").stdout
         expect(",1,rapid,1," in motions, "and its machines", motions)
+        documents = self.prefix / "share" / "doc" / "isogloss"
+        missing = [name for name in ("README.md", "LICENSE", "examples/vendor/plugin.cpp", "examples/embed/main.cpp")
+                   if not (documents / name).is_file()]
+        expect(not missing, "the first page and the examples are installed", missing)
 
     def embed(self):
         folder, _ = self.build_project("embed")
@@ -61,7 +65,9 @@ class Checks:
         expect(motions == EMBED_MOTIONS, "a program that embeds the host gets its motions", motions)
 
     def vendor(self):
-        folder, _ = self.build_project("vendor")
+        # What the engine needs, a plugin does not.
+        folder, _ = self.build_project("vendor", *(f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON"
+                                                   for name in ("fmt", "nlohmann_json", "pugixml")))
         plugins = folder / "plugins"
         listed = json.loads(self.run(self.command, "list", "syntaxes", "--plugins", plugins, "--json").stdout)
         expect("AcmeVacuumSyntax" in json.dumps(listed), "the vendor's syntax is listed", listed)

@@ -71,6 +71,8 @@ def main():
             changed += 1
             print(f"{path.relative_to(HERE)} has no program")
     print(f"{len(programs)} programs, {changed} expectations {'differ' if options.check else 'written'}")
+    if options.check and changed:
+        print("where the new ones are right: ./dev regenerate, and read the difference")
     return 1 if options.check and changed else 0
 
 
