@@ -66,8 +66,19 @@ def size():
         yield f"host/abi/isogloss.h:{count}: the contract stays under 500 lines"
 
 
+def versions():
+    """The project's version is that of the newest dated section of the changelog, below an undated one."""
+    project = re.search(r"^project\(isogloss VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(), re.M)[1]
+    sections = [(number, line[3:]) for number, line in lines(Path("CHANGELOG.md")) if line.startswith("## ")]
+    if [title for _, title in sections[:1]] != ["Unreleased"]:
+        yield "CHANGELOG.md:1: its first section is not 'Unreleased'"
+    for number, title in sections[1:2]:
+        if not re.fullmatch(re.escape(project) + r" – \d{4}-\d{2}-\d{2}", title):
+            yield f"CHANGELOG.md:{number}: the newest release is '{title}', and CMakeLists.txt says {project}"
+
+
 def main():
-    found = [breach for rule in (pages, boundaries, machine_paths, size) for breach in rule()]
+    found = [breach for rule in (pages, boundaries, machine_paths, size, versions) for breach in rule()]
     print("\n".join(found), end="\n" if found else "")
     sys.exit(1 if found else 0)
 
