@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 #define IG_ABI_MAJOR 1u
-#define IG_ABI_MINOR 4u
+#define IG_ABI_MINOR 5u
 
 #if defined(_WIN32)
 #define IG_EXPORT __declspec(dllexport)
@@ -165,7 +165,7 @@ typedef struct ig_syntax {
   uint32_t look_ahead; /* executed blocks that build() reads ahead, through ig_host.ahead */
   const char* id;      /* the XML element */
   const char* summary; /* one sentence */
-  const char* page;    /* Markdown with its cases, NULL where there is none */
+  const char* page;    /* Markdown with the cases that teach, NULL where there is none */
   const ig_field_decl* fields;
   const ig_option_decl* options;
   const ig_service_decl* services;
@@ -183,6 +183,7 @@ typedef struct ig_syntax {
   ig_run_fn restart; /* once a run, on the block before the first; NULL: nothing to do */
   ig_scan_fn scan;   /* NULL: no scanner */
   ig_run_fn build;   /* NULL: a scanner only */
+  const char* cases; /* Markdown with all other cases, NULL where there are none; since 1.5 */
 } ig_syntax;
 
 /* A column of a dependency's table. */

@@ -74,6 +74,7 @@ AT(ig_syntax, destroy, 120);
 AT(ig_syntax, restart, 128);
 AT(ig_syntax, scan, 136);
 AT(ig_syntax, build, 144);
+AT(ig_syntax, cases, 152);
 
 GROWS_FROM(ig_column_decl, 56);
 AT(ig_column_decl, is_text, 4);
@@ -100,6 +101,7 @@ AT(ig_dependency, default_rows, 80);
 AT(ig_dependency, create, 88);
 AT(ig_dependency, destroy, 96);
 AT(ig_dependency, service, 104);
+AT(ig_dependency, row_fault, 112);
 
 GROWS_FROM(ig_plugin, 80);
 AT(ig_plugin, abi_major, 4);

@@ -1,6 +1,9 @@
 // The cases of pages: documentation that runs.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "isogloss/engine/cases.hpp"
 #include "output_file.hpp"
 #include "surroundings.hpp"
@@ -53,6 +56,21 @@ class Cases {
   std::string report_;
 };
 
+/// Behind each page the file of its other cases, x_syntax.cases.md, where there is one that was not named itself.
+std::vector<std::string> with_other_cases(const std::vector<std::string>& files) {
+  constexpr std::string_view ending = ".md", cases = ".cases.md";
+  std::vector<std::string> out;
+  for (const std::string& file : files) {
+    out.push_back(file);
+    if (!file.ends_with(ending) || file.ends_with(cases)) continue;
+    std::string others = file.substr(0, file.size() - ending.size()).append(cases);
+    std::error_code code;
+    if (std::filesystem::is_regular_file(others, code) && std::find(files.begin(), files.end(), others) == files.end())
+      out.push_back(std::move(others));
+  }
+  return out;
+}
+
 int CaseCommand::run() const {
   Session session(common);
   if (files.empty() && !all) {
@@ -63,7 +81,7 @@ int CaseCommand::run() const {
   if (!surroundings) return cannot_start;
   Cases cases(session, *surroundings);
   int status = success;
-  for (const std::string& file : files) {
+  for (const std::string& file : with_other_cases(files)) {
     std::string error;
     if (const std::optional<std::string> text = read_text(file, error)) {
       cases.run_page(*text, file);
@@ -76,7 +94,9 @@ int CaseCommand::run() const {
     for (const LoadedPlugin& loaded : session.library().plugins())
       for (std::uint32_t i = 0; i < loaded.plugin->syntax_count; ++i) {
         const ig_syntax& syntax = *loaded.plugin->syntaxes[i];
-        if (syntax.page != nullptr) cases.run_page(syntax.page, fmt::format("{}:{}", loaded.plugin->name, syntax.id));
+        const std::string name = fmt::format("{}:{}", loaded.plugin->name, syntax.id);
+        if (syntax.page != nullptr) cases.run_page(syntax.page, name);
+        if (syntax.cases != nullptr) cases.run_page(syntax.cases, name + ".cases");
       }
   return print(cases.report(), std::max(status, session.status()));
 }
@@ -84,8 +104,11 @@ int CaseCommand::run() const {
 }  // namespace
 
 int case_command(const Arguments& arguments) {
-  CommandLine line("case", "Runs the cases of pages: one build of the syntax must turn BeforeBuild into AfterBuild.",
-                   "isogloss case plugins/iso/dwell_syntax.md");
+  CommandLine line(
+      "case",
+      "Runs the cases of pages: one build of the syntax must turn BeforeBuild into AfterBuild. The cases of "
+      "x_syntax.cases.md belong to the page x_syntax.md and run with it.",
+      "isogloss case plugins/iso/dwell_syntax.md");
   CaseCommand command;
   line.option("FILE", command.files, "Pages (Markdown); - is standard input");
   line.flag("--all", command.all, "All pages in the plugins");

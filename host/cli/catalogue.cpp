@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <tuple>
 
@@ -62,7 +62,9 @@ struct ByNumber {
     const auto key = [](const std::string& s) {
       std::size_t letters = 0;
       while (letters < s.size() && (s[letters] < '0' || s[letters] > '9')) ++letters;
-      return std::tuple(s.substr(0, letters), std::strtod(s.c_str() + letters, nullptr), s);
+      double number = 0;
+      std::from_chars(s.data() + letters, s.data() + s.size(), number);
+      return std::tuple(s.substr(0, letters), number, s);
     };
     return key(a) < key(b);
   }

@@ -48,7 +48,7 @@ class CaseWriter : public Exporter {
         << "\n\nTo see it again: `isogloss case " << request_.file << " -d " << dialect_
         << "`\n\n## The block at work\n\n#Previous:\n```json\n"
         << text(previous) << "\n```\n#BeforeBuild:\n```json\n"
-        << text(before) << "\n```\n#AfterBuild:\n```json\n{}\n```\n";
+        << text(before) << "\n```\n#AfterBuild:\n```json\n{}\n```\n#Diagnostics: any\n";
     out.close();
     return out.good();
   }

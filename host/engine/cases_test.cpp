@@ -33,6 +33,22 @@ TEST_CASE("A page is a title and its cases") {
   CHECK(page.cases[2].before->text == "{\"C\":3}\n");
 }
 
+TEST_CASE("A case without diagnostics expects none, and one that does not care says any") {
+  DiagnosticList said;
+  const Page page = read_page(
+      "# DwellSyntax\n## One\n#BeforeBuild:\n```\n{}\n```\n#AfterBuild:\n```\n{}\n```\n"
+      "## Two\n#BeforeBuild:\n```\n{}\n```\n#AfterBuild:\n```\n{}\n```\n#Diagnostics: any\n"
+      "## Three\n#BeforeBuild:\n```\n{}\n```\n#AfterBuild:\n```\n{}\n```\n#Diagnostics:\n```\nA-1 A-2\n```\n",
+      "page.md", said);
+  CHECK(said.all.empty());
+  REQUIRE(page.cases.size() == 3);
+  CHECK_FALSE(page.cases[0].diagnostics.has_value());
+  CHECK_FALSE(page.cases[0].says_anything);
+  CHECK(page.cases[1].says_anything);
+  CHECK(page.cases[2].diagnostics->text == "A-1 A-2\n");
+  CHECK_FALSE(page.cases[2].says_anything);
+}
+
 TEST_CASE("A page that is not whole says so") {
   const auto [text, line] = GENERATE(table<const char*, unsigned>({
       {"# X\n## A\n#BeforeBuild:\n```\n{}\n```\n", 3},

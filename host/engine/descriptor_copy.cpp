@@ -1,6 +1,7 @@
 #include "descriptor_copy.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 
 namespace isogloss {
@@ -10,6 +11,14 @@ namespace {
 constexpr std::uint32_t most_elements = 8192;
 constexpr std::uint32_t largest_struct = 4096;
 
+/// The size in version 1.0: a plugin in the field has at least this much of the struct.
+template <class T>
+constexpr std::size_t first_size = sizeof(T);
+template <>
+constexpr std::size_t first_size<ig_syntax> = offsetof(ig_syntax, cases);
+template <>
+constexpr std::size_t first_size<ig_dependency> = offsetof(ig_dependency, row_fault);
+
 /// False when the struct's size cannot be right; then it is left alone.
 template <class T>
 bool copy_struct(T& to, const void* from) {
@@ -18,7 +27,7 @@ bool copy_struct(T& to, const void* from) {
   if (size < sizeof(std::uint32_t) || size > largest_struct) return false;
   std::memcpy(&to, from, std::min<std::size_t>(size, sizeof to));
   // What the plugin's version had no member for is zero; what it left out of version 1.0 shows as a small size.
-  if (size >= sizeof to) to.struct_size = sizeof to;
+  if (size >= first_size<T>) to.struct_size = sizeof to;
   return true;
 }
 

@@ -648,8 +648,8 @@ TEST_CASE("a run that makes more names than there is room for is told so") {
 
 TEST_CASE("a code that two plugins declare is told") {
   Plugin first("first"), second("second");
-  first.diagnostics = second.diagnostics = {
-      {sizeof(ig_diagnostic_decl), IG_ERROR, "ACME-0001", "text", "why", "example"}};
+  first.diagnostics =
+      second.diagnostics = {{sizeof(ig_diagnostic_decl), IG_ERROR, "ACME-0001", "text", "why", "example"}};
   Library library({});
   library.add(first.get());
   library.add(second.get());

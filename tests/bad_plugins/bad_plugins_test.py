@@ -217,11 +217,14 @@ class BadPlugins(unittest.TestCase):
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertIn("internal fault: segmentation fault", done.stderr)
 
-    def test_a_newer_minor_version_is_welcome(self):
-        done = self.doctor(OPTIONS.plugins / "newer_minor")
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        self.assertIn("newer_minor 1.0.0: 1 syntaxes", done.stdout)
-        self.assertEqual(self.run_with("newer_minor").returncode, 0)
+    def test_another_minor_version_is_welcome(self):
+        for plugin in ("newer_minor", "older_minor"):
+            with self.subTest(plugin):
+                done = self.doctor(OPTIONS.plugins / plugin)
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                self.assertIn(f"{plugin} 1.0.0: 1 syntaxes", done.stdout)
+                self.assertEqual(self.run_with(plugin).returncode, 0)
+                self.assertEqual(self.run_it("case", "--all", "--plugins", OPTIONS.plugins / plugin).returncode, 0)
 
     def test_leaking_symbols_are_a_warning(self):
         done = self.doctor(OPTIONS.plugins / "exports_too_much")

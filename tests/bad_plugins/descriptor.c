@@ -59,6 +59,10 @@ const ig_plugin* ig_plugin_v1(void) {
   plugin.struct_size = sizeof later_plugin;
   later_plugin.known = plugin;
   return &later_plugin.known;
+#elif defined(FAULT_older_minor)
+  plugin.abi_minor = 0;
+  syntax.struct_size = offsetof(ig_syntax, cases);
+  syntax.cases = (const char*)(uintptr_t)8; /* whatever lies behind an older struct is not to be looked at */
 #else
 #error "which fault?"
 #endif

@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+longest_page = 150
 
 
 def files(*patterns):
@@ -36,6 +37,18 @@ def pages():
             yield f"{path}:1: is the page of no syntax"
         if "#AfterBuild:" not in (ROOT / path).read_text():
             yield f"{path}:1: has no case"
+    for path in files("plugins/*.md"):
+        others = path.name.endswith(".cases.md")
+        count = sum(1 for _ in lines(path))
+        if not others and count > longest_page:
+            yield f"{path}:{count}: a page is read in two minutes: move cases that teach little to {path.stem}.cases.md"
+        if others and not (ROOT / path.parent / path.name.replace(".cases.md", ".md")).is_file():
+            yield f"{path}:1: holds the cases of no page"
+    empty = re.compile(r"#Diagnostics:\s*```\w*\s*```")
+    for path in files("plugins/*.md"):
+        for found in empty.finditer((ROOT / path).read_text()):
+            line = (ROOT / path).read_text()[:found.start()].count("\n") + 1
+            yield f"{path}:{line}: a case without #Diagnostics: expects none"
 
 
 def boundaries():

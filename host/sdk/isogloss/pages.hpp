@@ -3,7 +3,8 @@
 
 namespace ig {
 
-/// The text of `stem`.md, which stood beside the plugin's sources, or nullptr. Static storage; any thread.
+/// The text of `stem`.md (of `name`.cases.md: `name`.cases), which stood beside the plugin's sources, or nullptr.
+/// Static storage; any thread.
 const char* embedded_page(const char* stem) noexcept;
 
 }  // namespace ig

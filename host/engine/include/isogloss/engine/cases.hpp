@@ -25,7 +25,8 @@ struct Case {
   std::optional<Fence> previous;       ///< JSON: the whole block before
   std::optional<Fence> ahead;          ///< JSON: executed blocks after it, a list
   std::optional<Fence> dependencies;   ///< XML: dependencies, the syntax's own element with options, <Settings …/>
-  std::optional<Fence> diagnostics;    ///< codes that the build must report, no others
+  std::optional<Fence> diagnostics;    ///< codes that the build must report, no others; without it: none
+  bool says_anything = false;          ///< "#Diagnostics: any": whatever it reports
   std::optional<Fence> before, after;  ///< JSON; both are there in a case that was read without a fault
 };
 
