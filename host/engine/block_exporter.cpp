@@ -9,6 +9,7 @@
 
 #include "document_shape.hpp"
 #include "isogloss/engine/exporter.hpp"
+#include "isogloss/engine/diagnostic_writer.hpp"
 #include "text_buffer.hpp"
 
 namespace isogloss {
@@ -132,7 +133,7 @@ class TextSink {
   void number(const std::string& key, double value) { pair(key, text_of(value)); }
   void integer(const std::string& key, std::int64_t value) { pair(key, std::to_string(value)); }
   void boolean(const std::string& key, bool value) { pair(key, value ? "true" : "false"); }
-  void text(const std::string& key, std::string_view value) { pair(key, valid_utf8(value)); }
+  void text(const std::string& key, std::string_view value) { pair(key, printable(value)); }
   void item(const std::string& value) {
     buffer_.append((levels_.back().is_empty ? "=" : ",") + valid_utf8(value));
     levels_.back().is_empty = false;

@@ -4,6 +4,7 @@
 
 #include <bit>
 
+#include "isogloss/engine/diagnostic_writer.hpp"
 #include "isogloss/engine/exporter.hpp"
 #include "motion_queue.hpp"
 #include "motion_reader.hpp"
@@ -304,7 +305,7 @@ class TextLines : public EventLines {
   void block(const BlockSource& source) {
     if (!enter(source)) return;
     prefix_ = "known";
-    buffer_.append(fmt::format("{}\n{:>6}  {:<8}{:>11}{:>11}{:>11}  {:>11}{:>11}{:>11}{:>10}\n", valid_utf8(file()),
+    buffer_.append(fmt::format("{}\n{:>6}  {:<8}{:>11}{:>11}{:>11}  {:>11}{:>11}{:>11}{:>10}\n", printable(file()),
                                "line", "event", "program X", "Y", "Z", "machine X", "Y", "Z", "mm/min"));
   }
 
@@ -327,11 +328,11 @@ class TextLines : public EventLines {
   void tool(std::int64_t id) { write(fmt::format("{:<8}{}", "tool", id)); }
   void spindle(std::string_view direction, bool has_speed, double rpm) {
     const bool tells_speed = has_speed && direction != "STOP";
-    write(fmt::format("{:<8}{}{}", "spindle", valid_utf8(direction), tells_speed ? " " + number(rpm) + " rpm" : ""));
+    write(fmt::format("{:<8}{}{}", "spindle", printable(direction), tells_speed ? " " + number(rpm) + " rpm" : ""));
   }
-  void coolant(std::string_view mode) { write(fmt::format("{:<8}{}", "coolant", valid_utf8(mode))); }
-  void stop(std::string_view term) { write(fmt::format("{:<8}{}", "stop", valid_utf8(term))); }
-  void end(std::string_view term) { write(fmt::format("{:<8}{}", "end", valid_utf8(term))); }
+  void coolant(std::string_view mode) { write(fmt::format("{:<8}{}", "coolant", printable(mode))); }
+  void stop(std::string_view term) { write(fmt::format("{:<8}{}", "stop", printable(term))); }
+  void end(std::string_view term) { write(fmt::format("{:<8}{}", "end", printable(term))); }
 
  private:
   bool exact_;
@@ -351,7 +352,7 @@ class TextLines : public EventLines {
   }
   std::string arc(const Move& m) const {
     const Arc& a = m.arc;
-    std::string text = fmt::format("  {} {}", valid_utf8(a.plane), a.is_ccw ? "ccw" : "cw");
+    std::string text = fmt::format("  {} {}", printable(a.plane), a.is_ccw ? "ccw" : "cw");
     if (!a.has_center) return text;
     return text + fmt::format(" about {} {} {}, {} deg", number(a.center[0]), number(a.center[1]), number(a.center[2]),
                               number(std::abs(sweep_deg(m))));

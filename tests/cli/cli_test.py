@@ -205,6 +205,14 @@ class BadDocuments(Command):
             self.assertIn(reason, done.stderr)
             self.assertIn("[IG-0502]", done.stderr)
 
+    def test_text_for_people_holds_no_control_characters(self):
+        program = self.write("red.nc", "G21 (\x1b[31mRED\x07)\nG0 X1. (\x1b]0;TITLE\x07)\nM30\n")
+        for emit in ("blocks", "motions"):
+            done = self.run_it("run", program, "-d", "fanuc", "--emit", emit, "--format", "text")
+            self.assertNotRegex(done.stdout + done.stderr, r"[\x00-\x08\x0b-\x1f\x7f]")
+        done = self.run_it("explain", f"{program}:2", "-d", "fanuc")
+        self.assertNotRegex(done.stdout, r"[\x00-\x08\x0b-\x1f\x7f]")
+
     def test_what_apply_cannot_run(self):
         done = self.run_it("apply", "DwelSyntax", given="{}", status=2)
         self.assertIn("did you mean DwellSyntax", done.stderr)
