@@ -4,7 +4,7 @@
 #include <isogloss/number.hpp>
 
 #include "isogloss/engine/document.hpp"
-#include "number_writer.hpp"
+#include "export/number_writer.hpp"
 
 namespace {
 

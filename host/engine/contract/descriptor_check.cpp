@@ -1,0 +1,397 @@
+#include "contract/descriptor_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "dialect/options.hpp"
+
+namespace isogloss {
+namespace {
+
+// More than any honest plugin has: a count beyond them is garbage, and reading so far would leave the array.
+constexpr std::uint32_t most_parts = 2048;
+constexpr std::uint32_t most_declarations = 8192;
+constexpr std::uint32_t most_names = 256;
+constexpr std::uint32_t most_look_ahead = 1000;
+constexpr std::size_t longest_name = 200;
+constexpr std::size_t longest_text = std::size_t{1} << 16;
+
+// The elements of a dialect file: no syntax and no dependency can be named so.
+constexpr std::array reserved_names{"Dialect",      "Files",       "Signature", "Segmenter", "Plugins", "Plugin",
+                                    "Dependencies", "Initial",     "Field",     "Chain",     "Parsing", "Evaluation",
+                                    "Severities",   "Severity",    "Logic",     "PostLogic", "Replace", "Inspection",
+                                    "InsertBefore", "InsertAfter", "Remove",    "Configure"};
+// The attributes that the dialect reader keeps for itself.
+constexpr std::array reserved_attributes{"as", "override", "src", "syntax", "dependency"};
+
+struct Fault {
+  std::string reason;
+};
+
+template <class... A>
+[[noreturn]] void fault(fmt::format_string<A...> text, A&&... arguments) {
+  throw Fault{fmt::format(text, std::forward<A>(arguments)...)};
+}
+
+// `what` below is a function that makes the text: thousands of parts are checked when a plugin is loaded, and hardly
+// ever is one of them shown.
+
+template <class What>
+std::string_view bytes(const char* s, const What& what, std::size_t longest) {
+  if (s == nullptr) fault("{} is null", what());
+  if (*s == '\0') return {};  // most units and docs
+  const std::size_t size = strnlen(s, longest + 1);
+  if (size > longest) fault("{} is longer than {} bytes", what(), longest);
+  return {s, size};
+}
+
+/// `list`, `inspect` and diagnostics print it, so it holds no byte that a terminal would obey.
+template <class What>
+std::string_view text(const char* s, const What& what, std::size_t longest = longest_text) {
+  const std::string_view all = bytes(s, what, longest);
+  for (const char c : all)
+    if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f)
+      fault("{} holds the control character 0x{:02X}", what(), static_cast<unsigned char>(c));
+  return all;
+}
+
+/// "Owner.member", as a function.
+auto member(std::string_view owner, const char* name) {
+  return [owner, name] { return fmt::format("{}.{}", owner, name); };
+}
+/// "the doc of option 'x' of Owner", as a function.
+template <class What>
+auto of(const char* part, const What& what) {
+  return [part, what] { return fmt::format("{} {}", part, what()); };
+}
+
+constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// An XML name in ASCII, without colon.
+bool is_name(std::string_view s) {
+  return !s.empty() && (is_letter(s[0]) || s[0] == '_') && std::all_of(s.begin(), s.end(), [](char c) {
+    return is_letter(c) || is_digit(c) || c == '_' || c == '-' || c == '.';
+  });
+}
+
+template <class What>
+std::string_view name(const char* s, const What& what) {
+  const std::string_view id = text(s, what, longest_name);
+  if (!is_name(id)) fault("{} '{}' is no name (a letter, then letters, digits, _ - .)", what(), id);
+  return id;
+}
+
+template <std::size_t N>
+bool contains(const std::array<const char*, N>& names, std::string_view s) {
+  return std::find(names.begin(), names.end(), s) != names.end();
+}
+
+template <class What>
+void unique(std::set<std::string_view>& seen, std::string_view id, const What& what) {
+  if (!seen.insert(id).second) fault("{} '{}' is declared twice", what(), id);
+}
+
+/// An array of structs has the stride of this host's struct: one that has grown needs a newer host.
+template <class T, class What>
+void array(const T* first, std::uint32_t count, std::uint32_t most, const What& what) {
+  if (count > most) fault("{} counts {}, more than {}", what(), count, most);
+  if (count > 0 && first == nullptr) fault("{} counts {} and is null", what(), count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (first[i].struct_size != sizeof(T))
+      fault("{}[{}] has struct_size {}, this host's is {}", what(), i, first[i].struct_size, sizeof(T));
+  }
+}
+
+template <class What>
+void name_list(const char* const* names, const What& what) {
+  if (names == nullptr) return;
+  for (std::uint32_t i = 0; names[i] != nullptr; ++i) {
+    if (i == most_names) fault("{} has no null at its end", what());
+    if (text(names[i], what, longest_name).empty()) fault("{} holds an empty name", what());
+  }
+}
+
+std::vector<std::string_view> split(std::string_view s, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0;;) {
+    const std::size_t end = s.find(separator, begin);
+    parts.push_back(s.substr(begin, end - begin));
+    if (end == std::string_view::npos) return parts;
+    begin = end + 1;
+  }
+}
+
+template <class What>
+void range(double minimum, double maximum, const What& what) {
+  if (std::isnan(minimum) || std::isnan(maximum) || minimum > maximum)
+    fault("{} has the range {} to {}", what(), minimum, maximum);
+}
+
+template <class What>
+void number_in_range(std::string_view s, double minimum, double maximum, const What& what) {
+  const std::optional<double> value = parse_number(s);
+  if (!value) fault("the default of {}, '{}', is no number", what(), s);
+  if (*value < minimum || *value > maximum)
+    fault("the default of {}, {}, lies outside {} to {}", what(), s, minimum, maximum);
+}
+
+template <class What>
+void option_default(const ig_option_decl& option, const What& what) {
+  const std::string_view s = text(option.fallback, of("the default of", what));
+  if (!parse_option(option, s)) fault("the default of {} is '{}', not {}", what(), s, describe_option(option));
+}
+
+void check_options(const ig_option_decl* options, std::uint32_t count, std::string_view owner) {
+  array(options, count, most_declarations, member(owner, "options"));
+  std::set<std::string_view> names;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const ig_option_decl& option = options[i];
+    const std::string_view id = name(option.name, [&] { return fmt::format("the name of {}'s option {}", owner, i); });
+    const auto what = [&] { return fmt::format("option '{}' of {}", id, owner); };
+    if (contains(reserved_attributes, id)) fault("{} has a name that the dialect file keeps for itself", what());
+    unique(names, id, [&] { return fmt::format("{}'s option", owner); });
+    if (option.type < IG_OPTION_TEXT || option.type > IG_OPTION_FIELDS)
+      fault("{} has the type {}", what(), option.type);
+    text(option.unit, of("the unit of", what), longest_name);
+    text(option.doc, of("the doc of", what));
+    if (option.type == IG_OPTION_CHOICE) {
+      std::set<std::string_view> choices;
+      for (const std::string_view choice : split(text(option.choices, of("the choices of", what)), '|')) {
+        if (choice.empty()) fault("{} has an empty choice", what());
+        unique(choices, choice, [&] { return fmt::format("a choice of {},", what()); });
+      }
+    }
+    if (option.type == IG_OPTION_NUMBER || option.type == IG_OPTION_INTEGER)
+      range(option.minimum, option.maximum, what);
+    if (option.fallback != nullptr) option_default(option, what);
+  }
+}
+
+/// What the parts of a path are made of.
+constexpr std::array<bool, 256> path_characters = [] {
+  std::array<bool, 256> all{};
+  for (std::size_t c = 0; c < all.size(); ++c)
+    all[c] = is_letter(static_cast<char>(c)) || is_digit(static_cast<char>(c));
+  for (const char c : {'_', '-', '~', '#'}) all[static_cast<unsigned char>(c)] = true;
+  return all;
+}();
+
+/// "Section.Field", "Parsing.G54.1.X", "Section.List[].Section.Field".
+bool is_path(std::string_view path) {
+  std::size_t parts = 1, lists = 0;
+  bool is_empty = true;  // the part so far
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (path_characters[static_cast<unsigned char>(path[i])]) {
+      is_empty = false;
+    } else if (path[i] == '.' && !is_empty) {
+      ++parts;
+      is_empty = true;
+    } else if (parts > 1 && !is_empty && path.substr(i).starts_with("[].")) {
+      ++lists;
+      ++i;
+    } else {
+      return false;
+    }
+  }
+  return parts > 1 && !is_empty && lists <= 1;
+}
+
+template <class What>
+void check_pattern(const ig_syntax& syntax, std::string_view path, const What& what) {
+  for (std::uint32_t i = 0; i < syntax.option_count; ++i) {
+    if (syntax.options[i].type == IG_OPTION_FIELDS && path.substr(1) == syntax.options[i].name) return;
+  }
+  fault("{} is a pattern, and the syntax has no option of field patterns of that name", what());
+}
+
+void check_fields(const ig_syntax& syntax, std::string_view owner) {
+  array(syntax.fields, syntax.field_count, most_declarations, member(owner, "fields"));
+  for (std::uint32_t i = 0; i < syntax.field_count; ++i) {
+    const ig_field_decl& field = syntax.fields[i];
+    const std::string_view path = text(
+        field.path, [&] { return fmt::format("the path of {}'s field {}", owner, i); }, longest_name);
+    const auto what = [&] { return fmt::format("field '{}' of {}", path, owner); };
+    if ((field.access & IG_PATTERN) != 0) {
+      if (!path.starts_with('@')) fault("{} is a pattern, so its path is '@' and an option's name", what());
+      check_pattern(syntax, path, what);
+    } else if (!is_path(path)) {
+      fault("{} has no path such as Section.Field", what());
+    }
+    if ((field.access & (IG_READ | IG_WRITE | IG_TAKE | IG_PREVIOUS | IG_WAKE | IG_WAKE_WHILE)) == 0)
+      fault("{} is neither read, written nor taken", what());
+    if (field.type < IG_NUMBER || field.type > IG_SWITCH) fault("{} has the type {}", what(), field.type);
+    if (field.life > IG_LIFE_FRAME) fault("{} has the life {}", what(), field.life);
+    text(field.unit, of("the unit of", what), longest_name);
+    text(field.doc, of("the doc of", what));
+    if (field.wake_value != nullptr) text(field.wake_value, of("the wake_value of", what), longest_name);
+  }
+}
+
+void check_syntax(const ig_syntax& syntax, std::string_view owner) {
+  text(syntax.summary, member(owner, "summary"));
+  // The page is not read here: all pages together are most of a plugin's bytes, and a run shows none.
+  if (syntax.look_ahead > most_look_ahead)
+    fault("{} looks {} blocks ahead, more than {}", owner, syntax.look_ahead, most_look_ahead);
+  check_options(syntax.options, syntax.option_count, owner);
+  check_fields(syntax, owner);
+  array(syntax.services, syntax.service_count, most_declarations, member(owner, "services"));
+  for (std::uint32_t i = 0; i < syntax.service_count; ++i) {
+    if (text(syntax.services[i].id, member(owner, "services.id"), longest_name).empty())
+      fault("{} needs a service without a name", owner);
+    text(syntax.services[i].doc, member(owner, "services.doc"));
+  }
+  name_list(syntax.after, member(owner, "after"));
+  name_list(syntax.before, member(owner, "before"));
+  if (syntax.exclusive_slot != nullptr) text(syntax.exclusive_slot, member(owner, "exclusive_slot"), longest_name);
+  if (syntax.first_writer_slot != nullptr)
+    text(syntax.first_writer_slot, member(owner, "first_writer_slot"), longest_name);
+  if (syntax.create == nullptr) fault("{}.create is null", owner);
+  if (syntax.destroy == nullptr) fault("{}.destroy is null", owner);
+  if (syntax.build == nullptr && syntax.scan == nullptr && syntax.restart == nullptr)
+    fault("{} has neither build, scan nor restart", owner);
+  if (syntax.inspects != 0 && syntax.build == nullptr) fault("{} inspects and has no build", owner);
+  if ((syntax.scan == nullptr) != (syntax.triggers == nullptr))
+    fault("{} has {}", owner, syntax.scan == nullptr ? "triggers and no scan" : "a scan and no triggers");
+  if (syntax.triggers != nullptr) bytes(syntax.triggers, member(owner, "triggers"), 256);
+}
+
+/// "key|column=value|…"
+void check_row(const ig_dependency& dependency, std::uint32_t index, std::string_view owner) {
+  const auto what = [&] { return fmt::format("row {} of {}", index, owner); };
+  const auto parts = split(text(dependency.default_rows[index], what), '|');
+  if (parts[0].empty()) fault("{} has no key", what());
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const std::size_t equals = parts[i].find('=');
+    if (equals == std::string_view::npos) fault("{}: '{}' is not column=value", what(), parts[i]);
+    const std::string_view id = parts[i].substr(0, equals);
+    const ig_column_decl* column = std::find_if(dependency.columns, dependency.columns + dependency.column_count,
+                                                [&](const ig_column_decl& c) { return id == c.name; });
+    if (column == dependency.columns + dependency.column_count) fault("{} names the unknown column '{}'", what(), id);
+    if (column->is_text == 0)
+      number_in_range(parts[i].substr(equals + 1), column->minimum, column->maximum,
+                      [&] { return fmt::format("{} of {}", id, what()); });
+  }
+}
+
+void check_dependency(const ig_dependency& dependency, std::string_view owner) {
+  text(dependency.summary, member(owner, "summary"));
+  if ((dependency.row_element == nullptr) != (dependency.row_key == nullptr))
+    fault("{} names only one of row_element and row_key", owner);
+  check_options(dependency.options, dependency.option_count, owner);
+  array(dependency.columns, dependency.column_count, most_declarations, member(owner, "columns"));
+  std::set<std::string_view> columns;
+  if (dependency.row_element != nullptr) {
+    name(dependency.row_element, member(owner, "row_element"));
+    columns.insert(name(dependency.row_key, member(owner, "row_key")));
+  }
+  for (std::uint32_t i = 0; i < dependency.column_count; ++i) {
+    const ig_column_decl& column = dependency.columns[i];
+    const std::string_view id = name(column.name, [&] { return fmt::format("the name of {}'s column {}", owner, i); });
+    const auto what = [&] { return fmt::format("column '{}' of {}", id, owner); };
+    unique(columns, id, [&] { return fmt::format("{}'s column", owner); });
+    text(column.unit, of("the unit of", what), longest_name);
+    text(column.doc, of("the doc of", what));
+    if (column.is_text == 0) range(column.minimum, column.maximum, what);
+    if (column.is_text == 0 && column.fallback != nullptr)
+      number_in_range(text(column.fallback, of("the default of", what)), column.minimum, column.maximum, what);
+  }
+  if (dependency.row_element == nullptr && dependency.column_count + dependency.default_row_count > 0)
+    fault("{} has columns or rows, and no row_element", owner);
+  if (dependency.default_row_count > most_declarations)
+    fault("{} counts {} rows, more than {}", owner, dependency.default_row_count, most_declarations);
+  if (dependency.default_row_count > 0 && dependency.default_rows == nullptr)
+    fault("{}.default_rows counts {} and is null", owner, dependency.default_row_count);
+  for (std::uint32_t i = 0; i < dependency.default_row_count; ++i) check_row(dependency, i, owner);
+  name_list(dependency.provides, member(owner, "provides"));
+  if (dependency.create == nullptr) fault("{}.create is null", owner);
+  if (dependency.destroy == nullptr) fault("{}.destroy is null", owner);
+  if (dependency.provides != nullptr && dependency.provides[0] != nullptr && dependency.service == nullptr)
+    fault("{} provides services, and its service function is null", owner);
+}
+
+/// A prefix in capitals, a hyphen, a number.
+bool is_code(std::string_view code) {
+  const std::size_t hyphen = code.rfind('-');
+  if (hyphen == std::string_view::npos || hyphen == 0 || hyphen + 1 == code.size()) return false;
+  const std::string_view prefix = code.substr(0, hyphen), number = code.substr(hyphen + 1);
+  return std::all_of(prefix.begin(), prefix.end(), [](char c) { return (c >= 'A' && c <= 'Z') || is_digit(c); }) &&
+         std::all_of(number.begin(), number.end(), is_digit);
+}
+
+void check_diagnostics(const ig_plugin& plugin) {
+  array(plugin.diagnostics, plugin.diagnostic_count, most_declarations, [] { return "diagnostics"; });
+  std::set<std::string_view> codes;
+  for (std::uint32_t i = 0; i < plugin.diagnostic_count; ++i) {
+    const ig_diagnostic_decl& row = plugin.diagnostics[i];
+    const std::string_view code = text(
+        row.code, [&] { return fmt::format("the code of diagnostic {}", i); }, longest_name);
+    const auto what = [&] { return fmt::format("diagnostic {}", code); };
+    if (!is_code(code)) fault("diagnostic code '{}' is no prefix and number such as ACME-0101", code);
+    if (code.starts_with("IG-")) fault("diagnostic code '{}' has the host's own prefix", code);
+    unique(codes, code, [] { return "diagnostic code"; });
+    if (row.severity < IG_NOTE || row.severity > IG_ERROR)
+      fault("diagnostic {} has the severity {}", code, row.severity);
+    if (text(row.text, of("the text of", what)).empty()) fault("diagnostic {} says nothing", code);
+    text(row.explanation, of("the explanation of", what));
+    text(row.example, of("the example of", what));
+  }
+}
+
+/// Syntaxes and dependencies are reached by pointers of their own, so a newer, longer one is welcome.
+template <class T>
+std::string_view part(const T* const* parts, std::uint32_t i, const char* what) {
+  if (parts[i] == nullptr) fault("{}[{}] is null", what, i);
+  if (parts[i]->struct_size < sizeof(T))
+    fault("{}[{}] has struct_size {}, at least {} is needed", what, i, parts[i]->struct_size, sizeof(T));
+  const std::string_view id = name(parts[i]->id, [&] { return fmt::format("{}[{}].id", what, i); });
+  if (contains(reserved_names, id)) fault("{}[{}].id '{}' is an element of the dialect file itself", what, i, id);
+  return id;
+}
+
+void check_plugin(const ig_plugin& plugin) {
+  if (plugin.struct_size < sizeof(ig_plugin))
+    fault("ig_plugin has struct_size {}, at least {} is needed", plugin.struct_size, sizeof(ig_plugin));
+  const std::string_view id = name(plugin.name, [] { return "the plugin's name"; });
+  for (const auto& [s, what] : {std::pair{plugin.version, "version"}, std::pair{plugin.vendor, "vendor"},
+                                std::pair{plugin.built_with, "built_with"}})
+    text(
+        s, [part = what, id] { return fmt::format("the {} of plugin '{}'", part, id); }, longest_name);
+  if (plugin.syntax_count > most_parts) fault("syntaxes counts {}, more than {}", plugin.syntax_count, most_parts);
+  if (plugin.dependency_count > most_parts)
+    fault("dependencies counts {}, more than {}", plugin.dependency_count, most_parts);
+  if (plugin.syntax_count > 0 && plugin.syntaxes == nullptr) fault("syntaxes is null");
+  if (plugin.dependency_count > 0 && plugin.dependencies == nullptr) fault("dependencies is null");
+  std::set<std::string_view> ids;
+  for (std::uint32_t i = 0; i < plugin.syntax_count; ++i) {
+    const std::string_view syntax = part(plugin.syntaxes, i, "syntaxes");
+    unique(ids, syntax, [] { return "the id"; });
+    check_syntax(*plugin.syntaxes[i], syntax);
+  }
+  for (std::uint32_t i = 0; i < plugin.dependency_count; ++i) {
+    const std::string_view dependency = part(plugin.dependencies, i, "dependencies");
+    unique(ids, dependency, [] { return "the id"; });
+    check_dependency(*plugin.dependencies[i], dependency);
+  }
+  check_diagnostics(plugin);
+}
+
+}  // namespace
+
+std::optional<std::string> descriptor_fault(const ig_plugin& plugin) {
+  try {
+    check_plugin(plugin);
+    return std::nullopt;
+  } catch (const Fault& found) {
+    return found.reason;
+  }
+}
+
+}  // namespace isogloss

@@ -1,0 +1,116 @@
+#include "contract/host_records.hpp"
+
+#include "contract/host_access.hpp"
+#include "contract/host_table.hpp"
+
+namespace isogloss::calls {
+
+namespace {
+
+/// The list that all these record fields belong to, or null.
+ListData* list_of_all(Document& d, const ig_field* fields, std::uint32_t count) {
+  if (count == 0 || !is_record_field(fields[0]) || list_of(fields[0]) >= d.lists.size()) return nullptr;
+  ListData& list = d.lists[list_of(fields[0])];
+  for (std::uint32_t i = 0; i < count; ++i)
+    if ((fields[i] & ~0xffffu) != (fields[0] & ~0xffffu) || index_in_record(fields[i]) >= list.stride) return nullptr;
+  return &list;
+}
+
+}  // namespace
+
+void add_leftover(ig_block* block, const ig_leftover* l) {
+  Document& d = doc(block);
+  const std::string_view name(l->name.data, l->name.size);
+  d.add_leftover(l->kind, l->field, l->begin, l->end, name);
+}
+
+std::int32_t leftover(const ig_block* block, std::uint32_t index, ig_leftover* out) {
+  static thread_local std::vector<Leftover> open;
+  if (index == 0) open = doc(block).collect_leftovers();
+  if (index >= open.size()) return 0;
+  const Leftover& l = open[index];
+  *out = {l.kind, l.field, l.begin, l.end, {l.name.data(), l.name.size()}};
+  return 1;
+}
+
+std::int32_t append(ig_block* block, const ig_field* fields, std::uint32_t count, const ig_value* v) {
+  Document& d = doc(block);
+  ListData* const list = list_of_all(d, fields, count);
+  if (list == nullptr) return 0;
+  if (list->count >= maximum_items) {
+    if (list->count == maximum_items) {
+      const Diagnostic text = host_diagnostic("IG-0405", {}, {std::to_string(maximum_items)});
+      d.chain->report(d, text.severity, text.code, text.message, 0, 0);
+      list->present.push_back(0);  // says it once: an empty record past the limit
+      list->values.resize(list->values.size() + list->stride);
+      ++list->count;
+    }
+    return 0;
+  }
+  const std::size_t base = list->values.size();
+  list->values.resize(base + list->stride);
+  std::uint64_t present = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    list->values[base + index_in_record(fields[i])] = v[i];
+    present |= std::uint64_t{1} << index_in_record(fields[i]);
+  }
+  list->present.push_back(present);
+  ++list->count;
+  d.wake_by_list(list_of(fields[0]));
+  return 1;
+}
+
+std::uint32_t count_records(const ig_block* block, ig_field f) {
+  const Document& d = doc(block);
+  return is_record_field(f) && list_of(f) < d.lists.size() ? d.lists[list_of(f)].count : 0;
+}
+
+std::uint32_t record(const ig_block* block, std::uint32_t index, const ig_field* fields, std::uint32_t count,
+                     ig_value* out) {
+  Document& d = const_cast<Document&>(doc(block));
+  const ListData* const list = list_of_all(d, fields, count);
+  if (list == nullptr || index >= list->count) return 0;
+  std::uint32_t mask = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if ((list->present[index] >> index_in_record(fields[i]) & 1) == 0) continue;
+    out[i] = list->values[std::size_t{index} * list->stride + index_in_record(fields[i])];
+    mask |= 1u << (i & 31);
+  }
+  return mask;
+}
+
+void set_record(ig_block* block, std::uint32_t index, const ig_field* fields, std::uint32_t count, const ig_value* v) {
+  Document& d = doc(block);
+  ListData* const list = list_of_all(d, fields, count);
+  if (list == nullptr || index >= list->count) return;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    list->values[std::size_t{index} * list->stride + index_in_record(fields[i])] = v[i];
+    list->present[index] |= std::uint64_t{1} << index_in_record(fields[i]);
+  }
+}
+
+void map_records(ig_block* block, const ig_field program[3], const ig_field machine[3]) {
+  Document& d = doc(block);
+  if (count_records(block, program[0]) == 0) return;
+  const ig_field all[6] = {program[0], program[1], program[2], machine[0], machine[1], machine[2]};
+  ListData* const list = list_of_all(d, all, 6);
+  if (list == nullptr) return;
+  std::uint64_t wanted = 0, given = 0;
+  for (int i = 0; i < 3; ++i) {
+    wanted |= std::uint64_t{1} << index_in_record(program[i]);
+    given |= std::uint64_t{1} << index_in_record(machine[i]);
+  }
+  const Frame& frame = d.composed();
+  for (std::uint32_t r = 0; r < list->count; ++r) {
+    if ((list->present[r] & wanted) != wanted || (list->present[r] & given) != 0) continue;
+    ig_value* const v = list->values.data() + std::size_t{r} * list->stride;
+    const double from[3] = {v[index_in_record(program[0])].number, v[index_in_record(program[1])].number,
+                            v[index_in_record(program[2])].number};
+    double to[3];
+    frame.map(from, to);
+    for (int i = 0; i < 3; ++i) v[index_in_record(machine[i])].number = to[i];
+    list->present[r] |= given;
+  }
+}
+
+}  // namespace isogloss::calls

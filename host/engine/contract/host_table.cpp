@@ -1,0 +1,147 @@
+// The functions that a syntax calls while it runs. The fast table checks nothing that linking has settled; the checked
+// one holds every access against the declarations; the traced one also keeps the line that set each field.
+#include "contract/host_table.hpp"
+
+#include "contract/host_records.hpp"
+#include "contract/host_values.hpp"
+
+namespace isogloss {
+
+namespace calls {
+namespace {
+
+ig_symbol symbol(ig_block* block, ig_text name) {
+  Document& d = doc(block);
+  SymbolTable& symbols = d.chain->symbols();
+  if (symbols.size() >= maximum_symbols) {
+    const Diagnostic text = host_diagnostic("IG-0409", {}, {});
+    d.chain->report(d, text.severity, text.code, text.message, 0, 0);
+    return 0;
+  }
+  return symbols.intern({name.data, name.size});
+}
+
+ig_text symbol_text(const ig_block* block, ig_symbol symbol) {
+  const std::string_view t = doc(block).chain->symbols().text(symbol);
+  return {t.data(), t.size()};
+}
+
+std::string shown(const ig_argument& a) {
+  // A program's text may be a megabyte long; a message shows where it begins.
+  constexpr std::size_t longest = 120;
+  if (a.is_text != 0) {
+    if (a.text.size <= longest) return std::string(a.text.data, a.text.size);
+    return std::string(a.text.data, longest) + " …";
+  }
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", a.number);
+  return buffer;
+}
+
+void report(ig_block* block, std::uint32_t diagnostic, ig_field f, std::uint32_t begin, std::uint32_t end,
+            const ig_argument* arguments, std::uint32_t count) {
+  Document& d = doc(block);
+  if (d.current == 0) return;
+  const ig_plugin& plugin = *d.chain->linked().chain[d.current - 1u].plugin;
+  if (diagnostic >= plugin.diagnostic_count) {
+    violation(d, "it reports a diagnostic that is not in its plugin's table");
+    return;
+  }
+  const ig_diagnostic_decl& row = plugin.diagnostics[diagnostic];
+  std::vector<std::string> texts;
+  for (std::uint32_t i = 0; i < count; ++i) texts.push_back(shown(arguments[i]));
+  if (f < d.size() && d.word_end(f) != 0) {
+    begin = d.word_begin(f);
+    end = d.word_end(f);
+  }
+  d.chain->report(d, static_cast<Severity>(row.severity), row.code, fill_in(row.text, texts), begin, end);
+}
+
+void fault(ig_block* block, ig_text message) {
+  Document& d = doc(block);
+  if (d.current == 0) return;
+  const LinkedSyntax& syntax = d.chain->linked().chain[d.current - 1u];
+  const Diagnostic text =
+      host_diagnostic("IG-0401", {}, {syntax.element.alias, std::string(message.data, message.size)});
+  d.chain->failure_said_by = d.current;
+  d.chain->report(d, text.severity, text.code, text.message, 0, 0);
+}
+
+void flow(ig_block* block, ig_flow what, std::size_t position) {
+  Chain& chain = *doc(block).chain;
+  switch (what) {
+    case IG_FLOW_END: chain.ends_program = true; break;
+    case IG_FLOW_END_FILE: chain.ends_file = true; break;
+    case IG_FLOW_SPLIT: chain.split_at = position; break;
+    case IG_FLOW_SKIP_REST: chain.skip_rest = true; break;
+    case IG_FLOW_ALARM: chain.alarmed = true; break;
+    default: violation(doc(block), "it asks for a flow that does not exist");
+  }
+}
+
+ig_block* ahead(ig_block* block, std::uint32_t k) {
+  const std::vector<Document*>& window = doc(block).chain->window;
+  return k >= 1 && k <= window.size() ? window[k - 1]->block() : nullptr;
+}
+
+template <Mode M>
+constexpr ig_host table() {
+  return {.struct_size = sizeof(ig_host),
+          .flags = M == Mode::fast ? IG_HOST_SHOWS_BLOCKS : 0,  // the others see every read
+          .get = get<M>,
+          .get_many = get_many<M>,
+          .take = take<M>,
+          .take_many = take_many<M>,
+          .set = set<M>,
+          .set_many = set_many<M>,
+          .amend_many = amend_many<M>,
+          .erase = erase<M>,
+          .is_fresh = is_fresh<M>,
+          .take_code = take_code<M>,
+          .find_code = find_code<M>,
+          .text = text<M>,
+          .set_text = set_text<M>,
+          .source = source,
+          .set_words = set_words<M>,
+          .rewrite = rewrite<M>,
+          .move = move<M>,
+          .word = word<M>,
+          .add_leftover = add_leftover,
+          .leftover = leftover,
+          .set_transform = set_transform<M>,
+          .set_translation = set_translation<M>,
+          .transform = transform<M>,
+          .map_point = map_point,
+          .frame_changed = frame_changed,
+          .append = append,
+          .count = count_records,
+          .record = record,
+          .set_record = set_record,
+          .map_records = map_records,
+          .symbol = symbol,
+          .symbol_text = symbol_text,
+          .report = report,
+          .fault = fault,
+          .flow = flow,
+          .ahead = ahead,
+          .fresh_many = fresh_many<M>,
+          .set_moving_transform = set_moving_transform<M>,
+          .get_point = get_point<M>,
+          .take_point = take_point<M>,
+          .set_point = set_point<M>,
+          .fresh_point = fresh_point<M>};
+}
+
+constexpr ig_host fast_table = table<Mode::fast>();
+constexpr ig_host checked_table = table<Mode::checked>();
+constexpr ig_host traced_table = table<Mode::traced>();
+
+}  // namespace
+}  // namespace calls
+
+const ig_host& host_table(Mode mode) {
+  using namespace calls;
+  return mode == Mode::fast ? fast_table : mode == Mode::checked ? checked_table : traced_table;
+}
+
+}  // namespace isogloss

@@ -1,0 +1,125 @@
+// The calls for three fields side by side do what the calls for several do, wherever the three lie.
+#include "contract/host_table.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+
+namespace isogloss {
+namespace {
+
+/// 150 numbers, of which every third is not there; the tenth is a word.
+struct Numbers {
+  static constexpr ig_field count = 150;
+  Numbers() {
+    for (ig_field f = 0; f < count; ++f)
+      layout.fields.push_back({"Test.F" + std::to_string(f), IG_NUMBER, f == 10 ? IG_LIFE_WORD : IG_LIFE_BLOCK, "", "",
+                               false, IG_NO_FIELD});
+    layout.index();
+  }
+  Document filled() const {
+    Document d(layout, wake(), 2);
+    d.begin({"part.nc", 1, 0, ""});
+    for (ig_field f = 0; f < count; ++f)
+      if (f % 3 != 0) d.set(f, {.number = 1000.0 + f});
+    for (std::uint64_t& mask : d.active) mask = 0;
+    return d;
+  }
+  /// Each field wakes a syntax of its own.
+  static std::vector<std::uint64_t> wake() {
+    std::vector<std::uint64_t> masks(count * std::size_t{2});
+    for (ig_field f = 0; f < count; ++f) masks[f * std::size_t{2} + f / 64 % 2] |= std::uint64_t{1} << f % 64;
+    return masks;
+  }
+  Layout layout;
+};
+
+ig_block* block(Document& d) { return d.block(); }
+
+bool same(const Document& a, const Document& b) {
+  for (ig_field f = 0; f < a.size(); ++f) {
+    if (a.present(f) != b.present(f) || a.fresh(f) != b.fresh(f) || a.taken(f) != b.taken(f)) return false;
+    if (a.present(f) && (a.number(f) != b.number(f) || a.writer(f) != b.writer(f))) return false;
+  }
+  return a.active[0] == b.active[0] && a.active[1] == b.active[1];
+}
+
+TEST_CASE("three fields side by side are the same as three") {
+  const Mode mode = GENERATE(Mode::fast, Mode::checked, Mode::traced);
+  const ig_host& host = host_table(mode);
+  const Numbers numbers;
+  // Also where a word of bits ends between them, and where the document ends.
+  for (ig_field x = 0; x < Numbers::count + 3; ++x) {
+    CAPTURE(static_cast<int>(mode), x);
+    const ig_field three[3] = {x, x + 1, x + 2};
+    Document once = numbers.filled(), one_by_one = numbers.filled();
+    once.set_line.resize(once.size());
+    one_by_one.set_line.resize(once.size());
+
+    double point[3] = {-1, -1, -1};
+    ig_value values[3] = {};
+    CHECK(host.get_point(block(once), x, point) == host.get_many(block(one_by_one), three, 3, values));
+    for (int i = 0; i < 3; ++i) CHECK(point[i] == values[i].number);
+    CHECK(host.fresh_point(block(once), x) == host.fresh_many(block(one_by_one), three, 3));
+
+    ig_value taken[3] = {};
+    CHECK(host.take_point(block(once), x, point) == host.take_many(block(one_by_one), three, 3, taken));
+    for (int i = 0; i < 3; ++i) CHECK(point[i] == taken[i].number);
+    CHECK(same(once, one_by_one));
+
+    const double next[3] = {1, 2, 3};
+    const ig_value next_values[3] = {{.number = 1}, {.number = 2}, {.number = 3}};
+    host.set_point(block(once), x, next);
+    host.set_many(block(one_by_one), three, 3, next_values);
+    CHECK(same(once, one_by_one));
+    CHECK(once.set_line == one_by_one.set_line);
+  }
+}
+
+TEST_CASE("what a block shows is what the calls answer") {
+  const ig_host& host = host_table(Mode::fast);
+  REQUIRE((host.flags & IG_HOST_SHOWS_BLOCKS) != 0);
+  const Numbers numbers;
+  Document original = numbers.filled();
+  ig_value taken;
+  REQUIRE(host.take(block(original), 10, &taken) == 1);
+  host.erase(block(original), 11);
+  Document d = original;  // a copy shows its own values
+  host.set(block(d), 12, {.number = 12});
+  const auto* const view = reinterpret_cast<const ig_view*>(block(d));
+  REQUIRE(view->field_count == Numbers::count);
+  for (ig_field f = 0; f < Numbers::count; ++f) {
+    CAPTURE(f);
+    ig_value v{.number = -1};
+    const bool present = host.get(block(d), f, &v) != 0;
+    CHECK((view->bits[f / 64].present >> (f % 64) & 1) == (present ? 1 : 0));
+    CHECK((view->bits[f / 64].fresh >> (f % 64) & 1) == (host.is_fresh(block(d), f) != 0 ? 1 : 0));
+    if (present) CHECK(view->values[f].value.number == v.number);
+  }
+  CHECK(host.get(block(original), 12, &taken) == 0);
+}
+
+TEST_CASE("a host that looks at every access shows nothing") {
+  CHECK(host_table(Mode::checked).flags == 0);
+  CHECK(host_table(Mode::traced).flags == 0);
+}
+
+TEST_CASE("three fields of no document are none") {
+  const Mode mode = GENERATE(Mode::fast, Mode::checked, Mode::traced);
+  const ig_host& host = host_table(mode);
+  const Numbers numbers;
+  for (const ig_field x : {IG_NO_FIELD, IG_NO_FIELD - 1, IG_NO_FIELD - 2}) {
+    Document d = numbers.filled();
+    const Document before = d;
+    double point[3] = {-1, -1, -1};
+    CHECK(host.get_point(block(d), x, point) == 0);
+    CHECK(host.take_point(block(d), x, point) == 0);
+    CHECK(host.fresh_point(block(d), x) == 0);
+    CHECK((point[0] == 0 && point[1] == 0 && point[2] == 0));
+    host.set_point(block(d), x, point);
+    CHECK(same(d, before));
+  }
+}
+
+}  // namespace
+}  // namespace isogloss

@@ -1,0 +1,304 @@
+/// The host's functions for what a block holds: values, words, codes, texts, and the frames from program to machine.
+#pragma once
+
+#include <cstring>
+
+#include "contract/host_access.hpp"
+
+namespace isogloss::calls {
+
+template <Mode M>
+std::int32_t get(const ig_block* block, ig_field f, ig_value* out) {
+  const Document& d = doc(block);
+  if (!may<M>(d, f, Use::read) || !d.present(f)) return 0;
+  *out = d.value(f);
+  return 1;
+}
+
+template <Mode M>
+std::uint32_t get_many(const ig_block* block, const ig_field* fields, std::uint32_t count, ig_value* out) {
+  if constexpr (M == Mode::fast) {
+    return doc(block).get_many(fields, count, out);
+  }
+  std::uint32_t mask = 0;
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (get<M>(block, fields[i], out + i) != 0) mask |= 1u << (i & 31);
+  return mask;
+}
+
+template <Mode M>
+std::int32_t take(ig_block* block, ig_field f, ig_value* out) {
+  Document& d = doc(block);
+  return may<M>(d, f, Use::take) && d.take(f, *out) ? 1 : 0;
+}
+
+template <Mode M>
+std::uint32_t take_many(ig_block* block, const ig_field* fields, std::uint32_t count, ig_value* out) {
+  std::uint32_t mask = 0;
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (take<M>(block, fields[i], out + i) != 0) mask |= 1u << (i & 31);
+  return mask;
+}
+
+template <Mode M>
+void set(ig_block* block, ig_field f, ig_value v) {
+  Document& d = doc(block);
+  if (!may<M>(d, f, Use::write) || !sound<M>(d, f, v)) return;
+  d.set(f, v);
+  d.count_code(f);
+  note_line<M>(d, f);
+}
+
+template <Mode M>
+void set_many(ig_block* block, const ig_field* fields, std::uint32_t count, const ig_value* v) {
+  if constexpr (M == Mode::fast) {
+    doc(block).set_many(fields, count, v);
+    return;
+  }
+  for (std::uint32_t i = 0; i < count; ++i) set<M>(block, fields[i], v[i]);
+}
+
+template <Mode M>
+void amend_many(ig_block* block, const ig_field* fields, std::uint32_t count, const ig_value* v) {
+  Document& d = doc(block);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!may<M>(d, fields[i], Use::write) || !sound<M>(d, fields[i], v[i])) continue;
+    d.write(fields[i], v[i]);
+    d.count_code(fields[i]);
+    note_line<M>(d, fields[i]);
+  }
+}
+
+template <Mode M>
+void erase(ig_block* block, ig_field f) {
+  Document& d = doc(block);
+  if (may<M>(d, f, Use::write)) d.erase(f);
+}
+
+template <Mode M>
+std::int32_t is_fresh(const ig_block* block, ig_field f) {
+  const Document& d = doc(block);
+  return may<M>(d, f, Use::read) && d.fresh(f) ? 1 : 0;
+}
+
+template <Mode M>
+std::uint32_t fresh_many(const ig_block* block, const ig_field* fields, std::uint32_t count) {
+  std::uint32_t mask = 0;
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (is_fresh<M>(block, fields[i]) != 0) mask |= 1u << (i & 31);
+  return mask;
+}
+
+// Three fields side by side. What lies otherwise, or is held against the declarations, goes one by one and stays out of
+// the fast table's way.
+
+inline ig_field beside(ig_field x, std::uint32_t i) { return x > IG_NO_FIELD - 2 ? IG_NO_FIELD : x + i; }
+
+template <Mode M>
+[[gnu::noinline]] std::uint32_t get_three(const ig_block* block, ig_field x, double* out) {
+  std::uint32_t mask = 0;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    ig_value v{};
+    if (get<M>(block, beside(x, i), &v) != 0) mask |= 1u << i;
+    out[i] = v.number;
+  }
+  return mask;
+}
+
+template <Mode M>
+std::uint32_t get_point(const ig_block* block, ig_field x, double* out) {
+  if constexpr (M == Mode::fast)
+    if (doc(block).is_point(x)) [[likely]]
+      return doc(block).get_point(x, out);
+  return get_three<M>(block, x, out);
+}
+
+template <Mode M>
+[[gnu::noinline]] std::uint32_t take_three(ig_block* block, ig_field x, double* out) {
+  std::uint32_t mask = 0;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    ig_value v{};
+    if (take<M>(block, beside(x, i), &v) != 0) mask |= 1u << i;
+    out[i] = v.number;
+  }
+  return mask;
+}
+
+template <Mode M>
+std::uint32_t take_point(ig_block* block, ig_field x, double* out) {
+  if constexpr (M == Mode::fast)
+    if (doc(block).is_point(x)) [[likely]]
+      return doc(block).take_point(x, out);
+  return take_three<M>(block, x, out);
+}
+
+template <Mode M>
+[[gnu::noinline]] void set_three(ig_block* block, ig_field x, const double* point) {
+  for (std::uint32_t i = 0; i < 3; ++i) set<M>(block, beside(x, i), {.number = point[i]});
+}
+
+template <Mode M>
+void set_point(ig_block* block, ig_field x, const double* point) {
+  if constexpr (M == Mode::fast)
+    if (doc(block).is_point(x)) [[likely]] {
+      doc(block).set_point(x, point);
+      return;
+    }
+  set_three<M>(block, x, point);
+}
+
+template <Mode M>
+std::uint32_t fresh_point(const ig_block* block, ig_field x) {
+  if constexpr (M == Mode::fast)
+    if (doc(block).is_point(x)) [[likely]]
+      return doc(block).fresh_point(x);
+  std::uint32_t mask = 0;
+  for (std::uint32_t i = 0; i < 3; ++i)
+    if (is_fresh<M>(block, beside(x, i)) != 0) mask |= 1u << i;
+  return mask;
+}
+
+template <Mode M>
+std::int32_t find_code(const ig_block* block, const ig_field* fields, std::uint32_t count, std::uint32_t* found) {
+  const Document& d = doc(block);
+  std::int32_t last = -1;
+  std::int64_t ordinal = -1;
+  *found = 0;
+  if (d.codes_seen == 0) return -1;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!may<M>(d, fields[i], Use::read) || !d.present(fields[i])) continue;
+    ++*found;
+    if (d.value(fields[i]).integer > ordinal) {
+      ordinal = d.value(fields[i]).integer;
+      last = static_cast<std::int32_t>(i);
+    }
+  }
+  return last;
+}
+
+template <Mode M>
+std::int32_t take_code(ig_block* block, const ig_field* fields, std::uint32_t count, std::uint32_t* found) {
+  Document& d = doc(block);
+  std::int32_t last = -1;
+  std::int64_t ordinal = -1;
+  *found = 0;
+  if (d.codes_seen == 0) return -1;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    ig_value value;
+    if (!d.present(fields[i]) || take<M>(block, fields[i], &value) == 0) continue;
+    ++*found;
+    if (value.integer <= ordinal) continue;
+    ordinal = value.integer;
+    last = static_cast<std::int32_t>(i);
+  }
+  return last;
+}
+
+template <Mode M>
+ig_text text(const ig_block* block, ig_field f) {
+  const Document& d = doc(block);
+  if (!may<M>(d, f, Use::read) || d.layout().fields[f].type != IG_TEXT) return {nullptr, 0};
+  const std::string_view t = d.text(f);
+  return {t.data(), t.size()};
+}
+
+template <Mode M>
+void set_text(ig_block* block, ig_field f, ig_text t) {
+  Document& d = doc(block);
+  if (!may<M>(d, f, Use::write) || d.layout().fields[f].type != IG_TEXT) return;
+  d.set_text(f, {t.data, t.size});
+  note_line<M>(d, f);
+}
+
+inline ig_text source(const ig_block* block) { return {doc(block).source.text.data(), doc(block).source.text.size()}; }
+
+template <Mode M>
+void set_words(ig_block* block, const ig_word* words, std::uint32_t count) {
+  Document& d = doc(block);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if constexpr (M != Mode::fast)
+      if (!may<M>(d, words[i].field, Use::write)) continue;
+    d.set_word(words[i]);
+    note_line<M>(d, words[i].field);
+  }
+}
+
+template <Mode M>
+void rewrite(ig_block* block, ig_field f, ig_value v) {
+  Document& d = doc(block);
+  if (!may<M>(d, f, Use::write) || !sound<M>(d, f, v)) return;
+  d.rewrite(f, v);
+  note_line<M>(d, f);
+}
+
+template <Mode M>
+void move(ig_block* block, ig_field from, ig_field to) {
+  Document& d = doc(block);
+  if (!may<M>(d, from, Use::take) || !may<M>(d, to, Use::write)) return;
+  d.move(from, to);
+  note_line<M>(d, to);
+}
+
+template <Mode M>
+std::int32_t word(const ig_block* block, ig_field f, ig_word* out) {
+  const Document& d = doc(block);
+  if (!may<M>(d, f, Use::read) || !d.present(f)) return 0;
+  *out = {f,
+          static_cast<std::uint16_t>(d.word_begin(f)),
+          static_cast<std::uint16_t>(d.word_end(f)),
+          d.value(f),
+          d.without_point(f) ? std::uint32_t{IG_WORD_WITHOUT_POINT} : 0u,
+          0};
+  return d.word_end(f) != 0 ? 1 : 0;
+}
+
+template <Mode M>
+bool is_transform(const Document& d, ig_field f, Use use) {
+  return may<M>(d, f, use) && d.layout().fields[f].type == IG_TRANSFORM;
+}
+
+template <Mode M>
+void set_transform(ig_block* block, ig_field f, const double matrix[16]) {
+  Document& d = doc(block);
+  if (!is_transform<M>(d, f, Use::write)) return;
+  d.set_frame(f, Frame::from(matrix));
+  note_line<M>(d, f);
+}
+
+template <Mode M>
+void set_moving_transform(ig_block* block, ig_field f, const double matrix[16]) {
+  Document& d = doc(block);
+  if (!is_transform<M>(d, f, Use::write)) return;
+  d.move_frame(f, matrix);
+  note_line<M>(d, f);
+}
+
+template <Mode M>
+void set_translation(ig_block* block, ig_field f, const double offset[3]) {
+  const double m[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, offset[0], offset[1], offset[2], 1};
+  set_transform<M>(block, f, m);
+}
+
+template <Mode M>
+std::int32_t transform(const ig_block* block, ig_field f, double matrix[16]) {
+  const Document& d = doc(block);
+  if (!is_transform<M>(d, f, Use::read) || !d.present(f)) return 0;
+  std::memcpy(matrix, d.frame(f).matrix, sizeof d.frame(f).matrix);
+  return 1;
+}
+
+inline std::int32_t map_point(ig_block* block, ig_direction direction, const double in[3], double out[3]) {
+  Document& d = doc(block);
+  const double from[3] = {in[0], in[1], in[2]};
+  double to[3];
+  if (direction == IG_TO_MACHINE)
+    d.composed().map(from, to);
+  else if (!d.map_to_program(from, to))
+    return 0;
+  std::memcpy(out, to, sizeof to);
+  return 1;
+}
+
+inline std::int32_t frame_changed(const ig_block* block) { return doc(block).frame_changed ? 1 : 0; }
+
+}  // namespace isogloss::calls

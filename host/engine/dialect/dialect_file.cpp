@@ -1,0 +1,495 @@
+#include "dialect/dialect_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <type_traits>
+
+namespace isogloss {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view dialect_namespace = "urn:isogloss:dialect:1";
+constexpr std::array stages{Stage::parsing, Stage::evaluation, Stage::logic, Stage::post_logic, Stage::inspection};
+constexpr std::array edit_kinds{EditKind::replace, EditKind::insert_before, EditKind::insert_after, EditKind::remove,
+                                EditKind::configure};
+
+std::vector<std::string> words(std::string_view text) {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; (i = text.find_first_not_of(" \t\r\n", i)) != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(" \t\r\n", i), text.size());
+    all.emplace_back(text.substr(i, end - i));
+    i = end;
+  }
+  return all;
+}
+
+/// Namespace declarations, and what editors add to find the schema.
+bool is_markup(std::string_view attribute) {
+  return attribute == "xmlns" || attribute.starts_with("xmlns:") || attribute.starts_with("xsi:");
+}
+
+class FileReader {
+ public:
+  FileReader(const XmlSource& xml, XmlBudget& budget, Report& report) : xml_(xml), budget_(budget), report_(report) {}
+
+  DialectFile dialect() {
+    if (!read_head()) return std::move(file_);
+    for (const pugi::xml_node section : elements(xml_.root())) read_section(section);
+    return std::move(file_);
+  }
+
+  Dialect head() {
+    if (const pugi::xml_node files = xml_.root().child("Files"); read_head() && files) read_files(files);
+    return std::move(file_.own);
+  }
+
+  std::vector<DependencyElement> dependencies() {
+    const pugi::xml_node root = xml_.root();
+    if (std::string_view(root.name()) != "Dependencies") return {dependency(root)};
+    only_attributes(root, {});
+    for (const pugi::xml_node node : elements(root)) add_dependency(dependency(node));
+    return std::move(file_.own.dependencies);
+  }
+
+ private:
+  /// False when the root is not a dialect's: then nothing else means anything.
+  bool read_head() {
+    const pugi::xml_node root = xml_.root();
+    file_.own.file = xml_.file();
+    file_.own.segmenter = {};
+    const std::string_view space = root.attribute("xmlns").value();
+    if (std::string_view(root.name()) != "Dialect" || space != dialect_namespace) {
+      const std::string found = root.attribute("xmlns") ? fmt::format("<{} xmlns=\"{}\">", root.name(), space)
+                                                        : fmt::format("<{}>", root.name());
+      report_("IG-0106", xml_.at(root), {fmt::format("<Dialect xmlns=\"{}\">", dialect_namespace), shown(found)});
+      return false;
+    }
+    only_attributes(root, {"name", "title", "extends"});
+    file_.own.name = required(root, "name");
+    file_.own.title = root.attribute("title").value();
+    file_.extends = root.attribute("extends").value();
+    file_.extends_where = xml_.at(root, "extends");
+    return true;
+  }
+
+  void read_section(pugi::xml_node section) {
+    using Reader = void (FileReader::*)(pugi::xml_node);
+    static const std::map<std::string, Reader> sections{
+        {"Files", &FileReader::read_files},     {"Segmenter", &FileReader::read_segmenter},
+        {"Plugins", &FileReader::read_plugins}, {"Dependencies", &FileReader::read_dependencies},
+        {"Initial", &FileReader::read_initial}, {"Severities", &FileReader::read_severities},
+        {"Chain", &FileReader::read_chain}};
+    const auto found = sections.find(section.name());
+    if (found == sections.end()) return unknown(section, names_of(sections));
+    if (!once(section)) return;
+    if (found->first != "Files" && found->first != "Segmenter") only_attributes(section, {});
+    (this->*found->second)(section);
+  }
+
+  void read_files(pugi::xml_node node) {
+    only_attributes(node, {"extensions"});
+    file_.has_files = true;
+    file_.own.extensions = words(node.attribute("extensions").value());
+    for (const std::string& extension : file_.own.extensions) {
+      if (!extension.starts_with('.') || extension.size() < 2 || extension.find('/') != std::string::npos)
+        bad_value(node, "extensions", "endings such as .nc, separated by blanks");
+    }
+    for (const pugi::xml_node child : leaves(node, {"Signature"})) {
+      only_attributes(child, {"pattern"});
+      const std::string pattern = required(child, "pattern");
+      if (pattern.find_first_not_of("* ") == std::string::npos)
+        bad_value(child, "pattern", "a pattern for a line that not every line matches");
+      else
+        file_.own.signatures.push_back(pattern);
+    }
+  }
+
+  void read_segmenter(pugi::xml_node node) {
+    only_attributes(node, {"type", "continuation", "comment"});
+    leaves(node, {});
+    Segmenter& own = file_.own.segmenter;
+    own.type = required(node, "type");
+    if (!own.type.empty() && own.type != "line") bad_value(node, "type", "line");
+    own.continuation = mark(node, "continuation");
+    own.comment = mark(node, "comment");
+    if (!own.comment.empty() && own.continuation.empty()) bad_value(node, "comment", "a continuation beside it");
+  }
+
+  /// A few characters of a program's text, or nothing.
+  std::string mark(pugi::xml_node node, const char* attribute) {
+    constexpr std::size_t longest = 8;
+    const pugi::xml_attribute a = node.attribute(attribute);
+    const std::string_view text = a.value();
+    if (a && (text.empty() || text.size() > longest || text.find_first_of(" \t\r\n") != std::string_view::npos))
+      bad_value(node, attribute, "1 to 8 characters without blanks");
+    return std::string(text);
+  }
+
+  void read_plugins(pugi::xml_node node) {
+    for (const pugi::xml_node child : leaves(node, {"Plugin"})) {
+      only_attributes(child, {"name"});
+      const std::string name = required(child, "name");
+      if (name.find('/') != std::string::npos) bad_value(child, "name", "a plugin's name, without folders");
+      if (!name.empty()) file_.own.plugins.push_back({name, xml_.at(child, "name")});
+    }
+  }
+
+  void read_initial(pugi::xml_node node) {
+    std::map<std::string, Location> paths;
+    for (const pugi::xml_node child : leaves(node, {"Field"})) {
+      only_attributes(child, {"path", "value"});
+      InitialField field{required(child, "path"), required(child, "value"), xml_.at(child)};
+      const auto [same, is_new] = paths.emplace(field.path, field.where);
+      if (is_new) {
+        file_.own.initial.push_back(std::move(field));
+      } else {
+        report_("IG-0113", xml_.at(child, "path"), {shown(field.path), place(same->second)});
+      }
+    }
+  }
+
+  void read_severities(pugi::xml_node node) {
+    for (const pugi::xml_node child : leaves(node, {"Severity"})) {
+      only_attributes(child, {"code", "is"});
+      const std::string code = required(child, "code");
+      const std::string is = required(child, "is");
+      bool known = is.empty();
+      for (const Severity severity : {Severity::note, Severity::warning, Severity::error}) {
+        if (is != to_string(severity)) continue;
+        known = true;
+        file_.own.severities[code] = severity;
+      }
+      if (!known) bad_value(child, "is", "note, warning or error");
+    }
+  }
+
+  void read_dependencies(pugi::xml_node node) {
+    for (const pugi::xml_node child : elements(node)) {
+      const std::optional<EditKind> kind = edit_kind(child);
+      if (!kind) {
+        add_dependency(dependency(child));
+      } else if (*kind == EditKind::insert_before || *kind == EditKind::insert_after) {
+        unknown(child, {"Replace", "Remove", "Configure"});
+      } else if (const auto head = edit<DependencyElement>(child, *kind, "dependency", {"as", "src"})) {
+        Edit<DependencyElement> edit = *head;
+        for (const pugi::xml_node inserted : put_in(child, *kind)) edit.elements.push_back(dependency(inserted));
+        file_.dependency_edits.push_back(std::move(edit));
+      }
+    }
+  }
+
+  void read_chain(pugi::xml_node node) {
+    if (const std::size_t count = count_elements(node); count > XmlBudget::chain)
+      return report_("IG-0105", xml_.at(node), {"the chain", fmt::format("{} elements", XmlBudget::chain)});
+    int last_stage = -1;
+    std::string_view last_name;
+    for (const pugi::xml_node child : elements(node)) {
+      const auto stage =
+          std::find_if(stages.begin(), stages.end(), [&](Stage s) { return to_string(s) == child.name(); });
+      if (const std::optional<EditKind> kind = edit_kind(child)) {
+        if (const auto head = edit<ChainElement>(child, *kind, "syntax", {"as"})) read_chain_edit(child, *head);
+      } else if (stage == stages.end()) {
+        std::vector<std::string> names;
+        for (const Stage s : stages) names.emplace_back(to_string(s));
+        for (const EditKind k : edit_kinds) names.emplace_back(to_string(k));
+        unknown(child, names);
+      } else if (!file_.extends.empty()) {
+        report_("IG-0116", xml_.at(child), {child.name(), "extends none"}, "edit the inherited chain instead");
+      } else if (once(child)) {
+        if (static_cast<int>(*stage) < last_stage)
+          report_("IG-0115", xml_.at(child), {child.name(), std::string(last_name)});
+        last_stage = static_cast<int>(*stage);
+        last_name = child.name();
+        only_attributes(child, {});
+        for (const pugi::xml_node syntax : elements(child)) file_.own.chain.push_back(chain_element(syntax, *stage));
+      }
+    }
+  }
+
+  static std::size_t count_elements(pugi::xml_node node) {
+    std::size_t count = 0;
+    for (const pugi::xml_node child : node.children()) count += 1 + count_elements(child);
+    return count;
+  }
+
+  void read_chain_edit(pugi::xml_node node, Edit<ChainElement> edit) {
+    // The anchor gives the stage when the edit is applied.
+    for (const pugi::xml_node inserted : put_in(node, edit.kind))
+      edit.elements.push_back(chain_element(inserted, Stage::logic));
+    file_.chain_edits.push_back(std::move(edit));
+  }
+
+  ChainElement chain_element(pugi::xml_node node, Stage stage) {
+    ChainElement element{stage, node.name(), node.name(), {}, false, xml_.at(node)};
+    leaves(node, {});
+    for (const pugi::xml_attribute a : node.attributes()) {
+      const std::string_view name = a.name();
+      if (name == "as") {
+        element.alias = alias(node);
+      } else if (name == "override") {
+        element.override_slot = override_value(node);
+      } else {
+        element.options.push_back({a.name(), a.value(), xml_.at(node, name)});
+      }
+    }
+    return element;
+  }
+
+  DependencyElement dependency(pugi::xml_node node) {
+    DependencyElement element{node.name(), node.name(), {}, {}, {}, xml_.at(node)};
+    for (const pugi::xml_attribute a : node.attributes()) {
+      const std::string_view name = a.name();
+      if (name == "as") element.alias = alias(node);
+      if (name == "src") read_table(node, element);
+    }
+    for (Attribute& option : data_attributes(xml_, node, {"as", "src"})) set_option(element, std::move(option));
+    read_rows(xml_, node, element);
+    return element;
+  }
+
+  /// The file that src names: more options (those beside src win), and the first rows.
+  void read_table(pugi::xml_node node, DependencyElement& element) {
+    const std::string src = node.attribute("src").value();
+    const Location where = xml_.at(node, "src");
+    const fs::path path = below_folder_of(xml_.file(), src);
+    if (path.empty()) {
+      const fs::path folder = fs::path(xml_.file()).parent_path();
+      return report_("IG-0117", where, {shown(src), folder.empty() ? "the dialect's folder" : folder.string()});
+    }
+    const std::unique_ptr<XmlSource> table = XmlSource::open(path, where, budget_, report_.sink());
+    if (table == nullptr) {
+      report_.failed = true;
+      return;
+    }
+    const pugi::xml_node root = table->root();
+    if (element.id != root.name())
+      return report_("IG-0118", table->at(root), {table->file(), shown(root.name()), shown(element.id)});
+    element.source_file = path.string();
+    element.options = data_attributes(*table, root, {});
+    read_rows(*table, root, element);
+  }
+
+  void read_rows(const XmlSource& xml, pugi::xml_node node, DependencyElement& element) {
+    FileReader inside(xml, budget_, report_);
+    for (const pugi::xml_node row : inside.elements(node)) {
+      inside.leaves(row, {});
+      element.rows.push_back({row.name(), data_attributes(xml, row, {}), xml.at(row)});
+    }
+  }
+
+  static void set_option(DependencyElement& element, Attribute option) {
+    for (Attribute& old : element.options) {
+      if (old.name != option.name) continue;
+      old = std::move(option);
+      return;
+    }
+    element.options.push_back(std::move(option));
+  }
+
+  static std::vector<Attribute> data_attributes(const XmlSource& xml, pugi::xml_node node,
+                                                std::initializer_list<std::string_view> kept) {
+    std::vector<Attribute> all;
+    for (const pugi::xml_attribute a : node.attributes()) {
+      const std::string_view name = a.name();
+      if (!is_markup(name) && std::find(kept.begin(), kept.end(), name) == kept.end())
+        all.push_back({a.name(), a.value(), xml.at(node, name)});
+    }
+    return all;
+  }
+
+  void add_dependency(DependencyElement element) {
+    const auto [same, is_new] = dependency_names_.emplace(element.alias, element.where);
+    if (!is_new) return report_("IG-0113", element.where, {shown(element.alias), place(same->second)});
+    file_.own.dependencies.push_back(std::move(element));
+  }
+
+  // ---- Edits ----
+
+  static std::optional<EditKind> edit_kind(pugi::xml_node node) {
+    const auto kind =
+        std::find_if(edit_kinds.begin(), edit_kinds.end(), [&](EditKind k) { return to_string(k) == node.name(); });
+    return kind == edit_kinds.end() ? std::nullopt : std::optional(*kind);
+  }
+
+  /// The edit without the elements that it puts in; empty when it cannot be applied.
+  template <class Element>
+  std::optional<Edit<Element>> edit(pugi::xml_node node, EditKind kind, const char* anchor,
+                                    std::vector<std::string_view> refused) {
+    if (file_.extends.empty()) {
+      report_("IG-0116", xml_.at(node), {node.name(), "extends another"});
+      return std::nullopt;
+    }
+    Edit<Element> edit{kind, required(node, anchor), {}, {}, false, xml_.at(node), xml_.at(node, anchor)};
+    if (kind != EditKind::configure) {
+      only_attributes(node, {anchor});
+    } else {
+      for (const pugi::xml_attribute a : node.attributes()) {
+        const std::string_view name = a.name();
+        if (name == anchor) continue;
+        if (name == "override" && std::is_same_v<Element, ChainElement>) {
+          edit.override_slot = override_value(node);
+        } else if (std::find(refused.begin(), refused.end(), name) != refused.end()) {
+          report_("IG-0108", xml_.at(node, name), {node.name(), a.name()});
+        } else {
+          edit.options.push_back({a.name(), a.value(), xml_.at(node, name)});
+        }
+      }
+    }
+    if (edit.anchor.empty()) return std::nullopt;
+    return edit;
+  }
+
+  std::vector<pugi::xml_node> put_in(pugi::xml_node node, EditKind kind) {
+    if (kind == EditKind::remove || kind == EditKind::configure) return leaves(node, {});
+    std::vector<pugi::xml_node> all = elements(node);
+    if (all.empty()) report_("IG-0120", xml_.at(node), {node.name()});
+    return all;
+  }
+
+  std::string alias(pugi::xml_node node) {
+    std::string as = node.attribute("as").value();
+    if (as.empty() || as.find_first_of(" \t\r\n") != std::string::npos) bad_value(node, "as", "a name without blanks");
+    return as.empty() ? node.name() : as;
+  }
+
+  bool override_value(pugi::xml_node node) {
+    const std::string_view value = node.attribute("override").value();
+    if (value != "true" && value != "false") bad_value(node, "override", "true or false");
+    return value == "true";
+  }
+
+  // ---- What may stand where ----
+
+  /// The child elements; text between them is reported.
+  std::vector<pugi::xml_node> elements(pugi::xml_node node) {
+    std::vector<pugi::xml_node> all;
+    for (const pugi::xml_node child : node.children()) {
+      if (child.type() == pugi::node_element) all.push_back(child);
+      if (child.type() != pugi::node_pcdata && child.type() != pugi::node_cdata) continue;
+      const std::vector<std::string> text = words(child.value());
+      report_("IG-0119", xml_.at(child), {node.name(), text.empty() ? "" : shown(text[0])});
+    }
+    return all;
+  }
+
+  /// The child elements of these names, none of which has children; others are reported.
+  std::vector<pugi::xml_node> leaves(pugi::xml_node node, const std::vector<std::string>& names) {
+    std::vector<pugi::xml_node> all;
+    for (const pugi::xml_node child : elements(node)) {
+      if (std::find(names.begin(), names.end(), child.name()) == names.end()) {
+        unknown(child, names);
+        continue;
+      }
+      leaves(child, {});
+      all.push_back(child);
+    }
+    return all;
+  }
+
+  void only_attributes(pugi::xml_node node, const std::vector<std::string>& names) {
+    for (const pugi::xml_attribute a : node.attributes()) {
+      if ((node == xml_.root() && is_markup(a.name())) ||
+          std::find(names.begin(), names.end(), a.name()) != names.end())
+        continue;
+      report_("IG-0108", xml_.at(node, a.name()), {node.name(), shown(a.name())}, meant(a.name(), names));
+    }
+  }
+
+  std::string required(pugi::xml_node node, const char* attribute) {
+    const pugi::xml_attribute a = node.attribute(attribute);
+    if (a && *a.value() != '\0') return a.value();
+    report_("IG-0109", xml_.at(node, attribute), {node.name(), attribute});
+    return {};
+  }
+
+  void bad_value(pugi::xml_node node, const char* attribute, const char* wanted) {
+    report_("IG-0110", xml_.at(node, attribute),
+            {node.name(), attribute, wanted, shown(node.attribute(attribute).value())});
+  }
+
+  void unknown(pugi::xml_node node, const std::vector<std::string>& names) {
+    report_("IG-0107", xml_.at(node), {shown(node.name()), node.parent().name()}, meant(node.name(), names));
+  }
+
+  /// False, and reported, when the element has an elder sibling of its name.
+  bool once(pugi::xml_node node) {
+    const pugi::xml_node first = node.parent().child(node.name());
+    if (first == node) return true;
+    report_("IG-0114", xml_.at(node), {node.name(), place(xml_.at(first))});
+    return false;
+  }
+
+  template <class Map>
+  static std::vector<std::string> names_of(const Map& map) {
+    std::vector<std::string> names;
+    for (const auto& [name, unused] : map) names.push_back(name);
+    return names;
+  }
+
+  static std::string place(const Location& where) { return fmt::format("line {}", where.line); }
+
+  const XmlSource& xml_;
+  XmlBudget& budget_;
+  Report& report_;
+  DialectFile file_;
+  std::map<std::string, Location> dependency_names_;
+};
+
+}  // namespace
+
+std::string_view to_string(Stage stage) {
+  constexpr std::array<std::string_view, 5> names{"Parsing", "Evaluation", "Logic", "PostLogic", "Inspection"};
+  return names[static_cast<std::size_t>(stage)];
+}
+
+std::string_view to_string(EditKind kind) {
+  constexpr std::array<std::string_view, 5> names{"Replace", "InsertBefore", "InsertAfter", "Remove", "Configure"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+DialectFile read_dialect_file(const XmlSource& xml, XmlBudget& budget, Report& report) {
+  return FileReader(xml, budget, report).dialect();
+}
+
+Dialect read_dialect_head(const XmlSource& xml, Report& report) {
+  XmlBudget budget;
+  return FileReader(xml, budget, report).head();
+}
+
+std::vector<DependencyElement> read_dependency_file(const XmlSource& xml, XmlBudget& budget, Report& report) {
+  return FileReader(xml, budget, report).dependencies();
+}
+
+fs::path below_folder_of(const std::string& file, const std::string& path) {
+  const fs::path relative = fs::path(path).lexically_normal();
+  if (path.empty() || relative.is_absolute() || *relative.begin() == "..") return {};
+  const fs::path folder = fs::path(file).parent_path();
+  fs::path named = (folder / relative).lexically_normal();
+  std::error_code error;
+  const fs::path real = fs::canonical(named, error);
+  if (error) return named;  // it is not there, which its reader says
+  const fs::path real_folder = fs::canonical(folder.empty() ? "." : folder, error);
+  return !error && std::mismatch(real_folder.begin(), real_folder.end(), real.begin(), real.end()).first ==
+                       real_folder.end()
+             ? named
+             : fs::path();
+}
+
+std::string meant(std::string_view name, const std::vector<std::string>& names) {
+  constexpr std::size_t longest_misspelling = 100;
+  if (name.size() > longest_misspelling) return {};
+  const std::string near = nearest_name(name, names);
+  return near.empty() ? near : "did you mean " + near + "?";
+}
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t longest = 80;
+  return text.size() <= longest ? std::string(text) : std::string(text.substr(0, longest)) + "…";
+}
+
+}  // namespace isogloss

@@ -1,0 +1,66 @@
+/// One dialect file as it is written, before what it extends is folded in.
+#pragma once
+
+#include "dialect/xml_source.hpp"
+#include "isogloss/engine/dialect.hpp"
+
+namespace isogloss {
+
+/// Passes diagnostics on and remembers whether one was an error.
+class Report {
+ public:
+  explicit Report(DiagnosticSink& sink) : sink_(sink) {}
+  void operator()(std::string_view code, Location where, std::initializer_list<std::string> arguments,
+                  std::string hint = {}) {
+    failed = true;
+    sink_.add(host_diagnostic(code, std::move(where), arguments, std::move(hint)));
+  }
+  DiagnosticSink& sink() { return sink_; }
+  bool failed = false;
+
+ private:
+  DiagnosticSink& sink_;
+};
+
+enum class EditKind : std::uint8_t { replace, insert_before, insert_after, remove, configure };
+std::string_view to_string(EditKind kind);
+
+/// A change to what the dialect inherits.
+template <class Element>
+struct Edit {
+  EditKind kind;
+  std::string anchor;
+  std::vector<Element> elements;   ///< what is put in
+  std::vector<Attribute> options;  ///< configure
+  bool override_slot = false;      ///< configure
+  Location where, anchor_where;
+};
+
+struct DialectFile {
+  Dialect own;
+  std::string extends;
+  Location extends_where;
+  bool has_files = false;
+  std::vector<Edit<ChainElement>> chain_edits;
+  std::vector<Edit<DependencyElement>> dependency_edits;
+};
+
+/// Everything that is wrong is reported; what can be read is.
+DialectFile read_dialect_file(const XmlSource& xml, XmlBudget& budget, Report& report);
+
+/// Name, title and how programs are recognised; nothing else is read.
+Dialect read_dialect_head(const XmlSource& xml, Report& report);
+
+/// A table file: one dependency, or <Dependencies> with several.
+std::vector<DependencyElement> read_dependency_file(const XmlSource& xml, XmlBudget& budget, Report& report);
+
+/// `path` below the folder of `file`; empty when it is absolute or leads out.
+std::filesystem::path below_folder_of(const std::string& file, const std::string& path);
+
+/// "did you mean …?", or nothing.
+std::string meant(std::string_view name, const std::vector<std::string>& names);
+
+/// A text of the file, cut to a length fit for a message.
+std::string shown(std::string_view text);
+
+}  // namespace isogloss

@@ -1,0 +1,300 @@
+// Finds dialect files, follows what they extend, and folds it in: the base first, then each file's own parts and
+// edits in written order.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+#include "dialect/dialect_file.hpp"
+
+namespace isogloss {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_ancestors = 16;
+
+bool names_a_file(std::string_view name) { return name.find('/') != std::string_view::npos || name.ends_with(".xml"); }
+
+bool is_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+/// One spelling for each file, so that a loop is seen.
+std::string identity(const fs::path& path) {
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(path, error);
+  return error ? path.string() : canonical.string();
+}
+
+bool is_below(const fs::path& path, const fs::path& folder) {
+  const fs::path relative = fs::path(identity(path)).lexically_relative(identity(folder));
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+template <class Element>
+const char* kind_of() {
+  return std::is_same_v<Element, ChainElement> ? "syntax" : "dependency";
+}
+
+/// Applies one file's edits to what it inherits.
+template <class Element>
+class Editor {
+ public:
+  Editor(std::vector<Element>& list, Report& report) : list_(list), report_(report) {
+    for (const Element& e : list_) names_.insert(e.alias);
+  }
+
+  void apply(const Edit<Element>& edit) {
+    const auto at = std::find_if(list_.begin(), list_.end(), [&](const Element& e) { return e.alias == edit.anchor; });
+    if (at == list_.end()) {
+      report_("IG-0112", edit.anchor_where, {std::string(to_string(edit.kind)), kind_of<Element>(), shown(edit.anchor)},
+              meant(edit.anchor, {names_.begin(), names_.end()}));
+      return;
+    }
+    switch (edit.kind) {
+      case EditKind::configure: return configure(*at, edit);
+      case EditKind::remove:
+        names_.erase(at->alias);
+        list_.erase(at);
+        return;
+      case EditKind::replace:
+      case EditKind::insert_before:
+      case EditKind::insert_after: return put_in(at, edit);
+    }
+  }
+
+ private:
+  void put_in(typename std::vector<Element>::iterator at, const Edit<Element>& edit) {
+    const Element anchor = *at;
+    if (edit.kind == EditKind::replace) {
+      names_.erase(anchor.alias);
+      at = list_.erase(at);
+    } else if (edit.kind == EditKind::insert_after) {
+      ++at;
+    }
+    for (Element element : edit.elements) {
+      if (!names_.insert(element.alias).second) {
+        const auto other =
+            std::find_if(list_.begin(), list_.end(), [&](const Element& e) { return e.alias == element.alias; });
+        report_("IG-0113", element.where,
+                {shown(element.alias), fmt::format("{}:{}", other->where.file, other->where.line)});
+        continue;
+      }
+      if constexpr (std::is_same_v<Element, ChainElement>) element.stage = anchor.stage;
+      at = std::next(list_.insert(at, std::move(element)));
+    }
+  }
+
+  void configure(Element& element, const Edit<Element>& edit) {
+    for (const Attribute& option : edit.options) {
+      const auto old = std::find_if(element.options.begin(), element.options.end(),
+                                    [&](const Attribute& a) { return a.name == option.name; });
+      if (old == element.options.end()) {
+        element.options.push_back(option);
+      } else {
+        *old = option;
+      }
+    }
+    if constexpr (std::is_same_v<Element, ChainElement>) element.override_slot |= edit.override_slot;
+  }
+
+  std::vector<Element>& list_;
+  Report& report_;
+  std::set<std::string> names_;
+};
+
+/// One call of DialectReader::read.
+class Reading {
+ public:
+  Reading(const std::vector<fs::path>& folders, DiagnosticSink& sink) : folders_(folders), report_(sink) {}
+
+  std::optional<Dialect> read(const std::string& name) {
+    const fs::path file = names_a_file(name) ? fs::path(name) : search(name, folders_);
+    if (file.empty()) {
+      not_found(name, {});
+      return std::nullopt;
+    }
+    std::optional<Dialect> dialect = read_file(file, {});
+    return report_.failed ? std::nullopt : std::move(dialect);
+  }
+
+ private:
+  std::optional<Dialect> read_file(const fs::path& path, const Location& asked_at) {
+    const std::string id = identity(path);
+    const auto open = std::find(open_.begin(), open_.end(), id);
+    if (open != open_.end()) {
+      std::string way;
+      for (auto it = open; it != open_.end(); ++it) way += fs::path(*it).stem().string() + " → ";
+      report_("IG-0111", asked_at, {way + path.stem().string()});
+      return std::nullopt;
+    }
+    if (open_.size() > most_ancestors) {
+      report_("IG-0105", asked_at, {"the dialect", fmt::format("{} ancestors", most_ancestors)});
+      return std::nullopt;
+    }
+    const std::unique_ptr<XmlSource> xml = XmlSource::open(path, asked_at, budget_, report_.sink());
+    if (xml == nullptr) {
+      report_.failed = true;
+      return std::nullopt;
+    }
+    DialectFile file = read_dialect_file(*xml, budget_, report_);
+    if (file.extends.empty()) return finish_root(std::move(file));
+    const fs::path base_path = find_base(file);
+    if (base_path.empty()) return std::nullopt;
+    open_.push_back(id);
+    std::optional<Dialect> base = read_file(base_path, file.extends_where);
+    open_.pop_back();
+    if (!base) return std::nullopt;
+    return fold(std::move(*base), std::move(file));
+  }
+
+  Dialect finish_root(DialectFile file) {
+    std::set<std::string> names;
+    for (const ChainElement& element : file.own.chain) {
+      if (names.insert(element.alias).second) continue;
+      const auto first = std::find_if(file.own.chain.begin(), file.own.chain.end(),
+                                      [&](const ChainElement& e) { return e.alias == element.alias; });
+      report_("IG-0113", element.where, {shown(element.alias), fmt::format("line {}", first->where.line)},
+              fmt::format("<{} as=\"…\">", shown(element.syntax)));
+    }
+    if (file.own.segmenter.type.empty()) file.own.segmenter.type = "line";
+    return std::move(file.own);
+  }
+
+  /// `base` with the file's own parts on top.
+  Dialect fold(Dialect base, DialectFile file) {
+    Dialect& own = file.own;
+    base.ancestors.insert(base.ancestors.begin(), base.name);
+    base.name = own.name;
+    if (!own.title.empty()) base.title = own.title;
+    base.file = own.file;
+    if (!own.segmenter.type.empty()) base.segmenter = own.segmenter;
+    if (file.has_files) {
+      if (!own.extensions.empty()) base.extensions = own.extensions;
+      base.signatures = own.signatures;
+    }
+    for (PluginReference& plugin : own.plugins) {
+      if (std::none_of(base.plugins.begin(), base.plugins.end(),
+                       [&](const PluginReference& p) { return p.name == plugin.name; }))
+        base.plugins.push_back(std::move(plugin));
+    }
+    for (InitialField& field : own.initial) {
+      const auto old = std::find_if(base.initial.begin(), base.initial.end(),
+                                    [&](const InitialField& f) { return f.path == field.path; });
+      if (old == base.initial.end()) {
+        base.initial.push_back(std::move(field));
+      } else {
+        *old = std::move(field);
+      }
+    }
+    for (const auto& [code, severity] : own.severities) base.severities[code] = severity;
+    fold_dependencies(base.dependencies, std::move(own.dependencies), file.dependency_edits);
+    Editor chain(base.chain, report_);
+    for (const Edit<ChainElement>& edit : file.chain_edits) chain.apply(edit);
+    return base;
+  }
+
+  /// The file's own stand before the inherited ones. An inherited one of the same name could never answer: it goes.
+  void fold_dependencies(std::vector<DependencyElement>& inherited, std::vector<DependencyElement> own,
+                         const std::vector<Edit<DependencyElement>>& edits) {
+    {
+      Editor editor(inherited, report_);
+      for (const Edit<DependencyElement>& edit : edits) editor.apply(edit);
+    }
+    std::set<std::string> names;
+    for (const DependencyElement& element : own) names.insert(element.alias);
+    std::erase_if(inherited, [&](const DependencyElement& e) { return names.count(e.alias) > 0; });
+    inherited.insert(inherited.begin(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
+  }
+
+  fs::path find_base(const DialectFile& file) {
+    const fs::path folder = file.own.file.parent_path();
+    if (!names_a_file(file.extends)) {
+      // Beside the file that asks, then in the folders.
+      std::vector<fs::path> places = folders_;
+      places.insert(places.begin(), folder);
+      fs::path found = search(file.extends, places);
+      if (found.empty()) not_found(file.extends, file.extends_where);
+      return found;
+    }
+    fs::path path = (folder / file.extends).lexically_normal();
+    const bool allowed =
+        !fs::path(file.extends).is_absolute() &&
+        (!below_folder_of(file.own.file.string(), file.extends).empty() ||
+         std::any_of(folders_.begin(), folders_.end(), [&](const fs::path& f) { return is_below(path, f); }));
+    if (allowed) return path;
+    report_("IG-0117", file.extends_where, {shown(file.extends), "the dialect's folder and the dialect folders"});
+    return {};
+  }
+
+  static fs::path search(const std::string& name, const std::vector<fs::path>& places) {
+    for (const fs::path& folder : places) {
+      fs::path file = folder / (name + ".xml");
+      if (is_file(file)) return file;
+    }
+    return {};
+  }
+
+  void not_found(const std::string& name, const Location& asked_at) {
+    std::string places;
+    std::vector<std::string> names;
+    for (const fs::path& folder : folders_) {
+      places += (places.empty() ? "" : ", ") + folder.string();
+      std::error_code error;
+      for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+        if (it->path().extension() == ".xml") names.push_back(it->path().stem().string());
+    }
+    report_("IG-0101", asked_at, {shown(name), places.empty() ? "there are none" : places}, meant(name, names));
+  }
+
+  const std::vector<fs::path>& folders_;
+  Report report_;
+  XmlBudget budget_;
+  std::vector<std::string> open_;
+};
+
+}  // namespace
+
+DialectReader::DialectReader(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
+
+std::optional<Dialect> DialectReader::read(const std::string& name, DiagnosticSink& sink) const {
+  return Reading(folders_, sink).read(name);
+}
+
+std::vector<Dialect> DialectReader::list() const {
+  std::vector<Dialect> all;
+  std::set<std::string> names;
+  for (const fs::path& folder : folders_) {
+    std::error_code error;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+      if (it->path().extension() != ".xml") continue;
+      DiagnosticList unheard;
+      XmlBudget budget;
+      const std::unique_ptr<XmlSource> xml = XmlSource::open(it->path(), {}, budget, unheard);
+      // Tables lie beside the dialects.
+      if (xml == nullptr || std::string_view(xml->root().name()) != "Dialect") continue;
+      Report report(unheard);
+      Dialect dialect = read_dialect_head(*xml, report);
+      // It is found by its file's name, so that is the name it has here.
+      dialect.name = it->path().stem().string();
+      if (names.insert(dialect.name).second) all.push_back(std::move(dialect));
+    }
+  }
+  std::sort(all.begin(), all.end(), [](const Dialect& a, const Dialect& b) { return a.name < b.name; });
+  return all;
+}
+
+std::vector<DependencyElement> DialectReader::read_dependencies(const std::filesystem::path& file,
+                                                                DiagnosticSink& sink) const {
+  XmlBudget budget;
+  Report report(sink);
+  const std::unique_ptr<XmlSource> xml = XmlSource::open(file, {}, budget, sink, Pipes::read);
+  if (xml == nullptr) return {};
+  std::vector<DependencyElement> all = read_dependency_file(*xml, budget, report);
+  return report.failed ? std::vector<DependencyElement>{} : all;
+}
+
+}  // namespace isogloss

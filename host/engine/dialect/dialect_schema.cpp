@@ -1,0 +1,300 @@
+// The XML Schema of dialect files. What a schema cannot say (anchors that exist, orders, services) the reader and the
+// linker check.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <pugixml.hpp>
+#include <sstream>
+#include <vector>
+
+#include "dialect/xml_source.hpp"
+#include "isogloss/engine/dialect.hpp"
+#include "isogloss/engine/library.hpp"
+#include "isogloss/engine/schema.hpp"
+
+namespace isogloss {
+namespace {
+
+// What no plugin has a say in. The places for syntaxes and dependencies are groups that follow.
+constexpr const char* schema_frame = R"(
+<xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema" xmlns="urn:isogloss:dialect:1"
+           targetNamespace="urn:isogloss:dialect:1" elementFormDefault="qualified">
+  <xs:element name="Dialect">
+    <xs:annotation><xs:documentation>A controller dialect: which plugins, which tables, which syntaxes in which order. Relative paths resolve against the file that holds them.</xs:documentation></xs:annotation>
+    <xs:complexType>
+      <xs:all>
+        <xs:element name="Files" type="dialect.Files" minOccurs="0"/>
+        <xs:element name="Segmenter" type="dialect.Segmenter" minOccurs="0"/>
+        <xs:element name="Plugins" type="dialect.Plugins" minOccurs="0"/>
+        <xs:element ref="Dependencies" minOccurs="0"/>
+        <xs:element name="Initial" type="dialect.Initial" minOccurs="0"/>
+        <xs:element name="Severities" type="dialect.Severities" minOccurs="0"/>
+        <xs:element name="Chain" type="dialect.Chain" minOccurs="0"/>
+      </xs:all>
+      <xs:attribute name="name" type="dialect.Text" use="required"/>
+      <xs:attribute name="title" type="xs:string"/>
+      <xs:attribute name="extends" type="dialect.Text"><xs:annotation><xs:documentation>The dialect that this one inherits chain, plugins, dependencies and initial state from: a name, or a file.</xs:documentation></xs:annotation></xs:attribute>
+    </xs:complexType>
+  </xs:element>
+  <xs:element name="Dependencies">
+    <xs:annotation><xs:documentation>Named parts that answer questions. The nearest provider of a service wins: one's own before inherited ones, in written order.</xs:documentation></xs:annotation>
+    <xs:complexType>
+      <xs:choice minOccurs="0" maxOccurs="unbounded">
+        <xs:group ref="dialect.Dependency"/>
+        <xs:element name="Replace"><xs:complexType>
+          <xs:group ref="dialect.Dependency" maxOccurs="unbounded"/>
+          <xs:attribute name="dependency" type="dialect.Text" use="required"/>
+        </xs:complexType></xs:element>
+        <xs:element name="Remove"><xs:complexType>
+          <xs:attribute name="dependency" type="dialect.Text" use="required"/>
+        </xs:complexType></xs:element>
+        <xs:element name="Configure"><xs:complexType>
+          <xs:attribute name="dependency" type="dialect.Text" use="required"/>
+          <xs:anyAttribute namespace="##local" processContents="skip"/>
+        </xs:complexType></xs:element>
+      </xs:choice>
+    </xs:complexType>
+  </xs:element>
+  <xs:complexType name="dialect.Files">
+    <xs:annotation><xs:documentation>How a program of this dialect is recognised.</xs:documentation></xs:annotation>
+    <xs:sequence>
+      <xs:element name="Signature" minOccurs="0" maxOccurs="unbounded"><xs:complexType>
+        <xs:attribute name="pattern" type="dialect.Text" use="required"><xs:annotation><xs:documentation>Shell pattern (* ? [0-9]) for a line in the head of a program.</xs:documentation></xs:annotation></xs:attribute>
+      </xs:complexType></xs:element>
+    </xs:sequence>
+    <xs:attribute name="extensions"><xs:annotation><xs:documentation>Endings of file names, separated by blanks.</xs:documentation></xs:annotation>
+      <xs:simpleType><xs:restriction base="xs:token"><xs:pattern value="(\.[^/ ]+( \.[^/ ]+)*)?"/></xs:restriction></xs:simpleType>
+    </xs:attribute>
+  </xs:complexType>
+  <xs:complexType name="dialect.Segmenter">
+    <xs:annotation><xs:documentation>How text is cut into blocks.</xs:documentation></xs:annotation>
+    <xs:attribute name="type" use="required"><xs:simpleType><xs:restriction base="xs:string"><xs:enumeration value="line"/></xs:restriction></xs:simpleType></xs:attribute>
+    <xs:attribute name="continuation" type="dialect.Mark"><xs:annotation><xs:documentation>A line that ends in this mark goes on in the next one: both are one block. Without it each line is a block.</xs:documentation></xs:annotation></xs:attribute>
+    <xs:attribute name="comment" type="dialect.Mark"><xs:annotation><xs:documentation>What begins a comment, which may stand behind the mark.</xs:documentation></xs:annotation></xs:attribute>
+  </xs:complexType>
+  <xs:simpleType name="dialect.Mark"><xs:restriction base="xs:string"><xs:pattern value="[^ \t\r\n]{1,8}"/></xs:restriction></xs:simpleType>
+  <xs:complexType name="dialect.Plugins">
+    <xs:sequence>
+      <xs:element name="Plugin" minOccurs="0" maxOccurs="unbounded"><xs:complexType>
+        <xs:attribute name="name" use="required"><xs:simpleType><xs:restriction base="xs:string"><xs:pattern value="[^/]+"/></xs:restriction></xs:simpleType></xs:attribute>
+      </xs:complexType></xs:element>
+    </xs:sequence>
+  </xs:complexType>
+  <xs:complexType name="dialect.Initial">
+    <xs:annotation><xs:documentation>Field values of a block before the first: the modal state at power-on.</xs:documentation></xs:annotation>
+    <xs:sequence>
+      <xs:element name="Field" minOccurs="0" maxOccurs="unbounded"><xs:complexType>
+        <xs:attribute name="path" use="required"><xs:simpleType><xs:restriction base="xs:string"><xs:pattern value="[^. ]+(\.[^. ]+)+"/></xs:restriction></xs:simpleType></xs:attribute>
+        <xs:attribute name="value" type="dialect.Text" use="required"/>
+      </xs:complexType></xs:element>
+    </xs:sequence>
+  </xs:complexType>
+  <xs:complexType name="dialect.Severities">
+    <xs:annotation><xs:documentation>Severities of diagnostics that differ from their tables.</xs:documentation></xs:annotation>
+    <xs:sequence>
+      <xs:element name="Severity" minOccurs="0" maxOccurs="unbounded"><xs:complexType>
+        <xs:attribute name="code" type="dialect.Text" use="required"/>
+        <xs:attribute name="is" use="required"><xs:simpleType><xs:restriction base="xs:string"><xs:enumeration value="note"/><xs:enumeration value="warning"/><xs:enumeration value="error"/></xs:restriction></xs:simpleType></xs:attribute>
+      </xs:complexType></xs:element>
+    </xs:sequence>
+  </xs:complexType>
+  <xs:complexType name="dialect.Chain">
+    <xs:annotation><xs:documentation>The syntaxes in the order in which they run, by stage; in a dialect that extends another, edits of the inherited chain in written order.</xs:documentation></xs:annotation>
+    <xs:choice>
+      <xs:sequence>
+        <xs:element name="Parsing" type="dialect.Syntaxes" minOccurs="0"/>
+        <xs:element name="Evaluation" type="dialect.Syntaxes" minOccurs="0"/>
+        <xs:element name="Logic" type="dialect.Syntaxes" minOccurs="0"/>
+        <xs:element name="PostLogic" type="dialect.Syntaxes" minOccurs="0"/>
+        <xs:element name="Inspection" type="dialect.Syntaxes" minOccurs="0"/>
+      </xs:sequence>
+      <xs:choice maxOccurs="unbounded">
+        <xs:element name="Replace" type="dialect.PutIn"/>
+        <xs:element name="InsertBefore" type="dialect.PutIn"/>
+        <xs:element name="InsertAfter" type="dialect.PutIn"/>
+        <xs:element name="Remove"><xs:complexType><xs:attribute name="syntax" type="dialect.Text" use="required"/></xs:complexType></xs:element>
+        <xs:element name="Configure"><xs:complexType>
+          <xs:attribute name="syntax" type="dialect.Text" use="required"/>
+          <xs:anyAttribute namespace="##local" processContents="skip"/>
+        </xs:complexType></xs:element>
+      </xs:choice>
+    </xs:choice>
+  </xs:complexType>
+  <xs:complexType name="dialect.PutIn">
+    <xs:group ref="dialect.Syntax" maxOccurs="unbounded"/>
+    <xs:attribute name="syntax" type="dialect.Text" use="required"/>
+  </xs:complexType>
+  <xs:complexType name="dialect.Syntaxes">
+    <xs:group ref="dialect.Syntax" minOccurs="0" maxOccurs="unbounded"/>
+  </xs:complexType>
+  <xs:attributeGroup name="dialect.Instance">
+    <xs:attribute name="as" type="dialect.Alias"><xs:annotation><xs:documentation>The name that edits and explanations use, when the element stands more than once.</xs:documentation></xs:annotation></xs:attribute>
+  </xs:attributeGroup>
+  <xs:attributeGroup name="dialect.Slot">
+    <xs:attribute name="override" type="dialect.Boolean"><xs:annotation><xs:documentation>true: may claim an exclusive slot that another syntax holds, or take a code that another one takes.</xs:documentation></xs:annotation></xs:attribute>
+  </xs:attributeGroup>
+  <xs:attributeGroup name="dialect.Table">
+    <xs:attribute name="src" type="dialect.Text"><xs:annotation><xs:documentation>A file beside or below this one whose root element has this element's name and holds the rows.</xs:documentation></xs:annotation></xs:attribute>
+  </xs:attributeGroup>
+  <xs:simpleType name="dialect.Text"><xs:restriction base="xs:string"><xs:minLength value="1"/></xs:restriction></xs:simpleType>
+  <xs:simpleType name="dialect.Alias"><xs:restriction base="xs:string"><xs:pattern value="\S+"/></xs:restriction></xs:simpleType>
+  <xs:simpleType name="dialect.Boolean"><xs:restriction base="xs:string"><xs:enumeration value="true"/><xs:enumeration value="false"/></xs:restriction></xs:simpleType>
+</xs:schema>)";
+
+/// Without exponent, which xs:decimal does not know.
+std::string decimal(double value) {
+  char text[512];
+  const auto [end, error] = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed);
+  return {text, end};
+}
+
+pugi::xml_node add(pugi::xml_node parent, const char* element, const char* name = nullptr) {
+  pugi::xml_node node = parent.append_child(element);
+  if (name != nullptr) set_attribute(node, "name", name);
+  return node;
+}
+
+void document(pugi::xml_node node, const std::string& text) {
+  if (text.empty()) return;
+  add(add(node, "xs:annotation"), "xs:documentation").text().set(text.c_str());
+}
+
+void add_range(pugi::xml_node restriction, double minimum, double maximum) {
+  if (std::isfinite(minimum)) set_attribute(add(restriction, "xs:minInclusive"), "value", decimal(minimum));
+  if (std::isfinite(maximum)) set_attribute(add(restriction, "xs:maxInclusive"), "value", decimal(maximum));
+}
+
+pugi::xml_node restrict_to(pugi::xml_node attribute, const char* base) {
+  pugi::xml_node restriction = add(add(attribute, "xs:simpleType"), "xs:restriction");
+  set_attribute(restriction, "base", base);
+  return restriction;
+}
+
+std::string with_unit(const char* doc, const char* unit) {
+  return *unit == '\0' ? std::string(doc) : fmt::format("{} [{}]", doc, unit);
+}
+
+void add_option(pugi::xml_node type, const ig_option_decl& option) {
+  pugi::xml_node attribute = add(type, "xs:attribute", option.name);
+  // An inherited element may get it from a Configure, so a schema cannot ask for it.
+  std::string doc = with_unit(option.doc, option.unit);
+  if (option.fallback == nullptr) doc += doc.empty() ? "Required." : " Required.";
+  if (option.fallback != nullptr) set_attribute(attribute, "default", option.fallback);
+  switch (option.type) {
+    case IG_OPTION_BOOLEAN: set_attribute(attribute, "type", "dialect.Boolean"); return document(attribute, doc);
+    case IG_OPTION_CHOICE: {
+      document(attribute, doc);
+      pugi::xml_node restriction = restrict_to(attribute, "xs:string");
+      std::istringstream choices(option.choices);
+      for (std::string choice; std::getline(choices, choice, '|');)
+        set_attribute(add(restriction, "xs:enumeration"), "value", choice);
+      return;
+    }
+    case IG_OPTION_NUMBER:
+      document(attribute, doc);
+      return add_range(restrict_to(attribute, "xs:decimal"), option.minimum, option.maximum);
+    case IG_OPTION_INTEGER: {
+      document(attribute, doc);
+      pugi::xml_node restriction = restrict_to(attribute, "xs:integer");
+      set_attribute(add(restriction, "xs:pattern"), "value", "-?[0-9]+");
+      return add_range(restriction, option.minimum, option.maximum);
+    }
+    case IG_OPTION_FIELDS:
+      set_attribute(attribute, "type", "xs:string");
+      return document(attribute, doc + " Field patterns, separated by blanks.");
+    default: set_attribute(attribute, "type", "xs:string"); return document(attribute, doc);
+  }
+}
+
+void add_attribute_group(pugi::xml_node type, const char* group) {
+  set_attribute(add(type, "xs:attributeGroup"), "ref", group);
+}
+
+void add_syntax_type(pugi::xml_node schema, const ig_syntax& syntax, const ig_plugin& plugin) {
+  pugi::xml_node type = add(schema, "xs:complexType", fmt::format("syntax.{}", syntax.id).c_str());
+  document(type, fmt::format("{} (plugin {})", syntax.summary, plugin.name));
+  add_attribute_group(type, "dialect.Instance");
+  add_attribute_group(type, "dialect.Slot");
+  for (std::uint32_t i = 0; i < syntax.option_count; ++i) add_option(type, syntax.options[i]);
+}
+
+void add_row(pugi::xml_node type, const ig_dependency& dependency) {
+  pugi::xml_node row = add(add(type, "xs:sequence"), "xs:element", dependency.row_element);
+  set_attribute(row, "minOccurs", "0");
+  set_attribute(row, "maxOccurs", "unbounded");
+  pugi::xml_node row_type = add(row, "xs:complexType");
+  pugi::xml_node key = add(row_type, "xs:attribute", dependency.row_key);
+  set_attribute(key, "type", "dialect.Text");
+  set_attribute(key, "use", "required");
+  for (std::uint32_t i = 0; i < dependency.column_count; ++i) {
+    const ig_column_decl& column = dependency.columns[i];
+    pugi::xml_node attribute = add(row_type, "xs:attribute", column.name);
+    document(attribute, with_unit(column.doc, column.unit));
+    if (column.is_text != 0) {
+      set_attribute(attribute, "type", "xs:string");
+    } else {
+      add_range(restrict_to(attribute, "xs:decimal"), column.minimum, column.maximum);
+    }
+  }
+}
+
+void add_dependency_type(pugi::xml_node schema, const ig_dependency& dependency, const ig_plugin& plugin) {
+  pugi::xml_node type = add(schema, "xs:complexType", fmt::format("dependency.{}", dependency.id).c_str());
+  document(type, fmt::format("{} (plugin {})", dependency.summary, plugin.name));
+  if (dependency.row_element != nullptr) add_row(type, dependency);
+  add_attribute_group(type, "dialect.Instance");
+  add_attribute_group(type, "dialect.Table");
+  for (std::uint32_t i = 0; i < dependency.option_count; ++i) add_option(type, dependency.options[i]);
+}
+
+template <class Part>
+using Owned = std::pair<const Part*, const ig_plugin*>;
+
+template <class Part>
+void sort_by_id(std::vector<Owned<Part>>& parts) {
+  std::sort(parts.begin(), parts.end(),
+            [](const auto& a, const auto& b) { return std::string_view(a.first->id) < b.first->id; });
+}
+
+void add_parts(pugi::xml_node schema, const Library& library) {
+  std::vector<Owned<ig_syntax>> syntaxes;
+  std::vector<Owned<ig_dependency>> dependencies;
+  for (const LoadedPlugin& loaded : library.plugins()) {
+    const ig_plugin& plugin = *loaded.plugin;
+    for (std::uint32_t i = 0; i < plugin.syntax_count; ++i) syntaxes.emplace_back(plugin.syntaxes[i], &plugin);
+    for (std::uint32_t i = 0; i < plugin.dependency_count; ++i)
+      dependencies.emplace_back(plugin.dependencies[i], &plugin);
+  }
+  sort_by_id(syntaxes);
+  sort_by_id(dependencies);
+
+  pugi::xml_node syntax_choice = add(add(schema, "xs:group", "dialect.Syntax"), "xs:choice");
+  for (const auto& [syntax, plugin] : syntaxes)
+    set_attribute(add(syntax_choice, "xs:element", syntax->id), "type", fmt::format("syntax.{}", syntax->id));
+  pugi::xml_node dependency_choice = add(add(schema, "xs:group", "dialect.Dependency"), "xs:choice");
+  for (const auto& [dependency, plugin] : dependencies)
+    set_attribute(dependency_choice.append_child("xs:element"), "ref", dependency->id);
+
+  for (const auto& [syntax, plugin] : syntaxes) add_syntax_type(schema, *syntax, *plugin);
+  for (const auto& [dependency, plugin] : dependencies) {
+    // Global elements: a table file in this namespace can be validated on its own.
+    set_attribute(add(schema, "xs:element", dependency->id), "type", fmt::format("dependency.{}", dependency->id));
+    add_dependency_type(schema, *dependency, *plugin);
+  }
+}
+
+}  // namespace
+
+std::string dialect_schema(const Library& library) {
+  pugi::xml_document document;
+  document.load_string(schema_frame);
+  document.prepend_child(pugi::node_comment).set_value(" Generated by `isogloss schema dialect`. ");
+  add_parts(document.document_element(), library);
+  std::ostringstream out;
+  document.save(out, "  ", pugi::format_indent, pugi::encoding_utf8);
+  return out.str();
+}
+
+}  // namespace isogloss

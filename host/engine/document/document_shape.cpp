@@ -1,0 +1,220 @@
+#include "document/document_shape.hpp"
+
+namespace isogloss {
+
+namespace {
+
+constexpr std::string_view frames_prefix = "ProgramToMcTransform.";
+
+ShapeNode& child_of(std::vector<ShapeNode>& nodes, std::string_view name) {
+  const auto found = std::find_if(nodes.begin(), nodes.end(), [&](const ShapeNode& n) { return n.name == name; });
+  if (found != nodes.end()) return *found;
+  nodes.push_back({});
+  nodes.back().name = name;
+  return nodes.back();
+}
+
+/// The node that a path leads to, made on the way. A code keeps its decimals in one name.
+ShapeNode& node_at(std::vector<ShapeNode>& nodes, std::string_view path) {
+  std::vector<ShapeNode>* level = &nodes;
+  while (true) {
+    // The longest name counts: a code with decimals may stand beside the one without.
+    ShapeNode* code = nullptr;
+    for (ShapeNode& node : *level) {
+      if (node.kind != ShapeNode::Kind::code || !path.starts_with(node.name)) continue;
+      if (path.size() == node.name.size()) return node;
+      if (path[node.name.size()] == '.' && (code == nullptr || node.name.size() > code->name.size())) code = &node;
+    }
+    if (code != nullptr) return node_at(code->children, path.substr(code->name.size() + 1));
+    const std::size_t point = path.find('.');
+    if (point == std::string_view::npos) return child_of(*level, path);
+    level = &child_of(*level, path.substr(0, point)).children;
+    path.remove_prefix(point + 1);
+  }
+}
+
+void add_mask(std::vector<ShapeNode::Mask>& masks, std::uint32_t word, std::uint64_t bits) {
+  for (ShapeNode::Mask& m : masks) {
+    if (m.word != word) continue;
+    m.bits |= bits;
+    return;
+  }
+  masks.push_back({word, bits});
+}
+void add_field(std::vector<ShapeNode::Mask>& masks, ig_field f) {
+  add_mask(masks, f >> 6, std::uint64_t{1} << (f & 63));
+}
+
+/// Every section knows the fields below it, so that one without values costs a test.
+void collect_fields(ShapeNode& node) {
+  using enum ShapeNode::Kind;
+  if (node.kind == code) add_field(node.codes, node.field);
+  for (ShapeNode& child : node.children) {
+    if (child.kind == field) add_field(node.fields, child.field);
+    node.has_lists |= child.kind == list;
+    if (child.kind != section && child.kind != code) continue;
+    collect_fields(child);
+    for (const ShapeNode::Mask& m : child.fields) add_mask(node.fields, m.word, m.bits);
+    for (const ShapeNode::Mask& m : child.codes) add_mask(node.codes, m.word, m.bits);
+    node.has_lists |= child.has_lists;
+  }
+}
+
+bool is_owner(const FieldInfo& info) {
+  return info.type == IG_CODE && info.path.starts_with(parsing_prefix) && !info.path.starts_with(flags_prefix);
+}
+
+bool is_flag(const FieldInfo& info) {
+  return !info.hidden && info.type == IG_CODE && info.path.starts_with(flags_prefix);
+}
+
+bool shows_as_value(const FieldInfo& info) {
+  return !info.hidden && info.type != IG_CODE && info.type != IG_TRANSFORM && info.type != IG_SWITCH;
+}
+
+std::size_t rank(const std::string& section) {
+  const std::vector<std::string>& order = section_order();
+  return static_cast<std::size_t>(std::find(order.begin(), order.end(), section) - order.begin());
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
+
+}  // namespace
+
+std::vector<ShapeNode> document_shape(const Layout& layout) {
+  using enum ShapeNode::Kind;
+  std::vector<ShapeNode> sections;
+  child_of(sections, "Source");
+  child_of(sections, "UnparsedText").kind = unparsed;
+  ShapeNode& parsing = child_of(sections, "Parsing");
+  child_of(parsing.children, "Flags").kind = flags;
+  std::vector<ig_field> owners;
+  for (ig_field f = 0; f < layout.fields.size(); ++f)
+    if (!layout.fields[f].hidden && is_owner(layout.fields[f])) owners.push_back(f);
+  // The words that stand for themselves come before the codes that own some.
+  for (const ig_field f : layout.shown) {
+    const std::string_view path = layout.fields[f].path;
+    if (!path.starts_with(parsing_prefix) || path.find('.', parsing_prefix.size()) != std::string_view::npos) continue;
+    if (shows_as_value(layout.fields[f])) child_of(parsing.children, path.substr(parsing_prefix.size()));
+  }
+  for (const ig_field f : owners) {
+    ShapeNode& node = child_of(parsing.children, std::string_view(layout.fields[f].path).substr(parsing_prefix.size()));
+    node.kind = code;
+    node.field = f;
+  }
+  for (const ig_field f : layout.shown) {
+    if (!shows_as_value(layout.fields[f])) continue;
+    ShapeNode& node = node_at(sections, layout.fields[f].path);
+    node.kind = field;
+    node.field = f;
+  }
+  for (std::size_t i = 0; i < layout.lists.size(); ++i) {
+    ShapeNode& node = node_at(sections, layout.lists[i].path);
+    node.kind = list;
+    node.field = static_cast<ig_field>(i);
+    node.children = record_shape(layout.lists[i]);
+  }
+  ShapeNode& frames = child_of(sections, frames_prefix.substr(0, frames_prefix.size() - 1));
+  frames.kind = transforms;
+  frames.children.clear();
+  std::stable_sort(sections.begin(), sections.end(),
+                   [](const ShapeNode& a, const ShapeNode& b) { return rank(a.name) < rank(b.name); });
+  for (ShapeNode& s : sections) {
+    collect_fields(s);
+    s.is_parsing = s.name == "Parsing";
+    if (!s.is_parsing) continue;
+    for (ig_field f = 0; f < layout.fields.size(); ++f)
+      if (is_flag(layout.fields[f])) add_field(s.codes, f);
+  }
+  return sections;
+}
+
+std::vector<ShapeNode> record_shape(const ListInfo& list) {
+  std::vector<ShapeNode> nodes;
+  for (std::size_t i = 0; i < list.fields.size(); ++i) {
+    if (list.fields[i].hidden || list.fields[i].type == IG_TEXT) continue;
+    ShapeNode& node = node_at(nodes, list.fields[i].path);
+    node.kind = ShapeNode::Kind::field;
+    node.field = static_cast<ig_field>(i);
+  }
+  for (ShapeNode& node : nodes) collect_fields(node);
+  return nodes;
+}
+
+std::string leftover_value(const Leftover& left, std::string_view source) {
+  if (left.begin >= left.end || left.end > source.size()) return left.value;
+  std::string_view written = source.substr(left.begin, left.end - left.begin);
+  const std::size_t point = left.kind == IG_LEFT_WORD || left.kind == IG_LEFT_EXPRESSION ? left.name.rfind('.') : 0;
+  const std::string_view name = std::string_view(left.name).substr(point == std::string::npos ? 0 : point + 1);
+  std::size_t at = 0;
+  for (const char c : name) {
+    while (at < written.size() && (written[at] == ' ' || written[at] == '\t')) ++at;
+    if (at == written.size() || lower(written[at]) != lower(c)) return std::string(written);
+    ++at;
+  }
+  written = trimmed(written.substr(at));
+  if (written.starts_with('=')) written = trimmed(written.substr(1));
+  return std::string(written);
+}
+
+std::string unparsed_text(const Document& document) {
+  std::string all;
+  for (const Leftover& left : document.leftovers) {
+    if (left.kind != IG_LEFT_TEXT && left.kind != IG_LEFT_STATEMENT) continue;
+    const std::string_view text = trimmed(left.name);
+    if (text.empty()) continue;
+    if (!all.empty()) all += ' ';
+    all += text;
+  }
+  return all;
+}
+
+std::vector<std::string> open_codes(const Document& document, const std::vector<ig_field>& flags) {
+  struct Open {
+    std::uint32_t begin, end;
+    std::int64_t ordinal;
+    std::string_view name;
+  };
+  std::vector<Open> known;
+  for (const ig_field f : flags) {
+    if (!document.present(f) || document.taken(f)) continue;
+    known.push_back({document.word_begin(f), document.word_end(f), document.value(f).integer,
+                     std::string_view(document.layout().fields[f].path).substr(flags_prefix.size())});
+  }
+  std::stable_sort(known.begin(), known.end(), [](const Open& a, const Open& b) { return a.ordinal < b.ordinal; });
+  for (const Leftover& left : document.leftovers) {
+    if (left.kind != IG_LEFT_UNKNOWN && left.kind != IG_LEFT_CODE) continue;
+    // Without columns (a document read from JSON) `begin` counts the codes before it.
+    const bool has_place = left.begin < left.end;
+    const auto follows = std::find_if(known.begin(), known.end(), [&](const Open& code) {
+      if (has_place) return code.begin < code.end && code.begin > left.begin;
+      return code.ordinal > std::int64_t{left.begin};
+    });
+    known.insert(follows, {left.begin, left.end, has_place ? 0 : std::int64_t{left.begin}, left.name});
+  }
+  std::vector<std::string> names;
+  for (const Open& code : known) names.emplace_back(code.name);
+  return names;
+}
+
+DocumentView::DocumentView(const Layout& layout) : sections_(document_shape(layout)), transforms_(layout.transforms) {
+  for (ig_field f = 0; f < layout.fields.size(); ++f)
+    if (is_flag(layout.fields[f])) flags_.push_back(f);
+}
+
+bool DocumentView::has_open_codes(const Document& d) const {
+  for (const Leftover& left : d.leftovers)
+    if (left.kind == IG_LEFT_UNKNOWN || left.kind == IG_LEFT_CODE) return true;
+  std::uint64_t open = 0;
+  for (std::uint32_t w = 0; w < d.words(); ++w) open |= d.bits(w).present & d.bits(w).codes & ~d.bits(w).taken;
+  return open != 0 &&
+         std::any_of(flags_.begin(), flags_.end(), [&](ig_field f) { return d.present(f) && !d.taken(f); });
+}
+
+}  // namespace isogloss

@@ -1,0 +1,477 @@
+#include "run/flow.hpp"
+
+#include <algorithm>
+
+namespace isogloss {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uintmax_t held_in_memory = 64 * 1024;  // files up to this size need no descriptor of their own
+
+std::string_view view(const ig_text& text) { return {text.data, text.size}; }
+
+/// A small file, read once.
+class HeldFile : public Source {
+ public:
+  explicit HeldFile(Source& from) {
+    char buffer[4096];
+    while (const std::size_t n = from.read(buffer, sizeof buffer)) text_.append(buffer, n);
+    failure_ = from.failure();
+  }
+  std::string failure() const override { return failure_; }
+  std::size_t read(char*, std::size_t) override { return 0; }
+  bool has_places() const override { return true; }
+  std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t size) override {
+    return offset < text_.size() ? text_.copy(buffer, size, offset) : 0;
+  }
+
+ private:
+  std::string text_, failure_;
+};
+
+}  // namespace
+
+Flow::Flow(const LinkedDialect& linked, Source& source, const std::string& name, const RunOptions& options,
+           DiagnosticSink& sink)
+    : linked_(linked), options_(options), sink_(sink) {
+  if (!source.has_places()) spool_ = std::make_unique<Spool>(source);
+  ProgramFile& file = files_.emplace_back();
+  file.name = name;
+  file.source = spool_ != nullptr ? spool_.get() : &source;
+  frame_ = frames_.emplace_back(std::make_unique<Frame>()).get();
+  frame_->file = &file;
+  frame_->id = ++last_id_;
+  cursor_ = &frame_->cursor;
+  cursor_->open(*file.source, options_.maximum_line_bytes, linked_.dialect.segmenter);
+}
+
+std::uint64_t Flow::bytes() const {
+  std::uint64_t sum = 0;
+  for (const auto& frame : frames_) sum += frame->cursor.bytes();
+  return sum;
+}
+
+bool Flow::select_program(const std::string& name) {
+  const std::string label = indexer().program_name(name);
+  const std::optional<Place> at = labels(files_[0]).program(label.empty() ? name : label);
+  if (!at) return false;
+  frame_->start = *at;
+  reached_.insert(*at);
+  seek(*at);
+  return true;
+}
+
+// ---- requests
+
+std::int32_t Flow::go(const Document& document, ig_go& request) {
+  const bool is_built = &document == &document.chain->document() && document.current <= linked_.post_logic_begin;
+  if (!is_built) return not_found(request, "where the run goes on is settled before post-logic");
+  if (request.kind == IG_ASK_LABEL) return ask_label(request);
+  if (has_request()) return IG_GO_TAKEN;
+  switch (request.kind) {
+    case IG_GO_CALL: return call(document, request);
+    case IG_GO_RETURN: return leave(request);
+    case IG_GO_LABEL:
+    case IG_GO_PLACE:
+    case IG_GO_START: return jump(request);
+    default: return not_found(request, "this host knows no such request");
+  }
+}
+
+std::int32_t Flow::ask_label(ig_go& request) {
+  const bool found = labels(*frame_->file).find(view(request.label), here_, request.search).has_value();
+  if (frame_->file->source->is_lost()) return IG_GO_REFUSED;
+  return found ? std::int32_t{IG_GO_DONE} : not_found(request, "looked in this program, " + frame_->file->name);
+}
+
+std::int32_t Flow::not_found(ig_go& request, std::string reason) {
+  reason_ = std::move(reason);
+  request.reason = {reason_.data(), reason_.size()};
+  return IG_GO_NOT_FOUND;
+}
+
+std::int32_t Flow::call(const Document& document, ig_go& request) {
+  reason_.clear();
+  if (request.scope == 0) request.scope = IG_IN_FILES | IG_IN_FOLDERS;
+  if (!find_program(request, target_)) return not_found(request, std::move(reason_));
+  called_.assign(view(request.label));
+  if (depth_ >= options_.maximum_depth) {
+    const Diagnostic text = host_diagnostic("IG-0416", {}, {std::to_string(options_.maximum_depth), chain_of_calls()});
+    document.chain->report(document, text.severity, text.code, text.message, 0, 0);
+    if (++refused_ == most_refused && !over_) stop("IG-0422", here_, {std::to_string(most_refused), shown(here_)});
+    return IG_GO_REFUSED;
+  }
+  request_ = Request::call;
+  tag_ = request.tag;
+  repeats_ = std::max(request.repeats, 1u);
+  return IG_GO_DONE;
+}
+
+bool Flow::find_program(const ig_go& request, Target& out) {
+  const std::string_view label = view(request.label), start = view(request.start);
+  if ((request.scope & IG_IN_PROGRAM) != 0)
+    if (const auto at = labels(*frame_->file).find(label, here_, IG_SEARCH_AROUND)) {
+      out = {frame_->file, *at, true};
+      return true;
+    }
+  const std::string key =
+      std::to_string(request.scope) + ':' + frame_->file->name + ':' + std::string(start) + ':' + std::string(label);
+  if (const auto known = known_.find(key); known != known_.end()) {
+    out = known->second;
+    return true;
+  }
+  bool found = false;
+  const auto in_file = [&](ProgramFile& file) {
+    const auto at = labels(file).program(label);
+    if (at) out = {&file, *at, false};
+    return at.has_value();
+  };
+  if ((request.scope & IG_IN_FILES) != 0) {
+    found = in_file(*frame_->file);
+    for (std::size_t i = 0; !found && i < files_.size(); ++i) found = in_file(files_[i]);
+  }
+  if (!found && (request.scope & IG_IN_FOLDERS) != 0) found = find_in_folders(request, out);
+  if (!found) {
+    std::string where;
+    if ((request.scope & IG_IN_PROGRAM) != 0) where = "this program";
+    if ((request.scope & IG_IN_FILES) != 0) where = "the file " + frame_->file->name;
+    if ((request.scope & IG_IN_FOLDERS) != 0) {
+      const std::string folders = places().describe();
+      if (!folders.empty()) where += (where.empty() ? "" : ", ") + folders;
+    }
+    reason_ = reason_.empty() ? (where.empty() ? "no folder was given" : "looked in " + where) : reason_;
+    return false;
+  }
+  if (!start.empty()) {
+    const auto at = labels(*out.file).find(start, out.start, IG_SEARCH_TOP);
+    if (!at) {
+      reason_ = std::string(label) + " has no " + std::string(start);
+      return false;
+    }
+    out.start = *at;
+  }
+  known_.emplace(key, out);
+  return true;
+}
+
+bool Flow::find_in_folders(const ig_go& request, Target& out) {
+  const std::string_view label = view(request.label);
+  const auto take = [&](const ProgramPlaces::Found& found) {
+    ProgramFile* const file = open(found);
+    if (file == nullptr) return false;
+    const LabelIndex& names = labels(*file);
+    const auto at = names.program(label);
+    if (!at && found.is_library) return false;
+    if (!at && names.has_programs())
+      sink_.add(host_diagnostic("IG-0420", {frame_->file->name, here_.line, here_.column + 1},
+                                {file->name, std::string(label)}));
+    out = {file, at.value_or(Place{}), false};
+    return true;
+  };
+  if (places().find({request.files, request.file_count}, take, reason_)) return true;
+  return searched_.emplace(label).second && find_in_neighbours(label, out);
+}
+
+/// A file of another name may hold the program. Where several do, it is not known which one the control has.
+bool Flow::find_in_neighbours(std::string_view label, Target& out) {
+  std::optional<Target> only;
+  const bool are_several = places().find_inside([&](const ProgramPlaces::Found& found) {
+    const std::size_t known = files_.size();
+    ProgramFile* const file = open(found);
+    const auto at = file == nullptr ? std::nullopt : labels(*file).program(label);
+    if (at && !only) {
+      only = Target{file, *at, false};
+      return false;
+    }
+    if (at) reason_ = "it is in " + only->file->name + " and in " + file->name + ": name one file with --subprograms";
+    if (files_.size() > known) files_.pop_back();
+    return at.has_value();
+  });
+  if (are_several || !only) return false;
+  sink_.add(host_diagnostic("IG-0451", {frame_->file->name, here_.line, here_.column + 1},
+                            {std::string(label), only->file->name}));
+  out = *only;
+  return true;
+}
+
+ProgramFile* Flow::open(const ProgramPlaces::Found& found) {
+  std::error_code code;
+  if (files_[0].path.empty() && files_[0].name != "-") files_[0].path = fs::canonical(files_[0].name, code);
+  for (ProgramFile& file : files_)
+    if (file.path == found.file) return &file;
+  if (!fs::is_regular_file(found.file, code)) {
+    reason_ = found.name + " is no regular file";
+    return nullptr;
+  }
+  std::string error;
+  std::unique_ptr<Source> source = open_file(found.file.string(), error);
+  if (source == nullptr) {
+    reason_ = found.name + " cannot be read: " + error;
+    return nullptr;
+  }
+  if (fs::file_size(found.file, code) <= held_in_memory) source = std::make_unique<HeldFile>(*source);
+  ProgramFile& file = files_.emplace_back();
+  file.name = found.name;
+  file.path = found.file;
+  file.source = source.get();
+  file.owned = std::move(source);
+  return &file;
+}
+
+std::int32_t Flow::leave(ig_go& request) {
+  if (depth_ == 0) return not_found(request, "the main program has no caller");
+  const std::string_view label = view(request.label);
+  to_.reset();
+  if (!label.empty()) {
+    to_ = labels(*frames_[depth_ - 1]->file).find(label, frame_->called_at, IG_SEARCH_AROUND);
+    if (!to_) return not_found(request, "looked in the calling program, " + frames_[depth_ - 1]->file->name);
+  }
+  const bool again = !to_ && frame_->pass < frame_->passes && (request.flags & IG_GO_DROP_REPEATS) == 0;
+  request_ = again ? Request::again : Request::leave;
+  return IG_GO_DONE;
+}
+
+std::int32_t Flow::jump(ig_go& request) {
+  if (request.kind == IG_GO_START) {
+    to_ = frame_->start;
+  } else if (request.kind == IG_GO_PLACE) {
+    if (request.place.frame != frame_->id) return not_found(request, "the place belongs to another call");
+    to_ = Place{request.place.offset, request.place.column, request.place.line};
+  } else {
+    to_ = labels(*frame_->file).find(view(request.label), here_, request.search);
+    if (!to_) return not_found(request, "looked in this program, " + frame_->file->name);
+  }
+  if (frame_->file->source->is_lost()) {
+    say_lost(*frame_->file);
+    return IG_GO_REFUSED;
+  }
+  request_ = Request::jump;
+  behind_ = request.kind != IG_GO_START && (request.flags & IG_GO_BEHIND) != 0;
+  return IG_GO_DONE;
+}
+
+// ---- moves
+
+void Flow::perform(Document& document, const Place& next) {
+  if (++jumps_ > options_.maximum_jumps) {
+    const Place to = request_ == Request::call    ? target_.start
+                     : to_                        ? *to_
+                     : request_ == Request::again ? frame_->start
+                                                  : frame_->back;
+    const ProgramFile& file = request_ == Request::call    ? *target_.file
+                              : request_ == Request::leave ? *frames_[depth_ - 1]->file
+                                                           : *frame_->file;
+    request_ = Request::none;
+    stop("IG-0417", here_, {std::to_string(jumps_ - 1), shown(here_), file.name + ":" + std::to_string(to.line)});
+    return;
+  }
+  switch (std::exchange(request_, Request::none)) {
+    case Request::call: enter(document, next); break;
+    case Request::leave: leave_frame(document, to_); break;
+    case Request::again:
+      ++frame_->pass;
+      if (repeats_at_ == 0) repeats_at_ = depth_;
+      if (!frame_->is_local) document.clear_frame_values();
+      seek(frame_->start);
+      break;
+    case Request::jump:
+      if (*to_ == frame_->start && !frame_->is_local) document.clear_frame_values();
+      note_jump(*to_);
+      seek(*to_);
+      passing_ = behind_;
+      break;
+    case Request::none: break;
+  }
+}
+
+void Flow::enter(Document& document, const Place& next) {
+  if (frames_.size() == ++depth_) frames_.push_back(std::make_unique<Frame>());
+  Frame& frame = *frames_[depth_];
+  frame.file = target_.file;
+  frame.start = target_.start;
+  frame.called_at = here_;
+  frame.back = next;
+  frame.program = called_;
+  frame.id = ++last_id_;
+  frame.tag = tag_;
+  frame.pass = 1;
+  frame.passes = repeats_;
+  document.get_frame_values(frame.below);
+  frame.is_local = target_.is_local;
+  if (!frame.is_local) document.clear_frame_values();
+  frame_ = &frame;
+  cursor_ = &frame.cursor;
+  if (cursor_->source() != frame.file->source)
+    cursor_->open(*frame.file->source, options_.maximum_line_bytes, linked_.dialect.segmenter);
+  seek(frame.start);
+}
+
+void Flow::leave_frame(Document& document, std::optional<Place> to) {
+  document.set_frame_values(frame_->below);
+  const Place back = frame_->back, called_at = frame_->called_at;
+  if (repeats_at_ == depth_) repeats_at_ = 0;
+  frame_ = frames_[--depth_].get();
+  cursor_ = &frame_->cursor;
+  here_ = called_at;
+  if (to) note_jump(*to);
+  seek(to.value_or(back));
+}
+
+bool Flow::request_end(const Document& document) {
+  if (depth_ == 0) return false;
+  const Diagnostic text = host_diagnostic("IG-0419", {}, {frame_->program});
+  document.chain->report(document, text.severity, text.code, text.message, 0, 0);
+  request_ = frame_->pass < frame_->passes ? Request::again : Request::leave;
+  to_.reset();
+  return true;
+}
+
+bool Flow::leave_at_end(Document& document) {
+  if (!request_end(document)) return false;
+  perform(document, {});
+  return true;
+}
+
+void Flow::seek(const Place& place) {
+  if (frame_->file == &files_[0] && place != last_reached_) {
+    last_reached_ = place;
+    reached_.insert(place);
+  }
+  cursor_->seek(place.offset, place.line);
+  column_ = place.column;
+}
+
+// ---- limits
+
+/// A jump back begins a loop; one that lies inside the loop that is known changes nothing.
+void Flow::note_jump(const Place& to) {
+  if (here_ < to) return;
+  if (is_looping_ && (depth_ > loop_.depth || (!(to < loop_.to) && !(loop_.from < here_)))) {
+    if (depth_ == loop_.depth && to == loop_.to && here_ == loop_.from) ++loop_.times;
+    return;
+  }
+  loop_ = {frame_->id, depth_, here_, to, 1};
+  is_looping_ = true;
+}
+
+void Flow::count_loop() {
+  const bool left = depth_ < loop_.depth ||
+                    (depth_ == loop_.depth && (frame_->id != loop_.frame || loop_.from < here_ || here_ < loop_.to));
+  if (left)
+    is_looping_ = false;
+  else if (++loop_blocks_ > options_.maximum_loop_blocks)
+    stop("IG-0418", loop_.from,
+         {std::to_string(options_.maximum_loop_blocks), std::to_string(loop_.from.line), std::to_string(loop_.to.line),
+          std::to_string(loop_.times)});
+}
+
+void Flow::count_repeat() {
+  if (++repeat_blocks_ <= options_.maximum_repeat_blocks) return;
+  const Frame& frame = *frames_[repeats_at_];
+  stop("IG-0450", here_,
+       {std::to_string(options_.maximum_repeat_blocks), frame.program,
+        frames_[repeats_at_ - 1]->file->name + ":" + std::to_string(frame.called_at.line), std::to_string(frame.pass),
+        std::to_string(frame.passes)});
+}
+
+void Flow::stop(std::string_view code, const Place& at, std::initializer_list<std::string> arguments) {
+  const Frame& frame = code == "IG-0418" ? *frames_[loop_.depth] : *frame_;
+  sink_.add(host_diagnostic(code, {frame.file->name, at.line, at.column + 1}, arguments));
+  over_ = true;
+}
+
+// ---- files
+
+LabelIndex& Flow::labels(ProgramFile& file) {
+  if (file.labels == nullptr) {
+    file.labels = indexer().index(file);
+    if (file.source->is_lost()) say_lost(file);
+    if (!file.source->failure().empty()) say_unreadable(file, 0);
+  }
+  return *file.labels;
+}
+
+/// The rest of a source that can be read only once went by, or what lies before: nothing of it is run any more.
+void Flow::say_lost(const ProgramFile& file) {
+  if (!over_) sink_.add(host_diagnostic("IG-0421", {file.name, here_.line, 0}, {file.name}));
+  over_ = true;
+}
+
+/// Where a program goes on cannot be told without the rest of the file.
+void Flow::say_unreadable(const ProgramFile& file, std::uint32_t line) {
+  if (!over_) sink_.add(host_diagnostic("IG-0431", {file.name, line, 0}, {file.source->failure()}));
+  over_ = true;
+}
+
+Indexer& Flow::indexer() {
+  if (indexer_ == nullptr) indexer_ = std::make_unique<Indexer>(linked_, options_.chain, options_.maximum_line_bytes);
+  return *indexer_;
+}
+
+ProgramPlaces& Flow::places() {
+  if (places_ == nullptr) {
+    std::vector<std::string> extensions = linked_.dialect.extensions;
+    extensions.push_back(fs::path(files_[0].name).extension().string());
+    places_ = std::make_unique<ProgramPlaces>(options_.program_places, extensions);
+  }
+  return *places_;
+}
+
+std::optional<Place> Flow::first_not_run() {
+  if (depth_ != 0) return std::nullopt;
+  const Place end = here_;
+  const LabelIndex* const names = files_[0].labels.get();
+  const std::vector<Place> programs = names != nullptr ? names->programs_behind(end) : std::vector<Place>{};
+  const auto was_reached = [&](const Place& begin, std::size_t following) {
+    const auto first = reached_.lower_bound(begin);
+    return first != reached_.end() && (following >= programs.size() || *first < programs[following]);
+  };
+  // The rest of the main program itself: its own subprograms and the targets of its jumps may stand there.
+  if (!was_reached({end.offset, end.column + 1, end.line}, 0))
+    for (Line line; cursor_->next(line);) {
+      if (!programs.empty() && line.offset >= programs[0].offset) break;
+      const std::size_t first = line.text.find_first_not_of(std::string_view(" \t\r\0\x1a%", 6));
+      if (first != std::string_view::npos) return Place{line.offset, static_cast<std::uint32_t>(first), line.number};
+    }
+  for (std::size_t i = 0; i < programs.size(); ++i)
+    if (!was_reached(programs[i], i + 1)) return programs[i];
+  return std::nullopt;
+}
+
+// ---- frames
+
+std::string Flow::shown(const Place& place) const { return frame_->file->name + ":" + std::to_string(place.line); }
+
+std::string Flow::chain_of_calls() const {
+  constexpr std::uint32_t longest = 4;
+  std::string out;
+  for (std::uint32_t level = depth_ > longest ? depth_ - longest : 0; level < depth_; ++level) {
+    const Frame& called = *frames_[level + 1];
+    out += frames_[level]->file->name + ":" + std::to_string(called.called_at.line) + " calls " + called.program + ", ";
+  }
+  return out + shown(here_) + " calls " + std::string(called_);
+}
+
+bool Flow::is_file(std::string_view name, std::string_view wanted) const {
+  if (wanted.empty()) return name == files_[0].name;
+  return name == wanted || (name.ends_with(wanted) && name[name.size() - wanted.size() - 1] == '/');
+}
+
+bool Flow::frame(std::uint32_t level, ig_frame& out) const {
+  if (level == IG_CURRENT_FRAME) level = depth_;
+  if (level > depth_) return false;
+  const Frame& f = *frames_[level];
+  out.depth = level;
+  out.id = f.id;
+  out.tag = f.tag;
+  out.pass = f.pass;
+  out.passes = f.passes;
+  out.program = {f.program.data(), f.program.size()};
+  out.file = {f.file->name.data(), f.file->name.size()};
+  out.call_line = level == 0 ? 0 : f.called_at.line;
+  return true;
+}
+
+}  // namespace isogloss

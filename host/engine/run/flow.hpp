@@ -1,0 +1,148 @@
+/// Where a run is, and where it goes on: frames, jumps, and the limits that end what would never end.
+#pragma once
+
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+#include "run/program_files.hpp"
+
+namespace isogloss {
+
+class Flow : public FlowHost {
+ public:
+  Flow(const LinkedDialect& linked, Source& source, const std::string& name, const RunOptions& options,
+       DiagnosticSink& sink);
+
+  Cursor& cursor() { return *cursor_; }
+  /// Says that the file that runs cannot be read beyond this line, and ends the run.
+  void fail_to_read(std::uint32_t line) { say_unreadable(*frame_->file, line); }
+  /// As long-lived as the run: blocks that wait in the look-ahead window keep it.
+  const std::string& file_name() const { return frame_->file->name; }
+  std::uint64_t bytes() const;
+  std::uint64_t jumps() const { return jumps_; }
+
+  /// The run begins at this program of the file; false when there is none.
+  bool select_program(const std::string& name);
+
+  /// The block that begins.
+  void at(const Place& place) {
+    here_ = place;
+    if (is_looping_) count_loop();
+    if (repeats_at_ != 0) count_repeat();
+  }
+  bool is_over() const { return over_; }  ///< a limit is reached, which was said
+  bool has_request() const { return request_ != Request::none; }
+  /// Carries out what the block asked for; `next` is where the run would go on.
+  void perform(Document& document, const Place& next);
+  /// The frame's text ends with this block: the caller goes on. False in the main program.
+  bool request_end(const Document& document);
+  /// The frame's text has ended.
+  bool leave_at_end(Document& document);
+  /// What the last seek has left to do: the column at which its line begins to count.
+  std::uint32_t take_column() { return std::exchange(column_, 0u); }
+  /// True once: the block there is passed over, to this end.
+  bool take_passing() { return std::exchange(passing_, false); }
+  std::size_t block_end(std::string_view text) { return indexer().block_end(text); }
+
+  /// The first text behind the end of the main program that was no part of this run.
+  std::optional<Place> first_not_run();  ///< its column is that of the text
+
+  void label(std::string_view, ig_label_kind) override {}
+  std::int32_t go(const Document& document, ig_go& request) override;
+  bool frame(std::uint32_t level, ig_frame& out) const override;
+  bool is_file(std::string_view name, std::string_view wanted) const override;
+  std::size_t text(std::uint64_t offset, char* buffer, std::size_t size) const override {
+    return files_[0].source->read_at(offset, buffer, size);
+  }
+  ig_place here() const override { return {frame_->id, here_.offset, here_.line, here_.column}; }
+
+ private:
+  enum class Request { none, call, leave, again, jump };
+  struct Frame {
+    ProgramFile* file = nullptr;
+    Cursor cursor;
+    Place start;
+    Place called_at, back;  // in the frame below
+    std::string program;
+    std::uint64_t id = 0, tag = 0;
+    std::uint32_t pass = 1, passes = 1;
+    bool is_local = false;  // its text is a part of the calling program
+    Document::FrameValues below{};
+  };
+  struct Target {
+    ProgramFile* file;
+    Place start;
+    bool is_local = false;
+  };
+
+  std::int32_t ask_label(ig_go& request);
+  std::int32_t call(const Document& document, ig_go& request);
+  std::int32_t leave(ig_go& request);
+  std::int32_t jump(ig_go& request);
+  std::int32_t not_found(ig_go& request, std::string reason);
+  bool find_program(const ig_go& request, Target& out);
+  bool find_in_folders(const ig_go& request, Target& out);
+  bool find_in_neighbours(std::string_view label, Target& out);
+  ProgramFile* open(const ProgramPlaces::Found& found);
+  LabelIndex& labels(ProgramFile& file);
+  void say_lost(const ProgramFile& file);
+  void say_unreadable(const ProgramFile& file, std::uint32_t line);
+  Indexer& indexer();
+  ProgramPlaces& places();
+  void enter(Document& document, const Place& next);
+  void leave_frame(Document& document, std::optional<Place> to);
+  void seek(const Place& place);
+  void note_jump(const Place& to);
+  void count_loop();
+  void count_repeat();
+  void stop(std::string_view code, const Place& at, std::initializer_list<std::string> arguments);
+  std::string shown(const Place& place) const;
+  std::string chain_of_calls() const;
+
+  const LinkedDialect& linked_;
+  const RunOptions& options_;
+  DiagnosticSink& sink_;
+  std::unique_ptr<Spool> spool_;
+  std::deque<ProgramFile> files_;  // the main program's first
+  std::unique_ptr<Indexer> indexer_;
+  std::unique_ptr<ProgramPlaces> places_;
+  std::unordered_map<std::string, Target> known_;
+  std::set<std::string, std::less<>> searched_;  // programs that were looked for in files of other names
+  std::vector<std::unique_ptr<Frame>> frames_;
+  Frame* frame_ = nullptr;
+  Cursor* cursor_ = nullptr;
+  std::uint32_t depth_ = 0, column_ = 0;
+  std::uint64_t last_id_ = 0, jumps_ = 0, loop_blocks_ = 0, refused_ = 0;
+  static constexpr std::uint64_t most_refused = 1'000;  // calls that were nested too deep
+  Place here_;
+  bool passing_ = false, over_ = false;
+
+  // The request of this block.
+  Request request_ = Request::none;
+  Target target_{};
+  std::optional<Place> to_;
+  std::string called_, reason_;
+  std::uint64_t tag_ = 0;
+  std::uint32_t repeats_ = 1;
+  bool behind_ = false;
+
+  // The loop that the run is in: blocks up to its jump, in its frame and above.
+  bool is_looping_ = false;
+  struct {
+    std::uint64_t frame = 0;
+    std::uint32_t depth = 0;
+    Place from, to;
+    std::uint64_t times = 0;
+  } loop_;
+
+  // The outermost call that repeats its program, and the blocks of all passes after the first.
+  std::uint32_t repeats_at_ = 0;  // its depth; 0: none
+  std::uint64_t repeat_blocks_ = 0;
+
+  // What of the main file was reached by calls and jumps.
+  std::set<Place> reached_;
+  Place last_reached_{UINT64_MAX, 0, 0};
+};
+
+}  // namespace isogloss
