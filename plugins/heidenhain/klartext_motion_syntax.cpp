@@ -49,6 +49,7 @@ struct KlartextMotion {
   iso::ScaleAndMirror mirror_;
   ig::In<ig::Symbol> mirror_term_{"MirrorImage.Term"};
   ig::Out<bool> in_plane_{"KlartextPath.IsFeedInPlane", {ig::Life::block, "", "The move may end in a corner."}};
+  ig::Signal open_{"KlartextCorner.~Open", ig::read | ig::write, ig::Life::modal};
   ig::Name lp_{"LP"}, c_{"C"}, cc_{"CC"}, cr_{"CR"}, ct_{"CT"}, cp_{"CP"}, ctp_{"CTP"}, rnd_{"RND"};
 
   ig::Status build(ig::Block& b) {
@@ -73,7 +74,12 @@ struct KlartextMotion {
     }
     if (way.mask == 0 && function != c_) return ig::Status::changed;
     if (is_polar || has_steps != 0 || function == c_) put(b, way);
-    if (way.to[way.plane.tool] == way.from[way.plane.tool] && can_end_in_corner(b)) b.set(in_plane_, true);
+    if (way.to[way.plane.tool] == way.from[way.plane.tool] && can_end_in_corner(b)) {
+      b.set(in_plane_, true);
+      b.raise(open_);
+    } else if (b.is_raised(open_)) {
+      b.erase(open_);
+    }
 
     if (function == c_ || function == cp_) return about_pole(b, way);
     if (function == ct_ || function == ctp_)

@@ -41,7 +41,6 @@ struct KlartextPath {
   ig::Name g41_{"G41"}, g42_{"G42"};
   ig::Out<double> corner_radius_{"KlartextCorner.Radius_mm", {ig::Life::block, "mm", "RND R"}};
   ig::Out<double> chamfer_{"KlartextCorner.Chamfer_mm", {ig::Life::block, "mm", "CHF"}};
-  ig::Signal corner_open_{"KlartextCorner.~Open", ig::read | ig::write, ig::Life::modal};
   iso::ContourApproach approach_{ig::write};
   KlartextDeparture departure_{ig::write};
   ig::In<ig::Symbol> motion_in_force_{"MotionState.Term"};
@@ -62,7 +61,6 @@ struct KlartextPath {
               found->end == position ? std::string_view("L") : function_names[found->function]};
     path.end = statement_end(text, position);
     if (path.function == RND || path.function == CHF) return corner(b, text, position, path);
-    if (path.function != CC && b.is_raised(corner_open_)) b.erase(corner_open_);
     return read(b, text, position, path);
   }
 
@@ -385,7 +383,6 @@ struct KlartextPath {
       b.report(hei("HEI-0130"), where, path.name, std::string_view("it is less than 0, the corner stays sharp"));
     } else if (v.number > 0) {
       b.set(path.function == RND ? corner_radius_ : chamfer_, b.is(system_, inch_) ? v.number * 25.4 : v.number);
-      b.raise(corner_open_);
     }
     return path.end;
   }

@@ -1,0 +1,14 @@
+0 BEGIN PGM CORNER MM
+1 TOOL CALL 5 Z S1000 F500
+2 L X+10 Y+0 F200
+3 ; the corner belongs to the move before this comment
+4 CHF 2
+5 L M8
+6 CR X+40 Y+30 R+5
+7 L X+50 FMAX
+8 L X+60 F200
+9 CHF 1
+10 CR X+40 Y+30 R+5
+11 CR X+40 Y+30 R+5
+12 L Y+70 FMAX
+13 END PGM CORNER MM
