@@ -121,6 +121,12 @@ class Overflow(Command):
                 for wrong in ("null", "nan", "inf"):
                     self.assertNotIn(wrong, done.stdout, (dialect, form))
 
+    def test_the_same_is_said_of_an_overflow_whatever_is_called(self):
+        program = self.write("huge.nc", f"O1\nG21 G00 X0 Y0\nX1{308 * '0'}. `\nX30.\nM30\n")
+        said = [self.run_it("run", program, "-d", "fanuc", *more, status=1).stderr for more in ((), ("--call-all",))]
+        self.assertEqual(said[0], said[1])
+        self.assertIn("[ISO-0288]", said[0])
+
     def test_an_overflow_under_look_ahead_ends_the_run_at_its_block(self):
         huge = "1" + 308 * "0"
         program = self.write("huge.nc", "O1\nG21 G17 F100\nG00 X0 Y0\nG41 D1 G01 X10. Y0\nX20.\n"

@@ -188,22 +188,28 @@ class Run {
   [[gnu::always_inline]] inline bool execute(Document& d) {
     if (!window_.is_empty()) {
       chain_.run(d, 0, linked_.post_logic_begin);
-      return is_finite(d);
+      return is_finite(d, Inspection::missing);
     }
     chain_.run(d, 0, length_);
-    if (!is_finite(d)) return false;
+    if (!is_finite(d, chain_.waits_at == 0 ? Inspection::done : Inspection::missing)) return false;
     if (chain_.waits_at != 0) return true;
     export_block(d);
     return false;
   }
 
   /// No value that overflowed leaves the run: nothing behind it can be right.
-  bool is_finite(const Document& d) { return !finite_.is_suspect(d) || !tell_overflow(d); }
+  enum class Inspection : std::uint8_t { done, missing };
+  bool is_finite(Document& d, Inspection inspection) {
+    return !finite_.is_suspect(d) || !tell_overflow(d, inspection);
+  }
 
-  [[gnu::cold]] bool tell_overflow(const Document& d) {
+  /// Whether the block had to wait for others or not, the same is said of it.
+  [[gnu::cold]] bool tell_overflow(Document& d, Inspection inspection) {
     const std::string path = finite_.find_overflow(d);
     if (path.empty()) return false;
     over_ = true;
+    chain_.waits_at = 0;
+    if (inspection == Inspection::missing) chain_.run(d, linked_.inspection_begin, length_);
     const Diagnostic text = host_diagnostic("IG-0430", {}, {path});
     chain_.report(d, text.severity, text.code, text.message, 0, 0);
     return true;
@@ -236,7 +242,7 @@ class Run {
     chain_.alarmed = oldest.alarmed;
     chain_.waits_at = 0;
     chain_.run(oldest.document, oldest.resume_at, length_);
-    const bool is_sound = is_finite(oldest.document);
+    const bool is_sound = is_finite(oldest.document, Inspection::done);
     if (is_sound) export_block(oldest.document);
     if (chain_.alarmed) answer_alarm(oldest.document);
     chain_.window.clear();
