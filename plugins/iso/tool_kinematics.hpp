@@ -71,6 +71,29 @@ class ToolKinematics {
   std::size_t count_ = ask();
 };
 
+/// The way between X Y Z of the machine and the tip of a tool in the workpiece, seen with all rotary axes at zero.
+struct ToolTip {
+  const ToolKinematics& machine;
+  double length;
+
+  std::optional<ig::Vec3> in_workpiece(const ig::Vec3& xyz, const Angles& angles) const {
+    const auto pivot = machine.pivot(angles);
+    const auto axis = machine.tool_axis(angles);
+    if (!pivot || !axis) return std::nullopt;
+    const Mat4& m = *pivot;
+    const ig::Vec3 way = xyz - ig::Vec3{m[12], m[13], m[14]};
+    ig::Vec3 out;
+    for (std::size_t i = 0; i < 3; ++i) out[i] = dot(way, {m[4 * i], m[4 * i + 1], m[4 * i + 2]});
+    return out - length * *axis;
+  }
+  std::optional<ig::Vec3> machine_point(const ig::Vec3& tip, const Angles& angles) const {
+    const auto pivot = machine.pivot(angles);
+    const auto axis = machine.tool_axis(angles);
+    if (!pivot || !axis) return std::nullopt;
+    return mapped(*pivot, tip + length * *axis);
+  }
+};
+
 /// Which of the pairs of angles that give the tool its direction is taken.
 enum class SolutionChoice { min_first, min_sum, min_max, positive, negative };
 

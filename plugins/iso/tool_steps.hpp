@@ -1,4 +1,4 @@
-/// The steps of a compound motion that radius compensation makes of a move.
+/// The steps of a compound motion that a syntax makes of a move.
 #pragma once
 
 #include <array>
@@ -35,6 +35,23 @@ class ToolSteps {
     values[n++].integer = is_ccw ? 1 : 0;
     fields[n] = circles_;
     values[n++].integer = manner.more_circles;
+    b.host()->append(b.raw(), fields, n, values);
+  }
+  /// The tip goes straight to `to` while the rotary axes turn; where the machine then stands is known.
+  void led(ig::Block& b, const ig::Vec3& to, const ig::Vec3& machine, const PartialAngles& rotary,
+           const Manner& manner) const {
+    ig_field fields[12];
+    ig_value values[12];
+    std::uint32_t n = begin(to, manner, led_, fields, values);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      fields[n] = machine_[axis];
+      values[n++].number = machine[axis];
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!rotary.has(axis)) continue;
+      fields[n] = rotary_[axis];
+      values[n++].number = rotary.value[axis];
+    }
     b.host()->append(b.raw(), fields, n, values);
   }
   /// Machine coordinates of all steps; those of the rotary axes that the block turns go to the last one.
@@ -83,7 +100,7 @@ class ToolSteps {
   ig_field feedrate_ = ig::detail::declare_item("MotionEvent.Feedrate_mmds", IG_NUMBER);
   ig_field is_ccw_ = ig::detail::declare_item("MotionEvent.IsCcw", IG_BOOLEAN);
   ig_field circles_ = ig::detail::declare_item("MotionEvent.AdditionalCircleNum", IG_INTEGER);
-  ig::Name linear_{"McLinear"}, arc_{"McArc"};
+  ig::Name linear_{"McLinear"}, led_{"ClLinear"}, arc_{"McArc"};
 };
 
 }  // namespace iso

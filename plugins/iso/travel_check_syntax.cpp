@@ -21,7 +21,7 @@ struct TravelCheck {
 
   /// What counts of one step of a compound motion: the machine's axes, the program point, the arc.
   struct Step {
-    enum : std::uint32_t { program = 6, center = 9, sense = 12, size = 13 };
+    enum : std::uint32_t { program = 6, center = 9, sense = 12, form = 13, size = 14 };
     std::array<ig_field, size> ids{};
     Step() {
       const auto put = [&](std::uint32_t first, std::string_view letters, const char* section) {
@@ -33,6 +33,7 @@ struct TravelCheck {
       put(program, "XYZ", "ProgramXyz.");
       put(center, "XYZ", "MotionEvent.ArcCenter.");
       ids[sense] = ig::Field<bool>("CompoundMotion.Items[].MotionEvent.IsCcw", ig::read).id();
+      ids[form] = ig::Field<ig::Symbol>("CompoundMotion.Items[].MotionEvent.Form", ig::read).id();
     }
     static bool has_point(std::uint32_t mask, std::uint32_t first) { return (mask >> first & 7u) == 7u; }
     static ig::Vec3 point(const ig_value* v, std::uint32_t first) {
@@ -42,6 +43,10 @@ struct TravelCheck {
   struct Arc {
     ig::Vec3 start, end, center;
     bool is_ccw = false;
+  };
+  struct Place {
+    ig::Vec3 xyz;
+    Angles angles{};
   };
   Axes position_ = each("MachineCoordinate.", ig::read | ig::wake);
   Step step_;
@@ -109,12 +114,19 @@ struct TravelCheck {
       const ig::Vec3 start = last_(b);
       outside = check_arc(b, {start, b.get(program_).or_else(start), center.value, b.get_or(is_ccw_, false)}, outside);
     }
-    return b.is(form_, led_) ? check_curve(b, outside) : outside;
+    if (!kinematics_ || !b.is(form_, led_)) return outside;
+    const ig::PartialVec3 from = b.get(here_before_), to = b.get(here_);
+    if (!from.complete() || !to.complete()) return outside;
+    const Angles angles = rotary_before_.get(b).or_else({});
+    return check_curve(b, {from.value, angles}, {to.value, rotary_.get(b).or_else(angles)}, outside);
   }
 
   std::uint32_t check_steps(ig::Block& b, std::uint32_t outside) const {
     const std::uint32_t steps = b.host()->count(b.raw(), step_.ids[0]);
     std::optional<ig::Vec3> here;
+    const ig::PartialVec3 begin = steps != 0 ? b.get(here_before_) : ig::PartialVec3{};
+    Place before{begin.value, steps != 0 ? rotary_before_.get(b).or_else({}) : Angles{}};
+    bool is_known = begin.complete() && bool(kinematics_);
     for (std::uint32_t step = 0; step < steps; ++step) {
       ig_value at[Step::size];
       const std::uint32_t known = b.host()->record(b.raw(), step, step_.ids.data(), Step::size, at);
@@ -124,6 +136,16 @@ struct TravelCheck {
                              (known >> Step::sense & 1u) != 0 && at[Step::sense].integer != 0},
                             outside);
       if (Step::has_point(known, Step::program)) here = Step::point(at, Step::program);
+      if (Step::has_point(known, 0)) {
+        Place there{Step::point(at, 0), before.angles};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          if ((known >> (3 + axis) & 1u) != 0) there.angles[axis] = at[3 + axis].number;
+        const bool is_led =
+            (known >> Step::form & 1u) != 0 && at[Step::form].symbol == static_cast<ig::Symbol>(led_).id;
+        if (is_known && is_led && (limited_ & 7u) != 0) outside = check_curve(b, before, there, outside);
+        before = there;
+        is_known = bool(kinematics_);
+      }
       outside = check(b, known, at, outside);
     }
     return outside;
@@ -160,26 +182,22 @@ struct TravelCheck {
   }
 
   /// The tip goes straight in the workpiece, the angles evenly: looked at every few degrees.
-  std::uint32_t check_curve(ig::Block& b, std::uint32_t outside) const {
-    if (!kinematics_) return outside;
-    const PartialAngles known_from = rotary_before_.get(b), known_to = rotary_.get(b);
-    const Angles from = known_from.or_else({}), to = known_to.or_else(from);
+  std::uint32_t check_curve(ig::Block& b, const Place& begin, const Place& end, std::uint32_t outside) const {
     double widest = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) widest = std::fmax(widest, std::fabs(to[axis] - from[axis]));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      widest = std::fmax(widest, std::fabs(end.angles[axis] - begin.angles[axis]));
     constexpr double look_deg = 2, most_looks = 360;
     if (!(widest > look_deg)) return outside;
-    const ig::PartialVec3 begin = b.get(here_before_), end = b.get(here_);
-    if (!begin.complete() || !end.complete()) return outside;
     const double looks = std::fmin(std::ceil(widest / look_deg), most_looks);
-    const double length = b.get_or(length_, 0.0);
-    const auto first = tip(begin.value, from, length), last = tip(end.value, to, length);
+    const ToolTip tool{kinematics_, b.get_or(length_, 0.0)};
+    const auto first = tool.in_workpiece(begin.xyz, begin.angles), last = tool.in_workpiece(end.xyz, end.angles);
     if (!first || !last) return outside;
-    ig::Vec3 low = begin.value, high = begin.value;
+    ig::Vec3 low = begin.xyz, high = begin.xyz;
     for (double look = 1; look < looks; ++look) {
       const double part = look / looks;
-      Angles angles = from;
-      for (std::size_t axis = 0; axis < 3; ++axis) angles[axis] += part * (to[axis] - from[axis]);
-      const auto at = gauge_point(*first + part * (*last - *first), angles, length);
+      Angles angles = begin.angles;
+      for (std::size_t axis = 0; axis < 3; ++axis) angles[axis] += part * (end.angles[axis] - begin.angles[axis]);
+      const auto at = tool.machine_point(*first + part * (*last - *first), angles);
       for (std::size_t axis = 0; at && axis < 3; ++axis) {
         low[axis] = std::fmin(low[axis], (*at)[axis]);
         high[axis] = std::fmax(high[axis], (*at)[axis]);
@@ -190,27 +208,6 @@ struct TravelCheck {
       outside = pass(b, axis, high[axis], outside);
     }
     return outside;
-  }
-
-  /// The tip in the workpiece, rotary axes at zero, and the way back to X Y Z of the machine.
-  std::optional<ig::Vec3> tip(const ig::Vec3& machine, const Angles& angles, double length) const {
-    const auto pivot = kinematics_.pivot(angles);
-    const auto axis = kinematics_.tool_axis(angles);
-    if (!pivot || !axis) return std::nullopt;
-    const Mat4& m = *pivot;
-    const ig::Vec3 way = machine - ig::Vec3{m[12], m[13], m[14]};
-    ig::Vec3 out;
-    for (std::size_t i = 0; i < 3; ++i) out[i] = dot(way, {m[4 * i], m[4 * i + 1], m[4 * i + 2]});
-    return out - length * *axis;
-  }
-  std::optional<ig::Vec3> gauge_point(const ig::Vec3& tip, const Angles& angles, double length) const {
-    const auto pivot = kinematics_.pivot(angles);
-    const auto axis = kinematics_.tool_axis(angles);
-    if (!pivot || !axis) return std::nullopt;
-    const Mat4& m = *pivot;
-    const ig::Vec3 p = tip + length * *axis;
-    return ig::Vec3{p.x * m[0] + p.y * m[4] + p.z * m[8] + m[12], p.x * m[1] + p.y * m[5] + p.z * m[9] + m[13],
-                    p.x * m[2] + p.y * m[6] + p.z * m[10] + m[14]};
   }
 
   /// The axes that are outside after this position; an axis that it does not name stays as it was.
