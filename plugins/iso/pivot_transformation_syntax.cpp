@@ -35,6 +35,7 @@ struct PivotTransformation {
                  ig::write,
                  {ig::Life::block, "mm", "Where the block begins, in its own frame, rotary axes at the start."}};
   ig::Signal turns_{"PivotTransform.~Turns", ig::write};
+  ig::Codes machine_select_{{"G53"}, ig::read};
   ToolCenterMode mode_;
   RotaryTurns turn_{ig::read | ig::write, RotaryWordsAre::of_machine};
   LastProgramXyz last_;
@@ -44,7 +45,7 @@ struct PivotTransformation {
     const bool follows_tip = mode_.is_on(b), is_aligned = b.has(aligned_);
     if (!machine_ || (!follows_tip && !is_aligned)) return leave(b);
     const RotaryTurn turn = turn_.read(b, machine_);
-    const bool leads = follows_tip || b.is_raised(tip_stays_);
+    const bool leads = b.is_raised(tip_stays_) || (follows_tip && !b.find(machine_select_));
     if (!leads) return rest(b, turn);
     if (!turn.is_followed || turn.was_moved || turn_.state().is_fresh(b)) set(b, turn.from);
     if (!turn.moves) return ig::Status::changed;
