@@ -22,6 +22,7 @@ struct HeidenhainCoordinateOffset {
   ig::Out<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
   iso::OffsetSection local_{"LocalCoordinateOffset"};
   iso::OffsetSection offset_{"CoordinateOffset"};
+  iso::RotaryOffsetSection rotary_{"CoordinateOffset"};
   TurnedShift turned_{"DatumShift"};
   ig::In<ig::Symbol> tilt_{"TiltTransform.Term"};
   ig::In<double> angle_{"TiltTransform.R"};
@@ -38,7 +39,7 @@ struct HeidenhainCoordinateOffset {
     const std::string_view id = b.text(b.get_or(id_, ig::Symbol{}));
     if (!id.empty()) {
       table_->get(table_->self, ig::to_text(id), origin);
-      say_turned(b, id, ig::Where::block());
+      turn(b, id);
     }
     offset_.set(b, {origin[0], origin[1], origin[2]});
     local_.restore(b);
@@ -71,16 +72,16 @@ struct HeidenhainCoordinateOffset {
     const ig::Symbol preset = b.symbol(id);
     if (table_->get(table_->self, ig::to_text(id), origin) == 0 && !b.is(id_, preset))
       b.report(hei("HEI-0174"), where, number);
-    say_turned(b, id, where);
+    turn(b, id);
     b.set(id_, preset);
     offset_.set(b, {origin[0], origin[1], origin[2]});
     local_.set(b, {});  // a preset cancels the shift
     turned_.end(b);
   }
 
-  void say_turned(ig::Block& b, std::string_view id, ig::Where where) const {
-    if (const auto turned = iso::rotary_origin(table_, id); turned && *turned != iso::Angles{})
-      b.report(hei("HEI-0200"), where, id);
+  /// KlartextRotaryStepSyntax adds it to the words of the rotary axes.
+  void turn(ig::Block& b, std::string_view id) const {
+    rotary_.set(b, iso::rotary_origin(table_, id).value_or(iso::Angles{}));
   }
 
   void shift(ig::Block& b) const {

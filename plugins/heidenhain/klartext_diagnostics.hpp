@@ -198,10 +198,12 @@ inline constexpr std::array klartext_diagnostics{
                    "BEGIN PGM 1 MM (with no END PGM behind it)"),
     ig::diagnostic(
         IG_ERROR, "HEI-0200",
-        "{0} has an offset in A, B or C that is not executed: positions of rotary axes may be wrong",
-        "Of a preset X, Y and Z are executed. Add the offset to the angles of the program, or set it to 0 in "
-        "the table.",
-        "5 CYCL DEF 247 Q339=1 (with an offset of C in preset 1)"),
+        "{0} shifts rotary axes, but planes and tip control reckon with machine angles here: check the machine "
+        "parameters",
+        "The offset counts in the words of rotary axes. Whether PLANE, M128 and TCPM take it off again is a parameter "
+        "of "
+        "the machine (presetToAlignAxis); here they do not. Set the offset to 0 in the table where the machine does.",
+        "5 M128 (with an offset of C in the preset in force)"),
 };
 
 consteval std::uint32_t hei(std::string_view code) { return iso::index_of(klartext_diagnostics, code, 0); }

@@ -6,6 +6,7 @@
 #include "plane_definition.hpp"
 #include "plane_positioning.hpp"
 #include "program_xyz_util.hpp"
+#include "rotary_offset_util.hpp"
 
 namespace heidenhain {
 namespace {
@@ -38,6 +39,7 @@ struct KlartextPlane {
                            {ig::Life::block, "mm", "MB: how far the tool goes out before the axes turn."}};
   ig::Out<bool> to_limit_{"KlartextPlane.RetractsToLimit",
                           {ig::Life::block, "", "MB MAX: the tool goes out to the end of the travel."}};
+  iso::RotaryOffsetSection rotary_offset_{"CoordinateOffset", ig::read};
   PlanePositioning axes_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
@@ -242,7 +244,7 @@ struct KlartextPlane {
     const iso::Angles now = axes_.present(b);
     iso::Angles axial = now;
     for (std::size_t axis = 0; axis < 3 && command_.plane.kind == PlaneDefinition::axial; ++axis)
-      axial[axis] = command_.plane.words[axis].value_or(now[axis]);
+      if (const auto word = command_.plane.words[axis]) axial[axis] = *word + rotary_offset_.get(b).value[axis];
     if (command_.plane.kind == PlaneDefinition::axial && !axes_) {
       b.report(hei("HEI-0172"), where(), shown(), std::string_view("the plane stays"));
       return;
@@ -303,7 +305,7 @@ struct KlartextPlane {
     if (QStore* const store = values_.store())
       for (std::size_t axis = 0; axis < 3; ++axis)
         store->set({QKind::q, static_cast<std::uint32_t>(120 + axis)}, 0,
-                   axes_.machine().has(axis) ? iso::rounded((*angles)[axis]) : 0);
+                   axes_.machine().has(axis) ? iso::rounded((*angles)[axis] - rotary_offset_.get(b).value[axis]) : 0);
     if (command_.move != Move::turn && command_.move != Move::move) {
       b.set(stay_, true);
       return;

@@ -1,40 +1,65 @@
-// IA, IB and IC become angles before the frame follows the rotary axes: under M128, and in a plane that PLANE has
-// turned to, an increment moves the frame as a position does.
+// A, B, C and IA, IB, IC become angles of the machine before the frame follows the rotary axes: the preset in force
+// puts its offset between program and machine, and under M128, and in a plane that PLANE has turned to, an increment
+// moves the frame as a position does.
+#include "klartext_diagnostics.hpp"
 #include "rotary_offset_util.hpp"
+#include "tool_kinematics.hpp"
 
 namespace heidenhain {
 namespace {
 
 struct KlartextRotaryStep {
   static constexpr auto spec =
-      ig::syntax("KlartextRotaryStepSyntax", "IA, IB and IC become positions of the rotary axes.")
+      ig::syntax("KlartextRotaryStepSyntax", "A B C and IA IB IC become angles of the machine.")
           .after("KlartextPathSyntax")
           .before("G53p1RotaryPositionSyntax", "ToolCenterPointSyntax", "PivotTransformationSyntax",
                   "KlartextMotionSyntax", "McAbcSyntax");
 
   std::array<ig_field, 3> steps_{step("Parsing.IA"), step("Parsing.IB"), step("Parsing.IC")};
-  std::array<ig_field, 3> words_{position("Parsing.A"), position("Parsing.B"), position("Parsing.C")};
+  std::array<ig::Word, 3> words_{ig::Word{"Parsing.A", ig::read | ig::write | ig::wake, "deg"},
+                                 ig::Word{"Parsing.B", ig::read | ig::write | ig::wake, "deg"},
+                                 ig::Word{"Parsing.C", ig::read | ig::write | ig::wake, "deg"}};
   std::array<ig::In<double>, 3> angles_{ig::In<double>{"MachineCoordinate.A"}, ig::In<double>{"MachineCoordinate.B"},
                                         ig::In<double>{"MachineCoordinate.C"}};
-  iso::RotaryOffsets offsets_{ig::read};
+  iso::RotaryOffsetSection offset_{"CoordinateOffset", ig::read};
+  ig::In<ig::Symbol> preset_{"CoordinateOffset.CoordinateId"};
+  ig::Codes of_machine_{{"G53"}, ig::read};
+  ig::Call plane_{{"G68.2"}, "", ig::read | ig::wake};
+  ig::Call tip_{{"G43.4"}, "", ig::read | ig::wake};
+  ig::Signal is_plane_{"Parsing.~KlartextPlane", ig::read};
+  iso::ToolKinematics machine_;
 
   ig::Status build(ig::Block& b) const {
+    const iso::Angles offset = offset_.get(b).value;
+    if (offset != iso::Angles{}) shift(b, offset);
     ig_value steps[3];
     const std::uint32_t named = b.host()->take_many(b.raw(), steps_.data(), 3, steps);
-    const iso::Angles offset = offsets_.any(b) ? offsets_.get(b) : iso::Angles{};
     for (std::size_t axis = 0; axis < 3; ++axis)
       if ((named >> axis & 1u) != 0)
-        b.host()->set(b.raw(), words_[axis],
-                      {.number = b.get_or(angles_[axis], 0.0) - offset[axis] + steps[axis].number});
+        b.host()->set(b.raw(), words_[axis].id(), {.number = b.get_or(angles_[axis], 0.0) + steps[axis].number});
     return ig::Status::changed;
   }
 
  private:
+  /// PLANE has found angles of the machine, and M91 names them.
+  void shift(ig::Block& b, const iso::Angles& offset) const {
+    const bool is_plane = b.is_raised(is_plane_);
+    if (b.find(plane_) || b.find(tip_) || (is_plane && has_words(b))) say(b, offset);
+    if (is_plane || b.find(of_machine_)) return;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (const auto word = b.get(words_[axis]); word && offset[axis] != 0)
+        b.host()->rewrite(b.raw(), words_[axis].id(), {.number = *word + offset[axis]});
+  }
+  bool has_words(const ig::Block& b) const { return b.has(words_[0]) || b.has(words_[1]) || b.has(words_[2]); }
+
+  void say(ig::Block& b, const iso::Angles& offset) const {
+    bool counts = false;
+    for (std::size_t axis = 0; axis < 3; ++axis) counts = counts || (machine_.has(axis) && offset[axis] != 0);
+    if (counts) b.report(hei("HEI-0200"), ig::Where::block(), b.text(b.get_or(preset_, ig::Symbol{})));
+  }
+
   static ig_field step(const char* path) {
     return ig::Field<double>(path, ig::take | ig::wake, {ig::Life::word, "deg", ""}).id();
-  }
-  static ig_field position(const char* path) {
-    return ig::Field<double>(path, ig::write, {ig::Life::standard, "deg", ""}).id();
   }
 };
 

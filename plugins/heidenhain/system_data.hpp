@@ -31,7 +31,11 @@ class SystemData {
     if (r.id == 50 && (r.number == 1 || r.number == 2)) return of_table(b, r);
     if (!is_of_axis) return std::nullopt;
     if (is(220, 2)) return axis < 3 ? std::optional(in_unit(b, shift(b, axis))) : std::nullopt;
-    if (axis > 2 && (is(240, 1) || is(270, 1))) return b.get(angles_[axis - 3]);
+    if (axis > 2 && is(240, 1)) return b.get(angles_[axis - 3]);
+    if (axis > 2 && is(270, 1)) {
+      const auto angle = b.get(angles_[axis - 3]);
+      return angle ? std::optional(*angle - turned_.get(b).value[axis - 3]) : std::nullopt;
+    }
     if (is(240, 1)) {
       const auto position = b.get(machine_[axis]);
       return position ? std::optional(in_unit(b, *position)) : std::nullopt;
@@ -74,6 +78,7 @@ class SystemData {
   std::array<ig::Previous<double>, 3> machine_{ig::Previous<double>{"MachineCoordinate.X"},
                                                ig::Previous<double>{"MachineCoordinate.Y"},
                                                ig::Previous<double>{"MachineCoordinate.Z"}};
+  iso::RotaryOffsetSection turned_{"CoordinateOffset", ig::previous};
   std::array<ig::Previous<double>, 3> angles_{ig::Previous<double>{"MachineCoordinate.A"},
                                               ig::Previous<double>{"MachineCoordinate.B"},
                                               ig::Previous<double>{"MachineCoordinate.C"}};

@@ -1,7 +1,7 @@
 /// G54 to G57, G505 to G599 and G500: which of the settable work offsets the program counts from. The base frame of the
-/// table (BASE) is added to each; under G500 it is alone.
+/// table (BASE) is added to each; under G500 it is alone. Rotary axes are SiemensRotaryWordsSyntax's.
 #include "coordinate_offset_util.hpp"
-#include "rotary_offset_util.hpp"
+#include "settable_frames.hpp"
 #include "siemens_diagnostics.hpp"
 
 namespace siemens {
@@ -13,9 +13,7 @@ struct SiemensCoordinateOffset {
           .after("SiemensToolOffsetSyntax")
           .before("SiemensCycleSyntax", "ProgramXyzSyntax", "McXyzSyntax");
 
-  static constexpr std::size_t further = 95;  // G505 to G599
-  std::vector<ig_field> codes_ = declared_codes();
-  std::vector<ig::Symbol> names_ = code_names();
+  SettableFrames frames_{ig::take | ig::wake};
   ig::Out<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
   iso::OffsetSection offset_{"CoordinateOffset"};
   ig::Signal table_changed_{"CoordinateOffset.~TableChanged", ig::read | ig::wake};
@@ -28,11 +26,8 @@ struct SiemensCoordinateOffset {
   }
 
   ig::Status build(ig::Block& b) {
-    std::uint32_t found = 0;
-    const std::int32_t code =
-        b.host()->take_code(b.raw(), codes_.data(), static_cast<std::uint32_t>(codes_.size()), &found);
-    if (code >= 0) {
-      select(b, names_[static_cast<std::size_t>(code)], ig::Where::word(codes_[static_cast<std::size_t>(code)]));
+    if (const auto code = frames_.take(b)) {
+      select(b, frames_.name(*code), ig::Where::word(frames_.id(*code)));
       return ig::Status::changed;
     }
     if (!b.is_raised(table_changed_)) return ig::Status::unchanged;
@@ -41,24 +36,6 @@ struct SiemensCoordinateOffset {
   }
 
  private:
-  static std::string name_of(std::size_t i) {
-    static constexpr std::array<std::string_view, 5> first{"G500", "G54", "G55", "G56", "G57"};
-    return i < first.size() ? std::string(first[i]) : "G" + std::to_string(505 + i - first.size());
-  }
-  static std::vector<ig_field> declared_codes() {
-    std::vector<ig_field> out;
-    for (std::size_t i = 0; i < 5 + further; ++i) {
-      const std::string name = name_of(i);
-      out.push_back(ig::Codes({std::string_view(name)}).id(0));
-    }
-    return out;
-  }
-  static std::vector<ig::Symbol> code_names() {
-    std::vector<ig::Symbol> out;
-    for (std::size_t i = 0; i < 5 + further; ++i) out.push_back(ig::Name(name_of(i)));
-    return out;
-  }
-
   void select(ig::Block& b, ig::Symbol id, ig::Where where) const {
     double own[3] = {0, 0, 0}, base[3] = {0, 0, 0};
     if (id != g500_ && table_->get(table_->self, ig::to_text(b.text(id)), own) == 0) {
@@ -66,9 +43,6 @@ struct SiemensCoordinateOffset {
       return;
     }
     if (table_->get(table_->self, ig::to_text("BASE"), base) == 0) base[0] = base[1] = base[2] = 0;
-    for (const std::string_view row : {b.text(id), std::string_view("BASE")})
-      if (const auto turned = iso::rotary_origin(table_, row); turned && *turned != iso::Angles{})
-        b.report(diag("SIE-0300"), where, row);
     b.set(id_, id);
     offset_.set(b, {own[0] + base[0], own[1] + base[1], own[2] + base[2]});
   }

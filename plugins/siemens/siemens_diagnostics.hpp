@@ -325,10 +325,11 @@ inline constexpr std::array diagnostics{
         "MCALL UP (then) HOLES1(0,0,0,0,10,5)"),
     ig::diagnostic(
         IG_ERROR, "SIE-0300",
-        "{0} has an offset in A, B or C that is not executed: positions of rotary axes may be wrong",
-        "Of a settable frame X, Y and Z are executed. Add the offset to the angles of the program, or set it "
-        "to 0 in the table.",
-        "G54 (with an offset of C in its row)"),
+        "{0} shifts rotary axes, but TRAORI and CYCLE800 reckon with machine angles here: check the machine data",
+        "The offset counts in the words of rotary axes. Whether a transformation or a swivelled plane takes it off "
+        "again "
+        "is machine data; here it does not, as with 0 there. Set the offset to 0 in the table where the machine does.",
+        "TRAORI (with an offset of C in the row of G54)"),
     // arrays
     ig::diagnostic(IG_ERROR, "SIE-0301", "{0}{1} is no size of an array: it is not defined",
                    "An array has up to three dimensions, each with a whole number of elements from 1 to 1000000.",

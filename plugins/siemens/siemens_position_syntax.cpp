@@ -1,21 +1,20 @@
 /// G91, IC and AC: distances become positions, in place, so that nothing after this syntax knows of them; I=AC(50)
-/// becomes a distance from the start of the arc. DC, ACP and ACN say which way a rotary axis turns.
+/// becomes a distance from the start of the arc. What A B C name is SiemensRotaryWordsSyntax's, but for increments.
 #include <cmath>
 #include <span>
 
 #include "axis_modes.hpp"
 #include "program_xyz_util.hpp"
-#include "rotary_position.hpp"
 #include "siemens_diagnostics.hpp"
 
 namespace siemens {
 namespace {
 
 struct SiemensPosition {
-  static constexpr auto spec =
-      ig::syntax("SiemensPositionSyntax", "G91, AC, IC, DC, ACP and ACN: words become positions.")
-          .after("SiemensUnitSyntax", "PositioningModeSyntax", "SiemensCoordinateOffsetSyntax")
-          .before("SiemensArcSyntax", "ProgramXyzSyntax", "McAbcSyntax");
+  static constexpr auto spec = ig::syntax("SiemensPositionSyntax", "G91, AC and IC: words become positions.")
+                                   .after("SiemensUnitSyntax", "PositioningModeSyntax", "SiemensCoordinateOffsetSyntax",
+                                          "SiemensRotaryWordsSyntax")
+                                   .before("SiemensArcSyntax", "ProgramXyzSyntax", "McAbcSyntax");
 
   ig::InWhile<ig::Symbol> mode_{"PositioningMode.Term", "G91", ig::wake};
   std::vector<ig::Word> words_ = declared_words();
@@ -24,7 +23,6 @@ struct SiemensPosition {
                                               ig::Previous<double>{"MachineCoordinate.B"},
                                               ig::Previous<double>{"MachineCoordinate.C"}};
   iso::LastProgramXyz last_;
-  RotaryModes rotary_;
   ig::Name g91_{"G91"}, ac_{"AC"}, ic_{"IC"};
 
   enum class Whole { counted, circle };
@@ -42,7 +40,7 @@ struct SiemensPosition {
         if (!last) last = last_(b);
         any |= linear(b, i, *v, mode, g91, (*last)[i % 3]);
       } else {
-        any |= turn(b, i, *v, mode, g91);
+        any |= turn(b, i, *v, mode);
       }
     }
     return any ? ig::Status::changed : ig::Status::unchanged;
@@ -74,14 +72,9 @@ struct SiemensPosition {
     return true;
   }
 
-  bool turn(ig::Block& b, std::size_t word, double value, const std::optional<ig::Symbol>& mode, bool g91) const {
-    const double present = b.get_or(angles_[word - 3], 0.0);
-    if (!mode && g91) {
-      rewrite(b, word, present + value);
-      return true;
-    }
-    if (!mode || *mode == ac_) return false;
-    rewrite(b, word, rotary_.position(b, ig::Where::word(words_[word].id()), value, *mode, present));
+  bool turn(ig::Block& b, std::size_t word, double value, const std::optional<ig::Symbol>& mode) const {
+    if (mode && *mode != ic_) return false;
+    rewrite(b, word, b.get_or(angles_[word - 3], 0.0) + value);
     return true;
   }
 };

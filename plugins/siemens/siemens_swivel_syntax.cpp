@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cycle_signatures.hpp"
+#include "rotary_offset_util.hpp"
 #include "siemens_diagnostics.hpp"
 #include "tilt_transform_util.hpp"
 #include "tool_kinematics.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 struct SiemensSwivel {
   static constexpr auto spec = ig::syntax("SiemensSwivelSyntax", "CYCLE800 swivelled plane.")
-                                   .after("SiemensUnitSyntax", "SiemensFrameSyntax")
+                                   .after("SiemensUnitSyntax", "SiemensFrameSyntax", "SiemensRotaryWordsSyntax")
                                    .before("IsoG68p2TiltSyntax", "G53p1RotaryPositionSyntax");
 
   CycleFields call_{swivel_signature, ig::take | ig::wake};
@@ -29,6 +30,8 @@ struct SiemensSwivel {
   ig::Field<ig::Symbol> term_{"TiltTransform.Term", ig::read | ig::write, {ig::Life::modal, "", "The code in force."}};
   std::array<ig::In<double>, 3> angles_{ig::In<double>{"MachineCoordinate.A"}, ig::In<double>{"MachineCoordinate.B"},
                                         ig::In<double>{"MachineCoordinate.C"}};
+  iso::RotaryOffsetSection rotary_offset_{"CoordinateOffset", ig::read};
+  ig::In<ig::Symbol> frame_in_force_{"CoordinateOffset.CoordinateId"};
   iso::ToolKinematics machine_;
   ig::Name g68_2_{"G68.2"}, g68_4_{"G68.4"};
   ig::Signal way_said_{"SiemensSwivel.~WaySaid", ig::read | ig::write, ig::Life::modal};
@@ -129,8 +132,16 @@ struct SiemensSwivel {
     const double direction = v[dir].value_or(1);
     const bool is_level = !is_additive && turns[0] == 0 && turns[1] == 0 && turns[2] == 0;
     if (direction == 0 || (is_level && !machine_ && is_at_zero(b))) return;
+    say_offset(b, where);
     align(b);
     b.set_word(align_, 0, 'P', direction > 0 ? 1 : 2);
+  }
+
+  void say_offset(ig::Block& b, ig::Where where) const {
+    const iso::PartialAngles offset = rotary_offset_.get(b);
+    bool counts = false;
+    for (std::size_t axis = 0; axis < 3; ++axis) counts = counts || (machine_.has(axis) && offset.value[axis] != 0);
+    if (counts) b.report(diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
   }
 
   /// Stands where CYCLE800 does, for what is said of it.

@@ -1,10 +1,10 @@
 /// TRAORI: X Y Z are positions of the tool's tip in the workpiece, wherever the rotary axes have turned it. The call
 /// becomes what ToolCenterPointSyntax executes: G43.4, which takes angles, or G43.5, where the block names a direction
 /// (A3= B3= C3=). TRAFOOF ends it.
-#include "axis_modes.hpp"
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
-#include "rotary_position.hpp"
+#include "rotary_offset_util.hpp"
+#include "siemens_diagnostics.hpp"
 #include "tool_kinematics.hpp"
 
 namespace siemens {
@@ -14,7 +14,7 @@ struct SiemensTransformation {
   static constexpr auto spec =
       ig::syntax("SiemensTransformationSyntax", "TRAORI and TRAFOOF: the tip of the tool is led.")
           .after("ParameterizedFlagSyntax", "SiemensUnitSyntax", "PositioningModeSyntax", "SiemensFrameSyntax",
-                 "G53p1RotaryPositionSyntax")
+                 "SiemensRotaryWordsSyntax", "G53p1RotaryPositionSyntax")
           .before("SiemensToolOffsetSyntax", "ToolCenterPointSyntax", "SiemensPositionSyntax");
 
   ig::Codes on_{"TRAORI"}, off_{"TRAFOOF"};
@@ -22,7 +22,6 @@ struct SiemensTransformation {
   ig::Codes arcs_{{"G02", "G03", "CIP"}, ig::read};
   ig::Codes straights_{{"G00", "G01"}, ig::read};
   ig::Transform programmable_{"ProgrammableFrame", ig::read};
-  iso::DistanceMode distance_;
   ig::In<ig::Symbol> motion_{"MotionState.Term"};
   ig::InWhile<ig::Symbol> by_angles_{"ToolHeightCompensation.Term", "G43.4", ig::write};
   ig::InWhile<ig::Symbol> by_direction_{"ToolHeightCompensation.Term", "G43.5"};
@@ -32,12 +31,10 @@ struct SiemensTransformation {
                                   ig::Word{"Parsing.C3", ig::take, ""}};
   std::array<ig::Word, 3> direction_{ig::Word{"Parsing.I", ig::write}, ig::Word{"Parsing.J", ig::write},
                                      ig::Word{"Parsing.K", ig::write}};
-  std::array<ig::Word, 3> rotary_{ig::Word{"Parsing.A", ig::read | ig::write, "deg"},
-                                  ig::Word{"Parsing.B", ig::read | ig::write, "deg"},
-                                  ig::Word{"Parsing.C", ig::read | ig::write, "deg"}};
-  std::array<ig::In<double>, 3> angles_{ig::In<double>{"MachineCoordinate.A"}, ig::In<double>{"MachineCoordinate.B"},
-                                        ig::In<double>{"MachineCoordinate.C"}};
-  AxisModes modes_{ig::read | ig::write};
+  std::array<ig::Word, 3> rotary_{ig::Word{"Parsing.A", ig::read, "deg"}, ig::Word{"Parsing.B", ig::read, "deg"},
+                                  ig::Word{"Parsing.C", ig::read, "deg"}};
+  iso::RotaryOffsetSection rotary_offset_{"CoordinateOffset", ig::read};
+  ig::In<ig::Symbol> frame_in_force_{"CoordinateOffset.CoordinateId"};
   ig::Out<std::int64_t> offset_id_{"ToolHeightCompensation.OffsetId"};
   ig::Field<std::int64_t> edge_{
       "ToolHeightCompensation.Edge", ig::read, {ig::Life::modal, "", "D: the cutting edge in force; 0: none."}};
@@ -51,7 +48,6 @@ struct SiemensTransformation {
   iso::ToolKinematics machine_;
   iso::ToolCenterMode mode_;
   ig::Signal refused_{"SiemensTransformation.~Refused", ig::read | ig::write, ig::Life::modal};
-  RotaryModes turn_;
   ig::Name g43_5_{"G43.5"}, g02_{"G02"}, g03_{"G03"};
 
   ig::Status build(ig::Block& b) {
@@ -67,10 +63,11 @@ struct SiemensTransformation {
       return ig::Status::changed;
     }
     if (!on && !was_on) return ig::Status::unchanged;
+    if (on) say_offset(b, ig::Where::word(on_.id(*on)));
     if (was_on)
       if (const auto h = b.take(h_)) b.report(diag("SIE-0126"), ig::Where::word(h_.id()), std::string_view("H"));
     if (!b.has(offset_id_)) b.set(offset_id_, std::int64_t{0});
-    const bool has_angles = take_modes(b);
+    const bool has_angles = b.has(rotary_[0]) || b.has(rotary_[1]) || b.has(rotary_[2]);
     const bool has_vector = b.has(vector_[0]) || b.has(vector_[1]) || b.has(vector_[2]);
     const bool by_vector = has_vector && take_vector(b);
     const bool is_by_vector = b.is(by_direction_, g43_5_);
@@ -86,23 +83,13 @@ struct SiemensTransformation {
     return b.find(arcs_) || (!b.find(straights_) && (in_force == g02_ || in_force == g03_));
   }
 
-  /// Angles that a word counts from the present one, or in a direction, become angles of the machine; under G91 the way
-  /// there, since every syntax that follows counts a bare word as a distance.
-  bool take_modes(ig::Block& b) const {
-    bool any = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto word = b.get(rotary_[i]);
-      if (!word) continue;
-      any = true;
-      const auto mode = modes_.get(b, 3 + i);
-      if (!mode) continue;
-      const double present = b.get_or(angles_[i], 0.0);
-      const double to = turn_.position(b, ig::Where::word(rotary_[i].id()), *word, *mode, present);
-      const bool is_distance = distance_.is_incremental(b);
-      b.host()->rewrite(b.raw(), rotary_[i].id(), {.number = is_distance ? to - present : to});
-      modes_.set(b, 3 + i, is_distance ? turn_.ic : turn_.ac);
-    }
-    return any;
+  void say_offset(ig::Block& b, ig::Where where) const {
+    const iso::PartialAngles offset = rotary_offset_.get(b);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (machine_.has(axis) && offset.value[axis] != 0) {
+        b.report(diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
+        return;
+      }
   }
 
   /// False where the block is an arc, whose I J K are its centre. The direction turns with ROT and MIRROR, as X Y Z do.

@@ -11,6 +11,8 @@
 
 #include <isogloss/sdk.hpp>
 
+#include "rotary_offset_util.hpp"
+
 namespace siemens {
 
 /// What became of a value that a program gives to a system variable.
@@ -121,7 +123,8 @@ class SystemData {
     if (!of_machine && name.base != "$AA_IW" && name.base != "$P_EP" && name.base != "$AA_WCS") return std::nullopt;
     const std::size_t axis = name.count == 1 ? axis_of(name.index[0]) : std::string_view::npos;
     if (axis == std::string_view::npos) return std::nullopt;
-    return b.get(of_machine || axis > 2 ? machine_[axis] : program_[axis]);
+    const auto at = b.get(of_machine || axis > 2 ? machine_[axis] : program_[axis]);
+    return of_machine || axis < 3 || !at ? at : *at - turned_.get(b).value[axis - 3];
   }
 
   // ---- Frames
@@ -263,6 +266,7 @@ class SystemData {
     }
   }
 
+  iso::RotaryOffsetSection turned_{"CoordinateOffset", ig::read};
   std::array<ig::In<double>, 6> machine_{ig::In<double>{"MachineCoordinate.X"}, ig::In<double>{"MachineCoordinate.Y"},
                                          ig::In<double>{"MachineCoordinate.Z"}, ig::In<double>{"MachineCoordinate.A"},
                                          ig::In<double>{"MachineCoordinate.B"}, ig::In<double>{"MachineCoordinate.C"}};

@@ -140,6 +140,70 @@ M30
 8 L X4 Y5 Z0 A-10 F200
 9 END PGM T MM
 """, {4: ((0, 5, 0), {"A": -30}, 100.5), 7: ((3, 5, 0), {"A": -20}, 100.5), 9: ((4, 5, 0), {"A": -10}, 99)}),
+    "a settable frame shifts the rotary axes, and the tip stays on its path": (
+        "siemens", TRUNNION, ONE_TOOL + '<SiemensCoordinateTable><Offset id="BASE" C="4"/>'
+        '<Offset id="G54" A="-3" C="6"/><Offset id="G55" C="20"/></SiemensCoordinateTable>',
+        """G17 G90 G710 G54
+T1 D1
+M6
+TRAORI
+G1 X0 Y0 Z0 A0 C45 F500
+G1 X1 C=IC(10)
+G1 X2 C=DC(350) A=AC(-10)
+G91 G1 X1 C5
+G90 SUPA C=DC(30)
+G1 X5 Y0 Z0 C30
+G1 X6 A3=0 B3=-1 C3=1
+G55 G1 X7 A5 C50
+G1 X8 C=ACN(340)
+G500 G1 X9 C40
+M30
+""", {5: ((0, 0, 0), {"A": -3, "C": 55}, 100), 6: ((1, 0, 0), {"A": -3, "C": 65}, 100),
+      7: ((2, 0, 0), {"A": -13, "C": 0}, 100), 8: ((3, 0, 0), {"A": -13, "C": 5}, 100),
+      9: ((3, 0, 0), {"A": -13, "C": 30}, 100), 10: ((5, 0, 0), {"A": -13, "C": 40}, 100),
+      11: ((6, 0, 0), {"A": 45}, 100), 12: ((7, 0, 0), {"A": 5, "C": 74}, 100),
+      13: ((8, 0, 0), {"A": 5, "C": 4}, 100), 14: ((9, 0, 0), {"A": 5, "C": 44}, 100)}),
+    "IC in a plane of CYCLE800 moves the program point": (
+        "siemens", TRUNNION, ONE_TOOL + '<SiemensCoordinateTable><Offset id="G54" C="6"/></SiemensCoordinateTable>',
+        """G17 G90 G710 G54
+T1 D1
+M6
+CYCLE800(0,"",0,57,0,0,0,-30,0,0,0,0,0,-1)
+G1 X0 Y0 Z0 F500
+G1 C=IC(10)
+G1 X10 Y0 Z0
+G91 G1 C=AC(5)
+G90 G1 X10 Y0 Z0
+M30
+""", {5: ((0, 0, 0), {"A": -30, "C": 0}, 100, about("X", -30)),
+      6: (None, {"A": -30, "C": 10}, 100, about("X", -30)),
+      7: ((10, 0, 0), {"A": -30, "C": 10}, 100, about("X", -30)),
+      8: (None, {"A": -30, "C": 11}, 100, about("X", -30)),
+      9: ((10, 0, 0), {"A": -30, "C": 11}, 100, about("X", -30))}),
+    "a preset shifts the rotary axes, and the tip stays on its path": (
+        "heidenhain", TRUNNION, ONE_TOOL + '<IsoCoordinateTable><Offset id="DATUM_PRESET_1" A="-3" C="6"/>'
+        '</IsoCoordinateTable>', """0 BEGIN PGM T MM
+1 CYCL DEF 247 Q339=+1
+2 TOOL CALL 1 Z S1000
+3 M128
+4 L X0 Y0 Z0 A+0 C+45 F200
+5 L X+1 IC+10
+6 L C+30 R0 F200 M91
+7 L X+2 Y+0 Z+0 C+20
+8 M129
+9 PLANE SPATIAL SPA-30 SPB0 SPC0 STAY SEQ-
+10 L A+Q120 C+Q122 FMAX
+11 L X3 Y0 Z0 FMAX
+12 PLANE SPATIAL SPA-30 SPB0 SPC0 TURN FMAX SEQ-
+13 L X4 Y0 Z0 FMAX
+14 PLANE AXIAL A-27 C-6 TURN FMAX
+15 L X5 Y0 Z0 FMAX
+16 END PGM T MM
+""", {5: ((0, 0, 0), {"A": -3, "C": 51}, 100), 6: ((1, 0, 0), {"A": -3, "C": 61}, 100),
+      7: (None, {"A": -3, "C": 30}, 100), 8: ((2, 0, 0), {"A": -3, "C": 26}, 100),
+      12: ((3, 0, 0), {"A": -30, "C": 0}, 100, about("X", -30)),
+      14: ((4, 0, 0), {"A": -30, "C": 0}, 100, about("X", -30)),
+      16: ((5, 0, 0), {"A": -30, "C": 0}, 100, about("X", -30))}),
 }
 
 
@@ -199,6 +263,8 @@ def check(isogloss, plugins, folder, machine_of):
             shown = [event["ProgramXyz"][a] for a in "XYZ"]
             astray = math.dist(in_plane, shown)
             off = math.dist(in_plane, point) if point else math.dist(rest, [at[a] for a in "XYZ"])
+            if not point and "Form" in event:
+                failures.append(f"{block}X Y Z rest, but the tip is said to be led: {event}\n{said}")
             turned = max(abs(math.remainder(has[a] - angles.get(a, 0), 360)) for a in has)
             if off > 1e-6 or turned > 1e-6 or astray > 1e-6:
                 failures.append(f"{block}tip off by {off:.3g} mm, an axis by {turned:.3g} degrees, the program point by "
