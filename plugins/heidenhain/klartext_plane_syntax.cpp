@@ -254,6 +254,12 @@ struct KlartextPlane {
         b.report(hei("HEI-0171"), where(), std::string_view("ABC").substr(axis, 1),
                  std::string_view("the machine has no such axis"));
     const auto m = command_.plane.frame(present_plane(b), axial, axes_.machine());
+    if (!m && command_.plane.kind == PlaneDefinition::axial) {
+      b.report(
+          hei("HEI-0171"), where(), shown(),
+          std::string_view("the head has two axes, one of them inclined, turned round or shifted: the plane stays"));
+      return;
+    }
     if (!m || !iso::is_finite(*m)) {
       b.report(hei("HEI-0170"), where(), shown(), std::string_view("a direction"));
       return;

@@ -77,18 +77,63 @@ struct PlaneDefinition {
   }
 
  private:
-  /// The plane that the axes, counted from the tool to the workpiece, turn: those of the head from the spindle on, then
-  /// those of the table from the machine's base on. Nothing where the tool does not stand upright on it, since an axis
-  /// is none about X, Y or Z.
+  /// The plane that the axes turn: the head turns its directions from those of the machine, the table takes them along
+  /// with the workpiece. Nothing where the tool does not stand upright on it, since two axes of a head are not as their
+  /// names say.
   static std::optional<iso::Mat4> frame_of_axes(const iso::Angles& axes, const iso::ToolKinematics& machine) {
-    iso::Mat4 m = iso::identity_frame;
-    for (std::size_t i = machine.count(); i-- > 0;)
-      if (!machine.is_table(i)) m = iso::product(m, iso::turn_about(machine.axis(i), axes[machine.axis(i)]));
-    for (std::size_t i = 0; i < machine.count(); ++i)
-      if (machine.is_table(i)) m = iso::product(m, iso::turn_about(machine.axis(i), axes[machine.axis(i)]));
+    const auto pivot = machine.pivot(axes);
     const auto tool = machine.tool_axis(axes);
+    const auto head = pivot ? turn_of_head(axes, *pivot, machine) : std::nullopt;
+    if (!tool || !head) return std::nullopt;
+    iso::Mat4 m = iso::identity_frame;
+    for (std::size_t row = 0; row < 3; ++row)
+      for (std::size_t column = 0; column < 3; ++column) {
+        m[4 * row + column] = 0;
+        for (std::size_t k = 0; k < 3; ++k) m[4 * row + column] += (*head)[4 * row + k] * (*pivot)[4 * column + k];
+      }
     constexpr double same = 1e-6;
-    if (!tool || !(iso::dot(*tool, {m[8], m[9], m[10]}) > 1 - same)) return std::nullopt;
+    if (!(iso::dot(*tool, {m[8], m[9], m[10]}) > 1 - same)) return std::nullopt;
+    return m;
+  }
+
+  /// How the head has turned the tool, as the machine sees it. The table turns what the machine says of the tool's
+  /// axis, so that is turned back.
+  static std::optional<iso::Mat4> turn_of_head(const iso::Angles& axes, const iso::Mat4& pivot,
+                                               const iso::ToolKinematics& machine) {
+    std::size_t heads = 0, head = 0;
+    for (std::size_t i = 0; i < machine.count(); ++i)
+      if (!machine.is_table(i)) {
+        ++heads;
+        head = machine.axis(i);
+      }
+    if (heads != 1) {
+      iso::Mat4 m = iso::identity_frame;
+      for (std::size_t i = machine.count(); i-- > 0;)
+        if (!machine.is_table(i)) m = iso::product(m, iso::turn_about(machine.axis(i), axes[machine.axis(i)]));
+      return m;
+    }
+    const auto seen = [&](double angle) {
+      iso::Angles turned = axes;
+      turned[head] = angle;
+      const auto tool = machine.tool_axis(turned);
+      ig::Vec3 out;
+      for (std::size_t i = 0; tool && i < 3; ++i) out[i] = iso::dot(*tool, {pivot[i], pivot[4 + i], pivot[8 + i]});
+      return out;
+    };
+    // The tool goes round a circle about the head's axis.
+    const ig::Vec3 start = seen(0), middle = 0.5 * (start + seen(180));
+    const auto n = iso::unit(iso::vector_product(start - middle, seen(90) - middle));
+    if (!n) return iso::turn_about(head, axes[head]);  // it lies along the axis
+    const ig::Vec3 upright = ig::Vec3{0, 0, 1} - middle, here = seen(axes[head]) - middle;
+    const double angle = std::atan2(iso::dot(*n, iso::vector_product(upright, here)), iso::dot(upright, here));
+    const double c = std::cos(angle), s = std::sin(angle);
+    iso::Mat4 m = iso::identity_frame;
+    for (std::size_t row = 0; row < 3; ++row) {
+      ig::Vec3 e{};
+      e[row] = 1;
+      const ig::Vec3 turned = c * e + s * iso::vector_product(*n, e) + (1 - c) * iso::dot(*n, e) * *n;
+      for (std::size_t column = 0; column < 3; ++column) m[4 * row + column] = turned[column];
+    }
     return m;
   }
 };
