@@ -23,6 +23,7 @@ struct KlartextRotaryStep {
                                         ig::In<double>{"MachineCoordinate.C"}};
   iso::RotaryOffsetSection offset_{"CoordinateOffset", ig::read};
   ig::In<ig::Symbol> preset_{"CoordinateOffset.CoordinateId"};
+  iso::RotaryIncrements increments_{ig::write};
   ig::Codes of_machine_{{"G53"}, ig::read};
   ig::Call plane_{{"G68.2"}, "", ig::read | ig::wake};
   ig::Call tip_{{"G43.4"}, "", ig::read | ig::wake};
@@ -35,8 +36,10 @@ struct KlartextRotaryStep {
     ig_value steps[3];
     const std::uint32_t named = b.host()->take_many(b.raw(), steps_.data(), 3, steps);
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if ((named >> axis & 1u) != 0)
+      if ((named >> axis & 1u) != 0) {
         b.host()->set(b.raw(), words_[axis].id(), {.number = b.get_or(angles_[axis], 0.0) + steps[axis].number});
+        increments_.raise(b, axis);
+      }
     return ig::Status::changed;
   }
 

@@ -17,6 +17,7 @@ struct McAbcCyclicPath {
   RotaryAxes axes_;
   ig::Signal by_words_{"McAbc.~Turns", ig::read};
   ig::Signal as_increment_{"McAbc.~AsIncrement", ig::read};
+  RotaryIncrements increments_{ig::read};
   ig::In<ig::Symbol> term_{"RotaryPath.Term"};
   ig::Name difference_{"M127"};
   ig::Choice<HalfTurn> half_turn_{"half-turn", "positive|negative", "positive",
@@ -29,7 +30,7 @@ struct McAbcCyclicPath {
     const std::uint32_t steps = steps_.count(b);
     bool changed = false;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if ((fresh >> axis & 1u) == 0) continue;
+      if ((fresh >> axis & 1u) == 0 || increments_.has(b, axis)) continue;
       const auto from = before_.get(b, axis), programmed = rotary_.get(b, axis);
       if (from && programmed) changed |= turn(b, axis, *from, *programmed, steps);
     }

@@ -150,6 +150,21 @@ class RotaryAngles {
   DistanceMode distance_;
 };
 
+/// Raised for an axis of which the block says how far it turns, where its word has become a position already (IC+300 of
+/// Klartext): it turns so far, more than half a turn as well.
+class RotaryIncrements {
+ public:
+  explicit RotaryIncrements(ig::Access access)
+      : axes_{ig::Signal{"McAbc.~IncrementA", access}, ig::Signal{"McAbc.~IncrementB", access},
+              ig::Signal{"McAbc.~IncrementC", access}} {}
+
+  bool has(const ig::Block& b, std::size_t axis) const { return b.is_raised(axes_[axis]); }
+  void raise(ig::Block& b, std::size_t axis) const { b.raise(axes_[axis]); }
+
+ private:
+  std::array<ig::Signal, 3> axes_;
+};
+
 /// What the machine says of its rotary axes, asked once.
 class RotaryAxes {
  public:

@@ -282,10 +282,14 @@ class RotaryTurns {
     const bool is_incremental = distance_.is_incremental(b);
     if (is_incremental && b.find(machine_select_)) named = 0;  // the control ignores G53 under G91
     const Angles offset = is_incremental ? Angles{} : offset_of_words(b);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if ((named >> axis & 1u) != 0)
-        turn.to[axis] = position(axis, words[axis], offset[axis], turn.to[axis], is_incremental);
-    turn.moves = moves(machine, turn);
+    bool turns_on = false;  // a whole turn moves as well
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if ((named >> axis & 1u) == 0) continue;
+      const double now = turn.to[axis];
+      turn.to[axis] = position(axis, words[axis], offset[axis], now, is_incremental);
+      turns_on |= (is_incremental || increments_.has(b, axis)) && std::fabs(turn.to[axis] - now) > noise;
+    }
+    turn.moves = turns_on || moves(machine, turn);
     return turn;
   }
   bool moves(const ToolKinematics& machine, const RotaryTurn& turn) const {
@@ -301,6 +305,8 @@ class RotaryTurns {
   const RotaryAxes& axes() const { return axes_; }
 
  private:
+  static constexpr double noise = 1e-9;
+
   /// The frame stands for other angles than those at which the axes are: something has turned them since, unless it is
   /// this block that does.
   void leave_for(const ig::Block& b, const ToolKinematics& machine, RotaryTurn& turn) const {
@@ -327,7 +333,6 @@ class RotaryTurns {
 
   /// Whole turns of an axis that counts on are a move as well.
   bool differ(const ToolKinematics& machine, const Angles& a, const Angles& b) const {
-    constexpr double noise = 1e-9;
     for (std::size_t k = 0; k < machine.count(); ++k) {
       const std::size_t axis = machine.axis(k);
       const double way = b[axis] - a[axis];
@@ -343,6 +348,7 @@ class RotaryTurns {
   }
   bool is_written(const ig::Block& b) const { return b.fresh_many(machine_.data(), 3) != 0; }
 
+  RotaryIncrements increments_{ig::read};
   RotaryAngles angles_;
   PivotState state_;
   RotaryWordsAre words_are_;

@@ -13,6 +13,9 @@
 10 M126
 11 M94 C
 12 L C+10
+; an increment goes as far as it says
+ L IC+300
+ L IC-360
 13 CYCL DEF 332 TUNING ~
  Q239=+0.03 ;TOLERANCE
 14 CYCL DEF 392 SETTINGS ~
