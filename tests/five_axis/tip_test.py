@@ -106,7 +106,7 @@ class Machine:
             values = [("X", n[0]), ("Y", n[1]), ("Z", n[2]), ("PivotX", point[0]), ("PivotY", point[1]),
                       ("PivotZ", point[2]), ("Sign", self.signs[letter]), ("Zero", self.zeros[letter])]
             rows.append(f'<Axis name="{letter}" Place="{place}" Order="{i + 1}" ' +
-                        " ".join(f'{k}="{v!r}"' for k, v in values) + "/>")
+                        " ".join(f'{k}="{v:.17f}"' for k, v in values) + "/>")
         return "<MachineKinematics>" + "".join(rows) + "</MachineKinematics>"
 
     def part(self, p, angles):
