@@ -29,7 +29,7 @@ struct SiemensRotaryWords {
                                  ig::Word{"Parsing.C", ig::read | ig::write | ig::wake, "deg"}};
   std::array<ig::In<double>, 3> angles_{ig::In<double>{"MachineCoordinate.A"}, ig::In<double>{"MachineCoordinate.B"},
                                         ig::In<double>{"MachineCoordinate.C"}};
-  ig::Codes frameless_{{"G53", "G153", "SUPA"}, ig::read};
+  ig::Codes frameless_{{"SUPA", "G53", "G153"}, ig::read | ig::write};
   AxisModes modes_{ig::read | ig::write};
   ig::Field<bool> aligned_{"TiltTransform.IsAligned",
                            ig::read,
@@ -51,7 +51,9 @@ struct SiemensRotaryWords {
       if (any && (tip_control_.is_on(b) || b.has(aligned_)) && turns_transformation(b))
         b.report(diag("SIE-0300"), code ? ig::Where::word(frames_.id(*code)) : ig::Where::block(), b.text(id));
     }
+    if (!b.has(words_[0]) && !b.has(words_[1]) && !b.has(words_[2])) return of(any);
     const bool has_frame = !b.find(frameless_), g91 = distance_.is_incremental(b);
+    if (!has_frame) any |= name_supa(b);
     const iso::Angles offset = has_frame ? offset_.get(b).value : iso::Angles{};
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (const auto word = b.get(words_[axis])) any |= resolve(b, axis, *word, offset[axis], g91);
@@ -60,6 +62,20 @@ struct SiemensRotaryWords {
 
  private:
   static ig::Status of(bool changed) { return changed ? ig::Status::changed : ig::Status::unchanged; }
+
+  /// To what follows the axes G53 is that of a Fanuc, which leads no tip and is none under G91. Here it puts off frames
+  /// as SUPA does.
+  bool name_supa(ig::Block& b) const {
+    ig_value code;
+    bool is_renamed = false;
+    for (const std::size_t i : {1u, 2u}) {
+      if (b.host()->get(b.raw(), frameless_.id(i), &code) == 0) continue;
+      b.host()->erase(b.raw(), frameless_.id(i));
+      b.host()->set(b.raw(), frameless_.id(0), code);
+      is_renamed = true;
+    }
+    return is_renamed;
+  }
 
   /// True where the offset has changed.
   bool select(ig::Block& b, ig::Symbol id) const {

@@ -23,7 +23,7 @@ from budget import budgeted  # noqa: E402: it lies in another folder
 from rotary_solver import INFINITE, Unclear, cross, inside, least  # noqa: E402
 from tip_test import MACHINES, Machine, inner, minus, plus, times, turned  # noqa: E402
 
-SHAPES = [shape for shape in MACHINES if len(shape) == 2]
+SHAPES = MACHINES + [[("C", "table", None)], [("A", "head", None)]]
 AXES = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0])
 LEVEL = ([0.0, 0.0, 0.0], *AXES)
 
@@ -72,7 +72,7 @@ class Program:
     def __init__(self, rng, shape):
         self.rng = rng
         self.machine = Machine(rng, shape)
-        if rng.random() < 0.3:
+        if len(shape) == 2 and rng.random() < 0.3:
             crooked(rng, self.machine)
         self.letters = self.machine.letters
         self.travel = {a: self.some_travel(self.machine.zeros[a]) for a in self.letters}
@@ -158,6 +158,8 @@ class Program:
         return self.number(max(low, -170), min(high, 170))
 
     def some_plane_axes(self):
+        if len(self.letters) == 1 and self.chance(0.8):  # a plane that the axis reaches
+            return [self.number(-80, 80) if self.letters == [a] else 0.0 for a in "ABC"]
         angles = [self.rng.choice([0.0, 0.0, 90.0, -90.0, self.number(-80, 80), self.number(-80, 80)])
                   for _ in range(2)] + [self.rng.choice([0.0, self.number(-180, 180)])]
         return angles
@@ -358,7 +360,7 @@ class Klartext(Program):
         return kind, words, (px, cross(n, px), n), None
 
     def choose(self, normal, sign):
-        head_is_second = self.machine.axes[1][1] == "head"
+        head_is_second = len(self.letters) == 2 and self.machine.axes[1][1] == "head"
         master = self.letters[1 if head_is_second else 0]
         found = inside(self.machine, normal, self.angles, self.travel, sign, master)
         return least(found, lambda pair: sum(abs(pair[a] - self.angles[a]) for a in pair))
@@ -408,6 +410,22 @@ class Klartext(Program):
             self.whole_move()
             for _ in range(self.rng.randint(1, 4)):
                 self.move(False)
+            if self.chance(0.3):
+                self.write("M128")
+                self.whole_move()
+                for _ in range(self.rng.randint(1, 4)):
+                    self.move(True)
+                self.write("M129")
+                self.whole_move()
+            if self.chance(0.3):
+                shift = [self.number(-30, 30) for _ in range(3)]
+                self.write("CYCL DEF 7.0 DATUM SHIFT")
+                self.write("CYCL DEF 7.1 " + self.words(shift))
+                self.frames.append((shift, *AXES))
+                self.whole_move()
+                self.write("CYCL DEF 7.0 DATUM SHIFT")
+                self.write("CYCL DEF 7.1 X+0 Y+0 Z+0")
+                self.frames.pop()
         self.frames = [LEVEL]
         if self.chance(0.5) and all(low <= 0 <= high for low, high in self.travel.values()):
             line = self.write("PLANE RESET TURN FMAX")
@@ -448,10 +466,12 @@ class Sinumerik(Program):
     def words(self, p, axes=range(3)):
         return " ".join(f"{'XYZ'[a]}{p[a]:.4f}" for a in axes)
 
-    def turn_word(self, letter, incremental):
+    def turn_word(self, letter, incremental, frameless):
         """Text and where the axis goes; None where the travel has no room."""
         present, shift = self.angles[letter], self.shift[letter]
         low, high = self.travel[letter]
+        if frameless:
+            shift = 0.0
         kind = self.rng.choice(["", "", "AC", "IC", "DC", "ACP", "ACN"])
         if kind == "IC" or (kind == "" and incremental):
             to = self.some_angle(letter, present, 60)
@@ -475,6 +495,9 @@ class Sinumerik(Program):
         incremental = self.chance(0.25)
         text = ("G91 " if incremental else "G90 ") + self.rng.choice(["G0", "G1 F500"])
         only_turns = self.chance(0.3)
+        frameless = only_turns and self.chance(0.3)
+        if frameless:
+            text += self.rng.choice([" SUPA", " G53", " G153"])
         p, angles, old = self.point, dict(self.angles), self.angles
         for a in range(3):
             if only_turns or self.chance(0.4):
@@ -489,7 +512,7 @@ class Sinumerik(Program):
                 text += f" {'XYZ'[a]}=AC({p[a]})" if by_mode else f" {'XYZ'[a]}{p[a]:.3f}"
         if leads or only_turns:
             for a in self.letters:
-                if self.chance(0.5) and (word := self.turn_word(a, incremental)):
+                if self.chance(0.5) and (word := self.turn_word(a, incremental, frameless)):
                     text += word[0]
                     angles[a] = word[1]
         if leads or not only_turns:
@@ -509,7 +532,7 @@ class Sinumerik(Program):
             return d, least(found, lambda pair: sum(abs(pair[a] - self.angles[a]) for a in pair))
         d, angles = self.drawn(draw)
         p = self.some_point()
-        line = self.write(f"G90 G1 {self.words(p)} A3={d[0]} B3={d[1]} C3={d[2]} F900")
+        line = self.write(f"G90 G1 {self.words(p)} A3={d[0]:.6f} B3={d[1]:.6f} C3={d[2]:.6f} F900")
         if angles is None:
             self.fail(line, "ISO-0443", "ISO-0444")
         self.tip_to(p, angles)

@@ -31,6 +31,14 @@ class Unclear(Exception):
 def pairs(machine, direction):
     """Up to two: {letter: angle}, as the machine shows them, whole turns aside."""
     turns = [a for a in reversed(machine.axes) if a[1] == "head"] + [a for a in machine.axes if a[1] == "table"]
+    if len(turns) == 1:
+        (letter, _, n, _), = turns
+        turn = angle_about(n, [0.0, 0.0, 1.0], direction)
+        if turn is None or abs(inner(n, direction) - n[2]) > 1e-9:
+            if turn is None or abs(inner(n, direction) - n[2]) < 1e-4:
+                raise Unclear
+            return []
+        return [{letter: machine.zeros.get(letter, 0.0) + machine.signs.get(letter, 1) * turn}]
     (b, _, nb, _), (a, _, na, _) = turns
     start = [0.0, 0.0, 1.0]
     along = inner(start, nb)
