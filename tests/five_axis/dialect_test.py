@@ -20,7 +20,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
 from budget import budgeted  # noqa: E402: it lies in another folder
 
-from rotary_solver import INFINITE, Unclear, cross, inside, least  # noqa: E402
+from rotary_solver import INFINITE, Unclear, cross, inside, least, turn_inside  # noqa: E402
 from tip_test import MACHINES, Machine, inner, minus, plus, times, turned  # noqa: E402
 
 SHAPES = MACHINES + [[("C", "table", None)], [("A", "head", None)]]
@@ -365,10 +365,29 @@ class Klartext(Program):
         found = inside(self.machine, normal, self.angles, self.travel, sign, master)
         return least(found, lambda pair: sum(abs(pair[a] - self.angles[a]) for a in pair))
 
+    def has_free_table(self):
+        """The last axis is a table that stands square to a tool along Z."""
+        return (len(self.letters) == 2 and self.machine.axes[1][1] == "table" and
+                self.machine.axes[1][2] == AXES[2] and abs(self.machine.axes[0][2][2]) < 0.9)
+
+    def level_plane(self):
+        """No angle of the table leans the tool: TABLE ROT turns X of the plane to X of the machine, else it goes to 0."""
+        turn = self.number(-170, 170)
+        rotation = self.rng.choice(["", " COORD ROT", " TABLE ROT"])
+        first, table = self.letters
+        tilt = turn_inside(self.machine.zeros[first], self.angles[first], self.travel[first])
+        to = self.machine.zeros[table] + self.machine.signs[table] * turn if "TABLE" in rotation else 0.0
+        free = turn_inside(to, self.angles[table], self.travel[table])
+        upright = {first: tilt, table: self.angles[table] if free is None else free}
+        words = f"SPA+0 SPB+0 SPC{turn:+.3f}"
+        return "SPATIAL", words, turned_axes([(AXES[2], turn)]), upright if tilt is not None else None, rotation
+
     def planes(self):
         present = AXES
         for count in range(self.rng.randint(1, 3)):
             def draw():
+                if self.has_free_table() and self.chance(0.25):
+                    return self.level_plane()
                 kind, words, axes, angles = self.some_plane(present)
                 if kind is None and count:
                     raise Unclear  # cycle 19 keeps angles that it does not name; one is enough
@@ -376,11 +395,10 @@ class Klartext(Program):
                     raise Unclear
                 sign = self.rng.choice([0, 0, 1, -1]) if kind not in (None, "AXIAL") else 0
                 upright = angles or self.choose(axes[2], sign)
-                return kind, words, axes, upright, sign
-            kind, words, axes, upright, sign = self.drawn(draw)
+                return kind, words, axes, upright, {0: "", 1: " SEQ+", -1: " SEQ-"}[sign]
+            kind, words, axes, upright, sequence = self.drawn(draw)
             way = self.rng.choice(["STAY", "TURN", "MOVE", "MOVE DIST"]) if kind else "STAY"
             lever = self.number(-200, 200) if way == "MOVE DIST" else 0.0
-            sequence = {0: "", 1: " SEQ+", -1: " SEQ-"}[sign]
             positioned = way.split()[0] + (f" DIST{lever:+.3f}" if lever else "")
             if kind:
                 line = self.write(f"PLANE {kind} {words} {positioned}" + ("" if way == "STAY" else " F2000") + sequence)
