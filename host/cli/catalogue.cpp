@@ -162,7 +162,8 @@ Json describe(const Dialect& d) {
   Json out{{"Name", d.name}, {"Title", d.title}, {"File", d.file.string()}};
   out["Extends"] = d.ancestors;
   out["Extensions"] = d.extensions;
-  out["Signatures"] = d.signatures;
+  out["Signatures"] = Json::array();
+  for (const Signature& s : d.signatures) out["Signatures"].push_back({{"Pattern", s.pattern}, {"Weight", s.weight}});
   out["Segmenter"] = d.segmenter.type;
   if (!d.segmenter.continuation.empty()) out["Continuation"] = d.segmenter.continuation;
   const auto attributes = [](const std::vector<Attribute>& list) {

@@ -8,6 +8,7 @@
 
 #include "crash_guard.hpp"
 #include "isogloss/engine/diagnostic_writer.hpp"
+#include "dialect_guess.hpp"
 #include "isogloss/engine/explain.hpp"
 #include "output_file.hpp"
 #include "program_options.hpp"
@@ -225,7 +226,7 @@ int ExplainCommand::explain_line(Session& session, const std::string& path) {
   if (!options || source == nullptr) return cannot_start;
   add_folder_of(path, *options);
   std::optional<std::string> dialect = program.dialect;
-  if (dialect->empty()) dialect = guess_dialect(path, source->head(), session);
+  if (dialect->empty()) dialect = guessed(path, source->head(), session);
   const std::unique_ptr<LinkedDialect> linked = dialect ? session.link(*dialect, options->chain.dependencies) : nullptr;
   if (linked == nullptr) return cannot_start;
   watch_calls(program.watchdog);

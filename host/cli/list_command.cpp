@@ -51,12 +51,15 @@ Listing dependencies(Session& session) {
 
 Listing dialects(Session& session) {
   Listing out{"dialects", {"Name", "Title", "File"}, Json::array()};
-  for (const Dialect& d : session.reader().list())
+  for (const Dialect& d : session.reader().list()) {
+    std::vector<std::string> patterns;
+    for (const Signature& s : d.signatures) patterns.push_back(s.pattern);
     out.rows.push_back({{"Name", d.name},
                         {"Title", d.title},
                         {"Extensions", d.extensions},
-                        {"Signatures", d.signatures},
+                        {"Signatures", patterns},
                         {"File", d.file.string()}});
+  }
   return out;
 }
 

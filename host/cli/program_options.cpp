@@ -1,45 +1,14 @@
 #include "program_options.hpp"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <cstring>
 #include <map>
 
+#include "dialect_guess.hpp"
+
 namespace isogloss::cli {
 
 namespace {
-
-constexpr std::size_t head_size = 8192;
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
-/// The first lines of the text, trimmed, without empty ones.
-std::vector<std::string> head_lines(std::string_view head) {
-  constexpr std::size_t enough = 100;
-  std::vector<std::string> lines;
-  for (std::size_t at = 0; at < head.size() && lines.size() < enough;) {
-    const std::size_t end = std::min(head.find_first_of("\r\n", at), head.size());
-    std::string_view line = head.substr(at, end - at);
-    at = end + 1;
-    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-    if (const std::size_t last = line.find_last_not_of(" \t"); last != std::string_view::npos)
-      lines.emplace_back(line.substr(0, last + 1));
-  }
-  return lines;
-}
-
-std::size_t count_signatures(const Dialect& dialect, const std::vector<std::string>& lines) {
-  const auto stands = [&](const std::string& pattern) {
-    return std::any_of(lines.begin(), lines.end(),
-                       [&](const std::string& line) { return ::fnmatch(pattern.c_str(), line.c_str(), 0) == 0; });
-  };
-  return static_cast<std::size_t>(std::count_if(dialect.signatures.begin(), dialect.signatures.end(), stands));
-}
 
 /// "1" or "1,3": layers from 1 to 9.
 bool are_layers(std::string_view text) {
@@ -189,7 +158,7 @@ std::unique_ptr<OpenedProgram> OpenedProgram::open(const std::string& path, Sess
     session.say("IG-0510", {path}, {error});
     return nullptr;
   }
-  std::string head(head_size, '\0');
+  std::string head(guessed_head_bytes, '\0');
   std::size_t size = 0;
   while (size < head.size()) {
     const std::size_t n = rest->read(head.data() + size, head.size() - size);
@@ -210,32 +179,6 @@ std::size_t OpenedProgram::read(char* buffer, std::size_t size) {
   std::memcpy(buffer, head_.data() + given_, n);
   given_ += n;
   return n;
-}
-
-std::optional<std::string> guess_dialect(const std::string& path, std::string_view head, Session& session) {
-  const std::string extension = lower(std::filesystem::path(path).extension().string());
-  const std::vector<std::string> lines = head_lines(head);
-  const std::vector<Dialect> dialects = session.reader().list();
-  const Dialect* best = nullptr;
-  std::size_t best_score = 0;
-  for (const Dialect& d : dialects) {
-    const bool fits = std::any_of(d.extensions.begin(), d.extensions.end(),
-                                  [&](const std::string& e) { return lower(e) == extension; });
-    // A signature in the text says more than any extension; the default dialect wins what is undecided.
-    const std::size_t score = 4 * count_signatures(d, lines) + (fits ? 2 : 0) + (d.name == default_dialect ? 1 : 0);
-    if (best != nullptr && score <= best_score) continue;
-    best = &d;
-    best_score = score;
-  }
-  if (best == nullptr) {
-    session.say("IG-0512", {path}, {});
-    return std::nullopt;
-  }
-  const std::string why = best_score >= 4   ? "by what stands in the text"
-                          : best_score >= 2 ? "by the extension " + extension
-                                            : "nothing tells its dialect";
-  session.say("IG-0514", {path}, {best->name, why});
-  return best->file.empty() ? best->name : best->file.string();
 }
 
 }  // namespace isogloss::cli

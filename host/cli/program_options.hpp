@@ -51,7 +51,4 @@ class OpenedProgram : public Source {
   std::size_t given_ = 0;
 };
 
-/// The dialect whose signatures and extensions fit best; says which it took. Empty, and said, when there is none.
-std::optional<std::string> guess_dialect(const std::string& path, std::string_view head, Session& session);
-
 }  // namespace isogloss::cli

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "crash_guard.hpp"
+#include "dialect_guess.hpp"
 #include "isogloss/engine/document_json.hpp"
 
 namespace isogloss::cli {
@@ -88,7 +89,7 @@ int ReproducerRequest::write(Session& session, const ProgramOptions& program_opt
   const std::unique_ptr<OpenedProgram> source = OpenedProgram::open(program, session);
   if (source == nullptr) return cannot_start;
   std::optional<std::string> dialect = program_options.dialect;
-  if (dialect->empty()) dialect = guess_dialect(program, source->head(), session);
+  if (dialect->empty()) dialect = guessed(program, source->head(), session);
   const std::unique_ptr<LinkedDialect> linked = dialect ? session.link(*dialect, options.chain.dependencies) : nullptr;
   if (linked == nullptr) return cannot_start;
 

@@ -4,8 +4,10 @@
 
 #include <chrono>
 #include <limits>
+#include <map>
 
 #include "crash_guard.hpp"
+#include "dialect_guess.hpp"
 #include "output_file.hpp"
 #include "program_options.hpp"
 #include "reproducer.hpp"
@@ -134,20 +136,28 @@ class Runs {
  public:
   Runs(const RunCommand& command, Session& session, const RunOptions& options, OutputFile* output)
       : command_(command), session_(session), options_(options), output_(output) {}
-  ~Runs() { keep_to_the_end(std::move(linked_)); }
+  ~Runs() {
+    keep_to_the_end(std::move(linked_));
+    for (auto& [name, linked] : likely_) keep_to_the_end(std::move(linked));
+  }
   Runs(const Runs&) = delete;
   Runs& operator=(const Runs&) = delete;
 
   int run(const std::string& path) {
     const std::unique_ptr<OpenedProgram> source = OpenedProgram::open(path, session_);
     if (source == nullptr) return cannot_start;
-    std::optional<std::string> dialect = command_.program.dialect;
-    if (dialect->empty()) dialect = guess_dialect(path, source->head(), session_);
-    if (!dialect) return cannot_start;
-    if (linked_ == nullptr || *dialect != linked_name_) {
-      linked_ = session_.link(*dialect, options_.chain.dependencies);
-      linked_name_ = *dialect;
+    std::string dialect = command_.program.dialect;
+    std::optional<Guess> guess;
+    if (dialect.empty()) {
+      guess = guess_dialect(path, source->head(), session_);
+      if (!guess) return cannot_start;
+      dialect = guess->dialect;
     }
+    if (linked_ == nullptr || dialect != linked_name_) {
+      linked_ = session_.link(dialect, options_.chain.dependencies);
+      linked_name_ = dialect;
+    }
+    if (guess) say_guess(path, *guess, linked_ == nullptr ? "" : parting(path, *source, *guess), session_);
     if (linked_ == nullptr) return cannot_start;
     const int status = run_linked(path, *source);
     session_.diagnostics().finish_program();
@@ -158,6 +168,19 @@ class Runs {
   bool wrote() const { return wrote_; }
 
  private:
+  /// How the dialect that is nearly as likely differs, for the note on what was guessed.
+  std::string parting(const std::string& path, const OpenedProgram& source, const Guess& guess) {
+    if (guess.next.empty()) return {};
+    auto& next = likely_[guess.next];
+    DiagnosticList ignored;
+    if (next == nullptr) next = session_.link(guess.next, options_.chain.dependencies, ignored);
+    if (next == nullptr) return {};
+    RunOptions options = options_;
+    add_folder_of(path, options);
+    const std::string place = where_moves_part(*linked_, *next, path, source.head(), options);
+    return place.empty() ? "" : "; " + guess.next_name + ", the next likely, moves otherwise from " + place + " on";
+  }
+
   int run_linked(const std::string& path, OpenedProgram& source) {
     RunOptions options = options_;
     add_folder_of(path, options);
@@ -234,6 +257,7 @@ class Runs {
   OutputFile* output_;
   std::unique_ptr<LinkedDialect> linked_;
   std::string linked_name_;
+  std::map<std::string, std::unique_ptr<LinkedDialect>> likely_;
   bool wrote_ = false, output_is_gone_ = false;
   int summary_status_ = success;
 };

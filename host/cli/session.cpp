@@ -110,9 +110,10 @@ Session::~Session() {
   write_to_stderr("isogloss: " + diagnostics_output_ + " cannot be written: " + diagnostics_file_->error() + "\n");
 }
 
-std::unique_ptr<LinkedDialect> Session::link(const std::string& name, const std::vector<DependencyElement>& own) {
-  std::optional<Dialect> dialect = reader_.read(name, diagnostics_);
-  if (!dialect || !add_missing(own, *dialect, library_, diagnostics_)) return nullptr;
+std::unique_ptr<LinkedDialect> Session::link(const std::string& name, const std::vector<DependencyElement>& own,
+                                             DiagnosticSink& sink) {
+  std::optional<Dialect> dialect = reader_.read(name, sink);
+  if (!dialect || !add_missing(own, *dialect, library_, sink)) return nullptr;
   // Notes on the dialect are for who writes it: `lint` says them.
   class WithoutNotes : public DiagnosticSink {
    public:
@@ -123,8 +124,8 @@ std::unique_ptr<LinkedDialect> Session::link(const std::string& name, const std:
 
    private:
     DiagnosticSink& sink_;
-  } sink(diagnostics_);
-  return isogloss::link(*dialect, library_, sink);
+  } without_notes(sink);
+  return isogloss::link(*dialect, library_, without_notes);
 }
 
 void Session::say(std::string_view code, Location where, std::initializer_list<std::string> arguments,

@@ -51,7 +51,11 @@ class Session {
 
   /// Reads and links, with the user's own dependencies where the dialect has them not; null when something is wrong,
   /// which is then said.
-  std::unique_ptr<LinkedDialect> link(const std::string& dialect, const std::vector<DependencyElement>& own = {});
+  std::unique_ptr<LinkedDialect> link(const std::string& dialect, const std::vector<DependencyElement>& own = {}) {
+    return link(dialect, own, diagnostics_);
+  }
+  std::unique_ptr<LinkedDialect> link(const std::string& dialect, const std::vector<DependencyElement>& own,
+                                      DiagnosticSink& sink);
   /// Says one of the host's diagnostics.
   void say(std::string_view code, Location where, std::initializer_list<std::string> arguments, std::string hint = {});
   /// From now on, whatever --diagnostics-output names; what went there is dropped.

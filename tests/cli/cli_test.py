@@ -454,6 +454,16 @@ class Run(Command):
                               ("G54\nT30 M06\nG65 P9995 W54. A20. D-10.\nM30\n", "haas"),
                               ("%\nO1030\nG20\nG00 X1.\nG53 G49 Z0.0 M05 (Z HOME)\nM30\n%\n", "haas"),
                               ("T02 M06\nM59 P2\nG04 P1.0\nM59 P3\nM30\n", "haas"),
+                              ("%\nO1030\nG90 G94 G17\nG20\nG53 G0 Z0.\nT1 M6\nG54 G0 X1.\nM30\n%\n", "haas"),
+                              ("%\nO1030\nG90 G94 G17 G49 G40 G80\nG20\nG0 X1.\nG53 G0 Z0.\nM30\n%\n", "fanuc"),
+                              ("%\nO1030\nG20\nG0 X1.\nG53 G0 Z0.\nM30\n%\n", "fanuc"),
+                              ("(BACK)\nG90 G94 G17 G91.1\nG21\nG53 G0 Z0.\nT1 M6\nG0 X1.\nM30\n", "iso"),
+                              ("%\nO1030 (VF-2SS, OP 1)\nG20\nG0 X1.\nM30\n%\n", "haas"),
+                              ("%\nO1030\n(G54 X0 Y0 is top right corner of part)\nG20\nG0 X1.\nM30\n%\n", "haas"),
+                              ("%\nO1030\n(Begin Cutting Blocks)\nG20\nG0 X1.\nM30\n%\n", "haas"),
+                              ("%\nO1030\nG20\nG04 P1.\nG53 G00 Z0.\nM30\n%\n", "haas"),
+                              ("\ufeff%\nO1234 (MAZAK)\nG54.1 P2 G0 X1.\nM30\n%\n", "mazak"),
+                              ("%\nO1234\nG20\n" + "X1.\n" * 900 + "G187 P1\nM30\n%\n", "haas"),
                               ("O1000\nG15 H1\nG0 X1 Y1\nM02\n", "okuma"),
                               ("O1\n(FLANGE)\nG15H=VC32\nM02\n", "okuma"),
                               ("O1\nNCYL G81 X1 Y1 Z-1 R1 F1\nM02\n", "okuma"),
@@ -472,6 +482,20 @@ class Run(Command):
             declined = 1 if "@macro" in text.lower() or "P9995" in text or dialect == "okuma" else 0
             done = self.run_it("run", self.write("guess.nc", text), "--emit", "none", status=declined)
             self.assertIn(f"note: dialect {dialect} ", done.stderr)
+
+    def test_the_note_tells_where_the_next_likely_dialect_moves_otherwise(self):
+        parting = "; haas, the next likely, moves otherwise from line 6 on); -d names another"
+        for line, differs in (("G28", True), ("G04 P1000", False)):  # a Haas moves home where a Fanuc moves nothing
+            program = self.write("guess.nc", f"%\nO1\nG21 G0 X1.\nG1 X2. F100.\n{line}\nY7.\nM30\n%\n")
+            done = self.run_it("run", program, "--emit", "none")
+            self.assertIn("note: dialect fanuc (by what stands in the text", done.stderr)
+            self.assertEqual(parting in done.stderr, differs, done.stderr)
+            self.assertNotIn("moves otherwise", self.run_it("run", program, "-d", "fanuc", "--emit", "none").stderr)
+
+    def test_a_guess_costs_a_long_program_no_more_than_a_moment(self):
+        text = "%\nO1\nG21 G0 X1.\nF100.\n" + "".join(f"G1 X{i}. Y{i % 7}.\n" for i in range(200_000)) + "G28\nM30\n%\n"
+        done = self.run_it("run", self.write("guess.nc", text), "--emit", "none")
+        self.assertNotIn("moves otherwise", done.stderr)  # beyond what is compared
 
     def test_part_of_a_klartext_program_is_known_by_its_moves(self):
         for text in ("1 L Z+2,000 R0 F MAX M3\n2 L X+10,000 Y+5,000 R0 F200\n", "L X1 FMAX\nL Z-1 F100\n"):

@@ -100,12 +100,15 @@ class FileReader {
         bad_value(node, "extensions", "endings such as .nc, separated by blanks");
     }
     for (const pugi::xml_node child : leaves(node, {"Signature"})) {
-      only_attributes(child, {"pattern"});
-      const std::string pattern = required(child, "pattern");
-      if (pattern.find_first_not_of("* ") == std::string::npos)
+      only_attributes(child, {"pattern", "weight"});
+      Signature signature{required(child, "pattern")};
+      if (const pugi::xml_attribute weight = child.attribute("weight")) signature.weight = weight.as_uint();
+      if (signature.pattern.find_first_not_of("* ") == std::string::npos)
         bad_value(child, "pattern", "a pattern for a line that not every line matches");
+      else if (signature.weight < 1 || signature.weight > 100)
+        bad_value(child, "weight", "a whole number from 1 to 100; 4 where it is not given");
       else
-        file_.own.signatures.push_back(pattern);
+        file_.own.signatures.push_back(std::move(signature));
     }
   }
 

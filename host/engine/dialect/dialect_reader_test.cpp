@@ -94,7 +94,7 @@ std::vector<std::string> image(const Dialect& d) {
   const auto add = [&](const std::vector<std::string>& more) { all.insert(all.end(), more.begin(), more.end()); };
   add(dependencies_of(d));
   add(d.extensions);
-  add(d.signatures);
+  for (const Signature& s : d.signatures) all.push_back(s.pattern + " " + std::to_string(s.weight));
   add({d.name, d.title, d.segmenter.type, d.segmenter.continuation, d.segmenter.comment});
   for (const PluginReference& p : d.plugins) all.push_back(p.name);
   for (const InitialField& f : d.initial) all.push_back(f.path + "=" + f.value);
@@ -104,7 +104,7 @@ std::vector<std::string> image(const Dialect& d) {
 
 using Strings = std::vector<std::string>;
 
-const char* const root_content = R"(<Files extensions=".nc .tap"><Signature pattern="%*"/></Files>
+const char* const root_content = R"(<Files extensions=".nc .tap"><Signature pattern="%*" weight="2"/></Files>
 <Segmenter type="line" continuation="~" comment=";"/>
 <Plugins><Plugin name="one"/></Plugins>
 <Dependencies>
@@ -129,7 +129,7 @@ TEST_CASE("a root dialect is read whole") {
   CHECK(d.title == "The base");
   CHECK(d.file == folder.path() / "base.xml");
   CHECK(d.extensions == Strings{".nc", ".tap"});
-  CHECK(d.signatures == Strings{"%*"});
+  CHECK(d.signatures == std::vector<Signature>{{"%*", 2}});
   CHECK(d.plugins.at(0).name == "one");
   CHECK(dependencies_of(d) == Strings{"Offsets [Row id=a X=1]", "Tools kind=mill"});
   CHECK(d.initial.at(1).value == "XY");
@@ -165,7 +165,7 @@ TEST_CASE("a derived dialect adds, replaces and edits") {
   CHECK(d.title == "The base");
   CHECK(d.ancestors == Strings{"base"});
   CHECK(d.extensions == Strings{".nc", ".tap"});
-  CHECK(d.signatures == Strings{"%*"});
+  CHECK(d.signatures == std::vector<Signature>{{"%*", 2}});
   REQUIRE(d.plugins.size() == 2);
   CHECK(d.plugins[0].name == "one");
   CHECK(d.plugins[1].name == "two");
@@ -248,6 +248,8 @@ TEST_CASE("what a dialect file says wrongly is told with code and place") {
       {"", "<Segmenter type=\"line\" comment=\";\"/>", {"IG-0110 2:24"}},
       {"", "<Files extensions=\"nc\"/>", {"IG-0110 2:8"}},
       {"", "<Files><Signature pattern=\"*\"/></Files>", {"IG-0110 2:19"}},
+      {"", "<Files><Signature pattern=\"%\" weight=\"0\"/></Files>", {"IG-0110 2:31"}},
+      {"", "<Files><Signature pattern=\"%\" weight=\"many\"/></Files>", {"IG-0110 2:31"}},
       {"", "<Plugins><Plugin name=\"../a\"/></Plugins>", {"IG-0110 2:18"}},
       {"", "<Chain><Logic><A override=\"yes\"/></Logic></Chain>", {"IG-0110 2:18"}},
       {"", "<Chain><Logic><A as=\"\"/></Logic></Chain>", {"IG-0110 2:18"}},

@@ -62,6 +62,9 @@ constexpr const char* schema_frame = R"(
     <xs:sequence>
       <xs:element name="Signature" minOccurs="0" maxOccurs="unbounded"><xs:complexType>
         <xs:attribute name="pattern" type="dialect.Text" use="required"><xs:annotation><xs:documentation>Shell pattern (* ? [0-9]) for a line in the head of a program.</xs:documentation></xs:annotation></xs:attribute>
+        <xs:attribute name="weight" default="4"><xs:annotation><xs:documentation>How much the sign tells: lower where programs of other dialects show it, too. A file's extension weighs 2.</xs:documentation></xs:annotation>
+          <xs:simpleType><xs:restriction base="xs:positiveInteger"><xs:maxInclusive value="100"/></xs:restriction></xs:simpleType>
+        </xs:attribute>
       </xs:complexType></xs:element>
     </xs:sequence>
     <xs:attribute name="extensions"><xs:annotation><xs:documentation>Endings of file names, separated by blanks.</xs:documentation></xs:annotation>

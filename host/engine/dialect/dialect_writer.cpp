@@ -69,8 +69,11 @@ class DialectWriter {
     if (dialect_.extensions.empty() && dialect_.signatures.empty()) return;
     pugi::xml_node files = root.append_child("Files");
     if (!dialect_.extensions.empty()) set_attribute(files, "extensions", joined(dialect_.extensions));
-    for (const std::string& pattern : dialect_.signatures)
-      set_attribute(files.append_child("Signature"), "pattern", pattern);
+    for (const Signature& signature : dialect_.signatures) {
+      pugi::xml_node node = files.append_child("Signature");
+      set_attribute(node, "pattern", signature.pattern);
+      if (signature.weight != Signature::usual_weight) set_attribute(node, "weight", std::to_string(signature.weight));
+    }
   }
 
   void add_segmenter(pugi::xml_node root) const {

@@ -62,6 +62,14 @@ struct Segmenter {
   std::string comment;       ///< what begins here may stand behind the mark; empty: nothing may
 };
 
+/// A sign of a dialect in the head of a program.
+struct Signature {
+  static constexpr unsigned usual_weight = 4;
+  std::string pattern;             ///< shell pattern (* ? [0-9]) for a line
+  unsigned weight = usual_weight;  ///< lower where other dialects' programs may show the sign, too
+  friend bool operator==(const Signature&, const Signature&) = default;
+};
+
 /// A dialect with all that it extends folded in.
 struct Dialect {
   std::string name;
@@ -69,7 +77,7 @@ struct Dialect {
   std::filesystem::path file;
   std::vector<std::string> ancestors;   ///< names, nearest first
   std::vector<std::string> extensions;  ///< ".nc"
-  std::vector<std::string> signatures;  ///< shell patterns (* ? [0-9]) for a line in the head of a program
+  std::vector<Signature> signatures;
   Segmenter segmenter{"line", {}, {}};
   std::vector<PluginReference> plugins;
   std::vector<DependencyElement> dependencies;  ///< nearest provider first

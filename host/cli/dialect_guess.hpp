@@ -1,0 +1,33 @@
+/// Which dialect a program is written in, where the user names none.
+#pragma once
+
+#include "isogloss/engine/runner.hpp"
+#include "session.hpp"
+
+namespace isogloss::cli {
+
+/// So much of a program is read to guess its dialect.
+constexpr std::size_t guessed_head_bytes = 65536;
+
+struct Guess {
+  std::string dialect;  ///< the name of a dialect, or its file
+  std::string name, why;
+  /// The dialect that comes next, where less than one sign of the usual weight is between them; else empty.
+  std::string next, next_name;
+};
+
+/// The dialect whose signatures and extensions fit best. Empty, and said, when there is none.
+std::optional<Guess> guess_dialect(const std::string& path, std::string_view head, Session& session);
+
+/// Says which dialect was taken; `parting` says how the next one differs, or is empty.
+void say_guess(const std::string& path, const Guess& guess, const std::string& parting, Session& session);
+
+/// Guesses and says; what --dialect takes.
+std::optional<std::string> guessed(const std::string& path, std::string_view head, Session& session);
+
+/// The place of the first move that two dialects make in different ways, "line 12". Runs the head of the program, and
+/// no more than some thousand blocks of it; empty where the moves are the same as far as that.
+std::string where_moves_part(const LinkedDialect& taken, const LinkedDialect& next, const std::string& path,
+                             std::string_view head, const RunOptions& options);
+
+}  // namespace isogloss::cli
