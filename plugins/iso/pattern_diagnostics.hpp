@@ -35,6 +35,12 @@ inline constexpr std::array pattern_diagnostics{
     ig::diagnostic(IG_WARNING, "ISO-0374", "{0}: the tap cannot leave {1} times as fast; J is left out",
                    "J of a tapping cycle says how many times as fast the tap leaves the hole, from above 0 to 20.",
                    "G84 Z-15. R5. F750. J-2."),
+    ig::diagnostic(
+        IG_ERROR, "ISO-0560", "{0}: the lengths before it are {1}, and this control cannot change its unit: it stops",
+        "On this control a parameter of the machine is the unit, and G20 and G21 only check it. The first of "
+        "them, or the first length, tells how the machine is set; a later code that says otherwise is an "
+        "alarm.",
+        "G21 / X1 / G20"),
 };
 
 inline constexpr std::size_t pattern_end = radius_end + pattern_diagnostics.size();

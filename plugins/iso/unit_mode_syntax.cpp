@@ -37,6 +37,11 @@ struct UnitMode {
   ig::Choice<Unsaid> unsaid_{"unsaid", "silent|warning", "silent",
                              "Whether a length before any G20 or G21 is worth a warning: a setting of the machine says "
                              "what it is."};
+  enum class Effect { select, check };
+  ig::Choice<Effect> effect_{
+      "effect", "select|check", "select",
+      "Whether the codes select the unit, or only check it: a parameter of the machine is the unit, "
+      "and the other code is an alarm."};
   ig::Config format_{"isogloss.number-format/1", ig::Need::optional, "The unit in which a program starts."};
   ig::Signal no_unit_yet_{"Unit.~Unsaid", ig::read | ig::write | ig::wake_while, ig::Life::modal};
 
@@ -57,7 +62,8 @@ struct UnitMode {
       b.set(term_, g20_);
       b.set(system_, inch_);
     }
-    if (unsaid_ == Unsaid::silent) return in_inch ? ig::Status::changed : ig::Status::unchanged;
+    if (unsaid_ == Unsaid::silent && effect_ == Effect::select)
+      return in_inch ? ig::Status::changed : ig::Status::unchanged;
     b.raise(no_unit_yet_);
     return ig::Status::changed;
   }
@@ -67,7 +73,11 @@ struct UnitMode {
     const bool waits_for_unit = b.is_raised(no_unit_yet_);
     const bool is_said = waits_for_unit && (mode || say_unsaid(b));
     if (is_said) b.erase(no_unit_yet_);
-    if (mode) {
+    if (mode && effect_ == Effect::check && !waits_for_unit && b.is(system_, mode->is_inch ? metric_ : inch_)) {
+      b.report(pattern_diag("ISO-0560"), ig::Where::block(), b.text(mode->name),
+               std::string_view(mode->is_inch ? "mm" : "inches"));
+      b.alarm();
+    } else if (mode) {
       b.set(term_, mode->name);
       b.set(system_, mode->is_inch ? inch_ : metric_);
     }
@@ -76,13 +86,14 @@ struct UnitMode {
   }
 
  private:
-  /// True at the first length that is not 0: the same number, and 25.4 times the way.
+  /// True at the first length that is not 0: the same number, and 25.4 times the way. From there on the unit is known.
   bool say_unsaid(ig::Block& b) const {
     for (std::size_t i = 0; i < lengths_.size(); ++i) {
       ig_value value;
       if (b.host()->get(b.raw(), lengths_.id(i), &value) == 0 || value.number == 0) continue;
-      b.report(pattern_diag("ISO-0373"), ig::Where::word(lengths_.id(i)), lengths_.path(i).substr(8),
-               std::string_view(b.is(system_, inch_) ? "inches" : "mm"));
+      if (unsaid_ == Unsaid::warning)
+        b.report(pattern_diag("ISO-0373"), ig::Where::word(lengths_.id(i)), lengths_.path(i).substr(8),
+                 std::string_view(b.is(system_, inch_) ? "inches" : "mm"));
       return true;
     }
     return false;
