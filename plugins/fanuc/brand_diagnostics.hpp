@@ -66,6 +66,21 @@ inline constexpr std::array brand_diagnostics{
                    "The length on five axes is not executed. With the length 0 the positions are right as they are "
                    "programmed; the machine's own length shifts them along the turned tool.",
                    "G143 H1 X0. Y0. Z20. A-10. B5."),
+    ig::diagnostic(IG_ERROR, "FAN-0220", "{0} is not executed: {1}; the block moves without the tool offset",
+                   "G45 to G48 lengthen or shorten the ways of their block by the offset of D. Positions are wrong by "
+                   "the offset from here on, up to a block without G45 to G48 under G90.",
+                   "G45 X10. (without a D)"),
+    ig::diagnostic(IG_WARNING, "FAN-0221", "{0} is ignored: a canned cycle is in force; write it before the cycle",
+                   "The control ignores G45 to G48 in the mode of canned cycles. G80 ends it.",
+                   "G81 Z-10. R2. F100 / G45 X10. D1"),
+    ig::diagnostic(IG_WARNING, "FAN-0222",
+                   "{0}: the radius of D{1} is 0 in the tool table, so the offset changes nothing",
+                   "Give the row with --tools, or one value with --set ToolOffsetTable.1.D=5.", "G45 X10. D99"),
+    ig::diagnostic(IG_ERROR, "FAN-0223",
+                   "{0}: only a quarter or three quarters of a circle with I J K take the offset; the arc has none",
+                   "The manual allows G45 to G48 in an arc that begins and ends on the axes of its centre, without R, "
+                   "and not under G68; the radius must stay greater than 0.",
+                   "G03 G45 X10. Y20. R20. D1"),
 };
 
 consteval std::uint32_t brand_diag(std::string_view code) {
