@@ -77,6 +77,7 @@ struct SiemensCall {
       b.report(diag("SIE-0168"), ig::Where::columns(position, last), piece(text, position, last));
       return statement_end(text, position);
     }
+    if (const auto behind = curve(b, name, text, position, next)) return *behind;
     environment_.enter(b);
     arguments_.clear();
     if (name == "CALL" || name == "PCALL" || name == "EXTCALL" || name == "ISOCALL")
@@ -103,6 +104,17 @@ struct SiemensCall {
       return end;
     }
     return request(b, text, next, std::move(name), has_bracket ? next : end);
+  }
+
+  /// CTABDEF begins the definition of a curve, CTABEND ends it; cycles and calls in between are part of it. Nothing:
+  /// the name is none of that.
+  std::optional<std::size_t> curve(ig::Block& b, std::string_view name, std::string_view text, std::size_t position,
+                                   std::size_t next) {
+    std::uint32_t& begins = environment_.store().curve_begins;
+    if (name == "CTABDEF") begins = std::max(environment_.flow.here(b).line, 1u);
+    if (begins == 0 || name == "CTABDEF") return std::nullopt;
+    if (name == "CTABEND") begins = 0;
+    return at(text, next) == '(' ? skip_call(text, next) : skip_name(text, position);
   }
 
   /// What DEFINE says of the name: one that looks like a code counts, too (DEFINE M6 AS L6).
@@ -208,8 +220,8 @@ struct SiemensCall {
                                       {"EGONSYN", coupled},
                                       {"EGONSYNE", coupled},
                                       {"EGDEF", coupled},
-                                      {"CTABDEF", coupled},
-                                      {"CTABEND", coupled},
+                                      {"CTABDEF", "the blocks up to CTABEND are points of a curve and move nothing"},
+                                      {"CTABEND", "no CTABDEF is in force"},
                                       {"MASLON", coupled},
                                       {"MASLDEF", coupled},
                                       {"GEOAX", axes},

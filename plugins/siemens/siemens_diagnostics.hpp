@@ -35,7 +35,7 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_ERROR, "SIE-0109", "the function {0} is not known here",
                    "Known are SIN COS TAN ASIN ACOS ATAN2 SQRT ABS POT TRUNC ROUND ROUNDUP LN EXP MINVAL MAXVAL BOUND "
                    "STRLEN NUMBER TOUPPER TOLOWER. What needs the value is not executed.",
-                   "R1=GETT(1)"),
+                   "R1=SIGN(1)"),
     ig::diagnostic(
         IG_ERROR, "SIE-0110", "the value of {0} is not known here",
         "The variable belongs to the running machine. Give it a value in a table of variables (--variables FILE).",
@@ -130,8 +130,11 @@ inline constexpr std::array diagnostics{
                    "L999"),
     ig::diagnostic(IG_ERROR, "SIE-0167", "this block asks for more than one jump or call: {0} is not called",
                    "A call stands in a block of its own.", "L10 L20"),
-    ig::diagnostic(IG_ERROR, "SIE-0168", "synchronized action: '{0}' is not executed",
-                   "It acts while the axes move, on signals of the machine.", "WHEN $A_IN[1]==1 DO M8"),
+    ig::diagnostic(IG_ERROR, "SIE-0168",
+                   "the synchronized action '{0}' is not executed: the machine does it beside the program",
+                   "It acts on signals of the machine and on positions while the axes move, so what it moves or "
+                   "switches is missing.",
+                   "WHEN $A_IN[1]==1 DO M8"),
     ig::diagnostic(IG_ERROR, "SIE-0169", "'{0}' should not stand in a call: nothing is called",
                    "The form is NAME(1,,R5).", "PART(1 2)"),
     ig::diagnostic(IG_ERROR, "SIE-0170", "the program stops the control: alarm {0}",
@@ -351,6 +354,14 @@ inline constexpr std::array diagnostics{
     ig::diagnostic(IG_ERROR, "SIE-0306", "{0} is not executed: RET takes one label or block number, as a text",
                    "The levels to return over, and a second target, are not executed.", "RET(,2)"),
     ig::diagnostic(IG_ERROR, "SIE-0307", "{0} divides by zero", "What needs the value is not executed.", "R1=5/0"),
+    ig::diagnostic(IG_ERROR, "SIE-0320",
+                   "the program ends, but CTABDEF in line {0} has no CTABEND: nothing moved since",
+                   "The blocks between CTABDEF and CTABEND are points of a curve. Write CTABEND behind the last one.",
+                   "CTABDEF(Y,X,1,0) / X0 Y0 / M30"),
+    ig::diagnostic(IG_ERROR, "SIE-0321", "{0} asks the control: what it answers is not known here",
+                   "The function reads the tools, the curves or the axes of the machine. What needs the value is not "
+                   "executed. Assign the value that it has on the machine.",
+                   "R1=GETT(\"DRILL\",1)"),
 };
 
 consteval std::uint32_t diag(std::string_view code) { return iso::index_of(diagnostics, code, 0); }

@@ -333,6 +333,17 @@ std::optional<Value> Expression::read(const Reference& r) {
   return std::nullopt;
 }
 
+/// Functions of tools, curves, axes, files and protection zones of the running control.
+static bool asks_control(std::string_view name) {
+  for (const std::string_view known :
+       {"GETT",     "GETACTT",  "GETACTTD",   "GETDNO",     "GETEXET",    "GETSELT", "GETTCOR",  "NEWT",    "CHKDNO",
+        "CTAB",     "CTABINV",  "CTABTSV",    "CTABTEV",    "CTABTSP",    "CTABTEP", "CTABSSV",  "CTABSEV", "CTABTMIN",
+        "CTABTMAX", "CTABID",   "CTABEXISTS", "CTABPERIOD", "CTABISLOCK", "ISFILE",  "CALCPOSI", "GETTENV", "TCARR",
+        "MODAXVAL", "POSRANGE", "SPI",        "AXTOSPI",    "GETTCOR",    "LENTOAX", "STRINGIS", "COLLPAIR"})
+    if (known == name) return true;
+  return false;
+}
+
 std::optional<Value> Expression::call(const std::string& name, std::size_t begin) {
   struct Function {
     std::string_view name;
@@ -347,7 +358,7 @@ std::optional<Value> Expression::call(const std::string& name, std::size_t begin
                                      [&](const Function& known) { return known.name == name; });
   if (f == std::end(functions)) {
     at_ = skip_call(text_, at_);
-    return fail(diag("SIE-0109"), begin, std::string_view(name));
+    return fail(asks_control(name) ? diag("SIE-0321") : diag("SIE-0109"), begin, std::string_view(name));
   }
   if (++depth_ > deepest) return fail(diag("SIE-0103"), begin, static_cast<double>(deepest));
   const std::size_t open = at_++;

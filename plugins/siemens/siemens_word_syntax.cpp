@@ -55,9 +55,27 @@ struct SiemensWord {
   static ig::Where columns(std::size_t begin, std::size_t end) { return ig::Where::columns(begin, end); }
 
   void give(ig::Block& b, Run& run) const {
+    if (defines_curve() && !ends_program(b, run)) run.count = 0;
     if (run.count > 0) b.host()->set_words(b.raw(), run.words.data(), run.count);
     run.count = 0;
   }
+  /// Between CTABDEF and CTABEND, where words are points of a curve: they move nothing and stay for no later block.
+  bool defines_curve() const { return environment_.store().curve_begins != 0; }
+  bool ends_program(ig::Block& b, const Run& run) const {
+    for (std::uint32_t i = 0; i < run.count; ++i)
+      for (const std::uint32_t m : {2u, 17u, 30u})
+        if (run.words[i].field == fields_.code('M', m)) {
+          b.report(diag("SIE-0320"), columns(run.words[i].begin, run.words[i].end),
+                   static_cast<double>(environment_.store().curve_begins));
+          environment_.store().curve_begins = 0;
+          return true;
+        }
+    return false;
+  }
+  void set_mode(ig::Block& b, std::size_t word, ig::Symbol mode) const {
+    if (!defines_curve()) modes_.set(b, word, mode);
+  }
+
   void add(ig::Block& b, Run& run, ig_field field, std::size_t begin, std::size_t end, double value,
            std::string_view name) const {
     if (run.count == run.words.size()) give(b, run);
@@ -155,10 +173,11 @@ struct SiemensWord {
 
   void word(ig::Block& b, Run& run, std::string_view name, ig_field field, std::size_t begin, std::size_t end,
             double value) const {
-    if (field == IG_NO_FIELD)
-      iso::leave(b, IG_LEFT_WORD, name, begin, end);
-    else
+    if (field == IG_NO_FIELD) {
+      if (!defines_curve()) iso::leave(b, IG_LEFT_WORD, name, begin, end);
+    } else {
       add(b, run, field, begin, end, value, name);
+    }
   }
 
   static std::size_t refuse(ig::Block& b, std::uint32_t diagnostic, std::string_view text, std::size_t begin,
@@ -191,6 +210,7 @@ struct SiemensWord {
       run.words[run.count++] = {field, iso::column(begin), iso::column(end), ig_value{}, 0, 0};
       return;
     }
+    if (defines_curve()) return;
     std::array<char, 16> name{letter, '0'};
     const auto last = std::to_chars(name.data() + (n < 10 ? 2 : 1), name.data() + name.size(), n).ptr;
     iso::leave(b, IG_LEFT_UNKNOWN, {name.data(), static_cast<std::size_t>(last - name.data())}, begin, end);
@@ -263,7 +283,7 @@ struct SiemensWord {
     if (mode != ig::Symbol{}) {
       const std::size_t word_index = AxisModes::index_of(name);
       if (word_index < AxisModes::words.size())
-        modes_.set(b, word_index, mode);
+        set_mode(b, word_index, mode);
       else if (!(name == "SPOS" || name == "SPOSA") || b.text(mode) == "IC")  // an angle, whichever way it is reached
         b.report(diag("SIE-0128"), columns(begin, end), std::string_view(name), b.text(mode));
     }
@@ -302,6 +322,7 @@ struct SiemensWord {
   /// G=, M=, M1=3, S1=500, H=: with a number the address of one spindle, or of an auxiliary function.
   std::size_t extended(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end, const std::string& name,
                        double value, Run& run) const {
+    if (defines_curve()) return end;
     const char letter = name[0];
     const bool is_master = name.size() == 1 || is_master_spindle(name.substr(1)) || (letter == 'M' && name == "M0");
     if (!is_master || letter == 'H') {
@@ -344,7 +365,7 @@ struct SiemensWord {
     const Assigned a = assigned(b, text, equals);
     if (!a.value) return a.end;
     if (a.mode != ig::Symbol{} && AxisModes::index_of(name) < AxisModes::words.size())
-      modes_.set(b, AxisModes::index_of(name), a.mode);
+      set_mode(b, AxisModes::index_of(name), a.mode);
     word(b, run, name, fields_.address(name), begin, a.end, *a.value);
     return a.end;
   }
@@ -362,6 +383,14 @@ struct SiemensWord {
       b.report(diag("SIE-0126"), columns(begin, a.end), piece(text, begin, a.end));
     return a.end;
   }
+  /// "M1" of M[1], "S2" of S[2]: an address extension that is computed. Empty: something else.
+  std::string extended_name(const std::string& indexed) const {
+    const bool is_extended = indexed.size() > 3 && indexed[1] == '[' && indexed.back() == ']' &&
+                             std::string_view("MSH").find(indexed[0]) != std::string_view::npos &&
+                             iso::skip_digits(indexed, 2) == indexed.size() - 1;
+    if (!is_extended || environment_.store().find(indexed.substr(0, 1)) != nullptr) return {};
+    return indexed[0] + indexed.substr(2, indexed.size() - 3);
+  }
   static bool belongs_to_spindle(std::string_view name) {
     return name.starts_with("SPOS[") || name.starts_with("SPOSA[") || name.starts_with("LIMS[");
   }
@@ -378,6 +407,7 @@ struct SiemensWord {
 
   std::size_t tool(ig::Block& b, std::string_view text, std::size_t begin, std::size_t value_at, Run& run,
                    const std::string& name) const {
+    if (defines_curve()) return line_end_of_fault(text, value_at);
     const std::size_t end_of_name = skip_name(text, value_at);
     Expression e(b, environment_, text, value_at);
     // T=DRILL without quotes is written, too; the control reads a variable there [?].
@@ -440,6 +470,10 @@ struct SiemensWord {
       environment_.store().find(reference->name)->value = Value::string(upper(piece(text, value_at, name_end)));
       return name_end;
     }
+    if (const std::string name = extended_name(reference->name); !name.empty()) {
+      const Assigned a = assigned(b, text, equals);
+      return a.value ? extended(b, text, begin, a.end, name, *a.value, run) : a.end;
+    }
     if (belongs_to_spindle(reference->name)) return of_spindle(b, text, begin, equals, reference->name, run);
     if (reference->name[0] == '$' && !environment_.store().given(reference->name)) {
       const auto done = SystemAssignment(environment_).run(b, text, begin, equals, reference->name);
@@ -454,6 +488,7 @@ struct SiemensWord {
     if (!reference->is_r && is_unknown_array && !environment_.store().given(reference->name) &&
         !changes_no_position(reference->name)) {
       const std::size_t end = statement_text_end(text, equals);
+      if (defines_curve()) return end;  // PO[X]=
       if (is_of_control(reference->name))
         environment_.report_once(b, diag("SIE-0131"), columns(begin, end), begin, std::string_view(reference->name));
       else

@@ -119,6 +119,7 @@ class VariableStore {
   ModalCall modal;
   std::vector<PatternCall> patterns;           ///< the innermost last
   std::optional<std::int64_t> master_spindle;  ///< what SETMS has named
+  std::uint32_t curve_begins = 0;              ///< the line of the CTABDEF that is in force; 0: none
 
   std::size_t most_names = 100'000;  ///< of one program, elements of arrays counted
 
@@ -225,6 +226,7 @@ class VariableStore {
     given_for_run_.clear();
     patterns.clear();
     master_spindle.reset();
+    curve_begins = 0;
   }
 
  private:
