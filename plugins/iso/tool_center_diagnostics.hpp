@@ -13,10 +13,11 @@ inline constexpr std::array tool_center_diagnostics{
                    "Angles follow from the directions of the axes: a dependency MachineKinematics, mostly from "
                    "--machine FILE. Positions in the plane hold for a machine that has turned. Said once a run.",
                    "G68.2 X0 Y0 Z0 I0 J30. K0 (then) G53.1"),
-    ig::diagnostic(IG_ERROR, "ISO-0443", "{0}: the rotary axes cannot turn the tool to {1}, {2}, {3}: nothing moves",
+    ig::diagnostic(IG_ERROR, "ISO-0443",
+                   "{0}: the rotary axes cannot turn the tool to {1}, {2}, {3}: they stay where they are",
                    "No pair of angles, whatever the limits of the axes are, gives the tool this direction.",
                    "G68.2 X0 Y0 Z0 I0 J90. K0 (then) G53.1"),
-    ig::diagnostic(IG_ERROR, "ISO-0444", "{0}: outside the travel of the rotary axes: nothing moves",
+    ig::diagnostic(IG_ERROR, "ISO-0444", "{0}: outside the travel of the rotary axes, so they stay where they are",
                    "Of the pairs of angles that give the tool its direction, none that the block allows lies inside "
                    "the limits (MachineAxes). Limits are inclusive. The control stops with an alarm.",
                    "G68.2 X0 Y0 Z0 I0 J90. K0 (then) G53.1"),

@@ -1,5 +1,6 @@
 /// Functions of the control that are known by name but not executed: each is one error that says what is missing, and
 /// the words that belong to it go with it.
+#include <algorithm>
 #include <vector>
 
 #include "recognised_codes.hpp"
@@ -55,7 +56,16 @@ struct SiemensCode {
     std::string_view missing;
   };
   std::vector<Word> words_ = declared_words();
-  ig::Signal direction_said_{"SiemensCode.~DirectionSaid", ig::read | ig::write, ig::Life::modal};
+  /// A tool that keeps its direction is said once for each kind of word, since whole programs are full of them.
+  struct Direction {
+    std::string_view word;
+    ig::Signal said;
+  };
+  std::array<Direction, 4> directions_{
+      Direction{"LEAD", {"SiemensCode.~LeadSaid", ig::read | ig::write, ig::Life::modal}},
+      Direction{"TILT", {"SiemensCode.~TiltSaid", ig::read | ig::write, ig::Life::modal}},
+      Direction{"A2", {"SiemensCode.~A2Said", ig::read | ig::write, ig::Life::modal}},
+      Direction{"A3", {"SiemensCode.~A3Said", ig::read | ig::write, ig::Life::modal}}};
 
   // Smoothing and limits, the angle at which a thread begins: they change no end point. Of splines: the code says that
   // the curve is missing.
@@ -74,11 +84,13 @@ struct SiemensCode {
       if (!value) continue;
       any = true;
       if (*value == 0 && is_additional(word.missing)) continue;  // the end of it
-      const bool is_direction = word.missing.ends_with("the tool keeps its direction");
-      if (is_direction ? !b.is_raised(direction_said_) : word.missing != said)
+      const auto direction = std::find_if(directions_.begin(), directions_.end(),
+                                          [&](const Direction& d) { return word.missing.starts_with(d.word); });
+      const bool is_direction = direction != directions_.end();
+      if (is_direction ? !b.is_raised(direction->said) : word.missing != said)
         b.report(diag("SIE-0262"), ig::Where::word(word.word.id()), word.missing);
       said = word.missing;
-      if (is_direction) b.raise(direction_said_);
+      if (is_direction) b.raise(direction->said);
     }
     return any ? ig::Status::changed : ig::Status::unchanged;
   }

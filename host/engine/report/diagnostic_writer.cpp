@@ -35,6 +35,11 @@ std::string_view colour(Severity severity) {
   return severity == Severity::error ? "\033[1;31m" : severity == Severity::warning ? "\033[1;35m" : "\033[1;36m";
 }
 
+std::string without_numbers(std::string text) {
+  std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+'; });
+  return text;
+}
+
 }  // namespace
 
 std::string printable(std::string_view text, std::string_view kept) {
@@ -79,7 +84,12 @@ bool DiagnosticWriter::is_repeat(const Diagnostic& d) {
     return other.where.line == d.where.line && other.where.column == d.where.column && other.message == d.message &&
            other.where.file == d.where.file;
   };
-  if (said.written.size() >= policy_.repeats || std::any_of(said.written.begin(), said.written.end(), is_same)) {
+  // Of an error another word in the message is news, another number is not.
+  constexpr std::size_t most_wordings = 20;
+  const bool is_new = d.severity == Severity::error && said.wordings.size() < most_wordings &&
+                      said.wordings.insert(without_numbers(d.message)).second;
+  if ((said.written.size() >= policy_.repeats && !is_new) ||
+      std::any_of(said.written.begin(), said.written.end(), is_same)) {
     ++said.unsaid;
     return true;
   }

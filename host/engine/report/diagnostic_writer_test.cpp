@@ -56,6 +56,18 @@ TEST_CASE("Repeats of one code are counted, in each program anew") {
   CHECK(writer.by_code().at("AB-1").number == 6);
 }
 
+TEST_CASE("An error with other words is said beyond the repeats, one with other numbers is not") {
+  std::string out;
+  DiagnosticWriter writer({.repeats = 1}, [&](std::string_view text) { out += text; });
+  for (const char* const message : {"I1.5 is odd", "I-2 is odd", "J3 is odd", "J4 is odd"}) {
+    Diagnostic d = warning(message);
+    d.severity = Severity::error;
+    writer.add(d);
+  }
+  writer.finish();
+  CHECK(out == "part.nc:3:5: error: I1.5 is odd [AB-1]\npart.nc:3:5: error: J3 is odd [AB-1]\n… and 2 more [AB-1]\n");
+}
+
 TEST_CASE("What a loop says again at the same place is written once") {
   CHECK(said({}, {warning(), warning("odder"), warning(), warning()}) ==
         "part.nc:3:5: warning: odd [AB-1]\npart.nc:3:5: warning: odder [AB-1]\n… and 2 more [AB-1]\n");

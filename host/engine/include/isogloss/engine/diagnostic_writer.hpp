@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,8 @@ enum class DiagnosticStyle : std::uint8_t { text, json, sarif };
 
 struct DiagnosticPolicy {
   DiagnosticStyle style = DiagnosticStyle::text;
-  std::uint64_t repeats = 5;  ///< text: so many of one code are said in full, those of one place and wording once, the
-                              ///< rest as one line; 0: all
+  std::uint64_t repeats = 5;  ///< text: so many of one code are said in full, and the first error of each wording;
+                              ///< those of one place and wording once, the rest as one line; 0: all
   std::uint64_t maximum_errors = 0;  ///< limit_reached() from then on; 0: no limit
   bool warnings_are_errors = false;
   bool colours = false;  ///< text only
@@ -51,7 +52,8 @@ class DiagnosticWriter : public DiagnosticSink {
 
  private:
   struct Said {
-    std::vector<Diagnostic> written;  // at most `repeats`
+    std::vector<Diagnostic> written;  // `repeats`, and the first one of each wording
+    std::set<std::string> wordings;   // without numbers
     std::uint64_t unsaid = 0;
   };
   bool is_repeat(const Diagnostic& diagnostic);
