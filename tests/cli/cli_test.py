@@ -519,6 +519,34 @@ class Run(Command):
             levels = [e["ProgramXyz"]["Z"] for e in map(json.loads, done.stdout.splitlines()) if e["Event"] == "rapid"]
             self.assertEqual(levels.count(back), 2, name)
 
+    def test_hints_name_the_cure(self):
+        has_it = 'the plugin fanuc has it: <Plugins> <Plugin name="fanuc"/> </Plugins>'
+        no_options = "hint: Configure sets options; "
+        for content, cure in (
+                ("<Chain><InsertAfter syntax='DwellSyntax'><FanucToolOffsetSyntax/></InsertAfter></Chain>", has_it),
+                ("<Dependencies><MacroVariables/></Dependencies>", has_it),
+                ("<Dependencies><HaasSettngs/></Dependencies>", "did you mean HaasSettings? The plugin fanuc has it"),
+                ("<Dependencies><Remove dependency='ToolOffsetTable'/></Dependencies>",
+                 "hint: add <ToolOffsetTable/> to <Dependencies>"),
+                ("<Chain><InsertAfter syntax='DwellSyntax'><DwellSyntax/></InsertAfter></Chain>",
+                 'hint: give the second one a name of its own: <DwellSyntax as="…"/>'),
+                ("<Dependencies><ToolOffsetTable/><ToolOffsetTable/></Dependencies>",
+                 'hint: give the second one a name of its own: <ToolOffsetTable as="…"/>'),
+                ("<Chain><Configure syntax='DwellSyntax' as='Wait'/></Chain>", no_options + "to give another name"),
+                ("<Chain><Configure syntax='DwellSyntax'><DwellSyntax/></Configure></Chain>", no_options),
+                ("<Dependencies><Configure dependency='ToolOffsetTable' src='t.xml'/></Dependencies>",
+                 no_options + "for a name, a file or rows <Remove> the dependency"),
+                ("<Chain><Remove syntax='NoSuchThing'/></Chain>", "hint: isogloss dialect --effective NAME prints"),
+                ("<Dependencies><Remove dependency='ToolOffsetTable'/><ToolOffsetTable><Tool id='1' Q='2'/>"
+                 "</ToolOffsetTable></Dependencies>", "hint: its columns are H, HWear, D, DWear"),
+                ("<Chain>\n<!-- <a> --><Remove syntax='DwellSyntax'></Chain>",
+                 "malformed XML: </Chain> stands where <Remove> of line 2 is open"),
+                ("<Chain><Remove syntax='PlaneSelectSyntax'/><InsertAfter syntax='LinearMotionSyntax'><PlaneSelectSyntax/>"
+                 "</InsertAfter></Chain>", "an order that fits; the same holds of PolarCoordinateSyntax, ScalingSyntax")):
+            dialect = self.write("mine.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="mine" extends="iso">'
+                                             f"{content}</Dialect>")
+            self.assertIn(cure, self.run_it("lint", dialect, status=1).stderr, content)
+
     def test_dialect_by_file(self):
         dialect = self.write("mine.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="mine" extends="iso"/>')
         self.assertEqual(self.run_it("run", self.program, "-d", dialect).stdout,

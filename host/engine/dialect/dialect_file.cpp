@@ -180,7 +180,8 @@ class FileReader {
         unknown(child, {"Replace", "Remove", "Configure"});
       } else if (const auto head = edit<DependencyElement>(child, *kind, "dependency", {"as", "src"})) {
         Edit<DependencyElement> edit = *head;
-        for (const pugi::xml_node inserted : put_in(child, *kind)) edit.elements.push_back(dependency(inserted));
+        for (const pugi::xml_node inserted : put_in<DependencyElement>(child, *kind))
+          edit.elements.push_back(dependency(inserted));
         file_.dependency_edits.push_back(std::move(edit));
       }
     }
@@ -222,7 +223,7 @@ class FileReader {
 
   void read_chain_edit(pugi::xml_node node, Edit<ChainElement> edit) {
     // The anchor gives the stage when the edit is applied.
-    for (const pugi::xml_node inserted : put_in(node, edit.kind))
+    for (const pugi::xml_node inserted : put_in<ChainElement>(node, edit.kind))
       edit.elements.push_back(chain_element(inserted, Stage::logic));
     file_.chain_edits.push_back(std::move(edit));
   }
@@ -307,7 +308,9 @@ class FileReader {
 
   void add_dependency(DependencyElement element) {
     const auto [same, is_new] = dependency_names_.emplace(element.alias, element.where);
-    if (!is_new) return report_("IG-0113", element.where, {shown(element.alias), place(same->second)});
+    if (!is_new)
+      return report_("IG-0113", element.where, {shown(element.alias), place(same->second)},
+                     fmt::format("give the second one a name of its own: <{} as=\"…\"/>", shown(element.id)));
     file_.own.dependencies.push_back(std::move(element));
   }
 
@@ -337,7 +340,7 @@ class FileReader {
         if (name == "override" && std::is_same_v<Element, ChainElement>) {
           edit.override_slot = override_value(node);
         } else if (std::find(refused.begin(), refused.end(), name) != refused.end()) {
-          report_("IG-0108", xml_.at(node, name), {node.name(), a.name()});
+          report_("IG-0108", xml_.at(node, name), {node.name(), a.name()}, beyond_configure<Element>());
         } else {
           edit.options.push_back({a.name(), a.value(), xml_.at(node, name)});
         }
@@ -347,7 +350,22 @@ class FileReader {
     return edit;
   }
 
+  /// What does more than options.
+  template <class Element>
+  static std::string beyond_configure() {
+    return std::is_same_v<Element, ChainElement>
+               ? "Configure sets options; to give another name, or another element, write <Replace>"
+               : "Configure sets options; for a name, a file or rows <Remove> the dependency and list it anew";
+  }
+
+  template <class Element>
   std::vector<pugi::xml_node> put_in(pugi::xml_node node, EditKind kind) {
+    if (kind == EditKind::configure)
+      for (const pugi::xml_node child : node.children())
+        if (child.type() == pugi::node_element) {
+          report_("IG-0107", xml_.at(child), {shown(child.name()), node.name()}, beyond_configure<Element>());
+          return {};
+        }
     if (kind == EditKind::remove || kind == EditKind::configure) return leaves(node, {});
     std::vector<pugi::xml_node> all = elements(node);
     if (all.empty()) report_("IG-0120", xml_.at(node), {node.name()});

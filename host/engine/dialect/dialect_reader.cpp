@@ -39,6 +39,17 @@ const char* kind_of() {
   return std::is_same_v<Element, ChainElement> ? "syntax" : "dependency";
 }
 
+/// How two instances of one part stand in one dialect.
+template <class Element>
+std::string second_name(const Element& element) {
+  if constexpr (std::is_same_v<Element, ChainElement>)
+    return fmt::format("give the second one a name of its own: <{} as=\"…\"/>; or <Replace> the first",
+                       shown(element.syntax));
+  else
+    return fmt::format("give the second one a name of its own: <{} as=\"…\"/>; or <Configure> the first",
+                       shown(element.id));
+}
+
 /// Applies one file's edits to what it inherits.
 template <class Element>
 class Editor {
@@ -51,7 +62,7 @@ class Editor {
     const auto at = std::find_if(list_.begin(), list_.end(), [&](const Element& e) { return e.alias == edit.anchor; });
     if (at == list_.end()) {
       report_("IG-0112", edit.anchor_where, {std::string(to_string(edit.kind)), kind_of<Element>(), shown(edit.anchor)},
-              meant(edit.anchor, {names_.begin(), names_.end()}));
+              absent(edit.anchor));
       return;
     }
     switch (edit.kind) {
@@ -67,6 +78,11 @@ class Editor {
   }
 
  private:
+  std::string absent(const std::string& name) const {
+    const std::string near = meant(name, {names_.begin(), names_.end()});
+    return near.empty() ? "isogloss dialect --effective NAME prints what the dialect inherits" : near;
+  }
+
   void put_in(typename std::vector<Element>::iterator at, const Edit<Element>& edit) {
     const Element anchor = *at;
     if (edit.kind == EditKind::replace) {
@@ -80,7 +96,8 @@ class Editor {
         const auto other =
             std::find_if(list_.begin(), list_.end(), [&](const Element& e) { return e.alias == element.alias; });
         report_("IG-0113", element.where,
-                {shown(element.alias), fmt::format("{}:{}", other->where.file, other->where.line)});
+                {shown(element.alias), fmt::format("{}:{}", other->where.file, other->where.line)},
+                second_name(element));
         continue;
       }
       if constexpr (std::is_same_v<Element, ChainElement>) element.stage = anchor.stage;
@@ -158,7 +175,7 @@ class Reading {
       const auto first = std::find_if(file.own.chain.begin(), file.own.chain.end(),
                                       [&](const ChainElement& e) { return e.alias == element.alias; });
       report_("IG-0113", element.where, {shown(element.alias), fmt::format("line {}", first->where.line)},
-              fmt::format("<{} as=\"…\">", shown(element.syntax)));
+              second_name(element));
     }
     if (file.own.segmenter.type.empty()) file.own.segmenter.type = "line";
     return std::move(file.own);

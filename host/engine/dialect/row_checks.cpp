@@ -43,8 +43,11 @@ class RowCheck {
   void check_cell(const Attribute& a) {
     const auto found = std::find(columns_.begin(), columns_.end(), a.name);
     if (found == columns_.end()) {
-      const std::string near = nearest_name(a.name, columns_);
-      say("IG-0219", a.where, {owner_, a.name}, near.empty() ? near : "did you mean " + near + "?");
+      constexpr std::size_t telling = 3;  // of a shorter name any other is near
+      const std::string near = a.name.size() < telling ? std::string() : nearest_name(a.name, columns_);
+      std::string all;
+      for (const std::string& column : columns_) all += (all.empty() ? "its columns are " : ", ") + column;
+      say("IG-0219", a.where, {owner_, a.name}, near.empty() ? all : "did you mean " + near + "?");
       return;
     }
     const ig_column_decl& column = dependency_.columns[found - columns_.begin()];

@@ -136,6 +136,31 @@ std::unique_ptr<XmlSource> XmlSource::open(const std::filesystem::path& file, co
   return parse(file.string(), std::move(text), sink);
 }
 
+/// Both tags of a mismatch: `offset` is in the name of the end tag.
+std::string XmlSource::mismatch(const XmlSource& source, std::string_view text, std::size_t offset) {
+  const auto name_at = [&](std::size_t at) {
+    return std::string(text.substr(at, std::min(text.find_first_of(" \t\r\n/>", at), text.size()) - at));
+  };
+  std::size_t end_tag = std::min(text.rfind("</", offset), text.size());
+  std::vector<std::size_t> open;
+  for (std::size_t at = 0; (at = text.find('<', at)) < end_tag; ++at) {
+    if (text.compare(at, 4, "<!--") == 0) {
+      at = std::min(text.find("-->", at), end_tag);
+    } else if (text.compare(at, 2, "</") == 0) {
+      if (!open.empty()) open.pop_back();
+    } else if (text[at + 1] != '?' && text[at + 1] != '!') {
+      const std::size_t begin = at;
+      for (char quote = '\0'; at < end_tag && (quote != '\0' || text[at] != '>'); ++at)
+        if (quote == '\0' ? text[at] == '"' || text[at] == '\'' : text[at] == quote)
+          quote = quote == '\0' ? text[at] : '\0';
+      if (text[at - 1] != '/') open.push_back(begin);
+    }
+  }
+  if (end_tag == text.size() || open.empty()) return "an end tag without its start tag";
+  return fmt::format("</{}> stands where <{}> of line {} is open", name_at(end_tag + 2), name_at(open.back() + 1),
+                     source.at_offset(open.back()).line);
+}
+
 std::unique_ptr<XmlSource> XmlSource::parse(std::string file, std::string text, DiagnosticSink& sink) {
   std::unique_ptr<XmlSource> source(new XmlSource(std::move(file), std::move(text)));
   if (!source->check_text(sink)) return nullptr;
@@ -145,7 +170,10 @@ std::unique_ptr<XmlSource> XmlSource::parse(std::string file, std::string text, 
       source->document_.load_buffer(source->text_.data(), source->text_.size(), options, pugi::encoding_utf8);
   if (!result) {
     const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));
-    sink.add(host_diagnostic("IG-0103", source->at_offset(offset), {result.description()}));
+    sink.add(
+        host_diagnostic("IG-0103", source->at_offset(offset),
+                        {result.status == pugi::status_end_element_mismatch ? mismatch(*source, source->text_, offset)
+                                                                            : std::string(result.description())}));
     return nullptr;
   }
   if (!source->check_nodes(sink)) return nullptr;

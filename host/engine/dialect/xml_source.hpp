@@ -33,6 +33,7 @@ class XmlSource {
   static std::unique_ptr<XmlSource> open(const std::filesystem::path& file, const Location& asked_at, XmlBudget& budget,
                                          DiagnosticSink& sink, Pipes pipes = Pipes::refuse);
   static std::unique_ptr<XmlSource> parse(std::string file, std::string text, DiagnosticSink& sink);
+  static std::string mismatch(const XmlSource& source, std::string_view text, std::size_t offset);
 
   pugi::xml_node root() const { return document_.document_element(); }
   const std::string& file() const { return file_; }

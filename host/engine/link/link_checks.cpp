@@ -4,6 +4,7 @@
 #include <bitset>
 #include <map>
 #include <optional>
+#include <set>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -16,19 +17,37 @@ namespace {
 
 std::string place(const Location& w) { return fmt::format("{}:{}:{}", w.file, w.line, w.column); }
 
+/// A pair that breaks the declarations of both is one fault, and so is one syntax that stands wrong to several.
 void check_order(const LinkedDialect& linked, std::vector<LinkFault>& faults) {
+  std::set<std::pair<std::size_t, std::size_t>> said;
+  std::map<std::pair<std::string, std::size_t>, std::vector<std::string>> further;  // by code and what stands wrong
+  std::vector<std::pair<std::pair<std::string, std::size_t>, LinkFault>> first;
   for (std::size_t i = 0; i < linked.chain.size(); ++i) {
     const LinkedSyntax& s = linked.chain[i];
-    const auto complain_of_any = [&](const char* code, std::string_view id, std::size_t first, std::size_t last) {
-      for (std::size_t other = first; other < last; ++other) {
+    const auto complain_of_any = [&](const char* code, std::string_view id, std::size_t begin, std::size_t end) {
+      for (std::size_t other = begin; other < end; ++other) {
         const ChainElement& o = linked.chain[other].element;
-        if (o.syntax == id) faults.push_back({code, s.element.where, {s.element.alias, o.alias, place(o.where)}});
+        if (o.syntax != id || !said.emplace(std::min(i, other), std::max(i, other)).second) continue;
+        const std::pair by_other(std::string(code), other);
+        const auto same = std::find_if(first.begin(), first.end(), [&](const auto& f) {
+          return f.first == by_other || (f.first.first == code && f.second.arguments[0] == s.element.alias);
+        });
+        if (same != first.end())
+          further[same->first].push_back(same->first == by_other ? s.element.alias : o.alias);
+        else
+          first.push_back({by_other, {code, s.element.where, {s.element.alias, o.alias, place(o.where)}}});
       }
     };
     for (const char* const* id = s.syntax->after; id != nullptr && *id != nullptr; ++id)
       complain_of_any("IG-0206", *id, i + 1, linked.chain.size());
     for (const char* const* id = s.syntax->before; id != nullptr && *id != nullptr; ++id)
       complain_of_any("IG-0207", *id, 0, i);
+  }
+  for (auto& [key, fault] : first) {
+    fault.hint = "move one of them; isogloss lint --suggest prints an order that fits";
+    if (const std::vector<std::string>& others = further[key]; !others.empty())
+      fault.hint += fmt::format("; the same holds of {}", fmt::join(others, ", "));
+    faults.push_back(std::move(fault));
   }
 }
 
@@ -106,7 +125,8 @@ void check_slots(const LinkedDialect& linked, std::vector<LinkFault>& faults) {
       faults.push_back({"IG-0210",
                         s.element.where,
                         {s.element.alias, s.syntax->exclusive_slot, where->second->element.alias,
-                         place(where->second->element.where)}});
+                         place(where->second->element.where)},
+                        "remove one of them, or say override=\"true\" on the second where both are meant"});
   }
 }
 

@@ -9,6 +9,7 @@ struct LinkFault {
   std::string code;
   Location where;
   std::vector<std::string> arguments;
+  std::string hint{};
 };
 
 /// Order, required reads, slots, services, writes that nobody reads.

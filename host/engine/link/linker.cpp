@@ -10,6 +10,8 @@
 #include <tuple>
 #include <unordered_map>
 
+#include <fmt/format.h>
+
 #include "dialect/options.hpp"
 #include "dialect/row_checks.hpp"
 #include "link/link_checks.hpp"
@@ -87,6 +89,59 @@ class Linker {
     return std::any_of(names.begin(), names.end(), [&](const PluginReference& p) { return p.name == plugin->name; });
   }
 
+  /// Of a name that the dialect's plugins do not have: the plugin that has it, or one like it.
+  template <class NamesOf>
+  std::string cure(const std::string& name, const std::vector<std::string>& own, const NamesOf& names_of) {
+    library_.load_all();
+    std::vector<std::string> others;
+    for (const LoadedPlugin& p : library_.plugins()) {
+      if (is_named(p.plugin)) continue;
+      for (std::string& other : names_of(*p.plugin)) {
+        if (other == name) return "the plugin " + of_plugin(p);
+        others.push_back(std::move(other));
+      }
+    }
+    if (const std::string near = nearest_name(name, own); !near.empty()) return meant(near);
+    const std::string near = nearest_name(name, others);
+    for (const LoadedPlugin& p : library_.plugins())
+      for (const std::string& other : names_of(*p.plugin))
+        if (!near.empty() && other == near) return fmt::format("did you mean {}? The plugin {}", near, of_plugin(p));
+    return {};
+  }
+  static std::string of_plugin(const LoadedPlugin& p) {
+    return fmt::format("{0} has it: <Plugins> <Plugin name=\"{0}\"/> </Plugins>", p.plugin->name);
+  }
+
+  /// The dependencies that provide a service, each with its plugin where the dialect does not name that.
+  std::string providers(std::string_view service) {
+    library_.load_all();
+    std::string out;
+    for (const LoadedPlugin& p : library_.plugins())
+      for (std::uint32_t i = 0; i < p.plugin->dependency_count; ++i)
+        for (const char* const* id = p.plugin->dependencies[i]->provides; id != nullptr && *id != nullptr; ++id)
+          if (service == *id)
+            out += fmt::format("{}<{}/>{}", out.empty() ? "add " : " or ", p.plugin->dependencies[i]->id,
+                               is_named(p.plugin) ? "" : fmt::format(" of the plugin {}", p.plugin->name));
+    return out.empty() ? out : out + " to <Dependencies>";
+  }
+
+  /// The syntaxes that write a field.
+  std::string writers(std::string_view path) {
+    library_.load_all();
+    std::string out;
+    for (const LoadedPlugin& p : library_.plugins())
+      for (std::uint32_t i = 0; i < p.plugin->syntax_count; ++i) {
+        const ig_syntax& s = *p.plugin->syntaxes[i];
+        for (std::uint32_t f = 0; f < s.field_count; ++f)
+          if ((s.fields[f].access & IG_WRITE) != 0 && path == s.fields[f].path) {
+            out += fmt::format("{}{}{}", out.empty() ? "add " : " or ", s.id,
+                               is_named(p.plugin) ? "" : fmt::format(" of the plugin {}", p.plugin->name));
+            break;
+          }
+      }
+    return out.empty() ? out : out + ", or give the field an initial value";
+  }
+
   void find_syntax(const ChainElement& element) {
     LinkedSyntax s;
     s.element = element;
@@ -96,7 +151,11 @@ class Linker {
       for (const LoadedPlugin& p : library_.plugins())
         if (is_named(p.plugin))
           for (std::uint32_t i = 0; i < p.plugin->syntax_count; ++i) names.emplace_back(p.plugin->syntaxes[i]->id);
-      say("IG-0202", element.where, {element.syntax}, meant(nearest_name(element.syntax, names)));
+      say("IG-0202", element.where, {element.syntax}, cure(element.syntax, names, [](const ig_plugin& p) {
+            std::vector<std::string> all;
+            for (std::uint32_t i = 0; i < p.syntax_count; ++i) all.emplace_back(p.syntaxes[i]->id);
+            return all;
+          }));
       return;
     }
     s.options = read_options(element.alias, element.where, s.syntax->options, s.syntax->option_count, element.options);
@@ -117,9 +176,14 @@ class Linker {
     if (d.dependency == nullptr || !is_named(d.plugin)) {
       std::vector<std::string> names;
       for (const LoadedPlugin& p : library_.plugins())
-        for (std::uint32_t i = 0; i < p.plugin->dependency_count; ++i)
-          names.emplace_back(p.plugin->dependencies[i]->id);
-      say("IG-0203", element.where, {element.id}, meant(nearest_name(element.id, names)));
+        if (is_named(p.plugin))
+          for (std::uint32_t i = 0; i < p.plugin->dependency_count; ++i)
+            names.emplace_back(p.plugin->dependencies[i]->id);
+      say("IG-0203", element.where, {element.id}, cure(element.id, names, [](const ig_plugin& p) {
+            std::vector<std::string> all;
+            for (std::uint32_t i = 0; i < p.dependency_count; ++i) all.emplace_back(p.dependencies[i]->id);
+            return all;
+          }));
       return;
     }
     d.options =
@@ -505,7 +569,9 @@ class Linker {
     for (const LinkFault& fault : check_links(*out_)) say(fault.code, fault.where, fault);
   }
   void say(std::string_view code, const Location& where, const LinkFault& fault) {
-    Diagnostic d = host_diagnostic(code, where, {});
+    Diagnostic d = host_diagnostic(code, where, {}, fault.hint);
+    if (code == "IG-0211") d.hint = providers(fault.arguments[1]);
+    if (code == "IG-0208") d.hint = writers(fault.arguments[1]);
     for (const DiagnosticInfo& info : host_diagnostics())
       if (info.code == code) d.message = fill_in(info.text, fault.arguments);
     add(std::move(d));

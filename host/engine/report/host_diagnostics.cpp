@@ -128,13 +128,13 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        R"(<Offset id="…" Q="10"/>)"},
       {error, "IG-0220", "'{1}' is no value for column '{0}'{2}",
        "A column's values are numbers within its range, or text where it says so.", R"(<Offset id="…" X="ten"/>)"},
-      {error, "IG-0221", "{0} looks ahead but does not stand in the stage PostLogic",
+      {error, "IG-0221", "{0} looks ahead but does not stand in the stage PostLogic: move it to <PostLogic>",
        "Only post-logic syntaxes see the window of executed blocks.", "a radius compensation under <Logic>"},
       {error, "IG-0222", "{0} declares the text field {1} as modal",
        "Text lives for one block; modal fields hold "
        "numbers and names.",
        "Acme.Message"},
-      {error, "IG-0223", "{0} is inspecting, but does not stand in the stage Inspection",
+      {error, "IG-0223", "{0} is inspecting, but does not stand in the stage Inspection: move it to <Inspection>",
        "Leftovers are known only when every other syntax has run.", "UnconsumedCheckSyntax under <Logic>"},
       {error, "IG-0224", "{0} fields are read as they were before the block; a chain keeps {1} at most",
        "A syntax that declares a field as `previous` makes the host keep a copy of it. Leave out syntaxes that the "
