@@ -102,6 +102,13 @@ inline std::span<const std::uint16_t> parameters_of(std::int64_t cycle) {
 /// A member of the syntaxes that read definitions.
 class CycleText {
  public:
+  /// Without feeds: of cycles that have none.
+  enum class Feeds { none, some };
+  CycleText() : CycleText(Feeds::some) {}
+  explicit CycleText(Feeds feeds) {
+    if (feeds == Feeds::some) feed_.emplace();
+  }
+
   static constexpr double fastest = 99'999;
 
   /// Q200=2 and so on, between the words of the cycle's name: each is an assignment, and `note(number, value)` of the
@@ -146,9 +153,9 @@ class CycleText {
 
   /// In mm, and mm/min, as `unit` counts; no number where the program's is none.
   double metric(const ig::Block& b, std::string_view unit, double value) const {
-    const bool is_feed = unit == "mm/min" && value < fastest;
+    const bool is_feed = feed_ && unit == "mm/min" && value < fastest;
     if ((unit != "mm" && !is_feed) || !b.is(system_, inch_)) return value;
-    return 25.4 * (is_feed ? feed_.in_unit(b, value) : value);
+    return 25.4 * (is_feed ? feed_->in_unit(b, value) : value);
   }
 
   /// The number behind the word, which is in any language: V.ZEIT 1.5
@@ -174,7 +181,7 @@ class CycleText {
   }
 
   const Values& values() const { return values_; }
-  const FeedWords& feed() const { return feed_; }
+  const FeedWords& feed() const { return *feed_; }
 
  private:
   Value value(ig::Block& b, std::string_view text, std::size_t i) const {
@@ -183,9 +190,9 @@ class CycleText {
     const std::size_t word = letters_end(text, i);
     const auto is = [&](std::string_view name) { return iso::equals_ignoring_case(piece(text, i, word), name); };
     if (is("FMAX") || is("MAX")) return {fastest, word, true};
-    if (!is("FAUTO") && !is("AUTO")) return v;
-    const auto of_tool_call = feed_.of_tool_call(b);
-    return {feed_.as_written(b, of_tool_call.value_or(0)), word, of_tool_call.has_value()};
+    if (!feed_ || (!is("FAUTO") && !is("AUTO"))) return v;
+    const auto of_tool_call = feed_->of_tool_call(b);
+    return {feed_->as_written(b, of_tool_call.value_or(0)), word, of_tool_call.has_value()};
   }
   static bool knows(std::int64_t cycle, std::uint32_t q) {
     const auto all = parameters_of(cycle);
@@ -193,7 +200,7 @@ class CycleText {
   }
 
   Values values_;
-  FeedWords feed_;
+  std::optional<FeedWords> feed_;
   ig::In<ig::Symbol> system_{"Unit.System"};
   ig::Name inch_{"Inch"};
 };

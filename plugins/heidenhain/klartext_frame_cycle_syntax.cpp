@@ -14,7 +14,7 @@ struct KlartextFrameCycle {
                                    .before("HeidenhainCoordinateOffsetSyntax", "KlartextDrillingCycleSyntax")
                                    .scans("CFTcft");
 
-  CycleText text_;
+  CycleText text_{CycleText::Feeds::none};
   HolePattern pattern_{ig::write};
   CycleDefinition definition_{ig::write};
   ig::Field<std::int64_t> in_force_{

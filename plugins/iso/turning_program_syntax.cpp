@@ -16,13 +16,11 @@ struct TurningProgram {
                         "Words that only a turning program has: those joined by + stand in one block, ? is any digit."};
   ig::TextOption tool_change_{
       "tool-change", "M06", "The code with which mills change tools: with it in the text, signs with ? mean nothing."};
-  ig::TextOption axis_{"axis", "Y", "The address of the axis that a lathe has not."};
-  ig::IntegerOption most_{"most", "2", {0, 1e9}, "So many words of that address a turning program may have."};
   ig::Flow flow_;
 
   ig::Status restart(ig::Block& b) const {
     if (flow_.is_indexing() || signs_.text().empty()) return ig::Status::unchanged;
-    TurningSigns signs(signs_.text(), tool_change_.text(), axis_.text().empty() ? '\0' : axis_.text().front(), most_);
+    TurningSigns signs(signs_.text(), tool_change_.text(), mill_axis, most_of_it);
     std::array<char, 4096> buffer;
     for (std::uint64_t offset = 0; offset < most_bytes;) {
       const std::string_view piece = flow_.text(b, offset, buffer);
@@ -41,6 +39,8 @@ struct TurningProgram {
 
  private:
   static constexpr std::uint64_t most_bytes = 256 * 1024;
+  static constexpr char mill_axis = 'Y';         // that lathes mostly lack
+  static constexpr std::int64_t most_of_it = 2;  // so many words of it a turning program may have
 };
 
 const ig::Register<TurningProgram> turning_program_syntax;

@@ -5,8 +5,7 @@
 
 A case that gives an option must fail without it: its page is run again with the option taken away. Where no case does,
 a dialect gives it, and one of the dialect's programs must come out otherwise without it; or one comes out otherwise with
-another value. The last takes minutes: such options stand in options_elsewhere.txt and are looked at by --full, and so do those
-that nothing holds to account.
+another value. The last takes minutes: such options stand in options_elsewhere.txt and are looked at by --full.
 """
 import argparse
 import collections
@@ -27,7 +26,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 def elsewhere():
-    """Options that no case and no dialect holds to account: "programs" do, or "nothing"."""
+    """Options that no case and no dialect holds to account: "programs" do."""
     out = {}
     for line in (HERE / "options_elsewhere.txt").read_text().splitlines():
         if line and not line.startswith("#"):
@@ -68,7 +67,7 @@ def main():
                 for option in declared["Options"]:
                     number += 1
                     key = (part["Id"], option["Name"])
-                    if known.get(key) == "nothing" or (known.get(key) == "programs" and not options.full):
+                    if known.get(key) == "programs" and not options.full:
                         continue
                     if any(is_held(isogloss, page, *key, pathlib.Path(folder)) for page in pages[part["Id"]]):
                         continue
@@ -79,8 +78,7 @@ def main():
                         unheld.append(key)
     for part, option in unheld:
         print(f"{part} {option}: nothing changes when it is taken away; give it a case")
-    nothing = sum(how == "nothing" for how in known.values())
-    print(f"{number} options, {len(unheld)} held by nothing, {nothing} known to be so")
+    print(f"{number} options, {len(unheld)} held by nothing")
     return 1 if unheld else 0
 
 
