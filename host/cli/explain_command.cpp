@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "crash_guard.hpp"
-#include "isogloss/engine/diagnostic_writer.hpp"
 #include "dialect_guess.hpp"
+#include "isogloss/engine/diagnostic_writer.hpp"
 #include "isogloss/engine/explain.hpp"
 #include "output_file.hpp"
 #include "program_options.hpp"
