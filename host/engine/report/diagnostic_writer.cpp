@@ -35,9 +35,16 @@ std::string_view colour(Severity severity) {
   return severity == Severity::error ? "\033[1;31m" : severity == Severity::warning ? "\033[1;35m" : "\033[1;36m";
 }
 
-std::string without_numbers(std::string text) {
-  std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+'; });
-  return text;
+/// What a message says but for numbers and quoted text, which is a program's own and always another.
+std::string wording(std::string_view message) {
+  std::string out;
+  bool is_quoted = false;
+  for (const char c : message) {
+    if (c == '\'') is_quoted = !is_quoted;
+    const bool is_number = (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+';
+    if (!is_quoted && !is_number) out += c;
+  }
+  return out;
 }
 
 }  // namespace
@@ -87,7 +94,7 @@ bool DiagnosticWriter::is_repeat(const Diagnostic& d) {
   // Of an error another word in the message is news, another number is not.
   constexpr std::size_t most_wordings = 20;
   const bool is_new = d.severity == Severity::error && said.wordings.size() < most_wordings &&
-                      said.wordings.insert(without_numbers(d.message)).second;
+                      said.wordings.insert(wording(d.message)).second;
   if ((said.written.size() >= policy_.repeats && !is_new) ||
       std::any_of(said.written.begin(), said.written.end(), is_same)) {
     ++said.unsaid;

@@ -59,13 +59,15 @@ TEST_CASE("Repeats of one code are counted, in each program anew") {
 TEST_CASE("An error with other words is said beyond the repeats, one with other numbers is not") {
   std::string out;
   DiagnosticWriter writer({.repeats = 1}, [&](std::string_view text) { out += text; });
-  for (const char* const message : {"I1.5 is odd", "I-2 is odd", "J3 is odd", "J4 is odd"}) {
+  for (const char* const message : {"I1.5 is odd", "I-2 is odd", "J3 is odd", "J4 'is' odd", "J5 'was' odd"}) {
     Diagnostic d = warning(message);
     d.severity = Severity::error;
     writer.add(d);
   }
   writer.finish();
-  CHECK(out == "part.nc:3:5: error: I1.5 is odd [AB-1]\npart.nc:3:5: error: J3 is odd [AB-1]\n… and 2 more [AB-1]\n");
+  CHECK(out ==
+        "part.nc:3:5: error: I1.5 is odd [AB-1]\npart.nc:3:5: error: J3 is odd [AB-1]\n"
+        "part.nc:3:5: error: J4 'is' odd [AB-1]\n… and 2 more [AB-1]\n");
 }
 
 TEST_CASE("What a loop says again at the same place is written once") {
