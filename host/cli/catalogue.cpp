@@ -164,6 +164,8 @@ Json describe(const Dialect& d) {
   out["Extensions"] = d.extensions;
   out["Signatures"] = Json::array();
   for (const Signature& s : d.signatures) out["Signatures"].push_back({{"Pattern", s.pattern}, {"Weight", s.weight}});
+  out["Names"] = Json::array();
+  for (const Signature& s : d.names) out["Names"].push_back({{"Pattern", s.pattern}, {"Weight", s.weight}});
   out["Segmenter"] = d.segmenter.type;
   if (!d.segmenter.continuation.empty()) out["Continuation"] = d.segmenter.continuation;
   const auto attributes = [](const std::vector<Attribute>& list) {

@@ -69,9 +69,16 @@ std::size_t weight_of_signatures(const Dialect& dialect, std::string_view head, 
   return weight;
 }
 
+std::size_t weight_of_names(const Dialect& dialect, const std::string& name) {
+  std::size_t weight = 0;
+  for (const Signature& sign : dialect.names)
+    if (::fnmatch(sign.pattern.c_str(), name.c_str(), 0) == 0) weight += sign.weight;
+  return weight;
+}
+
 struct Candidate {
   const Dialect* dialect = nullptr;
-  std::size_t score = 0;
+  std::size_t score = 0, of_text = 0, of_name = 0;
 
   std::string key() const { return dialect->file.empty() ? dialect->name : dialect->file.string(); }
   /// The default dialect wins what is undecided.
@@ -147,6 +154,7 @@ class Moves : public Output {
 
 std::optional<Guess> guess_dialect(const std::string& path, std::string_view head, Session& session) {
   const std::string extension = lower(std::filesystem::path(path).extension().string());
+  const std::string name = lower(std::filesystem::path(path).stem().string());
   const std::vector<std::string> lines = head_lines(head);
   const std::vector<Dialect> dialects = session.reader().list();
   Candidate best, next;
@@ -154,8 +162,9 @@ std::optional<Guess> guess_dialect(const std::string& path, std::string_view hea
     const bool fits = std::any_of(d.extensions.begin(), d.extensions.end(),
                                   [&](const std::string& e) { return lower(e) == extension; });
     constexpr std::size_t extension_weight = 2;
-    const Candidate candidate{
-        &d, weight_of_signatures(d, head, lines) + (fits ? extension_weight : 0) + (d.name == default_dialect ? 1 : 0)};
+    Candidate candidate{&d, 0, weight_of_signatures(d, head, lines), weight_of_names(d, name)};
+    candidate.score =
+        candidate.of_text + candidate.of_name + (fits ? extension_weight : 0) + (d.name == default_dialect ? 1 : 0);
     if (candidate.comes_before(best))
       next = std::exchange(best, candidate);
     else if (candidate.comes_before(next))
@@ -166,9 +175,10 @@ std::optional<Guess> guess_dialect(const std::string& path, std::string_view hea
     return std::nullopt;
   }
   Guess guess{best.key(), best.dialect->name, {}, {}, {}};
-  guess.why = best.score >= Signature::usual_weight ? "by what stands in the text"
-              : best.score >= 2                     ? "by the extension " + extension
-                                                    : "nothing tells its dialect";
+  guess.why = best.of_name > best.of_text ? "by the name of the file"
+              : best.of_text > 0          ? "by what stands in the text"
+              : best.score >= 2           ? "by the extension " + extension
+                                          : "nothing tells its dialect";
   if (next.score > 0 && best.score - next.score < Signature::usual_weight) {
     guess.next = next.key();
     guess.next_name = next.dialect->name;

@@ -483,6 +483,12 @@ class Run(Command):
             done = self.run_it("run", self.write("guess.nc", text), "--emit", "none", status=declined)
             self.assertIn(f"note: dialect {dialect} ", done.stderr)
 
+    def test_the_name_of_the_file_tells_the_dialect(self):
+        for name, dialect in (("1_HAAS.nc", "haas"), ("OSP5020M.nc", "okuma"), ("fixture_Fanuc.nc", "fanuc")):
+            program = self.write(name, "G21 G90\nG0 X1. Y2.\nM30\n")
+            done = self.run_it("run", program, "--emit", "none")
+            self.assertIn(f"note: dialect {dialect} (by the name of the file", done.stderr)
+
     def test_the_note_tells_where_the_next_likely_dialect_moves_otherwise(self):
         parting = "; haas, the next likely, moves otherwise from line 6 on); -d names another"
         for line, differs in (("G28", True), ("G04 P1000", False)):  # a Haas moves home where a Fanuc moves nothing

@@ -99,16 +99,17 @@ class FileReader {
       if (!extension.starts_with('.') || extension.size() < 2 || extension.find('/') != std::string::npos)
         bad_value(node, "extensions", "endings such as .nc, separated by blanks");
     }
-    for (const pugi::xml_node child : leaves(node, {"Signature"})) {
+    for (const pugi::xml_node child : leaves(node, {"Signature", "Name"})) {
       only_attributes(child, {"pattern", "weight"});
       Signature signature{required(child, "pattern")};
       if (const pugi::xml_attribute weight = child.attribute("weight")) signature.weight = weight.as_uint();
       if (signature.pattern.find_first_not_of("* ") == std::string::npos)
-        bad_value(child, "pattern", "a pattern for a line that not every line matches");
+        bad_value(child, "pattern", "a pattern that not every text matches");
       else if (signature.weight < 1 || signature.weight > 100)
         bad_value(child, "weight", "a whole number from 1 to 100; 4 where it is not given");
       else
-        file_.own.signatures.push_back(std::move(signature));
+        (std::string_view(child.name()) == "Name" ? file_.own.names : file_.own.signatures)
+            .push_back(std::move(signature));
     }
   }
 

@@ -192,6 +192,7 @@ class Reading {
     if (file.has_files) {
       if (!own.extensions.empty()) base.extensions = own.extensions;
       base.signatures = own.signatures;
+      base.names = own.names;
     }
     for (PluginReference& plugin : own.plugins) {
       if (std::none_of(base.plugins.begin(), base.plugins.end(),

@@ -94,7 +94,8 @@ std::vector<std::string> image(const Dialect& d) {
   const auto add = [&](const std::vector<std::string>& more) { all.insert(all.end(), more.begin(), more.end()); };
   add(dependencies_of(d));
   add(d.extensions);
-  for (const Signature& s : d.signatures) all.push_back(s.pattern + " " + std::to_string(s.weight));
+  for (const std::vector<Signature>* const signs : {&d.signatures, &d.names})
+    for (const Signature& s : *signs) all.push_back(s.pattern + " " + std::to_string(s.weight));
   add({d.name, d.title, d.segmenter.type, d.segmenter.continuation, d.segmenter.comment});
   for (const PluginReference& p : d.plugins) all.push_back(p.name);
   for (const InitialField& f : d.initial) all.push_back(f.path + "=" + f.value);
@@ -104,7 +105,8 @@ std::vector<std::string> image(const Dialect& d) {
 
 using Strings = std::vector<std::string>;
 
-const char* const root_content = R"(<Files extensions=".nc .tap"><Signature pattern="%*" weight="2"/></Files>
+const char* const root_content =
+    R"(<Files extensions=".nc .tap"><Signature pattern="%*" weight="2"/><Name pattern="*base*"/></Files>
 <Segmenter type="line" continuation="~" comment=";"/>
 <Plugins><Plugin name="one"/></Plugins>
 <Dependencies>
@@ -130,6 +132,7 @@ TEST_CASE("a root dialect is read whole") {
   CHECK(d.file == folder.path() / "base.xml");
   CHECK(d.extensions == Strings{".nc", ".tap"});
   CHECK(d.signatures == std::vector<Signature>{{"%*", 2}});
+  CHECK(d.names == std::vector<Signature>{{"*base*", 4}});
   CHECK(d.plugins.at(0).name == "one");
   CHECK(dependencies_of(d) == Strings{"Offsets [Row id=a X=1]", "Tools kind=mill"});
   CHECK(d.initial.at(1).value == "XY");

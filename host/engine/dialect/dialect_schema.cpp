@@ -57,16 +57,19 @@ constexpr const char* schema_frame = R"(
       </xs:choice>
     </xs:complexType>
   </xs:element>
+  <xs:complexType name="dialect.Signature">
+    <xs:annotation><xs:documentation>A sign of a dialect: in a line of the text, or in the name of the file.</xs:documentation></xs:annotation>
+    <xs:attribute name="pattern" type="dialect.Text" use="required"><xs:annotation><xs:documentation>Shell pattern (* ? [0-9]) for a line in the head of a program; of a Name, for the file's name in small letters.</xs:documentation></xs:annotation></xs:attribute>
+    <xs:attribute name="weight" default="4"><xs:annotation><xs:documentation>How much the sign tells: lower where programs of other dialects show it, too. A file's extension weighs 2.</xs:documentation></xs:annotation>
+      <xs:simpleType><xs:restriction base="xs:positiveInteger"><xs:maxInclusive value="100"/></xs:restriction></xs:simpleType>
+    </xs:attribute>
+  </xs:complexType>
   <xs:complexType name="dialect.Files">
     <xs:annotation><xs:documentation>How a program of this dialect is recognised.</xs:documentation></xs:annotation>
-    <xs:sequence>
-      <xs:element name="Signature" minOccurs="0" maxOccurs="unbounded"><xs:complexType>
-        <xs:attribute name="pattern" type="dialect.Text" use="required"><xs:annotation><xs:documentation>Shell pattern (* ? [0-9]) for a line in the head of a program.</xs:documentation></xs:annotation></xs:attribute>
-        <xs:attribute name="weight" default="4"><xs:annotation><xs:documentation>How much the sign tells: lower where programs of other dialects show it, too. A file's extension weighs 2.</xs:documentation></xs:annotation>
-          <xs:simpleType><xs:restriction base="xs:positiveInteger"><xs:maxInclusive value="100"/></xs:restriction></xs:simpleType>
-        </xs:attribute>
-      </xs:complexType></xs:element>
-    </xs:sequence>
+    <xs:choice minOccurs="0" maxOccurs="unbounded">
+      <xs:element name="Signature" type="dialect.Signature"/>
+      <xs:element name="Name" type="dialect.Signature"/>
+    </xs:choice>
     <xs:attribute name="extensions"><xs:annotation><xs:documentation>Endings of file names, separated by blanks.</xs:documentation></xs:annotation>
       <xs:simpleType><xs:restriction base="xs:token"><xs:pattern value="(\.[^/ ]+( \.[^/ ]+)*)?"/></xs:restriction></xs:simpleType>
     </xs:attribute>

@@ -66,11 +66,15 @@ class DialectWriter {
 
  private:
   void add_files(pugi::xml_node root) const {
-    if (dialect_.extensions.empty() && dialect_.signatures.empty()) return;
+    if (dialect_.extensions.empty() && dialect_.signatures.empty() && dialect_.names.empty()) return;
     pugi::xml_node files = root.append_child("Files");
     if (!dialect_.extensions.empty()) set_attribute(files, "extensions", joined(dialect_.extensions));
-    for (const Signature& signature : dialect_.signatures) {
-      pugi::xml_node node = files.append_child("Signature");
+    add_signatures(files, "Signature", dialect_.signatures);
+    add_signatures(files, "Name", dialect_.names);
+  }
+  static void add_signatures(pugi::xml_node files, const char* element, const std::vector<Signature>& all) {
+    for (const Signature& signature : all) {
+      pugi::xml_node node = files.append_child(element);
       set_attribute(node, "pattern", signature.pattern);
       if (signature.weight != Signature::usual_weight) set_attribute(node, "weight", std::to_string(signature.weight));
     }

@@ -78,6 +78,7 @@ struct Dialect {
   std::vector<std::string> ancestors;   ///< names, nearest first
   std::vector<std::string> extensions;  ///< ".nc"
   std::vector<Signature> signatures;
+  std::vector<Signature> names;  ///< of a program's file, without its folder; small letters
   Segmenter segmenter{"line", {}, {}};
   std::vector<PluginReference> plugins;
   std::vector<DependencyElement> dependencies;  ///< nearest provider first
