@@ -81,15 +81,10 @@ struct TestDocument {
   void shift(double x, double y, double z) { frame("Offset", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1}); }
 
   /// A step of a compound motion: value by value.
-  void item() {
-    ListData& list = d.lists[0];
-    list.values.resize(list.values.size() + list.stride);
-    list.present.push_back(0);
-    ++list.count;
-  }
+  void item() { d.lists[0].add(0); }
   void item_value(const std::string& path, ig_value v) {
     const std::size_t i = index_in_record(layout.record("CompoundMotion.Items", path));
-    d.lists[0].values[d.lists[0].values.size() - d.lists[0].stride + i] = v;
+    d.lists[0].record(d.lists[0].count - 1)[i] = v;
     d.lists[0].present.back() |= std::uint64_t{1} << i;
   }
   void item_number(const std::string& path, double v) { item_value(path, {.number = v}); }

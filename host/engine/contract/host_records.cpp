@@ -41,21 +41,17 @@ std::int32_t append(ig_block* block, const ig_field* fields, std::uint32_t count
     if (list->count == maximum_items) {
       const Diagnostic text = host_diagnostic("IG-0405", {}, {std::to_string(maximum_items)});
       d.chain->report(d, text.severity, text.code, text.message, 0, 0);
-      list->present.push_back(0);  // says it once: an empty record past the limit
-      list->values.resize(list->values.size() + list->stride);
-      ++list->count;
+      list->add(0);  // says it once: an empty record past the limit
     }
     return 0;
   }
-  const std::size_t base = list->values.size();
-  list->values.resize(base + list->stride);
+  ig_value* const record = list->add(0);
   std::uint64_t present = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
-    list->values[base + index_in_record(fields[i])] = v[i];
+    record[index_in_record(fields[i])] = v[i];
     present |= std::uint64_t{1} << index_in_record(fields[i]);
   }
-  list->present.push_back(present);
-  ++list->count;
+  list->present.back() = present;
   d.wake_by_list(list_of(fields[0]));
   return 1;
 }
@@ -68,12 +64,12 @@ std::uint32_t count_records(const ig_block* block, ig_field f) {
 std::uint32_t record(const ig_block* block, std::uint32_t index, const ig_field* fields, std::uint32_t count,
                      ig_value* out) {
   Document& d = const_cast<Document&>(doc(block));
-  const ListData* const list = list_of_all(d, fields, count);
+  ListData* const list = list_of_all(d, fields, count);
   if (list == nullptr || index >= list->count) return 0;
   std::uint32_t mask = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     if ((list->present[index] >> index_in_record(fields[i]) & 1) == 0) continue;
-    out[i] = list->values[std::size_t{index} * list->stride + index_in_record(fields[i])];
+    out[i] = list->record(index)[index_in_record(fields[i])];
     mask |= 1u << (i & 31);
   }
   return mask;
@@ -84,7 +80,7 @@ void set_record(ig_block* block, std::uint32_t index, const ig_field* fields, st
   ListData* const list = list_of_all(d, fields, count);
   if (list == nullptr || index >= list->count) return;
   for (std::uint32_t i = 0; i < count; ++i) {
-    list->values[std::size_t{index} * list->stride + index_in_record(fields[i])] = v[i];
+    list->record(index)[index_in_record(fields[i])] = v[i];
     list->present[index] |= std::uint64_t{1} << index_in_record(fields[i]);
   }
 }
@@ -103,7 +99,7 @@ void map_records(ig_block* block, const ig_field program[3], const ig_field mach
   const Frame& frame = d.composed();
   for (std::uint32_t r = 0; r < list->count; ++r) {
     if ((list->present[r] & wanted) != wanted || (list->present[r] & given) != 0) continue;
-    ig_value* const v = list->values.data() + std::size_t{r} * list->stride;
+    ig_value* const v = list->record(r);
     const double from[3] = {v[index_in_record(program[0])].number, v[index_in_record(program[1])].number,
                             v[index_in_record(program[2])].number};
     double to[3];

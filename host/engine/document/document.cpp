@@ -264,10 +264,7 @@ void Document::begin(const BlockSource& where) {
     carry(far_begin_, far_end_);
   carry(far_end_, words_);
   for (ListData& list : lists) {
-    if (list.count == 0) continue;
-    list.count = 0;
-    list.values.clear();
-    list.present.clear();
+    if (list.count != 0) list.clear();
   }
   leftovers.clear();
   arena_.clear();

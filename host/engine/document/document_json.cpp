@@ -199,9 +199,7 @@ class Loader {
     ListData list;
     list.stride = static_cast<std::uint32_t>(info.fields.size());
     for (const Json& record : json) {
-      list.values.resize(list.values.size() + list.stride);
-      list.present.push_back(0);
-      ++list.count;
+      list.add(0);
       const std::string path = info.path + '[' + std::to_string(list.count - 1) + ']';
       if (!record.is_object()) wrong(path, "an object", record);
       if (!load_record(record, path, "", info, list)) return json;  // not ours to understand: passes through whole
@@ -218,7 +216,7 @@ class Loader {
           std::find_if(info.fields.begin(), info.fields.end(), [&](const FieldInfo& f) { return f.path == name; });
       if (field != info.fields.end()) {
         const auto i = static_cast<std::size_t>(field - info.fields.begin());
-        list.values[list.values.size() - list.stride + i] = read_value(value, field->type, path + '.' + name, symbols_);
+        list.record(list.count - 1)[i] = read_value(value, field->type, path + '.' + name, symbols_);
         list.present.back() |= std::uint64_t{1} << i;
       } else if (!value.is_object() || !load_record(value, path, name, info, list)) {
         return false;

@@ -44,8 +44,24 @@ struct Frame {
 struct ListData {
   std::uint32_t stride = 0;
   std::uint32_t count = 0;
-  std::vector<ig_value> values;
+  std::vector<ig_value> values;  ///< room for `count` records and more
   std::vector<std::uint64_t> present;
+
+  ig_value* record(std::size_t index) { return values.data() + index * stride; }
+  /// One more, of which `mask` is present. What is not present may be anything.
+  ig_value* add(std::uint64_t mask) {
+    const std::size_t end = (std::size_t{count} + 1) * stride;
+    if (values.size() < end) values.resize(end + end / 2);
+    present.push_back(mask);
+    return record(count++);
+  }
+  /// The room stays, up to what a copy of the block may cost.
+  void clear() {
+    constexpr std::size_t most_kept = 4096;
+    count = 0;
+    present.clear();
+    if (values.size() > most_kept) values.resize(most_kept);
+  }
 };
 
 struct Leftover {
