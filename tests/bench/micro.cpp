@@ -3,8 +3,8 @@
 
 #include <isogloss/number.hpp>
 
-#include "isogloss/engine/document.hpp"
 #include "export/number_writer.hpp"
+#include "isogloss/engine/document.hpp"
 
 namespace {
 

@@ -56,7 +56,7 @@ def main():
     isogloss = options.isogloss.resolve()
     known = elsewhere()
     pages = collections.defaultdict(list)  # a part may be configured on the page of another one
-    for page in sorted(options.source.glob("plugins/*/*.md")):
+    for page in sorted(options.source.glob("plugins/**/*.md")):
         for part in set(re.findall(r"<([A-Z]\w+)[\s/>]", page.read_text())):
             pages[part].append(page)
     number, unheld = 0, []

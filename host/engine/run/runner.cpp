@@ -199,9 +199,7 @@ class Run {
 
   /// No value that overflowed leaves the run: nothing behind it can be right.
   enum class Inspection : std::uint8_t { done, missing };
-  bool is_finite(Document& d, Inspection inspection) {
-    return !finite_.is_suspect(d) || !tell_overflow(d, inspection);
-  }
+  bool is_finite(Document& d, Inspection inspection) { return !finite_.is_suspect(d) || !tell_overflow(d, inspection); }
 
   /// Whether the block had to wait for others or not, the same is said of it.
   [[gnu::cold]] bool tell_overflow(Document& d, Inspection inspection) {
