@@ -71,6 +71,9 @@ void ProgramOptions::add_to(CommandLine& line) {
       .type_name("stop|continue")
       .shows_default();
   line.option("--max-blocks", maximum_blocks, "Stop after so many blocks (0: never)").type_name("N").shows_default();
+  line.option("--max-motions", maximum_motions, "Stop after so many moves and steps of cycles (0: never)")
+      .type_name("N")
+      .shows_default();
   line.option("--main-passes", main_passes,
               "How often the main program runs where it starts itself over at its end; 0: until a limit ends it "
               "(default: the dialect's, mostly once)")
@@ -138,6 +141,7 @@ std::optional<RunOptions> ProgramOptions::make(Session& session) const {
   out.program = program;
   out.stop_on_error = on_error == "stop";
   out.maximum_blocks = maximum_blocks;
+  out.maximum_motions = maximum_motions;
   return sound ? std::optional(std::move(out)) : std::nullopt;
 }
 

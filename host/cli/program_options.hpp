@@ -21,6 +21,7 @@ struct ProgramOptions {
   std::uint64_t maximum_jumps = 1'000'000, maximum_loop_blocks = 100'000'000, maximum_repeat_blocks = 10'000'000;
   std::string on_error = "continue";
   std::uint64_t maximum_blocks = 0;
+  std::uint64_t maximum_motions = RunOptions{}.maximum_motions;
   unsigned watchdog = 10;
 
   void add_to(CommandLine& line);

@@ -297,6 +297,11 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {error, "IG-0453", "stopped because the run takes more than {0} MiB of memory: --max-memory sets another limit",
        "A run needs a few megabytes, whatever the size of its program. What was written up to there is kept.",
        "a program that defines texts in an endless loop"},
+      {error, "IG-0455", "stopped after {0} motions: --max-motions sets another limit",
+       "Moves and the steps of cycles are counted, so that no program keeps a machine busy for days. What was written "
+       "up "
+       "to there is kept.",
+       "a pattern of a million holes, called a thousand times"},
       {error, "IG-0454", "stopped after {0} diagnostics: --max-diagnostics sets another limit",
        "The text is no program of this control, or a loop says the same a million times. What was written up to there "
        "is "
