@@ -71,7 +71,7 @@ void ProgramOptions::add_to(CommandLine& line) {
       .type_name("stop|continue")
       .shows_default();
   line.option("--max-blocks", maximum_blocks, "Stop after so many blocks (0: never)").type_name("N").shows_default();
-  line.option("--max-motions", maximum_motions, "Stop after so many moves and steps of cycles (0: never)")
+  line.option("--max-motions", maximum_motions, "Stop after so many blocks and steps of cycles together")
       .type_name("N")
       .shows_default();
   line.option("--main-passes", main_passes,

@@ -364,9 +364,9 @@ class OddFiles(Command):
         done = self.run_it("run", program, "-d", "fanuc", "--emit", "none", "--max-memory", "1", status=1)
         self.assertIn("[IG-0453]", done.stderr)
         done = self.run_it("run", program, "-d", "fanuc", "--max-motions", "1000", status=1)
-        self.assertIn("long.nc:1002:1: error: stopped after 1000 motions: --max-motions sets another limit [IG-0455]",
+        self.assertIn("long.nc:1001:1: error: stopped after 1000 motions: --max-motions sets another limit [IG-0455]",
                       done.stderr)
-        self.assertEqual(len(done.stdout.splitlines()), 1001)
+        self.assertEqual(len(done.stdout.splitlines()), 1000)
         holes = self.write("holes.nc", "G21 G90 F100\nG81 X1. Y1. Z-1. R1. K50\n" + "X2. K50\n" * 50 + "M30\n")
         done = self.run_it("run", holes, "-d", "fanuc", "--emit", "none", "--max-motions", "2000", status=1)
         self.assertIn("[IG-0455]", done.stderr)

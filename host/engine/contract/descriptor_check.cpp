@@ -52,19 +52,22 @@ std::string_view bytes(const char* s, const What& what, std::size_t longest) {
   return {s, size};
 }
 
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
 /// Eight bytes at a time: the texts of all plugins are looked at whenever one is loaded.
 bool may_hold_control(std::string_view s) {
   constexpr std::uint64_t ones = 0x0101010101010101u, tops = ones * 0x80, blanks = ones * 0x20, deletes = ones * 0x7f;
   const auto below = [](std::uint64_t x, std::uint64_t limit) { return (x - limit) & ~x & tops; };
   std::uint64_t found = 0;
-  while (s.size() >= sizeof found) {
+  const auto look_at = [&](const char* eight) {
     std::uint64_t x = 0;
-    std::memcpy(&x, s.data(), sizeof x);
+    std::memcpy(&x, eight, sizeof x);
     found |= below(x, blanks) | below(x ^ deletes, ones);
-    s.remove_prefix(sizeof x);
-  }
-  return found != 0 ||
-         std::any_of(s.begin(), s.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+  };
+  if (s.size() < sizeof found) return std::any_of(s.begin(), s.end(), is_control);
+  for (std::size_t i = 0; i + sizeof found <= s.size(); i += sizeof found) look_at(s.data() + i);
+  look_at(s.data() + s.size() - sizeof found);
+  return found != 0;
 }
 
 /// `list`, `inspect` and diagnostics print it, so it holds no byte that a terminal would obey.

@@ -53,6 +53,7 @@ std::int32_t append(ig_block* block, const ig_field* fields, std::uint32_t count
   }
   list->present.back() = present;
   d.wake_by_list(list_of(fields[0]));
+  if (d.chain != nullptr) ++d.chain->records;
   return 1;
 }
 

@@ -298,7 +298,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "A run needs a few megabytes, whatever the size of its program. What was written up to there is kept.",
        "a program that defines texts in an endless loop"},
       {error, "IG-0455", "stopped after {0} motions: --max-motions sets another limit",
-       "Moves and the steps of cycles are counted, so that no program keeps a machine busy for days. What was written "
+       "Blocks and the steps of cycles are counted, so that no program keeps a machine busy for days. What was written "
        "up "
        "to there is kept.",
        "a pattern of a million holes, called a thousand times"},

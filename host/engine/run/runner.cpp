@@ -35,18 +35,9 @@ class Run {
         length_(static_cast<std::uint32_t>(linked.chain.size())),
         stop_(linked.layout.id("ProgramStop.Term")),
         end_(linked.layout.id("Source.~End")),
-        form_(linked.layout.id("MotionEvent.Form")),
-        steps_(list_of_steps(linked.layout)),
         finite_(linked.layout),
         window_(linked) {
     chain_.flow = &flow_;
-  }
-
-  /// Every chain has the standard lists.
-  static std::size_t list_of_steps(const Layout& layout) {
-    std::size_t i = 0;
-    while (layout.lists[i].path != "CompoundMotion.Items") ++i;
-    return i;
   }
 
   RunResult run() {
@@ -173,7 +164,7 @@ class Run {
       text_ended_ = !over_ && !chain_.ends_program && !flow_.has_request() && !flow_.request_end(d);
       over_ = over_ || chain_.ends_program || text_ended_;
     }
-    if (options_.maximum_motions != 0 && result_.motions > options_.maximum_motions && !over_) {
+    if (result_.blocks + chain_.records > options_.maximum_motions && !over_) {
       over_ = true;
       chain_.report(d, Severity::error, "IG-0455",
                     host_diagnostic("IG-0455", {}, {std::to_string(options_.maximum_motions)}).message, 0, 0);
@@ -191,7 +182,6 @@ class Run {
   }
 
   [[gnu::always_inline]] inline void export_block(Document& d) {
-    result_.motions += d.lists[steps_].count + static_cast<std::uint64_t>(d.fresh(form_));
     for (Exporter* e : exporters_)
       if (!e->block(d, chain_.symbols())) {
         result_.output_closed = true;
@@ -306,8 +296,7 @@ class Run {
   RunResult result_;
   std::uint64_t passes_ = 0;
   bool is_line_done_ = false;
-  ig_field stop_, end_, form_;
-  std::size_t steps_;
+  ig_field stop_, end_;
   FiniteValues finite_;
   LookAheadWindow window_;
   bool over_ = false, program_ended_ = false, text_ended_ = false, said_wide_ = false, is_utf16_ = false;

@@ -102,8 +102,9 @@ class Chain {
   std::uint32_t waits_at = 0;
   std::uint16_t failure_said_by = 0;  ///< chain position + 1; a syntax that fails without a word is reported for it
   std::size_t split_at = 0;
-  std::uint64_t builds = 0;  ///< builds called so far
-  std::uint64_t blocks = 0;  ///< blocks begun so far
+  std::uint64_t builds = 0;   ///< builds called so far
+  std::uint64_t blocks = 0;   ///< blocks begun so far
+  std::uint64_t records = 0;  ///< records added to lists so far: steps of cycles
 
   /// Who carries out calls and jumps, set by the runner; null where no program runs.
   FlowHost* flow = nullptr;

@@ -17,7 +17,7 @@ struct RunOptions {
   bool stop_on_error = false;                        ///< --on-error stop: the control's own stops end the run
   std::string program;                               ///< O1234: start at that program of the file
   std::uint64_t maximum_blocks = 0;                  ///< 0: no limit
-  std::uint64_t maximum_motions = 1'000'000'000;     ///< moves, and steps of blocks that move by steps; 0: no limit
+  std::uint64_t maximum_motions = 1'000'000'000;     ///< blocks, and the steps of those that move by steps
   std::uint64_t maximum_jumps = 1'000'000;           ///< calls, returns and jumps
   std::uint64_t maximum_loop_blocks = 100'000'000;   ///< blocks that run again after jumps back
   std::uint64_t maximum_repeat_blocks = 10'000'000;  ///< blocks that run again since a call repeats its program
@@ -37,7 +37,6 @@ struct RunResult {
   std::uint64_t blocks = 0;
   std::uint64_t lines = 0;
   std::uint64_t bytes = 0;
-  std::uint64_t motions = 0;  ///< moves, and steps of blocks that move by steps, dwells and the like among them
   bool output_closed = false;
   bool stopped_by_alarm = false;
   std::uint64_t jumps = 0;  ///< calls, returns and jumps
