@@ -89,6 +89,9 @@ const void* service_of(const ig_dependency& d, void* self, std::string_view id) 
 
 }  // namespace
 
+Chain::Interlude::Interlude() : before_(running) {}
+Chain::Interlude::~Interlude() { running = before_; }
+
 Chain::Chain(const LinkedDialect& linked, ChainSettings settings, DiagnosticSink& sink)
     : linked_(linked),
       settings_(std::move(settings)),

@@ -54,6 +54,7 @@ std::uint64_t Flow::bytes() const {
 }
 
 bool Flow::select_program(const std::string& name) {
+  const Chain::Interlude interlude;
   const std::string label = indexer().program_name(name);
   const std::optional<Place> at = labels(files_[0]).program(label.empty() ? name : label);
   if (!at) return false;
@@ -386,6 +387,7 @@ void Flow::stop(std::string_view code, const Place& at, std::initializer_list<st
 
 LabelIndex& Flow::labels(ProgramFile& file) {
   if (file.labels == nullptr) {
+    const Chain::Interlude interlude;
     file.labels = indexer().index(file);
     if (file.source->is_lost()) say_lost(file);
     if (!file.source->failure().empty()) say_unreadable(file, 0);

@@ -43,7 +43,10 @@ class Flow : public FlowHost {
   std::uint32_t take_column() { return std::exchange(column_, 0u); }
   /// True once: the block there is passed over, to this end.
   bool take_passing() { return std::exchange(passing_, false); }
-  std::size_t block_end(std::string_view text) { return indexer().block_end(text); }
+  std::size_t block_end(std::string_view text) {
+    const Chain::Interlude interlude;
+    return indexer().block_end(text);
+  }
 
   /// The first text behind the end of the main program that was no part of this run.
   std::optional<Place> first_not_run();  ///< its column is that of the text

@@ -63,6 +63,18 @@ struct Breadcrumb {
 
 class Chain {
  public:
+  /// Another chain works while a block of this one does: afterwards the block of before is at work again.
+  class Interlude {
+   public:
+    Interlude();
+    ~Interlude();
+    Interlude(const Interlude&) = delete;
+    Interlude& operator=(const Interlude&) = delete;
+
+   private:
+    const Document* before_;
+  };
+
   /// Throws std::runtime_error when a syntax cannot be created; the diagnostics say which and why.
   Chain(const LinkedDialect& linked, ChainSettings settings, DiagnosticSink& sink);
   ~Chain();
