@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "program_xyz_util.hpp"
+#include "rotary_offset_util.hpp"
 #include "scale_and_mirror.hpp"
 
 namespace heidenhain {
