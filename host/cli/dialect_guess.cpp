@@ -3,7 +3,6 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "isogloss/engine/exporter.hpp"
@@ -121,14 +120,12 @@ class Moves : public Output {
 
   void run(const LinkedDialect& dialect, const std::string& path, std::string_view head, RunOptions options) {
     constexpr std::uint64_t blocks = 2000;
-    constexpr std::chrono::milliseconds time(200);
     options.maximum_blocks = options.maximum_blocks == 0 ? blocks : std::min(options.maximum_blocks, blocks);
-    const auto until = std::chrono::steady_clock::now() + time;
-    options.goes_on = [&] { return !(is_cut_ = std::chrono::steady_clock::now() > until); };
     const std::unique_ptr<Source> source = memory_source(head);
     const std::unique_ptr<Exporter> exporter = make_motion_exporter(*this, {Format::csv, false, false, false, {}});
     DiagnosticList ignored;
-    is_cut_ = isogloss::run(dialect, *source, path, options, {exporter.get()}, ignored).output_closed || is_cut_;
+    const RunResult result = isogloss::run(dialect, *source, path, options, {exporter.get()}, ignored);
+    is_cut_ = result.output_closed || result.blocks >= options.maximum_blocks;
     std::string_view rest = text_;
     for (std::size_t end = 0; (end = rest.find('\n')) != std::string_view::npos; rest.remove_prefix(end + 1))
       if (const std::optional<Move> move = read_move(rest.substr(0, end))) moves_.push_back(*move);

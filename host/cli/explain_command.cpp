@@ -8,8 +8,8 @@
 
 #include "crash_guard.hpp"
 #include "dialect_guess.hpp"
-#include "isogloss/engine/diagnostic_writer.hpp"
 #include "isogloss/engine/explain.hpp"
+#include "isogloss/engine/printable.hpp"
 #include "output_file.hpp"
 #include "program_options.hpp"
 
@@ -193,26 +193,40 @@ Json json_of(const ExplainedBlock& b) {
           {"Document", Json::parse(b.document)}};
 }
 
-/// The line of a file that can be read again, without its end; `count`: how many lines there are up to it.
-std::optional<std::string> read_line(const std::string& path, std::uint32_t number, std::uint32_t& count) {
+/// What a file that can be read again holds at a line. Lines end as the run has them end: LF, CR or both.
+struct LineInFile {
+  std::uint32_t lines = 0;  ///< up to this line; fewer than asked for: the file has no more
+  bool is_empty = true;
+};
+
+LineInFile look_up(const std::string& path, std::uint32_t number) {
   std::error_code code;
   std::ifstream file;
   if (std::filesystem::is_regular_file(path, code)) file.open(path, std::ios::binary);
-  std::string line;
-  for (count = 0; std::getline(file, line);)
-    if (++count == number) return line;
-  return std::nullopt;
+  LineInFile out;
+  bool is_begun = false;
+  char before = '\0', buffer[65536];
+  while (file.read(buffer, sizeof buffer), file.gcount() > 0)
+    for (const char c : std::string_view(buffer, static_cast<std::size_t>(file.gcount()))) {
+      const bool is_half_end = before == '\r' && c == '\n';
+      before = c;
+      if (is_half_end) continue;
+      if (!is_begun && out.lines == number) return out;
+      if (!is_begun) ++out.lines;
+      is_begun = c != '\n' && c != '\r';
+      if (out.lines == number && is_begun && c != ' ' && c != '\t') out.is_empty = false;
+    }
+  return out;
 }
 
 /// Why the run has no block there.
 std::string why_not(const ExplainReach& reach, const ExplainTarget& target, const std::string& path) {
   if (reach.passes > 0 && reach.passes < target.pass)
     return fmt::format("the run comes to this line {} times", reach.passes);
-  std::uint32_t count = 0;
-  const std::optional<std::string> line =
-      target.file.empty() ? read_line(path, target.line, count) : std::optional<std::string>();
-  if (!line && count > 0) return fmt::format("the file has {} lines", count);
-  if (line && line->find_first_not_of(" \t\r") == std::string::npos) return "the line is empty";
+  if (const LineInFile line = look_up(target.file.empty() ? path : std::string(), target.line); line.lines > 0) {
+    if (line.lines < target.line) return fmt::format("the file has {} lines", line.lines);
+    if (line.is_empty) return "the line is empty";
+  }
   if (reach.first == 0) return "no block of this file is executed";
   if (target.line < reach.first) return fmt::format("the run begins at line {}", reach.first);
   if (reach.jumped_to != 0)

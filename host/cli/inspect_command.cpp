@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "catalogue.hpp"
-#include "isogloss/engine/diagnostic_writer.hpp"
+#include "isogloss/engine/printable.hpp"
 #include "output_file.hpp"
 #include "session.hpp"
 

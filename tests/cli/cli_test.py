@@ -216,6 +216,8 @@ class BadDocuments(Command):
         for emit in ("blocks", "motions"):
             done = self.run_it("run", program, "-d", "fanuc", "--emit", emit, "--format", "text")
             self.assertNotRegex(done.stdout + done.stderr, r"[\x00-\x08\x0b-\x1f\x7f]")
+        self.assertIn(r"\x1b[31mRED", self.run_it("run", program, "-d", "fanuc", "--emit", "blocks", "--format",
+                                                  "text").stdout)
         done = self.run_it("explain", f"{program}:2", "-d", "fanuc")
         self.assertNotRegex(done.stdout, r"[\x00-\x08\x0b-\x1f\x7f]")
 
@@ -1115,7 +1117,13 @@ class Explain(Command):
 
     def test_a_line_that_is_not_reached_says_why(self):
         self.write("O20", "O20\nG91 X1.\nM99\nX2.\n")
-        main = self.write("jumps.nc", "G21\nG00 X0 Y0\n\nGOTO 9\nX1.\nN9 X2.\nM98 P20\nM30\nX3.\n")
+        text = "G21\nG00 X0 Y0\n\nGOTO 9\nX1.\nN9 X2.\nM98 P20\nM30\nX3.\n"
+        for ending in ("\r", "\r\n"):
+            main = self.write("endings.nc", text.replace("\n", ending))
+            for line, reason in ((3, "the line is empty"), (10, "the file has 9 lines")):
+                done = self.run_it("explain", f"{main}:{line}", "-d", "fanuc", status=1)
+                self.assertIn(f"hint: {reason}\n", done.stderr)
+        main = self.write("jumps.nc", text)
         for line, reason in ((3, "the line is empty"), (5, "the run goes from line 4 to line 6"),
                              (9, "the run ends at .*jumps.nc:8: M30"), (10, "the file has 9 lines")):
             done = self.run_it("explain", f"{main}:{line}", "-d", "fanuc", status=1)

@@ -9,8 +9,8 @@
 
 #include "document/document_shape.hpp"
 #include "export/text_buffer.hpp"
-#include "isogloss/engine/diagnostic_writer.hpp"
 #include "isogloss/engine/exporter.hpp"
+#include "isogloss/engine/printable.hpp"
 
 namespace isogloss {
 
@@ -129,13 +129,13 @@ class TextSink {
     levels_.push_back({"", true});
   }
 
-  static std::string key_of(const std::string& name) { return valid_utf8(name); }
+  static std::string key_of(const std::string& name) { return printable(name); }
   void number(const std::string& key, double value) { pair(key, text_of(value)); }
   void integer(const std::string& key, std::int64_t value) { pair(key, std::to_string(value)); }
   void boolean(const std::string& key, bool value) { pair(key, value ? "true" : "false"); }
   void text(const std::string& key, std::string_view value) { pair(key, printable(value)); }
   void item(const std::string& value) {
-    buffer_.append((levels_.back().is_empty ? "=" : ",") + valid_utf8(value));
+    buffer_.append((levels_.back().is_empty ? "=" : ",") + printable(value));
     levels_.back().is_empty = false;
   }
   void item(double value) { item(text_of(value)); }
@@ -318,7 +318,7 @@ class BlockText : public Exporter {
     if (d.source.file != file_ || !named_) {
       file_ = d.source.file;
       named_ = true;
-      buffer_.append(valid_utf8(file_) + "\n");
+      buffer_.append(printable(file_) + "\n");
     }
     std::string line = std::to_string(d.source.line);
     if (line.size() < 6) line.insert(0, 6 - line.size(), ' ');

@@ -7,8 +7,8 @@
 #include "export/motion_queue.hpp"
 #include "export/motion_reader.hpp"
 #include "export/text_buffer.hpp"
-#include "isogloss/engine/diagnostic_writer.hpp"
 #include "isogloss/engine/exporter.hpp"
+#include "isogloss/engine/printable.hpp"
 
 namespace isogloss {
 

@@ -1,6 +1,10 @@
 #include "export/text_buffer.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdint>
+
+#include "isogloss/engine/printable.hpp"
 
 namespace isogloss {
 
@@ -50,6 +54,18 @@ std::string valid_utf8(std::string_view text) {
     const std::size_t length = utf8_length(text);
     out += length == 0 ? replacement : text.substr(0, length);
     text.remove_prefix(length == 0 ? 1 : length);
+  }
+  return out;
+}
+
+std::string printable(std::string_view text, std::string_view kept) {
+  std::string out;
+  for (const char c : valid_utf8(text)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < 0x20 || byte == 0x7f) && kept.find(c) == std::string_view::npos)
+      out += fmt::format("\\x{:02x}", byte);
+    else
+      out += c;
   }
   return out;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "export/text_buffer.hpp"
+#include "isogloss/engine/printable.hpp"
 
 namespace isogloss {
 
@@ -48,18 +49,6 @@ std::string wording(std::string_view message) {
 }
 
 }  // namespace
-
-std::string printable(std::string_view text, std::string_view kept) {
-  std::string out;
-  for (const char c : valid_utf8(text)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if ((byte < 0x20 || byte == 0x7f) && kept.find(c) == std::string_view::npos)
-      out += fmt::format("\\x{:02x}", byte);
-    else
-      out += c;
-  }
-  return out;
-}
 
 DiagnosticWriter::DiagnosticWriter(DiagnosticPolicy policy, Write write) : policy_(policy), write_(std::move(write)) {}
 

@@ -23,10 +23,6 @@ struct DiagnosticPolicy {
   bool colours = false;  ///< text only
 };
 
-/// The text for a terminal: a control character that is not among `kept` is shown as \x1b, and what is no UTF-8 as
-/// U+FFFD.
-std::string printable(std::string_view text, std::string_view kept = {});
-
 /// Writes each diagnostic as it comes; memory does not grow with their number. `write` gets whole lines.
 class DiagnosticWriter : public DiagnosticSink {
  public:
