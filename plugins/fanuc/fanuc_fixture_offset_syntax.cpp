@@ -1,6 +1,7 @@
 /// G54.2 P: the fixture offset that follows the rotary table; G54.4 P: the setting error of the workpiece. P0 cancels
 /// them, which changes nothing where they never were; what P1 and up choose stands in no table here.
-#include "brand_diagnostics.hpp"
+
+#include <isogloss/sdk.hpp>
 
 namespace fanuc {
 namespace {
@@ -12,6 +13,10 @@ struct FanucFixtureOffset {
           "Says that a fixture offset (G54.2 P) and a setting error of the workpiece (G54.4 P) are not executed.")
           .after("ParameterizedFlagSyntax")
           .before("NotExecutedSyntax", "UnconsumedCheckSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "FAN-0210", "{0} P{1} is not executed: {2}"),
+      ig::diagnostic(IG_ERROR, "FAN-0211", "{0} without P: nothing is chosen"),
+  };
 
   ig::Call codes_{{"G54.2", "G54.4"}, "P[]"};
 
@@ -29,9 +34,9 @@ struct FanucFixtureOffset {
     ig_value p{};
     const std::string_view name = b.text(codes_.name(row));
     if (b.host()->take(b.raw(), codes_.word(row, 'P'), &p) == 0)
-      b.report(brand_diag("FAN-0211"), ig::Where::word(code), name);
+      b.report(ig::diag("FAN-0211"), ig::Where::word(code), name);
     else if (p.number != 0)
-      b.report(brand_diag("FAN-0210"), ig::Where::word(code), name, p.number, missing[row]);
+      b.report(ig::diag("FAN-0210"), ig::Where::word(code), name, p.number, missing[row]);
     return true;
   }
 

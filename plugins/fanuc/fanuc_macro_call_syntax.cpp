@@ -20,6 +20,17 @@ struct FanucMacroCall {
           .after("FlagSyntax")
           .before("WordSyntax")
           .scans("GMgm");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "FAN-0161", "{0} without P: no macro is called"),
+      ig::diagnostic(IG_ERROR, "FAN-0162", "{0} P{1}: no program has that number"),
+      ig::diagnostic(IG_ERROR, "FAN-0163", "'{0}' is no argument of a macro call: it is not passed"),
+      ig::diagnostic(IG_ERROR, "FAN-0164", "more than ten sets of I J K: '{0}' is not passed"),
+      ig::diagnostic(IG_ERROR, "FAN-0167", "{0} L{1}: a call is made from 0 to 99999999 times"),
+      ig::diagnostic(IG_ERROR, "FAN-0171",
+                     "G66 with {0} modal calls in force: macro calls nest {1} deep; it is not kept"),
+      ig::diagnostic(IG_WARNING, "FAN-0172", "{0} with the count 0: the macro is not called"),
+      ig::diagnostic(IG_WARNING, "FAN-0174", "{0} stands more than once in this call: the last one counts"),
+  };
 
   ig::Choice<IjkSets> ijk_sets_{"ijk-sets", "automatic|one", "automatic",
                                 "A second I, J or K is the next set, #7 #8 #9, or the first one again."};
@@ -47,7 +58,7 @@ struct FanucMacroCall {
     const std::string_view code = name_of(letter, *index);
     const bool is_g65 = code == "G65", each_block = code == "G66.1", is_modal = code == "G66" || each_block;
     if (b.is_raised(call_)) {
-      b.report(macro_diag("FAN-0170"), ig::Where::columns(position, number.end), code);
+      b.report(ig::diag("FAN-0170"), ig::Where::columns(position, number.end), code);
       return iso::block_end(text, position);
     }
     is_modal_ = is_modal;
@@ -85,13 +96,13 @@ struct FanucMacroCall {
     }
     const std::string_view code(code_.data());
     if (!has_program_) {
-      b.report(macro_diag("FAN-0161"), where, code);
+      b.report(ig::diag("FAN-0161"), where, code);
     } else if (name_.empty() && (program_ < 1 || program_ > largest_number || program_ != std::floor(program_))) {
-      b.report(macro_diag("FAN-0162"), where, code, program_);
+      b.report(ig::diag("FAN-0162"), where, code, program_);
     } else if (repeats_ < 0 || repeats_ > largest_number || repeats_ != std::floor(repeats_)) {
-      b.report(macro_diag("FAN-0167"), where, code, repeats_);
+      b.report(ig::diag("FAN-0167"), where, code, repeats_);
     } else if (repeats_ == 0) {
-      b.report(macro_diag("FAN-0172"), where, code);
+      b.report(ig::diag("FAN-0172"), where, code);
     } else if (is_modal_) {
       keep_modal_call(b, where);
     } else {
@@ -108,7 +119,7 @@ struct FanucMacroCall {
     MacroStore& store = environment_.store();
     std::vector<MacroStore::ModalCall>& calls = store.modal_calls();
     if (static_cast<std::int64_t>(store.depth() + calls.size()) >= nesting_) {
-      b.report(macro_diag("FAN-0171"), where, static_cast<double>(calls.size()), static_cast<double>(nesting_));
+      b.report(ig::diag("FAN-0171"), where, static_cast<double>(calls.size()), static_cast<double>(nesting_));
       b.alarm();
       return;
     }
@@ -197,7 +208,7 @@ struct FanucMacroCall {
     }
     const bool comes_in_sets = letter >= 'I' && letter <= 'K' && ijk_sets_ != IjkSets::one;
     if ((seen_ >> index & 1u) != 0 && !comes_in_sets)
-      b.report(macro_diag("FAN-0174"), ig::Where::columns(begin, end), std::string_view(&letter, 1));
+      b.report(ig::diag("FAN-0174"), ig::Where::columns(begin, end), std::string_view(&letter, 1));
     seen_ |= 1u << index;
     if (letter == 'P' || letter == 'L') {
       if (value.is_null()) return end;
@@ -213,7 +224,7 @@ struct FanucMacroCall {
     if (variable_of[index] == 0) return refuse(b, text, begin, end);
     const std::uint32_t variable = variable_for(letter);
     if (variable > last_local) {
-      b.report(macro_diag("FAN-0164"), ig::Where::columns(begin, end), iso::piece(text, begin, end));
+      b.report(ig::diag("FAN-0164"), ig::Where::columns(begin, end), iso::piece(text, begin, end));
       return end;
     }
     if (literal.ok && !literal.has_point) value.number = units_.counted(b, letter, literal.value, begin, end);
@@ -223,7 +234,7 @@ struct FanucMacroCall {
 
   static std::size_t refuse(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) {
     end = std::max(end, begin + 1);
-    b.report(macro_diag("FAN-0163"), ig::Where::columns(begin, end), iso::piece(text, begin, end));
+    b.report(ig::diag("FAN-0163"), ig::Where::columns(begin, end), iso::piece(text, begin, end));
     return end;
   }
 

@@ -26,6 +26,27 @@ struct FanucMacroStatement {
           .after("IsoCommentSyntax", "HeadIndexSyntax", "ProgramNumberSyntax")
           .before("WordSyntax")
           .scans("[#IWDEGTOBPSRCiwdegtobpsrc");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "FAN-0121", "{0} cannot be written"),
+      ig::diagnostic(IG_ERROR, "FAN-0122", "the tables have no place for {0}: nothing is written"),
+      ig::diagnostic(IG_ERROR, "FAN-0123", "'{0}' should not stand here: the statement is not executed"),
+      ig::diagnostic(IG_ERROR, "FAN-0124", "= is missing: nothing is assigned"),
+      ig::diagnostic(IG_ERROR, "FAN-0125", "a macro statement behind words: '{0}' is not executed"),
+      ig::diagnostic(IG_ERROR, "FAN-0131", "{0} is not complete: {1} is missing; nothing is executed"),
+      ig::diagnostic(IG_ERROR, "FAN-0132", "GOTO {0}: no sequence number is called so"),
+      ig::diagnostic(IG_ERROR, "FAN-0133", "N{0} is not found: {1}"),
+      ig::diagnostic(IG_ERROR, "FAN-0134", "{0}{1}: loops are numbered from 1 to {2}"),
+      ig::diagnostic(IG_ERROR, "FAN-0135", "END{0} of this loop is not found: {1}"),
+      ig::diagnostic(IG_ERROR, "FAN-0136", "END{0} without DO{0}"),
+      ig::diagnostic(IG_ERROR, "FAN-0137", "END{0} crosses DO{1} of line {2}"),
+      ig::diagnostic(IG_ERROR, "FAN-0138", "DO{0} inside DO{0} of line {1}"),
+      ig::diagnostic(IG_ERROR, "FAN-0139", "alarm {0}: {1}"),
+      ig::diagnostic(IG_NOTE, "FAN-0140", "the program stops and says: {0}"),
+      ig::diagnostic(IG_WARNING, "FAN-0143", "THEN is followed by words, not by a macro statement"),
+      ig::diagnostic(IG_ERROR, "FAN-0144", "DO{0} without END{0}: the program ends before it"),
+      ig::diagnostic(IG_WARNING, "FAN-0173",
+                     "the program waits for #{0}, whose state is not known here: the wait is left"),
+  };
 
   ig::IntegerOption loops_{"loops", "3", {1, 99}, "The largest number of DO and END."};
   ig::Choice<Governs> governs_{
@@ -56,7 +77,7 @@ struct FanucMacroStatement {
       if (word == Word::foreign)
         iso::leave(b, IG_LEFT_STATEMENT, piece(text, position, end), position, end);
       else
-        b.report(macro_diag("FAN-0125"), ig::Where::columns(position, end), piece(text, position, end));
+        b.report(ig::diag("FAN-0125"), ig::Where::columns(position, end), piece(text, position, end));
       return end;
     }
     if (environment_.flow.is_indexing()) {
@@ -151,7 +172,7 @@ struct FanucMacroStatement {
     std::size_t after = 0;
     const std::optional<bool> holds = condition(b, text.substr(0, end), position, "IF", after);
     if (!holds || !*holds) return end;
-    b.report(macro_diag("FAN-0143"), ig::Where::columns(words, end));
+    b.report(ig::diag("FAN-0143"), ig::Where::columns(words, end));
     return words;
   }
 
@@ -212,7 +233,7 @@ struct FanucMacroStatement {
       case Word::output: return put_out(b, environment_, said_output_, text, position, behind);
       case Word::set_name:
         if (said_output_.is_first("SETVN"))
-          b.report(macro_diag("FAN-0141"), columns(text, position), text.substr(position));
+          b.report(ig::diag("FAN-0141"), columns(text, position), text.substr(position));
         return;
       default: incomplete(b, text, position, text.substr(position), "IF");
     }
@@ -223,13 +244,13 @@ struct FanucMacroStatement {
   }
   static void incomplete(ig::Block& b, std::string_view text, std::size_t position, std::string_view what,
                          std::string_view missing) {
-    b.report(macro_diag("FAN-0131"), columns(text, position), what, missing);
+    b.report(ig::diag("FAN-0131"), columns(text, position), what, missing);
   }
   /// False, and said, when something stands behind the statement.
   static bool ends(ig::Block& b, std::string_view text, std::size_t position) {
     const std::size_t rest = skip_blanks(text, position);
     if (rest >= text.size()) return true;
-    b.report(macro_diag("FAN-0123"), ig::Where::columns(rest, text.size()), text.substr(rest));
+    b.report(ig::diag("FAN-0123"), ig::Where::columns(rest, text.size()), text.substr(rest));
     return false;
   }
 
@@ -246,7 +267,7 @@ struct FanucMacroStatement {
     if (!o.ok()) return std::nullopt;
     after = skip_blanks(text, o.end);
     if (o.value.kind != Kind::truth && !environment_.rules().truth_is_number) {
-      b.report(macro_diag("FAN-0116"), ig::Where::columns(bracket, o.end), piece(text, bracket, o.end));
+      b.report(ig::diag("FAN-0116"), ig::Where::columns(bracket, o.end), piece(text, bracket, o.end));
       return std::nullopt;
     }
     return o.value.number != 0;
@@ -264,7 +285,7 @@ struct FanucMacroStatement {
     }
     if (next != Word::then) {
       if (after < text.size())
-        b.report(macro_diag("FAN-0123"), ig::Where::columns(after, text.size()), text.substr(after));
+        b.report(ig::diag("FAN-0123"), ig::Where::columns(after, text.size()), text.substr(after));
       else
         incomplete(b, text, position, "IF", "GOTO or THEN");
       return;
@@ -274,7 +295,7 @@ struct FanucMacroStatement {
     const Word inner = is_letter(text[statement]) ? keyword_or_short(text, statement, behind) : Word::none;
     const bool is_plain = text[statement] == '#' || inner == Word::go_to || inner == Word::output;
     if (!is_plain) {
-      b.report(macro_diag("FAN-0123"), ig::Where::columns(statement, text.size()), text.substr(statement));
+      b.report(ig::diag("FAN-0123"), ig::Where::columns(statement, text.size()), text.substr(statement));
     } else if (*holds) {
       execute(b, text, statement);
     }
@@ -288,7 +309,7 @@ struct FanucMacroStatement {
     const auto number = static_cast<std::uint32_t>(target.value.number);
     const std::size_t equals = skip_blanks(text, target.end);
     if (at(text, equals) != '=') {
-      b.report(macro_diag("FAN-0124"), columns(text, position));
+      b.report(ig::diag("FAN-0124"), columns(text, position));
       return;
     }
     const Outcome o = evaluate_at(b, text, equals + 1);
@@ -297,7 +318,7 @@ struct FanucMacroStatement {
     if (value.kind == Kind::truth) {
       if (!environment_.rules().truth_is_number) {
         const std::size_t begin = skip_blanks(text, equals + 1);
-        b.report(macro_diag("FAN-0115"), ig::Where::columns(begin, o.end), piece(text, begin, o.end));
+        b.report(ig::diag("FAN-0115"), ig::Where::columns(begin, o.end), piece(text, begin, o.end));
         return;
       }
       value.kind = Kind::number;
@@ -309,9 +330,9 @@ struct FanucMacroStatement {
     const auto name = [&] { return MacroEnvironment::name_of(piece(text, position, target.end), number); };
     switch (environment_.write(b, number, value)) {
       case Written::done: break;
-      case Written::no_variable: b.report(macro_diag("FAN-0109"), where, name()); return;
-      case Written::read_only: b.report(macro_diag("FAN-0121"), where, name()); return;
-      default: b.report(macro_diag("FAN-0122"), where, name()); return;
+      case Written::no_variable: b.report(ig::diag("FAN-0109"), where, name()); return;
+      case Written::read_only: b.report(ig::diag("FAN-0121"), where, name()); return;
+      default: b.report(ig::diag("FAN-0122"), where, name()); return;
     }
     b.set(variable_, static_cast<std::int64_t>(number));
     if (!value.is_null()) b.set(value_, value.number);
@@ -330,12 +351,12 @@ struct FanucMacroStatement {
     if (!ends(b, text, open)) return;
     if (words.empty()) words = "(no text)";
     if (number == 3006) {
-      b.report(macro_diag("FAN-0140"), columns(text, position), words);
+      b.report(ig::diag("FAN-0140"), columns(text, position), words);
       b.set(stop_, message_stop_);
       return;
     }
     const bool is_own = value.number >= 0 && value.number <= 200;
-    b.report(macro_diag("FAN-0139"), columns(text, position), is_own ? 3000 + value.number : value.number, words);
+    b.report(ig::diag("FAN-0139"), columns(text, position), is_own ? 3000 + value.number : value.number, words);
     b.alarm();
   }
 
@@ -351,7 +372,7 @@ struct FanucMacroStatement {
     if (!o.ok() || !ends(b, text, o.end)) return;
     const double n = o.value.number;
     if (o.value.kind != Kind::number || !(n >= 0 && n <= 99'999'999) || n != std::floor(n)) {
-      b.report(macro_diag("FAN-0132"), ig::Where::columns(target, o.end), piece(text, target, o.end));
+      b.report(ig::diag("FAN-0132"), ig::Where::columns(target, o.end), piece(text, target, o.end));
       return;
     }
     std::array<char, 24> name{'N'};
@@ -360,7 +381,7 @@ struct FanucMacroStatement {
     if (may_wait && lacks(b, label) && waits_again(b)) return;
     const ig::Flow::Answer answer = environment_.flow.jump(b, label);
     if (answer.is_not_found())
-      b.report(macro_diag("FAN-0133"), ig::Where::columns(target, o.end), label.substr(1), answer.reason);
+      b.report(ig::diag("FAN-0133"), ig::Where::columns(target, o.end), label.substr(1), answer.reason);
     note_jump(b);
   }
 
@@ -379,7 +400,7 @@ struct FanucMacroStatement {
     loops_here_.leave(b, environment_.flow, *number);
     const ig::Flow::Answer answer = environment_.flow.jump(b, end_label(*number), IG_SEARCH_FORWARD, IG_GO_BEHIND);
     if (answer.is_not_found())
-      b.report(macro_diag("FAN-0135"), columns(text, after), static_cast<double>(*number), answer.reason);
+      b.report(ig::diag("FAN-0135"), columns(text, after), static_cast<double>(*number), answer.reason);
   }
 
   /// The last condition read a signal of the machine, and else nothing that changes by itself.
@@ -398,7 +419,7 @@ struct FanucMacroStatement {
     const std::uint32_t signal = environment_.signals().last;
     if (std::find(waited_.begin(), waited_.end(), signal) == waited_.end()) {
       waited_.push_back(signal);
-      b.report(macro_diag("FAN-0173"), columns(b.source().substr(0, end_), begin_), static_cast<double>(signal));
+      b.report(ig::diag("FAN-0173"), columns(b.source().substr(0, end_), begin_), static_cast<double>(signal));
     }
     return true;
   }
@@ -434,7 +455,7 @@ struct FanucMacroStatement {
       return std::nullopt;
     }
     if (number < 1 || number > loops_) {
-      b.report(macro_diag("FAN-0134"), columns(text, position), word, static_cast<double>(number),
+      b.report(ig::diag("FAN-0134"), columns(text, position), word, static_cast<double>(number),
                static_cast<double>(loops_));
       return std::nullopt;
     }
@@ -466,7 +487,7 @@ struct FanucMacroStatement {
     for (const MacroLoops::Loop& loop : open) {
       if (loop.number != *number) continue;
       if (!loop.jumped && loop.place.offset != place.offset)
-        b.report(macro_diag("FAN-0138"), columns(text, position), static_cast<double>(*number),
+        b.report(ig::diag("FAN-0138"), columns(text, position), static_cast<double>(*number),
                  static_cast<double>(loop.place.line));
       loops_here_.leave(b, environment_.flow, *number);
       break;
@@ -474,7 +495,7 @@ struct FanucMacroStatement {
     unbegun_[static_cast<std::size_t>(*number)] = false;
     loops_here_.begin(*number, place);
     if (lacks(b, end_label(*number)))
-      b.report(macro_diag("FAN-0144"), columns(text, at_do), static_cast<double>(*number));
+      b.report(ig::diag("FAN-0144"), columns(text, at_do), static_cast<double>(*number));
   }
 
   void execute_end(ig::Block& b, std::string_view text, std::size_t position) {
@@ -487,14 +508,14 @@ struct FanucMacroStatement {
           std::any_of(open.begin(), open.end(), [&](const MacroLoops::Loop& l) { return l.number == *number; });
       if (!is_open) break;
       if (!inner.jumped)
-        b.report(macro_diag("FAN-0137"), columns(text, position), static_cast<double>(*number),
+        b.report(ig::diag("FAN-0137"), columns(text, position), static_cast<double>(*number),
                  static_cast<double>(inner.number), static_cast<double>(inner.place.line));
       loops_here_.end_innermost();
       open = own_loops(b);
     }
     if (open.empty() || open.back().number != *number) {
       if (std::exchange(unbegun_[static_cast<std::size_t>(*number)], false)) return;  // why it was not begun is said
-      b.report(macro_diag("FAN-0136"), columns(text, position), static_cast<double>(*number));
+      b.report(ig::diag("FAN-0136"), columns(text, position), static_cast<double>(*number));
       return;
     }
     environment_.flow.go_to(b, open.back().place);

@@ -17,6 +17,14 @@ struct FanucMacroWord {
           .after("FlagSyntax", "WordSyntax", "FanucMacroStatementSyntax")
           .before("ParameterizedFlagSyntax")
           .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz,");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "FAN-0151", "'{0}': {1} takes no variable; it is not used"),
+      ig::diagnostic(IG_ERROR, "FAN-0152", "{0}{1} is no code"),
+      ig::diagnostic(IG_WARNING, "FAN-0153", "'{0}': a calculation in a word stands in brackets"),
+      ig::diagnostic(IG_WARNING, "FAN-0154",
+                     "'{0}': the address stands more than once in this block: the last one counts"),
+      ig::diagnostic(IG_NOTE, "FAN-0155", "{0} is empty, so the block has no such word"),
+  };
 
   ig::Fields addresses_{"addresses", "Parsing.?", ig::write, "The addresses that words may have."};
   /// A comma before C and R: a corner's chamfer and rounding.
@@ -84,7 +92,7 @@ struct FanucMacroWord {
       return std::max({whole, o.end, o.fault_end, begin + 1});
     }
     if (whole > o.end) {
-      b.report(macro_diag("FAN-0153"), ig::Where::columns(begin, whole), iso::piece(text, begin, whole));
+      b.report(ig::diag("FAN-0153"), ig::Where::columns(begin, whole), iso::piece(text, begin, whole));
       o = evaluate(text.substr(0, whole), value, rules, variables);
       if (!o.ok()) {
         environment_.report(b, o, text);
@@ -93,9 +101,9 @@ struct FanucMacroWord {
     }
     if (environment_.has_deep_brackets(o)) environment_.warn_of_depth(b, o, begin, o.end);
     if (o.value.kind == Kind::truth && !rules.truth_is_number) {
-      b.report(macro_diag("FAN-0115"), ig::Where::columns(value, o.end), iso::piece(text, value, o.end));
+      b.report(ig::diag("FAN-0115"), ig::Where::columns(value, o.end), iso::piece(text, value, o.end));
     } else if (letter == 'N' || letter == 'O') {
-      b.report(macro_diag("FAN-0151"), ig::Where::columns(begin, o.end), iso::piece(text, begin, o.end),
+      b.report(ig::diag("FAN-0151"), ig::Where::columns(begin, o.end), iso::piece(text, begin, o.end),
                std::string_view(&letter, 1));
     } else if (!o.value.is_null()) {
       const double number = negative ? -o.value.number : o.value.number;
@@ -106,7 +114,7 @@ struct FanucMacroWord {
       else
         set_word(b, letter, number, begin, o.end, iso::piece(text, begin, o.end));
     } else if (letter == 'F' && !is_corner) {
-      b.report(macro_diag("FAN-0155"), ig::Where::columns(begin, o.end), iso::piece(text, begin, o.end));
+      b.report(ig::diag("FAN-0155"), ig::Where::columns(begin, o.end), iso::piece(text, begin, o.end));
     }
     return o.end;
   }
@@ -159,7 +167,7 @@ struct FanucMacroWord {
       return;
     }
     ig_value before;
-    if (b.host()->get(b.raw(), address.field, &before) != 0) b.report(macro_diag("FAN-0154"), where, written);
+    if (b.host()->get(b.raw(), address.field, &before) != 0) b.report(ig::diag("FAN-0154"), where, written);
     // Counts and numbers of things are whole: what a calculation misses by its last digits is rounded.
     const bool is_whole = address.unit.empty() && std::string_view("DHLPT").find(letter) != std::string_view::npos;
     const ig_word word{.field = address.field,
@@ -186,7 +194,7 @@ struct FanucMacroWord {
     if (const auto index = CodeFields::index_of(number))
       codes_.set(b, letter, *index, begin, end);
     else
-      b.report(macro_diag("FAN-0152"), ig::Where::columns(begin, end), std::string_view(&letter, 1), number);
+      b.report(ig::diag("FAN-0152"), ig::Where::columns(begin, end), std::string_view(&letter, 1), number);
   }
 
   std::string blanked_;

@@ -10,6 +10,9 @@ struct FanucModalMacro {
   static constexpr auto spec =
       ig::syntax("FanucModalMacroSyntax", "Calls the macro of G66 after each block that moves; G67 ends it.")
           .after("LinearMotionSyntax", "CircularMotionSyntax", "ReferenceReturnSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "FAN-0169", "G67 without G66: nothing ends"),
+  };
 
   MacroFrame frame_;
   ig::Codes end_{"G67"};
@@ -22,7 +25,7 @@ struct FanucModalMacro {
     std::vector<MacroStore::ModalCall>& calls = store.modal_calls();
     if (b.take(end_)) {
       if (calls.empty())
-        b.report(macro_diag("FAN-0169"), ig::Where::word(end_.id(0)));
+        b.report(ig::diag("FAN-0169"), ig::Where::word(end_.id(0)));
       else
         calls.pop_back();
       if (calls.empty() && store.depth() == 0) b.erase(modal_);

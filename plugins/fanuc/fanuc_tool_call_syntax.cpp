@@ -22,7 +22,7 @@ struct FanucToolCall {
     const auto number = b.take(t_);
     if (!number) return ig::Status::unchanged;
     frame_.enter(b);
-    if (!frame_.store().set(tool_variable, *number)) b.report(macro_diag("FAN-0109"), where, std::string_view("#149"));
+    if (!frame_.store().set(tool_variable, *number)) b.report(ig::diag("FAN-0109"), where, std::string_view("#149"));
     call_program(b, frame_.flow, {static_cast<std::int64_t>(*program_)}, 1, called_by_code | shares_locals, where);
     return ig::Status::changed;
   }

@@ -3,7 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "brand_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "motion_event_util.hpp"
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
@@ -19,6 +20,14 @@ struct FanucToolOffset {
                  "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax")
           .before("PolarCoordinateSyntax", "CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax",
                   "RadiusCompensationSyntax", "NotExecutedSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "FAN-0220", "{0} is not executed: {1}; the block moves without the tool offset"),
+      ig::diagnostic(IG_WARNING, "FAN-0221", "{0} is ignored: a canned cycle is in force; write it before the cycle"),
+      ig::diagnostic(IG_WARNING, "FAN-0222",
+                     "{0}: the radius of D{1} is 0 in the tool table, so the offset changes nothing"),
+      ig::diagnostic(IG_ERROR, "FAN-0223",
+                     "{0}: only a quarter or three quarters of a circle with I J K take the offset; the arc has none"),
+  };
 
   ig::Call codes_{{"G45", "G46", "G47", "G48"}, "X Y Z D[]"};
   ig::Xyz axes_{"Parsing", ig::read | ig::write};
@@ -55,9 +64,9 @@ struct FanucToolOffset {
     const ig::Where where = ig::Where::word(code);
     const std::string_view name = b.text(codes_.name(*row));
     if (is_cycle(b)) {
-      b.report(brand_diag("FAN-0221"), where, name);
+      b.report(ig::diag("FAN-0221"), where, name);
     } else if (const std::string_view why = refusal(b); !why.empty()) {
-      b.report(brand_diag("FAN-0220"), where, name, why);
+      b.report(ig::diag("FAN-0220"), where, name, why);
     } else if (const auto offset = offset_of(b, where, name)) {
       constexpr std::array<double, 4> factors{1, -1, 2, -2};
       apply(b, where, name, factors[*row] * *offset);
@@ -101,7 +110,7 @@ struct FanucToolOffset {
     const auto d = get(b, d_.id());
     const auto id = d ? iso::whole_number(*d) : b.get(offset_id_);
     if (!id) {
-      b.report(brand_diag("FAN-0220"), where, name, std::string_view("no D names an offset"));
+      b.report(ig::diag("FAN-0220"), where, name, std::string_view("no D names an offset"));
       return std::nullopt;
     }
     if (*id == 0) return 0;
@@ -109,7 +118,7 @@ struct FanucToolOffset {
     const bool has_geometry = table_->get(table_->self, *id, 2, &geometry) != 0;
     const bool has_wear = table_->get(table_->self, *id, 3, &wear) != 0;
     const double offset = (has_geometry ? geometry : 0) + (has_wear ? wear : 0);
-    if (offset == 0) b.report(brand_diag("FAN-0222"), where, name, static_cast<double>(*id));
+    if (offset == 0) b.report(ig::diag("FAN-0222"), where, name, static_cast<double>(*id));
     return offset;
   }
 
@@ -142,7 +151,7 @@ struct FanucToolOffset {
     };
     if ((u == 0) == (v == 0) || b.is(rotation_, g68_) || get(b, r_.id()) || !fits(plane.first) || !fits(plane.second) ||
         !(radius + by > tolerance)) {
-      b.report(brand_diag("FAN-0223"), where, name);
+      b.report(ig::diag("FAN-0223"), where, name);
       return false;
     }
     const std::size_t axis = u != 0 ? plane.first : plane.second;

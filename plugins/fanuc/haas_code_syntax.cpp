@@ -1,5 +1,6 @@
 /// Functions of a Haas mill that are recognised but not executed. F of such a block is the feed in force all the same.
-#include "brand_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "recognised_codes.hpp"
 #include "whole_number.hpp"
 
@@ -10,9 +11,14 @@ struct HaasCode {
   static constexpr auto spec = ig::syntax("HaasCodeSyntax", "Says the functions of a Haas that are not executed.")
                                    .after("ParameterizedFlagSyntax")
                                    .before("NotExecutedSyntax", "UnconsumedCheckSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "FAN-0208", "G141: D{0} has no radius here, so nothing is compensated up to G40"),
+      ig::diagnostic(IG_WARNING, "FAN-0212",
+                     "G143: H{0} has no length here, so nothing is added along the tool up to G49"),
+  };
 
   iso::RecognisedCodes codes_{
-      brand_diag("FAN-0201"),
+      ig::diag("FAN-0201"),
       {
           {ig::Call{{"G107"}, "X Y Z A B C Q R"}, "the path is not wrapped around the cylinder"},
           {ig::Call{{"G268"}, "X Y Z I J K Q[]"}, "positions up to G269 are not in the tilted plane"},
@@ -53,10 +59,10 @@ struct HaasCode {
     const double d = (*words)['D'].value_or(static_cast<double>(b.get_or(offset_id_, std::int64_t{0})));
     const auto id = iso::whole_number(d);
     if (!id || offset(*id, radius) != 0)
-      b.report(brand_diag("FAN-0201"), where, std::string_view("G141"),
+      b.report(ig::diag("FAN-0201"), where, std::string_view("G141"),
                std::string_view(id ? "the path is not compensated, up to G40" : "D is no offset number"));
     else if (*id != 0)
-      b.report(brand_diag("FAN-0208"), where, d);
+      b.report(ig::diag("FAN-0208"), where, d);
     return true;
   }
 
@@ -68,11 +74,11 @@ struct HaasCode {
     const auto h = (*words)['H'];
     const auto id = h ? iso::whole_number(*h) : std::nullopt;
     if (!id || offset(*id, length) != 0)
-      b.report(brand_diag("FAN-0201"), where, std::string_view("G143"),
+      b.report(ig::diag("FAN-0201"), where, std::string_view("G143"),
                std::string_view(id ? "the length of H is not added along the turned tool, up to G49"
                                    : "H is no offset number"));
     else if (*id != 0)
-      b.report(brand_diag("FAN-0212"), where, *h);
+      b.report(ig::diag("FAN-0212"), where, *h);
     return true;
   }
 

@@ -1,6 +1,7 @@
 /// G254 of a Haas: the work offset goes along with a table that has turned, so that programs for 3+2 axes fit wherever
 /// the part is clamped. A shift on the way to machine coordinates; the axes of the program stay those of the machine.
-#include "brand_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "coordinate_offset_util.hpp"
 #include "tool_kinematics.hpp"
 
@@ -14,6 +15,9 @@ struct HaasDynamicOffset {
                  "RotaryOffsetSyntax")
           .before("PivotTransformationSyntax", "CannedCycleResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax",
                   "HaasCodeSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "FAN-0209", "rotary axes have turned under G254: the work offset stays where it was"),
+  };
 
   ig::Codes codes_{"G254", "G255"};
   ig::Signal on_{"DynamicWorkOffset.~On", ig::read | ig::write | ig::wake_while, ig::Life::modal};
@@ -37,7 +41,7 @@ struct HaasDynamicOffset {
     const iso::Angles now = rotary_.get(b).or_else({});
     if (!said_turned_ && now != angles_) {
       said_turned_ = true;
-      b.report(brand_diag("FAN-0209"), ig::Where::block());
+      b.report(ig::diag("FAN-0209"), ig::Where::block());
     }
     const ig::Vec3 to = shift(b);
     if (to == shift_.get(b) && code != 0) return ig::Status::unchanged;
@@ -66,7 +70,7 @@ struct HaasDynamicOffset {
   }
 
   static void say(ig::Block& b, ig::Where where, std::string_view why) {
-    b.report(brand_diag("FAN-0201"), where, std::string_view("G254"), why);
+    b.report(ig::diag("FAN-0201"), where, std::string_view("G254"), why);
   }
 
   /// Away from where the work offset was taken.

@@ -2,7 +2,8 @@
 /// to where the text begins, and to R.
 #include <cmath>
 
-#include "brand_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "haas_cycle_target.hpp"
 #include "whole_number.hpp"
 
@@ -15,6 +16,11 @@ struct HaasEngraving {
                                           "ToolHeightOffsetSyntax", "ProgrammableMirrorSyntax")
                                    .before("CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax",
                                            "McXyzSyntax", "NotExecutedSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "FAN-0206",
+                     "G47: the strokes of the text are not shown: it begins at X{0} Y{1}, {2} mm high, at an angle of "
+                     "{3} degrees; the tool is taken to stay over its beginning{4}"),
+  };
 
   ig::Call call_{{"G47"}, "X Y Z I[deg] J P[] R D[] E[mm/min]"};
   HaasCycleTarget target_;
@@ -25,12 +31,12 @@ struct HaasEngraving {
     const auto where = ig::Where::word(call_.code(*row));
     const ig::Words words = *b.take(call_);
     if (const std::string_view fault = fault_of(b, words); !fault.empty()) {
-      b.report(brand_diag("FAN-0201"), where, std::string_view("G47"), fault);
+      b.report(ig::diag("FAN-0201"), where, std::string_view("G47"), fault);
       return ig::Status::changed;
     }
     const ig::Vec3 start = target_.go_to_start(b, words);
     constexpr double an_inch = 25.4;
-    b.report(brand_diag("FAN-0206"), where, start.x, start.y, words['J'].value_or(an_inch), words['I'].value_or(0),
+    b.report(ig::diag("FAN-0206"), where, start.x, start.y, words['J'].value_or(an_inch), words['I'].value_or(0),
              std::string_view(target_.is_incremental(b) ? ", from where G91 goes on" : ""));
     return ig::Status::changed;
   }

@@ -1,8 +1,8 @@
 /// G35, G36, G37 and G136 of a Haas: a feed move that a probe ends, and an offset that the control writes. The move is
 /// made as that of G31; no offset changes.
-#include <string>
+#include <isogloss/sdk.hpp>
 
-#include "brand_diagnostics.hpp"
+#include <string>
 
 namespace fanuc {
 namespace {
@@ -12,6 +12,9 @@ struct HaasMeasuring {
       ig::syntax("HaasMeasuringSyntax", "G35, G36, G37, G136 of a Haas: measuring moves.")
           .after("ParameterizedFlagSyntax", "UnitModeSyntax")
           .before("CannedCycleResolveSyntax", "IncrementalResolveSyntax", "SkipFunctionSyntax", "NotExecutedSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "FAN-0205", "{0}: nothing is measured here, {1} keeps its value"),
+  };
 
   ig::Call measure_{{"G35", "G36", "G37", "G136"}, "X Y Z A B C I J K D[] H[] P[]"};
   ig::Call g31_{{"G31"}, "P[]", ig::read | ig::write};
@@ -36,12 +39,12 @@ struct HaasMeasuring {
     const auto where = ig::Where::word(code);
     const std::string_view name = b.text(measure_.name(*row));
     if (!moves) {
-      b.report(brand_diag("FAN-0201"), where, name, std::string_view("no axis is named, so nothing moves"));
+      b.report(ig::diag("FAN-0201"), where, name, std::string_view("no axis is named, so nothing moves"));
       return ig::Status::changed;
     }
     static constexpr std::string_view offsets[] = {"the tool's radius", "the work offset", "the tool's length",
                                                    "the work offset"};
-    b.report(brand_diag("FAN-0205"), where, name, offsets[*row]);
+    b.report(ig::diag("FAN-0205"), where, name, offsets[*row]);
     b.set_call(g31_, 0);
     return ig::Status::changed;
   }

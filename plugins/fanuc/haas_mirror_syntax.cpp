@@ -1,5 +1,6 @@
 /// G101 and G100 of a Haas: an axis is mirrored at the work zero, and no longer. ProgrammableMirrorSyntax mirrors.
-#include "brand_diagnostics.hpp"
+
+#include <isogloss/sdk.hpp>
 
 namespace fanuc {
 namespace {
@@ -8,6 +9,9 @@ struct HaasMirror {
   static constexpr auto spec = ig::syntax("HaasMirrorSyntax", "G101/G100 mirror image on, off.")
                                    .after("ParameterizedFlagSyntax", "UnitModeSyntax")
                                    .before("ProgrammableMirrorSyntax", "HaasCodeSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "FAN-0204", "{0} without an axis: nothing is mirrored"),
+  };
 
   ig::Call on_{{"G101"}, "X Y Z A B C"};
   ig::Call off_{{"G100"}, "X Y Z A B C"};
@@ -40,13 +44,13 @@ struct HaasMirror {
       any = true;
     }
     if (any) b.set(term_, words.code);
-    if (words.mask == 0) b.report(brand_diag("FAN-0204"), ig::Where::word(code), b.text(words.code));
+    if (words.mask == 0) b.report(ig::diag("FAN-0204"), ig::Where::word(code), b.text(words.code));
     say_rotary(b, code, words);
   }
 
   void say_rotary(ig::Block& b, ig_field code, const ig::Words& words) const {
     if (words['A'] || words['B'] || words['C'])
-      b.report(brand_diag("FAN-0201"), ig::Where::word(code), b.text(words.code), "rotary axes are not mirrored");
+      b.report(ig::diag("FAN-0201"), ig::Where::word(code), b.text(words.code), "rotary axes are not mirrored");
   }
 };
 

@@ -1,6 +1,7 @@
 /// G150 of a Haas: the pocket whose contour a subprogram describes. How the control clears it is not known exactly, so
 /// it is not milled here; the tool goes to where the pocket begins, and to R.
-#include "brand_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "haas_cycle_target.hpp"
 #include "whole_number.hpp"
 
@@ -13,6 +14,11 @@ struct HaasPocket {
                                           "ToolHeightOffsetSyntax", "ProgrammableMirrorSyntax")
                                    .before("CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax",
                                            "McXyzSyntax", "RadiusCompensationSyntax", "NotExecutedSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "FAN-0207",
+                     "G150: the pocket of program {0}, down to Z{1}, is not milled here; the tool is taken to stand "
+                     "over its start"),
+  };
 
   ig::Call call_{{"G150"}, "X Y Z I J K L[] P[] Q R D[]"};
   ig::Out<std::int64_t> offset_id_{"RadiusCompensation.OffsetId"};
@@ -24,11 +30,11 @@ struct HaasPocket {
     const auto where = ig::Where::word(call_.code(*row));
     const ig::Words words = *b.take(call_);
     if (const std::string_view fault = fault_of(words); !fault.empty()) {
-      b.report(brand_diag("FAN-0201"), where, std::string_view("G150"), fault);
+      b.report(ig::diag("FAN-0201"), where, std::string_view("G150"), fault);
       return ig::Status::changed;
     }
     if (const auto d = words['D']) b.set(offset_id_, *iso::whole_number(*d));
-    b.report(brand_diag("FAN-0207"), where, *words['P'], target_(b, 2, words['Z']));
+    b.report(ig::diag("FAN-0207"), where, *words['P'], target_(b, 2, words['Z']));
     target_.go_to_start(b, words);
     return ig::Status::changed;
   }

@@ -2,7 +2,8 @@
 /// where the pass before ended.
 #include <cmath>
 
-#include "brand_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "whole_number.hpp"
 
 #include <isogloss/flow.hpp>
@@ -59,7 +60,7 @@ struct HaasRepeat {
   }
 
   void say(ig::Block& b, std::string_view why) const {
-    b.report(brand_diag("FAN-0201"), ig::Where::word(repeats_.id()), std::string_view("L"), why);
+    b.report(ig::diag("FAN-0201"), ig::Where::word(repeats_.id()), std::string_view("L"), why);
   }
 };
 

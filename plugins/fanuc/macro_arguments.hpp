@@ -7,8 +7,6 @@
 
 #include <isogloss/sdk.hpp>
 
-#include "macro_diagnostics.hpp"
-
 namespace fanuc {
 
 /// The variable of each address, A to Z; 0: no argument.
@@ -32,7 +30,7 @@ class ArgumentUnits {
                                    .value_or(is_inch ? 0.0001 : 0.001);
       value = number / std::round(1 / increment);
     }
-    b.report(macro_diag("FAN-0166"), ig::Where::columns(begin, end), std::string_view(&letter, 1), number, value);
+    b.report(ig::diag("FAN-0166"), ig::Where::columns(begin, end), std::string_view(&letter, 1), number, value);
     return value;
   }
 

@@ -10,7 +10,6 @@
 #include <isogloss/sdk.hpp>
 
 #include "frame_tag.hpp"
-#include "macro_diagnostics.hpp"
 #include "macro_store.hpp"
 #include "work_offset_id.hpp"
 
@@ -158,31 +157,31 @@ class MacroEnvironment : public MacroFrame {
 
   bool has_deep_brackets(const Outcome& o) const { return o.depth > store().settings.nesting; }
   void warn_of_depth(ig::Block& b, const Outcome& o, std::size_t begin, std::size_t end) const {
-    b.report(macro_diag("FAN-0117"), ig::Where::columns(begin, end), static_cast<double>(o.depth),
+    b.report(ig::diag("FAN-0117"), ig::Where::columns(begin, end), static_cast<double>(o.depth),
              static_cast<double>(store().settings.nesting));
   }
 
  private:
   static constexpr double inch_mm = 25.4;
 
-  static std::uint32_t diagnostic_of(Fault fault) {
+  static ig::DiagnosticCode diagnostic_of(Fault fault) {
     switch (fault) {
-      case Fault::not_closed: return macro_diag("FAN-0102");
-      case Fault::too_deep: return macro_diag("FAN-0103");
-      case Fault::number_too_large: return macro_diag("FAN-0104");
-      case Fault::unknown_function: return macro_diag("FAN-0105");
-      case Fault::named_variable: return macro_diag("FAN-0106");
-      case Fault::double_hash: return macro_diag("FAN-0107");
-      case Fault::no_variable: return macro_diag("FAN-0108");
-      case Fault::unknown_variable: return macro_diag("FAN-0109");
-      case Fault::not_known_here: return macro_diag("FAN-0110");
-      case Fault::division_by_zero: return macro_diag("FAN-0111");
-      case Fault::out_of_domain: return macro_diag("FAN-0112");
-      case Fault::overflow: return macro_diag("FAN-0113");
-      case Fault::no_bits: return macro_diag("FAN-0114");
-      case Fault::truth_as_number: return macro_diag("FAN-0115");
-      case Fault::no_comparison: return macro_diag("FAN-0116");
-      default: return macro_diag("FAN-0101");
+      case Fault::not_closed: return ig::diag("FAN-0102");
+      case Fault::too_deep: return ig::diag("FAN-0103");
+      case Fault::number_too_large: return ig::diag("FAN-0104");
+      case Fault::unknown_function: return ig::diag("FAN-0105");
+      case Fault::named_variable: return ig::diag("FAN-0106");
+      case Fault::double_hash: return ig::diag("FAN-0107");
+      case Fault::no_variable: return ig::diag("FAN-0108");
+      case Fault::unknown_variable: return ig::diag("FAN-0109");
+      case Fault::not_known_here: return ig::diag("FAN-0110");
+      case Fault::division_by_zero: return ig::diag("FAN-0111");
+      case Fault::out_of_domain: return ig::diag("FAN-0112");
+      case Fault::overflow: return ig::diag("FAN-0113");
+      case Fault::no_bits: return ig::diag("FAN-0114");
+      case Fault::truth_as_number: return ig::diag("FAN-0115");
+      case Fault::no_comparison: return ig::diag("FAN-0116");
+      default: return ig::diag("FAN-0101");
     }
   }
 
@@ -465,7 +464,7 @@ class MacroEnvironment : public MacroFrame {
     const auto it = std::lower_bound(assumed_.begin(), assumed_.end(), n);
     if (it != assumed_.end() && *it == n) return;
     assumed_.insert(it, n);
-    b.report(macro_diag("FAN-0118"), ig::Where::block(), static_cast<double>(n), 0.0);
+    b.report(ig::diag("FAN-0118"), ig::Where::block(), static_cast<double>(n), 0.0);
   }
 
   // ---- variables of the control: writing

@@ -1,14 +1,14 @@
 /// The loops that a run is in: DO without its END so far, for each frame.
 #pragma once
 
+#include <isogloss/sdk.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include <isogloss/flow.hpp>
-
-#include "macro_diagnostics.hpp"
 
 namespace fanuc {
 

@@ -53,11 +53,11 @@ inline void put_out(ig::Block& b, const MacroEnvironment& environment, SaidOutpu
   const std::string_view word = piece(text, position, behind);
   const std::size_t bracket = iso::skip_blanks(text, behind);
   if (!iso::equals_ignoring_case(word, "DPRNT")) {
-    if (said.is_first(word)) b.report(macro_diag("FAN-0141"), whole, text.substr(position));
+    if (said.is_first(word)) b.report(ig::diag("FAN-0141"), whole, text.substr(position));
     return;
   }
   if (iso::at(text, bracket) != '[' || iso::skip_bracketed(text, bracket) < text.size() || text.back() != ']') {
-    b.report(macro_diag("FAN-0142"), whole, word, text.substr(bracket));
+    b.report(ig::diag("FAN-0142"), whole, word, text.substr(bracket));
     return;
   }
   std::string line;
@@ -69,12 +69,12 @@ inline void put_out(ig::Block& b, const MacroEnvironment& environment, SaidOutpu
     }
     const std::size_t next = put_variable(b, environment, text, i, line);
     if (next == 0) {
-      b.report(macro_diag("FAN-0142"), ig::Where::columns(i, text.size()), word, text.substr(i));
+      b.report(ig::diag("FAN-0142"), ig::Where::columns(i, text.size()), word, text.substr(i));
       return;
     }
     i = next;
   }
-  b.report(macro_diag("FAN-0141"), whole, std::string_view(line));
+  b.report(ig::diag("FAN-0141"), whole, std::string_view(line));
 }
 
 }  // namespace fanuc

@@ -3,7 +3,8 @@
 
 #include <isogloss/flow.hpp>
 
-#include "macro_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "macro_store.hpp"
 #include "program_name.hpp"
 
@@ -13,7 +14,7 @@ namespace fanuc {
 inline void say_deep_call(ig::Block& b, const MacroStore& store, ig::Where where) {
   const std::uint32_t permitted = store.settings.call_nesting;
   if (store.depth() >= permitted)
-    b.report(macro_diag("FAN-0168"), where, static_cast<double>(store.depth() + 1), static_cast<double>(permitted));
+    b.report(ig::diag("FAN-0168"), where, static_cast<double>(store.depth() + 1), static_cast<double>(permitted));
 }
 
 /// False where nothing is called, which is said.
@@ -34,9 +35,9 @@ inline ig::Flow::Answer ask_program(ig::Block& b, const ig::Flow& flow, const Ca
   call.tag = tag;
   const ig::Flow::Answer answer = flow.call(b, call);
   if (answer.is_not_found())
-    b.report(macro_diag("FAN-0165"), where, call.program, answer.reason);
+    b.report(ig::diag("FAN-0165"), where, call.program, answer.reason);
   else if (answer.status == IG_GO_TAKEN)
-    b.report(macro_diag("FAN-0170"), where, call.program);
+    b.report(ig::diag("FAN-0170"), where, call.program);
   return answer;
 }
 inline bool call_program(ig::Block& b, const ig::Flow& flow, const CalledProgram& program, std::int64_t repeats,

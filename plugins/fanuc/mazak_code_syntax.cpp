@@ -1,6 +1,7 @@
 /// Functions of Mazak's EIA/ISO programs that are recognised but not executed, and D of a canned cycle: a distance
 /// there, no number of a tool radius.
-#include "brand_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "cycle_codes.hpp"
 #include "recognised_codes.hpp"
 #include "repeat_count.hpp"
@@ -13,8 +14,12 @@ struct MazakCode {
       ig::syntax("MazakCodeSyntax", "Says the functions of a Mazak that are not executed.")
           .after("ParameterizedFlagSyntax")
           .before("CannedCycleResolveSyntax", "RadiusCompensationSyntax", "NotExecutedSyntax", "UnconsumedCheckSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "FAN-0202",
+                     "D{0} of a canned cycle has no effect: the feed does not change on the way"),
+  };
 
-  iso::RecognisedCodes codes_{brand_diag("FAN-0201"),
+  iso::RecognisedCodes codes_{ig::diag("FAN-0201"),
                               {
                                   {ig::Call{{"G71.1", "G72.1", "G75", "G78", "G79", "G82.2", "G84.2", "G84.3"},
                                             "X Y Z R I J K L[] P[] Q D[] B E[mm/min]"},
@@ -28,7 +33,7 @@ struct MazakCode {
   ig::Status build(ig::Block& b) {
     const bool is_hole = b.find(cycles_) || modal_cycle_.is_k(b);
     const auto d = is_hole ? b.take(d_) : std::nullopt;
-    if (d) b.report(brand_diag("FAN-0202"), ig::Where::word(d_.id()), *d);
+    if (d) b.report(ig::diag("FAN-0202"), ig::Where::word(d_.id()), *d);
     return codes_.say(b) || d ? ig::Status::changed : ig::Status::unchanged;
   }
 };

@@ -2,7 +2,8 @@
 /// is right where the cycle begins at the level of G71.
 #include <cmath>
 
-#include "brand_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "cycle_codes.hpp"
 #include "recognised_codes.hpp"
 
@@ -14,9 +15,12 @@ struct OkumaCode {
       ig::syntax("OkumaCodeSyntax", "Reads codes of an Okuma, and says what is not executed.")
           .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PlaneSelectSyntax", "PathModeSyntax")
           .before("DwellSyntax", "CannedCycleResolveSyntax", "NotExecutedSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "FAN-0203", "M53 is not executed: the cycle returns to {0}, where it began"),
+  };
 
   iso::RecognisedCodes codes_{
-      brand_diag("FAN-0201"),
+      ig::diag("FAN-0201"),
       {
           {ig::Call{{"G15", "G16"}, "H[]"}, "positions stand without the work offset"},
           {ig::Call{{"G54", "G55", "G56", "G57", "G58", "G59"}, "H[]"}, "positions stand without the tool length"},
@@ -75,7 +79,7 @@ struct OkumaCode {
     const double level = b.get(initial_level_).value_or(b.get_or(tool_, 0.0));
     const auto named = b.get(return_level_);
     if (!named || std::fabs(*named - level) > 1e-6)
-      b.report(brand_diag("FAN-0203"), ig::Where::word(returns_.id(code)), level);
+      b.report(ig::diag("FAN-0203"), ig::Where::word(returns_.id(code)), level);
   }
 };
 

@@ -126,7 +126,7 @@ class CycleText {
       if (!q || (at(text, equals) != '=' && !is_feed_word)) {
         const std::size_t next = std::max(i + 1, iso::skip_while(text, i, [](char c) { return !is_space(c); }));
         if (done != position && !is_said)
-          b.report(hei("HEI-0105"), ig::Where::columns(i, next), piece(text, i, next),
+          b.report(ig::diag("HEI-0105"), ig::Where::columns(i, next), piece(text, i, next),
                    std::string_view("a parameter of CYCL DEF"));
         is_said = is_said || done != position;
         i = std::max(i + 1, iso::skip_while(text, i, [](char c) { return !is_space(c) && c != ';'; }));
@@ -137,13 +137,13 @@ class CycleText {
       const auto where = ig::Where::columns(i, end);
       const Value v = value(b, text, first);
       if (!v.ok) {
-        b.report(hei("HEI-0104"), where, std::string_view("CYCL DEF"), name);
+        b.report(ig::diag("HEI-0104"), where, std::string_view("CYCL DEF"), name);
         done = i = std::max(first, end + 1);
         continue;
       }
       values_.set(b, *q, name, where, v.number);
       if (q->kind == QKind::q) {
-        if (!knows(cycle, q->number)) b.report(hei("HEI-0179"), where, static_cast<double>(cycle), name);
+        if (!knows(cycle, q->number)) b.report(ig::diag("HEI-0179"), where, static_cast<double>(cycle), name);
         note(q->number, v.number);
       }
       done = i = v.end;

@@ -1,7 +1,8 @@
 // Cycle 7 where other transformations stand around it: each acts in the system that those before it made.
 #pragma once
 
-#include "klartext_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "plane_util.hpp"
 #include "tilt_transform_util.hpp"
 
@@ -22,7 +23,7 @@ class DatumWords {
         if ((named >> axis & 1u) != 0) shift[axis] = v[axis].number + (row == 1 ? old[axis] : 0);
       const bool turns = (named >> 3) != 0 && (v[3].number != 0 || v[4].number != 0 || v[5].number != 0);
       if (turns)
-        b.report(hei("HEI-0161"), ig::Where::word(call_.code(row)), 7.0,
+        b.report(ig::diag("HEI-0161"), ig::Where::word(call_.code(row)), 7.0,
                  std::string_view("the datum of a rotary axis stays"));
     }
     std::uint32_t found = 0;

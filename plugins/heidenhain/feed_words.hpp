@@ -31,28 +31,28 @@ class FeedWords {
       else if (const auto feed = b.get(tool_feed_))
         put(b, *feed, position, end);
       else
-        b.report(hei("HEI-0138"), ig::Where::columns(position, end));
+        b.report(ig::diag("HEI-0138"), ig::Where::columns(position, end));
       return end;
     }
     const char by = kind.empty() ? '\0' : to_upper(kind[0]);
     const bool is_per_revolution = by == 'U';
     const bool is_unknown = by == 'Z' || by == 'T' || is("MAXT");
     if (letters > position + 2 && !is_per_revolution && !is_unknown && by != 'Q' && at(text, letters) != '=') {
-      b.report(hei("HEI-0103"), ig::Where::columns(position, letters), piece(text, position, letters),
+      b.report(ig::diag("HEI-0103"), ig::Where::columns(position, letters), piece(text, position, letters),
                std::string_view("F"));
       return letters;
     }
     const Value v = values.read(b, text, is_per_revolution || is_unknown ? letters : position + 1);
     if (!v.ok) return is_unknown ? letters : position + 1;  // F alone: the prompt was left without an answer
     if (is_unknown) {
-      b.report(hei("HEI-0136"), ig::Where::columns(position, v.end), trim(piece(text, position, v.end)));
+      b.report(ig::diag("HEI-0136"), ig::Where::columns(position, v.end), trim(piece(text, position, v.end)));
       return v.end;
     }
     const bool was_per_revolution = b.is(mode_, g95_);
     if (is_per_revolution && !was_per_revolution) code(b, modes_.id(1), position, v.end);
     if (!is_per_revolution && was_per_revolution && !b.is_raised(per_revolution_))
       code(b, modes_.id(0), position, v.end);
-    if (b.has(f_)) b.report(hei("HEI-0106"), ig::Where::columns(position, v.end), trim(piece(text, position, v.end)));
+    if (b.has(f_)) b.report(ig::diag("HEI-0106"), ig::Where::columns(position, v.end), trim(piece(text, position, v.end)));
     put(b, is_per_revolution ? v.number : in_unit(b, v.number), position, v.end);
     return v.end;
   }

@@ -16,6 +16,10 @@ struct HeidenhainCoordinateOffset {
       ig::syntax("HeidenhainCoordinateOffsetSyntax", "CYCL DEF 247 presets and CYCL DEF 7 datum shifts.")
           .after("KlartextCycleSyntax", "UnitModeSyntax", "ToolHeightOffsetSyntax")
           .before("KlartextMotionSyntax", "KlartextDrillingCycleSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "HEI-0174",
+                     "preset {0} is not in the table: it is taken to lie at the machine's zero"),
+  };
 
   ig::Word number_{"Parsing.DATUM_PRESET", ig::wake, ""};
   DatumWords words_;
@@ -71,7 +75,7 @@ struct HeidenhainCoordinateOffset {
     double origin[3] = {};
     const ig::Symbol preset = b.symbol(id);
     if (table_->get(table_->self, ig::to_text(id), origin) == 0 && !b.is(id_, preset))
-      b.report(hei("HEI-0174"), where, number);
+      b.report(ig::diag("HEI-0174"), where, number);
     turn(b, id);
     b.set(id_, preset);
     offset_.set(b, {origin[0], origin[1], origin[2]});

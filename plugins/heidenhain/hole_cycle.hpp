@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <vector>
 
+#include <isogloss/sdk.hpp>
+
 #include "cycle_parameters.hpp"
 #include "hole_pattern.hpp"
-#include "klartext_diagnostics.hpp"
 #include "peck_strokes.hpp"
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
@@ -85,11 +86,11 @@ class HoleCycle {
     const std::optional<double> steps = has_surface ? self.prepare(b, c) : std::nullopt;
     if (!steps) return ig::Status::changed;
     if (points.count == 0) {
-      b.report(hei("HEI-0183"), ig::Where::block());
+      b.report(ig::diag("HEI-0183"), ig::Where::block());
       return ig::Status::changed;
     }
     if (!(*steps * static_cast<double>(points.count) <= most_steps)) {
-      b.report(hei("HEI-0177"), ig::Where::block(), static_cast<double>(number), most_steps);
+      b.report(ig::diag("HEI-0177"), ig::Where::block(), static_cast<double>(number), most_steps);
       return ig::Status::changed;
     }
     b.take(words_);
@@ -115,7 +116,7 @@ class HoleCycle {
   double get_or(const ig::Block& b, std::uint32_t q, double fallback) const { return get(b, q).value_or(fallback); }
   std::optional<double> needed(ig::Block& b, const HoleRun& c, std::uint32_t q) const {
     const auto value = get(b, q);
-    if (!value) b.report(hei("HEI-0163"), ig::Where::block(), static_cast<double>(c.number), name(q));
+    if (!value) b.report(ig::diag("HEI-0163"), ig::Where::block(), static_cast<double>(c.number), name(q));
     return value;
   }
   /// A feed in mm/s; 0, which is said, where there is none.
@@ -124,7 +125,7 @@ class HoleCycle {
     if (!value) return 0;
     const double mmds = in_mmds(b, *value);
     if (mmds > 0) return mmds;
-    b.report(hei("HEI-0166"), ig::Where::block(), static_cast<double>(c.number), name(q), *value);
+    b.report(ig::diag("HEI-0166"), ig::Where::block(), static_cast<double>(c.number), name(q), *value);
     return 0;
   }
   double in_mmds(const ig::Block& b, double feed) const {
@@ -140,10 +141,10 @@ class HoleCycle {
   /// `depth`: as Q201, negative downwards.
   bool levels(ig::Block& b, HoleRun& c, double depth) const {
     if (depth == 0) {
-      b.report(hei("HEI-0164"), ig::Where::block(), static_cast<double>(c.number));
+      b.report(ig::diag("HEI-0164"), ig::Where::block(), static_cast<double>(c.number));
       return false;
     }
-    if (depth > 0) b.report(hei("HEI-0165"), ig::Where::block(), static_cast<double>(c.number));
+    if (depth > 0) b.report(ig::diag("HEI-0165"), ig::Where::block(), static_cast<double>(c.number));
     const double out = depth > 0 ? -1 : 1;
     c.safe = c.surface + out * c.clearance;
     c.bottom = c.surface + depth;

@@ -11,6 +11,11 @@ namespace {
 
 struct KlartextBoreMilling {
   static constexpr auto spec = hole_cycle("KlartextBoreMillingSyntax", "Cycle 208 bore milling where it is called.");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "HEI-0184",
+                     "cycle {0}: the table of tools gives tool {1} no radius: its centre runs along the wall"),
+      ig::diagnostic(IG_ERROR, "HEI-0185", "cycle {0} is not executed: {1}"),
+  };
 
   HoleCycle cycle_{{208, "CYCL208"}};
   CycleSpindle spindle_;
@@ -30,7 +35,7 @@ struct KlartextBoreMilling {
     radius_ = hole / 2 - tool;
     if (radius_ < -iso::same_point_mm) return refuse(b, "the tool is wider than the hole");
     if (tool > 0 && overlap > 0 && radius_ > overlap * tool + iso::same_point_mm) {
-      b.report(hei("HEI-0178"), ig::Where::block(), 208.0, std::string_view("Q370"), overlap);
+      b.report(ig::diag("HEI-0178"), ig::Where::block(), 208.0, std::string_view("Q370"), overlap);
       return std::nullopt;
     }
     // Something is left standing in the middle, unless a hole is there already.
@@ -39,7 +44,7 @@ struct KlartextBoreMilling {
     if (radius_ < iso::same_point_mm) radius_ = 0;
     turns_ = std::fabs(c.safe - c.bottom) / std::fabs(*infeed);
     if (radius_ > 0 && *infeed == 0) {
-      b.report(hei("HEI-0166"), ig::Where::block(), 208.0, std::string_view("Q334"), *infeed);
+      b.report(ig::diag("HEI-0166"), ig::Where::block(), 208.0, std::string_view("Q334"), *infeed);
       return std::nullopt;
     }
     return radius_ > 0 ? turns_ + 8 : 4;
@@ -58,7 +63,7 @@ struct KlartextBoreMilling {
   double radius_ = 0, turns_ = 0;  // of the block: the way of the tool's centre
 
   static std::optional<double> refuse(ig::Block& b, std::string_view why) {
-    b.report(hei("HEI-0185"), ig::Where::block(), 208.0, why);
+    b.report(ig::diag("HEI-0185"), ig::Where::block(), 208.0, why);
     b.alarm();
     return std::nullopt;
   }
@@ -72,7 +77,7 @@ struct KlartextBoreMilling {
     }
     const double radius = geometry + wear + b.get_or(delta_, 0.0);
     if (radius > 0 && std::isfinite(radius)) return radius;
-    if (!b.is_raised(said_)) b.report(hei("HEI-0184"), ig::Where::block(), 208.0, static_cast<double>(tool));
+    if (!b.is_raised(said_)) b.report(ig::diag("HEI-0184"), ig::Where::block(), 208.0, static_cast<double>(tool));
     b.raise(said_);
     return 0;
   }

@@ -20,7 +20,7 @@ struct KlartextBoringCycle {
     const bool is_known =
         direction == std::floor(direction) && direction >= (c.number == 204 ? 1 : 0) && direction <= 4;
     if (!is_known) {
-      b.report(hei("HEI-0178"), ig::Where::block(), static_cast<double>(c.number), std::string_view("Q214"), direction);
+      b.report(ig::diag("HEI-0178"), ig::Where::block(), static_cast<double>(c.number), std::string_view("Q214"), direction);
       return std::nullopt;
     }
     if (c.number == 202) return cycle_.drills(b, c) ? std::optional(10.0) : std::nullopt;
@@ -45,7 +45,7 @@ struct KlartextBoringCycle {
     c.feed = cycle_.feed(b, c, 254);
     if (!(c.retract > 0 && c.feed > 0)) return false;
     if (*depth == 0) {
-      b.report(hei("HEI-0164"), ig::Where::block(), 204.0);
+      b.report(ig::diag("HEI-0164"), ig::Where::block(), 204.0);
       return false;
     }
     if (!cycle_.levels(b, c, -std::fabs(*thickness) - std::fabs(*edge) - c.clearance)) return false;

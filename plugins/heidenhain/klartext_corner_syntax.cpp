@@ -1,9 +1,10 @@
 // RND and CHF stand in a block of their own between two moves. The move before must end short of the corner, so each
 // feed move looks whether such a block follows, and gets the corner that CornerBreakPathSyntax and the radius
 // compensation make the path from.
+#include <isogloss/sdk.hpp>
+
 #include "contour_approach.hpp"
 #include "corner_break_state.hpp"
-#include "klartext_diagnostics.hpp"
 
 namespace heidenhain {
 namespace {
@@ -44,11 +45,11 @@ struct KlartextCorner {
     const bool was_open = is_open_;
     if (was_open) b.raise(path_);
     if (approach_.get(b) && b.get_or(tool_radius_, 0.0) == 0)
-      b.report(hei("HEI-0130"), ig::Where::block(), std::string_view("APPR"),
+      b.report(ig::diag("HEI-0130"), ig::Where::block(), std::string_view("APPR"),
                std::string_view("the tool has no radius, it goes straight to the first point of the contour"));
     if (b.has_any(radius_, chamfer_)) {
       if (!is_announced_)
-        b.report(hei("HEI-0130"), ig::Where::block(), std::string_view(b.has(radius_) ? "RND" : "CHF"),
+        b.report(ig::diag("HEI-0130"), ig::Where::block(), std::string_view(b.has(radius_) ? "RND" : "CHF"),
                  std::string_view("no feed move in the plane stands before it, the corner stays sharp"));
       is_announced_ = false;
       return ig::Status::changed;

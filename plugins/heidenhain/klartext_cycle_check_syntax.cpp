@@ -1,5 +1,6 @@
 // Calls of cycles that no syntax before has executed: each is said, and the block moves as if it did not call.
-#include "klartext_diagnostics.hpp"
+
+#include <isogloss/sdk.hpp>
 
 namespace heidenhain {
 namespace {
@@ -8,6 +9,11 @@ struct KlartextCycleCheck {
   static constexpr auto spec = ig::syntax("KlartextCycleCheckSyntax", "Says calls of cycles that nothing executes.")
                                    .after("KlartextCycleSyntax", "KlartextPathSyntax")
                                    .before("MachineCoordSelectSyntax", "ProgramXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "HEI-0160", "cycle {0} is not executed: what it machines is missing"),
+      ig::diagnostic(IG_ERROR, "HEI-0162", "{0} without a cycle: no CYCL DEF came before"),
+      ig::diagnostic(IG_ERROR, "HEI-0167", "{0} in the block of an arc: the cycle is not executed"),
+  };
 
   ig::In<bool> call_{"KlartextCycle.IsCalled", ig::wake, {ig::Life::block, "", ""}};
   ig::In<bool> modal_call_{"KlartextCycle.IsModal", ig::wake_while, {ig::Life::modal, "", ""}};
@@ -26,11 +32,11 @@ struct KlartextCycleCheck {
     const std::string_view call = is_pattern ? "the pattern" : is_called ? "CYCL CALL or M99" : "M89";
     const std::int64_t number = b.get_or(number_, std::int64_t{0});
     if (number == 0) {
-      b.report(hei("HEI-0162"), ig::Where::block(), call);
+      b.report(ig::diag("HEI-0162"), ig::Where::block(), call);
     } else if (b.find(others_) && is_known(number)) {
-      b.report(hei("HEI-0167"), ig::Where::block(), call);
+      b.report(ig::diag("HEI-0167"), ig::Where::block(), call);
     } else if (!b.is_raised(said_)) {
-      b.report(hei("HEI-0160"), ig::Where::block(), static_cast<double>(number));
+      b.report(ig::diag("HEI-0160"), ig::Where::block(), static_cast<double>(number));
       b.raise(said_);
     }
     return ig::Status::changed;

@@ -12,6 +12,9 @@ struct KlartextCycle {
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
                                    .before("KlartextDrillingCycleSyntax")
                                    .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "HEI-0168", "{0} is no cycle definition that is understood"),
+  };
 
   CycleText text_;
   MFunctions m_;
@@ -57,7 +60,7 @@ struct KlartextCycle {
     const auto number = CycleNumber::at(text, skip(text, i));
     if (!number) {
       const std::string_view whole = rest_of_line(text, begin);
-      b.report(hei("HEI-0168"), ig::Where::columns(begin, begin + whole.size()), whole);
+      b.report(ig::diag("HEI-0168"), ig::Where::columns(begin, begin + whole.size()), whole);
       return text.size();
     }
     if (acts_where_defined(number->cycle)) return begin;
@@ -69,7 +72,7 @@ struct KlartextCycle {
       if (!number->part) b.raise(is_open_);
       if (!waits_for_call(number->cycle)) {
         const std::string_view whole = rest_of_line(text, begin);
-        b.report(hei("HEI-0161"), ig::Where::columns(begin, begin + whole.size()), static_cast<double>(number->cycle),
+        b.report(ig::diag("HEI-0161"), ig::Where::columns(begin, begin + whole.size()), static_cast<double>(number->cycle),
                  std::string_view("what it does is not known here"));
       }
     }
@@ -88,7 +91,7 @@ struct KlartextCycle {
     const Value v = text_.number_behind(b, text, number.end);
     const auto where = ig::Where::columns(number.end, std::max(number.end + 1, v.ok ? v.end : text.size()));
     if (!v.ok)
-      b.report(hei("HEI-0104"), where, std::string_view("CYCL DEF"), std::string_view("the value"));
+      b.report(ig::diag("HEI-0104"), where, std::string_view("CYCL DEF"), std::string_view("the value"));
     else if (std::isfinite(v.number))
       definition_.set(b, *number.part, v.number);
   }
@@ -130,7 +133,7 @@ struct KlartextCycle {
     const QStore* const store = text_.values().store();
     if (pattern != i && (store == nullptr || store->pattern.empty())) {
       const std::string_view whole = rest_of_line(text, begin);
-      b.report(hei("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole,
+      b.report(ig::diag("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole,
                std::string_view("the holes of the pattern are missing"));
       return;
     }
@@ -145,7 +148,7 @@ struct KlartextCycle {
       const std::size_t next = call_word(b, text, i, is_rapid);
       if (next == i) {
         const std::string_view rest = rest_of_line(text, i);
-        b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("CYCL CALL"));
+        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("CYCL CALL"));
         break;
       }
       i = next;

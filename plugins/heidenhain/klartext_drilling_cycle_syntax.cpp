@@ -46,7 +46,7 @@ struct KlartextDrillingCycle {
  private:
   std::optional<double> depth_of(ig::Block& b, const HoleRun& c) const {
     const auto missing = [&](std::string_view what) {
-      b.report(hei("HEI-0163"), ig::Where::block(), static_cast<double>(c.number), what);
+      b.report(ig::diag("HEI-0163"), ig::Where::block(), static_cast<double>(c.number), what);
       return std::nullopt;
     };
     const bool by_diameter = c.number == 240 && cycle_.get_or(b, 343, 0) == 1;

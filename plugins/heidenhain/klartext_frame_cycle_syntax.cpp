@@ -13,6 +13,10 @@ struct KlartextFrameCycle {
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax", "KlartextCycleSyntax")
                                    .before("HeidenhainCoordinateOffsetSyntax", "KlartextDrillingCycleSyntax")
                                    .scans("CFTcft");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "HEI-0173", "the datum table is not known: datum {0} is not set, the shift stays"),
+      ig::diagnostic(IG_WARNING, "HEI-0180", "cycle 220 with Q365=1: the tool goes straight from hole to hole"),
+  };
 
   CycleText text_{CycleText::Feeds::none};
   HolePattern pattern_{ig::write};
@@ -53,7 +57,7 @@ struct KlartextFrameCycle {
       dwell(b, seconds, position, end, "FUNCTION DWELL");
       const std::size_t rest = seconds.ok ? skip(text, seconds.end) : end;
       if (rest < end)
-        b.report(hei("HEI-0105"), ig::Where::columns(rest, end), trim(text.substr(rest)),
+        b.report(ig::diag("HEI-0105"), ig::Where::columns(rest, end), trim(text.substr(rest)),
                  std::string_view("FUNCTION DWELL TIME"));
       return end;
     }
@@ -78,7 +82,7 @@ struct KlartextFrameCycle {
       if (q == 339) preset = value;
     });
     if (!preset) {
-      b.report(hei("HEI-0163"), where, 247.0, std::string_view("Q339"));
+      b.report(ig::diag("HEI-0163"), where, 247.0, std::string_view("Q339"));
       return;
     }
     word(b, preset_number_.id(), where.begin, where.end, *preset);
@@ -106,11 +110,11 @@ struct KlartextFrameCycle {
         cycle == 220 ? std::span<const std::uint32_t>(of_circle) : std::span<const std::uint32_t>(of_rows);
     for (const std::uint32_t q : needed)
       if (!pattern_.get(b, q)) {
-        b.report(hei("HEI-0163"), where, static_cast<double>(cycle),
+        b.report(ig::diag("HEI-0163"), where, static_cast<double>(cycle),
                  std::string_view(pattern_parameters[HolePattern::index_of(q)].name));
         return;
       }
-    if (pattern_.get(b, 365).value_or(0) != 0) b.report(hei("HEI-0180"), where);
+    if (pattern_.get(b, 365).value_or(0) != 0) b.report(ig::diag("HEI-0180"), where);
     pattern_.set_number(b, cycle);
     b.set(call_, true);
   }
@@ -120,7 +124,7 @@ struct KlartextFrameCycle {
   void act(ig::Block& b, std::string_view text, const CycleNumber& number, ig::Where where) const {
     const auto part = number.part.value_or(1);
     const auto say = [&](const char* effect) {
-      b.report(hei("HEI-0161"), where, static_cast<double>(number.cycle), std::string_view(effect));
+      b.report(ig::diag("HEI-0161"), where, static_cast<double>(number.cycle), std::string_view(effect));
     };
     switch (number.cycle) {
       case 7:
@@ -177,13 +181,13 @@ struct KlartextFrameCycle {
       const std::size_t axis = std::string_view("XYZABC").find(to_upper(at(text, letter)));
       if (text[i] == '#') {
         const Value n = text_.values().read(b, text, i + 1);
-        b.report(hei("HEI-0173"), ig::Where::columns(i, std::max(n.end, i + 1)), n.number);
+        b.report(ig::diag("HEI-0173"), ig::Where::columns(i, std::max(n.end, i + 1)), n.number);
         return;
       }
       const Value v = axis < 6 ? text_.values().read(b, text, letter + 1) : Value{};
       if (!v.ok) {
         const std::string_view rest = rest_of_line(text, i);
-        b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("CYCL DEF 7"));
+        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("CYCL DEF 7"));
         return;
       }
       const std::size_t row = is_step ? 1 : 0;
@@ -198,12 +202,12 @@ struct KlartextFrameCycle {
     if (is_anew && b.has(mirror_term_)) code(b, mirror_.code(0), where.begin, where.end);
     // A rotation that was defined in a mirror image has been turned the other way round.
     if (b.is(tilt_, g68_) && b.has(mirrored_rotation_))
-      b.report(hei("HEI-0161"), where, 8.0, std::string_view("the rotation in force keeps its sense"));
+      b.report(ig::diag("HEI-0161"), where, 8.0, std::string_view("the rotation in force keeps its sense"));
     while ((i = skip(text, i)) < text.size()) {
       const std::size_t axis = std::string_view("XYZ").find(to_upper(text[i]));
       const std::size_t tool = b.is(plane_, g18_) ? 1 : b.is(plane_, g19_) ? 0 : 2;
       if (axis > 2 || axis == tool) {
-        b.report(hei("HEI-0161"), ig::Where::columns(i, i + 1), 8.0,
+        b.report(ig::diag("HEI-0161"), ig::Where::columns(i, i + 1), 8.0,
                  std::string_view(axis > 2 ? "only X, Y and Z can be mirrored here" : "the tool axis is not mirrored"));
       } else {
         code(b, mirror_.code(1), i, i + 1);
@@ -215,7 +219,7 @@ struct KlartextFrameCycle {
 
   void dwell(ig::Block& b, const Value& seconds, std::size_t begin, std::size_t end, std::string_view of) const {
     if (!seconds.ok || seconds.number < 0)
-      b.report(hei("HEI-0104"), ig::Where::columns(begin, std::max(begin + 1, end)), of, std::string_view("the time"));
+      b.report(ig::diag("HEI-0104"), ig::Where::columns(begin, std::max(begin + 1, end)), of, std::string_view("the time"));
     else
       b.set(dwell_, seconds.number);
   }
@@ -241,7 +245,7 @@ struct KlartextFrameCycle {
     const bool is_step = to_upper(at(text, first)) == 'I';
     const Value v = text_.number_behind(b, text, first);
     if (!v.ok) {
-      b.report(hei("HEI-0104"), where, of, std::string_view("ROT"));
+      b.report(ig::diag("HEI-0104"), where, of, std::string_view("ROT"));
       return;
     }
     const bool is_rotated = b.is(tilt_, g68_);
@@ -288,7 +292,7 @@ struct KlartextFrameCycle {
     const std::size_t reset = keyword(text, first, "RESET"), axis = keyword(text, first, "AXIS");
     if (scaled != begin) {
       if (reset == first && scales(b, text, first))
-        b.report(hei("HEI-0122"), where, whole, std::string_view("positions are not scaled"));
+        b.report(ig::diag("HEI-0122"), where, whole, std::string_view("positions are not scaled"));
     } else if (mirrored != begin) {
       mirror(b, text, reset != first ? end : axis, where, true);
     } else if (reset != first) {
@@ -310,7 +314,7 @@ struct KlartextFrameCycle {
       for (std::size_t k = 0; k < 3; ++k) word(b, datum_.row(0)[k], begin, reset, 0);
     } else {
       const std::string_view whole = rest_of_line(text, begin);
-      b.report(hei("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole,
+      b.report(ig::diag("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole,
                std::string_view("the datum table is not known, the shift stays"));
     }
   }

@@ -9,6 +9,9 @@ struct KlartextLabel {
   static constexpr auto spec = ig::syntax("KlartextLabelSyntax", "LBL, CALL LBL with REP, and CALL PGM.")
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
                                    .scans("CLcl");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "HEI-0121", "the program {0} is not found: {1}"),
+  };
 
   Values values_;
   ig::Signal statement_{"Parsing.~KlartextLabel", ig::read | ig::write | ig::wake};
@@ -68,7 +71,7 @@ struct KlartextLabel {
     std::size_t end = i;
     const std::string name = read_name(text, i, end);
     if (name.empty()) {
-      b.report(hei("HEI-0119"), whole(), std::string_view("the label"));
+      b.report(ig::diag("HEI-0119"), whole(), std::string_view("the label"));
       return;
     }
     b.set_text(label_, name);
@@ -80,7 +83,7 @@ struct KlartextLabel {
     i = skip(text, i);
     if (i >= text.size()) return;
     const std::string_view rest = rest_of_line(text, i);
-    b.report(hei("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, of);
+    b.report(ig::diag("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, of);
   }
 
   /// REP 3/3, REP Q3/Q3: the control shows how many repeats are left, and writes it into listings.
@@ -115,7 +118,7 @@ struct KlartextLabel {
     name.insert(0, 1, 'L');
     const ig::Flow::Answer answer =
         values_.flow().call(b, {.program = name, .scope = IG_IN_PROGRAM, .tag = called_label});
-    if (answer.is_not_found()) b.report(hei("HEI-0120"), where, std::string_view(name).substr(1), answer.reason);
+    if (answer.is_not_found()) b.report(ig::diag("HEI-0120"), where, std::string_view(name).substr(1), answer.reason);
   }
 
   /// A number, a name in quotes, or the value of a Q parameter.
@@ -129,7 +132,7 @@ struct KlartextLabel {
     } else if (std::string name = read_name(text, i, end); !name.empty()) {
       return name;
     }
-    b.report(hei("HEI-0119"), whole(), std::string_view("the label"));
+    b.report(ig::diag("HEI-0119"), whole(), std::string_view("the label"));
     return {};
   }
 
@@ -137,7 +140,7 @@ struct KlartextLabel {
     const ig_place here = values_.flow().here(b);
     if (values_.store() == nullptr || !values_.store()->repeat(here.frame, here.offset, times)) return;
     const ig::Flow::Answer answer = values_.flow().jump(b, "L" + name, IG_SEARCH_TOP);
-    if (answer.is_not_found()) b.report(hei("HEI-0120"), where, std::string_view(name), answer.reason);
+    if (answer.is_not_found()) b.report(ig::diag("HEI-0120"), where, std::string_view(name), answer.reason);
   }
 
   /// TNC:\FOLDER\NAME.H, in quotes or not: the name alone counts.
@@ -145,7 +148,7 @@ struct KlartextLabel {
     std::string_view path = trim(text.substr(std::min(i, text.size())));
     if (path.size() >= 2 && path.front() == '"' && path.back() == '"') path = path.substr(1, path.size() - 2);
     if (path.empty()) {
-      b.report(hei("HEI-0119"), whole(), std::string_view("the program"));
+      b.report(ig::diag("HEI-0119"), whole(), std::string_view("the program"));
       return;
     }
     b.set(term_, call_program_);
@@ -158,7 +161,7 @@ struct KlartextLabel {
     const ig::Flow::Answer answer = values_.flow().call(b, {.program = name, .files = files, .tag = called_program});
     if (!answer.is_not_found()) return;
     if (QStore* const s = values_.store(); s == nullptr || s->is_first_time(121, path))
-      b.report(hei("HEI-0121"), ig::Where::columns(i, text.size()), path, answer.reason);
+      b.report(ig::diag("HEI-0121"), ig::Where::columns(i, text.size()), path, answer.reason);
   }
 
   struct {

@@ -2,9 +2,10 @@
 // CC becomes the centre of an arc, and CT finds its own. From here on the block is one of G00 to G03, as anywhere else.
 #include <numbers>
 
+#include <isogloss/sdk.hpp>
+
 #include "arc_util.hpp"
 #include "klartext_departure.hpp"
-#include "klartext_diagnostics.hpp"
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
 #include "scale_and_mirror.hpp"
@@ -20,6 +21,13 @@ struct KlartextMotion {
                  "PlaneSelectSyntax")
           .before("ProgrammableMirrorSyntax", "KlartextDrillingCycleSyntax", "MachineCoordSelectSyntax",
                   "ProgramXyzSyntax", "McAbcSyntax", "CircularMotionSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "HEI-0132", "{0} without a pole: no CC came before"),
+      ig::diagnostic(IG_ERROR, "HEI-0134", "{0}: no direction to go on in, no path came before"),
+      ig::diagnostic(IG_ERROR, "HEI-0137", "IPA and DR have different signs: {0} turns as DR says"),
+      ig::diagnostic(IG_ERROR, "HEI-0182",
+                     "{0} would begin, turn or end more than 1000 km away: the block does not move"),
+  };
 
   ig::In<ig::Symbol> function_{"KlartextPath.Function", ig::wake};
   ig::In<bool> is_ccw_{"KlartextPath.IsCcw"};
@@ -69,7 +77,7 @@ struct KlartextMotion {
     if (const auto off = departure_.get(b)) depart(b, way, *off);
     const bool is_computed = is_polar || has_steps != 0 || named.mask == 0 || function == c_ || function == ct_;
     if (is_computed && !(is_position(way.from) && is_position(way.to))) {
-      b.report(hei("HEI-0182"), ig::Where::block(), b.text(function));
+      b.report(ig::diag("HEI-0182"), ig::Where::block(), b.text(function));
       return drop(b);
     }
     if (way.mask == 0 && function != c_) return ig::Status::changed;
@@ -144,7 +152,7 @@ struct KlartextMotion {
   void retract(ig::Block& b, Way& way) const {
     const auto distance = b.take(distance_);
     const auto say = [&](std::string_view why) {
-      b.report(hei("HEI-0139"), ig::Where::block(), std::string_view("M140"), why);
+      b.report(ig::diag("HEI-0139"), ig::Where::block(), std::string_view("M140"), why);
     };
     if (way.mask != 0) return say("the retract behind another move of the block is missing");
     ig::Vec3 out = way.from;
@@ -173,7 +181,7 @@ struct KlartextMotion {
     const bool is_beside = b.is(side_, g41_) || b.is(side_, g42_);
     const bool is_arc = off.shape == Shape::arc || off.shape == Shape::line_and_arc;
     const auto say = [&](std::string_view why) {
-      b.report(hei("HEI-0130"), ig::Where::block(), std::string_view("DEP"), why);
+      b.report(ig::diag("HEI-0130"), ig::Where::block(), std::string_view("DEP"), why);
     };
     if (!known.complete() || std::fabs(t.length() - 1) > 1e-6) return say("no move in the plane came before");
     if (is_arc && b.has(mirror_term_)) return say("in a mirror image the tool leaves straight");
@@ -224,7 +232,7 @@ struct KlartextMotion {
 
   bool has_pole(ig::Block& b, const Way& way) const {
     if (b.get(pole_).complete()) return true;
-    b.report(hei("HEI-0132"), ig::Where::block(), b.text(way.function));
+    b.report(ig::diag("HEI-0132"), ig::Where::block(), b.text(way.function));
     return false;
   }
   iso::Point2 pole(const ig::Block& b, const iso::PlaneAxes& plane) const {
@@ -263,7 +271,7 @@ struct KlartextMotion {
     const auto is_ccw = b.get(is_ccw_);
     if (!is_ccw || turned == 0) return;
     if ((turned > 0) != *is_ccw) {
-      b.report(hei("HEI-0137"), ig::Where::block(), b.text(way.function));
+      b.report(ig::diag("HEI-0137"), ig::Where::block(), b.text(way.function));
       return;
     }
     const double arc = std::fabs(iso::sweep(way.start(), way.end(), center, *is_ccw)) * (180 / std::numbers::pi);
@@ -277,7 +285,7 @@ struct KlartextMotion {
     const auto is_ccw = b.get(is_ccw_);
     if (!has_pole(b, way)) return drop(b);
     if (!is_position(b.get(pole_).value)) {
-      b.report(hei("HEI-0182"), ig::Where::block(), b.text(way.function));
+      b.report(ig::diag("HEI-0182"), ig::Where::block(), b.text(way.function));
       return drop(b);
     }
     if (is_ccw) arc(b, way, pole(b, way.plane), *is_ccw);
@@ -305,7 +313,7 @@ struct KlartextMotion {
     const iso::Point2 t{known.value[way.plane.first], known.value[way.plane.second]};
     const double length = way_in_plane.length(), t_length = t.length();
     if (!known.complete() || t_length < 1e-9 || length < iso::same_point_mm) {
-      b.report(hei("HEI-0134"), ig::Where::block(), b.text(way.function));
+      b.report(ig::diag("HEI-0134"), ig::Where::block(), b.text(way.function));
       raise(b, 1);
       return keep_tangent(b, way.to - way.from);
     }
@@ -313,7 +321,7 @@ struct KlartextMotion {
     const double aside = way_in_plane.u * left.u + way_in_plane.v * left.v;
     const double ahead = way_in_plane.u * t.u + way_in_plane.v * t.v;
     if (std::fabs(aside) < iso::same_point_mm) {  // straight on; straight back is no arc
-      if (ahead < 0) b.report(hei("HEI-0134"), ig::Where::block(), b.text(way.function));
+      if (ahead < 0) b.report(ig::diag("HEI-0134"), ig::Where::block(), b.text(way.function));
       raise(b, 1);
       return keep_tangent(b, way.to - way.from);
     }

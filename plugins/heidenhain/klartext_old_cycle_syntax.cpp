@@ -68,13 +68,13 @@ struct KlartextOldCycle {
                                                                            {"SET UP", "DEPTH", "PITCH", "", ""}}};
     const auto value = cycle_.get(b, part);
     const std::size_t cycle = c.number == 1 ? 0 : c.number == 2 ? 1 : 2;
-    if (!value) b.report(hei("HEI-0163"), ig::Where::block(), static_cast<double>(c.number), names[cycle][part - 1]);
+    if (!value) b.report(ig::diag("HEI-0163"), ig::Where::block(), static_cast<double>(c.number), names[cycle][part - 1]);
     return value;
   }
   static std::optional<double> has_feed(ig::Block& b, const HoleRun& c, std::string_view what, double value,
                                         double steps) {
     if (c.feed > 0) return steps;
-    b.report(hei("HEI-0166"), ig::Where::block(), static_cast<double>(c.number), what, value);
+    b.report(ig::diag("HEI-0166"), ig::Where::block(), static_cast<double>(c.number), what, value);
     return std::nullopt;
   }
 

@@ -10,6 +10,11 @@ struct KlartextParameter {
   static constexpr auto spec = ig::syntax("KlartextParameterSyntax", "FN functions and formulas with Q parameters.")
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
                                    .scans("FQfq");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "HEI-0116", "'{0}': string parameters are not executed"),
+      ig::diagnostic(IG_ERROR, "HEI-0117", "FN {0} is not executed"),
+      ig::diagnostic(IG_ERROR, "HEI-0118", "the control stops here with error {0}"),
+  };
 
   CycleText cycle_;
   SystemData system_;
@@ -36,7 +41,7 @@ struct KlartextParameter {
       case Kind::formula: formula(b, text); break;
       default: {
         const std::string_view whole = trim(piece(text, begin_, end_));
-        b.report(hei("HEI-0116"), ig::Where::columns(begin_, begin_ + whole.size()), whole);
+        b.report(ig::diag("HEI-0116"), ig::Where::columns(begin_, begin_ + whole.size()), whole);
       }
     }
     return ig::Status::changed;
@@ -71,13 +76,13 @@ struct KlartextParameter {
     const std::size_t equals = q ? skip(text, end) : position;
     if (!q) {
       if (to_upper(at(text, position)) == 'Q' && to_upper(at(text, position + 1)) == 'S')
-        b.report(hei("HEI-0116"), from(text, begin_), rest_of_line(text, begin_));
+        b.report(ig::diag("HEI-0116"), from(text, begin_), rest_of_line(text, begin_));
       else
-        b.report(hei("HEI-0119"), from(text, begin_), std::string_view("the Q parameter"));
+        b.report(ig::diag("HEI-0119"), from(text, begin_), std::string_view("the Q parameter"));
       return std::nullopt;
     }
     if (at(text, equals) != '=') {
-      b.report(hei("HEI-0119"), from(text, begin_), std::string_view("="));
+      b.report(ig::diag("HEI-0119"), from(text, begin_), std::string_view("="));
       return std::nullopt;
     }
     return Target{*q, piece(text, position, end), position, equals + 1};
@@ -85,7 +90,7 @@ struct KlartextParameter {
 
   void assign(ig::Block& b, const Target& t, double value) {
     if (!std::isfinite(value)) {
-      b.report(hei("HEI-0113"), ig::Where::columns(t.begin, end_), trim(b.source().substr(t.after, end_ - t.after)));
+      b.report(ig::diag("HEI-0113"), ig::Where::columns(t.begin, end_), trim(b.source().substr(t.after, end_ - t.after)));
       b.alarm();
       return;
     }
@@ -109,7 +114,7 @@ struct KlartextParameter {
     if (!t) return;
     const std::size_t first = skip(text, t->after);
     if (at(text, first) == '"' || (to_upper(at(text, first)) == 'Q' && to_upper(at(text, first + 1)) == 'S')) {
-      b.report(hei("HEI-0116"), from(text, begin_), rest_of_line(text, begin_));
+      b.report(ig::diag("HEI-0116"), from(text, begin_), rest_of_line(text, begin_));
       return;
     }
     if (const auto value = cycle_.values().formula(b, text, t->after, end_)) assign(b, *t, *value);
@@ -135,7 +140,7 @@ struct KlartextParameter {
     const std::size_t equals = number == 18 ? whole.find('=') : std::string_view::npos;
     const std::string_view kind = equals == std::string_view::npos ? whole.substr(0, i - begin_) : whole.substr(equals);
     if (store != nullptr && !store->is_first_time(117, kind)) return;
-    b.report(hei("HEI-0117"), ig::Where::columns(begin_, begin_ + whole.size()), double(number));
+    b.report(ig::diag("HEI-0117"), ig::Where::columns(begin_, begin_ + whole.size()), double(number));
   }
 
   /// A value at `i`, which goes behind it; said where there is none.
@@ -148,16 +153,16 @@ struct KlartextParameter {
     }
     const std::size_t end = iso::skip_while(text, i, [](char c) { return !is_space(c); });
     if (i >= text.size())
-      b.report(hei("HEI-0119"), from(text, begin_), std::string_view("a value"));
+      b.report(ig::diag("HEI-0119"), from(text, begin_), std::string_view("a value"));
     else
-      b.report(hei("HEI-0110"), ig::Where::columns(i, end), piece(text, i, end));
+      b.report(ig::diag("HEI-0110"), ig::Where::columns(i, end), piece(text, i, end));
     return std::nullopt;
   }
   bool ends(ig::Block& b, std::string_view text, std::size_t i) const {
     i = skip(text, i);
     if (i >= text.size()) return true;
     const std::string_view rest = rest_of_line(text, i);
-    b.report(hei("HEI-0110"), ig::Where::columns(i, i + rest.size()), rest);
+    b.report(ig::diag("HEI-0110"), ig::Where::columns(i, i + rest.size()), rest);
     return false;
   }
 
@@ -192,7 +197,7 @@ struct KlartextParameter {
     if (number != 0 && (number < 5 || number > 7)) {
       const std::size_t behind = operation(text, i, number);
       if (behind == i || skip(text, i) == behind) {
-        b.report(hei("HEI-0119"), from(text, begin_), std::string_view("the operator"));
+        b.report(ig::diag("HEI-0119"), from(text, begin_), std::string_view("the operator"));
         return;
       }
       i = behind;
@@ -255,7 +260,7 @@ struct KlartextParameter {
   /// IF +Q1 EQU +5 GOTO LBL 3, IF Q1 IS UNDEFINED GOTO LBL 3
   void jump(ig::Block& b, std::string_view text, std::size_t i, unsigned number) const {
     static constexpr std::array<std::string_view, 4> comparisons{"EQU", "NE", "GT", "LT"};
-    const auto missing = [&](std::string_view what) { b.report(hei("HEI-0119"), from(text, begin_), what); };
+    const auto missing = [&](std::string_view what) { b.report(ig::diag("HEI-0119"), from(text, begin_), what); };
     std::size_t next = glued(text, i, "IF");
     if (next == i) return missing("IF");
     auto holds = number == 9 ? definedness(b, text, next) : std::nullopt;
@@ -286,7 +291,7 @@ struct KlartextParameter {
     if (!*holds) return;
     const ig::Flow::Answer answer = cycle_.values().flow().jump(b, "L" + name, IG_SEARCH_TOP);
     if (answer.is_not_found())
-      b.report(hei("HEI-0120"), ig::Where::columns(i, end), std::string_view(name), answer.reason);
+      b.report(ig::diag("HEI-0120"), ig::Where::columns(i, end), std::string_view(name), answer.reason);
   }
   /// What the control's display does not tell apart.
   static bool same(double left, double right) {
@@ -308,7 +313,7 @@ struct KlartextParameter {
     if (at(text, i) == '=') i = skip(text, i + 1);
     const auto number = value(b, text, i);
     if (!number) return;
-    b.report(hei("HEI-0118"), from(text, begin_), *number);
+    b.report(ig::diag("HEI-0118"), from(text, begin_), *number);
     b.alarm();
   }
 

@@ -19,6 +19,12 @@ struct KlartextPath {
       ig::syntax("KlartextPathSyntax", "L, CC, C, CR, CT, polar LP, CP, CTP: words of a path block.")
           .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
           .scans("ABCDILMRUVWXYZabcdilmruvwxyz");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "HEI-0131", "{0} is not executed: the block goes to its point itself"),
+      ig::diagnostic(IG_ERROR, "HEI-0133", "{0} without DR+ or DR-: the sense of rotation is missing"),
+      ig::diagnostic(IG_ERROR, "HEI-0135", "FMAX of {0} has no effect: the arc has the feed in force"),
+      ig::diagnostic(IG_WARNING, "HEI-0181", "{0} of {1} is not executed: the corner has the feed of the move before"),
+  };
 
   Values values_;
   FeedWords feed_;
@@ -162,7 +168,7 @@ struct KlartextPath {
         const std::size_t sign = iso::skip_blanks(text, i + 2);
         const char s = at(text, sign);
         if (d != 'R' || (s != '+' && s != '-')) return i;
-        if (path.is_ccw) b.report(hei("HEI-0106"), ig::Where::columns(i, sign + 1), piece(text, i, sign + 1));
+        if (path.is_ccw) b.report(ig::diag("HEI-0106"), ig::Where::columns(i, sign + 1), piece(text, i, sign + 1));
         path.is_ccw = s == '+';
         return sign + 1;
       }
@@ -184,7 +190,7 @@ struct KlartextPath {
     if (c != 'U' && c != 'V' && c != 'W') return i;
     const Value v = values_.read(b, text, letter + 1);
     if (!v.ok) return i;
-    b.report(hei("HEI-0122"), ig::Where::columns(i, v.end), trim(piece(text, i, v.end)),
+    b.report(ig::diag("HEI-0122"), ig::Where::columns(i, v.end), trim(piece(text, i, v.end)),
              std::string_view("parallel axes are not known"));
     return v.end;
   }
@@ -204,7 +210,7 @@ struct KlartextPath {
     const bool is_radius = is("R") && at(text, end) != '0';
     if (!is("LEN") && !is("CCA") && !is_radius) return i;
     const Value v = values_.read(b, text, end);
-    if (!v.ok) b.report(hei("HEI-0104"), ig::Where::columns(i, end), path.name, letters);
+    if (!v.ok) b.report(ig::diag("HEI-0104"), ig::Where::columns(i, end), path.name, letters);
     if (v.ok) (is("LEN") ? path.length : is("CCA") ? path.angle : path.radius) = v.number;
     return v.ok ? v.end : end;
   }
@@ -217,11 +223,11 @@ struct KlartextPath {
                   ig_field other = IG_NO_FIELD) const {
     const Value v = values_.read(b, text, value);
     if (!v.ok) {
-      b.report(hei("HEI-0104"), ig::Where::columns(begin, value), path.name, piece(text, begin, value));
+      b.report(ig::diag("HEI-0104"), ig::Where::columns(begin, value), path.name, piece(text, begin, value));
       return value;
     }
     if (b.has(field) || b.has(other))
-      b.report(hei("HEI-0106"), ig::Where::columns(begin, v.end), trim(piece(text, begin, v.end)));
+      b.report(ig::diag("HEI-0106"), ig::Where::columns(begin, v.end), trim(piece(text, begin, v.end)));
     if (b.has(other)) b.host()->erase(b.raw(), other);
     const ig_word word{field, iso::column(begin), iso::column(v.end), {.number = v.number + 0.0}, 0, 0};
     b.host()->set_words(b.raw(), &word, 1);
@@ -245,7 +251,7 @@ struct KlartextPath {
     }
     // R+ and R- of a paraxial block lengthen or shorten it by the radius
     if (d == '+' || d == '-') {
-      b.report(hei("HEI-0131"), ig::Where::columns(i, i + 2), piece(text, i, i + 2));
+      b.report(ig::diag("HEI-0131"), ig::Where::columns(i, i + 2), piece(text, i, i + 2));
       return i + 2;
     }
     return is_letter(d) || is_digit(d) ? i : i + 1;
@@ -269,7 +275,7 @@ struct KlartextPath {
   void unknown(ig::Block& b, std::string_view text, std::size_t i, const Path& path) const {
     const std::string_view line = rest_of_line(text, i), rest = trim(line.substr(0, statement_end(line, 0)));
     if (at(text, i) == '(') return values_.say_brackets(b, ig::Where::columns(i, i + rest.size()));
-    b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, path.name);
+    b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, path.name);
   }
 
   void finish(ig::Block& b, std::size_t begin, const Path& path) const {
@@ -282,23 +288,23 @@ struct KlartextPath {
     };
     const auto where = ig::Where::columns(begin, std::max(path.position, begin + 1));
     if (path.function == LN && path.has_tool_vector)
-      b.report(hei("HEI-0130"), where, std::string_view("the tool vector TX TY TZ of LN"),
+      b.report(ig::diag("HEI-0130"), where, std::string_view("the tool vector TX TY TZ of LN"),
                std::string_view("the rotary axes stay"));
     if (path.function == DEP) uncompensate(b, where.begin, where.end);
     if (is_approach && !shape_path(b, path))
       b.report(
-          hei("HEI-0130"), where, path.name,
+          ig::diag("HEI-0130"), where, path.name,
           std::string_view(path.function == APPR ? "the tool goes straight to the first point of the contour"
                                                  : "the tool goes straight to the point that is named, if one is"));
     if (path.function <= LN || is_approach) {
       code(path.is_rapid || (m_.retracts(b) && !path.has_axis) ? 0 : 1);
     } else if (path.function != CC) {
-      if (path.is_rapid) b.report(hei("HEI-0135"), where, path.name);
+      if (path.is_rapid) b.report(ig::diag("HEI-0135"), where, path.name);
       if (path.is_ccw) {
         b.set(is_ccw_, *path.is_ccw);
         code(*path.is_ccw ? 3 : 2);
       } else if (path.function != CT && path.function != CTP) {
-        b.report(hei("HEI-0133"), where, path.name);
+        b.report(ig::diag("HEI-0133"), where, path.name);
         b.host()->erase(b.raw(), radius_);
         code(1);
       }
@@ -355,7 +361,7 @@ struct KlartextPath {
       if (!has_value) return end;
       end = word_end(value);
     }
-    b.report(hei("HEI-0181"), ig::Where::columns(i, end), piece(text, i, end), path.name);
+    b.report(ig::diag("HEI-0181"), ig::Where::columns(i, end), piece(text, i, end), path.name);
     return end;
   }
 
@@ -366,7 +372,7 @@ struct KlartextPath {
     const Value v = i < path.end ? values_.read(b, text, i) : Value{};
     const auto where = ig::Where::columns(begin, std::max(path.position, v.end));
     if (!v.ok) {
-      b.report(hei("HEI-0104"), where, path.name, std::string_view(path.function == RND ? "R" : "the length"));
+      b.report(ig::diag("HEI-0104"), where, path.name, std::string_view(path.function == RND ? "R" : "the length"));
       return path.end;
     }
     for (i = skip(text, v.end); i < path.end; i = skip(text, i)) {
@@ -380,7 +386,7 @@ struct KlartextPath {
       i = next;
     }
     if (v.number < 0) {
-      b.report(hei("HEI-0130"), where, path.name, std::string_view("it is less than 0, the corner stays sharp"));
+      b.report(ig::diag("HEI-0130"), where, path.name, std::string_view("it is less than 0, the corner stays sharp"));
     } else if (v.number > 0) {
       b.set(path.function == RND ? corner_radius_ : chamfer_, b.is(system_, inch_) ? v.number * 25.4 : v.number);
     }

@@ -13,6 +13,9 @@ struct KlartextPattern {
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
                                    .before("KlartextUnknownSyntax")
                                    .scans("PSps");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "HEI-0187", "{0}: the number of points is less than 1, or there are more than {1}"),
+  };
 
   Values values_;
   iso::PlaneInForce plane_;
@@ -48,7 +51,7 @@ struct KlartextPattern {
 
   static void say(ig::Block& b, std::string_view text, std::size_t begin, std::string_view effect) {
     const std::string_view whole = rest_of_line(text, begin);
-    b.report(hei("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole, effect);
+    b.report(ig::diag("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole, effect);
   }
 
   /// POS1 (X+25 Y+33.5 Z+0) POS2 (...)
@@ -61,7 +64,7 @@ struct KlartextPattern {
       const std::size_t open = skip(text, iso::skip_digits(text, letters));
       if (kind == kind_count || at(text, open) != '(') {
         const std::string_view rest = rest_of_line(text, i);
-        b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("PATTERN DEF"));
+        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("PATTERN DEF"));
         return;
       }
       Words words;
@@ -85,14 +88,14 @@ struct KlartextPattern {
       while (name < name_count && !iso::equals_ignoring_case(piece(text, i, end), names[name])) ++name;
       if (name == name_count) {
         const std::string_view rest = rest_of_line(text, i);
-        b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("PATTERN DEF"));
+        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("PATTERN DEF"));
         return false;
       }
       const Value v = values_.read(b, text, end);
       if (v.ok)
         words[name] = v.number;
       else
-        b.report(hei("HEI-0104"), ig::Where::columns(i, end), std::string_view("PATTERN DEF"), names[name]);
+        b.report(ig::diag("HEI-0104"), ig::Where::columns(i, end), std::string_view("PATTERN DEF"), names[name]);
       is_complete = is_complete && v.ok;
       i = v.ok ? v.end : iso::skip_while(text, end, [](char c) { return c == '+' || c == '-'; });
     }
@@ -114,7 +117,7 @@ struct KlartextPattern {
       // X and Y stand for the axes of the plane.
       const Name needs = name == X ? axes[plane.first] : name == Y ? axes[plane.second] : name;
       if (w[needs]) continue;
-      b.report(hei("HEI-0104"), where, shown, names[needs]);
+      b.report(ig::diag("HEI-0104"), where, shown, names[needs]);
       return;
     }
     const auto number = [&](Name name) { return w[name].value_or(0); };
@@ -128,7 +131,7 @@ struct KlartextPattern {
     const bool is_grid = kind == pat || kind == frame;
     const std::size_t columns = kind == pos ? 1 : is_grid ? count(NUMX) : count(NUM), rows = is_grid ? count(NUMY) : 1;
     if (columns == 0 || rows == 0 || columns * rows + points.size() > most_points) {
-      b.report(hei("HEI-0187"), where, shown, static_cast<double>(most_points));
+      b.report(ig::diag("HEI-0187"), where, shown, static_cast<double>(most_points));
       return;
     }
     switch (kind) {
@@ -137,7 +140,7 @@ struct KlartextPattern {
       case pitch_circle: {
         const bool to_end = kind == pitch_circle && !w[STEP] && w[END];
         if (kind == pitch_circle && !w[STEP] && !w[END])
-          return b.report(hei("HEI-0104"), where, shown, std::string_view("STEP"));
+          return b.report(ig::diag("HEI-0104"), where, shown, std::string_view("STEP"));
         const double step = kind == circ ? 360 / static_cast<double>(columns)
                             : to_end ? (*w[END] - number(START)) / static_cast<double>(columns > 1 ? columns - 1 : 1)
                                      : number(STEP);

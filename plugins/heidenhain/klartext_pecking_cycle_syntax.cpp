@@ -18,7 +18,7 @@ struct KlartextPeckingCycle {
     if (!cycle_.get(b, 208)) c.retract = 0;
     for (const auto& [q, what] : {std::pair{379u, "Q379"}, std::pair{395u, "Q395"}})
       if (const double value = cycle_.get_or(b, q, 0); value != 0) {
-        b.report(hei("HEI-0178"), ig::Where::block(), 205.0, std::string_view(what), value);
+        b.report(ig::diag("HEI-0178"), ig::Where::block(), 205.0, std::string_view(what), value);
         return std::nullopt;
       }
     const iso::PeckStrokes strokes = strokes_of(b, c);

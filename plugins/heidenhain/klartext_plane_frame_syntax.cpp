@@ -11,6 +11,10 @@ struct KlartextPlaneFrame {
           .after("KlartextFrameCycleSyntax", "PlaneSelectSyntax")
           .before("IsoG68RotationSyntax", "IsoG68p2TiltSyntax", "HeidenhainCoordinateOffsetSyntax",
                   "KlartextPoleSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "HEI-0191",
+                     "{0} while the datum is shifted or turned in the plane of before: both go on counting"),
+  };
 
   DatumWords words_;
   TurnedShift shift_{"PlaneFrame"};
@@ -52,7 +56,7 @@ struct KlartextPlaneFrame {
   /// Is the frame another one behind it?
   bool leave(ig::Block& b, std::string_view how) const {
     if (acts(b)) {
-      b.report(hei("HEI-0191"), ig::Where::block(), how);
+      b.report(ig::diag("HEI-0191"), ig::Where::block(), how);
       return false;
     }
     const bool was_set = shift_.was_set(b);

@@ -1,7 +1,8 @@
 // MB of PLANE … TURN: the tool goes out along Z of the machine, then the rotary axes turn. The block moves twice, so
 // its move becomes two steps.
+#include <isogloss/sdk.hpp>
+
 #include "event_to_steps.hpp"
-#include "klartext_diagnostics.hpp"
 #include "rotary_words.hpp"
 
 namespace heidenhain {
@@ -35,7 +36,7 @@ struct KlartextPlaneRetract {
     double minimum = 0, maximum = 0;
     const bool is_known = axes_ && axes_->travel(axes_->self, 'Z', &minimum, &maximum) != 0;
     if (!here.complete() || !b.has(form_) || (b.has(to_limit_) && !is_known)) {
-      b.report(hei("HEI-0171"), ig::Where::block(), std::string_view("MB"),
+      b.report(ig::diag("HEI-0171"), ig::Where::block(), std::string_view("MB"),
                std::string_view("where the travel of the tool axis ends is not known, and nothing retracts"));
       return ig::Status::unchanged;
     }

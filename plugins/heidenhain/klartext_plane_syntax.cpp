@@ -17,6 +17,11 @@ struct KlartextPlane {
                                    .before("KlartextCycleSyntax", "IsoG68p2TiltSyntax", "G53p1RotaryPositionSyntax",
                                            "ToolCenterPointSyntax", "KlartextMotionSyntax", "McAbcSyntax")
                                    .scans("CPcp");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "HEI-0170", "{0}: {1} is missing or no number; the plane stays"),
+      ig::diagnostic(IG_ERROR, "HEI-0172", "{0}: the machine's rotary axes are not known, so that {1}"),
+      ig::diagnostic(IG_ERROR, "HEI-0176", "no position of the rotary axes inside their travel gives this plane{0}"),
+  };
 
   Values values_;
   FeedWords feed_;
@@ -118,7 +123,7 @@ struct KlartextPlane {
         i = feed_.scan(b, values_, text, i, command_.is_rapid);
       } else {
         const std::string_view rest = rest_of_line(text, i);
-        b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("CYCL DEF 19"));
+        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("CYCL DEF 19"));
         break;
       }
     }
@@ -138,7 +143,7 @@ struct KlartextPlane {
     command_.plane.kind = PlaneDefinition::kind_of(piece(text, i, letters));
     if (command_.plane.kind == PlaneDefinition::kind_count) {
       const std::string_view whole = rest_of_line(text, command_.begin);
-      b.report(hei("HEI-0171"), where(), whole.substr(0, line_end(whole, 0)),
+      b.report(ig::diag("HEI-0171"), where(), whole.substr(0, line_end(whole, 0)),
                std::string_view("the plane stays as it was"));
       return false;
     }
@@ -147,7 +152,7 @@ struct KlartextPlane {
       const std::size_t next = word_at(b, text, i);
       if (next == i) {
         const std::string_view rest = rest_of_line(text, i);
-        b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("PLANE"));
+        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("PLANE"));
         break;
       }
       i = next;
@@ -223,11 +228,11 @@ struct KlartextPlane {
     for (std::size_t k = 0; k < plane.names().size(); ++k) {
       any = any || plane.words[k];
       if (plane.words[k] || plane.takes_some()) continue;
-      b.report(hei("HEI-0170"), where(), shown(), plane.names()[k]);
+      b.report(ig::diag("HEI-0170"), where(), shown(), plane.names()[k]);
       return false;
     }
     if (!any)
-      b.report(hei("HEI-0170"), where(), shown(),
+      b.report(ig::diag("HEI-0170"), where(), shown(),
                std::string_view(plane.kind == PlaneDefinition::axial ? "A, B or C" : "SPA, SPB or SPC"));
     return any;
   }
@@ -246,22 +251,22 @@ struct KlartextPlane {
     for (std::size_t axis = 0; axis < 3 && command_.plane.kind == PlaneDefinition::axial; ++axis)
       if (const auto word = command_.plane.words[axis]) axial[axis] = *word + rotary_offset_.get(b).value[axis];
     if (command_.plane.kind == PlaneDefinition::axial && !axes_) {
-      b.report(hei("HEI-0172"), where(), shown(), std::string_view("the plane stays"));
+      b.report(ig::diag("HEI-0172"), where(), shown(), std::string_view("the plane stays"));
       return;
     }
     for (std::size_t axis = 0; axis < 3 && command_.plane.kind == PlaneDefinition::axial; ++axis)
       if (command_.plane.words[axis] && !axes_.machine().has(axis))
-        b.report(hei("HEI-0171"), where(), std::string_view("ABC").substr(axis, 1),
+        b.report(ig::diag("HEI-0171"), where(), std::string_view("ABC").substr(axis, 1),
                  std::string_view("the machine has no such axis"));
     const auto m = command_.plane.frame(present_plane(b), axial, axes_.machine());
     if (!m && command_.plane.kind == PlaneDefinition::axial) {
       b.report(
-          hei("HEI-0171"), where(), shown(),
+          ig::diag("HEI-0171"), where(), shown(),
           std::string_view("the head has two axes, one of them inclined, turned round or shifted: the plane stays"));
       return;
     }
     if (!m || !iso::is_finite(*m)) {
-      b.report(hei("HEI-0170"), where(), shown(), std::string_view("a direction"));
+      b.report(ig::diag("HEI-0170"), where(), shown(), std::string_view("a direction"));
       return;
     }
     const ig::Vec3 angles = command_.plane.kind == PlaneDefinition::spatial ? command_.plane.words_from(0)
@@ -292,7 +297,7 @@ struct KlartextPlane {
       QStore* const store = values_.store();
       for (std::uint32_t q = 120; q <= 122 && store != nullptr; ++q)
         if (std::isnan(store->get({QKind::q, q}, 0))) store->set({QKind::q, q}, 0, 0);
-      b.report(hei("HEI-0172"), where(), shown(),
+      b.report(ig::diag("HEI-0172"), where(), shown(),
                std::string_view(command_.move == Move::stay || command_.move == Move::none
                                     ? "Q120 to Q122 are not known: 0 is taken where nothing else gave them a value"
                                     : "they do not turn, and Q120 to Q122 are not known"));
@@ -300,7 +305,7 @@ struct KlartextPlane {
       return;
     }
     if (!angles) {
-      b.report(hei("HEI-0176"), where(),
+      b.report(ig::diag("HEI-0176"), where(),
                std::string_view(command_.sequence > 0   ? " with SEQ+"
                                 : command_.sequence < 0 ? " with SEQ-"
                                                         : ""));
@@ -337,12 +342,12 @@ struct KlartextPlane {
     if (b.is(term_, g68_2_)) b.host()->set(b.raw(), end_.id(0), v);
     if (command_.move != Move::turn && command_.move != Move::move) return;
     if (!axes_) {
-      b.report(hei("HEI-0172"), where(), shown(), std::string_view("they do not turn"));
+      b.report(ig::diag("HEI-0172"), where(), shown(), std::string_view("they do not turn"));
       retract(b);
       return;
     }
     if (command_.move == Move::move)
-      b.report(hei("HEI-0171"), where(), std::string_view("MOVE of PLANE RESET"),
+      b.report(ig::diag("HEI-0171"), where(), std::string_view("MOVE of PLANE RESET"),
                std::string_view("the axes turn as with TURN, and the tip of the tool is not led"));
     retract(b);
     turn_axes(b, {});
@@ -358,7 +363,7 @@ struct KlartextPlane {
       is_upright = axes_.machine().is_table(k) || std::fabs(now[axes_.machine().axis(k)]) < 1e-9;
     const Retract& way = *command_.retract;
     if (!is_upright)
-      b.report(hei("HEI-0171"), ig::Where::columns(way.begin, way.end),
+      b.report(ig::diag("HEI-0171"), ig::Where::columns(way.begin, way.end),
                trim(piece(b.source(), way.begin, std::min(way.end, b.source().size()))),
                std::string_view("the tool does not retract before it turns"));
     else if (way.distance)

@@ -1,6 +1,7 @@
 // CC sets the pole of arcs and polar coordinates. The two axes that it names also say in which plane they lie: CC Y Z
 // with the tool along Z makes the arcs that follow stand upright.
-#include "klartext_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
 #include "scale_and_mirror.hpp"
@@ -71,7 +72,7 @@ struct KlartextPole {
     const ig::PartialVec3 positions = b.get(words_);
     for (const ig::Word& word : rotary_) {
       const auto where = ig::Where::word(word.id());
-      if (b.take(word)) b.report(hei("HEI-0105"), where, std::string_view("a rotary axis"), std::string_view("CC"));
+      if (b.take(word)) b.report(ig::diag("HEI-0105"), where, std::string_view("a rotary axis"), std::string_view("CC"));
     }
     ig::Vec3 last = last_(b);
     if (b.has(mirror_term_)) last = iso::rounded(mirror_.programmed(b, last));
@@ -103,7 +104,7 @@ struct KlartextPole {
       return;  // one axis of the plane that the pole lies in
     } else {
       if ((named & tool) != 0)
-        b.report(hei("HEI-0105"), ig::Where::block(), std::string_view("the tool axis"), std::string_view("CC"));
+        b.report(ig::diag("HEI-0105"), ig::Where::block(), std::string_view("the tool axis"), std::string_view("CC"));
       b.erase(pole_plane_);
     }
   }

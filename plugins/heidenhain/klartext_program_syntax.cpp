@@ -11,6 +11,9 @@ struct KlartextProgram {
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
                                    .before("UnitModeSyntax", "ProgramStopSyntax", "ProgramEndSyntax")
                                    .scans("BESbes");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "HEI-0190", "the program ends here without END PGM, M2 or M30"),
+  };
 
   Values values_;
   MFunctions m_;
@@ -45,7 +48,7 @@ struct KlartextProgram {
   }
 
   ig::Status build(ig::Block& b) {
-    if (b.is_raised(text_ended_) && b.is_raised(begun_)) b.report(hei("HEI-0190"), ig::Where::block());
+    if (b.is_raised(text_ended_) && b.is_raised(begun_)) b.report(ig::diag("HEI-0190"), ig::Where::block());
     if (!b.is_raised(ends_)) {
       // What stands behind M2 and M30 are subprograms, and END PGM.
       if (b.find(end_codes_)) b.flow(IG_FLOW_END_FILE);
@@ -79,7 +82,7 @@ struct KlartextProgram {
       if (is_unit(word) && !is_name) {
         if (next < text.size() && !values_.is_indexing()) {
           const std::string_view rest = rest_of_line(text, next);
-          b.report(hei("HEI-0105"), ig::Where::columns(next, next + rest.size()), rest, of);
+          b.report(ig::diag("HEI-0105"), ig::Where::columns(next, next + rest.size()), rest, of);
         }
         return {trim(piece(text, first, i)), word};
       }
@@ -100,7 +103,7 @@ struct KlartextProgram {
       const bool is_axis = std::string_view("XYZUVW").find(to_upper(at(text, letter))) != std::string_view::npos;
       if (!is_axis || is_letter(at(text, letter + 1)) != (to_upper(at(text, letter + 1)) == 'Q')) {
         const std::string_view rest = rest_of_line(text, i);
-        b.report(hei("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("BLK FORM"));
+        b.report(ig::diag("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("BLK FORM"));
         return;
       }
       const Value v = values_.read(b, text, letter + 1);
@@ -121,7 +124,7 @@ struct KlartextProgram {
     }
     b.raise(begun_);
     if (found.unit.empty())
-      b.report(hei("HEI-0104"), ig::Where::columns(position, i), std::string_view("BEGIN PGM"),
+      b.report(ig::diag("HEI-0104"), ig::Where::columns(position, i), std::string_view("BEGIN PGM"),
                std::string_view("MM or INCH"));
     const ig_word word{units_.id(is_inch ? 0 : 1), iso::column(position), iso::column(position + 1), ig_value{}, 0, 0};
     b.host()->set_words(b.raw(), &word, 1);
@@ -137,7 +140,7 @@ struct KlartextProgram {
     while ((i = skip(text, i)) < end) {
       if (to_upper(text[i]) != 'M') {
         const std::string_view rest = rest_of_line(text, i);
-        b.report(hei("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("STOP"));
+        b.report(ig::diag("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("STOP"));
         break;
       }
       i = m_.scan(b, values_, text, i);

@@ -1,7 +1,8 @@
 // A, B, C and IA, IB, IC become angles of the machine before the frame follows the rotary axes: the preset in force
 // puts its offset between program and machine, and under M128, and in a plane that PLANE has turned to, an increment
 // moves the frame as a position does.
-#include "klartext_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "rotary_offset_util.hpp"
 #include "tool_kinematics.hpp"
 
@@ -14,6 +15,11 @@ struct KlartextRotaryStep {
           .after("KlartextPathSyntax")
           .before("G53p1RotaryPositionSyntax", "ToolCenterPointSyntax", "PivotTransformationSyntax",
                   "KlartextMotionSyntax", "McAbcSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "HEI-0200",
+                     "{0} shifts rotary axes, but planes and tip control reckon with machine angles here: check the "
+                     "machine parameters"),
+  };
 
   std::array<ig_field, 3> steps_{step("Parsing.IA"), step("Parsing.IB"), step("Parsing.IC")};
   std::array<ig::Word, 3> words_{ig::Word{"Parsing.A", ig::read | ig::write | ig::wake, "deg"},
@@ -58,7 +64,7 @@ struct KlartextRotaryStep {
   void say(ig::Block& b, const iso::Angles& offset) const {
     bool counts = false;
     for (std::size_t axis = 0; axis < 3; ++axis) counts = counts || (machine_.has(axis) && offset[axis] != 0);
-    if (counts) b.report(hei("HEI-0200"), ig::Where::block(), b.text(b.get_or(preset_, ig::Symbol{})));
+    if (counts) b.report(ig::diag("HEI-0200"), ig::Where::block(), b.text(b.get_or(preset_, ig::Symbol{})));
   }
 
   static ig_field step(const char* path) {

@@ -8,6 +8,9 @@ namespace {
 struct KlartextSingleLipCycle {
   static constexpr auto spec =
       hole_cycle("KlartextSingleLipCycleSyntax", "Cycle 241 single-lip deep drilling where it is called.");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "HEI-0188", "cycle {0} sets no speed and no coolant of its own here: {1}"),
+  };
 
   HoleCycle cycle_{{241, "CYCL241"}};
   ig::Signal said_{"CycleDefinition.~Said", ig::read | ig::write, ig::Life::modal};
@@ -18,7 +21,7 @@ struct KlartextSingleLipCycle {
     if (!cycle_.drills(b, c)) return std::nullopt;
     if (cycle_.get_or(b, 379, 0) != 0 && cycle_.feed(b, c, 253) == 0) return std::nullopt;
     if (!b.is_raised(said_))
-      b.report(hei("HEI-0188"), ig::Where::block(), 241.0, std::string_view("Q426 to Q430 have no effect"));
+      b.report(ig::diag("HEI-0188"), ig::Where::block(), 241.0, std::string_view("Q426 to Q430 have no effect"));
     b.raise(said_);
     return strokes_of(b, c).number() * 2 + 8;
   }

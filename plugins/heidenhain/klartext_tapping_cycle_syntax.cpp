@@ -28,7 +28,7 @@ struct KlartextTappingCycle {
     const double factor = cycle_.get_or(b, 403, 1);
     c.retract = c.feed * (factor > 0 ? factor : 1);
     if (!(c.feed > 0)) {
-      b.report(hei("HEI-0166"), ig::Where::block(), static_cast<double>(c.number),
+      b.report(ig::diag("HEI-0166"), ig::Where::block(), static_cast<double>(c.number),
                std::string_view(*pitch == 0 ? "Q239" : "the speed S"), *pitch == 0 ? *pitch : cycle_.speed(b));
       return std::nullopt;
     }

@@ -42,12 +42,12 @@ struct KlartextTcpm {
     i = skip(text, i);
     if (!starts || i >= text.size()) {
       if (!starts && i < text.size())
-        b.report(hei("HEI-0105"), ig::Where::columns(after, text.size()), trim(text.substr(after)),
+        b.report(ig::diag("HEI-0105"), ig::Where::columns(after, text.size()), trim(text.substr(after)),
                  std::string_view("FUNCTION RESET TCPM"));
       return;
     }
     const std::string_view rest = rest_of_line(text, i);
-    b.report(hei("HEI-0171"), ig::Where::columns(i, i + rest.size()), rest,
+    b.report(ig::diag("HEI-0171"), ig::Where::columns(i, i + rest.size()), rest,
              std::string_view("the words of rotary axes are positions of the axes, as after M128"));
   }
 };

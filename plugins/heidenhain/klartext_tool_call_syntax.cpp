@@ -11,6 +11,13 @@ struct KlartextToolCall {
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
                                    .before("ToolChangeSyntax", "ToolHeightOffsetSyntax")
                                    .scans("Tt");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "HEI-0150",
+                     "the tool {0} has a name: its number and length are not known, the one before stays"),
+      ig::diagnostic(IG_ERROR, "HEI-0151", "tool axis {0}: only X, Y and Z are known; the plane stays"),
+      ig::diagnostic(IG_WARNING, "HEI-0152", "tool {0} has a step index: the tool itself is taken"),
+      ig::diagnostic(IG_ERROR, "HEI-0153", "tool axis {0}: the length of the tool is taken along Z"),
+  };
 
   Values values_;
   FeedWords feed_;
@@ -65,7 +72,7 @@ struct KlartextToolCall {
       const std::size_t next = call_word(b, text, i, length, radius, has_delta, is_rapid);
       if (next == i) {
         const std::string_view rest = rest_of_line(text, i);
-        b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("TOOL CALL"));
+        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("TOOL CALL"));
         break;
       }
       i = next;
@@ -85,7 +92,7 @@ struct KlartextToolCall {
     if (at(text, i) == '"' || at(text, i) == '\'') {
       std::size_t end = iso::skip_while(text, i + 1, [&](char c) { return c != text[i]; });
       end = std::min(end + 1, text.size());
-      b.report(hei("HEI-0150"), ig::Where::columns(i, end), piece(text, i, end));
+      b.report(ig::diag("HEI-0150"), ig::Where::columns(i, end), piece(text, i, end));
       i = end;
       return Name::text;
     }
@@ -93,7 +100,7 @@ struct KlartextToolCall {
     if (!is_digit(at(text, i)) && !Values::q_at(text, i, q_end)) return Name::none;
     const Value v = values_.read(b, text, i);
     tool = std::floor(v.number);
-    if (tool != v.number) b.report(hei("HEI-0152"), ig::Where::columns(i, v.end), trim(piece(text, i, v.end)));
+    if (tool != v.number) b.report(ig::diag("HEI-0152"), ig::Where::columns(i, v.end), trim(piece(text, i, v.end)));
     i = v.end;
     return Name::number;
   }
@@ -118,8 +125,8 @@ struct KlartextToolCall {
     if (!is_letter(c) || is_letter(d) || is_digit(d)) return i;
     const std::size_t axis = std::string_view("ZYX").find(c);
     if (axis < 3) code(b, planes_.id(axis), i, i + 1);
-    if (axis == 1 || axis == 2) b.report(hei("HEI-0153"), ig::Where::columns(i, i + 1), piece(text, i, i + 1));
-    if (axis > 2) b.report(hei("HEI-0151"), ig::Where::columns(i, i + 1), piece(text, i, i + 1));
+    if (axis == 1 || axis == 2) b.report(ig::diag("HEI-0153"), ig::Where::columns(i, i + 1), piece(text, i, i + 1));
+    if (axis > 2) b.report(ig::diag("HEI-0151"), ig::Where::columns(i, i + 1), piece(text, i, i + 1));
     return i + 1;
   }
   /// A trailing point is none of a number: DL0.
@@ -163,7 +170,7 @@ struct KlartextToolCall {
       const bool is_word = (c == 'L' || c == 'R') && (!is_letter(at(text, i + 1)) || to_upper(at(text, i + 1)) == 'Q');
       if (!is_word) {
         const std::string_view rest = rest_of_line(text, i);
-        b.report(hei("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("TOOL DEF"));
+        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("TOOL DEF"));
         return;
       }
       const Value v = read(b, text, i + 1);
@@ -171,10 +178,10 @@ struct KlartextToolCall {
           v.ok ? v.end : iso::skip_while(text, i + 1, [](char sign) { return sign == '+' || sign == '-'; });
       const auto where = ig::Where::columns(i, end);
       if (!v.ok) {
-        b.report(hei("HEI-0104"), where, std::string_view("TOOL DEF"), piece(text, i, end));
+        b.report(ig::diag("HEI-0104"), where, std::string_view("TOOL DEF"), piece(text, i, end));
       } else if (!define(tool, c == 'L' ? 0 : 2, in_mm(b, v.number))) {
         const std::string_view whole = rest_of_line(text, begin);
-        b.report(hei("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole,
+        b.report(ig::diag("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole,
                  std::string_view("the table of tools has no such tool"));
         return;
       }

@@ -11,6 +11,10 @@ struct KlartextUnknown {
           .after("KlartextProgramSyntax", "KlartextParameterSyntax", "KlartextLabelSyntax", "KlartextToolCallSyntax",
                  "KlartextCycleSyntax", "KlartextPlaneSyntax", "KlartextPathSyntax")
           .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz%+-.,:=\"'()[]{}<>#$&@!?_\\|^*/0123456789");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "HEI-0101", "'{0}' is not understood: the block is not executed"),
+      ig::diagnostic(IG_ERROR, "HEI-0102", "a DIN/ISO program of a TNC is not read here: nothing of it is executed"),
+  };
 
   Values values_;
   ig::Signal begun_{"KlartextProgram.~Begun", ig::read, ig::Life::modal};
@@ -22,7 +26,7 @@ struct KlartextUnknown {
     const std::string_view whole = trim(piece(text, position, std::min(end, line_end(text, position))));
     const auto where = ig::Where::columns(position, position + whole.size());
     if (!b.is_raised(begun_) && is_din(text, position)) {
-      b.report(hei("HEI-0102"), where);
+      b.report(ig::diag("HEI-0102"), where);
       b.flow(IG_FLOW_END_FILE);
       if (values_.flow().frame(b).depth == 0) b.end_program();
       return text.size();
@@ -34,10 +38,10 @@ struct KlartextUnknown {
     if (is_part_of_probing(text, position) || is_mill_mode(text, position, end)) return end;
     for (const Known& known : statements)
       if (keyword(text, position, known.words) != position) {
-        b.report(hei("HEI-0122"), where, whole, std::string_view(known.effect));
+        b.report(ig::diag("HEI-0122"), where, whole, std::string_view(known.effect));
         return end;
       }
-    b.report(hei("HEI-0101"), where, whole);
+    b.report(ig::diag("HEI-0101"), where, whole);
     return end;
   }
 

@@ -5,7 +5,8 @@
 #include <numbers>
 #include <optional>
 
-#include "klartext_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "klartext_text.hpp"
 #include "q_store.hpp"
 
@@ -66,12 +67,12 @@ class Values {
   double get(ig::Block& b, const QNumber& q, std::string_view name, ig::Where where) const {
     const QStore* const s = store();
     if (s == nullptr || !QStore::exists(q)) {
-      b.report(hei("HEI-0114"), where, name);
+      b.report(ig::diag("HEI-0114"), where, name);
       return 0;
     }
     const double value = s->get(q, program(b));
     if (!std::isnan(value)) return value;
-    if (store()->is_first_time(115, name)) b.report(hei("HEI-0115"), where, name);
+    if (store()->is_first_time(115, name)) b.report(ig::diag("HEI-0115"), where, name);
     return 0;
   }
   void set(ig::Block& b, const QNumber& q, std::string_view name, ig::Where where, double value) const {
@@ -79,12 +80,12 @@ class Values {
     if (s != nullptr && QStore::exists(q))
       s->set(q, program(b), value);
     else
-      b.report(hei("HEI-0114"), where, name);
+      b.report(ig::diag("HEI-0114"), where, name);
   }
 
   /// Text in brackets is a comment of other controls, and of simulators: it is said once.
   void say_brackets(ig::Block& b, ig::Where where) const {
-    if (QStore* const s = store(); s == nullptr || s->is_first_time(0, "(")) b.report(hei("HEI-0189"), where);
+    if (QStore* const s = store(); s == nullptr || s->is_first_time(0, "(")) b.report(ig::diag("HEI-0189"), where);
   }
 
   /// A formula to the end of its statement; nothing, which is said, where it has no result.
@@ -95,13 +96,13 @@ class Values {
     parser.position = skip(parser.text, parser.position);
     if (parser.position < end) {
       if (parser.text[parser.position] == ')')
-        b.report(hei("HEI-0110"), ig::Where::columns(parser.position, parser.position + 1), std::string_view(")"));
+        b.report(ig::diag("HEI-0110"), ig::Where::columns(parser.position, parser.position + 1), std::string_view(")"));
       else
         parser.no_value();
       return std::nullopt;
     }
     if (std::isfinite(result)) return result + 0.0;
-    b.report(hei("HEI-0113"), ig::Where::columns(position, end), trim(piece(text, position, end)));
+    b.report(ig::diag("HEI-0113"), ig::Where::columns(position, end), trim(piece(text, position, end)));
     b.alarm();
     return std::nullopt;
   }
@@ -185,7 +186,7 @@ class Values {
     double value() {
       position = skip(text, position);
       if (++depth > deepest) {
-        if (!failed) b.report(hei("HEI-0112"), ig::Where::columns(position, position + 1), double{deepest});
+        if (!failed) b.report(ig::diag("HEI-0112"), ig::Where::columns(position, position + 1), double{deepest});
         failed = true;
       }
       if (failed) return 0;
@@ -206,7 +207,7 @@ class Values {
         position = skip(text, position);
         if (failed) return 0;
         if (at(text, position) != ')') {
-          b.report(hei("HEI-0111"), ig::Where::columns(open, open + 1));
+          b.report(ig::diag("HEI-0111"), ig::Where::columns(open, open + 1));
           failed = true;
           return 0;
         }
@@ -261,7 +262,7 @@ class Values {
       failed = true;
       const std::size_t end =
           std::max(position + 1, iso::skip_while(text, position, [](char c) { return !is_space(c); }));
-      b.report(hei("HEI-0110"), ig::Where::columns(position, end),
+      b.report(ig::diag("HEI-0110"), ig::Where::columns(position, end),
                text.substr(std::min(position, text.size()), end - position));
     }
   };

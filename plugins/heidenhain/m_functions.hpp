@@ -62,14 +62,14 @@ class MFunctions {
       b.host()->set_words(b.raw(), &word, 1);
       behind = v.end;
     } else {
-      b.report(hei("HEI-0104"), ig::Where::columns(begin, end), std::string_view("M140"), std::string_view("MB"));
+      b.report(ig::diag("HEI-0104"), ig::Where::columns(begin, end), std::string_view("M140"), std::string_view("MB"));
       return end;
     }
     const std::size_t feed = skip(text, behind);
     if (to_upper(at(text, feed)) != 'F') return behind;
     const std::size_t feed_end = word_end(text, feed);
     if (!iso::equals_ignoring_case(piece(text, feed, feed_end), "FMAX"))
-      b.report(hei("HEI-0140"), ig::Where::columns(begin, feed_end), piece(text, feed, feed_end),
+      b.report(ig::diag("HEI-0140"), ig::Where::columns(begin, feed_end), piece(text, feed, feed_end),
                std::string_view("M140 retracts by rapid"));
     return feed_end;
   }
@@ -84,7 +84,7 @@ class MFunctions {
       if (iso::equals_ignoring_case(piece(text, feed, word), name)) return word;
     const Value v = values.read(b, text, skip(text, feed + 1));
     if (v.ok) return v.end;
-    b.report(hei("HEI-0104"), ig::Where::columns(feed, word), std::string_view("M128"), piece(text, feed, word));
+    b.report(ig::diag("HEI-0104"), ig::Where::columns(feed, word), std::string_view("M128"), piece(text, feed, word));
     return word;
   }
 
@@ -109,7 +109,7 @@ class MFunctions {
       case 91: flag(b, g53_.id(0), begin, end); return end;
       case 92:
         if (QStore* const s = values.store(); s == nullptr || s->is_first_time(175, ""))
-          b.report(hei("HEI-0175"), where);
+          b.report(ig::diag("HEI-0175"), where);
         flag(b, g53_.id(0), begin, end);
         return end;
       case 94: return reduce(b, text, begin, end);
@@ -133,7 +133,7 @@ class MFunctions {
       if (s.number == number) {
         const std::size_t rest = s.has_words ? behind_words(text, end, number == 103) : end;
         if (s.severity != IG_NOTE)
-          b.report(s.severity == IG_ERROR ? hei("HEI-0139") : hei("HEI-0140"), where, name, std::string_view(s.effect));
+          b.report(s.severity == IG_ERROR ? ig::diag("HEI-0139") : ig::diag("HEI-0140"), where, name, std::string_view(s.effect));
         return rest;
       }
     code(b, number, begin, end);
@@ -146,7 +146,7 @@ class MFunctions {
     const std::size_t named = std::string_view("ABC").find(to_upper(at(text, skip(text, end))));
     for (std::size_t axis = 0; axis < 3; ++axis)
       if ((named > 2 || named == axis) && axes_.has(axis) && axes_.rollover(axis) == iso::Rollover::counts_on) {
-        b.report(hei("HEI-0139"), ig::Where::columns(begin, end), std::string_view("M94"),
+        b.report(ig::diag("HEI-0139"), ig::Where::columns(begin, end), std::string_view("M94"),
                  std::string_view("the rotary axes keep what they have counted beyond 360"));
         break;
       }

@@ -1,4 +1,5 @@
 // The Heidenhain plugin's entry: Klartext programs of TNC 426/430, iTNC 530 and TNC 640.
-#include "klartext_diagnostics.hpp"
+// Every syntax and dependency registers itself, with its diagnostics, at the end of its own file.
+#include <isogloss/sdk.hpp>
 
-ISOGLOSS_PLUGIN("heidenhain", "1.0.0", "Isogloss", heidenhain::klartext_diagnostics)
+ISOGLOSS_PLUGIN("heidenhain", "1.0.0", "Isogloss")

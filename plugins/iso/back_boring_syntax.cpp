@@ -13,6 +13,10 @@ struct BackBoring {
       ig::syntax("BackBoringSyntax", "G87 back boring: through the bore beside its centre, then a cut upward.")
           .after("CannedCycleResolveSyntax", "ManualBoringCycleSyntax", "SpindleSpeedSyntax")
           .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0345", "G87 under G99: the tool returns to the initial level all the same"),
+      ig::diagnostic(IG_ERROR, "ISO-0346", "G87: {0} is {1}, not below {2}, which is {3}: the cut does not go upward"),
+  };
 
   enum class RLevel { top, bottom };
   enum class Positioning { shifted, centred };
@@ -79,14 +83,14 @@ struct BackBoring {
   /// With R below the workpiece a return to R would leave the bar there: the initial level counts.
   void check_levels(ig::Block& b, CycleRun& run, double low, double high) const {
     if (r_is_ == RLevel::bottom && !run.returns_to_initial) {
-      b.report(diag("ISO-0345"), ig::Where::block());
+      b.report(ig::diag("ISO-0345"), ig::Where::block());
       run.return_level = b.get_or(initial_level_, run.start[run.plane.tool]);
     }
     if (low < high) return;
     const char bottom_word = "XYZ"[run.plane.tool];
     const std::string_view z(&bottom_word, 1);
     const bool r_is_top = r_is_ == RLevel::top;
-    b.report(diag("ISO-0346"), ig::Where::block(), r_is_top ? z : std::string_view("R"), low,
+    b.report(ig::diag("ISO-0346"), ig::Where::block(), r_is_top ? z : std::string_view("R"), low,
              r_is_top ? std::string_view("R") : z, high);
   }
 };

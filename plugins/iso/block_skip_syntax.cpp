@@ -3,7 +3,8 @@
 #include <bitset>
 #include <stdexcept>
 
-#include "diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "scan_util.hpp"
 
 namespace iso {

@@ -2,8 +2,9 @@
 /// chamfer or a rounding. Needs the next move, so it is for syntaxes that look ahead.
 #pragma once
 
+#include <isogloss/sdk.hpp>
+
 #include "contour_ahead.hpp"
-#include "corner_diagnostics.hpp"
 #include "rotary_words.hpp"
 
 namespace iso {
@@ -53,7 +54,7 @@ class BrokenContour {
 
   void say(ig::Block& b, const Piece& piece) const {
     if (piece.unbroken.empty() || piece.is_expected) return;
-    b.report(corner_diag("ISO-0480"), where(b), b.text(term(b)), piece.unbroken);
+    b.report(ig::diag("ISO-0480"), where(b), b.text(term(b)), piece.unbroken);
     if (unfit_ == Unfit::alarm) b.alarm();
   }
 

@@ -47,6 +47,19 @@ struct CannedCycleResolve {
                  "FeedrateSyntax", "IsoCoordinateOffsetSyntax", "IsoLocalCoordinateOffsetSyntax",
                  "ToolHeightOffsetSyntax")
           .before("DrillingCycleSyntax", "IncrementalResolveSyntax", "MachineCoordSelectSyntax", "ProgramXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "ISO-0310", "{0} and {1} stand in one block: {2}, the later one, counts"),
+      ig::diagnostic(IG_ERROR, "ISO-0311",
+                     "{0} without {1}, and none was programmed since the cycle began: nothing is drilled"),
+      ig::diagnostic(IG_WARNING, "ISO-0312",
+                     "{0} without {1}, and none was programmed since the cycle began: the tool's position counts"),
+      ig::diagnostic(IG_ERROR, "ISO-0313", "{0}{1}: a count of holes is a whole number from 0; one hole is drilled"),
+      ig::diagnostic(IG_ERROR, "ISO-0314", "{0}{1}: more holes than a block may drill; {2} are drilled"),
+      ig::diagnostic(IG_WARNING, "ISO-0315", "K and L in one block: K counts the holes"),
+      ig::diagnostic(IG_WARNING, "ISO-0338", "the plane changes while {0} is on: its R and bottom are forgotten"),
+      ig::diagnostic(IG_WARNING, "ISO-0514",
+                     "{0}: the bottom lies {1} mm above R, so the tool is fed away from the part"),
+  };
 
   ig::Call call_{cycle_codes, cycle_words, ig::take | ig::wake | ig::write};
   ig::Codes g80_{"G80"};
@@ -172,7 +185,7 @@ struct CannedCycleResolve {
     const std::int64_t at_call = called ? ordinal(b, call_.code(*called)) : 0;
 
     if (called && motion)
-      b.report(diag("ISO-0310"), ig::Where::word(call_.code(*called)), b.text(call_.name(*called)),
+      b.report(ig::diag("ISO-0310"), ig::Where::word(call_.code(*called)), b.text(call_.name(*called)),
                b.text(group01_.name(*motion)), b.text(at_call > at_end ? call_.name(*called) : group01_.name(*motion)));
     if (has_g80 || (motion && was_on)) {
       forget(b);
@@ -206,7 +219,7 @@ struct CannedCycleResolve {
 
   /// R, the bottom and the initial level lie on the axis of before; on another one they are not positions of the tool.
   void forget_levels(ig::Block& b, Group09& now) const {
-    b.report(diag("ISO-0338"), ig::Where::block(), b.text(call_.name(*now.cycle)));
+    b.report(ig::diag("ISO-0338"), ig::Where::block(), b.text(call_.name(*now.cycle)));
     for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), hole_.id(axis));
     b.erase(r_);
     if (level_rule_ == InitialLevel::cycle_entry) b.amend(initial_level_, last_(b)[plane_(b).tool]);
@@ -325,7 +338,7 @@ struct CannedCycleResolve {
     const double height = *levels.bottom - *levels.r;
     const ig::Symbol cycle = call_.name(row);
     if (height > 0 && cycle != g77_ && cycle != g87_)
-      b.report(diag("ISO-0514"), ig::Where::block(), b.text(cycle), height);
+      b.report(ig::diag("ISO-0514"), ig::Where::block(), b.text(cycle), height);
   }
 
   /// Round an obstacle: to the place of a hole, at the level where the tool is, without drilling.
@@ -345,7 +358,7 @@ struct CannedCycleResolve {
                    std::optional<double> depth, bool incremental, bool fills) const {
     const bool lacks_depth = missing_ == MissingAxis::error_without_depth && !fills;
     const char missing = levels.r || lacks_depth ? tool_axis : 'R';
-    const std::uint32_t what = fills ? diag("ISO-0312") : diag("ISO-0311");
+    const ig::DiagnosticCode what = fills ? ig::diag("ISO-0312") : ig::diag("ISO-0311");
     b.report(what, ig::Where::word(call_.code(row)), b.text(call_.name(row)), std::string_view(&missing, 1));
     if (!fills) return levels;
     if (!levels.r) levels.r = position;
@@ -377,14 +390,14 @@ struct CannedCycleResolve {
     if (!in.has(address)) return 1;
     const std::string_view letter = RootWords::letters.substr(address, 1);
     const ig_field field = words(now)[address];
-    if (by_k && in.has(Address::L)) b.report(diag("ISO-0315"), ig::Where::word(words(now)[Address::L]));
+    if (by_k && in.has(Address::L)) b.report(ig::diag("ISO-0315"), ig::Where::word(words(now)[Address::L]));
     const double k = in.get_or(address, 1);  // a count: RepeatCount keeps units and increments away from it
     if (!(k >= 0) || k != std::floor(k)) {
-      b.report(diag("ISO-0313"), ig::Where::word(field), letter, k);
+      b.report(ig::diag("ISO-0313"), ig::Where::word(field), letter, k);
       return 1;
     }
     const auto most = static_cast<double>(static_cast<std::int64_t>(max_repeats_));
-    if (k > most) b.report(diag("ISO-0314"), ig::Where::word(field), letter, k, most);
+    if (k > most) b.report(ig::diag("ISO-0314"), ig::Where::word(field), letter, k, most);
     return static_cast<int>(std::min(k, most));
   }
 

@@ -11,8 +11,9 @@
 #include <initializer_list>
 #include <optional>
 
+#include <isogloss/sdk.hpp>
+
 #include "cycle_codes.hpp"
-#include "cycle_diagnostics.hpp"
 #include "feed_util.hpp"
 #include "peck_strokes.hpp"
 #include "plane_util.hpp"
@@ -127,7 +128,7 @@ class CannedCycle {
     run.return_level = run.returns_to_initial ? b.get_or(initial_level_, level) : run.r_level;
     feed_.resolve(b, words[CycleWords::F], where(run, CycleWords::F));
     if (words.get_or(CycleWords::P, 0) < 0) {
-      b.report(diag("ISO-0337"), where(run, CycleWords::P), b.text(run.code), words.get_or(CycleWords::P, 0));
+      b.report(ig::diag("ISO-0337"), where(run, CycleWords::P), b.text(run.code), words.get_or(CycleWords::P, 0));
       words.mask &= ~(1u << CycleWords::P);
     }
     motion.begin(b, run.code);
@@ -149,7 +150,7 @@ class CannedCycle {
     for (std::size_t i = 0; i < letters.size(); ++i) {
       const double value = run.words.get_or(addresses[i], 0);
       if (value == 0 || used.find(letters[i]) != std::string_view::npos || !b.is_fresh(stored_[i])) continue;
-      b.report(cycle_diag("ISO-0354"), where(run, addresses[i]), b.text(run.code), letters.substr(i, 1), value);
+      b.report(ig::diag("ISO-0354"), where(run, addresses[i]), b.text(run.code), letters.substr(i, 1), value);
     }
   }
 

@@ -1,12 +1,12 @@
 /// G02 and G03: an arc in the plane, to the program point of the block, about a centre (I J K, from the start) or with
 /// a radius (R). What moves along the third axis makes it a helix. Fanuc manual, "Circular interpolation".
+#include <isogloss/sdk.hpp>
+
 #include "arc_util.hpp"
 #include "motion_event_util.hpp"
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
-#include "recognition_diagnostics.hpp"
 #include "scale_and_mirror.hpp"
-#include "tool_center_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -19,6 +19,21 @@ struct CircularMotion {
           .after("UnitModeSyntax", "PlaneSelectSyntax", "FeedrateSyntax", "CannedCycleResolveSyntax", "McXyzSyntax")
           .before("LinearMotionSyntax")
           .first_writer("Motion");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0320", "an arc without a centre: it needs I, J, K or R in its own block"),
+      ig::diagnostic(IG_ERROR, "ISO-0321",
+                     "the arc starts {0} mm from its centre and ends {1} mm from it: more than {2} apart"),
+      ig::diagnostic(IG_ERROR, "ISO-0322",
+                     "R{0} does not reach the end of the arc: {1} is the least; half a circle is taken"),
+      ig::diagnostic(IG_WARNING, "ISO-0323", "an arc with R whose end is its start: no arc is made"),
+      ig::diagnostic(IG_ERROR, "ISO-0324", "the centre of the arc is its start: no arc is made"),
+      ig::diagnostic(IG_WARNING, "ISO-0325", "R and a centre (I, J, K) stand in one block: R counts"),
+      ig::diagnostic(IG_ERROR, "ISO-0446", "an arc while the rotary axes turn: a straight line is made"),
+      ig::diagnostic(IG_WARNING, "ISO-0513", "an arc without a centre and without R: the tool goes straight"),
+      ig::diagnostic(IG_NOTE, "ISO-0546",
+                     "words of this arc have no decimal point, so they count least increments; if the program means "
+                     "millimetres or inches, {0}"),
+  };
 
   ig::Codes arcs_{{"G02", "G03"}, ig::wake};
   ig::InWhile<ig::Symbol> clockwise_{"MotionState.Term", "G02"};
@@ -87,7 +102,7 @@ struct CircularMotion {
   ArcWords take_words(ig::Block& b, const PlaneAxes& plane) const {
     const std::array<const ig::Word*, 3> centers{&i_, &j_, &k_};
     ArcWords words{b.take(r_), b.take(*centers[plane.first]), b.take(*centers[plane.second])};
-    if (words.r && words.has_center()) b.report(diag("ISO-0325"), ig::Where::word(r_.id()));
+    if (words.r && words.has_center()) b.report(ig::diag("ISO-0325"), ig::Where::word(r_.id()));
     return words;
   }
 
@@ -106,13 +121,14 @@ struct CircularMotion {
 
   void by_radius(ig::Block& b, const Path& path, double radius, bool is_ccw) const {
     if ((path.end() - path.start()).length() < same_point_mm) {
-      b.report(diag("ISO-0323"), ig::Where::word(r_.id()));
+      b.report(ig::diag("ISO-0323"), ig::Where::word(r_.id()));
       if (path.length() >= same_point_mm) motion_.feed(b, [&] { return path.length(); });
       return;
     }
     // Programs round R and the end point: a thousandth is no fault even where no tolerance is set.
     if (radius_shortfall(path.start(), path.end(), radius) > std::fmax(tolerance_, 0.001)) {
-      b.report(diag("ISO-0322"), ig::Where::word(r_.id()), std::fabs(radius), (path.end() - path.start()).length() / 2);
+      b.report(ig::diag("ISO-0322"), ig::Where::word(r_.id()), std::fabs(radius),
+               (path.end() - path.start()).length() / 2);
       suspect_whole_numbers(b);
       b.alarm();
     }
@@ -124,12 +140,12 @@ struct CircularMotion {
     const Point2 center{start.u + from_start.u, start.v + from_start.v};
     const double at_start = (start - center).length(), at_end = (end - center).length();
     if (at_start < same_point_mm) {
-      b.report(diag("ISO-0324"), ig::Where::block());
+      b.report(ig::diag("ISO-0324"), ig::Where::block());
       if (path.length() >= same_point_mm) motion_.feed(b, [&] { return path.length(); });
       return;
     }
     if (tolerance_ > 0 && std::fabs(at_end - at_start) > tolerance_) {
-      b.report(diag("ISO-0321"), ig::Where::block(), at_start, at_end, tolerance_);
+      b.report(ig::diag("ISO-0321"), ig::Where::block(), at_start, at_end, tolerance_);
       suspect_whole_numbers(b);
       b.alarm();
     }
@@ -139,21 +155,21 @@ struct CircularMotion {
   void suspect_whole_numbers(ig::Block& b) const {
     if (whole_numbers_.text().empty() || !b.is_raised(without_point_)) return;
     if (number_format_.number("CalculatorDecimalPoint").value_or(0) != 0) return;
-    b.report(recognition_diag("ISO-0546"), ig::Where::block(), whole_numbers_.text());
+    b.report(ig::diag("ISO-0546"), ig::Where::block(), whole_numbers_.text());
   }
 
   void without_center(ig::Block& b, const Path& path) const {
     if (missing_center_ == MissingCenter::error) {
-      b.report(diag("ISO-0320"), ig::Where::block());
+      b.report(ig::diag("ISO-0320"), ig::Where::block());
       b.alarm();
     } else if (missing_center_ == MissingCenter::warning && path.length() >= same_point_mm) {
-      b.report(diag("ISO-0513"), ig::Where::block());
+      b.report(ig::diag("ISO-0513"), ig::Where::block());
     }
     motion_.feed(b, [&] { return path.length(); });
   }
 
   void while_turning(ig::Block& b, const Path& path) const {
-    b.report(tool_center_diag("ISO-0446"), ig::Where::block());
+    b.report(ig::diag("ISO-0446"), ig::Where::block());
     b.alarm();
     motion_.feed(b, [&] { return path.length(); });
   }

@@ -1,8 +1,9 @@
 /// G12 and G13: a round pocket about the place of the tool, clockwise or counter-clockwise. The tool goes down, out on
 /// a half circle, round each circle, and back to the centre on a half circle.
+#include <isogloss/sdk.hpp>
+
 #include "feed_util.hpp"
 #include "plane_util.hpp"
-#include "pocket_diagnostics.hpp"
 #include "program_xyz_util.hpp"
 #include "scale_and_mirror.hpp"
 #include "tool_steps.hpp"
@@ -17,6 +18,27 @@ struct CircularPocket {
           .after("UnitModeSyntax", "PlaneSelectSyntax", "PositioningModeSyntax", "FeedrateSyntax",
                  "IsoCoordinateOffsetSyntax", "ToolHeightOffsetSyntax", "ProgrammableMirrorSyntax")
           .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(
+          IG_ERROR, "ISO-0501", "{0} without {1}: nothing is milled",
+          "A circular pocket needs I, the radius of its first circle; K, the radius of the last one, needs Q, "
+          "the step from circle to circle.",
+          "G13 K20. D1 F200"),
+      ig::diagnostic(IG_ERROR, "ISO-0502", "{0}: {1}{2} is no such length: nothing is milled",
+                     "I and Q are greater than 0, K is not less than I.", "G13 I10. K5. Q2. D1 F200"),
+      ig::diagnostic(IG_ERROR, "ISO-0503",
+                     "{0}: the tool (radius {1}) does not fit into the circle I{2}: nothing is milled",
+                     "The radius of the first circle is greater than the tool's. D0 takes I as the way of the tool's "
+                     "centre.",
+                     "G13 I5. D1 F200 (with a radius of 6 mm in D1)"),
+      ig::diagnostic(IG_ERROR, "ISO-0504", "{0} L{1}: a pocket is milled in 1 to 1000 passes; nothing is milled",
+                     "L says how often the circles are milled; under G91 each pass goes deeper by Z.",
+                     "G13 G91 Z-1. I10. L2.5 D1 F200"),
+      ig::diagnostic(IG_ERROR, "ISO-0505", "{0}: {1} circles are too many for one block; nothing is milled",
+                     "A block makes at most 10000 circles, over all its passes.", "G13 I1. K500. Q0.001 D0 F200"),
+      ig::diagnostic(IG_ERROR, "ISO-0506", "{0} outside the XY plane: nothing is milled",
+                     "The control mills circular pockets in XY alone. Program G17.", "G18 (then) G13 I10. D1 F200"),
+  };
 
   ig::Call call_{{"G12", "G13"}, "X Y Z I K Q L[1] D[]"};
   /// Q belongs to K: without it, it is a word that nobody uses.
@@ -83,30 +105,30 @@ struct CircularPocket {
     const auto where = ig::Where::word(code);
     const auto name = b.text(words.code);
     const auto i = words['I'], k = words['K'], q = words['Q'];
-    if (plane_(b).tool != 2) return refuse(b, pocket_diag("ISO-0506"), where, name);
-    if (!i || (k && !q)) return refuse(b, pocket_diag("ISO-0501"), where, name, i ? "Q" : "I");
-    if (!(*i > 0)) return refuse(b, pocket_diag("ISO-0502"), where, name, "I", *i);
-    if (k && !(*k >= *i)) return refuse(b, pocket_diag("ISO-0502"), where, name, "K", *k);
-    if (k && !(*q > 0)) return refuse(b, pocket_diag("ISO-0502"), where, name, "Q", *q);
+    if (plane_(b).tool != 2) return refuse(b, ig::diag("ISO-0506"), where, name);
+    if (!i || (k && !q)) return refuse(b, ig::diag("ISO-0501"), where, name, i ? "Q" : "I");
+    if (!(*i > 0)) return refuse(b, ig::diag("ISO-0502"), where, name, "I", *i);
+    if (k && !(*k >= *i)) return refuse(b, ig::diag("ISO-0502"), where, name, "K", *k);
+    if (k && !(*q > 0)) return refuse(b, ig::diag("ISO-0502"), where, name, "Q", *q);
     const auto passes = whole_number(words['L'].value_or(1));
     if (!passes || *passes < 1 || *passes > 1000)
-      return refuse(b, pocket_diag("ISO-0504"), where, name, words['L'].value_or(1));
+      return refuse(b, ig::diag("ISO-0504"), where, name, words['L'].value_or(1));
     const double scale = std::fabs(factor(b, 0)), radius = tool_radius(b, where, words);
     out.first = scale * *i - radius;
     out.last = scale * k.value_or(*i) - radius;
     out.step = scale * q.value_or(0);
     out.passes = *passes;
-    if (!(out.first > 0)) return refuse(b, pocket_diag("ISO-0503"), where, name, radius, scale * *i);
+    if (!(out.first > 0)) return refuse(b, ig::diag("ISO-0503"), where, name, radius, scale * *i);
     constexpr double rounding = 1e-9;
     const double more = k ? std::ceil((out.last - out.first) / out.step - rounding) : 0;
     if (!((more + 1) * static_cast<double>(*passes) <= most_circles))
-      return refuse(b, pocket_diag("ISO-0505"), where, name, (more + 1) * static_cast<double>(*passes));
+      return refuse(b, ig::diag("ISO-0505"), where, name, (more + 1) * static_cast<double>(*passes));
     out.circles = static_cast<std::int64_t>(more) + 1;
     return true;
   }
 
   template <class... Arguments>
-  static bool refuse(ig::Block& b, std::uint32_t diagnostic, ig::Where where, const Arguments&... arguments) {
+  static bool refuse(ig::Block& b, ig::DiagnosticCode diagnostic, ig::Where where, const Arguments&... arguments) {
     b.report(diagnostic, where, arguments...);
     return false;
   }
@@ -115,21 +137,21 @@ struct CircularPocket {
     std::int64_t id = b.get_or(offset_id_, std::int64_t{0});
     if (const auto d = words['D']) {
       const auto number = whole_number(*d);
-      if (!number) b.report(radius_diag("ISO-0463"), where, *d);
+      if (!number) b.report(ig::diag("ISO-0463"), where, *d);
       id = number.value_or(id);
       if (number) b.set(offset_id_, id);
     } else if (!b.has(offset_id_)) {
-      b.report(radius_diag("ISO-0461"), where, b.text(words.code));
+      b.report(ig::diag("ISO-0461"), where, b.text(words.code));
     }
     double geometry = 0, wear = 0;
     if (id == 0) return 0;
     const bool has_geometry = table_->get(table_->self, id, 2, &geometry) != 0;
     const bool has_wear = table_->get(table_->self, id, 3, &wear) != 0;
-    if (!has_geometry && !has_wear) b.report(radius_diag("ISO-0462"), where, static_cast<double>(id));
+    if (!has_geometry && !has_wear) b.report(ig::diag("ISO-0462"), where, static_cast<double>(id));
     const double radius = ((has_geometry ? geometry : 0) + (has_wear ? wear : 0)) / (diameters_ ? 2 : 1);
     if (radius == 0 && (has_geometry || has_wear) && !said_zero_) {
       said_zero_ = true;
-      b.report(radius_diag("ISO-0464"), where, static_cast<double>(id));
+      b.report(ig::diag("ISO-0464"), where, static_cast<double>(id));
     }
     return std::isfinite(radius) ? radius : 0;
   }

@@ -1,7 +1,8 @@
 /// The chamfer or rounding that ,C and ,R put at the end of a block's move: its kind and size, as a state that
 /// CornerBreakPathSyntax and the radius compensation make the path from.
+#include <isogloss/sdk.hpp>
+
 #include "corner_break_state.hpp"
-#include "corner_diagnostics.hpp"
 #include "plane_util.hpp"
 #include "scale_and_mirror.hpp"
 
@@ -55,7 +56,7 @@ struct CornerBreakSize {
   }
 
   static void refuse(ig::Block& b, ig::Where where, std::string_view name, std::string_view why) {
-    b.report(corner_diag("ISO-0480"), where, name, why);
+    b.report(ig::diag("ISO-0480"), where, name, why);
     b.alarm();
   }
 };

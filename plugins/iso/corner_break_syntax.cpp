@@ -1,6 +1,7 @@
 /// ,C and ,R behind a move: a chamfer, a rounding at the corner to the next one. The scanner reads the number;
 /// CornerBreakSizeSyntax says what it means.
-#include "corner_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "scan_util.hpp"
 
 namespace iso {
@@ -24,7 +25,8 @@ struct CornerBreak {
     if (!number.ok || at(text, number.end) == '.') return position;
     const ig_field field = (name == 'C' ? chamfer_ : rounding_).id();
     if (b.has(field))
-      b.report(diag("ISO-0108"), ig::Where::columns(position, number.end), std::string_view(name == 'C' ? ",C" : ",R"));
+      b.report(ig::diag("ISO-0108"), ig::Where::columns(position, number.end),
+               std::string_view(name == 'C' ? ",C" : ",R"));
     const bool bare = !number.has_point && number.value != 0;
     const ig_word word{.field = field,
                        .begin = column(position),

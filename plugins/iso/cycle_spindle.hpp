@@ -42,7 +42,7 @@ class RestartedSpindle : public CycleSpindle {
   /// How the cycle starts it; `code` is the cycle's.
   ig::Spindle begin(ig::Block& b, const ig::CompoundMotion& motion, const ig::Where& where, ig::Symbol code) const {
     const bool ccw = turns_ccw(b);
-    if (ccw && restart_ == Restart::clockwise) b.report(diag("ISO-0336"), where, b.text(code));
+    if (ccw && restart_ == Restart::clockwise) b.report(ig::diag("ISO-0336"), where, b.text(code));
     const auto start = ccw && restart_ == Restart::as_before ? ig::Spindle::ccw : ig::Spindle::cw;
     CycleSpindle::begin(b, motion, start);
     return start;
@@ -58,7 +58,7 @@ class RestartedSpindle : public CycleSpindle {
 inline void limit_steps(ig::Block& b, CycleRun& run, std::int64_t steps_per_hole) {
   const std::int64_t room = (most_steps - 1) / steps_per_hole;
   if (run.count <= room) return;
-  b.report(diag("ISO-0352"), ig::Where::block(), b.text(run.code), static_cast<double>(run.count),
+  b.report(ig::diag("ISO-0352"), ig::Where::block(), b.text(run.code), static_cast<double>(run.count),
            static_cast<double>(steps_per_hole), static_cast<double>(room));
   run.count = static_cast<int>(room);
 }

@@ -4,7 +4,8 @@
 // either kind, since the same program means two things.
 #include <cmath>
 
-#include "diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "owned_words.hpp"
 #include "repeat_count.hpp"
 #include "unit_codes.hpp"
@@ -20,6 +21,9 @@ struct DecimalPointSyntax {
   static constexpr auto spec =
       ig::syntax("DecimalPointSyntax", "Reads numbers without a decimal point as the control is set.")
           .after("WordSyntax", "ParameterizedFlagSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "ISO-0115", "{0}{1} has no decimal point: read as {2} {3}"),
+  };
 
   ig::Choice<Rule> rule{"rule", "as-written|increment|calculator|parameter", "as-written",
                         "What a number without a point counts: units as written, least increments, units with a "
@@ -173,7 +177,7 @@ struct DecimalPointSyntax {
                                   : quantity == Quantity::time ? "s"
                                   : is_inch(b)                 ? "in"
                                                                : "mm";
-    b.report(diag("ISO-0115"), ig::Where::word(row.words[i]), std::string_view(&row.letters[i], 1), number, value,
+    b.report(ig::diag("ISO-0115"), ig::Where::word(row.words[i]), std::string_view(&row.letters[i], 1), number, value,
              unit);
     b.host()->rewrite(b.raw(), row.words[i], {.number = value});
     return value != number;

@@ -1,6 +1,7 @@
 /// G04: wait. The X, U or P of G04 is a time and belongs to it, never to a move or to a hole. G04 alone is an exact
 /// stop at the end of the block: no time passes.
-#include "recognition_diagnostics.hpp"
+
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 namespace {
@@ -9,6 +10,13 @@ enum class TimeUnit { seconds, milliseconds, by_point };
 
 struct Dwell {
   static constexpr auto spec = ig::syntax("DwellSyntax", "G04 dwell.").after("ParameterizedFlagSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0215", "G04: a dwell of {0} s is no time; the block does not dwell"),
+      ig::diagnostic(IG_WARNING, "ISO-0216", "G04 has more than one time: {0} counts"),
+      ig::diagnostic(IG_WARNING, "ISO-0511", "G04 without a time: F of this block is the feed, no time passes"),
+      ig::diagnostic(IG_ERROR, "ISO-0543",
+                     "X of this block is a word of {0} and not a move: program the dwell in a block of its own"),
+  };
 
   ig::Call g04_{{"G04"}, "X[s] U[s] P[]"};
   ig::Codes motions_{{"G00", "G01", "G02", "G03"}, ig::read};
@@ -24,15 +32,15 @@ struct Dwell {
     const auto x = (*words)['X'], u = (*words)['U'], p = (*words)['P'];
     const double seconds = x ? *x : u ? *u : p ? *p / p_per_second : 0;
     if (x.has_value() + u.has_value() + p.has_value() > 1)
-      b.report(diag("ISO-0216"), ig::Where::word(g04_.code(0)), std::string_view(x ? "X" : "U"));
+      b.report(ig::diag("ISO-0216"), ig::Where::word(g04_.code(0)), std::string_view(x ? "X" : "U"));
     if (x && p && b.find(motions_))
-      b.report(recognition_diag("ISO-0543"), ig::Where::word(g04_.word(0, 'X')), b.text(words->code));
+      b.report(ig::diag("ISO-0543"), ig::Where::word(g04_.word(0, 'X')), b.text(words->code));
     if (seconds < 0) {
-      b.report(diag("ISO-0215"), ig::Where::word(g04_.code(0)), seconds);
+      b.report(ig::diag("ISO-0215"), ig::Where::word(g04_.code(0)), seconds);
     } else if (x || u || p) {
       b.set(time_, seconds);
     } else if (b.is_fresh(feed_)) {
-      b.report(diag("ISO-0511"), ig::Where::word(g04_.code(0)));
+      b.report(ig::diag("ISO-0511"), ig::Where::word(g04_.code(0)));
     }
     return ig::Status::changed;
   }

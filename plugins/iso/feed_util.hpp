@@ -2,9 +2,9 @@
 /// cycles, whose call may hold an F, and by the motions.
 #pragma once
 
-#include <optional>
+#include <isogloss/sdk.hpp>
 
-#include "diagnostics.hpp"
+#include <optional>
 
 namespace iso {
 
@@ -23,7 +23,7 @@ class FeedInForce {
   void resolve(ig::Block& b, std::optional<double> f, ig::Where where = ig::Where::block()) const {
     if (!f) return;
     if (*f <= 0) {
-      b.report(diag("ISO-0210"), where, *f);
+      b.report(ig::diag("ISO-0210"), where, *f);
       return;
     }
     b.set(value_, *f);
@@ -49,11 +49,11 @@ class FeedInForce {
   /// No F is in force, or one for each revolution of a spindle that does not turn.
   void say_missing(ig::Block& b) const {
     if (value(b))
-      b.report(diag("ISO-0303"), ig::Where::block());
+      b.report(ig::diag("ISO-0303"), ig::Where::block());
     else if (const auto unit = b.get(ended_unit_))
-      b.report(diag("ISO-0211"), ig::Where::block(), b.text(mode(b)), b.text(*unit));
+      b.report(ig::diag("ISO-0211"), ig::Where::block(), b.text(mode(b)), b.text(*unit));
     else
-      b.report(diag("ISO-0302"), ig::Where::block());
+      b.report(ig::diag("ISO-0302"), ig::Where::block());
   }
 
   /// As programmed: mm/min, mm/rev or 1/min.

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "recognition_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "scan_util.hpp"
 #include "split_numbers.hpp"
 
@@ -45,6 +46,10 @@ Code read_code(std::string_view text, std::size_t position, bool joins = false) 
 struct FlagSyntax {
   static constexpr auto spec =
       ig::syntax("FlagSyntax", "Reads G and M codes.").after("HeadIndexSyntax").before("WordSyntax").scans("GMgm");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0102", "'{0}' has no number: nothing is executed for it"),
+      ig::diagnostic(IG_WARNING, "ISO-0547", "{0} stands in this block already: the second one changes nothing"),
+  };
 
   ig::Fields codes{"codes", "Parsing.Flags.* Parsing.*", ig::write, "The codes that syntaxes of this chain know.",
                    IG_CODE};
@@ -102,7 +107,7 @@ struct FlagSyntax {
             count = 0;
           }
           if (stands_already(b, {words.data(), count}, field))
-            b.report(recognition_diag("ISO-0547"), ig::Where::columns(next, end), trim(piece(text, next, end)));
+            b.report(ig::diag("ISO-0547"), ig::Where::columns(next, end), trim(piece(text, next, end)));
           words[count++] = {field, column(next), column(end), ig_value{}, 0, 0};
         }
       }
@@ -189,21 +194,21 @@ struct FlagSyntax {
   std::size_t no_number(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number) const {
     const char c = at(text, number);
     if (to_upper(c) == 'O' && (is_digit(at(text, number + 1)) || at(text, number + 1) == 'O'))
-      return refuse(b, diag("ISO-0101"), text, begin, skip_while(text, number, is_digit_or_o));
+      return refuse(b, ig::diag("ISO-0101"), text, begin, skip_while(text, number, is_digit_or_o));
     if (const std::size_t end = skip_expression(text, number); end != number)
       return expressions == Expressions::pass ? begin : expression(b, text, begin, end);
     if (c == '=') return expression(b, text, begin, skip_to_blank(text, number + 1));
     if (skip_while(text, begin, is_letter) - begin > 2) return begin;
-    return refuse(b, diag("ISO-0102"), text, begin, skip_while(text, begin + 1, [](char u) { return u == '_'; }));
+    return refuse(b, ig::diag("ISO-0102"), text, begin, skip_while(text, begin + 1, [](char u) { return u == '_'; }));
   }
 
   /// G1.2.3, G0O and M3=3, which is no M03.
   static std::size_t odd_number(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) {
     if (text[end] == '=') return expression(b, text, begin, skip_to_blank(text, end + 1));
     if (text[end] == '.')
-      return refuse(b, diag("ISO-0103"), text, begin,
+      return refuse(b, ig::diag("ISO-0103"), text, begin,
                     skip_while(text, end, [](char c) { return is_digit(c) || c == '.'; }));
-    return refuse(b, diag("ISO-0101"), text, begin, skip_while(text, end, is_digit_or_o));
+    return refuse(b, ig::diag("ISO-0101"), text, begin, skip_while(text, end, is_digit_or_o));
   }
 
   static std::size_t skip_to_blank(std::string_view text, std::size_t position) {
@@ -217,7 +222,7 @@ struct FlagSyntax {
     return end;
   }
 
-  static std::size_t refuse(ig::Block& b, std::uint32_t diagnostic, std::string_view text, std::size_t begin,
+  static std::size_t refuse(ig::Block& b, ig::DiagnosticCode diagnostic, std::string_view text, std::size_t begin,
                             std::size_t end) {
     b.report(diagnostic, ig::Where::columns(begin, end), piece(text, begin, end));
     return end;

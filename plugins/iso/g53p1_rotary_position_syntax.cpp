@@ -1,9 +1,10 @@
 /// G53.1 and G53.6: the rotary axes turn the tool upright on the tilted plane in force. Under G53.1 X Y Z of the
 /// machine stay; under G53.6 the tip of the tool stays on the workpiece. Fanuc manual, "Tool axis direction control".
+#include <isogloss/sdk.hpp>
+
 #include "as_written.hpp"
 #include "motion_event_util.hpp"
 #include "program_xyz_util.hpp"
-#include "tool_center_diagnostics.hpp"
 #include "tool_kinematics.hpp"
 #include "tool_length.hpp"
 
@@ -21,6 +22,14 @@ struct G53p1RotaryPosition {
                  "IsoG68p2TiltSyntax")
           .before("ToolCenterPointSyntax", "ToolHeightOffsetSyntax", "PivotTransformationSyntax", "ProgramXyzSyntax",
                   "McXyzSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0441", "{0} without a tilted plane: the rotary axes stay where they are"),
+      ig::diagnostic(IG_ERROR, "ISO-0442", "{0}: where the rotary axes of the machine sit is not known: nothing turns"),
+      ig::diagnostic(IG_ERROR, "ISO-0448", "{0} stands alone in its block: X Y Z beside it move nothing"),
+      ig::diagnostic(IG_WARNING, "ISO-0449", "the tool does not stand upright on the plane: it leans by {0} degrees"),
+      ig::diagnostic(IG_ERROR, "ISO-0452", "{0} under {1}: nothing turns"),
+      ig::diagnostic(IG_ERROR, "ISO-0453", "{0} P{1}: P is 0, 1 or 2; nothing turns"),
+  };
 
   ig::Call codes_{{"G53.1", "G53.6"}, "P[] H[] R"};
   ig::Field<bool> aligned_{"TiltTransform.IsAligned",
@@ -67,7 +76,7 @@ struct G53p1RotaryPosition {
     const auto call = b.take(codes_);
     if (!call) return follow(b);
     const auto where = ig::Where::word(codes_.code(call->row));
-    if (b.take(words_).mask != 0) b.report(tool_center_diag("ISO-0448"), where, b.text(call->code));
+    if (b.take(words_).mask != 0) b.report(ig::diag("ISO-0448"), where, b.text(call->code));
     if (is_refused(b, *call, where)) return ig::Status::changed;
 
     const ig::Vec3 normal = plane_normal(b);
@@ -108,12 +117,12 @@ struct G53p1RotaryPosition {
   bool is_refused(ig::Block& b, const ig::Words& call, ig::Where where) const {
     const std::string_view code = written(b, call);
     if (!is_tilted(b)) {
-      b.report(tool_center_diag("ISO-0441"), where, code);
+      b.report(ig::diag("ISO-0441"), where, code);
     } else if (!machine_) {
-      if (!b.is_raised(said_)) b.report(tool_center_diag("ISO-0442"), where, code);
+      if (!b.is_raised(said_)) b.report(ig::diag("ISO-0442"), where, code);
       b.raise(said_);
     } else if (mode_.is_on(b)) {
-      b.report(tool_center_diag("ISO-0452"), where, code, b.text(mode_.term(b)));
+      b.report(ig::diag("ISO-0452"), where, code, b.text(mode_.term(b)));
     } else {
       return false;
     }
@@ -133,7 +142,7 @@ struct G53p1RotaryPosition {
     if (p == 1) choice = SolutionChoice::positive;
     if (p == 2) choice = SolutionChoice::negative;
     if (p != 0 && p != 1 && p != 2) {
-      b.report(tool_center_diag("ISO-0453"), where, b.text(call.code), p);
+      b.report(ig::diag("ISO-0453"), where, b.text(call.code), p);
       return std::nullopt;
     }
     const PartialAngles wanted = take_rotary(b, present);
@@ -144,9 +153,9 @@ struct G53p1RotaryPosition {
       angles = solver_.choose(machine_, found, present, SolutionChoice::min_first);
     if (angles) return angles;
     if (found.is_reachable)
-      b.report(tool_center_diag("ISO-0444"), where, written(b, call));
+      b.report(ig::diag("ISO-0444"), where, written(b, call));
     else
-      b.report(tool_center_diag("ISO-0443"), where, written(b, call), normal.x, normal.y, normal.z);
+      b.report(ig::diag("ISO-0443"), where, written(b, call), normal.x, normal.y, normal.z);
     b.alarm();
     return std::nullopt;
   }
@@ -207,7 +216,7 @@ struct G53p1RotaryPosition {
     const double lean = std::sqrt(dot(off, off));
     b.set(orientation_, lean < 1e-9 ? normal : *axis);
     if (lean > upright_rad)
-      b.report(tool_center_diag("ISO-0449"), ig::Where::block(),
+      b.report(ig::diag("ISO-0449"), ig::Where::block(),
                2 * std::asin(std::fmin(lean / 2, 1)) * (180 / std::numbers::pi));
   }
 

@@ -2,8 +2,9 @@
 /// or with its canned cycle.
 #pragma once
 
+#include <isogloss/sdk.hpp>
+
 #include "cycle_codes.hpp"
-#include "diagnostics.hpp"
 #include "repeat_count.hpp"
 
 namespace iso {
@@ -37,7 +38,8 @@ class GeometryWords {
   void report_untouched(ig::Block& b, ig::Symbol term) const {
     const auto code = b.find(untouched_);
     if (code)
-      b.report(diag("ISO-0383"), ig::Where::word(untouched_.id(*code)), b.text(untouched_.name(*code)), b.text(term));
+      b.report(ig::diag("ISO-0383"), ig::Where::word(untouched_.id(*code)), b.text(untouched_.name(*code)),
+               b.text(term));
   }
 
  private:

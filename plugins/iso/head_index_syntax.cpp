@@ -1,7 +1,8 @@
 // The sequence number N10: a name of the block for searches and jumps, never an order. It stands first; elsewhere the
 // control complains or not, so it is taken with a warning. A second N of a block is an ordinary word that nobody uses.
 // Between G10 L50 and G11 N is the number of a parameter, and nothing jumps there.
-#include "diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "program_name.hpp"
 #include "scan_util.hpp"
 
@@ -13,6 +14,9 @@ struct HeadIndexSyntax {
                                    .after("BlockSkipSyntax", "IsoCommentSyntax")
                                    .before("FlagSyntax", "WordSyntax")
                                    .scans("Nn");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "ISO-0114", "{0} does not stand first in its block"),
+  };
 
   ig::Out<std::int64_t> n{"Source.N"};
   ig::Signal parameters{"ProgrammableDataInput.~Parameters", ig::read, ig::Life::modal};
@@ -27,7 +31,7 @@ struct HeadIndexSyntax {
     b.set(n, number);
     if (flow.is_indexing() && !b.is_raised(parameters)) flow.label(b, NumberedName('N', number).text());
     if (position > 0 && !stands_first(text, position))
-      b.report(diag("ISO-0114"), ig::Where::columns(position, end), piece(text, position, end));
+      b.report(ig::diag("ISO-0114"), ig::Where::columns(position, end), piece(text, position, end));
     return end;
   }
 };

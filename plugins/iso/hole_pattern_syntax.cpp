@@ -4,8 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include <isogloss/sdk.hpp>
+
 #include "canned_cycle_util.hpp"
-#include "pattern_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -16,6 +17,11 @@ struct HolePattern {
           .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PlaneSelectSyntax", "PositioningModeSyntax",
                  "IsoCoordinateOffsetSyntax", "IsoLocalCoordinateOffsetSyntax", "ToolHeightOffsetSyntax")
           .before("CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0355", "{0} without a canned cycle: nothing is drilled"),
+      ig::diagnostic(IG_ERROR, "ISO-0357", "{0}: {1}{2} is no number of holes: nothing is drilled"),
+      ig::diagnostic(IG_ERROR, "ISO-0358", "{0} without {1}: nothing is drilled"),
+  };
 
   enum Row : std::size_t { circle, arc, line };
   ig::Call patterns_{{"G70", "G71", "G72"}, "I J[deg] K[deg] L[1]"};
@@ -42,12 +48,12 @@ struct HolePattern {
     const auto called = b.find(cycles_);
     const bool is_on = b.has(cycle_) && !b.is(cycle_, cancelled_) && !b.find(enders_);
     if (!called && !is_on) {
-      b.report(pattern_diag("ISO-0355"), ig::Where::word(code), b.text(name));
+      b.report(ig::diag("ISO-0355"), ig::Where::word(code), b.text(name));
       return ig::Status::changed;
     }
     const auto count = number_of_holes(b, code, name, words['L']);
     if (const auto missing = missing_word(*row, words); !missing.empty())
-      b.report(pattern_diag("ISO-0358"), ig::Where::word(code), b.text(name), missing);
+      b.report(ig::diag("ISO-0358"), ig::Where::word(code), b.text(name), missing);
     else if (count)
       lay_out(b, *row, called, words['I'].value_or(0), words['J'].value_or(0), words['K'].value_or(0), *count);
     return ig::Status::changed;
@@ -65,7 +71,7 @@ struct HolePattern {
   static std::optional<double> number_of_holes(ig::Block& b, ig_field code, ig::Symbol name, std::optional<double> l) {
     if (!l) return std::nullopt;
     if (*l >= 1 && *l <= most_repeats && *l == std::floor(*l)) return l;
-    b.report(pattern_diag("ISO-0357"), ig::Where::word(code), b.text(name), std::string_view("L"), *l);
+    b.report(ig::diag("ISO-0357"), ig::Where::word(code), b.text(name), std::string_view("L"), *l);
     return std::nullopt;
   }
 

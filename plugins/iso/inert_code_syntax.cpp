@@ -1,6 +1,7 @@
 /// Codes that change nothing in a resolved program: the cancelling code of functions that are not executed here. A
 /// dialect that executes such a function takes them off its list.
-#include "diagnostics.hpp"
+
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 namespace {

@@ -5,7 +5,8 @@
 #include <array>
 #include <string>
 
-#include "diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "scan_util.hpp"
 
 namespace iso {
@@ -19,6 +20,12 @@ struct IsoCommentSyntax {
       ig::syntax("IsoCommentSyntax", "Takes comments: ( … ) and, by option, ; and // to the line's end.")
           .before("FlagSyntax", "WordSyntax")
           .scans("(;/");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0111",
+                     "the comment that begins here is not closed: the rest of the block is skipped"),
+      ig::diagnostic(IG_WARNING, "ISO-0399",
+                     "what stands behind ; is taken for a remark: the control ends the block there"),
+  };
 
   ig::Choice<Semicolon> semicolon{"semicolon", "comment|end-of-block", "comment",
                                   "What ; means: a comment to the end of the line, or the end of the block."};
@@ -41,7 +48,7 @@ struct IsoCommentSyntax {
     const std::size_t close = text.find(')', position);
     const std::size_t end = block_end(text.substr(0, close), position);
     if (close == std::string_view::npos || end != close) {
-      b.report(diag("ISO-0111"), ig::Where::columns(position, end));
+      b.report(ig::diag("ISO-0111"), ig::Where::columns(position, end));
       add(b, parenthesis, piece(text, position + 1, end));
       return end;
     }
@@ -79,7 +86,7 @@ struct IsoCommentSyntax {
 
   std::size_t remark(ig::Block& b, std::string_view text, std::size_t position, std::size_t begin) {
     const std::size_t end = block_end(text, begin);
-    if (!b.is_raised(said_remark)) b.report(diag("ISO-0399"), ig::Where::columns(position, end));
+    if (!b.is_raised(said_remark)) b.report(ig::diag("ISO-0399"), ig::Where::columns(position, end));
     b.raise(said_remark);
     add(b, semicolon_name, trim(piece(text, begin, end)));
     return end;

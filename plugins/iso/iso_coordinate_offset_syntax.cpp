@@ -1,9 +1,10 @@
 /// G54 to G59.9 and G54.1 P: which of the table's origins the program counts from. The external offset of the table
 /// (EXT) is added to each, for rotary axes too. The table is asked when a code selects a set and when G10 wrote into
 /// it.
+#include <isogloss/sdk.hpp>
+
 #include "coordinate_offset_util.hpp"
 #include "modal_group.hpp"
-#include "pattern_diagnostics.hpp"
 #include "rotary_offset_util.hpp"
 #include "work_offset_id.hpp"
 
@@ -19,6 +20,12 @@ struct IsoCoordinateOffset {
       ig::syntax("IsoCoordinateOffsetSyntax", "G54-G59.9 and G54.1 P select the work coordinate system.")
           .after("ParameterizedFlagSyntax", "IsoLocalCoordinateOffsetSyntax")
           .before("CannedCycleResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0226", "there is no work offset {0}; {1} stays in force"),
+      ig::diagnostic(IG_NOTE, "ISO-0356", "{0} without P: P1 counts"),
+      ig::diagnostic(IG_ERROR, "ISO-0367", "{0} is no work coordinate system of this control; {1} stays in force"),
+      ig::diagnostic(IG_NOTE, "ISO-0368", "G54.1 without P: P1 counts"),
+  };
 
   ig::Codes sets_{"G54",   "G55",   "G56",   "G57",   "G58",   "G59",   "G59.1", "G59.2",
                   "G59.3", "G59.4", "G59.5", "G59.6", "G59.7", "G59.8", "G59.9", "G54.1"};
@@ -55,7 +62,7 @@ struct IsoCoordinateOffset {
       const ig::Symbol name = sets_.name(*code);
       const auto where = ig::Where::word(sets_.id(*code));
       if (decimal_sets_ == DecimalSets::absent && *code >= first_decimal && *code <= last_decimal) {
-        b.report(diag("ISO-0367"), where, b.text(name), b.text(selected(b)));
+        b.report(ig::diag("ISO-0367"), where, b.text(name), b.text(selected(b)));
         return ig::Status::changed;
       }
       const auto number = set_number(b, *code);
@@ -88,7 +95,7 @@ struct IsoCoordinateOffset {
     if (code != g154) return static_cast<double>(code + 1);
     const auto words = b.take(by_p_);
     const auto p = words ? (*words)['P'] : std::nullopt;
-    if (!p) b.report(pattern_diag("ISO-0356"), ig::Where::word(by_p_.code(0)), b.text(by_p_.name(0)));
+    if (!p) b.report(ig::diag("ISO-0356"), ig::Where::word(by_p_.code(0)), b.text(by_p_.name(0)));
     return p.value_or(1);
   }
 
@@ -97,7 +104,7 @@ struct IsoCoordinateOffset {
     if (code == g54_1) {
       const auto words = b.take(additional_);
       const auto p = words ? (*words)['P'] : std::nullopt;
-      if (!p) b.report(diag("ISO-0368"), ig::Where::word(additional_.code(0)));
+      if (!p) b.report(ig::diag("ISO-0368"), ig::Where::word(additional_.code(0)));
       return p.value_or(1);
     }
     if (code == plain && !b.has(cycle_)) return b.take(p_);
@@ -107,7 +114,7 @@ struct IsoCoordinateOffset {
   void select(ig::Block& b, std::string_view id, ig::Where where) const {
     double offset[3], external[3];
     if (id.empty() || table_->get(table_->self, ig::to_text(id), offset) == 0) {
-      b.report(diag("ISO-0226"), where, id.empty() ? std::string_view("of that number") : id, b.text(selected(b)));
+      b.report(ig::diag("ISO-0226"), where, id.empty() ? std::string_view("of that number") : id, b.text(selected(b)));
       return;
     }
     ig::Vec3 origin{offset[0], offset[1], offset[2]};

@@ -6,11 +6,12 @@
 /// it is the frame in force until then where the dialect keeps the programmed numbers (unnamed-axis="programmed").
 #include <algorithm>
 
+#include <isogloss/sdk.hpp>
+
 #include "cycle_codes.hpp"
 #include "modal_group.hpp"
 #include "program_xyz_util.hpp"
 #include "scale_and_mirror.hpp"
-#include "tilt_diagnostics.hpp"
 #include "tilt_transform_util.hpp"
 
 namespace iso {
@@ -25,6 +26,16 @@ struct IsoG68Rotation {
           .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PlaneSelectSyntax", "PositioningModeSyntax")
           .before("ToolHeightOffsetSyntax", "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax",
                   "CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0263", "{0} is not executed: the frame is not rotated"),
+      ig::diagnostic(IG_ERROR, "ISO-0360", "G68 without R, and no angle is known for it: the frame keeps its rotation"),
+      ig::diagnostic(IG_WARNING, "ISO-0361", "G68 without R: the control's parameter counts, {0} degrees"),
+      ig::diagnostic(IG_WARNING, "ISO-0362",
+                     "R{0}: an angle of rotation lies between -360 and 360; whole turns are left out"),
+      ig::diagnostic(IG_ERROR, "ISO-0363", "G68: the centre lies too far away; the frame keeps its rotation"),
+      ig::diagnostic(IG_WARNING, "ISO-0364", "{0} while the coordinates are rotated: cancel the rotation by G69 first"),
+      ig::diagnostic(IG_ERROR, "ISO-0430", "G68 while a plane is tilted: not executed, the plane stays as it was"),
+  };
 
   ig::Call g68_{{"G68"}, "X Y Z I J K R[deg]"};
   ig::Codes g69_{"G69"};
@@ -67,7 +78,7 @@ struct IsoG68Rotation {
     const bool turns = b.find(g68_).has_value(), ends = b.take(g69_).has_value();
     const bool ends_last = ends && (!turns || ordinal(b, g69_.id(0)) > ordinal(b, g68_.code(0)));
     if (turns && ends)
-      b.report(diag("ISO-0201"), ig::Where::word(g68_.code(0)), b.text(ends_last ? g69_name_ : g68_name_));
+      b.report(ig::diag("ISO-0201"), ig::Where::word(g68_.code(0)), b.text(ends_last ? g69_name_ : g68_name_));
     if (ends && !ends_last && is_tilted(b)) cancel(b);
     if (turns) rotate(b);
     if (ends_last) cancel(b);
@@ -118,9 +129,9 @@ struct IsoG68Rotation {
       b.host()->take_many(b.raw(), g68_.row(0), 3, unused);
       take_word(b, R);
       if (is_in_space)
-        b.report(diag("ISO-0263"), where, b.text(g68_.name(0)));
+        b.report(ig::diag("ISO-0263"), where, b.text(g68_.name(0)));
       else
-        b.report(tilt_diag("ISO-0430"), where);
+        b.report(ig::diag("ISO-0430"), where);
       return;
     }
     const PlaneAxes plane = plane_(b);
@@ -135,7 +146,7 @@ struct IsoG68Rotation {
     if (scale_and_mirror_.swaps_sense(b, plane)) angle = -*angle;
     const Mat4 about_center = rotation_in(plane, *angle, center, center);
     if (!is_finite(about_center)) {
-      b.report(diag("ISO-0363"), where);
+      b.report(ig::diag("ISO-0363"), where);
       return;
     }
     b.set(term_, g68_name_);
@@ -153,16 +164,16 @@ struct IsoG68Rotation {
 
   std::optional<double> angle_of(ig::Block& b, ig::Where where) const {
     if (const auto r = take_word(b, R)) {
-      if (std::fabs(*r) > 360) b.report(diag("ISO-0362"), ig::Where::word(g68_.row(0)[R]), *r);
+      if (std::fabs(*r) > 360) b.report(ig::diag("ISO-0362"), ig::Where::word(g68_.row(0)[R]), *r);
       const bool adds = adds_under_g91_ && distance_.is_incremental(b);
       const double angle = adds ? *r + b.get_or(angle_, 0.0) : *r;
       return std::fabs(angle) > 360 ? std::fmod(angle, 360.0) : angle;
     }
     const auto parameter = config_.number("RotationAngle_deg");
     if (parameter)
-      b.report(diag("ISO-0361"), where, *parameter);
+      b.report(ig::diag("ISO-0361"), where, *parameter);
     else
-      b.report(diag("ISO-0360"), where);
+      b.report(ig::diag("ISO-0360"), where);
     return parameter;
   }
 
@@ -196,13 +207,13 @@ struct IsoG68Rotation {
 
   void warn_of_changes(ig::Block& b) const {
     if (const auto set = b.find(changes_))
-      b.report(diag("ISO-0364"), ig::Where::word(changes_.id(*set)), b.text(changes_.name(*set)));
+      b.report(ig::diag("ISO-0364"), ig::Where::word(changes_.id(*set)), b.text(changes_.name(*set)));
     if (const auto code = b.find(changes_with_words_))
-      b.report(diag("ISO-0364"), ig::Where::word(changes_with_words_.code(*code)),
+      b.report(ig::diag("ISO-0364"), ig::Where::word(changes_with_words_.code(*code)),
                b.text(changes_with_words_.name(*code)));
     const auto plane = b.find(planes_);
     if (plane && !b.find(g68_) && planes_.name(*plane) != b.get_or(plane_before_, static_cast<ig::Symbol>(g17_)))
-      b.report(diag("ISO-0364"), ig::Where::word(planes_.id(*plane)), b.text(planes_.name(*plane)));
+      b.report(ig::diag("ISO-0364"), ig::Where::word(planes_.id(*plane)), b.text(planes_.name(*plane)));
   }
 };
 

@@ -6,9 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include <isogloss/sdk.hpp>
+
 #include "cycle_codes.hpp"
 #include "program_xyz_util.hpp"
-#include "tilt_diagnostics.hpp"
 #include "tilt_transform_util.hpp"
 #include "whole_number.hpp"
 
@@ -38,6 +39,65 @@ struct IsoG68p2Tilt {
           .after("ParameterizedFlagSyntax", "UnitModeSyntax", "IsoG68RotationSyntax")
           .before("ToolHeightOffsetSyntax", "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax",
                   "CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0421", "{0} P{1}: P is a whole number from 0 to 4; the plane stays as it was",
+                     "P says how the words define the plane: Euler angles, roll pitch yaw, three points, two vectors, "
+                     "projection angles. Positions from here on are unreliable.",
+                     "G68.2 P7 X0 Y0 Z0 I0 J30. K0"),
+      ig::diagnostic(
+          IG_WARNING, "ISO-0422", "{0} while {1} is in force: the new plane replaces the old one",
+          "Controls want the plane that is in force ended by G69 first; some stop with an alarm. The new plane "
+          "counts from the workpiece coordinates, as if G69 had been programmed. G68.4 counts from the plane "
+          "in force.",
+          "G68.2 X0 Y0 Z0 J30. (then) G68.2 X50. Y0 Z0 J30."),
+      ig::diagnostic(IG_ERROR, "ISO-0423", "{0}: the plane cannot be computed; the plane stays as it was",
+                     "Its words are too large. Look for a typing error. Positions from here on are unreliable.",
+                     "G68.2 X1 Y1 I45. J45. (then) G68.4 X1 Y1 Z1, each X Y Z with 308 zeros after it"),
+      ig::diagnostic(
+          IG_WARNING, "ISO-0424", "{0} while a plane is tilted: end it by G69 first",
+          "Controls forbid reference returns and other coordinate systems inside a tilted plane, and differ about "
+          "machine coordinates: an alarm, or positions that nobody wants. Here the plane stays, with its origin in "
+          "workpiece coordinates, and the code does what it does without a plane.",
+          "G55 (while G68.2 is in force)"),
+      ig::diagnostic(
+          IG_ERROR, "ISO-0425", "{0} P{1} was not finished: {2} is missing; the plane stays as it was",
+          "Three points take the blocks Q1, Q2 and Q3, two vectors Q1 and Q2, before anything moves. Positions "
+          "from here on are unreliable.",
+          "G68.2 P2 Q1 X0 Y0 Z0 (then) G00 X10."),
+      ig::diagnostic(IG_WARNING, "ISO-0426", "{0} P{1} Q{2} a second time: the last one counts",
+                     "One of the blocks that define a plane is there twice. Look for a wrong Q.",
+                     "G68.2 P2 Q1 X0 Y0 Z0 (then) G68.2 P2 Q1 X10. Y0 Z0"),
+      ig::diagnostic(IG_WARNING, "ISO-0427", "G68.4 without a tilted plane: it counts from the workpiece coordinates",
+                     "G68.4 defines a plane inside the one in force. Without one some controls stop with an alarm.",
+                     "G68.4 X0 Y0 Z0 J30."),
+      ig::diagnostic(IG_ERROR, "ISO-0428", "G68.3 with some of X, Y and Z: name all or none; the plane stays as it was",
+                     "They are the origin of the plane; without them it is the place where the tip of the tool stands. "
+                     "Positions from here on are unreliable.",
+                     "G68.3 X0 Y0"),
+      ig::diagnostic(
+          IG_ERROR, "ISO-0429", "{0} P{1} Q{2}: there is no such Q; the plane stays as it was",
+          "P1 takes the order of the turns (123, 132, 213, 231, 312, 321), P2 the parts 0 to 3, P3 the parts 1 "
+          "and 2. Positions from here on are unreliable.",
+          "G68.2 P1 Q122 X0 Y0 Z0 I10. J20. K30."),
+      ig::diagnostic(
+          IG_ERROR, "ISO-0431", "{0} P{1}: its {2} span no plane; the plane stays as it was",
+          "Three points on a line, two of them the same, a vector of length zero, or angles that project both "
+          "axes to one direction. Positions from here on are unreliable.",
+          "G68.2 P3 Q1 X0 Y0 Z0 I0 J0 K0 (then) G68.2 P3 Q2 K1."),
+      ig::diagnostic(
+          IG_ERROR, "ISO-0432",
+          "{0} P3: the vectors stand at {1} degrees to each other, not at 90; the plane stays as it was",
+          "The first vector lies in the plane, the second stands upright on it. Up to 5 degrees are put right, "
+          "by turning the first one. Positions from here on are unreliable.",
+          "G68.2 P3 Q1 X0 Y0 Z0 I1. J0 K0 (then) G68.2 P3 Q2 I1. J0 K1."),
+      ig::diagnostic(IG_WARNING, "ISO-0433", "G68.3: the kinematics of the machine is not known: the tool lies along Z",
+                     "The direction of the tool follows from the rotary axes and from the machine (--machine FILE).",
+                     "G68.3 (on a machine without MachineKinematics)"),
+      ig::diagnostic(IG_WARNING, "ISO-0434", "{0} while {1} is on: its levels count in the new plane from here on",
+                     "The R level, the bottom and the initial level keep their numbers, which mean other places now. "
+                     "Controls want G80 first; some stop with an alarm.",
+                     "G81 X10. Y10. Z-5. R2. F100 (then) G68.2 X0 Y0 Z0 J30."),
+  };
 
   ig::Call tilt_{{"G68.2", "G68.3", "G68.4"}, "X Y Z I[deg] J[deg] K[deg] R[deg] P[] Q[]"};
   ig::Codes g69_{"G69"};
@@ -116,7 +176,8 @@ struct IsoG68p2Tilt {
     const bool ends = b.take(g69_).has_value();
     const bool ends_last = ends && (!row || ordinal(b, g69_.id(0)) > ordinal(b, tilt_.code(*row)));
     if (row && ends)
-      b.report(diag("ISO-0201"), ig::Where::word(tilt_.code(*row)), b.text(ends_last ? g69_name_ : tilt_.name(*row)));
+      b.report(ig::diag("ISO-0201"), ig::Where::word(tilt_.code(*row)),
+               b.text(ends_last ? g69_name_ : tilt_.name(*row)));
     const bool is_rotated_anew = ends && b.find(rotation_) && ordinal(b, rotation_.code(0)) > ordinal(b, g69_.id(0));
     if (is_rotated_anew)
       forget_tilt(b);
@@ -176,7 +237,7 @@ struct IsoG68p2Tilt {
 
   /// The control would stop.
   template <class... Args>
-  static void alarm(ig::Block& b, std::uint32_t diagnostic, ig::Where where, const Args&... args) {
+  static void alarm(ig::Block& b, ig::DiagnosticCode diagnostic, ig::Where where, const Args&... args) {
     b.report(diagnostic, where, args...);
     b.alarm();
   }
@@ -187,13 +248,14 @@ struct IsoG68p2Tilt {
     take_code(b, row);
     const auto cycle = b.get(cycle_);
     if (cycle && *cycle != g80_ && !b.find(cycle_end_))
-      b.report(tilt_diag("ISO-0434"), at(row), b.text(tilt_.name(row)), b.text(*cycle));
+      b.report(ig::diag("ISO-0434"), at(row), b.text(tilt_.name(row)), b.text(*cycle));
     for (const auto& term : geometry_)
-      if (const auto code = b.get(term)) b.report(diag("ISO-0383"), at(row), b.text(tilt_.name(row)), b.text(*code));
+      if (const auto code = b.get(term))
+        b.report(ig::diag("ISO-0383"), at(row), b.text(tilt_.name(row)), b.text(*code));
     const auto p_word = row == by_tool ? std::nullopt : take_word(b, row, 'P');
     const auto p = whole_number(p_word.value_or(0));
     if (!p || *p > 4) {
-      alarm(b, tilt_diag("ISO-0421"), at(row, 'P'), b.text(tilt_.name(row)), *p_word);
+      alarm(b, ig::diag("ISO-0421"), at(row, 'P'), b.text(tilt_.name(row)), *p_word);
       drop(b, row);
       return;
     }
@@ -220,7 +282,7 @@ struct IsoG68p2Tilt {
                         : p == 1 ? roll_pitch_yaw(angles, *axes, turns_)
                                  : from_projections(angles);
     if (!turned) {
-      alarm(b, tilt_diag("ISO-0431"), at(row), b.text(tilt_.name(row)), static_cast<double>(p),
+      alarm(b, ig::diag("ISO-0431"), at(row), b.text(tilt_.name(row)), static_cast<double>(p),
             std::string_view("angles"));
       return;
     }
@@ -259,8 +321,7 @@ struct IsoG68p2Tilt {
     const auto part = static_cast<std::size_t>(*q);
     const ig::Xyz& known = p == 2 ? points_[part] : vectors_[part - 1];
     if (b.get(known).complete())
-      b.report(tilt_diag("ISO-0426"), at(row), b.text(tilt_.name(row)), static_cast<double>(p),
-               static_cast<double>(*q));
+      b.report(ig::diag("ISO-0426"), at(row), b.text(tilt_.name(row)), static_cast<double>(p), static_cast<double>(*q));
     b.set(open_p_, p);
     b.set(open_term_, tilt_.name(row));
     if (p == 3 && part == 1) b.set(points_[1], origin_words(b, row));
@@ -289,7 +350,7 @@ struct IsoG68p2Tilt {
     forget_parts(b);
     if (!is_square) return;
     if (!plane) {
-      alarm(b, tilt_diag("ISO-0431"), at(row), b.text(tilt_.name(row)), static_cast<double>(p),
+      alarm(b, ig::diag("ISO-0431"), at(row), b.text(tilt_.name(row)), static_cast<double>(p),
             std::string_view(p == 2 ? "points" : "vectors"));
       return;
     }
@@ -318,7 +379,7 @@ struct IsoG68p2Tilt {
     const double angle = std::acos(std::clamp(scalar_product(*x, *z), -1.0, 1.0)) * (180 / std::numbers::pi);
     constexpr double rounding = 1e-9;
     if (std::fabs(angle - 90) <= widest_from_square + rounding) return true;
-    alarm(b, tilt_diag("ISO-0432"), at(row), b.text(tilt_.name(row)), angle);
+    alarm(b, ig::diag("ISO-0432"), at(row), b.text(tilt_.name(row)), angle);
     return false;
   }
 
@@ -327,7 +388,7 @@ struct IsoG68p2Tilt {
     const ig::PartialVec3 named = take_words(b, by_tool, "XYZ");
     const auto turn = take_word(b, by_tool, 'R');
     if (named.mask != 0 && !named.complete()) {
-      alarm(b, tilt_diag("ISO-0428"), at(by_tool));
+      alarm(b, ig::diag("ISO-0428"), at(by_tool));
       return;
     }
     const double angles[3] = {b.get_or(rotary_[0], 0.0), b.get_or(rotary_[1], 0.0), b.get_or(rotary_[2], 0.0)};
@@ -352,7 +413,7 @@ struct IsoG68p2Tilt {
     if (kinematics_ && kinematics_->tool_axis(kinematics_->self, angles, t) != 0) return {t[0], t[1], t[2]};
     const ig::PartialVec3 orientation = b.get(orientation_);
     if (orientation.complete() && unit(orientation.value)) return orientation.value;
-    b.report(tilt_diag("ISO-0433"), at(by_tool));
+    b.report(ig::diag("ISO-0433"), at(by_tool));
     return {0, 0, 1};
   }
 
@@ -368,7 +429,7 @@ struct IsoG68p2Tilt {
   }
 
   void no_such_q(ig::Block& b, std::size_t row, std::int64_t p, double q) const {
-    alarm(b, tilt_diag("ISO-0429"), at(row, 'Q'), b.text(tilt_.name(row)), static_cast<double>(p), q);
+    alarm(b, ig::diag("ISO-0429"), at(row, 'Q'), b.text(tilt_.name(row)), static_cast<double>(p), q);
     drop(b, row);
   }
 
@@ -379,11 +440,11 @@ struct IsoG68p2Tilt {
     const bool replaces = is_tilted(before) || before == g68_;
     const Mat4 m = row == inside ? product(plane, frame_.get(b)) : plane;
     if (!is_finite(m)) {
-      alarm(b, tilt_diag("ISO-0423"), at(row), b.text(tilt_.name(row)));
+      alarm(b, ig::diag("ISO-0423"), at(row), b.text(tilt_.name(row)));
       return false;
     }
-    if (row == inside && !replaces) b.report(tilt_diag("ISO-0427"), at(row));
-    if (row != inside && replaces) b.report(tilt_diag("ISO-0422"), at(row), b.text(tilt_.name(row)), b.text(before));
+    if (row == inside && !replaces) b.report(ig::diag("ISO-0427"), at(row));
+    if (row != inside && replaces) b.report(ig::diag("ISO-0422"), at(row), b.text(tilt_.name(row)), b.text(before));
     forget_plane(b);
     frame_.set(b, m);
     return true;
@@ -426,7 +487,7 @@ struct IsoG68p2Tilt {
   }
 
   void give_up(ig::Block& b) const {
-    alarm(b, tilt_diag("ISO-0425"), ig::Where::block(), b.text(b.get_or(open_term_, ig::Symbol{})),
+    alarm(b, ig::diag("ISO-0425"), ig::Where::block(), b.text(b.get_or(open_term_, ig::Symbol{})),
           static_cast<double>(b.get_or(open_p_, std::int64_t{0})), missing(b));
     forget_parts(b);
   }
@@ -444,9 +505,9 @@ struct IsoG68p2Tilt {
   void warn_of_changes(ig::Block& b) const {
     if (offset_change_ == OffsetChange::allowed) return;
     if (const auto set = b.find(changes_))
-      b.report(tilt_diag("ISO-0424"), ig::Where::word(changes_.id(*set)), b.text(changes_.name(*set)));
+      b.report(ig::diag("ISO-0424"), ig::Where::word(changes_.id(*set)), b.text(changes_.name(*set)));
     if (const auto code = b.find(changes_with_words_))
-      b.report(tilt_diag("ISO-0424"), ig::Where::word(changes_with_words_.code(*code)),
+      b.report(ig::diag("ISO-0424"), ig::Where::word(changes_with_words_.code(*code)),
                b.text(changes_with_words_.name(*code)));
   }
 };

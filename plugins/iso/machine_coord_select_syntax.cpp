@@ -14,6 +14,10 @@ struct MachineCoordSelect {
       ig::syntax("MachineCoordSelectSyntax", "G53 machine coordinates for one block.")
           .after("PositioningModeSyntax", "CannedCycleResolveSyntax")
           .before("ProgramXyzSyntax", "McXyzSyntax", "CircularMotionSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "ISO-0330", "G53 under G91 is ignored: nothing moves"),
+      ig::diagnostic(IG_NOTE, "ISO-0331", "G53 without an axis: nothing moves"),
+  };
 
   ig::Codes g53_{"G53"};
   ig::Xyz words_{"Parsing", ig::take};
@@ -36,11 +40,11 @@ struct MachineCoordSelect {
     const bool incremental = distance_.is_incremental(b) && (under_g91_ != UnderG91::absolute || turns);
     const ig::PartialVec3 named = incremental && under_g91_ != UnderG91::words_too ? b.get(words_) : b.take(words_);
     if (named.mask == 0 && !turns) {
-      b.report(diag("ISO-0331"), ig::Where::word(g53_.id(0)));
+      b.report(ig::diag("ISO-0331"), ig::Where::word(g53_.id(0)));
       return ig::Status::changed;
     }
     if (incremental) {
-      b.report(diag("ISO-0330"), ig::Where::word(g53_.id(0)));
+      b.report(ig::diag("ISO-0330"), ig::Where::word(g53_.id(0)));
       b.raise(axis_words_void_);
       return ig::Status::changed;
     }
@@ -51,7 +55,7 @@ struct MachineCoordSelect {
     if (const auto program = b.to_program(to))
       b.set(program_, rounded(*program));
     else
-      b.report(diag("ISO-0332"), ig::Where::block());
+      b.report(ig::diag("ISO-0332"), ig::Where::block());
     if (motion_ == Motion::rapid) move_.rapid(b);
     return ig::Status::changed;
   }

@@ -1,7 +1,8 @@
 // Statements of macro languages: assignments, conditions, loops, jumps, O-words, output commands. They are recognised
 // as a whole, so that none of their parts is taken for a word, and left over for evaluation; without it, inspection
 // says that they are not executed.
-#include "diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "scan_util.hpp"
 
 namespace iso {

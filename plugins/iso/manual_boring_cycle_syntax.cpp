@@ -12,6 +12,9 @@ struct ManualBoringCycle {
   static constexpr auto spec = ig::syntax("ManualBoringCycleSyntax", "G88 boring cycle: the operator retracts by hand.")
                                    .after("SpindleSpeedSyntax", "CannedCycleResolveSyntax")
                                    .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_NOTE, "ISO-0335", "{0}: at the bottom the control waits for the operator"),
+  };
 
   enum class Codes { g88, g87_g88 };
 
@@ -31,7 +34,7 @@ struct ManualBoringCycle {
     const double dwell = run->code == g88_ ? dwell_.seconds(*run) : 0;
     cycle_.say_unused(b, *run, run->code == g88_ ? "P" : "");
     const ig::CompoundMotion& motion = cycle_.motion;
-    if (!b.is(term_before_, run->code)) b.report(diag("ISO-0335"), cycle_.where(*run), b.text(run->code));
+    if (!b.is(term_before_, run->code)) b.report(ig::diag("ISO-0335"), cycle_.where(*run), b.text(run->code));
     const auto start = spindle_.begin(b, motion, cycle_.where(*run), run->code);
 
     for (int i = 0; i < run->count; ++i) {

@@ -1,7 +1,8 @@
 /// From program to machine coordinates: the point of the block and the steps of a compound motion, through all entries
 /// of the frame. Where only the frame changed, the tool rests: its machine point stays and its program point is another
 /// one.
-#include "diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "program_xyz_util.hpp"
 
 namespace iso {
@@ -51,7 +52,7 @@ struct McXyz {
     if (!machine.complete()) return ig::Status::unchanged;
     const auto program = b.to_program(machine.value);
     if (!program) {
-      b.report(diag("ISO-0332"), ig::Where::block());
+      b.report(ig::diag("ISO-0332"), ig::Where::block());
       return ig::Status::unchanged;
     }
     b.amend(program_, rounded(*program));

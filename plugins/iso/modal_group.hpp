@@ -1,9 +1,9 @@
 /// Codes of one modal group exclude each other.
 #pragma once
 
-#include <optional>
+#include <isogloss/sdk.hpp>
 
-#include "diagnostics.hpp"
+#include <optional>
 
 namespace iso {
 
@@ -11,7 +11,7 @@ namespace iso {
 inline std::optional<std::size_t> take_modal(ig::Block& b, const ig::Codes& group) {
   std::uint32_t found = 0;
   const std::optional<std::size_t> last = b.take(group, &found);
-  if (found > 1) b.report(diag("ISO-0201"), ig::Where::word(group.id(*last)), b.text(group.name(*last)));
+  if (found > 1) b.report(ig::diag("ISO-0201"), ig::Where::word(group.id(*last)), b.text(group.name(*last)));
   return last;
 }
 

@@ -1,7 +1,8 @@
 /// The motion of a block, and the motion code that it leaves in force.
 #pragma once
 
-#include "diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "feed_util.hpp"
 
 namespace iso {
@@ -24,7 +25,7 @@ class MotionGroup {
       b.host()->take(b.raw(), codes_.id(code), &unused);
     } else {
       b.take(codes_);
-      b.report(diag("ISO-0201"), ig::Where::word(codes_.id(code)), b.text(codes_.name(code)));
+      b.report(ig::diag("ISO-0201"), ig::Where::word(codes_.id(code)), b.text(codes_.name(code)));
     }
     put_in_force(b, code);
   }

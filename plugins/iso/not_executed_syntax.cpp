@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "leftovers.hpp"
 
 namespace iso {
@@ -14,6 +15,14 @@ struct NotExecuted {
   static constexpr auto spec =
       ig::syntax("NotExecutedSyntax", "Functions that are recognised but not executed: one error each.")
           .after("ParameterizedFlagSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0265", "{0} is not executed: the tool length of before stays in force"),
+      ig::diagnostic(IG_ERROR, "ISO-0267", "{0} is not executed: its move is left out"),
+      ig::diagnostic(IG_ERROR, "ISO-0268", "{0} is not executed: the macro is not called, its words are not used"),
+      ig::diagnostic(IG_ERROR, "ISO-0269", "{0} is not executed: the subprogram is not called"),
+      ig::diagnostic(IG_ERROR, "ISO-0270", "{0} is not executed: X, Y and C are taken as they are"),
+      ig::diagnostic(IG_ERROR, "ISO-0272", "{0} is not executed: the forbidden zone is not watched"),
+  };
 
   /// A macro call takes any address, also those that nothing else reads.
   struct AnyAddress {
@@ -30,17 +39,17 @@ struct NotExecuted {
 
   struct Feature {
     ig::Call codes;
-    std::uint32_t diagnostic;
+    ig::DiagnosticCode diagnostic;
   };
   std::vector<Feature> features_{
-      {ig::Call{{"G43.1"}, "H[]"}, diag("ISO-0265")},
-      {ig::Call{{"G30.1", "G37"}, "X Y Z A B C H[] P[]"}, diag("ISO-0267")},
-      {ig::Call{{"G45", "G46", "G47", "G48"}, "X Y Z D[]"}, diag("ISO-0267")},
-      {ig::Call{{"G65", "G66", "G66.1"}, "A B C D E F H I J K L P Q R S T U V W X Y Z"}, diag("ISO-0268")},
-      {ig::Call{{"M97", "M98", "M198"}, "P[] L[] Q[] H[]"}, diag("ISO-0269")},
-      {ig::Call{{"G12.1"}, ""}, diag("ISO-0270")},
-      {ig::Call{{"G07.1"}, "A[mm] B[mm] C[mm]"}, diag("ISO-0270")},
-      {ig::Call{{"G22"}, "X Y Z I J K"}, diag("ISO-0272")},
+      {ig::Call{{"G43.1"}, "H[]"}, ig::diag("ISO-0265")},
+      {ig::Call{{"G30.1", "G37"}, "X Y Z A B C H[] P[]"}, ig::diag("ISO-0267")},
+      {ig::Call{{"G45", "G46", "G47", "G48"}, "X Y Z D[]"}, ig::diag("ISO-0267")},
+      {ig::Call{{"G65", "G66", "G66.1"}, "A B C D E F H I J K L P Q R S T U V W X Y Z"}, ig::diag("ISO-0268")},
+      {ig::Call{{"M97", "M98", "M198"}, "P[] L[] Q[] H[]"}, ig::diag("ISO-0269")},
+      {ig::Call{{"G12.1"}, ""}, ig::diag("ISO-0270")},
+      {ig::Call{{"G07.1"}, "A[mm] B[mm] C[mm]"}, ig::diag("ISO-0270")},
+      {ig::Call{{"G22"}, "X Y Z I J K"}, ig::diag("ISO-0272")},
   };
   // Their rotary words are no positions to go to.
   ig::Call coordinates_{{"G50.1", "G51.1"}, "A B C"};
@@ -61,7 +70,7 @@ struct NotExecuted {
         const ig_field word = coordinates_.word(row, axis);
         ig_value unused;
         if (b.host()->take(b.raw(), word, &unused) == 0) continue;
-        b.report(diag("ISO-0266"), ig::Where::word(word), b.text(coordinates_.name(row)));
+        b.report(ig::diag("ISO-0266"), ig::Where::word(word), b.text(coordinates_.name(row)));
         any = true;
       }
     return any;

@@ -1,6 +1,7 @@
 /// G05.1, G05 and G08: look-ahead, contour and high-speed control. They round corners within a tolerance that the
 /// machine's builder set and change speeds; the programmed path stays, and what is in force is recorded.
-#include "diagnostics.hpp"
+
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 namespace {
@@ -8,6 +9,11 @@ namespace {
 struct PathSmoothing {
   static constexpr auto spec = ig::syntax("PathSmoothingSyntax", "G05.1, G05 and G08: contour control, as a record.")
                                    .after("ParameterizedFlagSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0393", "{0} {1}{2} is not executed"),
+      ig::diagnostic(IG_WARNING, "ISO-0394", "{0} without {1}: nothing changes"),
+      ig::diagnostic(IG_WARNING, "ISO-0397", "{0}: {1}{2} names an axis; nothing moves"),
+  };
 
   // X0 Y0 Z0 beside G05.1 name axes and move none.
   ig::Call contour_{{"G05.1"}, "P[] Q[] R[] X Y Z A B C"};
@@ -58,15 +64,15 @@ struct PathSmoothing {
   void report_moves(ig::Block& b, const ig::Words& words) const {
     for (const char axis : std::string_view("XYZABC"))
       if (const auto value = words[axis]; value && *value != 0)
-        b.report(diag("ISO-0397"), ig::Where::word(contour_.word(0, axis)), b.text(words.code),
+        b.report(ig::diag("ISO-0397"), ig::Where::word(contour_.word(0, axis)), b.text(words.code),
                  std::string_view(&axis, 1), *value);
   }
   static void refuse(ig::Block& b, const ig::Call& call, std::string_view address, std::optional<double> value) {
     const auto where = ig::Where::word(call.code(0));
     if (value)
-      b.report(diag("ISO-0393"), where, b.text(call.name(0)), address, *value);
+      b.report(ig::diag("ISO-0393"), where, b.text(call.name(0)), address, *value);
     else
-      b.report(diag("ISO-0394"), where, b.text(call.name(0)), address);
+      b.report(ig::diag("ISO-0394"), where, b.text(call.name(0)), address);
   }
 };
 

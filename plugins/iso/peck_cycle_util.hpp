@@ -1,8 +1,9 @@
 /// What G83 and G73 share besides every cycle: the pecks that Q makes of a hole, and what a Q that makes none means.
 #pragma once
 
+#include <isogloss/sdk.hpp>
+
 #include "canned_cycle_util.hpp"
-#include "pattern_diagnostics.hpp"
 
 namespace iso {
 
@@ -42,25 +43,25 @@ class PeckCycle {
     double depth = std::fabs(q);
     if (depth == 0) {
       const bool is_one_stroke = missing_q_ == MissingQ::one_stroke;
-      b.report(is_one_stroke ? diag("ISO-0327") : diag("ISO-0326"), cycle.where(run), b.text(run.code));
+      b.report(is_one_stroke ? ig::diag("ISO-0327") : ig::diag("ISO-0326"), cycle.where(run), b.text(run.code));
       if (!is_one_stroke) {
         b.alarm();
         return std::nullopt;
       }
       depth = std::max(length, PeckStrokes::least_stroke);
     } else if (q < 0 && is_news) {
-      b.report(diag("ISO-0328"), cycle.where(run, CycleWords::Q), b.text(run.code), depth);
+      b.report(ig::diag("ISO-0328"), cycle.where(run, CycleWords::Q), b.text(run.code), depth);
     }
     const PeckStrokes strokes(run.r_level, run.bottom, depth);
     const double number = strokes.number();
     const double most = most_pecks(run.count);
     if (!(number <= most)) {  // so written, what is no number is too many as well
-      b.report(diag("ISO-0329"), cycle.where(run, CycleWords::Q), b.text(run.code), depth, number, most);
+      b.report(ig::diag("ISO-0329"), cycle.where(run, CycleWords::Q), b.text(run.code), depth, number, most);
       return std::nullopt;
     }
     if (is_news && q != 0) {
-      if (!unknown_.empty()) b.report(diag("ISO-0334"), cycle.where(run), b.text(run.code), unknown_, retraction_);
-      if (retraction_ > depth) b.report(diag("ISO-0333"), cycle.where(run), b.text(run.code), retraction_, depth);
+      if (!unknown_.empty()) b.report(ig::diag("ISO-0334"), cycle.where(run), b.text(run.code), unknown_, retraction_);
+      if (retraction_ > depth) b.report(ig::diag("ISO-0333"), cycle.where(run), b.text(run.code), retraction_, depth);
     }
     const double full_return = peck_words_ == PeckWords::q ? 0 : std::fabs(run.words.get_or(CycleWords::K, 0));
     return Pecks{strokes, static_cast<int>(number), retraction_, clear_level(strokes, run), full_return};
@@ -87,19 +88,19 @@ class PeckCycle {
     constexpr std::array addresses{CycleWords::I, CycleWords::J, CycleWords::K};
     for (std::size_t i = 0; i < addresses.size() && is_news; ++i)
       if (const double value = run.words.get_or(addresses[i], 0); value < 0)
-        b.report(pattern_diag("ISO-0359"), cycle.where(run, addresses[i]), b.text(run.code),
+        b.report(ig::diag("ISO-0359"), cycle.where(run, addresses[i]), b.text(run.code),
                  std::string_view("IJK").substr(i, 1), value);
     const double less = std::fabs(run.words.get_or(CycleWords::J, 0));
     double least = std::fabs(run.words.get_or(CycleWords::K, 0));
     if (least == 0 && less > 0) {
       least = first - less * (std::ceil(first / less - 1e-9) - 1);
-      if (is_news) b.report(pattern_diag("ISO-0372"), cycle.where(run), b.text(run.code), least);
+      if (is_news) b.report(ig::diag("ISO-0372"), cycle.where(run), b.text(run.code), least);
     }
     const PeckStrokes strokes(run.r_level, run.bottom, first, less, std::min(least, first));
     const double number = strokes.number();
     const double most = most_pecks(run.count);
     if (!(number <= most)) {
-      b.report(diag("ISO-0329"), cycle.where(run), b.text(run.code), less > 0 ? least : first, number, most);
+      b.report(ig::diag("ISO-0329"), cycle.where(run), b.text(run.code), less > 0 ? least : first, number, most);
       return std::nullopt;
     }
     return Pecks{strokes, static_cast<int>(number), retraction_, clear_level(strokes, run), 0};

@@ -21,6 +21,10 @@ struct PolarCoordinate {
                  "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax")
           .before("ScalingSyntax", "ProgrammableMirrorSyntax", "CannedCycleResolveSyntax", "IncrementalResolveSyntax",
                   "ProgramXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0384", "an arc under G16 needs R: its centre would be taken as a length"),
+      ig::diagnostic(IG_ERROR, "ISO-0385", "repeats with a radius from the tool lie on a straight line here"),
+  };
 
   ig::Codes codes_{"G15", "G16"};
   ig::InWhile<ig::Symbol> term_{"PolarCoordinate.Term", "G16", ig::write};
@@ -125,7 +129,7 @@ struct PolarCoordinate {
   void report_center(ig::Block& b, const PlaneAxes& plane) const {
     for (const std::size_t axis : {plane.first, plane.second})
       if (const ig_field center = words_.centers()[axis]; GeometryWords::get(b, center)) {
-        b.report(diag("ISO-0384"), ig::Where::word(center));
+        b.report(ig::diag("ISO-0384"), ig::Where::word(center));
         return;
       }
   }
@@ -139,7 +143,7 @@ struct PolarCoordinate {
       if (!count) continue;
       if (!(*count > 1) || *count != std::floor(*count)) return;
       if (has_radius && incremental_radius_ == IncrementalRadius::from_position) {
-        b.report(diag("ISO-0385"), ig::Where::word(word));
+        b.report(ig::diag("ISO-0385"), ig::Where::word(word));
         return;
       }
       b.set(turn_, turn);

@@ -3,9 +3,10 @@
 /// at its M30. A main program that runs into the end of its file stops the control with an alarm.
 #include <isogloss/flow.hpp>
 
+#include <isogloss/sdk.hpp>
+
 #include "leftovers.hpp"
 #include "modal_group.hpp"
-#include "subprogram_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -15,6 +16,10 @@ enum class MissingEnd { silent, warning };
 
 struct ProgramEnd {
   static constexpr auto spec = ig::syntax("ProgramEndSyntax", "M02/M30 end of the program; M99 in the main program.");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "ISO-0230", "M99 in the main program: the run ends here"),
+      ig::diagnostic(IG_WARNING, "ISO-0495", "the main program ends here without M30, M02 or M99"),
+  };
 
   ig::Codes end_{"M02", "M30"};
   ig::Call back_to_start_{{"M99"}, "P[] L[]"};
@@ -29,7 +34,7 @@ struct ProgramEnd {
 
   ig::Status build(ig::Block& b) {
     if (b.is_raised(text_ended_) && missing_end_ == MissingEnd::warning)
-      b.report(subprogram_diag("ISO-0495"), ig::Where::block());
+      b.report(ig::diag("ISO-0495"), ig::Where::block());
     const auto end = take_modal(b, end_);
     if (end && in_subprogram_ == InSubprogram::return_to_caller && flow_.frame(b).depth > 0) {
       flow_.leave(b);
@@ -39,7 +44,7 @@ struct ProgramEnd {
     if (!end && !again) return ig::Status::unchanged;
     if (again) {
       b.take(back_to_start_);
-      b.report(diag("ISO-0230"), ig::Where::word(back_to_start_.code(0)));
+      b.report(ig::diag("ISO-0230"), ig::Where::word(back_to_start_.code(0)));
     }
     b.set(term_, end ? end_.name(*end) : back_to_start_.name(0));
     b.end_program();

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <string>
 
+#include <isogloss/sdk.hpp>
+
 #include "frame_tag.hpp"
 #include "program_name.hpp"
 #include "scan_util.hpp"
-#include "subprogram_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -16,6 +17,11 @@ struct ProgramNumberSyntax {
                                    .after("TapeBoundarySyntax", "HeadIndexSyntax")
                                    .before("MacroStatementSyntax", "WordSyntax")
                                    .scans("Oo:<");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "ISO-0113", "another program, {0}, begins here: the run ends before it"),
+      ig::diagnostic(IG_WARNING, "ISO-0490",
+                     "another program, {0}, begins before {1} returned: the run returns to its caller"),
+  };
 
   ig::TextField program{"Source.Program", ig::write};
   ig::Signal begun{"Source.~Program", ig::read | ig::write, ig::Life::frame};
@@ -46,10 +52,10 @@ struct ProgramNumberSyntax {
   void leave(ig::Block& b, const ig::Where& where) {
     const ig_frame frame = flow.frame(b);
     if (frame.depth > 0 && flow.leave(b).is_done()) {
-      b.report(subprogram_diag("ISO-0490"), where, std::string_view(name), ig::to_view(frame.program));
+      b.report(ig::diag("ISO-0490"), where, std::string_view(name), ig::to_view(frame.program));
       return;
     }
-    b.report(diag("ISO-0113"), where, std::string_view(name));
+    b.report(ig::diag("ISO-0113"), where, std::string_view(name));
     b.end_program();
   }
 

@@ -1,5 +1,6 @@
 /// M00/M01: the program stops until the operator goes on. M01 only where the operator asked for optional stops.
-#include "diagnostics.hpp"
+
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 namespace {

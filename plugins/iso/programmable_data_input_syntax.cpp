@@ -2,7 +2,8 @@
 /// words replace what stands in the table, under G91 they are added. The syntaxes that read the tables hear of it by a
 /// signal and ask again in the same block. Between G10 L50 and G11 stand parameters of the control, after G10 L3 lives
 /// of tools: their words are taken, so that nobody reads them as a motion or a tool change.
-#include "recognition_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "rotary_offset_util.hpp"
 #include "whole_number.hpp"
 #include "work_offset_id.hpp"
@@ -18,6 +19,14 @@ struct ProgrammableDataInput {
                                    .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PositioningModeSyntax")
                                    .before("ToolChangeSyntax", "ToolHeightOffsetSyntax", "IsoCoordinateOffsetSyntax",
                                            "IncrementalResolveSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0220", "G10 L{0} is not executed: the table keeps its values"),
+      ig::diagnostic(IG_ERROR, "ISO-0221", "G10 without {0}: the table keeps its values"),
+      ig::diagnostic(IG_ERROR, "ISO-0222", "G10 L{0} P{1}: there is no such row; the table keeps its values"),
+      ig::diagnostic(IG_WARNING, "ISO-0371", "a parameter of the control is not written: {0} is not used"),
+      ig::diagnostic(IG_ERROR, "ISO-0544",
+                     "{0} beside G10 L{1} is not executed: this table has no such value, so remove the word"),
+  };
 
   ig::Call g10_{{"G10"}, "L[] P[] R X Y Z A B C"};
   ig::Codes g11_{"G11"};
@@ -66,11 +75,11 @@ struct ProgrammableDataInput {
     for (const char axis : {'X', 'Y', 'Z'})
       if (is_tool && (*words)[axis]) say_unused(b, axis, *table);
     if (table && !is_offset && !is_tool) {
-      b.report(diag("ISO-0220"), where, *table);
+      b.report(ig::diag("ISO-0220"), where, *table);
     } else if (!table || !(*words)['P'] || (is_tool && !(*words)['R'])) {
-      b.report(diag("ISO-0221"), where, std::string_view(!table ? "L" : !(*words)['P'] ? "P" : "R"));
+      b.report(ig::diag("ISO-0221"), where, std::string_view(!table ? "L" : !(*words)['P'] ? "P" : "R"));
     } else if (!(is_offset ? write_offset(b, *words) : write_tool(b, *words, *table))) {
-      b.report(diag("ISO-0222"), where, *table, *(*words)['P']);
+      b.report(ig::diag("ISO-0222"), where, *table, *(*words)['P']);
     }
     return ig::Status::changed;
   }
@@ -79,13 +88,13 @@ struct ProgrammableDataInput {
   static bool is_work_offset(std::optional<double> table) { return table && (*table == 2 || *table == 20); }
 
   void say_unused(ig::Block& b, char word, double table) const {
-    b.report(recognition_diag("ISO-0544"), ig::Where::word(g10_.word(0, word)), std::string_view(&word, 1), table);
+    b.report(ig::diag("ISO-0544"), ig::Where::word(g10_.word(0, word)), std::string_view(&word, 1), table);
   }
 
   /// A, B and C have no meaning beside a tool offset.
   void say_not_executed(ig::Block& b, const ig::Words& words) const {
     for (const char axis : rotary_names)
-      if (words[axis]) b.report(diag("ISO-0266"), ig::Where::word(g10_.word(0, axis)), b.text(words.code));
+      if (words[axis]) b.report(ig::diag("ISO-0266"), ig::Where::word(g10_.word(0, axis)), b.text(words.code));
   }
 
   /// False when the table has no such row.
@@ -147,7 +156,7 @@ struct ProgrammableDataInput {
     bool any = false;
     for (const ig::Word* const word : {&p_, &r_}) {
       if (!b.take(*word)) continue;
-      b.report(diag("ISO-0371"), ig::Where::word(word->id()), std::string_view(word == &p_ ? "P" : "R"));
+      b.report(ig::diag("ISO-0371"), ig::Where::word(word->id()), std::string_view(word == &p_ ? "P" : "R"));
       any = true;
     }
     return any;

@@ -15,6 +15,9 @@ struct ProgrammableMirror {
       ig::syntax("ProgrammableMirrorSyntax", "G51.1/G50.1 programmable mirror image.")
           .after("UnitModeSyntax", "PlaneSelectSyntax", "PositioningModeSyntax")
           .before("CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax", "CircularMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "ISO-0388", "G51.1 without an axis: nothing is mirrored"),
+  };
 
   ig::Call on_{{"G51.1"}, "X Y Z"};
   ig::Call off_{{"G50.1"}, "X Y Z"};
@@ -51,7 +54,7 @@ struct ProgrammableMirror {
 
   void begin(ig::Block& b, const ig::Words& words) const {
     if (words.mask == 0) {
-      b.report(diag("ISO-0388"), ig::Where::word(on_.code(0)));
+      b.report(ig::diag("ISO-0388"), ig::Where::word(on_.code(0)));
       return;
     }
     for (std::size_t axis = 0; axis < 3; ++axis)

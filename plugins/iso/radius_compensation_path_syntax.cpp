@@ -22,6 +22,80 @@ struct RadiusCompensationPath {
                  "ReferenceReturnSyntax", "ReturnFromReferenceSyntax", "ReferenceCheckSyntax")
           .before("TravelCheckSyntax")
           .looks_ahead(ContourAhead::window);
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0465", "an arc cannot {0} radius compensation: program a straight move",
+                     "The control stops with alarm PS0034. Here an arc that would start it runs as programmed, and one "
+                     "that would end it runs compensated; the next straight move does it.",
+                     "G41 G02 X10. I5. D1"),
+      ig::diagnostic(
+          IG_ERROR, "ISO-0466", "the tool (radius {0}) does not fit into the arc (radius {1})",
+          "The control stops with alarm PS0041, since the tool would cut into the contour. Here the arc is left "
+          "out where the paths before and behind it cross, as at a fillet smaller than the tool; elsewhere a "
+          "straight move is shown in its place.",
+          "G41 D1 (radius 5) (then) G03 X4. Y4. R4."),
+      ig::diagnostic(
+          IG_ERROR, "ISO-0467", "the tool would run against the programmed direction by {0} mm: it cuts in",
+          "The corners before and behind the block are so near to each other that the compensated path turns "
+          "round between them: a groove that is narrower than the tool. The control stops with alarm PS0041 "
+          "(interference). The path is shown as computed.",
+          "G41 D1 (radius 5) (then) X10. (then) Y8. (then) X0"),
+      ig::diagnostic(IG_ERROR, "ISO-0468", "the compensated paths of this block and the next do not meet",
+                     "At an inner corner with an arc there is no place where the tool touches both. The control stops "
+                     "with alarm PS0033. The tool goes straight from the end of the one to the start of the other.",
+                     "G41 D1 (radius 5) (then) an arc that bends away under the tool"),
+      ig::diagnostic(
+          IG_WARNING, "ISO-0469",
+          "more than {0} blocks without a move in the plane follow: the tool stops square to the contour",
+          "The control reads only some blocks ahead (parameter 19625), finds no next move, and puts the tool at a "
+          "right "
+          "angle to the end of this one. An inner corner is overcut then, an outer one is left with material.",
+          "G41 ... (then) X10. (then) M08 (then) G04 P10 (then) M51 (then) Y10."),
+      ig::diagnostic(
+          IG_WARNING, "ISO-0470", "{0} under radius compensation: it is off for this block",
+          "Reference returns, G53, canned cycles and other moves by steps go to positions as programmed. The "
+          "block before them ends square to its contour; the next straight move in the plane starts "
+          "compensation again. Program G40 first.",
+          "G41 ... (then) G28 Z0"),
+      ig::diagnostic(IG_ERROR, "ISO-0471", "the plane changes under radius compensation",
+                     "The control stops with alarm PS0037. Here compensation is off at once; the next straight move in "
+                     "the new plane starts it again.",
+                     "G41 ... (then) G18"),
+      ig::diagnostic(
+          IG_ERROR, "ISO-0472", "radius compensation while the rotary axes turn: the block runs as programmed",
+          "The contour in the plane is known for resting rotary axes only. Compensation in space (G41.2) is not "
+          "executed.",
+          "G43.4 H1 (then) G41 D1 X10. (then) X20. A10."),
+      ig::diagnostic(IG_WARNING, "ISO-0473", "the program ends under radius compensation: no move took the tool off it",
+                     "Program G40 with a move away from the part before the end.", "G41 ... (then) M30"),
+      ig::diagnostic(
+          IG_ERROR, "ISO-0474", "the compensated path of this block has no position",
+          "Its numbers are too great to compute with. The block runs as programmed, and compensation is off.",
+          "G41 ... (then) X1e300"),
+      ig::diagnostic(IG_WARNING, "ISO-0475", "the tool did not turn the corner before this block: it stopped there",
+                     "Across a stop (M00, M01) the control cannot look ahead, so it had the tool square to the block "
+                     "before. From there it goes straight to the end of this one, and an inner corner is overcut, an "
+                     "outer one cut into. Put the stop where the contour goes straight on, or outside of it.",
+                     "G41 ... (then) X10. (then) M00 (then) Y10."),
+      ig::diagnostic(
+          IG_ERROR, "ISO-0476", "the tool cannot reach this block between its neighbours: it is left out",
+          "The inner corners at its ends overlap. The control stops with alarm PS0041, or avoids the "
+          "interference where parameter 19607 bit 5 says so. Here the tool goes over to the next block that it "
+          "reaches, where the two paths cross.",
+          "G41 D1 (radius 5) (then) X10. (then) X13. Y3. (then) Y20."),
+      ig::diagnostic(IG_ERROR, "ISO-0479", "G39 at an inner corner: the tool goes straight, without an arc",
+                     "The arc leads round an outer corner. At an inner one it would lie in the part.",
+                     "G41 D1 (radius 5) (then) X10. (then) G39 (then) Y10."),
+      ig::diagnostic(
+          IG_WARNING, "ISO-0496", "beside this block the tool cuts {0} mm into the contour of one that follows",
+          "Two parts of the contour lie nearer to each other than the tool is wide, and there are blocks between "
+          "them: a neck. A control compares fewer blocks, if any, and cuts. Said where the neck begins, of "
+          "straight moves and arcs by feed at one height, some blocks ahead.",
+          "G41 D1 (radius 5), into a pocket through an opening of 8 mm"),
+      ig::diagnostic(
+          IG_ERROR, "ISO-0497", "the tool stands inside the arc by which it would come to the contour",
+          "No line touches the arc from there. The tool goes straight to the first point; the control stops.",
+          "5 APPR LCT X+5 Y+5 R50 RL F300 (from a point that is 20 mm away)"),
+  };
 
   ig::Signal path_{"RadiusCompensation.~Path", ig::read | ig::wake};
   ig::Signal corner_path_{"CornerBreak.~Path", ig::read | ig::wake};
@@ -95,12 +169,12 @@ struct RadiusCompensationPath {
     find_tool(b, now);
     if (!tool_.is_off && offset == 0) return ig::Status::unchanged;
     if (tool_.is_off && !(tool_.plane == now.plane)) {
-      b.report(radius_diag("ISO-0471"), ig::Where::block());
+      b.report(ig::diag("ISO-0471"), ig::Where::block());
       b.alarm();
       tool_ = {};
     }
     const bool may_end = end_off_ == EndOff::allowed && offset == 0;
-    if (tool_.is_off && b.has(program_end_) && !may_end) b.report(radius_diag("ISO-0473"), ig::Where::block());
+    if (tool_.is_off && b.has(program_end_) && !may_end) b.report(ig::diag("ISO-0473"), ig::Where::block());
     switch (now.kind) {
       case ContourMotion::Kind::by_steps: return suspend(b, now);
       case ContourMotion::Kind::rest: return rest_or_step(b, now, offset);
@@ -226,7 +300,7 @@ struct RadiusCompensationPath {
 
   ig::Status start(ig::Block& b, const ContourMotion& now, double offset) {
     if (now.move.is_arc) {
-      b.report(radius_diag("ISO-0465"), ig::Where::block(), std::string_view("start"));
+      b.report(ig::diag("ISO-0465"), ig::Where::block(), std::string_view("start"));
       b.alarm();
       return ig::Status::unchanged;
     }
@@ -258,7 +332,7 @@ struct RadiusCompensationPath {
     const auto path =
         ContourApproach::path(way, ContourMotionOf::in_plane(now.plane, now.from), corner.leave, along, side);
     if (!path || !is_sound(corner)) {
-      b.report(radius_diag("ISO-0497"), ig::Where::block());
+      b.report(ig::diag("ISO-0497"), ig::Where::block());
       b.alarm();
       return move(b, now, starting, corner, offset);
     }
@@ -298,7 +372,7 @@ struct RadiusCompensationPath {
     if (tool_.left_out > 0) return leave_out(b, now, offset);
     const Point2 from = ContourMotionOf::in_plane(now.plane, tool_.at);
     if (tool_.is_blind && !is_same(from, now.move.offset_start(offset)))
-      b.report(radius_diag("ISO-0475"), ig::Where::block());
+      b.report(ig::diag("ISO-0475"), ig::Where::block());
     const ContourAhead::Next next = following(b, now, offset);
     const Corner corner = end_of(b, now, offset, next);
     say_too_far(b, next);
@@ -323,7 +397,7 @@ struct RadiusCompensationPath {
       if (const auto around = go_around(b, now, offset, next, corner)) return *around;
     if (!next.move.fits(offset)) return square_corner(now.move, offset);
     if (corner.kind == CornerKind::no_solution) {
-      b.report(radius_diag("ISO-0468"), ig::Where::block());
+      b.report(ig::diag("ISO-0468"), ig::Where::block());
       b.alarm();
     }
     return corner;
@@ -378,7 +452,7 @@ struct RadiusCompensationPath {
     double deepest = least_cut_mm_;
     for (std::size_t n = 2; n + leads_away_ < count; ++n)
       if (walls.are[n] && moves[n].fits(offset)) deepest = std::fmax(deepest, std::fabs(offset) - gap(path, moves[n]));
-    if (deepest > least_cut_mm_) b.report(radius_diag("ISO-0496"), ig::Where::block(), deepest);
+    if (deepest > least_cut_mm_) b.report(ig::diag("ISO-0496"), ig::Where::block(), deepest);
   }
   static constexpr double least_turn_ = 0.996;   ///< 5 degrees
   static constexpr double least_cut_mm_ = 0.01;  ///< coordinates are rounded
@@ -388,9 +462,9 @@ struct RadiusCompensationPath {
     --tool_.left_out;
     if (interference_ == Interference::alarm) {
       if (now.move.fits(offset))
-        b.report(radius_diag("ISO-0476"), ig::Where::block());
+        b.report(ig::diag("ISO-0476"), ig::Where::block());
       else
-        b.report(radius_diag("ISO-0466"), ig::Where::block(), std::fabs(offset),
+        b.report(ig::diag("ISO-0466"), ig::Where::block(), std::fabs(offset),
                  (now.move.end - now.move.center).length());
       b.alarm();
     }
@@ -404,7 +478,7 @@ struct RadiusCompensationPath {
 
   ig::Status cancel(ig::Block& b, const ContourMotion& now) {
     if (now.move.is_arc) {
-      b.report(radius_diag("ISO-0465"), ig::Where::block(), std::string_view("end"));
+      b.report(ig::diag("ISO-0465"), ig::Where::block(), std::string_view("end"));
       b.alarm();
       return go_on(b, now, tool_.offset);
     }
@@ -419,10 +493,10 @@ struct RadiusCompensationPath {
   /// The block before has ended square to the contour, since this one is a barrier.
   ig::Status suspend(ig::Block& b, const ContourMotion& now) {
     if (now.turns) {
-      b.report(radius_diag("ISO-0472"), ig::Where::block());
+      b.report(ig::diag("ISO-0472"), ig::Where::block());
       b.alarm();
     } else if (tool_.is_off) {
-      b.report(radius_diag("ISO-0470"), ig::Where::block(),
+      b.report(ig::diag("ISO-0470"), ig::Where::block(),
                b.has(compound_) ? b.text(b.get_or(compound_, ig::Symbol{})) : std::string_view("G53"));
     }
     tool_ = {};
@@ -481,13 +555,13 @@ struct RadiusCompensationPath {
                next.kind == ContourAhead::Next::Kind::move && next.offset * offset > 0) {
       to = next.move.offset_start(offset);
     } else {
-      b.report(corner_diag("ISO-0478"), ig::Where::block(), std::string_view("no move on this side follows"));
+      b.report(ig::diag("ISO-0478"), ig::Where::block(), std::string_view("no move on this side follows"));
       b.alarm();
       return rest(b, now);
     }
     const bool is_inner = cross(from - middle, to - middle) * offset > 0;
     if (is_inner) {
-      b.report(corner_diag("ISO-0479"), ig::Where::block());
+      b.report(ig::diag("ISO-0479"), ig::Where::block());
       b.alarm();
     }
     const double height = tool_.at[now.plane.tool];
@@ -524,7 +598,7 @@ struct RadiusCompensationPath {
 
   void say_too_far(ig::Block& b, const ContourAhead::Next& next) const {
     if (next.kind == ContourAhead::Next::Kind::too_far)
-      b.report(radius_diag("ISO-0469"), ig::Where::block(), static_cast<double>(rests_allowed_));
+      b.report(ig::diag("ISO-0469"), ig::Where::block(), static_cast<double>(rests_allowed_));
   }
 
   // ---- the path
@@ -532,7 +606,7 @@ struct RadiusCompensationPath {
   /// The rest of the corner before, then the move up to where it is left for the next.
   ig::Status move(ig::Block& b, const ContourMotion& now, Phase phase, const Corner& corner, double offset) {
     if (!is_sound(corner)) {
-      b.report(radius_diag("ISO-0474"), ig::Where::block());
+      b.report(ig::diag("ISO-0474"), ig::Where::block());
       tool_ = {};
       return ig::Status::unchanged;
     }
@@ -589,15 +663,14 @@ struct RadiusCompensationPath {
                       double offset) const {
     if (phase != offsetting) return false;
     if (!now.move.fits(offset)) {
-      b.report(radius_diag("ISO-0466"), ig::Where::block(), std::fabs(offset),
-               (now.move.end - now.move.center).length());
+      b.report(ig::diag("ISO-0466"), ig::Where::block(), std::fabs(offset), (now.move.end - now.move.center).length());
       b.alarm();
       return false;
     }
     const double way = now.move.way(from, to, offset);
     if (way < -same_point_mm) {
       if (interference_ != Interference::ignore) {
-        b.report(radius_diag("ISO-0467"), ig::Where::block(), -way);
+        b.report(ig::diag("ISO-0467"), ig::Where::block(), -way);
         b.alarm();
       }
       return false;

@@ -1,7 +1,8 @@
 /// G40/G41/G42 and D: whether the tool runs beside the contour, on which side, and how far: the state that
 /// RadiusCompensationPathSyntax makes the tool's path from. Fanuc manual, "Cutter compensation".
+#include <isogloss/sdk.hpp>
+
 #include "contour_motion.hpp"
-#include "corner_diagnostics.hpp"
 #include "modal_group.hpp"
 #include "scale_and_mirror.hpp"
 #include "whole_number.hpp"
@@ -21,6 +22,9 @@ struct RadiusCompensation {
                  "ProgramXyzSyntax", "CircularMotionSyntax", "LinearMotionSyntax", "ReferenceReturnSyntax",
                  "ReturnFromReferenceSyntax", "ReferenceCheckSyntax")
           .before("RadiusCompensationPathSyntax", "NotExecutedSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0477", "the radius of D{0} is no radius: 0 is used"),
+  };
 
   ig::Codes codes_{"G40", "G41", "G42"};
   ig::Word d_{"Parsing.D", ig::wake, ""};
@@ -103,7 +107,7 @@ struct RadiusCompensation {
     const ContourMotion motion = motion_(b);
     const bool moves = motion.kind != ContourMotion::Kind::rest || motion.has_event;
     if (!is_on(b) || moves) {
-      b.report(corner_diag("ISO-0478"), ig::Where::word(code),
+      b.report(ig::diag("ISO-0478"), ig::Where::word(code),
                std::string_view(moves ? "its block moves" : "neither G41 nor G42 is in force"));
       return true;
     }
@@ -144,7 +148,7 @@ struct RadiusCompensation {
     if (const auto id = whole_number(d)) {
       b.set(offset_id_, *id);
     } else {
-      b.report(radius_diag("ISO-0463"), where, d);
+      b.report(ig::diag("ISO-0463"), where, d);
     }
   }
 
@@ -152,7 +156,7 @@ struct RadiusCompensation {
     if (offset_word_ == OffsetWord::d_or_h && b.is_fresh(length_id_)) {
       b.set(offset_id_, b.get_or(length_id_, std::int64_t{0}));
     } else if (!b.has(offset_id_)) {
-      b.report(radius_diag("ISO-0461"), where, b.text(codes_.name(code)));
+      b.report(ig::diag("ISO-0461"), where, b.text(codes_.name(code)));
       b.set(offset_id_, std::int64_t{0});
     }
   }
@@ -165,17 +169,17 @@ struct RadiusCompensation {
     if (id != 0) {
       const bool has_geometry = table_->get(table_->self, id, 2, &geometry) != 0;
       const bool has_wear = table_->get(table_->self, id, 3, &wear) != 0;
-      if (!has_geometry && !has_wear) b.report(radius_diag("ISO-0462"), where, static_cast<double>(id));
+      if (!has_geometry && !has_wear) b.report(ig::diag("ISO-0462"), where, static_cast<double>(id));
       if (!has_geometry) geometry = 0;
       if (!has_wear) wear = 0;
       if ((has_geometry || has_wear) && geometry + wear == 0 && !said_zero_) {
         said_zero_ = true;
-        b.report(radius_diag("ISO-0464"), where, static_cast<double>(id));
+        b.report(ig::diag("ISO-0464"), where, static_cast<double>(id));
       }
     }
     double radius = (geometry + wear) / (offset_is_ == OffsetIs::diameter ? 2 : 1) + b.get_or(delta_, 0.0);
     if (!(std::fabs(radius) < largest_radius)) {
-      b.report(radius_diag("ISO-0477"), where, static_cast<double>(id));
+      b.report(ig::diag("ISO-0477"), where, static_cast<double>(id));
       radius = 0;
     }
     b.set(radius_, radius);

@@ -16,7 +16,7 @@ class RecognisedCodes {
     std::string_view missing;
   };
   /// The diagnostic gets the code and what is missing.
-  RecognisedCodes(std::uint32_t diagnostic, std::vector<Feature> features)
+  RecognisedCodes(ig::DiagnosticCode diagnostic, std::vector<Feature> features)
       : diagnostic_(diagnostic), features_(std::move(features)) {}
 
   /// True where the block had one.
@@ -40,7 +40,7 @@ class RecognisedCodes {
     return true;
   }
 
-  std::uint32_t diagnostic_;
+  ig::DiagnosticCode diagnostic_;
   std::vector<Feature> features_;
 };
 

@@ -11,6 +11,9 @@ struct ReferenceCheck {
   static constexpr auto spec =
       ig::syntax("ReferenceCheckSyntax", "G27 goes to a point and checks that it is the reference position.")
           .after("IncrementalResolveSyntax", "McXyzSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0382", "G27: {0} stands at {1}, not at its reference position {2}"),
+  };
 
   ig::Call g27_{{"G27"}, "X Y Z A B C"};
   ig::Xyz program_{"ProgramXyz", ig::write};
@@ -27,7 +30,7 @@ struct ReferenceCheck {
     if (!words) return ig::Status::unchanged;
     const ig::PartialVec3 named = axis_words(*words);
     const PartialAngles turned = rotary_.named(b, *words, g27_);
-    if ((words->mask & axes) == 0) b.report(diag("ISO-0340"), ig::Where::word(g27_.code(0)), b.text(words->code));
+    if ((words->mask & axes) == 0) b.report(ig::diag("ISO-0340"), ig::Where::word(g27_.code(0)), b.text(words->code));
     if (named.mask == 0 && turned.mask == 0) return ig::Status::changed;
     const ig::Vec3 end = named.or_else(last_(b));
     const auto machine = b.to_machine(end);
@@ -54,7 +57,7 @@ struct ReferenceCheck {
     const double wanted = axis < 3 ? reference : rotary_.to_machine(axis - 3, position, reference);
     if (std::fabs(position - wanted) <= tolerance_) return;
     const std::string_view name = std::string_view("XYZABC").substr(axis, 1);
-    b.report(diag("ISO-0382"), ig::Where::word(g27_.word(0, name.front())), name, position, reference);
+    b.report(ig::diag("ISO-0382"), ig::Where::word(g27_.word(0, name.front())), name, position, reference);
     b.alarm();
   }
 };

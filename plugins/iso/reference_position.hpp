@@ -14,7 +14,7 @@ class ReferencePositions {
     const char name = "XYZABC"[axis];
     double position = 0;
     if (axes_ && axes_->reference(axes_->self, name, which, &position) != 0) return position;
-    b.report(diag("ISO-0341"), ig::Where::word(code), double(which), std::string_view(&name, 1));
+    b.report(ig::diag("ISO-0341"), ig::Where::word(code), double(which), std::string_view(&name, 1));
     return 0;
   }
 
@@ -84,7 +84,7 @@ class RotaryReturn {
 };
 
 inline ig::Status not_invertible(ig::Block& b) {
-  b.report(diag("ISO-0332"), ig::Where::block());
+  b.report(ig::diag("ISO-0332"), ig::Where::block());
   return ig::Status::changed;
 }
 

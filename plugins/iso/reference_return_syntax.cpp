@@ -14,6 +14,9 @@ struct ReferenceReturn {
   static constexpr auto spec =
       ig::syntax("ReferenceReturnSyntax", "G28 and G30 return to a reference position.")
           .after("IncrementalResolveSyntax", "McXyzSyntax", "LinearMotionSyntax", "PivotTransformationSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0380", "G30 P{0}: there is no such reference position; nothing moves"),
+  };
 
   ig::Call g28_{{"G28"}, "X Y Z A B C"};
   ig::Call g30_{{"G30"}, "X Y Z A B C P[]"};
@@ -47,7 +50,7 @@ struct ReferenceReturn {
       if (which == 2 || which == 3 || which == 4)
         go(b, *words, g30_, static_cast<std::uint32_t>(which));
       else
-        b.report(diag("ISO-0380"), ig::Where::word(g30_.code(0)), which);
+        b.report(ig::diag("ISO-0380"), ig::Where::word(g30_.code(0)), which);
       any = true;
     }
     return any ? ig::Status::changed : ig::Status::unchanged;
@@ -64,7 +67,7 @@ struct ReferenceReturn {
     PartialAngles turned = rotary_.named(b, words, call);
     if ((words.mask & axes) == 0) {
       if (without_axes_ == WithoutAxes::nothing) {
-        b.report(diag("ISO-0340"), ig::Where::word(code), b.text(words.code));
+        b.report(ig::diag("ISO-0340"), ig::Where::word(code), b.text(words.code));
         return false;
       }
       returned = {7, from};

@@ -13,6 +13,9 @@ struct ReturnFromReference {
                                    .after("UnitModeSyntax", "PositioningModeSyntax", "McXyzSyntax",
                                           "LinearMotionSyntax", "IncrementalResolveSyntax")
                                    .before("ReferenceReturnSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "ISO-0381", "G29 {0}: no G28 or G30 left an intermediate point; it goes straight"),
+  };
 
   ig::Call passed_{{"G28", "G30"}, "X Y Z A B C", ig::read | ig::wake};
   ig::Call g29_{{"G29"}, "X Y Z A B C"};
@@ -66,7 +69,7 @@ struct ReturnFromReference {
   void go(ig::Block& b, const ig::Words& words) const {
     const ig::PartialVec3 named = axis_words(words);
     const PartialAngles turned = rotary_.named(b, words, g29_);
-    if ((words.mask & axes) == 0) b.report(diag("ISO-0340"), ig::Where::word(g29_.code(0)), b.text(words.code));
+    if ((words.mask & axes) == 0) b.report(ig::diag("ISO-0340"), ig::Where::word(g29_.code(0)), b.text(words.code));
     if (named.mask == 0 && turned.mask == 0) return;
     const ig::Vec3 over = intermediate(b, named);
     ig::Vec3 end = over;
@@ -122,7 +125,7 @@ struct ReturnFromReference {
     return end;
   }
   void say_straight(ig::Block& b, char axis) const {
-    b.report(diag("ISO-0381"), ig::Where::word(g29_.word(0, axis)), std::string_view(&axis, 1));
+    b.report(ig::diag("ISO-0381"), ig::Where::word(g29_.word(0, axis)), std::string_view(&axis, 1));
   }
 };
 

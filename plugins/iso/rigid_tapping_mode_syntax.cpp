@@ -1,7 +1,8 @@
 /// M29: the tapping cycles that follow are rigid, axis and spindle turn as one. The spindle is stopped here and started
 /// by the cycle. Ends with G80 or a motion code, as the cycles do. Many machines use M29 for something else: without S,
 /// and with something else than the cycle behind it, it is taken for that.
-#include "diagnostics.hpp"
+
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 namespace {
@@ -10,6 +11,10 @@ struct RigidTappingMode {
   static constexpr auto spec = ig::syntax("RigidTappingModeSyntax", "M29 rigid tapping mode.")
                                    .after("SpindleSpeedSyntax")
                                    .before("CannedCycleResolveSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0350", "{0} between M29 and the tapping cycle"),
+      ig::diagnostic(IG_WARNING, "ISO-0398", "M29 was no rigid tapping: {0}, and no tapping cycle, comes after it"),
+  };
 
   ig::Codes m29_{"M29"};
   ig::Field<ig::Symbol> term_{"RigidTapping.Term",
@@ -57,9 +62,9 @@ struct RigidTappingMode {
                                                            : "";
     if (what.empty()) return false;
     if (!b.is_raised(is_unsure_)) {
-      b.report(diag("ISO-0350"), ig::Where::block(), what);
+      b.report(ig::diag("ISO-0350"), ig::Where::block(), what);
     } else if (!b.is_raised(said_)) {
-      b.report(diag("ISO-0398"), ig::Where::block(), what);
+      b.report(ig::diag("ISO-0398"), ig::Where::block(), what);
       b.raise(said_);
     }
     return true;

@@ -3,7 +3,8 @@
 /// angles of the machine. Distances (G91) and machine positions (G53) need no offset.
 #include <bit>
 
-#include "rotary_offset_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "rotary_offset_util.hpp"
 #include "tool_kinematics.hpp"
 
@@ -17,6 +18,10 @@ struct RotaryOffset {
                  "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax", "WorkCoordinateShiftSyntax")
           .before("PivotTransformationSyntax", "IncrementalResolveSyntax", "MachineCoordSelectSyntax", "McAbcSyntax",
                   "ReturnFromReferenceSyntax", "ReferenceReturnSyntax", "ReferenceCheckSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "ISO-0405",
+                     "the offset of a rotary axis changes here: A B C of this block count from the offset of before"),
+  };
 
   static constexpr ig::Access heard = ig::read | ig::wake;
   std::array<RotaryOffsetSection, 3> sections_{RotaryOffsetSection{"CoordinateOffset", heard},
@@ -48,7 +53,7 @@ struct RotaryOffset {
     const bool is_new = sum_up(b);
     if (distance_.is_incremental(b) || b.find(machine_select_)) return of(is_new);
     const bool has_turned = is_new && (tip_control_.is_on(b) || b.has(aligned_));
-    if (has_turned && names_angles(b)) b.report(rotary_offset_diag("ISO-0405"), ig::Where::block());
+    if (has_turned && names_angles(b)) b.report(ig::diag("ISO-0405"), ig::Where::block());
     const bool resolved = resolve(b, has_turned ? before : sum_.get(b));
     return of(is_new || resolved);
   }

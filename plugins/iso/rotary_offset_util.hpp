@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "rotary_words.hpp"
 
 namespace iso {

@@ -2,8 +2,9 @@
 /// motion says of them.
 #pragma once
 
+#include <isogloss/sdk.hpp>
+
 #include "rotary_axis_util.hpp"
-#include "rotary_diagnostics.hpp"
 
 namespace iso {
 
@@ -18,16 +19,16 @@ class RotaryWords {
   bool accept(ig::Block& b, std::size_t axis, double angle, ig_field word) const {
     const bool is_there = axes_.any() ? axes_.has(axis) : undeclared_ == Undeclared::accept;
     if (!is_there) {
-      b.report(rotary_diag("ISO-0401"), ig::Where::word(word), rotary_names.substr(axis, 1));
+      b.report(ig::diag("ISO-0401"), ig::Where::word(word), rotary_names.substr(axis, 1));
       return false;
     }
     if (!(std::fabs(angle) < detail::countable_deg)) {
-      b.report(rotary_diag("ISO-0404"), ig::Where::word(word), rotary_names.substr(axis, 1), angle);
+      b.report(ig::diag("ISO-0404"), ig::Where::word(word), rotary_names.substr(axis, 1), angle);
       return false;
     }
     if (!axes_.any() && !b.is_raised(assumed_)) {
       b.raise(assumed_);
-      b.report(rotary_diag("ISO-0402"), ig::Where::word(word));
+      b.report(ig::diag("ISO-0402"), ig::Where::word(word));
     }
     return true;
   }

@@ -20,6 +20,10 @@ struct Scaling {
                  "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax", "PolarCoordinateSyntax")
           .before("ProgrammableMirrorSyntax", "CannedCycleResolveSyntax", "IncrementalResolveSyntax",
                   "ProgramXyzSyntax", "CircularMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0386", "G51 {0}{1}: there is no such factor; scaling stays as it was"),
+      ig::diagnostic(IG_WARNING, "ISO-0387", "G51 without P, I, J and K: the factor is 1"),
+  };
 
   ig::Call g51_{{"G51"}, "X Y Z I[] J[] K[] P[]"};
   ig::Codes g50_{"G50"};
@@ -64,7 +68,7 @@ struct Scaling {
     const bool has_own = words['I'] || words['J'] || words['K'];
     if (!has_own && !words['P']) {
       const auto fixed = config_.number("ScalingFactor");
-      if (!fixed) b.report(diag("ISO-0387"), ig::Where::word(g51_.code(0)));
+      if (!fixed) b.report(ig::diag("ISO-0387"), ig::Where::word(g51_.code(0)));
       factor = fixed.value_or(1) * factor;
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -73,7 +77,7 @@ struct Scaling {
       const auto counts = has_own && letter == 'P' ? std::nullopt : words[letter];
       if (!counts) continue;
       if (!(std::fabs(*counts) >= least_ && std::fabs(*counts) <= most_counts) || (letter == 'P' && *counts < 0)) {
-        b.report(diag("ISO-0386"), ig::Where::word(g51_.word(0, letter)), std::string_view(&letter, 1), *counts);
+        b.report(ig::diag("ISO-0386"), ig::Where::word(g51_.word(0, letter)), std::string_view(&letter, 1), *counts);
         return;
       }
       factor[axis] = *counts * unit_;

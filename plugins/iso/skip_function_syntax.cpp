@@ -11,6 +11,9 @@ struct SkipFunction {
                                    .after("FeedrateSyntax", "McXyzSyntax")
                                    .before("CircularMotionSyntax", "LinearMotionSyntax")
                                    .first_writer("Motion");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_NOTE, "ISO-0390", "G31: no skip signal comes here, the move goes to its end"),
+  };
 
   ig::Call g31_{{"G31"}, "P[] Q[] R[]"};
   ig::Xyz machine_{"MachineCoordinate", ig::read};
@@ -21,7 +24,7 @@ struct SkipFunction {
 
   ig::Status build(ig::Block& b) {
     if (!b.take(g31_)) return ig::Status::unchanged;
-    if (!b.is_raised(said_)) b.report(diag("ISO-0390"), ig::Where::word(g31_.code(0)));
+    if (!b.is_raised(said_)) b.report(ig::diag("ISO-0390"), ig::Where::word(g31_.code(0)));
     b.raise(said_);
     if (b.is_fresh(machine_) && !motion_.is_moving(b))
       motion_.feed(b, [&] { return length(b.get(program_).or_else({}) - last_(b)); });

@@ -1,5 +1,6 @@
 /// M19: the spindle stops at one fixed angle, so that a tool can be changed or a boring bar moved off the wall.
-#include "diagnostics.hpp"
+
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 namespace {

@@ -10,6 +10,11 @@ struct SpindleSpeed {
   static constexpr auto spec =
       ig::syntax("SpindleSpeedSyntax", "S, M03/M04/M05 and G96/G97: spindle speed and direction.")
           .before("CannedCycleResolveSyntax", "CircularMotionSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0212", "S{0}: a spindle speed is not negative; the speed of before stays in force"),
+      ig::diagnostic(IG_WARNING, "ISO-0389", "G96: the spindle speed in revolutions is not known up to G97 with S"),
+      ig::diagnostic(IG_WARNING, "ISO-0396", "G97 without S after G96: no spindle speed is known"),
+  };
 
   ig::Word s_{"Parsing.S"};
   ig::Codes directions_{"M03", "M04", "M05"};
@@ -34,7 +39,7 @@ struct SpindleSpeed {
       change_mode(b, *mode, s.has_value());
     }
     if (s && *s >= 0) b.set(b.is(term_, g96_) ? surface_speed_ : speed_, *s);
-    if (s && *s < 0) b.report(diag("ISO-0212"), ig::Where::word(place), *s);
+    if (s && *s < 0) b.report(ig::diag("ISO-0212"), ig::Where::word(place), *s);
     const auto direction = take_modal(b, directions_);
     if (direction) b.set(direction_, *direction == 0 ? cw_ : *direction == 1 ? ccw_ : stop_);
     return s || direction || mode ? ig::Status::changed : ig::Status::unchanged;
@@ -45,11 +50,11 @@ struct SpindleSpeed {
   void change_mode(ig::Block& b, std::size_t mode, bool has_s) const {
     const bool was_surface = b.is(term_, g96_);
     if (mode == 0) {
-      if (!was_surface) b.report(diag("ISO-0389"), ig::Where::word(modes_.id(0)));
+      if (!was_surface) b.report(ig::diag("ISO-0389"), ig::Where::word(modes_.id(0)));
       b.erase(speed_);
       b.set(term_, modes_.name(0));
     } else if (was_surface) {
-      if (!has_s) b.report(diag("ISO-0396"), ig::Where::word(modes_.id(1)));
+      if (!has_s) b.report(ig::diag("ISO-0396"), ig::Where::word(modes_.id(1)));
       b.erase(surface_speed_);
       b.erase(term_);
     }

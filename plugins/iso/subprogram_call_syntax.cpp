@@ -2,10 +2,11 @@
 // modal state is the caller's, and stays so after the return.
 #include <cmath>
 
+#include <isogloss/sdk.hpp>
+
 #include "frame_tag.hpp"
 #include "program_name.hpp"
 #include "scan_util.hpp"
-#include "subprogram_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -24,6 +25,17 @@ struct SubprogramCall {
                                    .after("ProgramNumberSyntax")
                                    .before("ProgramEndSyntax", "NotExecutedSyntax")
                                    .scans("<");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0481", "{0} without P: no program is called"),
+      ig::diagnostic(IG_ERROR, "ISO-0482", "{0}: P{1} is no program number; nothing is called"),
+      ig::diagnostic(IG_ERROR, "ISO-0483", "{0}: L{1} is no count of calls; the program is called once"),
+      ig::diagnostic(IG_WARNING, "ISO-0484", "{0} with the count 0: the program is not called"),
+      ig::diagnostic(IG_ERROR, "ISO-0485", "program {0} is not found, so it is not called: {1}"),
+      ig::diagnostic(IG_ERROR, "ISO-0486",
+                     "calls are nested {0} deep already: the control stops here; {1} is not called"),
+      ig::diagnostic(IG_WARNING, "ISO-0491", "{0}: there is no O{1} for P{2}; O{2} is called once"),
+      ig::diagnostic(IG_ERROR, "ISO-0492", "'{0}' stands behind no call: it is not used"),
+  };
 
   ig::Choice<PForm> p_form_{"p-form", "split|whole", "split",
                             "P of more digits than a program number, without L: count and number, or all number."};
@@ -61,7 +73,7 @@ struct SubprogramCall {
     if (!row || !is_answered(*row)) {
       if (name.empty() || b.find(other_calls_)) return ig::Status::unchanged;
       const std::size_t begin = b.source().find(name);
-      b.report(subprogram_diag("ISO-0492"),
+      b.report(ig::diag("ISO-0492"),
                begin == std::string_view::npos ? ig::Where::block() : ig::Where::columns(begin, begin + name.size()),
                name);
       return ig::Status::unchanged;
@@ -83,7 +95,7 @@ struct SubprogramCall {
     else if (start && without_program_ == WithoutProgram::same_program)
       of_same_program(b, request);
     else
-      b.report(subprogram_diag("ISO-0481"), request.where, request.code);
+      b.report(ig::diag("ISO-0481"), request.where, request.code);
     return ig::Status::changed;
   }
 
@@ -122,14 +134,14 @@ struct SubprogramCall {
 
   void count(ig::Block& b, Request& r, double l) const {
     if (!(l >= 0 && l <= largest_number && l == std::floor(l)))
-      b.report(subprogram_diag("ISO-0483"), ig::Where::word(call_.word(r.row, 'L')), r.code, l);
+      b.report(ig::diag("ISO-0483"), ig::Where::word(call_.word(r.row, 'L')), r.code, l);
     else
       r.repeats = static_cast<std::uint32_t>(l);
   }
 
   void number(ig::Block& b, Request& r, double p, bool has_count) const {
     if (!is_number(p)) {
-      b.report(subprogram_diag("ISO-0482"), r.where, r.code, p);
+      b.report(ig::diag("ISO-0482"), r.where, r.code, p);
       return;
     }
     r.program = static_cast<std::int64_t>(p);
@@ -155,7 +167,7 @@ struct SubprogramCall {
     const ig::Flow::Answer answer = ask(b, r);
     if (answer.is_not_found() && ask(b, whole).is_done()) {
       show(b, whole);
-      b.report(subprogram_diag("ISO-0491"), r.where, r.code, static_cast<double>(r.program),
+      b.report(ig::diag("ISO-0491"), r.where, r.code, static_cast<double>(r.program),
                NumberedName('\0', whole.program).text());
       return;
     }
@@ -169,7 +181,7 @@ struct SubprogramCall {
     const ig_text file = ig::to_text(inner);
     const ig::Flow::Answer answer = flow_.call(b, {.program = name, .files = {&file, 1}, .repeats = r.repeats});
     if (answer.is_not_found())
-      b.report(subprogram_diag("ISO-0485"), r.where, name, answer.reason);
+      b.report(ig::diag("ISO-0485"), r.where, name, answer.reason);
     else
       say(b, r, answer);
   }
@@ -188,12 +200,12 @@ struct SubprogramCall {
 
   bool may_call(ig::Block& b, const Request& r) const {
     if (r.repeats == 0) {
-      b.report(subprogram_diag("ISO-0484"), r.where, r.code);
+      b.report(ig::diag("ISO-0484"), r.where, r.code);
       return false;
     }
     const ig_frame frame = flow_.frame(b);
     if (levels_ == 0 || static_cast<std::int64_t>(frame.depth) < levels_) return true;
-    b.report(subprogram_diag("ISO-0486"), r.where, static_cast<double>(frame.depth),
+    b.report(ig::diag("ISO-0486"), r.where, static_cast<double>(frame.depth),
              NumberedName(r.is_local ? 'N' : 'O', r.program).text());
     b.alarm();
     return false;
@@ -215,10 +227,9 @@ struct SubprogramCall {
 
   static void say(ig::Block& b, const Request& r, const ig::Flow::Answer& answer) {
     if (answer.is_not_found())
-      b.report(subprogram_diag("ISO-0485"), r.where, NumberedName(r.is_local ? 'N' : 'O', r.program).text(),
-               answer.reason);
+      b.report(ig::diag("ISO-0485"), r.where, NumberedName(r.is_local ? 'N' : 'O', r.program).text(), answer.reason);
     else if (answer.status == IG_GO_TAKEN)
-      b.report(subprogram_diag("ISO-0493"), r.where, r.code);
+      b.report(ig::diag("ISO-0493"), r.where, r.code);
   }
 };
 

@@ -2,8 +2,9 @@
 // over, as long as passes are left; the last one ends the run.
 #include <stdexcept>
 
+#include <isogloss/sdk.hpp>
+
 #include "program_name.hpp"
-#include "subprogram_diagnostics.hpp"
 #include "whole_number.hpp"
 
 namespace iso {
@@ -24,6 +25,13 @@ struct SubprogramReturn {
   static constexpr auto spec = ig::syntax("SubprogramReturnSyntax", "M99: back to the calling program.")
                                    .after("SubprogramCallSyntax")
                                    .before("ProgramEndSyntax", "NotExecutedSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0487",
+                     "M99 P{0}: the calling program has no N{0}; the run goes on behind the call"),
+      ig::diagnostic(IG_ERROR, "ISO-0488", "M99 P{0} is no sequence number; P is not used"),
+      ig::diagnostic(IG_WARNING, "ISO-0489", "M99 with L{0} has no meaning here; L is not used"),
+      ig::diagnostic(IG_ERROR, "ISO-0494", "M99 P{0}: the program has no N{0}; the run ends here"),
+  };
 
   ig::IntegerOption passes_{"main-passes",
                             "1",
@@ -62,11 +70,11 @@ struct SubprogramReturn {
     const ig::Where where = place_of_p(b);
     const ig::Words words = *b.take(return_);
     b.set(term_, return_.name(0));
-    if (const auto l = words['L']) b.report(subprogram_diag("ISO-0489"), where, *l);
+    if (const auto l = words['L']) b.report(ig::diag("ISO-0489"), where, *l);
     const std::int64_t label = sequence_number(b, words, where).value_or(0);
     const ig::Flow::Answer answer = flow_.jump(b, NumberedName('N', label).text());
     if (answer.is_not_found()) {
-      b.report(subprogram_diag("ISO-0494"), where, static_cast<double>(label));
+      b.report(ig::diag("ISO-0494"), where, static_cast<double>(label));
       b.end_program();
     }
     say(b, answer, where);
@@ -82,12 +90,12 @@ struct SubprogramReturn {
       if (*l == 0)
         flags = IG_GO_DROP_REPEATS;
       else
-        b.report(subprogram_diag("ISO-0489"), where, *l);
+        b.report(ig::diag("ISO-0489"), where, *l);
     }
     const auto label = sequence_number(b, words, where);
     ig::Flow::Answer answer = flow_.leave(b, label ? NumberedName('N', *label).text() : std::string_view{}, flags);
     if (label && answer.is_not_found()) {
-      b.report(subprogram_diag("ISO-0487"), where, static_cast<double>(*label));
+      b.report(ig::diag("ISO-0487"), where, static_cast<double>(*label));
       answer = flow_.leave(b, {}, flags);
     }
     say(b, answer, where);
@@ -110,9 +118,9 @@ struct SubprogramReturn {
     }
     const ig::Words words = *b.take(return_);
     b.set(term_, return_.name(0));
-    if (const auto l = words['L']) b.report(subprogram_diag("ISO-0489"), where, *l);
+    if (const auto l = words['L']) b.report(ig::diag("ISO-0489"), where, *l);
     if (sequence_number(b, words, where) && answer.is_not_found()) {
-      b.report(subprogram_diag("ISO-0494"), where, static_cast<double>(number));
+      b.report(ig::diag("ISO-0494"), where, static_cast<double>(number));
       b.end_program();
     }
     say(b, answer, where);
@@ -132,12 +140,12 @@ struct SubprogramReturn {
     if (label)
       b.set(p_, *label);
     else
-      b.report(subprogram_diag("ISO-0488"), where, *p);
+      b.report(ig::diag("ISO-0488"), where, *p);
     return label;
   }
 
   static void say(ig::Block& b, const ig::Flow::Answer& answer, const ig::Where& where) {
-    if (answer.status == IG_GO_TAKEN) b.report(subprogram_diag("ISO-0493"), where, std::string_view("M99"));
+    if (answer.status == IG_GO_TAKEN) b.report(ig::diag("ISO-0493"), where, std::string_view("M99"));
   }
 };
 

@@ -5,7 +5,8 @@
 // called.
 #include <isogloss/flow.hpp>
 
-#include "diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "scan_util.hpp"
 
 namespace iso {
@@ -14,6 +15,9 @@ namespace {
 struct TapeBoundarySyntax {
   static constexpr auto spec =
       ig::syntax("TapeBoundarySyntax", "Takes % at the start and at the end of the program.").scans("%\x1A");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_NOTE, "ISO-0112", "text beside the tape mark is skipped: '{0}'"),
+  };
 
   ig::Flow flow_;
   ig::TextField text_{"TapeBoundary.Text", ig::write};
@@ -57,7 +61,7 @@ struct TapeBoundarySyntax {
 
   static void skipped(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) {
     const std::string_view rest = trim(piece(text, begin, end));
-    if (!rest.empty()) b.report(diag("ISO-0112"), ig::Where::columns(begin, end), rest);
+    if (!rest.empty()) b.report(ig::diag("ISO-0112"), ig::Where::columns(begin, end), rest);
   }
 };
 

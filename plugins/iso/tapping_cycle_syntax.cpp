@@ -3,8 +3,9 @@
 /// pecks.
 ///
 /// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
+#include <isogloss/sdk.hpp>
+
 #include "cycle_spindle.hpp"
-#include "pattern_diagnostics.hpp"
 #include "peck_tapping.hpp"
 
 namespace iso {
@@ -14,6 +15,15 @@ struct TappingCycle {
   static constexpr auto spec = ig::syntax("TappingCycleSyntax", "G84/G74 tapping cycle, floating or rigid.")
                                    .after("CannedCycleResolveSyntax", "SpindleSpeedSyntax", "RigidTappingModeSyntax")
                                    .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "ISO-0347", "{0} while the spindle direction is {1}: the tap enters {2}"),
+      ig::diagnostic(IG_WARNING, "ISO-0348", "{0}: Q is the depth of cut of rigid tapping only and is not used"),
+      ig::diagnostic(IG_ERROR, "ISO-0349", "rigid tapping without a spindle speed"),
+      ig::diagnostic(IG_ERROR, "ISO-0351",
+                     "{0}: Q{1} gives more than {2} cuts; the last one goes to the bottom at once"),
+      ig::diagnostic(IG_WARNING, "ISO-0353", "{0}: the retract of {1} mm is longer than the depth of cut Q{2}"),
+      ig::diagnostic(IG_WARNING, "ISO-0374", "{0}: the tap cannot leave {1} times as fast; J is left out"),
+  };
 
   enum class Retract { feed_to_final, feed_to_r };
   enum class Dwell { none, bottom, bottom_and_r };
@@ -142,7 +152,7 @@ struct TappingCycle {
     if (j_word_ == JWord::retract_speed && run.words.has(CycleWords::J)) {
       const double j = run.words.get_or(CycleWords::J, 0);
       if (j > 0 && j <= most_speed) return j;
-      if (j != 0) b.report(pattern_diag("ISO-0374"), cycle_.where(run, CycleWords::J), b.text(run.code), j);
+      if (j != 0) b.report(ig::diag("ISO-0374"), cycle_.where(run, CycleWords::J), b.text(run.code), j);
     }
     const double percent = parameter("TappingExtractionOverride_percent", 100);
     return percent > 0 ? percent / 100 : 1;
@@ -152,29 +162,29 @@ struct TappingCycle {
   /// Floating: one cut. Rigid: by Q, of which the sign says nothing.
   PeckTapping pecks_of(ig::Block& b, const CycleRun& run, bool rigid) const {
     const double q = run.words.get_or(CycleWords::Q, 0);
-    if (!rigid && q != 0 && !is_kept(b)) b.report(diag("ISO-0348"), ig::Where::block(), b.text(run.code));
+    if (!rigid && q != 0 && !is_kept(b)) b.report(ig::diag("ISO-0348"), ig::Where::block(), b.text(run.code));
     if (!rigid || q == 0) return {run.r_level, run.bottom};
-    if (q < 0) b.report(diag("ISO-0343"), ig::Where::block(), b.text(run.code), q);
+    if (q < 0) b.report(ig::diag("ISO-0343"), ig::Where::block(), b.text(run.code), q);
     if (b.is_raised(q_of_another_use_))
-      b.report(diag("ISO-0344"), ig::Where::block(), b.text(run.code), q, std::string_view("depth of cut"));
+      b.report(ig::diag("ISO-0344"), ig::Where::block(), b.text(run.code), q, std::string_view("depth of cut"));
     const auto most = static_cast<int>(static_cast<std::int64_t>(max_pecks_));
     const PeckTapping pecks(run.r_level, run.bottom, q, parameter("PeckTappingRetraction_mm", 1), most);
     if (pecks.is_cut_short)
-      b.report(diag("ISO-0351"), ig::Where::block(), b.text(run.code), q, static_cast<double>(most));
+      b.report(ig::diag("ISO-0351"), ig::Where::block(), b.text(run.code), q, static_cast<double>(most));
     if (pecks.count > 1 && pecks.retract > pecks.step)
-      b.report(diag("ISO-0353"), ig::Where::block(), b.text(run.code), pecks.retract, pecks.step);
+      b.report(ig::diag("ISO-0353"), ig::Where::block(), b.text(run.code), pecks.retract, pecks.step);
     return pecks;
   }
   bool is_kept(const ig::Block& b) const { return b.has(kept_q_) && !b.is_fresh(kept_q_); }
 
   void check_spindle(ig::Block& b, const CycleRun& run, const Tap& tap) const {
     if (tap.rigid) {
-      if (tap.feed > 0 && b.get_or(speed_, 0.0) <= 0) b.report(diag("ISO-0349"), ig::Where::block());
+      if (tap.feed > 0 && b.get_or(speed_, 0.0) <= 0) b.report(ig::diag("ISO-0349"), ig::Where::block());
       return;
     }
     const auto now = spindle_.direction(b);
     if (now && *now != spindle_.name(tap.in))
-      b.report(diag("ISO-0347"), ig::Where::block(), b.text(run.code), b.text(*now), b.text(spindle_.name(tap.in)));
+      b.report(ig::diag("ISO-0347"), ig::Where::block(), b.text(run.code), b.text(*now), b.text(spindle_.name(tap.in)));
   }
 };
 

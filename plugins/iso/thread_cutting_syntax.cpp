@@ -9,6 +9,9 @@ struct ThreadCutting {
   static constexpr auto spec = ig::syntax("ThreadCuttingSyntax", "G33 thread cutting with a constant lead.")
                                    .after("FeedrateSyntax", "SpindleSpeedSyntax", "McXyzSyntax", "LinearMotionSyntax")
                                    .first_writer("Motion");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0391", "G33 F{0}: a lead is greater than zero; the lead of before stays in force"),
+  };
 
   ig::Call g33_{{"G33"}, "F[mm] Q[deg]"};
   ig::InWhile<ig::Symbol> while_threading_{"MotionState.Term", "G33"};
@@ -48,16 +51,16 @@ struct ThreadCutting {
     if (lead > 0)
       b.set(lead_, lead);
     else
-      b.report(diag("ISO-0391"), ig::Where::word(word), lead);
+      b.report(ig::diag("ISO-0391"), ig::Where::word(word), lead);
   }
 
   /// mm/s; 0 where lead or spindle speed are unknown.
   double speed(ig::Block& b) const {
     const double lead = b.get_or(lead_, 0.0), turns = b.get_or(speed_, 0.0) / 60;
     if (lead <= 0)
-      b.report(diag("ISO-0302"), ig::Where::block());
+      b.report(ig::diag("ISO-0302"), ig::Where::block());
     else if (turns <= 0)
-      b.report(diag("ISO-0303"), ig::Where::block());
+      b.report(ig::diag("ISO-0303"), ig::Where::block());
     return lead * turns;
   }
 };

@@ -1,10 +1,11 @@
 /// G43.4 and G43.5: X Y Z are positions of the tool's tip in the workpiece, wherever the rotary axes have turned it.
 /// The length lies along the tool axis; the frame turns with the axes (PivotTransformationSyntax). G43.4 takes the
 /// angles, G43.5 the direction of the tool (I J K). Fanuc manual, "Tool center point control".
+#include <isogloss/sdk.hpp>
+
 #include "as_written.hpp"
 #include "cycle_codes.hpp"
 #include "motion_event_util.hpp"
-#include "tool_center_diagnostics.hpp"
 #include "tool_kinematics.hpp"
 #include "tool_length.hpp"
 
@@ -20,6 +21,15 @@ struct ToolCenterPoint {
                  "IsoG68p2TiltSyntax", "G53p1RotaryPositionSyntax")
           .before("ToolHeightOffsetSyntax", "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax",
                   "WorkCoordinateShiftSyntax", "PivotTransformationSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "ISO-0445", "{0} under {1}: the control may refuse it; it is executed"),
+      ig::diagnostic(IG_ERROR, "ISO-0447",
+                     "{0}: where the rotary axes of the machine sit is not known: the tip does not follow them"),
+      ig::diagnostic(IG_ERROR, "ISO-0450", "I0 J0 K0 is no direction: the tool stays as it is"),
+      ig::diagnostic(IG_ERROR, "ISO-0451", "rotary words under G43.5: they move nothing"),
+      ig::diagnostic(IG_ERROR, "ISO-0454",
+                     "an arc under G43.5: I J K is the direction of the tool, and it is not used"),
+  };
 
   ig::Call codes_{{"G43.4", "G43.5"}, "H[]"};
   ig::Call others_{{"G43", "G44", "G49"}, "", ig::read | ig::wake};
@@ -72,7 +82,7 @@ struct ToolCenterPoint {
     const auto where = named ? ig::Where::word(codes_.code(*named)) : ig::Where::block();
     std::optional<double> h;
     if (named) {
-      if (other) b.report(diag("ISO-0201"), where, b.text(starts ? codes_.name(*named) : others_.name(*other)));
+      if (other) b.report(ig::diag("ISO-0201"), where, b.text(starts ? codes_.name(*named) : others_.name(*other)));
       h = (*b.take(codes_))['H'];
     }
     if (starts && !machine_) return as_g43(b, *named, h, where);
@@ -99,8 +109,7 @@ struct ToolCenterPoint {
   }
 
   ig::Status as_g43(ig::Block& b, std::size_t code, std::optional<double> h, ig::Where where) const {
-    if (!b.is_raised(said_))
-      b.report(tool_center_diag("ISO-0447"), where, as_written(b, codes_.code(code), codes_.name(code)));
+    if (!b.is_raised(said_)) b.report(ig::diag("ISO-0447"), where, as_written(b, codes_.code(code), codes_.name(code)));
     b.raise(said_);
     b.set_call(g43_, 0);
     if (h) b.set_word(g43_, 0, 'H', *h);
@@ -109,7 +118,7 @@ struct ToolCenterPoint {
 
   void say_excluded(ig::Block& b) const {
     const auto say = [&](ig_field code, ig::Symbol name) {
-      b.report(tool_center_diag("ISO-0445"), ig::Where::word(code), b.text(name), b.text(mode_.term(b)));
+      b.report(ig::diag("ISO-0445"), ig::Where::word(code), b.text(name), b.text(mode_.term(b)));
     };
     if (const auto code = b.find(excluded_)) say(excluded_.id(*code), excluded_.name(*code));
     if (const auto code = b.find(excluded_calls_)) say(excluded_calls_.code(*code), excluded_calls_.name(*code));
@@ -121,7 +130,7 @@ struct ToolCenterPoint {
     if (h)
       if (const auto row = ToolLengths::row(b, *h, where)) b.set(offset_id_, *row);
     if (starts && !b.has(offset_id_)) {
-      b.report(diag("ISO-0224"), where, b.text(mode_.term(b)));
+      b.report(ig::diag("ISO-0224"), where, b.text(mode_.term(b)));
       b.set(offset_id_, std::int64_t{0});
     }
     const bool looks_up = starts || h || b.is_raised(table_changed_);
@@ -154,7 +163,7 @@ struct ToolCenterPoint {
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (machine_.has(axis) && b.take(rotary_[axis])) has_rotary = true;
     for (const ig::Word& word : direction_) has_direction = has_direction || b.has(word);
-    if (has_rotary) b.report(tool_center_diag("ISO-0451"), ig::Where::block());
+    if (has_rotary) b.report(ig::diag("ISO-0451"), ig::Where::block());
     turn.to = turn.from;
     turn.moves = false;
 
@@ -165,9 +174,9 @@ struct ToolCenterPoint {
     const auto angles = solver_.choose(machine_, found, turn.from, choice_);
     if (!angles) {
       if (found.is_reachable)
-        b.report(tool_center_diag("ISO-0444"), ig::Where::block(), b.text(static_cast<ig::Symbol>(g43_5_)));
+        b.report(ig::diag("ISO-0444"), ig::Where::block(), b.text(static_cast<ig::Symbol>(g43_5_)));
       else
-        b.report(tool_center_diag("ISO-0443"), ig::Where::block(), b.text(static_cast<ig::Symbol>(g43_5_)), wanted->x,
+        b.report(ig::diag("ISO-0443"), ig::Where::block(), b.text(static_cast<ig::Symbol>(g43_5_)), wanted->x,
                  wanted->y, wanted->z);
       b.alarm();
       return true;
@@ -184,14 +193,14 @@ struct ToolCenterPoint {
     std::uint32_t found = 0;
     const std::size_t code = group_.find(b, found).value_or(group_.in_force(b));
     if (code == MotionGroup::g02 || code == MotionGroup::g03) {
-      b.report(tool_center_diag("ISO-0454"), ig::Where::block());
+      b.report(ig::diag("ISO-0454"), ig::Where::block());
       return std::nullopt;
     }
     ig::Vec3 v;
     for (std::size_t i = 0; i < 3; ++i) v[i] = b.take(direction_[i]).value_or(0.0);
     const double longest = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
     if (!(longest > 0) || !std::isfinite(longest)) {
-      b.report(tool_center_diag("ISO-0450"), ig::Where::block());
+      b.report(ig::diag("ISO-0450"), ig::Where::block());
       return std::nullopt;
     }
     v = (1 / longest) * v;  // else the square of an enormous number overflows

@@ -39,6 +39,11 @@ struct ToolField {
 
 struct ToolChange {
   static constexpr auto spec = ig::syntax("ToolChangeSyntax", "T preselects a tool, M06 changes it.");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0213", "T{0} is no tool number"),
+      ig::diagnostic(IG_WARNING, "ISO-0214",
+                     "M06, but no T named a tool so far: which tool is in the spindle is unknown"),
+  };
 
   enum class Identification { none, hundredths };
   ig::Choice<Identification> identification_{"identification", "none|hundredths", "none",
@@ -69,7 +74,7 @@ struct ToolChange {
     if (const auto tool = tool_.get(b)) {
       spindle_tool_.set(b, *tool);
     } else {
-      b.report(diag("ISO-0214"), ig::Where::word(change_.id(0)));
+      b.report(ig::diag("ISO-0214"), ig::Where::word(change_.id(0)));
     }
     if (const auto next = next_.get(b)) {
       tool_.set(b, *next);
@@ -87,7 +92,7 @@ struct ToolChange {
     if (const auto whole = whole_number(std::round(*value * part * 1e6) / 1e6))
       field.set(b, {*whole / static_cast<std::int64_t>(part), *whole % static_cast<std::int64_t>(part)});
     else
-      b.report(diag("ISO-0213"), ig::Where::word(word.id()), *value);
+      b.report(ig::diag("ISO-0213"), ig::Where::word(word.id()), *value);
     return true;
   }
 };

@@ -1,8 +1,9 @@
 /// G43/G44/G49 and H: the length of the tool lies between the programmed point and the machine coordinates. G43 adds
 /// the length of row H (geometry and wear) along the tool axis, G44 subtracts it, G49 and H0 end it. H is modal: a new
 /// H under G43 is a new length.
+#include <isogloss/sdk.hpp>
+
 #include "cycle_codes.hpp"
-#include "diagnostics.hpp"
 #include "program_xyz_util.hpp"
 #include "tool_length.hpp"
 
@@ -17,6 +18,9 @@ struct ToolHeightOffset {
       ig::syntax("ToolHeightOffsetSyntax", "G43/G44/G49 and H: tool length compensation.")
           .after("ParameterizedFlagSyntax")
           .before("IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_NOTE, "ISO-0512", "H{0} without G43 or G44: the number is kept, no tool length is in force"),
+  };
 
   ig::Call codes_{{"G43", "G44", "G49"}, "H[]"};
   ig::Word h_{"Parsing.H", ig::wake, ""};
@@ -66,7 +70,7 @@ struct ToolHeightOffset {
                        : h  ? ig::Where::word(h_.id())
                             : ig::Where::block();
     if (h) set_offset_id(b, *h, where);
-    if (h && !call && *h > 0 && !is_active(b) && b.has(offset_id_)) b.report(diag("ISO-0512"), where, *h);
+    if (h && !call && *h > 0 && !is_active(b) && b.has(offset_id_)) b.report(ig::diag("ISO-0512"), where, *h);
     const double before = b.get_or(offset_, 0.0);
 
     if (call && call->code == g49_) {
@@ -76,7 +80,7 @@ struct ToolHeightOffset {
       return ig::Status::changed;
     }
     if (call && !b.has(offset_id_)) {
-      b.report(diag("ISO-0224"), where, b.text(call->code));
+      b.report(ig::diag("ISO-0224"), where, b.text(call->code));
       b.set(offset_id_, std::int64_t{0});
     }
     const bool axis_moved = b.is_fresh(orientation_) || b.is_fresh(tilt_);

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "whole_number.hpp"
 
 namespace iso {
@@ -17,7 +18,7 @@ class ToolLengths {
   /// The row that H names; nothing, with a diagnostic, where it names none.
   static std::optional<std::int64_t> row(ig::Block& b, double h, ig::Where where) {
     const auto id = whole_number(h);
-    if (!id) b.report(diag("ISO-0225"), where, h);
+    if (!id) b.report(ig::diag("ISO-0225"), where, h);
     return id;
   }
 
@@ -30,7 +31,7 @@ class ToolLengths {
     const bool has_wear = table_ && table_->get(table_->self, row, 1, &wear) != 0;
     const double sum = (has_geometry ? geometry : 0) + (has_wear ? wear : 0);
     if ((has_geometry || has_wear) && std::isfinite(sum)) return sum;
-    b.report(diag("ISO-0223"), where, static_cast<double>(row));
+    b.report(ig::diag("ISO-0223"), where, static_cast<double>(row));
     return 0;
   }
 

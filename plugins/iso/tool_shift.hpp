@@ -70,9 +70,9 @@ class ToolShift {
       report_none(b, run, "Q");
       return {{}, false};
     }
-    if (q < 0) b.report(diag("ISO-0343"), ig::Where::block(), b.text(run.code), q);
+    if (q < 0) b.report(ig::diag("ISO-0343"), ig::Where::block(), b.text(run.code), q);
     if (b.is_raised(q_of_another_use_))
-      b.report(diag("ISO-0344"), ig::Where::block(), b.text(run.code), q, std::string_view("shift"));
+      b.report(ig::diag("ISO-0344"), ig::Where::block(), b.text(run.code), q, std::string_view("shift"));
     return {in_program(b, run.plane, std::fabs(q) * unit(run.plane)), false};
   }
 
@@ -105,7 +105,7 @@ class ToolShift {
   }
 
   static void report_none(ig::Block& b, const CycleRun& run, std::string_view words) {
-    b.report(diag("ISO-0342"), ig::Where::block(), b.text(run.code), words);
+    b.report(ig::diag("ISO-0342"), ig::Where::block(), b.text(run.code), words);
   }
 
   ig::Choice<ShiftDirection> direction_{"shift-direction", "+X|-X|+Y|-Y|parameter", "+X",

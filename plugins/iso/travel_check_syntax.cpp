@@ -15,6 +15,9 @@ struct TravelCheck {
   static constexpr auto spec = ig::syntax("TravelCheckSyntax", "Reports positions outside the travel of an axis.")
                                    .after("McXyzSyntax", "McAbcCyclicPathSyntax", "LinearMotionSyntax",
                                           "ReturnFromReferenceSyntax", "ReferenceReturnSyntax", "ReferenceCheckSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0403", "{0} would go to {1}: its travel ends at {2}"),
+  };
 
   static constexpr std::string_view names = "XYZABC";
   using Axes = std::array<ig_field, names.size()>;
@@ -221,7 +224,7 @@ struct TravelCheck {
     const AngleRange& travel = travel_[axis];
     if (travel.holds(position)) return outside & ~bit;
     if ((outside & bit) == 0)
-      b.report(rotary_diag("ISO-0403"), ig::Where::block(), names.substr(axis, 1), position,
+      b.report(ig::diag("ISO-0403"), ig::Where::block(), names.substr(axis, 1), position,
                position > travel.maximum ? travel.maximum : travel.minimum);
     return outside | bit;
   }

@@ -1,6 +1,7 @@
 /// A lathe's program read as milling would give diameters as positions and offsets as tools. Before the first block the
 /// text is looked through for the signs of one; where they stand, one error says so and nothing is executed.
-#include "recognition_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "turning_signs.hpp"
 
 #include <isogloss/flow.hpp>
@@ -11,6 +12,11 @@ namespace {
 struct TurningProgram {
   static constexpr auto spec =
       ig::syntax("TurningProgramSyntax", "Refuses the text of a turning program before its first block.");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(
+          IG_ERROR, "ISO-0540",
+          "{0} in line {1} shows a turning program, and this dialect mills: nothing of the text is executed"),
+  };
 
   ig::TextOption signs_{"signs", "",
                         "Words that only a turning program has: those joined by + stand in one block, ? is any digit."};
@@ -30,7 +36,7 @@ struct TurningProgram {
     }
     const auto found = signs.result();
     if (!found) return ig::Status::unchanged;
-    b.report(recognition_diag("ISO-0540"), ig::Where{}, found->words, static_cast<std::int64_t>(found->line));
+    b.report(ig::diag("ISO-0540"), ig::Where{}, found->words, static_cast<std::int64_t>(found->line));
     b.flow(IG_FLOW_END_FILE);
     return ig::Status::unchanged;
   }

@@ -1,8 +1,8 @@
 /// Nothing in a program is ignored silently: whatever is left of a block when every syntax has run is reported here,
 /// each piece with its columns. What can move the tool elsewhere is an error, the rest a warning, plain text a note.
-#include "diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "leftovers.hpp"
-#include "recognition_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -15,6 +15,18 @@ bool is_geometric(std::string_view word) {
 struct UnconsumedCheck {
   static constexpr auto spec =
       ig::syntax("UnconsumedCheckSyntax", "Reports everything in a block that nobody used.").inspects_leftovers();
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0280", "{0} is unknown here and not executed"),
+      ig::diagnostic(IG_WARNING, "ISO-0281", "{0} is unknown here and not executed"),
+      ig::diagnostic(IG_ERROR, "ISO-0282", "{0} is not executed in this block, nor are its words"),
+      ig::diagnostic(IG_WARNING, "ISO-0283", "{0} is not executed in this block"),
+      ig::diagnostic(IG_ERROR, "ISO-0284", "{0} is used by nothing in this block"),
+      ig::diagnostic(IG_WARNING, "ISO-0285", "{0} is used by nothing in this block"),
+      ig::diagnostic(IG_ERROR, "ISO-0286", "{0} is not evaluated: the word has no value"),
+      ig::diagnostic(IG_ERROR, "ISO-0287", "'{0}' is not executed"),
+      ig::diagnostic(IG_NOTE, "ISO-0288", "'{0}' is no part of a program that the dialect knows"),
+      ig::diagnostic(IG_ERROR, "ISO-0545", "{0} moves nothing: no axis {1} is known here"),
+  };
 
   ig::Signal said_{"Source.~UnknownCodeSaid", ig::read};
   ig::In<ig::Symbol> form_{"MotionEvent.Form"};
@@ -58,17 +70,21 @@ struct UnconsumedCheck {
     const std::string_view written = has_place ? source.substr(left.begin, left.end - left.begin) : name;
     const bool is_machine_function = name.starts_with('M');
     switch (left.kind) {
-      case IG_LEFT_UNKNOWN: b.report(is_machine_function ? diag("ISO-0281") : diag("ISO-0280"), where, name); break;
-      case IG_LEFT_CODE: b.report(is_machine_function ? diag("ISO-0283") : diag("ISO-0282"), where, name); break;
+      case IG_LEFT_UNKNOWN:
+        b.report(is_machine_function ? ig::diag("ISO-0281") : ig::diag("ISO-0280"), where, name);
+        break;
+      case IG_LEFT_CODE:
+        b.report(is_machine_function ? ig::diag("ISO-0283") : ig::diag("ISO-0282"), where, name);
+        break;
       case IG_LEFT_WORD:
         if (is_further_axis(name))
-          b.report(recognition_diag("ISO-0545"), where, written, name);
+          b.report(ig::diag("ISO-0545"), where, written, name);
         else
-          b.report(is_geometric(name) ? diag("ISO-0284") : diag("ISO-0285"), where, written);
+          b.report(is_geometric(name) ? ig::diag("ISO-0284") : ig::diag("ISO-0285"), where, written);
         break;
-      case IG_LEFT_EXPRESSION: b.report(diag("ISO-0286"), where, written); break;
-      case IG_LEFT_STATEMENT: b.report(diag("ISO-0287"), where, written); break;
-      default: b.report(diag("ISO-0288"), where, written);
+      case IG_LEFT_EXPRESSION: b.report(ig::diag("ISO-0286"), where, written); break;
+      case IG_LEFT_STATEMENT: b.report(ig::diag("ISO-0287"), where, written); break;
+      default: b.report(ig::diag("ISO-0288"), where, written);
     }
   }
 };

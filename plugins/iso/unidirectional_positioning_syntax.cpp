@@ -1,6 +1,7 @@
 /// G60: a rapid whose last piece always comes from the same side, so that backlash does not count. The axes overrun the
 /// target by a setting of the machine and come back to it. Fanuc manual, "Single direction positioning".
-#include "diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "program_xyz_util.hpp"
 
 namespace iso {
@@ -11,6 +12,10 @@ struct UnidirectionalPositioning {
       ig::syntax("UnidirectionalPositioningSyntax", "G60 positioning from one side.")
           .after("UnitModeSyntax", "CannedCycleResolveSyntax", "IncrementalResolveSyntax", "MachineCoordSelectSyntax")
           .before("ProgramXyzSyntax", "McXyzSyntax", "CircularMotionSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_NOTE, "ISO-0392", "G60: the overrun of the axes is not known; a plain rapid is made"),
+      ig::diagnostic(IG_WARNING, "ISO-0395", "G60 without an axis: nothing moves"),
+  };
 
   ig::Codes g60_{"G60"};
   ig::Xyz words_{"Parsing", ig::take};
@@ -27,14 +32,14 @@ struct UnidirectionalPositioning {
     if (!code) return ig::Status::unchanged;
     const ig::PartialVec3 named = b.take(words_);
     if (named.mask == 0) {
-      b.report(diag("ISO-0395"), ig::Where::word(g60_.id(0)));
+      b.report(ig::diag("ISO-0395"), ig::Where::word(g60_.id(0)));
       return ig::Status::changed;
     }
     const ig::Vec3 to = named.or_else(last_(b));
     ig::Vec3 over = to;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (named.has(axis)) over[axis] -= overrun_[axis];
-    if (over == to) b.report(diag("ISO-0392"), ig::Where::word(g60_.id(0)));
+    if (over == to) b.report(ig::diag("ISO-0392"), ig::Where::word(g60_.id(0)));
     motion_.begin(b, g60_.name(*code));
     if (over != to) motion_.rapid_to(b, over);
     motion_.rapid_to(b, to);

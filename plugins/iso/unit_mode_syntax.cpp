@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <isogloss/sdk.hpp>
+
 #include "cycle_codes.hpp"
-#include "pattern_diagnostics.hpp"
 #include "repeat_count.hpp"
 #include "unit_codes.hpp"
 
@@ -17,6 +18,12 @@ struct UnitMode {
   static constexpr auto spec = ig::syntax("UnitModeSyntax", "G20/G21 inch or metric input; lengths become mm.")
                                    .after("ParameterizedFlagSyntax", "DecimalPointSyntax")
                                    .before("FeedrateSyntax", "CannedCycleResolveSyntax", "ProgramXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0117", "{0}: too large a number of inches: the word is not used"),
+      ig::diagnostic(IG_WARNING, "ISO-0373", "{0} before any G20 or G21: lengths count as {1}"),
+      ig::diagnostic(IG_ERROR, "ISO-0560",
+                     "{0}: the lengths before it are {1}, and this control cannot change its unit: it stops"),
+  };
 
   UnitCodes modes_{ig::take | ig::wake};
   ig::Fields lengths_{"lengths", "Parsing.**{mm} Parsing.**{mm/min}", ig::read | ig::write,
@@ -74,7 +81,7 @@ struct UnitMode {
     const bool is_said = waits_for_unit && (mode || say_unsaid(b));
     if (is_said) b.erase(no_unit_yet_);
     if (mode && effect_ == Effect::check && !waits_for_unit && b.is(system_, mode->is_inch ? metric_ : inch_)) {
-      b.report(pattern_diag("ISO-0560"), ig::Where::block(), b.text(mode->name),
+      b.report(ig::diag("ISO-0560"), ig::Where::block(), b.text(mode->name),
                std::string_view(mode->is_inch ? "mm" : "inches"));
       b.alarm();
     } else if (mode) {
@@ -92,7 +99,7 @@ struct UnitMode {
       ig_value value;
       if (b.host()->get(b.raw(), lengths_.id(i), &value) == 0 || value.number == 0) continue;
       if (unsaid_ == Unsaid::warning)
-        b.report(pattern_diag("ISO-0373"), ig::Where::word(lengths_.id(i)), lengths_.path(i).substr(8),
+        b.report(ig::diag("ISO-0373"), ig::Where::word(lengths_.id(i)), lengths_.path(i).substr(8),
                  std::string_view(b.is(system_, inch_) ? "inches" : "mm"));
       return true;
     }
@@ -133,7 +140,7 @@ struct UnitMode {
     if (const double mm = inches * mm_per_inch; std::isfinite(mm)) {
       b.host()->rewrite(b.raw(), word, {.number = mm});
     } else {
-      b.report(diag("ISO-0117"), ig::Where::word(word), name);
+      b.report(ig::diag("ISO-0117"), ig::Where::word(word), name);
       b.host()->erase(b.raw(), word);
     }
   }

@@ -1,6 +1,7 @@
 /// A G code that the dialect does not know may be a macro, a cycle or a tilted plane: its axis words are no positions.
+#include <isogloss/sdk.hpp>
+
 #include "leftovers.hpp"
-#include "recognition_diagnostics.hpp"
 
 namespace iso {
 namespace {
@@ -9,6 +10,11 @@ struct UnknownCode {
   static constexpr auto spec = ig::syntax("UnknownCodeSyntax", "The words of an unknown G code move nothing.")
                                    .after("ParameterizedFlagSyntax", "FlagSyntax")
                                    .before("UnitModeSyntax", "CannedCycleResolveSyntax", "ProgramXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(
+          IG_ERROR, "ISO-0542",
+          "{0} is not supported here, so the words {1} of its block move nothing: check the code or the dialect"),
+  };
 
   ig::Signal unknown_{"Source.~UnknownCode", ig::read | ig::wake};
   ig::Signal said_{"Source.~UnknownCodeSaid", ig::write};
@@ -32,7 +38,7 @@ struct UnknownCode {
     for (std::uint32_t i = 0; const auto left = leftover(b, i); ++i) {
       if (left->kind != IG_LEFT_UNKNOWN || !left->name.starts_with('G')) continue;
       b.raise(said_);
-      b.report(recognition_diag("ISO-0542"), ig::Where::columns(left->begin, left->end), std::string_view(left->name),
+      b.report(ig::diag("ISO-0542"), ig::Where::columns(left->begin, left->end), std::string_view(left->name),
                std::string_view(taken));
       break;
     }

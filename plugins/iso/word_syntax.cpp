@@ -3,7 +3,8 @@
 // diagnostic that shows the text, and the word is not set.
 #include <string>
 
-#include "diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "scan_util.hpp"
 #include "split_numbers.hpp"
 
@@ -34,6 +35,15 @@ struct WordSyntax {
   static constexpr auto spec = ig::syntax("WordSyntax", "Reads words: an address and its number.")
                                    .after("FlagSyntax", "HeadIndexSyntax", "MacroStatementSyntax")
                                    .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-.,");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0104", "'{0}' has no number: write its value, or remove the address"),
+      ig::diagnostic(IG_ERROR, "ISO-0105", "'{0}' holds two signs: the word is not used"),
+      ig::diagnostic(IG_ERROR, "ISO-0106", "'{0}' is written with an exponent: write the number out"),
+      ig::diagnostic(IG_ERROR, "ISO-0107", "'{0}' holds a decimal comma: write a point"),
+      ig::diagnostic(IG_ERROR, "ISO-0109", "'{0}' is a number without an address: nothing is executed for it"),
+      ig::diagnostic(IG_ERROR, "ISO-0110", "'{0}' is no word of this dialect: nothing is executed for it"),
+      ig::diagnostic(IG_ERROR, "ISO-0116", "'{0}' cannot be read as a number: the word is not used"),
+  };
 
   ig::Fields addresses{"addresses", "Parsing.?", ig::write, "The addresses that words may have."};
   ig::Choice<Expressions> expressions{"expressions", "leave|pass", "leave",
@@ -173,7 +183,7 @@ struct WordSyntax {
     for (unsigned letter = 0; letter < 26; ++letter)
       if (table[letter].field == field) {
         const char name = static_cast<char>('A' + letter);
-        b.report(diag("ISO-0108"), ig::Where::columns(begin, end), std::string_view(&name, 1));
+        b.report(ig::diag("ISO-0108"), ig::Where::columns(begin, end), std::string_view(&name, 1));
       }
   }
 
@@ -188,15 +198,15 @@ struct WordSyntax {
       return expression(b, text, begin, skip_expression(text, number));
     }
     if (to_upper(c) == 'O' && is_digit(at(text, number + 1)))
-      return refuse(b, diag("ISO-0101"), text, begin, skip_while(text, number, is_digit_or_o));
+      return refuse(b, ig::diag("ISO-0101"), text, begin, skip_while(text, number, is_digit_or_o));
     const std::size_t name = skip_while(text, begin, is_letter);
-    if (name - begin > 2) return refuse(b, diag("ISO-0110"), text, begin, skip_statement(text, name));
+    if (name - begin > 2) return refuse(b, ig::diag("ISO-0110"), text, begin, skip_statement(text, name));
     if (is_number_part(c)) {
       const bool two_signs = is_signed && piece(text, number + 1, body).find_first_of("+-") != std::string_view::npos;
-      return refuse(b, two_signs ? diag("ISO-0105") : diag("ISO-0116"), text, begin,
+      return refuse(b, two_signs ? ig::diag("ISO-0105") : ig::diag("ISO-0116"), text, begin,
                     skip_while(text, body, is_number_part));
     }
-    return refuse(b, diag("ISO-0104"), text, begin, skip_while(text, begin + 1, [](char u) { return u == '_'; }));
+    return refuse(b, ig::diag("ISO-0104"), text, begin, skip_while(text, begin + 1, [](char u) { return u == '_'; }));
   }
 
   /// #1, [#1+2.], SIN[30.]
@@ -210,14 +220,15 @@ struct WordSyntax {
     const char c = text[end];
     const char after = at(text, end + 1);
     if (c == '.')
-      return refuse(b, diag("ISO-0103"), text, begin,
+      return refuse(b, ig::diag("ISO-0103"), text, begin,
                     skip_while(text, end, [](char d) { return is_digit(d) || d == '.'; }));
-    if (c == ',') return is_digit(after) ? refuse(b, diag("ISO-0107"), text, begin, skip_digits(text, end + 1)) : begin;
+    if (c == ',')
+      return is_digit(after) ? refuse(b, ig::diag("ISO-0107"), text, begin, skip_digits(text, end + 1)) : begin;
     if (c == '=') return assignment(b, text, begin, end);
     if (const std::size_t exponent = skip_exponent(text, end); exponent != end)
-      return refuse(b, diag("ISO-0106"), text, begin, exponent);
+      return refuse(b, ig::diag("ISO-0106"), text, begin, exponent);
     if (to_upper(c) == 'O' && !is_letter(after))
-      return refuse(b, diag("ISO-0101"), text, begin, skip_while(text, end, is_digit_or_o));
+      return refuse(b, ig::diag("ISO-0101"), text, begin, skip_while(text, end, is_digit_or_o));
     return begin;
   }
 
@@ -250,7 +261,7 @@ struct WordSyntax {
     return end;
   }
 
-  static std::size_t refuse(ig::Block& b, std::uint32_t diagnostic, std::string_view text, std::size_t begin,
+  static std::size_t refuse(ig::Block& b, ig::DiagnosticCode diagnostic, std::string_view text, std::size_t begin,
                             std::size_t end) {
     b.report(diagnostic, ig::Where::columns(begin, end), piece(text, begin, end));
     return end;
@@ -305,7 +316,7 @@ struct WordSyntax {
       leave(b, IG_LEFT_TEXT, number, position, end);
       return end;
     }
-    return refuse(b, diag("ISO-0109"), text, position, end);
+    return refuse(b, ig::diag("ISO-0109"), text, position, end);
   }
 };
 

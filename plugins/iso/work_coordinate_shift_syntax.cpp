@@ -17,6 +17,14 @@ struct WorkCoordinateShift {
                  "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax")
           .before("CannedCycleResolveSyntax", "IncrementalResolveSyntax", "MachineCoordSelectSyntax",
                   "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "ISO-0365", "{0} without an axis: no coordinate system is set"),
+      ig::diagnostic(IG_WARNING, "ISO-0366", "G92.1 {0}{1}: the value is not used; the shift of the axis ends"),
+      ig::diagnostic(IG_ERROR, "ISO-0369",
+                     "{0}: the shift cannot be computed; the coordinate systems stay as they are"),
+      ig::diagnostic(IG_ERROR, "ISO-0370",
+                     "G92 S{0}: a limit of the spindle speed is not negative; the limit of before stays"),
+  };
 
   ig::Call g92_{{"G92"}, "X Y Z A B C S"};
   ig::Call g92_1_{{"G92.1"}, "X Y Z A B C"};
@@ -76,7 +84,7 @@ struct WorkCoordinateShift {
     if (any)
       shift_to(b, tool, position);
     else if (words.mask == 0)
-      b.report(diag("ISO-0365"), ig::Where::word(g92_.code(0)), b.text(words.code));
+      b.report(ig::diag("ISO-0365"), ig::Where::word(g92_.code(0)), b.text(words.code));
   }
 
   /// Such that the angles at which the axes stand get these numbers.
@@ -95,13 +103,13 @@ struct WorkCoordinateShift {
     if (std::isfinite(shift.x) && std::isfinite(shift.y) && std::isfinite(shift.z))
       shift_.set(b, shift);
     else
-      b.report(diag("ISO-0369"), ig::Where::word(g92_.code(0)), b.text(g92_.name(0)));
+      b.report(ig::diag("ISO-0369"), ig::Where::word(g92_.code(0)), b.text(g92_.name(0)));
   }
 
   void limit_spindle(ig::Block& b, const ig::Words& words) const {
     const auto s = words['S'];
     if (s && *s >= 0) b.set(limit_, *s);
-    if (s && *s < 0) b.report(diag("ISO-0370"), ig::Where::word(g92_.word(0, 'S')), *s);
+    if (s && *s < 0) b.report(ig::diag("ISO-0370"), ig::Where::word(g92_.word(0, 'S')), *s);
   }
 
   /// The axes that the block names, all of them where it names none.
@@ -110,7 +118,7 @@ struct WorkCoordinateShift {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto word = words["XYZ"[axis]];
       if (word && *word != 0)
-        b.report(diag("ISO-0366"), ig::Where::word(g92_1_.row(0)[axis]), std::string_view("XYZ").substr(axis, 1),
+        b.report(ig::diag("ISO-0366"), ig::Where::word(g92_1_.row(0)[axis]), std::string_view("XYZ").substr(axis, 1),
                  *word);
       if (word || words.mask == 0) shift[axis] = 0;
     }
@@ -119,7 +127,7 @@ struct WorkCoordinateShift {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto word = words[rotary_names[axis]];
       if (word && *word != 0)
-        b.report(diag("ISO-0366"), ig::Where::word(g92_1_.row(0)[axis + 3]), rotary_names.substr(axis, 1), *word);
+        b.report(ig::diag("ISO-0366"), ig::Where::word(g92_1_.row(0)[axis + 3]), rotary_names.substr(axis, 1), *word);
       if (word || words.mask == 0) turned[axis] = 0;
     }
     rotary_.set(b, turned);

@@ -37,13 +37,14 @@ class ArrayValues {
       }
       values_.assign(std::min({count, room, most_elements}), std::optional<Value>(values_[0]));
     } else if (values_.size() > room) {
-      b_.report(diag("SIE-0303"), ig::Where::columns(begin, next), std::string_view(array), static_cast<double>(room));
+      b_.report(ig::diag("SIE-0303"), ig::Where::columns(begin, next), std::string_view(array),
+                static_cast<double>(room));
       values_.resize(room);
     }
     for (std::size_t i = 0; i < values_.size(); ++i) {
       if (!values_[i]) continue;  // SET(1,,3) leaves an element as it is
       if (environment_.store().define(array + target->indices_of(first + i), *values_[i])) continue;
-      b_.report(diag("SIE-0114"), ig::Where::columns(begin, next), std::string_view(array));
+      b_.report(ig::diag("SIE-0114"), ig::Where::columns(begin, next), std::string_view(array));
       return false;
     }
     return true;
@@ -63,11 +64,11 @@ class ArrayValues {
       values_.back() = v->as(type);
       next = iso::skip_blanks(text_, e.position());
       if (values_.back()) continue;
-      b_.report(diag("SIE-0130"), ig::Where::columns(begin, next), std::string_view(array));
+      b_.report(ig::diag("SIE-0130"), ig::Where::columns(begin, next), std::string_view(array));
       return false;
     } while (iso::at(text_, next) == ',');
     if (iso::at(text_, next) != ')') {
-      b_.report(diag("SIE-0102"), columns(text_, std::min(next, text_.size())));
+      b_.report(ig::diag("SIE-0102"), columns(text_, std::min(next, text_.size())));
       return false;
     }
     ++next;

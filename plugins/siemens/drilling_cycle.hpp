@@ -130,7 +130,7 @@ class DrillingCall {
     if (unit == DwellUnit::seconds || (unit == DwellUnit::by_sign && *number > 0)) return std::fabs(*number);
     const double rpm = feed.rpm(b);
     if (rpm > 0) return std::fabs(*number) * 60 / rpm;
-    b.report(diag("SIE-0187"), where(run), run.cycle->name(), *number);
+    b.report(ig::diag("SIE-0187"), where(run), run.cycle->name(), *number);
     return 0;
   }
 
@@ -148,7 +148,7 @@ class DrillingCall {
     const std::string_view name = run.cycle->name();
     for (const std::string_view needed : {"RTP", "RFP"})
       if (!run[needed]) {
-        b.report(diag("SIE-0185"), where(run), name, needed);
+        b.report(ig::diag("SIE-0185"), where(run), name, needed);
         return false;
       }
     run.plane = plane_of(b, run);
@@ -157,33 +157,33 @@ class DrillingCall {
     run.reference = *run["RFP"];
     const auto dp = run["DP"], dpr = run["DPR"];
     if (!dp && !dpr) {
-      b.report(diag("SIE-0185"), where(run), name, std::string_view("DP or DPR"));
+      b.report(ig::diag("SIE-0185"), where(run), name, std::string_view("DP or DPR"));
       return false;
     }
     const double absolute = dp.value_or(0), relative = dpr.value_or(0), which = run.mode("AMODE", 0);
     const bool both = dp && dpr && relative != 0;
     const bool is_relative = both ? which != 2 : !dp;
-    if (both && which != 1 && which != 2) b.report(diag("SIE-0188"), where(run), name);
+    if (both && which != 1 && which != 2) b.report(ig::diag("SIE-0188"), where(run), name);
     const bool is_down = is_relative ? run.retract > run.reference : absolute <= run.reference;
     run.out = is_down ? 1 : -1;
     run.depth = is_relative ? run.reference - run.out * std::fabs(relative) : absolute;
     run.start = run.reference + run.out * std::fabs(run["SDIS"].value_or(0));
     if ((is_relative && run.retract == run.reference) || run.out * (run.retract - run.reference) < 0) {
-      b.report(diag("SIE-0189"), where(run), name, run.retract, run.reference);
+      b.report(ig::diag("SIE-0189"), where(run), name, run.retract, run.reference);
       return false;
     }
     for (const double level : {run.depth, run.start})
       if (!(std::fabs(level) < 1e9)) {
-        b.report(diag("SIE-0105"), where(run), name);
+        b.report(ig::diag("SIE-0105"), where(run), name);
         return false;
       }
     run.feed = feed.mmds(b);
     const bool has_own_feed = name == "CYCLE85" || name.starts_with("CYCLE84");
-    if (run.feed <= 0 && !has_own_feed) b.report(diag("SIE-0186"), where(run), name);
+    if (run.feed <= 0 && !has_own_feed) b.report(ig::diag("SIE-0186"), where(run), name);
     if (const auto mode = run["GMODE"]; mode && *mode != 0 && name != "CYCLE86")
-      b.report(diag("SIE-0190"), where(run), name, *mode);
+      b.report(ig::diag("SIE-0190"), where(run), name, *mode);
     if (const auto mode = run["VARI"]; name == "CYCLE82" && mode && *mode != 0)
-      b.report(diag("SIE-0191"), where(run), name, *mode);
+      b.report(ig::diag("SIE-0191"), where(run), name, *mode);
     run.dwell = seconds(b, run, run["DTB"], run.dwell_unit(1));
     return true;
   }
@@ -200,7 +200,7 @@ class DrillingCall {
       motion.rapid_to(b, run.hole);
       return;
     }
-    if (term != codes_.name(1)) b.report(diag("SIE-0192"), where(run), run.cycle->name());
+    if (term != codes_.name(1)) b.report(ig::diag("SIE-0192"), where(run), run.cycle->name());
     motion.feed_to(b, run.hole, feed.mmds(b));
   }
 

@@ -30,7 +30,7 @@ class Jumps {
       const auto name = e.value();
       if (!name) return;
       if (!name->is_text()) {
-        b.report(diag("SIE-0148"), columns(text, target), text.substr(std::min(target, text.size())));
+        b.report(ig::diag("SIE-0148"), columns(text, target), text.substr(std::min(target, text.size())));
         return;
       }
       label = upper(iso::trim(name->text));
@@ -38,7 +38,7 @@ class Jumps {
       end = e.position();
     }
     if (iso::is_digit(label.empty() ? '0' : label[0])) {
-      b.report(diag("SIE-0148"), columns(text, target), text.substr(std::min(target, text.size())));
+      b.report(ig::diag("SIE-0148"), columns(text, target), text.substr(std::min(target, text.size())));
       return;
     }
     if (!ends(b, text, end)) return;
@@ -48,7 +48,8 @@ class Jumps {
                                                : ig_search{IG_SEARCH_AROUND};
     const ig::Flow::Answer answer = environment_.flow.jump(b, label, search);
     if (answer.is_not_found()) {
-      if (kind != "GOTOC") b.report(diag("SIE-0149"), columns(text, target), std::string_view(label), answer.reason);
+      if (kind != "GOTOC")
+        b.report(ig::diag("SIE-0149"), columns(text, target), std::string_view(label), answer.reason);
       return;
     }
     loops_.note_jump(environment_.flow.frame(b).id);
@@ -80,7 +81,7 @@ class Jumps {
     if (!value) return;
     std::size_t next = iso::skip_blanks(text, e.position());
     if (!is_word(text, next, "OF")) {
-      b.report(diag("SIE-0144"), columns(text, begin));
+      b.report(ig::diag("SIE-0144"), columns(text, begin));
       return;
     }
     next = iso::skip_blanks(text, next + 2);
@@ -98,7 +99,7 @@ class Jumps {
       next = iso::skip_blanks(text, next);
       const std::size_t behind = skip_name(text, next);
       if (flow_word(iso::piece(text, next, behind)) != FlowWord::go) {
-        b.report(diag("SIE-0144"), columns(text, begin));
+        b.report(ig::diag("SIE-0144"), columns(text, begin));
         return;
       }
       const std::size_t label = iso::skip_blanks(text, behind), end = skip_name(text, label);

@@ -49,7 +49,7 @@ inline ig::Where columns(std::string_view text, std::size_t begin) {
 inline bool ends(ig::Block& b, std::string_view text, std::size_t position) {
   const std::size_t rest = iso::skip_blanks(text, position);
   if (rest >= text.size()) return true;
-  b.report(diag("SIE-0141"), columns(text, rest), text.substr(rest));
+  b.report(ig::diag("SIE-0141"), columns(text, rest), text.substr(rest));
   return false;
 }
 inline bool is_word(std::string_view text, std::size_t position, std::string_view word) {

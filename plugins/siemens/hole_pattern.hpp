@@ -5,10 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include <isogloss/sdk.hpp>
+
 #include "cycle_signatures.hpp"
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
-#include "siemens_diagnostics.hpp"
 
 namespace siemens {
 
@@ -31,7 +32,7 @@ class HolePattern {
     if (is_executed(b, call)) place(b, call, out);
     for (const ig::Vec3& p : out.holes)
       if (!(std::fabs(p.x) < 1e9 && std::fabs(p.y) < 1e9 && std::fabs(p.z) < 1e9)) {
-        b.report(diag("SIE-0105"), call.where(), call.fields->name());
+        b.report(ig::diag("SIE-0105"), call.where(), call.fields->name());
         return std::vector<ig::Vec3>{};
       }
     return std::move(out.holes);
@@ -41,7 +42,7 @@ class HolePattern {
   void refuse(ig::Block& b) const {
     const std::size_t i = find(b);
     Call call{&calls_[i], {}};
-    b.report(diag("SIE-0271"), call.where(), call.fields->name());
+    b.report(ig::diag("SIE-0271"), call.where(), call.fields->name());
     take_words(b, call);
   }
 
@@ -85,7 +86,7 @@ class HolePattern {
 
   static bool is_executed(ig::Block& b, const Call& call) {
     const auto refuse = [&](std::string_view what) {
-      b.report(diag("SIE-0273"), call.where(), call.fields->name(), what);
+      b.report(ig::diag("SIE-0273"), call.where(), call.fields->name(), what);
       return false;
     };
     if (call["HIDE"] != 0) return refuse("hidden positions are");
@@ -102,7 +103,7 @@ class HolePattern {
   static std::size_t count(ig::Block& b, const Call& call, std::string_view parameter) {
     const double n = call[parameter];
     if (n >= 1 && n <= most && n == std::floor(n)) return static_cast<std::size_t>(n);
-    b.report(diag("SIE-0272"), call.where(), call.fields->name(), n, most);
+    b.report(ig::diag("SIE-0272"), call.where(), call.fields->name(), n, most);
     return 0;
   }
 
@@ -130,7 +131,7 @@ class HolePattern {
     } else {
       for (std::size_t i = call.fields->index_of("X0"); i + 1 < call.fields->index_of("VARI"); i += 2)
         if (call.values[i] && call.values[i + 1]) out.add(*call.values[i], *call.values[i + 1]);
-      if (out.holes.empty()) b.report(diag("SIE-0272"), call.where(), name, 0.0, 9.0);
+      if (out.holes.empty()) b.report(ig::diag("SIE-0272"), call.where(), name, 0.0, 9.0);
     }
   }
 
@@ -140,7 +141,7 @@ class HolePattern {
     const std::size_t columns = count(b, call, "NUM1"), rows = count(b, call, "NUM2");
     if (columns == 0 || rows == 0) return;
     if (columns * rows > most_of_grid) {
-      b.report(diag("SIE-0272"), call.where(), call.fields->name(), static_cast<double>(columns * rows),
+      b.report(ig::diag("SIE-0272"), call.where(), call.fields->name(), static_cast<double>(columns * rows),
                static_cast<double>(most_of_grid));
       return;
     }

@@ -5,8 +5,6 @@
 
 #include <isogloss/sdk.hpp>
 
-#include "siemens_diagnostics.hpp"
-
 namespace siemens {
 
 struct RotaryModes {
@@ -15,7 +13,7 @@ struct RotaryModes {
   double position(ig::Block& b, ig::Where where, double value, ig::Symbol mode, double present) const {
     if (mode == ic) return present + value;
     if (mode == ac) return value;
-    if (value < 0 || value >= 360) b.report(diag("SIE-0214"), where, b.text(mode), value);
+    if (value < 0 || value >= 360) b.report(ig::diag("SIE-0214"), where, b.text(mode), value);
     double turn = std::fmod(value - present, 360);
     if (turn < 0) turn += 360;
     if (mode == acn && turn > 0) turn -= 360;

@@ -3,10 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include <isogloss/sdk.hpp>
+
 #include "arc_util.hpp"
 #include "frame_shape.hpp"
 #include "program_xyz_util.hpp"
-#include "siemens_diagnostics.hpp"
 
 namespace siemens {
 namespace {
@@ -17,6 +18,14 @@ struct SiemensArc {
   static constexpr auto spec = ig::syntax("SiemensArcSyntax", "CR=, AR= and CIP become arcs with a centre.")
                                    .after("SiemensPositionSyntax", "PlaneSelectSyntax")
                                    .before("SiemensCycleSyntax", "ProgramXyzSyntax", "CircularMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0221", "AR={0}: the angle of an arc lies between 0 and 360"),
+      ig::diagnostic(IG_ERROR, "SIE-0222", "AR= with the end point at the start: no arc"),
+      ig::diagnostic(IG_ERROR, "SIE-0223", "CIP out of the plane: shown as a straight line"),
+      ig::diagnostic(IG_ERROR, "SIE-0224", "CIP: the three points lie on no circle; shown as a straight line"),
+      ig::diagnostic(IG_WARNING, "SIE-0225", "an arc under scales that differ: the path in the machine is no circle"),
+      ig::diagnostic(IG_WARNING, "SIE-0290", "CR={0} without G2 or G3: it is not used"),
+  };
 
   ig::Codes arcs_{{"G02", "G03"}, ig::read | ig::write | ig::wake};
   ig::Codes others_{{"G00", "G01", "G33"}, ig::read | ig::wake};
@@ -51,14 +60,14 @@ struct SiemensArc {
       if (is_arc)
         b.set(r_, *cr);
       else if (!b.is_raised(radius_said_))
-        b.report(diag("SIE-0290"), ig::Where::word(cr_.id()), *cr);
+        b.report(ig::diag("SIE-0290"), ig::Where::word(cr_.id()), *cr);
       if (!is_arc) b.raise(radius_said_);
       any = true;
     }
     if (b.is_raised(through_)) return through_point(b, cip) || any ? ig::Status::changed : ig::Status::unchanged;
     if (b.find(others_)) return any ? ig::Status::changed : ig::Status::unchanged;
     const bool is_arc = arc || b.is(clockwise_, g02_) || b.is(counterclockwise_, g03_);
-    if (is_arc && b.get(words_).mask != 0 && is_bent(b)) b.report(diag("SIE-0225"), ig::Where::block());
+    if (is_arc && b.get(words_).mask != 0 && is_bent(b)) b.report(ig::diag("SIE-0225"), ig::Where::block());
     if (const auto angle = b.take(ar_)) {
       by_angle(b, *angle, arc ? *arc == 1 : b.is(counterclockwise_, g03_));
       any = true;
@@ -83,7 +92,7 @@ struct SiemensArc {
   void by_angle(ig::Block& b, double degrees, bool is_ccw) const {
     const auto where = ig::Where::word(ar_.id());
     if (!(degrees > 0 && degrees < 360)) {
-      b.report(diag("SIE-0221"), where, degrees);
+      b.report(ig::diag("SIE-0221"), where, degrees);
       return;
     }
     const iso::PlaneAxes plane = plane_(b);
@@ -101,7 +110,7 @@ struct SiemensArc {
     const ig::Vec3 to = named.or_else(from);
     const Point2 end{to[plane.first], to[plane.second]}, chord = end - start;
     if (chord.length() < iso::same_point_mm) {
-      b.report(diag("SIE-0222"), where);
+      b.report(ig::diag("SIE-0222"), where);
       return;
     }
     // The centre lies on the middle line of the chord: half the chord over the tangent of half the angle.
@@ -131,7 +140,7 @@ struct SiemensArc {
                               std::fabs(middle[plane.tool] - from[plane.tool]) > iso::same_point_mm;
     const auto where = is_named ? ig::Where::word(cip_.id(0)) : ig::Where::block();
     if (leaves_plane || !has_point || std::fabs(area) < 1e-9) {
-      b.report(leaves_plane ? diag("SIE-0223") : diag("SIE-0224"), where);
+      b.report(leaves_plane ? ig::diag("SIE-0223") : ig::diag("SIE-0224"), where);
       b.host()->set(b.raw(), others_code(), {.integer = 1});
       return true;
     }

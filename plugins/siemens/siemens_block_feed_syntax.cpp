@@ -1,8 +1,6 @@
 /// FB=: the feed of one block, in the unit of F. F stays what it is.
 #include <isogloss/sdk.hpp>
 
-#include "siemens_diagnostics.hpp"
-
 namespace siemens {
 namespace {
 
@@ -10,6 +8,11 @@ struct SiemensBlockFeed {
   static constexpr auto spec =
       ig::syntax("SiemensBlockFeedSyntax", "FB= the feed of one block.")
           .after("FeedrateSyntax", "SpindleSpeedSyntax", "CircularMotionSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0281", "FB={0} is no feed: F counts"),
+      ig::diagnostic(IG_WARNING, "SIE-0282", "FB= has no effect: the block does not move by feed"),
+      ig::diagnostic(IG_ERROR, "SIE-0283", "FB=: no F is in force, so the speed of this block is not known"),
+  };
 
   ig::Word fb_{"Parsing.FB", ig::wake, "mm/min", "The feed of this block."};
   ig::In<double> value_{"Feedrate.FeedrateValue"};
@@ -23,13 +26,13 @@ struct SiemensBlockFeed {
     const auto where = ig::Where::word(fb_.id());
     const double f = b.get_or(value_, 0.0), mmds = b.get_or(feedrate_, 0.0);
     if (!(*fb > 0))
-      b.report(diag("SIE-0281"), where, *fb);
+      b.report(ig::diag("SIE-0281"), where, *fb);
     else if (!b.has(form_) || b.get_or(is_rapid_, false))
-      b.report(diag("SIE-0282"), where);
+      b.report(ig::diag("SIE-0282"), where);
     else if (f > 0 && mmds > 0 && mmds * (*fb / f) < 1e9)
       b.set(feedrate_, mmds * (*fb / f));
     else
-      b.report(diag("SIE-0283"), where);
+      b.report(ig::diag("SIE-0283"), where);
     return ig::Status::changed;
   }
 };

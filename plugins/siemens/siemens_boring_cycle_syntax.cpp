@@ -12,6 +12,10 @@ struct SiemensBoringCycle {
           .after("SiemensCycleSyntax", "SiemensReamingCycleSyntax", "FeedrateSyntax", "SpindleSpeedSyntax",
                  "SiemensSpindlePositionSyntax")
           .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_NOTE, "SIE-0196",
+                     "{0}: M0 stops the program at the bottom; the events show it behind the way out"),
+  };
 
   DrillingCall cycle_{"CYCLE86", "CYCLE87", "CYCLE88"};
   iso::CycleSpindle spindle_;
@@ -36,7 +40,7 @@ struct SiemensBoringCycle {
       cycle_.motion.spindle(b, ig::Spindle::stop);
       cycle_.motion.rapid_to(b, hole.at(hole.retract));
     });
-    b.report(diag("SIE-0196"), DrillingCall::where(*run), run->cycle->name());
+    b.report(ig::diag("SIE-0196"), DrillingCall::where(*run), run->cycle->name());
     b.set(program_stop_, m00_);
     return ig::Status::changed;
   }
@@ -50,7 +54,7 @@ struct SiemensBoringCycle {
     const auto now = spindle_.direction(b);
     for (const ig::Spindle turning : {ig::Spindle::cw, ig::Spindle::ccw})
       if (sdir == 0 && now && *now == spindle_.name(turning)) return turning;
-    b.report(diag("SIE-0197"), DrillingCall::where(run, "SDIR"), run.cycle->name(), std::string_view("SDIR"), sdir);
+    b.report(ig::diag("SIE-0197"), DrillingCall::where(run, "SDIR"), run.cycle->name(), std::string_view("SDIR"), sdir);
     return std::nullopt;
   }
 

@@ -32,6 +32,19 @@ struct SiemensCall {
                                    .after("SiemensWordSyntax", "SiemensFlowSyntax", "SiemensDeclarationSyntax")
                                    .before("UnitModeSyntax", "ProgramEndSyntax")
                                    .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0168",
+                     "the synchronized action '{0}' is not executed: the machine does it beside the program"),
+      ig::diagnostic(IG_ERROR, "SIE-0169", "'{0}' should not stand in a call: nothing is called"),
+      ig::diagnostic(IG_ERROR, "SIE-0170", "the program stops the control: alarm {0}"),
+      ig::diagnostic(IG_ERROR, "SIE-0171", "'{0}' is not executed"),
+      ig::diagnostic(IG_ERROR, "SIE-0172", "{0} P={1}: a call is made from 0 to 9999 times"),
+      ig::diagnostic(IG_ERROR, "SIE-0173", "{0} is no statement that is known here: '{1}' behind it is not read"),
+      ig::diagnostic(IG_ERROR, "SIE-0174", "{0} is not executed: {1}"),
+      ig::diagnostic(IG_ERROR, "SIE-0181", "{0} is not executed: its moves are missing"),
+      ig::diagnostic(IG_ERROR, "SIE-0182", "{0}: a parameter has no value; the cycle is not executed"),
+      ig::diagnostic(IG_WARNING, "SIE-0184", "{0} with {1} parameters: those behind number {2} are not used"),
+  };
 
   // Messages and pictures; what the path is measured on; other channels; couplings of spindles, and the end of
   // couplings, of the handwheel's offset and of synchronized actions, which are not executed either.
@@ -74,7 +87,7 @@ struct SiemensCall {
     std::size_t next = skip_blanks(text, end);
     if (is_synchronized(text, position, name)) {
       const std::size_t last = statement_text_end(text, position);
-      b.report(diag("SIE-0168"), ig::Where::columns(position, last), piece(text, position, last));
+      b.report(ig::diag("SIE-0168"), ig::Where::columns(position, last), piece(text, position, last));
       return statement_end(text, position);
     }
     if (const auto behind = curve(b, name, text, position, next)) return *behind;
@@ -93,11 +106,11 @@ struct SiemensCall {
       if (!read_arguments(b, text.substr(0, close), next)) return close;
       next = skip_blanks(text, close);
     } else if (is_foreign_cycle(name) && !silent_.holds(name)) {
-      environment_.report_once(b, diag("SIE-0181"), ig::Where::columns(position, end), position,
+      environment_.report_once(b, ig::diag("SIE-0181"), ig::Where::columns(position, end), position,
                                std::string_view(name));
       return end;
     } else if (const std::string_view missing = not_executed(name); !missing.empty()) {
-      b.report(diag("SIE-0174"), ig::Where::columns(position, end), std::string_view(name), missing);
+      b.report(ig::diag("SIE-0174"), ig::Where::columns(position, end), std::string_view(name), missing);
       return end;
     } else if (silent_.holds(name)) {
       if (name == "SETMS") environment_.store().master_spindle.reset();
@@ -134,7 +147,7 @@ struct SiemensCall {
     is_expanded_ = false;
     end_ = as.original(end_);
     if (behind <= position || skip_blanks(as.text(), behind) < as.macro_end()) {
-      b.report(diag("SIE-0288"), ig::Where::columns(position, end), std::string_view(macro));
+      b.report(ig::diag("SIE-0288"), ig::Where::columns(position, end), std::string_view(macro));
       return end;
     }
     return as.original(behind);
@@ -158,9 +171,9 @@ struct SiemensCall {
     call.tag = environment_.store().pass(std::move(arguments_));
     const ig::Flow::Answer answer = environment_.flow.call(b, call);
     if (answer.is_not_found())
-      environment_.report_once(b, diag("SIE-0165"), where, begin_, std::string_view(program_), answer.reason);
+      environment_.report_once(b, ig::diag("SIE-0165"), where, begin_, std::string_view(program_), answer.reason);
     else if (answer.status == IG_GO_TAKEN)
-      b.report(diag("SIE-0167"), where, std::string_view(program_));
+      b.report(ig::diag("SIE-0167"), where, std::string_view(program_));
     return ig::Status::changed;
   }
 
@@ -291,7 +304,7 @@ struct SiemensCall {
     if (!read_arguments(b, text, open)) return;
     Variable* const variable = arguments_.empty() ? nullptr : environment_.store().find(arguments_[0].name);
     if (variable == nullptr || variable->value.is_text())
-      b.report(diag("SIE-0169"), where, text.substr(open));
+      b.report(ig::diag("SIE-0169"), where, text.substr(open));
     else
       variable->value.number = environment_.system.read(b, tool).value_or(0);
   }
@@ -300,12 +313,12 @@ struct SiemensCall {
   bool is_known(ig::Block& b, std::string_view text, const std::string& name, std::size_t open, std::size_t close) {
     const auto where = ig::Where::columns(begin_, close);
     if (is_foreign_cycle(name) && !silent_.holds(name)) {
-      environment_.report_once(b, diag("SIE-0181"), where, begin_, std::string_view(name));
+      environment_.report_once(b, ig::diag("SIE-0181"), where, begin_, std::string_view(name));
       return true;
     }
     if (name == "SETAL") {
       if (read_arguments(b, text.substr(0, close), open))
-        b.report(diag("SIE-0170"), where,
+        b.report(ig::diag("SIE-0170"), where,
                  arguments_.empty() || !arguments_[0].value ? 0.0 : arguments_[0].value->number);
       b.alarm();
       return true;
@@ -315,7 +328,7 @@ struct SiemensCall {
       return true;
     }
     if (const std::string_view missing = not_executed(name); !missing.empty()) {
-      b.report(diag("SIE-0174"), where, std::string_view(name), missing);
+      b.report(ig::diag("SIE-0174"), where, std::string_view(name), missing);
       return true;
     }
     if (name == "TRAORI") {  // TRAORI(1), TRAORI(1,0,0,1): one transformation is known
@@ -325,7 +338,7 @@ struct SiemensCall {
     }
     for (const std::string_view transformation : {"TRANSMIT", "TRACYL", "TRAANG", "TRACON"})
       if (name == transformation) {
-        b.report(diag("SIE-0183"), where, std::string_view(name));
+        b.report(ig::diag("SIE-0183"), where, std::string_view(name));
         return true;
       }
     if (!silent_.holds(name)) return false;
@@ -333,7 +346,7 @@ struct SiemensCall {
     if (name == "MSG" && at(text, skip_blanks(text, open + 1)) == '"') {
       const std::size_t first = skip_blanks(text, open + 1) + 1;
       if (text.find('"', first) == std::string_view::npos)
-        b.report(diag("SIE-0102"), ig::Where::columns(first - 1, text.size()));
+        b.report(ig::diag("SIE-0102"), ig::Where::columns(first - 1, text.size()));
       b.set_text(message_, piece(text, first, std::min(text.find('"', first), close)));
     }
     return true;
@@ -356,7 +369,7 @@ struct SiemensCall {
       }
       if (at(text, next) == ')') return true;
       if (at(text, next) != ',' || arguments_.size() > 1000) {
-        b.report(diag("SIE-0169"), ig::Where::columns(next, std::max(next + 1, text.size())),
+        b.report(ig::diag("SIE-0169"), ig::Where::columns(next, std::max(next + 1, text.size())),
                  text.substr(std::min(next, text.size())));
         return false;
       }
@@ -379,11 +392,11 @@ struct SiemensCall {
 
   void pass(ig::Block& b, const CycleFields& cycle, std::string_view text, std::size_t open, std::size_t close) {
     if (!read_arguments(b, text.substr(0, close), open)) {
-      b.report(diag("SIE-0182"), ig::Where::columns(begin_, close), cycle.name());
+      b.report(ig::diag("SIE-0182"), ig::Where::columns(begin_, close), cycle.name());
       return;
     }
     if (arguments_.size() > cycle.size())
-      b.report(diag("SIE-0184"), ig::Where::columns(begin_, close), cycle.name(),
+      b.report(ig::diag("SIE-0184"), ig::Where::columns(begin_, close), cycle.name(),
                static_cast<double>(arguments_.size()), static_cast<double>(cycle.size()));
     std::array<ig_word, CycleFields::most + 1> words;
     std::uint32_t count = 0;
@@ -409,7 +422,7 @@ struct SiemensCall {
     std::string name = upper(piece(text, next, name_end));
     const Variable* const variable = is_name ? environment_.store().find(name) : nullptr;
     if (name == "BLOCK") {
-      b.report(diag("SIE-0171"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
+      b.report(ig::diag("SIE-0171"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
       return text.size();
     }
     if (!is_name || (variable != nullptr && variable->value.is_text())) {
@@ -417,7 +430,7 @@ struct SiemensCall {
       const auto path = e.value();
       if (!path || !path->is_text()) {
         if (path || next >= text.size())
-          b.report(diag("SIE-0169"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
+          b.report(ig::diag("SIE-0169"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
         return text.size();
       }
       name = program_of(path->text);
@@ -432,7 +445,7 @@ struct SiemensCall {
     }
     next = skip_blanks(text, next);
     if (next < text.size() && how == "CALL") {
-      b.report(diag("SIE-0171"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
+      b.report(ig::diag("SIE-0171"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
       return text.size();
     }
     return request(b, text, next, std::move(name), next);
@@ -462,19 +475,19 @@ struct SiemensCall {
       end_ = e.position();
       repeats_ = *times;
       if (!(repeats_ >= 0 && repeats_ <= 9999) || repeats_ != std::floor(repeats_)) {
-        b.report(diag("SIE-0172"), ig::Where::columns(next, end_), std::string_view(name), *times);
+        b.report(ig::diag("SIE-0172"), ig::Where::columns(next, end_), std::string_view(name), *times);
         repeats_ = 0;
         return end_;
       }
     }
     if (const std::size_t rest = skip_blanks(text, end_); !is_alone(text, rest)) {
       const std::size_t last = statement_text_end(text, rest);
-      environment_.report_once(b, diag("SIE-0173"), ig::Where::columns(begin_, last), begin_, std::string_view(name),
-                               piece(text, rest, last));
+      environment_.report_once(b, ig::diag("SIE-0173"), ig::Where::columns(begin_, last), begin_,
+                               std::string_view(name), piece(text, rest, last));
       return statement_end(text, rest);
     }
     if (b.is_raised(call_)) {
-      b.report(diag("SIE-0167"), ig::Where::columns(begin_, end_), std::string_view(name));
+      b.report(ig::diag("SIE-0167"), ig::Where::columns(begin_, end_), std::string_view(name));
       return statement_end(text, end_);
     }
     program_ = std::move(name);

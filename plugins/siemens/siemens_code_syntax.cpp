@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <vector>
 
+#include <isogloss/sdk.hpp>
+
 #include "recognised_codes.hpp"
-#include "siemens_diagnostics.hpp"
 
 namespace siemens {
 namespace {
@@ -20,7 +21,7 @@ struct SiemensCode {
                                     contour = "the way back to the contour is missing";
 
   iso::RecognisedCodes codes_{
-      diag("SIE-0261"),
+      ig::diag("SIE-0261"),
       {
           {ig::Call{{"TRANSMIT", "TRACYL", "TRAANG", "TRACON"}, ""},
            "the transformation is missing: machine coordinates are wrong up to TRAFOOF"},
@@ -88,7 +89,7 @@ struct SiemensCode {
                                           [&](const Direction& d) { return word.missing.starts_with(d.word); });
       const bool is_direction = direction != directions_.end();
       if (is_direction ? !b.is_raised(direction->said) : word.missing != said)
-        b.report(diag("SIE-0262"), ig::Where::word(word.word.id()), word.missing);
+        b.report(ig::diag("SIE-0262"), ig::Where::word(word.word.id()), word.missing);
       said = word.missing;
       if (is_direction) b.raise(direction->said);
     }

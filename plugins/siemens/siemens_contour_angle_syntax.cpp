@@ -2,9 +2,10 @@
 #include <cmath>
 #include <numbers>
 
+#include <isogloss/sdk.hpp>
+
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
-#include "siemens_diagnostics.hpp"
 
 namespace siemens {
 namespace {
@@ -35,7 +36,7 @@ struct SiemensContourAngle {
     const double slope = by_first ? along : across;
     // Both coordinates or none belong to contours of several lines, which are computed from their blocks together.
     if (by_first == by_second || std::fabs(slope) < 1e-9 || is_arc(b)) {
-      b.report(diag("SIE-0262"), ig::Where::word(angle_.id()),
+      b.report(ig::diag("SIE-0262"), ig::Where::word(angle_.id()),
                "ANG=: the end point of the contour line is not computed");
       return ig::Status::changed;
     }

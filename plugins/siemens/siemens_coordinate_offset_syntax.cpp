@@ -1,8 +1,9 @@
 /// G54 to G57, G505 to G599 and G500: which of the settable work offsets the program counts from. The base frame of the
 /// table (BASE) is added to each; under G500 it is alone. Rotary axes are SiemensRotaryWordsSyntax's.
+#include <isogloss/sdk.hpp>
+
 #include "coordinate_offset_util.hpp"
 #include "settable_frames.hpp"
-#include "siemens_diagnostics.hpp"
 
 namespace siemens {
 namespace {
@@ -12,6 +13,9 @@ struct SiemensCoordinateOffset {
       ig::syntax("SiemensCoordinateOffsetSyntax", "G54-G57, G505-G599 and G500 select the work offset.")
           .after("SiemensToolOffsetSyntax")
           .before("SiemensCycleSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0211", "the table has no offset {0}: the one before stays in force"),
+  };
 
   SettableFrames frames_{ig::take | ig::wake};
   ig::Out<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
@@ -39,7 +43,7 @@ struct SiemensCoordinateOffset {
   void select(ig::Block& b, ig::Symbol id, ig::Where where) const {
     double own[3] = {0, 0, 0}, base[3] = {0, 0, 0};
     if (id != g500_ && table_->get(table_->self, ig::to_text(b.text(id)), own) == 0) {
-      b.report(diag("SIE-0211"), where, b.text(id));
+      b.report(ig::diag("SIE-0211"), where, b.text(id));
       return;
     }
     if (table_->get(table_->self, ig::to_text("BASE"), base) == 0) base[0] = base[1] = base[2] = 0;

@@ -2,8 +2,9 @@
 /// its kind and size, as a state that CornerBreakPathSyntax and the radius compensation make the path from.
 #include <cmath>
 
+#include <isogloss/sdk.hpp>
+
 #include "corner_break_state.hpp"
-#include "siemens_diagnostics.hpp"
 
 namespace siemens {
 namespace {
@@ -13,6 +14,10 @@ struct SiemensCorner {
       ig::syntax("SiemensCornerSyntax", "CHF=, CHR=, RND= and RNDM=: chamfers and roundings of corners.")
           .after("SiemensUnitSyntax", "SiemensTurnSyntax", "CircularMotionSyntax", "LinearMotionSyntax")
           .before("CornerBreakPathSyntax", "RadiusCompensationPathSyntax", "UnconsumedCheckSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0286", "{0}{1} is less than 0: the corner stays sharp"),
+      ig::diagnostic(IG_ERROR, "SIE-0287", "{0} is the second word for this corner: it is not used"),
+  };
 
   struct Corner {
     ig::Word word;
@@ -44,7 +49,7 @@ struct SiemensCorner {
  private:
   void set_modal(ig::Block& b, double radius) const {
     if (radius < 0)
-      b.report(diag("SIE-0286"), ig::Where::word(modal_word_.id()), b.text(rndm_), radius);
+      b.report(ig::diag("SIE-0286"), ig::Where::word(modal_word_.id()), b.text(rndm_), radius);
     else if (radius > 0)
       b.set(modal_, radius);
     else if (b.has(modal_))
@@ -57,8 +62,8 @@ struct SiemensCorner {
     for (const Corner& corner : corners_) {
       const auto word = b.take(corner.word);
       if (!word) continue;
-      if (found != nullptr) b.report(diag("SIE-0287"), ig::Where::word(corner.word.id()), b.text(corner.name));
-      if (*word < 0) b.report(diag("SIE-0286"), ig::Where::word(corner.word.id()), b.text(corner.name), *word);
+      if (found != nullptr) b.report(ig::diag("SIE-0287"), ig::Where::word(corner.word.id()), b.text(corner.name));
+      if (*word < 0) b.report(ig::diag("SIE-0286"), ig::Where::word(corner.word.id()), b.text(corner.name), *word);
       if (found != nullptr) continue;
       found = &corner;
       size = *word;

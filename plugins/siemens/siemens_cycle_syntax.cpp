@@ -1,8 +1,9 @@
 /// MCALL: a drilling cycle after each block that moves. The call is kept, and raised anew in each block that programs
 /// an axis, or a pattern of holes; MCALL alone ends it. A call without MCALL is left to the cycles, which drill where
 /// the tool stands.
+#include <isogloss/sdk.hpp>
+
 #include "hole_pattern.hpp"
-#include "siemens_diagnostics.hpp"
 
 namespace siemens {
 namespace {

@@ -13,6 +13,14 @@ struct SiemensDeclaration {
                                    .after("SiemensFlowSyntax")
                                    .before("SiemensWordSyntax")
                                    .scans("DPERdper");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0161", "'{0}' is not executed"),
+      ig::diagnostic(IG_ERROR, "SIE-0162", "'{0}' should not stand in a declaration"),
+      ig::diagnostic(IG_WARNING, "SIE-0163", "SAVE: the codes of the caller do not come back"),
+      ig::diagnostic(IG_WARNING, "SIE-0164", "{0} has no value: no call passes one"),
+      ig::diagnostic(IG_ERROR, "SIE-0301", "{0}{1} is no size of an array: it is not defined"),
+      ig::diagnostic(IG_ERROR, "SIE-0302", "{0} is defined already: this definition does not count"),
+  };
 
   Environment environment_;
   ig::Signal statement_{"Parsing.~Declaration", ig::read | ig::write | ig::wake};
@@ -44,7 +52,7 @@ struct SiemensDeclaration {
     if (word_ == Word::def) define(b, text, behind_);
     if (word_ == Word::define) define_macro(b, text);
     if (word_ == Word::proc) begin_program(b, text);
-    if (word_ == Word::other) b.report(diag("SIE-0161"), columns(text, begin_), text.substr(begin_));
+    if (word_ == Word::other) b.report(ig::diag("SIE-0161"), columns(text, begin_), text.substr(begin_));
     return ig::Status::changed;
   }
 
@@ -88,7 +96,7 @@ struct SiemensDeclaration {
     const std::size_t name = skip_blanks(text, behind_), end = skip_name(text, name);
     const std::size_t as = skip_blanks(text, end), by = skip_blanks(text, skip_name(text, as));
     if (end == name || !is_word(text, as, "AS") || by >= text.size()) {
-      b.report(diag("SIE-0162"), columns(text, name), text.substr(std::min(name, text.size())));
+      b.report(ig::diag("SIE-0162"), columns(text, name), text.substr(std::min(name, text.size())));
       return;
     }
     environment_.store().define_macro(upper(piece(text, name, end)), std::string(text.substr(by)));
@@ -102,14 +110,14 @@ struct SiemensDeclaration {
       if (is_word(text, next, scope)) next = skip_blanks(text, skip_name(text, next));
     const auto type = next < text.size() ? type_at(text, next) : std::nullopt;
     if (!type) {
-      b.report(diag("SIE-0161"), columns(text, begin_), text.substr(begin_));
+      b.report(ig::diag("SIE-0161"), columns(text, begin_), text.substr(begin_));
       return;
     }
     while (next < text.size()) {
       const std::size_t begin = next, end = skip_name(text, next);
       const std::string name = upper(piece(text, begin, end));
       if (name.empty()) {
-        b.report(diag("SIE-0162"), columns(text, begin), text.substr(begin));
+        b.report(ig::diag("SIE-0162"), columns(text, begin), text.substr(begin));
         return;
       }
       next = skip_blanks(text, end);
@@ -118,11 +126,11 @@ struct SiemensDeclaration {
       const std::pair place(environment_.flow.here(b).offset, begin);
       if (const Variable* const known = environment_.store().find(name);
           known != nullptr && known->defined_at != place) {
-        b.report(diag("SIE-0302"), ig::Where::columns(begin, end), std::string_view(name));
+        b.report(ig::diag("SIE-0302"), ig::Where::columns(begin, end), std::string_view(name));
         return;
       }
       if (!environment_.store().define(name, empty(*type), !sizes.empty())) {
-        b.report(diag("SIE-0114"), columns(text, begin), std::string_view(name));
+        b.report(ig::diag("SIE-0114"), columns(text, begin), std::string_view(name));
         return;
       }
       Variable& defined = *environment_.store().find(name);
@@ -132,7 +140,7 @@ struct SiemensDeclaration {
       next = skip_blanks(text, next);
       if (next >= text.size()) return;
       if (text[next] != ',') {
-        b.report(diag("SIE-0162"), columns(text, next), text.substr(next));
+        b.report(ig::diag("SIE-0162"), columns(text, next), text.substr(next));
         return;
       }
       next = skip_blanks(text, next + 1);
@@ -151,14 +159,14 @@ struct SiemensDeclaration {
       if (!size) return false;
       next = skip_blanks(text, e.position());
       if (!(*size >= 1 && *size <= most) || *size != std::floor(*size) || sizes.size() == most_dimensions) {
-        b.report(diag("SIE-0301"), ig::Where::columns(open, std::max(next, open + 1)), std::string_view(name),
+        b.report(ig::diag("SIE-0301"), ig::Where::columns(open, std::max(next, open + 1)), std::string_view(name),
                  piece(text, open, std::min(next + 1, text.size())));
         return false;
       }
       sizes.push_back(static_cast<std::uint32_t>(*size));
     } while (at(text, next) == ',');
     if (at(text, next) != ']') {
-      b.report(diag("SIE-0102"), columns(text, open));
+      b.report(ig::diag("SIE-0102"), columns(text, open));
       return false;
     }
     next = skip_blanks(text, next + 1);
@@ -178,7 +186,7 @@ struct SiemensDeclaration {
     if (!v) return false;
     auto fitting = v->as(defined.value.type);
     if (!fitting) {
-      b.report(diag("SIE-0130"), columns(text, begin_), std::string_view(name));
+      b.report(ig::diag("SIE-0130"), columns(text, begin_), std::string_view(name));
       return false;
     }
     defined.value = std::move(*fitting);
@@ -205,7 +213,7 @@ struct SiemensDeclaration {
       }
     }
     for (next = 0; next < text.size(); next = std::max(skip_name(text, next), next + 1))
-      if (is_word(text, next, "SAVE")) b.report(diag("SIE-0163"), ig::Where::columns(next, next + 4));
+      if (is_word(text, next, "SAVE")) b.report(ig::diag("SIE-0163"), ig::Where::columns(next, next + 4));
   }
 
   bool parameter(ig::Block& b, std::string_view text, std::size_t& next, const Argument& argument, bool is_called) {
@@ -216,7 +224,7 @@ struct SiemensDeclaration {
     const std::size_t end = skip_name(text, next);
     const std::string name = upper(piece(text, next, end));
     if (!type || name.empty()) {
-      b.report(diag("SIE-0162"), columns(text, begin), text.substr(begin));
+      b.report(ig::diag("SIE-0162"), columns(text, begin), text.substr(begin));
       return false;
     }
     next = skip_blanks(text, end);
@@ -236,11 +244,11 @@ struct SiemensDeclaration {
       if (const auto fitting = argument.value->as(*type))
         value = *fitting;
       else
-        b.report(diag("SIE-0130"), columns(text, begin), std::string_view(name));
+        b.report(ig::diag("SIE-0130"), columns(text, begin), std::string_view(name));
     } else if (const auto given = is_called ? std::nullopt : environment_.store().given(name)) {
       value.number = *given;
     } else if (!has_default && !is_called) {
-      b.report(diag("SIE-0164"), ig::Where::columns(begin, end), std::string_view(name));
+      b.report(ig::diag("SIE-0164"), ig::Where::columns(begin, end), std::string_view(name));
     }
     environment_.store().define(name, std::move(value), is_array);
     if (is_array) environment_.store().find(name)->sizes = argument.sizes;

@@ -9,6 +9,10 @@ struct SiemensDeepHoleCycle {
   static constexpr auto spec = ig::syntax("SiemensDeepHoleCycleSyntax", "CYCLE83 deep hole drilling in strokes.")
                                    .after("SiemensCycleSyntax", "SiemensDrillingCycleSyntax", "FeedrateSyntax")
                                    .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0193", "{0}: the first depth {1} does not lie within the depth {2} (alarm 61107)"),
+      ig::diagnostic(IG_ERROR, "SIE-0194", "{0}: the factor of the first feed is {1}, not 0.001 to 1"),
+  };
 
   DrillingCall cycle_{"CYCLE83"};
   ig::NumberOption chip_break_{"chip-break", "1", {0, 1000}, "mm", "The way back of VARI 0 where VRT does not say it."};
@@ -83,16 +87,16 @@ struct SiemensDeepHoleCycle {
     else if (absolute)
       first = run.out * (run.reference - *absolute);
     if (!(first > 0) || first > total + rounding_mm) {
-      b.report(diag("SIE-0193"), DrillingCall::where(run, "FDEP"), name, first, total);
+      b.report(ig::diag("SIE-0193"), DrillingCall::where(run, "FDEP"), name, first, total);
       return false;
     }
     if (const double f = factor(run), least = is_percentage(run) ? 1e-5 : 0.001, most = is_percentage(run) ? 10 : 1;
         !(f >= least && f <= most)) {
-      b.report(diag("SIE-0194"), DrillingCall::where(run, "FRF"), name, f);
+      b.report(ig::diag("SIE-0194"), DrillingCall::where(run, "FRF"), name, f);
       return false;
     }
     if (run["AXN"].value_or(0) != 0 && run["AXN"].value_or(0) != 3) {
-      b.report(diag("SIE-0191"), DrillingCall::where(run, "AXN"), name, *run["AXN"]);
+      b.report(ig::diag("SIE-0191"), DrillingCall::where(run, "AXN"), name, *run["AXN"]);
       return false;
     }
     double less = run["DAM"].value_or(0);
@@ -116,7 +120,7 @@ struct SiemensDeepHoleCycle {
       }
       depths_.push_back(stroke < left - rounding_mm ? depths_.back() + stroke : total);
       if (depths_.size() > most_strokes) {
-        b.report(diag("SIE-0195"), DrillingCall::where(run, "DAM"), name, static_cast<double>(most_strokes));
+        b.report(ig::diag("SIE-0195"), DrillingCall::where(run, "DAM"), name, static_cast<double>(most_strokes));
         return false;
       }
     }

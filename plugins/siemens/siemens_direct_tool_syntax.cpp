@@ -1,6 +1,7 @@
 /// Machines where T alone changes the tool have no M6 in their programs. The first move with an offset shows it: up to
 /// there M6 may still come.
-#include "siemens_diagnostics.hpp"
+
+#include <isogloss/sdk.hpp>
 
 namespace siemens {
 namespace {
@@ -12,6 +13,9 @@ struct SiemensDirectTool {
       ig::syntax("SiemensDirectToolSyntax", "T changes the tool where no M6 does.")
           .after("ToolChangeSyntax", "SiemensToolNameSyntax")
           .before("SiemensToolOffsetSyntax", "SiemensMachineCoordinatesSyntax", "SiemensPositionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "SIE-0234", "a move with D{0}, but no M6 has put T{1} into the spindle: {2}"),
+  };
 
   ig::Choice<WithoutM6> without_m6_{"without-m6", "changed|waits", "changed",
                                     "A move with an offset of a tool that T named and no M6 brought: T has changed the "
@@ -50,7 +54,7 @@ struct SiemensDirectTool {
     const double edge = edge_of(b);
     if (edge == 0) return ig::Status::changed;
     b.report(
-        diag("SIE-0234"), ig::Where::block(), edge, static_cast<double>(b.get_or(named_, std::int64_t{0})),
+        ig::diag("SIE-0234"), ig::Where::block(), edge, static_cast<double>(b.get_or(named_, std::int64_t{0})),
         std::string_view(without_m6_ == WithoutM6::changed ? "T is taken to have changed the tool, here and further on"
                                                            : "length and radius count as 0"));
     b.erase(waits_);

@@ -1,5 +1,6 @@
 /// G4: wait. F counts seconds, S turns of the spindle; neither is the feed or the speed of the blocks after it.
-#include "siemens_diagnostics.hpp"
+
+#include <isogloss/sdk.hpp>
 
 namespace siemens {
 namespace {
@@ -8,6 +9,11 @@ struct SiemensDwell {
   static constexpr auto spec = ig::syntax("SiemensDwellSyntax", "G4 dwell: F seconds, S turns of the spindle.")
                                    .after("ParameterizedFlagSyntax")
                                    .before("FeedrateSyntax", "SpindleSpeedSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0201", "G4 without F and S: nothing waits"),
+      ig::diagnostic(IG_ERROR, "SIE-0202", "G4 with a negative time: nothing waits"),
+      ig::diagnostic(IG_ERROR, "SIE-0203", "G4 S: the speed of the spindle is not known, so no time passes"),
+  };
 
   ig::Call g04_{{"G04"}, "F[s] S[]"};
   ig::Out<double> time_{"Dwell.Time"};
@@ -20,15 +26,15 @@ struct SiemensDwell {
     const auto seconds = (*words)['F'], turns = (*words)['S'];
     const double rpm = b.get_or(speed_, 0.0);
     if (!seconds && !turns) {
-      b.report(diag("SIE-0201"), where);
+      b.report(ig::diag("SIE-0201"), where);
     } else if (seconds.value_or(0) < 0 || turns.value_or(0) < 0) {
-      b.report(diag("SIE-0202"), where);
+      b.report(ig::diag("SIE-0202"), where);
     } else if (seconds) {
       b.set(time_, *seconds);
     } else if (rpm > 0) {
       b.set(time_, *turns * 60 / rpm);
     } else {
-      b.report(diag("SIE-0203"), where);
+      b.report(ig::diag("SIE-0203"), where);
     }
     return ig::Status::changed;
   }

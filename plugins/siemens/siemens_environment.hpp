@@ -6,8 +6,9 @@
 
 #include <isogloss/flow.hpp>
 
+#include <isogloss/sdk.hpp>
+
 #include "scan_util.hpp"
-#include "siemens_diagnostics.hpp"
 #include "system_data.hpp"
 #include "variable_store.hpp"
 
@@ -21,9 +22,9 @@ class Environment {
   VariableStore& store() const { return const_cast<VariableStore&>(*store_.operator->()); }
 
   /// A name that is missing is missing wherever it stands: it is said once, an array without its indices.
-  void report_name(ig::Block& b, std::uint32_t diagnostic, const ig::Where& where, const std::string& name) const {
+  void report_name(ig::Block& b, ig::DiagnosticCode diagnostic, const ig::Where& where, const std::string& name) const {
     const std::string base = name.substr(0, name.find('['));
-    if (store().say_once(std::to_string(diagnostic) + '\n' + base)) b.report(diagnostic, where, std::string_view(base));
+    if (store().say_once(std::string(diagnostic.code) + '\n' + base)) b.report(diagnostic, where, std::string_view(base));
   }
 
   /// Before variables are read or written in a block.
@@ -31,13 +32,13 @@ class Environment {
 
   /// What a loop or a subprogram meets again at the same place of the text is said once for that place.
   template <class... Args>
-  void report_once(ig::Block& b, std::uint32_t diagnostic, const ig::Where& where, std::size_t column,
+  void report_once(ig::Block& b, ig::DiagnosticCode diagnostic, const ig::Where& where, std::size_t column,
                    const Args&... args) const {
     const ig_frame f = flow.frame(b);
     const ig_place here = flow.here(b);
-    std::string place(ig::to_view(f.file));
-    for (const std::uint64_t n :
-         {std::uint64_t{diagnostic}, here.offset, std::uint64_t{here.line}, static_cast<std::uint64_t>(column)})
+    std::string place = std::string(diagnostic.code) + '\n';
+    place += ig::to_view(f.file);
+    for (const std::uint64_t n : {here.offset, std::uint64_t{here.line}, static_cast<std::uint64_t>(column)})
       place.append(1, '\n').append(std::to_string(n));
     if (store().say_once(place)) b.report(diagnostic, where, args...);
   }

@@ -41,7 +41,7 @@ std::optional<double> Expression::number() {
   const std::size_t begin = at_;
   const auto v = value();
   if (!v) return std::nullopt;
-  if (v->is_text()) return fail(diag("SIE-0107"), begin, shown(begin));
+  if (v->is_text()) return fail(ig::diag("SIE-0107"), begin, shown(begin));
   return v->number;
 }
 
@@ -74,7 +74,7 @@ std::optional<Value> Expression::level(int priority) {
     const std::string_view op = take_operator(priority);
     if (op.empty()) break;
     if (count == 1 && priority == loosest)
-      environment_.report_once(b_, diag("SIE-0108"), ig::Where::columns(begin, at_), begin, shown(begin));
+      environment_.report_once(b_, ig::diag("SIE-0108"), ig::Where::columns(begin, at_), begin, shown(begin));
     const auto right = level(priority - 1);
     if (!right) return std::nullopt;
     left = apply(op, *left, *right, begin);
@@ -107,12 +107,12 @@ std::optional<Value> Expression::unary() {
   const std::size_t begin = at_;
   auto v = operand();
   if (!v) return std::nullopt;
-  if (v->is_text() && !prefix.empty()) return fail(diag("SIE-0107"), begin, shown(begin));
+  if (v->is_text() && !prefix.empty()) return fail(ig::diag("SIE-0107"), begin, shown(begin));
   for (std::size_t i = prefix.size(); i-- > 0;) {
     if (prefix[i] == '-') v->number = -v->number + 0.0;
     if (prefix[i] == '!') v = Value::truth(v->number == 0);
     if (prefix[i] == '~') {
-      if (!is_bits(v->number)) return fail(diag("SIE-0106"), begin, shown(begin));
+      if (!is_bits(v->number)) return fail(ig::diag("SIE-0106"), begin, shown(begin));
       v = Value::integer(static_cast<double>(~static_cast<std::int32_t>(static_cast<std::int64_t>(v->number))));
     }
   }
@@ -122,7 +122,7 @@ std::optional<Value> Expression::unary() {
 /// <<5 alone: what stands behind it, as a text.
 std::optional<Value> Expression::as_text() {
   at_ += 2;
-  if (++depth_ > deepest) return fail(diag("SIE-0103"), at_, static_cast<double>(deepest));
+  if (++depth_ > deepest) return fail(ig::diag("SIE-0103"), at_, static_cast<double>(deepest));
   const auto v = level(join_priority - 1);
   --depth_;
   return v ? std::optional(Value::string(text_of(*v))) : std::nullopt;
@@ -132,13 +132,13 @@ std::optional<Value> Expression::operand() {
   const std::size_t begin = at_;
   const char c = peek();
   if (c == '(') {
-    if (++depth_ > deepest) return fail(diag("SIE-0103"), begin, static_cast<double>(deepest));
+    if (++depth_ > deepest) return fail(ig::diag("SIE-0103"), begin, static_cast<double>(deepest));
     ++at_;
     auto v = level(loosest);
     --depth_;
     if (!v) return std::nullopt;
     skip_blanks();
-    if (peek() != ')') return fail(diag("SIE-0102"), begin);
+    if (peek() != ')') return fail(ig::diag("SIE-0102"), begin);
     ++at_;
     return v;
   }
@@ -163,7 +163,7 @@ std::optional<Value> Expression::operand() {
       return call(name, begin);
     }
   } else if (c != '$') {
-    return fail(diag("SIE-0101"), begin, next_text(begin));
+    return fail(ig::diag("SIE-0101"), begin, next_text(begin));
   }
   const auto r = reference();
   return r ? read(*r) : std::nullopt;
@@ -171,7 +171,7 @@ std::optional<Value> Expression::operand() {
 
 /// What DEFINE says of the name that was read: a value in itself.
 std::optional<Value> Expression::of_macro(std::size_t begin, const std::string& macro) {
-  if (depth_ > 0 && depth_ >= deepest) return fail(diag("SIE-0103"), begin, static_cast<double>(deepest));
+  if (depth_ > 0 && depth_ >= deepest) return fail(ig::diag("SIE-0103"), begin, static_cast<double>(deepest));
   const std::string padded = std::string(begin, ' ') + macro;
   Expression e(b_, environment_, padded, begin);
   e.depth_ = depth_ + 1;
@@ -182,7 +182,7 @@ std::optional<Value> Expression::of_macro(std::size_t begin, const std::string& 
     return std::nullopt;
   }
   if (!v || iso::skip_blanks(padded, e.position()) < padded.size())
-    return fail(diag("SIE-0288"), begin, std::string_view(macro));
+    return fail(ig::diag("SIE-0288"), begin, std::string_view(macro));
   return v;
 }
 
@@ -191,7 +191,7 @@ std::optional<Value> Expression::literal() {
   if (peek() == '"') {
     const std::size_t close = text_.find('"', begin + 1);
     at_ = close == std::string_view::npos ? text_.size() : close + 1;
-    if (close == std::string_view::npos) return fail(diag("SIE-0102"), begin);
+    if (close == std::string_view::npos) return fail(ig::diag("SIE-0102"), begin);
     return Value::string(std::string(iso::piece(text_, begin + 1, close)));
   }
   if (peek() == '\'') {  // 'HFF' and 'B101'
@@ -202,12 +202,12 @@ std::optional<Value> Expression::literal() {
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), n, base == 'H' ? 16 : 2);
     at_ = std::min(close + 1, text_.size());
     if ((base != 'H' && base != 'B') || error != std::errc{} || end != digits.data() + digits.size())
-      return fail(diag("SIE-0101"), begin, shown(begin));
+      return fail(ig::diag("SIE-0101"), begin, shown(begin));
     return Value::integer(n);
   }
   const ig::Decimal d = ig::read_decimal(text_, at_);
   at_ = std::max(d.end, begin + 1);
-  if (!d.ok) return fail(diag("SIE-0101"), begin, shown(begin));
+  if (!d.ok) return fail(ig::diag("SIE-0101"), begin, shown(begin));
   double value = d.value;
   bool is_whole = !d.has_point;
   if (iso::equals_ignoring_case(text_.substr(at_, 2), "EX")) {
@@ -218,7 +218,7 @@ std::optional<Value> Expression::literal() {
       is_whole = false;
     }
   }
-  if (!std::isfinite(value)) return fail(diag("SIE-0105"), begin, shown(begin));
+  if (!std::isfinite(value)) return fail(ig::diag("SIE-0105"), begin, shown(begin));
   return is_whole ? Value::integer(value) : Value::real(value);
 }
 
@@ -241,7 +241,7 @@ bool Expression::indices(std::string& name) {
       at_ = end;
     } else {
       if (++depth_ > deepest) {
-        fail(diag("SIE-0103"), begin, static_cast<double>(deepest));
+        fail(ig::diag("SIE-0103"), begin, static_cast<double>(deepest));
         return false;
       }
       const auto index = level(loosest);
@@ -250,7 +250,7 @@ bool Expression::indices(std::string& name) {
       if (index->is_text()) {
         name += index->text;
       } else if (!(std::fabs(index->number) < 1e9)) {
-        fail(diag("SIE-0104"), open, name);
+        fail(ig::diag("SIE-0104"), open, name);
         return false;
       } else {
         name += std::to_string(static_cast<std::int64_t>(std::round(index->number)));
@@ -263,7 +263,7 @@ bool Expression::indices(std::string& name) {
       continue;
     }
     if (peek() != ']') {
-      fail(diag("SIE-0102"), open);
+      fail(ig::diag("SIE-0102"), open);
       return false;
     }
     ++at_;
@@ -291,7 +291,7 @@ std::optional<Expression::Reference> Expression::reference() {
     const char* const first = name.data() + (has_number ? 1 : 2);
     const auto [end, error] = std::from_chars(first, name.data() + name.size(), number);
     if (error != std::errc{} || environment_.store().r(number) == nullptr)
-      return fail(diag("SIE-0104"), out.begin, std::string_view(name));
+      return fail(ig::diag("SIE-0104"), out.begin, std::string_view(name));
     out.r = number;
     name = "R" + std::to_string(number);
   }
@@ -305,7 +305,7 @@ std::optional<Value> Expression::read(const Reference& r) {
   if (r.is_r) {
     VariableStore::RParameter& p = *store.r(r.r);
     if (!p.is_given && store.say_once(r.name))
-      b_.report(diag("SIE-0112"), ig::Where::columns(r.begin, r.end), std::string_view(r.name));
+      b_.report(ig::diag("SIE-0112"), ig::Where::columns(r.begin, r.end), std::string_view(r.name));
     return Value::real(p.value);
   }
   if (const Variable* const v = store.find(r.name)) return v->value;
@@ -315,7 +315,7 @@ std::optional<Value> Expression::read(const Reference& r) {
     if (const Variable* const array = store.find(base); array != nullptr && array->is_array) {
       at_ = r.end;
       if (!array->sizes.empty() && !array->number_of(std::string_view(r.name).substr(bracket)))
-        return fail(diag("SIE-0304"), r.begin, std::string_view(r.name), std::string_view(array->shown_as(base)));
+        return fail(ig::diag("SIE-0304"), r.begin, std::string_view(r.name), std::string_view(array->shown_as(base)));
       return array->value;
     }
   }
@@ -326,9 +326,9 @@ std::optional<Value> Expression::read(const Reference& r) {
   at_ = r.end;
   const auto where = ig::Where::columns(r.begin, r.end);
   if (!failed_ && r.name[0] == '$')
-    environment_.report_once(b_, diag("SIE-0110"), where, r.begin, std::string_view(r.name));
+    environment_.report_once(b_, ig::diag("SIE-0110"), where, r.begin, std::string_view(r.name));
   else if (!failed_)
-    environment_.report_name(b_, diag("SIE-0111"), where, r.name);
+    environment_.report_name(b_, ig::diag("SIE-0111"), where, r.name);
   failed_ = true;
   return std::nullopt;
 }
@@ -358,9 +358,9 @@ std::optional<Value> Expression::call(const std::string& name, std::size_t begin
                                      [&](const Function& known) { return known.name == name; });
   if (f == std::end(functions)) {
     at_ = skip_call(text_, at_);
-    return fail(asks_control(name) ? diag("SIE-0321") : diag("SIE-0109"), begin, std::string_view(name));
+    return fail(asks_control(name) ? ig::diag("SIE-0321") : ig::diag("SIE-0109"), begin, std::string_view(name));
   }
-  if (++depth_ > deepest) return fail(diag("SIE-0103"), begin, static_cast<double>(deepest));
+  if (++depth_ > deepest) return fail(ig::diag("SIE-0103"), begin, static_cast<double>(deepest));
   const std::size_t open = at_++;
   std::array<Value, 3> v;
   std::size_t count = 0;
@@ -374,13 +374,14 @@ std::optional<Value> Expression::call(const std::string& name, std::size_t begin
     ++at_;
   }
   --depth_;
-  if (peek() != ')') return fail(diag("SIE-0102"), open);
+  if (peek() != ')') return fail(ig::diag("SIE-0102"), open);
   ++at_;
-  if (count < f->least || count > f->most) return fail(diag("SIE-0113"), begin, f->name, static_cast<double>(f->least));
+  if (count < f->least || count > f->most)
+    return fail(ig::diag("SIE-0113"), begin, f->name, static_cast<double>(f->least));
   const bool wants_text =
       name == "STRLEN" || name == "NUMBER" || name == "TOUPPER" || name == "TOLOWER" || name == "AXNAME";
   for (std::size_t i = 0; i < count; ++i)
-    if (v[i].is_text() != wants_text) return fail(diag("SIE-0107"), begin, shown(begin));
+    if (v[i].is_text() != wants_text) return fail(ig::diag("SIE-0107"), begin, shown(begin));
   if (name == "TOUPPER" || name == "AXNAME") return Value::string(upper(v[0].text));
   if (name == "TOLOWER") {
     for (char& c : v[0].text)
@@ -398,7 +399,7 @@ std::optional<Value> Expression::call(const std::string& name, std::size_t begin
     if (quarter == -90) out = -1;
   }
   if (name == "TAN") {
-    if (std::fabs(std::remainder(x, 180)) == 90) return fail(diag("SIE-0106"), begin, shown(begin));
+    if (std::fabs(std::remainder(x, 180)) == 90) return fail(ig::diag("SIE-0106"), begin, shown(begin));
     out = std::tan(std::remainder(x, 180) * radians);
   }
   if (name == "ASIN") out = std::asin(x) / radians;
@@ -418,24 +419,24 @@ std::optional<Value> Expression::call(const std::string& name, std::size_t begin
   if (name == "STRLEN") out = static_cast<double>(v[0].text.size());
   if (name == "NUMBER") {
     const ig::Decimal d = ig::read_decimal(v[0].text, iso::skip_blanks(v[0].text, 0));
-    if (!d.ok) return fail(diag("SIE-0106"), begin, shown(begin));
+    if (!d.ok) return fail(ig::diag("SIE-0106"), begin, shown(begin));
     out = d.value;
   }
-  if (!std::isfinite(out)) return fail(diag("SIE-0106"), begin, shown(begin));
+  if (!std::isfinite(out)) return fail(ig::diag("SIE-0106"), begin, shown(begin));
   return Value::real(out + 0.0);
 }
 
 std::optional<Value> Expression::apply(std::string_view op, const Value& l, const Value& r, std::size_t begin) {
   if (op == "<<") {
     std::string joined = text_of(l) + text_of(r);
-    if (joined.size() > 4096) return fail(diag("SIE-0105"), begin, std::string_view("<<"));
+    if (joined.size() > 4096) return fail(ig::diag("SIE-0105"), begin, std::string_view("<<"));
     return Value::string(std::move(joined));
   }
   if (l.is_text() && r.is_text()) {
     if (op == "==") return Value::truth(l.text == r.text);
     if (op == "<>") return Value::truth(l.text != r.text);
   }
-  if (l.is_text() || r.is_text()) return fail(diag("SIE-0107"), begin, shown(begin));
+  if (l.is_text() || r.is_text()) return fail(ig::diag("SIE-0107"), begin, shown(begin));
   const double a = l.number, c = r.number;
   if (op == "==") return Value::truth(a == c);
   if (op == "<>") return Value::truth(a != c);
@@ -447,11 +448,11 @@ std::optional<Value> Expression::apply(std::string_view op, const Value& l, cons
   if (op == "OR") return Value::truth(a != 0 || c != 0);
   if (op == "XOR") return Value::truth((a != 0) != (c != 0));
   if (op.starts_with("B_")) {
-    if (!is_bits(a) || !is_bits(c)) return fail(diag("SIE-0106"), begin, shown(begin));
+    if (!is_bits(a) || !is_bits(c)) return fail(ig::diag("SIE-0106"), begin, shown(begin));
     const auto x = static_cast<std::int64_t>(a), y = static_cast<std::int64_t>(c);
     return Value::integer(static_cast<double>(op == "B_AND" ? x & y : op == "B_OR" ? x | y : x ^ y));
   }
-  if ((op == "/" || op == "DIV" || op == "MOD") && c == 0) return fail(diag("SIE-0307"), begin, shown(begin));
+  if ((op == "/" || op == "DIV" || op == "MOD") && c == 0) return fail(ig::diag("SIE-0307"), begin, shown(begin));
   const bool whole = l.type != Type::real && r.type != Type::real;
   double out = 0;
   if (op == "+") out = a + c;
@@ -460,7 +461,7 @@ std::optional<Value> Expression::apply(std::string_view op, const Value& l, cons
   if (op == "/") out = a / c;
   if (op == "DIV") out = std::trunc(a / c);
   if (op == "MOD") out = std::fmod(a, c);
-  if (!std::isfinite(out)) return fail(diag("SIE-0105"), begin, shown(begin));
+  if (!std::isfinite(out)) return fail(ig::diag("SIE-0105"), begin, shown(begin));
   const bool is_whole = op == "DIV" || op == "MOD" || (whole && op != "/");
   return is_whole ? Value::integer(out) : Value::real(out);
 }

@@ -48,7 +48,7 @@ class Expression {
   char peek() const { return iso::at(text_, at_); }
   void skip_blanks() { at_ = iso::skip_blanks(text_, at_); }
   template <class... Args>
-  std::nullopt_t fail(std::uint32_t diagnostic, std::size_t begin, const Args&... args) {
+  std::nullopt_t fail(ig::DiagnosticCode diagnostic, std::size_t begin, const Args&... args) {
     if (!failed_) b_.report(diagnostic, ig::Where::columns(begin, std::max(at_, begin + 1)), args...);
     failed_ = true;
     return std::nullopt;

@@ -1,5 +1,6 @@
 /// A main program whose file ends before it does: the run ends there, and says so.
-#include "siemens_diagnostics.hpp"
+
+#include <isogloss/sdk.hpp>
 
 namespace siemens {
 namespace {
@@ -7,11 +8,14 @@ namespace {
 struct SiemensFileEnd {
   static constexpr auto spec =
       ig::syntax("SiemensFileEndSyntax", "Says that a program ends without M30, M2, M17 or RET.");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_NOTE, "SIE-0293", "the program ends here without M30, M2, M17 or RET"),
+  };
 
   ig::Signal text_ended_{"Source.~End", ig::read | ig::wake};
 
   ig::Status build(ig::Block& b) {
-    if (b.is_raised(text_ended_)) b.report(diag("SIE-0293"), ig::Where::block());
+    if (b.is_raised(text_ended_)) b.report(ig::diag("SIE-0293"), ig::Where::block());
     return ig::Status::unchanged;
   }
 };

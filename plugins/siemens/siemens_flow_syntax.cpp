@@ -17,6 +17,14 @@ struct SiemensFlow {
           .after("HeadIndexSyntax")
           .before("SiemensWordSyntax", "ProgramEndSyntax")
           .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_:");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0142", "{0} of this statement is missing"),
+      ig::diagnostic(IG_ERROR, "SIE-0143", "loops are nested deeper than {0}: the run ends"),
+      ig::diagnostic(IG_ERROR, "SIE-0145", "{0} without {1}"),
+      ig::diagnostic(IG_WARNING, "SIE-0146", "it is not certain that this end belongs to the {0} of line {1}"),
+      ig::diagnostic(IG_ERROR, "SIE-0147", "the label {0} of the section is not found: {1}"),
+      ig::diagnostic(IG_ERROR, "SIE-0306", "{0} is not executed: RET takes one label or block number, as a text"),
+  };
 
   Environment environment_;
   ig::Signal statement_{"Parsing.~FlowStatement", ig::read | ig::write | ig::wake};
@@ -138,7 +146,7 @@ struct SiemensFlow {
   void jump_behind(ig::Block& b, std::string_view text, std::string_view prefix, std::string_view word,
                    std::int64_t line) const {
     const ig::Flow::Answer answer = jump(b, BranchIndex::named(prefix, line), IG_SEARCH_FORWARD);
-    if (answer.is_not_found()) b.report(diag("SIE-0142"), columns(text, begin_), word);
+    if (answer.is_not_found()) b.report(ig::diag("SIE-0142"), columns(text, begin_), word);
   }
 
   std::uint64_t frame(const ig::Block& b) const { return environment_.flow.frame(b).id; }
@@ -153,13 +161,13 @@ struct SiemensFlow {
     Loop loop{
         .kind = kind, .frame = f.id, .pass = f.pass, .line = line, .place = environment_.flow.here(b), .until = {}};
     if (!loops_.push(std::move(loop))) {
-      b.report(diag("SIE-0143"), columns(text, begin_), static_cast<double>(LoopStack::deepest));
+      b.report(ig::diag("SIE-0143"), columns(text, begin_), static_cast<double>(LoopStack::deepest));
       b.end_program();
       return nullptr;
     }
     if (kind != LoopKind::until &&
         !environment_.flow.has_label(b, BranchIndex::named(end_of(kind) + "@", line), IG_SEARCH_FORWARD))
-      b.report(diag("SIE-0142"), columns(text, begin_), std::string_view(end_of(kind)));
+      b.report(ig::diag("SIE-0142"), columns(text, begin_), std::string_view(end_of(kind)));
     return loops_.innermost(f.id);
   }
   static std::string end_of(LoopKind kind) {
@@ -194,7 +202,7 @@ struct SiemensFlow {
     Expression last(b, environment_, text, next + 2);
     const bool is_complete = from && is_word(text, next, "TO");
     const auto to = is_complete ? last.number() : std::nullopt;
-    if (!is_complete && (at(text, next) != '=' || from)) b.report(diag("SIE-0144"), columns(text, begin_));
+    if (!is_complete && (at(text, next) != '=' || from)) b.report(ig::diag("SIE-0144"), columns(text, begin_));
     if (!to || !ends(b, text, last.position())) return leave_loop(b, text, LoopKind::for_, line, "ENDFOR");
     Loop* const running = loops_.at_line(frame(b), line, LoopKind::for_);
     const bool goes_on = running != nullptr && running->goes_on;
@@ -205,7 +213,7 @@ struct SiemensFlow {
       running->goes_on = false;
     }
     if (!set(b, *variable, value)) {
-      b.report(diag("SIE-0124"), columns(text, variable->begin), std::string_view(variable->name));
+      b.report(ig::diag("SIE-0124"), columns(text, variable->begin), std::string_view(variable->name));
       return leave_loop(b, text, LoopKind::for_, line, "ENDFOR");
     }
     if (value > *to) return leave_loop(b, text, LoopKind::for_, line, "ENDFOR");
@@ -228,10 +236,10 @@ struct SiemensFlow {
     bool doubtful = false;
     Loop* const loop = loops_.ending(frame(b), line_of(b), kind, doubtful);
     if (loop == nullptr) {
-      b.report(diag("SIE-0145"), columns(text, begin_), text.substr(begin_), word);
+      b.report(ig::diag("SIE-0145"), columns(text, begin_), text.substr(begin_), word);
       return;
     }
-    if (doubtful) b.report(diag("SIE-0146"), columns(text, begin_), word, static_cast<double>(loop->line));
+    if (doubtful) b.report(ig::diag("SIE-0146"), columns(text, begin_), word, static_cast<double>(loop->line));
     loop->goes_on = true;
     environment_.flow.go_to(b, loop->place);
   }
@@ -240,7 +248,7 @@ struct SiemensFlow {
     bool doubtful = false;
     Loop* const loop = loops_.ending(frame(b), line_of(b), LoopKind::until, doubtful);
     if (loop == nullptr) {
-      b.report(diag("SIE-0145"), columns(text, begin_), std::string_view("UNTIL"), std::string_view("REPEAT"));
+      b.report(ig::diag("SIE-0145"), columns(text, begin_), std::string_view("UNTIL"), std::string_view("REPEAT"));
       return;
     }
     std::size_t after = 0;
@@ -286,14 +294,14 @@ struct SiemensFlow {
         next = e.position();
       }
       if (first_label_.empty()) {
-        b.report(diag("SIE-0141"), columns(text, name), text.substr(std::min(name, text.size())));
+        b.report(ig::diag("SIE-0141"), columns(text, name), text.substr(std::min(name, text.size())));
         return;
       }
       if (!ends(b, text, next)) return;
       if (found.until[0] == 'N') b.raise(numbers_end_);
       found.until += ' ' + first_label_;  // "END BEGIN"
       if (!loops_.push(std::move(found))) {
-        b.report(diag("SIE-0143"), columns(text, begin_), static_cast<double>(LoopStack::deepest));
+        b.report(ig::diag("SIE-0143"), columns(text, begin_), static_cast<double>(LoopStack::deepest));
         b.end_program();
         return;
       }
@@ -308,7 +316,7 @@ struct SiemensFlow {
     if (!environment_.flow.jump(b, from, IG_SEARCH_BACKWARD).is_not_found()) return;
     const ig::Flow::Answer ahead = environment_.flow.jump(b, from, IG_SEARCH_FORWARD);
     if (!ahead.is_not_found()) return;
-    b.report(diag("SIE-0147"), columns(text, begin_), std::string_view(from), ahead.reason);
+    b.report(ig::diag("SIE-0147"), columns(text, begin_), std::string_view(from), ahead.reason);
     loops_.pop();
   }
 
@@ -342,7 +350,7 @@ struct SiemensFlow {
   /// RET("LABEL"): back to that block of the caller. How many levels and what else the control takes is not executed.
   void return_to(ig::Block& b, std::string_view text) {
     const std::size_t open = skip_blanks(text, behind_);
-    const auto refuse = [&] { b.report(diag("SIE-0306"), columns(text, begin_), text.substr(begin_)); };
+    const auto refuse = [&] { b.report(ig::diag("SIE-0306"), columns(text, begin_), text.substr(begin_)); };
     if (at(text, skip_blanks(text, open + 1)) == ',') return refuse();
     Expression e(b, environment_, text, open + 1);
     const auto label = e.value();
@@ -360,7 +368,7 @@ struct SiemensFlow {
     b.set(returned_, b.symbol("RET"));
     const ig::Flow::Answer answer = environment_.flow.leave(b, name);
     if (!answer.is_not_found()) return;
-    b.report(diag("SIE-0149"), columns(text, open), std::string_view(name), answer.reason);
+    b.report(ig::diag("SIE-0149"), columns(text, open), std::string_view(name), answer.reason);
     environment_.flow.leave(b);
   }
 

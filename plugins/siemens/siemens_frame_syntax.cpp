@@ -1,7 +1,8 @@
 /// TRANS, ROT, SCALE, MIRROR and their additive forms: the programmable frame. TRANS and its kin replace the whole of
 /// it, also what the others of them have said; ATRANS and its kin act in the frame as it is.
+#include <isogloss/sdk.hpp>
+
 #include "frame_shape.hpp"
-#include "siemens_diagnostics.hpp"
 #include "tilt_transform_util.hpp"
 
 namespace siemens {
@@ -16,6 +17,14 @@ struct SiemensFrame {
           .after("SiemensUnitSyntax", "PlaneSelectSyntax")
           .before("SiemensSwivelSyntax", "SiemensToolOffsetSyntax", "SiemensPositionSyntax", "ProgramXyzSyntax",
                   "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0241", "{0}: the scale {1} is not greater than 0: nothing changes"),
+      ig::diagnostic(IG_ERROR, "SIE-0242", "{0}: the frame becomes too large or too small: nothing changes"),
+      ig::diagnostic(IG_ERROR, "SIE-0243", "{0} is the second frame instruction of this block"),
+      ig::diagnostic(IG_WARNING, "SIE-0244", "RPL= beside axes: RPL= is not used"),
+      ig::diagnostic(IG_ERROR, "SIE-0245",
+                     "G41 or G42 under scales that differ between the axes: the tool is not beside the contour"),
+  };
 
   ig::Call trans_{{"TRANS", "ATRANS"}, "X Y Z A[deg] B[deg] C[deg]"};
   ig::Call rot_{{"ROT", "AROT"}, "X[deg] Y[deg] Z[deg] A[deg] B[deg] C[deg]"};
@@ -35,7 +44,7 @@ struct SiemensFrame {
     std::uint32_t seen = 0;
     for (const ig::Call* call : {&trans_, &rot_, &scale_, &mirror_})
       if (const auto words = b.take(*call)) {
-        if (++seen > 1) b.report(diag("SIE-0243"), ig::Where::word(call->code(words->row)), b.text(words->code));
+        if (++seen > 1) b.report(ig::diag("SIE-0243"), ig::Where::word(call->code(words->row)), b.text(words->code));
         change(b, *call, *words);
         any = true;
       }
@@ -49,7 +58,7 @@ struct SiemensFrame {
         b.is_raised(uneven_) && (b.is(left_, g41_) || b.is(right_, g42_)) && !keeps_circles(present(b), plane_(b));
     if (is_wrong == b.is_raised(compensation_said_)) return false;
     if (is_wrong) {
-      b.report(diag("SIE-0245"), ig::Where::block());
+      b.report(ig::diag("SIE-0245"), ig::Where::block());
       b.raise(compensation_said_);
     } else {
       b.erase(compensation_said_);
@@ -60,7 +69,7 @@ struct SiemensFrame {
   void change(ig::Block& b, const ig::Call& call, const ig::Words& words) const {
     const auto where = ig::Where::word(call.code(words.row));
     if (words['A'] || words['B'] || words['C'])
-      b.report(diag("SIE-0261"), where, b.text(words.code), std::string_view("the origin of a rotary axis stays"));
+      b.report(ig::diag("SIE-0261"), where, b.text(words.code), std::string_view("the origin of a rotary axis stays"));
     Mat4 m = iso::identity_frame;
     if (&call == &trans_)
       m = iso::at_origin(m, {words['X'].value_or(0), words['Y'].value_or(0), words['Z'].value_or(0)});
@@ -70,7 +79,7 @@ struct SiemensFrame {
         const auto word = words["XYZ"[axis]];
         if (!word) continue;
         if (&call == &scale_ && !(*word > 0)) {
-          b.report(diag("SIE-0241"), where, b.text(words.code), *word);
+          b.report(ig::diag("SIE-0241"), where, b.text(words.code), *word);
           return;
         }
         m[5 * axis] = &call == &scale_ ? *word : -1;
@@ -79,7 +88,7 @@ struct SiemensFrame {
     const bool is_additive = words.row == 1;
     if (is_additive) m = iso::product(m, present(b));
     if (!is_sound(m)) {
-      b.report(diag("SIE-0242"), where, b.text(words.code));
+      b.report(ig::diag("SIE-0242"), where, b.text(words.code));
       return;
     }
     b.host()->set_transform(b.raw(), frame_.id(), m.data());
@@ -99,7 +108,7 @@ struct SiemensFrame {
   Mat4 rotation(ig::Block& b, const ig::Words& words, ig::Where where) const {
     const auto rpl = b.take(rpl_);
     const bool has_axes = words['X'] || words['Y'] || words['Z'];
-    if (rpl && has_axes) b.report(diag("SIE-0244"), where);
+    if (rpl && has_axes) b.report(ig::diag("SIE-0244"), where);
     if (rpl && !has_axes) return iso::turn_about(plane_(b).tool, *rpl);
     return iso::roll_pitch_yaw({words['X'].value_or(0), words['Y'].value_or(0), words['Z'].value_or(0)}, {0, 1, 2},
                                iso::TurnedAxes::fixed);

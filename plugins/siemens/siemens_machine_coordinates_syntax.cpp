@@ -1,8 +1,9 @@
 /// G53, G153 and SUPA: for this block no frame acts on the axis words, only the length of the tool, unless D0 has put
 /// it off. Group 1 decides how the block moves. Increments count from where the axes stand.
+#include <isogloss/sdk.hpp>
+
 #include "axis_modes.hpp"
 #include "program_xyz_util.hpp"
-#include "siemens_diagnostics.hpp"
 
 namespace siemens {
 namespace {
@@ -40,7 +41,7 @@ struct SiemensMachineCoordinates {
     if (const auto program = b.to_program(to))
       b.set(program_, iso::rounded(*program));
     else
-      b.report(diag("SIE-0212"), ig::Where::block());
+      b.report(ig::diag("SIE-0212"), ig::Where::block());
     return ig::Status::changed;
   }
 

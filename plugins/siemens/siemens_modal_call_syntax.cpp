@@ -45,10 +45,10 @@ struct SiemensModalCall {
     b.set(term_, b.symbol(modal.program));
     const ig::Flow::Answer answer = environment_.flow.call(b, call);
     if (answer.is_not_found())
-      environment_.report_once(b, diag("SIE-0165"), ig::Where::block(), 0, std::string_view(modal.program),
+      environment_.report_once(b, ig::diag("SIE-0165"), ig::Where::block(), 0, std::string_view(modal.program),
                                answer.reason);
     else if (answer.status == IG_GO_TAKEN)
-      b.report(diag("SIE-0167"), ig::Where::block(), std::string_view(modal.program));
+      b.report(ig::diag("SIE-0167"), ig::Where::block(), std::string_view(modal.program));
   }
 };
 

@@ -11,6 +11,9 @@ struct SiemensPatternCall {
       ig::syntax("SiemensPatternCallSyntax", "A pattern of holes under MCALL of a subprogram.")
           .after("SiemensCycleSyntax")
           .before("SiemensModalCallSyntax", "ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0289", "{0} holes of the pattern before this block are not made"),
+  };
 
   HolePattern pattern_{ig::take | ig::wake};
   ig::Codes mcall_{{"MCALL"}, ig::read};
@@ -59,7 +62,7 @@ struct SiemensPatternCall {
       b.erase(open_);
     } else if (here.frame == open.back().frame && here.offset != open.back().offset) {
       if (open.back().is_open())
-        b.report(diag("SIE-0289"), ig::Where::block(),
+        b.report(ig::diag("SIE-0289"), ig::Where::block(),
                  static_cast<double>(open.back().holes.size() - open.back().next));
       open.pop_back();
       if (open.empty()) b.erase(open_);

@@ -3,10 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include <isogloss/sdk.hpp>
+
 #include "axis_modes.hpp"
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
-#include "siemens_diagnostics.hpp"
 
 namespace siemens {
 namespace {
@@ -16,6 +17,11 @@ struct SiemensPolar {
       ig::syntax("SiemensPolarSyntax", "G110/G111/G112 pole, AP= and RP= polar positions.")
           .after("SiemensUnitSyntax", "PlaneSelectSyntax", "PositioningModeSyntax", "SiemensCoordinateOffsetSyntax")
           .before("SiemensMachineCoordinatesSyntax", "SiemensPositionSyntax", "SiemensArcSyntax", "ProgramXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0274", "{0}: a word more than the pole takes is not used"),
+      ig::diagnostic(IG_ERROR, "SIE-0278", "the polar radius is {0}: the position is not computed"),
+      ig::diagnostic(IG_ERROR, "SIE-0279", "AP= and RP= beside an axis of the plane: the polar position counts"),
+  };
 
   ig::Call poles_{{"G110", "G111", "G112"}, "X Y Z"};
   ig::Word ap_{"Parsing.AP", ig::wake, "deg", "Polar angle."}, rp_{"Parsing.RP", ig::wake, "mm", "Polar radius."};
@@ -63,9 +69,9 @@ struct SiemensPolar {
       for (const std::size_t axis : {plane.first, plane.second}) at[axis] += words["XYZ"[axis]].value_or(0);
     }
     if (words["XYZ"[plane.tool]] || ((ap || rp) && words.mask != 0))
-      b.report(diag("SIE-0274"), ig::Where::word(poles_.code(words.row)), b.text(words.code));
+      b.report(ig::diag("SIE-0274"), ig::Where::word(poles_.code(words.row)), b.text(words.code));
     if (!is_sound(at)) {
-      b.report(diag("SIE-0105"), ig::Where::word(poles_.code(words.row)), b.text(words.code));
+      b.report(ig::diag("SIE-0105"), ig::Where::word(poles_.code(words.row)), b.text(words.code));
       return;
     }
     b.set(pole_, iso::rounded(at));
@@ -90,12 +96,12 @@ struct SiemensPolar {
     to[plane.first] += radius * std::cos(angle * radians);
     to[plane.second] += radius * std::sin(angle * radians);
     if (radius < 0 || !is_sound(to)) {
-      b.report(diag("SIE-0278"), where, radius);
+      b.report(ig::diag("SIE-0278"), where, radius);
       return;
     }
     to = iso::rounded(to);
     const ig::PartialVec3 named = b.get(words_);
-    if (named.has(plane.first) || named.has(plane.second)) b.report(diag("SIE-0279"), where);
+    if (named.has(plane.first) || named.has(plane.second)) b.report(ig::diag("SIE-0279"), where);
     for (const std::size_t axis : {plane.first, plane.second}) {
       b.host()->set(b.raw(), words_.id(axis), {.number = to[axis]});
       modes_.set(b, axis, ac_);

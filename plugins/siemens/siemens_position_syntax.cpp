@@ -3,9 +3,10 @@
 #include <cmath>
 #include <span>
 
+#include <isogloss/sdk.hpp>
+
 #include "axis_modes.hpp"
 #include "program_xyz_util.hpp"
-#include "siemens_diagnostics.hpp"
 
 namespace siemens {
 namespace {
@@ -15,6 +16,9 @@ struct SiemensPosition {
                                    .after("SiemensUnitSyntax", "PositioningModeSyntax", "SiemensCoordinateOffsetSyntax",
                                           "SiemensRotaryWordsSyntax")
                                    .before("SiemensArcSyntax", "ProgramXyzSyntax", "McAbcSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0213", "{0} is for rotary axes: the word counts as without it"),
+  };
 
   ig::InWhile<ig::Symbol> mode_{"PositioningMode.Term", "G91", ig::wake};
   std::vector<ig::Word> words_ = declared_words();
@@ -62,7 +66,7 @@ struct SiemensPosition {
   bool linear(ig::Block& b, std::size_t word, double value, const std::optional<ig::Symbol>& mode, bool g91,
               double start) const {
     if (mode && *mode != ac_ && *mode != ic_) {
-      b.report(diag("SIE-0213"), ig::Where::word(words_[word].id()), b.text(*mode));
+      b.report(ig::diag("SIE-0213"), ig::Where::word(words_[word].id()), b.text(*mode));
       return false;
     }
     const bool is_distance = word < 6 || word >= 9 ? (mode ? *mode == ic_ : g91) : !mode || *mode == ic_;

@@ -34,7 +34,7 @@ struct SiemensReamingCycle {
   double speed(ig::Block& b, const DrillingRun& run, std::string_view parameter, double otherwise) const {
     const auto named = run[parameter];
     const double mmds = named && *named != 0 ? cycle_.feed.mmds(b, named) : otherwise;
-    if (!(mmds > 0)) b.report(diag("SIE-0186"), DrillingCall::where(run, parameter), run.cycle->name());
+    if (!(mmds > 0)) b.report(ig::diag("SIE-0186"), DrillingCall::where(run, parameter), run.cycle->name());
     return mmds;
   }
 };

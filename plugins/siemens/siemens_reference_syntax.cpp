@@ -2,9 +2,10 @@
 /// group 1 says, which stays in force; no frame and no tool length acts.
 #include <cmath>
 
+#include <isogloss/sdk.hpp>
+
 #include "motion_event_util.hpp"
 #include "program_xyz_util.hpp"
-#include "siemens_diagnostics.hpp"
 
 namespace siemens {
 namespace {
@@ -14,6 +15,11 @@ struct SiemensReference {
                                    .after("SiemensToolOffsetSyntax", "SiemensCoordinateOffsetSyntax")
                                    .before("SiemensMachineCoordinatesSyntax", "SiemensPositionSyntax",
                                            "ProgramXyzSyntax", "McXyzSyntax", "McAbcSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "SIE-0275", "the machine does not know position {0} of {1}: machine zero counts"),
+      ig::diagnostic(IG_ERROR, "SIE-0276", "{0} without an axis: nothing moves"),
+      ig::diagnostic(IG_ERROR, "SIE-0277", "FP={0} is no fixed point: nothing moves"),
+  };
 
   ig::Call codes_{{"G74", "G75"}, "X Y Z A[] B[] C[]"};
   std::array<ig::Word, 6> of_machine_{ig::Word{"Parsing.X1", ig::take, ""}, ig::Word{"Parsing.Y1", ig::take, ""},
@@ -39,11 +45,11 @@ struct SiemensReference {
     }
     const double fixed_point = b.take(fp_).value_or(1);
     if (named == 0) {
-      b.report(diag("SIE-0276"), where, b.text(words->code));
+      b.report(ig::diag("SIE-0276"), where, b.text(words->code));
       return ig::Status::changed;
     }
     if (!(fixed_point >= 1 && fixed_point <= 4) || fixed_point != std::floor(fixed_point)) {
-      b.report(diag("SIE-0277"), where, fixed_point);
+      b.report(ig::diag("SIE-0277"), where, fixed_point);
       return ig::Status::changed;
     }
     go(b, named, words->row == 1 ? static_cast<std::uint32_t>(fixed_point) : 1, where);
@@ -61,7 +67,7 @@ struct SiemensReference {
       double position = 0;
       const char name = axis_names[axis];
       if (!axes_ || axes_->reference(axes_->self, name, which, &position) == 0)
-        b.report(diag("SIE-0275"), where, static_cast<double>(which), std::string_view(&name, 1));
+        b.report(ig::diag("SIE-0275"), where, static_cast<double>(which), std::string_view(&name, 1));
       if (axis < 3)
         to[axis] = position;
       else
@@ -73,7 +79,7 @@ struct SiemensReference {
     if (const auto program = b.to_program(to))
       b.set(program_, iso::rounded(*program));
     else
-      b.report(diag("SIE-0212"), ig::Where::block());
+      b.report(ig::diag("SIE-0212"), ig::Where::block());
   }
 };
 

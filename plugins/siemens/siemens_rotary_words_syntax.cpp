@@ -49,7 +49,7 @@ struct SiemensRotaryWords {
       const ig::Symbol id = code ? frames_.name(*code) : b.get_or(id_, static_cast<ig::Symbol>(g500_));
       any = select(b, id);
       if (any && (tip_control_.is_on(b) || b.has(aligned_)) && turns_transformation(b))
-        b.report(diag("SIE-0300"), code ? ig::Where::word(frames_.id(*code)) : ig::Where::block(), b.text(id));
+        b.report(ig::diag("SIE-0300"), code ? ig::Where::word(frames_.id(*code)) : ig::Where::block(), b.text(id));
     }
     if (!b.has(words_[0]) && !b.has(words_[1]) && !b.has(words_[2])) return of(any);
     const bool has_frame = !b.find(frameless_), g91 = distance_.is_incremental(b);

@@ -1,8 +1,9 @@
 /// SPOS=90 and SPOSA=90: the spindle stops at an angle.
 #include <cmath>
 
+#include <isogloss/sdk.hpp>
+
 #include "axis_modes.hpp"
-#include "siemens_diagnostics.hpp"
 
 namespace siemens {
 namespace {

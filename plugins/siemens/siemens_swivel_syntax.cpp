@@ -2,9 +2,10 @@
 /// IsoG68p2TiltSyntax (the plane) and G53p1RotaryPositionSyntax (the axes) execute.
 #include <algorithm>
 
+#include <isogloss/sdk.hpp>
+
 #include "cycle_signatures.hpp"
 #include "rotary_offset_util.hpp"
-#include "siemens_diagnostics.hpp"
 #include "tilt_transform_util.hpp"
 #include "tool_kinematics.hpp"
 #include "whole_number.hpp"
@@ -16,6 +17,13 @@ struct SiemensSwivel {
   static constexpr auto spec = ig::syntax("SiemensSwivelSyntax", "CYCLE800 swivelled plane.")
                                    .after("SiemensUnitSyntax", "SiemensFrameSyntax", "SiemensRotaryWordsSyntax")
                                    .before("IsoG68p2TiltSyntax", "G53p1RotaryPositionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0251", "CYCLE800: mode {0} names no order of axes: the plane before has ended"),
+      ig::diagnostic(IG_ERROR, "SIE-0252", "CYCLE800: mode {0} ({1}) is not executed: positions are not swivelled"),
+      ig::diagnostic(IG_WARNING, "SIE-0253", "CYCLE800: the way back before swivelling is missing"),
+      ig::diagnostic(IG_WARNING, "SIE-0254",
+                     "CYCLE800: status {0}: tracking the tip and aligning the tool are not executed"),
+  };
 
   CycleFields call_{swivel_signature, ig::take | ig::wake};
   enum class OldFrame { deleted, kept };
@@ -80,12 +88,12 @@ struct SiemensSwivel {
     const auto whole_mode = iso::whole_number(v[mode].value_or(57));
     const auto status = iso::whole_number(v[st].value_or(0));
     if (!whole_mode || *whole_mode > 255 || !status) {
-      b.report(diag("SIE-0251"), where, v[mode].value_or(57));
+      b.report(ig::diag("SIE-0251"), where, v[mode].value_or(57));
       cancel(b);
       return;
     }
     if (v[fr].value_or(0) != 0 && !b.is_raised(way_said_)) {
-      b.report(diag("SIE-0253"), where);
+      b.report(ig::diag("SIE-0253"), where);
       b.raise(way_said_);
     }
     const std::int64_t way = *whole_mode / 64;
@@ -97,17 +105,17 @@ struct SiemensSwivel {
       axes = {3, 2, 1};
       turns[2] = 0;
     } else if (way != axis_by_axis) {
-      b.report(diag("SIE-0252"), where, static_cast<double>(*whole_mode),
+      b.report(ig::diag("SIE-0252"), where, static_cast<double>(*whole_mode),
                std::string_view(way == 2 ? "projection angles" : "angles of the rotary axes"));
       cancel(b);
       return;
     }
     if (axes[0] * axes[1] * axes[2] != 6 || axes[0] + axes[1] + axes[2] != 6) {
-      b.report(diag("SIE-0251"), where, static_cast<double>(*whole_mode));
+      b.report(ig::diag("SIE-0251"), where, static_cast<double>(*whole_mode));
       cancel(b);
       return;
     }
-    if (*status / 10 % 10000 != 0) b.report(diag("SIE-0254"), where, static_cast<double>(*status));
+    if (*status / 10 % 10000 != 0) b.report(ig::diag("SIE-0254"), where, static_cast<double>(*status));
     ig::Vec3 angles;
     iso::Mat4 m = iso::identity_frame;
     double order = 0;
@@ -141,7 +149,7 @@ struct SiemensSwivel {
     const iso::PartialAngles offset = rotary_offset_.get(b);
     bool counts = false;
     for (std::size_t axis = 0; axis < 3; ++axis) counts = counts || (machine_.has(axis) && offset.value[axis] != 0);
-    if (counts) b.report(diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
+    if (counts) b.report(ig::diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
   }
 
   /// Stands where CYCLE800 does, for what is said of it.

@@ -13,6 +13,10 @@ struct SiemensTappingCycle {
           .after("SiemensCycleSyntax", "SiemensBoringCycleSyntax", "FeedrateSyntax", "SpindleSpeedSyntax",
                  "SiemensSpindlePositionSyntax")
           .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0198", "{0}: MPIT={1} and PIT={2} give no pitch (alarm 61001): not executed"),
+      ig::diagnostic(IG_ERROR, "SIE-0199", "{0}: the speed of the spindle is not known: not executed"),
+  };
 
   DrillingCall cycle_{"CYCLE84", "CYCLE840"};
   iso::CycleSpindle spindle_;
@@ -74,12 +78,12 @@ struct SiemensTappingCycle {
     const double mpit = run["MPIT"].value_or(0), pit = run["PIT"].value_or(0);
     const auto p = thread_pitch(mpit, pit, run["PITA"].value_or(0), b.is(unit_, inch_));
     if (p && std::fabs(*p) < 1e6) return p;
-    b.report(diag("SIE-0198"), DrillingCall::where(run), run.cycle->name(), mpit, pit);
+    b.report(ig::diag("SIE-0198"), DrillingCall::where(run), run.cycle->name(), mpit, pit);
     return std::nullopt;
   }
   bool has_speed(ig::Block& b, const DrillingRun& run, double rpm) const {
     if (rpm > 0) return true;
-    b.report(diag("SIE-0199"), DrillingCall::where(run), run.cycle->name());
+    b.report(ig::diag("SIE-0199"), DrillingCall::where(run), run.cycle->name());
     return false;
   }
   /// 3, 4 or 5: how the spindle turns behind the cycle; as before where nothing says it.
@@ -89,7 +93,7 @@ struct SiemensTappingCycle {
     if (n == 4) return ig::Spindle::ccw;
     if (n == 5) return ig::Spindle::stop;
     if (n == 0) return present(b);
-    b.report(diag("SIE-0197"), DrillingCall::where(run, parameter), run.cycle->name(), parameter, n);
+    b.report(ig::diag("SIE-0197"), DrillingCall::where(run, parameter), run.cycle->name(), parameter, n);
     return std::nullopt;
   }
   ig::Spindle present(const ig::Block& b) const {
@@ -111,7 +115,7 @@ struct SiemensTappingCycle {
     if (!has_speed(b, run, speed)) return std::nullopt;
     const double variant = run["VARI"].value_or(0);
     if (variant != 0 && variant != 1 && variant != 2) {
-      b.report(diag("SIE-0191"), DrillingCall::where(run, "VARI"), run.cycle->name(), variant);
+      b.report(ig::diag("SIE-0191"), DrillingCall::where(run, "VARI"), run.cycle->name(), variant);
       return std::nullopt;
     }
     const double hand = run.mode("AMODE", 3);
@@ -130,7 +134,7 @@ struct SiemensTappingCycle {
     tap.cut = std::fabs(run["DAM"].value_or(0));
     if (tap.cut == 0) tap.cuts = Cuts::one;
     if (tap.cuts != Cuts::one && total / tap.cut > most_cuts) {
-      b.report(diag("SIE-0195"), DrillingCall::where(run, "DAM"), run.cycle->name(), most_cuts);
+      b.report(ig::diag("SIE-0195"), DrillingCall::where(run, "DAM"), run.cycle->name(), most_cuts);
       return std::nullopt;
     }
     const double back = run["VRT"].value_or(0);
@@ -141,7 +145,7 @@ struct SiemensTappingCycle {
   std::optional<Tap> floating(ig::Block& b, const DrillingRun& run) const {
     const double enc = run["ENC"].value_or(0);
     if (enc != 0 && enc != 1 && enc != 11 && enc != 20) {
-      b.report(diag("SIE-0191"), DrillingCall::where(run, "ENC"), run.cycle->name(), enc);
+      b.report(ig::diag("SIE-0191"), DrillingCall::where(run, "ENC"), run.cycle->name(), enc);
       return std::nullopt;
     }
     const auto last = turning(b, run, "SDAC");
@@ -150,7 +154,7 @@ struct SiemensTappingCycle {
     if (!last || !out) return std::nullopt;
     const bool reverses = run["SDR"].value_or(0) == 0;
     if ((reverses && now == ig::Spindle::stop) || *out == ig::Spindle::stop) {
-      b.report(diag("SIE-0197"), DrillingCall::where(run, "SDR"), run.cycle->name(), std::string_view("SDR"),
+      b.report(ig::diag("SIE-0197"), DrillingCall::where(run, "SDR"), run.cycle->name(), std::string_view("SDR"),
                run["SDR"].value_or(0));
       return std::nullopt;
     }
@@ -164,7 +168,7 @@ struct SiemensTappingCycle {
       if (!p || !has_speed(b, run, cycle_.feed.rpm(b))) return std::nullopt;
       tap.feed_in = cycle_.feed.rpm(b) * std::fabs(*p) / 60;
     } else if (run.feed <= 0) {
-      b.report(diag("SIE-0186"), DrillingCall::where(run), run.cycle->name());
+      b.report(ig::diag("SIE-0186"), DrillingCall::where(run), run.cycle->name());
     }
     tap.feed_out = tap.feed_in;
     if (enc != 0) tap.dwell = run.dwell;

@@ -13,6 +13,11 @@ struct SiemensThread {
       ig::syntax("SiemensThreadSyntax", "G33 thread, G331/G332 rigid tapping, G63 tapping by feed.")
           .after("SiemensPositionSyntax", "FeedrateSyntax", "SpindleSpeedSyntax", "SiemensSpindlePositionSyntax")
           .before("SiemensCycleSyntax", "ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0284", "{0} with a pitch of {1}: the thread is not cut"),
+      ig::diagnostic(IG_ERROR, "SIE-0285", "{0}: the speed of the spindle is not known, so neither is the feed"),
+      ig::diagnostic(IG_ERROR, "SIE-0291", "{0}: the pitch stays as it begins: its change (F) is not executed"),
+  };
 
   ig::Call codes_{{"G331", "G332", "G63", "G33"}, "I J K"};
   ig::Call varying_{{"G34", "G35"}, "I J K F[]"};
@@ -44,7 +49,7 @@ struct SiemensThread {
     auto where = call ? ig::Where::word(codes_.code(call->row)) : ig::Where::block();
     if (!call && (call = b.take(varying_))) {
       where = ig::Where::word(varying_.code(call->row));
-      b.report(diag("SIE-0291"), where, b.text(call->code));
+      b.report(ig::diag("SIE-0291"), where, b.text(call->code));
     }
     if (!call && b.find(others_)) {
       if (!b.has(term_)) return ig::Status::unchanged;
@@ -68,7 +73,7 @@ struct SiemensThread {
     const auto to = target(b);
     if (!to) return;
     const double mmds = feed_.mmds(b);
-    if (mmds <= 0) b.report(diag("SIE-0186"), ig::Where::word(codes_.code(call.row)), b.text(call.code));
+    if (mmds <= 0) b.report(ig::diag("SIE-0186"), ig::Where::word(codes_.code(call.row)), b.text(call.code));
     motion_.begin(b, call.code);
     motion_.feed_to(b, *to, mmds);
     b.set(program_, *to);
@@ -86,7 +91,7 @@ struct SiemensThread {
     if (pitch != 0 && std::fabs(pitch) < 1e6)
       b.set(pitch_, pitch);
     else if (call.mask != 0 || !b.has(pitch_))
-      b.report(diag("SIE-0284"), where, b.text(call.code), pitch);
+      b.report(ig::diag("SIE-0284"), where, b.text(call.code), pitch);
   }
 
   void cut(ig::Block& b) const {
@@ -94,7 +99,7 @@ struct SiemensThread {
     const double pitch = b.get_or(pitch_, 0.0), rpm = feed_.rpm(b);
     if (!to || pitch == 0) return;
     const ig::Symbol code = b.get_or(term_, ig::Symbol{});
-    if (rpm <= 0 && !b.is_raised(speed_said_)) b.report(diag("SIE-0285"), ig::Where::block(), b.text(code));
+    if (rpm <= 0 && !b.is_raised(speed_said_)) b.report(ig::diag("SIE-0285"), ig::Where::block(), b.text(code));
     if (rpm <= 0) b.raise(speed_said_);
     if (code != g331_ && code != g332_) {
       // On a taper the pitch counts along its axis: the tool covers the longer way in the same turns.

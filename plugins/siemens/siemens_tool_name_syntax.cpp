@@ -2,7 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "siemens_diagnostics.hpp"
+#include <isogloss/sdk.hpp>
+
 #include "whole_number.hpp"
 
 namespace siemens {
@@ -11,6 +12,9 @@ namespace {
 struct SiemensToolName {
   static constexpr auto spec =
       ig::syntax("SiemensToolNameSyntax", "T=\"NAME\" becomes the number of a tool.").before("ToolChangeSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_NOTE, "SIE-0232", "the tool '{0}' has a name: in the table of tools it is row {1}"),
+  };
 
   ig::TextField name_{"ToolName.Text", ig::read | ig::wake};
   ig::Word t_{"Parsing.T", ig::write, ""};
@@ -33,7 +37,7 @@ struct SiemensToolName {
     while (i < names_.size() && names_[i] != name) ++i;
     if (i == names_.size()) {
       if (names_.size() < most_names) names_.emplace_back(name);
-      b.report(diag("SIE-0232"), ig::Where::block(), name, static_cast<double>(i + 1));
+      b.report(ig::diag("SIE-0232"), ig::Where::block(), name, static_cast<double>(i + 1));
     }
     b.set(t_, static_cast<double>(i + 1));
     return ig::Status::changed;

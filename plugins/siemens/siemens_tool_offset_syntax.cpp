@@ -2,8 +2,9 @@
 /// programmed point and the machine; its radius is what G41 and G42 use. After a tool change D1 is in force.
 #include <string>
 
+#include <isogloss/sdk.hpp>
+
 #include "plane_util.hpp"
-#include "siemens_diagnostics.hpp"
 #include "tool_kinematics.hpp"
 #include "whole_number.hpp"
 
@@ -17,6 +18,11 @@ struct SiemensToolOffset {
       ig::syntax("SiemensToolOffsetSyntax", "D: length and radius of the cutting edge in force.")
           .after("SiemensUnitSyntax", "PlaneSelectSyntax", "ToolChangeSyntax", "G53p1RotaryPositionSyntax")
           .before("SiemensCoordinateOffsetSyntax", "RadiusCompensationSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0231", "D{0} is no cutting edge"),
+      ig::diagnostic(IG_WARNING, "SIE-0233",
+                     "tool {0}, edge D{1}: the table has no row {2}, so length and radius count as 0"),
+  };
 
   ig::Word d_{"Parsing.D", ig::wake, ""};
   ig::Codes planes_{{"G17", "G18", "G19"}, ig::read | ig::wake};
@@ -57,7 +63,7 @@ struct SiemensToolOffset {
     if (d) {
       const auto edge = iso::whole_number(*d);
       if (!edge || *edge > 99) {
-        b.report(diag("SIE-0231"), where, *d);
+        b.report(ig::diag("SIE-0231"), where, *d);
         return ig::Status::changed;
       }
       put_in_force(b, *edge, where);
@@ -86,7 +92,7 @@ struct SiemensToolOffset {
         table_ && tool && *tool != 0 &&
         (table_->get(table_->self, row, 0, &geometry) != 0) + (table_->get(table_->self, row, 1, &wear) != 0) > 0;
     if (!is_known && tool.value_or(0) != 0)
-      b.report(diag("SIE-0233"), where, static_cast<double>(*tool), static_cast<double>(edge),
+      b.report(ig::diag("SIE-0233"), where, static_cast<double>(*tool), static_cast<double>(edge),
                static_cast<double>(row));
     const double length = is_known ? geometry + wear : 0;
     b.set(radius_id_, row);

@@ -1,10 +1,11 @@
 /// TRAORI: X Y Z are positions of the tool's tip in the workpiece, wherever the rotary axes have turned it. The call
 /// becomes what ToolCenterPointSyntax executes: G43.4, which takes angles, or G43.5, where the block names a direction
 /// (A3= B3= C3=). TRAFOOF ends it.
+#include <isogloss/sdk.hpp>
+
 #include "plane_util.hpp"
 #include "program_xyz_util.hpp"
 #include "rotary_offset_util.hpp"
-#include "siemens_diagnostics.hpp"
 #include "tool_kinematics.hpp"
 
 namespace siemens {
@@ -58,14 +59,14 @@ struct SiemensTransformation {
     }
     const auto on = b.take(on_);
     if (on && !machine_) {
-      if (!b.is_raised(refused_)) b.report(diag("SIE-0183"), ig::Where::word(on_.id(*on)), b.text(on_.name(*on)));
+      if (!b.is_raised(refused_)) b.report(ig::diag("SIE-0183"), ig::Where::word(on_.id(*on)), b.text(on_.name(*on)));
       b.raise(refused_);
       return ig::Status::changed;
     }
     if (!on && !was_on) return ig::Status::unchanged;
     if (on) say_offset(b, ig::Where::word(on_.id(*on)));
     if (was_on)
-      if (const auto h = b.take(h_)) b.report(diag("SIE-0126"), ig::Where::word(h_.id()), std::string_view("H"));
+      if (const auto h = b.take(h_)) b.report(ig::diag("SIE-0126"), ig::Where::word(h_.id()), std::string_view("H"));
     if (!b.has(offset_id_)) b.set(offset_id_, std::int64_t{0});
     const bool has_angles = b.has(rotary_[0]) || b.has(rotary_[1]) || b.has(rotary_[2]);
     const bool has_vector = b.has(vector_[0]) || b.has(vector_[1]) || b.has(vector_[2]);
@@ -87,7 +88,7 @@ struct SiemensTransformation {
     const iso::PartialAngles offset = rotary_offset_.get(b);
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (machine_.has(axis) && offset.value[axis] != 0) {
-        b.report(diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
+        b.report(ig::diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
         return;
       }
   }
@@ -97,7 +98,7 @@ struct SiemensTransformation {
     std::array<double, 3> v{};
     for (std::size_t i = 0; i < 3; ++i) v[i] = b.take(vector_[i]).value_or(0);
     if (is_arc(b)) {
-      b.report(diag("SIE-0262"), ig::Where::block(),
+      b.report(ig::diag("SIE-0262"), ig::Where::block(),
                std::string_view("A3= B3= C3= in an arc: the tool keeps its direction"));
       return false;
     }

@@ -1,7 +1,7 @@
 /// TURN=n: a helix makes n full turns more than its end point needs.
-#include <cmath>
+#include <isogloss/sdk.hpp>
 
-#include "siemens_diagnostics.hpp"
+#include <cmath>
 
 namespace siemens {
 namespace {
@@ -9,6 +9,9 @@ namespace {
 struct SiemensTurn {
   static constexpr auto spec =
       ig::syntax("SiemensTurnSyntax", "TURN= further full turns of a helix.").after("CircularMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0226", "TURN={0} is not executed"),
+  };
 
   ig::Word turn_{"Parsing.TURN", ig::wake, "", "Further full turns."};
   ig::Out<std::int64_t> circles_{"MotionEvent.AdditionalCircleNum"};
@@ -19,7 +22,7 @@ struct SiemensTurn {
     const auto n = b.take(turn_);
     if (!n) return ig::Status::unchanged;
     if (!b.is(form_, arc_) || *n < 0 || *n > 999 || *n != std::floor(*n))
-      b.report(diag("SIE-0226"), ig::Where::word(turn_.id()), *n);
+      b.report(ig::diag("SIE-0226"), ig::Where::word(turn_.id()), *n);
     else
       b.set(circles_, static_cast<std::int64_t>(*n));
     return ig::Status::changed;

@@ -1,8 +1,8 @@
 /// G70/G71 and G700/G710: inch or metric input. G70 is for positions alone: F stays mm/min; under G700 F is inch/min.
 /// Stands first in the logic: it turns what the block programs into mm, so that nothing after it knows of inches.
-#include <cmath>
+#include <isogloss/sdk.hpp>
 
-#include "siemens_diagnostics.hpp"
+#include <cmath>
 
 namespace siemens {
 namespace {
@@ -49,7 +49,7 @@ struct SiemensUnit {
       if (const double mm = v.number * 25.4; std::isfinite(mm)) {
         b.host()->rewrite(b.raw(), words.id(i), {.number = mm});
       } else {
-        b.report(diag("SIE-0105"), ig::Where::word(words.id(i)), words.path(i).substr(8));
+        b.report(ig::diag("SIE-0105"), ig::Where::word(words.id(i)), words.path(i).substr(8));
         b.host()->erase(b.raw(), words.id(i));
       }
     }

@@ -23,6 +23,21 @@ struct SiemensWord {
                                    .after("HeadIndexSyntax", "SiemensStatementSyntax")
                                    .before("ParameterizedFlagSyntax")
                                    .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$0123456789+-.,=");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0115", "'{0}' stands without an address: nothing is executed for it"),
+      ig::diagnostic(IG_ERROR, "SIE-0121", "'{0}' has no number: write its value, or remove the address"),
+      ig::diagnostic(IG_WARNING, "SIE-0122", "{0} stands more than once in this block: the last one counts"),
+      ig::diagnostic(IG_ERROR, "SIE-0123", "'{0}' is no number: the word is not used"),
+      ig::diagnostic(IG_ERROR, "SIE-0125", "'{0}' is no code"),
+      ig::diagnostic(IG_ERROR, "SIE-0127", "'{0}' is followed by no value: nothing is assigned"),
+      ig::diagnostic(IG_ERROR, "SIE-0128", "{1} is not possible with {0}: the word counts as without it"),
+      ig::diagnostic(IG_ERROR, "SIE-0131", "{0} with an index is not executed"),
+      ig::diagnostic(IG_WARNING, "SIE-0132", "T={0}: a name of a tool stands in quotation marks"),
+      ig::diagnostic(IG_WARNING, "SIE-0292", "{0}: the axis goes with the path of its block, not by a feed of its own"),
+      ig::diagnostic(IG_ERROR, "SIE-0305", "EXECSTRING is not executed with {0}"),
+      ig::diagnostic(IG_ERROR, "SIE-0320",
+                     "the program ends, but CTABDEF in line {0} has no CTABEND: nothing moved since"),
+  };
 
   WordFields fields_;
   AxisModes modes_{ig::write};
@@ -65,7 +80,7 @@ struct SiemensWord {
     for (std::uint32_t i = 0; i < run.count; ++i)
       for (const std::uint32_t m : {2u, 17u, 30u})
         if (run.words[i].field == fields_.code('M', m)) {
-          b.report(diag("SIE-0320"), columns(run.words[i].begin, run.words[i].end),
+          b.report(ig::diag("SIE-0320"), columns(run.words[i].begin, run.words[i].end),
                    static_cast<double>(environment_.store().curve_begins));
           environment_.store().curve_begins = 0;
           return true;
@@ -84,7 +99,7 @@ struct SiemensWord {
     ig_value before;
     if (again || (begin > 0 && b.host()->get(b.raw(), field, &before) != 0)) {
       give(b, run);
-      b.report(diag("SIE-0122"), columns(begin, end), name);
+      b.report(ig::diag("SIE-0122"), columns(begin, end), name);
     }
     run.words[run.count++] = {field, iso::column(begin), iso::column(end), {.number = value + 0.0}, 0, 0};
   }
@@ -117,14 +132,14 @@ struct SiemensWord {
     if (c == 'G' || c == 'M') return code(b, text, begin, number, run);
     if (c == 'N' || (c == 'L' && is_digit(v))) return begin;
     const ig::Decimal n = ig::read_decimal(text, number);
-    if (!n.ok) return refuse(b, diag("SIE-0121"), text, begin, iso::skip_while(text, number, is_number_part));
+    if (!n.ok) return refuse(b, ig::diag("SIE-0121"), text, begin, iso::skip_while(text, number, is_number_part));
     std::size_t end = n.end;
     double value = n.value;
     if (const char behind = at(text, end); !(is_letter(behind) || iso::is_blank(behind) || behind == '\0'))
       if (const std::size_t equals = skip_blanks(text, end); at(text, equals) == '=' && !n.has_point)
         return valued(b, text, begin, end, equals + 1, run);
     if (at(text, end) == '.' || at(text, end) == ',')
-      return refuse(b, diag("SIE-0123"), text, begin,
+      return refuse(b, ig::diag("SIE-0123"), text, begin,
                     iso::skip_while(text, end, [](char o) { return is_digit(o) || o == '.' || o == ','; }));
     if (const std::size_t equals = skip_blanks(text, end);
         !n.has_point && at(text, equals) == '=' && at(text, equals + 1) != '=')
@@ -147,7 +162,7 @@ struct SiemensWord {
     const ExpandedText as(text, begin, end, macro);
     std::size_t next = skip_blanks(as.text(), begin);
     if (next >= as.macro_end() || (!is_name_start(as.text()[next]) && as.text()[next] != '$')) {
-      b.report(diag("SIE-0288"), columns(begin, end), std::string_view(macro));
+      b.report(ig::diag("SIE-0288"), columns(begin, end), std::string_view(macro));
       return end;
     }
     const std::size_t start = next;
@@ -165,7 +180,7 @@ struct SiemensWord {
     is_expanded_ = false;
     if (next == start) return begin;
     if (next < as.macro_end()) {
-      b.report(diag("SIE-0288"), columns(begin, end), std::string_view(macro));
+      b.report(ig::diag("SIE-0288"), columns(begin, end), std::string_view(macro));
       return end;
     }
     return as.original(next);
@@ -180,13 +195,13 @@ struct SiemensWord {
     }
   }
 
-  static std::size_t refuse(ig::Block& b, std::uint32_t diagnostic, std::string_view text, std::size_t begin,
+  static std::size_t refuse(ig::Block& b, ig::DiagnosticCode diagnostic, std::string_view text, std::size_t begin,
                             std::size_t end) {
     b.report(diagnostic, columns(begin, end), piece(text, begin, end));
     return end;
   }
   static std::size_t empty_word(ig::Block& b, std::string_view text, std::size_t begin) {
-    return refuse(b, diag("SIE-0121"), text, begin, begin + 1);
+    return refuse(b, ig::diag("SIE-0121"), text, begin, begin + 1);
   }
 
   // ---- G and M
@@ -196,7 +211,7 @@ struct SiemensWord {
     const std::size_t equals = skip_blanks(text, end);
     if (at(text, equals) == '=' && at(text, equals + 1) != '=') return valued(b, text, begin, end, equals + 1, run);
     if (end == number || at(text, end) == '.')
-      return refuse(b, diag("SIE-0125"), text, begin, iso::skip_while(text, number, is_number_part));
+      return refuse(b, ig::diag("SIE-0125"), text, begin, iso::skip_while(text, number, is_number_part));
     std::uint32_t n = 0;
     for (std::size_t i = number; i < end && n < 100'000; ++i) n = n * 10 + static_cast<std::uint32_t>(text[i] - '0');
     set_code(b, run, iso::to_upper(text[begin]), n, begin, end);
@@ -253,13 +268,13 @@ struct SiemensWord {
     const auto value = e.value();
     if (!value) return end;
     if (!value->is_text() || at(text, skip_blanks(text, e.position())) != ')' || is_expanded_) {
-      b.report(diag("SIE-0305"), columns(begin, end), iso::trim(piece(text, open + 1, end - 1)));
+      b.report(ig::diag("SIE-0305"), columns(begin, end), iso::trim(piece(text, open + 1, end - 1)));
       return end;
     }
     if (iso::trim(value->text).empty()) return end;
     const std::size_t behind = expand(b, text, begin, end, value->text, run);
     if (behind != begin) return behind;
-    b.report(diag("SIE-0305"), columns(begin, end), std::string_view(value->text));
+    b.report(ig::diag("SIE-0305"), columns(begin, end), std::string_view(value->text));
     return end;
   }
 
@@ -285,7 +300,7 @@ struct SiemensWord {
       if (word_index < AxisModes::words.size())
         set_mode(b, word_index, mode);
       else if (!(name == "SPOS" || name == "SPOSA") || b.text(mode) == "IC")  // an angle, whichever way it is reached
-        b.report(diag("SIE-0128"), columns(begin, end), std::string_view(name), b.text(mode));
+        b.report(ig::diag("SIE-0128"), columns(begin, end), std::string_view(name), b.text(mode));
     }
     word(b, run, name, field, begin, end, *value);
     return end;
@@ -326,13 +341,13 @@ struct SiemensWord {
     const char letter = name[0];
     const bool is_master = name.size() == 1 || is_master_spindle(name.substr(1)) || (letter == 'M' && name == "M0");
     if (!is_master || letter == 'H') {
-      b.report(diag("SIE-0126"), columns(begin, end), iso::trim(piece(text, begin, end)));
+      b.report(ig::diag("SIE-0126"), columns(begin, end), iso::trim(piece(text, begin, end)));
       return end;
     }
     if (letter == 'S') {
       word(b, run, "S", fields_.letter('S'), begin, end, value);
     } else if (value < 0 || value > 99'999 || value != std::floor(value) || (letter == 'G' && name.size() > 1)) {
-      b.report(diag("SIE-0125"), columns(begin, end), piece(text, begin, end));
+      b.report(ig::diag("SIE-0125"), columns(begin, end), piece(text, begin, end));
     } else {
       set_code(b, run, letter, static_cast<std::uint32_t>(value), begin, end);
     }
@@ -380,7 +395,7 @@ struct SiemensWord {
     if (is_master_spindle(std::string_view(indexed).substr(bracket + 1, indexed.size() - bracket - 2)))
       word(b, run, name, fields_.address(name), begin, a.end, *a.value);
     else
-      b.report(diag("SIE-0126"), columns(begin, a.end), piece(text, begin, a.end));
+      b.report(ig::diag("SIE-0126"), columns(begin, a.end), piece(text, begin, a.end));
     return a.end;
   }
   /// "M1" of M[1], "S2" of S[2]: an address extension that is computed. Empty: something else.
@@ -401,7 +416,7 @@ struct SiemensWord {
     if (is_master_spindle(number)) return tool(b, text, begin, value_at, run, "T");
     Expression e(b, environment_, text, value_at);
     if (!e.value()) return line_end_of_fault(text, std::max(e.position(), value_at));
-    b.report(diag("SIE-0126"), columns(begin, e.position()), iso::trim(piece(text, begin, e.position())));
+    b.report(ig::diag("SIE-0126"), columns(begin, e.position()), iso::trim(piece(text, begin, e.position())));
     return e.position();
   }
 
@@ -417,7 +432,7 @@ struct SiemensWord {
     if (is_bare_name && name == "T" &&
         environment_.store().find(upper(piece(text, value_at, end_of_name))) == nullptr &&
         !is_r(text, value_at, end_of_name)) {
-      b.report(diag("SIE-0132"), columns(begin, end_of_name), piece(text, value_at, end_of_name));
+      b.report(ig::diag("SIE-0132"), columns(begin, end_of_name), piece(text, value_at, end_of_name));
       b.set_text(tool_name_, piece(text, value_at, end_of_name));
       return end_of_name;
     }
@@ -425,14 +440,14 @@ struct SiemensWord {
     if (!value) return line_end_of_fault(text, std::max(e.position(), value_at));
     if (name == "T" && !value->is_text() && is_with_point(text, value_at, e.position(), value->number)) {
       const std::string_view number = iso::trim(piece(text, value_at, e.position()));
-      b.report(diag("SIE-0132"), columns(begin, value_at + number.size()), number);
+      b.report(ig::diag("SIE-0132"), columns(begin, value_at + number.size()), number);
       b.set_text(tool_name_, number);
     } else if (!value->is_text())
       word(b, run, name, fields_.letter(name[0]), begin, e.position(), value->number);
     else if (name == "T")
       b.set_text(tool_name_, value->text);
     else
-      b.report(diag("SIE-0107"), columns(begin, e.position()), piece(text, begin, e.position()));
+      b.report(ig::diag("SIE-0107"), columns(begin, e.position()), piece(text, begin, e.position()));
     return e.position();
   }
   /// T=2.19: the name of a tool, as tool managements have them, and no number.
@@ -454,7 +469,7 @@ struct SiemensWord {
     if (!reference) return line_end_of_fault(text, std::max(target.position(), begin + 1));
     const std::size_t equals = skip_blanks(text, target.position());
     if (at(text, equals) != '=') {
-      b.report(diag("SIE-0127"), columns(begin, target.position()), piece(text, begin, target.position()));
+      b.report(ig::diag("SIE-0127"), columns(begin, target.position()), piece(text, begin, target.position()));
       return target.position();
     }
     environment_.enter(b);
@@ -462,7 +477,7 @@ struct SiemensWord {
       return valued_as(b, text, begin, equals, reference->name.substr(3, 1), run);
     if (const char axis = positioning_axis(reference->name); axis != '\0') {
       if (environment_.store().say_once("POS"))
-        b.report(diag("SIE-0292"), columns(begin, target.position()), std::string_view(reference->name));
+        b.report(ig::diag("SIE-0292"), columns(begin, target.position()), std::string_view(reference->name));
       return valued_as(b, text, begin, equals, std::string(1, axis), run);
     }
     if (const std::size_t name_end = axis_name_end(text, equals, reference->name); name_end != 0) {
@@ -490,14 +505,15 @@ struct SiemensWord {
       const std::size_t end = statement_text_end(text, equals);
       if (defines_curve()) return end;  // PO[X]=
       if (is_of_control(reference->name))
-        environment_.report_once(b, diag("SIE-0131"), columns(begin, end), begin, std::string_view(reference->name));
+        environment_.report_once(b, ig::diag("SIE-0131"), columns(begin, end), begin,
+                                 std::string_view(reference->name));
       else
-        environment_.report_name(b, diag("SIE-0124"), columns(begin, target.position()), reference->name);
+        environment_.report_name(b, ig::diag("SIE-0124"), columns(begin, target.position()), reference->name);
       return end;
     }
     if (const ig::Symbol mode = take_mode(b, text, skip_blanks(text, equals + 1)); mode != ig::Symbol{}) {
       const std::size_t end = skip_call(text, at_bracket_);  // ROTX=DC(10): an axis that the chain does not know
-      environment_.report_once(b, diag("SIE-0124"), columns(begin, end), begin, std::string_view(reference->name));
+      environment_.report_once(b, ig::diag("SIE-0124"), columns(begin, end), begin, std::string_view(reference->name));
       return end;
     }
     Expression e(b, environment_, text, equals + 1);
@@ -518,7 +534,7 @@ struct SiemensWord {
     const auto first = array.number_of(std::string_view(to.name).substr(std::min(bracket, to.name.size())));
     const std::size_t end = skip_call(text, skip_name(text, skip_blanks(text, equals + 1)));
     if (bracket == std::string::npos || !first) {
-      b.report(diag("SIE-0304"), columns(begin, to.end), std::string_view(to.name),
+      b.report(ig::diag("SIE-0304"), columns(begin, to.end), std::string_view(to.name),
                std::string_view(array.shown_as(base)));
       return end;
     }
@@ -552,7 +568,7 @@ struct SiemensWord {
     else if (n >= 1 && n <= group.count && n == std::floor(n))
       set_code(b, run, 'G', group.codes[static_cast<std::size_t>(n) - 1], begin, a.end);
     else
-      b.report(diag("SIE-0125"), columns(begin, a.end), piece(text, begin, a.end));
+      b.report(ig::diag("SIE-0125"), columns(begin, a.end), piece(text, begin, a.end));
     return a.end;
   }
 
@@ -613,7 +629,7 @@ struct SiemensWord {
     VariableStore& store = environment_.store();
     if (to.is_r) {
       if (value.is_text())
-        b.report(diag("SIE-0130"), columns(begin, end), std::string_view(to.name));
+        b.report(ig::diag("SIE-0130"), columns(begin, end), std::string_view(to.name));
       else
         *store.r(to.r) = {value.number, true};
       return;
@@ -623,7 +639,7 @@ struct SiemensWord {
     if (const std::size_t bracket = to.name.find('['); present == nullptr && model != nullptr &&
                                                        bracket != std::string::npos && !model->sizes.empty() &&
                                                        !model->number_of(std::string_view(to.name).substr(bracket))) {
-      b.report(diag("SIE-0304"), columns(begin, to.end), std::string_view(to.name),
+      b.report(ig::diag("SIE-0304"), columns(begin, to.end), std::string_view(to.name),
                std::string_view(model->shown_as(to.name.substr(0, bracket))));
       return;
     }
@@ -632,16 +648,16 @@ struct SiemensWord {
       return;
     }
     if (model == nullptr) {
-      environment_.report_name(b, diag("SIE-0124"), columns(begin, end), to.name);
+      environment_.report_name(b, ig::diag("SIE-0124"), columns(begin, end), to.name);
       return;
     }
     auto fitting = value.as(model->value.type);
     if (!fitting)
-      b.report(diag("SIE-0130"), columns(begin, end), std::string_view(to.name));
+      b.report(ig::diag("SIE-0130"), columns(begin, end), std::string_view(to.name));
     else if (present != nullptr)
       present->value = std::move(*fitting);
     else if (!store.define(to.name, std::move(*fitting)))
-      b.report(diag("SIE-0114"), columns(begin, end), std::string_view(to.name));
+      b.report(ig::diag("SIE-0114"), columns(begin, end), std::string_view(to.name));
   }
 
   static std::size_t without_address(ig::Block& b, std::string_view text, std::size_t position) {
@@ -651,7 +667,7 @@ struct SiemensWord {
       iso::leave(b, IG_LEFT_TEXT, piece(text, position, end), position, end);
       return end;
     }
-    return refuse(b, diag("SIE-0115"), text, position, end);
+    return refuse(b, ig::diag("SIE-0115"), text, position, end);
   }
 
   std::size_t at_bracket_ = 0;

@@ -19,7 +19,7 @@ class SystemAssignment {
   Outcome run(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
               const std::string& name) const {
     const auto refuse = [&](std::size_t end) -> Outcome {
-      environment_.report_once(b, diag("SIE-0129"), ig::Where::columns(begin, end), begin, std::string_view(name));
+      environment_.report_once(b, ig::diag("SIE-0129"), ig::Where::columns(begin, end), begin, std::string_view(name));
       return {end};
     };
     const std::size_t value_at = iso::skip_blanks(text, equals + 1), end_of_name = skip_name(text, value_at);
@@ -43,7 +43,7 @@ class SystemAssignment {
       if (shift && environment_.system.write_shift(b, name, *shift)) return {last};
     }
     if (name.starts_with("$A_OUT") || name.starts_with("$A_DB")) {  // signals of the machine, as M codes are
-      b.report(diag("SIE-0126"), ig::Where::columns(begin, last), iso::piece(text, begin, last));
+      b.report(ig::diag("SIE-0126"), ig::Where::columns(begin, last), iso::piece(text, begin, last));
       return {last};
     }
     if (environment_.system.write(b, name, std::nullopt) == Written::without_effect) return {last};

@@ -1,7 +1,8 @@
 /// Functions of a Syntec that are recognised but not executed: each is one error that says what is missing, and its
 /// words go with it. F and S of such a block are those in force all the same.
+#include <isogloss/sdk.hpp>
+
 #include "recognised_codes.hpp"
-#include "syntec_diagnostics.hpp"
 
 namespace syntec {
 namespace {
@@ -12,7 +13,7 @@ struct SyntecCode {
                                    .before("CannedCycleResolveSyntax", "NotExecutedSyntax", "UnconsumedCheckSyntax");
 
   iso::RecognisedCodes codes_{
-      diag("SYN-0003"),
+      ig::diag("SYN-0003"),
       {{ig::Call{{"G134", "G135", "G136", "G137", "G137.1"}, "X[] Y[] Z[] I[] J[] K[] R[] P[] Q[] L[] H[]"},
         "the holes of the pattern are missing"},
        {ig::Call{{"G02.4", "G03.4"}, "X[] Y[] Z[] A[] B[] C[] I[] J[] K[] U[] V[] W[]"},

@@ -4,8 +4,9 @@
 #include <isogloss/flow.hpp>
 #include <set>
 
+#include <isogloss/sdk.hpp>
+
 #include "scan_util.hpp"
-#include "syntec_diagnostics.hpp"
 
 namespace syntec {
 namespace {
@@ -15,6 +16,11 @@ struct SyntecFileHead {
       ig::syntax("SyntecFileHeadSyntax", "Declines files in MACRO format and the programs of further axis groups.")
           .before("TapeBoundarySyntax", "IsoCommentSyntax", "WordSyntax", "FlagSyntax")
           .scans("%$");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SYN-0001", "the file is in MACRO format: it is not executed, from here to its end"),
+      ig::diagnostic(IG_ERROR, "SYN-0004",
+                     "${0}: the programs of further axis groups are not read, from here to the end"),
+  };
 
   ig::TextField text_{"TapeBoundary.Text", ig::read | ig::write};
   ig::Signal declined_{"Source.~Declined", ig::read | ig::write | ig::wake};
@@ -74,9 +80,9 @@ struct SyntecFileHead {
   void say(ig::Block& b, std::string_view head) const {
     const auto where = ig::Where::word(text_.id());
     if (head.starts_with('$'))
-      b.report(diag("SYN-0004"), where, head.substr(1));
+      b.report(ig::diag("SYN-0004"), where, head.substr(1));
     else
-      b.report(diag("SYN-0001"), where);
+      b.report(ig::diag("SYN-0001"), where);
   }
 
   std::set<std::pair<std::string, std::string>> said_;  ///< of this run: the file, and what stands at its head

@@ -1,7 +1,8 @@
 /// E of G05 P10000 and G05.1: the tolerance of high-speed, high-precision control. It rounds corners and moves no
 /// programmed point, so it is recorded beside what PathSmoothingSyntax records. G120.1 and G121 choose among sets of
 /// its parameters, and move nothing either.
-#include "syntec_diagnostics.hpp"
+
+#include <isogloss/sdk.hpp>
 
 namespace syntec {
 namespace {
@@ -10,6 +11,9 @@ struct SyntecHighSpeed {
   static constexpr auto spec = ig::syntax("SyntecHighSpeedSyntax", "E of G05 and G05.1: the tolerance, as a record.")
                                    .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PathSmoothingSyntax")
                                    .before("IsoCoordinateOffsetSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "SYN-0006", "{0}: E{1} is no tolerance; the one in force stays"),
+  };
 
   ig::Call codes_{{"G05", "G05.1"}, "E[mm]"};
   ig::Call sets_{{"G120.1"}, "P[] Q[]"};
@@ -28,7 +32,7 @@ struct SyntecHighSpeed {
       if (e.number > 0)
         b.set(tolerance_, e.number);
       else
-        b.report(diag("SYN-0006"), ig::Where::word(codes_.word(row, 'E')), b.text(codes_.name(row)), e.number);
+        b.report(ig::diag("SYN-0006"), ig::Where::word(codes_.word(row, 'E')), b.text(codes_.name(row)), e.number);
     }
     return any ? ig::Status::changed : ig::Status::unchanged;
   }

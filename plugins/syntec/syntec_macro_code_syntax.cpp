@@ -3,8 +3,9 @@
 /// So it is with the codes of two and more decimals (G68.18), which are of robots.
 #include <string>
 
+#include <isogloss/sdk.hpp>
+
 #include "scan_util.hpp"
-#include "syntec_diagnostics.hpp"
 
 namespace syntec {
 namespace {
@@ -15,6 +16,9 @@ struct SyntecMacroCode {
           .after("FlagSyntax")
           .before("FanucMacroCallSyntax", "ParameterizedFlagSyntax", "DecimalPointSyntax", "ToolChangeSyntax")
           .scans("GMgm");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SYN-0002", "{0} calls the macro {1}, which is not executed: what it moves is missing"),
+  };
 
   /// What a macro takes of its block: with one axis it takes all, and an M code takes everything but T.
   static constexpr std::string_view of_g = "XYZABCIJKUVWPQRLE", of_m = "XYZABCIJKUVWPQRLEDFHS";
@@ -34,16 +38,16 @@ struct SyntecMacroCode {
     if (!macros_.number(name)) return position;
     const auto where = ig::Where::columns(position, code.end);
     if (letter == 'G' && code.value < 200 && code.decimals > 1)
-      b.report(diag("SYN-0003"), where, name, "it belongs to robots and signals, and its words go with it");
+      b.report(ig::diag("SYN-0003"), where, name, "it belongs to robots and signals, and its words go with it");
     else
-      b.report(diag("SYN-0002"), where, name, file_of(name));
+      b.report(ig::diag("SYN-0002"), where, name, file_of(name));
     b.raise(called_);
     if (letter == 'M') b.raise(by_m_);
     return code.end;
   }
 
   ig::Status build(ig::Block& b) const {
-    if (tool_calls_ && b.has(tool_)) b.report(diag("SYN-0002"), ig::Where::word(tool_.id()), "T", "T0000");
+    if (tool_calls_ && b.has(tool_)) b.report(ig::diag("SYN-0002"), ig::Where::word(tool_.id()), "T", "T0000");
     if (!b.is_raised(called_)) return ig::Status::unchanged;
     const std::size_t count = b.is_raised(by_m_) ? of_m.size() : of_g.size();
     for (std::size_t i = 0; i < count; ++i) b.take(words_[i]);

@@ -1,5 +1,6 @@
 /// S beyond the speed that parameter Pr3741 allows is said. The speed stays as programmed.
-#include "syntec_diagnostics.hpp"
+
+#include <isogloss/sdk.hpp>
 
 namespace syntec {
 namespace {
@@ -7,6 +8,9 @@ namespace {
 struct SyntecSpindleLimit {
   static constexpr auto spec = ig::syntax("SyntecSpindleLimitSyntax", "Says an S beyond the spindle's greatest speed.")
                                    .after("SpindleSpeedSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "SYN-0005", "S{0} is more than {1} rpm, which Pr3741 allows"),
+  };
 
   ig::In<double> speed_{"SpindleSpeed.SpindleSpeed_rpm", ig::wake};
   ig::In<double> s_{"Parsing.S"};
@@ -20,7 +24,7 @@ struct SyntecSpindleLimit {
   ig::Status build(ig::Block& b) const {
     const double speed = b.get_or(speed_, 0.0);
     if (limit_ > 0 && b.is_fresh(speed_) && speed > limit_)
-      b.report(diag("SYN-0005"), ig::Where::word(s_.id()), speed, limit_);
+      b.report(ig::diag("SYN-0005"), ig::Where::word(s_.id()), speed, limit_);
     return ig::Status::unchanged;
   }
 };

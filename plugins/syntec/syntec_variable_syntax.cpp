@@ -1,7 +1,8 @@
 /// Global variables, `@1`, belong to files in MACRO format. A statement that begins with one is left as a whole, so
 /// that it is said once; behind the letter of a word, which has been said to have no number, it is taken with it.
+#include <isogloss/sdk.hpp>
+
 #include "scan_util.hpp"
-#include "syntec_diagnostics.hpp"
 
 namespace syntec {
 namespace {

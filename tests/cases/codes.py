@@ -56,10 +56,12 @@ def main():
     parser.add_argument("--source", required=True, type=pathlib.Path)
     options = parser.parse_args()
     done = subprocess.run([options.isogloss, "list", "diagnostics", "--json"], capture_output=True, text=True, check=True)
-    codes = [row["Code"] for row in json.loads(done.stdout)]
+    rows = json.loads(done.stdout)
+    codes = [row["Code"] for row in rows]
     provoked = set(codes_of_pages(options.source)) | set(codes_of_tests(options.source))
     declared, raised = codes_in_sources(options.source)
     faults = [f"{code} is provoked by no test" for code in codes if code not in provoked]
+    faults += [f"{row['Code']} has no {word.lower()}" for row in rows for word in ("Explanation", "Example") if not row[word]]
     faults += [f"{code} is declared {n} times" for code, n in declared.items() if n > 1]
     faults += [f"{code} is declared and raised by nothing" for code in codes if code not in raised]
     faults += [f"{code} is raised and not declared" for code in sorted(raised - set(codes))]

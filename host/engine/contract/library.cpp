@@ -207,14 +207,19 @@ const ig_dependency* Library::dependency(std::string_view id, const ig_plugin** 
 void Library::add(const ig_plugin* plugin) { parts_->admit("(built in)", plugin); }
 
 std::vector<Diagnostic> Library::shared_codes() const {
-  std::map<std::string_view, std::string_view> owners;
-  for (const DiagnosticInfo& info : host_diagnostics()) owners.emplace(info.code, "the host");
+  struct Owner {
+    std::string_view name, text;
+  };
+  std::map<std::string_view, Owner> owners;
+  for (const DiagnosticInfo& info : host_diagnostics()) owners.emplace(info.code, Owner{"the host", info.text});
   std::vector<Diagnostic> out;
   for (const LoadedPlugin& p : plugins())
     for (std::uint32_t i = 0; i < p.plugin->diagnostic_count; ++i) {
-      const char* const code = p.plugin->diagnostics[i].code;
-      if (const auto [owner, added] = owners.emplace(code, p.plugin->name); !added)
-        out.push_back(host_diagnostic("IG-0310", {}, {p.plugin->name, code, std::string(owner->second)}));
+      const ig_diagnostic_decl& row = p.plugin->diagnostics[i];
+      const auto [owner, added] = owners.emplace(row.code, Owner{p.plugin->name, row.text});
+      // The headers of the SDK put the same diagnostics into each plugin that includes them.
+      if (!added && owner->second.text != row.text)
+        out.push_back(host_diagnostic("IG-0310", {}, {p.plugin->name, row.code, std::string(owner->second.name)}));
     }
   return out;
 }

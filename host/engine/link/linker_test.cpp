@@ -644,10 +644,12 @@ TEST_CASE("a run that makes more names than there is room for is told so") {
   CHECK(found.all[0].code == "IG-0409");
 }
 
-TEST_CASE("a code that two plugins declare is told") {
+TEST_CASE("a code that means two things in two plugins is told, and one that they share is not") {
   Plugin first("first"), second("second");
-  first.diagnostics =
-      second.diagnostics = {{sizeof(ig_diagnostic_decl), IG_ERROR, "ACME-0001", "text", "why", "example"}};
+  first.diagnostics = {{sizeof(ig_diagnostic_decl), IG_ERROR, "ACME-0001", "text", "why", "example"},
+                       {sizeof(ig_diagnostic_decl), IG_ERROR, "ACME-0002", "shared", "why", "example"}};
+  second.diagnostics = first.diagnostics;
+  second.diagnostics[0].text = "another text";
   Library library({});
   library.add(first.get());
   library.add(second.get());

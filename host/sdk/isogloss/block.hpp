@@ -4,7 +4,9 @@
 #include <isogloss_view.h>
 
 #include <optional>
+#include <string>
 
+#include "isogloss/diagnostics.hpp"
 #include "isogloss/options.hpp"
 
 namespace ig {
@@ -238,6 +240,13 @@ class Block {
   }
 
   template <class... Args>
+  void report(DiagnosticCode diagnostic, Where where, const Args&... args) {
+    const std::uint32_t number = detail::diagnostic_table().find(diagnostic.code);
+    if (number == detail::DiagnosticTable::no_such_row) return say_undeclared(diagnostic);
+    report(number, where, args...);
+  }
+  /// By its number in the array that ISOGLOSS_PLUGIN() was given.
+  template <class... Args>
   void report(std::uint32_t diagnostic, Where where, const Args&... args) {
     const std::array<ig_argument, sizeof...(Args)> list{argument(args)...};
     host_->report(block_, diagnostic, where.field, where.begin, where.end, list.data(), sizeof...(Args));
@@ -251,6 +260,10 @@ class Block {
   ig_block* raw() const { return block_; }
 
  private:
+  [[gnu::cold, gnu::noinline]] void say_undeclared(DiagnosticCode diagnostic) const {
+    const std::string fault = "no file of the plugin declares the diagnostic " + std::string(diagnostic.code);
+    host_->fault(block_, to_text(fault));
+  }
   /// Null: this host does not show where the values lie.
   const ig_view* view() const {
     return (host_->flags & IG_HOST_SHOWS_BLOCKS) != 0 ? reinterpret_cast<const ig_view*>(block_) : nullptr;

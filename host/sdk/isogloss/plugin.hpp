@@ -7,6 +7,7 @@
 #include <span>
 
 #include "isogloss/dependency.hpp"
+#include "isogloss/diagnostics.hpp"
 #include "isogloss/motion.hpp"
 #include "isogloss/pages.hpp"
 
@@ -104,11 +105,6 @@ struct DependencySpec {
 };
 
 constexpr DependencySpec dependency(const char* id, const char* summary) { return {.id = id, .summary = summary}; }
-
-constexpr ig_diagnostic_decl diagnostic(ig_severity severity, const char* code, const char* text,
-                                        const char* explanation, const char* example) {
-  return {sizeof(ig_diagnostic_decl), severity, code, text, explanation, example};
-}
 
 namespace detail {
 
@@ -319,12 +315,13 @@ inline Contributions& contributions() {
 class PluginDescriptor {
  public:
   PluginDescriptor(const char* name, const char* version, const char* vendor,
-                   std::span<const ig_diagnostic_decl> diagnostics) {
+                   std::span<const ig_diagnostic_decl> leading = {}) {
     for (const auto describe : contributions().syntaxes) syntaxes_.push_back(describe());
     for (const auto describe : contributions().dependencies) dependencies_.push_back(describe());
     const auto by_id = [](const auto* a, const auto* b) { return std::string_view(a->id) < b->id; };
     std::sort(syntaxes_.begin(), syntaxes_.end(), by_id);
     std::sort(dependencies_.begin(), dependencies_.end(), by_id);
+    const std::span<const ig_diagnostic_decl> diagnostics = diagnostic_table().complete(leading);
     out_.struct_size = sizeof out_;
     out_.abi_major = IG_ABI_MAJOR;
     out_.abi_minor = IG_ABI_MINOR;
@@ -350,10 +347,11 @@ class PluginDescriptor {
 }  // namespace detail
 
 /// `const ig::Register<DrillingCycle> drilling_cycle_syntax;` (any name that is unique in the plugin) at the end of a
-/// syntax's file puts it into the plugin.
+/// syntax's file puts it into the plugin, with its diagnostics.
 template <class T>
 struct Register {
   Register() {
+    if constexpr (requires { T::diagnostics; }) detail::diagnostic_table().add(T::diagnostics);
     if constexpr (detail::is_syntax<T>)
       detail::contributions().syntaxes.push_back([] { return detail::descriptor_of<T>().get(); });
     else
@@ -363,13 +361,14 @@ struct Register {
 
 }  // namespace ig
 
-/// The plugin's entry, once per plugin. `diagnostics` is its table, an array of ig_diagnostic_decl.
-#define ISOGLOSS_PLUGIN(name, version, vendor, diagnostics)                                     \
-  extern "C" IG_EXPORT const ig_plugin* ig_plugin_v1(void) {                                    \
-    try {                                                                                       \
-      static const ig::detail::PluginDescriptor descriptor(name, version, vendor, diagnostics); \
-      return descriptor.get();                                                                  \
-    } catch (...) {                                                                             \
-      return nullptr;                                                                           \
-    }                                                                                           \
+/// The plugin's entry, once per plugin: ISOGLOSS_PLUGIN("acme", "1.0.0", "Acme"). A fourth argument, an array of
+/// ig_diagnostic_decl, comes first in the table of diagnostics: for a plugin that raises them by their numbers.
+#define ISOGLOSS_PLUGIN(name, version, vendor, ...)                                                           \
+  extern "C" IG_EXPORT const ig_plugin* ig_plugin_v1(void) {                                                  \
+    try {                                                                                                     \
+      static const ig::detail::PluginDescriptor descriptor(name, version, vendor __VA_OPT__(, ) __VA_ARGS__); \
+      return descriptor.get();                                                                                \
+    } catch (...) {                                                                                           \
+      return nullptr;                                                                                         \
+    }                                                                                                         \
   }

@@ -3,6 +3,7 @@
 
 #include "isogloss/block.hpp"
 #include "isogloss/dependency.hpp"
+#include "isogloss/diagnostics.hpp"
 #include "isogloss/flow.hpp"
 #include "isogloss/motion.hpp"
 #include "isogloss/number.hpp"

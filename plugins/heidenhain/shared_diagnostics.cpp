@@ -1,0 +1,93 @@
+// Diagnostics that several syntaxes of the plugin raise, or a header that they share: they belong to no page.
+#include <isogloss/sdk.hpp>
+
+namespace heidenhain {
+namespace {
+
+const ig::Diagnostics shared_diagnostics{
+    ig::diagnostic(IG_ERROR, "HEI-0103", "'{0}' is no word of {1}: it is not executed",
+                   "The rest of the block is executed. Look for a typing error.", "5 L X+10 ?"),
+    ig::diagnostic(IG_ERROR, "HEI-0104", "{0}: {1} is missing or no number",
+                   "The block is executed as if the word were not there.", "5 L X"),
+    ig::diagnostic(IG_WARNING, "HEI-0105", "'{0}' behind {1} has no meaning", "The rest of the block is executed.",
+                   "5 LBL 1 X+5"),
+    ig::diagnostic(IG_WARNING, "HEI-0106", "'{0}' names again what stands in this block already: the last one counts",
+                   "A block names each axis once, as a position or as an increment, and has one feed and one DR.",
+                   "5 L X+10 IX+1"),
+    ig::diagnostic(IG_ERROR, "HEI-0110", "a value should stand here, not '{0}'",
+                   "A formula is made of numbers, Q parameters, brackets and functions (SIN, SQRT, ...), with an "
+                   "operator between two values. The statement is not executed.",
+                   "5 Q1 = 2 + * 3"),
+    ig::diagnostic(IG_ERROR, "HEI-0111", "the bracket that opens here is not closed", "The statement is not executed.",
+                   "5 Q1 = ( 2 + 3"),
+    ig::diagnostic(IG_ERROR, "HEI-0112", "the formula is nested deeper than {0}: it is not computed",
+                   "Brackets and functions inside each other. Compute in several steps.",
+                   "5 Q1 = ((((( ... 101 brackets"),
+    ig::diagnostic(IG_ERROR, "HEI-0113", "the result is no number: {0}",
+                   "A division by 0, the root of a negative number, or a value that no number holds. The statement is "
+                   "not executed; the control stops here.",
+                   "5 Q1 = 1 / 0"),
+    ig::diagnostic(IG_ERROR, "HEI-0114", "{0} does not exist: Q goes to 1999, QL and QR to 499",
+                   "It is read as 0, and nothing is written to it.", "5 FN 0: Q2000 = +1"),
+    ig::diagnostic(IG_ERROR, "HEI-0115", "{0} has no value: 0 is taken",
+                   "Nothing has given the parameter a value. Q100 to Q199 come from the control; a table of the "
+                   "dependency QParameters can give them. Said once for each parameter.",
+                   "5 L X+Q50 (and no Q50 before)"),
+    ig::diagnostic(IG_ERROR, "HEI-0119", "the statement is incomplete: {0} is missing", "It is not executed.",
+                   "5 FN 9: IF +Q1 EQU +1"),
+    ig::diagnostic(IG_ERROR, "HEI-0120", "there is no LBL {0}: {1}", "The call or jump is not made; the run goes on.",
+                   "5 CALL LBL 77"),
+    ig::diagnostic(IG_ERROR, "HEI-0122", "'{0}' is not executed: {1}",
+                   "The statement is recognised as a whole, so that no part of it is taken for a move.",
+                   "5 SEL TABLE \"ZERO.D\""),
+    ig::diagnostic(IG_ERROR, "HEI-0130", "{0} is not executed: {1}",
+                   "The path differs from that of the control here, up to where the note says.", "5 DEP LN LEN20"),
+    ig::diagnostic(IG_ERROR, "HEI-0136", "{0} is not executed: the feed in force stays",
+                   "Feed per tooth needs the number of teeth, feeds by time the path; neither is known here.",
+                   "5 L X+10 FZ0.1"),
+    ig::diagnostic(IG_WARNING, "HEI-0138", "FAUTO without F in TOOL CALL: the feed in force stays",
+                   "F AUTO is the feed of the last TOOL CALL.", "5 L X+10 F AUTO"),
+    ig::diagnostic(IG_ERROR, "HEI-0139", "{0} is not executed: {1}", "An M function that is recognised only.",
+                   "5 L X+10 M130"),
+    ig::diagnostic(IG_WARNING, "HEI-0140", "{0} is not executed: {1}",
+                   "An M function that changes how the control moves, but not where to.", "5 M126"),
+    ig::diagnostic(
+        IG_ERROR, "HEI-0161", "cycle {0} is not executed: {1}",
+        "The cycle acts where it is defined, or it is none of the control's own. It is recognised as a whole.",
+        "5 CYCL DEF 11.1 SCL 0.5"),
+    ig::diagnostic(IG_ERROR, "HEI-0163", "cycle {0}: {1} is missing; it is not executed",
+                   "The parameters of a cycle stand in its definition.", "5 CYCL DEF 200 DRILLING Q200=2"),
+    ig::diagnostic(IG_WARNING, "HEI-0164", "cycle {0}: depth 0, nothing is machined", "Q201 is 0.",
+                   "5 CYCL DEF 200 Q201=0"),
+    ig::diagnostic(IG_WARNING, "HEI-0165", "cycle {0}: Q201 is positive, the cycle works upwards",
+                   "A depth below the surface is negative. Controls make this an error by a parameter (MP7441).",
+                   "5 CYCL DEF 200 Q201=+20"),
+    ig::diagnostic(
+        IG_ERROR, "HEI-0166", "cycle {0}: {1} is {2}; it is not executed",
+        "A feed must be greater than 0, and so must an infeed that has no other meaning; the feed of a rigid tap "
+        "is the speed times the pitch.",
+        "5 CYCL DEF 200 Q206=0"),
+    ig::diagnostic(IG_ERROR, "HEI-0171", "{0} is not executed: {1}",
+                   "Executed are PLANE SPATIAL, EULER, VECTOR, POINTS, AXIAL, RELATIV and RESET.",
+                   "5 PLANE PROJECTED PROPR+24 PROMIN+24 ROT+0 STAY"),
+    ig::diagnostic(IG_ERROR, "HEI-0175", "M92: the position of the additional machine datum is not known",
+                   "The words of such blocks are taken as positions of the machine (M91). Said once a run.",
+                   "5 L Z+0 FMAX M92"),
+    ig::diagnostic(IG_ERROR, "HEI-0177", "cycle {0} would take more than {1} steps in one block; it is not executed",
+                   "An infeed is very small, or a pattern has very many points.", "5 CYCL DEF 200 Q202=0.00001"),
+    ig::diagnostic(IG_ERROR, "HEI-0178", "cycle {0} with {1}={2} is not executed: what it machines is missing",
+                   "The cycle is executed with other values of this parameter.", "5 CYCL DEF 205 Q379=+5"),
+    ig::diagnostic(IG_WARNING, "HEI-0179", "cycle {0} has no parameter {1}: the cycle takes no notice of it",
+                   "The Q parameter gets the value all the same. Look for a typing error.",
+                   "5 CYCL DEF 200 DRILLING Q200=2 Q999=5"),
+    ig::diagnostic(IG_ERROR, "HEI-0183", "the pattern has no point: nothing is machined",
+                   "Q241 of cycle 220, Q242 and Q243 of cycle 221 are numbers from 1 to 1000000.",
+                   "5 CYCL DEF 221 CARTESIAN PATTERN Q242=0"),
+    ig::diagnostic(IG_WARNING, "HEI-0189",
+                   "text in brackets is no comment of Klartext: it is skipped here and further on",
+                   "A comment begins with a semicolon. Simulators and other controls write comments in brackets.",
+                   "( SETUP SHEET"),
+};
+
+}  // namespace
+}  // namespace heidenhain
