@@ -108,7 +108,7 @@ int case_command(const Arguments& arguments) {
       "case",
       "Runs the cases of pages: one build of the syntax must turn BeforeBuild into AfterBuild. The cases of "
       "x_syntax.cases.md belong to the page x_syntax.md and run with it.",
-      "isogloss case plugins/iso/dwell_syntax.md");
+      "isogloss case plugins/iso/motion/dwell_syntax.md");
   CaseCommand command;
   line.option("FILE", command.files, "Pages (Markdown); - is standard input");
   line.flag("--all", command.all, "All pages in the plugins");

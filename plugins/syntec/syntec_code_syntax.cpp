@@ -2,9 +2,11 @@
 /// words go with it. F and S of such a block are those in force all the same.
 #include <isogloss/sdk.hpp>
 
-#include "recognised_codes.hpp"
+#include <isogloss/cnc/recognised_codes.hpp>
 
 namespace syntec {
+
+using namespace ig::cnc;
 namespace {
 
 struct SyntecCode {
@@ -12,7 +14,7 @@ struct SyntecCode {
                                    .after("ParameterizedFlagSyntax", "SubprogramCallSyntax")
                                    .before("CannedCycleResolveSyntax", "NotExecutedSyntax", "UnconsumedCheckSyntax");
 
-  iso::RecognisedCodes codes_{
+  RecognisedCodes codes_{
       ig::diag("SYN-0003"),
       {{ig::Call{{"G134", "G135", "G136", "G137", "G137.1"}, "X[] Y[] Z[] I[] J[] K[] R[] P[] Q[] L[] H[]"},
         "the holes of the pattern are missing"},

@@ -6,9 +6,11 @@
 
 #include <isogloss/sdk.hpp>
 
-#include "scan_util.hpp"
+#include <isogloss/cnc/scan.hpp>
 
 namespace syntec {
+
+using namespace ig::cnc;
 namespace {
 
 struct SyntecFileHead {
@@ -28,7 +30,7 @@ struct SyntecFileHead {
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     std::size_t before = position;  // backwards: a long line may hold many of these marks
-    while (before > 0 && iso::is_blank(text[before - 1])) --before;
+    while (before > 0 && is_blank(text[before - 1])) --before;
     if (before > 0) return position;
     return text[position] == '%' ? macro_mark(b, text, position) : axis_group(b, text, position);
   }
@@ -55,26 +57,25 @@ struct SyntecFileHead {
   static constexpr std::string_view mark = "@MACRO";
 
   std::size_t macro_mark(ig::Block& b, std::string_view text, std::size_t position) const {
-    const std::size_t name = iso::skip_blanks(text, position + 1);
+    const std::size_t name = skip_blanks(text, position + 1);
     const std::size_t end = std::min(name + mark.size(), text.size());
-    if (!iso::equals_ignoring_case(iso::piece(text, name, end), mark) || iso::is_letter(iso::at(text, end)))
-      return position;
+    if (!equals_ignoring_case(piece(text, name, end), mark) || is_letter(at(text, end))) return position;
     return decline(b, text, position, end);
   }
 
   std::size_t axis_group(ig::Block& b, std::string_view text, std::size_t position) const {
-    const std::size_t end = iso::skip_digits(text, position + 1);
-    const std::string_view group = iso::piece(text, position + 1, end);
+    const std::size_t end = skip_digits(text, position + 1);
+    const std::string_view group = piece(text, position + 1, end);
     if (group.empty()) return position;
     return group == "1" ? end : decline(b, text, position, end);
   }
 
   /// Nothing behind it is program, on the same line neither.
   std::size_t decline(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) const {
-    b.set_text(text_, iso::piece(text, begin, end));
+    b.set_text(text_, piece(text, begin, end));
     b.raise(declined_);
     b.flow(IG_FLOW_END_FILE);
-    return iso::block_end(text, end);
+    return block_end(text, end);
   }
 
   void say(ig::Block& b, std::string_view head) const {

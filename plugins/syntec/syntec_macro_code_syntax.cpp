@@ -5,9 +5,11 @@
 
 #include <isogloss/sdk.hpp>
 
-#include "scan_util.hpp"
+#include <isogloss/cnc/scan.hpp>
 
 namespace syntec {
+
+using namespace ig::cnc;
 namespace {
 
 struct SyntecMacroCode {
@@ -31,10 +33,10 @@ struct SyntecMacroCode {
   bool tool_calls_ = macros_.number("T").has_value();
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
-    const ig::Decimal code = ig::read_decimal(text, iso::skip_blanks(text, position + 1));
-    if (!code.ok || code.value < 0 || code.value > 99'999 || iso::at(text, code.end) == '=') return position;
-    const char letter = iso::to_upper(text[position]);
-    const std::string name = name_of(letter, iso::piece(text, iso::skip_blanks(text, position + 1), code.end));
+    const ig::Decimal code = ig::read_decimal(text, skip_blanks(text, position + 1));
+    if (!code.ok || code.value < 0 || code.value > 99'999 || at(text, code.end) == '=') return position;
+    const char letter = to_upper(text[position]);
+    const std::string name = name_of(letter, piece(text, skip_blanks(text, position + 1), code.end));
     if (!macros_.number(name)) return position;
     const auto where = ig::Where::columns(position, code.end);
     if (letter == 'G' && code.value < 200 && code.decimals > 1)
@@ -63,10 +65,10 @@ struct SyntecMacroCode {
 
   /// G0 is G00, G200.0 is G200.
   static std::string name_of(char letter, std::string_view number) {
-    while (number.size() > 1 && number.front() == '0' && iso::is_digit(number[1])) number.remove_prefix(1);
+    while (number.size() > 1 && number.front() == '0' && is_digit(number[1])) number.remove_prefix(1);
     if (number.ends_with(".0")) number.remove_suffix(2);
     if (number.ends_with('.')) number.remove_suffix(1);
-    return std::string(1, letter) + (iso::skip_digits(number, 0) < 2 ? "0" : "") + std::string(number);
+    return std::string(1, letter) + (skip_digits(number, 0) < 2 ? "0" : "") + std::string(number);
   }
 
   /// The macro's file: G0200, G200001 of G200.1, M0123.

@@ -6,9 +6,11 @@
 
 #include <isogloss/rows.hpp>
 
-#include "parameter_services.hpp"
+#include <isogloss/cnc/parameter_services.hpp>
 
 namespace syntec {
+
+using namespace ig::cnc;
 namespace {
 
 constexpr std::string_view control_precision = "17", axis_type = "1006", axis_name = "1020", rapid_rate = "1420",
@@ -166,7 +168,7 @@ struct SyntecParameterTable {
     return *type == 1 ? 1 : *type == 2 ? 2 : 0;
   }
 
-  using Services = iso::ParameterServices<SyntecParameterTable>;
+  using Services = ParameterServices<SyntecParameterTable>;
   ig_config_1 number_format = Services::config<&SyntecParameterTable::number_format_of>(this);
   ig_config_1 cycles = Services::config<&SyntecParameterTable::cycle_of>(this);
   ig_config_1 motion = Services::config<&SyntecParameterTable::motion_of>(this);

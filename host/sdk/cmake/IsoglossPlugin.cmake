@@ -1,7 +1,7 @@
 # isogloss_add_plugin(<name> [SOURCES <file>...] [LIBRARIES <target>...])
 #
-# A plugin <name>.so that exports ig_plugin_v1 alone, from the sources given or from every *.cpp beside the CMakeLists
-# (tests, *_test.cpp, excepted). Every *.md beside them is embedded, to be found by ig::embedded_page("file_name_stem").
+# A plugin <name>.so that exports ig_plugin_v1 alone, from the sources given or from every *.cpp beside the CMakeLists and below it
+# (tests, *_test.cpp, excepted). Every *.md there is embedded, to be found by ig::embedded_page("file_name_stem").
 # The plugin goes to plugins/ in the build tree and to lib/isogloss/plugins when installed.
 #
 # The objects are a target of their own, <name>_objects, so that unit tests can link them.
@@ -13,10 +13,10 @@ function(isogloss_add_plugin name)
   endif()
   set(tools ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
   if(NOT arg_SOURCES)
-    file(GLOB arg_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    file(GLOB_RECURSE arg_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     list(FILTER arg_SOURCES EXCLUDE REGEX "_test\\.cpp$")
   endif()
-  file(GLOB pages CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.md)
+  file(GLOB_RECURSE pages CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.md)
 
   set(embedded ${CMAKE_CURRENT_BINARY_DIR}/${name}_pages.cpp)
   add_custom_command(

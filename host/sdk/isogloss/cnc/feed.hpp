@@ -1,0 +1,87 @@
+/// The feed in force: what F, G93/G94/G95 and S of this and earlier blocks add up to. Used by FeedrateSyntax, by the
+/// cycles, whose call may hold an F, and by the motions.
+#pragma once
+
+#include "isogloss/sdk.hpp"
+
+#include <optional>
+
+namespace ig::cnc {
+
+/// A member of each syntax that moves by feed; one that also calls resolve() says FeedInForce{read | write}.
+class FeedInForce {
+ public:
+  explicit FeedInForce(Access access = read)
+      : value_("Feedrate.FeedrateValue", access),
+        term_("Feedrate.Term", access),
+        unit_("Feedrate.Unit", access),
+        ended_unit_("Feedrate.EndedUnit", access,
+                    {Life::modal, "", "What the feed counted that G94 or G95 ended; gone with the next F."}) {}
+
+  /// F becomes the modal feed, in the mode in force (G94 when none is). Nothing is written without F, nor for one that
+  /// is no feed, which is said.
+  void resolve(Block& b, std::optional<double> f, Where where = Where::block()) const {
+    if (!f) return;
+    if (*f <= 0) {
+      b.report(diag("ISO-0210"), where, *f);
+      return;
+    }
+    b.set(value_, *f);
+    if (b.has(ended_unit_)) b.erase(ended_unit_);
+    if (!b.has(term_)) set_mode(b, g94_);
+  }
+
+  /// G93, G94 or G95, and its unit.
+  void set_mode(Block& b, Symbol term) const {
+    b.set(term_, term);
+    b.set(unit_, term == g93_ ? per_minute_ : term == g95_ ? mm_per_revolution_ : mm_per_minute_);
+  }
+
+  /// No feed is in force any more, until the next F.
+  void forget(Block& b) const { b.erase(value_); }
+
+  /// As forget(), before the mode is set anew: the first feed move without F says why there is none.
+  void end(Block& b) const {
+    if (const auto unit = b.get(unit_)) b.set(ended_unit_, *unit);
+    forget(b);
+  }
+
+  /// No F is in force, or one for each revolution of a spindle that does not turn.
+  void say_missing(Block& b) const {
+    if (value(b))
+      b.report(diag("ISO-0303"), Where::block());
+    else if (const auto unit = b.get(ended_unit_))
+      b.report(diag("ISO-0211"), Where::block(), b.text(mode(b)), b.text(*unit));
+    else
+      b.report(diag("ISO-0302"), Where::block());
+  }
+
+  /// As programmed: mm/min, mm/rev or 1/min.
+  std::optional<double> value(const Block& b) const { return b.get(value_); }
+  /// G94 where nothing was said.
+  Symbol mode(const Block& b) const { return b.get_or(term_, static_cast<Symbol>(g94_)); }
+  bool is_inverse_time(const Block& b) const { return b.is(term_, g93_); }
+
+  /// mm/s along a path; 0 where no feed is in force (no F yet, G95 without a spindle speed). `length()` is the path's
+  /// in mm, asked where the feed depends on it.
+  template <class Length>
+  double mmds(const Block& b, const Length& length) const {
+    const auto f = b.get(value_);
+    if (!f) return 0;
+    const Symbol term = mode(b);
+    if (term == g95_) return *f * b.get_or(spindle_speed_, 0.0) / 60;
+    if (term == g93_) return *f * length() / 60;
+    return *f / 60;
+  }
+
+ private:
+  Field<double> value_;
+  Field<Symbol> term_;
+  Field<Symbol> unit_;
+  Field<Symbol> ended_unit_;
+  In<double> spindle_speed_{"SpindleSpeed.SpindleSpeed_rpm"};
+  Name g93_{"G93"}, g94_{"G94"}, g95_{"G95"};
+  Name per_minute_{"1/min"}, mm_per_minute_{"mm/min"}, mm_per_revolution_{"mm/rev"};
+};
+
+}  // namespace ig::cnc

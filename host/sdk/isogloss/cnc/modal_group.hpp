@@ -1,0 +1,18 @@
+/// Codes of one modal group exclude each other.
+#pragma once
+
+#include "isogloss/sdk.hpp"
+
+#include <optional>
+
+namespace ig::cnc {
+
+/// The code of the group that counts: the last one in the block, as on Fanuc. More than one is worth a warning.
+inline std::optional<std::size_t> take_modal(Block& b, const Codes& group) {
+  std::uint32_t found = 0;
+  const std::optional<std::size_t> last = b.take(group, &found);
+  if (found > 1) b.report(diag("ISO-0201"), Where::word(group.id(*last)), b.text(group.name(*last)));
+  return last;
+}
+
+}  // namespace ig::cnc

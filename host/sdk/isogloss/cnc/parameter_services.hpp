@@ -1,0 +1,73 @@
+/// The services of a table of parameters that has the axes under Fanuc's numbers: 1240 to 1243 are reference positions,
+/// 1320 and 1321 the travel. The table says what a rapid and a rollover are.
+#pragma once
+
+#include "isogloss/sdk.hpp"
+
+namespace ig::cnc {
+
+template <class Table>
+struct ParameterServices {
+  using Answer = std::optional<double>;
+  using Mode = std::optional<std::uint32_t>;
+
+  /// Numbers that `question` answers by name.
+  template <Answer (Table::*question)(std::string_view) const>
+  static ig_config_1 config(Table* table) {
+    return {sizeof(ig_config_1), 0, table, &ask<question>};
+  }
+
+  /// `of_axis`: a parameter of an axis. `rapid`: mm or degrees a minute. `rollover`: as ig_machine_axis_1 has it.
+  template <Answer (Table::*of_axis)(std::string_view, char) const, Answer (Table::*rapid)(char) const,
+            Mode (Table::*rollover)(char) const>
+  static ig_machine_axis_1 machine_axes(Table* table) {
+    return {sizeof(ig_machine_axis_1),
+            0,
+            table,
+            &home<of_axis>,
+            &reference<of_axis>,
+            &travel<of_axis>,
+            &rapid_rate<rapid>,
+            &mode<rollover>};
+  }
+
+ private:
+  static const Table& self_of(void* self) { return *static_cast<const Table*>(self); }
+  static std::int32_t write(Answer answer, double* out) {
+    if (answer) *out = *answer;
+    return answer ? 1 : 0;
+  }
+
+  template <Answer (Table::*question)(std::string_view) const>
+  static std::int32_t ask(void* self, ig_text name, double* out) {
+    return write((self_of(self).*question)(to_view(name)), out);
+  }
+  /// The machine starts at the first reference position.
+  template <Answer (Table::*of_axis)(std::string_view, char) const>
+  static std::int32_t home(void* self, char axis, double* position) {
+    return reference<of_axis>(self, axis, 1, position);
+  }
+  template <Answer (Table::*of_axis)(std::string_view, char) const>
+  static std::int32_t reference(void* self, char axis, std::uint32_t which, double* position) {
+    static constexpr std::string_view numbers[] = {"1240", "1241", "1242", "1243"};
+    return which >= 1 && which <= 4 ? write((self_of(self).*of_axis)(numbers[which - 1], axis), position) : 0;
+  }
+  template <Answer (Table::*of_axis)(std::string_view, char) const>
+  static std::int32_t travel(void* self, char axis, double* low, double* high) {
+    const Answer from = (self_of(self).*of_axis)("1321", axis), to = (self_of(self).*of_axis)("1320", axis);
+    return from && to && *from <= *to ? write(from, low) & write(to, high) : 0;  // the other way round: no limits
+  }
+  template <Answer (Table::*rapid)(char) const>
+  static std::int32_t rapid_rate(void* self, char axis, double* per_second) {
+    const Answer per_minute = (self_of(self).*rapid)(axis);
+    return per_minute ? write(*per_minute / 60, per_second) : 0;
+  }
+  template <Mode (Table::*rollover)(char) const>
+  static std::int32_t mode(void* self, char axis, std::uint32_t* out) {
+    const Mode answer = (self_of(self).*rollover)(axis);
+    if (answer) *out = *answer;
+    return answer ? 1 : 0;
+  }
+};
+
+}  // namespace ig::cnc

@@ -1,0 +1,242 @@
+/// Geometry of cutter radius compensation in the plane, without blocks: offset points of a move, and what joins the
+/// offsets of two moves at their corner. Lengths in mm. An offset is signed: positive lies to the left of the way.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "isogloss/cnc/arc.hpp"
+
+namespace ig::cnc {
+
+constexpr Point2 operator+(const Point2& a, const Point2& b) { return {a.u + b.u, a.v + b.v}; }
+constexpr Point2 operator*(double s, const Point2& a) { return {s * a.u, s * a.v}; }
+constexpr double dot(const Point2& a, const Point2& b) { return a.u * b.u + a.v * b.v; }
+constexpr double cross(const Point2& a, const Point2& b) { return a.u * b.v - a.v * b.u; }
+constexpr Point2 left_of(const Point2& direction) { return {-direction.v, direction.u}; }
+inline bool is_same(const Point2& a, const Point2& b) { return (a - b).length() < same_point_mm; }
+
+/// One move of the contour: a straight line, or an arc about a center. It has a length.
+struct ContourMove {
+  Point2 start, end;
+  bool is_arc = false;
+  Point2 center{};
+  bool is_ccw = false;
+  double slack_mm = same_point_mm;  ///< how far an arc may lie off its circle, and its radius be short of the tool's
+
+  Point2 direction_at_start() const { return is_arc ? tangent(start) : unit(end - start); }
+  Point2 direction_at_end() const { return is_arc ? tangent(end) : unit(end - start); }
+  /// Where the tool touches the start, and the end, of the move.
+  Point2 offset_start(double offset) const { return start + offset * left_of(direction_at_start()); }
+  Point2 offset_end(double offset) const { return end + offset * left_of(direction_at_end()); }
+  /// Radius of the tool's path on an arc; below zero where the tool does not fit in. At zero it turns on the spot.
+  double path_radius(const Point2& at, double offset) const {
+    const double radius = (at - center).length() + (is_ccw ? -offset : offset);
+    return radius < 0 && radius > -slack_mm ? 0 : radius;
+  }
+  bool fits(double offset) const {
+    return !is_arc || std::fmin(path_radius(start, offset), path_radius(end, offset)) >= 0;
+  }
+
+  /// How far the tool goes along the move from `from` to `to`, which lie on its offset: negative where it would have to
+  /// go back. On an arc, measured on the tool's path.
+  double way(const Point2& from, const Point2& to, double offset) const {
+    if (!is_arc) return dot(to - from, direction_at_end());
+    const double whole = std::fabs(sweep(start, end, center, is_ccw));
+    return (whole - turn(start, from) + turn(end, to)) * path_radius(end, offset);
+  }
+
+ private:
+  static Point2 unit(const Point2& v) { return (1 / v.length()) * v; }
+  Point2 tangent(const Point2& at) const {
+    const Point2 left = left_of(unit(at - center));
+    return is_ccw ? left : -1.0 * left;
+  }
+  /// The angle from one point to another about the center, at most half a circle, positive in the sense of the arc.
+  double turn(const Point2& from, const Point2& to) const {
+    const Point2 a = from - center, b = to - center;
+    const double angle = std::atan2(cross(a, b), dot(a, b));
+    return is_ccw ? angle : -angle;
+  }
+};
+
+enum class CornerKind { tangent, inner, obtuse, acute, round, square, crossing, no_solution };
+
+/// From one move to the next: the tool leaves the first at `leave` and makes the steps.
+struct Corner {
+  struct Step {
+    Point2 to;
+    bool is_arc = false;  ///< about the corner of the contour
+    bool is_ccw = false;
+  };
+  CornerKind kind = CornerKind::square;
+  Point2 leave{};
+  std::array<Step, 3> steps{};
+  std::size_t count = 0;
+
+  void step_to(const Point2& to) {
+    if (!is_same(to, last())) steps[count++] = {to, false, false};
+  }
+  void arc_to(const Point2& to, bool is_ccw) {
+    if (!is_same(to, last())) steps[count++] = {to, true, is_ccw};
+  }
+  const Point2& last() const { return count == 0 ? leave : steps[count - 1].to; }
+};
+
+enum class OuterCorner { lines, arc };
+
+namespace detail {
+
+/// The offset of a move near one of its ends: the line through a point, or a circle.
+struct OffsetCurve {
+  Point2 point, direction;
+  bool is_circle;
+  Point2 center;
+  double radius;
+};
+
+inline OffsetCurve curve_at(const ContourMove& move, const Point2& point, const Point2& direction, double offset) {
+  const Point2 touched = point + offset * left_of(direction);
+  return {touched, direction, move.is_arc, move.center, move.is_arc ? move.path_radius(point, offset) : 0};
+}
+
+struct Crossings {
+  std::array<Point2, 2> points{};
+  std::size_t count = 0;
+};
+
+inline Crossings cross_lines(const OffsetCurve& a, const OffsetCurve& b) {
+  const double c = cross(a.direction, b.direction);
+  if (std::fabs(c) < 1e-12) return {};
+  return {{a.point + (cross(b.point - a.point, b.direction) / c) * a.direction}, 1};
+}
+
+inline Crossings cross_line_circle(const OffsetCurve& line, const OffsetCurve& circle) {
+  const Point2 to_center = circle.center - line.point;
+  const double along = dot(to_center, line.direction), beside = cross(line.direction, to_center);
+  const double square = (circle.radius - beside) * (circle.radius + beside);
+  if (circle.radius <= 0 || square < -same_point_mm * circle.radius) return {};
+  const double half = std::sqrt(std::fmax(0.0, square));
+  return {{line.point + (along - half) * line.direction, line.point + (along + half) * line.direction}, 2};
+}
+
+inline Crossings cross_circles(const OffsetCurve& a, const OffsetCurve& b) {
+  const Point2 between = b.center - a.center;
+  const double d = between.length();
+  if (a.radius <= 0 || b.radius <= 0 || d < same_point_mm) return {};
+  const double along = (d + (a.radius - b.radius) * (a.radius + b.radius) / d) / 2;
+  const double square = (a.radius - along) * (a.radius + along);
+  if (square < -same_point_mm * a.radius) return {};
+  const double half = std::sqrt(std::fmax(0.0, square));
+  const Point2 unit = (1 / d) * between, foot = a.center + along * unit;
+  return {{foot + half * left_of(unit), foot - half * left_of(unit)}, 2};
+}
+
+/// Where two offsets cross, nearest to `near`.
+inline std::optional<Point2> crossing(const OffsetCurve& a, const OffsetCurve& b, const Point2& near) {
+  const Crossings all = a.is_circle   ? (b.is_circle ? cross_circles(a, b) : cross_line_circle(b, a))
+                        : b.is_circle ? cross_line_circle(a, b)
+                                      : cross_lines(a, b);
+  if (all.count == 0) return std::nullopt;
+  if (all.count == 1) return all.points[0];
+  return (all.points[0] - near).length() <= (all.points[1] - near).length() ? all.points[0] : all.points[1];
+}
+
+}  // namespace detail
+
+/// The tool stands at a right angle to the move at its end.
+inline Corner square_corner(const ContourMove& move, double offset) {
+  return {CornerKind::square, move.offset_end(offset), {}, 0};
+}
+
+/// From `a` to `b`, which begins where `a` ends, on one side of both.
+inline Corner corner(const ContourMove& a, const ContourMove& b, double offset, OuterCorner outer) {
+  // Directions that differ by less are one: a bend so small moves no point by more than the offset times it.
+  constexpr double no_bend = 3e-8;
+  const Point2 u1 = a.direction_at_end(), u2 = b.direction_at_start();
+  const Point2 q1 = a.offset_end(offset), q2 = b.offset_start(offset);
+  const double bend = cross(u1, u2), along = dot(u1, u2);
+  Corner out{CornerKind::tangent, q1, {}, 0};
+  if (offset == 0 || (std::fabs(bend) < no_bend && along > 0)) return out;
+
+  if (bend * offset > 0) {
+    const auto at = detail::crossing(detail::curve_at(a, a.end, u1, offset), detail::curve_at(b, b.start, u2, offset),
+                                     0.5 * (q1 + q2));
+    const bool is_tangent = !at && (q1 - q2).length() < std::fmax(a.slack_mm, b.slack_mm);
+    out.kind = at ? CornerKind::inner : is_tangent ? CornerKind::tangent : CornerKind::no_solution;
+    if (at)
+      out.leave = *at;
+    else if (is_tangent)
+      out.leave = q2;
+    else
+      out.step_to(q2);
+    return out;
+  }
+  if (outer == OuterCorner::arc) {
+    out.kind = CornerKind::round;
+    out.arc_to(q2, offset < 0);
+    return out;
+  }
+  // The lines at right angles to both offsets, or to both sides of a sharp corner; an arc is left where it ends.
+  constexpr double right_angle = -1e-9;
+  const bool is_obtuse = along > right_angle;
+  out.kind = is_obtuse ? CornerKind::obtuse : CornerKind::acute;
+  const Point2 first =
+      is_obtuse ? a.end + (offset / (1 + along)) * (left_of(u1) + left_of(u2)) : q1 + std::fabs(offset) * u1;
+  if (a.is_arc)
+    out.step_to(first);
+  else
+    out.leave = first;
+  if (!is_obtuse) out.step_to(q2 - std::fabs(offset) * u2);
+  if (b.is_arc) out.step_to(q2);
+  return out;
+}
+
+/// Where the offsets of two moves that are no neighbours cross, if both are made shorter by it.
+inline std::optional<Corner> meet(const ContourMove& a, const ContourMove& b, double offset, const Point2& from) {
+  if (!a.fits(offset) || !b.fits(offset)) return std::nullopt;
+  const auto at = detail::crossing(detail::curve_at(a, a.end, a.direction_at_end(), offset),
+                                   detail::curve_at(b, b.start, b.direction_at_start(), offset),
+                                   0.5 * (a.offset_end(offset) + b.offset_start(offset)));
+  if (!at || a.way(from, *at, offset) < -same_point_mm || a.way(*at, a.offset_end(offset), offset) < -same_point_mm ||
+      b.way(b.offset_start(offset), *at, offset) < -same_point_mm)
+    return std::nullopt;
+  return Corner{CornerKind::inner, *at, {}, 0};
+}
+
+/// From `a`, with the tool on one side, to `b` with the tool on the other: where the two offsets of straight moves
+/// cross within them, else by a step across the contour.
+inline Corner change_of_side(const ContourMove& a, double offset_a, const ContourMove& b, double offset_b) {
+  Corner out{CornerKind::crossing, a.offset_end(offset_a), {}, 0};
+  if (!a.is_arc && !b.is_arc) {
+    const auto at = detail::crossing(detail::curve_at(a, a.end, a.direction_at_end(), offset_a),
+                                     detail::curve_at(b, b.start, b.direction_at_start(), offset_b), a.end);
+    const auto lies_on = [&](const ContourMove& m, const Point2& p) {
+      const double s = dot(p - m.start, m.direction_at_start());
+      return s >= 0 && s <= (m.end - m.start).length();
+    };
+    if (at && lies_on(a, *at) && lies_on(b, *at)) {
+      out.leave = *at;
+      return out;
+    }
+  }
+  out.step_to(b.offset_start(offset_b));
+  return out;
+}
+
+/// The end of `a` before a cancel whose direction the program gives, of any length but none.
+inline Corner directed_end(const ContourMove& a, double offset, const Point2& direction) {
+  const Point2 unit = (1 / direction.length()) * direction;
+  const ContourMove wall{a.end, a.end + unit, false, {}, false};
+  const Point2 q1 = a.offset_end(offset), q2 = wall.offset_start(offset);
+  Corner out{CornerKind::square, q1, {}, 0};
+  if (const auto at = detail::crossing(detail::curve_at(a, a.end, a.direction_at_end(), offset),
+                                       detail::curve_at(wall, a.end, unit, offset), 0.5 * (q1 + q2))) {
+    out.kind = CornerKind::inner;
+    out.leave = *at;
+  }
+  return out;
+}
+
+}  // namespace ig::cnc

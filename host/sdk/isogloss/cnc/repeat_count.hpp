@@ -1,0 +1,47 @@
+/// K has two meanings: the third arc centre, a length, and how often a canned cycle is repeated, a count. Inside the
+/// cycle's own block the code owns its K; in the blocks after it the K stands alone, and the modal state decides.
+#pragma once
+
+#include "isogloss/sdk.hpp"
+
+namespace ig::cnc {
+
+/// What K of a canned cycle is: an option of each syntax that reads lengths.
+class CycleK {
+ public:
+  bool is_length() const { return k_ == Meaning::length; }
+
+ private:
+  enum class Meaning { count, length };
+  Choice<Meaning> k_{"cycle-k", "count|length", "count", "K of a canned cycle counts its repeats, or is a length."};
+};
+
+/// What J of a tapping cycle is: an option of each syntax that reads lengths.
+class TappingJ {
+ public:
+  static constexpr std::array<std::string_view, 2> cycles{"G74", "G84"};
+
+  bool is_ratio() const { return j_ == Meaning::ratio; }
+  /// Of a block in which a canned cycle is active: J of the block itself is a ratio.
+  bool is_ratio(const Block& b) const { return is_ratio() && (b.is(cycle_, g74_) || b.is(cycle_, g84_)); }
+
+ private:
+  enum class Meaning { length, ratio };
+  Choice<Meaning> j_{"tapping-j", "length|ratio", "length",
+                     "J of G74 and G84 is a length, or how much faster the tap leaves."};
+  In<Symbol> cycle_{"CannedCycle.Term"};
+  Name g74_{"G74"}, g84_{"G84"};
+};
+
+class RepeatCount {
+ public:
+  /// True when K of the block itself is a count: a canned cycle is active and no motion code ends it here.
+  bool is_k(const Block& b) const { return b.has(cycle_) && !b.is(cycle_, cancelled_) && !b.find(motions_); }
+
+ private:
+  In<Symbol> cycle_{"CannedCycle.Term"};
+  Codes motions_{{"G00", "G01", "G02", "G03", "G33"}, read};
+  Name cancelled_{"G80"};
+};
+
+}  // namespace ig::cnc

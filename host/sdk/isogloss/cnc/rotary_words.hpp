@@ -1,0 +1,103 @@
+/// A, B and C of a block or of a code that moves: whether the machine has such an axis, and what a step of a compound
+/// motion says of them.
+#pragma once
+
+#include "isogloss/sdk.hpp"
+
+#include "isogloss/cnc/rotary_axis.hpp"
+
+namespace ig::cnc {
+
+enum class Undeclared { accept, refuse };
+
+/// A member of each syntax that moves rotary axes.
+class RotaryWords {
+ public:
+  const RotaryAxes& axes() const { return axes_; }
+
+  /// False, with a diagnostic at the word, for an axis that the machine has not, and for what is no position.
+  bool accept(Block& b, std::size_t axis, double angle, ig_field word) const {
+    const bool is_there = axes_.any() ? axes_.has(axis) : undeclared_ == Undeclared::accept;
+    if (!is_there) {
+      b.report(diag("ISO-0401"), Where::word(word), rotary_names.substr(axis, 1));
+      return false;
+    }
+    if (!(std::fabs(angle) < detail::countable_deg)) {
+      b.report(diag("ISO-0404"), Where::word(word), rotary_names.substr(axis, 1), angle);
+      return false;
+    }
+    if (!axes_.any() && !b.is_raised(assumed_)) {
+      b.raise(assumed_);
+      b.report(diag("ISO-0402"), Where::word(word));
+    }
+    return true;
+  }
+
+ private:
+  RotaryAxes axes_;
+  Choice<Undeclared> undeclared_{
+      "undeclared-axes", "accept|refuse", "accept",
+      "A, B and C of a machine that declares no rotary axis: turn by the shortest way, or are refused."};
+  Signal assumed_{"RotaryAxes.~Assumed", read | write, Life::modal};
+};
+
+/// Where the rotary axes stand: MachineCoordinate.A, B and C.
+class RotaryPosition {
+ public:
+  explicit RotaryPosition(Access access)
+      : ids_{Field<double>("MachineCoordinate.A", access).id(), Field<double>("MachineCoordinate.B", access).id(),
+             Field<double>("MachineCoordinate.C", access).id()} {}
+
+  PartialAngles get(const Block& b) const { return angles_of(b, ids_); }
+  std::optional<double> get(const Block& b, std::size_t axis) const {
+    ig_value v;
+    return b.get(ids_[axis], v) ? std::optional(v.number) : std::nullopt;
+  }
+  std::uint32_t fresh(const Block& b) const { return b.fresh_many(ids_.data(), 3); }
+  void set(Block& b, std::size_t axis, double angle) const { b.host()->set(b.raw(), ids_[axis], {.number = angle}); }
+  void set(Block& b, const PartialAngles& to) const { set_angles(b, ids_, to); }
+
+ private:
+  std::array<ig_field, 3> ids_;
+};
+
+/// A, B and C in the steps of CompoundMotion. A step that names none leaves them where they are.
+class RotarySteps {
+ public:
+  std::uint32_t count(const Block& b) const { return b.host()->count(b.raw(), ids_[0]); }
+  PartialAngles get(const Block& b, std::uint32_t step) const {
+    ig_value v[3];
+    PartialAngles out{b.host()->record(b.raw(), step, ids_.data(), 3, v), {}};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (out.has(axis)) out.value[axis] = v[axis].number;
+    return out;
+  }
+  void set(Block& b, std::uint32_t step, const PartialAngles& to) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const ig_value v{.number = to.value[axis]};
+      if (to.has(axis)) b.host()->set_record(b.raw(), step, &ids_[axis], 1, &v);
+    }
+  }
+  /// In the step that was appended last.
+  void set_last(Block& b, const PartialAngles& to) const {
+    if (to.mask != 0) set(b, count(b) - 1, to);
+  }
+  /// Does the step move the axes at all? A dwell does not.
+  bool is_move(const Block& b, std::uint32_t step) const {
+    ig_value unused;
+    return b.host()->record(b.raw(), step, &x_, 1, &unused) != 0;
+  }
+
+ private:
+  static ig_field item(const char* path, ig_type type, std::uint32_t access) {
+    return ig::detail::declare_field({{"CompoundMotion.Items[].", path}, type, access});
+  }
+  static constexpr std::uint32_t both = IG_READ | IG_WRITE;
+
+  ig_field x_ = item("MachineCoordinate.X", IG_NUMBER, IG_READ);
+  std::array<ig_field, 3> ids_{item("MachineCoordinate.A", IG_NUMBER, both),
+                               item("MachineCoordinate.B", IG_NUMBER, both),
+                               item("MachineCoordinate.C", IG_NUMBER, both)};
+};
+
+}  // namespace ig::cnc

@@ -1,0 +1,155 @@
+/// What the scanners share: characters, and how far the parts of a block reach.
+#pragma once
+
+#include <string_view>
+
+#include "isogloss/sdk.hpp"
+
+namespace ig::cnc {
+
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+/// 0 to 25 for a letter of either case, more for anything else.
+constexpr unsigned letter_index(char c) { return (static_cast<unsigned char>(c) | 0x20u) - 'a'; }
+constexpr bool is_letter(char c) { return letter_index(c) < 26; }
+constexpr char to_upper(char c) { return is_letter(c) ? static_cast<char>(c & ~0x20) : c; }
+
+/// The character at a position; NUL past the end, which is part of no word.
+constexpr char at(std::string_view text, std::size_t position) {
+  return position < text.size() ? text[position] : '\0';
+}
+
+constexpr std::size_t skip_blanks(std::string_view text, std::size_t position) {
+  while (position < text.size() && is_blank(text[position])) ++position;
+  return position;
+}
+
+template <class Predicate>
+constexpr std::size_t skip_while(std::string_view text, std::size_t position, Predicate predicate) {
+  while (position < text.size() && predicate(text[position])) ++position;
+  return position;
+}
+
+/// Where the block ends: a lone carriage return ends one inside the text.
+constexpr std::size_t block_end(std::string_view text, std::size_t position) {
+  return skip_while(text, position, [](char c) { return c != '\r' && c != '\n'; });
+}
+
+constexpr std::size_t skip_digits(std::string_view text, std::size_t position) {
+  return skip_while(text, position, is_digit);
+}
+
+constexpr std::string_view trim(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+constexpr std::string_view piece(std::string_view text, std::size_t begin, std::size_t end) {
+  return text.substr(begin, end - begin);
+}
+
+/// Columns of words have 16 bits.
+constexpr std::uint16_t column(std::size_t position) {
+  return static_cast<std::uint16_t>(position < 65535 ? position : 65535);
+}
+
+constexpr bool equals_ignoring_case(std::string_view text, std::string_view upper) {
+  if (text.size() != upper.size()) return false;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (to_upper(text[i]) != upper[i]) return false;
+  return true;
+}
+
+/// True when only tape marks, block skips, comments and the sequence number stand before the position.
+constexpr bool stands_first(std::string_view text, std::size_t position) {
+  for (std::size_t i = 0; i < position;) {
+    const char c = text[i];
+    if (is_blank(c) || c == '%') {
+      ++i;
+    } else if (c == '/') {
+      i += is_digit(at(text, i + 1)) ? 2 : 1;
+    } else if (c == '(') {
+      const std::size_t close = text.find(')', i);
+      if (close == std::string_view::npos || close >= position) return false;
+      i = close + 1;
+    } else if (c == 'N' || c == 'n') {
+      const std::size_t digits = skip_blanks(text, i + 1);
+      i = skip_digits(text, digits);
+      if (i == digits) return false;
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Past the bracket that closes the one at `position` ('[', '(' or '<'), or the end of the block when none does.
+constexpr std::size_t skip_bracketed(std::string_view text, std::size_t position) {
+  const char open = text[position];
+  const char close = open == '[' ? ']' : open == '(' ? ')' : '>';
+  std::size_t depth = 0;
+  std::size_t i = position;
+  for (; i < text.size() && text[i] != '\r' && text[i] != '\n'; ++i) {
+    if (text[i] == open) ++depth;
+    if (text[i] == close && --depth == 0) return i + 1;
+  }
+  return i;
+}
+
+/// Past one operand of an expression: #1, #[…], #<name>, […], SIN[…], 12.5; `position` itself when there is none.
+constexpr std::size_t skip_operand(std::string_view text, std::size_t position) {
+  std::size_t i = skip_while(text, position, [](char c) { return c == '+' || c == '-' || is_blank(c); });
+  const std::size_t hashes = i;
+  i = skip_while(text, i, [](char c) { return c == '#' || is_blank(c); });
+  const char c = at(text, i);
+  if (c == '[') return skip_bracketed(text, i);
+  if (c == '<' && i > hashes) return skip_bracketed(text, i);
+  if (is_digit(c) || c == '.') return skip_while(text, i, [](char d) { return is_digit(d) || d == '.'; });
+  const std::size_t name = skip_while(text, i, is_letter);
+  if (name > i && at(text, name) == '[') return skip_bracketed(text, name);
+  return position;
+}
+
+/// Past an expression without blanks between its operands: #1, -[#2+1.], SIN[#3]*2.
+constexpr std::size_t skip_expression(std::string_view text, std::size_t position) {
+  std::size_t end = skip_operand(text, position);
+  while (end != position) {
+    const char c = at(text, end);
+    if (c != '+' && c != '-' && c != '*') break;
+    const std::size_t next = skip_operand(text, end + 1);
+    if (next == end + 1) break;
+    end = next;
+  }
+  return end;
+}
+
+/// What a scanner does with a value that is an expression.
+enum class Expressions { leave, pass };
+
+inline void leave(Block& b, ig_leftover_kind kind, std::string_view name, std::size_t begin, std::size_t end,
+                  ig_field field = IG_NO_FIELD) {
+  const ig_leftover left{kind, field, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
+                         to_text(name)};
+  b.host()->add_leftover(b.raw(), &left);
+}
+
+/// O-words of LinuxCNC: `o100 sub`, `o<name> call [1]`, `o[#1] if [#2 GT 3]`. True when the O at `position` begins one.
+constexpr bool begins_o_word(std::string_view text, std::size_t position) {
+  std::size_t i = skip_blanks(text, position + 1);
+  if (const char c = at(text, i); c == '<' || c == '[') {
+    i = skip_bracketed(text, i);
+  } else if (c == '#' || is_digit(c)) {
+    i = skip_operand(text, i);
+  } else {
+    return false;
+  }
+  i = skip_blanks(text, i);
+  const std::string_view word = piece(text, i, skip_while(text, i, is_letter));
+  for (const std::string_view keyword : {"SUB", "ENDSUB", "CALL", "RETURN", "IF", "ELSEIF", "ELSE", "ENDIF", "WHILE",
+                                         "ENDWHILE", "DO", "BREAK", "CONTINUE", "REPEAT", "ENDREPEAT"})
+    if (equals_ignoring_case(word, keyword)) return true;
+  return false;
+}
+
+}  // namespace ig::cnc

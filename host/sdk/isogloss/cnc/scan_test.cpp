@@ -1,0 +1,66 @@
+#include "isogloss/cnc/scan.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace ig::cnc;
+
+TEST_CASE("what may stand before the first word of a block") {
+  for (const char* before : {"", "  ", "%", "/", "/3 ", "N10", "n 10 ", "(HOLE) ", "% /2 (A) N5 (B) "}) {
+    CAPTURE(before);
+    CHECK(stands_first(before, std::string_view(before).size()));
+  }
+  for (const char* before : {"X1", "N", "N#1", "(A", "G00 ", "/2 M08 ", ";"}) {
+    CAPTURE(before);
+    CHECK_FALSE(stands_first(before, std::string_view(before).size()));
+  }
+}
+
+TEST_CASE("how far an expression reaches") {
+  const std::pair<std::string_view, std::string_view> cases[] = {{"#1 Y2", "#1"},
+                                                                 {"#101Y2", "#101"},
+                                                                 {"-#1", "-#1"},
+                                                                 {"##1", "##1"},
+                                                                 {"#[#1+2]Y2", "#[#1+2]"},
+                                                                 {"#<a b> Y2", "#<a b>"},
+                                                                 {"[1.+[2*3]] Y", "[1.+[2*3]]"},
+                                                                 {"SIN[30.]X", "SIN[30.]"},
+                                                                 {"#1+5.*#2 Y", "#1+5.*#2"},
+                                                                 {"#1/2", "#1"},
+                                                                 {"#1+Y", "#1"},
+                                                                 {"[#1", "[#1"},
+                                                                 {"12.5Y", "12.5"},
+                                                                 {"", ""},
+                                                                 {"Y2", ""},
+                                                                 {"<a>", ""}};
+  for (const auto& [text, expression] : cases) {
+    CAPTURE(text);
+    CHECK(text.substr(0, skip_expression(text, 0)) == expression);
+  }
+}
+
+TEST_CASE("a carriage return ends the block for brackets, too") {
+  CHECK(skip_bracketed("[1+\r2]", 0) == 3);
+  CHECK(block_end("G00\rX1", 0) == 3);
+  CHECK(block_end("G00", 0) == 3);
+}
+
+TEST_CASE("O-words and program numbers") {
+  for (const char* word : {"o100 sub", "O100SUB", "o<probe> call [1]", "o [#1] if [#2]", "o#1 endwhile"}) {
+    CAPTURE(word);
+    CHECK(begins_o_word(word, 0));
+  }
+  for (const char* word : {"O100", "O100 (SUB)", "O<PART>", "O100 SUBMIT", "O", "OSUB"}) {
+    CAPTURE(word);
+    CHECK_FALSE(begins_o_word(word, 0));
+  }
+}
+
+TEST_CASE("characters") {
+  CHECK(letter_index('A') == 0);
+  CHECK(letter_index('z') == 25);
+  for (const char c : {'@', '[', '`', '{', '1', ' ', '\0', '\xC4'}) CHECK(letter_index(c) > 25);
+  CHECK(trim(" \ta b ") == "a b");
+  CHECK(trim("  ").empty());
+  CHECK(column(65534) == 65534);
+  CHECK(column(70000) == 65535);
+}

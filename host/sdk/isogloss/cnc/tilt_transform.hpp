@@ -1,0 +1,171 @@
+/// The entry TiltTransform of the frame: rotations of the programmed coordinates. Matrices as in the block document:
+/// row vectors, translation in elements 12 to 14.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "isogloss/cnc/plane.hpp"
+
+namespace ig::cnc {
+
+using Mat4 = std::array<double, 16>;
+
+inline constexpr Mat4 identity_frame{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+inline Vec3 mapped(const Mat4& m, const Vec3& p) {
+  return {p.x * m[0] + p.y * m[4] + p.z * m[8] + m[12], p.x * m[1] + p.y * m[5] + p.z * m[9] + m[13],
+          p.x * m[2] + p.y * m[6] + p.z * m[10] + m[14]};
+}
+
+/// Cosine and sine; those of quarter turns are exact.
+struct Turn {
+  double cos = 1, sin = 0;
+
+  static Turn by(double degrees) {
+    const double angle = std::remainder(degrees, 360.0);
+    if (angle == 0) return {1, 0};
+    if (angle == 90) return {0, 1};
+    if (angle == -90) return {0, -1};
+    if (std::fabs(angle) == 180) return {-1, 0};
+    const double radians = angle * (std::numbers::pi / 180);
+    return {std::cos(radians), std::sin(radians)};
+  }
+};
+
+/// The rotation in the plane, counter-clockwise seen from the positive end of its tool axis, that takes the point
+/// `from` to the point `to`; with both the same, the rotation about that point. The tool axis keeps its positions.
+inline Mat4 rotation_in(const PlaneAxes& plane, double degrees, const Vec3& from, const Vec3& to) {
+  const Turn turn = Turn::by(degrees);
+  const std::size_t u = plane.first, v = plane.second;
+  Mat4 m = identity_frame;
+  m[4 * u + u] = m[4 * v + v] = turn.cos;
+  m[4 * u + v] = turn.sin;
+  m[4 * v + u] = -turn.sin;
+  const Vec3 turned = mapped(m, from);
+  m[12 + u] = to[u] - turned[u];
+  m[12 + v] = to[v] - turned[v];
+  return m;
+}
+
+/// First `a`, then `b`.
+inline Mat4 product(const Mat4& a, const Mat4& b) {
+  Mat4 m = identity_frame;
+  for (std::size_t row = 0; row < 16; row += 4)
+    for (std::size_t column = 0; column < 3; ++column)
+      m[row + column] = a[row] * b[column] + a[row + 1] * b[4 + column] + a[row + 2] * b[8 + column] +
+                        (row == 12 ? b[12 + column] : 0.0);
+  return m;
+}
+
+/// The way back of a rotation with a translation.
+inline Mat4 inverse(const Mat4& m) {
+  Mat4 out = identity_frame;
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 3; ++column) out[4 * row + column] = m[4 * column + row];
+  for (std::size_t column = 0; column < 3; ++column)
+    out[12 + column] = -(m[12] * out[column] + m[13] * out[4 + column] + m[14] * out[8 + column]);
+  return out;
+}
+
+inline Vec3 origin(const Mat4& m) { return {m[12], m[13], m[14]}; }
+inline Mat4 at_origin(Mat4 m, const Vec3& origin) {
+  for (std::size_t axis = 0; axis < 3; ++axis) m[12 + axis] = origin[axis];
+  return m;
+}
+
+inline double scalar_product(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vec3 vector_product(const Vec3& a, const Vec3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+/// Nothing for a vector without a direction. Scaled first: squares of what a program may say overflow.
+inline std::optional<Vec3> unit(Vec3 v) {
+  const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+  if (!(largest > 0) || !std::isfinite(largest)) return std::nullopt;
+  v = {v.x / largest, v.y / largest, v.z / largest};
+  const double length = std::sqrt(scalar_product(v, v));
+  return Vec3{v.x / length, v.y / length, v.z / length};
+}
+
+/// Turns about an axis of space (0 X, 1 Y, 2 Z), right-handed: a point moves from the first to the second of the other
+/// two axes.
+inline Mat4 turn_about(std::size_t axis, double degrees) {
+  return rotation_in(axis == 0 ? yz_plane : axis == 1 ? zx_plane : xy_plane, degrees, {}, {});
+}
+
+/// How a tilted plane lies in the workpiece. The rows of such a matrix are the plane's own axes, as the workpiece sees
+/// them: a programmed point x y z lies at x times the first row, and so on.
+///
+/// Euler angles Z, X', Z'': about the axes as turned so far, which is the reverse order about axes that rest.
+inline Mat4 euler_zxz(const Vec3& angles) {
+  return product(product(turn_about(2, angles.z), turn_about(0, angles.y)), turn_about(2, angles.x));
+}
+
+enum class TurnedAxes { fixed, turned };
+
+/// The angles are about X, Y and Z, in the order of the axes named: about the axes of the workpiece, or about those
+/// that were turned along.
+inline Mat4 roll_pitch_yaw(const Vec3& angles, const std::array<std::size_t, 3>& order, TurnedAxes axes) {
+  Mat4 m = identity_frame;
+  for (const std::size_t axis : order) {
+    const Mat4 turn = turn_about(axis, angles[axis]);
+    m = axes == TurnedAxes::fixed ? product(m, turn) : product(turn, m);
+  }
+  return m;
+}
+
+/// X' along x, and Y' on the side to which `side` points. Nothing where the two span no plane.
+inline std::optional<Mat4> from_x_and_side(const Vec3& x, const Vec3& side) {
+  constexpr double least_sine = 1e-9;
+  const auto along = unit(x), to_side = unit(side);
+  if (!along || !to_side) return std::nullopt;
+  const Vec3 normal = vector_product(*along, *to_side);
+  if (std::sqrt(scalar_product(normal, normal)) < least_sine) return std::nullopt;
+  const Vec3 z = *unit(normal), y = vector_product(z, *along);
+  return Mat4{along->x, along->y, along->z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, 0, 0, 0, 1};
+}
+
+/// Z' along z, and X' as near to x as it can be.
+inline std::optional<Mat4> from_z_and_x(const Vec3& z, const Vec3& x) {
+  const auto turned = from_x_and_side(z, x);  // its first row is Z', its second X'
+  if (!turned) return std::nullopt;
+  const Mat4& t = *turned;
+  return Mat4{t[4], t[5], t[6], 0, t[8], t[9], t[10], 0, t[0], t[1], t[2], 0, 0, 0, 0, 1};
+}
+
+/// Projection angles: X turned about Y by the first is X'; Y turned about X by the second lies in the plane; the third
+/// turns both about Z'. Nothing where the first two directions coincide.
+inline std::optional<Mat4> from_projections(const Vec3& angles) {
+  const Turn about_y = Turn::by(angles.x), about_x = Turn::by(angles.y);
+  const auto untwisted = from_x_and_side({about_y.cos, 0, -about_y.sin}, {0, about_x.cos, about_x.sin});
+  if (!untwisted) return std::nullopt;
+  return product(turn_about(2, angles.z), *untwisted);
+}
+
+inline bool is_finite(const Mat4& m) {
+  double nothing = 0;
+  for (const double element : m) nothing += 0 * element;  // what is not finite makes it one that is no number
+  return nothing == 0;
+}
+
+/// A member of each syntax that asks for the entry or writes it.
+class TiltFrame {
+ public:
+  explicit TiltFrame(Access access) : frame_("TiltTransform", access) {}
+
+  /// Nothing is tilted where nothing was said.
+  Mat4 get(const Block& b) const {
+    Mat4 m;
+    return b.host()->transform(b.raw(), frame_.id(), m.data()) != 0 ? m : identity_frame;
+  }
+  void set(Block& b, const Mat4& m) const { b.host()->set_transform(b.raw(), frame_.id(), m.data()); }
+  bool is_fresh(const Block& b) const { return b.is_fresh(frame_); }
+
+ private:
+  Transform frame_;
+};
+
+}  // namespace ig::cnc

@@ -1,0 +1,39 @@
+/// The last M code and the last sequence number that the program has passed, for #4113 and #4114. Looks at the text and
+/// takes nothing of it: a code that no syntax knows counts, too.
+#include <isogloss/cnc/scan.hpp>
+#include "macro/macro_environment.hpp"
+
+namespace fanuc {
+
+using namespace ig::cnc;
+namespace {
+
+struct FanucPassedCode {
+  static constexpr auto spec = ig::syntax("FanucPassedCodeSyntax", "Notes M codes and sequence numbers: #4113, #4114.")
+                                   .after("BlockSkipSyntax", "IsoCommentSyntax")
+                                   .before("HeadIndexSyntax", "FlagSyntax")
+                                   .scans("GMNgmn");
+
+  MacroFrame macros_;
+  PassedCodeMark mark_;
+
+  /// G and M codes stand in a row, which FlagSyntax takes as one.
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    if (macros_.flow.is_indexing()) return position;
+    std::size_t next = position;
+    while (next < text.size()) {
+      const char letter = to_upper(text[next]);
+      if (letter != 'G' && letter != 'M' && letter != 'N') break;
+      const ig::Decimal number = ig::read_decimal(text, ig::cnc::skip_blanks(text, next + 1));
+      if (!number.ok) break;
+      if (letter != 'G') mark_.note(b, macros_.store(), letter, number.value);
+      next = ig::cnc::skip_blanks(text, number.end);
+    }
+    return position;
+  }
+};
+
+const ig::Register<FanucPassedCode> fanuc_passed_code_syntax;
+
+}  // namespace
+}  // namespace fanuc

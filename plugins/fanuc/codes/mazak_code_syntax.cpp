@@ -1,0 +1,46 @@
+/// Functions of Mazak's EIA/ISO programs that are recognised but not executed, and D of a canned cycle: a distance
+/// there, no number of a tool radius.
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/cycle_codes.hpp>
+#include <isogloss/cnc/recognised_codes.hpp>
+#include <isogloss/cnc/repeat_count.hpp>
+
+namespace fanuc {
+
+using namespace ig::cnc;
+namespace {
+
+struct MazakCode {
+  static constexpr auto spec =
+      ig::syntax("MazakCodeSyntax", "Says the functions of a Mazak that are not executed.")
+          .after("ParameterizedFlagSyntax")
+          .before("CannedCycleResolveSyntax", "RadiusCompensationSyntax", "NotExecutedSyntax", "UnconsumedCheckSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "FAN-0202",
+                     "D{0} of a canned cycle has no effect: the feed does not change on the way"),
+  };
+
+  RecognisedCodes codes_{ig::diag("FAN-0201"),
+                         {
+                             {ig::Call{{"G71.1", "G72.1", "G75", "G78", "G79", "G82.2", "G84.2", "G84.3"},
+                                       "X Y Z R I J K L[] P[] Q D[] B E[mm/min]"},
+                              "the cycle is missing, and blocks after it only move"},
+                         }};
+
+  ig::Word d_{"Parsing.D", ig::take | ig::wake, ""};
+  ig::Call cycles_{cycle_codes, "", ig::read};
+  RepeatCount modal_cycle_;
+
+  ig::Status build(ig::Block& b) {
+    const bool is_hole = b.find(cycles_) || modal_cycle_.is_k(b);
+    const auto d = is_hole ? b.take(d_) : std::nullopt;
+    if (d) b.report(ig::diag("FAN-0202"), ig::Where::word(d_.id()), *d);
+    return codes_.say(b) || d ? ig::Status::changed : ig::Status::unchanged;
+  }
+};
+
+const ig::Register<MazakCode> mazak_code_syntax;
+
+}  // namespace
+}  // namespace fanuc

@@ -1,0 +1,43 @@
+/// Where X, Y, Z or R of a Haas cycle lies, a position or under G91 a way from where the tool is; and the way to where
+/// the cycle begins.
+#pragma once
+
+#include <isogloss/cnc/program_xyz.hpp>
+#include <isogloss/cnc/scale_and_mirror.hpp>
+
+namespace fanuc {
+
+using namespace ig::cnc;
+
+class HaasCycleTarget {
+ public:
+  double operator()(ig::Block& b, std::size_t axis, std::optional<double> word) const {
+    const double from = last_(b)[axis];
+    if (!word) return from;
+    const AxisMap map = scale_and_mirror_.axis(b, axis);
+    return rounded(distance_.is_incremental(b) ? from + map.factor * *word : map.position(*word));
+  }
+  bool is_incremental(const ig::Block& b) const { return distance_.is_incremental(b); }
+
+  /// By rapid over X and Y of the cycle, then to its R. What the answer says is where the tool stands.
+  ig::Vec3 go_to_start(ig::Block& b, const ig::Words& words) const {
+    ig::Vec3 to = last_(b);
+    const double level = (*this)(b, 2, words['R']);
+    for (std::size_t axis = 0; axis < 2; ++axis) to[axis] = (*this)(b, axis, words["XY"[axis]]);
+    motion_.begin(b, words.code);
+    motion_.rapid_to(b, to);
+    to.z = level;
+    motion_.rapid_to(b, to);
+    b.set(program_, to);
+    return to;
+  }
+
+ private:
+  DistanceMode distance_;
+  ScaleAndMirror scale_and_mirror_;
+  LastProgramXyz last_;
+  ig::CompoundMotion motion_;
+  ig::Xyz program_{"ProgramXyz", ig::write};
+};
+
+}  // namespace fanuc

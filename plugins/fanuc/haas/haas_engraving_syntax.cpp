@@ -1,0 +1,61 @@
+/// G47 of a Haas: text or a number is engraved. Its letters are a font of the control and are not shown; the tool goes
+/// to where the text begins, and to R.
+#include <cmath>
+
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/whole_number.hpp>
+#include "haas/haas_cycle_target.hpp"
+
+namespace fanuc {
+
+using namespace ig::cnc;
+namespace {
+
+struct HaasEngraving {
+  static constexpr auto spec = ig::syntax("HaasEngravingSyntax", "G47 of a Haas: engraving, without its strokes.")
+                                   .after("UnitModeSyntax", "PositioningModeSyntax", "IsoCoordinateOffsetSyntax",
+                                          "ToolHeightOffsetSyntax", "ProgrammableMirrorSyntax")
+                                   .before("CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax",
+                                           "McXyzSyntax", "NotExecutedSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "FAN-0206",
+                     "G47: the strokes of the text are not shown: it begins at X{0} Y{1}, {2} mm high, at an angle of "
+                     "{3} degrees; the tool is taken to stay over its beginning{4}"),
+  };
+
+  ig::Call call_{{"G47"}, "X Y Z I[deg] J P[] R D[] E[mm/min]"};
+  HaasCycleTarget target_;
+
+  ig::Status build(ig::Block& b) const {
+    const auto row = b.find(call_);
+    if (!row) return ig::Status::unchanged;
+    const auto where = ig::Where::word(call_.code(*row));
+    const ig::Words words = *b.take(call_);
+    if (const std::string_view fault = fault_of(b, words); !fault.empty()) {
+      b.report(ig::diag("FAN-0201"), where, std::string_view("G47"), fault);
+      return ig::Status::changed;
+    }
+    const ig::Vec3 start = target_.go_to_start(b, words);
+    constexpr double an_inch = 25.4;
+    b.report(ig::diag("FAN-0206"), where, start.x, start.y, words['J'].value_or(an_inch), words['I'].value_or(0),
+             std::string_view(target_.is_incremental(b) ? ", from where G91 goes on" : ""));
+    return ig::Status::changed;
+  }
+
+ private:
+  /// Why the control cannot engrave either.
+  static std::string_view fault_of(const ig::Block& b, const ig::Words& words) {
+    const auto p = words['P'] ? whole_number(*words['P']) : std::nullopt;
+    if (!p || (*p > 1 && *p < 32) || *p > 126) return "P is not 0 (text), 1 (a number) or 32 to 126 (a letter)";
+    if (*p < 2 && b.source().find('(') == std::string_view::npos) return "its block has no text";
+    if (!words['Z']) return "Z, the depth, is missing";
+    if (words['J'] && !(*words['J'] > 0)) return "J, the height, is not greater than 0";
+    return {};
+  }
+};
+
+const ig::Register<HaasEngraving> haas_engraving_syntax;
+
+}  // namespace
+}  // namespace fanuc

@@ -1,0 +1,72 @@
+/// L in a block of plain motion: a Haas makes the move so many times. The block is run again, so that G91 goes on from
+/// where the pass before ended.
+#include <cmath>
+
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/whole_number.hpp>
+
+#include <isogloss/flow.hpp>
+
+namespace fanuc {
+
+using namespace ig::cnc;
+namespace {
+
+struct HaasRepeat {
+  static constexpr auto spec = ig::syntax("HaasRepeatSyntax", "L of a Haas: a move is made so many times.")
+                                   .after("CannedCycleResolveSyntax", "CircularMotionSyntax", "LinearMotionSyntax")
+                                   .before("HaasCodeSyntax", "UnconsumedCheckSyntax");
+
+  /// What no cycle, call or pocket has taken.
+  ig::Word repeats_{"Parsing.L", ig::take | ig::wake, ""};
+  ig::In<ig::Symbol> form_{"MotionEvent.Form"};
+  ig::IntegerOption most_{"max-repeats", "10000", {1, 1'000'000}, "Times that one block may be made."};
+  ig::Flow flow_;
+
+  ig_place block_{};
+  std::int64_t left_ = 0;
+
+  ig::Status restart(ig::Block&) {
+    left_ = 0;
+    return ig::Status::unchanged;
+  }
+
+  ig::Status build(ig::Block& b) {
+    const auto l = b.take(repeats_);
+    if (!l) return ig::Status::unchanged;
+    if (*l == 1) return ig::Status::changed;
+    const auto count = whole_number(*l);
+    if (!b.has(form_)) {
+      say(b, "its block makes no plain move");
+    } else if (!count || *count == 0) {
+      say(b, "it is no count; the block is executed once");
+    } else if (*count > most_) {
+      say(b, "there are too many repeats; the block is executed once");
+    } else {
+      again(b, *count);
+    }
+    return ig::Status::changed;
+  }
+
+ private:
+  void again(ig::Block& b, std::int64_t count) {
+    const ig_place here = flow_.here(b);
+    const bool is_pass = left_ > 0 && here.frame == block_.frame && here.offset == block_.offset;
+    left_ = is_pass ? left_ - 1 : count - 1;
+    block_ = here;
+    if (left_ > 0 && !flow_.go_to(b, here).is_done()) {
+      left_ = 0;
+      say(b, "the block is not repeated any more");
+    }
+  }
+
+  void say(ig::Block& b, std::string_view why) const {
+    b.report(ig::diag("FAN-0201"), ig::Where::word(repeats_.id()), std::string_view("L"), why);
+  }
+};
+
+const ig::Register<HaasRepeat> haas_repeat_syntax;
+
+}  // namespace
+}  // namespace fanuc

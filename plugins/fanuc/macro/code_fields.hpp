@@ -1,0 +1,67 @@
+/// The fields of the codes that a chain knows, by letter and number: for scanners that meet a code as a value.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/scan.hpp>
+
+namespace fanuc {
+
+using namespace ig::cnc;
+
+class CodeFields {
+ public:
+  /// From 0 to 9999 with one decimal: ten times the number. Nothing where that is no code.
+  static std::optional<std::size_t> index_of(double number) {
+    const double tenths = std::round(number * 10);
+    if (!(tenths >= 0 && tenths <= 99'990) || std::abs(number * 10 - tenths) > 1e-6) return std::nullopt;
+    return static_cast<std::size_t>(tenths);
+  }
+
+  CodeFields() {
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+      std::string_view name = fields_.path(i);  // Parsing.Flags.G54.1, Parsing.G81
+      for (const std::string_view prefix : {"Parsing.Flags.", "Parsing."})
+        if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
+      if (name.size() < 2 || (name[0] != 'G' && name[0] != 'M')) continue;
+      const ig::Decimal d = ig::read_decimal(name, 1);
+      const auto index = d.ok && d.end == name.size() && d.decimals <= 1 ? index_of(d.value) : std::nullopt;
+      if (!index) continue;
+      std::vector<ig_field>& row = table_[name[0] == 'G' ? 0 : 1];
+      if (row.size() <= *index) row.resize(*index + 1, IG_NO_FIELD);
+      row[*index] = fields_.id(i);
+    }
+  }
+
+  /// The block holds this code at these columns; one that nobody knows is left over under its name.
+  void set(ig::Block& b, char letter, std::size_t index, std::size_t begin, std::size_t end) const {
+    const std::vector<ig_field>& row = table_[letter == 'G' ? 0 : 1];
+    if (index < row.size() && row[index] != IG_NO_FIELD) {
+      const ig_word word{row[index], column(begin), column(end), ig_value{}, 0, 0};
+      b.host()->set_words(b.raw(), &word, 1);
+      return;
+    }
+    std::array<char, 16> name{};
+    std::size_t size = 0;
+    name[size++] = letter;
+    if (index < 100) name[size++] = '0';
+    char* last = std::to_chars(name.data() + size, name.data() + name.size(), index / 10).ptr;
+    if (index % 10 != 0) {
+      *last++ = '.';
+      *last++ = static_cast<char>('0' + index % 10);
+    }
+    leave(b, IG_LEFT_UNKNOWN, {name.data(), static_cast<std::size_t>(last - name.data())}, begin, end);
+  }
+
+ private:
+  ig::Fields fields_{"codes", "Parsing.Flags.* Parsing.*", ig::write, "The codes that syntaxes of this chain know.",
+                     IG_CODE};
+  std::array<std::vector<ig_field>, 2> table_;  // of G and M
+};
+
+}  // namespace fanuc

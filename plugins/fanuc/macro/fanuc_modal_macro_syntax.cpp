@@ -1,0 +1,48 @@
+// After each block that moves the axes, the macro that G66 named last is called; G67 ends it. Asleep unless G66 is in
+// force.
+#include "macro/macro_environment.hpp"
+#include "macro/macro_program_call.hpp"
+
+namespace fanuc {
+namespace {
+
+struct FanucModalMacro {
+  static constexpr auto spec =
+      ig::syntax("FanucModalMacroSyntax", "Calls the macro of G66 after each block that moves; G67 ends it.")
+          .after("LinearMotionSyntax", "CircularMotionSyntax", "ReferenceReturnSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "FAN-0169", "G67 without G66: nothing ends"),
+  };
+
+  MacroFrame frame_;
+  ig::Codes end_{"G67"};
+  ig::Signal modal_{"MacroCall.~Modal", ig::read | ig::write | ig::wake_while, ig::Life::modal};
+  ig::In<ig::Symbol> move_{"MotionEvent.Form"}, steps_{"CompoundMotion.Term"};
+
+  ig::Status build(ig::Block& b) {
+    frame_.enter(b);
+    MacroStore& store = frame_.store();
+    std::vector<MacroStore::ModalCall>& calls = store.modal_calls();
+    if (b.take(end_)) {
+      if (calls.empty())
+        b.report(ig::diag("FAN-0169"), ig::Where::word(end_.id(0)));
+      else
+        calls.pop_back();
+      if (calls.empty() && store.depth() == 0) b.erase(modal_);
+      return ig::Status::changed;
+    }
+    if (calls.empty() || calls.back().each_block || calls.back().repeats == 0 ||
+        !(b.is_fresh(move_) || b.is_fresh(steps_)))
+      return ig::Status::unchanged;
+    const MacroStore::ModalCall call = calls.back();
+    say_deep_call(b, store, ig::Where::block());
+    const std::uint64_t tag = store.enter(call.arguments, true);
+    settle_modal(store, ask_program(b, frame_.flow, call.program, call.repeats, tag, ig::Where::block()));
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<FanucModalMacro> fanuc_modal_macro_syntax;
+
+}  // namespace
+}  // namespace fanuc

@@ -1,0 +1,125 @@
+// The variables that macro programs write, and what the user says of variables of the control. The table holds what was
+// given and what is kept; the values themselves stand in arrays, since loops read them millions of times.
+#include <stdexcept>
+#include <string>
+
+#include <isogloss/rows.hpp>
+#include <isogloss/sdk.hpp>
+
+#include "macro/macro_store.hpp"
+
+namespace fanuc {
+namespace {
+
+enum class ArcRange { full, half };
+enum class Conditions { comparison, any_value };
+enum class Modulus { whole, real };
+enum class RadiusVariables { none, from_2401 };
+enum class FirstOffset { external, local };
+enum class RepeatedCall { arguments, kept };
+enum class Group12 { macro_call, work_offset };
+
+struct MacroVariables final : MacroStore::Keeper {
+  static constexpr auto spec =
+      ig::dependency("MacroVariables", "Variables of custom macro B: common, permanent, and given ones of the control.")
+          .rows("Variable", "number")
+          .provides(macro_store_service);
+
+  ig::TextOption common{"common", "100-199", "Numbers of the common variables: null when a program starts."};
+  ig::TextOption permanent{"permanent", "500-999", "Numbers of the permanent variables: kept when the power is off."};
+  ig::TextOption assumed{"assumed-zero", "1000-1035 1100-1135 3003-3008 3901-3902",
+                         "Variables of the control that are 0, with a warning, until the table or the program says "
+                         "otherwise."};
+  ig::Choice<ArcRange> arcs{"arc-functions", "0-to-360|-180-to-180", "0-to-360",
+                            "What ASIN and ATAN[]/[] answer where the angle is negative."};
+  ig::Choice<Conditions> conditions{"conditions", "comparison|any-value", "comparison",
+                                    "A condition compares and a comparison is no number, or a comparison is 1 or 0 "
+                                    "and any number but 0 is a condition that holds."};
+  ig::Choice<Modulus> modulus{"mod", "whole|real", "whole", "Does MOD round its operands to whole numbers?"};
+  ig::Choice<ToolVariables> tool_variables{"tool-variables", "wear-first|series-15|geometry-first", "wear-first",
+                                           "#2001 and #10001 are the wear of length 1, #2201 and #11001 its geometry; "
+                                           "or the other way round; or so without #10001 and on, with radii from #2401 "
+                                           "on."};
+  ig::Choice<RadiusVariables> radius_variables{"radius-variables", "none|from-2401", "none",
+                                               "#2401 to #2800: work offsets at #2500 and on only, or radii of tools."};
+  ig::Choice<FirstOffset> first_offset{"first-offset", "external|local", "external",
+                                       "#5201 and on: the external offset, or the shift of G52."};
+  ig::IntegerOption tool_in_spindle{
+      "tool-in-spindle", "0", {0, 99'999}, "Number of the variable that is the tool in the spindle; 0: none."};
+  ig::IntegerOption spindle_speed{
+      "spindle-speed", "0", {0, 99'999}, "Number of the variable that is the speed of the spindle; 0: none."};
+  ig::Choice<Group12> group_12{"group-12", "macro-call|work-offset", "macro-call",
+                               "#4012 is 66 or 67, or the work offset in force as #4014 is."};
+  ig::IntegerOption other_names{"other-names",
+                                "0",
+                                {0, 99'999},
+                                "#10100 is #100 where this is 10000, and so with all that hold values; 0: none."};
+  ig::Choice<RepeatedCall> repeated_call{"repeated-call", "arguments|kept", "arguments",
+                                         "What the local variables of G65 L are from the second time on: the arguments "
+                                         "anew, or what the time before left in them."};
+  ig::IntegerOption nesting{"nesting", "5", {1, 64}, "Brackets inside each other that the control permits."};
+  ig::NumberOption clock_step{"clock-step",
+                              "100",
+                              {0, 1e9},
+                              "ms",
+                              "How far #3001 and #3002 have gone on each time they are read: waiting loops end."};
+  ig::Column value{"Value", nullptr, "", {}, "The variable's value; none: null."};
+  ig::Column is_null{"Null", nullptr, "", {0, 1}, "1: the variable is null, whatever Value says."};
+  ig::Table table;
+  ig::RowNames names;
+  MacroStore store;
+
+  MacroVariables() {
+    store.define(read(common.text(), "common"), read(permanent.text(), "permanent"));
+    store.alias(static_cast<std::uint32_t>(other_names));
+    store.settings.repeats_keep_locals = repeated_call == RepeatedCall::kept;
+    store.assume(read(assumed.text(), "assumed-zero"));
+    store.settings.rules.arcs_are_signed = arcs == ArcRange::half;
+    store.settings.rules.truth_is_number = conditions == Conditions::any_value;
+    store.settings.rules.whole_modulus = modulus == Modulus::whole;
+    store.settings.tools = tool_variables;
+    store.settings.radii_from_2401 =
+        radius_variables == RadiusVariables::from_2401 || tool_variables == ToolVariables::geometry_first;
+    store.settings.local_in_5201 = first_offset == FirstOffset::local;
+    store.settings.tool_variable = static_cast<std::uint32_t>(tool_in_spindle);
+    store.settings.speed_variable = static_cast<std::uint32_t>(spindle_speed);
+    store.settings.offset_in_12 = group_12 == Group12::work_offset;
+    store.settings.nesting = static_cast<std::uint32_t>(nesting);
+    store.settings.clock_step_ms = clock_step;
+    for (const std::string& name : names) load(name);
+    store.keep_in(this);
+  }
+
+  const void* service(std::string_view id) const { return id == macro_store_service ? &store : nullptr; }
+
+  void keep(std::uint32_t number, double written) override {
+    std::array<char, 12> digits{};
+    const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+    const std::string_view row(digits.data(), static_cast<std::size_t>(end - digits.data()));
+    const bool null = std::isnan(written);
+    if (!null) table.set_value(row, value, written);
+    if (null || table.value(row, is_null)) table.set_value(row, is_null, null ? 1 : 0);
+  }
+
+ private:
+  static NumberRanges read(std::string_view text, const char* option) {
+    auto ranges = NumberRanges::read(text);
+    if (!ranges) throw std::runtime_error(std::string(option) + " wants numbers and ranges such as 100-199 500");
+    return *ranges;
+  }
+
+  void load(const std::string& name) {
+    std::uint32_t number = 0;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+    if (error != std::errc{} || end != name.data() + name.size() || number <= last_local || number > 999'999)
+      throw std::runtime_error("a Variable has the number '" + name + "': numbers go from 34 to 999999");
+    const auto given = table.value(name, value);
+    if (!given || table.value(name, is_null).value_or(0) != 0) return;
+    if (!store.set(number, *given)) store.give(number, *given);
+  }
+};
+
+const ig::Register<MacroVariables> macro_variables;
+
+}  // namespace
+}  // namespace fanuc

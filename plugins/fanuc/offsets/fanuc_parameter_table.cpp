@@ -1,0 +1,188 @@
+// The parameters of a Fanuc control that change what a program means, by their numbers. Values stand as the operator
+// sees them on the parameter page; this file knows their units and bits.
+#include <cmath>
+
+#include <isogloss/cnc/parameter_services.hpp>
+
+namespace fanuc {
+
+using namespace ig::cnc;
+namespace {
+
+constexpr std::string_view rotary_type = "1006", rollover_bits = "1008", increment_system = "1013", reset = "1202",
+                           rapid_rate = "1420", decimal_point = "3401", arc_tolerance = "3410", cycle_bits = "5101",
+                           high_speed_peck = "5114", peck = "5115", shift_axis = "5148",
+                           boring_return_override = "5149", tapping_bits = "5200", extraction_override = "5211",
+                           peck_tapping = "5213", coordinate_bits = "5400", rotation_angle = "5410",
+                           scaling_factor = "5411", overrun = "5440", call_bits = "6001";
+
+constexpr const char* shipped_parameters[] = {
+    "1013|Value=0",    "1202|Value=0",  "1240|X=0|Y=0|Z=0", "1420|X=24000|Y=24000|Z=24000",
+    "3401|Value=0",    "3410|Value=10", "5101|Value=0",     "5114|Value=1000",
+    "5115|Value=1000", "5200|Value=0",  "5213|Value=1000",  "5400|Value=128",
+    "5410|Value=0"};
+
+struct FanucParameterTable {
+  static constexpr auto spec =
+      ig::dependency("FanucParameterTable", "Parameters of a Fanuc control, by number and axis.")
+          .rows("Parameter", "number")
+          .provides("isogloss.number-format/1", "isogloss.canned-cycle/1", "isogloss.motion/1",
+                    "isogloss.machine-axis/1", "isogloss.coordinate-system/1", "isogloss.code-call/1",
+                    "isogloss.control-parameter/1")
+          .ships(shipped_parameters);
+
+  ig::Column value{"Value", nullptr, "", {}, "The parameter, where it is one for the whole control."};
+  std::array<ig::Column, 6> axes{ig::Column{"X", nullptr, "", {}, "The parameter of the X axis."},
+                                 ig::Column{"Y", nullptr, "", {}, "The parameter of the Y axis."},
+                                 ig::Column{"Z", nullptr, "", {}, "The parameter of the Z axis."},
+                                 ig::Column{"A", nullptr, "", {}, "The parameter of the A axis."},
+                                 ig::Column{"B", nullptr, "", {}, "The parameter of the B axis."},
+                                 ig::Column{"C", nullptr, "", {}, "The parameter of the C axis."}};
+  ig::Table table;
+
+  static std::string row_fault(std::string_view row) {
+    const bool is_number =
+        !row.empty() && row[0] != '0' && row.find_first_not_of("0123456789") == std::string_view::npos;
+    return is_number ? "" : "its rows are the numbers of parameters";
+  }
+
+  const void* service(std::string_view id) const {
+    if (id == "isogloss.number-format/1") return &number_format;
+    if (id == "isogloss.canned-cycle/1") return &cycles;
+    if (id == "isogloss.motion/1") return &motion;
+    if (id == "isogloss.coordinate-system/1") return &coordinate_system;
+    if (id == "isogloss.code-call/1") return &code_calls;
+    if (id == "isogloss.control-parameter/1") return &parameters;
+    return id == "isogloss.machine-axis/1" ? &machine : nullptr;
+  }
+
+ private:
+  using Answer = std::optional<double>;
+
+  Answer number(std::string_view parameter) const { return table.value(parameter, value); }
+  bool bit(std::string_view parameter, unsigned index) const {
+    return (static_cast<std::uint32_t>(number(parameter).value_or(0)) >> index & 1u) != 0;
+  }
+  Answer of_axis(std::string_view parameter, char axis) const {
+    const std::size_t column = std::string_view("XYZABC").find(axis);
+    return column == std::string_view::npos ? std::nullopt : table.value(parameter, axes[column]);
+  }
+
+  /// Parameter 1013: bit 0 is IS-A, bit 1 IS-C, neither IS-B.
+  double increment() const { return bit(increment_system, 0) ? 0.01 : bit(increment_system, 1) ? 0.0001 : 0.001; }
+  Answer in_increments(std::string_view parameter) const { return from_increments(number(parameter)); }
+  Answer from_increments(Answer count) const {
+    return count ? Answer(*count / std::round(1 / increment())) : std::nullopt;
+  }
+  /// An override of 0, as of a parameter that nobody set, is 100 %.
+  Answer percent(std::string_view parameter) const {
+    const double override = number(parameter).value_or(0);
+    return override > 0 ? override : 100;
+  }
+
+  /// Parameter 5400 bit 7 SCR: what P1 of G51 means.
+  double scaling_unit() const { return bit(coordinate_bits, 7) ? 0.001 : 0.00001; }
+
+  Answer number_format_of(std::string_view name) const {
+    if (name == "CalculatorDecimalPoint") return bit(decimal_point, 0) ? 1 : 0;
+    if (name == "LengthIncrement_mm" || name == "AngleIncrement_deg") return increment();
+    return name == "LengthIncrement_inch" ? Answer(increment() / 10) : std::nullopt;
+  }
+  Answer cycle_of(std::string_view name) const {
+    if (name == "PeckRetractionDistance_mm") return in_increments(peck);
+    if (name == "HighSpeedPeckRetraction_mm") return in_increments(high_speed_peck);
+    if (name == "BoringReturnOverride_percent") return percent(boring_return_override);
+    if (name == "ShiftDirectionX") return shift_direction('X', {2, 3});
+    if (name == "ShiftDirectionY") return shift_direction('Y', {3, 1});
+    if (name == "ShiftDirectionZ") return shift_direction('Z', {1, 2});
+    if (name == "TappingSpindleStop") return bit(cycle_bits, 6) ? 0 : 1;
+    if (name == "RigidTapping") return bit(tapping_bits, 0) ? 1 : 0;
+    if (name == "PeckTappingToR") return bit(tapping_bits, 5) ? 1 : 0;
+    if (name == "PeckTappingRetraction_mm") return in_increments(peck_tapping);
+    if (name == "TappingExtractionOverride_percent")
+      return bit(tapping_bits, 4) ? number(extraction_override) : std::nullopt;
+    return std::nullopt;
+  }
+
+  /// Parameter 5148 of the boring axis: the signed number of an axis. Without one, 5101: bit 4 is the other way, bit 5
+  /// the second axis of the plane.
+  Answer shift_direction(char boring_axis, std::array<double, 2> plane) const {
+    if (const Answer axis = of_axis(shift_axis, boring_axis); axis && *axis != 0) return axis;
+    const double axis = plane[bit(cycle_bits, 5) ? 1 : 0];
+    return bit(cycle_bits, 4) ? -axis : axis;
+  }
+  Answer motion_of(std::string_view name) const {
+    for (const char axis : {'X', 'Y', 'Z'})
+      if (name == std::string("UnidirectionalOverrun") + axis + "_mm") return from_increments(of_axis(overrun, axis));
+    if (name == "ScalingUnit") return scaling_unit();
+    if (name == "ScalingFactor") {
+      const Answer count = number(scaling_factor);
+      return count && *count > 0 ? Answer(*count * scaling_unit()) : std::nullopt;
+    }
+    return name == "ArcRadiusTolerance_mm" ? in_increments(arc_tolerance) : std::nullopt;
+  }
+
+  Answer coordinate_system_of(std::string_view name) const {
+    if (name == "RotationAngle_deg") return in_increments(rotation_angle);
+    if (name == "RotationIsIncremental") return bit(coordinate_bits, 0) ? 1 : 0;
+    return name == "ResetCancelsLocalCoordinate" ? Answer(bit(reset, 3) ? 1 : 0) : std::nullopt;
+  }
+
+  /// Parameters 6050 to 6059: the G codes that call O9010 to O9019; 6080 to 6089: the M codes that call O9020 to O9029
+  /// with arguments; 6071 to 6079: those that call O9001 to O9009 like M98. 0 is no code. A G code that is negative in
+  /// the table makes a modal call, and the number of its program is the answer, negative too. 6001 bit 5 TCS: T calls
+  /// O9000.
+  Answer program_of_code(std::string_view code) const {
+    struct Range {
+      char letter;
+      int first_parameter, count, first_program;
+    };
+    if (code == "T") return bit(call_bits, 5) ? Answer(9000) : std::nullopt;
+    if (code.size() < 2) return std::nullopt;
+    const ig::Decimal called = ig::read_decimal(code, 1);
+    if (!called.ok || called.value == 0) return std::nullopt;
+    for (const Range& r : {Range{'G', 6050, 10, 9010}, Range{'M', 6071, 9, 9001}, Range{'M', 6080, 10, 9020}})
+      for (int i = 0; i < r.count && code[0] == r.letter; ++i) {
+        const Answer bound = number(std::to_string(r.first_parameter + i));
+        if (bound == called.value) return r.first_program + i;
+        if (bound == -called.value && r.letter == 'G') return -(r.first_program + i);
+      }
+    return std::nullopt;
+  }
+
+  /// "1321" or "1321.X": a parameter as its page shows it.
+  Answer parameter_of(std::string_view name) const {
+    const std::size_t point = name.find('.');
+    if (point == std::string_view::npos) return number(name);
+    return point + 2 == name.size() ? of_axis(name.substr(0, point), name.back()) : std::nullopt;
+  }
+
+  /// 1006 bits 0 and 1, ROT and ROS: 01 is a rotary axis of type A, the only one that can roll over. 1008 bit 0 ROA: it
+  /// does; bit 1 RAB: by the sign of the command, not by the shortest way.
+  std::optional<std::uint32_t> rollover_of(char axis) const {
+    if (std::string_view("ABC").find(axis) == std::string_view::npos) return std::nullopt;
+    const Answer type = of_axis(rotary_type, axis), bits = of_axis(rollover_bits, axis);
+    if (!type && !bits) return std::nullopt;
+    const bool is_type_a = (static_cast<std::uint32_t>(type.value_or(1)) & 3u) == 1;
+    const auto how = static_cast<std::uint32_t>(bits.value_or(0));
+    const bool rolls = is_type_a && (how & 1u) != 0;
+    return !rolls ? 0 : (how & 2u) != 0 ? 2 : 1;
+  }
+  /// A minute.
+  Answer rapid_of(char axis) const { return of_axis(rapid_rate, axis); }
+
+  using Services = ParameterServices<FanucParameterTable>;
+  ig_config_1 number_format = Services::config<&FanucParameterTable::number_format_of>(this);
+  ig_config_1 cycles = Services::config<&FanucParameterTable::cycle_of>(this);
+  ig_config_1 motion = Services::config<&FanucParameterTable::motion_of>(this);
+  ig_config_1 coordinate_system = Services::config<&FanucParameterTable::coordinate_system_of>(this);
+  ig_config_1 code_calls = Services::config<&FanucParameterTable::program_of_code>(this);
+  ig_config_1 parameters = Services::config<&FanucParameterTable::parameter_of>(this);
+  ig_machine_axis_1 machine = Services::machine_axes<&FanucParameterTable::of_axis, &FanucParameterTable::rapid_of,
+                                                     &FanucParameterTable::rollover_of>(this);
+};
+
+const ig::Register<FanucParameterTable> fanuc_parameter_table;
+
+}  // namespace
+}  // namespace fanuc

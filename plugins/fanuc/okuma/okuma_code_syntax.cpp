@@ -1,0 +1,91 @@
+/// Functions of an Okuma OSP that are recognised but not executed, those that cost nothing (G04 F, M54), and M53, which
+/// is right where the cycle begins at the level of G71.
+#include <cmath>
+
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/cycle_codes.hpp>
+#include <isogloss/cnc/recognised_codes.hpp>
+
+namespace fanuc {
+
+using namespace ig::cnc;
+namespace {
+
+struct OkumaCode {
+  static constexpr auto spec =
+      ig::syntax("OkumaCodeSyntax", "Reads codes of an Okuma, and says what is not executed.")
+          .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PlaneSelectSyntax", "PathModeSyntax")
+          .before("DwellSyntax", "CannedCycleResolveSyntax", "NotExecutedSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "FAN-0203", "M53 is not executed: the cycle returns to {0}, where it began"),
+  };
+
+  RecognisedCodes codes_{
+      ig::diag("FAN-0201"),
+      {
+          {ig::Call{{"G15", "G16"}, "H[]"}, "positions stand without the work offset"},
+          {ig::Call{{"G54", "G55", "G56", "G57", "G58", "G59"}, "H[]"}, "positions stand without the tool length"},
+          {ig::Call{{"G10", "G11"}, "X Y Z P[deg]"}, "positions are neither shifted nor turned"},
+          {ig::Call{{"G30"}, "P[]"}, "the move to the home position is left out"},
+          {ig::Call{{"G62"}, "X Y Z"}, "positions are not mirrored"},
+          {ig::Call{{"G274", "G284"}, "X Y Z R P[] Q"}, "the cycle is missing, and blocks after it only move"},
+          {ig::Call{{"M52"}, ""}, "a cycle returns to the level at which it began, not to the upper limit"},
+      }};
+  ig::Codes end_of_length_{"G53"};
+  ig::Call dwell_{{"G04"}, "F[s]"};
+  ig::Call level_{{"G71"}, "Z"};
+  ig::Codes returns_{"M53", "M54"};
+  ig::Out<double> time_{"Dwell.Time"};
+  ig::Field<double> return_level_{
+      "CannedCycle.ReturnLevel", ig::read | ig::write, {ig::Life::modal, "mm", "Level of G71, to which M53 returns."}};
+  ig::In<double> initial_level_{"CannedCycle.InitialLevel"};
+  ig::Out<ig::Symbol> return_mode_{"CannedCycle.ReturnMode"};
+  ig::Signal return_to_r_{"CannedCycle.~ReturnToR", ig::read | ig::write, ig::Life::modal};
+  ig::Previous<double> tool_{"ProgramXyz.Z"};
+  ig::Name g98_{"G98"}, g99_{"G99"};
+
+  ig::Status build(ig::Block& b) {
+    bool any = b.take(end_of_length_).has_value();  // no tool length to end
+    any |= wait(b);
+    if (const auto words = b.take(level_)) {
+      any = true;
+      if (const auto z = (*words)['Z']) b.set(return_level_, *z);
+    }
+    if (const auto code = b.take(returns_)) {
+      any = true;
+      return_to(b, *code);
+    }
+    return codes_.say(b) || any ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  enum : std::size_t { to_level, to_r };
+
+  /// G04 F1.5: seconds. With X or P DwellSyntax answers. A negative time is left, and reported as not used.
+  bool wait(ig::Block& b) const {
+    ig_value seconds;
+    if (b.host()->get(b.raw(), dwell_.word(0, 'F'), &seconds) == 0 || seconds.number < 0) return false;
+    b.host()->take(b.raw(), dwell_.word(0, 'F'), &seconds);
+    b.set(time_, seconds.number);
+    return true;
+  }
+
+  void return_to(ig::Block& b, std::size_t code) const {
+    if (code == to_r)
+      b.raise(return_to_r_);
+    else
+      b.erase(return_to_r_);
+    if (b.has(return_mode_)) b.amend(return_mode_, static_cast<ig::Symbol>(code == to_r ? g99_ : g98_));
+    if (code == to_r) return;
+    const double level = b.get(initial_level_).value_or(b.get_or(tool_, 0.0));
+    const auto named = b.get(return_level_);
+    if (!named || std::fabs(*named - level) > 1e-6)
+      b.report(ig::diag("FAN-0203"), ig::Where::word(returns_.id(code)), level);
+  }
+};
+
+const ig::Register<OkumaCode> okuma_code_syntax;
+
+}  // namespace
+}  // namespace fanuc

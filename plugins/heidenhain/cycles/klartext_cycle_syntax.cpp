@@ -1,0 +1,186 @@
+// CYCL DEF of cycles that wait for a call, and CYCL CALL. The number of a cycle decides what it is, since its name
+// comes in the language of the control. A definition is kept in CycleDefinition, and its Q parameters get their values.
+#include "cycles/cycle_text.hpp"
+#include "cycles/hole_pattern.hpp"
+#include "motion/m_functions.hpp"
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+namespace {
+
+struct KlartextCycle {
+  static constexpr auto spec = ig::syntax("KlartextCycleSyntax", "CYCL DEF of cycles that are called, and CYCL CALL.")
+                                   .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
+                                   .before("KlartextDrillingCycleSyntax")
+                                   .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "HEI-0168", "{0} is no cycle definition that is understood"),
+  };
+
+  CycleText text_;
+  MFunctions m_;
+  CycleDefinition definition_{ig::read | ig::write};
+  HolePattern pattern_{ig::write};
+  ig::Out<std::int64_t> number_{"CycleDefinition.Number", {ig::Life::modal, "", "The cycle that CYCL CALL runs."}};
+  ig::Signal said_{"CycleDefinition.~Said", ig::write, ig::Life::modal};
+  ig::Signal is_open_{"CycleDefinition.~Open", ig::read | ig::write, ig::Life::modal};
+  ig::In<std::int64_t> n_{"Source.N"};
+  ig::Out<bool> call_{"KlartextCycle.IsCalled",
+                      {ig::Life::block, "", "The block calls the cycle: CYCL CALL, M99 or M89."}};
+  ig::Out<bool> at_position_{"KlartextCycle.IsAtPosition",
+                             {ig::Life::block, "", "CYCL CALL POS: the block goes to the point first."}};
+  ig::Out<bool> modal_call_{"KlartextCycle.IsModal",
+                            {ig::Life::modal, "", "M89: each positioning block calls the cycle."}};
+  ig::Xyz axes_{"Parsing", ig::write};
+  ig::Codes motions_{{"G00", "G01"}, ig::write};
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    const bool is_open = b.is_raised(is_open_);
+    const char first = to_upper(text[position]);
+    if ((!is_open && first != 'C' && first != 'Q') || !stands_first(text, position)) return position;
+    const std::size_t end = statement_end(text, position);
+    const std::size_t definition = keyword(text, position, "CYCL DEF"), call = keyword(text, position, "CYCL CALL");
+    // Listings show the parameters of a cycle on lines of their own, without a number.
+    const bool is_alone = first == 'Q' && position == skip_blanks(text, 0) && !b.has(n_) &&
+                          is_parameter_alone(text.substr(0, end), position);
+    if (is_open && is_alone && !text_.values().is_indexing())
+      return parameters(b, text.substr(0, end), position) == position ? position : end;
+    if (is_open) b.erase(is_open_);
+    if (definition == position && call == position) return position;
+    if (text_.values().is_indexing()) return end;
+    if (call != position)
+      read_call(b, text.substr(0, end), position, call);
+    else
+      return define(b, text.substr(0, end), position, definition);
+    return end;
+  }
+
+ private:
+  /// `begin` where another syntax executes the cycle.
+  std::size_t define(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
+    const auto number = CycleNumber::at(text, skip(text, i));
+    if (!number) {
+      const std::string_view whole = rest_of_line(text, begin);
+      b.report(ig::diag("HEI-0168"), ig::Where::columns(begin, begin + whole.size()), whole);
+      return text.size();
+    }
+    if (acts_where_defined(number->cycle)) return begin;
+    if (number->is_first()) {
+      definition_.clear(b);
+      b.set(number_, static_cast<std::int64_t>(number->cycle));
+      b.erase(said_);
+      b.erase(modal_call_);
+      if (!number->part) b.raise(is_open_);
+      if (!waits_for_call(number->cycle)) {
+        const std::string_view whole = rest_of_line(text, begin);
+        b.report(ig::diag("HEI-0161"), ig::Where::columns(begin, begin + whole.size()),
+                 static_cast<double>(number->cycle), std::string_view("what it does is not known here"));
+      }
+    }
+    if (!number->part)
+      parameters(b, text, number->end);
+    else if (*number->part > 0)
+      part(b, text, *number);
+    return text.size();
+  }
+
+  /// CYCL DEF 1.2 DEPTH -20: a part of one of the older cycles.
+  void part(ig::Block& b, std::string_view text, const CycleNumber& number) const {
+    const bool is_known = number.cycle == 1 || number.cycle == 2 || number.cycle == 17;
+    const std::uint32_t most = number.cycle == 1 ? 5 : number.cycle == 2 ? 4 : 3;
+    if (!is_known || *number.part > most || b.get_or(number_, std::int64_t{0}) != number.cycle) return;
+    const Value v = text_.number_behind(b, text, number.end);
+    const auto where = ig::Where::columns(number.end, std::max(number.end + 1, v.ok ? v.end : text.size()));
+    if (!v.ok)
+      b.report(ig::diag("HEI-0104"), where, std::string_view("CYCL DEF"), std::string_view("the value"));
+    else if (std::isfinite(v.number))
+      definition_.set(b, *number.part, v.number);
+  }
+
+  std::size_t parameters(ig::Block& b, std::string_view text, std::size_t position) const {
+    return text_.parameters(b, text, position, b.get_or(number_, std::int64_t{0}), [&](std::uint32_t q, double value) {
+      const std::size_t i = index_of_parameter(q);
+      if (i >= cycle_parameters.size()) return;
+      const double metric = text_.metric(b, cycle_parameters[i].unit, value);
+      if (std::isfinite(metric)) definition_.set(b, q, metric);
+    });
+  }
+
+  /// Q200=2 with nothing behind it; else the line is a formula.
+  static bool is_parameter_alone(std::string_view text, std::size_t position) {
+    std::size_t end = position;
+    const bool is_q = Values::q_at(text, position, end).has_value();
+    const std::size_t equals = skip(text, end);
+    const bool has_sign = at(text, equals) == '=';
+    const std::size_t first = has_sign ? skip(text, equals + 1) : equals;
+    if (is_q && CycleText::is_feed_word_at(text, first)) return skip(text, letters_end(text, first)) >= text.size();
+    if (!is_q || !has_sign) return false;
+    std::size_t i = skip_while(text, first, [](char c) { return c == '+' || c == '-' || is_blank(c); });
+    std::size_t q_end = i;
+    if (Values::q_at(text, i, q_end))
+      i = q_end;
+    else if (const ig::Decimal d = read_number(text, i); d.ok)
+      i = d.end;
+    else
+      return false;
+    return skip(text, i) >= text.size();
+  }
+
+  // ---- CYCL CALL
+
+  void read_call(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
+    i = skip(text, i);
+    const std::size_t pattern = keyword(text, i, "PAT"), position = keyword(text, i, "POS");
+    const QStore* const store = text_.values().store();
+    if (pattern != i && (store == nullptr || store->pattern.empty())) {
+      const std::string_view whole = rest_of_line(text, begin);
+      b.report(ig::diag("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole,
+               std::string_view("the holes of the pattern are missing"));
+      return;
+    }
+    b.set(call_, true);
+    if (pattern != i) pattern_.set_number(b, 0);
+    bool is_rapid = false;
+    const bool is_positioned = position != i;
+    if (is_positioned) b.set(at_position_, true);
+    const bool is_moving = is_positioned || pattern != i;
+    i = std::max(position, pattern);
+    while ((i = skip(text, i)) < text.size()) {
+      const std::size_t next = call_word(b, text, i, is_rapid);
+      if (next == i) {
+        const std::string_view rest = rest_of_line(text, i);
+        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("CYCL CALL"));
+        break;
+      }
+      i = next;
+    }
+    if (is_moving) code(b, motions_.id(is_rapid ? 0 : 1), begin, begin + 9);
+  }
+
+  std::size_t call_word(ig::Block& b, std::string_view text, std::size_t i, bool& is_rapid) const {
+    const char c = to_upper(text[i]);
+    if (c == 'M') return m_.scan(b, text_.values(), text, i);
+    if (c == 'F') return text_.feed().scan(b, text_.values(), text, i, is_rapid);
+    const std::size_t axis = std::string_view("XYZ").find(c);
+    if (axis > 2) return i;
+    const Value v = text_.values().read(b, text, i + 1);
+    if (!v.ok) return i;
+    word(b, axes_.id(axis), i, v.end, v.number);
+    return v.end;
+  }
+
+  static void word(ig::Block& b, ig_field field, std::size_t begin, std::size_t end, double value) {
+    const ig_word w{field, column(begin), column(end), {.number = value}, 0, 0};
+    b.host()->set_words(b.raw(), &w, 1);
+  }
+  static void code(ig::Block& b, ig_field field, std::size_t begin, std::size_t end) {
+    const ig_word w{field, column(begin), column(end), ig_value{}, 0, 0};
+    b.host()->set_words(b.raw(), &w, 1);
+  }
+};
+
+const ig::Register<KlartextCycle> klartext_cycle_syntax;
+
+}  // namespace
+}  // namespace heidenhain

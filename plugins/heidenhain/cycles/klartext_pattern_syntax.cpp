@@ -1,0 +1,180 @@
+// PATTERN DEF: points, rows, grids, frames and circles of points, at which CYCL CALL PAT runs the cycle. They are kept
+// as a list of points. SEL PATTERN names a file of points, which is not read.
+#include <numbers>
+
+#include <isogloss/cnc/plane.hpp>
+#include "language/klartext_values.hpp"
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+namespace {
+
+struct KlartextPattern {
+  static constexpr auto spec = ig::syntax("KlartextPatternSyntax", "PATTERN DEF: the points of CYCL CALL PAT.")
+                                   .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
+                                   .before("KlartextUnknownSyntax")
+                                   .scans("PSps");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "HEI-0187", "{0}: the number of points is less than 1, or there are more than {1}"),
+  };
+
+  Values values_;
+  PlaneInForce plane_;
+  ig::In<ig::Symbol> system_{"Unit.System"};
+  ig::Name inch_{"Inch"};
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    if (!stands_first(text, position)) return position;
+    const std::size_t definition = keyword(text, position, "PATTERN DEF"),
+                      selection = keyword(text, position, "SEL PATTERN");
+    if (definition == position && selection == position) return position;
+    const std::size_t end = statement_end(text, position);
+    QStore* const store = values_.store();
+    if (values_.is_indexing() || store == nullptr) return end;
+    store->pattern.clear();
+    if (selection != position)
+      say(b, text, position, "the points are missing");
+    else
+      read(b, text.substr(0, end), position, definition, store->pattern);
+    return end;
+  }
+
+ private:
+  enum Kind : std::size_t { pos, row, pat, frame, circ, pitch_circle, kind_count };
+  static constexpr std::array<std::string_view, kind_count> kinds{"POS", "ROW", "PAT", "FRAME", "CIRC", "PITCHCIRC"};
+  enum Name : std::size_t { X, Y, Z, D, DX, DY, NUM, NUMX, NUMY, ROT, ROTX, ROTY, START, STEP, END, name_count };
+  static constexpr std::array<std::string_view, name_count> names{
+      "X", "Y", "Z", "D", "DX", "DY", "NUM", "NUMX", "NUMY", "ROT", "ROTX", "ROTY", "START", "STEP", "END"};
+  static constexpr std::size_t most_points = 10'000;
+
+  using Words = std::array<std::optional<double>, name_count>;
+  using Points = std::vector<PatternPoint>;
+
+  static void say(ig::Block& b, std::string_view text, std::size_t begin, std::string_view effect) {
+    const std::string_view whole = rest_of_line(text, begin);
+    b.report(ig::diag("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole, effect);
+  }
+
+  /// POS1 (X+25 Y+33.5 Z+0) POS2 (...)
+  void read(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i, Points& points) const {
+    bool any = false;
+    while ((i = skip(text, i)) < text.size()) {
+      const std::size_t letters = letters_end(text, i);
+      std::size_t kind = 0;
+      while (kind < kind_count && !equals_ignoring_case(piece(text, i, letters), kinds[kind])) ++kind;
+      const std::size_t open = skip(text, skip_digits(text, letters));
+      if (kind == kind_count || at(text, open) != '(') {
+        const std::string_view rest = rest_of_line(text, i);
+        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("PATTERN DEF"));
+        return;
+      }
+      Words words;
+      const std::string_view shown = piece(text, i, skip_digits(text, letters));
+      const auto where = ig::Where::columns(i, open);
+      any = true;
+      i = open + 1;
+      bool is_complete = true;
+      if (!words_at(b, text, i, words, is_complete)) return;
+      if (is_complete) add(b, static_cast<Kind>(kind), words, shown, where, points);
+    }
+    if (!any) say(b, text, begin, "it holds no point");
+  }
+
+  /// Up to the closing bracket; false, which is said, where something else stands there.
+  bool words_at(ig::Block& b, std::string_view text, std::size_t& i, Words& words, bool& is_complete) const {
+    while ((i = skip(text, i)) < text.size() && text[i] != ')') {
+      std::size_t end = letters_end(text, i);
+      if (end > i + 1 && to_upper(text[end - 1]) == 'Q') --end;
+      std::size_t name = 0;
+      while (name < name_count && !equals_ignoring_case(piece(text, i, end), names[name])) ++name;
+      if (name == name_count) {
+        const std::string_view rest = rest_of_line(text, i);
+        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("PATTERN DEF"));
+        return false;
+      }
+      const Value v = values_.read(b, text, end);
+      if (v.ok)
+        words[name] = v.number;
+      else
+        b.report(ig::diag("HEI-0104"), ig::Where::columns(i, end), std::string_view("PATTERN DEF"), names[name]);
+      is_complete = is_complete && v.ok;
+      i = v.ok ? v.end : skip_while(text, end, [](char c) { return c == '+' || c == '-'; });
+    }
+    if (i < text.size()) ++i;  // a bracket that is left open ends with the block
+    return true;
+  }
+
+  void add(ig::Block& b, Kind kind, const Words& w, std::string_view shown, ig::Where where, Points& points) const {
+    // Shorter rows end in X, which has been found by then.
+    static constexpr std::array<std::array<Name, 6>, kind_count> needed{{{X, Y},
+                                                                         {X, Y, D, NUM},
+                                                                         {X, Y, DX, DY, NUMX, NUMY},
+                                                                         {X, Y, DX, DY, NUMX, NUMY},
+                                                                         {X, Y, D, NUM},
+                                                                         {X, Y, D, NUM}}};
+    const PlaneAxes plane = plane_(b);
+    static constexpr std::array<Name, 3> axes{X, Y, Z};
+    for (const Name name : needed[kind]) {
+      // X and Y stand for the axes of the plane.
+      const Name needs = name == X ? axes[plane.first] : name == Y ? axes[plane.second] : name;
+      if (w[needs]) continue;
+      b.report(ig::diag("HEI-0104"), where, shown, names[needs]);
+      return;
+    }
+    const auto number = [&](Name name) { return w[name].value_or(0); };
+    const auto count = [&](Name name) {
+      const double n = std::round(number(name));
+      return n >= 1 && n <= most_points ? static_cast<std::size_t>(n) : 0;
+    };
+    const double unit = b.is(system_, inch_) ? 25.4 : 1;
+    const double u = number(axes[plane.first]), v = number(axes[plane.second]), z = number(axes[plane.tool]);
+    const auto put = [&](double first, double second) { points.push_back({first * unit, second * unit, z * unit}); };
+    const bool is_grid = kind == pat || kind == frame;
+    const std::size_t columns = kind == pos ? 1 : is_grid ? count(NUMX) : count(NUM), rows = is_grid ? count(NUMY) : 1;
+    if (columns == 0 || rows == 0 || columns * rows + points.size() > most_points) {
+      b.report(ig::diag("HEI-0187"), where, shown, static_cast<double>(most_points));
+      return;
+    }
+    switch (kind) {
+      case pos: return put(u, v);
+      case circ:
+      case pitch_circle: {
+        const bool to_end = kind == pitch_circle && !w[STEP] && w[END];
+        if (kind == pitch_circle && !w[STEP] && !w[END])
+          return b.report(ig::diag("HEI-0104"), where, shown, std::string_view("STEP"));
+        const double step = kind == circ ? 360 / static_cast<double>(columns)
+                            : to_end ? (*w[END] - number(START)) / static_cast<double>(columns > 1 ? columns - 1 : 1)
+                                     : number(STEP);
+        for (std::size_t i = 0; i < columns; ++i) {
+          const auto [cos, sin] = turn(number(START) + step * static_cast<double>(i));
+          put(u + number(D) / 2 * cos, v + number(D) / 2 * sin);
+        }
+        return;
+      }
+      default: break;
+    }
+    const auto along = turn(number(ROT) + number(ROTX)), across = turn(number(ROT) + number(ROTY));
+    const double du = is_grid ? number(DX) : number(D), dv = number(DY);
+    for (std::size_t r = 0; r < rows; ++r)
+      for (std::size_t i = 0; i < columns; ++i) {
+        const std::size_t c = r % 2 == 0 ? i : columns - 1 - i;  // there and back
+        if (kind == frame && r != 0 && r + 1 != rows && c != 0 && c + 1 != columns) continue;
+        const double x = du * static_cast<double>(c), y = dv * static_cast<double>(r);
+        put(u + along.cos * x - across.sin * y, v + along.sin * x + across.cos * y);
+      }
+  }
+
+  struct Turn {
+    double cos, sin;
+  };
+  static Turn turn(double degrees) {
+    const double angle = std::remainder(degrees, 360) * (std::numbers::pi / 180);
+    return {std::cos(angle), std::sin(angle)};
+  }
+};
+
+const ig::Register<KlartextPattern> klartext_pattern_syntax;
+
+}  // namespace
+}  // namespace heidenhain

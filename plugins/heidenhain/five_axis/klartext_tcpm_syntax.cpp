@@ -1,0 +1,60 @@
+// FUNCTION TCPM and FUNCTION RESET TCPM: the tip of the tool is led while the rotary axes turn, as M128 and M129 say.
+#include "language/klartext_values.hpp"
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+namespace {
+
+struct KlartextTcpm {
+  static constexpr auto spec = ig::syntax("KlartextTcpmSyntax", "FUNCTION TCPM: tip control.")
+                                   .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
+                                   .before("KlartextUnknownSyntax", "ToolCenterPointSyntax", "ToolHeightOffsetSyntax")
+                                   .scans("Ff");
+
+  Values values_;
+  ig::Call tip_{{"G43.4"}, "H[]", ig::write};
+  ig::Previous<std::int64_t> offset_id_{"ToolHeightCompensation.OffsetId"};
+  ig::Call length_{{"G43"}, "", ig::write};
+  ig::In<ig::Symbol> length_term_{"ToolHeightCompensation.Term"};
+  ig::Name g43_4_{"G43.4"};
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    if (!stands_first(text, position)) return position;
+    const std::size_t tcpm = keyword(text, position, "FUNCTION TCPM");
+    const std::size_t no_tcpm = keyword(text, position, "FUNCTION RESET TCPM");
+    if (tcpm == position && no_tcpm == position) return position;
+    const std::size_t end = statement_end(text, position);
+    if (!values_.is_indexing()) lead_tip(b, text.substr(0, end), position, std::max(tcpm, no_tcpm), tcpm != position);
+    return end;
+  }
+
+ private:
+  void lead_tip(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i, bool starts) const {
+    const auto word = [&](ig_field field) {
+      const ig_word w{field, column(begin), column(i), ig_value{}, 0, 0};
+      b.host()->set_words(b.raw(), &w, 1);
+    };
+    if (starts || b.is(length_term_, g43_4_)) word(starts ? tip_.code(0) : length_.code(0));
+    // Without a TOOL CALL before it the tool in the spindle counts, whose length is not known.
+    if (starts && !b.has(offset_id_)) word(tip_.word(0, 'H'));
+    const std::size_t after = i;
+    for (const std::string_view words : {"F TCP", "F CONT", "AXIS POS", "PATHCTRL AXIS", "REFPNT TIP-TIP"})
+      if (const std::size_t next = skip(text, i), behind = keyword(text, next, words); behind != next) i = behind;
+    i = skip(text, i);
+    if (!starts || i >= text.size()) {
+      if (!starts && i < text.size())
+        b.report(ig::diag("HEI-0105"), ig::Where::columns(after, text.size()), trim(text.substr(after)),
+                 std::string_view("FUNCTION RESET TCPM"));
+      return;
+    }
+    const std::string_view rest = rest_of_line(text, i);
+    b.report(ig::diag("HEI-0171"), ig::Where::columns(i, i + rest.size()), rest,
+             std::string_view("the words of rotary axes are positions of the axes, as after M128"));
+  }
+};
+
+const ig::Register<KlartextTcpm> klartext_tcpm_syntax;
+
+}  // namespace
+}  // namespace heidenhain

@@ -1,0 +1,178 @@
+// LBL n marks a place, LBL 0 ends a subprogram. CALL LBL n runs the subprogram, CALL LBL n REP k repeats the part of
+// the program from the label to here k more times, CALL PGM runs another program.
+#include "language/klartext_values.hpp"
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+namespace {
+
+struct KlartextLabel {
+  static constexpr auto spec = ig::syntax("KlartextLabelSyntax", "LBL, CALL LBL with REP, and CALL PGM.")
+                                   .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
+                                   .scans("CLcl");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "HEI-0121", "the program {0} is not found: {1}"),
+  };
+
+  Values values_;
+  ig::Signal statement_{"Parsing.~KlartextLabel", ig::read | ig::write | ig::wake};
+  ig::TextField label_{"KlartextLabel.Name", ig::write, {ig::Life::block, "", "The label that the block is."}};
+  ig::Out<ig::Symbol> term_{"SubProgramCall.Term"};
+  ig::TextField file_name_{"SubProgramCall.FileName", ig::write};
+  ig::Name call_label_{"CALL LBL"}, call_program_{"CALL PGM"};
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
+    if (!stands_first(text, position)) return position;
+    const auto found = statement_at(text, position);
+    if (!found) return position;
+    const std::size_t end = statement_end(text, position);
+    if (values_.is_indexing()) {
+      if (found->kind == Kind::label) name_label(b, text, found->after, end);
+      return end;
+    }
+    found_ = {found->kind, position, found->after, end};
+    b.raise(statement_);
+    return end;
+  }
+
+  ig::Status build(ig::Block& b) {
+    if (!b.is_raised(statement_) || found_.end > b.source().size()) return ig::Status::unchanged;
+    const std::string_view text = b.source().substr(0, found_.end);
+    const std::size_t i = skip(text, found_.after);
+    switch (found_.kind) {
+      case Kind::label: label(b, text, i); break;
+      case Kind::call: call(b, text, i); break;
+      case Kind::program: call_program(b, text, i); break;
+    }
+    return ig::Status::changed;
+  }
+
+ private:
+  enum class Kind { label, call, program };
+  struct Found {
+    Kind kind;
+    std::size_t after;
+  };
+
+  static std::optional<Found> statement_at(std::string_view text, std::size_t position) {
+    if (const std::size_t i = keyword(text, position, "CALL LBL"); i != position) return Found{Kind::call, i};
+    if (const std::size_t i = keyword(text, position, "CALL PGM"); i != position) return Found{Kind::program, i};
+    if (const std::size_t i = keyword(text, position, "LBL"); i != position) return Found{Kind::label, i};
+    return std::nullopt;
+  }
+  ig::Where whole() const { return ig::Where::columns(found_.begin, found_.end); }
+
+  void name_label(ig::Block& b, std::string_view text, std::size_t i, std::size_t end) {
+    std::size_t name_end = i;
+    const std::string name = read_name(text.substr(0, end), skip(text, i), name_end);
+    if (!name.empty() && name != "0") values_.flow().label(b, "L" + name);
+  }
+
+  void label(ig::Block& b, std::string_view text, std::size_t i) {
+    std::size_t end = i;
+    const std::string name = read_name(text, i, end);
+    if (name.empty()) {
+      b.report(ig::diag("HEI-0119"), whole(), std::string_view("the label"));
+      return;
+    }
+    b.set_text(label_, name);
+    say_rest(b, text, end, "LBL");
+    if (name == "0" && values_.flow().frame(b).tag == called_label) values_.flow().leave(b);
+  }
+
+  static void say_rest(ig::Block& b, std::string_view text, std::size_t i, std::string_view of) {
+    i = skip(text, i);
+    if (i >= text.size()) return;
+    const std::string_view rest = rest_of_line(text, i);
+    b.report(ig::diag("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, of);
+  }
+
+  /// REP 3/3, REP Q3/Q3: the control shows how many repeats are left, and writes it into listings.
+  static std::size_t behind_count_left(std::string_view text, std::size_t end) {
+    const std::size_t slash = skip(text, end);
+    if (at(text, slash) != '/') return end;
+    const std::size_t count = skip(text, slash + 1);
+    std::size_t behind = count;
+    if (!Values::q_at(text, count, behind)) behind = skip_digits(text, count);
+    return behind == count ? end : behind;
+  }
+
+  void call(ig::Block& b, std::string_view text, std::size_t i) {
+    std::size_t end = i;
+    std::string name = called_name(b, text, i, end);
+    if (name.empty()) return;
+    const auto where = ig::Where::columns(i, end);
+    const std::size_t rep = skip(text, end);
+    std::size_t behind_rep = rep;
+    for (const char c : std::string_view("REP")) behind_rep = to_upper(at(text, behind_rep)) == c ? behind_rep + 1 : 0;
+    b.set(term_, call_label_);
+    if (rep < text.size() && behind_rep < rep + 3) {
+      say_rest(b, text, rep, "CALL LBL");
+    } else if (rep < text.size()) {
+      const Value times = values_.read(b, text, skip(text, behind_rep));
+      if (times.ok) {
+        say_rest(b, text, behind_count_left(text, times.end), "CALL LBL");
+        return repeat(b, name, where, times.number);
+      }
+      if (skip(text, behind_rep) < text.size()) say_rest(b, text, behind_rep, "CALL LBL");
+    }
+    name.insert(0, 1, 'L');
+    const ig::Flow::Answer answer =
+        values_.flow().call(b, {.program = name, .scope = IG_IN_PROGRAM, .tag = called_label});
+    if (answer.is_not_found()) b.report(ig::diag("HEI-0120"), where, std::string_view(name).substr(1), answer.reason);
+  }
+
+  /// A number, a name in quotes, or the value of a Q parameter.
+  std::string called_name(ig::Block& b, std::string_view text, std::size_t i, std::size_t& end) const {
+    std::size_t q_end = i;
+    if (Values::q_at(text, i, q_end)) {
+      const Value v = values_.read(b, text, i);
+      end = v.end;
+      if (v.number >= 0 && v.number < 1e9 && v.number == std::floor(v.number))
+        return std::to_string(static_cast<std::int64_t>(v.number));
+    } else if (std::string name = read_name(text, i, end); !name.empty()) {
+      return name;
+    }
+    b.report(ig::diag("HEI-0119"), whole(), std::string_view("the label"));
+    return {};
+  }
+
+  void repeat(ig::Block& b, const std::string& name, ig::Where where, double times) const {
+    const ig_place here = values_.flow().here(b);
+    if (values_.store() == nullptr || !values_.store()->repeat(here.frame, here.offset, times)) return;
+    const ig::Flow::Answer answer = values_.flow().jump(b, "L" + name, IG_SEARCH_TOP);
+    if (answer.is_not_found()) b.report(ig::diag("HEI-0120"), where, std::string_view(name), answer.reason);
+  }
+
+  /// TNC:\FOLDER\NAME.H, in quotes or not: the name alone counts.
+  void call_program(ig::Block& b, std::string_view text, std::size_t i) {
+    std::string_view path = trim(text.substr(std::min(i, text.size())));
+    if (path.size() >= 2 && path.front() == '"' && path.back() == '"') path = path.substr(1, path.size() - 2);
+    if (path.empty()) {
+      b.report(ig::diag("HEI-0119"), whole(), std::string_view("the program"));
+      return;
+    }
+    b.set(term_, call_program_);
+    b.set_text(file_name_, path);
+    const std::size_t slash = path.find_last_of("\\/:");
+    const std::string_view file = slash == std::string_view::npos ? path : path.substr(slash + 1);
+    std::string name(file.substr(0, file.rfind('.')));
+    for (char& c : name) c = to_upper(c);
+    const std::array<ig_text, 2> files{ig::to_text(file), ig::to_text(name)};
+    const ig::Flow::Answer answer = values_.flow().call(b, {.program = name, .files = files, .tag = called_program});
+    if (!answer.is_not_found()) return;
+    if (QStore* const s = values_.store(); s == nullptr || s->is_first_time(121, path))
+      b.report(ig::diag("HEI-0121"), ig::Where::columns(i, text.size()), path, answer.reason);
+  }
+
+  struct {
+    Kind kind = Kind::label;
+    std::size_t begin = 0, after = 0, end = 0;
+  } found_;
+};
+
+const ig::Register<KlartextLabel> klartext_label_syntax;
+
+}  // namespace
+}  // namespace heidenhain

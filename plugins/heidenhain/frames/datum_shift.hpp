@@ -1,0 +1,99 @@
+// Cycle 7 where other transformations stand around it: each acts in the system that those before it made.
+#pragma once
+
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/plane.hpp>
+#include <isogloss/cnc/tilt_transform.hpp>
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+
+/// The words of cycle 7, for the syntaxes that shift the datum outside a tilted plane and inside it.
+class DatumWords {
+ public:
+  bool stand_in(const ig::Block& b) const { return b.find(call_).has_value(); }
+
+  /// Taken; axes that are not named keep `old`.
+  ig::Vec3 take(ig::Block& b, const ig::Vec3& old) const {
+    ig::Vec3 shift = old;
+    for (std::size_t row = 0; row < 2; ++row) {
+      ig_value v[6];
+      const std::uint32_t named = b.host()->take_many(b.raw(), call_.row(row), 6, v);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if ((named >> axis & 1u) != 0) shift[axis] = v[axis].number + (row == 1 ? old[axis] : 0);
+      const bool turns = (named >> 3) != 0 && (v[3].number != 0 || v[4].number != 0 || v[5].number != 0);
+      if (turns)
+        b.report(ig::diag("HEI-0161"), ig::Where::word(call_.code(row)), 7.0,
+                 std::string_view("the datum of a rotary axis stays"));
+    }
+    std::uint32_t found = 0;
+    b.host()->take_code(b.raw(), call_.codes(), call_.code_count(), &found);
+    return shift;
+  }
+
+ private:
+  ig::Call call_{{"DATUM", "IDATUM"}, "X Y Z A B C"};
+};
+
+/// A shift that came after a rotation or a mirror image: it counts along the axes that these have turned.
+class TurnedShift {
+ public:
+  explicit TurnedShift(const std::string& section)
+      : shift_(section, ig::read | ig::write, {ig::Life::modal, "mm", "Datum shift as programmed."}),
+        rotated_(section + ".IsRotated", {ig::Life::modal, "", "The shift came after the rotation."}),
+        mirrored_(section + ".IsMirrored", {ig::Life::modal, "", "The shift came after the mirror image."}) {}
+
+  /// Zeros are one, too.
+  bool was_set(const ig::Block& b) const { return b.get(shift_).mask != 0; }
+  bool is_here(const ig::Block& b) const { return b.has(rotated_) || b.has(mirrored_); }
+  ig::Vec3 get(const ig::Block& b) const {
+    const ig::PartialVec3 v = b.get(shift_);
+    return {v.has(0) ? v.value.x : 0, v.has(1) ? v.value.y : 0, v.has(2) ? v.value.z : 0};
+  }
+  void set(ig::Block& b, const ig::Vec3& shift) const { b.set(shift_, shift); }
+
+  /// What stands before the shift that begins in this block.
+  void begin(ig::Block& b, bool is_rotated, bool is_mirrored) const {
+    keep(b, rotated_, is_rotated);
+    keep(b, mirrored_, is_mirrored);
+  }
+  void end(ig::Block& b) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), shift_.id(axis));
+    begin(b, false, false);
+  }
+
+  /// Along the axes of the system around it. A rotation or a mirror image that has ended stands before it no longer.
+  ig::Vec3 around(ig::Block& b, const Mat4* rotation) const {
+    ig::Vec3 v = get(b);
+    if (b.has(mirrored_)) {
+      if (!b.has(mirror_term_)) keep(b, mirrored_, false);
+      const ig::PartialVec3 mirror = b.get(mirror_);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (mirror.has(axis)) v[axis] = -v[axis];
+    }
+    if (b.has(rotated_)) {
+      if (rotation == nullptr) keep(b, rotated_, false);
+      if (rotation != nullptr) v = mapped(*rotation, v);
+    }
+    return v;
+  }
+
+  bool is_mirrored(const ig::Block& b) const { return b.has(mirror_term_); }
+
+ private:
+  static void keep(ig::Block& b, const ig::Out<bool>& flag, bool value) {
+    if (value)
+      b.set(flag, true);
+    else if (b.has(flag))
+      b.erase(flag);
+  }
+
+  ig::Xyz shift_;
+  ig::Out<bool> rotated_, mirrored_;
+  ig::In<ig::Symbol> mirror_term_{"MirrorImage.Term"};
+  ig::Xyz mirror_{"MirrorImage", ig::read};
+};
+
+}  // namespace heidenhain

@@ -1,0 +1,114 @@
+// The origin of the program: CYCL DEF 247 selects a preset of the table, CYCL DEF 7 shifts the datum from there. Both
+// act where they are defined; an axis that cycle 7 does not name keeps its shift.
+#include <charconv>
+
+#include <isogloss/cnc/coordinate_offset.hpp>
+#include <isogloss/cnc/rotary_offset.hpp>
+#include "frames/datum_shift.hpp"
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+namespace {
+
+enum class Order { programmed, shift_first };
+
+struct HeidenhainCoordinateOffset {
+  static constexpr auto spec =
+      ig::syntax("HeidenhainCoordinateOffsetSyntax", "CYCL DEF 247 presets and CYCL DEF 7 datum shifts.")
+          .after("KlartextCycleSyntax", "UnitModeSyntax", "ToolHeightOffsetSyntax")
+          .before("KlartextMotionSyntax", "KlartextDrillingCycleSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "HEI-0174",
+                     "preset {0} is not in the table: it is taken to lie at the machine's zero"),
+  };
+
+  ig::Word number_{"Parsing.DATUM_PRESET", ig::wake, ""};
+  DatumWords words_;
+  ig::Out<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
+  OffsetSection local_{"LocalCoordinateOffset"};
+  OffsetSection offset_{"CoordinateOffset"};
+  RotaryOffsetSection rotary_{"CoordinateOffset"};
+  TurnedShift turned_{"DatumShift"};
+  ig::In<ig::Symbol> tilt_{"TiltTransform.Term"};
+  ig::In<double> angle_{"TiltTransform.R"};
+  ig::InWhile<bool> while_rotated_{"DatumShift.IsRotated"}, while_mirrored_{"DatumShift.IsMirrored"};
+  PlaneInForce plane_;
+  ig::Choice<Order> order_{"order", "programmed|shift-first", "programmed",
+                           "What a shift counts along that comes after a rotation or a mirror image: the axes that "
+                           "these have turned, or those of the preset."};
+  ig::Service<ig_work_offset_1> table_{"isogloss.work-offset/1", ig::Need::required, "The presets."};
+  ig::Name g68_{"G68"};
+
+  ig::Status restart(ig::Block& b) {
+    double origin[3] = {};
+    const std::string_view id = b.text(b.get_or(id_, ig::Symbol{}));
+    if (!id.empty()) {
+      table_->get(table_->self, ig::to_text(id), origin);
+      turn(b, id);
+    }
+    offset_.set(b, {origin[0], origin[1], origin[2]});
+    local_.restore(b);
+    return ig::Status::changed;
+  }
+
+  ig::Status build(ig::Block& b) {
+    const bool selects = b.has(number_);
+    if (selects) select(b);
+    const bool shifts = words_.stand_in(b);
+    if (shifts) shift(b);
+    const bool follows = turned_.is_here(b);
+    if (follows) follow(b);
+    return shifts || selects || follows ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  void select(ig::Block& b) const {
+    const auto where = ig::Where::word(number_.id());
+    const double number = b.take(number_).value_or(0);
+    std::array<char, 40> name{};
+    constexpr std::string_view prefix = "DATUM_PRESET_";
+    prefix.copy(name.data(), prefix.size());
+    const bool is_number = number >= 0 && number < 1e9 && number == std::floor(number);
+    char* const end = std::to_chars(name.data() + prefix.size(), name.data() + name.size(),
+                                    is_number ? static_cast<std::int64_t>(number) : -1)
+                          .ptr;
+    const std::string_view id(name.data(), static_cast<std::size_t>(end - name.data()));
+    double origin[3] = {};
+    const ig::Symbol preset = b.symbol(id);
+    if (table_->get(table_->self, ig::to_text(id), origin) == 0 && !b.is(id_, preset))
+      b.report(ig::diag("HEI-0174"), where, number);
+    turn(b, id);
+    b.set(id_, preset);
+    offset_.set(b, {origin[0], origin[1], origin[2]});
+    local_.set(b, {});  // a preset cancels the shift
+    turned_.end(b);
+  }
+
+  /// KlartextRotaryStepSyntax adds it to the words of the rotary axes.
+  void turn(ig::Block& b, std::string_view id) const { rotary_.set(b, rotary_origin(table_, id).value_or(Angles{})); }
+
+  void shift(ig::Block& b) const {
+    const ig::Vec3 old = turned_.is_here(b) ? turned_.get(b) : local_.get(b);
+    const ig::Vec3 now = words_.take(b, old);
+    if (order_ == Order::programmed && old == ig::Vec3{}) turned_.begin(b, b.is(tilt_, g68_), turned_.is_mirrored(b));
+    if (now == ig::Vec3{}) turned_.end(b);
+    if (turned_.is_here(b))
+      turned_.set(b, now);
+    else
+      local_.set(b, now);
+  }
+
+  /// Cycles 8 and 10 that stand before the shift turn it with them.
+  void follow(ig::Block& b) const {
+    const Mat4 rotation = turn_about(plane_(b).tool, b.get_or(angle_, 0.0));
+    const ig::Vec3 to = turned_.around(b, b.is(tilt_, g68_) ? &rotation : nullptr);
+    if (!turned_.is_here(b)) turned_.end(b);
+    if (to != local_.get(b)) local_.set(b, to);
+  }
+};
+
+const ig::Register<HeidenhainCoordinateOffset> heidenhain_coordinate_offset_syntax;
+
+}  // namespace
+}  // namespace heidenhain

@@ -1,0 +1,71 @@
+// The block number, and the skip sign / or /1 to /9 before or behind it. The number is a name for people only: nothing
+// jumps there. While the operator has the skip switched on, the block is not executed.
+#include <bitset>
+#include <stdexcept>
+
+#include "language/klartext_text.hpp"
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+namespace {
+
+std::bitset<10> read_layers(std::string_view list) {
+  std::bitset<10> layers;
+  for (const char c : list) {
+    if (c == ',' || is_blank(c)) continue;
+    if (c < '1' || c > '9') throw std::invalid_argument("block-skip: layers are 1 to 9, separated by commas");
+    layers.set(static_cast<std::size_t>(c - '0'));
+  }
+  return layers;
+}
+
+struct KlartextBlockNumber {
+  static constexpr auto spec =
+      ig::syntax("KlartextBlockNumberSyntax", "Takes the block number and the skip sign.").scans("0123456789/Nn");
+
+  ig::TextOption layers_{"block-skip", "", "Layers that are switched on, 1 to 9, separated by commas."};
+  ig::Setting setting_{"block-skip"};
+  ig::Out<std::int64_t> n_{"Source.N"};
+  ig::Out<ig::Symbol> symbol_{"BlockSkip.Symbol"};
+  ig::Out<std::int64_t> layer_{"BlockSkip.Layer"};
+  ig::TextField body_{"BlockSkip.Body", ig::write};
+  ig::Name slash_{"/"};
+  std::bitset<10> on_ = read_layers(setting_.text().empty() ? layers_.text() : setting_.text());
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    const std::size_t words = first_word(text);
+    if (position >= words || skip_blanks(text, 0) != position) return position;
+    std::size_t i = position;
+    if (text[i] == '/' && skips(b, text, i, true)) return text.size();
+    i = skip_blanks(text, i);
+    if (to_upper(at(text, i)) == 'N') ++i;
+    const std::size_t end = skip_digits(text, i);
+    if (end > i && end - i <= 18) {
+      std::int64_t number = 0;
+      for (std::size_t k = i; k < end; ++k) number = number * 10 + (text[k] - '0');
+      b.set(n_, number);
+    }
+    i = skip_blanks(text, end);
+    if (at(text, i) == '/' && i < words && skips(b, text, i, false)) return text.size();
+    return words;
+  }
+
+ private:
+  /// Takes the sign at `i`; true where the block is skipped.
+  bool skips(ig::Block& b, std::string_view text, std::size_t& i, bool before_number) const {
+    const std::size_t end = skip_sign_end(text, i, before_number);
+    const std::size_t layer = end == i + 2 ? static_cast<std::size_t>(text[i + 1] - '0') : 1;
+    i = end;
+    if (!on_.test(layer)) return false;
+    b.set(symbol_, slash_);
+    b.set(layer_, static_cast<std::int64_t>(layer));
+    if (const std::string_view rest = trim(text.substr(i)); !rest.empty()) b.set_text(body_, rest);
+    return true;
+  }
+};
+
+const ig::Register<KlartextBlockNumber> klartext_block_number_syntax;
+
+}  // namespace
+}  // namespace heidenhain

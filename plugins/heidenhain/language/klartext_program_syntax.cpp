@@ -1,0 +1,157 @@
+// The frame of a program: BEGIN PGM NAME MM or INCH, END PGM, BLK FORM, and STOP. BEGIN PGM names the program for CALL
+// PGM and sets the unit; END PGM ends it, or leads back to the caller. The blank changes no path.
+#include "language/klartext_values.hpp"
+#include "motion/m_functions.hpp"
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+namespace {
+
+struct KlartextProgram {
+  static constexpr auto spec = ig::syntax("KlartextProgramSyntax", "BEGIN PGM, END PGM, BLK FORM and STOP.")
+                                   .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
+                                   .before("UnitModeSyntax", "ProgramStopSyntax", "ProgramEndSyntax")
+                                   .scans("BESbes");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "HEI-0190", "the program ends here without END PGM, M2 or M30"),
+  };
+
+  Values values_;
+  MFunctions m_;
+  ig::TextField program_{"Source.Program", ig::write};
+  ig::Codes units_{{"G20", "G21"}, ig::write};
+  ig::Codes stop_{{"M00"}, ig::write};
+  ig::Codes end_codes_{{"M02", "M30"}, ig::read | ig::wake};
+  ig::Out<ig::Symbol> end_term_{"ProgramEnd.Term"};
+  ig::Name end_pgm_{"END PGM"};
+  ig::Signal begun_{"KlartextProgram.~Begun", ig::read | ig::write, ig::Life::modal};
+  ig::Signal text_ended_{"Source.~End", ig::read | ig::wake};
+  ig::Signal ends_{"KlartextProgram.~Ends", ig::read | ig::write | ig::wake};
+  std::string name_;
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
+    if (!stands_first(text, position)) return position;
+    if (const std::size_t i = keyword(text, position, "BEGIN PGM"); i != position) return begin(b, text, position, i);
+    if (const std::size_t i = keyword(text, position, "END PGM"); i != position) {
+      const std::size_t end = statement_end(text, position);
+      if (values_.is_indexing()) return end;
+      b.raise(ends_);
+      name_and_unit(b, text.substr(0, end), i, "END PGM");
+      return end;
+    }
+    if (const std::size_t i = keyword(text, position, "BLK FORM"); i != position) {
+      const std::size_t end = statement_end(text, position);
+      if (!values_.is_indexing()) blank(b, text.substr(0, end), i);
+      return end;
+    }
+    if (const std::size_t i = keyword(text, position, "STOP"); i != position) return stop(b, text, position, i);
+    return position;
+  }
+
+  ig::Status build(ig::Block& b) {
+    if (b.is_raised(text_ended_) && b.is_raised(begun_)) b.report(ig::diag("HEI-0190"), ig::Where::block());
+    if (!b.is_raised(ends_)) {
+      // What stands behind M2 and M30 are subprograms, and END PGM.
+      if (b.find(end_codes_)) b.flow(IG_FLOW_END_FILE);
+      return ig::Status::unchanged;
+    }
+    if (values_.flow().frame(b).depth > 0) {
+      values_.flow().leave(b);
+      return ig::Status::changed;
+    }
+    b.set(end_term_, end_pgm_);
+    b.flow(IG_FLOW_END_FILE);
+    b.end_program();
+    return ig::Status::changed;
+  }
+
+ private:
+  struct NameAndUnit {
+    std::string_view name;
+    std::string_view unit;  // MM or INCH; empty where none stands there
+  };
+
+  /// NAME MM: what stands behind the unit is said, but for the one of a name that is a unit itself.
+  NameAndUnit name_and_unit(ig::Block& b, std::string_view text, std::size_t i, std::string_view of) const {
+    i = skip(text, i);
+    const std::size_t first = i;
+    while (i < text.size()) {
+      const std::size_t end = skip_while(text, i, [](char c) { return !is_space(c); });
+      const std::string_view word = piece(text, i, end);
+      const std::size_t next = skip(text, end);
+      const bool is_name = i == first && is_unit(piece(text, next, skip_while(text, next, is_letter)));
+      if (is_unit(word) && !is_name) {
+        if (next < text.size() && !values_.is_indexing()) {
+          const std::string_view rest = rest_of_line(text, next);
+          b.report(ig::diag("HEI-0105"), ig::Where::columns(next, next + rest.size()), rest, of);
+        }
+        return {trim(piece(text, first, i)), word};
+      }
+      i = next;
+    }
+    return {trim(piece(text, first, text.size())), {}};
+  }
+  static bool is_unit(std::string_view word) {
+    return equals_ignoring_case(word, "MM") || equals_ignoring_case(word, "INCH");
+  }
+
+  /// BLK FORM 0.1 Z X+0 Y+0 Z-20; other shapes have words of their own, and files.
+  void blank(ig::Block& b, std::string_view text, std::size_t i) const {
+    const ig::Decimal corner = read_number(text, skip(text, i));
+    if (!corner.ok) return;
+    for (i = skip(text, corner.end); i < text.size(); i = skip(text, i)) {
+      const std::size_t letter = to_upper(text[i]) == 'I' ? i + 1 : i;
+      const bool is_axis = std::string_view("XYZUVW").find(to_upper(at(text, letter))) != std::string_view::npos;
+      if (!is_axis || is_letter(at(text, letter + 1)) != (to_upper(at(text, letter + 1)) == 'Q')) {
+        const std::string_view rest = rest_of_line(text, i);
+        b.report(ig::diag("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("BLK FORM"));
+        return;
+      }
+      const Value v = values_.read(b, text, letter + 1);
+      i = v.ok ? v.end : letter + 1;
+    }
+  }
+
+  std::size_t begin(ig::Block& b, std::string_view text, std::size_t position, std::size_t i) {
+    const std::size_t end = statement_end(text, position);
+    const NameAndUnit found = name_and_unit(b, text.substr(0, end), i, "BEGIN PGM");
+    const bool is_inch = equals_ignoring_case(found.unit, "INCH");
+    name_ = found.name;
+    b.set_text(program_, name_);
+    for (char& c : name_) c = to_upper(c);
+    if (values_.is_indexing()) {
+      values_.flow().label(b, name_, IG_LABEL_PROGRAM);
+      return end;
+    }
+    b.raise(begun_);
+    if (found.unit.empty())
+      b.report(ig::diag("HEI-0104"), ig::Where::columns(position, i), std::string_view("BEGIN PGM"),
+               std::string_view("MM or INCH"));
+    const ig_word word{units_.id(is_inch ? 0 : 1), column(position), column(position + 1), ig_value{}, 0, 0};
+    b.host()->set_words(b.raw(), &word, 1);
+    return end;
+  }
+
+  /// STOP, and M functions behind it. M6 changes the tool that TOOL CALL named.
+  std::size_t stop(ig::Block& b, std::string_view text, std::size_t position, std::size_t i) const {
+    const std::size_t end = statement_end(text, position);
+    if (values_.is_indexing()) return end;
+    const ig_word word{stop_.id(0), column(position), column(i), ig_value{}, 0, 0};
+    b.host()->set_words(b.raw(), &word, 1);
+    while ((i = skip(text, i)) < end) {
+      if (to_upper(text[i]) != 'M') {
+        const std::string_view rest = rest_of_line(text, i);
+        b.report(ig::diag("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("STOP"));
+        break;
+      }
+      i = m_.scan(b, values_, text, i);
+    }
+    return end;
+  }
+};
+
+const ig::Register<KlartextProgram> klartext_program_syntax;
+
+}  // namespace
+}  // namespace heidenhain

@@ -1,0 +1,41 @@
+// The Q parameters of a run: what the table gives, and what the program writes. The values stand in arrays, since loops
+// read them millions of times.
+#include <charconv>
+#include <stdexcept>
+#include <string>
+
+#include <isogloss/rows.hpp>
+#include <isogloss/sdk.hpp>
+
+#include "language/q_store.hpp"
+
+namespace heidenhain {
+namespace {
+
+struct QParameters {
+  static constexpr auto spec = ig::dependency("QParameters", "Q parameters that have a value when a program starts.")
+                                   .rows("Q", "number")
+                                   .provides(q_store_service);
+
+  ig::Column value{"Value", nullptr, "", {}, "The value at the start; none: the parameter is not defined."};
+  ig::Table table;
+  ig::RowNames names;
+  QStore store;
+
+  QParameters() {
+    for (const std::string& name : names) {
+      std::uint32_t number = 0;
+      const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+      if (error != std::errc{} || end != name.data() + name.size() || number >= QStore::q_count)
+        throw std::runtime_error("a Q has the number '" + name + "': numbers go from 0 to 1999");
+      if (const auto given = table.value(name, value)) store.set({QKind::q, number}, 0, *given);
+    }
+  }
+
+  const void* service(std::string_view id) const { return id == q_store_service ? &store : nullptr; }
+};
+
+const ig::Register<QParameters> q_parameters;
+
+}  // namespace
+}  // namespace heidenhain

@@ -1,0 +1,97 @@
+/// What FN 18 reads of the control: the tool, its table, datum and positions. mm and degrees.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <isogloss/cnc/program_xyz.hpp>
+#include <isogloss/cnc/rotary_offset.hpp>
+#include <isogloss/cnc/scale_and_mirror.hpp>
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+
+/// A member of the syntax that reads.
+class SystemData {
+ public:
+  struct Request {
+    double id = 0, number = 0;
+    std::optional<double> index{};
+  };
+
+  /// In the program's unit; nothing where it is not known here.
+  std::optional<double> read(ig::Block& b, const Request& r) const {
+    const bool is_of_axis = r.index && *r.index >= 1 && *r.index <= 6 && *r.index == std::floor(*r.index);
+    const std::size_t axis = is_of_axis ? static_cast<std::size_t>(*r.index) - 1 : 0;
+    const auto is = [&](double id, double number) { return r.id == id && r.number == number; };
+    if (is(20, 1) || is(60, 1)) return static_cast<double>(b.get_or(tool_, std::int64_t{0}));
+    if (is(20, 3) || is(60, 2)) return b.is(plane_, g18_) ? 1.0 : b.is(plane_, g19_) ? 0.0 : 2.0;
+    if (is(20, 4) || is(60, 3)) return b.get_or(speed_, 0.0);
+    if (is(60, 4)) return in_unit(b, b.get_or(length_delta_, 0.0));
+    if (is(60, 5)) return in_unit(b, b.get_or(radius_delta_, 0.0));
+    if (r.id == 50 && (r.number == 1 || r.number == 2)) return of_table(b, r);
+    if (!is_of_axis) return std::nullopt;
+    if (is(220, 2)) return axis < 3 ? std::optional(in_unit(b, shift(b, axis))) : std::nullopt;
+    if (axis > 2 && is(240, 1)) return b.get(angles_[axis - 3]);
+    if (axis > 2 && is(270, 1)) {
+      const auto angle = b.get(angles_[axis - 3]);
+      return angle ? std::optional(*angle - turned_.get(b).value[axis - 3]) : std::nullopt;
+    }
+    if (is(240, 1)) {
+      const auto position = b.get(machine_[axis]);
+      return position ? std::optional(in_unit(b, *position)) : std::nullopt;
+    }
+    if (!is(270, 1)) return std::nullopt;
+    ig::Vec3 here = last_(b);
+    if (b.has(mirror_term_)) here = rounded(mirror_.programmed(b, here));
+    return in_unit(b, here[axis]);
+  }
+
+ private:
+  double in_unit(const ig::Block& b, double mm) const { return b.is(system_, inch_) ? mm / 25.4 : mm; }
+
+  std::optional<double> of_table(const ig::Block& b, const Request& r) const {
+    const double tool = r.index.value_or(static_cast<double>(b.get_or(tool_, std::int64_t{0})));
+    double geometry = 0;
+    const bool is_number = table_ && tool >= 0 && tool < 1e9;
+    const std::uint32_t column = r.number == 1 ? 0 : 2;
+    if (!is_number || table_->get(table_->self, static_cast<std::int64_t>(tool), column, &geometry) == 0)
+      return std::nullopt;
+    return in_unit(b, geometry);
+  }
+
+  ig::Previous<std::int64_t> tool_{"ToolHeightCompensation.OffsetId"};
+  ig::Previous<double> speed_{"SpindleSpeed.SpindleSpeed_rpm"};
+  ig::In<double> length_delta_{"ToolHeightCompensation.Delta_mm", ig::read, {ig::Life::modal, "mm", ""}};
+  ig::In<double> radius_delta_{"RadiusCompensation.Delta_mm", ig::read, {ig::Life::modal, "mm", ""}};
+  /// As programmed: in the plane, along turned axes, or else along those of the preset.
+  double shift(const ig::Block& b, std::size_t axis) const {
+    for (const ig::Xyz* of : {&plane_shift_, &turned_shift_})
+      if (const ig::PartialVec3 v = b.get(*of); v.has(axis)) return v.value[axis];
+    return b.get_or(shift_[axis], 0.0);
+  }
+
+  ig::Xyz plane_shift_{"PlaneFrame", ig::previous, {ig::Life::modal, "mm", ""}};
+  ig::Xyz turned_shift_{"DatumShift", ig::previous, {ig::Life::modal, "mm", ""}};
+  std::array<ig::Previous<double>, 3> shift_{ig::Previous<double>{"LocalCoordinateOffset.Offset_X"},
+                                             ig::Previous<double>{"LocalCoordinateOffset.Offset_Y"},
+                                             ig::Previous<double>{"LocalCoordinateOffset.Offset_Z"}};
+  std::array<ig::Previous<double>, 3> machine_{ig::Previous<double>{"MachineCoordinate.X"},
+                                               ig::Previous<double>{"MachineCoordinate.Y"},
+                                               ig::Previous<double>{"MachineCoordinate.Z"}};
+  RotaryOffsetSection turned_{"CoordinateOffset", ig::previous};
+  std::array<ig::Previous<double>, 3> angles_{ig::Previous<double>{"MachineCoordinate.A"},
+                                              ig::Previous<double>{"MachineCoordinate.B"},
+                                              ig::Previous<double>{"MachineCoordinate.C"}};
+  ig::In<ig::Symbol> plane_{"PlaneSelect.Term"};
+  ig::In<ig::Symbol> system_{"Unit.System"};
+  ig::In<ig::Symbol> mirror_term_{"MirrorImage.Term"};
+  ig::Name g18_{"G18"}, g19_{"G19"}, inch_{"Inch"};
+  LastProgramXyz last_;
+  ScaleAndMirror mirror_;
+  ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional, "Length and radius of tools."};
+};
+
+}  // namespace heidenhain

@@ -1,0 +1,100 @@
+/// F of a path block or a TOOL CALL: a number, MAX, AUTO, or feed per revolution.
+#pragma once
+
+#include "language/klartext_values.hpp"
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+
+/// A member of each syntax whose blocks hold F.
+class FeedWords {
+ public:
+  /// Takes the F at `position`. `is_rapid` becomes true for FMAX.
+  std::size_t scan(ig::Block& b, const Values& values, std::string_view text, std::size_t position,
+                   bool& is_rapid) const {
+    const std::size_t letters = letters_end(text, position + 1);
+    std::string_view kind = piece(text, position + 1, letters);
+    std::size_t end = position + 1;
+    if (kind.empty() || to_upper(kind[0]) == 'Q') {
+      const std::size_t next = skip_blanks(text, position + 1);
+      if (const std::size_t word = letters_end(text, next); word > next) kind = piece(text, next, word);
+    }
+    const auto is = [&](std::string_view name) { return equals_ignoring_case(kind, name); };
+    // FMAXM3, FAUTOR0: the letter of the next word is none of this one.
+    for (const std::string_view name : {"MAX", "AUTO"})
+      if (kind.size() == name.size() + 1 && to_upper(kind.back()) != 'T' && is_digit(at(text, letters)) &&
+          equals_ignoring_case(kind.substr(0, name.size()), name))
+        kind.remove_suffix(1);
+    if (is("MAX") || is("AUTO")) {
+      end = static_cast<std::size_t>(kind.data() + kind.size() - text.data());
+      if (is("MAX"))
+        is_rapid = true;
+      else if (const auto feed = b.get(tool_feed_))
+        put(b, *feed, position, end);
+      else
+        b.report(ig::diag("HEI-0138"), ig::Where::columns(position, end));
+      return end;
+    }
+    const char by = kind.empty() ? '\0' : to_upper(kind[0]);
+    const bool is_per_revolution = by == 'U';
+    const bool is_unknown = by == 'Z' || by == 'T' || is("MAXT");
+    if (letters > position + 2 && !is_per_revolution && !is_unknown && by != 'Q' && at(text, letters) != '=') {
+      b.report(ig::diag("HEI-0103"), ig::Where::columns(position, letters), piece(text, position, letters),
+               std::string_view("F"));
+      return letters;
+    }
+    const Value v = values.read(b, text, is_per_revolution || is_unknown ? letters : position + 1);
+    if (!v.ok) return is_unknown ? letters : position + 1;  // F alone: the prompt was left without an answer
+    if (is_unknown) {
+      b.report(ig::diag("HEI-0136"), ig::Where::columns(position, v.end), trim(piece(text, position, v.end)));
+      return v.end;
+    }
+    const bool was_per_revolution = b.is(mode_, g95_);
+    if (is_per_revolution && !was_per_revolution) code(b, modes_.id(1), position, v.end);
+    if (!is_per_revolution && was_per_revolution && !b.is_raised(per_revolution_))
+      code(b, modes_.id(0), position, v.end);
+    if (b.has(f_))
+      b.report(ig::diag("HEI-0106"), ig::Where::columns(position, v.end), trim(piece(text, position, v.end)));
+    put(b, is_per_revolution ? v.number : in_unit(b, v.number), position, v.end);
+    return v.end;
+  }
+
+  /// F of TOOL CALL: in force, and what F AUTO means.
+  void keep(ig::Block& b, double feed) const { b.set(tool_feed_, feed); }
+  std::optional<double> word(const ig::Block& b) const { return b.get(f_); }
+  /// As F counts in this program: inches a minute in an inch program.
+  double in_unit(const ig::Block& b, double feed) const {
+    return inch_feed_ == InchFeed::tenths && b.is(system_, inch_) ? feed / 10 : feed;
+  }
+  double as_written(const ig::Block& b, double feed) const {
+    return inch_feed_ == InchFeed::tenths && b.is(system_, inch_) ? feed * 10 : feed;
+  }
+  std::optional<double> of_tool_call(const ig::Block& b) const { return b.get(tool_feed_); }
+
+ private:
+  enum class InchFeed { tenths, inches };
+
+  void put(ig::Block& b, double feed, std::size_t begin, std::size_t end) const {
+    const ig_word word{f_.id(), column(begin), column(end), {.number = feed}, 0, 0};
+    b.host()->set_words(b.raw(), &word, 1);
+  }
+  static void code(ig::Block& b, ig_field field, std::size_t begin, std::size_t end) {
+    const ig_word word{field, column(begin), column(end), ig_value{}, 0, 0};
+    b.host()->set_words(b.raw(), &word, 1);
+  }
+
+  ig::Field<double> f_{"Parsing.F", ig::read | ig::write, {ig::Life::standard, "mm/min", ""}};
+  ig::Out<double> tool_feed_{
+      "KlartextFeed.ToolCall",
+      {ig::Life::modal, "", "F of the last TOOL CALL, which F AUTO means; in the program's unit."}};
+  ig::Codes modes_{{"G94", "G95"}, ig::write};
+  ig::In<ig::Symbol> mode_{"Feedrate.Term"};
+  ig::In<ig::Symbol> system_{"Unit.System"};
+  ig::Signal per_revolution_{"KlartextFeed.~PerRevolution", ig::read, ig::Life::modal};
+  ig::Name g95_{"G95"}, inch_{"Inch"};
+  ig::Choice<InchFeed> inch_feed_{"inch-feed", "tenths|inches", "tenths",
+                                  "What F counts in an inch program: tenths of an inch a minute, or inches a minute."};
+};
+
+}  // namespace heidenhain

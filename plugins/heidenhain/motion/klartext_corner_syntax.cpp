@@ -1,0 +1,88 @@
+// RND and CHF stand in a block of their own between two moves. The move before must end short of the corner, so each
+// feed move looks whether such a block follows, and gets the corner that CornerBreakPathSyntax and the radius
+// compensation make the path from.
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/contour_approach.hpp>
+#include <isogloss/cnc/corner_break_state.hpp>
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+namespace {
+
+struct KlartextCorner {
+  static constexpr std::uint32_t window = 16;
+  static constexpr auto spec =
+      ig::syntax("KlartextCornerSyntax", "RND and CHF: the corner at the end of the move before.")
+          .after("KlartextPathSyntax", "KlartextMotionSyntax", "LinearMotionSyntax", "CircularMotionSyntax",
+                 "RadiusCompensationSyntax")
+          .before("RadiusCompensationPathSyntax", "CornerBreakPathSyntax")
+          .looks_ahead(window);
+
+  /// Looking ahead costs more than the move itself: moves of a surface and of five axes, which no corner ends, do not.
+  ig::In<bool> in_plane_{
+      "KlartextPath.IsFeedInPlane", ig::wake, {ig::Life::block, "", "The move may end in a corner."}};
+  ig::In<ig::Symbol> form_{"MotionEvent.Form"};
+  ig::In<double> radius_{"KlartextCorner.Radius_mm", ig::wake, {ig::Life::block, "mm", "RND R"}};
+  ig::In<double> chamfer_{"KlartextCorner.Chamfer_mm", ig::wake, {ig::Life::block, "mm", "CHF"}};
+  ig::Signal open_{"KlartextCorner.~Open", ig::read | ig::wake_while, ig::Life::modal};
+  ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
+  ig::In<ig::Symbol> compound_{"CompoundMotion.Term"};
+  ContourApproach approach_{ig::wake};
+  ig::In<double> tool_radius_{"RadiusCompensation.Radius_mm"};
+  CornerBreakState corner_{ig::write};
+  ig::Signal path_{"CornerBreak.~Path", ig::write};
+  ig::Name rnd_{"RND"}, chf_{"CHF"};
+
+  bool is_announced_ = false;  ///< the next block of RND or CHF belongs to a move that has it
+  bool is_open_ = false;       ///< up to the next move, which begins behind the corner
+
+  ig::Status restart(ig::Block&) {
+    is_announced_ = is_open_ = false;
+    return ig::Status::unchanged;
+  }
+
+  ig::Status build(ig::Block& b) {
+    const bool was_open = is_open_;
+    if (was_open) b.raise(path_);
+    if (approach_.get(b) && b.get_or(tool_radius_, 0.0) == 0)
+      b.report(ig::diag("HEI-0130"), ig::Where::block(), std::string_view("APPR"),
+               std::string_view("the tool has no radius, it goes straight to the first point of the contour"));
+    if (b.has_any(radius_, chamfer_)) {
+      if (!is_announced_)
+        b.report(ig::diag("HEI-0130"), ig::Where::block(), std::string_view(b.has(radius_) ? "RND" : "CHF"),
+                 std::string_view("no feed move in the plane stands before it, the corner stays sharp"));
+      is_announced_ = false;
+      return ig::Status::changed;
+    }
+    const bool moves = b.has_any(form_, compound_);
+    if (moves) is_open_ = is_announced_ = false;
+    const bool can_break = b.has(in_plane_) && b.has(form_) && !b.has(compound_) && !b.get_or(is_rapid_, false);
+    if (!can_break || !find_corner(b)) return was_open ? ig::Status::changed : ig::Status::unchanged;
+    b.raise(path_);
+    is_open_ = is_announced_ = true;
+    return ig::Status::changed;
+  }
+
+ private:
+  bool find_corner(ig::Block& b) const {
+    for (std::uint32_t k = 1; k <= window; ++k) {
+      ig_block* const raw = b.host()->ahead(b.raw(), k);
+      if (raw == nullptr) return false;
+      const ig::Block ahead(b.host(), raw);
+      if (ahead.has_any(form_, compound_)) return false;
+      if (!ahead.has_any(radius_, chamfer_)) continue;
+      const bool is_rounding = ahead.has(radius_);
+      corner_.set(b, is_rounding ? CornerBreakState::Corner{rnd_, CornerShape::rounding, ahead.get_or(radius_, 0.0)}
+                                 : CornerBreakState::Corner{chf_, CornerShape::legs, ahead.get_or(chamfer_, 0.0)});
+      return true;
+    }
+    return false;
+  }
+};
+
+const ig::Register<KlartextCorner> klartext_corner_syntax;
+
+}  // namespace
+}  // namespace heidenhain

@@ -1,0 +1,205 @@
+// TOOL CALL: the tool, its axis, its speed and feed, its length and what DL adds to it. TOOL DEF names a tool that the
+// magazine may fetch, or writes its length and radius into the table of tools.
+#include "motion/feed_words.hpp"
+#include "motion/m_functions.hpp"
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+namespace {
+
+struct KlartextToolCall {
+  static constexpr auto spec = ig::syntax("KlartextToolCallSyntax", "TOOL CALL and TOOL DEF.")
+                                   .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
+                                   .before("ToolChangeSyntax", "ToolHeightOffsetSyntax")
+                                   .scans("Tt");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "HEI-0150",
+                     "the tool {0} has a name: its number and length are not known, the one before stays"),
+      ig::diagnostic(IG_ERROR, "HEI-0151", "tool axis {0}: only X, Y and Z are known; the plane stays"),
+      ig::diagnostic(IG_WARNING, "HEI-0152", "tool {0} has a step index: the tool itself is taken"),
+      ig::diagnostic(IG_ERROR, "HEI-0153", "tool axis {0}: the length of the tool is taken along Z"),
+  };
+
+  Values values_;
+  FeedWords feed_;
+  MFunctions m_;
+  ig::Field<double> t_{"Parsing.T", ig::write};
+  ig::Field<double> s_{"Parsing.S", ig::write};
+  ig::Codes change_{{"M06"}, ig::write};
+  ig::Codes planes_{{"G17", "G18", "G19"}, ig::write};
+  ig::Call length_{{"G43"}, "H[]", ig::write};
+  ig::Out<double> delta_{"ToolHeightCompensation.Delta_mm",
+                         {ig::Life::modal, "mm", "What the tool call adds to the length of the table."}};
+  ig::Signal delta_changed_{"ToolHeightCompensation.~TableChanged", ig::write};
+  ig::Out<double> radius_delta_{"RadiusCompensation.Delta_mm",
+                                {ig::Life::modal, "mm", "What the tool call adds to the radius of the table."}};
+  ig::In<ig::Symbol> system_{"Unit.System"};
+  ig::Name inch_{"Inch"};
+  ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional,
+                                       "Radius for Q108, length for Q114; TOOL DEF writes it."};
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    if (!stands_first(text, position)) return position;
+    const std::size_t call = keyword(text, position, "TOOL CALL"), define = keyword(text, position, "TOOL DEF");
+    if (call == position && define == position) return position;
+    const std::size_t end = statement_end(text, position);
+    if (values_.is_indexing()) return end;
+    if (call != position)
+      read_call(b, text.substr(0, end), position, call);
+    else
+      read_definition(b, text.substr(0, end), position, define);
+    return end;
+  }
+
+ private:
+  enum class Name { none, number, text };
+
+  static void word(ig::Block& b, ig_field field, std::size_t begin, std::size_t end, double value) {
+    const ig_word w{field, column(begin), column(end), {.number = value}, 0, 0};
+    b.host()->set_words(b.raw(), &w, 1);
+  }
+  static void code(ig::Block& b, ig_field field, std::size_t begin, std::size_t end) {
+    const ig_word w{field, column(begin), column(end), ig_value{}, 0, 0};
+    b.host()->set_words(b.raw(), &w, 1);
+  }
+
+  void read_call(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
+    i = skip(text, i);
+    double tool = 0;
+    const Name kind = tool_at(b, text, i, tool);
+    double length = 0, radius = 0;
+    bool is_rapid = false, has_delta = false;
+    while ((i = skip(text, i)) < text.size()) {
+      const std::size_t next = call_word(b, text, i, length, radius, has_delta, is_rapid);
+      if (next == i) {
+        const std::string_view rest = rest_of_line(text, i);
+        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("TOOL CALL"));
+        break;
+      }
+      i = next;
+    }
+    if (const auto feed = feed_.word(b)) feed_.keep(b, *feed);
+    if (kind != Name::none || has_delta) set_deltas(b, length, radius);
+    if (kind != Name::number) return;
+    word(b, t_.id(), begin, begin + 9, tool);
+    code(b, change_.id(0), begin, begin + 9);
+    code(b, length_.code(0), begin, begin + 9);
+    word(b, length_.word(0, 'H'), begin, begin + 9, tool);
+    note_parameters(tool, radius);
+  }
+
+  /// The tool at `i`: a number, a Q parameter, or a name.
+  Name tool_at(ig::Block& b, std::string_view text, std::size_t& i, double& tool) const {
+    if (at(text, i) == '"' || at(text, i) == '\'') {
+      std::size_t end = skip_while(text, i + 1, [&](char c) { return c != text[i]; });
+      end = std::min(end + 1, text.size());
+      b.report(ig::diag("HEI-0150"), ig::Where::columns(i, end), piece(text, i, end));
+      i = end;
+      return Name::text;
+    }
+    std::size_t q_end = i;
+    if (!is_digit(at(text, i)) && !Values::q_at(text, i, q_end)) return Name::none;
+    const Value v = values_.read(b, text, i);
+    tool = std::floor(v.number);
+    if (tool != v.number) b.report(ig::diag("HEI-0152"), ig::Where::columns(i, v.end), trim(piece(text, i, v.end)));
+    i = v.end;
+    return Name::number;
+  }
+
+  std::size_t call_word(ig::Block& b, std::string_view text, std::size_t i, double& length, double& radius,
+                        bool& has_delta, bool& is_rapid) const {
+    const char c = to_upper(text[i]), d = to_upper(at(text, i + 1));
+    if (c == 'D' && (d == 'L' || d == 'R')) {
+      const std::size_t value = to_upper(at(text, i + 2)) == '2' && d == 'R' ? i + 3 : i + 2;
+      const Value v = read(b, text, value);
+      has_delta = true;
+      if (v.ok && value == i + 2) (d == 'L' ? length : radius) = in_mm(b, v.number);
+      return v.ok ? v.end : value;
+    }
+    if (c == 'S') {
+      const Value v = read(b, text, i + 1);
+      if (v.ok) word(b, s_.id(), i, v.end, v.number);
+      return v.ok ? v.end : i + 1;
+    }
+    if (c == 'F') return feed_.scan(b, values_, text, i, is_rapid);
+    if (c == 'M') return m_.scan(b, values_, text, i);
+    if (!is_letter(c) || is_letter(d) || is_digit(d)) return i;
+    const std::size_t axis = std::string_view("ZYX").find(c);
+    if (axis < 3) code(b, planes_.id(axis), i, i + 1);
+    if (axis == 1 || axis == 2) b.report(ig::diag("HEI-0153"), ig::Where::columns(i, i + 1), piece(text, i, i + 1));
+    if (axis > 2) b.report(ig::diag("HEI-0151"), ig::Where::columns(i, i + 1), piece(text, i, i + 1));
+    return i + 1;
+  }
+  /// A trailing point is none of a number: DL0.
+  Value read(ig::Block& b, std::string_view text, std::size_t i) const {
+    return values_.read(b, text, skip_blanks(text, i));
+  }
+
+  double in_mm(const ig::Block& b, double length) const { return b.is(system_, inch_) ? length * 25.4 : length; }
+
+  void set_deltas(ig::Block& b, double length, double radius) const {
+    b.set(delta_, length);
+    b.set(radius_delta_, radius);
+    b.raise(delta_changed_);
+  }
+
+  /// Q108 and Q114, where the table knows the tool: one that was never measured is 0 there.
+  void note_parameters(double tool, double delta) const {
+    QStore* const store = values_.store();
+    if (store == nullptr || !table_ || !(tool >= 0 && tool < 1e9)) return;
+    const auto row = static_cast<std::int64_t>(tool);
+    const auto sum = [&](std::uint32_t column) {
+      double geometry = 0, wear = 0;
+      const bool known = table_->get(table_->self, row, column, &geometry) != 0;
+      if (table_->get(table_->self, row, column + 1, &wear) == 0) wear = 0;
+      return known && geometry + wear != 0 && std::isfinite(geometry + wear) ? std::optional(geometry + wear)
+                                                                             : std::nullopt;
+    };
+    if (const auto radius = sum(2)) store->set({QKind::q, 108}, 0, *radius + delta);
+    if (const auto length = sum(0)) store->set({QKind::q, 114}, 0, *length);
+  }
+
+  /// TOOL DEF 5 names a tool that the magazine may fetch; TOOL DEF 5 L+100 R+5 defines it.
+  void read_definition(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
+    i = skip(text, i);
+    double tool = 0;
+    if (tool_at(b, text, i, tool) != Name::number) return;
+    const std::size_t words = skip(text, i);
+    if (words >= text.size()) return word(b, t_.id(), begin, i, tool);
+    for (i = words; i < text.size(); i = skip(text, i)) {
+      const char c = to_upper(text[i]);
+      const bool is_word = (c == 'L' || c == 'R') && (!is_letter(at(text, i + 1)) || to_upper(at(text, i + 1)) == 'Q');
+      if (!is_word) {
+        const std::string_view rest = rest_of_line(text, i);
+        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("TOOL DEF"));
+        return;
+      }
+      const Value v = read(b, text, i + 1);
+      const std::size_t end =
+          v.ok ? v.end : skip_while(text, i + 1, [](char sign) { return sign == '+' || sign == '-'; });
+      const auto where = ig::Where::columns(i, end);
+      if (!v.ok) {
+        b.report(ig::diag("HEI-0104"), where, std::string_view("TOOL DEF"), piece(text, i, end));
+      } else if (!define(tool, c == 'L' ? 0 : 2, in_mm(b, v.number))) {
+        const std::string_view whole = rest_of_line(text, begin);
+        b.report(ig::diag("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole,
+                 std::string_view("the table of tools has no such tool"));
+        return;
+      }
+      i = end;
+    }
+  }
+
+  /// Length or radius of a tool, into the table; tool 0 is none, and has neither.
+  bool define(double tool, std::uint32_t column, double mm) const {
+    if (tool == 0 && mm == 0) return true;
+    const bool is_number = table_ && tool >= 0 && tool < 1e9 && std::isfinite(mm);
+    return is_number && table_->set(table_->self, static_cast<std::int64_t>(tool), column, mm) != 0;
+  }
+};
+
+const ig::Register<KlartextToolCall> klartext_tool_call_syntax;
+
+}  // namespace
+}  // namespace heidenhain

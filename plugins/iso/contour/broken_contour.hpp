@@ -1,0 +1,136 @@
+/// The contour with its corners broken: what the move of a block becomes where it, or the one before it, ends in a
+/// chamfer or a rounding. Needs the next move, so it is for syntaxes that look ahead.
+#pragma once
+
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/rotary_words.hpp>
+#include "contour/contour_ahead.hpp"
+
+namespace iso {
+
+using namespace ig::cnc;
+
+/// A member of each syntax that looks ahead and follows the contour; it is asked in every block from a broken corner
+/// to the next move.
+class BrokenContour {
+ public:
+  struct Piece {
+    ContourMotion motion;                 ///< of the block, without what the corners at its ends take
+    std::optional<ContourMotion> corner;  ///< what stands at its end
+    std::string_view unbroken;            ///< why nothing does, where something should
+    bool is_expected = false;             ///< nothing needs to be said of that
+    bool begins_behind_corner = false;
+  };
+
+  void forget() { start_.reset(); }
+
+  Piece take(ig::Block& b, const ContourMotion& now) {
+    Piece piece{.motion = now, .corner = std::nullopt, .unbroken = {}};
+    if (now.kind == ContourMotion::Kind::by_steps) start_.reset();
+    Point2 begin = now.move.start;
+    if (now.kind == ContourMotion::Kind::move && start_) {
+      begin = *start_;
+      place(piece.motion.from, now.plane, begin);
+      piece.motion.move = between_corners(now.move, begin, now.move.end);
+      piece.begins_behind_corner = true;
+      start_.reset();
+    }
+    const auto wanted = state_.get(b);
+    if (!wanted) return piece;
+    CornerBreaking broken;
+    piece.unbroken = find(b, now, begin, *wanted, broken);
+    piece.is_expected = wanted->is_modal && broken.why == Unbroken::no;
+    if (!piece.unbroken.empty() || broken.why != Unbroken::no) return piece;
+    ContourMotion corner = now;
+    corner.move = broken.corner.move();
+    corner.from = corner.to = now.to;
+    place(corner.from, now.plane, broken.corner.begin);
+    place(corner.to, now.plane, broken.corner.end);
+    piece.motion.move = between_corners(now.move, begin, broken.corner.begin);
+    piece.motion.to = corner.from;
+    piece.corner = corner;
+    start_ = broken.corner.end;
+    return piece;
+  }
+
+  void say(ig::Block& b, const Piece& piece) const {
+    if (piece.unbroken.empty() || piece.is_expected) return;
+    b.report(ig::diag("ISO-0480"), where(b), b.text(term(b)), piece.unbroken);
+    if (unfit_ == Unfit::alarm) b.alarm();
+  }
+
+  ig::Symbol term(const ig::Block& b) const {
+    const auto corner = state_.get(b);
+    return corner ? corner->term : ig::Symbol{};
+  }
+
+ private:
+  enum class Unfit { alarm, said };
+
+  ig::Where where(const ig::Block& b) const {
+    for (std::size_t i = 0; i < words_.size(); ++i)
+      if (b.is_fresh(words_.id(i))) return ig::Where::word(words_.id(i));
+    return ig::Where::block();
+  }
+
+  static void place(ig::Vec3& to, const PlaneAxes& plane, const Point2& p) {
+    to[plane.first] = rounded(p.u);
+    to[plane.second] = rounded(p.v);
+  }
+  static bool rises(const ContourMotion& m) { return std::fabs(m.to[m.plane.tool] - m.from[m.plane.tool]) > 1e-9; }
+
+  /// Empty where the corner is broken, or where there is none to break.
+  std::string_view find(ig::Block& b, const ContourMotion& now, const Point2& begin,
+                        const CornerBreakState::Corner& wanted, CornerBreaking& out) const {
+    if (now.kind != ContourMotion::Kind::move || b.get_or(is_rapid_, false))
+      return "its block makes no feed move in the plane";
+    if (rises(now)) return "its move leaves the plane";
+    if (rotary_.fresh(b) != 0) return "rotary axes turn in its block";
+    ContourMotion next;
+    if (const std::string_view why = find_next(b, now, next); !why.empty()) return why;
+    out = break_corner(now.move, begin, next.move, wanted.size, wanted.shape);
+    switch (out.why) {
+      case Unbroken::doubles_back: return "the next move goes back the same way";
+      case Unbroken::no_place: return "no arc of this radius touches both moves";
+      case Unbroken::first_too_short: return "the move before it is too short";
+      case Unbroken::second_too_short: return "the move behind it is too short";
+      case Unbroken::length_at_arc: return "its length is known between straight moves only";
+      case Unbroken::no:
+      case Unbroken::straight_on: break;
+    }
+    return {};
+  }
+
+  /// Fanuc lets one block without a move, a dwell, stand between.
+  std::string_view find_next(ig::Block& b, const ContourMotion& now, ContourMotion& next) const {
+    std::int64_t rests = 0;
+    for (std::uint32_t k = 1; k <= ContourAhead::window; ++k) {
+      ig_block* const raw = b.host()->ahead(b.raw(), k);
+      if (raw == nullptr) return "no move follows";
+      ig::Block ahead(b.host(), raw);
+      next = motion_(ahead);
+      if (ahead.frame_changed()) return "the coordinate system changes before the next move";
+      if (!(next.plane == now.plane)) return "the plane changes before the next move";
+      const bool is_plain = next.kind == ContourMotion::Kind::move && !ahead.get_or(is_rapid_, false) && !rises(next);
+      if (is_plain) return {};
+      if (next.kind != ContourMotion::Kind::rest || next.has_event) return "the next move is no feed move in the plane";
+      if (!is_comment_line(ahead.source()) && ++rests > rests_allowed_) return "no move follows at once";
+    }
+    return "no move follows at once";
+  }
+
+  ContourMotionOf motion_;
+  CornerBreakState state_{ig::read};
+  ig::Fields words_{"corner-words", "Parsing.CornerBreak.?", ig::read,
+                    "The words of a corner: at the one that the block has stands what is said of it."};
+  ig::Choice<Unfit> unfit_{"corner-does-not-fit", "alarm|said", "alarm",
+                           "A corner that cannot be broken stops the control, or stays sharp."};
+  ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
+  RotaryPosition rotary_{ig::read};
+  ig::IntegerOption rests_allowed_{
+      "blocks-at-corner", "1", {0, 10}, "Blocks without a move that may stand between the moves of a broken corner."};
+  std::optional<Point2> start_;  ///< where the next move begins: behind the corner that was broken
+};
+
+}  // namespace iso

@@ -1,0 +1,187 @@
+/// What follows on the contour: the next moves in the plane, as far as the control reads ahead.
+#pragma once
+
+#include <isogloss/cnc/corner_break_state.hpp>
+#include "contour/contour_motion.hpp"
+
+namespace iso {
+
+using namespace ig::cnc;
+
+/// A line that holds nothing but a comment is no block to the control.
+inline bool is_comment_line(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos || (text[first] != '(' && text[first] != ';')) return false;
+  const std::size_t last = text.find_last_not_of(" \t\r;");
+  return text[first] == ';' || (last != std::string_view::npos && text[last] == ')' && text.find(')') == last);
+}
+
+/// A member of the syntax that looks ahead.
+class ContourAhead {
+ public:
+  static constexpr std::uint32_t window = 16;
+
+  /// What follows in the plane.
+  struct Next {
+    enum class Kind { none, move, barrier, too_far };
+    Kind kind = Kind::none;
+    double offset = 0;  ///< 0: it cancels
+    bool is_rapid = false;
+    ContourMove move{};
+    Point2 direction{};            ///< of the cancel, where the program gives one
+    bool cancels_at_rest = false;  ///< the code that cancels stands in a block without a move before it
+  };
+
+  /// In the plane of the program: a frame that scales (SCALE) does not scale the tool.
+  double offset_in_force(ig::Block& b) const {
+    const bool is_left = b.is(side_, left_);
+    if (!is_left && !b.is(side_, right_)) return 0;
+    const double radius = b.get_or(radius_, 0.0) / scale(b);
+    return is_left ? radius : -radius;
+  }
+
+  Next next(ig::Block& b, const PlaneAxes& plane, std::int64_t rests_allowed) const {
+    Next next;
+    bool other_frame = false, cancels = false;
+    std::int64_t rests = 0;
+    for (std::uint32_t k = 1; k <= window; ++k) {
+      ig_block* const raw = b.host()->ahead(b.raw(), k);
+      if (raw == nullptr) return next;
+      ig::Block ahead(b.host(), raw);
+      other_frame |= ahead.frame_changed();
+      const ContourMotion motion = motion_(ahead);
+      if (motion.kind == ContourMotion::Kind::by_steps || !(motion.plane == plane)) {
+        next.kind = Next::Kind::barrier;
+        return next;
+      }
+      if (motion.kind == ContourMotion::Kind::rest) {
+        if (ahead.has(corner_arc_)) {
+          next.kind = Next::Kind::barrier;
+          return next;
+        }
+        cancels |= offset_in_force(ahead) == 0;
+        if (!is_comment_line(ahead.source()) && ++rests > rests_allowed) break;
+        continue;
+      }
+      next.kind = Next::Kind::move;
+      next.offset = offset_in_force(ahead);
+      next.is_rapid = ahead.get_or(is_rapid_, false);
+      next.move = motion.move;
+      next.cancels_at_rest = cancels;
+      next.direction = ContourMotionOf::in_plane(plane, ahead.get(cancel_direction_).or_else({}));
+      if (other_frame && !bring_here(b, ahead, motion, next.move)) next.kind = Next::Kind::barrier;
+      return next;
+    }
+    if (!cancels) next.kind = Next::Kind::too_far;
+    return next;
+  }
+
+  /// The moves that follow on the same side at the same distance, as far as the control reads. The first begins at
+  /// `start`, where that is given: behind a corner that is broken.
+  using Moves = std::array<ContourMove, 8>;
+  /// Which of them are cut at a height: by feed, and without a move across the plane.
+  struct Walls {
+    double height = 0;
+    std::array<bool, std::tuple_size_v<Moves>> are{};
+  };
+  std::size_t moves(ig::Block& b, const PlaneAxes& plane, double offset, std::int64_t rests_allowed,
+                    const std::optional<Point2>& start, Moves& moves, Walls* walls = nullptr) const {
+    std::array<Break, 8> breaks{};
+    std::size_t count = 0;
+    bool other_frame = false;
+    std::int64_t rests = 0;
+    for (std::uint32_t k = 1; k <= window && count < moves.size(); ++k) {
+      ig_block* const raw = b.host()->ahead(b.raw(), k);
+      if (raw == nullptr) break;
+      ig::Block ahead(b.host(), raw);
+      other_frame |= ahead.frame_changed();
+      const ContourMotion motion = motion_(ahead);
+      if (motion.kind == ContourMotion::Kind::by_steps || !(motion.plane == plane)) break;
+      if (offset_in_force(ahead) != offset) break;
+      if (motion.kind == ContourMotion::Kind::rest) {
+        if (ahead.has(corner_arc_)) break;
+        if (!is_comment_line(ahead.source()) && ++rests > rests_allowed) break;
+        continue;
+      }
+      rests = 0;
+      moves[count] = motion.move;
+      if (other_frame && !bring_here(b, ahead, motion, moves[count])) break;
+      breaks[count] = break_.get(ahead);
+      if (walls != nullptr)
+        walls->are[count] = !other_frame && !ahead.get_or(is_rapid_, false) &&
+                            std::fabs(motion.from[plane.tool] - walls->height) < same_point_mm &&
+                            std::fabs(motion.to[plane.tool] - walls->height) < same_point_mm;
+      ++count;
+    }
+    return with_corners(moves, count, start.value_or(moves[0].start), breaks, walls);
+  }
+
+ private:
+  using Break = std::optional<CornerBreakState::Corner>;
+
+  /// How long a millimetre of the program is in the machine. What a turned frame adds below 1e-9 is noise.
+  double scale(ig::Block& b) const {
+    ig::Vec3 axis;
+    axis[plane_(b).first] = 1;
+    const auto origin = b.to_machine({}), unit = b.to_machine(axis);
+    if (!origin || !unit) return 1;
+    const double scale = std::round(length(*unit - *origin) * 1e9) / 1e9;
+    return scale > 0 ? scale : 1;
+  }
+
+  /// The move as the frame of this block shows it.
+  static bool bring_here(ig::Block& b, ig::Block& ahead, const ContourMotion& motion, ContourMove& move) {
+    const auto bring = [&](const ig::Vec3& p) -> std::optional<Point2> {
+      const auto machine = ahead.to_machine(p);
+      const auto here = machine ? b.to_program(*machine) : std::nullopt;
+      return here ? std::optional(ContourMotionOf::in_plane(motion.plane, rounded(*here))) : std::nullopt;
+    };
+    ig::Vec3 center = motion.from;
+    center[motion.plane.first] = move.center.u;
+    center[motion.plane.second] = move.center.v;
+    const auto start = bring(motion.from), end = bring(motion.to), middle = bring(center);
+    if (!start || !end || !middle) return false;
+    move.start = *start;
+    move.end = *end;
+    move.center = *middle;
+    return true;
+  }
+
+  /// The moves with what breaks their corners between them.
+  static std::size_t with_corners(Moves& moves, std::size_t count, Point2 begin, const std::array<Break, 8>& breaks,
+                                  Walls* walls) {
+    Moves out;
+    Walls walls_out;
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < count && n < out.size(); ++i) {
+      const ContourMove& move = moves[i];
+      CornerBreaking broken;
+      broken.why = Unbroken::straight_on;
+      if (breaks[i] && i + 1 < count)
+        broken = break_corner(move, begin, moves[i + 1], breaks[i]->size, breaks[i]->shape);
+      const bool is_broken = broken.why == Unbroken::no;
+      if (walls != nullptr) walls_out.are[n] = walls->are[i];
+      out[n++] = between_corners(move, begin, is_broken ? broken.corner.begin : move.end);
+      if (is_broken && n < out.size()) {
+        if (walls != nullptr) walls_out.are[n] = walls->are[i] && walls->are[i + 1];
+        out[n++] = broken.corner.move();
+      }
+      begin = is_broken ? broken.corner.end : move.end;
+    }
+    moves = out;
+    if (walls != nullptr) walls->are = walls_out.are;
+    return n;
+  }
+
+  PlaneInForce plane_;
+  ContourMotionOf motion_;
+  ig::In<ig::Symbol> side_{"RadiusCompensation.Side"};
+  ig::In<double> radius_{"RadiusCompensation.Radius_mm"};
+  ig::Xyz cancel_direction_{"RadiusCompensation.CancelDirection", ig::read, {ig::Life::block, "mm", ""}};
+  ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
+  ig::In<ig::Symbol> corner_arc_{"RadiusCompensation.CornerArc"};
+  CornerBreakState break_{ig::read};
+  ig::Name left_{"Left"}, right_{"Right"};
+};
+
+}  // namespace iso

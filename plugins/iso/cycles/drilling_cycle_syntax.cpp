@@ -1,0 +1,46 @@
+/// G81 and G82: drill to the bottom in one stroke, rapid out. G82 waits at the bottom (P) before it leaves.
+///
+/// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
+#include <cmath>
+
+#include <isogloss/cnc/canned_cycle.hpp>
+
+namespace iso {
+
+using namespace ig::cnc;
+namespace {
+
+struct DrillingCycle {
+  static constexpr auto spec = ig::syntax("DrillingCycleSyntax", "G81/G82 drilling cycle, rapid retract.")
+                                   .after("CannedCycleResolveSyntax")
+                                   .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+
+  CannedCycle cycle_{"G81", "G82"};
+  CycleDwell dwell_;
+  ig::Name g82_{"G82"};
+
+  ig::Status build(ig::Block& b) {
+    const auto run = cycle_.take(b);
+    if (!run) return ig::Status::unchanged;
+    const double feed = cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom));
+    const double dwell = run->code == g82_ ? dwell_.seconds(*run) : 0;
+    cycle_.say_unused(b, *run, run->code == g82_ ? "P" : "");
+    const ig::CompoundMotion& motion = cycle_.motion;
+
+    for (int i = 0; i < run->count; ++i) {
+      const CycleHole hole = run->hole(i);
+      motion.rapid_to(b, hole.at(hole.approach_level));
+      motion.rapid_to(b, hole.at(run->r_level));
+      motion.feed_to(b, hole.at(run->bottom), feed);
+      if (dwell > 0) motion.dwell(b, dwell);
+      motion.rapid_to(b, hole.at(run->return_level));
+    }
+    cycle_.end(b, *run);
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<DrillingCycle> drilling_cycle_syntax;
+
+}  // namespace
+}  // namespace iso

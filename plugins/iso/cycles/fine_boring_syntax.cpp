@@ -1,0 +1,62 @@
+/// G76: bore to the bottom, stop the spindle at its angle, move the tip off the wall, and leave by rapid without a mark
+/// in the finished bore.
+///
+/// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
+#include <isogloss/cnc/cycle_spindle.hpp>
+#include "cycles/tool_shift.hpp"
+
+namespace iso {
+
+using namespace ig::cnc;
+namespace {
+
+struct FineBoring {
+  static constexpr auto spec =
+      ig::syntax("FineBoringSyntax", "G76 fine boring: oriented stop and shift before the retract.")
+          .after("CannedCycleResolveSyntax", "SpindleSpeedSyntax")
+          .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+
+  enum class Dwell { none, bottom };
+
+  CannedCycle cycle_{"G76"};
+  CycleDwell dwell_;
+  RestartedSpindle spindle_;
+  ToolShift shift_;
+  ig::Choice<Dwell> dwell_at_{"dwell", "none|bottom", "none", "Where P waits."};
+
+  ig::Status build(ig::Block& b) {
+    auto run = cycle_.take(b);
+    if (!run) return ig::Status::unchanged;
+    limit_steps(b, *run, 9);
+    const double feed = cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom));
+    const double dwell = dwell_at_ == Dwell::bottom ? dwell_.seconds(*run) : 0;
+    const ToolShift::Shift shift = shift_.of(b, *run);
+    cycle_.say_unused(b, *run, dwell_at_ == Dwell::none ? "QIJ" : "PQIJ");
+    const ig::CompoundMotion& motion = cycle_.motion;
+    const auto start = spindle_.begin(b, motion, cycle_.where(*run), run->code);
+
+    const auto move_aside = [&](const ig::Vec3& to) {
+      shift.is_feed ? motion.feed_to(b, to, feed) : motion.rapid_to(b, to);
+    };
+    for (int i = 0; i < run->count; ++i) {
+      const CycleHole hole = run->hole(i);
+      const CycleHole aside = shifted(hole, shift.vector);
+      motion.rapid_to(b, hole.at(hole.approach_level));
+      motion.rapid_to(b, hole.at(run->r_level));
+      motion.feed_to(b, hole.at(run->bottom), feed);
+      if (dwell > 0) motion.dwell(b, dwell);
+      motion.orient(b, shift_.angle());
+      move_aside(aside.at(run->bottom));
+      motion.rapid_to(b, aside.at(run->return_level));
+      move_aside(hole.at(run->return_level));
+      motion.spindle(b, start);
+    }
+    cycle_.end(b, *run);
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<FineBoring> fine_boring_syntax;
+
+}  // namespace
+}  // namespace iso

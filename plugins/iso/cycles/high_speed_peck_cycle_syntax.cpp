@@ -1,0 +1,60 @@
+/// G73: drill in pecks of Q and go back a little after each of them, so that the chip breaks.
+///
+/// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
+#include "cycles/peck_cycle_util.hpp"
+
+namespace iso {
+namespace {
+
+struct HighSpeedPeckCycle {
+  static constexpr auto spec =
+      ig::syntax("HighSpeedPeckCycleSyntax", "G73 high-speed peck drilling cycle: a short way back after each peck.")
+          .after("CannedCycleResolveSyntax")
+          .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+
+  CannedCycle cycle_{"G73"};
+  PeckCycle pecks_{"HighSpeedPeckRetraction_mm"};
+  PeckDwell dwell_;
+  enum class LastRetract { by_d, direct };
+  ig::Choice<LastRetract> last_retract_{
+      "last-retract", "by-d|direct", "by-d",
+      "The way out after the last peck: back by d and on to the return level, or to the return level at once."};
+
+  ig::Status build(ig::Block& b) {
+    const auto run = cycle_.take(b);
+    if (!run) return ig::Status::unchanged;
+    const auto pecks = pecks_.plan(b, cycle_, *run);
+    const double feed = pecks ? cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom)) : 0;
+    const bool returns = pecks && pecks->full_return > 0;
+    std::string_view used = pecks_.used(*run, returns ? "QKP" : "QP", "IJKP");
+    if (!dwell_.is_used()) used.remove_suffix(1);
+    cycle_.say_unused(b, *run, used);
+    const ig::CompoundMotion& motion = cycle_.motion;
+
+    for (int i = 0; i < run->count; ++i) {
+      const CycleHole hole = run->hole(i);
+      motion.rapid_to(b, hole.at(hole.approach_level));
+      if (pecks) {
+        motion.rapid_to(b, hole.at(run->r_level));
+        double out_at = run->r_level;  // where the chips came out last
+        for (int k = 1; k <= pecks->count; ++k) {
+          motion.feed_to(b, hole.at(pecks->level(k)), feed);
+          dwell_.dwell(b, motion, *run, pecks->is_last(k));
+          if (returns && !pecks->is_last(k) && std::fabs(pecks->level(k) - out_at) >= pecks->full_return - 1e-7) {
+            motion.rapid_to(b, hole.at(pecks->clear_level));
+            out_at = pecks->level(k);
+          }
+          if (!pecks->is_last(k) || last_retract_ == LastRetract::by_d) motion.rapid_to(b, hole.at(pecks->clear_of(k)));
+        }
+      }
+      motion.rapid_to(b, hole.at(run->return_level));
+    }
+    cycle_.end(b, *run);
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<HighSpeedPeckCycle> high_speed_peck_cycle_syntax;
+
+}  // namespace
+}  // namespace iso

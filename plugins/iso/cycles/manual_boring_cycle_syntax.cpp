@@ -1,0 +1,61 @@
+/// G88: bore to the bottom by feed, wait (P), stop the spindle; then the operator draws the tool out by hand. On some
+/// controls G87 is the same without the wait.
+///
+/// Works on the call that CannedCycleResolveSyntax has resolved. What the operator does is a rapid to R, marked as
+/// manual. Every step is an item, also one of no length.
+#include <isogloss/cnc/cycle_spindle.hpp>
+
+namespace iso {
+
+using namespace ig::cnc;
+namespace {
+
+struct ManualBoringCycle {
+  static constexpr auto spec = ig::syntax("ManualBoringCycleSyntax", "G88 boring cycle: the operator retracts by hand.")
+                                   .after("SpindleSpeedSyntax", "CannedCycleResolveSyntax")
+                                   .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_NOTE, "ISO-0335", "{0}: at the bottom the control waits for the operator"),
+  };
+
+  enum class Codes { g88, g87_g88 };
+
+  ig::Choice<Codes> codes_{"codes", "G88|G87-G88", "G88", "G88 alone, or G87 as well, which does not wait."};
+  CannedCycle g88_alone_{"G88"}, both_{"G88", "G87"};
+  const CannedCycle& cycle_ = codes_ == Codes::g88 ? g88_alone_ : both_;
+  ig::Name g88_{"G88"};
+  CycleDwell dwell_;
+  RestartedSpindle spindle_;
+  ig::ManualMotion by_hand_;
+  ig::Previous<ig::Symbol> term_before_{"CannedCycle.Term"};
+
+  ig::Status build(ig::Block& b) {
+    const auto run = cycle_.take(b);
+    if (!run) return ig::Status::unchanged;
+    const double feed = cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom));
+    const double dwell = run->code == g88_ ? dwell_.seconds(*run) : 0;
+    cycle_.say_unused(b, *run, run->code == g88_ ? "P" : "");
+    const ig::CompoundMotion& motion = cycle_.motion;
+    if (!b.is(term_before_, run->code)) b.report(ig::diag("ISO-0335"), cycle_.where(*run), b.text(run->code));
+    const auto start = spindle_.begin(b, motion, cycle_.where(*run), run->code);
+
+    for (int i = 0; i < run->count; ++i) {
+      const CycleHole hole = run->hole(i);
+      motion.rapid_to(b, hole.at(hole.approach_level));
+      motion.rapid_to(b, hole.at(run->r_level));
+      motion.feed_to(b, hole.at(run->bottom), feed);
+      if (dwell > 0) motion.dwell(b, dwell);
+      motion.spindle(b, ig::Spindle::stop);
+      by_hand_.rapid_to(b, hole.at(run->r_level));
+      motion.spindle(b, start);
+      if (run->returns_to_initial) motion.rapid_to(b, hole.at(run->return_level));
+    }
+    cycle_.end(b, *run);
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<ManualBoringCycle> manual_boring_cycle_syntax;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,57 @@
+/// G83: drill in pecks of Q, and leave the hole up to R after each of them, so that the chips come out.
+///
+/// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
+#include "cycles/peck_cycle_util.hpp"
+
+namespace iso {
+namespace {
+
+struct PeckDrillingCycle {
+  static constexpr auto spec =
+      ig::syntax("PeckDrillingCycleSyntax", "G83 peck drilling cycle: back to R after each peck.")
+          .after("CannedCycleResolveSyntax")
+          .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+
+  CannedCycle cycle_{"G83"};
+  PeckCycle pecks_{"PeckRetractionDistance_mm"};
+  PeckDwell dwell_;
+  enum class LastRetract { via_r, direct };
+  ig::Choice<LastRetract> last_retract_{
+      "last-retract", "via-r|direct", "via-r",
+      "The way out after the last peck: to R and on to the return level, or to the return level at once."};
+
+  ig::Status build(ig::Block& b) {
+    const auto run = cycle_.take(b);
+    if (!run) return ig::Status::unchanged;
+    const auto pecks = pecks_.plan(b, cycle_, *run);
+    const double feed = pecks ? cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom)) : 0;
+    const bool waits = dwell_.is_used();
+    cycle_.say_unused(b, *run, pecks_.used(*run, waits ? "QP" : "Q", waits ? "IJKP" : "IJK"));
+    const ig::CompoundMotion& motion = cycle_.motion;
+
+    for (int i = 0; i < run->count; ++i) {
+      const CycleHole hole = run->hole(i);
+      motion.rapid_to(b, hole.at(hole.approach_level));
+      if (pecks) {
+        motion.rapid_to(b, hole.at(run->r_level));
+        for (int k = 1; k <= pecks->count; ++k) {
+          if (k > 1) motion.rapid_to(b, hole.at(pecks->clear_of(k - 1)));
+          motion.feed_to(b, hole.at(pecks->level(k)), feed);
+          dwell_.dwell(b, motion, *run, pecks->is_last(k));
+          if (!pecks->is_last(k))
+            motion.rapid_to(b, hole.at(pecks->clear_level));
+          else if (last_retract_ == LastRetract::via_r)
+            motion.rapid_to(b, hole.at(run->r_level));
+        }
+      }
+      motion.rapid_to(b, hole.at(run->return_level));
+    }
+    cycle_.end(b, *run);
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<PeckDrillingCycle> peck_drilling_cycle_syntax;
+
+}  // namespace
+}  // namespace iso

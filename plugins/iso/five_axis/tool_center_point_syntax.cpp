@@ -1,0 +1,219 @@
+/// G43.4 and G43.5: X Y Z are positions of the tool's tip in the workpiece, wherever the rotary axes have turned it.
+/// The length lies along the tool axis; the frame turns with the axes (PivotTransformationSyntax). G43.4 takes the
+/// angles, G43.5 the direction of the tool (I J K). Fanuc manual, "Tool center point control".
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/cycle_codes.hpp>
+#include <isogloss/cnc/motion_event.hpp>
+#include <isogloss/cnc/tool_kinematics.hpp>
+#include "reading/as_written.hpp"
+#include "tool/tool_length.hpp"
+
+namespace iso {
+
+using namespace ig::cnc;
+namespace {
+
+enum class RefusedCodes { said, executed };
+
+struct ToolCenterPoint {
+  static constexpr auto spec =
+      ig::syntax("ToolCenterPointSyntax", "G43.4/G43.5 tool centre point control.")
+          .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PositioningModeSyntax", "IsoG68RotationSyntax",
+                 "IsoG68p2TiltSyntax", "G53p1RotaryPositionSyntax")
+          .before("ToolHeightOffsetSyntax", "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax",
+                  "WorkCoordinateShiftSyntax", "PivotTransformationSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "ISO-0445", "{0} under {1}: the control may refuse it; it is executed"),
+      ig::diagnostic(IG_ERROR, "ISO-0447",
+                     "{0}: where the rotary axes of the machine sit is not known: the tip does not follow them"),
+      ig::diagnostic(IG_ERROR, "ISO-0450", "I0 J0 K0 is no direction: the tool stays as it is"),
+      ig::diagnostic(IG_ERROR, "ISO-0451", "rotary words under G43.5: they move nothing"),
+      ig::diagnostic(IG_ERROR, "ISO-0454",
+                     "an arc under G43.5: I J K is the direction of the tool, and it is not used"),
+  };
+
+  ig::Call codes_{{"G43.4", "G43.5"}, "H[]"};
+  ig::Call others_{{"G43", "G44", "G49"}, "", ig::read | ig::wake};
+  ig::Call g43_{{"G43"}, "H[]", ig::read | ig::write};
+  ig::InWhile<ig::Symbol> by_angles_{"ToolHeightCompensation.Term", "G43.4"};
+  ig::InWhile<ig::Symbol> by_direction_{"ToolHeightCompensation.Term", "G43.5"};
+  ig::Out<ig::Symbol> term_{"ToolHeightCompensation.Term"};
+  ig::Out<std::int64_t> offset_id_{"ToolHeightCompensation.OffsetId"};
+  ig::Out<double> offset_{"ToolHeightCompensation.Offset_mm"};
+  ig::Out<double> untravelled_{"ToolHeightCompensation.Untravelled_mm"};
+  ig::Signal table_changed_{"ToolHeightCompensation.~TableChanged", ig::read};
+  ig::In<double> delta_{"ToolHeightCompensation.Delta_mm",
+                        ig::read,
+                        {ig::Life::modal, "mm", "What the tool call adds to the length of the table."}};
+  ig::Transform frame_{"ToolHeightCompensation"};
+  ig::Xyz orientation_{"ToolOrientation", ig::read | ig::write};
+  ig::Field<bool> aligned_{"TiltTransform.IsAligned",
+                           ig::read,
+                           {ig::Life::modal, "", "G53.1 or G53.6 has put the tool upright on the plane."}};
+  ig::Word h_{"Parsing.H", ig::take, ""};
+  std::array<ig::Word, 3> direction_{ig::Word{"Parsing.I", ig::take}, ig::Word{"Parsing.J", ig::take},
+                                     ig::Word{"Parsing.K", ig::take}};
+  std::array<ig::Word, 3> rotary_{ig::Word{"Parsing.A", ig::take, "deg"}, ig::Word{"Parsing.B", ig::take, "deg"},
+                                  ig::Word{"Parsing.C", ig::take, "deg"}};
+  std::array<ig::Out<double>, 3> axes_{ig::Out<double>{"MachineCoordinate.A"}, ig::Out<double>{"MachineCoordinate.B"},
+                                       ig::Out<double>{"MachineCoordinate.C"}};
+  ig::Codes excluded_{{"G33", "G53", "G54", "G55", "G56", "G57", "G58", "G59"}, ig::read};
+  ig::Call excluded_calls_{
+      and_cycle_codes({"G27", "G28", "G29", "G30", "G52", "G54.1", "G68", "G68.2", "G68.3", "G68.4", "G92", "G92.1"}),
+      "", ig::read};
+  ig::Signal said_{"ToolCenterPoint.~Said", ig::read | ig::write, ig::Life::modal};
+  MotionGroup group_;
+  TiltFrame tilt_{ig::read};
+  ToolLengths lengths_{ig::Need::optional};
+  ToolCenterMode mode_;
+  RotaryTurns turn_{ig::read | ig::write, RotaryWordsAre::of_program};
+  RotarySolver solver_;
+  ToolKinematics machine_;
+  ig::Name g43_4_{"G43.4"}, g43_5_{"G43.5"};
+  ig::Choice<RefusedCodes> refused_{"refused-codes", "said|executed", "said",
+                                    "Functions that a Fanuc refuses under tip control: said, or just executed."};
+  ig::Choice<SolutionChoice> choice_{"choice", solution_choices, "min-sum",
+                                     "Which of the solutions G43.5 takes: see G53p1RotaryPositionSyntax."};
+
+  ig::Status build(ig::Block& b) {
+    const bool was_on = mode_.is_on(b);
+    const auto named = b.find(codes_), other = b.find(others_);
+    if (!named && !was_on) return ig::Status::unchanged;
+    const bool starts = named && (!other || ordinal(b, codes_.code(*named)) > ordinal(b, others_.code(*other)));
+    const auto where = named ? ig::Where::word(codes_.code(*named)) : ig::Where::block();
+    std::optional<double> h;
+    if (named) {
+      if (other) b.report(ig::diag("ISO-0201"), where, b.text(starts ? codes_.name(*named) : others_.name(*other)));
+      h = (*b.take(codes_))['H'];
+    }
+    if (starts && !machine_) return as_g43(b, *named, h, where);
+    if (!starts && other) {  // the length is ToolHeightOffsetSyntax's again
+      if (was_on && !b.has(aligned_))
+        for (std::size_t i = 0; i < 3; ++i) b.host()->erase(b.raw(), orientation_.id(i));
+      return ig::Status::changed;
+    }
+    if (const auto own = b.take(h_)) h = own;
+    if (starts) {
+      b.set(term_, codes_.name(*named));
+      b.erase(untravelled_);
+    }
+    if (was_on && refused_ == RefusedCodes::said) say_excluded(b);
+    RotaryTurn turn = turn_.read(b, machine_);
+    const bool takes = b.is(term_, g43_5_) && turn_to_direction(b, turn);
+    return follow(b, turn, starts, h, where) || takes ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  static std::int64_t ordinal(const ig::Block& b, ig_field code) {
+    ig_value v;
+    return b.host()->get(b.raw(), code, &v) != 0 ? v.integer : 0;
+  }
+
+  ig::Status as_g43(ig::Block& b, std::size_t code, std::optional<double> h, ig::Where where) const {
+    if (!b.is_raised(said_)) b.report(ig::diag("ISO-0447"), where, as_written(b, codes_.code(code), codes_.name(code)));
+    b.raise(said_);
+    b.set_call(g43_, 0);
+    if (h) b.set_word(g43_, 0, 'H', *h);
+    return ig::Status::changed;
+  }
+
+  void say_excluded(ig::Block& b) const {
+    const auto say = [&](ig_field code, ig::Symbol name) {
+      b.report(ig::diag("ISO-0445"), ig::Where::word(code), b.text(name), b.text(mode_.term(b)));
+    };
+    if (const auto code = b.find(excluded_)) say(excluded_.id(*code), excluded_.name(*code));
+    if (const auto code = b.find(excluded_calls_)) say(excluded_calls_.code(*code), excluded_calls_.name(*code));
+  }
+
+  /// The length and the tool axis: at the block's end, and where the block begins when something else than the axes
+  /// changed them.
+  bool follow(ig::Block& b, const RotaryTurn& turn, bool starts, std::optional<double> h, ig::Where where) const {
+    if (h)
+      if (const auto row = ToolLengths::row(b, *h, where)) b.set(offset_id_, *row);
+    if (starts && !b.has(offset_id_)) {
+      b.report(ig::diag("ISO-0224"), where, b.text(mode_.term(b)));
+      b.set(offset_id_, std::int64_t{0});
+    }
+    const bool looks_up = starts || h || b.is_raised(table_changed_);
+    if (looks_up)
+      b.set(offset_, lengths_.length(b, b.get_or(offset_id_, std::int64_t{0}), where) + b.get_or(delta_, 0.0));
+
+    const bool is_anew = looks_up || turn.was_moved || !b.get(orientation_).complete();
+    if (!is_anew && !turn.moves) return false;
+    const double length = b.get_or(offset_, 0.0);
+    if (is_anew) {
+      const auto axis = machine_.tool_axis(turn.from);
+      if (!axis) return true;
+      b.set(orientation_, *axis);
+      b.set_translation(frame_, length * *axis);
+    }
+    if (turn.moves) {
+      const auto axis = machine_.tool_axis(turn.to);
+      if (!axis) return true;
+      b.amend(orientation_, *axis);  // wakes nobody: its length lies along it already
+      Mat4 m = identity_frame;
+      for (std::size_t i = 0; i < 3; ++i) m[12 + i] = length * (*axis)[i];
+      b.host()->set_moving_transform(b.raw(), frame_.id(), m.data());
+    }
+    return true;
+  }
+
+  /// G43.5: the angles that give the tool the direction of I J K. True when the block named any.
+  bool turn_to_direction(ig::Block& b, RotaryTurn& turn) const {
+    bool has_rotary = false, has_direction = false;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (machine_.has(axis) && b.take(rotary_[axis])) has_rotary = true;
+    for (const ig::Word& word : direction_) has_direction = has_direction || b.has(word);
+    if (has_rotary) b.report(ig::diag("ISO-0451"), ig::Where::block());
+    turn.to = turn.from;
+    turn.moves = false;
+
+    const auto wanted = has_direction ? direction(b) : std::nullopt;
+    if (!wanted) return has_rotary || has_direction;
+    const RotaryCandidates found =
+        solver_.candidates(machine_, *wanted, turn.from, RotarySolver::sign_of(machine_, choice_));
+    const auto angles = solver_.choose(machine_, found, turn.from, choice_);
+    if (!angles) {
+      if (found.is_reachable)
+        b.report(ig::diag("ISO-0444"), ig::Where::block(), b.text(static_cast<ig::Symbol>(g43_5_)));
+      else
+        b.report(ig::diag("ISO-0443"), ig::Where::block(), b.text(static_cast<ig::Symbol>(g43_5_)), wanted->x,
+                 wanted->y, wanted->z);
+      b.alarm();
+      return true;
+    }
+    turn_.state().set(b, machine_, turn.from);
+    for (std::size_t k = 0; k < machine_.count(); ++k) b.set(axes_[machine_.axis(k)], (*angles)[machine_.axis(k)]);
+    turn.to = *angles;
+    turn.moves = turn_.moves(machine_, turn);
+    return true;
+  }
+
+  /// The unit vector of I J K in the workpiece; nothing where they are none, which is said.
+  std::optional<ig::Vec3> direction(ig::Block& b) const {
+    std::uint32_t found = 0;
+    const std::size_t code = group_.find(b, found).value_or(group_.in_force(b));
+    if (code == MotionGroup::g02 || code == MotionGroup::g03) {
+      b.report(ig::diag("ISO-0454"), ig::Where::block());
+      return std::nullopt;
+    }
+    ig::Vec3 v;
+    for (std::size_t i = 0; i < 3; ++i) v[i] = b.take(direction_[i]).value_or(0.0);
+    const double longest = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
+    if (!(longest > 0) || !std::isfinite(longest)) {
+      b.report(ig::diag("ISO-0450"), ig::Where::block());
+      return std::nullopt;
+    }
+    v = (1 / longest) * v;  // else the square of an enormous number overflows
+    v = (1 / std::sqrt(dot(v, v))) * v;
+    const Mat4 m = tilt_.get(b);
+    return ig::Vec3{v.x * m[0] + v.y * m[4] + v.z * m[8], v.x * m[1] + v.y * m[5] + v.z * m[9],
+                    v.x * m[2] + v.y * m[6] + v.z * m[10]};
+  }
+};
+
+const ig::Register<ToolCenterPoint> tool_center_point_syntax;
+
+}  // namespace
+}  // namespace iso

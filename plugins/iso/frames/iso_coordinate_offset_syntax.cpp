@@ -1,0 +1,140 @@
+/// G54 to G59.9 and G54.1 P: which of the table's origins the program counts from. The external offset of the table
+/// (EXT) is added to each, for rotary axes too. The table is asked when a code selects a set and when G10 wrote into
+/// it.
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/coordinate_offset.hpp>
+#include <isogloss/cnc/modal_group.hpp>
+#include <isogloss/cnc/rotary_offset.hpp>
+#include <isogloss/cnc/work_offset_id.hpp>
+
+namespace iso {
+
+using namespace ig::cnc;
+namespace {
+
+enum class DecimalSets { available, absent };
+enum class FurtherSets { absent, g110_g154 };
+enum class G54P { additional, all_sets };
+
+struct IsoCoordinateOffset {
+  static constexpr auto spec =
+      ig::syntax("IsoCoordinateOffsetSyntax", "G54-G59.9 and G54.1 P select the work coordinate system.")
+          .after("ParameterizedFlagSyntax", "IsoLocalCoordinateOffsetSyntax")
+          .before("CannedCycleResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0226", "there is no work offset {0}; {1} stays in force"),
+      ig::diagnostic(IG_NOTE, "ISO-0356", "{0} without P: P1 counts"),
+      ig::diagnostic(IG_ERROR, "ISO-0367", "{0} is no work coordinate system of this control; {1} stays in force"),
+      ig::diagnostic(IG_NOTE, "ISO-0368", "G54.1 without P: P1 counts"),
+  };
+
+  ig::Codes sets_{"G54",   "G55",   "G56",   "G57",   "G58",   "G59",   "G59.1", "G59.2",
+                  "G59.3", "G59.4", "G59.5", "G59.6", "G59.7", "G59.8", "G59.9", "G54.1"};
+  ig::Codes further_{"G110", "G111", "G112", "G113", "G114", "G115", "G116", "G117", "G118", "G119", "G120",
+                     "G121", "G122", "G123", "G124", "G125", "G126", "G127", "G128", "G129", "G154"};
+  ig::Call additional_{{"G54.1"}, "P[]"};
+  ig::Call by_p_{{"G154"}, "P[]"};
+  ig::Word p_{"Parsing.P", ig::read, ""};
+  ig::In<ig::Symbol> cycle_{"CannedCycle.Term"};
+  ig::Out<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
+  OffsetSection offset_{"CoordinateOffset"};
+  RotaryOffsetSection rotary_{"CoordinateOffset"};
+  ig::Signal table_changed_{"CoordinateOffset.~TableChanged", ig::read | ig::wake};
+  ig::Service<ig_work_offset_1> table_{"isogloss.work-offset/1", ig::Need::required, "The origins."};
+  ig::Name g54_{"G54"};
+  ig::Choice<DecimalSets> decimal_sets_{"decimal-sets", "available|absent", "available",
+                                        "Has the control G59.1 to G59.9? Where it has none they are an error."};
+
+  ig::Choice<FurtherSets> further_sets_{
+      "further-sets", "absent|G110-G154", "absent",
+      "Has the control G154 P1 and up, of which G110 to G129 are P1 to P20? Where it has none they are left."};
+
+  ig::Choice<G54P> g54_p_{
+      "g54-p", "additional|all-sets", "additional",
+      "What P of G54 counts: the sets of G54.1, or all sets, of which P1 is G54 itself and P7 G59.1."};
+
+  ig::Status restart(ig::Block& b) {
+    select(b, b.text(selected(b)), ig::Where::block());
+    return ig::Status::changed;
+  }
+
+  ig::Status build(ig::Block& b) {
+    if (const auto code = take_modal(b, sets_)) {
+      const ig::Symbol name = sets_.name(*code);
+      const auto where = ig::Where::word(sets_.id(*code));
+      if (decimal_sets_ == DecimalSets::absent && *code >= first_decimal && *code <= last_decimal) {
+        b.report(ig::diag("ISO-0367"), where, b.text(name), b.text(selected(b)));
+        return ig::Status::changed;
+      }
+      const auto number = set_number(b, *code);
+      if (number) {
+        const bool is_of_all = *code == plain && g54_p_ == G54P::all_sets && *number != 0;
+        select(b, is_of_all ? WorkOffsetId::of_all(*number).text() : WorkOffsetId::additional(*number).text(), where);
+      } else {
+        select(b, b.text(name), where);
+      }
+      return ig::Status::changed;
+    }
+    if (further_sets_ == FurtherSets::g110_g154)
+      if (const auto code = take_modal(b, further_)) {
+        select(b, WorkOffsetId::additional(further_number(b, *code)).text(), ig::Where::word(further_.id(*code)));
+        return ig::Status::changed;
+      }
+    if (!b.is_raised(table_changed_)) return ig::Status::unchanged;
+    select(b, b.text(selected(b)), ig::Where::block());
+    return ig::Status::changed;
+  }
+
+ private:
+  static constexpr std::size_t first_decimal = 6, last_decimal = 14, plain = 0, g54_1 = 15;  // of sets_
+  static constexpr std::size_t g154 = 20;                                                    // of further_
+
+  ig::Symbol selected(const ig::Block& b) const { return b.get_or(id_, static_cast<ig::Symbol>(g54_)); }
+
+  /// G110 to G129 are P1 to P20 of G154; without P that is P1 too.
+  double further_number(ig::Block& b, std::size_t code) const {
+    if (code != g154) return static_cast<double>(code + 1);
+    const auto words = b.take(by_p_);
+    const auto p = words ? (*words)['P'] : std::nullopt;
+    if (!p) b.report(ig::diag("ISO-0356"), ig::Where::word(by_p_.code(0)), b.text(by_p_.name(0)));
+    return p.value_or(1);
+  }
+
+  /// G54.1 without P is P1. G54 P2 is G54.1 P2 (or, by option, G55), unless a canned cycle waits for the P.
+  std::optional<double> set_number(ig::Block& b, std::size_t code) const {
+    if (code == g54_1) {
+      const auto words = b.take(additional_);
+      const auto p = words ? (*words)['P'] : std::nullopt;
+      if (!p) b.report(ig::diag("ISO-0368"), ig::Where::word(additional_.code(0)));
+      return p.value_or(1);
+    }
+    if (code == plain && !b.has(cycle_)) return b.take(p_);
+    return std::nullopt;
+  }
+
+  void select(ig::Block& b, std::string_view id, ig::Where where) const {
+    double offset[3], external[3];
+    if (id.empty() || table_->get(table_->self, ig::to_text(id), offset) == 0) {
+      b.report(ig::diag("ISO-0226"), where, id.empty() ? std::string_view("of that number") : id, b.text(selected(b)));
+      return;
+    }
+    ig::Vec3 origin{offset[0], offset[1], offset[2]};
+    if (table_->get(table_->self, ig::to_text("EXT"), external) != 0)
+      origin = origin + ig::Vec3{external[0], external[1], external[2]};
+    rotary_.set(b, rotary_sum(id));
+    b.set(id_, b.symbol(id));
+    offset_.set(b, origin);
+  }
+
+  Angles rotary_sum(std::string_view id) const {
+    const Angles own = rotary_origin(table_, id).value_or(Angles{});
+    const Angles external = rotary_origin(table_, "EXT").value_or(Angles{});
+    return {own[0] + external[0], own[1] + external[1], own[2] + external[2]};
+  }
+};
+
+const ig::Register<IsoCoordinateOffset> iso_coordinate_offset_syntax;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,69 @@
+// The work offsets: where the origin of each work coordinate system lies in machine coordinates. Sets that the control
+// has but no row names lie at machine zero, as they do before anyone has measured a part.
+#include <charconv>
+
+#include <isogloss/cnc/work_offset_service.hpp>
+
+namespace iso {
+
+using namespace ig::cnc;
+namespace {
+
+constexpr const char* shipped_offsets[] = {"EXT|X=0|Y=0|Z=0", "G54|X=0|Y=0|Z=0", "G55|X=0|Y=0|Z=0", "G56|X=0|Y=0|Z=0",
+                                           "G57|X=0|Y=0|Z=0", "G58|X=0|Y=0|Z=0", "G59|X=0|Y=0|Z=0"};
+
+struct IsoCoordinateTable {
+  static constexpr auto spec =
+      ig::dependency("IsoCoordinateTable", "Work offsets: G54 to G59.9, G54.1 P1 to P300, and the external offset EXT.")
+          .rows("Offset", "id")
+          .provides("isogloss.work-offset/1")
+          .ships(shipped_offsets);
+
+  ig::IntegerOption additional_sets{"additional-sets",
+                                    "300",
+                                    {0, 99999},
+                                    "The highest P of G54.1 that the control has; a row may name a higher one."};
+  WorkOffsetColumns columns;
+  ig::Table table;
+
+  const void* service(std::string_view id) const { return id == "isogloss.work-offset/1" ? &offsets : nullptr; }
+
+  /// A row may name a higher P than the control has. A row of another name no program reaches.
+  std::string row_fault(std::string_view row) const {
+    constexpr std::string_view set = "G54.1P", preset = "DATUM_PRESET_";
+    const bool is_set = row.starts_with(set) && is_within(row.substr(set.size()), most_sets);
+    const bool is_preset =
+        row == "DATUM_PRESET_0" || (row.starts_with(preset) && is_within(row.substr(preset.size()), most_sets));
+    if (exists(row) || is_set || is_preset) return {};
+    return "its rows are EXT, G54 to G59, G59.1 to G59.9, G54.1P1, G54.1P2 and so on, and DATUM_PRESET_0, _1 and so on";
+  }
+
+  /// What the control has, or a row names.
+  bool has(std::string_view id) const {
+    for (const ig::Column& column : columns.linear)
+      if (table.value(id, column)) return true;
+    return exists(id);
+  }
+
+ private:
+  static constexpr std::int64_t most_sets = 99'999;
+
+  static bool is_within(std::string_view number, std::int64_t maximum) {
+    std::int64_t n = 0;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), n);
+    return error == std::errc{} && end == number.data() + number.size() && n >= 1 && n <= maximum;
+  }
+  bool exists(std::string_view id) const {
+    if (id == "EXT") return true;
+    if (id.starts_with("G54.1P")) return is_within(id.substr(6), additional_sets);
+    if (id.starts_with("G59.")) return is_within(id.substr(4), 9);
+    return id.size() == 3 && id.starts_with("G5") && id[2] >= '4' && id[2] <= '9';
+  }
+
+  ig_work_offset_1 offsets = WorkOffsetService<IsoCoordinateTable>::of(this);
+};
+
+const ig::Register<IsoCoordinateTable> iso_coordinate_table;
+
+}  // namespace
+}  // namespace iso

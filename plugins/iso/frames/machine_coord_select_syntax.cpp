@@ -1,0 +1,74 @@
+/// G53: for this block the axis words are positions of the gauge point in machine coordinates. No offset acts on them,
+/// tool length included; axes that are not named stay. Under G91 most controls ignore G53.
+#include <isogloss/cnc/motion_event.hpp>
+#include <isogloss/cnc/program_xyz.hpp>
+
+namespace iso {
+
+using namespace ig::cnc;
+namespace {
+
+enum class Motion { modal, rapid };
+enum class UnderG91 { ignored, words_too, absolute };
+
+struct MachineCoordSelect {
+  static constexpr auto spec =
+      ig::syntax("MachineCoordSelectSyntax", "G53 machine coordinates for one block.")
+          .after("PositioningModeSyntax", "CannedCycleResolveSyntax")
+          .before("ProgramXyzSyntax", "McXyzSyntax", "CircularMotionSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "ISO-0330", "G53 under G91 is ignored: nothing moves"),
+      ig::diagnostic(IG_NOTE, "ISO-0331", "G53 without an axis: nothing moves"),
+  };
+
+  ig::Codes g53_{"G53"};
+  ig::Xyz words_{"Parsing", ig::take};
+  ig::Xyz program_{"ProgramXyz", ig::write};
+  ig::Xyz machine_{"MachineCoordinate", ig::read | ig::write};
+  std::array<ig_field, 3> rotary_{rotary_word("Parsing.A"), rotary_word("Parsing.B"), rotary_word("Parsing.C")};
+  BlockMotion move_;
+  ig::Signal axis_words_void_{"MachineCoordSelect.~AxisWordsVoid", ig::write};
+  DistanceMode distance_;
+  LastProgramXyz last_;
+  ig::Choice<Motion> motion_{"motion", "modal|rapid", "modal", "How the block moves: by group 01, or by rapid always."};
+  ig::Choice<UnderG91> under_g91_{"under-g91", "ignored|words-too|absolute", "ignored",
+                                  "G53 under G91: nothing moves and the words stay; the words are ignored with it; or "
+                                  "X, Y and Z are positions all the same."};
+
+  ig::Status build(ig::Block& b) {
+    if (!b.take(g53_)) return ig::Status::unchanged;
+    ig_value unused[3];
+    const bool turns = b.get_many(rotary_.data(), 3, unused) != 0;  // McAbcSyntax takes them
+    const bool incremental = distance_.is_incremental(b) && (under_g91_ != UnderG91::absolute || turns);
+    const ig::PartialVec3 named = incremental && under_g91_ != UnderG91::words_too ? b.get(words_) : b.take(words_);
+    if (named.mask == 0 && !turns) {
+      b.report(ig::diag("ISO-0331"), ig::Where::word(g53_.id(0)));
+      return ig::Status::changed;
+    }
+    if (incremental) {
+      b.report(ig::diag("ISO-0330"), ig::Where::word(g53_.id(0)));
+      b.raise(axis_words_void_);
+      return ig::Status::changed;
+    }
+    const ig::PartialVec3 carried = b.get(machine_);
+    const ig::Vec3 from = carried.complete() ? carried.value : b.to_machine(last_(b)).value_or(ig::Vec3{});
+    const ig::Vec3 to = named.or_else(from);
+    b.set(machine_, to);
+    if (const auto program = b.to_program(to))
+      b.set(program_, rounded(*program));
+    else
+      b.report(ig::diag("ISO-0332"), ig::Where::block());
+    if (motion_ == Motion::rapid) move_.rapid(b);
+    return ig::Status::changed;
+  }
+
+ private:
+  static ig_field rotary_word(const char* path) {
+    return ig::Field<double>(path, ig::read, {ig::Life::standard, "deg", ""}).id();
+  }
+};
+
+const ig::Register<MachineCoordSelect> machine_coord_select_syntax;
+
+}  // namespace
+}  // namespace iso

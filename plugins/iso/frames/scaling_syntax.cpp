@@ -1,0 +1,129 @@
+/// G51 and G50: positions are scaled about a centre, by one factor or by one for each axis. The words of the block are
+/// rewritten in place, so that nothing after this syntax knows of it; what the control does not scale (tool offsets,
+/// the Q of a peck, the shift of a boring bar) stays. Fanuc manual, "Scaling".
+#include <algorithm>
+#include <cmath>
+
+#include <isogloss/cnc/program_xyz.hpp>
+#include <isogloss/cnc/scale_and_mirror.hpp>
+#include "reading/geometry_words.hpp"
+
+namespace iso {
+
+using namespace ig::cnc;
+namespace {
+
+constexpr double most_counts = 999999;  // of a factor, as on the control
+
+struct Scaling {
+  static constexpr auto spec =
+      ig::syntax("ScalingSyntax", "G51/G50 scaling.")
+          .after("UnitModeSyntax", "PlaneSelectSyntax", "PositioningModeSyntax", "ToolHeightOffsetSyntax",
+                 "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax", "PolarCoordinateSyntax")
+          .before("ProgrammableMirrorSyntax", "CannedCycleResolveSyntax", "IncrementalResolveSyntax",
+                  "ProgramXyzSyntax", "CircularMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0386", "G51 {0}{1}: there is no such factor; scaling stays as it was"),
+      ig::diagnostic(IG_WARNING, "ISO-0387", "G51 without P, I, J and K: the factor is 1"),
+  };
+
+  ig::Call g51_{{"G51"}, "X Y Z I[] J[] K[] P[]"};
+  ig::Codes g50_{"G50"};
+  ig::InWhile<ig::Symbol> term_{"Scaling.Term", "G51", ig::write};
+  ig::Xyz center_{"Scaling.Center", ig::read | ig::write};
+  ig::Xyz factor_{"Scaling.Factor", ig::read | ig::write};
+  GeometryWords words_;
+  PlaneInForce plane_;
+  DistanceMode distance_;
+  LastProgramXyz last_;
+  ig::Config config_{"isogloss.motion/1", ig::Need::optional, "ScalingUnit, ScalingFactor"};
+  ig::NumberOption factor_unit_{
+      "factor-unit", "0", {0, 1}, "", "What P1 and I1 mean; 0: as isogloss.motion/1 says, else 0.001."};
+  double least_ = factor_unit_ < 1 ? 1 : 0.001;  // of a count; a whole factor is written with decimals
+  double unit_ = factor_unit_ > 0 ? double{factor_unit_} : config_.number("ScalingUnit").value_or(0.001);
+
+  ig::Status build(ig::Block& b) {
+    bool changed = false;
+    if (b.take(g50_)) {
+      end(b);
+      changed = true;
+    }
+    if (const auto words = b.take(g51_)) {
+      begin(b, *words);
+      changed = true;
+    }
+    if (b.has(term_)) changed |= scale(b);
+    return changed ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  void end(ig::Block& b) const {
+    b.erase(term_);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      b.host()->erase(b.raw(), center_.id(axis));
+      b.host()->erase(b.raw(), factor_.id(axis));
+    }
+  }
+
+  void begin(ig::Block& b, const ig::Words& words) const {
+    ig::Vec3 center = last_(b), factor{1, 1, 1};
+    const bool has_own = words['I'] || words['J'] || words['K'];
+    if (!has_own && !words['P']) {
+      const auto fixed = config_.number("ScalingFactor");
+      if (!fixed) b.report(ig::diag("ISO-0387"), ig::Where::word(g51_.code(0)));
+      factor = fixed.value_or(1) * factor;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      center[axis] = words["XYZ"[axis]].value_or(center[axis]);
+      const char letter = words["IJK"[axis]] ? "IJK"[axis] : 'P';
+      const auto counts = has_own && letter == 'P' ? std::nullopt : words[letter];
+      if (!counts) continue;
+      if (!(std::fabs(*counts) >= least_ && std::fabs(*counts) <= most_counts) || (letter == 'P' && *counts < 0)) {
+        b.report(ig::diag("ISO-0386"), ig::Where::word(g51_.word(0, letter)), std::string_view(&letter, 1), *counts);
+        return;
+      }
+      factor[axis] = *counts * unit_;
+    }
+    b.set(term_, words.code);
+    b.set(center_, center);
+    b.set(factor_, factor);
+  }
+
+  bool scale(ig::Block& b) const {
+    words_.report_untouched(b, g51_.name(0));
+    const auto here = words_.find(b);
+    if (!here) return false;
+    const ig::Vec3 factor = b.get(factor_).or_else({1, 1, 1}), center = b.get(center_).or_else({});
+    const PlaneAxes plane = plane_(b);
+    const bool incremental = distance_.is_incremental(b);
+    bool any = false;
+    const auto position = [&](ig_field word, std::size_t axis) {
+      const auto value = GeometryWords::get(b, word);
+      if (!value) return;
+      // The drilling axis is scaled in a cycle, but not mirrored.
+      const double by = here->is_cycle && axis == plane.tool ? std::fabs(factor[axis]) : factor[axis];
+      const double to = incremental ? by * *value : AxisMap{}.scaled(by, center[axis]).position(*value);
+      GeometryWords::rewrite(b, word, rounded(to));
+      any = true;
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) position(here->axes[axis], axis);
+    if (here->is_cycle) {
+      position(here->r, plane.tool);
+      return any;
+    }
+    const auto distance = [&](ig_field word, double by) {
+      if (const auto value = GeometryWords::get(b, word)) {
+        GeometryWords::rewrite(b, word, rounded(by * *value));
+        any = true;
+      }
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) distance(words_.centers()[axis], factor[axis]);
+    distance(here->r, std::max(std::fabs(factor[plane.first]), std::fabs(factor[plane.second])));
+    return any;
+  }
+};
+
+const ig::Register<Scaling> scaling_syntax;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,55 @@
+/// A lathe's program read as milling would give diameters as positions and offsets as tools. Before the first block the
+/// text is looked through for the signs of one; where they stand, one error says so and nothing is executed.
+#include <isogloss/sdk.hpp>
+
+#include "inspection/turning_signs.hpp"
+
+#include <isogloss/flow.hpp>
+
+namespace iso {
+namespace {
+
+struct TurningProgram {
+  static constexpr auto spec =
+      ig::syntax("TurningProgramSyntax", "Refuses the text of a turning program before its first block.");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(
+          IG_ERROR, "ISO-0540",
+          "{0} in line {1} shows a turning program, and this dialect mills: nothing of the text is executed"),
+  };
+
+  ig::TextOption signs_{"signs", "",
+                        "Words that only a turning program has: those joined by + stand in one block, ? is any digit."};
+  ig::TextOption tool_change_{
+      "tool-change", "M06", "The code with which mills change tools: with it in the text, signs with ? mean nothing."};
+  ig::Flow flow_;
+
+  ig::Status restart(ig::Block& b) const {
+    if (flow_.is_indexing() || signs_.text().empty()) return ig::Status::unchanged;
+    TurningSigns signs(signs_.text(), tool_change_.text(), mill_axis, most_of_it);
+    std::array<char, 4096> buffer;
+    for (std::uint64_t offset = 0; offset < most_bytes;) {
+      const std::string_view piece = flow_.text(b, offset, buffer);
+      if (piece.empty()) break;
+      if (!signs.read(piece)) return ig::Status::unchanged;
+      offset += piece.size();
+    }
+    const auto found = signs.result();
+    if (!found) return ig::Status::unchanged;
+    b.report(ig::diag("ISO-0540"), ig::Where{}, found->words, static_cast<std::int64_t>(found->line));
+    b.flow(IG_FLOW_END_FILE);
+    return ig::Status::unchanged;
+  }
+
+  ig::Status build(ig::Block&) const { return ig::Status::unchanged; }
+
+ private:
+  static constexpr std::uint64_t most_bytes = 256 * 1024;
+  static constexpr char mill_axis = 'Y';         // that lathes mostly lack
+  static constexpr std::int64_t most_of_it = 2;  // so many words of it a turning program may have
+};
+
+const ig::Register<TurningProgram> turning_program_syntax;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,97 @@
+/// Nothing in a program is ignored silently: whatever is left of a block when every syntax has run is reported here,
+/// each piece with its columns. What can move the tool elsewhere is an error, the rest a warning, plain text a note.
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/leftovers.hpp>
+
+namespace iso {
+
+using namespace ig::cnc;
+namespace {
+
+/// Words whose loss moves the tool elsewhere: axes, arc centres, cycle depths, and all words of a code ("G81.Q").
+bool is_geometric(std::string_view word) {
+  return word.size() > 1 || std::string_view("ABCIJKQRUVWXYZ").find(word) != std::string_view::npos;
+}
+
+struct UnconsumedCheck {
+  static constexpr auto spec =
+      ig::syntax("UnconsumedCheckSyntax", "Reports everything in a block that nobody used.").inspects_leftovers();
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0280", "{0} is unknown here and not executed"),
+      ig::diagnostic(IG_WARNING, "ISO-0281", "{0} is unknown here and not executed"),
+      ig::diagnostic(IG_ERROR, "ISO-0282", "{0} is not executed in this block, nor are its words"),
+      ig::diagnostic(IG_WARNING, "ISO-0283", "{0} is not executed in this block"),
+      ig::diagnostic(IG_ERROR, "ISO-0284", "{0} is used by nothing in this block"),
+      ig::diagnostic(IG_WARNING, "ISO-0285", "{0} is used by nothing in this block"),
+      ig::diagnostic(IG_ERROR, "ISO-0286", "{0} is not evaluated: the word has no value"),
+      ig::diagnostic(IG_ERROR, "ISO-0287", "'{0}' is not executed"),
+      ig::diagnostic(IG_NOTE, "ISO-0288", "'{0}' is no part of a program that the dialect knows"),
+      ig::diagnostic(IG_ERROR, "ISO-0545", "{0} moves nothing: no axis {1} is known here"),
+  };
+
+  ig::Signal said_{"Source.~UnknownCodeSaid", ig::read};
+  ig::In<ig::Symbol> form_{"MotionEvent.Form"};
+  ig::Name arc_{"McArc"};
+
+  ig::Status build(ig::Block& b) {
+    bool is_said = b.is_raised(said_);  // of the first unknown G code, with its words
+    for (std::uint32_t i = 0; const auto left = leftover(b, i); ++i) {
+      if (is_said && left->kind == IG_LEFT_UNKNOWN && left->name.starts_with('G'))
+        is_said = false;
+      else if (!belongs_to_leftover_code(b, *left) && !(b.is(form_, arc_) && is_idle_center(b, *left)))
+        report(b, *left);
+    }
+    return ig::Status::unchanged;
+  }
+
+ private:
+  /// "G84.Q" where G84 itself is left: one report of the code says it all.
+  static bool belongs_to_leftover_code(const ig::Block& b, const Leftover& word) {
+    const std::size_t dot = word.name.rfind('.');
+    if (word.kind != IG_LEFT_WORD || dot == std::string::npos) return false;
+    for (std::uint32_t i = 0; const auto left = leftover(b, i); ++i)
+      if (left->kind == IG_LEFT_CODE && word.name.compare(0, dot, left->name) == 0) return true;
+    return false;
+  }
+
+  /// K0 of an arc in XY, as some posts write it.
+  static bool is_idle_center(const ig::Block& b, const Leftover& word) {
+    const std::string_view source = b.source();
+    return word.kind == IG_LEFT_WORD && (word.name == "I" || word.name == "J" || word.name == "K") &&
+           word.begin < word.end && word.end <= source.size() &&
+           source.substr(word.begin, word.end - word.begin).find_first_not_of("IJKijk+-.0 ") == std::string_view::npos;
+  }
+  static bool is_further_axis(std::string_view name) { return name == "U" || name == "V" || name == "W"; }
+
+  static void report(ig::Block& b, const Leftover& left) {
+    const auto where = ig::Where::columns(left.begin, left.end);
+    const std::string_view name = left.name;
+    const std::string_view source = b.source();
+    const bool has_place = left.begin < left.end && left.end <= source.size();
+    const std::string_view written = has_place ? source.substr(left.begin, left.end - left.begin) : name;
+    const bool is_machine_function = name.starts_with('M');
+    switch (left.kind) {
+      case IG_LEFT_UNKNOWN:
+        b.report(is_machine_function ? ig::diag("ISO-0281") : ig::diag("ISO-0280"), where, name);
+        break;
+      case IG_LEFT_CODE:
+        b.report(is_machine_function ? ig::diag("ISO-0283") : ig::diag("ISO-0282"), where, name);
+        break;
+      case IG_LEFT_WORD:
+        if (is_further_axis(name))
+          b.report(ig::diag("ISO-0545"), where, written, name);
+        else
+          b.report(is_geometric(name) ? ig::diag("ISO-0284") : ig::diag("ISO-0285"), where, written);
+        break;
+      case IG_LEFT_EXPRESSION: b.report(ig::diag("ISO-0286"), where, written); break;
+      case IG_LEFT_STATEMENT: b.report(ig::diag("ISO-0287"), where, written); break;
+      default: b.report(ig::diag("ISO-0288"), where, written);
+    }
+  }
+};
+
+const ig::Register<UnconsumedCheck> unconsumed_check_syntax;
+
+}  // namespace
+}  // namespace iso

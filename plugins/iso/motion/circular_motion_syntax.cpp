@@ -1,0 +1,190 @@
+/// G02 and G03: an arc in the plane, to the program point of the block, about a centre (I J K, from the start) or with
+/// a radius (R). What moves along the third axis makes it a helix. Fanuc manual, "Circular interpolation".
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/arc.hpp>
+#include <isogloss/cnc/motion_event.hpp>
+#include <isogloss/cnc/plane.hpp>
+#include <isogloss/cnc/program_xyz.hpp>
+#include <isogloss/cnc/scale_and_mirror.hpp>
+
+namespace iso {
+
+using namespace ig::cnc;
+namespace {
+
+enum class MissingCenter { linear, warning, error };
+
+struct CircularMotion {
+  static constexpr auto spec =
+      ig::syntax("CircularMotionSyntax", "G02/G03 arcs and helices.")
+          .after("UnitModeSyntax", "PlaneSelectSyntax", "FeedrateSyntax", "CannedCycleResolveSyntax", "McXyzSyntax")
+          .before("LinearMotionSyntax")
+          .first_writer("Motion");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0320", "an arc without a centre: it needs I, J, K or R in its own block"),
+      ig::diagnostic(IG_ERROR, "ISO-0321",
+                     "the arc starts {0} mm from its centre and ends {1} mm from it: more than {2} apart"),
+      ig::diagnostic(IG_ERROR, "ISO-0322",
+                     "R{0} does not reach the end of the arc: {1} is the least; half a circle is taken"),
+      ig::diagnostic(IG_WARNING, "ISO-0323", "an arc with R whose end is its start: no arc is made"),
+      ig::diagnostic(IG_ERROR, "ISO-0324", "the centre of the arc is its start: no arc is made"),
+      ig::diagnostic(IG_WARNING, "ISO-0325", "R and a centre (I, J, K) stand in one block: R counts"),
+      ig::diagnostic(IG_ERROR, "ISO-0446", "an arc while the rotary axes turn: a straight line is made"),
+      ig::diagnostic(IG_WARNING, "ISO-0513", "an arc without a centre and without R: the tool goes straight"),
+      ig::diagnostic(IG_NOTE, "ISO-0546",
+                     "words of this arc have no decimal point, so they count least increments; if the program means "
+                     "millimetres or inches, {0}"),
+  };
+
+  ig::Codes arcs_{{"G02", "G03"}, ig::wake};
+  ig::InWhile<ig::Symbol> clockwise_{"MotionState.Term", "G02"};
+  ig::InWhile<ig::Symbol> counterclockwise_{"MotionState.Term", "G03"};
+  ig::Word r_{"Parsing.R", ig::take};
+  ig::Word i_{"Parsing.I", ig::take}, j_{"Parsing.J", ig::take}, k_{"Parsing.K", ig::take};
+  ig::Xyz program_{"ProgramXyz", ig::read};
+  ig::Signal turns_{"McAbc.~Turns", ig::read};
+  MotionGroup group_;
+  BlockMotion motion_;
+  PlaneInForce plane_;
+  LastProgramXyz last_;
+  ScaleAndMirror scale_and_mirror_;
+  ig::Config config_{"isogloss.motion/1", ig::Need::optional, "ArcRadiusTolerance_mm"};
+
+  ig::Choice<MissingCenter> missing_center_{
+      "missing-center", "linear|warning|error", "linear",
+      "What an arc without I, J, K and R is: a straight line, one that is said, or an "
+      "alarm."};
+  ig::Config number_format_{"isogloss.number-format/1", ig::Need::optional, "CalculatorDecimalPoint"};
+  ig::TextOption whole_numbers_{"whole-numbers", "",
+                                "How the control is set to read numbers without a point as units; said where an arc "
+                                "with such numbers cannot be. Empty: nothing is said."};
+  ig::Signal without_point_{"Parsing.~WithoutPoint", ig::read};
+  ig::NumberOption radius_tolerance_{"radius-tolerance",
+                                     "0",
+                                     {0, 1000},
+                                     "mm",
+                                     "How far the end may lie off the circle; 0: as isogloss.motion/1 says."};
+  double tolerance_ = radius_tolerance_ > 0 ? double{radius_tolerance_}
+                                            : config_.number("ArcRadiusTolerance_mm").value_or(0);
+
+  ig::Status build(ig::Block& b) {
+    std::uint32_t found = 0;
+    const auto named = group_.find(b, found);
+    const std::size_t code = named ? *named : group_.in_force(b);
+    if (code != MotionGroup::g02 && code != MotionGroup::g03) return ig::Status::unchanged;
+    if (named) group_.take(b, code, found);
+    const ig::Status so_far = named ? ig::Status::changed : ig::Status::unchanged;
+    if (motion_.is_moving(b)) return so_far;
+
+    const PlaneAxes plane = plane_(b);
+    const ArcWords words = take_words(b, plane);
+    if (!b.is_fresh(program_) && !words.r && !words.has_center() && !b.is_raised(turns_)) return so_far;
+    if (!named) group_.put_in_force(b, code);
+    move(b, plane, words, (code == MotionGroup::g03) != scale_and_mirror_.swaps_sense(b, plane));
+    return ig::Status::changed;
+  }
+
+ private:
+  struct ArcWords {
+    std::optional<double> r, first, second;
+    bool has_center() const { return first || second; }
+  };
+  /// The start and the end of the arc, in space and in the plane.
+  struct Path {
+    PlaneAxes plane;
+    ig::Vec3 from, to;
+    Point2 start() const { return {from[plane.first], from[plane.second]}; }
+    Point2 end() const { return {to[plane.first], to[plane.second]}; }
+    double rise() const { return to[plane.tool] - from[plane.tool]; }
+    double length() const { return iso::length(to - from); }
+  };
+
+  /// R, and the centre words of the plane; the third one has no meaning and is left to be reported.
+  ArcWords take_words(ig::Block& b, const PlaneAxes& plane) const {
+    const std::array<const ig::Word*, 3> centers{&i_, &j_, &k_};
+    ArcWords words{b.take(r_), b.take(*centers[plane.first]), b.take(*centers[plane.second])};
+    if (words.r && words.has_center()) b.report(ig::diag("ISO-0325"), ig::Where::word(r_.id()));
+    return words;
+  }
+
+  void move(ig::Block& b, const PlaneAxes& plane, const ArcWords& words, bool is_ccw) const {
+    const ig::Vec3 from = last_(b);
+    const Path path{plane, from, b.get(program_).or_else(from)};
+    if (motion_.turns(b) && (words.r || words.has_center()))
+      while_turning(b, path);
+    else if (words.r)
+      by_radius(b, path, *words.r, is_ccw);
+    else if (words.has_center())
+      by_center(b, path, {words.first.value_or(0.0), words.second.value_or(0.0)}, is_ccw);
+    else
+      without_center(b, path);
+  }
+
+  void by_radius(ig::Block& b, const Path& path, double radius, bool is_ccw) const {
+    if ((path.end() - path.start()).length() < same_point_mm) {
+      b.report(ig::diag("ISO-0323"), ig::Where::word(r_.id()));
+      if (path.length() >= same_point_mm) motion_.feed(b, [&] { return path.length(); });
+      return;
+    }
+    // Programs round R and the end point: a thousandth is no fault even where no tolerance is set.
+    if (radius_shortfall(path.start(), path.end(), radius) > std::fmax(tolerance_, 0.001)) {
+      b.report(ig::diag("ISO-0322"), ig::Where::word(r_.id()), std::fabs(radius),
+               (path.end() - path.start()).length() / 2);
+      suspect_whole_numbers(b);
+      b.alarm();
+    }
+    emit(b, path, center_by_radius(path.start(), path.end(), radius, is_ccw), is_ccw);
+  }
+
+  void by_center(ig::Block& b, const Path& path, const Point2& from_start, bool is_ccw) const {
+    const Point2 start = path.start(), end = path.end();
+    const Point2 center{start.u + from_start.u, start.v + from_start.v};
+    const double at_start = (start - center).length(), at_end = (end - center).length();
+    if (at_start < same_point_mm) {
+      b.report(ig::diag("ISO-0324"), ig::Where::block());
+      if (path.length() >= same_point_mm) motion_.feed(b, [&] { return path.length(); });
+      return;
+    }
+    if (tolerance_ > 0 && std::fabs(at_end - at_start) > tolerance_) {
+      b.report(ig::diag("ISO-0321"), ig::Where::block(), at_start, at_end, tolerance_);
+      suspect_whole_numbers(b);
+      b.alarm();
+    }
+    emit(b, path, center, is_ccw);
+  }
+
+  void suspect_whole_numbers(ig::Block& b) const {
+    if (whole_numbers_.text().empty() || !b.is_raised(without_point_)) return;
+    if (number_format_.number("CalculatorDecimalPoint").value_or(0) != 0) return;
+    b.report(ig::diag("ISO-0546"), ig::Where::block(), whole_numbers_.text());
+  }
+
+  void without_center(ig::Block& b, const Path& path) const {
+    if (missing_center_ == MissingCenter::error) {
+      b.report(ig::diag("ISO-0320"), ig::Where::block());
+      b.alarm();
+    } else if (missing_center_ == MissingCenter::warning && path.length() >= same_point_mm) {
+      b.report(ig::diag("ISO-0513"), ig::Where::block());
+    }
+    motion_.feed(b, [&] { return path.length(); });
+  }
+
+  void while_turning(ig::Block& b, const Path& path) const {
+    b.report(ig::diag("ISO-0446"), ig::Where::block());
+    b.alarm();
+    motion_.feed(b, [&] { return path.length(); });
+  }
+
+  void emit(ig::Block& b, const Path& path, const Point2& center, bool is_ccw) const {
+    ig::Vec3 point = path.from;  // at the level of the start
+    point[path.plane.first] = rounded(center.u);
+    point[path.plane.second] = rounded(center.v);
+    motion_.arc(b, point, is_ccw, [&] { return arc_length(path.start(), path.end(), center, is_ccw, path.rise()); });
+  }
+};
+
+const ig::Register<CircularMotion> circular_motion_syntax;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,65 @@
+/// G91: distances become positions, in place, so that nothing after this syntax knows of G91. The words of canned
+/// cycles are not touched: their R and Z count from other points, and CannedCycleResolveSyntax has resolved them.
+#include <bit>
+
+#include <isogloss/cnc/program_xyz.hpp>
+
+namespace iso {
+
+using namespace ig::cnc;
+namespace {
+
+struct IncrementalResolve {
+  static constexpr auto spec = ig::syntax("IncrementalResolveSyntax", "G91 distances become positions.")
+                                   .after("UnitModeSyntax", "PositioningModeSyntax", "CannedCycleResolveSyntax")
+                                   .before("ProgramXyzSyntax", "ReferenceReturnSyntax", "ReferenceCheckSyntax");
+
+  ig::InWhile<ig::Symbol> mode_{"PositioningMode.Term", "G91", ig::wake};
+  ig::Codes machine_select_{{"G53"}, ig::read};
+  ig::Fields words_{
+      "words",
+      "Parsing.X Parsing.Y Parsing.Z Parsing.A Parsing.B Parsing.C Parsing.G27.X Parsing.G27.Y Parsing.G27.Z "
+      "Parsing.G27.A Parsing.G27.B Parsing.G27.C Parsing.G28.X Parsing.G28.Y Parsing.G28.Z Parsing.G28.A "
+      "Parsing.G28.B Parsing.G28.C Parsing.G30.X Parsing.G30.Y Parsing.G30.Z Parsing.G30.A Parsing.G30.B Parsing.G30.C",
+      ig::read | ig::write, "Axis words that G91 makes distances. Their last letter is the axis."};
+  std::array<ig::Previous<double>, 3> angles_{ig::Previous<double>{"MachineCoordinate.A"},
+                                              ig::Previous<double>{"MachineCoordinate.B"},
+                                              ig::Previous<double>{"MachineCoordinate.C"}};
+  LastProgramXyz last_;
+  ig::Name g91_{"G91"};
+
+  static constexpr std::string_view names = "XYZABC";
+  std::vector<std::size_t> axes_ = axes_of(words_);  // of each word, in names
+
+  ig::Status build(ig::Block& b) {
+    if (!b.is(mode_, g91_) || b.find(machine_select_)) return ig::Status::unchanged;
+    ig::Status status = ig::Status::unchanged;
+    std::optional<ig::Vec3> last;
+    for (std::size_t first = 0; first < words_.size(); first += 32) {
+      ig_value v[32];
+      const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(32, words_.size() - first));
+      for (std::uint32_t named = b.get_many(words_.ids() + first, count, v); named != 0; named &= named - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(named));
+        const std::size_t axis = axes_[first + i];
+        if (axis == std::string_view::npos) continue;
+        if (axis < 3 && !last) last = last_(b);
+        v[i].number += axis < 3 ? (*last)[axis] : b.get_or(angles_[axis - 3], 0.0);
+        b.host()->rewrite(b.raw(), words_.id(first + i), v[i]);
+        status = ig::Status::changed;
+      }
+    }
+    return status;
+  }
+
+ private:
+  static std::vector<std::size_t> axes_of(const ig::Fields& words) {
+    std::vector<std::size_t> axes;
+    for (std::size_t i = 0; i < words.size(); ++i) axes.push_back(names.find(words.path(i).back()));
+    return axes;
+  }
+};
+
+const ig::Register<IncrementalResolve> incremental_resolve_syntax;
+
+}  // namespace
+}  // namespace iso

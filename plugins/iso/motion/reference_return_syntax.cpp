@@ -1,0 +1,140 @@
+/// G28 and G30: by rapid to the intermediate point that the words name, then to a reference position of the machine,
+/// both with the named axes only. `G91 G28 Z0` goes straight up; `G90 G28 Z0` goes to program Z0 first, as the control
+/// does. Fanuc manual, "Reference position".
+#include <isogloss/cnc/tool_kinematics.hpp>
+#include "motion/reference_position.hpp"
+
+namespace iso {
+
+using namespace ig::cnc;
+namespace {
+
+enum class WithoutAxes { nothing, all };
+enum class ToolLength { keep, cancel };
+
+struct ReferenceReturn {
+  static constexpr auto spec =
+      ig::syntax("ReferenceReturnSyntax", "G28 and G30 return to a reference position.")
+          .after("IncrementalResolveSyntax", "McXyzSyntax", "LinearMotionSyntax", "PivotTransformationSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0380", "G30 P{0}: there is no such reference position; nothing moves"),
+  };
+
+  ig::Call g28_{{"G28"}, "X Y Z A B C"};
+  ig::Call g30_{{"G30"}, "X Y Z A B C P[]"};
+  ig::Xyz program_{"ProgramXyz", ig::write};
+  ig::Xyz machine_{"MachineCoordinate", ig::write};
+  ig::CompoundMotion motion_;
+  LastProgramXyz last_;
+  ReferencePositions reference_;
+  RotaryReturn rotary_;
+  ig::Choice<WithoutAxes> without_axes_{"without-axes", "nothing|all", "nothing",
+                                        "What G28 or G30 without an axis word returns."};
+
+  ig::Choice<ToolLength> tool_length_{"tool-length", "keep|cancel", "keep",
+                                      "Whether G28 ends G43 and G44 when the axes have arrived."};
+  ig::Out<ig::Symbol> compensation_{"ToolHeightCompensation.Term"};
+  ig::Field<double> offset_{"ToolHeightCompensation.Offset_mm", ig::read | ig::write};
+  ig::Transform frame_{"ToolHeightCompensation", ig::read | ig::write};
+  ig::Name g43_{"G43"}, g44_{"G44"}, g49_{"G49"};
+  ig::Transform turned_frame_{"PivotTransform", ig::read | ig::write};
+  PivotState pivot_{ig::read | ig::write};
+  ToolKinematics kinematics_;
+
+  ig::Status build(ig::Block& b) {
+    bool any = false;
+    if (const auto words = b.take(g28_)) {
+      any = true;
+      if (go(b, *words, g28_, 1) && tool_length_ == ToolLength::cancel) end_compensation(b);
+    }
+    if (const auto words = b.take(g30_)) {
+      const double which = (*words)['P'].value_or(2);
+      if (which == 2 || which == 3 || which == 4)
+        go(b, *words, g30_, static_cast<std::uint32_t>(which));
+      else
+        b.report(ig::diag("ISO-0380"), ig::Where::word(g30_.code(0)), which);
+      any = true;
+    }
+    return any ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  static constexpr std::uint32_t axes = 63;  // X Y Z A B C of a call
+
+  /// True when the axes have arrived.
+  bool go(ig::Block& b, const ig::Words& words, const ig::Call& call, std::uint32_t which) const {
+    const ig_field code = call.code(0);
+    const ig::Vec3 from = last_(b);
+    ig::PartialVec3 returned = axis_words(words);
+    PartialAngles turned = rotary_.named(b, words, call);
+    if ((words.mask & axes) == 0) {
+      if (without_axes_ == WithoutAxes::nothing) {
+        b.report(ig::diag("ISO-0340"), ig::Where::word(code), b.text(words.code));
+        return false;
+      }
+      returned = {7, from};
+      turned = rotary_.all(b);
+    } else if (returned.mask == 0 && turned.mask == 0) {
+      return false;  // axes that the machine has not, which was said
+    }
+    const ig::Vec3 intermediate = returned.or_else(from);
+    const auto over = b.to_machine(intermediate);
+    if (!over) {
+      not_invertible(b);
+      return false;
+    }
+    ig::Vec3 reference = *over;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (returned.has(axis)) reference[axis] = reference_(b, axis, which, code);
+    const PartialAngles turned_over = rotary_.approach(b, turned);
+    PartialAngles turned_home = turned_over;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (turned.has(axis))
+        turned_home.value[axis] =
+            rotary_.to_machine(axis, turned_over.value[axis], reference_(b, axis + 3, which, code));
+    turn_frame(b, turned_home);
+    const auto end = b.to_program(reference);
+    if (!end) {
+      not_invertible(b);
+      return false;
+    }
+
+    motion_.begin(b, words.code);
+    motion_.rapid_to(b, intermediate, *over);
+    rotary_.step(b, turned_over);
+    motion_.rapid_to(b, rounded(*end), reference);
+    rotary_.step(b, turned_home);
+    b.set(program_, rounded(*end));
+    b.set(machine_, reference);
+    rotary_.end(b, turned_home);
+    return true;
+  }
+
+  /// A frame that stands with the axes (a tilted plane after G53.1, tip control) stands with them where they arrive.
+  void turn_frame(ig::Block& b, const PartialAngles& home) const {
+    const PartialAngles before = pivot_.get(b);
+    if (before.mask == 0 || home.mask == 0 || !kinematics_) return;
+    const Angles angles = home.or_else(before.value);
+    const auto pivot = kinematics_.pivot(angles);
+    if (!pivot || !is_finite(*pivot)) return;
+    const double length = b.get_or(offset_, 0.0);
+    if (const auto tool = kinematics_.tool_axis(angles); tool && length != 0) b.set_translation(frame_, length * *tool);
+    b.host()->set_transform(b.raw(), turned_frame_.id(), pivot->data());
+    pivot_.set(b, kinematics_, angles);
+  }
+
+  /// The machine stays where it is; in the program it is a tool length elsewhere.
+  void end_compensation(ig::Block& b) const {
+    if (!b.is(compensation_, g43_) && !b.is(compensation_, g44_)) return;
+    const ig::PartialVec3 machine = b.get(machine_);
+    b.set(compensation_, g49_);
+    b.set(offset_, 0.0);
+    b.set_translation(frame_, {});
+    if (const auto here = b.to_program(machine.value)) b.set(program_, rounded(*here));
+  }
+};
+
+const ig::Register<ReferenceReturn> reference_return_syntax;
+
+}  // namespace
+}  // namespace iso

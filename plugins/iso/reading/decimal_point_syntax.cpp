@@ -1,0 +1,203 @@
+// What a number without a decimal point means. Conventional controls count least input increments (X1000 is 1 mm), the
+// calculator type takes units (X1000 is 1000 mm), and which one it is stands in a parameter. Only lengths, angles and
+// the time of a dwell's X are concerned: F, P and plain counts never are. A point that is missing is worth a warning on
+// either kind, since the same program means two things.
+#include <cmath>
+
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/repeat_count.hpp>
+#include "reading/owned_words.hpp"
+#include "reading/unit_codes.hpp"
+
+namespace iso {
+
+using namespace ig::cnc;
+namespace {
+
+enum class Rule { as_written, increment, calculator, parameter };
+enum class Resolution { keep, increment };
+enum class Quantity { other, length, angle, time };
+
+struct DecimalPointSyntax {
+  static constexpr auto spec =
+      ig::syntax("DecimalPointSyntax", "Reads numbers without a decimal point as the control is set.")
+          .after("WordSyntax", "ParameterizedFlagSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "ISO-0115", "{0}{1} has no decimal point: read as {2} {3}"),
+  };
+
+  ig::Choice<Rule> rule{"rule", "as-written|increment|calculator|parameter", "as-written",
+                        "What a number without a point counts: units as written, least increments, units with a "
+                        "warning, or what the control's parameters say."};
+  ig::Choice<Resolution> resolution{"resolution", "keep|increment", "keep",
+                                    "Digits finer than the increment: kept, or cut off as the control does."};
+  ig::NumberOption length_increment{"length-increment", "0.001", {1e-9, 1}, "mm", "Least input increment, metric."};
+  ig::NumberOption inch_increment{"inch-increment", "0.0001", {1e-9, 1}, "in", "Least input increment, inch."};
+  ig::NumberOption angle_increment{"angle-increment", "0.001", {1e-9, 1}, "deg", "Least input increment, rotary."};
+  ig::Config number_format{"isogloss.number-format/1", ig::Need::optional, "Asked when rule is parameter."};
+
+  ig::Signal without_point{"Parsing.~WithoutPoint", ig::read | ig::wake};
+  ig::Signal fine_digits{"Parsing.~FineDigits", ig::read | ig::wake};
+  ig::Signal cuts_digits{"Parsing.~CutsDigits", ig::write, ig::Life::modal};
+  UnitCodes units{ig::read};
+  ig::In<ig::Symbol> system{"Unit.System"};
+  ig::Name inch{"Inch"};
+  ig::Fields addresses{"addresses", "Parsing.?", ig::read | ig::write, "The words of the block."};
+  ig::Fields codes{"codes", "Parsing.*", ig::read, "The codes that may own words.", IG_CODE};
+  ig::Fields words{"words", "Parsing.*.?", ig::read | ig::write, "The words that they own."};
+
+  struct Row {
+    ig_field code = IG_NO_FIELD;
+    std::vector<ig_field> words;
+    std::vector<char> letters;
+    std::vector<Quantity> quantities;
+  };
+  CycleK cycle_k;
+  TappingJ tapping_j;
+  Row block = measured(row_of_block(addresses));
+  Row cycle_block = cycle_k.is_length() ? block : without('K', block);
+  Row tapping_block = without('J', cycle_block);
+  RepeatCount repeat_count;
+  bool changes_nothing = rule == Rule::as_written && resolution == Resolution::keep;
+  std::vector<Row> rows = changes_nothing ? std::vector<Row>() : measured(rows_of(codes, words));
+
+  /// Increments per unit: exact where the increment is a power of ten.
+  struct Steps {
+    double mm, inch, deg;
+  };
+  Steps steps{steps_of("LengthIncrement_mm", length_increment), steps_of("LengthIncrement_inch", inch_increment),
+              steps_of("AngleIncrement_deg", angle_increment)};
+  bool counts_increments = rule == Rule::increment ||
+                           (rule == Rule::parameter && number_format.number("CalculatorDecimalPoint").value_or(0) == 0);
+
+  DecimalPointSyntax() {
+    if (changes_nothing) ig::stay_idle();
+  }
+
+  /// Most controls keep fine digits, and many programs are full of them: nobody wakes where none are cut.
+  ig::Status restart(ig::Block& b) const {
+    if (resolution == Resolution::keep) return ig::Status::unchanged;
+    b.raise(cuts_digits);
+    return ig::Status::changed;
+  }
+
+  ig::Status build(ig::Block& b) const {
+    if (changes_nothing) return ig::Status::unchanged;
+    bool changed = read_row(b, !repeat_count.is_k(b) ? block : tapping_j.is_ratio(b) ? tapping_block : cycle_block);
+    for (const Row& row : rows) {
+      ig_value present;
+      if (b.host()->get(b.raw(), row.code, &present) != 0) changed |= read_row(b, row);
+    }
+    return changed ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  static Quantity quantity_of(char letter, std::string_view unit) {
+    if (letter == 'P') return Quantity::other;  // an integer in every use: milliseconds, a count, a number
+    return unit == "mm"    ? Quantity::length
+           : unit == "deg" ? Quantity::angle
+           : unit == "s"   ? Quantity::time
+                           : Quantity::other;
+  }
+
+  Row measured(const WordRow& source) const {
+    Row out{source.code, {}, {}, {}};
+    for (std::size_t i = 0; i < source.words.size(); ++i) {
+      const bool is_cycle_k = cycle_k.is_length() && source.letters[i] == 'K' && source.units[i] == "1";
+      const Quantity quantity = is_cycle_k ? Quantity::length : quantity_of(source.letters[i], source.units[i]);
+      if (quantity == Quantity::other) continue;
+      out.words.push_back(source.words[i]);
+      out.letters.push_back(source.letters[i]);
+      out.quantities.push_back(quantity);
+    }
+    return out;
+  }
+  std::vector<Row> measured(const std::vector<WordRow>& source) const {
+    std::vector<Row> out;
+    for (const WordRow& row : source) {
+      Row r = measured(row);
+      if (tapping_j.is_ratio() && is_tapping(row.code)) r = without('J', std::move(r));
+      if (!r.words.empty()) out.push_back(std::move(r));
+    }
+    return out;
+  }
+
+  bool is_tapping(ig_field code) const {
+    for (std::size_t i = 0; i < codes.size(); ++i)
+      if (codes.id(i) == code)
+        return std::find(TappingJ::cycles.begin(), TappingJ::cycles.end(), codes.path(i).substr(8)) !=
+               TappingJ::cycles.end();
+    return false;
+  }
+
+  static Row without(char letter, Row row) {
+    const auto found = std::find(row.letters.begin(), row.letters.end(), letter);
+    if (found == row.letters.end()) return row;
+    const auto at = found - row.letters.begin();
+    row.words.erase(row.words.begin() + at);
+    row.letters.erase(found);
+    row.quantities.erase(row.quantities.begin() + at);
+    return row;
+  }
+
+  double steps_of(std::string_view name, double fallback) const {
+    const double increment = rule == Rule::parameter ? number_format.number(name).value_or(fallback) : fallback;
+    const double count = 1 / increment;
+    return std::abs(count - std::round(count)) < 1e-6 * count ? std::round(count) : count;
+  }
+
+  bool is_inch(const ig::Block& b) const {
+    const auto code = units.find(b);
+    return code ? code->is_inch : b.is(system, inch);
+  }
+
+  bool read_row(ig::Block& b, const Row& row) const {
+    std::array<ig_value, 32> values;
+    std::uint32_t present = b.get_many(row.words.data(), static_cast<std::uint32_t>(row.words.size()), values.data());
+    bool changed = false;
+    for (; present != 0; present &= present - 1) {
+      const std::size_t i = static_cast<std::size_t>(std::countr_zero(present));
+      ig_word word{};
+      b.host()->word(b.raw(), row.words[i], &word);  // its mark counts; it may have no place
+      changed |= (word.flags & IG_WORD_WITHOUT_POINT) != 0 ? read_bare(b, row, i, values[i].number)
+                                                           : read_pointed(b, row, i, values[i].number);
+    }
+    return changed;
+  }
+
+  double steps_for(const ig::Block& b, Quantity quantity) const {
+    if (quantity == Quantity::angle) return steps.deg;
+    return quantity == Quantity::length && is_inch(b) ? steps.inch : steps.mm;  // 0.001 mm goes with 0.001 s
+  }
+
+  bool read_bare(ig::Block& b, const Row& row, std::size_t i, double number) const {
+    if (rule == Rule::as_written || number == 0) return false;
+    const Quantity quantity = row.quantities[i];
+    const double value = counts_increments ? number / steps_for(b, quantity) : number;
+    const std::string_view unit = quantity == Quantity::angle  ? "deg"
+                                  : quantity == Quantity::time ? "s"
+                                  : is_inch(b)                 ? "in"
+                                                               : "mm";
+    b.report(ig::diag("ISO-0115"), ig::Where::word(row.words[i]), std::string_view(&row.letters[i], 1), number, value,
+             unit);
+    b.host()->rewrite(b.raw(), row.words[i], {.number = value});
+    return value != number;
+  }
+
+  /// Cuts off what is finer than the increment, toward zero.
+  bool read_pointed(ig::Block& b, const Row& row, std::size_t i, double number) const {
+    if (resolution == Resolution::keep) return false;
+    const double step = steps_for(b, row.quantities[i]);
+    const double count = number * step;
+    const double nearest = std::round(count);
+    if (std::abs(count - nearest) < 1e-6) return false;
+    b.host()->rewrite(b.raw(), row.words[i], {.number = std::trunc(count) / step});
+    return true;
+  }
+};
+
+const ig::Register<DecimalPointSyntax> decimal_point_syntax;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,106 @@
+// Codes that own words: X in `G81 X5. R2.` is the cycle's X, X in `G28 X5.` the intermediate point. Each code that some
+// syntax declares with words of its own gets those words of the block; the others stay with the block. When several
+// such codes want one address, the nearest one before the word has it, else the first of the block.
+#include "reading/owned_words.hpp"
+
+namespace iso {
+namespace {
+
+struct ParameterizedFlagSyntax {
+  static constexpr auto spec = ig::syntax("ParameterizedFlagSyntax", "Gives words to the codes that own them.")
+                                   .after("FlagSyntax", "WordSyntax")
+                                   .before("DecimalPointSyntax");
+
+  ig::Fields codes{"codes", "Parsing.*", ig::read | ig::wake, "The codes that may own words.", IG_CODE};
+  ig::Fields words{"words", "Parsing.*.?", ig::write, "The words that they own."};
+  ig::Fields addresses{"addresses", "Parsing.?", ig::read | ig::take, "The words of the block that they may have."};
+  std::vector<WordRow> rows = rows_of(codes, words);
+  WordRow block = row_of_block(addresses);
+  std::vector<ig_field> owners = owner_codes();
+  std::vector<std::vector<ig_field>> sources = source_words();
+
+  ig::Status build(ig::Block& b) const {
+    std::uint32_t found = 0;
+    const std::int32_t last =
+        b.host()->find_code(b.raw(), owners.data(), static_cast<std::uint32_t>(owners.size()), &found);
+    if (last < 0) return ig::Status::unchanged;
+    return found == 1 ? give_all(b, static_cast<std::size_t>(last)) : share(b, found);
+  }
+
+ private:
+  std::vector<ig_field> owner_codes() const {
+    std::vector<ig_field> out;
+    for (const WordRow& row : rows) out.push_back(row.code);
+    return out;
+  }
+
+  std::vector<std::vector<ig_field>> source_words() const {
+    std::vector<std::vector<ig_field>> out;
+    for (const WordRow& row : rows) {
+      std::vector<ig_field>& sources_of_row = out.emplace_back();
+      for (const char letter : row.letters) sources_of_row.push_back(block.word(letter));
+    }
+    return out;
+  }
+
+  ig::Status give_all(ig::Block& b, std::size_t row) const {
+    const std::vector<ig_field>& from = sources[row];
+    std::array<ig_value, 32> values;
+    std::uint32_t present = b.get_many(from.data(), static_cast<std::uint32_t>(from.size()), values.data());
+    const bool any = present != 0;
+    for (; present != 0; present &= present - 1) {
+      const std::size_t i = static_cast<std::size_t>(std::countr_zero(present));
+      b.host()->move(b.raw(), from[i], rows[row].words[i]);
+    }
+    return any ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+  struct Owner {
+    std::size_t row;
+    std::int64_t ordinal;  ///< place among the codes of the block
+    std::uint32_t begin;
+  };
+
+  ig::Status share(ig::Block& b, std::uint32_t found) const {
+    std::array<Owner, 16> owners_here;
+    std::size_t count = 0;
+    for (std::size_t row = 0; row < rows.size() && count < std::min<std::size_t>(found, owners_here.size()); ++row) {
+      ig_value code;
+      if (b.host()->get(b.raw(), rows[row].code, &code) == 0) continue;
+      ig_word place{};
+      b.host()->word(b.raw(), rows[row].code, &place);
+      owners_here[count++] = {row, code.integer, place.begin};
+    }
+    const auto end = owners_here.begin() + static_cast<std::ptrdiff_t>(count);
+    std::sort(owners_here.begin(), end, [](const Owner& l, const Owner& r) { return l.ordinal < r.ordinal; });
+
+    bool any = false;
+    for (std::size_t i = 0; i < block.words.size(); ++i) {
+      ig_value value;
+      if (b.host()->get(b.raw(), block.words[i], &value) == 0) continue;
+      ig_word place{};
+      b.host()->word(b.raw(), block.words[i], &place);
+      const ig_field to = owner_of(block.letters[i], place.begin, {owners_here.data(), count});
+      if (to == IG_NO_FIELD) continue;
+      b.host()->move(b.raw(), block.words[i], to);
+      any = true;
+    }
+    return any ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+  /// The word of the nearest code before the column that owns the address, else of the first one that does.
+  ig_field owner_of(char letter, std::uint32_t begin, std::span<const Owner> in_order) const {
+    ig_field chosen = IG_NO_FIELD;
+    for (const Owner& owner : in_order) {
+      const ig_field word = rows[owner.row].word(letter);
+      if (word == IG_NO_FIELD) continue;
+      if (chosen == IG_NO_FIELD || owner.begin < begin) chosen = word;
+    }
+    return chosen;
+  }
+};
+
+const ig::Register<ParameterizedFlagSyntax> parameterized_flag_syntax;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,144 @@
+/// G43/G44/G49 and H: the length of the tool lies between the programmed point and the machine coordinates. G43 adds
+/// the length of row H (geometry and wear) along the tool axis, G44 subtracts it, G49 and H0 end it. H is modal: a new
+/// H under G43 is a new length.
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/cycle_codes.hpp>
+#include <isogloss/cnc/program_xyz.hpp>
+#include "tool/tool_length.hpp"
+
+namespace iso {
+
+using namespace ig::cnc;
+namespace {
+
+enum class RotatedAxis { follow, keep };
+enum class UnderG91 { position, travel };
+
+struct ToolHeightOffset {
+  static constexpr auto spec =
+      ig::syntax("ToolHeightOffsetSyntax", "G43/G44/G49 and H: tool length compensation.")
+          .after("ParameterizedFlagSyntax")
+          .before("IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_NOTE, "ISO-0512", "H{0} without G43 or G44: the number is kept, no tool length is in force"),
+  };
+
+  ig::Call codes_{{"G43", "G44", "G49"}, "H[]"};
+  ig::Word h_{"Parsing.H", ig::wake, ""};
+  ig::Out<ig::Symbol> term_{"ToolHeightCompensation.Term"};
+  ig::Out<std::int64_t> offset_id_{"ToolHeightCompensation.OffsetId"};
+  ig::Out<double> offset_{"ToolHeightCompensation.Offset_mm"};
+  ig::Xyz orientation_{"ToolOrientation", ig::read | ig::wake};
+  ig::Transform tilt_{"TiltTransform", ig::read | ig::wake};
+  ig::Transform frame_{"ToolHeightCompensation"};
+  ig::Signal table_changed_{"ToolHeightCompensation.~TableChanged", ig::read | ig::wake};
+  ig::In<double> delta_{"ToolHeightCompensation.Delta_mm",
+                        ig::read,
+                        {ig::Life::modal, "mm", "What the tool call adds to the length of the table."}};
+  ToolLengths lengths_{ig::Need::required};
+  /// Lengths that a block without Z put in force: the next Z word under G91 travels them.
+  ig::Field<double> untravelled_{"ToolHeightCompensation.Untravelled_mm",
+                                 ig::read | ig::write | ig::wake_while,
+                                 {ig::Life::modal, "mm", "Change of the length that the next Z under G91 travels."}};
+  ig::Word z_{"Parsing.Z", ig::read | ig::write};
+  ig::Call other_z_{and_cycle_codes({"G28", "G30"}), "Z", ig::read};
+  ig::Codes machine_select_{{"G53"}, ig::read};
+  DistanceMode distance_;
+  ig::Name g43_{"G43"}, g44_{"G44"}, g49_{"G49"};
+
+  ig::Choice<RotatedAxis> rotated_axis_{"rotated-axis", "follow|keep", "follow",
+                                        "Which way the length lies in a rotated or tilted system, up to G53.1: along "
+                                        "its Z, or along Z as without it."};
+  ig::Choice<UnderG91> under_g91_{"under-g91", "position|travel", "position",
+                                  "Under G91: a new length is another position of the resting tool, or is travelled "
+                                  "with the next increment of Z."};
+
+  ig::Status restart(ig::Block& b) {
+    if (is_active(b)) {
+      compensate(b, ig::Where::block());
+    } else {
+      b.set_translation(frame_, {});
+    }
+    return ig::Status::changed;
+  }
+
+  ig::Status build(ig::Block& b) {
+    const auto call = b.take(codes_);
+    auto h = b.take(h_);
+    if (call && (*call)['H']) h = (*call)['H'];
+    if (call) b.set(term_, call->code);
+    const auto where = call ? ig::Where::word(codes_.code(call->row))
+                       : h  ? ig::Where::word(h_.id())
+                            : ig::Where::block();
+    if (h) set_offset_id(b, *h, where);
+    if (h && !call && *h > 0 && !is_active(b) && b.has(offset_id_)) b.report(ig::diag("ISO-0512"), where, *h);
+    const double before = b.get_or(offset_, 0.0);
+
+    if (call && call->code == g49_) {
+      b.set(offset_, 0.0);
+      b.set_translation(frame_, {});
+      travel(b, -before);
+      return ig::Status::changed;
+    }
+    if (call && !b.has(offset_id_)) {
+      b.report(ig::diag("ISO-0224"), where, b.text(call->code));
+      b.set(offset_id_, std::int64_t{0});
+    }
+    const bool axis_moved = b.is_fresh(orientation_) || b.is_fresh(tilt_);
+    const bool compensates = is_active(b) && (call || h || axis_moved || b.is_raised(table_changed_));
+    if (compensates) compensate(b, where);
+    const bool travels = travel(b, call || h ? b.get_or(offset_, 0.0) - before : 0);
+    return call || h || compensates || travels ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  bool is_active(const ig::Block& b) const { return b.is(term_, g43_) || b.is(term_, g44_); }
+
+  void set_offset_id(ig::Block& b, double h, ig::Where where) const {
+    if (const auto row = ToolLengths::row(b, h, where)) b.set(offset_id_, *row);
+  }
+
+  void compensate(ig::Block& b, ig::Where where) const {
+    const double length = lengths_.length(b, b.get_or(offset_id_, std::int64_t{0}), where) + b.get_or(delta_, 0.0);
+    const double signed_length = b.is(term_, g44_) ? -length : length;
+    b.set(offset_, signed_length);
+    b.set_translation(frame_, signed_length * tool_axis(b));
+  }
+
+  /// The manual's example: with H1 = -4, `G91 G43 H1 Z-32.` moves by -36. True when something was written.
+  bool travel(ig::Block& b, double change) const {
+    if (under_g91_ == UnderG91::position) return false;
+    const double pending = b.get_or(untravelled_, 0.0) + change;
+    if (pending == 0 && !b.has(untravelled_)) return false;
+    const auto other = b.find(other_z_);
+    const auto z = b.get(z_);
+    ig_value unused;
+    const bool is_increment = distance_.is_incremental(b), is_by_machine = b.find(machine_select_).has_value();
+    const bool ends = (z && !(is_increment && is_by_machine)) ||
+                      (other && b.host()->get(b.raw(), other_z_.row(*other)[0], &unused) != 0);
+    const bool is_along_z = tool_axis(b) == ig::Vec3{0, 0, 1};
+    if (!ends && is_along_z && pending != 0) {
+      b.set(untravelled_, pending);
+      return true;
+    }
+    if (z && is_along_z && is_increment) b.host()->rewrite(b.raw(), z_.id(), {.number = *z + pending});
+    b.erase(untravelled_);
+    return true;
+  }
+
+  /// ToolOrientation (G53.1 has turned the tool), else Z of the rotated system or of the machine.
+  ig::Vec3 tool_axis(const ig::Block& b) const {
+    const ig::PartialVec3 orientation = b.get(orientation_);
+    if (orientation.complete()) return orientation.value;
+    if (rotated_axis_ == RotatedAxis::keep) return {0, 0, 1};
+    double m[16];
+    if (b.host()->transform(b.raw(), tilt_.id(), m) != 0) return {m[8], m[9], m[10]};
+    return {0, 0, 1};
+  }
+};
+
+const ig::Register<ToolHeightOffset> tool_height_offset_syntax;
+
+}  // namespace
+}  // namespace iso

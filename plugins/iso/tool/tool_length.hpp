@@ -1,0 +1,44 @@
+/// The tool's length as the table of the machine has it: what H names.
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/whole_number.hpp>
+
+namespace iso {
+
+using namespace ig::cnc;
+
+/// A member of each syntax that asks for lengths.
+class ToolLengths {
+ public:
+  explicit ToolLengths(ig::Need need) : table_("isogloss.tool-offset/1", need, "Length geometry and wear.") {}
+
+  /// The row that H names; nothing, with a diagnostic, where it names none.
+  static std::optional<std::int64_t> row(ig::Block& b, double h, ig::Where where) {
+    const auto id = whole_number(h);
+    if (!id) b.report(ig::diag("ISO-0225"), where, h);
+    return id;
+  }
+
+  /// mm, geometry and wear together. Row 0 is length 0; so is a row that the table has not, or whose sum no number
+  /// holds, which is said.
+  double length(ig::Block& b, std::int64_t row, ig::Where where) const {
+    if (row == 0) return 0;
+    double geometry = 0, wear = 0;
+    const bool has_geometry = table_ && table_->get(table_->self, row, 0, &geometry) != 0;
+    const bool has_wear = table_ && table_->get(table_->self, row, 1, &wear) != 0;
+    const double sum = (has_geometry ? geometry : 0) + (has_wear ? wear : 0);
+    if ((has_geometry || has_wear) && std::isfinite(sum)) return sum;
+    b.report(ig::diag("ISO-0223"), where, static_cast<double>(row));
+    return 0;
+  }
+
+ private:
+  ig::Service<ig_tool_offset_1> table_;
+};
+
+}  // namespace iso

@@ -1,0 +1,78 @@
+/// HOLES1, HOLES2, CYCLE801 and CYCLE802 under MCALL of a subprogram: to each hole by rapid, where
+/// SiemensModalCallSyntax calls it. The block is executed once for each hole.
+#include "cycles/hole_pattern.hpp"
+#include "flow/flow_words.hpp"
+
+namespace siemens {
+
+using namespace ig::cnc;
+namespace {
+
+struct SiemensPatternCall {
+  static constexpr auto spec =
+      ig::syntax("SiemensPatternCallSyntax", "A pattern of holes under MCALL of a subprogram.")
+          .after("SiemensCycleSyntax")
+          .before("SiemensModalCallSyntax", "ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0289", "{0} holes of the pattern before this block are not made"),
+  };
+
+  HolePattern pattern_{ig::take | ig::wake};
+  ig::Codes mcall_{{"MCALL"}, ig::read};
+  ig::Signal subprogram_{"ModalCall.~InForce", ig::read, ig::Life::modal};
+  ig::Signal open_{"ModalCall.~Pattern", ig::read | ig::write | ig::wake_while, ig::Life::modal};
+  ig::Xyz program_{"ProgramXyz", ig::write};
+  ig::CompoundMotion motion_;
+  ig::Name rapid_{"G00"};
+  PlaneInForce plane_;
+  LastProgramXyz last_;
+  Environment environment_;
+
+  ig::Status build(ig::Block& b) {
+    const ig_place here = environment_.flow.here(b);
+    std::vector<PatternCall>& open = environment_.store().patterns;
+    if (b.is_raised(open_)) look_back(b, here, open);
+    if (!pattern_.stands_in(b) || !b.is_raised(subprogram_) || b.find(mcall_)) return ig::Status::changed;
+    const auto holes = pattern_.take(b, plane_(b), last_(b));
+    // Those of programs that have ended, and one of this program that a jump has left.
+    while (!open.empty() && (open.back().frame > here.frame || !open.back().is_open() ||
+                             (open.back().frame == here.frame && open.back().offset != here.offset)))
+      open.pop_back();
+    if (open.empty() || open.back().frame != here.frame) {
+      if (!holes || holes->empty()) return ig::Status::changed;  // said
+      PatternCall& begun = open.emplace_back();
+      begun.frame = here.frame;
+      begun.offset = here.offset;
+      begun.label = pattern_label(here.line);
+      for (const ig::Vec3& p : *holes) begun.holes.push_back({p.x, p.y, p.z});
+    }
+    PatternCall& pattern = open.back();
+    const auto& hole = pattern.holes[pattern.next++];
+    ig::Vec3 to{hole[0], hole[1], hole[2]};
+    to[plane_(b).tool] = last_(b)[plane_(b).tool];
+    motion_.begin(b, rapid_);
+    motion_.rapid_to(b, to);
+    b.set(program_, to);
+    b.raise(open_);
+    return ig::Status::changed;
+  }
+
+ private:
+  /// The program goes on behind the pattern, but not all of its holes were made.
+  void look_back(ig::Block& b, const ig_place& here, std::vector<PatternCall>& open) const {
+    if (open.empty() || here.frame < open.back().frame) {
+      b.erase(open_);
+    } else if (here.frame == open.back().frame && here.offset != open.back().offset) {
+      if (open.back().is_open())
+        b.report(ig::diag("SIE-0289"), ig::Where::block(),
+                 static_cast<double>(open.back().holes.size() - open.back().next));
+      open.pop_back();
+      if (open.empty()) b.erase(open_);
+    }
+  }
+};
+
+const ig::Register<SiemensPatternCall> siemens_pattern_call_syntax;
+
+}  // namespace
+}  // namespace siemens

@@ -1,0 +1,117 @@
+/// A, B and C become angles of the machine before anything follows the rotary axes: the settable frame in force puts
+/// its offset between both, IC counts from where the axis stands, DC, ACP and ACN say which way it turns. G53, G153 and
+/// SUPA know no offset; under G91 a bare word stays a distance.
+#include <isogloss/cnc/program_xyz.hpp>
+#include <isogloss/cnc/rotary_offset.hpp>
+#include <isogloss/cnc/tool_kinematics.hpp>
+#include "five_axis/rotary_position.hpp"
+#include "frames/settable_frames.hpp"
+#include "modes/axis_modes.hpp"
+
+namespace siemens {
+
+using namespace ig::cnc;
+namespace {
+
+struct SiemensRotaryWords {
+  static constexpr auto spec =
+      ig::syntax("SiemensRotaryWordsSyntax", "A B C become angles of the machine.")
+          .after("SiemensUnitSyntax", "PositioningModeSyntax")
+          .before("G53p1RotaryPositionSyntax", "SiemensSwivelSyntax", "SiemensTransformationSyntax",
+                  "ToolCenterPointSyntax", "SiemensReferenceSyntax", "SiemensCoordinateOffsetSyntax",
+                  "SiemensMachineCoordinatesSyntax", "SiemensPositionSyntax", "McAbcSyntax");
+
+  SettableFrames frames_{ig::read | ig::wake};
+  ig::In<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
+  RotaryOffsetSection offset_{"CoordinateOffset"};
+  ig::Signal table_changed_{"CoordinateOffset.~TableChanged", ig::read | ig::wake};
+  ig::Service<ig_work_offset_1> table_{"isogloss.work-offset/1", ig::Need::optional, "Offsets of rotary axes."};
+  std::array<ig::Word, 3> words_{ig::Word{"Parsing.A", ig::read | ig::write | ig::wake, "deg"},
+                                 ig::Word{"Parsing.B", ig::read | ig::write | ig::wake, "deg"},
+                                 ig::Word{"Parsing.C", ig::read | ig::write | ig::wake, "deg"}};
+  std::array<ig::In<double>, 3> angles_{ig::In<double>{"MachineCoordinate.A"}, ig::In<double>{"MachineCoordinate.B"},
+                                        ig::In<double>{"MachineCoordinate.C"}};
+  ig::Codes frameless_{{"SUPA", "G53", "G153"}, ig::read | ig::write};
+  AxisModes modes_{ig::read | ig::write};
+  ig::Field<bool> aligned_{"TiltTransform.IsAligned",
+                           ig::read,
+                           {ig::Life::modal, "", "G53.1 or G53.6 has put the tool upright on the plane."}};
+  ToolCenterMode tip_control_;
+  DistanceMode distance_;
+  ToolKinematics machine_;
+  RotaryModes rotary_;
+  ig::Name g500_{"G500"};
+
+  ig::Status restart(ig::Block& b) { return of(select(b, b.get_or(id_, static_cast<ig::Symbol>(g500_)))); }
+
+  ig::Status build(ig::Block& b) {
+    bool any = false;
+    const auto code = frames_.find(b);
+    if (code || b.is_raised(table_changed_)) {
+      const ig::Symbol id = code ? frames_.name(*code) : b.get_or(id_, static_cast<ig::Symbol>(g500_));
+      any = select(b, id);
+      if (any && (tip_control_.is_on(b) || b.has(aligned_)) && turns_transformation(b))
+        b.report(ig::diag("SIE-0300"), code ? ig::Where::word(frames_.id(*code)) : ig::Where::block(), b.text(id));
+    }
+    if (!b.has(words_[0]) && !b.has(words_[1]) && !b.has(words_[2])) return of(any);
+    const bool has_frame = !b.find(frameless_), g91 = distance_.is_incremental(b);
+    if (!has_frame) any |= name_supa(b);
+    const Angles offset = has_frame ? offset_.get(b).value : Angles{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (const auto word = b.get(words_[axis])) any |= resolve(b, axis, *word, offset[axis], g91);
+    return of(any);
+  }
+
+ private:
+  static ig::Status of(bool changed) { return changed ? ig::Status::changed : ig::Status::unchanged; }
+
+  /// To what follows the axes G53 is that of a Fanuc, which leads no tip and is none under G91. Here it puts off frames
+  /// as SUPA does.
+  bool name_supa(ig::Block& b) const {
+    ig_value code;
+    bool is_renamed = false;
+    for (const std::size_t i : {1u, 2u}) {
+      if (b.host()->get(b.raw(), frameless_.id(i), &code) == 0) continue;
+      b.host()->erase(b.raw(), frameless_.id(i));
+      b.host()->set(b.raw(), frameless_.id(0), code);
+      is_renamed = true;
+    }
+    return is_renamed;
+  }
+
+  /// True where the offset has changed.
+  bool select(ig::Block& b, ig::Symbol id) const {
+    Angles sum{};
+    for (const std::string_view row : {id == g500_ ? std::string_view() : b.text(id), std::string_view("BASE")}) {
+      const auto own = table_ && !row.empty() ? rotary_origin(table_, row) : std::nullopt;
+      for (std::size_t axis = 0; own && axis < 3; ++axis) sum[axis] += (*own)[axis];
+    }
+    return offset_.set(b, sum);
+  }
+  bool turns_transformation(const ig::Block& b) const {
+    const PartialAngles offset = offset_.get(b);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (machine_.has(axis) && offset.value[axis] != 0) return true;
+    return false;
+  }
+
+  /// Under G91 a word that is no distance becomes one, since what follows counts it as one.
+  bool resolve(ig::Block& b, std::size_t axis, double word, double offset, bool g91) const {
+    const auto mode = modes_.get(b, 3 + axis);
+    if (!mode && (g91 || offset == 0)) return false;
+    double to = word + offset;
+    if (mode) {
+      const double present = b.get_or(angles_[axis], 0.0);
+      to = rotary_.position(b, ig::Where::word(words_[axis].id()), word, *mode, present - offset) + offset;
+      if (g91) to -= present;
+      modes_.set(b, 3 + axis, g91 ? rotary_.ic : rotary_.ac);
+    }
+    b.host()->rewrite(b.raw(), words_[axis].id(), {.number = to});
+    return true;
+  }
+};
+
+const ig::Register<SiemensRotaryWords> siemens_rotary_words_syntax;
+
+}  // namespace
+}  // namespace siemens

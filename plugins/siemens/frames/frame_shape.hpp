@@ -1,0 +1,27 @@
+/// What a frame makes of circles.
+#pragma once
+
+#include <cmath>
+#include <span>
+
+#include <isogloss/cnc/plane.hpp>
+#include <isogloss/cnc/program_xyz.hpp>
+
+namespace siemens {
+
+using namespace ig::cnc;
+
+/// Where the frame lets an axis of the program point; its length is the scale of the axis.
+inline ig::Vec3 axis_of(std::span<const double, 16> m, std::size_t axis) {
+  return {m[4 * axis], m[4 * axis + 1], m[4 * axis + 2]};
+}
+
+/// A circle in the plane stays a circle: both axes have one scale and are square to each other.
+inline bool keeps_circles(std::span<const double, 16> m, const PlaneAxes& plane) {
+  const ig::Vec3 u = axis_of(m, plane.first), v = axis_of(m, plane.second);
+  const double size = length(u);
+  const double skew = u.x * v.x + u.y * v.y + u.z * v.z;
+  return std::fabs(length(v) - size) <= 1e-9 * size && std::fabs(skew) <= 1e-9 * size * size;
+}
+
+}  // namespace siemens

@@ -1,0 +1,60 @@
+/// G54 to G57, G505 to G599 and G500: which of the settable work offsets the program counts from. The base frame of the
+/// table (BASE) is added to each; under G500 it is alone. Rotary axes are SiemensRotaryWordsSyntax's.
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/coordinate_offset.hpp>
+#include "frames/settable_frames.hpp"
+
+namespace siemens {
+
+using namespace ig::cnc;
+namespace {
+
+struct SiemensCoordinateOffset {
+  static constexpr auto spec =
+      ig::syntax("SiemensCoordinateOffsetSyntax", "G54-G57, G505-G599 and G500 select the work offset.")
+          .after("SiemensToolOffsetSyntax")
+          .before("SiemensCycleSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0211", "the table has no offset {0}: the one before stays in force"),
+  };
+
+  SettableFrames frames_{ig::take | ig::wake};
+  ig::Out<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
+  OffsetSection offset_{"CoordinateOffset"};
+  ig::Signal table_changed_{"CoordinateOffset.~TableChanged", ig::read | ig::wake};
+  ig::Service<ig_work_offset_1> table_{"isogloss.work-offset/1", ig::Need::required, "The origins."};
+  ig::Name g500_{"G500"};
+
+  ig::Status restart(ig::Block& b) {
+    select(b, b.get_or(id_, static_cast<ig::Symbol>(g500_)), ig::Where::block());
+    return ig::Status::changed;
+  }
+
+  ig::Status build(ig::Block& b) {
+    if (const auto code = frames_.take(b)) {
+      select(b, frames_.name(*code), ig::Where::word(frames_.id(*code)));
+      return ig::Status::changed;
+    }
+    if (!b.is_raised(table_changed_)) return ig::Status::unchanged;
+    select(b, b.get_or(id_, static_cast<ig::Symbol>(g500_)), ig::Where::block());
+    return ig::Status::changed;
+  }
+
+ private:
+  void select(ig::Block& b, ig::Symbol id, ig::Where where) const {
+    double own[3] = {0, 0, 0}, base[3] = {0, 0, 0};
+    if (id != g500_ && table_->get(table_->self, ig::to_text(b.text(id)), own) == 0) {
+      b.report(ig::diag("SIE-0211"), where, b.text(id));
+      return;
+    }
+    if (table_->get(table_->self, ig::to_text("BASE"), base) == 0) base[0] = base[1] = base[2] = 0;
+    b.set(id_, id);
+    offset_.set(b, {own[0] + base[0], own[1] + base[1], own[2] + base[2]});
+  }
+};
+
+const ig::Register<SiemensCoordinateOffset> siemens_coordinate_offset_syntax;
+
+}  // namespace
+}  // namespace siemens

@@ -1,0 +1,130 @@
+/// TRANS, ROT, SCALE, MIRROR and their additive forms: the programmable frame. TRANS and its kin replace the whole of
+/// it, also what the others of them have said; ATRANS and its kin act in the frame as it is.
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/tilt_transform.hpp>
+#include "frames/frame_shape.hpp"
+
+namespace siemens {
+
+using namespace ig::cnc;
+namespace {
+
+struct SiemensFrame {
+  static constexpr auto spec =
+      ig::syntax("SiemensFrameSyntax",
+                 "TRANS, ROT, SCALE, MIRROR, ATRANS, AROT, ASCALE, AMIRROR: the programmable frame.")
+          .after("SiemensUnitSyntax", "PlaneSelectSyntax")
+          .before("SiemensSwivelSyntax", "SiemensToolOffsetSyntax", "SiemensPositionSyntax", "ProgramXyzSyntax",
+                  "McXyzSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0241", "{0}: the scale {1} is not greater than 0: nothing changes"),
+      ig::diagnostic(IG_ERROR, "SIE-0242", "{0}: the frame becomes too large or too small: nothing changes"),
+      ig::diagnostic(IG_ERROR, "SIE-0243", "{0} is the second frame instruction of this block"),
+      ig::diagnostic(IG_WARNING, "SIE-0244", "RPL= beside axes: RPL= is not used"),
+      ig::diagnostic(IG_ERROR, "SIE-0245",
+                     "G41 or G42 under scales that differ between the axes: the tool is not beside the contour"),
+  };
+
+  ig::Call trans_{{"TRANS", "ATRANS"}, "X Y Z A[deg] B[deg] C[deg]"};
+  ig::Call rot_{{"ROT", "AROT"}, "X[deg] Y[deg] Z[deg] A[deg] B[deg] C[deg]"};
+  ig::Call scale_{{"SCALE", "ASCALE"}, "X[] Y[] Z[] A[] B[] C[]"};
+  ig::Call mirror_{{"MIRROR", "AMIRROR"}, "X[] Y[] Z[] A[] B[] C[]"};
+  ig::Word rpl_{"Parsing.RPL", ig::take, "deg", "Turn about the normal of the plane."};
+  ig::Out<ig::Symbol> term_{"ProgrammableFrame.Term", {ig::Life::modal, "", "The instruction that was last."}};
+  ig::Signal uneven_{"ProgrammableFrame.~Uneven", ig::read | ig::write, ig::Life::modal};
+  ig::InWhile<ig::Symbol> left_{"RadiusCompensation.Term", "G41"}, right_{"RadiusCompensation.Term", "G42"};
+  ig::Signal compensation_said_{"ProgrammableFrame.~CompensationSaid", ig::read | ig::write, ig::Life::modal};
+  ig::Transform frame_{"ProgrammableFrame", ig::read | ig::write};
+  PlaneInForce plane_;
+  ig::Name g41_{"G41"}, g42_{"G42"};
+
+  ig::Status build(ig::Block& b) {
+    bool any = false;
+    std::uint32_t seen = 0;
+    for (const ig::Call* call : {&trans_, &rot_, &scale_, &mirror_})
+      if (const auto words = b.take(*call)) {
+        if (++seen > 1) b.report(ig::diag("SIE-0243"), ig::Where::word(call->code(words->row)), b.text(words->code));
+        change(b, *call, *words);
+        any = true;
+      }
+    return say_uneven_compensation(b) || any ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  /// Once for each time that G41 or G42 meets such a frame.
+  bool say_uneven_compensation(ig::Block& b) const {
+    const bool is_wrong =
+        b.is_raised(uneven_) && (b.is(left_, g41_) || b.is(right_, g42_)) && !keeps_circles(present(b), plane_(b));
+    if (is_wrong == b.is_raised(compensation_said_)) return false;
+    if (is_wrong) {
+      b.report(ig::diag("SIE-0245"), ig::Where::block());
+      b.raise(compensation_said_);
+    } else {
+      b.erase(compensation_said_);
+    }
+    return true;
+  }
+
+  void change(ig::Block& b, const ig::Call& call, const ig::Words& words) const {
+    const auto where = ig::Where::word(call.code(words.row));
+    if (words['A'] || words['B'] || words['C'])
+      b.report(ig::diag("SIE-0261"), where, b.text(words.code), std::string_view("the origin of a rotary axis stays"));
+    Mat4 m = identity_frame;
+    if (&call == &trans_) m = at_origin(m, {words['X'].value_or(0), words['Y'].value_or(0), words['Z'].value_or(0)});
+    if (&call == &rot_) m = rotation(b, words, where);
+    if (&call == &scale_ || &call == &mirror_) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto word = words["XYZ"[axis]];
+        if (!word) continue;
+        if (&call == &scale_ && !(*word > 0)) {
+          b.report(ig::diag("SIE-0241"), where, b.text(words.code), *word);
+          return;
+        }
+        m[5 * axis] = &call == &scale_ ? *word : -1;
+      }
+    }
+    const bool is_additive = words.row == 1;
+    if (is_additive) m = product(m, present(b));
+    if (!is_sound(m)) {
+      b.report(ig::diag("SIE-0242"), where, b.text(words.code));
+      return;
+    }
+    b.host()->set_transform(b.raw(), frame_.id(), m.data());
+    b.set(term_, words.code);
+    if (keeps_circles(m, xy_plane) && keeps_circles(m, zx_plane))
+      b.erase(uneven_);
+    else
+      b.raise(uneven_);
+  }
+
+  Mat4 present(const ig::Block& b) const {
+    Mat4 m;
+    return b.host()->transform(b.raw(), frame_.id(), m.data()) != 0 ? m : identity_frame;
+  }
+
+  /// About Z, then the new Y, then the new X: of row vectors X comes first.
+  Mat4 rotation(ig::Block& b, const ig::Words& words, ig::Where where) const {
+    const auto rpl = b.take(rpl_);
+    const bool has_axes = words['X'] || words['Y'] || words['Z'];
+    if (rpl && has_axes) b.report(ig::diag("SIE-0244"), where);
+    if (rpl && !has_axes) return turn_about(plane_(b).tool, *rpl);
+    return roll_pitch_yaw({words['X'].value_or(0), words['Y'].value_or(0), words['Z'].value_or(0)}, {0, 1, 2},
+                          TurnedAxes::fixed);
+  }
+
+  /// Finite, and with a way back.
+  static bool is_sound(const Mat4& m) {
+    constexpr double least = 1e-9, most = 1e9;
+    for (const double element : m)
+      if (!(std::fabs(element) < 1e12)) return false;
+    for (std::size_t row = 0; row < 3; ++row)
+      if (!(length(axis_of(m, row)) > least && length(axis_of(m, row)) < most)) return false;
+    return true;
+  }
+};
+
+const ig::Register<SiemensFrame> siemens_frame_syntax;
+
+}  // namespace
+}  // namespace siemens

@@ -1,0 +1,65 @@
+/// G53, G153 and SUPA: for this block no frame acts on the axis words, only the length of the tool, unless D0 has put
+/// it off. Group 1 decides how the block moves. Increments count from where the axes stand.
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/program_xyz.hpp>
+#include "modes/axis_modes.hpp"
+
+namespace siemens {
+
+using namespace ig::cnc;
+namespace {
+
+struct SiemensMachineCoordinates {
+  static constexpr auto spec = ig::syntax("SiemensMachineCoordinatesSyntax", "G53/G153/SUPA: a block without frames.")
+                                   .after("PositioningModeSyntax", "SiemensToolOffsetSyntax",
+                                          "SiemensCoordinateOffsetSyntax", "PivotTransformationSyntax")
+                                   .before("SiemensPositionSyntax", "ProgramXyzSyntax", "McXyzSyntax");
+
+  ig::Codes codes_{"G53", "G153", "SUPA"};
+  ig::Xyz words_{"Parsing", ig::take};
+  AxisModes modes_{ig::read};
+  ig::Xyz program_{"ProgramXyz", ig::write};
+  ig::Xyz machine_{"MachineCoordinate", ig::read | ig::write};
+  ig::Transform tool_{"ToolHeightCompensation", ig::read}, pivot_{"PivotTransform", ig::read};
+  DistanceMode distance_;
+  LastProgramXyz last_;
+  ig::Name ac_{"AC"}, ic_{"IC"};
+
+  ig::Status build(ig::Block& b) {
+    if (!b.take(codes_)) return ig::Status::unchanged;
+    const ig::PartialVec3 named = b.take(words_);
+    if (named.mask == 0) return ig::Status::changed;
+    const ig::PartialVec3 carried = b.get(machine_);
+    ig::Vec3 to = carried.complete() ? carried.value : b.to_machine(last_(b)).value_or(ig::Vec3{});
+    const ig::Vec3 length = tool_length(b);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!named.has(axis)) continue;
+      const auto mode = modes_.get(b, axis);
+      const bool is_increment = mode ? *mode == ic_ : distance_.is_incremental(b);
+      to[axis] = named.value[axis] + (is_increment ? to[axis] : length[axis]);
+    }
+    b.set(machine_, to);
+    if (const auto program = b.to_program(to))
+      b.set(program_, rounded(*program));
+    else
+      b.report(ig::diag("SIE-0212"), ig::Where::block());
+    return ig::Status::changed;
+  }
+
+ private:
+  /// As the machine sees it: the frame has it as the workpiece does, which may be swivelled with the table.
+  ig::Vec3 tool_length(const ig::Block& b) const {
+    double m[16];
+    if (b.host()->transform(b.raw(), tool_.id(), m) == 0) return {};
+    const ig::Vec3 v{m[12], m[13], m[14]};
+    if (b.host()->transform(b.raw(), pivot_.id(), m) == 0) return v;
+    return rounded(ig::Vec3{v.x * m[0] + v.y * m[4] + v.z * m[8], v.x * m[1] + v.y * m[5] + v.z * m[9],
+                            v.x * m[2] + v.y * m[6] + v.z * m[10]});
+  }
+};
+
+const ig::Register<SiemensMachineCoordinates> siemens_machine_coordinates_syntax;
+
+}  // namespace
+}  // namespace siemens

@@ -1,0 +1,89 @@
+/// The values of an array: SET(1,2,3) and (1,2,3) for its elements one behind the other, REP(0) for all of them,
+/// REP(0,5) for five; in a definition and in an assignment, from the element on that is named there.
+#pragma once
+
+#include "flow/flow_words.hpp"
+
+namespace siemens {
+
+using namespace ig::cnc;
+
+class ArrayValues {
+ public:
+  ArrayValues(ig::Block& b, const Environment& environment, std::string_view text)
+      : b_(b), environment_(environment), text_(text) {}
+
+  /// SET( or REP( at `position`, or a bracket alone.
+  static bool begin(std::string_view text, std::size_t position, bool or_bracket) {
+    if (or_bracket && at(text, position) == '(') return true;
+    return (is_word(text, position, "SET") || is_word(text, position, "REP")) &&
+           at(text, skip_blanks(text, skip_name(text, position))) == '(';
+  }
+
+  /// Stores them from the element of that number on and goes behind them. False, and said, where that is not possible.
+  bool read(std::size_t& next, const std::string& array, std::size_t first) {
+    const std::size_t begin = next;
+    const bool repeats = is_word(text_, next, "REP");
+    if (at(text_, next) != '(') next = skip_blanks(text_, skip_name(text_, next));
+    if (!read_list(next, array)) return false;
+    const Variable* const target = environment_.store().find(array);
+    // One more than the program may have, so that the store says it.
+    const std::size_t most_elements = environment_.store().most_names + 1;
+    const bool is_sized = !target->sizes.empty();
+    const std::size_t room = is_sized ? target->size() - std::min(first, target->size()) : most_elements;
+    if (repeats) {
+      const std::size_t count = values_.size() > 1 ? count_of(values_[1]) : room;
+      if (first == 0 && count >= room && values_[0]) {
+        environment_.store().fill(array, *values_[0]);
+        return true;
+      }
+      values_.assign(std::min({count, room, most_elements}), std::optional<Value>(values_[0]));
+    } else if (values_.size() > room) {
+      b_.report(ig::diag("SIE-0303"), ig::Where::columns(begin, next), std::string_view(array),
+                static_cast<double>(room));
+      values_.resize(room);
+    }
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      if (!values_[i]) continue;  // SET(1,,3) leaves an element as it is
+      if (environment_.store().define(array + target->indices_of(first + i), *values_[i])) continue;
+      b_.report(ig::diag("SIE-0114"), ig::Where::columns(begin, next), std::string_view(array));
+      return false;
+    }
+    return true;
+  }
+
+ private:
+  bool read_list(std::size_t& next, const std::string& array) {
+    const Type type = environment_.store().find(array)->value.type;
+    do {
+      next = skip_blanks(text_, next + 1);
+      values_.emplace_back();
+      if (const char c = at(text_, next); c == ',' || c == ')') continue;
+      const std::size_t begin = next;
+      Expression e(b_, environment_, text_, next);
+      const auto v = e.value();
+      if (!v) return false;
+      values_.back() = v->as(type);
+      next = skip_blanks(text_, e.position());
+      if (values_.back()) continue;
+      b_.report(ig::diag("SIE-0130"), ig::Where::columns(begin, next), std::string_view(array));
+      return false;
+    } while (at(text_, next) == ',');
+    if (at(text_, next) != ')') {
+      b_.report(ig::diag("SIE-0102"), columns(text_, std::min(next, text_.size())));
+      return false;
+    }
+    ++next;
+    return true;
+  }
+  static std::size_t count_of(const std::optional<Value>& value) {
+    return value && value->number > 0 ? static_cast<std::size_t>(std::min(value->number, 1e9)) : 0;
+  }
+
+  ig::Block& b_;
+  const Environment& environment_;
+  std::string_view text_;
+  std::vector<std::optional<Value>> values_;
+};
+
+}  // namespace siemens

@@ -1,0 +1,271 @@
+// DEF, DEFINE, PROC, EXTERN: variables of the program, names for texts, and what a call has passed.
+#include "language/array_values.hpp"
+
+namespace siemens {
+
+using namespace ig::cnc;
+namespace {
+
+using ig::cnc::at;
+using ig::cnc::piece;
+using ig::cnc::skip_blanks;
+
+struct SiemensDeclaration {
+  static constexpr auto spec = ig::syntax("SiemensDeclarationSyntax", "DEF, DEFINE, PROC and EXTERN.")
+                                   .after("SiemensFlowSyntax")
+                                   .before("SiemensWordSyntax")
+                                   .scans("DPERdper");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0161", "'{0}' is not executed"),
+      ig::diagnostic(IG_ERROR, "SIE-0162", "'{0}' should not stand in a declaration"),
+      ig::diagnostic(IG_WARNING, "SIE-0163", "SAVE: the codes of the caller do not come back"),
+      ig::diagnostic(IG_WARNING, "SIE-0164", "{0} has no value: no call passes one"),
+      ig::diagnostic(IG_ERROR, "SIE-0301", "{0}{1} is no size of an array: it is not defined"),
+      ig::diagnostic(IG_ERROR, "SIE-0302", "{0} is defined already: this definition does not count"),
+  };
+
+  Environment environment_;
+  ig::Signal statement_{"Parsing.~Declaration", ig::read | ig::write | ig::wake};
+  ig::TextField program_{"Source.Program", ig::write};
+  ig::Signal begun_{"Source.~Program", ig::read | ig::write, ig::Life::frame};
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
+    const std::size_t end = skip_name(text, position);
+    if (end - position < 3) return position;
+    const Word word = word_of(piece(text, position, end));
+    if (word == Word::none || at(text, skip_blanks(text, end)) == '=') return position;
+    if (word == Word::proc && environment_.flow.is_indexing() && !b.is_raised(begun_)) {
+      const std::size_t name = skip_blanks(text, end);
+      environment_.flow.label(b, upper(piece(text, name, skip_name(text, name))), IG_LABEL_PROGRAM);
+      b.raise(begun_);
+    }
+    word_ = word;
+    begin_ = position;
+    behind_ = end;
+    end_statement_ = statement_text_end(text, position);
+    b.raise(statement_);
+    return statement_end(text, position);
+  }
+
+  ig::Status build(ig::Block& b) {
+    if (!b.is_raised(statement_) || end_statement_ > b.source().size()) return ig::Status::unchanged;
+    environment_.enter(b);
+    const std::string_view text = b.source().substr(0, end_statement_);
+    if (word_ == Word::def) define(b, text, behind_);
+    if (word_ == Word::define) define_macro(b, text);
+    if (word_ == Word::proc) begin_program(b, text);
+    if (word_ == Word::other) b.report(ig::diag("SIE-0161"), columns(text, begin_), text.substr(begin_));
+    return ig::Status::changed;
+  }
+
+ private:
+  enum class Word : std::uint8_t { none, def, define, proc, external, other };
+  static Word word_of(std::string_view name) {
+    if (equals_ignoring_case(name, "DEF")) return Word::def;
+    if (equals_ignoring_case(name, "PROC")) return Word::proc;
+    if (equals_ignoring_case(name, "EXTERN") || equals_ignoring_case(name, "EXTERNAL")) return Word::external;
+    if (equals_ignoring_case(name, "DEFINE")) return Word::define;
+    if (equals_ignoring_case(name, "REDEF")) return Word::other;
+    return Word::none;
+  }
+  static ig::Where columns(std::string_view text, std::size_t begin) {
+    return ig::Where::columns(begin, std::max(text.size(), begin + 1));
+  }
+  static bool is_word(std::string_view text, std::size_t position, std::string_view word) {
+    return equals_ignoring_case(piece(text, position, skip_name(text, position)), word);
+  }
+
+  /// REAL, INT, BOOL, CHAR, STRING[n]; AXIS is kept as a text. Nothing for FRAME and names of no type.
+  static std::optional<Type> type_at(std::string_view text, std::size_t& position) {
+    const std::size_t end = skip_name(text, position);
+    const std::string name = upper(piece(text, position, end));
+    std::optional<Type> type;
+    if (name == "REAL") type = Type::real;
+    if (name == "INT" || name == "CHAR") type = Type::integer;
+    if (name == "BOOL") type = Type::boolean;
+    if (name == "STRING" || name == "AXIS") type = Type::text;
+    if (!type) return type;
+    position = skip_blanks(text, end);
+    if (at(text, position) == '[')
+      position = skip_blanks(text, std::min(text.find(']', position), text.size() - 1) + 1);
+    return type;
+  }
+  static Value empty(Type type) { return {0, type, {}}; }
+
+  // ---- DEFINE NAME AS TEXT
+
+  void define_macro(ig::Block& b, std::string_view text) const {
+    const std::size_t name = skip_blanks(text, behind_), end = skip_name(text, name);
+    const std::size_t as = skip_blanks(text, end), by = skip_blanks(text, skip_name(text, as));
+    if (end == name || !is_word(text, as, "AS") || by >= text.size()) {
+      b.report(ig::diag("SIE-0162"), columns(text, name), text.substr(std::min(name, text.size())));
+      return;
+    }
+    environment_.store().define_macro(upper(piece(text, name, end)), std::string(text.substr(by)));
+  }
+
+  // ---- DEF REAL A=1, B[3], C
+
+  void define(ig::Block& b, std::string_view text, std::size_t position) {
+    std::size_t next = skip_blanks(text, position);
+    for (const std::string_view scope : {"NCK", "CHAN", "SYNR", "SYNW", "SYNRW", "PHU", "PHUI"})
+      if (is_word(text, next, scope)) next = skip_blanks(text, skip_name(text, next));
+    const auto type = next < text.size() ? type_at(text, next) : std::nullopt;
+    if (!type) {
+      b.report(ig::diag("SIE-0161"), columns(text, begin_), text.substr(begin_));
+      return;
+    }
+    while (next < text.size()) {
+      const std::size_t begin = next, end = skip_name(text, next);
+      const std::string name = upper(piece(text, begin, end));
+      if (name.empty()) {
+        b.report(ig::diag("SIE-0162"), columns(text, begin), text.substr(begin));
+        return;
+      }
+      next = skip_blanks(text, end);
+      std::vector<std::uint32_t> sizes;
+      if (at(text, next) == '[' && !read_sizes(b, text, next, name, sizes)) return;
+      const std::pair place(environment_.flow.here(b).offset, begin);
+      if (const Variable* const known = environment_.store().find(name);
+          known != nullptr && known->defined_at != place) {
+        b.report(ig::diag("SIE-0302"), ig::Where::columns(begin, end), std::string_view(name));
+        return;
+      }
+      if (!environment_.store().define(name, empty(*type), !sizes.empty())) {
+        b.report(ig::diag("SIE-0114"), columns(text, begin), std::string_view(name));
+        return;
+      }
+      Variable& defined = *environment_.store().find(name);
+      defined.defined_at = place;
+      defined.sizes = std::move(sizes);
+      if (at(text, next) == '=' && !initial(b, text, next, name)) return;
+      next = skip_blanks(text, next);
+      if (next >= text.size()) return;
+      if (text[next] != ',') {
+        b.report(ig::diag("SIE-0162"), columns(text, next), text.substr(next));
+        return;
+      }
+      next = skip_blanks(text, next + 1);
+    }
+  }
+
+  /// [5] and [2,3]: how many elements there are in each dimension.
+  bool read_sizes(ig::Block& b, std::string_view text, std::size_t& next, const std::string& name,
+                  std::vector<std::uint32_t>& sizes) {
+    constexpr double most = 1e6;
+    constexpr std::size_t most_dimensions = 3;
+    const std::size_t open = next;
+    do {
+      Expression e(b, environment_, text, skip_blanks(text, next + 1));
+      const auto size = e.number();
+      if (!size) return false;
+      next = skip_blanks(text, e.position());
+      if (!(*size >= 1 && *size <= most) || *size != std::floor(*size) || sizes.size() == most_dimensions) {
+        b.report(ig::diag("SIE-0301"), ig::Where::columns(open, std::max(next, open + 1)), std::string_view(name),
+                 piece(text, open, std::min(next + 1, text.size())));
+        return false;
+      }
+      sizes.push_back(static_cast<std::uint32_t>(*size));
+    } while (at(text, next) == ',');
+    if (at(text, next) != ']') {
+      b.report(ig::diag("SIE-0102"), columns(text, open));
+      return false;
+    }
+    next = skip_blanks(text, next + 1);
+    return true;
+  }
+
+  /// =value; of an array what ArrayValues reads, or one value for all of its elements.
+  bool initial(ig::Block& b, std::string_view text, std::size_t& next, const std::string& name) {
+    Variable& defined = *environment_.store().find(name);
+    const std::size_t first = skip_blanks(text, next + 1);
+    if (defined.is_array && ArrayValues::begin(text, first, true)) {
+      next = first;
+      return ArrayValues(b, environment_, text).read(next, name, 0);
+    }
+    Expression e(b, environment_, text, first);
+    const auto v = e.value();
+    if (!v) return false;
+    auto fitting = v->as(defined.value.type);
+    if (!fitting) {
+      b.report(ig::diag("SIE-0130"), columns(text, begin_), std::string_view(name));
+      return false;
+    }
+    defined.value = std::move(*fitting);
+    next = e.position();
+    return true;
+  }
+
+  // ---- PROC NAME(REAL A, INT B=2, VAR REAL C) SAVE DISPLOF
+
+  void begin_program(ig::Block& b, std::string_view text) {
+    const std::size_t name = skip_blanks(text, behind_), end = skip_name(text, name);
+    b.set_text(program_, piece(text, name, end));
+    std::size_t next = skip_blanks(text, end);
+    const ig_frame frame = environment_.flow.frame(b);
+    const std::vector<Argument>& passed = environment_.store().passed(frame.tag);
+    if (at(text, next) == '(') {
+      std::size_t index = 0;
+      next = skip_blanks(text, next + 1);
+      while (next < text.size() && text[next] != ')') {
+        if (!parameter(b, text, next, index < passed.size() ? passed[index] : Argument{}, frame.depth > 0)) return;
+        ++index;
+        next = skip_blanks(text, next);
+        if (at(text, next) == ',') next = skip_blanks(text, next + 1);
+      }
+    }
+    for (next = 0; next < text.size(); next = std::max(skip_name(text, next), next + 1))
+      if (is_word(text, next, "SAVE")) b.report(ig::diag("SIE-0163"), ig::Where::columns(next, next + 4));
+  }
+
+  bool parameter(ig::Block& b, std::string_view text, std::size_t& next, const Argument& argument, bool is_called) {
+    const std::size_t begin = next;
+    const bool is_reference = is_word(text, next, "VAR");
+    if (is_reference) next = skip_blanks(text, skip_name(text, next));
+    const auto type = type_at(text, next);
+    const std::size_t end = skip_name(text, next);
+    const std::string name = upper(piece(text, next, end));
+    if (!type || name.empty()) {
+      b.report(ig::diag("SIE-0162"), columns(text, begin), text.substr(begin));
+      return false;
+    }
+    next = skip_blanks(text, end);
+    const bool is_array = at(text, next) == '[';
+    if (is_array) next = skip_blanks(text, std::min(text.find(']', next), text.size() - 1) + 1);
+    Value value = empty(*type);
+    bool has_default = false;
+    if (at(text, next) == '=') {
+      Expression e(b, environment_, text, next + 1);
+      const auto v = e.value();
+      if (!v) return false;
+      if (const auto fitting = v->as(*type)) value = *fitting;
+      has_default = true;
+      next = e.position();
+    }
+    if (argument.value) {
+      if (const auto fitting = argument.value->as(*type))
+        value = *fitting;
+      else
+        b.report(ig::diag("SIE-0130"), columns(text, begin), std::string_view(name));
+    } else if (const auto given = is_called ? std::nullopt : environment_.store().given(name)) {
+      value.number = *given;
+    } else if (!has_default && !is_called) {
+      b.report(ig::diag("SIE-0164"), ig::Where::columns(begin, end), std::string_view(name));
+    }
+    environment_.store().define(name, std::move(value), is_array);
+    if (is_array) environment_.store().find(name)->sizes = argument.sizes;
+    if (is_array)
+      for (const auto& [element, own] : argument.elements)
+        if (auto fitting = own.as(*type)) environment_.store().define(name + element, std::move(*fitting));
+    if (is_reference && !argument.name.empty()) environment_.store().refer(name, argument.name);
+    return true;
+  }
+
+  Word word_ = Word::none;  // what scan() has found
+  std::size_t begin_ = 0, behind_ = 0, end_statement_ = 0;
+};
+
+const ig::Register<SiemensDeclaration> siemens_declaration_syntax;
+
+}  // namespace
+}  // namespace siemens

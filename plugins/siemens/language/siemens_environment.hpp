@@ -1,0 +1,115 @@
+/// What the syntaxes of the language share: the variables, the place in the program, and what of the machine is known.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include <isogloss/flow.hpp>
+
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/scan.hpp>
+#include "language/system_data.hpp"
+#include "language/variable_store.hpp"
+
+namespace siemens {
+
+using namespace ig::cnc;
+
+class Environment {
+ public:
+  ig::Flow flow;
+  SystemData system;
+
+  VariableStore& store() const { return const_cast<VariableStore&>(*store_.operator->()); }
+
+  /// A name that is missing is missing wherever it stands: it is said once, an array without its indices.
+  void report_name(ig::Block& b, ig::DiagnosticCode diagnostic, const ig::Where& where, const std::string& name) const {
+    const std::string base = name.substr(0, name.find('['));
+    if (store().say_once(std::string(diagnostic.code) + '\n' + base))
+      b.report(diagnostic, where, std::string_view(base));
+  }
+
+  /// Before variables are read or written in a block.
+  void enter(ig::Block& b) const { store().enter(flow.frame(b).id); }
+
+  /// What a loop or a subprogram meets again at the same place of the text is said once for that place.
+  template <class... Args>
+  void report_once(ig::Block& b, ig::DiagnosticCode diagnostic, const ig::Where& where, std::size_t column,
+                   const Args&... args) const {
+    const ig_frame f = flow.frame(b);
+    const ig_place here = flow.here(b);
+    std::string place = std::string(diagnostic.code) + '\n';
+    place += ig::to_view(f.file);
+    for (const std::uint64_t n : {here.offset, std::uint64_t{here.line}, static_cast<std::uint64_t>(column)})
+      place.append(1, '\n').append(std::to_string(n));
+    if (store().say_once(place)) b.report(diagnostic, where, args...);
+  }
+
+ private:
+  ig::Service<VariableStore> store_{variable_service, ig::Need::required, "The variables."};
+};
+
+constexpr bool is_name_start(char c) { return is_letter(c) || c == '_'; }
+constexpr bool is_name_part(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+constexpr std::size_t skip_name(std::string_view text, std::size_t position) {
+  return skip_while(text, position, is_name_part);
+}
+inline std::string upper(std::string_view name) {
+  std::string out(name);
+  for (char& c : out) c = to_upper(c);
+  return out;
+}
+
+/// A block in which the name from `begin` to `end` has become what DEFINE says of it. Columns before it stay.
+class ExpandedText {
+ public:
+  ExpandedText(std::string_view text, std::size_t begin, std::size_t end, std::string_view by)
+      : begin_(begin), end_(end), macro_end_(begin + by.size()) {
+    text_.append(text.substr(0, begin)).append(by).append(text.substr(end));
+  }
+  std::string_view text() const { return text_; }
+  std::size_t macro_end() const { return macro_end_; }
+  /// Where reading has come to, in the text as it is written.
+  std::size_t original(std::size_t position) const {
+    return position <= begin_ ? position : std::max(position, macro_end_) - macro_end_ + end_;
+  }
+
+ private:
+  std::string text_;
+  std::size_t begin_, end_, macro_end_;
+};
+
+/// Where the statement ends: at a comment, which a string may look like, or at the end of the block.
+constexpr std::size_t statement_end(std::string_view text, std::size_t position) {
+  bool quoted = false;
+  for (; position < text.size() && text[position] != '\r' && text[position] != '\n'; ++position) {
+    if (text[position] == '"') quoted = !quoted;
+    if (text[position] == ';' && !quoted) break;
+  }
+  return position;
+}
+/// Without the blanks before it.
+constexpr std::size_t statement_text_end(std::string_view text, std::size_t position) {
+  std::size_t end = statement_end(text, position);
+  while (end > position && is_blank(text[end - 1])) --end;
+  return end;
+}
+
+/// Past the round bracket that closes the one at `position`; strings may hold brackets. The end of the statement where
+/// none does.
+constexpr std::size_t skip_call(std::string_view text, std::size_t position) {
+  std::size_t depth = 0;
+  bool quoted = false;
+  for (; position < text.size() && text[position] != '\r' && text[position] != '\n'; ++position) {
+    const char c = text[position];
+    if (c == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (c == ';') return position;
+    if (c == '(') ++depth;
+    if (c == ')' && --depth == 0) return position + 1;
+  }
+  return position;
+}
+
+}  // namespace siemens

@@ -1,0 +1,75 @@
+/// Expressions of the Siemens language, read and computed in one pass over the text. Faults are reported where they
+/// stand. Recursion is bounded by the brackets that are read.
+#pragma once
+
+#include <algorithm>
+
+#include "language/siemens_environment.hpp"
+
+namespace siemens {
+
+using namespace ig::cnc;
+
+class Expression {
+ public:
+  /// Reads `text` up to its end.
+  Expression(ig::Block& b, const Environment& environment, std::string_view text, std::size_t position)
+      : b_(b), environment_(environment), text_(text), at_(std::min(position, text.size())) {}
+
+  /// Nothing where it has no value, which was said.
+  std::optional<Value> value();
+  std::optional<double> number();
+  std::optional<bool> truth();
+  /// Where reading has stopped.
+  std::size_t position() const { return at_; }
+
+  /// R1, R[…], NAME, NAME[…], $NAME[…]: the name of a variable, with its indices computed.
+  struct Reference {
+    std::string name;
+    std::size_t begin = 0, end = 0;
+    bool is_r = false;
+    std::size_t r = 0;
+  };
+  std::optional<Reference> reference();
+
+ private:
+  static constexpr int deepest = 40;
+
+  std::optional<Value> level(int priority);
+  std::optional<Value> unary();
+  std::optional<Value> operand();
+  std::optional<Value> as_text();
+  std::optional<Value> literal();
+  std::optional<Value> of_macro(std::size_t begin, const std::string& macro);
+  std::optional<Value> call(const std::string& name, std::size_t begin);
+  std::optional<Value> read(const Reference& r);
+  std::optional<Value> apply(std::string_view op, const Value& l, const Value& r, std::size_t begin);
+  std::string_view take_operator(int priority);
+  bool indices(std::string& name);
+
+  char peek() const { return ig::cnc::at(text_, at_); }
+  void skip_blanks() { at_ = ig::cnc::skip_blanks(text_, at_); }
+  template <class... Args>
+  std::nullopt_t fail(ig::DiagnosticCode diagnostic, std::size_t begin, const Args&... args) {
+    if (!failed_) b_.report(diagnostic, ig::Where::columns(begin, std::max(at_, begin + 1)), args...);
+    failed_ = true;
+    return std::nullopt;
+  }
+  std::string_view shown(std::size_t begin) const { return ig::cnc::piece(text_, begin, std::max(at_, begin)); }
+
+  /// A little of what stands there, without the comment.
+  std::string_view next_text(std::size_t begin) const {
+    const std::string_view some = text_.substr(std::min(begin, text_.size()), 20);
+    return trim(some.substr(0, some.find_first_of(";\r\n")));
+  }
+
+  ig::Block& b_;
+  const Environment& environment_;
+  std::string_view text_;
+  std::size_t at_;
+  int depth_ = 0;
+  bool failed_ = false;
+  bool is_in_macro_ = false;  // they do not nest
+};
+
+}  // namespace siemens

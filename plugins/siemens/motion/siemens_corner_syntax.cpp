@@ -1,0 +1,82 @@
+/// CHF=, CHR= and RND= behind a move, and RNDM= behind each: the chamfer or rounding at the corner to the next move,
+/// its kind and size, as a state that CornerBreakPathSyntax and the radius compensation make the path from.
+#include <cmath>
+
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/corner_break_state.hpp>
+
+namespace siemens {
+
+using namespace ig::cnc;
+namespace {
+
+struct SiemensCorner {
+  static constexpr auto spec =
+      ig::syntax("SiemensCornerSyntax", "CHF=, CHR=, RND= and RNDM=: chamfers and roundings of corners.")
+          .after("SiemensUnitSyntax", "SiemensTurnSyntax", "CircularMotionSyntax", "LinearMotionSyntax")
+          .before("CornerBreakPathSyntax", "RadiusCompensationPathSyntax", "UnconsumedCheckSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0286", "{0}{1} is less than 0: the corner stays sharp"),
+      ig::diagnostic(IG_ERROR, "SIE-0287", "{0} is the second word for this corner: it is not used"),
+  };
+
+  struct Corner {
+    ig::Word word;
+    ig::Name name;
+    CornerShape shape;
+  };
+  std::array<Corner, 3> corners_{
+      Corner{ig::Word{"Parsing.CHF", ig::wake, "mm", "Length of the chamfer."}, ig::Name{"CHF="}, CornerShape::length},
+      Corner{ig::Word{"Parsing.CHR", ig::wake, "mm", "From the corner to both ends of the chamfer."}, ig::Name{"CHR="},
+             CornerShape::legs},
+      Corner{ig::Word{"Parsing.RND", ig::wake, "mm", "Radius of the arc."}, ig::Name{"RND="}, CornerShape::rounding}};
+  ig::Word modal_word_{"Parsing.RNDM", ig::wake, "mm", "Radius of the arcs at all corners; 0 ends it."};
+  ig::Field<double> modal_{"CornerBreak.ModalRadius_mm",
+                           ig::read | ig::write | ig::wake_while,
+                           {ig::Life::modal, "mm", "RNDM=, as long as it is in force."}};
+  CornerBreakWords corner_;
+  ig::In<ig::Symbol> form_{"MotionEvent.Form"};
+  ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
+  ig::Name rndm_{"RNDM="};
+
+  ig::Status build(ig::Block& b) const {
+    if (const auto radius = b.take(modal_word_)) set_modal(b, *radius);
+    corner_.keep(b, describe(b));
+    return ig::Status::changed;
+  }
+
+ private:
+  void set_modal(ig::Block& b, double radius) const {
+    if (radius < 0)
+      b.report(ig::diag("SIE-0286"), ig::Where::word(modal_word_.id()), b.text(rndm_), radius);
+    else if (radius > 0)
+      b.set(modal_, radius);
+    else if (b.has(modal_))
+      b.erase(modal_);
+  }
+
+  std::optional<CornerBreakState::Corner> describe(ig::Block& b) const {
+    const Corner* found = nullptr;
+    double size = 0;
+    for (const Corner& corner : corners_) {
+      const auto word = b.take(corner.word);
+      if (!word) continue;
+      if (found != nullptr) b.report(ig::diag("SIE-0287"), ig::Where::word(corner.word.id()), b.text(corner.name));
+      if (*word < 0) b.report(ig::diag("SIE-0286"), ig::Where::word(corner.word.id()), b.text(corner.name), *word);
+      if (found != nullptr) continue;
+      found = &corner;
+      size = *word;
+    }
+    if (found != nullptr)
+      return size > 0 ? std::optional(CornerBreakState::Corner{found->name, found->shape, size}) : std::nullopt;
+    const double radius = b.has(form_) && !b.get_or(is_rapid_, false) ? b.get_or(modal_, 0.0) : 0;
+    if (!(radius > 0)) return std::nullopt;
+    return CornerBreakState::Corner{rndm_, CornerShape::rounding, radius, true};
+  }
+};
+
+const ig::Register<SiemensCorner> siemens_corner_syntax;
+
+}  // namespace
+}  // namespace siemens

@@ -1,0 +1,91 @@
+/// G74: to the reference point. G75: to a fixed point of the machine. By rapid, with the named axes alone, whatever
+/// group 1 says, which stays in force; no frame and no tool length acts.
+#include <cmath>
+
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/motion_event.hpp>
+#include <isogloss/cnc/program_xyz.hpp>
+
+namespace siemens {
+
+using namespace ig::cnc;
+namespace {
+
+struct SiemensReference {
+  static constexpr auto spec = ig::syntax("SiemensReferenceSyntax", "G74 reference point, G75 fixed point.")
+                                   .after("SiemensToolOffsetSyntax", "SiemensCoordinateOffsetSyntax")
+                                   .before("SiemensMachineCoordinatesSyntax", "SiemensPositionSyntax",
+                                           "ProgramXyzSyntax", "McXyzSyntax", "McAbcSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "SIE-0275", "the machine does not know position {0} of {1}: machine zero counts"),
+      ig::diagnostic(IG_ERROR, "SIE-0276", "{0} without an axis: nothing moves"),
+      ig::diagnostic(IG_ERROR, "SIE-0277", "FP={0} is no fixed point: nothing moves"),
+  };
+
+  ig::Call codes_{{"G74", "G75"}, "X Y Z A[] B[] C[]"};
+  std::array<ig::Word, 6> of_machine_{ig::Word{"Parsing.X1", ig::take, ""}, ig::Word{"Parsing.Y1", ig::take, ""},
+                                      ig::Word{"Parsing.Z1", ig::take, ""}, ig::Word{"Parsing.A1", ig::take, ""},
+                                      ig::Word{"Parsing.B1", ig::take, ""}, ig::Word{"Parsing.C1", ig::take, ""}};
+  ig::Word fp_{"Parsing.FP", ig::take, "", "Which fixed point."};
+  std::array<ig::Word, 3> turns_{ig::Word{"Parsing.A", ig::write, "deg"}, ig::Word{"Parsing.B", ig::write, "deg"},
+                                 ig::Word{"Parsing.C", ig::write, "deg"}};
+  ig::Xyz program_{"ProgramXyz", ig::write};
+  ig::Xyz machine_{"MachineCoordinate", ig::read | ig::write};
+  BlockMotion move_;
+  LastProgramXyz last_;
+  ig::Service<ig_machine_axis_1> axes_{"isogloss.machine-axis/1", ig::Need::optional, "Reference positions."};
+
+  ig::Status build(ig::Block& b) {
+    const auto words = b.take(codes_);
+    if (!words) return ig::Status::unchanged;
+    const auto where = ig::Where::word(codes_.code(words->row));
+    std::uint32_t named = 0;
+    for (std::size_t axis = 0; axis < axis_names.size(); ++axis) {
+      const bool by_machine_name = b.take(of_machine_[axis]).has_value();
+      if ((*words)[axis_names[axis]] || by_machine_name) named |= 1u << axis;
+    }
+    const double fixed_point = b.take(fp_).value_or(1);
+    if (named == 0) {
+      b.report(ig::diag("SIE-0276"), where, b.text(words->code));
+      return ig::Status::changed;
+    }
+    if (!(fixed_point >= 1 && fixed_point <= 4) || fixed_point != std::floor(fixed_point)) {
+      b.report(ig::diag("SIE-0277"), where, fixed_point);
+      return ig::Status::changed;
+    }
+    go(b, named, words->row == 1 ? static_cast<std::uint32_t>(fixed_point) : 1, where);
+    return ig::Status::changed;
+  }
+
+ private:
+  static constexpr std::string_view axis_names = "XYZABC";
+
+  void go(ig::Block& b, std::uint32_t named, std::uint32_t which, ig::Where where) const {
+    const ig::PartialVec3 carried = b.get(machine_);
+    ig::Vec3 to = carried.complete() ? carried.value : b.to_machine(last_(b)).value_or(ig::Vec3{});
+    for (std::size_t axis = 0; axis < axis_names.size(); ++axis) {
+      if ((named >> axis & 1u) == 0) continue;
+      double position = 0;
+      const char name = axis_names[axis];
+      if (!axes_ || axes_->reference(axes_->self, name, which, &position) == 0)
+        b.report(ig::diag("SIE-0275"), where, static_cast<double>(which), std::string_view(&name, 1));
+      if (axis < 3)
+        to[axis] = position;
+      else
+        b.set(turns_[axis - 3], position);
+    }
+    move_.rapid(b);
+    if ((named & 7u) == 0) return;  // McAbcSyntax turns the others
+    b.set(machine_, to);
+    if (const auto program = b.to_program(to))
+      b.set(program_, rounded(*program));
+    else
+      b.report(ig::diag("SIE-0212"), ig::Where::block());
+  }
+};
+
+const ig::Register<SiemensReference> siemens_reference_syntax;
+
+}  // namespace
+}  // namespace siemens
