@@ -7,9 +7,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <isogloss/cnc/units.hpp>
 #include <numbers>
 
 namespace kinematics {
+
+using namespace ig::cnc;
 
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
@@ -23,7 +26,7 @@ struct Turn {
     // remainder() is slow, and such a difference as exact while the quarters are few.
     const double angle = std::fabs(degrees) < 1e9 ? degrees : std::remainder(degrees, 360.0);
     const long quarter = std::lrint(angle / 90);
-    const double radians = (angle - 90 * static_cast<double>(quarter)) * (std::numbers::pi / 180);
+    const double radians = (angle - 90 * static_cast<double>(quarter)) * radians_per_degree;
     const double c = std::cos(radians), s = std::sin(radians);
     switch (quarter & 3) {
       case 0: return {c, s};
@@ -36,7 +39,7 @@ struct Turn {
 
 /// In (-180, 180].
 inline double to_degrees(double radians) {
-  const double degrees = radians * (180 / std::numbers::pi);
+  const double degrees = radians * degrees_per_radian;
   return degrees <= -180 ? degrees + 360 : degrees;
 }
 inline double within_half_turn(double degrees) {
@@ -217,7 +220,7 @@ class RotaryMachine {
   };
   /// rad/s of the tool relative to the workpiece.
   double speed_of(std::size_t i, const Angles& turning) const {
-    return axes_[i].sign * turning[axes_[i].letter] * (std::numbers::pi / 180);
+    return axes_[i].sign * turning[axes_[i].letter] * radians_per_degree;
   }
   Moving carried(const Moving& v, std::size_t i, const Angles& angles, const Angles& turning) const {
     return carried(v, axes_[i].direction, turn_of(i, angles), speed_of(i, turning));

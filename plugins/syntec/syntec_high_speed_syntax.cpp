@@ -27,7 +27,7 @@ struct SyntecHighSpeed {
     any |= b.take(end_of_set_).has_value();
     for (std::uint32_t row = 0; row < codes_.code_count(); ++row) {
       ig_value e;
-      if (b.host()->take(b.raw(), codes_.word(row, 'E'), &e) == 0) continue;
+      if (!b.take(codes_.word(row, 'E'), e)) continue;
       any = true;
       if (e.number > 0)
         b.set(tolerance_, e.number);

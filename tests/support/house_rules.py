@@ -67,6 +67,20 @@ def boundaries():
                     "numbers are read with from_chars")
 
 
+def borders():
+    """A plugin sees the SDK and its own folder, and asks the block rather than the contract."""
+    for path in files("plugins/*.cpp", "plugins/*.hpp"):
+        plugin = Path(*path.parts[:2])
+        for number, line in lines(path):
+            found = re.search(r'#include\s+"([^"]+)"', line)
+            if found and not (ROOT / plugin / found[1]).is_file() and not (ROOT / path.parent / found[1]).is_file():
+                yield f"{path}:{number}: includes what does not stand in its plugin: {found[1]}"
+    own = [path for path in files("plugins/*.cpp", "plugins/*.hpp") if not path.stem.endswith("_test")]
+    yield from grep(own, r"\bhost\(\)->\w+", "a call of the contract, for which Block has a verb")
+    yield from grep(own, r"\b25\.4\b(?! times)|pi(_v<double>)? / 180|180 / std::numbers::pi", "isogloss/cnc/units.hpp has a name for it")
+    yield from grep(own, r"\.substr\(8\)|\.integer = 1\b", "ig::word_name(), Block::raise() and ig::present say what is meant")
+
+
 def machine_paths():
     """Nothing in the tree depends on where it was written."""
     text = [path for path in files() if path.suffix not in (".png", ".gz", ".bin")]
@@ -91,7 +105,7 @@ def versions():
 
 
 def main():
-    found = [breach for rule in (pages, boundaries, machine_paths, size, versions) for breach in rule()]
+    found = [breach for rule in (pages, boundaries, borders, machine_paths, size, versions) for breach in rule()]
     print("\n".join(found), end="\n" if found else "")
     sys.exit(1 if found else 0)
 

@@ -156,6 +156,8 @@ class Block {
   void erase(const F& field) {
     host_->erase(block_, field.id());
   }
+  /// A code for the syntaxes after this one.
+  void raise(ig_field code) { host_->set(block_, code, present); }
   void raise(const Signal& signal) { host_->set(block_, signal.id(), ig_value{}); }
   bool is_raised(const Signal& signal) const { return has(signal); }
 
@@ -207,13 +209,77 @@ class Block {
     return row < 0 ? std::nullopt : std::optional<std::size_t>(static_cast<std::size_t>(row));
   }
   /// Raises a call for the syntaxes after this one.
-  void set_call(const Call& call, std::size_t row) {
-    ig_value v;
-    v.integer = 1;
-    host_->set(block_, call.code(row), v);
-  }
+  void set_call(const Call& call, std::size_t row) { raise(call.code(row)); }
   void set_word(const Call& call, std::size_t row, char letter, double value) {
     host_->set(block_, call.word(row, letter), {.number = value});
+  }
+
+  // The same for ids, of members that declare many fields at once.
+
+  void set(ig_field f, double number) { host_->set(block_, f, {.number = number}); }
+  void set(ig_field f, ig_value value) { host_->set(block_, f, value); }
+  /// Of at most 32 fields.
+  void set_many(const ig_field* fields, std::uint32_t count, const ig_value* values) {
+    host_->set_many(block_, fields, count, values);
+  }
+  void amend_many(const ig_field* fields, std::uint32_t count, const ig_value* values) {
+    host_->amend_many(block_, fields, count, values);
+  }
+  void erase(ig_field f) { host_->erase(block_, f); }
+  /// False where the block does not hold the word, or somebody took it.
+  bool take(ig_field f, ig_value& out) { return host_->take(block_, f, &out) != 0; }
+  /// The word goes, and its value with it.
+  bool take(ig_field f) {
+    ig_value unused;
+    return take(f, unused);
+  }
+  /// A bit for each of at most 32 words that the block held; all of them are taken.
+  std::uint32_t take_many(const ig_field* fields, std::uint32_t count, ig_value* out) {
+    return host_->take_many(block_, fields, count, out);
+  }
+  /// The index of the last code of the block among these, or -1. All are taken; `found` says how many there were.
+  std::int32_t take_code(const ig_field* codes, std::uint32_t count, std::uint32_t* found = nullptr) {
+    std::uint32_t n = 0;
+    return host_->take_code(block_, codes, count, found != nullptr ? found : &n);
+  }
+  /// The same without taking.
+  std::int32_t find_code(const ig_field* codes, std::uint32_t count, std::uint32_t* found = nullptr) const {
+    std::uint32_t n = 0;
+    return host_->find_code(block_, codes, count, found != nullptr ? found : &n);
+  }
+
+  // Words, for scanners and for those that rewrite what scanners wrote.
+
+  void set_words(const ig_word* words, std::uint32_t count) { host_->set_words(block_, words, count); }
+  void set_word(const ig_word& word) { host_->set_words(block_, &word, 1); }
+  /// Another value for a word in its place: columns, life and mark stay, IG_WORD_WITHOUT_POINT goes.
+  void rewrite(ig_field word, double number) { host_->rewrite(block_, word, {.number = number}); }
+  void rewrite(ig_field word, ig_value value) { host_->rewrite(block_, word, value); }
+  /// The word becomes one of another field, with its columns and its mark.
+  void move(ig_field from, ig_field to) { host_->move(block_, from, to); }
+  /// Where a word stands; false where it has no place in the text.
+  bool word(ig_field f, ig_word& out) const { return host_->word(block_, f, &out) != 0; }
+
+  // Records of a list, CompoundMotion.Items for instance: fields of one list.
+
+  void append(const ig_field* fields, std::uint32_t count, const ig_value* values) {
+    host_->append(block_, fields, count, values);
+  }
+  std::uint32_t count(ig_field any_of_list) const { return host_->count(block_, any_of_list); }
+  /// A bit for each of at most 32 fields that record `index` holds.
+  std::uint32_t record(std::uint32_t index, const ig_field* fields, std::uint32_t count, ig_value* out) const {
+    return host_->record(block_, index, fields, count, out);
+  }
+  void set_record(std::uint32_t index, const ig_field* fields, std::uint32_t count, const ig_value* values) {
+    host_->set_record(block_, index, fields, count, values);
+  }
+  /// Each record that has the three `program` fields and lacks `machine` gets them, through the frame.
+  void map_records(const ig_field* program, const ig_field* machine) { host_->map_records(block_, program, machine); }
+
+  /// Of a syntax that looks ahead: the k-th block after this one; nothing past the end of the program.
+  std::optional<Block> ahead(std::uint32_t k) {
+    ig_block* const next = host_->ahead(block_, k);
+    return next != nullptr ? std::optional<Block>(Block(host_, next)) : std::nullopt;
   }
 
   std::string_view text(const TextField& field) const { return to_view(host_->text(block_, field.id())); }
@@ -228,6 +294,17 @@ class Block {
   /// An entry that moves with the axes during the block, as it is at the block's end; the tool tip moves along.
   void set_moving_transform(const Transform& t, const double (&matrix)[16]) {
     host_->set_moving_transform(block_, t.id(), matrix);
+  }
+  void set_transform(const Transform& t, const std::array<double, 16>& matrix) {
+    host_->set_transform(block_, t.id(), matrix.data());
+  }
+  void set_moving_transform(const Transform& t, const std::array<double, 16>& matrix) {
+    host_->set_moving_transform(block_, t.id(), matrix.data());
+  }
+  /// One entry of the frame; false, and nothing in `matrix`, where it is not set.
+  bool get(const Transform& t, double (&matrix)[16]) const { return host_->transform(block_, t.id(), matrix) != 0; }
+  bool get(const Transform& t, std::array<double, 16>& matrix) const {
+    return host_->transform(block_, t.id(), matrix.data()) != 0;
   }
   /// True when an entry of the frame got another value in this block, under a resting tool.
   bool frame_changed() const { return host_->frame_changed(block_) != 0; }

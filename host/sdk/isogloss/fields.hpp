@@ -8,6 +8,12 @@
 
 namespace ig {
 
+/// "Parsing.G81.J" is the word G81.J.
+constexpr std::string_view word_name(std::string_view path) {
+  constexpr std::string_view section = "Parsing.";
+  return path.starts_with(section) ? path.substr(section.size()) : path;
+}
+
 /// A name known when the chain is created, compared and written in build() without touching text.
 class Name {
  public:

@@ -86,4 +86,8 @@ struct ValueOf<Symbol> {
 };
 
 }  // namespace detail
+
+/// What a code has that stands in a block.
+inline const ig_value present = detail::ValueOf<bool>::write(true);
+
 }  // namespace ig

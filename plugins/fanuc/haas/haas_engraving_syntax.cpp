@@ -2,6 +2,7 @@
 /// to where the text begins, and to R.
 #include <cmath>
 
+#include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/whole_number.hpp>
@@ -37,8 +38,7 @@ struct HaasEngraving {
       return ig::Status::changed;
     }
     const ig::Vec3 start = target_.go_to_start(b, words);
-    constexpr double an_inch = 25.4;
-    b.report(ig::diag("FAN-0206"), where, start.x, start.y, words['J'].value_or(an_inch), words['I'].value_or(0),
+    b.report(ig::diag("FAN-0206"), where, start.x, start.y, words['J'].value_or(mm_per_inch), words['I'].value_or(0),
              std::string_view(target_.is_incremental(b) ? ", from where G91 goes on" : ""));
     return ig::Status::changed;
   }

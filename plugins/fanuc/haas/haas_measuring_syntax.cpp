@@ -25,17 +25,17 @@ struct HaasMeasuring {
     if (!row) return ig::Status::unchanged;
     const ig_field code = measure_.code(*row);
     std::uint32_t found = 0;
-    b.host()->take_code(b.raw(), measure_.codes(), measure_.code_count(), &found);
+    b.take_code(measure_.codes(), measure_.code_count(), &found);
     bool moves = false;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
       const ig_field word = measure_.word(*row, "XYZABC"[i]);
       if (!b.has(word)) continue;
-      b.host()->move(b.raw(), word, axes_[i]);
+      b.move(word, axes_[i]);
       moves = true;
     }
     static constexpr std::string_view own_letters[] = {"D", "IJK", "H", "IJK"};
     ig_value unused;
-    for (const char letter : own_letters[*row]) b.host()->take(b.raw(), measure_.word(*row, letter), &unused);
+    for (const char letter : own_letters[*row]) b.take(measure_.word(*row, letter), unused);
     const auto where = ig::Where::word(code);
     const std::string_view name = b.text(measure_.name(*row));
     if (!moves) {

@@ -31,7 +31,7 @@ struct HaasMirror {
   /// The named axes; without a name, all of them.
   void end(ig::Block& b, ig_field code, const ig::Words& words) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (words.mask == 0 || words["XYZ"[axis]]) b.host()->erase(b.raw(), mirror_.id(axis));
+      if (words.mask == 0 || words["XYZ"[axis]]) b.erase(mirror_.id(axis));
     if (b.get(mirror_).mask == 0) b.erase(term_);
     say_rotary(b, code, words);
   }
@@ -40,7 +40,7 @@ struct HaasMirror {
     bool any = false;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!words["XYZ"[axis]]) continue;
-      b.host()->set(b.raw(), mirror_.id(axis), {.number = 0});
+      b.set(mirror_.id(axis), 0);
       any = true;
     }
     if (any) b.set(term_, words.code);

@@ -43,7 +43,7 @@ class CodeFields {
     const std::vector<ig_field>& row = table_[letter == 'G' ? 0 : 1];
     if (index < row.size() && row[index] != IG_NO_FIELD) {
       const ig_word word{row[index], column(begin), column(end), ig_value{}, 0, 0};
-      b.host()->set_words(b.raw(), &word, 1);
+      b.set_word(word);
       return;
     }
     std::array<char, 16> name{};

@@ -9,9 +9,12 @@
 #include <numbers>
 #include <string_view>
 
+#include <isogloss/cnc/units.hpp>
 #include <isogloss/number.hpp>
 
 namespace fanuc {
+
+using namespace ig::cnc;
 
 /// null: a variable that nobody set. truth: the answer of a comparison, 1 or 0.
 enum class Kind : std::uint8_t { number, null, truth };
@@ -130,7 +133,7 @@ inline double sine(double degrees) {
   if (a == 0 || a == 180) return 0;
   if (a == 30 || a == 150) return sign * 0.5;
   if (a == 90) return sign;
-  return std::sin(turn * (std::numbers::pi / 180));
+  return std::sin(turn * radians_per_degree);
 }
 inline double cosine(double degrees) {
   const double a = std::abs(std::remainder(degrees, 360.0));
@@ -139,15 +142,15 @@ inline double cosine(double degrees) {
   if (a == 90) return 0;
   if (a == 120) return -0.5;
   if (a == 180) return -1;
-  return std::cos(a * (std::numbers::pi / 180));
+  return std::cos(a * radians_per_degree);
 }
 inline double tangent(double degrees) {
   const double turn = std::remainder(degrees, 180.0);  // -90 to 90
   if (turn == 0) return 0;
   if (std::abs(turn) == 45) return turn < 0 ? -1 : 1;
-  return std::tan(turn * (std::numbers::pi / 180));
+  return std::tan(turn * radians_per_degree);
 }
-inline double in_degrees(double radians) { return radians * (180 / std::numbers::pi); }
+inline double in_degrees(double radians) { return radians * degrees_per_radian; }
 
 /// Half away from zero.
 inline double round_to(double value, double increment) {

@@ -49,17 +49,17 @@ struct FanucBlockMacro {
     MacroStore& store = frame_.store();
     if (store.modal_calls().empty() || !store.modal_calls().back().each_block) return ig::Status::unchanged;
     std::uint32_t found = 0;
-    const std::int32_t g = b.host()->find_code(b.raw(), g_codes_.data(), size_of(g_codes_), &found);
+    const std::int32_t g = b.find_code(g_codes_.data(), size_of(g_codes_), &found);
     if (g >= 0 && g_numbers_[static_cast<std::size_t>(g)] == 67) return ig::Status::unchanged;
     MacroStore::Locals arguments = MacroStore::no_locals();
     bool any = g >= 0;
     if (any) arguments[10] = g_numbers_[static_cast<std::size_t>(g)];
     for (std::size_t i = 0; i < addresses_.size(); ++i)
       any |= pass(b, addresses_.id(i), addresses_.path(i).back(), arguments);
-    const std::int32_t m = b.host()->find_code(b.raw(), m_codes_.data(), size_of(m_codes_), &found);
+    const std::int32_t m = b.find_code(m_codes_.data(), size_of(m_codes_), &found);
     if (m >= 0) {
       arguments[13] = m_numbers_[static_cast<std::size_t>(m)];
-      for (const ig_field code : m_codes_) b.host()->erase(b.raw(), code);
+      for (const ig_field code : m_codes_) b.erase(code);
     }
     if (!any && m < 0) return ig::Status::unchanged;
 
@@ -86,8 +86,7 @@ struct FanucBlockMacro {
     const std::uint32_t variable = letter_index(letter) < 26 ? variable_for(letter) : 0;
     ig_word word{};
     ig_value value;
-    if (variable == 0 || b.host()->word(b.raw(), field, &word) == 0 || b.host()->take(b.raw(), field, &value) == 0)
-      return false;
+    if (variable == 0 || !b.word(field, word) || !b.take(field, value)) return false;
     arguments[variable] = (word.flags & IG_WORD_WITHOUT_POINT) != 0
                               ? units_.counted(b, letter, value.number, word.begin, word.end)
                               : value.number;

@@ -170,7 +170,7 @@ struct FanucMacroWord {
       return;
     }
     ig_value before;
-    if (b.host()->get(b.raw(), address.field, &before) != 0) b.report(ig::diag("FAN-0154"), where, written);
+    if (b.get(address.field, before)) b.report(ig::diag("FAN-0154"), where, written);
     // Counts and numbers of things are whole: what a calculation misses by its last digits is rounded.
     const bool is_whole = address.unit.empty() && std::string_view("DHLPT").find(letter) != std::string_view::npos;
     const ig_word word{.field = address.field,
@@ -179,7 +179,7 @@ struct FanucMacroWord {
                        .value = {.number = (is_whole ? std::round(number) : number) + 0.0},
                        .flags = 0,
                        .reserved = 0};
-    b.host()->set_words(b.raw(), &word, 1);
+    b.set_word(word);
   }
 
   void set_corner(ig::Block& b, char letter, double number, std::size_t begin, std::size_t end) const {
@@ -189,7 +189,7 @@ struct FanucMacroWord {
                        .value = {.number = number + 0.0},
                        .flags = 0,
                        .reserved = 0};
-    b.host()->set_words(b.raw(), &word, 1);
+    b.set_word(word);
   }
 
   void set_code(ig::Block& b, char letter, double number, std::size_t begin, std::size_t end) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <isogloss/cnc/units.hpp>
 #include <isogloss/flow.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -123,7 +124,7 @@ class MacroEnvironment : public MacroFrame {
     }
     if (number != 0) {
       const std::array<ig_value, 2> shown{ig_value{.number = static_cast<double>(number)}, {.number = out.number}};
-      b.host()->append(b.raw(), read_.data(), out.is_null() ? 1 : 2, shown.data());
+      b.append(read_.data(), out.is_null() ? 1 : 2, shown.data());
     }
     return Fault::none;
   }
@@ -164,8 +165,6 @@ class MacroEnvironment : public MacroFrame {
   }
 
  private:
-  static constexpr double inch_mm = 25.4;
-
   static ig::DiagnosticCode diagnostic_of(Fault fault) {
     switch (fault) {
       case Fault::not_closed: return ig::diag("FAN-0102");
@@ -342,7 +341,7 @@ class MacroEnvironment : public MacroFrame {
   }
 
   bool is_inch(const ig::Block& b) const { return b.is(system_, inch_); }
-  double in_program_unit(const ig::Block& b, double mm) const { return is_inch(b) ? mm / inch_mm : mm; }
+  double in_program_unit(const ig::Block& b, double mm) const { return is_inch(b) ? mm / mm_per_inch : mm; }
 
   /// Axis 4 and on are the rotary axes that the machine has, in the order A, B, C.
   static constexpr std::size_t no_axis = 9;
@@ -472,7 +471,7 @@ class MacroEnvironment : public MacroFrame {
   // ---- variables of the control: writing
 
   Written write_system(ig::Block& b, std::uint32_t n, double value) {
-    const double mm = is_inch(b) ? value * inch_mm : value;
+    const double mm = is_inch(b) ? value * mm_per_inch : value;
     if (is_local_shift(n)) return Written::read_only;
     if (const OffsetCell cell = offset_cell(n); cell.exists) return write_offset(b, cell, value);
     if (const ToolCell cell = tool_cell(n); cell.row != 0) {
@@ -492,7 +491,7 @@ class MacroEnvironment : public MacroFrame {
     const std::size_t axis = axis_of(b, cell.axis);
     if (axis == no_axis) return Written::no_variable;
     const bool is_rotary = axis > 2;
-    const double to = !is_rotary && is_inch(b) ? value * inch_mm : value;
+    const double to = !is_rotary && is_inch(b) ? value * mm_per_inch : value;
     double offset[3];
     if (!std::isfinite(to) || !get_offset(cell, axis, offset)) return Written::no_row;
     offset[axis % 3] = to;

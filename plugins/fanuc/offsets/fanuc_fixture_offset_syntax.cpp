@@ -30,10 +30,10 @@ struct FanucFixtureOffset {
   bool take(ig::Block& b, std::uint32_t row) const {
     const ig_field code = codes_.code(row);
     std::uint32_t found = 0;
-    if (b.host()->take_code(b.raw(), &code, 1, &found) < 0) return false;
+    if (b.take_code(&code, 1, &found) < 0) return false;
     ig_value p{};
     const std::string_view name = b.text(codes_.name(row));
-    if (b.host()->take(b.raw(), codes_.word(row, 'P'), &p) == 0)
+    if (!b.take(codes_.word(row, 'P'), p))
       b.report(ig::diag("FAN-0211"), ig::Where::word(code), name);
     else if (p.number != 0)
       b.report(ig::diag("FAN-0210"), ig::Where::word(code), name, p.number, missing[row]);

@@ -59,7 +59,7 @@ struct FanucToolOffset {
     if (!row) return ig::Status::unchanged;
     const ig_field code = codes_.code(*row);
     std::uint32_t found = 0;
-    b.host()->take_code(b.raw(), &code, 1, &found);
+    b.take_code(&code, 1, &found);
     for (std::size_t axis = 0; axis < 3; ++axis) hand_over(b, codes_.word(*row, "XYZ"[axis]), axes_.id(axis));
     hand_over(b, codes_.word(*row, 'D'), d_.id());
 
@@ -79,12 +79,12 @@ struct FanucToolOffset {
  private:
   static void hand_over(ig::Block& b, ig_field from, ig_field to) {
     ig_value unused;
-    if (b.host()->get(b.raw(), from, &unused) != 0) b.host()->move(b.raw(), from, to);
+    if (b.get(from, unused)) b.move(from, to);
   }
 
   static std::optional<double> get(const ig::Block& b, ig_field word) {
     ig_value v;
-    return b.host()->get(b.raw(), word, &v) != 0 ? std::optional(v.number) : std::nullopt;
+    return b.get(word, v) ? std::optional(v.number) : std::nullopt;
   }
 
   bool is_cycle(const ig::Block& b) const {
@@ -136,9 +136,7 @@ struct FanucToolOffset {
       if (ways[axis]) rewrite(b, axes_.id(axis), from[axis] + *ways[axis] + std::copysign(1.0, *ways[axis]) * by);
   }
 
-  static void rewrite(ig::Block& b, ig_field word, double value) {
-    b.host()->rewrite(b.raw(), word, {.number = rounded(value)});
-  }
+  static void rewrite(ig::Block& b, ig_field word, double value) { b.rewrite(word, rounded(value)); }
 
   /// The centre goes with the ends of a quarter and of three quarters of a circle; of other arcs nothing fits.
   bool widen_arc(ig::Block& b, ig::Where where, std::string_view name, const std::array<std::optional<double>, 3>& ways,

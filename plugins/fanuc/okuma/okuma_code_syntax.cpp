@@ -65,8 +65,8 @@ struct OkumaCode {
   /// G04 F1.5: seconds. With X or P DwellSyntax answers. A negative time is left, and reported as not used.
   bool wait(ig::Block& b) const {
     ig_value seconds;
-    if (b.host()->get(b.raw(), dwell_.word(0, 'F'), &seconds) == 0 || seconds.number < 0) return false;
-    b.host()->take(b.raw(), dwell_.word(0, 'F'), &seconds);
+    if (!b.get(dwell_.word(0, 'F'), seconds) || seconds.number < 0) return false;
+    b.take(dwell_.word(0, 'F'), seconds);
     b.set(time_, seconds.number);
     return true;
   }

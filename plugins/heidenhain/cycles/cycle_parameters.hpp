@@ -85,14 +85,12 @@ class CycleDefinition {
   std::optional<double> get(const ig::Block& b, std::uint32_t q) const {
     ig_value v;
     const std::size_t i = index_of_parameter(q);
-    return b.host()->get(b.raw(), fields_[i], &v) != 0 ? std::optional(v.number) : std::nullopt;
+    return b.get(fields_[i], v) ? std::optional(v.number) : std::nullopt;
   }
   double get_or(const ig::Block& b, std::uint32_t q, double fallback) const { return get(b, q).value_or(fallback); }
-  void set(ig::Block& b, std::uint32_t q, double value) const {
-    b.host()->set(b.raw(), fields_[index_of_parameter(q)], {.number = value});
-  }
+  void set(ig::Block& b, std::uint32_t q, double value) const { b.set(fields_[index_of_parameter(q)], value); }
   void clear(ig::Block& b) const {
-    for (const ig_field field : fields_) b.host()->erase(b.raw(), field);
+    for (const ig_field field : fields_) b.erase(field);
   }
 
  private:

@@ -3,6 +3,8 @@
 
 #include <span>
 
+#include <isogloss/cnc/units.hpp>
+
 #include "cycles/cycle_parameters.hpp"
 #include "motion/feed_words.hpp"
 
@@ -157,7 +159,7 @@ class CycleText {
   double metric(const ig::Block& b, std::string_view unit, double value) const {
     const bool is_feed = feed_ && unit == "mm/min" && value < fastest;
     if ((unit != "mm" && !is_feed) || !b.is(system_, inch_)) return value;
-    return 25.4 * (is_feed ? feed_->in_unit(b, value) : value);
+    return mm_per_inch * (is_feed ? feed_->in_unit(b, value) : value);
   }
 
   /// The number behind the word, which is in any language: V.ZEIT 1.5

@@ -8,6 +8,7 @@
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
+#include <isogloss/cnc/units.hpp>
 #include "cycles/cycle_parameters.hpp"
 #include "language/q_store.hpp"
 
@@ -63,10 +64,10 @@ class HolePattern {
     ig_value v;
     const std::size_t i = index_of(q);
     if (i >= fields_.size()) return std::nullopt;
-    return b.host()->get(b.raw(), fields_[i], &v) != 0 ? std::optional(v.number) : std::nullopt;
+    return b.get(fields_[i], v) ? std::optional(v.number) : std::nullopt;
   }
   void set(ig::Block& b, std::uint32_t q, double value) const {
-    if (const std::size_t i = index_of(q); i < fields_.size()) b.host()->set(b.raw(), fields_[i], {.number = value});
+    if (const std::size_t i = index_of(q); i < fields_.size()) b.set(fields_[i], value);
   }
   bool is_set(const ig::Block& b) const { return b.has(number_); }
   void set_number(ig::Block& b, std::int64_t number) const { b.set(number_, number); }
@@ -134,7 +135,7 @@ class HolePattern {
     double cos, sin;
   };
   static Turn turn(double degrees) {
-    const double angle = std::remainder(degrees, 360) * (std::numbers::pi / 180);
+    const double angle = std::remainder(degrees, 360) * radians_per_degree;
     return {std::cos(angle), std::sin(angle)};
   }
   static std::int64_t whole(double n) { return n >= 1 && n <= 1e6 ? static_cast<std::int64_t>(std::round(n)) : 0; }

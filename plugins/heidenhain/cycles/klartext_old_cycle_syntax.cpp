@@ -1,5 +1,6 @@
 // Cycles 1 pecking, 2 tapping and 17 rigid tapping of older controls. They start where the tool stands at the call, SET
 // UP above the surface, and end there.
+#include <isogloss/cnc/units.hpp>
 #include "cycles/hole_cycle.hpp"
 
 namespace heidenhain {
@@ -62,7 +63,7 @@ struct KlartextOldCycle {
  private:
   ig::Spindle in_ = ig::Spindle::cw;  // of the block
 
-  double unit(const ig::Block& b) const { return b.is(system_, inch_) ? 25.4 : 1; }
+  double unit(const ig::Block& b) const { return b.is(system_, inch_) ? mm_per_inch : 1; }
 
   std::optional<double> needed(ig::Block& b, const HoleRun& c, std::uint32_t part) const {
     static constexpr std::array<std::array<std::string_view, 5>, 3> names{{{"SET UP", "DEPTH", "PECKING", "DWELL", "F"},

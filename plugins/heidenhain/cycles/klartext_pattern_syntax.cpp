@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <isogloss/cnc/plane.hpp>
+#include <isogloss/cnc/units.hpp>
 #include "language/klartext_values.hpp"
 
 namespace heidenhain {
@@ -127,7 +128,7 @@ struct KlartextPattern {
       const double n = std::round(number(name));
       return n >= 1 && n <= most_points ? static_cast<std::size_t>(n) : 0;
     };
-    const double unit = b.is(system_, inch_) ? 25.4 : 1;
+    const double unit = b.is(system_, inch_) ? mm_per_inch : 1;
     const double u = number(axes[plane.first]), v = number(axes[plane.second]), z = number(axes[plane.tool]);
     const auto put = [&](double first, double second) { points.push_back({first * unit, second * unit, z * unit}); };
     const bool is_grid = kind == pat || kind == frame;
@@ -169,7 +170,7 @@ struct KlartextPattern {
     double cos, sin;
   };
   static Turn turn(double degrees) {
-    const double angle = std::remainder(degrees, 360) * (std::numbers::pi / 180);
+    const double angle = std::remainder(degrees, 360) * radians_per_degree;
     return {std::cos(angle), std::sin(angle)};
   }
 };

@@ -89,8 +89,7 @@ struct KlartextPlaneFrame {
     const Mat4 turn = turn_about(plane_(b).tool, angle);
     const Mat4 frame = at_origin(turn, shift_.around(b, angle != 0 ? &turn : nullptr));
     Mat4 old;
-    if (b.host()->transform(b.raw(), frame_.id(), old.data()) == 0 || old != frame)
-      b.host()->set_transform(b.raw(), frame_.id(), frame.data());
+    if (!b.get(frame_, old) || old != frame) b.set_transform(frame_, frame);
     if (acts(b))
       b.raise(acts_);
     else

@@ -332,16 +332,12 @@ struct KlartextPlane {
 
   void turn_axes(ig::Block& b, const Angles& angles) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (axes_.machine().has(axis)) b.host()->set(b.raw(), rotary_[axis], {.number = rounded(angles[axis])});
-    ig_value v;
-    v.integer = 1;
-    b.host()->set(b.raw(), motions_.id(command_.is_rapid ? 0 : 1), v);
+      if (axes_.machine().has(axis)) b.set(rotary_[axis], rounded(angles[axis]));
+    b.raise(motions_.id(command_.is_rapid ? 0 : 1));
   }
 
   void end_plane(ig::Block& b) {
-    ig_value v;
-    v.integer = 1;
-    if (b.is(term_, g68_2_)) b.host()->set(b.raw(), end_.id(0), v);
+    if (b.is(term_, g68_2_)) b.raise(end_.id(0));
     if (command_.move != Move::turn && command_.move != Move::move) return;
     if (!axes_) {
       b.report(ig::diag("HEI-0172"), where(), shown(), std::string_view("they do not turn"));

@@ -42,10 +42,10 @@ struct KlartextRotaryStep {
     const Angles offset = offset_.get(b).value;
     if (offset != Angles{}) shift(b, offset);
     ig_value steps[3];
-    const std::uint32_t named = b.host()->take_many(b.raw(), steps_.data(), 3, steps);
+    const std::uint32_t named = b.take_many(steps_.data(), 3, steps);
     for (std::size_t axis = 0; axis < 3; ++axis)
       if ((named >> axis & 1u) != 0) {
-        b.host()->set(b.raw(), words_[axis].id(), {.number = b.get_or(angles_[axis], 0.0) + steps[axis].number});
+        b.set(words_[axis].id(), b.get_or(angles_[axis], 0.0) + steps[axis].number);
         increments_.raise(b, axis);
       }
     return ig::Status::changed;
@@ -59,7 +59,7 @@ struct KlartextRotaryStep {
     if (is_plane || b.find(of_machine_)) return;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (const auto word = b.get(words_[axis]); word && offset[axis] != 0)
-        b.host()->rewrite(b.raw(), words_[axis].id(), {.number = *word + offset[axis]});
+        b.rewrite(words_[axis].id(), *word + offset[axis]);
   }
   bool has_words(const ig::Block& b) const { return b.has(words_[0]) || b.has(words_[1]) || b.has(words_[2]); }
 

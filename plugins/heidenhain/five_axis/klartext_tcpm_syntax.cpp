@@ -33,7 +33,7 @@ struct KlartextTcpm {
   void lead_tip(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i, bool starts) const {
     const auto word = [&](ig_field field) {
       const ig_word w{field, column(begin), column(i), ig_value{}, 0, 0};
-      b.host()->set_words(b.raw(), &w, 1);
+      b.set_word(w);
     };
     if (starts || b.is(length_term_, g43_4_)) word(starts ? tip_.code(0) : length_.code(0));
     // Without a TOOL CALL before it the tool in the spindle counts, whose length is not known.

@@ -5,6 +5,7 @@
 #include <span>
 
 #include <isogloss/cnc/tool_kinematics.hpp>
+#include <isogloss/cnc/units.hpp>
 #include "language/klartext_text.hpp"
 
 namespace heidenhain {
@@ -56,10 +57,11 @@ struct PlaneDefinition {
   static Mat4 spatial_plane(const ig::Vec3& angles) { return roll_pitch_yaw(angles, {0, 1, 2}, TurnedAxes::fixed); }
   /// The spatial angles of a plane.
   static ig::Vec3 spatial_angles(const Mat4& m) {
-    constexpr double degree = std::numbers::pi / 180;
     const double b = std::asin(std::fmax(-1, std::fmin(1, -m[2])));
-    if (std::fabs(m[0]) < 1e-12 && std::fabs(m[1]) < 1e-12) return {std::atan2(-m[9], m[5]) / degree, b / degree, 0};
-    return {std::atan2(m[6], m[10]) / degree, b / degree, std::atan2(m[1], m[0]) / degree};
+    if (std::fabs(m[0]) < 1e-12 && std::fabs(m[1]) < 1e-12)
+      return {std::atan2(-m[9], m[5]) / radians_per_degree, b / radians_per_degree, 0};
+    return {std::atan2(m[6], m[10]) / radians_per_degree, b / radians_per_degree,
+            std::atan2(m[1], m[0]) / radians_per_degree};
   }
 
   /// Its rows are the axes of the plane; nothing where the words give none. RELATIV turns the plane `present`; the axes

@@ -5,6 +5,7 @@
 
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
+#include <isogloss/cnc/units.hpp>
 
 namespace heidenhain {
 
@@ -89,7 +90,7 @@ class PlanePositioning {
     };
     const auto at_zero = seen(0);
     if (!at_zero) return std::nullopt;
-    const double way = std::atan2(at_zero->y, at_zero->x) * (180 / std::numbers::pi);
+    const double way = std::atan2(at_zero->y, at_zero->x) * degrees_per_radian;
     for (const double angle : {way, -way})
       if (const auto there = seen(angle); there && there->x > 1 - same_direction) return rounded(angle);
     return std::nullopt;

@@ -20,7 +20,7 @@ class DatumWords {
     ig::Vec3 shift = old;
     for (std::size_t row = 0; row < 2; ++row) {
       ig_value v[6];
-      const std::uint32_t named = b.host()->take_many(b.raw(), call_.row(row), 6, v);
+      const std::uint32_t named = b.take_many(call_.row(row), 6, v);
       for (std::size_t axis = 0; axis < 3; ++axis)
         if ((named >> axis & 1u) != 0) shift[axis] = v[axis].number + (row == 1 ? old[axis] : 0);
       const bool turns = (named >> 3) != 0 && (v[3].number != 0 || v[4].number != 0 || v[5].number != 0);
@@ -29,7 +29,7 @@ class DatumWords {
                  std::string_view("the datum of a rotary axis stays"));
     }
     std::uint32_t found = 0;
-    b.host()->take_code(b.raw(), call_.codes(), call_.code_count(), &found);
+    b.take_code(call_.codes(), call_.code_count(), &found);
     return shift;
   }
 
@@ -60,7 +60,7 @@ class TurnedShift {
     keep(b, mirrored_, is_mirrored);
   }
   void end(ig::Block& b) const {
-    for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), shift_.id(axis));
+    for (std::size_t axis = 0; axis < 3; ++axis) b.erase(shift_.id(axis));
     begin(b, false, false);
   }
 

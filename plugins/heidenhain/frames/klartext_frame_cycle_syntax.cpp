@@ -168,11 +168,11 @@ struct KlartextFrameCycle {
 
   static void word(ig::Block& b, ig_field field, std::size_t begin, std::size_t end, double value) {
     const ig_word w{field, column(begin), column(end), {.number = value}, 0, 0};
-    b.host()->set_words(b.raw(), &w, 1);
+    b.set_word(w);
   }
   static void code(ig::Block& b, ig_field field, std::size_t begin, std::size_t end) {
     const ig_word w{field, column(begin), column(end), ig_value{}, 0, 0};
-    b.host()->set_words(b.raw(), &w, 1);
+    b.set_word(w);
   }
 
   /// CYCL DEF 7.1 X+60, IX+5, #5

@@ -1,5 +1,6 @@
 // Q parameters: FN 0 to FN 8 and FN 13 assign, FN 9 to FN 12 jump to a label, FN 18 reads, Q1 = … is a formula. The
 // scanner takes the statement as a whole; build() executes it, after all that stood before it.
+#include <isogloss/cnc/units.hpp>
 #include "cycles/cycle_text.hpp"
 #include "language/system_data.hpp"
 
@@ -183,7 +184,6 @@ struct KlartextParameter {
   }
 
   void compute(ig::Block& b, std::string_view text, std::size_t i, unsigned number) {
-    constexpr double degree = std::numbers::pi / 180;
     const auto t = target(b, text, i);
     if (!t) return;
     i = skip(text, t->after);
@@ -195,8 +195,8 @@ struct KlartextParameter {
     if (!left) return;
     double result = *left;
     if (number == 5) result = std::sqrt(*left);
-    if (number == 6) result = std::sin(*left * degree);
-    if (number == 7) result = std::cos(*left * degree);
+    if (number == 6) result = std::sin(*left * radians_per_degree);
+    if (number == 7) result = std::cos(*left * radians_per_degree);
     if (number != 0 && (number < 5 || number > 7)) {
       const std::size_t behind = operation(text, i, number);
       if (behind == i || skip(text, i) == behind) {
@@ -213,7 +213,7 @@ struct KlartextParameter {
         case 4: result = *left / *right; break;
         case 8: result = std::hypot(*left, *right); break;
         default: {
-          result = std::atan2(*left, *right) / degree;
+          result = std::atan2(*left, *right) / radians_per_degree;
           if (result < 0) result += 360;
         }
       }

@@ -129,7 +129,7 @@ struct KlartextProgram {
       b.report(ig::diag("HEI-0104"), ig::Where::columns(position, i), std::string_view("BEGIN PGM"),
                std::string_view("MM or INCH"));
     const ig_word word{units_.id(is_inch ? 0 : 1), column(position), column(position + 1), ig_value{}, 0, 0};
-    b.host()->set_words(b.raw(), &word, 1);
+    b.set_word(word);
     return end;
   }
 
@@ -138,7 +138,7 @@ struct KlartextProgram {
     const std::size_t end = statement_end(text, position);
     if (values_.is_indexing()) return end;
     const ig_word word{stop_.id(0), column(position), column(i), ig_value{}, 0, 0};
-    b.host()->set_words(b.raw(), &word, 1);
+    b.set_word(word);
     while ((i = skip(text, i)) < end) {
       if (to_upper(text[i]) != 'M') {
         const std::string_view rest = rest_of_line(text, i);

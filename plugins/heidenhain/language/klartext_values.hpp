@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
 #include "language/klartext_text.hpp"
@@ -238,16 +239,15 @@ class Values {
       return 0;
     }
     static double result_of(std::size_t function, double x) {
-      constexpr double degree = std::numbers::pi / 180;
       switch (function) {
         case 0: return std::sqrt(x);
         case 1: return x * x;
-        case 2: return std::sin(x * degree);
-        case 3: return std::cos(x * degree);
-        case 4: return std::tan(x * degree);
-        case 5: return std::asin(x) / degree;
-        case 6: return std::acos(x) / degree;
-        case 7: return std::atan(x) / degree;
+        case 2: return std::sin(x * radians_per_degree);
+        case 3: return std::cos(x * radians_per_degree);
+        case 4: return std::tan(x * radians_per_degree);
+        case 5: return std::asin(x) / radians_per_degree;
+        case 6: return std::acos(x) / radians_per_degree;
+        case 7: return std::atan(x) / radians_per_degree;
         case 8: return std::fabs(x);
         case 9: return std::trunc(x);
         case 10: return x - std::trunc(x);

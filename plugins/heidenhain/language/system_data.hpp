@@ -8,6 +8,7 @@
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
+#include <isogloss/cnc/units.hpp>
 
 namespace heidenhain {
 
@@ -50,7 +51,7 @@ class SystemData {
   }
 
  private:
-  double in_unit(const ig::Block& b, double mm) const { return b.is(system_, inch_) ? mm / 25.4 : mm; }
+  double in_unit(const ig::Block& b, double mm) const { return b.is(system_, inch_) ? mm / mm_per_inch : mm; }
 
   std::optional<double> of_table(const ig::Block& b, const Request& r) const {
     const double tool = r.index.value_or(static_cast<double>(b.get_or(tool_, std::int64_t{0})));

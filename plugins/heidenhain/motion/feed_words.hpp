@@ -77,11 +77,11 @@ class FeedWords {
 
   void put(ig::Block& b, double feed, std::size_t begin, std::size_t end) const {
     const ig_word word{f_.id(), column(begin), column(end), {.number = feed}, 0, 0};
-    b.host()->set_words(b.raw(), &word, 1);
+    b.set_word(word);
   }
   static void code(ig::Block& b, ig_field field, std::size_t begin, std::size_t end) {
     const ig_word word{field, column(begin), column(end), ig_value{}, 0, 0};
-    b.host()->set_words(b.raw(), &word, 1);
+    b.set_word(word);
   }
 
   ig::Field<double> f_{"Parsing.F", ig::read | ig::write, {ig::Life::standard, "mm/min", ""}};

@@ -68,9 +68,9 @@ struct KlartextCorner {
  private:
   bool find_corner(ig::Block& b) const {
     for (std::uint32_t k = 1; k <= window; ++k) {
-      ig_block* const raw = b.host()->ahead(b.raw(), k);
-      if (raw == nullptr) return false;
-      const ig::Block ahead(b.host(), raw);
+      std::optional<ig::Block> following = b.ahead(k);
+      if (!following) return false;
+      const ig::Block& ahead = *following;
       if (ahead.has_any(form_, compound_)) return false;
       if (!ahead.has_any(radius_, chamfer_)) continue;
       const bool is_rounding = ahead.has(radius_);

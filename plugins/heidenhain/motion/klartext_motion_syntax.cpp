@@ -2,6 +2,7 @@
 // CC becomes the centre of an arc, and CT finds its own. From here on the block is one of G00 to G03, as anywhere else.
 #include <numbers>
 
+#include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/arc.hpp>
@@ -67,7 +68,7 @@ struct KlartextMotion {
     if (!b.has(function_) || function == cc_) return ig::Status::unchanged;
     const ig::PartialVec3 named = b.get(words_);
     ig_value steps[3];
-    const std::uint32_t has_steps = b.host()->take_many(b.raw(), steps_.data(), 3, steps);
+    const std::uint32_t has_steps = b.take_many(steps_.data(), 3, steps);
 
     Way way{plane_(b), start(b), {}, named.mask | has_steps, function};
     way.to = named.or_else(way.from);
@@ -138,14 +139,14 @@ struct KlartextMotion {
     if (!code || *code == 0) return false;
     ig_value unused;
     for (const ig_field axis : rotary_)
-      if (b.host()->get(b.raw(), axis, &unused) != 0) return false;
+      if (b.get(axis, unused)) return false;
     return true;
   }
 
   /// Positions of the block; an axis that it does not move has no word.
   void put(ig::Block& b, const Way& way) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if ((way.mask >> axis & 1u) != 0) b.host()->set(b.raw(), words_.id(axis), {.number = rounded(way.to[axis])});
+      if ((way.mask >> axis & 1u) != 0) b.set(words_.id(axis), rounded(way.to[axis]));
   }
 
   bool retracts(const ig::Block& b) const { return b.has(to_limit_) || b.has(distance_); }
@@ -244,13 +245,12 @@ struct KlartextMotion {
 
   bool resolve_polar(ig::Block& b, Way& way) const {
     ig_value v[4];
-    const std::uint32_t has = b.host()->take_many(b.raw(), polar_.data(), 4, v);
+    const std::uint32_t has = b.take_many(polar_.data(), 4, v);
     if (!has_pole(b, way)) return false;
     if (has == 0 && way.function != cp_) return true;
     const Point2 center = pole(b, way.plane), out = way.start() - center;
-    constexpr double degree = std::numbers::pi / 180;
     double radius = out.length();
-    double angle = radius > 0 ? std::atan2(out.v, out.u) / degree : 0;
+    double angle = radius > 0 ? std::atan2(out.v, out.u) / radians_per_degree : 0;
     if ((has & 1u) != 0) radius = v[0].number;
     if ((has & 4u) != 0) radius += v[2].number;
     const bool is_turn = (has & 8u) != 0;
@@ -276,7 +276,7 @@ struct KlartextMotion {
       b.report(ig::diag("HEI-0137"), ig::Where::block(), b.text(way.function));
       return;
     }
-    const double arc = std::fabs(sweep(way.start(), way.end(), center, *is_ccw)) * (180 / std::numbers::pi);
+    const double arc = std::fabs(sweep(way.start(), way.end(), center, *is_ccw)) * degrees_per_radian;
     const double more = std::round((std::fabs(turned) - arc) / 360);
     if (more >= 1) b.set(circles_, static_cast<std::int64_t>(std::min(more, 1e9)));
   }
@@ -296,17 +296,13 @@ struct KlartextMotion {
 
   void arc(ig::Block& b, const Way& way, const Point2& center, bool is_ccw) const {
     const Point2 from = way.start();
-    b.host()->set(b.raw(), centers_[way.plane.first], {.number = center.u - from.u});
-    b.host()->set(b.raw(), centers_[way.plane.second], {.number = center.v - from.v});
+    b.set(centers_[way.plane.first], center.u - from.u);
+    b.set(centers_[way.plane.second], center.v - from.v);
     const Point2 out = way.end() - center;
     keep_tangent(b, in_space(way.plane, is_ccw ? Point2{-out.v, out.u} : Point2{out.v, -out.u}));
   }
 
-  void raise(ig::Block& b, std::size_t motion) const {
-    ig_value v;
-    v.integer = 1;
-    b.host()->set(b.raw(), motions_.id(motion), v);
-  }
+  void raise(ig::Block& b, std::size_t motion) const { b.raise(motions_.id(motion)); }
 
   /// CT: the arc that leaves where the path before goes on to, and ends at the point.
   void along_tangent(ig::Block& b, const Way& way) const {
@@ -335,7 +331,7 @@ struct KlartextMotion {
   void keep_tangent_of_radius(ig::Block& b, const Way& way) const {
     ig_value radius;
     const auto is_ccw = b.get(is_ccw_);
-    if (!is_ccw || b.host()->get(b.raw(), radius_, &radius) == 0 || (way.end() - way.start()).length() < same_point_mm)
+    if (!is_ccw || !b.get(radius_, radius) || (way.end() - way.start()).length() < same_point_mm)
       return keep_tangent(b, way.to - way.from);
     const Point2 center = center_by_radius(way.start(), way.end(), radius.number, *is_ccw);
     const Point2 out = way.end() - center;

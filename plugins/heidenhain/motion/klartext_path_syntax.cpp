@@ -2,6 +2,7 @@
 // the block as a whole and writes its words; KlartextMotionSyntax makes a path of them. A block that begins with an
 // axis or an M function counts as L.
 #include <isogloss/cnc/contour_approach.hpp>
+#include <isogloss/cnc/units.hpp>
 #include "motion/feed_words.hpp"
 #include "motion/klartext_departure.hpp"
 #include "motion/m_functions.hpp"
@@ -230,9 +231,9 @@ struct KlartextPath {
     }
     if (b.has(field) || b.has(other))
       b.report(ig::diag("HEI-0106"), ig::Where::columns(begin, v.end), trim(piece(text, begin, v.end)));
-    if (b.has(other)) b.host()->erase(b.raw(), other);
+    if (b.has(other)) b.erase(other);
     const ig_word word{field, column(begin), column(v.end), {.number = v.number + 0.0}, 0, 0};
-    b.host()->set_words(b.raw(), &word, 1);
+    b.set_word(word);
     path.has_axis = true;
     return v.end;
   }
@@ -266,12 +267,12 @@ struct KlartextPath {
     const ig_word words[] = {
         {sides_.id(side), column(begin), column(end), ig_value{}, 0, 0},
         {offset_word_.id(), column(begin), column(end), {.number = static_cast<double>(tool)}, 0, 0}};
-    b.host()->set_words(b.raw(), words, 2);
+    b.set_words(words, 2);
   }
   void uncompensate(ig::Block& b, std::size_t begin, std::size_t end) const {
     if (!b.is(side_in_force_, g41_) && !b.is(side_in_force_, g42_)) return;
     const ig_word word{sides_.id(0), column(begin), column(end), ig_value{}, 0, 0};
-    b.host()->set_words(b.raw(), &word, 1);
+    b.set_word(word);
   }
 
   void unknown(ig::Block& b, std::string_view text, std::size_t i, const Path& path) const {
@@ -286,7 +287,7 @@ struct KlartextPath {
     const auto code = [&](std::size_t motion) {
       const ig_word word{
           motions_.id(motion), column(begin), column(std::max(path.position, begin + 1)), ig_value{}, 0, 0};
-      b.host()->set_words(b.raw(), &word, 1);
+      b.set_word(word);
     };
     const auto where = ig::Where::columns(begin, std::max(path.position, begin + 1));
     if (path.function == LN && path.has_tool_vector)
@@ -307,7 +308,7 @@ struct KlartextPath {
         code(*path.is_ccw ? 3 : 2);
       } else if (path.function != CT && path.function != CTP) {
         b.report(ig::diag("HEI-0133"), where, path.name);
-        b.host()->erase(b.raw(), radius_);
+        b.erase(radius_);
         code(1);
       }
     }
@@ -324,7 +325,7 @@ struct KlartextPath {
                 : path.radius && *path.radius != 0 && (shape != Shape::arc || (path.angle && *path.angle > 0));
     const bool has_side = b.is(side_in_force_, g41_) || b.is(side_in_force_, g42_);
     if (!is_complete || (path.function == APPR && (!path.is_beside || has_side))) return false;
-    const double unit = b.is(system_, inch_) ? 25.4 : 1;
+    const double unit = b.is(system_, inch_) ? mm_per_inch : 1;
     ContourApproach::Way way{
         shape,       path.length.value_or(0) * unit, path.radius.value_or(0) * unit, path.angle.value_or(0), false,
         std::nullopt};
@@ -345,7 +346,7 @@ struct KlartextPath {
   Function straight_function(const ig::Block& b) const {
     ig_value unused;
     for (const ig_field word : {polar_[0], polar_[1], polar_steps_[0], polar_steps_[1]})
-      if (b.host()->get(b.raw(), word, &unused) != 0) return LP;
+      if (b.get(word, unused)) return LP;
     return L;
   }
 
@@ -390,7 +391,7 @@ struct KlartextPath {
     if (v.number < 0) {
       b.report(ig::diag("HEI-0130"), where, path.name, std::string_view("it is less than 0, the corner stays sharp"));
     } else if (v.number > 0) {
-      b.set(path.function == RND ? corner_radius_ : chamfer_, b.is(system_, inch_) ? v.number * 25.4 : v.number);
+      b.set(path.function == RND ? corner_radius_ : chamfer_, b.is(system_, inch_) ? v.number * mm_per_inch : v.number);
     }
     return path.end;
   }

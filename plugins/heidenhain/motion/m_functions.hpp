@@ -61,7 +61,7 @@ class MFunctions {
       b.set(to_limit_, true);
     } else if (const Value v = by == first ? Value{} : values.read(b, text, value); v.ok) {
       const ig_word word{distance_.id(), column(begin), column(v.end), {.number = v.number}, 0, 0};
-      b.host()->set_words(b.raw(), &word, 1);
+      b.set_word(word);
       behind = v.end;
     } else {
       b.report(ig::diag("HEI-0104"), ig::Where::columns(begin, end), std::string_view("M140"), std::string_view("MB"));
@@ -181,7 +181,7 @@ class MFunctions {
   }
   static void flag(ig::Block& b, ig_field field, std::size_t begin, std::size_t end) {
     const ig_word word{field, column(begin), column(end), ig_value{}, 0, 0};
-    b.host()->set_words(b.raw(), &word, 1);
+    b.set_word(word);
   }
   static std::size_t word_end(std::string_view text, std::size_t position) {
     return skip_while(text, position, [](char c) { return !is_space(c) && c != ';'; });

@@ -1,5 +1,6 @@
 // TOOL CALL: the tool, its axis, its speed and feed, its length and what DL adds to it. TOOL DEF names a tool that the
 // magazine may fetch, or writes its length and radius into the table of tools.
+#include <isogloss/cnc/units.hpp>
 #include "motion/feed_words.hpp"
 #include "motion/m_functions.hpp"
 
@@ -57,11 +58,11 @@ struct KlartextToolCall {
 
   static void word(ig::Block& b, ig_field field, std::size_t begin, std::size_t end, double value) {
     const ig_word w{field, column(begin), column(end), {.number = value}, 0, 0};
-    b.host()->set_words(b.raw(), &w, 1);
+    b.set_word(w);
   }
   static void code(ig::Block& b, ig_field field, std::size_t begin, std::size_t end) {
     const ig_word w{field, column(begin), column(end), ig_value{}, 0, 0};
-    b.host()->set_words(b.raw(), &w, 1);
+    b.set_word(w);
   }
 
   void read_call(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
@@ -136,7 +137,7 @@ struct KlartextToolCall {
     return values_.read(b, text, skip_blanks(text, i));
   }
 
-  double in_mm(const ig::Block& b, double length) const { return b.is(system_, inch_) ? length * 25.4 : length; }
+  double in_mm(const ig::Block& b, double length) const { return b.is(system_, inch_) ? length * mm_per_inch : length; }
 
   void set_deltas(ig::Block& b, double length, double radius) const {
     b.set(delta_, length);

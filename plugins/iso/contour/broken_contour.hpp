@@ -106,9 +106,9 @@ class BrokenContour {
   std::string_view find_next(ig::Block& b, const ContourMotion& now, ContourMotion& next) const {
     std::int64_t rests = 0;
     for (std::uint32_t k = 1; k <= ContourAhead::window; ++k) {
-      ig_block* const raw = b.host()->ahead(b.raw(), k);
-      if (raw == nullptr) return "no move follows";
-      ig::Block ahead(b.host(), raw);
+      std::optional<ig::Block> following = b.ahead(k);
+      if (!following) return "no move follows";
+      ig::Block& ahead = *following;
       next = motion_(ahead);
       if (ahead.frame_changed()) return "the coordinate system changes before the next move";
       if (!(next.plane == now.plane)) return "the plane changes before the next move";

@@ -45,9 +45,9 @@ class ContourAhead {
     bool other_frame = false, cancels = false;
     std::int64_t rests = 0;
     for (std::uint32_t k = 1; k <= window; ++k) {
-      ig_block* const raw = b.host()->ahead(b.raw(), k);
-      if (raw == nullptr) return next;
-      ig::Block ahead(b.host(), raw);
+      std::optional<ig::Block> following = b.ahead(k);
+      if (!following) return next;
+      ig::Block& ahead = *following;
       other_frame |= ahead.frame_changed();
       const ContourMotion motion = motion_(ahead);
       if (motion.kind == ContourMotion::Kind::by_steps || !(motion.plane == plane)) {
@@ -91,9 +91,9 @@ class ContourAhead {
     bool other_frame = false;
     std::int64_t rests = 0;
     for (std::uint32_t k = 1; k <= window && count < moves.size(); ++k) {
-      ig_block* const raw = b.host()->ahead(b.raw(), k);
-      if (raw == nullptr) break;
-      ig::Block ahead(b.host(), raw);
+      std::optional<ig::Block> following = b.ahead(k);
+      if (!following) break;
+      ig::Block& ahead = *following;
       other_frame |= ahead.frame_changed();
       const ContourMotion motion = motion_(ahead);
       if (motion.kind == ContourMotion::Kind::by_steps || !(motion.plane == plane)) break;

@@ -36,7 +36,7 @@ struct CornerBreak {
                        .value = {.number = number.value + 0.0},
                        .flags = bare ? static_cast<std::uint32_t>(IG_WORD_WITHOUT_POINT) : 0u,
                        .reserved = 0};
-    b.host()->set_words(b.raw(), &word, 1);
+    b.set_word(word);
     if (bare) b.raise(without_point_);
     return number.end;
   }

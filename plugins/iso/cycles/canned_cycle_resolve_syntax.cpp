@@ -166,7 +166,7 @@ struct CannedCycleResolve {
 
   static std::int64_t ordinal(const ig::Block& b, ig_field code) {
     ig_value v;
-    return b.host()->get(b.raw(), code, &v) != 0 ? v.integer : 0;
+    return b.get(code, v) ? v.integer : 0;
   }
 
   /// The last code of the block wins, be it a cycle, G80 or a motion.
@@ -208,7 +208,7 @@ struct CannedCycleResolve {
   }
 
   void forget(ig::Block& b) const {
-    for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), hole_.id(axis));
+    for (std::size_t axis = 0; axis < 3; ++axis) b.erase(hole_.id(axis));
     b.erase(r_);
     for (const auto& field : kept_) b.erase(field);
     b.erase(return_mode_);
@@ -222,7 +222,7 @@ struct CannedCycleResolve {
   /// R, the bottom and the initial level lie on the axis of before; on another one they are not positions of the tool.
   void forget_levels(ig::Block& b, Group09& now) const {
     b.report(ig::diag("ISO-0338"), ig::Where::block(), b.text(call_.name(*now.cycle)));
-    for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), hole_.id(axis));
+    for (std::size_t axis = 0; axis < 3; ++axis) b.erase(hole_.id(axis));
     b.erase(r_);
     if (level_rule_ == InitialLevel::cycle_entry) b.amend(initial_level_, last_(b)[plane_(b).tool]);
     now.changed = true;
@@ -237,17 +237,17 @@ struct CannedCycleResolve {
   /// A motion code after the cycle code: it moves the axes and F is its feed; the rest is nobody's.
   void give_back(ig::Block& b, std::size_t row) const {
     erase_call(b);
-    for (std::size_t axis = 0; axis < 3; ++axis) b.host()->move(b.raw(), call_.row(row)[axis], root_.ids()[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis) b.move(call_.row(row)[axis], root_.ids()[axis]);
     feed_.resolve(b, take_word(b, call_.row(row)[Address::F]));
   }
 
   /// No cycle syntax may find the code: to it a call without words is a hole where the tool stands.
   void erase_call(ig::Block& b) const {
-    for (std::size_t row = 0; row < call_.code_count(); ++row) b.host()->erase(b.raw(), call_.code(row));
+    for (std::size_t row = 0; row < call_.code_count(); ++row) b.erase(call_.code(row));
   }
   static std::optional<double> take_word(ig::Block& b, ig_field word) {
     ig_value v;
-    if (b.host()->take(b.raw(), word, &v) == 0) return std::nullopt;
+    if (!b.take(word, v)) return std::nullopt;
     return v.number;
   }
 
@@ -371,10 +371,10 @@ struct CannedCycleResolve {
   /// "P500" is half a second, and "P5." five of them.
   static void read_bare_p(ig::Block& b, ig_field field, CycleWords& words) {
     ig_word word{};
-    b.host()->word(b.raw(), field, &word);
+    b.word(field, word);
     if ((word.flags & IG_WORD_WITHOUT_POINT) == 0) return;
     words.values[Address::P].number /= 1000;
-    b.host()->rewrite(b.raw(), field, words.values[Address::P]);
+    b.rewrite(field, words.values[Address::P]);
   }
 
   /// Pecks are said by Q, or by I, J and K: where a block names one of them, what is kept of the other counts no more.
@@ -416,7 +416,7 @@ struct CannedCycleResolve {
     const auto keep = [&](std::size_t axis, double value) {
       const ig_value v{.number = value};
       const ig_field id = hole_.id(axis);
-      drills ? b.host()->set(b.raw(), id, v) : b.host()->amend_many(b.raw(), &id, 1, &v);
+      drills ? b.set(id, v) : b.amend_many(&id, 1, &v);
     };
     if (levels.bottom) keep(plane.tool, *levels.bottom);
     if (!drills) return;
@@ -435,8 +435,7 @@ struct CannedCycleResolve {
     const auto put = [&](std::size_t address, double value) {
       const bool in_place = now.is_called && in.has(address);
       const ig_field field = call_.row(row)[address];
-      in_place ? b.host()->rewrite(b.raw(), field, {.number = value})
-               : b.host()->set(b.raw(), field, {.number = value});
+      in_place ? b.rewrite(field, value) : b.set(field, value);
     };
     for (std::size_t axis = 0; axis < 3; ++axis) put(axis, axis == plane.tool ? *levels.bottom : hole[axis]);
     put(Address::R, *levels.r);
@@ -453,8 +452,7 @@ struct CannedCycleResolve {
   template <class Put>
   void put_count(ig::Block& b, std::size_t row, int count, const Put& put) const {
     ig_value unused;
-    const bool k_is_length =
-        repeat_word_ == RepeatWord::l && b.host()->get(b.raw(), call_.row(row)[Address::K], &unused) != 0;
+    const bool k_is_length = repeat_word_ == RepeatWord::l && b.get(call_.row(row)[Address::K], unused);
     const Address counter = repeat_word_ == RepeatWord::l ? Address::L : Address::K;
     const Address other = counter == Address::L ? Address::K : Address::L;
     if (!k_is_length) take_word(b, call_.row(row)[other]);
@@ -467,7 +465,7 @@ struct CannedCycleResolve {
   /// The words are used, but no hole comes of them here.
   void swallow(ig::Block& b, const Group09& now) const {
     std::array<ig_value, RootWords::letters.size()> values;
-    b.host()->take_many(b.raw(), words(now), RootWords::letters.size(), values.data());
+    b.take_many(words(now), RootWords::letters.size(), values.data());
     if (!now.is_called) return;
     erase_call(b);
     feed_.resolve(b, take_word(b, words(now)[Address::F]));

@@ -68,8 +68,7 @@ struct CircularPocket {
     const auto row = b.find(call_);
     if (!row) return ig::Status::unchanged;
     const ig_field code = call_.code(*row);
-    if (const ig_field q = call_.word(*row, 'Q'); b.has(q) && !b.has(call_.word(*row, 'K')))
-      b.host()->move(b.raw(), q, stray_q_.id());
+    if (const ig_field q = call_.word(*row, 'Q'); b.has(q) && !b.has(call_.word(*row, 'K'))) b.move(q, stray_q_.id());
     const auto words = *b.take(call_);
     const ig::Vec3 start = last_(b);
     Pocket pocket;

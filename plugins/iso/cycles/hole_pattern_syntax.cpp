@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/canned_cycle.hpp>
@@ -87,12 +88,12 @@ struct HolePattern {
     ig::Vec3 base = tool;
     for (const std::size_t axis : {plane.first, plane.second}) {
       ig_value v;
-      if (b.host()->get(b.raw(), fields[axis], &v) == 0) continue;
+      if (!b.get(fields[axis], v)) continue;
       base[axis] = incremental ? tool[axis] + v.number : v.number;
     }
     const auto at = [&](double length, double angle) {
       ig::Vec3 out;
-      const double d = std::remainder(angle, 360) * (std::numbers::pi / 180);
+      const double d = std::remainder(angle, 360) * radians_per_degree;
       out[plane.first] = rounded(length * std::cos(d));
       out[plane.second] = rounded(length * std::sin(d));
       return out;
@@ -114,10 +115,10 @@ struct HolePattern {
   static void put(ig::Block& b, ig_field field, double value) {
     const ig_value v{.number = value};
     ig_value old;
-    if (b.host()->get(b.raw(), field, &old) != 0)
-      b.host()->rewrite(b.raw(), field, v);
+    if (b.get(field, old))
+      b.rewrite(field, v);
     else
-      b.host()->set(b.raw(), field, v);
+      b.set(field, v);
   }
 };
 

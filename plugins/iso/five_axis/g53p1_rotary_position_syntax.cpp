@@ -1,5 +1,6 @@
 /// G53.1 and G53.6: the rotary axes turn the tool upright on the tilted plane in force. Under G53.1 X Y Z of the
 /// machine stay; under G53.6 the tip of the tool stays on the workpiece. Fanuc manual, "Tool axis direction control".
+#include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/motion_event.hpp>
@@ -218,15 +219,14 @@ struct G53p1RotaryPosition {
     const double lean = std::sqrt(dot(off, off));
     b.set(orientation_, lean < 1e-9 ? normal : *axis);
     if (lean > upright_rad)
-      b.report(ig::diag("ISO-0449"), ig::Where::block(),
-               2 * std::asin(std::fmin(lean / 2, 1)) * (180 / std::numbers::pi));
+      b.report(ig::diag("ISO-0449"), ig::Where::block(), 2 * std::asin(std::fmin(lean / 2, 1)) * degrees_per_radian);
   }
 
   /// After G53.1: a rotary word leans the tool; a plane that ended leaves no direction behind.
   ig::Status follow(ig::Block& b) const {
     if (mode_.is_on(b) || !machine_) return ig::Status::unchanged;
     if (!b.has(aligned_)) {
-      for (std::size_t i = 0; i < 3; ++i) b.host()->erase(b.raw(), orientation_.id(i));
+      for (std::size_t i = 0; i < 3; ++i) b.erase(orientation_.id(i));
       return ig::Status::changed;
     }
     const RotaryTurn turn = turn_.read(b, machine_);

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/cycle_codes.hpp>
@@ -200,7 +201,7 @@ struct IsoG68p2Tilt {
 
   static std::int64_t ordinal(const ig::Block& b, ig_field code) {
     ig_value v;
-    return b.host()->get(b.raw(), code, &v) != 0 ? v.integer : 0;
+    return b.get(code, v) ? v.integer : 0;
   }
   bool is_tilted(ig::Symbol term) const {
     return term == tilt_.name(anew) || term == tilt_.name(by_tool) || term == tilt_.name(inside);
@@ -210,7 +211,7 @@ struct IsoG68p2Tilt {
 
   std::optional<double> take_word(ig::Block& b, std::size_t row, char letter) const {
     ig_value v;
-    if (b.host()->take(b.raw(), tilt_.word(row, letter), &v) == 0) return std::nullopt;
+    if (!b.take(tilt_.word(row, letter), v)) return std::nullopt;
     return v.number;
   }
   ig::PartialVec3 take_words(ig::Block& b, std::size_t row, std::string_view letters) const {
@@ -226,12 +227,12 @@ struct IsoG68p2Tilt {
   void drop(ig::Block& b, std::size_t row) const {
     take_code(b, row);
     ig_value unused[32];
-    b.host()->take_many(b.raw(), tilt_.row(row), static_cast<std::uint32_t>(tilt_.letters().size()), unused);
+    b.take_many(tilt_.row(row), static_cast<std::uint32_t>(tilt_.letters().size()), unused);
   }
   void take_code(ig::Block& b, std::size_t row) const {
     const ig_field code = tilt_.code(row);
     std::uint32_t found = 0;
-    b.host()->take_code(b.raw(), &code, 1, &found);
+    b.take_code(&code, 1, &found);
   }
   ig::Where at(std::size_t row, char letter = 0) const {
     return ig::Where::word(letter != 0 ? tilt_.word(row, letter) : tilt_.code(row));
@@ -378,7 +379,7 @@ struct IsoG68p2Tilt {
   bool are_square(ig::Block& b, std::size_t row) const {
     const auto x = unit(b.get(vectors_[0]).value), z = unit(b.get(vectors_[1]).value);
     if (!x || !z) return true;
-    const double angle = std::acos(std::clamp(scalar_product(*x, *z), -1.0, 1.0)) * (180 / std::numbers::pi);
+    const double angle = std::acos(std::clamp(scalar_product(*x, *z), -1.0, 1.0)) * degrees_per_radian;
     constexpr double rounding = 1e-9;
     if (std::fabs(angle - 90) <= widest_from_square + rounding) return true;
     alarm(b, ig::diag("ISO-0432"), at(row), b.text(tilt_.name(row)), angle);
@@ -466,14 +467,14 @@ struct IsoG68p2Tilt {
 
   void forget_plane(ig::Block& b) const {
     forget_tilt(b);
-    for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), origin_.id(axis));
+    for (std::size_t axis = 0; axis < 3; ++axis) b.erase(origin_.id(axis));
     b.erase(turn_);
     b.erase(about_tool_);
   }
   /// What a rotation in the plane (G68) has not.
   void forget_tilt(ig::Block& b) const {
     if (b.get_or(is_aligned_, false))
-      for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), orientation_.id(axis));
+      for (std::size_t axis = 0; axis < 3; ++axis) b.erase(orientation_.id(axis));
     for (const auto& angle : angles_) b.erase(angle);
     b.erase(p_);
     b.erase(q_);
@@ -499,8 +500,8 @@ struct IsoG68p2Tilt {
     b.erase(open_term_);
     b.erase(open_turn_);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (const ig::Xyz& point : points_) b.host()->erase(b.raw(), point.id(axis));
-      for (const ig::Xyz& vector : vectors_) b.host()->erase(b.raw(), vector.id(axis));
+      for (const ig::Xyz& point : points_) b.erase(point.id(axis));
+      for (const ig::Xyz& vector : vectors_) b.erase(vector.id(axis));
     }
   }
 

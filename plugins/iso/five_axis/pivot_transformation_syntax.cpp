@@ -57,7 +57,7 @@ struct PivotTransformation {
  private:
   ig::Status leave(ig::Block& b) const {
     if (turn_.state().get(b).mask == 0) return ig::Status::unchanged;
-    b.host()->set_transform(b.raw(), frame_.id(), identity_frame.data());
+    b.set_transform(frame_, identity_frame);
     turn_.state().erase(b);
     return ig::Status::changed;
   }
@@ -65,7 +65,7 @@ struct PivotTransformation {
   bool set(ig::Block& b, const Angles& angles) const {
     const auto pivot = machine_.pivot(angles);
     if (!pivot || !is_finite(*pivot)) return false;
-    b.host()->set_transform(b.raw(), frame_.id(), pivot->data());
+    b.set_transform(frame_, *pivot);
     turn_.state().set(b, machine_, angles);
     return true;
   }
@@ -86,7 +86,7 @@ struct PivotTransformation {
       const auto before = machine_.tool_axis(turn.from), after = machine_.tool_axis(turn.to);
       if (before && after) tip = tip + unturned(b, *lever * (*after - *before));
     }
-    b.host()->set_moving_transform(b.raw(), frame_.id(), end->data());
+    b.set_moving_transform(frame_, *end);
     turn_.state().set(b, machine_, turn.to);
     b.raise(turns_);
     b.set(program_, tip);
@@ -108,13 +108,13 @@ struct PivotTransformation {
   void put_tool(ig::Block& b, const ig::Vec3& offset) const {
     Mat4 m = identity_frame;
     for (std::size_t i = 0; i < 3; ++i) m[12 + i] = offset[i];
-    b.host()->set_moving_transform(b.raw(), tool_.id(), m.data());
+    b.set_moving_transform(tool_, m);
   }
 
   /// A way in the workpiece as the tilted plane sees it.
   ig::Vec3 unturned(const ig::Block& b, const ig::Vec3& way) const {
     Mat4 m;
-    if (b.host()->transform(b.raw(), tilt_.id(), m.data()) == 0) return way;
+    if (!b.get(tilt_, m)) return way;
     ig::Vec3 out;
     for (std::size_t i = 0; i < 3; ++i) out[i] = dot(way, {m[4 * i], m[4 * i + 1], m[4 * i + 2]});
     return out;

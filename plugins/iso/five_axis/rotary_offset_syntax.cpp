@@ -91,7 +91,7 @@ struct RotaryOffset {
         const std::size_t axis = axis_of_[first + i];
         if (axis == std::string_view::npos || offset[axis] == 0) continue;
         v[i].number = RotaryOffsets::to_machine(v[i].number, offset[axis], axes_.rollover(axis));
-        b.host()->rewrite(b.raw(), words_.id(first + i), v[i]);
+        b.rewrite(words_.id(first + i), v[i]);
         any = true;
       }
     }

@@ -5,6 +5,7 @@
 
 #include <isogloss/cnc/event_to_steps.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
+#include <isogloss/cnc/units.hpp>
 
 namespace iso {
 
@@ -65,7 +66,7 @@ struct TipSwing {
   /// A chord that spans the angle q is at most lever q² / 8 from its arc; q is no more than the axes turn together.
   double steps_within_tolerance(double lever, const Angles& from, const Angles& to) const {
     double turned = 0;
-    for (std::size_t i = 0; i < 3; ++i) turned += std::fabs(to[i] - from[i]) * (std::numbers::pi / 180);
+    for (std::size_t i = 0; i < 3; ++i) turned += std::fabs(to[i] - from[i]) * radians_per_degree;
     return std::fmin(std::ceil(turned * std::sqrt(std::fabs(lever) / (8 * tolerance_))), most_steps);
   }
 

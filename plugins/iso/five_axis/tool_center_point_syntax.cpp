@@ -90,7 +90,7 @@ struct ToolCenterPoint {
     if (starts && !machine_) return as_g43(b, *named, h, where);
     if (!starts && other) {  // the length is ToolHeightOffsetSyntax's again
       if (was_on && !b.has(aligned_))
-        for (std::size_t i = 0; i < 3; ++i) b.host()->erase(b.raw(), orientation_.id(i));
+        for (std::size_t i = 0; i < 3; ++i) b.erase(orientation_.id(i));
       return ig::Status::changed;
     }
     if (const auto own = b.take(h_)) h = own;
@@ -107,7 +107,7 @@ struct ToolCenterPoint {
  private:
   static std::int64_t ordinal(const ig::Block& b, ig_field code) {
     ig_value v;
-    return b.host()->get(b.raw(), code, &v) != 0 ? v.integer : 0;
+    return b.get(code, v) ? v.integer : 0;
   }
 
   ig::Status as_g43(ig::Block& b, std::size_t code, std::optional<double> h, ig::Where where) const {
@@ -154,7 +154,7 @@ struct ToolCenterPoint {
       b.amend(orientation_, *axis);  // wakes nobody: its length lies along it already
       Mat4 m = identity_frame;
       for (std::size_t i = 0; i < 3; ++i) m[12 + i] = length * (*axis)[i];
-      b.host()->set_moving_transform(b.raw(), frame_.id(), m.data());
+      b.set_moving_transform(frame_, m);
     }
     return true;
   }

@@ -86,7 +86,7 @@ struct SubprogramCall {
     const std::optional<double> start = start_of(b, *row);
     std::uint32_t found = 0;
     const ig_field code = call_.code(*row);
-    b.host()->take_code(b.raw(), &code, 1, &found);
+    b.take_code(&code, 1, &found);
     b.set(term_, call_.name(*row));
     if (start) request.start = static_cast<std::int64_t>(*start);
     if (l) count(b, request, *l);
@@ -120,9 +120,9 @@ struct SubprogramCall {
     ig_value value;
     if (where != nullptr) {
       ig_word place{};
-      if (b.host()->word(b.raw(), field, &place) != 0) *where = ig::Where::columns(place.begin, place.end);
+      if (b.word(field, place)) *where = ig::Where::columns(place.begin, place.end);
     }
-    if (b.host()->take(b.raw(), field, &value) == 0) return std::nullopt;
+    if (!b.take(field, value)) return std::nullopt;
     return value.number;
   }
 

@@ -64,7 +64,7 @@ struct SubprogramReturn {
  private:
   std::optional<std::int64_t> wanted(const ig::Block& b) const {
     ig_value p;
-    return b.host()->get(b.raw(), return_.word(0, 'P'), &p) != 0 ? whole_number(p.number) : std::nullopt;
+    return b.get(return_.word(0, 'P'), p) ? whole_number(p.number) : std::nullopt;
   }
 
   /// A jump; nothing returns. Without such a block the subprogram goes on.
@@ -131,7 +131,7 @@ struct SubprogramReturn {
 
   ig::Where place_of_p(const ig::Block& b) const {
     ig_word place{};
-    if (b.host()->word(b.raw(), return_.word(0, 'P'), &place) != 0) return ig::Where::columns(place.begin, place.end);
+    if (b.word(return_.word(0, 'P'), place)) return ig::Where::columns(place.begin, place.end);
     return ig::Where::word(return_.code(0));
   }
 

@@ -94,11 +94,11 @@ struct IsoG68Rotation {
 
   static std::int64_t ordinal(const ig::Block& b, ig_field code) {
     ig_value v;
-    return b.host()->get(b.raw(), code, &v) != 0 ? v.integer : 0;
+    return b.get(code, v) ? v.integer : 0;
   }
   std::optional<double> take_word(ig::Block& b, std::size_t letter) const {
     ig_value v;
-    if (b.host()->take(b.raw(), g68_.row(0)[letter], &v) == 0) return std::nullopt;
+    if (!b.take(g68_.row(0)[letter], v)) return std::nullopt;
     return v.number;
   }
 
@@ -114,7 +114,7 @@ struct IsoG68Rotation {
 
   void cancel(ig::Block& b) const {
     b.set(term_, g69_name_);
-    for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), center_.id(axis));
+    for (std::size_t axis = 0; axis < 3; ++axis) b.erase(center_.id(axis));
     b.erase(angle_);
     b.erase(about_tool_);
     frame_.set(b, identity_frame);
@@ -124,11 +124,11 @@ struct IsoG68Rotation {
   void rotate(ig::Block& b) const {
     const auto where = ig::Where::word(g68_.code(0));
     std::uint32_t found = 0;
-    b.host()->take_code(b.raw(), g68_.codes(), 1, &found);
+    b.take_code(g68_.codes(), 1, &found);
     ig_value unused[3];
-    const bool is_in_space = b.host()->take_many(b.raw(), g68_.row(0) + I, 3, unused) != 0;  // about an axis in space
+    const bool is_in_space = b.take_many(g68_.row(0) + I, 3, unused) != 0;  // about an axis in space
     if (is_in_space || is_tilted(b)) {
-      b.host()->take_many(b.raw(), g68_.row(0), 3, unused);
+      b.take_many(g68_.row(0), 3, unused);
       take_word(b, R);
       if (is_in_space)
         b.report(ig::diag("ISO-0263"), where, b.text(g68_.name(0)));
@@ -152,9 +152,8 @@ struct IsoG68Rotation {
       return;
     }
     b.set(term_, g68_name_);
-    b.host()->erase(b.raw(), center_.id(plane.tool));
-    for (const std::size_t axis : {plane.first, plane.second})
-      b.host()->set(b.raw(), center_.id(axis), {.number = center[axis]});
+    b.erase(center_.id(plane.tool));
+    for (const std::size_t axis : {plane.first, plane.second}) b.set(center_.id(axis), center[axis]);
     b.set(angle_, *angle);
     if (unnamed_axis_ == UnnamedAxis::programmed) {
       b.raise(about_tool_);
@@ -195,7 +194,7 @@ struct IsoG68Rotation {
     const ig::Vec3 center = b.get(center_).or_else({});
     const bool fills = !(call && *call == 0) && !b.has(polar_);
     for (const std::size_t axis : {plane.first, plane.second})
-      if (!is_named(axis) && fills) b.host()->set(b.raw(), words[axis], {.number = programmed[axis]});
+      if (!is_named(axis) && fills) b.set(words[axis], programmed[axis]);
     frame_.set(b, rotation_in(plane, b.get_or(angle_, 0.0), center, center));
     b.erase(about_tool_);
     return true;

@@ -7,6 +7,7 @@
 #include <isogloss/cnc/canned_cycle.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
+#include <isogloss/cnc/units.hpp>
 #include "reading/geometry_words.hpp"
 
 namespace iso {
@@ -63,7 +64,7 @@ struct PolarCoordinate {
  private:
   void end(ig::Block& b) const {
     b.erase(term_);
-    for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), pole_.id(axis));
+    for (std::size_t axis = 0; axis < 3; ++axis) b.erase(pole_.id(axis));
     b.erase(radius_);
     b.erase(angle_);
   }
@@ -79,7 +80,7 @@ struct PolarCoordinate {
     b.set(term_, codes_.name(1));
     b.set(pole_, pole);
     b.set(radius_, rounded(std::sqrt(u * u + v * v)));
-    b.set(angle_, rounded(std::atan2(v, u) * (180 / std::numbers::pi)));
+    b.set(angle_, rounded(std::atan2(v, u) * degrees_per_radian));
   }
 
   bool resolve(ig::Block& b) const {
@@ -109,22 +110,22 @@ struct PolarCoordinate {
   }
 
   /// UnitModeSyntax took the angle of an inch block for a length.
-  double words_per_degree(const ig::Block& b) const { return b.is(system_, inch_) ? 25.4 : 1; }
+  double words_per_degree(const ig::Block& b) const { return b.is(system_, inch_) ? mm_per_inch : 1; }
 
   static double turned(double from, double by) { return rounded(std::remainder(from + std::fmod(by, 360), 360)); }
   /// Of degrees; 0 and 1 where they are.
   static double cosine(double degrees) {
     const double d = std::fabs(std::remainder(degrees, 360));
-    return d == 90 ? 0 : std::cos(d * (std::numbers::pi / 180));
+    return d == 90 ? 0 : std::cos(d * radians_per_degree);
   }
 
   static void write(ig::Block& b, ig_field word, double value) {
     const ig_value v{.number = rounded(value)};
     ig_value old;
-    if (b.host()->get(b.raw(), word, &old) != 0)
-      b.host()->rewrite(b.raw(), word, v);
+    if (b.get(word, old))
+      b.rewrite(word, v);
     else
-      b.host()->set(b.raw(), word, v);
+      b.set(word, v);
   }
 
   /// An arc's centre from the start has no place among radius and angle.

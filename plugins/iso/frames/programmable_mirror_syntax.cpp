@@ -50,7 +50,7 @@ struct ProgrammableMirror {
   /// The named axes; without a name, all of them.
   void end(ig::Block& b, const ig::Words& words) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (words.mask == 0 || words["XYZ"[axis]]) b.host()->erase(b.raw(), mirror_.id(axis));
+      if (words.mask == 0 || words["XYZ"[axis]]) b.erase(mirror_.id(axis));
     if (b.get(mirror_).mask == 0) b.erase(term_);
   }
 
@@ -60,7 +60,7 @@ struct ProgrammableMirror {
       return;
     }
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (const auto at = words["XYZ"[axis]]) b.host()->set(b.raw(), mirror_.id(axis), {.number = *at});
+      if (const auto at = words["XYZ"[axis]]) b.set(mirror_.id(axis), *at);
     b.set(term_, words.code);
   }
 

@@ -60,8 +60,8 @@ struct Scaling {
   void end(ig::Block& b) const {
     b.erase(term_);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      b.host()->erase(b.raw(), center_.id(axis));
-      b.host()->erase(b.raw(), factor_.id(axis));
+      b.erase(center_.id(axis));
+      b.erase(factor_.id(axis));
     }
   }
 

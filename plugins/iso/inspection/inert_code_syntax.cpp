@@ -28,13 +28,13 @@ struct InertCode {
   ig::Status build(ig::Block& b) {
     const bool any = tuning_ == Tuning::taken && b.take(tuning_codes_).has_value();
     std::uint32_t found = 0;
-    b.host()->take_code(b.raw(), codes_.ids(), static_cast<std::uint32_t>(codes_.size()), &found);
+    b.take_code(codes_.ids(), static_cast<std::uint32_t>(codes_.size()), &found);
     std::uint32_t with_words = 0;
     if (with_words_.size() > 0)
-      b.host()->take_code(b.raw(), with_words_.ids(), static_cast<std::uint32_t>(with_words_.size()), &with_words);
+      b.take_code(with_words_.ids(), static_cast<std::uint32_t>(with_words_.size()), &with_words);
     for (std::size_t i = 0; with_words > 0 && i < words_.size(); ++i) {
       ig_value unused;
-      b.host()->take(b.raw(), words_.id(i), &unused);
+      b.take(words_.id(i), unused);
     }
     return any || found + with_words > 0 ? ig::Status::changed : ig::Status::unchanged;
   }

@@ -71,7 +71,7 @@ struct NotExecuted {
       for (const char axis : coordinates_.letters()) {
         const ig_field word = coordinates_.word(row, axis);
         ig_value unused;
-        if (b.host()->take(b.raw(), word, &unused) == 0) continue;
+        if (!b.take(word, unused)) continue;
         b.report(ig::diag("ISO-0266"), ig::Where::word(word), b.text(coordinates_.name(row)));
         any = true;
       }
@@ -84,9 +84,8 @@ struct NotExecuted {
       if (!is_unanswered(b, code)) continue;
       std::uint32_t found = 0;
       ig_value unused[32];
-      b.host()->take_code(b.raw(), &code, 1, &found);
-      b.host()->take_many(b.raw(), feature.codes.row(row), static_cast<std::uint32_t>(feature.codes.letters().size()),
-                          unused);
+      b.take_code(&code, 1, &found);
+      b.take_many(feature.codes.row(row), static_cast<std::uint32_t>(feature.codes.letters().size()), unused);
       b.report(feature.diagnostic, ig::Where::word(code), b.text(feature.codes.name(row)));
       return true;
     }

@@ -127,14 +127,14 @@ struct TravelCheck {
   }
 
   std::uint32_t check_steps(ig::Block& b, std::uint32_t outside) const {
-    const std::uint32_t steps = b.host()->count(b.raw(), step_.ids[0]);
+    const std::uint32_t steps = b.count(step_.ids[0]);
     std::optional<ig::Vec3> here;
     const ig::PartialVec3 begin = steps != 0 ? b.get(here_before_) : ig::PartialVec3{};
     Place before{begin.value, steps != 0 ? rotary_before_.get(b).or_else({}) : Angles{}};
     bool is_known = begin.complete() && bool(kinematics_);
     for (std::uint32_t step = 0; step < steps; ++step) {
       ig_value at[Step::size];
-      const std::uint32_t known = b.host()->record(b.raw(), step, step_.ids.data(), Step::size, at);
+      const std::uint32_t known = b.record(step, step_.ids.data(), Step::size, at);
       if (Step::has_point(known, Step::center) && Step::has_point(known, Step::program))
         outside = check_arc(b,
                             {here ? *here : last_(b), Step::point(at, Step::program), Step::point(at, Step::center),

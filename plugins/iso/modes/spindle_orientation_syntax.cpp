@@ -21,7 +21,7 @@ struct SpindleOrientation {
 
   ig::Status build(ig::Block& b) {
     std::uint32_t found = 0;
-    if (b.host()->take_code(b.raw(), m19_.codes(), m19_.code_count(), &found) < 0) return ig::Status::unchanged;
+    if (b.take_code(m19_.codes(), m19_.code_count(), &found) < 0) return ig::Status::unchanged;
     std::optional<double> angle;
     if (angle_words_ == AngleWords::p || angle_words_ == AngleWords::r_or_p) angle = take(b, 'P');
     if (angle_words_ == AngleWords::r || angle_words_ == AngleWords::r_or_p)
@@ -34,7 +34,7 @@ struct SpindleOrientation {
  private:
   std::optional<double> take(ig::Block& b, char letter) const {
     ig_value v;
-    if (b.host()->take(b.raw(), m19_.word(0, letter), &v) == 0) return std::nullopt;
+    if (!b.take(m19_.word(0, letter), v)) return std::nullopt;
     return v.number;
   }
 };

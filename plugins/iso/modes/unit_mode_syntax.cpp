@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/cycle_codes.hpp>
@@ -13,8 +14,6 @@ namespace iso {
 
 using namespace ig::cnc;
 namespace {
-
-constexpr double mm_per_inch = 25.4;
 
 struct UnitMode {
   static constexpr auto spec = ig::syntax("UnitModeSyntax", "G20/G21 inch or metric input; lengths become mm.")
@@ -60,7 +59,7 @@ struct UnitMode {
       if (lengths_.path(i) == "Parsing.K") k_ = lengths_.id(i);
       if (lengths_.path(i) == "Parsing.J") j_ = lengths_.id(i);
       for (const std::string_view cycle : TappingJ::cycles)
-        if (tapping_j_.is_ratio() && lengths_.path(i).substr(8) == std::string(cycle) + ".J")
+        if (tapping_j_.is_ratio() && ig::word_name(lengths_.path(i)) == std::string(cycle) + ".J")
           ratios_.push_back(lengths_.id(i));
     }
   }
@@ -99,9 +98,9 @@ struct UnitMode {
   bool say_unsaid(ig::Block& b) const {
     for (std::size_t i = 0; i < lengths_.size(); ++i) {
       ig_value value;
-      if (b.host()->get(b.raw(), lengths_.id(i), &value) == 0 || value.number == 0) continue;
+      if (!b.get(lengths_.id(i), value) || value.number == 0) continue;
       if (unsaid_ == Unsaid::warning)
-        b.report(ig::diag("ISO-0373"), ig::Where::word(lengths_.id(i)), lengths_.path(i).substr(8),
+        b.report(ig::diag("ISO-0373"), ig::Where::word(lengths_.id(i)), ig::word_name(lengths_.path(i)),
                  std::string_view(b.is(system_, inch_) ? "inches" : "mm"));
       return true;
     }
@@ -117,7 +116,7 @@ struct UnitMode {
     for (std::uint32_t row = 0; row < cycle_ks_.code_count() && cycle_k_.is_length(); ++row) {
       const ig_field k = cycle_ks_.word(row, 'K');
       ig_value value;
-      if (b.host()->get(b.raw(), k, &value) == 0) continue;
+      if (!b.get(k, value)) continue;
       any = true;
       convert(b, k, value.number, "K");
     }
@@ -132,7 +131,7 @@ struct UnitMode {
         if (std::find(ratios_.begin(), ratios_.end(), ids[i]) != ratios_.end()) continue;
         if (inverse_time && std::find(feeds_.begin(), feeds_.end(), ids[i]) != feeds_.end()) continue;
         any = true;
-        convert(b, ids[i], values[i].number, lengths_.path(at + i).substr(8));  // "Parsing."
+        convert(b, ids[i], values[i].number, ig::word_name(lengths_.path(at + i)));  // "Parsing."
       }
     }
     return any;
@@ -140,10 +139,10 @@ struct UnitMode {
 
   static void convert(ig::Block& b, ig_field word, double inches, std::string_view name) {
     if (const double mm = inches * mm_per_inch; std::isfinite(mm)) {
-      b.host()->rewrite(b.raw(), word, {.number = mm});
+      b.rewrite(word, mm);
     } else {
       b.report(ig::diag("ISO-0117"), ig::Where::word(word), name);
-      b.host()->erase(b.raw(), word);
+      b.erase(word);
     }
   }
 

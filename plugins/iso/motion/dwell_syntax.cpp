@@ -49,7 +49,7 @@ struct Dwell {
   bool is_bare(const ig::Block& b) const {
     if (p_unit_ != TimeUnit::by_point) return false;
     ig_word word{};
-    b.host()->word(b.raw(), g04_.word(0, 'P'), &word);
+    b.word(g04_.word(0, 'P'), word);
     return (word.flags & IG_WORD_WITHOUT_POINT) != 0;
   }
 };

@@ -44,7 +44,7 @@ struct IncrementalResolve {
         if (axis == std::string_view::npos) continue;
         if (axis < 3 && !last) last = last_(b);
         v[i].number += axis < 3 ? (*last)[axis] : b.get_or(angles_[axis - 3], 0.0);
-        b.host()->rewrite(b.raw(), words_.id(first + i), v[i]);
+        b.rewrite(words_.id(first + i), v[i]);
         status = ig::Status::changed;
       }
     }

@@ -2,6 +2,7 @@
 /// in force until another one of group 01.
 #include <isogloss/cnc/motion_event.hpp>
 #include <isogloss/cnc/rotary_words.hpp>
+#include <isogloss/cnc/units.hpp>
 
 namespace iso {
 
@@ -67,7 +68,7 @@ struct LinearMotion {
       motion_.feed(b, [&] { return linear; });
       return;
     }
-    const double turned = turn(b), unit = b.is(unit_, inch_) ? 25.4 : 1;
+    const double turned = turn(b), unit = b.is(unit_, inch_) ? mm_per_inch : 1;
     motion_.feed(b, [&] { return only_turns ? turned : linear; });
     const auto feed = b.get(feedrate_);
     if (!feed || b.is(feed_mode_, g93_)) return;

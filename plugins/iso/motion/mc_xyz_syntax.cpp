@@ -29,7 +29,7 @@ struct McXyz {
   ig::Status build(ig::Block& b) {
     if (!b.is_fresh(program_) && !take_end_of_steps(b))
       return b.frame_changed() ? follow_frame(b) : ig::Status::unchanged;
-    b.host()->map_records(b.raw(), item_program_.ids(), item_machine_.ids());
+    b.map_records(item_program_.ids(), item_machine_.ids());
     const bool is_programmed = b.is_fresh(machine_.id(0));  // G53 writes all three axes
     if (is_programmed) return ig::Status::changed;
     const auto machine = b.to_machine(b.get(program_).or_else({}));
@@ -40,9 +40,9 @@ struct McXyz {
  private:
   /// A cycle that says nothing but its steps: the tool stands where the last of them ends.
   bool take_end_of_steps(ig::Block& b) const {
-    for (std::uint32_t step = b.host()->count(b.raw(), item_program_.id(0)); step-- > 0;) {
+    for (std::uint32_t step = b.count(item_program_.id(0)); step-- > 0;) {
       ig_value at[3];
-      if (b.host()->record(b.raw(), step, item_program_.ids(), 3, at) != 7u) continue;
+      if (b.record(step, item_program_.ids(), 3, at) != 7u) continue;
       b.set(program_, {at[0].number, at[1].number, at[2].number});
       return true;
     }

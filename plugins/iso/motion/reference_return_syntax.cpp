@@ -119,7 +119,7 @@ struct ReferenceReturn {
     if (!pivot || !is_finite(*pivot)) return;
     const double length = b.get_or(offset_, 0.0);
     if (const auto tool = kinematics_.tool_axis(angles); tool && length != 0) b.set_translation(frame_, length * *tool);
-    b.host()->set_transform(b.raw(), turned_frame_.id(), pivot->data());
+    b.set_transform(turned_frame_, *pivot);
     pivot_.set(b, kinematics_, angles);
   }
 

@@ -55,7 +55,7 @@ struct ReturnFromReference {
       const ig_field place = axis < 3 ? intermediate_.id(axis) : turned_over_[axis - 3].id();
       if ((named >> axis & 1u) == 0) continue;
       if (axis >= 3) values[axis].number = of_program(b, axis - 3, values[axis].number);
-      b.host()->set(b.raw(), place, values[axis]);
+      b.set(place, values[axis]);
     }
     return named != 0;
   }

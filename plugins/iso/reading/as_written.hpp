@@ -10,7 +10,7 @@ namespace iso {
 inline std::string_view as_written(const ig::Block& b, ig_field code, ig::Symbol name) {
   const std::string_view source = b.source();
   ig_word place{};
-  const bool is_there = b.host()->word(b.raw(), code, &place) != 0;
+  const bool is_there = b.word(code, place);
   if (!is_there || place.begin >= place.end || place.end > source.size()) return b.text(name);
   const std::string_view text = source.substr(place.begin, std::size_t{place.end} - place.begin);
   return text.substr(0, text.find('('));

@@ -87,7 +87,7 @@ struct DecimalPointSyntax {
     bool changed = read_row(b, !repeat_count.is_k(b) ? block : tapping_j.is_ratio(b) ? tapping_block : cycle_block);
     for (const Row& row : rows) {
       ig_value present;
-      if (b.host()->get(b.raw(), row.code, &present) != 0) changed |= read_row(b, row);
+      if (b.get(row.code, present)) changed |= read_row(b, row);
     }
     return changed ? ig::Status::changed : ig::Status::unchanged;
   }
@@ -126,7 +126,7 @@ struct DecimalPointSyntax {
   bool is_tapping(ig_field code) const {
     for (std::size_t i = 0; i < codes.size(); ++i)
       if (codes.id(i) == code)
-        return std::find(TappingJ::cycles.begin(), TappingJ::cycles.end(), codes.path(i).substr(8)) !=
+        return std::find(TappingJ::cycles.begin(), TappingJ::cycles.end(), ig::word_name(codes.path(i))) !=
                TappingJ::cycles.end();
     return false;
   }
@@ -159,7 +159,7 @@ struct DecimalPointSyntax {
     for (; present != 0; present &= present - 1) {
       const std::size_t i = static_cast<std::size_t>(std::countr_zero(present));
       ig_word word{};
-      b.host()->word(b.raw(), row.words[i], &word);  // its mark counts; it may have no place
+      b.word(row.words[i], word);  // its mark counts; it may have no place
       changed |= (word.flags & IG_WORD_WITHOUT_POINT) != 0 ? read_bare(b, row, i, values[i].number)
                                                            : read_pointed(b, row, i, values[i].number);
     }
@@ -181,7 +181,7 @@ struct DecimalPointSyntax {
                                                                : "mm";
     b.report(ig::diag("ISO-0115"), ig::Where::word(row.words[i]), std::string_view(&row.letters[i], 1), number, value,
              unit);
-    b.host()->rewrite(b.raw(), row.words[i], {.number = value});
+    b.rewrite(row.words[i], value);
     return value != number;
   }
 
@@ -192,7 +192,7 @@ struct DecimalPointSyntax {
     const double count = number * step;
     const double nearest = std::round(count);
     if (std::abs(count - nearest) < 1e-6) return false;
-    b.host()->rewrite(b.raw(), row.words[i], {.number = std::trunc(count) / step});
+    b.rewrite(row.words[i], std::trunc(count) / step);
     return true;
   }
 };

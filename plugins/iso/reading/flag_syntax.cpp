@@ -105,7 +105,7 @@ struct FlagSyntax {
         } else {
           end = code.end;
           if (count == words.size()) {
-            b.host()->set_words(b.raw(), words.data(), count);
+            b.set_words(words.data(), count);
             count = 0;
           }
           if (stands_already(b, {words.data(), count}, field))
@@ -115,7 +115,7 @@ struct FlagSyntax {
       }
       next = skip_blanks(text, end);
     } while (next < text.size() && is_flag_letter(text[next]));
-    if (count > 0) b.host()->set_words(b.raw(), words.data(), count);
+    if (count > 0) b.set_words(words.data(), count);
     return end;
   }
 
@@ -142,7 +142,7 @@ struct FlagSyntax {
     for (const ig_word& w : words)
       if (w.field == field) return true;
     ig_value unused;
-    return b.host()->get(b.raw(), field, &unused) != 0;
+    return b.get(field, unused);
   }
 
   void enter(std::string_view name, ig_field field) {

@@ -30,11 +30,9 @@ class GeometryWords {
 
   static std::optional<double> get(const ig::Block& b, ig_field word) {
     ig_value v;
-    return b.host()->get(b.raw(), word, &v) != 0 ? std::optional(v.number) : std::nullopt;
+    return b.get(word, v) ? std::optional(v.number) : std::nullopt;
   }
-  static void rewrite(ig::Block& b, ig_field word, double value) {
-    b.host()->rewrite(b.raw(), word, {.number = value});
-  }
+  static void rewrite(ig::Block& b, ig_field word, double value) { b.rewrite(word, value); }
 
   /// Codes that the control forbids while `term` is in force: their words are taken as they are, which is said.
   void report_untouched(ig::Block& b, ig::Symbol term) const {

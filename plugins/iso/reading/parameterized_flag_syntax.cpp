@@ -21,8 +21,7 @@ struct ParameterizedFlagSyntax {
 
   ig::Status build(ig::Block& b) const {
     std::uint32_t found = 0;
-    const std::int32_t last =
-        b.host()->find_code(b.raw(), owners.data(), static_cast<std::uint32_t>(owners.size()), &found);
+    const std::int32_t last = b.find_code(owners.data(), static_cast<std::uint32_t>(owners.size()), &found);
     if (last < 0) return ig::Status::unchanged;
     return found == 1 ? give_all(b, static_cast<std::size_t>(last)) : share(b, found);
   }
@@ -50,7 +49,7 @@ struct ParameterizedFlagSyntax {
     const bool any = present != 0;
     for (; present != 0; present &= present - 1) {
       const std::size_t i = static_cast<std::size_t>(std::countr_zero(present));
-      b.host()->move(b.raw(), from[i], rows[row].words[i]);
+      b.move(from[i], rows[row].words[i]);
     }
     return any ? ig::Status::changed : ig::Status::unchanged;
   }
@@ -66,9 +65,9 @@ struct ParameterizedFlagSyntax {
     std::size_t count = 0;
     for (std::size_t row = 0; row < rows.size() && count < std::min<std::size_t>(found, owners_here.size()); ++row) {
       ig_value code;
-      if (b.host()->get(b.raw(), rows[row].code, &code) == 0) continue;
+      if (!b.get(rows[row].code, code)) continue;
       ig_word place{};
-      b.host()->word(b.raw(), rows[row].code, &place);
+      b.word(rows[row].code, place);
       owners_here[count++] = {row, code.integer, place.begin};
     }
     const auto end = owners_here.begin() + static_cast<std::ptrdiff_t>(count);
@@ -77,12 +76,12 @@ struct ParameterizedFlagSyntax {
     bool any = false;
     for (std::size_t i = 0; i < block.words.size(); ++i) {
       ig_value value;
-      if (b.host()->get(b.raw(), block.words[i], &value) == 0) continue;
+      if (!b.get(block.words[i], value)) continue;
       ig_word place{};
-      b.host()->word(b.raw(), block.words[i], &place);
+      b.word(block.words[i], place);
       const ig_field to = owner_of(block.letters[i], place.begin, {owners_here.data(), count});
       if (to == IG_NO_FIELD) continue;
-      b.host()->move(b.raw(), block.words[i], to);
+      b.move(block.words[i], to);
       any = true;
     }
     return any ? ig::Status::changed : ig::Status::unchanged;

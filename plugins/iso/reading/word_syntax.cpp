@@ -176,7 +176,7 @@ struct WordSyntax {
         twice(b, w.field, w.begin, w.end);
       }
     }
-    b.host()->set_words(b.raw(), run.words.data(), run.count);
+    b.set_words(run.words.data(), run.count);
     if (run.without_point) b.raise(without_point);
     if (run.most_decimals > 3 && b.is_raised(cuts_digits)) b.raise(fine_digits);
   }
@@ -301,13 +301,12 @@ struct WordSyntax {
     const ig::Decimal d = ig::read_decimal(whole, 0);
     const ig_field field = table[letter_index(text[begin])].field;
     ig_word word{};
-    if (!d.ok || d.end != whole.size() || !b.has(field) || b.host()->word(b.raw(), field, &word) == 0 ||
-        word.begin != column(begin))
+    if (!d.ok || d.end != whole.size() || !b.has(field) || !b.word(field, word) || word.begin != column(begin))
       return position;
     word.value.number = d.value + 0.0;
     word.end = column(end);
     word.flags = 0;
-    b.host()->set_words(b.raw(), &word, 1);
+    b.set_word(word);
     return end;
   }
 

@@ -115,14 +115,13 @@ struct ToolHeightOffset {
     const auto z = b.get(z_);
     ig_value unused;
     const bool is_increment = distance_.is_incremental(b), is_by_machine = b.find(machine_select_).has_value();
-    const bool ends = (z && !(is_increment && is_by_machine)) ||
-                      (other && b.host()->get(b.raw(), other_z_.row(*other)[0], &unused) != 0);
+    const bool ends = (z && !(is_increment && is_by_machine)) || (other && b.get(other_z_.row(*other)[0], unused));
     const bool is_along_z = tool_axis(b) == ig::Vec3{0, 0, 1};
     if (!ends && is_along_z && pending != 0) {
       b.set(untravelled_, pending);
       return true;
     }
-    if (z && is_along_z && is_increment) b.host()->rewrite(b.raw(), z_.id(), {.number = *z + pending});
+    if (z && is_along_z && is_increment) b.rewrite(z_.id(), *z + pending);
     b.erase(untravelled_);
     return true;
   }
@@ -133,7 +132,7 @@ struct ToolHeightOffset {
     if (orientation.complete()) return orientation.value;
     if (rotated_axis_ == RotatedAxis::keep) return {0, 0, 1};
     double m[16];
-    if (b.host()->transform(b.raw(), tilt_.id(), m) != 0) return {m[8], m[9], m[10]};
+    if (b.get(tilt_, m)) return {m[8], m[9], m[10]};
     return {0, 0, 1};
   }
 };

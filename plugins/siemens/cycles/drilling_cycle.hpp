@@ -73,12 +73,12 @@ class DrillingCall {
   std::optional<DrillingRun> take(ig::Block& b) const {
     for (const CycleFields& cycle : cycles_) {
       std::uint32_t found = 0;
-      if (b.host()->take_code(b.raw(), cycle.code().codes(), 1, &found) < 0) continue;
+      if (b.take_code(cycle.code().codes(), 1, &found) < 0) continue;
       DrillingRun run;
       run.cycle = &cycle;
       for (std::size_t i = 0; i < cycle.size(); ++i) {
         ig_value v;
-        if (b.host()->take(b.raw(), cycle.field(i).id(), &v) != 0) run.values[i] = v.number;
+        if (b.take(cycle.field(i).id(), v)) run.values[i] = v.number;
       }
       if (!resolve(b, run)) {
         pattern_.take(b, run.plane, last_(b));

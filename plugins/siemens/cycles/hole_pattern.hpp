@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/plane.hpp>
@@ -79,10 +80,10 @@ class HolePattern {
   }
   static void take_words(ig::Block& b, Call& call) {
     std::uint32_t found = 0;
-    b.host()->take_code(b.raw(), call.fields->code().codes(), 1, &found);
+    b.take_code(call.fields->code().codes(), 1, &found);
     for (std::size_t i = 0; i < call.fields->size(); ++i) {
       ig_value v;
-      if (b.host()->take(b.raw(), call.fields->field(i).id(), &v) != 0) call.values[i] = v.number;
+      if (b.take(call.fields->field(i).id(), v)) call.values[i] = v.number;
     }
   }
 
@@ -110,11 +111,10 @@ class HolePattern {
   }
 
   static void place(ig::Block& b, const Call& call, Positions& out) {
-    constexpr double radians = std::numbers::pi / 180;
     const std::string_view name = call.fields->name();
     if (name == "HOLES1") {
       const std::size_t n = count(b, call, "NUM");
-      const double u = std::cos(call["STA1"] * radians), v = std::sin(call["STA1"] * radians);
+      const double u = std::cos(call["STA1"] * radians_per_degree), v = std::sin(call["STA1"] * radians_per_degree);
       for (std::size_t k = 0; k < n; ++k) {
         const double way = call["FDIS"] + static_cast<double>(k) * call["DBH"];
         out.add(call["SPCA"] + way * u, call["SPCO"] + way * v);
@@ -125,7 +125,7 @@ class HolePattern {
       const std::size_t n = count(b, call, "NUM");
       const double step = call["INDA"] != 0 ? call["INDA"] : 360 / static_cast<double>(std::max<std::size_t>(n, 1));
       for (std::size_t k = 0; k < n; ++k) {
-        const double angle = (call["STA1"] + static_cast<double>(k) * step) * radians;
+        const double angle = (call["STA1"] + static_cast<double>(k) * step) * radians_per_degree;
         out.add(call["CPA"] + call["RAD"] * std::cos(angle), call["CPO"] + call["RAD"] * std::sin(angle));
       }
     } else if (name == "CYCLE801") {
@@ -139,7 +139,6 @@ class HolePattern {
 
   /// Row by row, there and back, from the corner that lies nearest.
   static void grid(ig::Block& b, const Call& call, Positions& out) {
-    constexpr double radians = std::numbers::pi / 180;
     const std::size_t columns = count(b, call, "NUM1"), rows = count(b, call, "NUM2");
     if (columns == 0 || rows == 0) return;
     if (columns * rows > most_of_grid) {
@@ -147,7 +146,7 @@ class HolePattern {
                static_cast<double>(most_of_grid));
       return;
     }
-    const double c = std::cos(call["STA"] * radians), s = std::sin(call["STA"] * radians);
+    const double c = std::cos(call["STA"] * radians_per_degree), s = std::sin(call["STA"] * radians_per_degree);
     const auto walk = [&](bool far_column, bool far_row) {
       Positions all{out.plane, out.from, {}};
       for (std::size_t j = 0; j < rows; ++j)

@@ -64,12 +64,12 @@ struct SiemensCycle {
 
   bool keep(ig::Block& b, std::size_t i) const {
     std::uint32_t found = 0;
-    if (b.host()->take_code(b.raw(), cycles_[i].code().codes(), 1, &found) < 0) return false;
+    if (b.take_code(cycles_[i].code().codes(), 1, &found) < 0) return false;
     for (std::size_t k = 0; k < cycles_[i].size(); ++k) {
       ig_value v;
-      if (b.host()->take(b.raw(), cycles_[i].field(k).id(), &v) != 0) b.set(kept_[i][k], v.number);
+      if (b.take(cycles_[i].field(k).id(), v)) b.set(kept_[i][k], v.number);
     }
-    b.host()->erase(b.raw(), cycles_[i].code().code(0));  // nobody drills in this block
+    b.erase(cycles_[i].code().code(0));  // nobody drills in this block
     b.set(term_, cycles_[i].code().name(0));
     return true;
   }

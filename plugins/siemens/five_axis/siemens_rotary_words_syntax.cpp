@@ -71,9 +71,9 @@ struct SiemensRotaryWords {
     ig_value code;
     bool is_renamed = false;
     for (const std::size_t i : {1u, 2u}) {
-      if (b.host()->get(b.raw(), frameless_.id(i), &code) == 0) continue;
-      b.host()->erase(b.raw(), frameless_.id(i));
-      b.host()->set(b.raw(), frameless_.id(0), code);
+      if (!b.get(frameless_.id(i), code)) continue;
+      b.erase(frameless_.id(i));
+      b.set(frameless_.id(0), code);
       is_renamed = true;
     }
     return is_renamed;
@@ -106,7 +106,7 @@ struct SiemensRotaryWords {
       if (g91) to -= present;
       modes_.set(b, 3 + axis, g91 ? rotary_.ic : rotary_.ac);
     }
-    b.host()->rewrite(b.raw(), words_[axis].id(), {.number = to});
+    b.rewrite(words_[axis].id(), to);
     return true;
   }
 };

@@ -48,13 +48,13 @@ struct SiemensSwivel {
 
   ig::Status build(ig::Block& b) {
     std::uint32_t found = 0;
-    if (b.host()->take_code(b.raw(), call_.code().codes(), 1, &found) < 0) return ig::Status::unchanged;
+    if (b.take_code(call_.code().codes(), 1, &found) < 0) return ig::Status::unchanged;
     const auto where = ig::Where::word(call_.code().code(0));
     std::array<std::optional<double>, CycleFields::most> v;
     std::size_t given = 0;
     for (std::size_t i = 0; i < call_.size(); ++i) {
       ig_value value;
-      if (b.host()->take(b.raw(), call_.field(i).id(), &value) == 0) continue;
+      if (!b.take(call_.field(i).id(), value)) continue;
       v[i] = value.number;
       ++given;
     }
@@ -74,14 +74,14 @@ struct SiemensSwivel {
 
   void cancel(ig::Block& b) const {
     end_programmable_frame(b);
-    if (is_tilted(b)) b.host()->set(b.raw(), cancel_.id(0), {.integer = 1});
+    if (is_tilted(b)) b.raise(cancel_.id(0));
   }
 
   void end_programmable_frame(ig::Block& b) const {
     ig::cnc::Mat4 m;
-    if (old_frame_ == OldFrame::kept || b.host()->transform(b.raw(), programmable_.id(), m.data()) == 0) return;
+    if (old_frame_ == OldFrame::kept || !b.get(programmable_, m)) return;
     m = identity_frame;
-    b.host()->set_transform(b.raw(), programmable_.id(), m.data());
+    b.set_transform(programmable_, m);
     b.erase(programmable_term_);
     b.erase(uneven_);
   }
@@ -157,10 +157,10 @@ struct SiemensSwivel {
   /// Stands where CYCLE800 does, for what is said of it.
   void align(ig::Block& b) const {
     ig_word word{};
-    b.host()->word(b.raw(), call_.code().code(0), &word);
+    b.word(call_.code().code(0), word);
     word.field = align_.code(0);
-    word.value.integer = 1;
-    b.host()->set_words(b.raw(), &word, 1);
+    word.value = ig::present;
+    b.set_word(word);
   }
 
   /// Nothing has turned the rotary axes.

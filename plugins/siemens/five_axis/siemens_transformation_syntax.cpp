@@ -105,7 +105,7 @@ struct SiemensTransformation {
       return false;
     }
     ig::cnc::Mat4 m;
-    if (b.host()->transform(b.raw(), programmable_.id(), m.data()) == 0) m = identity_frame;
+    if (!b.get(programmable_, m)) m = identity_frame;
     std::array<double, 3> turned{};
     for (std::size_t row = 0; row < 3; ++row)
       if (const auto axis = unit({m[4 * row], m[4 * row + 1], m[4 * row + 2]}))
@@ -122,7 +122,7 @@ struct SiemensTransformation {
     axis[plane_(b).tool] = 1;
     if (stays) axis = orientation.value;
     if (!stays)
-      for (std::size_t i = 0; i < 3; ++i) b.host()->erase(b.raw(), orientation_.id(i));
+      for (std::size_t i = 0; i < 3; ++i) b.erase(orientation_.id(i));
     b.set(by_angles_, b.symbol("D" + std::to_string(b.get_or(edge_, std::int64_t{0}))));
     b.set_translation(frame_, b.get_or(offset_, 0.0) * axis);
   }

@@ -330,7 +330,7 @@ struct SiemensCall {
     }
     if (name == "TRAORI") {  // TRAORI(1), TRAORI(1,0,0,1): one transformation is known
       const ig_word word{traori_.id(0), column(begin_), column(close), ig_value{}, 0, 0};
-      b.host()->set_words(b.raw(), &word, 1);
+      b.set_word(word);
       return true;
     }
     for (const std::string_view transformation : {"TRANSMIT", "TRACYL", "TRAANG", "TRACON"})
@@ -407,7 +407,7 @@ struct SiemensCall {
       const double number = v->is_text() ? (v->text == "0" ? 0.0 : 1.0) : v->number;
       words[count++] = {cycle.field(i).id(), begin, end, {.number = number + 0.0}, 0, 0};
     }
-    b.host()->set_words(b.raw(), words.data(), count);
+    b.set_words(words.data(), count);
   }
 
   // ---- Subprograms

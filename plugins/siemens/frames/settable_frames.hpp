@@ -21,11 +21,11 @@ class SettableFrames {
   /// The code of this block.
   std::optional<std::size_t> find(const ig::Block& b) const {
     std::uint32_t found = 0;
-    return some(b.host()->find_code(b.raw(), ids_.data(), static_cast<std::uint32_t>(ids_.size()), &found));
+    return some(b.find_code(ids_.data(), static_cast<std::uint32_t>(ids_.size()), &found));
   }
   std::optional<std::size_t> take(ig::Block& b) const {
     std::uint32_t found = 0;
-    return some(b.host()->take_code(b.raw(), ids_.data(), static_cast<std::uint32_t>(ids_.size()), &found));
+    return some(b.take_code(ids_.data(), static_cast<std::uint32_t>(ids_.size()), &found));
   }
   ig::Symbol name(std::size_t i) const { return names_[i]; }
   ig_field id(std::size_t i) const { return ids_[i]; }

@@ -90,7 +90,7 @@ struct SiemensFrame {
       b.report(ig::diag("SIE-0242"), where, b.text(words.code));
       return;
     }
-    b.host()->set_transform(b.raw(), frame_.id(), m.data());
+    b.set_transform(frame_, m);
     b.set(term_, words.code);
     if (keeps_circles(m, xy_plane) && keeps_circles(m, zx_plane))
       b.erase(uneven_);
@@ -100,7 +100,7 @@ struct SiemensFrame {
 
   Mat4 present(const ig::Block& b) const {
     Mat4 m;
-    return b.host()->transform(b.raw(), frame_.id(), m.data()) != 0 ? m : identity_frame;
+    return b.get(frame_, m) ? m : identity_frame;
   }
 
   /// About Z, then the new Y, then the new X: of row vectors X comes first.

@@ -51,9 +51,9 @@ struct SiemensMachineCoordinates {
   /// As the machine sees it: the frame has it as the workpiece does, which may be swivelled with the table.
   ig::Vec3 tool_length(const ig::Block& b) const {
     double m[16];
-    if (b.host()->transform(b.raw(), tool_.id(), m) == 0) return {};
+    if (!b.get(tool_, m)) return {};
     const ig::Vec3 v{m[12], m[13], m[14]};
-    if (b.host()->transform(b.raw(), pivot_.id(), m) == 0) return v;
+    if (!b.get(pivot_, m)) return v;
     return rounded(ig::Vec3{v.x * m[0] + v.y * m[4] + v.z * m[8], v.x * m[1] + v.y * m[5] + v.z * m[9],
                             v.x * m[2] + v.y * m[6] + v.z * m[10]});
   }

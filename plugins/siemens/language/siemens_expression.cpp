@@ -1,5 +1,6 @@
 // Priorities as in the manual "Job planning", arithmetic functions: NOT binds first, comparisons last.
 #include "language/siemens_expression.hpp"
+#include <isogloss/cnc/units.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,6 @@ constexpr Operator operators[] = {{"*", 1},     {"/", 1},    {"DIV", 1}, {"MOD",
                                   {"B_XOR", 4}, {"B_OR", 5}, {"AND", 6}, {"XOR", 7}, {"OR", 8}, {"<<", 9}, {"==", 10},
                                   {"<>", 10},   {">=", 10},  {"<=", 10}, {">", 10},  {"<", 10}};
 constexpr int join_priority = 9, loosest = 10;
-constexpr double radians = std::numbers::pi / 180;
 
 std::string text_of(const Value& v) {
   if (v.is_text()) return v.text;
@@ -392,8 +392,8 @@ std::optional<Value> Expression::call(const std::string& name, std::size_t begin
   }
   const double x = v[0].number, y = v[1].number;
   double out = 0;
-  if (name == "SIN") out = std::sin(std::remainder(x, 360) * radians);
-  if (name == "COS") out = std::cos(std::remainder(x, 360) * radians);
+  if (name == "SIN") out = std::sin(std::remainder(x, 360) * radians_per_degree);
+  if (name == "COS") out = std::cos(std::remainder(x, 360) * radians_per_degree);
   if (name == "SIN" || name == "COS") {  // quarter turns are exact
     const double quarter = std::remainder(name == "SIN" ? x : x + 90, 360);
     if (quarter == 0 || std::fabs(quarter) == 180) out = 0;
@@ -402,11 +402,11 @@ std::optional<Value> Expression::call(const std::string& name, std::size_t begin
   }
   if (name == "TAN") {
     if (std::fabs(std::remainder(x, 180)) == 90) return fail(ig::diag("SIE-0106"), begin, shown(begin));
-    out = std::tan(std::remainder(x, 180) * radians);
+    out = std::tan(std::remainder(x, 180) * radians_per_degree);
   }
-  if (name == "ASIN") out = std::asin(x) / radians;
-  if (name == "ACOS") out = std::acos(x) / radians;
-  if (name == "ATAN2") out = std::atan2(x, y) / radians;
+  if (name == "ASIN") out = std::asin(x) / radians_per_degree;
+  if (name == "ACOS") out = std::acos(x) / radians_per_degree;
+  if (name == "ATAN2") out = std::atan2(x, y) / radians_per_degree;
   if (name == "SQRT") out = std::sqrt(x);
   if (name == "ABS") out = std::fabs(x);
   if (name == "POT") out = x * x;

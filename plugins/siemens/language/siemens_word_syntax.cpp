@@ -71,7 +71,7 @@ struct SiemensWord {
 
   void give(ig::Block& b, Run& run) const {
     if (defines_curve() && !ends_program(b, run)) run.count = 0;
-    if (run.count > 0) b.host()->set_words(b.raw(), run.words.data(), run.count);
+    if (run.count > 0) b.set_words(run.words.data(), run.count);
     run.count = 0;
   }
   /// Between CTABDEF and CTABEND, where words are points of a curve: they move nothing and stay for no later block.
@@ -97,7 +97,7 @@ struct SiemensWord {
     bool again = false;
     for (std::uint32_t i = 0; i < run.count; ++i) again = again || run.words[i].field == field;
     ig_value before;
-    if (again || (begin > 0 && b.host()->get(b.raw(), field, &before) != 0)) {
+    if (again || (begin > 0 && b.get(field, before))) {
       give(b, run);
       b.report(ig::diag("SIE-0122"), columns(begin, end), name);
     }

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/rotary_offset.hpp>
@@ -114,7 +115,7 @@ class SystemData {
   static constexpr std::int64_t edge_step = 100;
 
   /// Lengths of the system are inches under G700.
-  double unit(const ig::Block& b) const { return b.is(unit_term_, g700_) ? 25.4 : 1; }
+  double unit(const ig::Block& b) const { return b.is(unit_term_, g700_) ? mm_per_inch : 1; }
   static std::size_t axis_of(std::string_view name) {
     return name.size() == 1 ? std::string_view("XYZABC").find(name[0]) : std::string_view::npos;
   }
@@ -178,7 +179,7 @@ class SystemData {
     const std::size_t i = axis_of(axis);
     std::array<double, 16> m{};
     if (i > 2 || part != "TR") return std::nullopt;
-    return b.host()->transform(b.raw(), frame_.id(), m.data()) != 0 ? m[12 + i] / unit(b) : 0.0;
+    return b.get(frame_, m) ? m[12 + i] / unit(b) : 0.0;
   }
 
   // ---- Tools

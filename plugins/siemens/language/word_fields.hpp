@@ -15,7 +15,7 @@ class WordFields {
  public:
   WordFields() {
     for (std::size_t i = 0; i < addresses_.size(); ++i) {
-      const std::string_view name = addresses_.path(i).substr(8);  // Parsing.
+      const std::string_view name = ig::word_name(addresses_.path(i));  // Parsing.
       if (name.size() == 1 && letter_index(name[0]) < 26)
         letters_[letter_index(name[0])] = addresses_.id(i);
       else

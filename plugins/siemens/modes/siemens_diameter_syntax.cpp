@@ -46,7 +46,7 @@ struct SiemensDiameter {
   }
   static bool halve(ig::Block& b, const ig::Word& word) {
     const auto value = b.get(word);
-    if (value) b.host()->rewrite(b.raw(), word.id(), {.number = *value / 2});
+    if (value) b.rewrite(word.id(), *value / 2);
     return value.has_value();
   }
 };

@@ -36,7 +36,7 @@ struct SiemensFeedType {
     return ig::Status::changed;
   }
 
-  static void raise(ig::Block& b, ig_field code) { b.host()->set(b.raw(), code, {.integer = 1}); }
+  static void raise(ig::Block& b, ig_field code) { b.raise(code); }
 };
 
 const ig::Register<SiemensFeedType> siemens_feed_type_syntax;

@@ -1,10 +1,13 @@
 /// G70/G71 and G700/G710: inch or metric input. G70 is for positions alone: F stays mm/min; under G700 F is inch/min.
 /// Stands first in the logic: it turns what the block programs into mm, so that nothing after it knows of inches.
+#include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
 #include <cmath>
 
 namespace siemens {
+
+using namespace ig::cnc;
 namespace {
 
 struct SiemensUnit {
@@ -44,13 +47,13 @@ struct SiemensUnit {
     bool any = false;
     for (std::size_t i = 0; i < words.size(); ++i) {
       ig_value v;
-      if (b.host()->get(b.raw(), words.id(i), &v) == 0) continue;
+      if (!b.get(words.id(i), v)) continue;
       any = true;
-      if (const double mm = v.number * 25.4; std::isfinite(mm)) {
-        b.host()->rewrite(b.raw(), words.id(i), {.number = mm});
+      if (const double mm = v.number * mm_per_inch; std::isfinite(mm)) {
+        b.rewrite(words.id(i), mm);
       } else {
-        b.report(ig::diag("SIE-0105"), ig::Where::word(words.id(i)), words.path(i).substr(8));
-        b.host()->erase(b.raw(), words.id(i));
+        b.report(ig::diag("SIE-0105"), ig::Where::word(words.id(i)), ig::word_name(words.path(i)));
+        b.erase(words.id(i));
       }
     }
     return any;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/arc.hpp>
@@ -79,8 +80,7 @@ struct SiemensArc {
   /// The frame makes no circle of an arc in the plane in force.
   bool is_bent(const ig::Block& b) const {
     std::array<double, 16> m;
-    return b.is_raised(uneven_) && b.host()->transform(b.raw(), frame_.id(), m.data()) != 0 &&
-           !keeps_circles(m, plane_(b));
+    return b.is_raised(uneven_) && b.get(frame_, m) && !keeps_circles(m, plane_(b));
   }
 
   void set(ig::Block& b, const PlaneAxes& plane, const Point2& from_start) const {
@@ -99,7 +99,7 @@ struct SiemensArc {
     const ig::Vec3 from = last_(b);
     const ig::PartialVec3 named = b.get(words_);
     const Point2 start{from[plane.first], from[plane.second]};
-    const double turn = (is_ccw ? 1 : -1) * degrees * (std::numbers::pi / 180);
+    const double turn = (is_ccw ? 1 : -1) * degrees * radians_per_degree;
     const auto i = b.get(centre_[plane.first]), j = b.get(centre_[plane.second]);
     if (i || j) {
       const Point2 c{start.u + i.value_or(0), start.v + j.value_or(0)}, out = start - c;
@@ -117,9 +117,7 @@ struct SiemensArc {
     const double height = 0.5 / std::tan(turn / 2);
     set(b, plane, {chord.u / 2 - chord.v * height, chord.v / 2 + chord.u * height});
   }
-  void set_word(ig::Block& b, std::size_t axis, double value) const {
-    b.host()->set(b.raw(), words_.id(axis), {.number = rounded(value)});
-  }
+  void set_word(ig::Block& b, std::size_t axis, double value) const { b.set(words_.id(axis), rounded(value)); }
 
   /// The circle through start, I1 J1 K1 and end. It must lie in the plane, or go evenly along the third axis.
   bool through_point(ig::Block& b, bool is_named) const {
@@ -141,12 +139,12 @@ struct SiemensArc {
     const auto where = is_named ? ig::Where::word(cip_.id(0)) : ig::Where::block();
     if (leaves_plane || !has_point || std::fabs(area) < 1e-9) {
       b.report(leaves_plane ? ig::diag("SIE-0223") : ig::diag("SIE-0224"), where);
-      b.host()->set(b.raw(), others_code(), {.integer = 1});
+      b.raise(others_code());
       return true;
     }
     const double a2 = a.u * a.u + a.v * a.v, c2 = c.u * c.u + c.v * c.v;
     set(b, plane, {(c.v * a2 - a.v * c2) / area, (a.u * c2 - c.u * a2) / area});
-    b.host()->set(b.raw(), arcs_.id(area > 0 ? 1 : 0), {.integer = 1});
+    b.raise(arcs_.id(area > 0 ? 1 : 0));
     return true;
   }
   /// G01: a straight line to the end point.

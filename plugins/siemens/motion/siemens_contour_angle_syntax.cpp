@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/plane.hpp>
@@ -32,8 +33,7 @@ struct SiemensContourAngle {
     const PlaneAxes plane = plane_(b);
     const ig::PartialVec3 named = b.get(words_);
     const ig::Vec3 from = last_(b);
-    const double turn = std::fmod(*angle, 360) * (std::numbers::pi / 180), along = std::cos(turn),
-                 across = std::sin(turn);
+    const double turn = std::fmod(*angle, 360) * radians_per_degree, along = std::cos(turn), across = std::sin(turn);
     const bool by_first = named.has(plane.first), by_second = named.has(plane.second);
     const double slope = by_first ? along : across;
     // Both coordinates or none belong to contours of several lines, which are computed from their blocks together.
@@ -44,7 +44,7 @@ struct SiemensContourAngle {
     }
     const std::size_t given = by_first ? plane.first : plane.second, other = by_first ? plane.second : plane.first;
     const double way = (named.value[given] - from[given]) / slope;
-    b.host()->set(b.raw(), words_.id(other), {.number = rounded(from[other] + way * (by_first ? across : along))});
+    b.set(words_.id(other), rounded(from[other] + way * (by_first ? across : along)));
     return ig::Status::changed;
   }
 

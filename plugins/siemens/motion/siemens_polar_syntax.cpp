@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/plane.hpp>
@@ -55,8 +56,6 @@ struct SiemensPolar {
   }
 
  private:
-  static constexpr double radians = std::numbers::pi / 180;
-
   ig::Vec3 pole(const ig::Block& b) const { return b.get(pole_).or_else({}); }
 
   /// The plane's part of a distance, by its coordinates or by angle and radius.
@@ -65,8 +64,8 @@ struct SiemensPolar {
     ig::Vec3 at = words.row == 0 ? last_(b) : words.row == 2 ? pole(b) : ig::Vec3{};
     at[plane.tool] = 0;
     if (ap || rp) {
-      at[plane.first] += rp.value_or(0) * std::cos(ap.value_or(0) * radians);
-      at[plane.second] += rp.value_or(0) * std::sin(ap.value_or(0) * radians);
+      at[plane.first] += rp.value_or(0) * std::cos(ap.value_or(0) * radians_per_degree);
+      at[plane.second] += rp.value_or(0) * std::sin(ap.value_or(0) * radians_per_degree);
     } else {
       for (const std::size_t axis : {plane.first, plane.second}) at[axis] += words["XYZ"[axis]].value_or(0);
     }
@@ -90,13 +89,13 @@ struct SiemensPolar {
     const ig::Vec3 from = last_(b), centre = pole(b);
     const double u = from[plane.first] - centre[plane.first], v = from[plane.second] - centre[plane.second];
     const double present_radius = b.get_or(radius_, std::hypot(u, v));
-    const double present_angle = b.get_or(angle_, std::atan2(v, u) / radians);
+    const double present_angle = b.get_or(angle_, std::atan2(v, u) / radians_per_degree);
     const double radius = rp ? *rp + (is_increment(b, AxisModes::rp, false) ? present_radius : 0) : present_radius;
     const double angle =
         ap ? *ap + (is_increment(b, AxisModes::ap, distance_.is_incremental(b)) ? present_angle : 0) : present_angle;
     ig::Vec3 to = centre;
-    to[plane.first] += radius * std::cos(angle * radians);
-    to[plane.second] += radius * std::sin(angle * radians);
+    to[plane.first] += radius * std::cos(angle * radians_per_degree);
+    to[plane.second] += radius * std::sin(angle * radians_per_degree);
     if (radius < 0 || !is_sound(to)) {
       b.report(ig::diag("SIE-0278"), where, radius);
       return;
@@ -105,7 +104,7 @@ struct SiemensPolar {
     const ig::PartialVec3 named = b.get(words_);
     if (named.has(plane.first) || named.has(plane.second)) b.report(ig::diag("SIE-0279"), where);
     for (const std::size_t axis : {plane.first, plane.second}) {
-      b.host()->set(b.raw(), words_.id(axis), {.number = to[axis]});
+      b.set(words_.id(axis), to[axis]);
       modes_.set(b, axis, ac_);
     }
     b.set(radius_, radius);

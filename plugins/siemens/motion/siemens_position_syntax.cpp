@@ -61,9 +61,7 @@ struct SiemensPosition {
     }
     return out;
   }
-  void rewrite(ig::Block& b, std::size_t word, double value) const {
-    b.host()->rewrite(b.raw(), words_[word].id(), {.number = value});
-  }
+  void rewrite(ig::Block& b, std::size_t word, double value) const { b.rewrite(words_[word].id(), value); }
 
   bool linear(ig::Block& b, std::size_t word, double value, const std::optional<ig::Symbol>& mode, bool g91,
               double start) const {

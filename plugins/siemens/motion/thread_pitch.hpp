@@ -3,10 +3,13 @@
 #pragma once
 
 #include <cmath>
+#include <isogloss/cnc/units.hpp>
 #include <numbers>
 #include <optional>
 
 namespace siemens {
+
+using namespace ig::cnc;
 
 /// Coarse pitch of M3 to M48 in mm; 0 where the series has no such size.
 constexpr double coarse_pitch_mm(double size) {
@@ -23,8 +26,8 @@ constexpr double coarse_pitch_mm(double size) {
 
 /// mm per turn. `inch`: what PITA 0 takes PIT for.
 inline double pitch_mm(double pit, double pita, bool inch) {
-  if (pita == 2) return pit == 0 ? 0 : 25.4 / pit;  // threads per inch
-  if (pita == 3 || (pita == 0 && inch)) return pit * 25.4;
+  if (pita == 2) return pit == 0 ? 0 : mm_per_inch / pit;  // threads per inch
+  if (pita == 3 || (pita == 0 && inch)) return pit * mm_per_inch;
   if (pita == 4) return pit * std::numbers::pi;  // module
   return pit;
 }

@@ -101,13 +101,13 @@ class CannedCycle {
   /// The call of this block; its F is the feed from here on.
   std::optional<CycleRun> take(Block& b) const {
     std::uint32_t found = 0;
-    const std::int32_t row = b.host()->take_code(b.raw(), call_.codes(), call_.code_count(), &found);
+    const std::int32_t row = b.take_code(call_.codes(), call_.code_count(), &found);
     if (row < 0) return std::nullopt;
     const auto code = static_cast<std::size_t>(row);
     std::optional<CycleRun> result(std::in_place);
     CycleRun& run = *result;
     CycleWords& words = run.words;
-    words.mask = b.host()->take_many(b.raw(), call_.row(code), CycleWords::address_count, words.values.data());
+    words.mask = b.take_many(call_.row(code), CycleWords::address_count, words.values.data());
     run.code = call_.name(code);
     run.row = code;
     run.plane = plane_(b);

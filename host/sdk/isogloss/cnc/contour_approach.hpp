@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "isogloss/cnc/units.hpp"
 #include "isogloss/sdk.hpp"
 
 #include "isogloss/cnc/arc.hpp"
@@ -80,7 +81,7 @@ class ContourApproach {
   }
 
   static Point2 turned(const Point2& p, const Point2& center, double degrees) {
-    const double angle = degrees * (std::numbers::pi / 180), c = std::cos(angle), s = std::sin(angle);
+    const double angle = degrees * radians_per_degree, c = std::cos(angle), s = std::sin(angle);
     const double u = p.u - center.u, v = p.v - center.v;
     return {center.u + c * u - s * v, center.v + s * u + c * v};
   }

@@ -13,7 +13,7 @@ class EventToSteps {
     b.erase(form_);
     b.erase(is_rapid_);
     b.erase(feedrate_);
-    for (std::size_t axis = 0; axis < 3; ++axis) b.host()->erase(b.raw(), center_.id(axis));
+    for (std::size_t axis = 0; axis < 3; ++axis) b.erase(center_.id(axis));
     b.erase(is_ccw_);
     b.erase(circles_);
     return manner;

@@ -26,7 +26,7 @@ inline std::optional<Leftover> leftover(const Block& b, std::uint32_t index) {
 /// may have several answers.
 inline bool is_unanswered(const Block& b, ig_field code) {
   ig_value value;
-  if (b.host()->get(b.raw(), code, &value) == 0) return false;
+  if (!b.get(code, value)) return false;
   for (std::uint32_t i = 0; const auto left = leftover(b, i); ++i)
     if (left->kind == IG_LEFT_CODE && left->field == code) return true;
   return false;

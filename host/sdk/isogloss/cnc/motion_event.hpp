@@ -14,7 +14,7 @@ class MotionGroup {
 
   /// The code of this block that counts, if there is one. Nothing is taken; `found` is how many there are.
   std::optional<std::size_t> find(const Block& b, std::uint32_t& found) const {
-    const std::int32_t last = b.host()->find_code(b.raw(), codes_.ids(), codes_.size(), &found);
+    const std::int32_t last = b.find_code(codes_.ids(), codes_.size(), &found);
     return last < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(last));
   }
 
@@ -22,7 +22,7 @@ class MotionGroup {
   void take(Block& b, std::size_t code, std::uint32_t found) const {
     if (found == 1) {
       ig_value unused;
-      b.host()->take(b.raw(), codes_.id(code), &unused);
+      b.take(codes_.id(code), unused);
     } else {
       b.take(codes_);
       b.report(diag("ISO-0201"), Where::word(codes_.id(code)), b.text(codes_.name(code)));
@@ -60,7 +60,7 @@ class BlockMotion {
   void rapid(Block& b) const {
     const ig_field fields[] = {form_.id(), is_rapid_.id()};
     const ig_value values[] = {symbol(straight_form(b)), {.integer = 1}};
-    b.host()->set_many(b.raw(), fields, 2, values);
+    b.set_many(fields, 2, values);
   }
   /// `length()` is the path's, in mm; asked where the feed depends on it (G93).
   template <class Length>
@@ -68,7 +68,7 @@ class BlockMotion {
     const double mmds = feed_.mmds(b, length);
     const ig_field fields[] = {form_.id(), feedrate_.id()};
     const ig_value values[] = {symbol(straight_form(b)), {.number = mmds}};
-    b.host()->set_many(b.raw(), fields, mmds > 0 ? 2 : 1, values);
+    b.set_many(fields, mmds > 0 ? 2 : 1, values);
     if (mmds <= 0) say_no_feed(b);
   }
   template <class Length>
@@ -77,7 +77,7 @@ class BlockMotion {
     b.set(center_, center);
     const ig_field fields[] = {form_.id(), is_ccw_.id(), circles_.id(), feedrate_.id()};
     const ig_value values[] = {symbol(arc_), {.integer = is_ccw ? 1 : 0}, {.integer = 0}, {.number = mmds}};
-    b.host()->set_many(b.raw(), fields, mmds > 0 ? 4 : 3, values);
+    b.set_many(fields, mmds > 0 ? 4 : 3, values);
     if (mmds <= 0) say_no_feed(b);
   }
   /// By a feed of its own, in mm/s; 0: none is in force, which was said.

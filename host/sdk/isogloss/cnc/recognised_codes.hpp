@@ -33,9 +33,8 @@ class RecognisedCodes {
     if (!is_unanswered(b, code)) return false;
     std::uint32_t found = 0;
     ig_value unused[32];
-    b.host()->take_code(b.raw(), &code, 1, &found);
-    b.host()->take_many(b.raw(), feature.codes.row(row), static_cast<std::uint32_t>(feature.codes.letters().size()),
-                        unused);
+    b.take_code(&code, 1, &found);
+    b.take_many(feature.codes.row(row), static_cast<std::uint32_t>(feature.codes.letters().size()), unused);
     b.report(diagnostic_, Where::word(code), b.text(feature.codes.name(row)), feature.missing);
     return true;
   }

@@ -46,7 +46,7 @@ inline void set_angles(Block& b, const std::array<ig_field, 3>& fields, const Pa
     named[n] = fields[axis];
     v[n++].number = to.value[axis];
   }
-  b.host()->set_many(b.raw(), named, n, v);
+  b.set_many(named, n, v);
 }
 
 /// Angles that differ by less are the same position; limits are inclusive by this much.

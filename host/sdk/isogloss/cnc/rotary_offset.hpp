@@ -24,7 +24,7 @@ class RotaryOffsetSection {
     bool any = false;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (to[axis] == old.value[axis]) continue;
-      b.host()->set(b.raw(), ids_[axis], {.number = to[axis]});
+      b.set(ids_[axis], to[axis]);
       any = true;
     }
     return any;
@@ -48,9 +48,9 @@ class RotaryOffsets {
   Angles get(const Block& b) const { return angles_of(b, ids_).or_else({}); }
   void set(Block& b, std::size_t axis, double to) const {
     if (to != 0)
-      b.host()->set(b.raw(), ids_[axis], {.number = to});
+      b.set(ids_[axis], to);
     else
-      b.host()->erase(b.raw(), ids_[axis]);
+      b.erase(ids_[axis]);
   }
 
   /// The machine angle that a word names. Where the sign of a word is a direction it stays one.

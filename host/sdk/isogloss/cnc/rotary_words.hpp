@@ -54,7 +54,7 @@ class RotaryPosition {
     return b.get(ids_[axis], v) ? std::optional(v.number) : std::nullopt;
   }
   std::uint32_t fresh(const Block& b) const { return b.fresh_many(ids_.data(), 3); }
-  void set(Block& b, std::size_t axis, double angle) const { b.host()->set(b.raw(), ids_[axis], {.number = angle}); }
+  void set(Block& b, std::size_t axis, double angle) const { b.set(ids_[axis], angle); }
   void set(Block& b, const PartialAngles& to) const { set_angles(b, ids_, to); }
 
  private:
@@ -64,10 +64,10 @@ class RotaryPosition {
 /// A, B and C in the steps of CompoundMotion. A step that names none leaves them where they are.
 class RotarySteps {
  public:
-  std::uint32_t count(const Block& b) const { return b.host()->count(b.raw(), ids_[0]); }
+  std::uint32_t count(const Block& b) const { return b.count(ids_[0]); }
   PartialAngles get(const Block& b, std::uint32_t step) const {
     ig_value v[3];
-    PartialAngles out{b.host()->record(b.raw(), step, ids_.data(), 3, v), {}};
+    PartialAngles out{b.record(step, ids_.data(), 3, v), {}};
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (out.has(axis)) out.value[axis] = v[axis].number;
     return out;
@@ -75,7 +75,7 @@ class RotarySteps {
   void set(Block& b, std::uint32_t step, const PartialAngles& to) const {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const ig_value v{.number = to.value[axis]};
-      if (to.has(axis)) b.host()->set_record(b.raw(), step, &ids_[axis], 1, &v);
+      if (to.has(axis)) b.set_record(step, &ids_[axis], 1, &v);
     }
   }
   /// In the step that was appended last.
@@ -85,7 +85,7 @@ class RotarySteps {
   /// Does the step move the axes at all? A dwell does not.
   bool is_move(const Block& b, std::uint32_t step) const {
     ig_value unused;
-    return b.host()->record(b.raw(), step, &x_, 1, &unused) != 0;
+    return b.record(step, &x_, 1, &unused) != 0;
   }
 
  private:

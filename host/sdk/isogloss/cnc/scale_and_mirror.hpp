@@ -8,6 +8,7 @@
 
 #include "isogloss/cnc/plane.hpp"
 #include "isogloss/cnc/program_xyz.hpp"
+#include "isogloss/cnc/units.hpp"
 
 namespace ig::cnc {
 
@@ -29,7 +30,7 @@ struct PolarRepeats {
 
   /// Repeat number i, from the hole of number 0.
   Vec3 hole(const Vec3& start, int i, const PlaneAxes& plane) const {
-    const double angle = std::remainder(i * turn_deg, 360) * (std::numbers::pi / 180);
+    const double angle = std::remainder(i * turn_deg, 360) * radians_per_degree;
     const double c = std::cos(angle), s = std::sin(angle);
     const double u = first_axis.programmed(start[plane.first]) - pole[plane.first];
     const double v = second_axis.programmed(start[plane.second]) - pole[plane.second];

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "isogloss/cnc/plane.hpp"
+#include "isogloss/cnc/units.hpp"
 
 namespace ig::cnc {
 
@@ -31,7 +32,7 @@ struct Turn {
     if (angle == 90) return {0, 1};
     if (angle == -90) return {0, -1};
     if (std::fabs(angle) == 180) return {-1, 0};
-    const double radians = angle * (std::numbers::pi / 180);
+    const double radians = angle * radians_per_degree;
     return {std::cos(radians), std::sin(radians)};
   }
 };
@@ -159,9 +160,9 @@ class TiltFrame {
   /// Nothing is tilted where nothing was said.
   Mat4 get(const Block& b) const {
     Mat4 m;
-    return b.host()->transform(b.raw(), frame_.id(), m.data()) != 0 ? m : identity_frame;
+    return b.get(frame_, m) ? m : identity_frame;
   }
-  void set(Block& b, const Mat4& m) const { b.host()->set_transform(b.raw(), frame_.id(), m.data()); }
+  void set(Block& b, const Mat4& m) const { b.set_transform(frame_, m); }
   bool is_fresh(const Block& b) const { return b.is_fresh(frame_); }
 
  private:

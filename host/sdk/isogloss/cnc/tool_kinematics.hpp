@@ -226,7 +226,7 @@ class PivotState {
     set_angles(b, ids_, {machine.mask(), angles});
   }
   void erase(Block& b) const {
-    for (const ig_field id : ids_) b.host()->erase(b.raw(), id);
+    for (const ig_field id : ids_) b.erase(id);
   }
 
  private:

@@ -21,7 +21,7 @@ class ToolSteps {
     ig_field fields[12];
     ig_value values[12];
     const std::uint32_t n = begin(to, manner, linear_, fields, values);
-    b.host()->append(b.raw(), fields, n, values);
+    b.append(fields, n, values);
   }
   void arc(Block& b, const Vec3& to, const Vec3& center, bool is_ccw, const Manner& manner) const {
     ig_field fields[12];
@@ -35,7 +35,7 @@ class ToolSteps {
     values[n++].integer = is_ccw ? 1 : 0;
     fields[n] = circles_;
     values[n++].integer = manner.more_circles;
-    b.host()->append(b.raw(), fields, n, values);
+    b.append(fields, n, values);
   }
   /// The tip goes straight to `to` while the rotary axes turn; where the machine then stands is known.
   void led(Block& b, const Vec3& to, const Vec3& machine, const PartialAngles& rotary, const Manner& manner) const {
@@ -51,15 +51,15 @@ class ToolSteps {
       fields[n] = rotary_[axis];
       values[n++].number = rotary.value[axis];
     }
-    b.host()->append(b.raw(), fields, n, values);
+    b.append(fields, n, values);
   }
   /// Machine coordinates of all steps; those of the rotary axes that the block turns go to the last one.
   void finish(Block& b, const PartialAngles& rotary) const {
-    b.host()->map_records(b.raw(), program_.data(), machine_.data());
-    const std::uint32_t last = b.host()->count(b.raw(), program_[0]) - 1;
+    b.map_records(program_.data(), machine_.data());
+    const std::uint32_t last = b.count(program_[0]) - 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const ig_value v{.number = rotary.value[axis]};
-      if (rotary.has(axis)) b.host()->set_record(b.raw(), last, &rotary_[axis], 1, &v);
+      if (rotary.has(axis)) b.set_record(last, &rotary_[axis], 1, &v);
     }
   }
 

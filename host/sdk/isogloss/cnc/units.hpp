@@ -1,0 +1,12 @@
+/// Factors between the units in which programs are written.
+#pragma once
+
+#include <numbers>
+
+namespace ig::cnc {
+
+inline constexpr double mm_per_inch = 25.4;
+inline constexpr double radians_per_degree = std::numbers::pi / 180;
+inline constexpr double degrees_per_radian = 180 / std::numbers::pi;
+
+}  // namespace ig::cnc
