@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 #define IG_ABI_MAJOR 1u
-#define IG_ABI_MINOR 5u
+#define IG_ABI_MINOR 6u
 
 #if defined(_WIN32)
 #define IG_EXPORT __declspec(dllexport)
@@ -92,7 +92,8 @@ enum {
   IG_PREVIOUS = 1u << 4,   /* reads the value from before this block; the id differs from the field's own */
   IG_WAKE = 1u << 5,       /* build() is called when the field is set in this block */
   IG_WAKE_WHILE = 1u << 6, /* build() is called in each block that starts with the field (equal to wake_value) */
-  IG_PATTERN = 1u << 7     /* path is "@name" of an option of type IG_OPTION_FIELDS; the host expands it */
+  /* path is "@name" of an option of type IG_OPTION_FIELDS, or a pattern itself (since 1.6); the host expands it */
+  IG_PATTERN = 1u << 7
 };
 
 /* path: "Section.Field", "Parsing.X" (word), "Parsing.Flags.CODE" (code), "Parsing.CODE" and "Parsing.CODE.X" (a code

@@ -239,8 +239,10 @@ void check_fields(const ig_syntax& syntax, std::string_view owner) {
         field.path, [&] { return fmt::format("the path of {}'s field {}", owner, i); }, longest_name);
     const auto what = [&] { return fmt::format("field '{}' of {}", path, owner); };
     if ((field.access & IG_PATTERN) != 0) {
-      if (!path.starts_with('@')) fault("{} is a pattern, so its path is '@' and an option's name", what());
-      check_pattern(syntax, path, what);
+      if (path.starts_with('@'))
+        check_pattern(syntax, path, what);
+      else if (path.find_first_of("*?") == std::string_view::npos)
+        fault("{} is a pattern, so its path is '@' and an option's name, or has a wildcard", what());
     } else if (!is_path(path)) {
       fault("{} has no path such as Section.Field", what());
     }

@@ -280,6 +280,7 @@ class Linker {
   const std::vector<FieldPattern>& patterns(const LinkedSyntax& s, const ig_field_decl& decl) {
     const auto [where, added] = patterns_.try_emplace({&s, &decl});
     if (!added) return where->second;
+    if (*decl.path != '@') return where->second = parse_patterns(decl.path);
     for (std::uint32_t i = 0; i < s.syntax->option_count; ++i)
       if (std::string_view(decl.path).substr(1) == s.syntax->options[i].name) {
         where->second = parse_patterns(s.options[i].text);
@@ -502,12 +503,19 @@ class Linker {
       for (ig_field f = 0; f < in.size(); ++f) {
         const FieldInfo& info = out_->layout.fields[f];
         if (info.hidden || info.type != decl.type || !pattern.matches(info.path, info.unit)) continue;
+        if (!pattern.owner_unit().empty() && unit_of(pattern.owner(info.path)) != pattern.owner_unit()) continue;
         add(f);
         is_met = true;
       }
-      if (!is_met && mode_ == LinkMode::whole) say_unmet(s, std::string_view(decl.path).substr(1), pattern.path());
+      if (!is_met && mode_ == LinkMode::whole && *decl.path == '@')
+        say_unmet(s, std::string_view(decl.path).substr(1), pattern.path());
     }
     return out;
+  }
+
+  std::string_view unit_of(std::string_view path) const {
+    const std::optional<ig_field> f = out_->layout.find(canonical(path));
+    return f ? std::string_view(out_->layout.fields[*f].unit) : std::string_view();
   }
 
   /// Only of what the dialect itself writes: a default may be for other chains.

@@ -54,9 +54,23 @@ FieldPattern::FieldPattern(std::string_view text) {
       text = text.substr(0, open);
     }
   path_ = text;
+  if (const std::size_t open = path_.find('{'), close = path_.find("}.");
+      open != std::string::npos && close != std::string::npos && open < close) {
+    owner_unit_ = path_.substr(open + 1, close - open - 1);
+    owner_segments_ = path_segments(std::string_view(path_).substr(0, open)).size();
+    path_.erase(open, close + 1 - open);
+    text = path_;
+  }
   segments_ = path_segments(text);
   literal_ = text.find_first_of("*?") == std::string_view::npos;
   prefix_size_ = std::min(text.find_first_of("*?"), text.size());
+}
+
+std::string_view FieldPattern::owner(std::string_view path) const {
+  std::string_view rest = path;
+  for (std::size_t i = 0; i < owner_segments_; ++i) next_segment(rest);
+  // Without the point between the two.
+  return rest.empty() ? path : path.substr(0, path.size() - rest.size() - 1);
 }
 
 bool FieldPattern::matches(std::string_view path, std::string_view unit) const {

@@ -1,5 +1,6 @@
 /// Field patterns of options: `Parsing.?` (one address), `Parsing.*.X` (one segment), `Parsing.**{mm}` (any number of
-/// segments, of one unit). A code keeps its decimals in one segment.
+/// segments, of one unit), `Parsing.*{canned-cycle}.X` (of what has that unit itself). A code keeps its decimals in one
+/// segment.
 #pragma once
 
 #include <string>
@@ -13,11 +14,18 @@ class FieldPattern {
   explicit FieldPattern(std::string_view text);
   bool is_literal() const { return literal_; }
   const std::string& path() const { return path_; }
+  /// Does not look at owner_unit().
   bool matches(std::string_view path, std::string_view unit) const;
+  /// The unit that owner(path) must have; empty: any.
+  const std::string& owner_unit() const { return owner_unit_; }
+  /// "Parsing.G181" of "Parsing.G181.X": what stands before the braces of the pattern.
+  std::string_view owner(std::string_view path) const;
 
  private:
   std::string path_;
   std::string unit_;
+  std::string owner_unit_;
+  std::size_t owner_segments_ = 0;
   bool any_unit_ = true;
   std::size_t prefix_size_ = 0;  // before the first wildcard
   bool literal_ = true;

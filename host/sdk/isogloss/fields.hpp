@@ -139,12 +139,14 @@ class Codes {
 };
 
 /// Codes that own their words: Call{{"G81", "G82"}, "X Y Z R P[s] K[1] F"} is Parsing.G81.X … Parsing.G82.F. A unit in
-/// brackets replaces the address's usual one.
+/// brackets replaces the address's usual one. `kind` is the unit of the codes themselves: what patterns find them by.
 class Call {
  public:
-  Call(std::initializer_list<std::string_view> codes, std::string_view words, Access access = take | wake)
-      : Call(std::span(codes.begin(), codes.size()), words, access) {}
-  Call(std::span<const std::string_view> codes, std::string_view words, Access access = take | wake) {
+  Call(std::initializer_list<std::string_view> codes, std::string_view words, Access access = take | wake,
+       std::string_view kind = {})
+      : Call(std::span(codes.begin(), codes.size()), words, access, kind) {}
+  Call(std::span<const std::string_view> codes, std::string_view words, Access access = take | wake,
+       std::string_view kind = {}) {
     const std::vector<Owned> owned = parse(words);
     for (const Owned& word : owned) letters_ += word.letter;
     names_.reserve(codes.size());
@@ -153,7 +155,7 @@ class Call {
     const std::uint32_t no_wake = access & ~static_cast<std::uint32_t>(wake);
     for (const std::string_view code : codes) {
       names_.push_back(detail::symbol(code));
-      codes_.push_back(detail::declare_field({{"Parsing.", code}, IG_CODE, access}));
+      codes_.push_back(detail::declare_field({{"Parsing.", code}, IG_CODE, access, {Life::standard, kind, ""}}));
       for (const Owned& word : owned)
         words_.push_back(detail::declare_field({{"Parsing.", code, ".", std::string_view(&word.letter, 1)},
                                                 IG_NUMBER,
@@ -171,6 +173,14 @@ class Call {
   ig_field word(std::size_t row, char letter) const {
     const std::size_t at = letters_.find(letter);
     return at == std::string::npos ? IG_NO_FIELD : words_[row * letters_.size() + at];
+  }
+
+ protected:
+  /// One more code, found when the chain is created, with its words in the order of letters().
+  void add_row(std::string_view code, ig_field id, std::span<const ig_field> words) {
+    names_.push_back(detail::symbol(code));
+    codes_.push_back(id);
+    words_.insert(words_.end(), words.begin(), words.end());
   }
 
  private:

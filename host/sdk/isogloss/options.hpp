@@ -99,13 +99,12 @@ class Choice {
   E value_{};
 };
 
-/// Fields that only the dialect knows, by patterns: `Parsing.?` (one address), `Parsing.*.X`, `Parsing.**{mm}` (all
-/// words whose unit is mm).
-class Fields {
+/// Fields that only the chain knows, by a pattern: `Parsing.?` (one address), `Parsing.*.X`, `Parsing.**{mm}` (all
+/// words whose unit is mm), `Parsing.*{canned-cycle}.X` (X of all codes whose own unit is canned-cycle).
+class MatchedFields {
  public:
-  Fields(const char* option, const char* fallback, Access access, const char* doc, ig_type type = IG_NUMBER) {
-    detail::declare_option(option, IG_OPTION_FIELDS, fallback, "", {}, "", doc);
-    detail::declare_field({{"@", option}, type, access | static_cast<std::uint32_t>(IG_PATTERN)});
+  MatchedFields(std::string_view pattern, Access access, ig_type type = IG_NUMBER) {
+    detail::declare_field({pattern, type, access | static_cast<std::uint32_t>(IG_PATTERN)});
     if (detail::binding == nullptr) return;
     const ig_link_api* const api = detail::binding->api;
     ig_link* const link = detail::binding->link;
@@ -129,6 +128,15 @@ class Fields {
   std::span<const ig_field> ids_;  // as the texts, the host's for as long as the chain lives
   std::vector<std::string_view> paths_;
   std::vector<std::string_view> units_;
+};
+
+/// Fields that the dialect names: an option holds the patterns, separated by blanks.
+class Fields : public MatchedFields {
+ public:
+  Fields(const char* option, const char* fallback, Access access, const char* doc, ig_type type = IG_NUMBER)
+      : MatchedFields(
+            (detail::declare_option(option, IG_OPTION_FIELDS, fallback, "", {}, "", doc), "@" + std::string(option)),
+            access, type) {}
 };
 
 enum class Need { required, optional };

@@ -29,7 +29,7 @@ struct MazakCode {
                          }};
 
   ig::Word d_{"Parsing.D", ig::take | ig::wake, ""};
-  ig::Call cycles_{cycle_codes, "", ig::read};
+  CycleCalls cycles_{"", ig::read};
   RepeatCount modal_cycle_;
 
   ig::Status build(ig::Block& b) {

@@ -16,7 +16,10 @@ using Address = CycleWords::Address;
 constexpr std::array stored{Address::Q, Address::P, Address::I, Address::J, Address::K};  // kept besides the levels
 
 /// What Q is, for each cycle of the resolver: peck, tapping in pecks, shift, nothing.
-constexpr std::string_view use_of_q = "ptss--pt--s--";
+constexpr char use_of_q(std::size_t row) {
+  constexpr std::string_view known = "ptss--pt--s--";
+  return row < known.size() ? known[row] : '?';
+}
 
 /// The cycle words of a block that names no cycle code, in the order of cycle_words; F is FeedrateSyntax's.
 class RootWords {
@@ -63,7 +66,7 @@ struct CannedCycleResolve {
                      "{0}: the bottom lies {1} mm above R, so the tool is fed away from the part"),
   };
 
-  ig::Call call_{cycle_codes, cycle_words, ig::take | ig::wake | ig::write};
+  CycleCalls call_{cycle_words, ig::take | ig::wake | ig::write};
   ig::Codes g80_{"G80"};
   ig::Codes group01_{{"G00", "G01", "G02", "G03", "G33"}, ig::read};
   // Codes that have the axis words of their block for themselves.
@@ -441,7 +444,7 @@ struct CannedCycleResolve {
     put(Address::R, *levels.r);
     for (std::size_t i = 0; i < stored_count_; ++i)
       if (const auto value = b.get(kept_[i]); value && !(now.is_called && in.has(stored[i]))) put(stored[i], *value);
-    if (now.before && !in.has(Address::Q) && b.has(kept_[0]) && use_of_q[*now.before] != use_of_q[row])
+    if (now.before && !in.has(Address::Q) && b.has(kept_[0]) && use_of_q(*now.before) != use_of_q(row))
       b.raise(q_of_another_use_);
     put_count(b, row, count, put);
     if (count == 1) return;

@@ -28,7 +28,7 @@ struct HolePattern {
 
   enum Row : std::size_t { circle, arc, line };
   ig::Call patterns_{{"G70", "G71", "G72"}, "I J[deg] K[deg] L[1]"};
-  ig::Call cycles_{cycle_codes, "X Y Z L[1]", ig::read | ig::write};
+  CycleCalls cycles_{"X Y Z L[1]", ig::read | ig::write};
   ig::Xyz words_{"Parsing", ig::read | ig::write};
   ig::Word l_{"Parsing.L", ig::write, ""};
   ig::Codes enders_{{"G80", "G00", "G01", "G02", "G03", "G33"}, ig::read};

@@ -140,7 +140,7 @@ struct IsoG68p2Tilt {
   ig::Xyz words_{"Parsing", ig::read};
   std::array<ig_field, 3> rotary_words_{ig::Word("Parsing.A", ig::read).id(), ig::Word("Parsing.B", ig::read).id(),
                                         ig::Word("Parsing.C", ig::read).id()};
-  ig::Call movers_{and_cycle_codes({"G27", "G28", "G29", "G30", "G53.1", "G53.6"}), "", ig::read};
+  CycleCalls movers_{"", ig::read, {"G27", "G28", "G29", "G30", "G53.1", "G53.6"}};
   ig::Codes program_end_{{"M02", "M30"}, ig::read};
 
   ig::Codes changes_{{"G53", "G54", "G55", "G56", "G57", "G58", "G59"}, ig::read | ig::wake};

@@ -59,9 +59,8 @@ struct ToolCenterPoint {
   std::array<ig::Out<double>, 3> axes_{ig::Out<double>{"MachineCoordinate.A"}, ig::Out<double>{"MachineCoordinate.B"},
                                        ig::Out<double>{"MachineCoordinate.C"}};
   ig::Codes excluded_{{"G33", "G53", "G54", "G55", "G56", "G57", "G58", "G59"}, ig::read};
-  ig::Call excluded_calls_{
-      and_cycle_codes({"G27", "G28", "G29", "G30", "G52", "G54.1", "G68", "G68.2", "G68.3", "G68.4", "G92", "G92.1"}),
-      "", ig::read};
+  CycleCalls excluded_calls_{
+      "", ig::read, {"G27", "G28", "G29", "G30", "G52", "G54.1", "G68", "G68.2", "G68.3", "G68.4", "G92", "G92.1"}};
   ig::Signal said_{"ToolCenterPoint.~Said", ig::read | ig::write, ig::Life::modal};
   MotionGroup group_;
   TiltFrame tilt_{ig::read};

@@ -49,7 +49,7 @@ struct IsoG68Rotation {
   ig::Signal about_tool_{"TiltTransform.~AboutTool", ig::read | ig::write | ig::wake_while, ig::Life::modal};
 
   ig::Xyz words_{"Parsing", ig::read | ig::write};
-  ig::Call positions_{and_cycle_codes({"G28"}), "X Y Z", ig::read | ig::write};
+  CycleCalls positions_{"X Y Z", ig::read | ig::write, {"G28"}};
   ig::Codes machine_select_{{"G53"}, ig::read};
   ig::Codes changes_{{"G54", "G55", "G56", "G57", "G58", "G59"}, ig::read | ig::wake};
   ig::Call changes_with_words_{{"G27", "G28", "G29", "G30", "G52", "G54.1", "G92", "G92.1"}, "", ig::read | ig::wake};

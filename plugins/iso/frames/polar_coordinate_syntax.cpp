@@ -38,7 +38,7 @@ struct PolarCoordinate {
   ig::In<ig::Symbol> system_{"Unit.System"};
   ig::Name inch_{"Inch"};
   GeometryWords words_;
-  ig::Call repeated_{cycle_codes, "K[1] L[1]", ig::read};
+  CycleCalls repeated_{"K[1] L[1]", ig::read};
   ig::Word l_{"Parsing.L", ig::read, ""};
   PlaneInForce plane_;
   DistanceMode distance_;

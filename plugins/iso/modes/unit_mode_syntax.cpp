@@ -38,7 +38,7 @@ struct UnitMode {
   RepeatCount repeat_count_;
   CycleK cycle_k_;
   TappingJ tapping_j_;
-  ig::Call cycle_ks_{cycle_codes, "K[1]", ig::read | ig::write};
+  CycleCalls cycle_ks_{"K[1]", ig::read | ig::write};
   ig::Name g20_{"G20"}, inch_{"Inch"}, metric_{"Metric"}, g93_{"G93"};
 
   enum class Unsaid { silent, warning };

@@ -43,7 +43,7 @@ class GeometryWords {
   }
 
  private:
-  ig::Call cycles_{cycle_codes, "X Y Z R", ig::read | ig::write};
+  CycleCalls cycles_{"X Y Z R", ig::read | ig::write};
   ig::Xyz axes_{"Parsing", ig::read | ig::write};
   ig::Word r_{"Parsing.R", ig::read | ig::write};
   std::array<ig_field, 3> centers_{ig::Word("Parsing.I", ig::read | ig::write).id(),

@@ -42,7 +42,7 @@ struct ToolHeightOffset {
                                  ig::read | ig::write | ig::wake_while,
                                  {ig::Life::modal, "mm", "Change of the length that the next Z under G91 travels."}};
   ig::Word z_{"Parsing.Z", ig::read | ig::write};
-  ig::Call other_z_{and_cycle_codes({"G28", "G30"}), "Z", ig::read};
+  CycleCalls other_z_{"Z", ig::read, {"G28", "G30"}};
   ig::Codes machine_select_{{"G53"}, ig::read};
   DistanceMode distance_;
   ig::Name g43_{"G43"}, g44_{"G44"}, g49_{"G49"};

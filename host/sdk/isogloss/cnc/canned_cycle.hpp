@@ -96,7 +96,8 @@ struct CycleRun {
 /// A member of each cycle syntax: its codes, taken with their words.
 class CannedCycle {
  public:
-  explicit CannedCycle(std::initializer_list<std::string_view> codes) : call_(codes, cycle_words) {}
+  explicit CannedCycle(std::initializer_list<std::string_view> codes)
+      : call_(codes, cycle_words, ig::take | wake, cycle_kind) {}
 
   /// The call of this block; its F is the feed from here on.
   std::optional<CycleRun> take(Block& b) const {
