@@ -1046,7 +1046,7 @@ class Subprograms(Command):
         done = self.run_it("run", main, "-d", self.path / "haas_like.xml", "--format", "csv", status=1)
         self.assertEqual(self.xs(done), ["1", "101", "201", "211"])
         self.assertIn("main.nc:6:1: error: M198 is not executed", done.stderr)
-        self.assertIn("main.nc:11:10: error: calls are nested 1 deep already", done.stderr)
+        self.assertIn("main.nc:11:10: error: calls are already nested 1 deep", done.stderr)
         self.assertNotIn("IG-0414", done.stderr)
         done = self.run_csv(main, status=1)
         self.assertIn("main.nc:3:5: warning: M98: there is no O1234 for P51234", done.stderr)

@@ -94,8 +94,8 @@ class BrokenContour {
       case Unbroken::doubles_back: return "the next move goes back the same way";
       case Unbroken::no_place: return "no arc of this radius touches both moves";
       case Unbroken::first_too_short: return "the move before it is too short";
-      case Unbroken::second_too_short: return "the move behind it is too short";
-      case Unbroken::length_at_arc: return "its length is known between straight moves only";
+      case Unbroken::second_too_short: return "the move after it is too short";
+      case Unbroken::length_at_arc: return "a chamfer by its length needs straight moves on both sides";
       case Unbroken::no:
       case Unbroken::straight_on: break;
     }
@@ -114,10 +114,11 @@ class BrokenContour {
       if (!(next.plane == now.plane)) return "the plane changes before the next move";
       const bool is_plain = next.kind == ContourMotion::Kind::move && !ahead.get_or(is_rapid_, false) && !rises(next);
       if (is_plain) return {};
-      if (next.kind != ContourMotion::Kind::rest || next.has_event) return "the next move is no feed move in the plane";
-      if (!is_comment_line(ahead.source()) && ++rests > rests_allowed_) return "no move follows at once";
+      if (next.kind != ContourMotion::Kind::rest || next.has_event)
+        return "the next move is not a feed move in the plane";
+      if (!is_comment_line(ahead.source()) && ++rests > rests_allowed_) return "no move follows directly";
     }
-    return "no move follows at once";
+    return "no move follows directly";
   }
 
   ContourMotionOf motion_;

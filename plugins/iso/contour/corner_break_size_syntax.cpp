@@ -19,7 +19,7 @@ struct CornerBreakSize {
           .before("CornerBreakPathSyntax", "RadiusCompensationPathSyntax", "UnconsumedCheckSyntax");
 
   ig::Word chamfer_{"Parsing.CornerBreak.C", ig::wake, "mm",
-                    "Chamfer at the end of the move: from the corner to its two ends."};
+                    "Chamfer at the end of the move: distance from the corner to each end of the chamfer."};
   ig::Word rounding_{"Parsing.CornerBreak.R", ig::wake, "mm", "Radius of the arc at the end of the move."};
   CornerBreakWords corner_;
   ScaleAndMirror scale_and_mirror_;
@@ -45,7 +45,7 @@ struct CornerBreakSize {
     const double size = chamfer ? *chamfer : *rounding;
     if (size == 0) return std::nullopt;
     if (!(size > 0)) {
-      refuse(b, where, b.text(name), "it is less than 0");
+      refuse(b, where, b.text(name), "its size is less than 0");
       return std::nullopt;
     }
     const PlaneAxes plane = plane_(b);

@@ -19,84 +19,87 @@ enum class EndOff { said, allowed };
 
 struct RadiusCompensationPath {
   static constexpr auto spec =
-      ig::syntax("RadiusCompensationPathSyntax", "The tool's path beside the contour, by G41 and G42.")
+      ig::syntax("RadiusCompensationPathSyntax", "The path of the tool centre beside the contour, under G41 and G42.")
           .after("RadiusCompensationSyntax", "McXyzSyntax", "McAbcSyntax", "CircularMotionSyntax", "LinearMotionSyntax",
                  "ReferenceReturnSyntax", "ReturnFromReferenceSyntax", "ReferenceCheckSyntax")
           .before("TravelCheckSyntax")
           .looks_ahead(ContourAhead::window);
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0465", "an arc cannot {0} radius compensation: program a straight move",
-                     "The control stops with alarm PS0034. Here an arc that would start it runs as programmed, and one "
-                     "that would end it runs compensated; the next straight move does it.",
-                     "G41 G02 X10. I5. D1"),
       ig::diagnostic(
-          IG_ERROR, "ISO-0466", "the tool (radius {0}) does not fit into the arc (radius {1})",
-          "The control stops with alarm PS0041, since the tool would cut into the contour. Here the arc is left "
-          "out where the paths before and behind it cross, as at a fillet smaller than the tool; elsewhere a "
-          "straight move is shown in its place.",
-          "G41 D1 (radius 5) (then) G03 X4. Y4. R4."),
+          IG_ERROR, "ISO-0465", "an arc cannot {0} radius compensation: program a straight move",
+          "The control stops with alarm PS0034. Here an arc that would start compensation runs as programmed, and an "
+          "arc that would end it runs compensated; the next straight move starts or ends compensation.",
+          "G41 G02 X10. I5. D1"),
+      ig::diagnostic(IG_ERROR, "ISO-0466", "the tool (radius {0} mm) does not fit into the arc (radius {1} mm)",
+                     "The control stops with alarm PS0041, because the tool would cut into the contour. Here the arc "
+                     "is skipped where the paths before and after it cross, as at a fillet smaller than the tool; "
+                     "elsewhere a straight move replaces it.",
+                     "G41 D1 (radius 5) (then) G03 X4. Y4. R4."),
+      ig::diagnostic(IG_ERROR, "ISO-0467",
+                     "the tool would run {0} mm against the programmed direction and cut into the contour",
+                     "The corners before and after the block are so close together that the compensated path between "
+                     "them runs backwards, as in a groove that is narrower than the tool. The control stops with alarm "
+                     "PS0041 (interference). The path is shown as computed.",
+                     "G41 D1 (radius 5) (then) X10. (then) Y8. (then) X0"),
       ig::diagnostic(
-          IG_ERROR, "ISO-0467", "the tool would run against the programmed direction by {0} mm: it cuts in",
-          "The corners before and behind the block are so near to each other that the compensated path turns "
-          "round between them: a groove that is narrower than the tool. The control stops with alarm PS0041 "
-          "(interference). The path is shown as computed.",
-          "G41 D1 (radius 5) (then) X10. (then) Y8. (then) X0"),
-      ig::diagnostic(IG_ERROR, "ISO-0468", "the compensated paths of this block and the next do not meet",
-                     "At an inner corner with an arc there is no place where the tool touches both. The control stops "
-                     "with alarm PS0033. The tool goes straight from the end of the one to the start of the other.",
-                     "G41 D1 (radius 5) (then) an arc that bends away under the tool"),
-      ig::diagnostic(
-          IG_WARNING, "ISO-0469",
-          "more than {0} blocks without a move in the plane follow: the tool stops square to the contour",
-          "The control reads only some blocks ahead (parameter 19625), finds no next move, and puts the tool at a "
-          "right "
-          "angle to the end of this one. An inner corner is overcut then, an outer one is left with material.",
-          "G41 ... (then) X10. (then) M08 (then) G04 P10 (then) M51 (then) Y10."),
-      ig::diagnostic(
-          IG_WARNING, "ISO-0470", "{0} under radius compensation: it is off for this block",
-          "Reference returns, G53, canned cycles and other moves by steps go to positions as programmed. The "
-          "block before them ends square to its contour; the next straight move in the plane starts "
-          "compensation again. Program G40 first.",
-          "G41 ... (then) G28 Z0"),
-      ig::diagnostic(IG_ERROR, "ISO-0471", "the plane changes under radius compensation",
+          IG_ERROR, "ISO-0468", "the compensated paths of this block and the next one do not meet",
+          "At an inner corner with an arc, there is no position where the tool touches both contours. The control "
+          "stops with alarm PS0033. The tool goes straight from the end of one path to the start of the other.",
+          "G41 D1 (radius 5) (then) an arc that bends away under the tool"),
+      ig::diagnostic(IG_WARNING, "ISO-0469",
+                     "more than {0} blocks without a move in the plane follow: the tool stops square to the contour",
+                     "The control reads only a limited number of blocks ahead (parameter 19625), finds no next move, "
+                     "and places the tool at a right angle to the end of this one. An inner corner is then overcut, "
+                     "and material remains at an outer one.",
+                     "G41 ... (then) X10. (then) M08 (then) G04 P10 (then) M51 (then) Y10."),
+      ig::diagnostic(IG_WARNING, "ISO-0470",
+                     "{0} under radius compensation: compensation is off for this block, so program G40 first",
+                     "Reference returns, G53, canned cycles and other moves made of steps go to positions as "
+                     "programmed. The block before them ends square to its contour; the next straight move in the "
+                     "plane starts compensation again.",
+                     "G41 ... (then) G28 Z0"),
+      ig::diagnostic(IG_ERROR, "ISO-0471",
+                     "the plane changes under radius compensation: compensation is off, so program G40 first",
                      "The control stops with alarm PS0037. Here compensation is off at once; the next straight move in "
                      "the new plane starts it again.",
                      "G41 ... (then) G18"),
+      ig::diagnostic(IG_ERROR, "ISO-0472",
+                     "radius compensation is not executed while rotary axes turn: the block runs as programmed",
+                     "The contour in the plane is known only while the rotary axes rest. Compensation in space (G41.2) "
+                     "is not executed.",
+                     "G43.4 H1 (then) G41 D1 X10. (then) X20. A10."),
+      ig::diagnostic(IG_WARNING, "ISO-0473",
+                     "the program ends under radius compensation: program G40 with a move away from the part",
+                     "No move has taken the tool off the contour.", "G41 ... (then) M30"),
+      ig::diagnostic(IG_ERROR, "ISO-0474",
+                     "the compensated path of this block cannot be computed: the block runs as programmed",
+                     "Its numbers are too large. Compensation is off for this block.", "G41 ... (then) X1e300"),
       ig::diagnostic(
-          IG_ERROR, "ISO-0472", "radius compensation while the rotary axes turn: the block runs as programmed",
-          "The contour in the plane is known for resting rotary axes only. Compensation in space (G41.2) is not "
-          "executed.",
-          "G43.4 H1 (then) G41 D1 X10. (then) X20. A10."),
-      ig::diagnostic(IG_WARNING, "ISO-0473", "the program ends under radius compensation: no move took the tool off it",
-                     "Program G40 with a move away from the part before the end.", "G41 ... (then) M30"),
-      ig::diagnostic(
-          IG_ERROR, "ISO-0474", "the compensated path of this block has no position",
-          "Its numbers are too great to compute with. The block runs as programmed, and compensation is off.",
-          "G41 ... (then) X1e300"),
-      ig::diagnostic(IG_WARNING, "ISO-0475", "the tool did not turn the corner before this block: it stopped there",
-                     "Across a stop (M00, M01) the control cannot look ahead, so it had the tool square to the block "
-                     "before. From there it goes straight to the end of this one, and an inner corner is overcut, an "
-                     "outer one cut into. Put the stop where the contour goes straight on, or outside of it.",
-                     "G41 ... (then) X10. (then) M00 (then) Y10."),
-      ig::diagnostic(
-          IG_ERROR, "ISO-0476", "the tool cannot reach this block between its neighbours: it is left out",
-          "The inner corners at its ends overlap. The control stops with alarm PS0041, or avoids the "
-          "interference where parameter 19607 bit 5 says so. Here the tool goes over to the next block that it "
-          "reaches, where the two paths cross.",
-          "G41 D1 (radius 5) (then) X10. (then) X13. Y3. (then) Y20."),
+          IG_WARNING, "ISO-0475",
+          "the tool stopped at the corner before this block without looking ahead: move the stop away from the corner",
+          "The control cannot look ahead across a stop (M00, M01), so the tool was square to the block before the "
+          "stop. From there it goes straight to the end of this block: an inner corner is overcut, and an outer one is "
+          "cut into. Program the stop where the contour goes straight on, or away from the contour.",
+          "G41 ... (then) X10. (then) M00 (then) Y10."),
+      ig::diagnostic(IG_ERROR, "ISO-0476",
+                     "the tool cannot reach this block between its neighbours, so the block is skipped",
+                     "The inner corners at the ends of the block overlap. The control stops with alarm PS0041, or "
+                     "avoids the interference where parameter 19607 bit 5 is set. Here the tool changes to the next "
+                     "block that it can reach, where the two paths cross.",
+                     "G41 D1 (radius 5) (then) X10. (then) X13. Y3. (then) Y20."),
       ig::diagnostic(IG_ERROR, "ISO-0479", "G39 at an inner corner: the tool goes straight, without an arc",
-                     "The arc leads round an outer corner. At an inner one it would lie in the part.",
+                     "The arc leads round an outer corner. At an inner corner it would lie in the part.",
                      "G41 D1 (radius 5) (then) X10. (then) G39 (then) Y10."),
       ig::diagnostic(
-          IG_WARNING, "ISO-0496", "beside this block the tool cuts {0} mm into the contour of one that follows",
-          "Two parts of the contour lie nearer to each other than the tool is wide, and there are blocks between "
-          "them: a neck. A control compares fewer blocks, if any, and cuts. Said where the neck begins, of "
-          "straight moves and arcs by feed at one height, some blocks ahead.",
+          IG_WARNING, "ISO-0496", "beside this block the tool cuts {0} mm into the contour of a later block",
+          "Two parts of the contour are closer to each other than the tool is wide, with other blocks between them: a "
+          "neck. A control compares fewer blocks, if any, and cuts into the contour. Reported where the neck begins, "
+          "for straight moves and arcs by feed at one height, within a limited number of blocks.",
           "G41 D1 (radius 5), into a pocket through an opening of 8 mm"),
-      ig::diagnostic(
-          IG_ERROR, "ISO-0497", "the tool stands inside the arc by which it would come to the contour",
-          "No line touches the arc from there. The tool goes straight to the first point; the control stops.",
-          "5 APPR LCT X+5 Y+5 R50 RL F300 (from a point that is 20 mm away)"),
+      ig::diagnostic(IG_ERROR, "ISO-0497",
+                     "the tool is inside the approach arc, so it goes straight to the first contour point",
+                     "No line from this position touches the arc. The control stops with an alarm.",
+                     "5 APPR LCT X+5 Y+5 R50 RL F300 (from a point that is 20 mm away)"),
   };
 
   ig::Signal path_{"RadiusCompensation.~Path", ig::read | ig::wake};
@@ -138,21 +141,23 @@ struct RadiusCompensationPath {
   bool is_type_b_ = start_up_ == Approach::b || (start_up_ == Approach::parameter &&
                                                  parameters_.number("RadiusCompensationStartUp").value_or(0) != 0);
   ig::Choice<OuterCorner> outer_corner_{"outer-corner", "lines|arc", "lines",
-                                        "How the tool goes round an outer corner."};
+                                        "How the tool moves round an outer corner."};
   ig::Choice<Interference> interference_{"interference", "alarm|avoid|ignore", "alarm",
-                                         "What a move is that the tool cannot reach between its neighbours: left out "
-                                         "with an alarm, left out, or made as computed."};
-  ig::Choice<WithoutMove> without_move_{"without-move", "next-move|at-once", "next-move",
-                                        "When the tool starts up and cancels in a block without a move: with the next "
-                                        "move, or there and then (type C)."};
-  ig::Choice<EndOff> end_off_{"end-off", "said|allowed", "said",
-                              "A program that ends with compensation cancelled, the tool still beside the contour."};
+                                         "What happens to a move that the tool cannot reach between its neighbours: "
+                                         "skipped with an alarm, skipped, or made as computed."};
+  ig::Choice<WithoutMove> without_move_{
+      "without-move", "next-move|at-once", "next-move",
+      "When a block without a move starts or cancels compensation: with the next move, or at once (type C)."};
+  ig::Choice<EndOff> end_off_{
+      "end-off", "said|allowed", "said",
+      "A program that ends with compensation cancelled while the tool is still beside the contour."};
   ig::IntegerOption compared_{
-      "moves-compared", "8", {1, 8}, "Moves ahead that a block is compared with for interference."};
-  ig::IntegerOption rests_allowed_{"blocks-without-move",
-                                   "2",
-                                   {0, 10},
-                                   "Blocks without a move in the plane over which the next move is still found."};
+      "moves-compared", "8", {1, 8}, "How many moves ahead a block is compared with for interference."};
+  ig::IntegerOption rests_allowed_{
+      "blocks-without-move",
+      "2",
+      {0, 10},
+      "How many blocks without a move in the plane the look-ahead passes to find the next move."};
 
   ig::Status restart(ig::Block&) {
     tool_ = {};

@@ -25,7 +25,8 @@ struct RadiusCompensation {
                  "ReturnFromReferenceSyntax", "ReferenceCheckSyntax")
           .before("RadiusCompensationPathSyntax", "NotExecutedSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0477", "the radius of D{0} is no radius: 0 is used"),
+      ig::diagnostic(IG_ERROR, "ISO-0477",
+                     "the radius of D{0} is too large: radius 0 is assumed, so check the tool table"),
   };
 
   ig::Codes codes_{"G40", "G41", "G42"};
@@ -61,9 +62,9 @@ struct RadiusCompensation {
 
   ig::Choice<OffsetIs> offset_is_{"offset-is", "radius|diameter", "radius", "What the tool table holds in D."};
   ig::Choice<OffsetWord> offset_word_{"offset-word", "d|d-or-h", "d",
-                                      "Whether H in the block of G41 or G42 names the radius where D is missing."};
+                                      "Whether H in the block of G41 or G42 selects the radius if D is missing."};
   ig::Choice<TableChange> table_change_{"table-change", "next-block|next-d", "next-block",
-                                        "From when on a radius counts that the program changes under compensation."};
+                                        "When a radius that the program changes under compensation takes effect."};
 
   ig::Choice<CornerCode> corner_code_{"corner-arc", "none|G39", "G39",
                                       "The code that makes the tool turn a corner on an arc."};

@@ -12,12 +12,13 @@ namespace {
 
 struct BackBoring {
   static constexpr auto spec =
-      ig::syntax("BackBoringSyntax", "G87 back boring: through the bore beside its centre, then a cut upward.")
+      ig::syntax("BackBoringSyntax", "G87 back boring: enters the bore off centre, then cuts upward.")
           .after("CannedCycleResolveSyntax", "ManualBoringCycleSyntax", "SpindleSpeedSyntax")
           .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0345", "G87 under G99: the tool returns to the initial level all the same"),
-      ig::diagnostic(IG_ERROR, "ISO-0346", "G87: {0} is {1}, not below {2}, which is {3}: the cut does not go upward"),
+      ig::diagnostic(IG_ERROR, "ISO-0345",
+                     "G87 under G99: back boring always returns to the initial level, so program G98"),
+      ig::diagnostic(IG_ERROR, "ISO-0346", "G87: {0} at {1} is not below {2} at {3}, so the cut does not run upward"),
   };
 
   enum class RLevel { top, bottom };
@@ -32,9 +33,9 @@ struct BackBoring {
   CycleDwell dwell_;
   RestartedSpindle spindle_;
   ToolShift shift_;
-  ig::Choice<RLevel> r_is_{"r-is", "top|bottom", "top", "Which end of the cut R is; Z is the other."};
+  ig::Choice<RLevel> r_is_{"r-is", "top|bottom", "top", "Which end of the cut R means; Z means the other end."};
   ig::Choice<Positioning> positioning_{"positioning", "shifted|centred", "shifted",
-                                       "Shifted on the way to the bore, or at the bore."};
+                                       "Where the tool shifts: on its way to the bore, or at the bore."};
   ig::Choice<Dwell> dwell_at_{"dwell", "none|end-of-cut", "none", "Where P waits."};
   ig::In<double> initial_level_{"CannedCycle.InitialLevel"};
 

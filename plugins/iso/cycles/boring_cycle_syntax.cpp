@@ -22,9 +22,9 @@ struct BoringCycle {
   RestartedSpindle spindle_;
   ig::Config config_{"isogloss.canned-cycle/1", ig::Need::optional, "BoringReturnOverride_percent"};
   ig::Choice<Retract> retract_{"retract", "feed-to-final|feed-to-r", "feed-to-final",
-                               "How far G85 and G89 feed back: to the return level, or to R and by rapid from there."};
+                               "How far G85 and G89 retract by feed: to the return level, or to R and then by rapid."};
   ig::Choice<StopDwell> g86_dwell_{"g86-dwell", "none|bottom", "none",
-                                   "Whether P of G86 is a dwell before the spindle stops."};
+                                   "Whether P of G86 is a dwell time before the spindle stops."};
   ig::Name g86_{"G86"}, g89_{"G89"};
   double return_override_ = override_of(config_.number("BoringReturnOverride_percent"));
 

@@ -47,21 +47,23 @@ enum class ZeroRepeats { keep_data, position };
 struct CannedCycleResolve {
   static constexpr auto spec =
       ig::syntax("CannedCycleResolveSyntax",
-                 "Resolves canned cycle calls: modality, G91, missing words, G98/G99, repeats.")
+                 "Resolves canned cycle calls: modal words, G91, missing words, G98/G99, repeats.")
           .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PlaneSelectSyntax", "PositioningModeSyntax",
                  "FeedrateSyntax", "IsoCoordinateOffsetSyntax", "IsoLocalCoordinateOffsetSyntax",
                  "ToolHeightOffsetSyntax")
           .before("DrillingCycleSyntax", "IncrementalResolveSyntax", "MachineCoordSelectSyntax", "ProgramXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "ISO-0310", "{0} and {1} stand in one block: {2}, the later one, counts"),
+      ig::diagnostic(IG_WARNING, "ISO-0310", "{0} and {1} are in the same block: {2}, the later one, is executed"),
       ig::diagnostic(IG_ERROR, "ISO-0311",
                      "{0} without {1}, and none was programmed since the cycle began: nothing is drilled"),
       ig::diagnostic(IG_WARNING, "ISO-0312",
-                     "{0} without {1}, and none was programmed since the cycle began: the tool's position counts"),
-      ig::diagnostic(IG_ERROR, "ISO-0313", "{0}{1}: a count of holes is a whole number from 0; one hole is drilled"),
-      ig::diagnostic(IG_ERROR, "ISO-0314", "{0}{1}: more holes than a block may drill; {2} are drilled"),
-      ig::diagnostic(IG_WARNING, "ISO-0315", "K and L in one block: K counts the holes"),
-      ig::diagnostic(IG_WARNING, "ISO-0338", "the plane changes while {0} is on: its R and bottom are forgotten"),
+                     "{0} without {1}, and none was programmed since the cycle began: the tool position is assumed"),
+      ig::diagnostic(IG_ERROR, "ISO-0313",
+                     "{0}{1} is not a whole number of holes, zero or greater: one hole is drilled"),
+      ig::diagnostic(IG_ERROR, "ISO-0314", "{0}{1} is more holes than one block may drill: only {2} are drilled"),
+      ig::diagnostic(IG_WARNING, "ISO-0315", "K and L are in the same block: K is the number of holes, so remove L"),
+      ig::diagnostic(IG_WARNING, "ISO-0338",
+                     "the plane changes while {0} is active: program R and the bottom of the hole again"),
       ig::diagnostic(IG_WARNING, "ISO-0514",
                      "{0}: the bottom lies {1} mm above R, so the tool is fed away from the part"),
   };
@@ -106,22 +108,22 @@ struct CannedCycleResolve {
   LastProgramXyz last_;
   ig::Name g98_{"G98"}, g99_{"G99"}, cancelled_{"G80"}, g77_{"G77"}, g87_{"G87"};
 
-  ig::Choice<InitialLevel> level_rule_{
-      "initial-level", "previous|cycle-entry", "previous",
-      "Where G98 returns to and G91 measures R from: the tool before the block, or where the cycle mode was entered."};
+  ig::Choice<InitialLevel> level_rule_{"initial-level", "previous|cycle-entry", "previous",
+                                       "The initial level, to which G98 returns and from which R counts under G91: the "
+                                       "tool position before the block, or the one before the cycle began."};
   ig::Choice<MissingAxis> missing_{"missing-axis", "last-position|error|error-without-depth", "last-position",
-                                   "What a first block without Z or R does: take the tool's position; drill nothing; "
-                                   "or take the tool's level for R and drill nothing without Z."};
+                                   "What a first block without Z or R does: use the tool position; drill nothing; or "
+                                   "use the tool position for R and drill nothing without Z."};
   ig::IntegerOption max_repeats_{
       "max-repeats", "10000", {1, most_repeats}, "Holes that one block may drill by K or L."};
-  ig::Choice<RepeatWord> repeat_word_{
-      "repeat-word", "k-or-l|l", "k-or-l",
-      "What counts the holes of a block: K, or L where there is no K; or L alone, K being a length of the cycle."};
-  ig::Choice<BareP> bare_p_{"p-without-point", "as-written|ms", "as-written",
-                            "P without a decimal point: as written, or milliseconds, passed on as seconds."};
+  ig::Choice<RepeatWord> repeat_word_{"repeat-word", "k-or-l|l", "k-or-l",
+                                      "The word that counts the holes of a block: K, or L where K is missing; or L "
+                                      "alone, if K is a length of the cycle."};
+  ig::Choice<BareP> bare_p_{
+      "p-without-point", "as-written|ms", "as-written",
+      "P without a decimal point: kept as written, or read as milliseconds and converted to seconds."};
   ig::Choice<ZeroRepeats> zero_repeats_{"zero-repeats", "keep-data|position", "keep-data",
-                                        "What the block of a cycle does that drills no hole (K0, L0): nothing, or go "
-                                        "to X and Y by rapid."};
+                                        "What a cycle block with K0 or L0 does: nothing, or a rapid to X and Y."};
   ig::CompoundMotion motion_;
   ig::Xyz program_{"ProgramXyz", ig::write};
   /// K is kept where it is a word of the cycle.

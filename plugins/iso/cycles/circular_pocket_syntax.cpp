@@ -22,24 +22,27 @@ struct CircularPocket {
           .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(
-          IG_ERROR, "ISO-0501", "{0} without {1}: nothing is milled",
+          IG_ERROR, "ISO-0501", "{0} without {1}: the pocket is not milled",
           "A circular pocket needs I, the radius of its first circle; K, the radius of the last one, needs Q, "
           "the step from circle to circle.",
           "G13 K20. D1 F200"),
-      ig::diagnostic(IG_ERROR, "ISO-0502", "{0}: {1}{2} is no such length: nothing is milled",
-                     "I and Q are greater than 0, K is not less than I.", "G13 I10. K5. Q2. D1 F200"),
-      ig::diagnostic(IG_ERROR, "ISO-0503",
-                     "{0}: the tool (radius {1}) does not fit into the circle I{2}: nothing is milled",
-                     "The radius of the first circle is greater than the tool's. D0 takes I as the way of the tool's "
-                     "centre.",
-                     "G13 I5. D1 F200 (with a radius of 6 mm in D1)"),
-      ig::diagnostic(IG_ERROR, "ISO-0504", "{0} L{1}: a pocket is milled in 1 to 1000 passes; nothing is milled",
-                     "L says how often the circles are milled; under G91 each pass goes deeper by Z.",
+      ig::diagnostic(IG_ERROR, "ISO-0502", "{0}: {1}{2} is not a valid length, so the pocket is not milled",
+                     "I and Q must be greater than 0, and K must not be less than I.", "G13 I10. K5. Q2. D1 F200"),
+      ig::diagnostic(
+          IG_ERROR, "ISO-0503",
+          "{0}: the tool (radius {1} mm) does not fit into the circle (radius {2} mm): the pocket is not milled",
+          "The radius of the first circle must be greater than the radius of the tool. With D0, I is the radius of the "
+          "path of the tool centre.",
+          "G13 I5. D1 F200 (with a radius of 6 mm in D1)"),
+      ig::diagnostic(IG_ERROR, "ISO-0504",
+                     "{0} L{1}: the number of passes must be from 1 to 1000, so the pocket is not milled",
+                     "L is the number of times that the circles are milled; under G91 each pass goes deeper by Z.",
                      "G13 G91 Z-1. I10. L2.5 D1 F200"),
-      ig::diagnostic(IG_ERROR, "ISO-0505", "{0}: {1} circles are too many for one block; nothing is milled",
+      ig::diagnostic(IG_ERROR, "ISO-0505",
+                     "{0}: {1} circles are too many for one block, so the pocket is not milled: check Q",
                      "A block makes at most 10000 circles, over all its passes.", "G13 I1. K500. Q0.001 D0 F200"),
-      ig::diagnostic(IG_ERROR, "ISO-0506", "{0} outside the XY plane: nothing is milled",
-                     "The control mills circular pockets in XY alone. Program G17.", "G18 (then) G13 I10. D1 F200"),
+      ig::diagnostic(IG_ERROR, "ISO-0506", "{0} outside the XY plane: the pocket is not milled, so program G17",
+                     "The control mills circular pockets only in the XY plane.", "G18 (then) G13 I10. D1 F200"),
   };
 
   ig::Call call_{{"G12", "G13"}, "X Y Z I K Q L[1] D[]"};
@@ -50,7 +53,7 @@ struct CircularPocket {
   ig::Xyz program_{"ProgramXyz", ig::write};
   ig::Out<std::int64_t> offset_id_{"RadiusCompensation.OffsetId"};
   ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::required, "Radius geometry and wear."};
-  ig::BooleanOption diameters_{"holds-diameters", "false", "Does the tool table hold diameters in D, not radii?"};
+  ig::BooleanOption diameters_{"holds-diameters", "false", "Whether D of the tool table is a diameter, not a radius."};
   FeedInForce feed_{ig::read};
   DistanceMode distance_;
   PlaneInForce plane_;

@@ -8,7 +8,7 @@ namespace {
 
 struct HighSpeedPeckCycle {
   static constexpr auto spec =
-      ig::syntax("HighSpeedPeckCycleSyntax", "G73 high-speed peck drilling cycle: a short way back after each peck.")
+      ig::syntax("HighSpeedPeckCycleSyntax", "G73 high-speed peck drilling cycle: a short retract after each peck.")
           .after("CannedCycleResolveSyntax")
           .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
 
@@ -18,7 +18,7 @@ struct HighSpeedPeckCycle {
   enum class LastRetract { by_d, direct };
   ig::Choice<LastRetract> last_retract_{
       "last-retract", "by-d|direct", "by-d",
-      "The way out after the last peck: back by d and on to the return level, or to the return level at once."};
+      "The retract after the last peck: by d and then to the return level, or directly to the return level."};
 
   ig::Status build(ig::Block& b) {
     const auto run = cycle_.take(b);

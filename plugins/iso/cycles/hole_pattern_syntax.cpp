@@ -21,8 +21,9 @@ struct HolePattern {
                  "IsoCoordinateOffsetSyntax", "IsoLocalCoordinateOffsetSyntax", "ToolHeightOffsetSyntax")
           .before("CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0355", "{0} without a canned cycle: nothing is drilled"),
-      ig::diagnostic(IG_ERROR, "ISO-0357", "{0}: {1}{2} is no number of holes: nothing is drilled"),
+      ig::diagnostic(IG_ERROR, "ISO-0355",
+                     "{0} without a canned cycle: nothing is drilled, so program the cycle first"),
+      ig::diagnostic(IG_ERROR, "ISO-0357", "{0}: {1}{2} is not a valid number of holes, so nothing is drilled"),
       ig::diagnostic(IG_ERROR, "ISO-0358", "{0} without {1}: nothing is drilled"),
   };
 

@@ -15,12 +15,13 @@ struct ManualBoringCycle {
                                    .after("SpindleSpeedSyntax", "CannedCycleResolveSyntax")
                                    .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_NOTE, "ISO-0335", "{0}: at the bottom the control waits for the operator"),
+      ig::diagnostic(IG_NOTE, "ISO-0335", "{0}: the control waits for the operator at the bottom of the hole"),
   };
 
   enum class Codes { g88, g87_g88 };
 
-  ig::Choice<Codes> codes_{"codes", "G88|G87-G88", "G88", "G88 alone, or G87 as well, which does not wait."};
+  ig::Choice<Codes> codes_{"codes", "G88|G87-G88", "G88",
+                           "G88 alone, or also G87, which does not wait for the operator."};
   CannedCycle g88_alone_{"G88"}, both_{"G88", "G87"};
   const CannedCycle& cycle_ = codes_ == Codes::g88 ? g88_alone_ : both_;
   ig::Name g88_{"G88"};

@@ -121,9 +121,10 @@ class PeckCycle {
   ig::Previous<double> q_before_{"CannedCycle.Params.Q"};
   ig::Choice<MissingQ> missing_q_{"missing-q", "no-hole|one-stroke", "no-hole",
                                   "What a call without Q, or with Q0, does."};
-  ig::Choice<PeckWords> peck_words_{"peck-words", "q|q-or-ijk", "q",
-                                    "What says the pecks: Q; or Q, or I (first), J (less each time) and K (least)."};
-  ig::IntegerOption max_pecks_{"max-pecks", "10000", {1, 30'000}, "Pecks that one hole may take."};
+  ig::Choice<PeckWords> peck_words_{
+      "peck-words", "q|q-or-ijk", "q",
+      "The words of the pecks: Q; or Q, or I (first peck), J (reduction) and K (smallest peck)."};
+  ig::IntegerOption max_pecks_{"max-pecks", "10000", {1, 30'000}, "The largest number of pecks in one hole."};
 };
 
 /// A member of each peck cycle: P as a dwell, at the bottom of the hole or of each peck.
@@ -139,7 +140,7 @@ class PeckDwell {
   enum class After { none, bottom, every_peck };
   CycleDwell dwell_;
   ig::Choice<After> after_{"dwell", "none|bottom|every-peck", "none",
-                           "Whether P is a dwell: after the last peck, or after each."};
+                           "Whether P is a dwell time: never, after the last peck, or after each peck."};
 };
 
 }  // namespace iso

@@ -18,7 +18,7 @@ struct PeckDrillingCycle {
   enum class LastRetract { via_r, direct };
   ig::Choice<LastRetract> last_retract_{
       "last-retract", "via-r|direct", "via-r",
-      "The way out after the last peck: to R and on to the return level, or to the return level at once."};
+      "The retract after the last peck: to R and then to the return level, or directly to the return level."};
 
   ig::Status build(ig::Block& b) {
     const auto run = cycle_.take(b);

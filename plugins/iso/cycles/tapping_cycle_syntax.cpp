@@ -18,13 +18,13 @@ struct TappingCycle {
                                    .after("CannedCycleResolveSyntax", "SpindleSpeedSyntax", "RigidTappingModeSyntax")
                                    .before("IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "ISO-0347", "{0} while the spindle direction is {1}: the tap enters {2}"),
-      ig::diagnostic(IG_WARNING, "ISO-0348", "{0}: Q is the depth of cut of rigid tapping only and is not used"),
-      ig::diagnostic(IG_ERROR, "ISO-0349", "rigid tapping without a spindle speed"),
+      ig::diagnostic(IG_WARNING, "ISO-0347", "{0}: the spindle direction is {1}, but the tap must enter with {2}"),
+      ig::diagnostic(IG_WARNING, "ISO-0348", "{0}: Q is the depth of cut in rigid tapping only and is ignored here"),
+      ig::diagnostic(IG_ERROR, "ISO-0349", "rigid tapping without a spindle speed: program S with M29"),
       ig::diagnostic(IG_ERROR, "ISO-0351",
-                     "{0}: Q{1} gives more than {2} cuts; the last one goes to the bottom at once"),
+                     "{0}: Q{1} gives more than {2} cuts, so the last cut goes straight to the bottom"),
       ig::diagnostic(IG_WARNING, "ISO-0353", "{0}: the retract of {1} mm is longer than the depth of cut Q{2}"),
-      ig::diagnostic(IG_WARNING, "ISO-0374", "{0}: the tap cannot leave {1} times as fast; J is left out"),
+      ig::diagnostic(IG_WARNING, "ISO-0374", "{0} J{1}: J must be above 0 and at most 20, so it is ignored"),
   };
 
   enum class Retract { feed_to_final, feed_to_r };
@@ -38,18 +38,19 @@ struct TappingCycle {
   CannedCycle cycle_{"G84", "G74"};
   CycleDwell dwell_;
   CycleSpindle spindle_;
-  ig::Choice<Retract> retract_{"retract", "feed-to-final|feed-to-r", "feed-to-final", "How far the tap feeds out."};
+  ig::Choice<Retract> retract_{"retract", "feed-to-final|feed-to-r", "feed-to-final",
+                               "How far the tap retracts by feed."};
   ig::Choice<Dwell> dwell_at_{"dwell", "none|bottom|bottom-and-r", "none", "Where P waits."};
   ig::Choice<SpindleStop> stop_{"spindle-stop", "none|before-reversal|parameter", "none",
                                 "Floating: whether the spindle is stopped before it is reversed."};
   ig::Choice<Rigid> rigid_by_{"rigid", "by-code|always|parameter", "by-code",
-                              "Rigid after M29 only, always, or as the machine's parameter says."};
+                              "Rigid only after M29, always, or by the machine's parameter."};
   ig::Choice<PeckRetract> peck_retract_{"peck-retract", "by-d|to-r|parameter", "by-d",
-                                        "How far the tap is withdrawn between the cuts of rigid tapping."};
-  ig::Choice<PeckDwell> peck_dwell_{"peck-dwell", "last|every", "last", "After which cuts P waits."};
+                                        "How far the tap retracts between the cuts of rigid tapping."};
+  ig::Choice<PeckDwell> peck_dwell_{"peck-dwell", "last|every", "last", "After which cuts the tap dwells for P."};
   ig::Choice<JWord> j_word_{"j-word", "none|retract-speed", "none",
                             "Whether J says how many times as fast a rigid tap leaves the hole."};
-  ig::IntegerOption max_pecks_{"max-pecks", "10000", {1, most_pecks}, "Cuts of one hole."};
+  ig::IntegerOption max_pecks_{"max-pecks", "10000", {1, most_pecks}, "The largest number of cuts in one hole."};
   ig::Config config_{"isogloss.canned-cycle/1", ig::Need::optional, "The machine's tapping parameters."};
 
   ig::In<ig::Symbol> rigid_mode_{"RigidTapping.Term"};

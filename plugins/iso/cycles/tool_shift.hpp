@@ -112,8 +112,9 @@ class ToolShift {
 
   ig::Choice<ShiftDirection> direction_{"shift-direction", "+X|-X|+Y|-Y|parameter", "+X",
                                         "Where Q shifts the bar, in terms of G17."};
-  ig::Choice<Words> words_{"shift-words", "q|ij|q-or-ij", "q",
-                           "The words of the shift: Q, by rapid; the vector I J, by feed; Q or else I J, by rapid."};
+  ig::Choice<Words> words_{
+      "shift-words", "q|ij|q-or-ij", "q",
+      "The words of the shift: Q, by rapid; the vector I J, by feed; Q or, without Q, I J, by rapid."};
   ig::Choice<FrameOfShift> frame_{"shift-frame", "program|machine", "program", "Whose axes the shift follows."};
   ig::NumberOption angle_{"angle", "0", {0, 360}, "deg", "Where the spindle stops."};
   ig::Config config_{"isogloss.canned-cycle/1", ig::Need::optional, "The machine's shift direction."};

@@ -20,18 +20,21 @@ enum class CenterSide { beyond_tip, towards_holder };
 
 struct G53p1RotaryPosition {
   static constexpr auto spec =
-      ig::syntax("G53p1RotaryPositionSyntax", "G53.1/G53.6: the tool upright on the tilted plane.")
+      ig::syntax("G53p1RotaryPositionSyntax", "G53.1/G53.6: turns the tool perpendicular to the tilted work plane.")
           .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PositioningModeSyntax", "IsoG68RotationSyntax",
                  "IsoG68p2TiltSyntax")
           .before("ToolCenterPointSyntax", "ToolHeightOffsetSyntax", "PivotTransformationSyntax", "ProgramXyzSyntax",
                   "McXyzSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0441", "{0} without a tilted plane: the rotary axes stay where they are"),
-      ig::diagnostic(IG_ERROR, "ISO-0442", "{0}: where the rotary axes of the machine sit is not known: nothing turns"),
-      ig::diagnostic(IG_ERROR, "ISO-0448", "{0} stands alone in its block: X Y Z beside it move nothing"),
-      ig::diagnostic(IG_WARNING, "ISO-0449", "the tool does not stand upright on the plane: it leans by {0} degrees"),
-      ig::diagnostic(IG_ERROR, "ISO-0452", "{0} under {1}: nothing turns"),
-      ig::diagnostic(IG_ERROR, "ISO-0453", "{0} P{1}: P is 0, 1 or 2; nothing turns"),
+      ig::diagnostic(IG_ERROR, "ISO-0441", "{0} without a tilted work plane: the rotary axes do not move"),
+      ig::diagnostic(IG_ERROR, "ISO-0442",
+                     "{0}: the rotary axes of the machine are not described, so nothing turns: give --machine FILE"),
+      ig::diagnostic(IG_ERROR, "ISO-0448", "{0} needs a block of its own: X, Y and Z beside it are not executed"),
+      ig::diagnostic(IG_WARNING, "ISO-0449",
+                     "the tool is not perpendicular to the tilted work plane: it leans by {0} degrees"),
+      ig::diagnostic(IG_ERROR, "ISO-0452",
+                     "{0} is not executed under {1}, so the rotary axes do not move: cancel {1} first"),
+      ig::diagnostic(IG_ERROR, "ISO-0453", "{0} P{1}: P must be 0, 1 or 2, so the rotary axes do not move"),
   };
 
   ig::Call codes_{{"G53.1", "G53.6"}, "P[] H[] R"};
@@ -63,17 +66,18 @@ struct G53p1RotaryPosition {
   ToolKinematics machine_;
   ig::Name g68_2_{"G68.2"}, g68_3_{"G68.3"}, g68_4_{"G68.4"};
 
-  ig::Choice<Motion> motion_{"motion", "modal|rapid", "modal",
-                             "How the axes go: by group 01 (by rapid while it is an arc or a thread), or by rapid."};
-  ig::Choice<SolutionChoice> choice_{"choice", solution_choices, "min-first",
-                                     "Which solution is taken without P: the smallest way of the first axis, of both "
-                                     "together, of the one that goes farther; the first axis at 0 or positive, at 0 or "
-                                     "negative."};
-  ig::Choice<UnreachableP> unreachable_p_{"unreachable-p", "alarm|alternative", "alarm",
-                                          "What follows where the solution that P names lies outside the travel: an "
-                                          "alarm, or the other solution."};
+  ig::Choice<Motion> motion_{
+      "motion", "modal|rapid", "modal",
+      "How the axes move: by the code of group 01 (by rapid under an arc or a thread), or always by rapid."};
+  ig::Choice<SolutionChoice> choice_{
+      "choice", solution_choices, "min-first",
+      "The solution without P: smallest travel of the first axis, of both together, or of the axis that travels "
+      "farther; the first axis at 0 or positive, or at 0 or negative."};
+  ig::Choice<UnreachableP> unreachable_p_{
+      "unreachable-p", "alarm|alternative", "alarm",
+      "What happens if the solution of P is outside the travel: an alarm, or the other solution."};
   ig::Choice<CenterSide> center_side_{"center-side", "beyond-tip|towards-holder", "beyond-tip",
-                                      "Where the point lies, R from the tip, that rests under a G53.6 with R."};
+                                      "Where the resting point of a G53.6 with R is, at the distance R from the tip."};
 
   ig::Status build(ig::Block& b) {
     const auto call = b.take(codes_);

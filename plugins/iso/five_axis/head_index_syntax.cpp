@@ -12,12 +12,12 @@ using namespace ig::cnc;
 namespace {
 
 struct HeadIndexSyntax {
-  static constexpr auto spec = ig::syntax("HeadIndexSyntax", "Takes the sequence number N.")
+  static constexpr auto spec = ig::syntax("HeadIndexSyntax", "Reads the sequence number N.")
                                    .after("BlockSkipSyntax", "IsoCommentSyntax")
                                    .before("FlagSyntax", "WordSyntax")
                                    .scans("Nn");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "ISO-0114", "{0} does not stand first in its block"),
+      ig::diagnostic(IG_WARNING, "ISO-0114", "{0} is not at the start of its block: write the sequence number first"),
   };
 
   ig::Out<std::int64_t> n{"Source.N"};

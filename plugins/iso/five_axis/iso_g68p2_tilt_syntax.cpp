@@ -43,62 +43,64 @@ struct IsoG68p2Tilt {
           .before("ToolHeightOffsetSyntax", "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax",
                   "CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0421", "{0} P{1}: P is a whole number from 0 to 4; the plane stays as it was",
-                     "P says how the words define the plane: Euler angles, roll pitch yaw, three points, two vectors, "
-                     "projection angles. Positions from here on are unreliable.",
+      ig::diagnostic(IG_ERROR, "ISO-0421",
+                     "{0} P{1}: P must be a whole number from 0 to 4, so the plane does not change",
+                     "P decides how the words define the plane: Euler angles, roll-pitch-yaw, three points, two "
+                     "vectors, or projection angles. Positions from here on are unreliable.",
                      "G68.2 P7 X0 Y0 Z0 I0 J30. K0"),
       ig::diagnostic(
-          IG_WARNING, "ISO-0422", "{0} while {1} is in force: the new plane replaces the old one",
-          "Controls want the plane that is in force ended by G69 first; some stop with an alarm. The new plane "
-          "counts from the workpiece coordinates, as if G69 had been programmed. G68.4 counts from the plane "
-          "in force.",
+          IG_WARNING, "ISO-0422", "{0} while {1} is in force: the new plane replaces the old one, so program G69 first",
+          "Controls require G69 before another plane is defined; some stop with an alarm. The new plane starts from "
+          "the workpiece coordinates, as if G69 had been programmed. G68.4 starts from the plane in force.",
           "G68.2 X0 Y0 Z0 J30. (then) G68.2 X50. Y0 Z0 J30."),
-      ig::diagnostic(IG_ERROR, "ISO-0423", "{0}: the plane cannot be computed; the plane stays as it was",
-                     "Its words are too large. Look for a typing error. Positions from here on are unreliable.",
+      ig::diagnostic(IG_ERROR, "ISO-0423", "{0}: the words are too large to compute the plane, which does not change",
+                     "Look for a typing error. Positions from here on are unreliable.",
                      "G68.2 X1 Y1 I45. J45. (then) G68.4 X1 Y1 Z1, each X Y Z with 308 zeros after it"),
       ig::diagnostic(
-          IG_WARNING, "ISO-0424", "{0} while a plane is tilted: end it by G69 first",
-          "Controls forbid reference returns and other coordinate systems inside a tilted plane, and differ about "
-          "machine coordinates: an alarm, or positions that nobody wants. Here the plane stays, with its origin in "
-          "workpiece coordinates, and the code does what it does without a plane.",
+          IG_WARNING, "ISO-0424", "{0} in a tilted work plane: end the plane with G69 first",
+          "Controls forbid reference returns and other coordinate systems inside a tilted work plane. For machine "
+          "coordinates they differ: some stop with an alarm, some go to unwanted positions. Here the plane stays, with "
+          "its origin in workpiece coordinates, and the code acts as it does without a plane.",
           "G55 (while G68.2 is in force)"),
-      ig::diagnostic(
-          IG_ERROR, "ISO-0425", "{0} P{1} was not finished: {2} is missing; the plane stays as it was",
-          "Three points take the blocks Q1, Q2 and Q3, two vectors Q1 and Q2, before anything moves. Positions "
-          "from here on are unreliable.",
-          "G68.2 P2 Q1 X0 Y0 Z0 (then) G00 X10."),
-      ig::diagnostic(IG_WARNING, "ISO-0426", "{0} P{1} Q{2} a second time: the last one counts",
-                     "One of the blocks that define a plane is there twice. Look for a wrong Q.",
+      ig::diagnostic(IG_ERROR, "ISO-0425", "{0} P{1} is incomplete because {2} is missing: the plane does not change",
+                     "Three points need the blocks Q1, Q2 and Q3, and two vectors need Q1 and Q2, before anything "
+                     "moves. Positions from here on are unreliable.",
+                     "G68.2 P2 Q1 X0 Y0 Z0 (then) G00 X10."),
+      ig::diagnostic(IG_WARNING, "ISO-0426", "{0} P{1} Q{2} is programmed twice: the last one is used",
+                     "Two blocks define the same part of the plane. Look for a wrong Q.",
                      "G68.2 P2 Q1 X0 Y0 Z0 (then) G68.2 P2 Q1 X10. Y0 Z0"),
-      ig::diagnostic(IG_WARNING, "ISO-0427", "G68.4 without a tilted plane: it counts from the workpiece coordinates",
-                     "G68.4 defines a plane inside the one in force. Without one some controls stop with an alarm.",
-                     "G68.4 X0 Y0 Z0 J30."),
-      ig::diagnostic(IG_ERROR, "ISO-0428", "G68.3 with some of X, Y and Z: name all or none; the plane stays as it was",
-                     "They are the origin of the plane; without them it is the place where the tip of the tool stands. "
+      ig::diagnostic(
+          IG_WARNING, "ISO-0427",
+          "G68.4 without a tilted work plane: the new plane starts from the workpiece coordinates",
+          "G68.4 defines a plane relative to the one in force. Without one, some controls stop with an alarm.",
+          "G68.4 X0 Y0 Z0 J30."),
+      ig::diagnostic(IG_ERROR, "ISO-0428",
+                     "G68.3 has only some of X, Y and Z, so the plane does not change: program all or none",
+                     "X, Y and Z are the origin of the plane; without them the origin is the position of the tool tip. "
                      "Positions from here on are unreliable.",
                      "G68.3 X0 Y0"),
-      ig::diagnostic(
-          IG_ERROR, "ISO-0429", "{0} P{1} Q{2}: there is no such Q; the plane stays as it was",
-          "P1 takes the order of the turns (123, 132, 213, 231, 312, 321), P2 the parts 0 to 3, P3 the parts 1 "
-          "and 2. Positions from here on are unreliable.",
-          "G68.2 P1 Q122 X0 Y0 Z0 I10. J20. K30."),
-      ig::diagnostic(
-          IG_ERROR, "ISO-0431", "{0} P{1}: its {2} span no plane; the plane stays as it was",
-          "Three points on a line, two of them the same, a vector of length zero, or angles that project both "
-          "axes to one direction. Positions from here on are unreliable.",
-          "G68.2 P3 Q1 X0 Y0 Z0 I0 J0 K0 (then) G68.2 P3 Q2 K1."),
-      ig::diagnostic(
-          IG_ERROR, "ISO-0432",
-          "{0} P3: the vectors stand at {1} degrees to each other, not at 90; the plane stays as it was",
-          "The first vector lies in the plane, the second stands upright on it. Up to 5 degrees are put right, "
-          "by turning the first one. Positions from here on are unreliable.",
-          "G68.2 P3 Q1 X0 Y0 Z0 I1. J0 K0 (then) G68.2 P3 Q2 I1. J0 K1."),
-      ig::diagnostic(IG_WARNING, "ISO-0433", "G68.3: the kinematics of the machine is not known: the tool lies along Z",
-                     "The direction of the tool follows from the rotary axes and from the machine (--machine FILE).",
+      ig::diagnostic(IG_ERROR, "ISO-0429", "{0} P{1} Q{2}: this Q is not valid with P{1}, so the plane does not change",
+                     "With P1, Q is the order of the rotations (123, 132, 213, 231, 312, 321); with P2, Q is 0 to 3; "
+                     "with P3, Q is 1 or 2. Positions from here on are unreliable.",
+                     "G68.2 P1 Q122 X0 Y0 Z0 I10. J20. K30."),
+      ig::diagnostic(IG_ERROR, "ISO-0431", "{0} P{1}: its {2} do not define a plane, so the plane does not change",
+                     "The three points are on a line, two of them are the same, a vector has length zero, or the "
+                     "angles project both axes to one direction. Positions from here on are unreliable.",
+                     "G68.2 P3 Q1 X0 Y0 Z0 I0 J0 K0 (then) G68.2 P3 Q2 K1."),
+      ig::diagnostic(IG_ERROR, "ISO-0432",
+                     "{0} P3: the vectors are at {1} degrees, not at 90 degrees, so the plane does not change",
+                     "The first vector lies in the plane, and the second is perpendicular to the plane. Deviations up "
+                     "to 5 degrees are corrected by turning the first vector. Positions from here on are unreliable.",
+                     "G68.2 P3 Q1 X0 Y0 Z0 I1. J0 K0 (then) G68.2 P3 Q2 I1. J0 K1."),
+      ig::diagnostic(IG_WARNING, "ISO-0433",
+                     "G68.3: the machine's kinematics are not known, so the tool is assumed to lie along Z",
+                     "The direction of the tool follows from the rotary axes and from the kinematics of the machine "
+                     "(--machine FILE).",
                      "G68.3 (on a machine without MachineKinematics)"),
-      ig::diagnostic(IG_WARNING, "ISO-0434", "{0} while {1} is on: its levels count in the new plane from here on",
-                     "The R level, the bottom and the initial level keep their numbers, which mean other places now. "
-                     "Controls want G80 first; some stop with an alarm.",
+      ig::diagnostic(IG_WARNING, "ISO-0434",
+                     "{0} while {1} is active: its levels now refer to the new plane, so program G80 first",
+                     "The R level, the bottom and the initial level keep their numbers, which now mean other places. "
+                     "Controls require G80 first; some stop with an alarm.",
                      "G81 X10. Y10. Z-5. R2. F100 (then) G68.2 X0 Y0 Z0 J30."),
   };
 
@@ -113,7 +115,7 @@ struct IsoG68p2Tilt {
       ig::Out<double>{"TiltTransform.J", {ig::Life::modal, "deg", "Second angle of the plane."}},
       ig::Out<double>{"TiltTransform.K", {ig::Life::modal, "deg", "Third angle of the plane."}}};
   ig::Out<double> turn_{"TiltTransform.R", {ig::Life::modal, "deg", "Angle in force."}};
-  ig::Out<std::int64_t> p_{"TiltTransform.P", {ig::Life::modal, "", "How the plane was defined; absent: 0."}};
+  ig::Out<std::int64_t> p_{"TiltTransform.P", {ig::Life::modal, "", "P of the definition; absent: 0."}};
   ig::Out<std::int64_t> q_{"TiltTransform.Q", {ig::Life::modal, "", "Order of the turns under P1."}};
   ig::Out<bool> is_aligned_{"TiltTransform.IsAligned",
                             {ig::Life::modal, "", "G53.1 or G53.6 has put the tool upright on the plane."}};
@@ -163,16 +165,19 @@ struct IsoG68p2Tilt {
   ig::Name g68_{"G68"}, g69_name_{"G69"}, g80_{"G80"};
 
   ig::Choice<TurnedAxes> turns_{"roll-pitch-yaw", "fixed|turned", "fixed",
-                                "P1: the turns are about the axes of the workpiece, or about axes that turn along."};
-  ig::Choice<Q0> q0_{"q0", "shift|origin", "shift",
-                     "P2 Q0: X Y Z lead from the first point to the origin, in the plane, or are the origin itself."};
+                                "P1: the rotations are about the workpiece axes, or about axes that rotate along."};
+  ig::Choice<Q0> q0_{
+      "q0", "shift|origin", "shift",
+      "P2 Q0: X Y Z are the distance from the first point to the origin, in the plane, or the origin itself."};
   ig::Choice<Unnamed> unnamed_{"unnamed-origin", "zero|tool", "zero",
-                               "An axis of the origin that G68.2 or G68.4 does not name: 0, or where the tool stands."};
+                               "An axis of the origin that G68.2 or G68.4 does not name: 0, or the tool position."};
   ig::Choice<OffsetChange> offset_change_{"offset-change", "warning|allowed", "warning",
                                           "Another work offset, or a move in machine coordinates, while a plane is "
                                           "tilted."};
-  ig::IntegerOption vertical_{
-      "vertical-axis", "3", {1, 3}, "G68.3: X of the plane is square to the tool and to this axis (1 X, 2 Y, 3 Z)."};
+  ig::IntegerOption vertical_{"vertical-axis",
+                              "3",
+                              {1, 3},
+                              "G68.3: X of the plane is perpendicular to the tool and to this axis (1 X, 2 Y, 3 Z)."};
 
   ig::Status build(ig::Block& b) {
     const auto row = b.find(tilt_);

@@ -17,7 +17,7 @@ struct MachineAxes {
                                    .provides("isogloss.machine-axis/1")
                                    .ships(shipped_axes);
 
-  ig::Column home_position{"Home", "0", "mm, deg", {}, "Where the axis stands before the first block."};
+  ig::Column home_position{"Home", "0", "mm, deg", {}, "Position of the axis before the first block."};
   std::array<ig::Column, 4> references{
       ig::Column{"Reference1", "0", "mm, deg", {}, "First reference position (G28)."},
       ig::Column{"Reference2", nullptr, "mm, deg", {}, "Second reference position (G30, G30 P2)."},
@@ -30,7 +30,7 @@ struct MachineAxes {
                            nullptr,
                            "",
                            {0, 2},
-                           "How a rotary axis turns: 0 counts on, 1 the shortest way, 2 the sign is the direction."};
+                           "How a rotary axis turns: 0 linear count, 1 shortest way, 2 the sign is the direction."};
   ig::Table table;
   ig::RowNames rows;
 

@@ -9,7 +9,7 @@ namespace {
 
 struct McAbcCyclicPath {
   static constexpr auto spec =
-      ig::syntax("McAbcCyclicPathSyntax", "Rotary axes turn the shortest way, or as their axis says.")
+      ig::syntax("McAbcCyclicPathSyntax", "Rotary axes turn by the shortest way, or by the setting of the axis.")
           .after("McAbcSyntax")
           .before("CircularMotionSyntax", "LinearMotionSyntax");
 
@@ -23,7 +23,7 @@ struct McAbcCyclicPath {
   ig::In<ig::Symbol> term_{"RotaryPath.Term"};
   ig::Name difference_{"M127"};
   ig::Choice<HalfTurn> half_turn_{"half-turn", "positive|negative", "positive",
-                                  "The direction of a way of exactly 180 degrees."};
+                                  "The direction of a rotation by exactly 180 degrees."};
 
   ig::Status build(ig::Block& b) {
     if (b.is_raised(as_increment_)) return ig::Status::unchanged;  // the program says how far

@@ -8,7 +8,7 @@ using namespace ig::cnc;
 namespace {
 
 struct McAbc {
-  static constexpr auto spec = ig::syntax("McAbcSyntax", "A B C become machine coordinates.")
+  static constexpr auto spec = ig::syntax("McAbcSyntax", "Turns A B C into machine coordinates.")
                                    .after("DecimalPointSyntax", "CannedCycleResolveSyntax", "DrillingCycleSyntax",
                                           "IncrementalResolveSyntax", "MachineCoordSelectSyntax", "McXyzSyntax")
                                    .before("McAbcCyclicPathSyntax", "CircularMotionSyntax", "LinearMotionSyntax");

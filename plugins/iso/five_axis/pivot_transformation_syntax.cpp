@@ -12,7 +12,7 @@ namespace {
 
 struct PivotTransformation {
   static constexpr auto spec =
-      ig::syntax("PivotTransformationSyntax", "The frame turns with the rotary axes: tip control, G53.1.")
+      ig::syntax("PivotTransformationSyntax", "Turns the frame with the rotary axes: tool centre point control, G53.1.")
           .after("IsoG68p2TiltSyntax", "G53p1RotaryPositionSyntax", "ToolCenterPointSyntax", "ToolHeightOffsetSyntax",
                  "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax", "WorkCoordinateShiftSyntax",
                  "RotaryOffsetSyntax")

@@ -15,14 +15,14 @@ namespace {
 
 struct RotaryOffset {
   static constexpr auto spec =
-      ig::syntax("RotaryOffsetSyntax", "Work offsets of rotary axes: A B C become angles of the machine.")
+      ig::syntax("RotaryOffsetSyntax", "Work offsets of rotary axes: turns A B C into machine angles.")
           .after("PositioningModeSyntax", "G53p1RotaryPositionSyntax", "ToolCenterPointSyntax",
                  "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax", "WorkCoordinateShiftSyntax")
           .before("PivotTransformationSyntax", "IncrementalResolveSyntax", "MachineCoordSelectSyntax", "McAbcSyntax",
                   "ReturnFromReferenceSyntax", "ReferenceReturnSyntax", "ReferenceCheckSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "ISO-0405",
-                     "the offset of a rotary axis changes here: A B C of this block count from the offset of before"),
+                     "the rotary offset changes here, but A, B and C of this block still use the previous one"),
   };
 
   static constexpr ig::Access heard = ig::read | ig::wake;

@@ -14,7 +14,7 @@ namespace {
 
 struct TipSwing {
   static constexpr auto spec =
-      ig::syntax("TipSwingSyntax", "G53.6 R: the tip swings about a point that rests, in steps.")
+      ig::syntax("TipSwingSyntax", "G53.6 R: swings the tool tip about a resting point, in steps.")
           .after("G53p1RotaryPositionSyntax", "PivotTransformationSyntax", "McXyzSyntax", "McAbcSyntax",
                  "McAbcCyclicPathSyntax", "LinearMotionSyntax")
           .before("TravelCheckSyntax");
@@ -31,7 +31,7 @@ struct TipSwing {
   ig::In<ig::Symbol> motion_code_{"MotionState.Term"};
   ig::Out<ig::Symbol> compound_{"CompoundMotion.Term"};
   ig::NumberOption tolerance_{
-      "tolerance", "0.01", {0.0001, 100}, "mm", "How far a straight step of the tip may be from the arc."};
+      "tolerance", "0.01", {0.0001, 100}, "mm", "How far a straight step of the tip may deviate from the arc."};
   EventToSteps event_;
   ToolSteps steps_;
   ToolKinematics machine_;

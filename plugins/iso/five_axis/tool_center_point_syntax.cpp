@@ -24,13 +24,15 @@ struct ToolCenterPoint {
           .before("ToolHeightOffsetSyntax", "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax",
                   "WorkCoordinateShiftSyntax", "PivotTransformationSyntax", "ProgramXyzSyntax", "McXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "ISO-0445", "{0} under {1}: the control may refuse it; it is executed"),
+      ig::diagnostic(IG_WARNING, "ISO-0445",
+                     "{0} under {1} is executed, but the control may refuse it: cancel {1} first"),
       ig::diagnostic(IG_ERROR, "ISO-0447",
-                     "{0}: where the rotary axes of the machine sit is not known: the tip does not follow them"),
-      ig::diagnostic(IG_ERROR, "ISO-0450", "I0 J0 K0 is no direction: the tool stays as it is"),
-      ig::diagnostic(IG_ERROR, "ISO-0451", "rotary words under G43.5: they move nothing"),
+                     "{0}: the rotary axes of the machine are not described, so the tool tip does not follow them"),
+      ig::diagnostic(IG_ERROR, "ISO-0450", "I0 J0 K0 is not a direction, so the tool direction does not change"),
+      ig::diagnostic(IG_ERROR, "ISO-0451",
+                     "rotary words under G43.5 are not executed: program I, J and K instead, or use G43.4"),
       ig::diagnostic(IG_ERROR, "ISO-0454",
-                     "an arc under G43.5: I J K is the direction of the tool, and it is not used"),
+                     "I, J and K of an arc under G43.5 give no tool direction: program R, or use G43.4"),
   };
 
   ig::Call codes_{{"G43.4", "G43.5"}, "H[]"};
@@ -70,10 +72,11 @@ struct ToolCenterPoint {
   RotarySolver solver_;
   ToolKinematics machine_;
   ig::Name g43_4_{"G43.4"}, g43_5_{"G43.5"};
-  ig::Choice<RefusedCodes> refused_{"refused-codes", "said|executed", "said",
-                                    "Functions that a Fanuc refuses under tip control: said, or just executed."};
+  ig::Choice<RefusedCodes> refused_{
+      "refused-codes", "said|executed", "said",
+      "Functions that a Fanuc control refuses under tool centre point control: executed with or without a warning."};
   ig::Choice<SolutionChoice> choice_{"choice", solution_choices, "min-sum",
-                                     "Which of the solutions G43.5 takes: see G53p1RotaryPositionSyntax."};
+                                     "Which solution G43.5 uses: see G53p1RotaryPositionSyntax."};
 
   ig::Status build(ig::Block& b) {
     const bool was_on = mode_.is_on(b);

@@ -19,7 +19,8 @@ enum class MissingEnd { silent, warning };
 struct ProgramEnd {
   static constexpr auto spec = ig::syntax("ProgramEndSyntax", "M02/M30 end of the program; M99 in the main program.");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "ISO-0230", "M99 in the main program: the run ends here"),
+      ig::diagnostic(IG_WARNING, "ISO-0230",
+                     "M99 in the main program: the run ends here, where the control would start again"),
       ig::diagnostic(IG_WARNING, "ISO-0495", "the main program ends here without M30, M02 or M99"),
   };
 
@@ -28,9 +29,9 @@ struct ProgramEnd {
   ig::Out<ig::Symbol> term_{"ProgramEnd.Term"};
 
   ig::Choice<InSubprogram> in_subprogram_{"in-subprogram", "end|return", "end",
-                                          "M02 and M30 of a called program: end of the run, or back to the caller."};
+                                          "M02 and M30 in a called program: end of the run, or return to the caller."};
   ig::Choice<MissingEnd> missing_end_{"missing-end", "silent|warning", "silent",
-                                      "Is a main program said whose file ends before it does?"};
+                                      "Whether a main program without an end before the end of its file is reported."};
   ig::Signal text_ended_{"Source.~End", ig::read | ig::wake};
   ig::Flow flow_;
 

@@ -23,34 +23,37 @@ constexpr std::uint32_t in_folders = IG_IN_FOLDERS;
 constexpr std::uint32_t anywhere = IG_IN_FILES | IG_IN_FOLDERS;
 
 struct SubprogramCall {
-  static constexpr auto spec = ig::syntax("SubprogramCallSyntax", "M98, M198, M97: a subprogram is called.")
+  static constexpr auto spec = ig::syntax("SubprogramCallSyntax", "M98, M198 and M97 call a subprogram.")
                                    .after("ProgramNumberSyntax")
                                    .before("ProgramEndSyntax", "NotExecutedSyntax")
                                    .scans("<");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "ISO-0481", "{0} without P: no program is called"),
-      ig::diagnostic(IG_ERROR, "ISO-0482", "{0}: P{1} is no program number; nothing is called"),
-      ig::diagnostic(IG_ERROR, "ISO-0483", "{0}: L{1} is no count of calls; the program is called once"),
-      ig::diagnostic(IG_WARNING, "ISO-0484", "{0} with the count 0: the program is not called"),
+      ig::diagnostic(IG_ERROR, "ISO-0482", "{0}: P{1} is not a valid program number, so nothing is called"),
+      ig::diagnostic(IG_ERROR, "ISO-0483", "{0}: L{1} is not a valid number of calls, so the program is called once"),
+      ig::diagnostic(IG_WARNING, "ISO-0484",
+                     "{0} with a count of 0: the program is not called, so remove the block or the count"),
       ig::diagnostic(IG_ERROR, "ISO-0485", "program {0} is not found, so it is not called: {1}"),
       ig::diagnostic(IG_ERROR, "ISO-0486",
-                     "calls are nested {0} deep already: the control stops here; {1} is not called"),
-      ig::diagnostic(IG_WARNING, "ISO-0491", "{0}: there is no O{1} for P{2}; O{2} is called once"),
-      ig::diagnostic(IG_ERROR, "ISO-0492", "'{0}' stands behind no call: it is not used"),
+                     "calls are already nested {0} deep, the limit of this control: {1} is not called"),
+      ig::diagnostic(IG_WARNING, "ISO-0491", "{0}: there is no O{1} for P{2}, so O{2} is called once"),
+      ig::diagnostic(IG_ERROR, "ISO-0492", "'{0}' does not belong to a call and is not executed"),
   };
 
-  ig::Choice<PForm> p_form_{"p-form", "split|whole", "split",
-                            "P of more digits than a program number, without L: count and number, or all number."};
-  ig::IntegerOption p_digits_{"p-digits", "4", {1, 8}, "Digits of a program number where P is split."};
-  ig::Choice<StartAddress> start_address_{"start-address", "none|Q|H", "none",
-                                          "The word that names the sequence number at which the program begins."};
+  ig::Choice<PForm> p_form_{
+      "p-form", "split|whole", "split",
+      "P with more digits than a program number, without L: a count and a number, or one number."};
+  ig::IntegerOption p_digits_{
+      "p-digits", "4", {1, 8}, "The number of digits of a program number in a P that is split."};
+  ig::Choice<StartAddress> start_address_{
+      "start-address", "none|Q|H", "none",
+      "The word that gives the sequence number at which the called program starts."};
   ig::Choice<WithoutProgram> without_program_{
       "without-program", "error|same-program", "error",
-      "A call that names a sequence number and no program: an error, or a call of that block of the same program."};
-  ig::IntegerOption levels_{
-      "levels", "10", {0, 1000}, "Calls inside each other that the control permits; 0: any number."};
+      "A call with a sequence number but no program: an error, or a call of that block in the same program."};
+  ig::IntegerOption levels_{"levels", "10", {0, 1000}, "How deep calls may be nested on the control; 0: any depth."};
   ig::Choice<Answered> external_{"m198", "no|yes", "no",
-                                 "M198 calls a program that lies on another device: in the folders, not in the file."};
+                                 "M198 calls a program on another device: in the folders, not in the same file."};
   ig::Choice<Answered> local_{"m97", "no|yes", "no", "M97 calls a sequence number of the same program."};
 
   ig::Call call_{{"M98", "M198", "M97"}, "P[] L[] Q[] H[]"};

@@ -24,25 +24,26 @@ std::uint64_t read_passes(std::string_view text, std::int64_t otherwise) {
 enum class PMeans { in_caller, in_own_program };
 
 struct SubprogramReturn {
-  static constexpr auto spec = ig::syntax("SubprogramReturnSyntax", "M99: back to the calling program.")
+  static constexpr auto spec = ig::syntax("SubprogramReturnSyntax", "M99 returns to the calling program.")
                                    .after("SubprogramCallSyntax")
                                    .before("ProgramEndSyntax", "NotExecutedSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "ISO-0487",
-                     "M99 P{0}: the calling program has no N{0}; the run goes on behind the call"),
-      ig::diagnostic(IG_ERROR, "ISO-0488", "M99 P{0} is no sequence number; P is not used"),
-      ig::diagnostic(IG_WARNING, "ISO-0489", "M99 with L{0} has no meaning here; L is not used"),
-      ig::diagnostic(IG_ERROR, "ISO-0494", "M99 P{0}: the program has no N{0}; the run ends here"),
+                     "M99 P{0}: the calling program has no N{0}, so the run continues after the call"),
+      ig::diagnostic(IG_ERROR, "ISO-0488", "M99 P{0}: P is not a valid sequence number and is not executed"),
+      ig::diagnostic(IG_WARNING, "ISO-0489", "M99 with L{0} has no meaning here: L is ignored"),
+      ig::diagnostic(IG_ERROR, "ISO-0494", "M99 P{0}: the program has no N{0}, so the run ends here"),
   };
 
-  ig::IntegerOption passes_{"main-passes",
-                            "1",
-                            {0, 1e15},
-                            "How often M99 lets the main program run before the run ends; 0: until a limit ends it."};
+  ig::IntegerOption passes_{
+      "main-passes",
+      "1",
+      {0, 1e15},
+      "How often the main program runs, restarted by M99, before the run ends; 0: until a limit ends the run."};
   ig::Setting setting_{"main-passes"};
   ig::Choice<PMeans> p_means_{"p-means", "in-caller|in-own-program", "in-caller",
-                              "Whose block N M99 P of a subprogram goes to: the calling program's, or its own, which "
-                              "goes on."};
+                              "Where block N of M99 P in a subprogram is: in the calling program, or in the subprogram "
+                              "itself, which continues."};
   ig::Call return_{{"M99"}, "P[] L[]"};
   ig::Out<ig::Symbol> term_{"SubProgramReturn.Term"};
   ig::Out<std::int64_t> p_{"SubProgramReturn.P"};

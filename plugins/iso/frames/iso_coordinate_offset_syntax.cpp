@@ -23,10 +23,10 @@ struct IsoCoordinateOffset {
           .after("ParameterizedFlagSyntax", "IsoLocalCoordinateOffsetSyntax")
           .before("CannedCycleResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0226", "there is no work offset {0}; {1} stays in force"),
-      ig::diagnostic(IG_NOTE, "ISO-0356", "{0} without P: P1 counts"),
-      ig::diagnostic(IG_ERROR, "ISO-0367", "{0} is no work coordinate system of this control; {1} stays in force"),
-      ig::diagnostic(IG_NOTE, "ISO-0368", "G54.1 without P: P1 counts"),
+      ig::diagnostic(IG_ERROR, "ISO-0226", "there is no work offset {0}: {1} stays in force"),
+      ig::diagnostic(IG_NOTE, "ISO-0356", "{0} without P: P1 is assumed"),
+      ig::diagnostic(IG_ERROR, "ISO-0367", "this control has no work offset {0}: {1} stays in force"),
+      ig::diagnostic(IG_NOTE, "ISO-0368", "G54.1 without P: P1 is assumed"),
   };
 
   ig::Codes sets_{"G54",   "G55",   "G56",   "G57",   "G58",   "G59",   "G59.1", "G59.2",
@@ -44,15 +44,15 @@ struct IsoCoordinateOffset {
   ig::Service<ig_work_offset_1> table_{"isogloss.work-offset/1", ig::Need::required, "The origins."};
   ig::Name g54_{"G54"};
   ig::Choice<DecimalSets> decimal_sets_{"decimal-sets", "available|absent", "available",
-                                        "Has the control G59.1 to G59.9? Where it has none they are an error."};
+                                        "Whether the control has G59.1 to G59.9; if not, they are errors."};
 
-  ig::Choice<FurtherSets> further_sets_{
-      "further-sets", "absent|G110-G154", "absent",
-      "Has the control G154 P1 and up, of which G110 to G129 are P1 to P20? Where it has none they are left."};
+  ig::Choice<FurtherSets> further_sets_{"further-sets", "absent|G110-G154", "absent",
+                                        "Whether the control has G154 P1 and up, with G110 to G129 as P1 to P20; if "
+                                        "not, this syntax does not read them."};
 
   ig::Choice<G54P> g54_p_{
       "g54-p", "additional|all-sets", "additional",
-      "What P of G54 counts: the sets of G54.1, or all sets, of which P1 is G54 itself and P7 G59.1."};
+      "What P of G54 counts: the sets of G54.1, or all sets, from P1 (G54 itself) to P7 (G59.1) and on."};
 
   ig::Status restart(ig::Block& b) {
     select(b, b.text(selected(b)), ig::Where::block());

@@ -19,10 +19,8 @@ struct IsoCoordinateTable {
           .provides("isogloss.work-offset/1")
           .ships(shipped_offsets);
 
-  ig::IntegerOption additional_sets{"additional-sets",
-                                    "300",
-                                    {0, 99999},
-                                    "The highest P of G54.1 that the control has; a row may name a higher one."};
+  ig::IntegerOption additional_sets{
+      "additional-sets", "300", {0, 99999}, "The highest P of G54.1 on this control; a row may name a higher one."};
   WorkOffsetColumns columns;
   ig::Table table;
 

@@ -29,14 +29,19 @@ struct IsoG68Rotation {
           .before("ToolHeightOffsetSyntax", "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax",
                   "CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0263", "{0} is not executed: the frame is not rotated"),
-      ig::diagnostic(IG_ERROR, "ISO-0360", "G68 without R, and no angle is known for it: the frame keeps its rotation"),
-      ig::diagnostic(IG_WARNING, "ISO-0361", "G68 without R: the control's parameter counts, {0} degrees"),
+      ig::diagnostic(IG_ERROR, "ISO-0263",
+                     "{0} is not executed as a rotation in space: the coordinates are not rotated, so use G68.2"),
+      ig::diagnostic(IG_ERROR, "ISO-0360",
+                     "G68 without R, and the control's default angle is not known: the rotation does not change"),
+      ig::diagnostic(IG_WARNING, "ISO-0361",
+                     "G68 without R: the control's default of {0} degrees is assumed, so program R"),
       ig::diagnostic(IG_WARNING, "ISO-0362",
-                     "R{0}: an angle of rotation lies between -360 and 360; whole turns are left out"),
-      ig::diagnostic(IG_ERROR, "ISO-0363", "G68: the centre lies too far away; the frame keeps its rotation"),
-      ig::diagnostic(IG_WARNING, "ISO-0364", "{0} while the coordinates are rotated: cancel the rotation by G69 first"),
-      ig::diagnostic(IG_ERROR, "ISO-0430", "G68 while a plane is tilted: not executed, the plane stays as it was"),
+                     "R{0}: the rotation angle must be from -360 to 360 degrees, so whole turns are dropped"),
+      ig::diagnostic(IG_ERROR, "ISO-0363",
+                     "G68: the centre is too far away to compute the rotation, which does not change"),
+      ig::diagnostic(IG_WARNING, "ISO-0364",
+                     "{0} while the coordinates are rotated: cancel the rotation with G69 first"),
+      ig::diagnostic(IG_ERROR, "ISO-0430", "G68 is not executed in a tilted work plane: the plane does not change"),
   };
 
   ig::Call g68_{{"G68"}, "X Y Z I J K R[deg]"};
@@ -65,12 +70,12 @@ struct IsoG68Rotation {
   ig::Name g68_name_{"G68"}, g69_name_{"G69"}, g17_{"G17"};
   std::array<ig::Name, 3> planes_in_space_{ig::Name{"G68.2"}, ig::Name{"G68.3"}, ig::Name{"G68.4"}};
 
-  ig::Choice<UnnamedAxis> unnamed_axis_{"unnamed-axis", "rotated|programmed", "rotated",
-                                        "Where an axis of the plane stands that the first absolute block after G68 "
-                                        "does not name: where the tool is in the rotated system, or at the number "
-                                        "that was programmed last."};
+  ig::Choice<UnnamedAxis> unnamed_axis_{
+      "unnamed-axis", "rotated|programmed", "rotated",
+      "The coordinate of a plane axis that the first absolute block after G68 does not name: the tool position in the "
+      "rotated system, or the last programmed number."};
   ig::Choice<IncrementalAngle> incremental_angle_{"incremental-angle", "never|g91|parameter", "never",
-                                                  "Is R added to the angle in force under G91?"};
+                                                  "Whether R is added to the angle in force under G91."};
   bool adds_under_g91_ =
       incremental_angle_ == IncrementalAngle::under_g91 ||
       (incremental_angle_ == IncrementalAngle::parameter && config_.number("RotationIsIncremental").value_or(0) != 0);

@@ -25,8 +25,8 @@ struct IsoLocalCoordinateOffset {
   RotaryWords machine_axes_;
   ig::Config config_{"isogloss.coordinate-system/1", ig::Need::optional, "ResetCancelsLocalCoordinate."};
   ig::Choice<CancelledBy> cancelled_by_{"cancelled-by", "program-end|never|parameter", "program-end",
-                                        "Does the end of the program cancel the local system? parameter: as the "
-                                        "control's parameter says of a reset."};
+                                        "Whether the end of the program cancels the local system; parameter: the "
+                                        "control's parameter for a reset decides."};
   bool ends_with_program_ =
       cancelled_by_ == CancelledBy::program_end ||
       (cancelled_by_ == CancelledBy::parameter && config_.number("ResetCancelsLocalCoordinate").value_or(0) != 0);

@@ -17,8 +17,8 @@ struct MachineCoordSelect {
           .after("PositioningModeSyntax", "CannedCycleResolveSyntax")
           .before("ProgramXyzSyntax", "McXyzSyntax", "CircularMotionSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "ISO-0330", "G53 under G91 is ignored: nothing moves"),
-      ig::diagnostic(IG_NOTE, "ISO-0331", "G53 without an axis: nothing moves"),
+      ig::diagnostic(IG_WARNING, "ISO-0330", "G53 is ignored under G91, so nothing moves: program G90"),
+      ig::diagnostic(IG_NOTE, "ISO-0331", "G53 without an axis word: nothing moves"),
   };
 
   ig::Codes g53_{"G53"};
@@ -30,10 +30,11 @@ struct MachineCoordSelect {
   ig::Signal axis_words_void_{"MachineCoordSelect.~AxisWordsVoid", ig::write};
   DistanceMode distance_;
   LastProgramXyz last_;
-  ig::Choice<Motion> motion_{"motion", "modal|rapid", "modal", "How the block moves: by group 01, or by rapid always."};
+  ig::Choice<Motion> motion_{"motion", "modal|rapid", "modal",
+                             "How the block moves: by the code of group 01, or always by rapid."};
   ig::Choice<UnderG91> under_g91_{"under-g91", "ignored|words-too|absolute", "ignored",
-                                  "G53 under G91: nothing moves and the words stay; the words are ignored with it; or "
-                                  "X, Y and Z are positions all the same."};
+                                  "G53 under G91: nothing moves and the words stay unused; G53 and its words are "
+                                  "ignored; or X, Y and Z are positions as under G90."};
 
   ig::Status build(ig::Block& b) {
     if (!b.take(g53_)) return ig::Status::unchanged;

@@ -25,8 +25,10 @@ struct PolarCoordinate {
           .before("ScalingSyntax", "ProgrammableMirrorSyntax", "CannedCycleResolveSyntax", "IncrementalResolveSyntax",
                   "ProgramXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0384", "an arc under G16 needs R: its centre would be taken as a length"),
-      ig::diagnostic(IG_ERROR, "ISO-0385", "repeats with a radius from the tool lie on a straight line here"),
+      ig::diagnostic(IG_ERROR, "ISO-0384", "an arc under G16 needs R, because its centre would be read as a length"),
+      ig::diagnostic(
+          IG_ERROR, "ISO-0385",
+          "these repeated holes lie on a straight line, because the radius counts from the tool: program each hole"),
   };
 
   ig::Codes codes_{"G15", "G16"};
@@ -46,7 +48,7 @@ struct PolarCoordinate {
   ScaleAndMirror scale_and_mirror_;
   ig::Choice<IncrementalRadius> incremental_radius_{
       "incremental-radius", "from-pole|from-position", "from-pole",
-      "Where a radius under G91 counts from: the pole, or the tool, which becomes the pole."};
+      "The start of a radius under G91: the pole, or the tool position, which becomes the pole."};
 
   ig::Status build(ig::Block& b) {
     bool changed = false;

@@ -24,10 +24,10 @@ struct ProgrammableDataInput {
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "ISO-0220", "G10 L{0} is not executed: the table keeps its values"),
       ig::diagnostic(IG_ERROR, "ISO-0221", "G10 without {0}: the table keeps its values"),
-      ig::diagnostic(IG_ERROR, "ISO-0222", "G10 L{0} P{1}: there is no such row; the table keeps its values"),
-      ig::diagnostic(IG_WARNING, "ISO-0371", "a parameter of the control is not written: {0} is not used"),
+      ig::diagnostic(IG_ERROR, "ISO-0222", "G10 L{0} P{1}: the table has no such row and keeps its values"),
+      ig::diagnostic(IG_WARNING, "ISO-0371", "{0} belongs to a parameter of the control, which is not written"),
       ig::diagnostic(IG_ERROR, "ISO-0544",
-                     "{0} beside G10 L{1} is not executed: this table has no such value, so remove the word"),
+                     "{0} beside G10 L{1} is not executed, because this table has no such value: remove the word"),
   };
 
   ig::Call g10_{{"G10"}, "L[] P[] R X Y Z A B C"};
@@ -49,10 +49,11 @@ struct ProgrammableDataInput {
   ig::Service<ig_tool_offset_1> tools_{"isogloss.tool-offset/1", ig::Need::optional, "Written by L10 to L13."};
   RotaryWords machine_axes_;
   ig::Name g91_{"G91"};
-  ig::Choice<ToolColumns> tool_columns_{"tool-columns", "geometry-wear|wear-geometry", "geometry-wear",
-                                        "What L10 and L11 (length), L12 and L13 (radius) write, in this order."};
+  ig::Choice<ToolColumns> tool_columns_{
+      "tool-columns", "geometry-wear|wear-geometry", "geometry-wear",
+      "The columns that L10 and L11 (length) and L12 and L13 (radius) write, in this order."};
   ig::Choice<L2Rows> l2_rows_{"l2-rows", "to-G59|all-sets", "to-G59",
-                              "What P of L2 counts: EXT and G54 to G59, or all sets, as P of G54 does."};
+                              "What P of L2 counts: EXT and G54 to G59, or all sets like P of G54."};
 
   ig::Status build(ig::Block& b) {
     const bool ends = b.take(g11_).has_value();

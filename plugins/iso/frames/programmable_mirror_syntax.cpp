@@ -18,7 +18,7 @@ struct ProgrammableMirror {
           .after("UnitModeSyntax", "PlaneSelectSyntax", "PositioningModeSyntax")
           .before("CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax", "CircularMotionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "ISO-0388", "G51.1 without an axis: nothing is mirrored"),
+      ig::diagnostic(IG_WARNING, "ISO-0388", "G51.1 without an axis word: nothing is mirrored"),
   };
 
   ig::Call on_{{"G51.1"}, "X Y Z"};
@@ -28,9 +28,9 @@ struct ProgrammableMirror {
   GeometryWords words_;
   PlaneInForce plane_;
   DistanceMode distance_;
-  ig::Choice<OtherCodes> other_codes_{"other-codes", "warning|allowed", "warning",
-                                      "Codes with words that are not mirrored (G53, G28, …) while a mirror image is in "
-                                      "force: a warning, or as any other."};
+  ig::Choice<OtherCodes> other_codes_{
+      "other-codes", "warning|allowed", "warning",
+      "Codes whose words are not mirrored (G53, G28, …) under a mirror image: with or without a warning."};
 
   ig::Status build(ig::Block& b) {
     bool changed = false;

@@ -23,8 +23,8 @@ struct Scaling {
           .before("ProgrammableMirrorSyntax", "CannedCycleResolveSyntax", "IncrementalResolveSyntax",
                   "ProgramXyzSyntax", "CircularMotionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0386", "G51 {0}{1}: there is no such factor; scaling stays as it was"),
-      ig::diagnostic(IG_WARNING, "ISO-0387", "G51 without P, I, J and K: the factor is 1"),
+      ig::diagnostic(IG_ERROR, "ISO-0386", "G51 {0}{1} is not a valid scaling factor, so the scaling does not change"),
+      ig::diagnostic(IG_WARNING, "ISO-0387", "G51 without P, I, J or K: a factor of 1 is assumed"),
   };
 
   ig::Call g51_{{"G51"}, "X Y Z I[] J[] K[] P[]"};
@@ -38,7 +38,7 @@ struct Scaling {
   LastProgramXyz last_;
   ig::Config config_{"isogloss.motion/1", ig::Need::optional, "ScalingUnit, ScalingFactor"};
   ig::NumberOption factor_unit_{
-      "factor-unit", "0", {0, 1}, "", "What P1 and I1 mean; 0: as isogloss.motion/1 says, else 0.001."};
+      "factor-unit", "0", {0, 1}, "", "What P1 and I1 mean; 0: the value of isogloss.motion/1, or else 0.001."};
   double least_ = factor_unit_ < 1 ? 1 : 0.001;  // of a count; a whole factor is written with decimals
   double unit_ = factor_unit_ > 0 ? double{factor_unit_} : config_.number("ScalingUnit").value_or(0.001);
 

@@ -14,18 +14,19 @@ enum class ReferenceReturn { keep, cancel };
 
 struct WorkCoordinateShift {
   static constexpr auto spec =
-      ig::syntax("WorkCoordinateShiftSyntax", "G92 sets the coordinates of the present position, G92.1 ends it.")
+      ig::syntax("WorkCoordinateShiftSyntax",
+                 "G92 sets the coordinates of the present position, G92.1 cancels the shift.")
           .after("ParameterizedFlagSyntax", "UnitModeSyntax", "IsoG68RotationSyntax", "ToolHeightOffsetSyntax",
                  "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax")
           .before("CannedCycleResolveSyntax", "IncrementalResolveSyntax", "MachineCoordSelectSyntax",
                   "ProgramXyzSyntax", "McXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "ISO-0365", "{0} without an axis: no coordinate system is set"),
-      ig::diagnostic(IG_WARNING, "ISO-0366", "G92.1 {0}{1}: the value is not used; the shift of the axis ends"),
+      ig::diagnostic(IG_WARNING, "ISO-0365", "{0} without an axis word: no coordinate system is set"),
+      ig::diagnostic(IG_WARNING, "ISO-0366", "G92.1 {0}{1}: the value is ignored, and the shift of the axis ends"),
       ig::diagnostic(IG_ERROR, "ISO-0369",
-                     "{0}: the shift cannot be computed; the coordinate systems stay as they are"),
+                     "{0}: the shift cannot be computed, so the coordinate systems do not change"),
       ig::diagnostic(IG_ERROR, "ISO-0370",
-                     "G92 S{0}: a limit of the spindle speed is not negative; the limit of before stays"),
+                     "G92 S{0}: the spindle speed limit is negative, so the previous limit stays in force"),
   };
 
   ig::Call g92_{{"G92"}, "X Y Z A B C S"};
@@ -48,7 +49,7 @@ struct WorkCoordinateShift {
                                    ig::Signal{"WorkCoordinateShift.~HomedC", waits, ig::Life::modal}};
 
   ig::Choice<ReferenceReturn> reference_return_{"reference-return", "keep|cancel", "keep",
-                                                "Does G28 or G30 end the shift of the axes that it names?"};
+                                                "Whether G28 or G30 cancels the shift of the axes that it names."};
 
   ig::Status restart(ig::Block& b) {
     if (!shift_.has(b)) return ig::Status::unchanged;

@@ -15,7 +15,7 @@ struct FallbackConfig {
                         "5",
                         {0, HUGE_VAL},
                         "mm",
-                        "G83: clearance above the depth reached, to which the next peck rapids down."};
+                        "G83: clearance above the previous depth, where the rapid of the next peck ends."};
   ig::NumberOption high_speed_peck{"HighSpeedPeckRetraction_mm",
                                    "-1",
                                    {-1, HUGE_VAL},
@@ -24,10 +24,10 @@ struct FallbackConfig {
   ig::IntegerOption shift_x{"ShiftDirectionX",
                             "2",
                             {-3, 3},
-                            "G76, G87 along X: axis of the shift, 1 X, 2 Y, 3 Z, negative for its other way."};
-  ig::IntegerOption shift_y{"ShiftDirectionY", "3", {-3, 3}, "The same where the tool bores along Y."};
-  ig::IntegerOption shift_z{"ShiftDirectionZ", "1", {-3, 3}, "The same where the tool bores along Z."};
-  ig::BooleanOption rigid_tapping{"RigidTapping", "false", "G74, G84 are rigid also without M29."};
+                            "G76, G87 along X: axis of the shift, 1 X, 2 Y, 3 Z; negative: opposite direction."};
+  ig::IntegerOption shift_y{"ShiftDirectionY", "3", {-3, 3}, "The same for boring along Y."};
+  ig::IntegerOption shift_z{"ShiftDirectionZ", "1", {-3, 3}, "The same for boring along Z."};
+  ig::BooleanOption rigid_tapping{"RigidTapping", "false", "G74 and G84 are rigid without M29, too."};
   ig::BooleanOption tapping_stop{"TappingSpindleStop", "true",
                                  "G74, G84 with a floating holder: the spindle is stopped before it is reversed."};
   ig::BooleanOption peck_tapping_to_r{"PeckTappingToR", "false",
@@ -38,12 +38,12 @@ struct FallbackConfig {
                               "100",
                               {1, 2000},
                               "%",
-                              "Rigid tapping: speed on the way out, in parts of the speed on the way in."};
+                              "Rigid tapping: retract speed divided by the speed into the hole."};
   ig::NumberOption arc_tolerance{"ArcRadiusTolerance_mm",
                                  "0.01",
                                  {0, HUGE_VAL},
                                  "mm",
-                                 "Difference of an arc's radii at start and end that is no error; 0: not checked."};
+                                 "Largest permitted difference of an arc's radii at start and end; 0: no check."};
 
   const void* service(std::string_view id) const {
     if (id == "isogloss.canned-cycle/1") return &cycles;

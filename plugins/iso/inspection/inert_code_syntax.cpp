@@ -7,23 +7,24 @@ namespace iso {
 namespace {
 
 struct InertCode {
-  static constexpr auto spec = ig::syntax("InertCodeSyntax", "Codes that change nothing here.")
+  static constexpr auto spec = ig::syntax("InertCodeSyntax", "Codes that are ignored.")
                                    .after("ParameterizedFlagSyntax", "RadiusCompensationSyntax");
 
   ig::Fields codes_{"codes",
                     "Parsing.Flags.G13.1 Parsing.Flags.G23 Parsing.Flags.G40 Parsing.Flags.G40.1 Parsing.Flags.G67 "
                     "Parsing.Flags.G91.1",
-                    ig::take | ig::wake, "Codes without words that are taken silently.", IG_CODE};
+                    ig::take | ig::wake, "Codes without words that are ignored without a report.", IG_CODE};
 
-  ig::Fields with_words_{"with-words", "", ig::take | ig::wake,
-                         "Codes that are taken silently with every word that nothing else of the block uses.", IG_CODE};
+  ig::Fields with_words_{
+      "with-words", "", ig::take | ig::wake,
+      "Codes that are ignored without a report, with every word that nothing else in the block uses.", IG_CODE};
   ig::Fields words_{"words", "Parsing.?", ig::take, "The words that go with them."};
 
   enum class Tuning { unknown, taken };
   ig::Call tuning_codes_{{"G103", "G187"}, "P[] E[]"};
-  ig::Choice<Tuning> tuning_{"tuning", "unknown|G103-G187", "unknown",
-                             "Are G103 P (limit of the look-ahead) and G187 P E (smoothness) codes of the control? "
-                             "They change no position."};
+  ig::Choice<Tuning> tuning_{
+      "tuning", "unknown|G103-G187", "unknown",
+      "Whether the control has G103 P (limit of the look-ahead) and G187 P E (smoothness); they change no position."};
 
   ig::Status build(ig::Block& b) {
     const bool any = tuning_ == Tuning::taken && b.take(tuning_codes_).has_value();

@@ -18,12 +18,13 @@ struct NotExecuted {
       ig::syntax("NotExecutedSyntax", "Functions that are recognised but not executed: one error each.")
           .after("ParameterizedFlagSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0265", "{0} is not executed: the tool length of before stays in force"),
-      ig::diagnostic(IG_ERROR, "ISO-0267", "{0} is not executed: its move is left out"),
-      ig::diagnostic(IG_ERROR, "ISO-0268", "{0} is not executed: the macro is not called, its words are not used"),
+      ig::diagnostic(IG_ERROR, "ISO-0265", "{0} is not executed: the previous tool length stays in force"),
+      ig::diagnostic(IG_ERROR, "ISO-0267", "{0} is not executed: the tool does not move"),
+      ig::diagnostic(IG_ERROR, "ISO-0268",
+                     "{0} is not executed: the macro is not called, and its words have no effect"),
       ig::diagnostic(IG_ERROR, "ISO-0269", "{0} is not executed: the subprogram is not called"),
-      ig::diagnostic(IG_ERROR, "ISO-0270", "{0} is not executed: X, Y and C are taken as they are"),
-      ig::diagnostic(IG_ERROR, "ISO-0272", "{0} is not executed: the forbidden zone is not watched"),
+      ig::diagnostic(IG_ERROR, "ISO-0270", "{0} is not executed: X, Y and C are not transformed"),
+      ig::diagnostic(IG_ERROR, "ISO-0272", "{0} is not executed: moves into the forbidden zone are not reported"),
   };
 
   /// A macro call takes any address, also those that nothing else reads.

@@ -18,7 +18,7 @@ struct TravelCheck {
                                    .after("McXyzSyntax", "McAbcCyclicPathSyntax", "LinearMotionSyntax",
                                           "ReturnFromReferenceSyntax", "ReferenceReturnSyntax", "ReferenceCheckSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0403", "{0} would go to {1}: its travel ends at {2}"),
+      ig::diagnostic(IG_ERROR, "ISO-0403", "{0} would go to {1}, beyond the end of its travel at {2}"),
   };
 
   static constexpr std::string_view names = "XYZABC";

@@ -15,13 +15,14 @@ struct TurningProgram {
   static constexpr std::array diagnostics{
       ig::diagnostic(
           IG_ERROR, "ISO-0540",
-          "{0} in line {1} shows a turning program, and this dialect mills: nothing of the text is executed"),
+          "{0} in line {1} belongs to a turning program, but this is a milling dialect: nothing is executed"),
   };
 
   ig::TextOption signs_{"signs", "",
-                        "Words that only a turning program has: those joined by + stand in one block, ? is any digit."};
+                        "Words that only a turning program has: + joins words of one block, ? is any digit."};
   ig::TextOption tool_change_{
-      "tool-change", "M06", "The code with which mills change tools: with it in the text, signs with ? mean nothing."};
+      "tool-change", "M06",
+      "The code that changes tools on mills: in a text with this code, signs with ? are ignored."};
   ig::Flow flow_;
 
   ig::Status restart(ig::Block& b) const {

@@ -16,18 +16,19 @@ bool is_geometric(std::string_view word) {
 
 struct UnconsumedCheck {
   static constexpr auto spec =
-      ig::syntax("UnconsumedCheckSyntax", "Reports everything in a block that nobody used.").inspects_leftovers();
+      ig::syntax("UnconsumedCheckSyntax", "Reports everything in a block that no syntax has used.")
+          .inspects_leftovers();
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0280", "{0} is unknown here and not executed"),
-      ig::diagnostic(IG_WARNING, "ISO-0281", "{0} is unknown here and not executed"),
-      ig::diagnostic(IG_ERROR, "ISO-0282", "{0} is not executed in this block, nor are its words"),
+      ig::diagnostic(IG_ERROR, "ISO-0280", "{0} is not supported in this dialect and is not executed"),
+      ig::diagnostic(IG_WARNING, "ISO-0281", "{0} is not supported in this dialect and is not executed"),
+      ig::diagnostic(IG_ERROR, "ISO-0282", "{0} and its words are not executed in this block"),
       ig::diagnostic(IG_WARNING, "ISO-0283", "{0} is not executed in this block"),
-      ig::diagnostic(IG_ERROR, "ISO-0284", "{0} is used by nothing in this block"),
-      ig::diagnostic(IG_WARNING, "ISO-0285", "{0} is used by nothing in this block"),
-      ig::diagnostic(IG_ERROR, "ISO-0286", "{0} is not evaluated: the word has no value"),
+      ig::diagnostic(IG_ERROR, "ISO-0284", "nothing in this block uses {0}: check the spelling, or remove it"),
+      ig::diagnostic(IG_WARNING, "ISO-0285", "nothing in this block uses {0}: check the spelling, or remove it"),
+      ig::diagnostic(IG_ERROR, "ISO-0286", "{0} cannot be evaluated, so the word has no value and is not executed"),
       ig::diagnostic(IG_ERROR, "ISO-0287", "'{0}' is not executed"),
-      ig::diagnostic(IG_NOTE, "ISO-0288", "'{0}' is no part of a program that the dialect knows"),
-      ig::diagnostic(IG_ERROR, "ISO-0545", "{0} moves nothing: no axis {1} is known here"),
+      ig::diagnostic(IG_NOTE, "ISO-0288", "'{0}' is not part of a program in this dialect and is ignored"),
+      ig::diagnostic(IG_ERROR, "ISO-0545", "{0} moves nothing, because the machine has no axis {1}"),
   };
 
   ig::Signal said_{"Source.~UnknownCodeSaid", ig::read};

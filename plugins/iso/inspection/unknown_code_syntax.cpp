@@ -9,7 +9,7 @@ using namespace ig::cnc;
 namespace {
 
 struct UnknownCode {
-  static constexpr auto spec = ig::syntax("UnknownCodeSyntax", "The words of an unknown G code move nothing.")
+  static constexpr auto spec = ig::syntax("UnknownCodeSyntax", "Makes the words of an unknown G code move nothing.")
                                    .after("ParameterizedFlagSyntax", "FlagSyntax")
                                    .before("UnitModeSyntax", "CannedCycleResolveSyntax", "ProgramXyzSyntax");
   static constexpr std::array diagnostics{

@@ -20,7 +20,7 @@ struct Feedrate {
   ig::InWhile<ig::Symbol> while_inverse_time_{"Feedrate.Term", "G93"};
   FeedInForce feed_{ig::read | ig::write};
   ig::Choice<ModeChange> mode_change_{"mode-change", "keep|require-f", "keep",
-                                      "What G94 and G95 do with the number of the other one."};
+                                      "What G94 and G95 do with the feed rate of the other mode."};
   ig::Name g93_{"G93"};
 
   ig::Status build(ig::Block& b) {

@@ -10,9 +10,11 @@ struct PathSmoothing {
   static constexpr auto spec = ig::syntax("PathSmoothingSyntax", "G05.1, G05 and G08: contour control, as a record.")
                                    .after("ParameterizedFlagSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0393", "{0} {1}{2} is not executed"),
-      ig::diagnostic(IG_WARNING, "ISO-0394", "{0} without {1}: nothing changes"),
-      ig::diagnostic(IG_WARNING, "ISO-0397", "{0}: {1}{2} names an axis; nothing moves"),
+      ig::diagnostic(IG_ERROR, "ISO-0393",
+                     "{0} {1}{2} is not executed, because the meaning of this value is not known"),
+      ig::diagnostic(IG_WARNING, "ISO-0394", "{0} without {1}: the mode does not change"),
+      ig::diagnostic(IG_WARNING, "ISO-0397",
+                     "{0}: {1}{2} only selects an axis and does not move it: program the move in its own block"),
   };
 
   // X0 Y0 Z0 beside G05.1 name axes and move none.

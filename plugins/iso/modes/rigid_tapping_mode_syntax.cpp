@@ -12,8 +12,10 @@ struct RigidTappingMode {
                                    .after("SpindleSpeedSyntax")
                                    .before("CannedCycleResolveSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0350", "{0} between M29 and the tapping cycle"),
-      ig::diagnostic(IG_WARNING, "ISO-0398", "M29 was no rigid tapping: {0}, and no tapping cycle, comes after it"),
+      ig::diagnostic(IG_ERROR, "ISO-0350",
+                     "{0} is programmed between M29 and the tapping cycle: program the cycle directly after M29"),
+      ig::diagnostic(IG_WARNING, "ISO-0398",
+                     "M29 is not read as rigid tapping: {0} follows it instead of a tapping cycle"),
   };
 
   ig::Codes m29_{"M29"};

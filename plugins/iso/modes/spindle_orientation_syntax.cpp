@@ -17,7 +17,7 @@ struct SpindleOrientation {
   ig::Out<ig::Symbol> direction_{"SpindleSpeed.Direction"};
   ig::Name stop_{"STOP"};
   ig::NumberOption default_angle_{"angle", "0", {0, 360}, "deg", "Where the spindle stops without an angle word."};
-  ig::Choice<AngleWords> angle_words_{"angle-words", "none|R|P|R-or-P", "R-or-P", "The words that say the angle."};
+  ig::Choice<AngleWords> angle_words_{"angle-words", "none|R|P|R-or-P", "R-or-P", "The words that give the angle."};
 
   ig::Status build(ig::Block& b) {
     std::uint32_t found = 0;

@@ -13,9 +13,11 @@ struct SpindleSpeed {
       ig::syntax("SpindleSpeedSyntax", "S, M03/M04/M05 and G96/G97: spindle speed and direction.")
           .before("CannedCycleResolveSyntax", "CircularMotionSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0212", "S{0}: a spindle speed is not negative; the speed of before stays in force"),
-      ig::diagnostic(IG_WARNING, "ISO-0389", "G96: the spindle speed in revolutions is not known up to G97 with S"),
-      ig::diagnostic(IG_WARNING, "ISO-0396", "G97 without S after G96: no spindle speed is known"),
+      ig::diagnostic(IG_ERROR, "ISO-0212",
+                     "S{0} is negative, so the previous spindle speed stays in force: use M04 to reverse"),
+      ig::diagnostic(IG_WARNING, "ISO-0389",
+                     "G96: the spindle speed in revolutions per minute is not known until G97 with S"),
+      ig::diagnostic(IG_WARNING, "ISO-0396", "G97 without S after G96: the spindle speed is not known, so program S"),
   };
 
   ig::Word s_{"Parsing.S"};

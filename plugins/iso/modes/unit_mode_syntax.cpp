@@ -20,10 +20,11 @@ struct UnitMode {
                                    .after("ParameterizedFlagSyntax", "DecimalPointSyntax")
                                    .before("FeedrateSyntax", "CannedCycleResolveSyntax", "ProgramXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0117", "{0}: too large a number of inches: the word is not used"),
-      ig::diagnostic(IG_WARNING, "ISO-0373", "{0} before any G20 or G21: lengths count as {1}"),
+      ig::diagnostic(IG_ERROR, "ISO-0117", "{0}: this number of inches is too large, so the word is not executed"),
+      ig::diagnostic(IG_WARNING, "ISO-0373",
+                     "{0} before any G20 or G21: lengths are read as {1}, so program the unit first"),
       ig::diagnostic(IG_ERROR, "ISO-0560",
-                     "{0}: the lengths before it are {1}, and this control cannot change its unit: it stops"),
+                     "{0}: earlier lengths are in {1}, and this control cannot change its unit, so it stops"),
   };
 
   UnitCodes modes_{ig::take | ig::wake};
@@ -42,14 +43,13 @@ struct UnitMode {
   ig::Name g20_{"G20"}, inch_{"Inch"}, metric_{"Metric"}, g93_{"G93"};
 
   enum class Unsaid { silent, warning };
-  ig::Choice<Unsaid> unsaid_{"unsaid", "silent|warning", "silent",
-                             "Whether a length before any G20 or G21 is worth a warning: a setting of the machine says "
-                             "what it is."};
+  ig::Choice<Unsaid> unsaid_{
+      "unsaid", "silent|warning", "silent",
+      "Whether a length before any G20 or G21, whose unit is a setting of the machine, causes a warning."};
   enum class Effect { select, check };
-  ig::Choice<Effect> effect_{
-      "effect", "select|check", "select",
-      "Whether the codes select the unit, or only check it: a parameter of the machine is the unit, "
-      "and the other code is an alarm."};
+  ig::Choice<Effect> effect_{"effect", "select|check", "select",
+                             "Whether the codes select the unit, or only check it: a parameter of the machine sets the "
+                             "unit, and the other code is an alarm."};
   ig::Config format_{"isogloss.number-format/1", ig::Need::optional, "The unit in which a program starts."};
   ig::Signal no_unit_yet_{"Unit.~Unsaid", ig::read | ig::write | ig::wake_while, ig::Life::modal};
 

@@ -22,18 +22,22 @@ struct CircularMotion {
           .before("LinearMotionSyntax")
           .first_writer("Motion");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0320", "an arc without a centre: it needs I, J, K or R in its own block"),
-      ig::diagnostic(IG_ERROR, "ISO-0321",
-                     "the arc starts {0} mm from its centre and ends {1} mm from it: more than {2} apart"),
+      ig::diagnostic(IG_ERROR, "ISO-0320", "the arc has no centre: program I, J, K or R in its block"),
+      ig::diagnostic(
+          IG_ERROR, "ISO-0321",
+          "the arc starts {0} mm from its centre but ends {1} mm from it: at most {2} mm difference is allowed"),
       ig::diagnostic(IG_ERROR, "ISO-0322",
-                     "R{0} does not reach the end of the arc: {1} is the least; half a circle is taken"),
-      ig::diagnostic(IG_WARNING, "ISO-0323", "an arc with R whose end is its start: no arc is made"),
-      ig::diagnostic(IG_ERROR, "ISO-0324", "the centre of the arc is its start: no arc is made"),
-      ig::diagnostic(IG_WARNING, "ISO-0325", "R and a centre (I, J, K) stand in one block: R counts"),
-      ig::diagnostic(IG_ERROR, "ISO-0446", "an arc while the rotary axes turn: a straight line is made"),
-      ig::diagnostic(IG_WARNING, "ISO-0513", "an arc without a centre and without R: the tool goes straight"),
+                     "the radius of {0} mm is too small for this arc: a half circle of radius {1} mm is made"),
+      ig::diagnostic(IG_WARNING, "ISO-0323",
+                     "an arc with R ends where it starts, so no arc is made: program I, J or K for a full circle"),
+      ig::diagnostic(IG_ERROR, "ISO-0324", "the centre of the arc is its start: the tool goes straight to the end"),
+      ig::diagnostic(IG_WARNING, "ISO-0325",
+                     "the arc has both R and a centre (I, J, K): R is used, so remove the others"),
+      ig::diagnostic(IG_ERROR, "ISO-0446",
+                     "the rotary axes turn during this arc: the tool goes straight to the end instead"),
+      ig::diagnostic(IG_WARNING, "ISO-0513", "the arc has neither R nor a centre: the tool goes straight to the end"),
       ig::diagnostic(IG_NOTE, "ISO-0546",
-                     "words of this arc have no decimal point, so they count least increments; if the program means "
+                     "words of this arc have no decimal point and are read as least increments; if they are "
                      "millimetres or inches, {0}"),
   };
 
@@ -53,18 +57,17 @@ struct CircularMotion {
 
   ig::Choice<MissingCenter> missing_center_{
       "missing-center", "linear|warning|error", "linear",
-      "What an arc without I, J, K and R is: a straight line, one that is said, or an "
-      "alarm."};
+      "What an arc without I, J, K and R becomes: a straight line, a straight line with a warning, or an alarm."};
   ig::Config number_format_{"isogloss.number-format/1", ig::Need::optional, "CalculatorDecimalPoint"};
   ig::TextOption whole_numbers_{"whole-numbers", "",
-                                "How the control is set to read numbers without a point as units; said where an arc "
-                                "with such numbers cannot be. Empty: nothing is said."};
+                                "How to set the control to read numbers without a point as units; reported with an "
+                                "impossible arc of such numbers. Empty: no report."};
   ig::Signal without_point_{"Parsing.~WithoutPoint", ig::read};
   ig::NumberOption radius_tolerance_{"radius-tolerance",
                                      "0",
                                      {0, 1000},
                                      "mm",
-                                     "How far the end may lie off the circle; 0: as isogloss.motion/1 says."};
+                                     "How far the end may lie from the circle; 0: the value of isogloss.motion/1."};
   double tolerance_ = radius_tolerance_ > 0 ? double{radius_tolerance_}
                                             : config_.number("ArcRadiusTolerance_mm").value_or(0);
 

@@ -11,11 +11,12 @@ enum class TimeUnit { seconds, milliseconds, by_point };
 struct Dwell {
   static constexpr auto spec = ig::syntax("DwellSyntax", "G04 dwell.").after("ParameterizedFlagSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0215", "G04: a dwell of {0} s is no time; the block does not dwell"),
-      ig::diagnostic(IG_WARNING, "ISO-0216", "G04 has more than one time: {0} counts"),
-      ig::diagnostic(IG_WARNING, "ISO-0511", "G04 without a time: F of this block is the feed, no time passes"),
+      ig::diagnostic(IG_ERROR, "ISO-0215", "G04: a dwell of {0} s is negative, so the block does not dwell"),
+      ig::diagnostic(IG_WARNING, "ISO-0216", "G04 has more than one dwell time: {0} is used, so remove the others"),
+      ig::diagnostic(IG_WARNING, "ISO-0511",
+                     "G04 has no dwell time, because F of this block is the feed rate: program X, U or P"),
       ig::diagnostic(IG_ERROR, "ISO-0543",
-                     "X of this block is a word of {0} and not a move: program the dwell in a block of its own"),
+                     "X of this block belongs to {0} and moves nothing: program the dwell in a block of its own"),
   };
 
   ig::Call g04_{{"G04"}, "X[s] U[s] P[]"};
@@ -23,7 +24,7 @@ struct Dwell {
   ig::Out<double> time_{"Dwell.Time"};
   ig::In<double> feed_{"Feedrate.FeedrateValue"};
   ig::Choice<TimeUnit> p_unit_{"p-unit", "s|ms|by-point", "s",
-                               "What P counts: seconds, milliseconds, or milliseconds only where it has no point."};
+                               "The unit of P: seconds, milliseconds, or milliseconds only without a decimal point."};
 
   ig::Status build(ig::Block& b) {
     const double p_per_second = p_unit_ == TimeUnit::milliseconds || is_bare(b) ? 1000 : 1;

@@ -10,7 +10,7 @@ using namespace ig::cnc;
 namespace {
 
 struct IncrementalResolve {
-  static constexpr auto spec = ig::syntax("IncrementalResolveSyntax", "G91 distances become positions.")
+  static constexpr auto spec = ig::syntax("IncrementalResolveSyntax", "Turns G91 distances into positions.")
                                    .after("UnitModeSyntax", "PositioningModeSyntax", "CannedCycleResolveSyntax")
                                    .before("ProgramXyzSyntax", "ReferenceReturnSyntax", "ReferenceCheckSyntax");
 
@@ -21,7 +21,7 @@ struct IncrementalResolve {
       "Parsing.X Parsing.Y Parsing.Z Parsing.A Parsing.B Parsing.C Parsing.G27.X Parsing.G27.Y Parsing.G27.Z "
       "Parsing.G27.A Parsing.G27.B Parsing.G27.C Parsing.G28.X Parsing.G28.Y Parsing.G28.Z Parsing.G28.A "
       "Parsing.G28.B Parsing.G28.C Parsing.G30.X Parsing.G30.Y Parsing.G30.Z Parsing.G30.A Parsing.G30.B Parsing.G30.C",
-      ig::read | ig::write, "Axis words that G91 makes distances. Their last letter is the axis."};
+      ig::read | ig::write, "Axis words that are distances under G91. The last letter is the axis."};
   std::array<ig::Previous<double>, 3> angles_{ig::Previous<double>{"MachineCoordinate.A"},
                                               ig::Previous<double>{"MachineCoordinate.B"},
                                               ig::Previous<double>{"MachineCoordinate.C"}};

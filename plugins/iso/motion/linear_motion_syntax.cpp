@@ -28,7 +28,7 @@ struct LinearMotion {
   ig::In<ig::Symbol> unit_{"Unit.System"};
   ig::Name g93_{"G93"}, inch_{"Inch"};
   ig::Choice<FeedCounts> feed_counts_{"feed-counts", "linear-axes|all-axes", "linear-axes",
-                                      "What F of a block that moves X Y Z and rotary axes is the speed of."};
+                                      "Which motion F sets the speed of, in a block that moves X Y Z and rotary axes."};
   MotionGroup group_;
   BlockMotion motion_;
   LastProgramXyz last_;

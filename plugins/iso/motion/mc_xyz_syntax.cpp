@@ -19,7 +19,7 @@ struct McXyz {
   ig::Xyz program_{"ProgramXyz", ig::read | ig::write | ig::wake};
   ig::Xyz machine_{"MachineCoordinate", ig::read | ig::write};
   ig::Fields frame_{"frame", "ProgramToMcTransform.*", ig::read | ig::wake,
-                    "Entries of the frame after whose change the program point is derived again.", IG_TRANSFORM};
+                    "Entries of the frame whose change makes the program point be computed again.", IG_TRANSFORM};
   ig::Xyz item_program_{"CompoundMotion.Items[].ProgramXyz", ig::read | ig::wake};
   ig::Xyz item_machine_{"CompoundMotion.Items[].MachineCoordinate", ig::write};
 

@@ -8,7 +8,7 @@ namespace {
 
 struct ProgramXyz {
   static constexpr auto spec =
-      ig::syntax("ProgramXyzSyntax", "X Y Z become the program point.")
+      ig::syntax("ProgramXyzSyntax", "Turns X Y Z into the program point.")
           .after("UnitModeSyntax", "DrillingCycleSyntax", "IncrementalResolveSyntax", "MachineCoordSelectSyntax")
           .before("McXyzSyntax");
 

@@ -9,10 +9,11 @@ namespace {
 
 struct ReferenceCheck {
   static constexpr auto spec =
-      ig::syntax("ReferenceCheckSyntax", "G27 goes to a point and checks that it is the reference position.")
+      ig::syntax("ReferenceCheckSyntax", "G27 moves to a point and checks that it is the reference position.")
           .after("IncrementalResolveSyntax", "McXyzSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0382", "G27: {0} stands at {1}, not at its reference position {2}"),
+      ig::diagnostic(IG_ERROR, "ISO-0382",
+                     "G27: {0} is at {1}, not at its reference position {2}: look for an active offset"),
   };
 
   ig::Call g27_{{"G27"}, "X Y Z A B C"};
@@ -23,7 +24,7 @@ struct ReferenceCheck {
   ReferencePositions reference_;
   RotaryReturn rotary_;
   ig::NumberOption tolerance_{
-      "tolerance", "0.001", {0, 1000}, "mm, deg", "How far from the reference position an axis may stand."};
+      "tolerance", "0.001", {0, 1000}, "mm, deg", "How far from the reference position an axis may be."};
 
   ig::Status build(ig::Block& b) {
     const auto words = b.take(g27_);

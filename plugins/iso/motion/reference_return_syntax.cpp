@@ -17,7 +17,8 @@ struct ReferenceReturn {
       ig::syntax("ReferenceReturnSyntax", "G28 and G30 return to a reference position.")
           .after("IncrementalResolveSyntax", "McXyzSyntax", "LinearMotionSyntax", "PivotTransformationSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0380", "G30 P{0}: there is no such reference position; nothing moves"),
+      ig::diagnostic(IG_ERROR, "ISO-0380",
+                     "G30 P{0}: there is no such reference position, so nothing moves: P must be 2, 3 or 4"),
   };
 
   ig::Call g28_{{"G28"}, "X Y Z A B C"};
@@ -29,7 +30,7 @@ struct ReferenceReturn {
   ReferencePositions reference_;
   RotaryReturn rotary_;
   ig::Choice<WithoutAxes> without_axes_{"without-axes", "nothing|all", "nothing",
-                                        "What G28 or G30 without an axis word returns."};
+                                        "Which axes a G28 or G30 without an axis word returns."};
 
   ig::Choice<ToolLength> tool_length_{"tool-length", "keep|cancel", "keep",
                                       "Whether G28 ends G43 and G44 when the axes have arrived."};

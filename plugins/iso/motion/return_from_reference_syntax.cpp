@@ -11,12 +11,13 @@ using namespace ig::cnc;
 namespace {
 
 struct ReturnFromReference {
-  static constexpr auto spec = ig::syntax("ReturnFromReferenceSyntax", "G29 returns over the intermediate point.")
+  static constexpr auto spec = ig::syntax("ReturnFromReferenceSyntax", "G29 returns through the intermediate point.")
                                    .after("UnitModeSyntax", "PositioningModeSyntax", "McXyzSyntax",
                                           "LinearMotionSyntax", "IncrementalResolveSyntax")
                                    .before("ReferenceReturnSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "ISO-0381", "G29 {0}: no G28 or G30 left an intermediate point; it goes straight"),
+      ig::diagnostic(IG_WARNING, "ISO-0381",
+                     "G29 {0}: no earlier G28 or G30 has set an intermediate point, so the axis goes straight"),
   };
 
   ig::Call passed_{{"G28", "G30"}, "X Y Z A B C", ig::read | ig::wake};

@@ -14,7 +14,7 @@ struct SkipFunction {
                                    .before("CircularMotionSyntax", "LinearMotionSyntax")
                                    .first_writer("Motion");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_NOTE, "ISO-0390", "G31: no skip signal comes here, the move goes to its end"),
+      ig::diagnostic(IG_NOTE, "ISO-0390", "G31: no skip signal is simulated, so the move goes to its end"),
   };
 
   ig::Call g31_{{"G31"}, "P[] Q[] R[]"};

@@ -12,7 +12,8 @@ struct ThreadCutting {
                                    .after("FeedrateSyntax", "SpindleSpeedSyntax", "McXyzSyntax", "LinearMotionSyntax")
                                    .first_writer("Motion");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0391", "G33 F{0}: a lead is greater than zero; the lead of before stays in force"),
+      ig::diagnostic(IG_ERROR, "ISO-0391",
+                     "G33 F{0}: the lead must be greater than zero, so the previous lead stays in force"),
   };
 
   ig::Call g33_{{"G33"}, "F[mm] Q[deg]"};

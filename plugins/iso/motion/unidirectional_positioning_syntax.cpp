@@ -15,8 +15,8 @@ struct UnidirectionalPositioning {
           .after("UnitModeSyntax", "CannedCycleResolveSyntax", "IncrementalResolveSyntax", "MachineCoordSelectSyntax")
           .before("ProgramXyzSyntax", "McXyzSyntax", "CircularMotionSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_NOTE, "ISO-0392", "G60: the overrun of the axes is not known; a plain rapid is made"),
-      ig::diagnostic(IG_WARNING, "ISO-0395", "G60 without an axis: nothing moves"),
+      ig::diagnostic(IG_NOTE, "ISO-0392", "G60: the overrun of the axes is not known, so a plain rapid is made"),
+      ig::diagnostic(IG_WARNING, "ISO-0395", "G60 without an axis word: nothing moves"),
   };
 
   ig::Codes g60_{"G60"};
@@ -51,8 +51,11 @@ struct UnidirectionalPositioning {
 
  private:
   static ig::NumberOption option(const char* name) {
-    return {
-        name, "0", {-1000, 1000}, "mm", "From the turning point to the target, signed; 0: as isogloss.motion/1 says."};
+    return {name,
+            "0",
+            {-1000, 1000},
+            "mm",
+            "Signed distance from the overrun point to the target; 0: the value of isogloss.motion/1."};
   }
   double overrun(std::size_t axis, std::string_view name) const {
     return options_[axis] != 0 ? double{options_[axis]} : config_.number(name).value_or(0);

@@ -21,21 +21,22 @@ enum class Quantity { other, length, angle, time };
 
 struct DecimalPointSyntax {
   static constexpr auto spec =
-      ig::syntax("DecimalPointSyntax", "Reads numbers without a decimal point as the control is set.")
+      ig::syntax("DecimalPointSyntax", "Reads numbers without a decimal point in the way the control is set.")
           .after("WordSyntax", "ParameterizedFlagSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "ISO-0115", "{0}{1} has no decimal point: read as {2} {3}"),
   };
 
   ig::Choice<Rule> rule{"rule", "as-written|increment|calculator|parameter", "as-written",
-                        "What a number without a point counts: units as written, least increments, units with a "
-                        "warning, or what the control's parameters say."};
+                        "What a number without a point means: units as written, least increments, units with a "
+                        "warning, or what the parameters of the control decide."};
   ig::Choice<Resolution> resolution{"resolution", "keep|increment", "keep",
-                                    "Digits finer than the increment: kept, or cut off as the control does."};
+                                    "Digits finer than the increment: kept, or truncated like on the control."};
   ig::NumberOption length_increment{"length-increment", "0.001", {1e-9, 1}, "mm", "Least input increment, metric."};
   ig::NumberOption inch_increment{"inch-increment", "0.0001", {1e-9, 1}, "in", "Least input increment, inch."};
   ig::NumberOption angle_increment{"angle-increment", "0.001", {1e-9, 1}, "deg", "Least input increment, rotary."};
-  ig::Config number_format{"isogloss.number-format/1", ig::Need::optional, "Asked when rule is parameter."};
+  ig::Config number_format{"isogloss.number-format/1", ig::Need::optional,
+                           "The parameters that decide with rule=\"parameter\"."};
 
   ig::Signal without_point{"Parsing.~WithoutPoint", ig::read | ig::wake};
   ig::Signal fine_digits{"Parsing.~FineDigits", ig::read | ig::wake};

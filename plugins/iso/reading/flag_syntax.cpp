@@ -49,22 +49,23 @@ struct FlagSyntax {
   static constexpr auto spec =
       ig::syntax("FlagSyntax", "Reads G and M codes.").after("HeadIndexSyntax").before("WordSyntax").scans("GMgm");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0102", "'{0}' has no number: nothing is executed for it"),
-      ig::diagnostic(IG_WARNING, "ISO-0547", "{0} stands in this block already: the second one changes nothing"),
+      ig::diagnostic(IG_ERROR, "ISO-0102", "'{0}' has no number and is not executed: write the number of the code"),
+      ig::diagnostic(IG_WARNING, "ISO-0547",
+                     "{0} is already in this block, so the second one changes nothing: remove it"),
   };
 
   ig::Fields codes{"codes", "Parsing.Flags.* Parsing.*", ig::write, "The codes that syntaxes of this chain know.",
                    IG_CODE};
-  ig::Choice<Expressions> expressions{"expressions", "leave|pass", "leave",
-                                      "A code whose number is an expression: left over as it is, or passed on to the "
-                                      "scanners behind this one."};
+  ig::Choice<Expressions> expressions{
+      "expressions", "leave|pass", "leave",
+      "A code whose number is an expression: left unread, or passed on to the following scanners."};
   ig::Choice<SplitNumbers> split_numbers{"split-numbers", "error|join", "error", split_numbers_meaning};
-  ig::TextOption passed_codes{"passed-codes", "", "Codes that are passed on to the scanners behind this one: G65 G66."};
+  ig::TextOption passed_codes{"passed-codes", "", "Codes that are passed on to the following scanners: G65 G66."};
   ig::Flow flow;
   ig::Signal parameters{"ProgrammableDataInput.~Parameters", ig::write, ig::Life::modal};
   ig::Signal unknown_code{"Source.~UnknownCode", ig::write};
   ig::Config code_calls{"isogloss.code-call/1", ig::Need::optional,
-                        "Codes that call a program here are passed on, too."};
+                        "Codes that call a program on this control are passed on, too."};
   std::array<std::vector<ig_field>, 2> table;
 
   FlagSyntax() {

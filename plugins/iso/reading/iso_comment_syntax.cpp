@@ -19,21 +19,21 @@ enum class Slashes { none, comment };
 
 struct IsoCommentSyntax {
   static constexpr auto spec =
-      ig::syntax("IsoCommentSyntax", "Takes comments: ( … ) and, by option, ; and // to the line's end.")
+      ig::syntax("IsoCommentSyntax", "Reads comments: ( … ) and, by option, ; and // to the end of the line.")
           .before("FlagSyntax", "WordSyntax")
           .scans("(;/");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "ISO-0111",
-                     "the comment that begins here is not closed: the rest of the block is skipped"),
+                     "the comment that starts here has no closing parenthesis: the rest of the block is skipped"),
       ig::diagnostic(IG_WARNING, "ISO-0399",
-                     "what stands behind ; is taken for a remark: the control ends the block there"),
+                     "the text after ; is read as a comment, but the control ends the block there: use parentheses"),
   };
 
   ig::Choice<Semicolon> semicolon{"semicolon", "comment|end-of-block", "comment",
                                   "What ; means: a comment to the end of the line, or the end of the block."};
   ig::Choice<Slashes> slashes{"slashes", "none|comment", "none",
-                              "What // means: two block skips, or a comment to the end of the line; then this syntax "
-                              "stands before BlockSkipSyntax."};
+                              "What // means: two block skips, or a comment to the end of the line; the latter needs "
+                              "this syntax before BlockSkipSyntax."};
   ig::Out<ig::Symbol> symbol{"Comment.Symbol"};
   ig::TextField text_{"Comment.Text", ig::read | ig::write};
   ig::Name parenthesis{"("};

@@ -17,7 +17,7 @@ struct LinuxCncOWord {
                                    .scans("Oo");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "ISO-0541",
-                     "'{0}' is an O-word of LinuxCNC, which no dialect here executes: the run stops at this block"),
+                     "'{0}' is an O-word of LinuxCNC, which no dialect here supports: the run stops at this block"),
   };
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {

@@ -15,14 +15,15 @@ using namespace ig::cnc;
 namespace {
 
 struct ProgramNumberSyntax {
-  static constexpr auto spec = ig::syntax("ProgramNumberSyntax", "Takes the program number O, : or <NAME>.")
+  static constexpr auto spec = ig::syntax("ProgramNumberSyntax", "Reads the program number O, : or <NAME>.")
                                    .after("TapeBoundarySyntax", "HeadIndexSyntax")
                                    .before("MacroStatementSyntax", "WordSyntax")
                                    .scans("Oo:<");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "ISO-0113", "another program, {0}, begins here: the run ends before it"),
+      ig::diagnostic(IG_WARNING, "ISO-0113",
+                     "another program, {0}, begins here, and the run ends before it: use --program to run it"),
       ig::diagnostic(IG_WARNING, "ISO-0490",
-                     "another program, {0}, begins before {1} returned: the run returns to its caller"),
+                     "program {0} begins before {1} returned, so the run returns to the caller: end {1} with M99"),
   };
 
   ig::TextField program{"Source.Program", ig::write};

@@ -5,6 +5,6 @@ namespace iso {
 /// What a scanner does with G5. 1 and X1. 5.
 enum class SplitNumbers { error, join };
 inline constexpr const char* split_numbers_meaning =
-    "Blanks inside a number beside its point (G5. 1, X1. 5): an error, or they do not count.";
+    "Blanks next to the decimal point of a number (G5. 1, X1. 5): an error, or ignored.";
 
 }  // namespace iso

@@ -16,9 +16,9 @@ namespace {
 
 struct TapeBoundarySyntax {
   static constexpr auto spec =
-      ig::syntax("TapeBoundarySyntax", "Takes % at the start and at the end of the program.").scans("%\x1A");
+      ig::syntax("TapeBoundarySyntax", "Reads % at the start and at the end of the program.").scans("%\x1A");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_NOTE, "ISO-0112", "text beside the tape mark is skipped: '{0}'"),
+      ig::diagnostic(IG_NOTE, "ISO-0112", "the text beside the tape mark % is ignored: '{0}'"),
   };
 
   ig::Flow flow_;

@@ -39,22 +39,25 @@ struct WordSyntax {
                                    .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-.,");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "ISO-0104", "'{0}' has no number: write its value, or remove the address"),
-      ig::diagnostic(IG_ERROR, "ISO-0105", "'{0}' holds two signs: the word is not used"),
+      ig::diagnostic(IG_ERROR, "ISO-0105", "'{0}' has two signs, so the word is not executed: remove one of them"),
       ig::diagnostic(IG_ERROR, "ISO-0106", "'{0}' is written with an exponent: write the number out"),
-      ig::diagnostic(IG_ERROR, "ISO-0107", "'{0}' holds a decimal comma: write a point"),
-      ig::diagnostic(IG_ERROR, "ISO-0109", "'{0}' is a number without an address: nothing is executed for it"),
-      ig::diagnostic(IG_ERROR, "ISO-0110", "'{0}' is no word of this dialect: nothing is executed for it"),
-      ig::diagnostic(IG_ERROR, "ISO-0116", "'{0}' cannot be read as a number: the word is not used"),
+      ig::diagnostic(IG_ERROR, "ISO-0107", "'{0}' has a decimal comma: write a decimal point"),
+      ig::diagnostic(IG_ERROR, "ISO-0109",
+                     "'{0}' is a number without an address and is not executed: look for a lost letter"),
+      ig::diagnostic(IG_ERROR, "ISO-0110",
+                     "'{0}' is not a word of this dialect and is not executed: check the dialect or the spelling"),
+      ig::diagnostic(IG_ERROR, "ISO-0116",
+                     "'{0}' cannot be read as a number, so the word is not executed: check its digits"),
   };
 
   ig::Fields addresses{"addresses", "Parsing.?", ig::write, "The addresses that words may have."};
-  ig::Choice<Expressions> expressions{"expressions", "leave|pass", "leave",
-                                      "A word whose value is an expression: left over as it is, or passed on to the "
-                                      "scanners behind this one."};
+  ig::Choice<Expressions> expressions{
+      "expressions", "leave|pass", "leave",
+      "A word whose value is an expression: left unread, or passed on to the following scanners."};
   ig::Choice<SplitNumbers> split_numbers{"split-numbers", "error|join", "error", split_numbers_meaning};
   enum class SecondT { counts, next };
   ig::Choice<SecondT> second_t{"second-t", "counts|next", "counts",
-                               "A second T in a block: it counts instead of the first, or it is the next tool."};
+                               "A second T in a block: replaces the first, or preselects the next tool."};
   ig::Field<double> next_tool{"Parsing.NextTool", ig::write};
   ig::Signal without_point{"Parsing.~WithoutPoint", ig::write};
   ig::Signal fine_digits{"Parsing.~FineDigits", ig::write};

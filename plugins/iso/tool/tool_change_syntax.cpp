@@ -21,7 +21,8 @@ struct NamedTool {
 struct ToolField {
   explicit ToolField(const std::string& name, ig::About about = {})
       : number("ToolChange." + name + "Id", about),
-        suffix("ToolChange." + name + "Suffix", {ig::Life::modal, "", "What tells tools of one number apart."}) {}
+        suffix("ToolChange." + name + "Suffix",
+               {ig::Life::modal, "", "The extension that distinguishes tools with the same number."}) {}
 
   ig::Out<std::int64_t> number, suffix;
 
@@ -42,19 +43,18 @@ struct ToolField {
 struct ToolChange {
   static constexpr auto spec = ig::syntax("ToolChangeSyntax", "T preselects a tool, M06 changes it.");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0213", "T{0} is no tool number"),
-      ig::diagnostic(IG_WARNING, "ISO-0214",
-                     "M06, but no T named a tool so far: which tool is in the spindle is unknown"),
+      ig::diagnostic(IG_ERROR, "ISO-0213", "T{0} is not a valid tool number and is not executed"),
+      ig::diagnostic(IG_WARNING, "ISO-0214", "M06 without any T before it: the tool in the spindle is not known"),
   };
 
   enum class Identification { none, hundredths };
-  ig::Choice<Identification> identification_{"identification", "none|hundredths", "none",
-                                             "What follows the point of T: nothing may; or two digits that tell tools "
-                                             "of one number apart."};
+  ig::Choice<Identification> identification_{
+      "identification", "none|hundredths", "none",
+      "What may follow the point of T: nothing, or two digits that distinguish tools with the same number."};
   enum class ChangesBy { m06, t };
-  ig::Choice<ChangesBy> changes_by_{"changes-by", "m06|t", "m06",
-                                    "What puts a tool into the spindle: M06, or its T at once (turrets, and machines "
-                                    "without a magazine)."};
+  ig::Choice<ChangesBy> changes_by_{
+      "changes-by", "m06|t", "m06",
+      "What puts a tool into the spindle: M06, or T directly (turrets, and machines without a magazine)."};
   ig::Word t_{"Parsing.T"};
   ig::Word next_word_{"Parsing.NextTool"};
   ig::Codes change_{"M06"};

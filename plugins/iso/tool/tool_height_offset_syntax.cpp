@@ -21,7 +21,8 @@ struct ToolHeightOffset {
           .after("ParameterizedFlagSyntax")
           .before("IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax", "ProgramXyzSyntax", "McXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_NOTE, "ISO-0512", "H{0} without G43 or G44: the number is kept, no tool length is in force"),
+      ig::diagnostic(IG_NOTE, "ISO-0512",
+                     "H{0} without G43 or G44: the number is kept, but no tool length is in force"),
   };
 
   ig::Call codes_{{"G43", "G44", "G49"}, "H[]"};
@@ -40,19 +41,19 @@ struct ToolHeightOffset {
   /// Lengths that a block without Z put in force: the next Z word under G91 travels them.
   ig::Field<double> untravelled_{"ToolHeightCompensation.Untravelled_mm",
                                  ig::read | ig::write | ig::wake_while,
-                                 {ig::Life::modal, "mm", "Change of the length that the next Z under G91 travels."}};
+                                 {ig::Life::modal, "mm", "Change of the length that the next Z under G91 moves by."}};
   ig::Word z_{"Parsing.Z", ig::read | ig::write};
   CycleCalls other_z_{"Z", ig::read, {"G28", "G30"}};
   ig::Codes machine_select_{{"G53"}, ig::read};
   DistanceMode distance_;
   ig::Name g43_{"G43"}, g44_{"G44"}, g49_{"G49"};
 
-  ig::Choice<RotatedAxis> rotated_axis_{"rotated-axis", "follow|keep", "follow",
-                                        "Which way the length lies in a rotated or tilted system, up to G53.1: along "
-                                        "its Z, or along Z as without it."};
+  ig::Choice<RotatedAxis> rotated_axis_{
+      "rotated-axis", "follow|keep", "follow",
+      "Direction of the length in a rotated or tilted system before G53.1: along its Z, or along Z of the workpiece."};
   ig::Choice<UnderG91> under_g91_{"under-g91", "position|travel", "position",
-                                  "Under G91: a new length is another position of the resting tool, or is travelled "
-                                  "with the next increment of Z."};
+                                  "A new length under G91: a new position of the resting tool, or a move that is added "
+                                  "to the next increment of Z."};
 
   ig::Status restart(ig::Block& b) {
     if (is_active(b)) {

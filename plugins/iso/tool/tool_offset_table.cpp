@@ -14,9 +14,10 @@ struct ToolOffsetTable {
                                    .rows("Tool", "id")
                                    .provides("isogloss.tool-offset/1");
 
-  ig::IntegerOption size{"size", "400", {1, 99'999}, "Offset numbers that the control has, from 1."};
-  ig::Choice<Unlisted> unlisted{"unlisted", "zero|missing", "zero",
-                                "What a number without a row is: an offset of zero, or none, which is an error."};
+  ig::IntegerOption size{"size", "400", {1, 99'999}, "The highest offset number of the control; the lowest is 1."};
+  ig::Choice<Unlisted> unlisted{
+      "unlisted", "zero|missing", "zero",
+      "What a number without a row means: an offset of zero, or no offset, which is an error."};
   ig::Column length{"H", "0", "mm", {}, "Length, geometry."};
   ig::Column length_wear{"HWear", "0", "mm", {}, "Length, wear; added to H."};
   ig::Column radius{"D", "0", "mm", {}, "Radius, geometry."};

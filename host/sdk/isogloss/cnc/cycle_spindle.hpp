@@ -51,7 +51,7 @@ class RestartedSpindle : public CycleSpindle {
  private:
   enum class Restart { clockwise, as_before };
   Choice<Restart> restart_{"restart", "clockwise|as-before", "clockwise",
-                           "How the cycle starts the spindle again: clockwise, or as it turned before."};
+                           "How the cycle restarts the spindle: clockwise, or in its previous direction."};
 };
 
 /// Fewer holes where the steps of all would be too many; says so. Counts one step for an M code of the block.

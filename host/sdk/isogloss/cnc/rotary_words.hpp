@@ -37,7 +37,7 @@ class RotaryWords {
   RotaryAxes axes_;
   Choice<Undeclared> undeclared_{
       "undeclared-axes", "accept|refuse", "accept",
-      "A, B and C of a machine that declares no rotary axis: turn by the shortest way, or are refused."};
+      "A, B and C of a machine that declares no rotary axis: accepted, by the shortest way, or refused."};
   Signal assumed_{"RotaryAxes.~Assumed", read | write, Life::modal};
 };
 

@@ -64,7 +64,7 @@ class ToolKinematics {
   }
 
   Service<ig_machine_kinematics_1> service_{"isogloss.machine-kinematics/1", Need::optional,
-                                            "Where the rotary axes sit."};
+                                            "The kinematics of the rotary axes."};
   std::array<std::size_t, 2> axes_{};
   std::uint32_t mask_ = 0;
   std::array<bool, 2> is_table_{};
