@@ -15,7 +15,7 @@ struct KlartextBoreMilling {
   static constexpr auto spec = hole_cycle("KlartextBoreMillingSyntax", "Cycle 208 bore milling where it is called.");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "HEI-0184",
-                     "cycle {0}: the table of tools gives tool {1} no radius: its centre runs along the wall"),
+                     "cycle {0}: tool {1} has no radius in the tool table, so its centre runs along the wall"),
       ig::diagnostic(IG_ERROR, "HEI-0185", "cycle {0} is not executed: {1}"),
   };
 

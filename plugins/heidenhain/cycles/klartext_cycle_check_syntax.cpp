@@ -10,9 +10,11 @@ struct KlartextCycleCheck {
                                    .after("KlartextCycleSyntax", "KlartextPathSyntax")
                                    .before("MachineCoordSelectSyntax", "ProgramXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "HEI-0160", "cycle {0} is not executed: what it machines is missing"),
-      ig::diagnostic(IG_ERROR, "HEI-0162", "{0} without a cycle: no CYCL DEF came before"),
-      ig::diagnostic(IG_ERROR, "HEI-0167", "{0} in the block of an arc: the cycle is not executed"),
+      ig::diagnostic(IG_ERROR, "HEI-0160", "cycle {0} is not executed: what it machines is missing from the path"),
+      ig::diagnostic(IG_ERROR, "HEI-0162",
+                     "{0} has no cycle to call, so nothing is machined: program CYCL DEF before it"),
+      ig::diagnostic(IG_ERROR, "HEI-0167",
+                     "{0} stands in the block of an arc, so the cycle is not executed: use a straight move"),
   };
 
   ig::In<bool> call_{"KlartextCycle.IsCalled", ig::wake, {ig::Life::block, "", ""}};

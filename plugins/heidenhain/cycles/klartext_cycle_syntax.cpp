@@ -15,7 +15,8 @@ struct KlartextCycle {
                                    .before("KlartextDrillingCycleSyntax")
                                    .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "HEI-0168", "{0} is no cycle definition that is understood"),
+      ig::diagnostic(IG_ERROR, "HEI-0168",
+                     "{0} defines no cycle that has a number: write CYCL DEF with the number of the cycle"),
   };
 
   CycleText text_;

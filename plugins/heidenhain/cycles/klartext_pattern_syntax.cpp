@@ -17,7 +17,7 @@ struct KlartextPattern {
                                    .before("KlartextUnknownSyntax")
                                    .scans("PSps");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "HEI-0187", "{0}: the number of points is less than 1, or there are more than {1}"),
+      ig::diagnostic(IG_ERROR, "HEI-0187", "{0} has no point or more than {1} points: its points are missing"),
   };
 
   Values values_;

@@ -10,7 +10,7 @@ struct KlartextPocketCycle {
       hole_cycle("KlartextPocketCycleSyntax", "Cycles 251 to 254 pockets and slots: where they begin and end.");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "HEI-0186",
-                     "cycle {0} goes to where it begins and to where it ends: what it machines is missing"),
+                     "cycle {0} moves only to its beginning and its end: what it machines is missing from the path"),
   };
 
   HoleCycle cycle_{{251, "CYCL251"}, {252, "CYCL252"}, {253, "CYCL253"}, {254, "CYCL254"}};

@@ -11,7 +11,7 @@ struct KlartextSingleLipCycle {
   static constexpr auto spec =
       hole_cycle("KlartextSingleLipCycleSyntax", "Cycle 241 single-lip deep drilling where it is called.");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "HEI-0188", "cycle {0} sets no speed and no coolant of its own here: {1}"),
+      ig::diagnostic(IG_WARNING, "HEI-0188", "cycle {0} does not change the spindle speed or the coolant here: {1}"),
   };
 
   HoleCycle cycle_{{241, "CYCL241"}};

@@ -15,7 +15,7 @@ struct KlartextPlaneFrame {
                   "KlartextPoleSyntax", "ProgramXyzSyntax", "McXyzSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "HEI-0191",
-                     "{0} while the datum is shifted or turned in the plane of before: both go on counting"),
+                     "{0} comes while a datum shift or rotation of the previous plane is active: both stay active"),
   };
 
   DatumWords words_;

@@ -20,9 +20,11 @@ struct KlartextPlane {
                                            "ToolCenterPointSyntax", "KlartextMotionSyntax", "McAbcSyntax")
                                    .scans("CPcp");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "HEI-0170", "{0}: {1} is missing or no number; the plane stays"),
+      ig::diagnostic(IG_ERROR, "HEI-0170",
+                     "{0}: {1} is missing or is not a number, so the previous plane stays in force"),
       ig::diagnostic(IG_ERROR, "HEI-0172", "{0}: the machine's rotary axes are not known, so that {1}"),
-      ig::diagnostic(IG_ERROR, "HEI-0176", "no position of the rotary axes inside their travel gives this plane{0}"),
+      ig::diagnostic(IG_ERROR, "HEI-0176",
+                     "no position of the rotary axes within their travel gives this plane{0}: the axes do not move"),
   };
 
   Values values_;

@@ -19,8 +19,8 @@ struct KlartextRotaryStep {
                   "KlartextMotionSyntax", "McAbcSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "HEI-0200",
-                     "{0} shifts rotary axes, but planes and tip control reckon with machine angles here: check the "
-                     "machine parameters"),
+                     "{0} shifts rotary axes, but planes and tool centre point control use machine angles here: check "
+                     "the machine parameters"),
   };
 
   std::array<ig_field, 3> steps_{step("Parsing.IA"), step("Parsing.IB"), step("Parsing.IC")};

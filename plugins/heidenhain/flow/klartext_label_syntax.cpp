@@ -12,7 +12,7 @@ struct KlartextLabel {
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
                                    .scans("CLcl");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "HEI-0121", "the program {0} is not found: {1}"),
+      ig::diagnostic(IG_ERROR, "HEI-0121", "the program {0} is not found, so it is not called: {1}"),
   };
 
   Values values_;

@@ -20,7 +20,7 @@ struct HeidenhainCoordinateOffset {
           .before("KlartextMotionSyntax", "KlartextDrillingCycleSyntax", "ProgramXyzSyntax", "McXyzSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "HEI-0174",
-                     "preset {0} is not in the table: it is taken to lie at the machine's zero"),
+                     "preset {0} is not in the table, so it is assumed at machine zero: add it to the table"),
   };
 
   ig::Word number_{"Parsing.DATUM_PRESET", ig::wake, ""};

@@ -16,8 +16,10 @@ struct KlartextFrameCycle {
                                    .before("HeidenhainCoordinateOffsetSyntax", "KlartextDrillingCycleSyntax")
                                    .scans("CFTcft");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "HEI-0173", "the datum table is not known: datum {0} is not set, the shift stays"),
-      ig::diagnostic(IG_WARNING, "HEI-0180", "cycle 220 with Q365=1: the tool goes straight from hole to hole"),
+      ig::diagnostic(IG_ERROR, "HEI-0173",
+                     "datum {0} is not set, because the datum table is not known: the previous shift stays in force"),
+      ig::diagnostic(IG_WARNING, "HEI-0180",
+                     "cycle 220 with Q365=1 goes from hole to hole in straight lines, not along the pitch circle"),
   };
 
   CycleText text_{CycleText::Feeds::none};

@@ -14,9 +14,9 @@ struct KlartextParameter {
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
                                    .scans("FQfq");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "HEI-0116", "'{0}': string parameters are not executed"),
-      ig::diagnostic(IG_ERROR, "HEI-0117", "FN {0} is not executed"),
-      ig::diagnostic(IG_ERROR, "HEI-0118", "the control stops here with error {0}"),
+      ig::diagnostic(IG_ERROR, "HEI-0116", "'{0}' is not executed: string parameters are not supported"),
+      ig::diagnostic(IG_ERROR, "HEI-0117", "FN {0} is not executed: a parameter that it would write keeps its value"),
+      ig::diagnostic(IG_ERROR, "HEI-0118", "the program stops the control here with error {0} (FN 14)"),
   };
 
   CycleText cycle_;

@@ -14,7 +14,8 @@ struct KlartextProgram {
                                    .before("UnitModeSyntax", "ProgramStopSyntax", "ProgramEndSyntax")
                                    .scans("BESbes");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "HEI-0190", "the program ends here without END PGM, M2 or M30"),
+      ig::diagnostic(IG_WARNING, "HEI-0190",
+                     "the program ends here without END PGM, M2 or M30: the file may have been cut off"),
   };
 
   Values values_;

@@ -14,8 +14,10 @@ struct KlartextUnknown {
                  "KlartextCycleSyntax", "KlartextPlaneSyntax", "KlartextPathSyntax")
           .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz%+-.,:=\"'()[]{}<>#$&@!?_\\|^*/0123456789");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "HEI-0101", "'{0}' is not understood: the block is not executed"),
-      ig::diagnostic(IG_ERROR, "HEI-0102", "a DIN/ISO program of a TNC is not read here: nothing of it is executed"),
+      ig::diagnostic(IG_ERROR, "HEI-0101",
+                     "'{0}' is not understood, so the block is not executed: positions after it may be wrong"),
+      ig::diagnostic(IG_ERROR, "HEI-0102",
+                     "this is a DIN/ISO program of a TNC, and nothing of it is executed: this dialect reads Klartext"),
   };
 
   Values values_;

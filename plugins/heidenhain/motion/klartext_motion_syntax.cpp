@@ -25,11 +25,12 @@ struct KlartextMotion {
           .before("ProgrammableMirrorSyntax", "KlartextDrillingCycleSyntax", "MachineCoordSelectSyntax",
                   "ProgramXyzSyntax", "McAbcSyntax", "CircularMotionSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "HEI-0132", "{0} without a pole: no CC came before"),
-      ig::diagnostic(IG_ERROR, "HEI-0134", "{0}: no direction to go on in, no path came before"),
-      ig::diagnostic(IG_ERROR, "HEI-0137", "IPA and DR have different signs: {0} turns as DR says"),
+      ig::diagnostic(IG_ERROR, "HEI-0132", "{0} needs a pole, so the block does not move: program CC before it"),
+      ig::diagnostic(IG_ERROR, "HEI-0134", "{0} has no tangent: no path comes before it, or it goes straight back"),
+      ig::diagnostic(IG_ERROR, "HEI-0137",
+                     "the signs of IPA and DR differ, so {0} turns in the direction of DR: correct one of them"),
       ig::diagnostic(IG_ERROR, "HEI-0182",
-                     "{0} would begin, turn or end more than 1000 km away: the block does not move"),
+                     "{0} would begin, turn or end more than 1000 km away, so the block does not move"),
   };
 
   ig::In<ig::Symbol> function_{"KlartextPath.Function", ig::wake};

@@ -23,10 +23,12 @@ struct KlartextPath {
           .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
           .scans("ABCDILMRUVWXYZabcdilmruvwxyz");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "HEI-0131", "{0} is not executed: the block goes to its point itself"),
-      ig::diagnostic(IG_ERROR, "HEI-0133", "{0} without DR+ or DR-: the sense of rotation is missing"),
-      ig::diagnostic(IG_ERROR, "HEI-0135", "FMAX of {0} has no effect: the arc has the feed in force"),
-      ig::diagnostic(IG_WARNING, "HEI-0181", "{0} of {1} is not executed: the corner has the feed of the move before"),
+      ig::diagnostic(IG_ERROR, "HEI-0131", "{0} is not executed: the block moves to its point without the tool radius"),
+      ig::diagnostic(IG_ERROR, "HEI-0133",
+                     "{0} has no sense of rotation, so the block moves in a straight line: add DR+ or DR-"),
+      ig::diagnostic(IG_ERROR, "HEI-0135", "FMAX of {0} is ignored: an arc moves with the feed rate in force"),
+      ig::diagnostic(IG_WARNING, "HEI-0181",
+                     "{0} of {1} is not executed: the corner has the feed rate of the move before it"),
   };
 
   Values values_;

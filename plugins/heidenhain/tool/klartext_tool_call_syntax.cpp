@@ -16,10 +16,12 @@ struct KlartextToolCall {
                                    .scans("Tt");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "HEI-0150",
-                     "the tool {0} has a name: its number and length are not known, the one before stays"),
-      ig::diagnostic(IG_ERROR, "HEI-0151", "tool axis {0}: only X, Y and Z are known; the plane stays"),
-      ig::diagnostic(IG_WARNING, "HEI-0152", "tool {0} has a step index: the tool itself is taken"),
-      ig::diagnostic(IG_ERROR, "HEI-0153", "tool axis {0}: the length of the tool is taken along Z"),
+                     "the tool {0} has a name, which is not supported: the previous number and length stay in force"),
+      ig::diagnostic(IG_ERROR, "HEI-0151",
+                     "tool axis {0} is not supported, so the plane stays the same: program X, Y or Z"),
+      ig::diagnostic(IG_WARNING, "HEI-0152",
+                     "tool {0} has a step index, which is not supported: the tool itself is used"),
+      ig::diagnostic(IG_ERROR, "HEI-0153", "tool axis {0}: the tool length is compensated along Z, not along {0}"),
   };
 
   Values values_;

@@ -16,7 +16,7 @@ struct SiemensBoringCycle {
           .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_NOTE, "SIE-0196",
-                     "{0}: M0 stops the program at the bottom; the events show it behind the way out"),
+                     "{0}: M0 stops the program at the bottom of the hole, but is listed after the retract"),
   };
 
   DrillingCall cycle_{"CYCLE86", "CYCLE87", "CYCLE88"};

@@ -10,8 +10,10 @@ struct SiemensDeepHoleCycle {
                                    .after("SiemensCycleSyntax", "SiemensDrillingCycleSyntax", "FeedrateSyntax")
                                    .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0193", "{0}: the first depth {1} does not lie within the depth {2} (alarm 61107)"),
-      ig::diagnostic(IG_ERROR, "SIE-0194", "{0}: the factor of the first feed is {1}, not 0.001 to 1"),
+      ig::diagnostic(IG_ERROR, "SIE-0193",
+                     "{0} is not executed: the first depth {1} mm does not lie within the depth {2} mm (alarm 61107)"),
+      ig::diagnostic(IG_ERROR, "SIE-0194",
+                     "{0} is not executed: the factor of the first feed is {1}, but must be 0.001 to 1"),
   };
 
   DrillingCall cycle_{"CYCLE83"};

@@ -14,7 +14,8 @@ struct SiemensPatternCall {
           .after("SiemensCycleSyntax")
           .before("SiemensModalCallSyntax", "ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0289", "{0} holes of the pattern before this block are not made"),
+      ig::diagnostic(IG_ERROR, "SIE-0289",
+                     "{0} holes of the pattern before this block are missing: end the subprogram with M17 or RET"),
   };
 
   HolePattern pattern_{ig::take | ig::wake};

@@ -16,8 +16,9 @@ struct SiemensTappingCycle {
                  "SiemensSpindlePositionSyntax")
           .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0198", "{0}: MPIT={1} and PIT={2} give no pitch (alarm 61001): not executed"),
-      ig::diagnostic(IG_ERROR, "SIE-0199", "{0}: the speed of the spindle is not known: not executed"),
+      ig::diagnostic(IG_ERROR, "SIE-0198", "{0} is not executed: MPIT={1} and PIT={2} give no pitch (alarm 61001)"),
+      ig::diagnostic(IG_ERROR, "SIE-0199",
+                     "{0} is not executed, because the spindle speed is not known: program S before it"),
   };
 
   DrillingCall cycle_{"CYCLE84", "CYCLE840"};

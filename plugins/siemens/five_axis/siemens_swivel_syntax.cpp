@@ -20,11 +20,14 @@ struct SiemensSwivel {
                                    .after("SiemensUnitSyntax", "SiemensFrameSyntax", "SiemensRotaryWordsSyntax")
                                    .before("IsoG68p2TiltSyntax", "G53p1RotaryPositionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0251", "CYCLE800: mode {0} names no order of axes: the plane before has ended"),
+      ig::diagnostic(
+          IG_ERROR, "SIE-0251",
+          "CYCLE800: mode {0} gives no order of axes, so the previous plane is cancelled: use 57, for example"),
       ig::diagnostic(IG_ERROR, "SIE-0252", "CYCLE800: mode {0} ({1}) is not executed: positions are not swivelled"),
-      ig::diagnostic(IG_WARNING, "SIE-0253", "CYCLE800: the way back before swivelling is missing"),
+      ig::diagnostic(IG_WARNING, "SIE-0253",
+                     "CYCLE800: the retract before swivelling (_FR) is not executed: check that the tool is clear"),
       ig::diagnostic(IG_WARNING, "SIE-0254",
-                     "CYCLE800: status {0}: tracking the tip and aligning the tool are not executed"),
+                     "CYCLE800: status {0} asks to track the tool tip or to align the tool, which is not executed"),
   };
 
   CycleFields call_{swivel_signature, ig::take | ig::wake};

@@ -32,16 +32,21 @@ struct SiemensCall {
                                    .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "SIE-0168",
-                     "the synchronized action '{0}' is not executed: the machine does it beside the program"),
-      ig::diagnostic(IG_ERROR, "SIE-0169", "'{0}' should not stand in a call: nothing is called"),
-      ig::diagnostic(IG_ERROR, "SIE-0170", "the program stops the control: alarm {0}"),
-      ig::diagnostic(IG_ERROR, "SIE-0171", "'{0}' is not executed"),
-      ig::diagnostic(IG_ERROR, "SIE-0172", "{0} P={1}: a call is made from 0 to 9999 times"),
-      ig::diagnostic(IG_ERROR, "SIE-0173", "{0} is no statement that is known here: '{1}' behind it is not read"),
+                     "the synchronized action '{0}' is not executed: the machine runs it in parallel with the program"),
+      ig::diagnostic(IG_ERROR, "SIE-0169",
+                     "'{0}' does not belong in a call, so nothing is called: write the call as NAME(1,,R5)"),
+      ig::diagnostic(IG_ERROR, "SIE-0170", "the program stops the control with its own alarm {0}"),
+      ig::diagnostic(IG_ERROR, "SIE-0171", "'{0}' is not executed: this form of CALL is not supported"),
+      ig::diagnostic(IG_ERROR, "SIE-0172",
+                     "{0} is not called with P={1}: the number of calls is whole, from 0 to 9999"),
+      ig::diagnostic(IG_ERROR, "SIE-0173",
+                     "{0} is not a known statement, so '{1}' after it is not executed: check the spelling"),
       ig::diagnostic(IG_ERROR, "SIE-0174", "{0} is not executed: {1}"),
-      ig::diagnostic(IG_ERROR, "SIE-0181", "{0} is not executed: its moves are missing"),
-      ig::diagnostic(IG_ERROR, "SIE-0182", "{0}: a parameter has no value; the cycle is not executed"),
-      ig::diagnostic(IG_WARNING, "SIE-0184", "{0} with {1} parameters: those behind number {2} are not used"),
+      ig::diagnostic(IG_ERROR, "SIE-0181", "{0} is not executed: its moves are missing from the path"),
+      ig::diagnostic(IG_ERROR, "SIE-0182",
+                     "{0} is not executed, because a parameter has no value: see the diagnostic before this one"),
+      ig::diagnostic(IG_WARNING, "SIE-0184",
+                     "{0} has {1} parameters, but only the first {2} are used: check the commas of the call"),
   };
 
   // Messages and pictures; what the path is measured on; other channels; couplings of spindles, and the end of

@@ -20,12 +20,15 @@ struct SiemensFlow {
           .before("SiemensWordSyntax", "ProgramEndSyntax")
           .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_:");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0142", "{0} of this statement is missing"),
-      ig::diagnostic(IG_ERROR, "SIE-0143", "loops are nested deeper than {0}: the run ends"),
-      ig::diagnostic(IG_ERROR, "SIE-0145", "{0} without {1}"),
-      ig::diagnostic(IG_WARNING, "SIE-0146", "it is not certain that this end belongs to the {0} of line {1}"),
-      ig::diagnostic(IG_ERROR, "SIE-0147", "the label {0} of the section is not found: {1}"),
-      ig::diagnostic(IG_ERROR, "SIE-0306", "{0} is not executed: RET takes one label or block number, as a text"),
+      ig::diagnostic(IG_ERROR, "SIE-0142", "{0} of this statement is missing: write it after the block"),
+      ig::diagnostic(IG_ERROR, "SIE-0143",
+                     "loops are nested deeper than {0} levels, so the run ends: close each loop before the next"),
+      ig::diagnostic(IG_ERROR, "SIE-0145",
+                     "{0} has no {1} before it: it is not executed; check the pairs of statements"),
+      ig::diagnostic(IG_WARNING, "SIE-0146",
+                     "this end may not belong to the {0} of line {1}: leave a loop only through its end"),
+      ig::diagnostic(IG_ERROR, "SIE-0147", "the section is not repeated, because its label {0} is not found: {1}"),
+      ig::diagnostic(IG_ERROR, "SIE-0306", "{0} is not executed: RET takes one label or block number, given as a text"),
   };
 
   Environment environment_;

@@ -16,7 +16,8 @@ struct SiemensCoordinateOffset {
           .after("SiemensToolOffsetSyntax")
           .before("SiemensCycleSyntax", "ProgramXyzSyntax", "McXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0211", "the table has no offset {0}: the one before stays in force"),
+      ig::diagnostic(IG_ERROR, "SIE-0211",
+                     "the table has no work offset {0}, so the previous one stays in force: add it to the table"),
   };
 
   SettableFrames frames_{ig::take | ig::wake};

@@ -18,12 +18,16 @@ struct SiemensFrame {
           .before("SiemensSwivelSyntax", "SiemensToolOffsetSyntax", "SiemensPositionSyntax", "ProgramXyzSyntax",
                   "McXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0241", "{0}: the scale {1} is not greater than 0: nothing changes"),
-      ig::diagnostic(IG_ERROR, "SIE-0242", "{0}: the frame becomes too large or too small: nothing changes"),
-      ig::diagnostic(IG_ERROR, "SIE-0243", "{0} is the second frame instruction of this block"),
-      ig::diagnostic(IG_WARNING, "SIE-0244", "RPL= beside axes: RPL= is not used"),
+      ig::diagnostic(
+          IG_ERROR, "SIE-0241",
+          "{0}: the scale {1} is not greater than 0, so the frame does not change; use MIRROR to reverse an axis"),
+      ig::diagnostic(IG_ERROR, "SIE-0242",
+                     "{0} would make the frame too large or too small, so it does not change: check scales and shifts"),
+      ig::diagnostic(IG_ERROR, "SIE-0243",
+                     "{0} is the second frame instruction of this block: give it a block of its own"),
+      ig::diagnostic(IG_WARNING, "SIE-0244", "RPL= is ignored beside axes: program the axes or RPL=, not both"),
       ig::diagnostic(IG_ERROR, "SIE-0245",
-                     "G41 or G42 under scales that differ between the axes: the tool is not beside the contour"),
+                     "G41 or G42 under unequal scales: the tool is not beside the contour; scale all axes alike"),
   };
 
   ig::Call trans_{{"TRANS", "ATRANS"}, "X Y Z A[deg] B[deg] C[deg]"};

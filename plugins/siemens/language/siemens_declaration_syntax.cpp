@@ -16,12 +16,16 @@ struct SiemensDeclaration {
                                    .before("SiemensWordSyntax")
                                    .scans("DPERdper");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0161", "'{0}' is not executed"),
-      ig::diagnostic(IG_ERROR, "SIE-0162", "'{0}' should not stand in a declaration"),
-      ig::diagnostic(IG_WARNING, "SIE-0163", "SAVE: the codes of the caller do not come back"),
-      ig::diagnostic(IG_WARNING, "SIE-0164", "{0} has no value: no call passes one"),
-      ig::diagnostic(IG_ERROR, "SIE-0301", "{0}{1} is no size of an array: it is not defined"),
-      ig::diagnostic(IG_ERROR, "SIE-0302", "{0} is defined already: this definition does not count"),
+      ig::diagnostic(IG_ERROR, "SIE-0161", "'{0}' is not executed: this declaration is not supported"),
+      ig::diagnostic(IG_ERROR, "SIE-0162", "'{0}' does not belong in a declaration: write DEF REAL A=1, B, C[3]"),
+      ig::diagnostic(IG_WARNING, "SIE-0163",
+                     "SAVE is not executed: the modal codes and the frame of the caller are not restored"),
+      ig::diagnostic(IG_WARNING, "SIE-0164",
+                     "{0} gets no value from a call, so 0 is assumed: give it in a table of variables"),
+      ig::diagnostic(IG_ERROR, "SIE-0301",
+                     "{0}{1} is not a size of an array, so the array is not defined: use whole numbers from 1"),
+      ig::diagnostic(IG_ERROR, "SIE-0302",
+                     "{0} is defined already, so this second definition is ignored: use another name"),
   };
 
   Environment environment_;

@@ -9,7 +9,8 @@ struct SiemensFileEnd {
   static constexpr auto spec =
       ig::syntax("SiemensFileEndSyntax", "Says that a program ends without M30, M2, M17 or RET.");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_NOTE, "SIE-0293", "the program ends here without M30, M2, M17 or RET"),
+      ig::diagnostic(IG_NOTE, "SIE-0293",
+                     "the program ends here without M30, M2, M17 or RET: end its last block with one of them"),
   };
 
   ig::Signal text_ended_{"Source.~End", ig::read | ig::wake};

@@ -24,19 +24,27 @@ struct SiemensWord {
                                    .before("ParameterizedFlagSyntax")
                                    .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$0123456789+-.,=");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0115", "'{0}' stands without an address: nothing is executed for it"),
+      ig::diagnostic(IG_ERROR, "SIE-0115",
+                     "'{0}' has no address before it, so nothing is executed for it: write its address"),
       ig::diagnostic(IG_ERROR, "SIE-0121", "'{0}' has no number: write its value, or remove the address"),
-      ig::diagnostic(IG_WARNING, "SIE-0122", "{0} stands more than once in this block: the last one counts"),
-      ig::diagnostic(IG_ERROR, "SIE-0123", "'{0}' is no number: the word is not used"),
-      ig::diagnostic(IG_ERROR, "SIE-0125", "'{0}' is no code"),
-      ig::diagnostic(IG_ERROR, "SIE-0127", "'{0}' is followed by no value: nothing is assigned"),
-      ig::diagnostic(IG_ERROR, "SIE-0128", "{1} is not possible with {0}: the word counts as without it"),
-      ig::diagnostic(IG_ERROR, "SIE-0131", "{0} with an index is not executed"),
-      ig::diagnostic(IG_WARNING, "SIE-0132", "T={0}: a name of a tool stands in quotation marks"),
-      ig::diagnostic(IG_WARNING, "SIE-0292", "{0}: the axis goes with the path of its block, not by a feed of its own"),
-      ig::diagnostic(IG_ERROR, "SIE-0305", "EXECSTRING is not executed with {0}"),
+      ig::diagnostic(IG_WARNING, "SIE-0122",
+                     "{0} stands more than once in this block, and the last one is used: remove the others"),
+      ig::diagnostic(IG_ERROR, "SIE-0123",
+                     "'{0}' is not a number, so the word is not executed: use one decimal point and no comma"),
+      ig::diagnostic(IG_ERROR, "SIE-0125",
+                     "'{0}' is not a valid code and is not executed: G and M codes are whole numbers"),
+      ig::diagnostic(IG_ERROR, "SIE-0127",
+                     "'{0}' has no value, so nothing is assigned: write an equals sign and the value"),
+      ig::diagnostic(IG_ERROR, "SIE-0128",
+                     "{1} is not possible with {0}: the word is executed as if {1} were not there"),
+      ig::diagnostic(IG_ERROR, "SIE-0131", "{0} with an index is not executed: write the address without an index"),
+      ig::diagnostic(IG_WARNING, "SIE-0132", "T={0} is used as a tool name: write it in quotation marks"),
+      ig::diagnostic(IG_WARNING, "SIE-0292",
+                     "{0} is not executed: the axis moves with the path of its block, not with its own feed"),
+      ig::diagnostic(IG_ERROR, "SIE-0305",
+                     "EXECSTRING is not executed with {0}: its text holds words and assignments of one block"),
       ig::diagnostic(IG_ERROR, "SIE-0320",
-                     "the program ends, but CTABDEF in line {0} has no CTABEND: nothing moved since"),
+                     "CTABDEF in line {0} has no CTABEND, so nothing has moved since: write CTABEND after the curve"),
   };
 
   WordFields fields_;

@@ -9,9 +9,12 @@ struct SiemensBlockFeed {
       ig::syntax("SiemensBlockFeedSyntax", "FB= the feed of one block.")
           .after("FeedrateSyntax", "SpindleSpeedSyntax", "CircularMotionSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0281", "FB={0} is no feed: F counts"),
-      ig::diagnostic(IG_WARNING, "SIE-0282", "FB= has no effect: the block does not move by feed"),
-      ig::diagnostic(IG_ERROR, "SIE-0283", "FB=: no F is in force, so the speed of this block is not known"),
+      ig::diagnostic(IG_ERROR, "SIE-0281",
+                     "FB={0} is not a feed rate, so F is used instead: program FB= greater than 0"),
+      ig::diagnostic(IG_WARNING, "SIE-0282",
+                     "FB= has no effect, because this block has no feed move: program FB= with G1, G2 or G3"),
+      ig::diagnostic(IG_ERROR, "SIE-0283",
+                     "FB= needs a feed rate F to compare with, so the speed is not known: program F before it"),
   };
 
   ig::Word fb_{"Parsing.FB", ig::wake, "mm/min", "The feed of this block."};

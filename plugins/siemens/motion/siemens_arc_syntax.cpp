@@ -20,12 +20,18 @@ struct SiemensArc {
                                    .after("SiemensPositionSyntax", "PlaneSelectSyntax")
                                    .before("SiemensCycleSyntax", "ProgramXyzSyntax", "CircularMotionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0221", "AR={0}: the angle of an arc lies between 0 and 360"),
-      ig::diagnostic(IG_ERROR, "SIE-0222", "AR= with the end point at the start: no arc"),
-      ig::diagnostic(IG_ERROR, "SIE-0223", "CIP out of the plane: shown as a straight line"),
-      ig::diagnostic(IG_ERROR, "SIE-0224", "CIP: the three points lie on no circle; shown as a straight line"),
-      ig::diagnostic(IG_WARNING, "SIE-0225", "an arc under scales that differ: the path in the machine is no circle"),
-      ig::diagnostic(IG_WARNING, "SIE-0290", "CR={0} without G2 or G3: it is not used"),
+      ig::diagnostic(IG_ERROR, "SIE-0221",
+                     "AR={0} is not the angle of an arc: program more than 0 and less than 360 degrees"),
+      ig::diagnostic(IG_ERROR, "SIE-0222",
+                     "AR= has its end point at the start, so there is no arc: program a full circle with I J K"),
+      ig::diagnostic(IG_ERROR, "SIE-0223",
+                     "CIP leaves the plane of G17, G18 or G19, so the arc is shown as a straight line"),
+      ig::diagnostic(IG_ERROR, "SIE-0224",
+                     "CIP is shown as a straight line: its three points lie on no circle, so check I1 J1 K1"),
+      ig::diagnostic(IG_WARNING, "SIE-0225",
+                     "an arc under unequal scales is no circle in the machine: scale both axes of the plane alike"),
+      ig::diagnostic(IG_WARNING, "SIE-0290",
+                     "CR={0} is ignored without G2 or G3: remove the word, or program the arc in this block"),
   };
 
   ig::Codes arcs_{{"G02", "G03"}, ig::read | ig::write | ig::wake};

@@ -17,8 +17,9 @@ struct SiemensCorner {
           .after("SiemensUnitSyntax", "SiemensTurnSyntax", "CircularMotionSyntax", "LinearMotionSyntax")
           .before("CornerBreakPathSyntax", "RadiusCompensationPathSyntax", "UnconsumedCheckSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0286", "{0}{1} is less than 0: the corner stays sharp"),
-      ig::diagnostic(IG_ERROR, "SIE-0287", "{0} is the second word for this corner: it is not used"),
+      ig::diagnostic(IG_ERROR, "SIE-0286", "{0}{1} is less than 0, so the corner stays sharp: program 0 or more"),
+      ig::diagnostic(IG_ERROR, "SIE-0287",
+                     "{0} is the second word for this corner and is ignored: chamfer or round it, not both"),
   };
 
   struct Corner {

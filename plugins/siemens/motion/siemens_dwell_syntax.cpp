@@ -10,9 +10,13 @@ struct SiemensDwell {
                                    .after("ParameterizedFlagSyntax")
                                    .before("FeedrateSyntax", "SpindleSpeedSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0201", "G4 without F and S: nothing waits"),
-      ig::diagnostic(IG_ERROR, "SIE-0202", "G4 with a negative time: nothing waits"),
-      ig::diagnostic(IG_ERROR, "SIE-0203", "G4 S: the speed of the spindle is not known, so no time passes"),
+      ig::diagnostic(IG_ERROR, "SIE-0201",
+                     "G4 has neither F nor S, so the block does not wait: program the seconds or the turns"),
+      ig::diagnostic(IG_ERROR, "SIE-0202",
+                     "G4 has a negative time, so the block does not wait: program F or S of 0 or more"),
+      ig::diagnostic(
+          IG_ERROR, "SIE-0203",
+          "G4 S needs the spindle speed, which is not known, so the dwell takes no time: program S before it"),
   };
 
   ig::Call g04_{{"G04"}, "F[s] S[]"};

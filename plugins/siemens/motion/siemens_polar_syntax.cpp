@@ -21,9 +21,11 @@ struct SiemensPolar {
           .after("SiemensUnitSyntax", "PlaneSelectSyntax", "PositioningModeSyntax", "SiemensCoordinateOffsetSyntax")
           .before("SiemensMachineCoordinatesSyntax", "SiemensPositionSyntax", "SiemensArcSyntax", "ProgramXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0274", "{0}: a word more than the pole takes is not used"),
-      ig::diagnostic(IG_ERROR, "SIE-0278", "the polar radius is {0}: the position is not computed"),
-      ig::diagnostic(IG_ERROR, "SIE-0279", "AP= and RP= beside an axis of the plane: the polar position counts"),
+      ig::diagnostic(IG_ERROR, "SIE-0274", "{0} has a word that a pole does not take: the word is ignored"),
+      ig::diagnostic(IG_ERROR, "SIE-0278",
+                     "the position is not computed, because the polar radius is {0}: program RP= of 0 or more"),
+      ig::diagnostic(IG_ERROR, "SIE-0279",
+                     "AP= or RP= stands beside an axis of the plane: only the polar position is used"),
   };
 
   ig::Call poles_{{"G110", "G111", "G112"}, "X Y Z"};

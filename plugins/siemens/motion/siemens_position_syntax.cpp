@@ -19,7 +19,8 @@ struct SiemensPosition {
                                           "SiemensRotaryWordsSyntax")
                                    .before("SiemensArcSyntax", "ProgramXyzSyntax", "McAbcSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0213", "{0} is for rotary axes: the word counts as without it"),
+      ig::diagnostic(IG_ERROR, "SIE-0213",
+                     "{0} is for rotary axes only: the word is executed as if {0} were not there"),
   };
 
   ig::InWhile<ig::Symbol> mode_{"PositioningMode.Term", "G91", ig::wake};

@@ -18,9 +18,10 @@ struct SiemensReference {
                                    .before("SiemensMachineCoordinatesSyntax", "SiemensPositionSyntax",
                                            "ProgramXyzSyntax", "McXyzSyntax", "McAbcSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "SIE-0275", "the machine does not know position {0} of {1}: machine zero counts"),
-      ig::diagnostic(IG_ERROR, "SIE-0276", "{0} without an axis: nothing moves"),
-      ig::diagnostic(IG_ERROR, "SIE-0277", "FP={0} is no fixed point: nothing moves"),
+      ig::diagnostic(IG_WARNING, "SIE-0275",
+                     "the machine does not define position {0} of axis {1}: machine zero is assumed"),
+      ig::diagnostic(IG_ERROR, "SIE-0276", "{0} names no axis, so nothing moves: name each axis that should move"),
+      ig::diagnostic(IG_ERROR, "SIE-0277", "FP={0} is not a fixed point, so nothing moves: program FP=1 to FP=4"),
   };
 
   ig::Call codes_{{"G74", "G75"}, "X Y Z A[] B[] C[]"};

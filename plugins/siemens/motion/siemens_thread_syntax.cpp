@@ -16,9 +16,11 @@ struct SiemensThread {
           .after("SiemensPositionSyntax", "FeedrateSyntax", "SpindleSpeedSyntax", "SiemensSpindlePositionSyntax")
           .before("SiemensCycleSyntax", "ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0284", "{0} with a pitch of {1}: the thread is not cut"),
-      ig::diagnostic(IG_ERROR, "SIE-0285", "{0}: the speed of the spindle is not known, so neither is the feed"),
-      ig::diagnostic(IG_ERROR, "SIE-0291", "{0}: the pitch stays as it begins: its change (F) is not executed"),
+      ig::diagnostic(IG_ERROR, "SIE-0284", "{0} with a pitch of {1} cuts no thread: program the pitch with I, J or K"),
+      ig::diagnostic(IG_ERROR, "SIE-0285",
+                     "{0}: the spindle speed is not known, so the feed is not known either: program S before it"),
+      ig::diagnostic(IG_ERROR, "SIE-0291",
+                     "{0}: the change of the pitch (F) is not executed, so the pitch stays constant"),
   };
 
   ig::Call codes_{{"G331", "G332", "G63", "G33"}, "I J K"};

@@ -10,7 +10,8 @@ struct SiemensTurn {
   static constexpr auto spec =
       ig::syntax("SiemensTurnSyntax", "TURN= further full turns of a helix.").after("CircularMotionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0226", "TURN={0} is not executed"),
+      ig::diagnostic(IG_ERROR, "SIE-0226",
+                     "TURN={0} is not executed: it needs an arc and a whole number from 0 to 999"),
   };
 
   ig::Word turn_{"Parsing.TURN", ig::wake, "", "Further full turns."};

@@ -14,7 +14,7 @@ struct SiemensDirectTool {
           .after("ToolChangeSyntax", "SiemensToolNameSyntax")
           .before("SiemensToolOffsetSyntax", "SiemensMachineCoordinatesSyntax", "SiemensPositionSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "SIE-0234", "a move with D{0}, but no M6 has put T{1} into the spindle: {2}"),
+      ig::diagnostic(IG_WARNING, "SIE-0234", "the block uses D{0}, but no M6 has put T{1} into the spindle: {2}"),
   };
 
   ig::Choice<WithoutM6> without_m6_{"without-m6", "changed|waits", "changed",

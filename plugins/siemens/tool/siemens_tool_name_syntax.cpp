@@ -15,7 +15,7 @@ struct SiemensToolName {
   static constexpr auto spec =
       ig::syntax("SiemensToolNameSyntax", "T=\"NAME\" becomes the number of a tool.").before("ToolChangeSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_NOTE, "SIE-0232", "the tool '{0}' has a name: in the table of tools it is row {1}"),
+      ig::diagnostic(IG_NOTE, "SIE-0232", "the tool '{0}' has a name: it is row {1} of the tool table"),
   };
 
   ig::TextField name_{"ToolName.Text", ig::read | ig::wake};

@@ -21,9 +21,10 @@ struct SiemensToolOffset {
           .after("SiemensUnitSyntax", "PlaneSelectSyntax", "ToolChangeSyntax", "G53p1RotaryPositionSyntax")
           .before("SiemensCoordinateOffsetSyntax", "RadiusCompensationSyntax", "ProgramXyzSyntax", "McXyzSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0231", "D{0} is no cutting edge"),
+      ig::diagnostic(IG_ERROR, "SIE-0231",
+                     "D{0} is not a cutting edge, so the offset does not change: program D0 to D99"),
       ig::diagnostic(IG_WARNING, "SIE-0233",
-                     "tool {0}, edge D{1}: the table has no row {2}, so length and radius count as 0"),
+                     "tool {0}, edge D{1}: the tool table has no row {2}, so length and radius 0 are assumed"),
   };
 
   ig::Word d_{"Parsing.D", ig::wake, ""};
