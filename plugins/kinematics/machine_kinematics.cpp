@@ -11,12 +11,14 @@ namespace {
 constexpr std::string_view letters = "ABC";
 
 struct MachineKinematics {
-  static constexpr auto spec = ig::dependency("MachineKinematics", "The rotary axes of the machine: where they sit.")
-                                   .rows("Axis", "name")
-                                   .provides("isogloss.machine-kinematics/1");
+  static constexpr auto spec =
+      ig::dependency("MachineKinematics", "The rotary axes of the machine: place, direction and pivot.")
+          .rows("Axis", "name")
+          .provides("isogloss.machine-kinematics/1");
 
-  ig::Column place{"Place", nullptr, "", {}, "table: it turns the workpiece; head: it turns the tool.", true};
-  ig::Column order{"Order", nullptr, "", {1, 2}, "Of two axes: 1 the one nearer the machine's base, 2 the other."};
+  ig::Column place{"Place", nullptr, "", {}, "table: the axis turns the workpiece; head: it turns the tool.", true};
+  ig::Column order{
+      "Order", nullptr, "", {1, 2}, "Where there are two axes: 1 is the one nearer the machine's base, 2 the other."};
   std::array<ig::Column, 3> direction{
       ig::Column{"X", nullptr, "", {-1e6, 1e6}, "Direction of the axis; default: A is along X."},
       ig::Column{"Y", nullptr, "", {-1e6, 1e6}, "Direction of the axis; default: B is along Y."},
@@ -25,8 +27,13 @@ struct MachineKinematics {
       ig::Column{"PivotX", "0", "mm", {-1e6, 1e6}, "A point on the axis."},
       ig::Column{"PivotY", "0", "mm", {-1e6, 1e6}, "Table: in machine coordinates, all rotary axes at zero."},
       ig::Column{"PivotZ", "0", "mm", {-1e6, 1e6}, "Head: from the gauge point, all rotary axes at zero."}};
-  ig::Column sign{"Sign", "1", "", {-1, 1}, "1: positive turns the tool right-handed, seen from the workpiece; or -1."};
-  ig::Column zero{"Zero", "0", "deg", {-360, 360}, "What the machine shows where the axis is geometrically at zero."};
+  ig::Column sign{"Sign",
+                  "1",
+                  "",
+                  {-1, 1},
+                  "1: positive turns the tool right-handed relative to the workpiece; -1: the other way."};
+  ig::Column zero{
+      "Zero", "0", "deg", {-360, 360}, "The angle that the machine shows where the axis is geometrically at zero."};
   ig::Table table;
   ig::RowNames rows;
 

@@ -10,9 +10,10 @@ using namespace ig::cnc;
 namespace {
 
 struct SyntecCode {
-  static constexpr auto spec = ig::syntax("SyntecCodeSyntax", "Says the functions of a Syntec that are not executed.")
-                                   .after("ParameterizedFlagSyntax", "SubprogramCallSyntax")
-                                   .before("CannedCycleResolveSyntax", "NotExecutedSyntax", "UnconsumedCheckSyntax");
+  static constexpr auto spec =
+      ig::syntax("SyntecCodeSyntax", "Reports the functions of a Syntec that are not executed.")
+          .after("ParameterizedFlagSyntax", "SubprogramCallSyntax")
+          .before("CannedCycleResolveSyntax", "NotExecutedSyntax", "UnconsumedCheckSyntax");
 
   RecognisedCodes codes_{
       ig::diag("SYN-0003"),

@@ -15,13 +15,15 @@ namespace {
 
 struct SyntecFileHead {
   static constexpr auto spec =
-      ig::syntax("SyntecFileHeadSyntax", "Declines files in MACRO format and the programs of further axis groups.")
+      ig::syntax("SyntecFileHeadSyntax", "Rejects files in MACRO format and the programs of further axis groups.")
           .before("TapeBoundarySyntax", "IsoCommentSyntax", "WordSyntax", "FlagSyntax")
           .scans("%$");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SYN-0001", "the file is in MACRO format: it is not executed, from here to its end"),
+      ig::diagnostic(IG_ERROR, "SYN-0001",
+                     "the file is in MACRO format, which is not supported: nothing is executed from here to its end"),
       ig::diagnostic(IG_ERROR, "SYN-0004",
-                     "${0}: the programs of further axis groups are not read, from here to the end"),
+                     "${0} begins the program of another axis group: nothing is executed from here to the end of the "
+                     "file"),
   };
 
   ig::TextField text_{"TapeBoundary.Text", ig::read | ig::write};

@@ -8,11 +8,12 @@ namespace syntec {
 namespace {
 
 struct SyntecHighSpeed {
-  static constexpr auto spec = ig::syntax("SyntecHighSpeedSyntax", "E of G05 and G05.1: the tolerance, as a record.")
+  static constexpr auto spec = ig::syntax("SyntecHighSpeedSyntax", "Records E of G05 and G05.1, the path tolerance.")
                                    .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PathSmoothingSyntax")
                                    .before("IsoCoordinateOffsetSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "SYN-0006", "{0}: E{1} is no tolerance; the one in force stays"),
+      ig::diagnostic(IG_WARNING, "SYN-0006",
+                     "{0}: E{1} is not a tolerance greater than 0: the tolerance in force stays"),
   };
 
   ig::Call codes_{{"G05", "G05.1"}, "E[mm]"};
@@ -20,7 +21,7 @@ struct SyntecHighSpeed {
   ig::Codes end_of_set_{"G121"};
   ig::Field<double> tolerance_{"PathSmoothing.Tolerance_mm",
                                ig::read | ig::write,
-                               {ig::Life::modal, "mm", "How far the path may round a corner off."}};
+                               {ig::Life::modal, "mm", "How far the path may round a corner."}};
 
   ig::Status build(ig::Block& b) const {
     bool any = b.take(sets_).has_value();

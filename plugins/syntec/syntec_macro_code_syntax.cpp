@@ -14,12 +14,13 @@ namespace {
 
 struct SyntecMacroCode {
   static constexpr auto spec =
-      ig::syntax("SyntecMacroCodeSyntax", "Says which macros of the builder are not executed, and takes their words.")
+      ig::syntax("SyntecMacroCodeSyntax",
+                 "Reports macros of the machine's builder, which are not executed, and removes their words.")
           .after("FlagSyntax")
           .before("FanucMacroCallSyntax", "ParameterizedFlagSyntax", "DecimalPointSyntax", "ToolChangeSyntax")
           .scans("GMgm");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SYN-0002", "{0} calls the macro {1}, which is not executed: what it moves is missing"),
+      ig::diagnostic(IG_ERROR, "SYN-0002", "{0} calls the macro {1}, which is not executed: its moves are missing"),
   };
 
   /// What a macro takes of its block: with one axis it takes all, and an M code takes everything but T.
@@ -29,7 +30,7 @@ struct SyntecMacroCode {
   ig::Word tool_{"Parsing.T", ig::read | ig::wake};
   ig::Signal called_{"Parsing.~BuilderMacro", ig::read | ig::write | ig::wake};
   ig::Signal by_m_{"Parsing.~BuilderMacroByM", ig::read | ig::write};
-  ig::Config macros_{"isogloss.code-call/1", ig::Need::optional, "Which codes call a macro, and its number."};
+  ig::Config macros_{"isogloss.code-call/1", ig::Need::optional, "The codes that call a macro, and its number."};
   bool tool_calls_ = macros_.number("T").has_value();
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
@@ -40,7 +41,8 @@ struct SyntecMacroCode {
     if (!macros_.number(name)) return position;
     const auto where = ig::Where::columns(position, code.end);
     if (letter == 'G' && code.value < 200 && code.decimals > 1)
-      b.report(ig::diag("SYN-0003"), where, name, "it belongs to robots and signals, and its words go with it");
+      b.report(ig::diag("SYN-0003"), where, name,
+               "it belongs to robots and signals; its words are not executed either");
     else
       b.report(ig::diag("SYN-0002"), where, name, file_of(name));
     b.raise(called_);

@@ -30,10 +30,11 @@ struct SyntecParameterTable {
                                    .ships(shipped);
 
   enum class PeckUnit { blu, micron };
-  ig::Choice<PeckUnit> peck_unit{"pr4002-unit", "blu|micron", "blu",
-                                 "What Pr4002 counts: basic length units, which are microns where Pr17 is 2, or always "
-                                 "microns."};
-  ig::Column value{"Value", nullptr, "", {}, "The parameter, where it is one for the whole control."};
+  ig::Choice<PeckUnit> peck_unit{
+      "pr4002-unit", "blu|micron", "blu",
+      "The unit of Pr4002: the basic length unit, which is a micron where Pr17 is 2, or always "
+      "the micron."};
+  ig::Column value{"Value", nullptr, "", {}, "The parameter, where it has one value for the whole control."};
   std::array<ig::Column, 6> axes{ig::Column{"X", nullptr, "", {}, "The parameter of the X axis."},
                                  ig::Column{"Y", nullptr, "", {}, "The parameter of the Y axis."},
                                  ig::Column{"Z", nullptr, "", {}, "The parameter of the Z axis."},

@@ -6,10 +6,11 @@ namespace syntec {
 namespace {
 
 struct SyntecSpindleLimit {
-  static constexpr auto spec = ig::syntax("SyntecSpindleLimitSyntax", "Says an S beyond the spindle's greatest speed.")
+  static constexpr auto spec = ig::syntax("SyntecSpindleLimitSyntax", "Reports an S above the spindle's maximum speed.")
                                    .after("SpindleSpeedSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "SYN-0005", "S{0} is more than {1} rpm, which Pr3741 allows"),
+      ig::diagnostic(IG_WARNING, "SYN-0005",
+                     "S{0} is above {1} rpm, the limit in Pr3741: check S; it stays as programmed"),
   };
 
   ig::In<double> speed_{"SpindleSpeed.SpindleSpeed_rpm", ig::wake};

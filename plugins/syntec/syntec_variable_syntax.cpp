@@ -11,7 +11,8 @@ namespace {
 
 struct SyntecVariable {
   static constexpr auto spec =
-      ig::syntax("SyntecVariableSyntax", "Leaves variables such as @1, so that each is said once.")
+      ig::syntax("SyntecVariableSyntax",
+                 "Leaves a variable such as @1 unread as one piece, so that it is reported once.")
           .after("IsoCommentSyntax")
           .before("FlagSyntax", "WordSyntax")
           .scans("@");

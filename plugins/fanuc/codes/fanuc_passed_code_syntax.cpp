@@ -9,10 +9,11 @@ using namespace ig::cnc;
 namespace {
 
 struct FanucPassedCode {
-  static constexpr auto spec = ig::syntax("FanucPassedCodeSyntax", "Notes M codes and sequence numbers: #4113, #4114.")
-                                   .after("BlockSkipSyntax", "IsoCommentSyntax")
-                                   .before("HeadIndexSyntax", "FlagSyntax")
-                                   .scans("GMNgmn");
+  static constexpr auto spec =
+      ig::syntax("FanucPassedCodeSyntax", "Keeps the last M code and sequence number: #4113, #4114.")
+          .after("BlockSkipSyntax", "IsoCommentSyntax")
+          .before("HeadIndexSyntax", "FlagSyntax")
+          .scans("GMNgmn");
 
   MacroFrame macros_;
   PassedCodeMark mark_;

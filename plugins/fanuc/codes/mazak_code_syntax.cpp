@@ -13,12 +13,11 @@ namespace {
 
 struct MazakCode {
   static constexpr auto spec =
-      ig::syntax("MazakCodeSyntax", "Says the functions of a Mazak that are not executed.")
+      ig::syntax("MazakCodeSyntax", "Reports the functions of a Mazak that are not executed.")
           .after("ParameterizedFlagSyntax")
           .before("CannedCycleResolveSyntax", "RadiusCompensationSyntax", "NotExecutedSyntax", "UnconsumedCheckSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "FAN-0202",
-                     "D{0} of a canned cycle has no effect: the feed does not change on the way"),
+      ig::diagnostic(IG_WARNING, "FAN-0202", "D{0} of a canned cycle is ignored: the hole is drilled at one feed rate"),
   };
 
   RecognisedCodes codes_{ig::diag("FAN-0201"),

@@ -10,13 +10,14 @@ using namespace ig::cnc;
 namespace {
 
 struct HaasCode {
-  static constexpr auto spec = ig::syntax("HaasCodeSyntax", "Says the functions of a Haas that are not executed.")
+  static constexpr auto spec = ig::syntax("HaasCodeSyntax", "Reports the functions of a Haas that are not executed.")
                                    .after("ParameterizedFlagSyntax")
                                    .before("NotExecutedSyntax", "UnconsumedCheckSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "FAN-0208", "G141: D{0} has no radius here, so nothing is compensated up to G40"),
+      ig::diagnostic(IG_WARNING, "FAN-0208",
+                     "G141: D{0} has no radius in the tool table, so the path is not compensated up to G40"),
       ig::diagnostic(IG_WARNING, "FAN-0212",
-                     "G143: H{0} has no length here, so nothing is added along the tool up to G49"),
+                     "G143: H{0} has no length in the tool table, so nothing is added along the tool up to G49"),
   };
 
   RecognisedCodes codes_{
@@ -29,7 +30,7 @@ struct HaasCode {
           {ig::Call{{"G153", "G155", "G161", "G162", "G163", "G164", "G165", "G166", "G169"}, "E I J K L[] P[] Q"},
            "the cycle is missing, and blocks after it only move"},
           {ig::Call{{"M96"}, "P[] Q[]"}, "the program goes on with the next block, whatever the input is"},
-          {ig::Call{{"M109"}, "P[]"}, "nobody answers, and its variable keeps its value"},
+          {ig::Call{{"M109"}, "P[]"}, "no operator answers, so the variable keeps its value"},
       }};
   ig::Call length_{{"G143"}, "H[]"};
   ig::Call plane_off_{{"G269"}, ""};
@@ -62,7 +63,7 @@ struct HaasCode {
     const auto id = whole_number(d);
     if (!id || offset(*id, radius) != 0)
       b.report(ig::diag("FAN-0201"), where, std::string_view("G141"),
-               std::string_view(id ? "the path is not compensated, up to G40" : "D is no offset number"));
+               std::string_view(id ? "the path up to G40 is not compensated" : "D is no offset number"));
     else if (*id != 0)
       b.report(ig::diag("FAN-0208"), where, d);
     return true;
@@ -77,7 +78,7 @@ struct HaasCode {
     const auto id = h ? whole_number(*h) : std::nullopt;
     if (!id || offset(*id, length) != 0)
       b.report(ig::diag("FAN-0201"), where, std::string_view("G143"),
-               std::string_view(id ? "the length of H is not added along the turned tool, up to G49"
+               std::string_view(id ? "up to G49 the length of H is not added along the turned tool"
                                    : "H is no offset number"));
     else if (*id != 0)
       b.report(ig::diag("FAN-0212"), where, *h);

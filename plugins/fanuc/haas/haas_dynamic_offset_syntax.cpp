@@ -18,13 +18,15 @@ struct HaasDynamicOffset {
           .before("PivotTransformationSyntax", "CannedCycleResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax",
                   "HaasCodeSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "FAN-0209", "rotary axes have turned under G254: the work offset stays where it was"),
+      ig::diagnostic(IG_ERROR, "FAN-0209",
+                     "rotary axes have turned under G254: the work offset does not follow; program G255 before they "
+                     "turn"),
   };
 
   ig::Codes codes_{"G254", "G255"};
   ig::Signal on_{"DynamicWorkOffset.~On", ig::read | ig::write | ig::wake_while, ig::Life::modal};
   OffsetSection shift_{"DynamicWorkOffset",
-                       {ig::Life::modal, "mm", "From the work offset to where the table has taken it."}};
+                       {ig::Life::modal, "mm", "From the work offset to the place where the table has carried it."}};
   std::array<ig::In<double>, 3> work_{ig::In<double>{"CoordinateOffset.Offset_X"},
                                       ig::In<double>{"CoordinateOffset.Offset_Y"},
                                       ig::In<double>{"CoordinateOffset.Offset_Z"}};
@@ -66,9 +68,9 @@ struct HaasDynamicOffset {
     if (!turns(b)) return;
     const auto where = ig::Where::word(codes_.id(0));
     if (!machine_)
-      say(b, where, "where the rotary axes of the machine sit is not known, so positions do not follow them");
+      say(b, where, "the rotary axes of the machine are not known, so positions do not follow them");
     else if (!is_table())
-      say(b, where, "the machine turns the tool, not the workpiece alone");
+      say(b, where, "the machine turns the tool too, not only the workpiece");
   }
 
   static void say(ig::Block& b, ig::Where where, std::string_view why) {

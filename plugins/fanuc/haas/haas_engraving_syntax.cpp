@@ -14,15 +14,16 @@ using namespace ig::cnc;
 namespace {
 
 struct HaasEngraving {
-  static constexpr auto spec = ig::syntax("HaasEngravingSyntax", "G47 of a Haas: engraving, without its strokes.")
-                                   .after("UnitModeSyntax", "PositioningModeSyntax", "IsoCoordinateOffsetSyntax",
-                                          "ToolHeightOffsetSyntax", "ProgrammableMirrorSyntax")
-                                   .before("CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax",
-                                           "McXyzSyntax", "NotExecutedSyntax");
+  static constexpr auto spec =
+      ig::syntax("HaasEngravingSyntax", "G47 of a Haas: moves to the start of an engraved text.")
+          .after("UnitModeSyntax", "PositioningModeSyntax", "IsoCoordinateOffsetSyntax", "ToolHeightOffsetSyntax",
+                 "ProgrammableMirrorSyntax")
+          .before("CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax", "McXyzSyntax",
+                  "NotExecutedSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "FAN-0206",
-                     "G47: the strokes of the text are not shown: it begins at X{0} Y{1}, {2} mm high, at an angle of "
-                     "{3} degrees; the tool is taken to stay over its beginning{4}"),
+                     "G47: the strokes of the text are not executed; the text begins at X{0} Y{1}, {2} mm high, at "
+                     "{3} degrees, and the tool is assumed to stay there{4}"),
   };
 
   ig::Call call_{{"G47"}, "X Y Z I[deg] J P[] R D[] E[mm/min]"};
@@ -39,7 +40,7 @@ struct HaasEngraving {
     }
     const ig::Vec3 start = target_.go_to_start(b, words);
     b.report(ig::diag("FAN-0206"), where, start.x, start.y, words['J'].value_or(mm_per_inch), words['I'].value_or(0),
-             std::string_view(target_.is_incremental(b) ? ", from where G91 goes on" : ""));
+             std::string_view(target_.is_incremental(b) ? ", where G91 continues" : ""));
     return ig::Status::changed;
   }
 

@@ -10,7 +10,7 @@ struct HaasMirror {
                                    .after("ParameterizedFlagSyntax", "UnitModeSyntax")
                                    .before("ProgrammableMirrorSyntax", "HaasCodeSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "FAN-0204", "{0} without an axis: nothing is mirrored"),
+      ig::diagnostic(IG_WARNING, "FAN-0204", "{0} names no axis: nothing is mirrored"),
   };
 
   ig::Call on_{{"G101"}, "X Y Z A B C"};

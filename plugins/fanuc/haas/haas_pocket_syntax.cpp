@@ -11,15 +11,15 @@ using namespace ig::cnc;
 namespace {
 
 struct HaasPocket {
-  static constexpr auto spec = ig::syntax("HaasPocketSyntax", "G150 of a Haas: a pocket, without its passes.")
+  static constexpr auto spec = ig::syntax("HaasPocketSyntax", "G150 of a Haas: moves to the start of a pocket.")
                                    .after("UnitModeSyntax", "PositioningModeSyntax", "IsoCoordinateOffsetSyntax",
                                           "ToolHeightOffsetSyntax", "ProgrammableMirrorSyntax")
                                    .before("CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax",
                                            "McXyzSyntax", "RadiusCompensationSyntax", "NotExecutedSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "FAN-0207",
-                     "G150: the pocket of program {0}, down to Z{1}, is not milled here; the tool is taken to stand "
-                     "over its start"),
+                     "G150: the pocket of program {0}, down to Z{1}, is not milled here; the tool is assumed to "
+                     "stand over its start"),
   };
 
   ig::Call call_{{"G150"}, "X Y Z I J K L[] P[] Q R D[]"};
@@ -46,7 +46,7 @@ struct HaasPocket {
   static std::string_view fault_of(const ig::Words& words) {
     if (!words['P'] || !whole_number(*words['P'])) return "P names no subprogram";
     if (!words['Z']) return "Z, the bottom, is missing";
-    if (words['I'] && words['J']) return "of I and J only one may say the width of a cut";
+    if (words['I'] && words['J']) return "both I and J give the width of a cut: only one may";
     if (words['Q'] && !(*words['Q'] > 0)) return "Q, the depth of a pass, is not greater than 0";
     if (words['D'] && !whole_number(*words['D'])) return "D is no offset number";
     return {};

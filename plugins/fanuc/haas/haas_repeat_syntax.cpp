@@ -14,14 +14,14 @@ using namespace ig::cnc;
 namespace {
 
 struct HaasRepeat {
-  static constexpr auto spec = ig::syntax("HaasRepeatSyntax", "L of a Haas: a move is made so many times.")
+  static constexpr auto spec = ig::syntax("HaasRepeatSyntax", "L of a Haas: makes the move of its block L times.")
                                    .after("CannedCycleResolveSyntax", "CircularMotionSyntax", "LinearMotionSyntax")
                                    .before("HaasCodeSyntax", "UnconsumedCheckSyntax");
 
   /// What no cycle, call or pocket has taken.
   ig::Word repeats_{"Parsing.L", ig::take | ig::wake, ""};
   ig::In<ig::Symbol> form_{"MotionEvent.Form"};
-  ig::IntegerOption most_{"max-repeats", "10000", {1, 1'000'000}, "Times that one block may be made."};
+  ig::IntegerOption most_{"max-repeats", "10000", {1, 1'000'000}, "How often one block may be executed."};
   ig::Flow flow_;
 
   ig_place block_{};
@@ -38,11 +38,11 @@ struct HaasRepeat {
     if (*l == 1) return ig::Status::changed;
     const auto count = whole_number(*l);
     if (!b.has(form_)) {
-      say(b, "its block makes no plain move");
+      say(b, "its block has no G00 to G03 move");
     } else if (!count || *count == 0) {
-      say(b, "it is no count; the block is executed once");
+      say(b, "it is not a whole number above 0; the block is executed once");
     } else if (*count > most_) {
-      say(b, "there are too many repeats; the block is executed once");
+      say(b, "it exceeds max-repeats; the block is executed once");
     } else {
       again(b, *count);
     }
@@ -57,7 +57,7 @@ struct HaasRepeat {
     block_ = here;
     if (left_ > 0 && !flow_.go_to(b, here).is_done()) {
       left_ = 0;
-      say(b, "the block is not repeated any more");
+      say(b, "the remaining repeats are left out");
     }
   }
 

@@ -20,7 +20,7 @@ struct HaasSettings {
                                              "isogloss.coordinate-system/1")
                                    .ships(shipped_settings);
 
-  ig::Column value{"Value", nullptr, "", {}, "The setting: mm, or the number of a choice."};
+  ig::Column value{"Value", nullptr, "", {}, "The value of the setting: mm, or the number of a choice."};
   ig::Table table;
 
   /// Also what this table does not ask for: the whole page of a machine may be given.

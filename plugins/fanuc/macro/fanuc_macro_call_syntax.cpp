@@ -23,25 +23,27 @@ struct FanucMacroCall {
           .before("WordSyntax")
           .scans("GMgm");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "FAN-0161", "{0} without P: no macro is called"),
-      ig::diagnostic(IG_ERROR, "FAN-0162", "{0} P{1}: no program has that number"),
-      ig::diagnostic(IG_ERROR, "FAN-0163", "'{0}' is no argument of a macro call: it is not passed"),
-      ig::diagnostic(IG_ERROR, "FAN-0164", "more than ten sets of I J K: '{0}' is not passed"),
-      ig::diagnostic(IG_ERROR, "FAN-0167", "{0} L{1}: a call is made from 0 to 99999999 times"),
+      ig::diagnostic(IG_ERROR, "FAN-0161", "{0} has no P with the number of a program: no macro is called"),
+      ig::diagnostic(IG_ERROR, "FAN-0162",
+                     "{0} P{1} is not a program number, so no macro is called: write 1 to 99999999"),
+      ig::diagnostic(IG_ERROR, "FAN-0163", "'{0}' is not an argument of a macro call: it is not passed"),
+      ig::diagnostic(IG_ERROR, "FAN-0164", "this call has more than ten sets of I J K: '{0}' is not passed"),
+      ig::diagnostic(IG_ERROR, "FAN-0167",
+                     "{0} L{1} is not a number of calls: write a whole number from 0 to 99999999"),
       ig::diagnostic(IG_ERROR, "FAN-0171",
-                     "G66 with {0} modal calls in force: macro calls nest {1} deep; it is not kept"),
-      ig::diagnostic(IG_WARNING, "FAN-0172", "{0} with the count 0: the macro is not called"),
+                     "this G66 is not executed: {0} modal calls are in force, and the control nests {1} macro calls"),
+      ig::diagnostic(IG_WARNING, "FAN-0172", "{0} has L0, so the macro is not called: leave L out for one call"),
       ig::diagnostic(IG_WARNING, "FAN-0174", "{0} stands more than once in this call: the last one counts"),
   };
 
   ig::Choice<IjkSets> ijk_sets_{"ijk-sets", "automatic|one", "automatic",
-                                "A second I, J or K is the next set, #7 #8 #9, or the first one again."};
-  ig::IntegerOption nesting_{"nesting", "5", {1, 99}, "Macro calls inside each other that the control permits."};
+                                "A second I, J or K begins the next set, #7 #8 #9, or replaces the first one."};
+  ig::IntegerOption nesting_{"nesting", "5", {1, 99}, "How deep the control lets macro calls nest."};
   ig::Choice<OwnBlock> own_block_{"each-block-call", "calls|waits", "calls",
                                   "Whether the block of G66.1 itself calls the macro, with its arguments."};
   CodeFields codes_;
   MacroEnvironment environment_;
-  ig::Config bound_{"isogloss.code-call/1", ig::Need::optional, "Which codes call which programs."};
+  ig::Config bound_{"isogloss.code-call/1", ig::Need::optional, "The programs that codes call."};
   ArgumentUnits units_;
   ig::Signal call_{"Parsing.~MacroCall", ig::read | ig::write | ig::wake};
   ig::Signal modal_{"MacroCall.~Modal", ig::write, ig::Life::modal};

@@ -24,32 +24,35 @@ struct FanucMacroStatement {
           .before("WordSyntax")
           .scans("[#IWDEGTOBPSRCiwdegtobpsrc");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "FAN-0121", "{0} cannot be written"),
-      ig::diagnostic(IG_ERROR, "FAN-0122", "the tables have no place for {0}: nothing is written"),
-      ig::diagnostic(IG_ERROR, "FAN-0123", "'{0}' should not stand here: the statement is not executed"),
-      ig::diagnostic(IG_ERROR, "FAN-0124", "= is missing: nothing is assigned"),
-      ig::diagnostic(IG_ERROR, "FAN-0125", "a macro statement behind words: '{0}' is not executed"),
-      ig::diagnostic(IG_ERROR, "FAN-0131", "{0} is not complete: {1} is missing; nothing is executed"),
-      ig::diagnostic(IG_ERROR, "FAN-0132", "GOTO {0}: no sequence number is called so"),
-      ig::diagnostic(IG_ERROR, "FAN-0133", "N{0} is not found: {1}"),
-      ig::diagnostic(IG_ERROR, "FAN-0134", "{0}{1}: loops are numbered from 1 to {2}"),
-      ig::diagnostic(IG_ERROR, "FAN-0135", "END{0} of this loop is not found: {1}"),
-      ig::diagnostic(IG_ERROR, "FAN-0136", "END{0} without DO{0}"),
-      ig::diagnostic(IG_ERROR, "FAN-0137", "END{0} crosses DO{1} of line {2}"),
-      ig::diagnostic(IG_ERROR, "FAN-0138", "DO{0} inside DO{0} of line {1}"),
+      ig::diagnostic(IG_ERROR, "FAN-0121", "{0} is read-only on this control: nothing is assigned"),
+      ig::diagnostic(IG_ERROR, "FAN-0122", "the tables of this run have no row for {0}: nothing is written"),
+      ig::diagnostic(IG_ERROR, "FAN-0123", "'{0}' does not belong here: the statement is not executed"),
+      ig::diagnostic(IG_ERROR, "FAN-0124", "the statement has no =: nothing is assigned"),
+      ig::diagnostic(IG_ERROR, "FAN-0125",
+                     "the macro statement '{0}' follows other words: it is not executed; give it its own block"),
+      ig::diagnostic(IG_ERROR, "FAN-0131", "{0} is incomplete: {1} is missing; nothing is executed"),
+      ig::diagnostic(IG_ERROR, "FAN-0132", "'{0}' is not a valid sequence number: the jump is not executed"),
+      ig::diagnostic(IG_ERROR, "FAN-0133", "N{0} is not found, so the jump is not executed: {1}"),
+      ig::diagnostic(IG_ERROR, "FAN-0134", "{0}{1} is not executed: loops are numbered from 1 to {2}"),
+      ig::diagnostic(IG_ERROR, "FAN-0135", "END{0} of this loop is not found, so the loop is not skipped: {1}"),
+      ig::diagnostic(IG_ERROR, "FAN-0136", "END{0} has no DO{0} before it: the run continues after END{0}"),
+      ig::diagnostic(IG_ERROR, "FAN-0137", "END{0} crosses the loop DO{1} of line {2}: end the inner loop first"),
+      ig::diagnostic(IG_ERROR, "FAN-0138", "DO{0} stands inside DO{0} of line {1}: give the inner loop another number"),
       ig::diagnostic(IG_ERROR, "FAN-0139", "alarm {0}: {1}"),
-      ig::diagnostic(IG_NOTE, "FAN-0140", "the program stops and says: {0}"),
-      ig::diagnostic(IG_WARNING, "FAN-0143", "THEN is followed by words, not by a macro statement"),
-      ig::diagnostic(IG_ERROR, "FAN-0144", "DO{0} without END{0}: the program ends before it"),
+      ig::diagnostic(IG_NOTE, "FAN-0140", "the program stops and shows: {0}"),
+      ig::diagnostic(IG_WARNING, "FAN-0143",
+                     "words follow THEN, where the control permits only a macro statement: they are executed here"),
+      ig::diagnostic(IG_ERROR, "FAN-0144",
+                     "DO{0} has no END{0} before its program ends: the blocks after DO{0} are run once"),
       ig::diagnostic(IG_WARNING, "FAN-0173",
-                     "the program waits for #{0}, whose state is not known here: the wait is left"),
+                     "the program waits for #{0}, whose state is not known here: the wait loop is skipped"),
   };
 
-  ig::IntegerOption loops_{"loops", "3", {1, 99}, "The largest number of DO and END."};
+  ig::IntegerOption loops_{"loops", "3", {1, 99}, "The largest loop number after DO and END."};
   ig::Choice<Governs> governs_{
       "if-governs", "statement|rest-of-block", "statement",
-      "What hangs on the condition of IF: the one macro statement behind THEN, or all that stands behind the condition "
-      "in the block, with or without THEN; then also [condition] M99."};
+      "What the condition of IF governs: the one macro statement after THEN, or everything after the condition in the "
+      "block, with or without THEN; with the latter also [condition] M99."};
   MacroEnvironment environment_;
   ig::Service<ig_flow_1> flow_{IG_FLOW_SERVICE, ig::Need::optional, "Whether a loop has its END."};
   ig::TextField program_{"Source.Program", ig::read | ig::wake};
@@ -59,7 +62,7 @@ struct FanucMacroStatement {
   ig::In<double> p_{"Parsing.P"};
   ig::Signal statement_{"Parsing.~MacroStatement", ig::read | ig::write | ig::wake};
   ig::Out<std::int64_t> variable_{"Vars.Variable", {ig::Life::block, "", "Number of the variable that was assigned."}};
-  ig::Out<double> value_{"Vars.Value", {ig::Life::block, "", "What was assigned; absent: null."}};
+  ig::Out<double> value_{"Vars.Value", {ig::Life::block, "", "The value that was assigned; absent: null."}};
   ig::Out<ig::Symbol> stop_{"ProgramStop.Term"};
   ig::Name message_stop_{"#3006"};
 

@@ -20,12 +20,13 @@ struct FanucMacroWord {
           .before("ParameterizedFlagSyntax")
           .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz,");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "FAN-0151", "'{0}': {1} takes no variable; it is not used"),
-      ig::diagnostic(IG_ERROR, "FAN-0152", "{0}{1} is no code"),
-      ig::diagnostic(IG_WARNING, "FAN-0153", "'{0}': a calculation in a word stands in brackets"),
-      ig::diagnostic(IG_WARNING, "FAN-0154",
-                     "'{0}': the address stands more than once in this block: the last one counts"),
-      ig::diagnostic(IG_NOTE, "FAN-0155", "{0} is empty, so the block has no such word"),
+      ig::diagnostic(IG_ERROR, "FAN-0151", "'{0}' is not used: {1} needs a number, not a variable"),
+      ig::diagnostic(IG_ERROR, "FAN-0152", "{0}{1} is not a code: a code is 0 to 9999, whole or with one decimal"),
+      ig::diagnostic(IG_WARNING, "FAN-0153",
+                     "'{0}' is a calculation without brackets: write it in [ ]; it is computed here"),
+      ig::diagnostic(IG_WARNING, "FAN-0154", "'{0}' repeats an address of this block: the last word counts"),
+      ig::diagnostic(IG_NOTE, "FAN-0155",
+                     "{0} is empty, so the block has no such word: check where the variable is assigned"),
   };
 
   ig::Fields addresses_{"addresses", "Parsing.?", ig::write, "The addresses that words may have."};

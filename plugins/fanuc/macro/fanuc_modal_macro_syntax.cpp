@@ -11,7 +11,7 @@ struct FanucModalMacro {
       ig::syntax("FanucModalMacroSyntax", "Calls the macro of G66 after each block that moves; G67 ends it.")
           .after("LinearMotionSyntax", "CircularMotionSyntax", "ReferenceReturnSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "FAN-0169", "G67 without G66: nothing ends"),
+      ig::diagnostic(IG_WARNING, "FAN-0169", "this G67 ends nothing: no G66 is in force"),
   };
 
   MacroFrame frame_;

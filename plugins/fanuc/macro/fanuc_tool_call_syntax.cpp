@@ -13,7 +13,7 @@ struct FanucToolCall {
 
   ig::Word t_{"Parsing.T", ig::wake, ""};
   MacroFrame frame_;
-  ig::Config bound_{"isogloss.code-call/1", ig::Need::optional, "Which program T calls, if any."};
+  ig::Config bound_{"isogloss.code-call/1", ig::Need::optional, "The program that T calls, if any."};
   std::optional<double> program_ = bound_.number("T");
 
   ig::Status build(ig::Block& b) {

@@ -21,50 +21,55 @@ enum class Group12 { macro_call, work_offset };
 
 struct MacroVariables final : MacroStore::Keeper {
   static constexpr auto spec =
-      ig::dependency("MacroVariables", "Variables of custom macro B: common, permanent, and given ones of the control.")
+      ig::dependency("MacroVariables",
+                     "Variables of custom macro B: common, permanent, and those of the control that are given.")
           .rows("Variable", "number")
           .provides(macro_store_service);
 
   ig::TextOption common{"common", "100-199", "Numbers of the common variables: null when a program starts."};
   ig::TextOption permanent{"permanent", "500-999", "Numbers of the permanent variables: kept when the power is off."};
   ig::TextOption assumed{"assumed-zero", "1000-1035 1100-1135 3003-3008 3901-3902",
-                         "Variables of the control that are 0, with a warning, until the table or the program says "
-                         "otherwise."};
+                         "Variables of the control that are assumed to be 0, with a warning, until the table or the "
+                         "program sets them."};
   ig::Choice<ArcRange> arcs{"arc-functions", "0-to-360|-180-to-180", "0-to-360",
-                            "What ASIN and ATAN[]/[] answer where the angle is negative."};
+                            "Range of the angles that ASIN and ATAN[]/[] return."};
   ig::Choice<Conditions> conditions{"conditions", "comparison|any-value", "comparison",
-                                    "A condition compares and a comparison is no number, or a comparison is 1 or 0 "
-                                    "and any number but 0 is a condition that holds."};
-  ig::Choice<Modulus> modulus{"mod", "whole|real", "whole", "Does MOD round its operands to whole numbers?"};
-  ig::Choice<ToolVariables> tool_variables{"tool-variables", "wear-first|series-15|geometry-first", "wear-first",
-                                           "#2001 and #10001 are the wear of length 1, #2201 and #11001 its geometry; "
-                                           "or the other way round; or so without #10001 and on, with radii from #2401 "
-                                           "on."};
-  ig::Choice<RadiusVariables> radius_variables{"radius-variables", "none|from-2401", "none",
-                                               "#2401 to #2800: work offsets at #2500 and on only, or radii of tools."};
+                                    "Whether a condition must compare two values, or any number other than 0 holds and "
+                                    "a comparison is the number 1 or 0."};
+  ig::Choice<Modulus> modulus{"mod", "whole|real", "whole", "Whether MOD rounds its operands to whole numbers."};
+  ig::Choice<ToolVariables> tool_variables{
+      "tool-variables", "wear-first|series-15|geometry-first", "wear-first",
+      "wear-first: #2001 and #10001 are the wear of length 1, #2201 and #11001 its "
+      "geometry; geometry-first: the other way round, with radii from #2401 and "
+      "without #10001; series-15: the other way round."};
+  ig::Choice<RadiusVariables> radius_variables{
+      "radius-variables", "none|from-2401", "none",
+      "Whether #2401 to #2800 are radii of tools, or only work offsets from #2500."};
   ig::Choice<FirstOffset> first_offset{"first-offset", "external|local", "external",
-                                       "#5201 and on: the external offset, or the shift of G52."};
+                                       "Whether #5201 and up are the external offset or the shift of G52."};
   ig::IntegerOption tool_in_spindle{
-      "tool-in-spindle", "0", {0, 99'999}, "Number of the variable that is the tool in the spindle; 0: none."};
+      "tool-in-spindle", "0", {0, 99'999}, "Number of the variable that reads the tool in the spindle; 0: none."};
   ig::IntegerOption spindle_speed{
-      "spindle-speed", "0", {0, 99'999}, "Number of the variable that is the speed of the spindle; 0: none."};
-  ig::Choice<Group12> group_12{"group-12", "macro-call|work-offset", "macro-call",
-                               "#4012 is 66 or 67, or the work offset in force as #4014 is."};
+      "spindle-speed", "0", {0, 99'999}, "Number of the variable that reads the speed of the spindle; 0: none."};
+  ig::Choice<Group12> group_12{
+      "group-12", "macro-call|work-offset", "macro-call",
+      "Whether #4012 reads 66 or 67 (macro call), or the work offset in force, as #4014 does."};
   ig::IntegerOption other_names{"other-names",
                                 "0",
                                 {0, 99'999},
-                                "#10100 is #100 where this is 10000, and so with all that hold values; 0: none."};
-  ig::Choice<RepeatedCall> repeated_call{"repeated-call", "arguments|kept", "arguments",
-                                         "What the local variables of G65 L are from the second time on: the arguments "
-                                         "anew, or what the time before left in them."};
-  ig::IntegerOption nesting{"nesting", "5", {1, 64}, "Brackets inside each other that the control permits."};
+                                "Distance to a second number of each variable (10000: #10100 is #100); 0: none."};
+  ig::Choice<RepeatedCall> repeated_call{
+      "repeated-call", "arguments|kept", "arguments",
+      "Local variables from the second call of G65 L on: the arguments again, or what the "
+      "call before left in them."};
+  ig::IntegerOption nesting{"nesting", "5", {1, 64}, "How deep the control lets brackets nest."};
   ig::NumberOption clock_step{"clock-step",
                               "100",
                               {0, 1e9},
                               "ms",
-                              "How far #3001 and #3002 have gone on each time they are read: waiting loops end."};
+                              "How far #3001 and #3002 advance each time they are read, so that waiting loops end."};
   ig::Column value{"Value", nullptr, "", {}, "The variable's value; none: null."};
-  ig::Column is_null{"Null", nullptr, "", {0, 1}, "1: the variable is null, whatever Value says."};
+  ig::Column is_null{"Null", nullptr, "", {0, 1}, "1: the variable is null, whatever Value holds."};
   ig::Table table;
   ig::RowNames names;
   MacroStore store;
@@ -104,7 +109,7 @@ struct MacroVariables final : MacroStore::Keeper {
  private:
   static NumberRanges read(std::string_view text, const char* option) {
     auto ranges = NumberRanges::read(text);
-    if (!ranges) throw std::runtime_error(std::string(option) + " wants numbers and ranges such as 100-199 500");
+    if (!ranges) throw std::runtime_error(std::string(option) + " needs numbers and ranges such as 100-199 500");
     return *ranges;
   }
 

@@ -10,12 +10,13 @@ struct FanucFixtureOffset {
   static constexpr auto spec =
       ig::syntax(
           "FanucFixtureOffsetSyntax",
-          "Says that a fixture offset (G54.2 P) and a setting error of the workpiece (G54.4 P) are not executed.")
+          "Reports that a fixture offset (G54.2 P) and a setting error of the workpiece (G54.4 P) are not executed.")
           .after("ParameterizedFlagSyntax")
           .before("NotExecutedSyntax", "UnconsumedCheckSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "FAN-0210", "{0} P{1} is not executed: {2}"),
-      ig::diagnostic(IG_ERROR, "FAN-0211", "{0} without P: nothing is chosen"),
+      ig::diagnostic(IG_ERROR, "FAN-0211",
+                     "{0} has no P, so it selects nothing: write P0 to cancel, or the number of a row"),
   };
 
   ig::Call codes_{{"G54.2", "G54.4"}, "P[]"};
@@ -41,8 +42,8 @@ struct FanucFixtureOffset {
   }
 
   static constexpr std::array<std::string_view, 2> missing{
-      "its fixture offset is not known here, and positions do not follow the rotary table",
-      "positions are those of a workpiece that is set exactly"};
+      "the fixture offset is not known here, so positions do not follow the rotary table",
+      "positions are those of a workpiece without a setting error"};
 };
 
 const ig::Register<FanucFixtureOffset> fanuc_fixture_offset_syntax;

@@ -31,7 +31,7 @@ struct FanucParameterTable {
                     "isogloss.control-parameter/1")
           .ships(shipped_parameters);
 
-  ig::Column value{"Value", nullptr, "", {}, "The parameter, where it is one for the whole control."};
+  ig::Column value{"Value", nullptr, "", {}, "The parameter, where it has one value for the whole control."};
   std::array<ig::Column, 6> axes{ig::Column{"X", nullptr, "", {}, "The parameter of the X axis."},
                                  ig::Column{"Y", nullptr, "", {}, "The parameter of the Y axis."},
                                  ig::Column{"Z", nullptr, "", {}, "The parameter of the Z axis."},

@@ -17,7 +17,7 @@ namespace {
 
 struct FanucToolOffset {
   static constexpr auto spec =
-      ig::syntax("FanucToolOffsetSyntax", "G45 to G48 lengthen and shorten the ways of their block by the offset of D.")
+      ig::syntax("FanucToolOffsetSyntax", "G45 to G48 lengthen or shorten the moves of their block by the offset of D.")
           .after("UnitModeSyntax", "PlaneSelectSyntax", "PositioningModeSyntax", "ToolHeightOffsetSyntax",
                  "IsoLocalCoordinateOffsetSyntax", "IsoCoordinateOffsetSyntax")
           .before("PolarCoordinateSyntax", "CannedCycleResolveSyntax", "IncrementalResolveSyntax", "ProgramXyzSyntax",
@@ -28,7 +28,8 @@ struct FanucToolOffset {
       ig::diagnostic(IG_WARNING, "FAN-0222",
                      "{0}: the radius of D{1} is 0 in the tool table, so the offset changes nothing"),
       ig::diagnostic(IG_ERROR, "FAN-0223",
-                     "{0}: only a quarter or three quarters of a circle with I J K take the offset; the arc has none"),
+                     "{0} offsets only quarter and three-quarter circles with I J K: this arc is executed without "
+                     "offset"),
   };
 
   ig::Call codes_{{"G45", "G46", "G47", "G48"}, "X Y Z D[]"};

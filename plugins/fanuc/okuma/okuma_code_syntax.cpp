@@ -14,18 +14,19 @@ namespace {
 
 struct OkumaCode {
   static constexpr auto spec =
-      ig::syntax("OkumaCodeSyntax", "Reads codes of an Okuma, and says what is not executed.")
+      ig::syntax("OkumaCodeSyntax", "Executes codes of an Okuma, and reports those that are not executed.")
           .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PlaneSelectSyntax", "PathModeSyntax")
           .before("DwellSyntax", "CannedCycleResolveSyntax", "NotExecutedSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "FAN-0203", "M53 is not executed: the cycle returns to {0}, where it began"),
+      ig::diagnostic(IG_ERROR, "FAN-0203",
+                     "M53 is not executed: the cycle returns to {0} mm, where it began, not to the level of G71"),
   };
 
   RecognisedCodes codes_{
       ig::diag("FAN-0201"),
       {
-          {ig::Call{{"G15", "G16"}, "H[]"}, "positions stand without the work offset"},
-          {ig::Call{{"G54", "G55", "G56", "G57", "G58", "G59"}, "H[]"}, "positions stand without the tool length"},
+          {ig::Call{{"G15", "G16"}, "H[]"}, "positions lack the work offset"},
+          {ig::Call{{"G54", "G55", "G56", "G57", "G58", "G59"}, "H[]"}, "positions lack the tool length"},
           {ig::Call{{"G10", "G11"}, "X Y Z P[deg]"}, "positions are neither shifted nor turned"},
           {ig::Call{{"G30"}, "P[]"}, "the move to the home position is left out"},
           {ig::Call{{"G62"}, "X Y Z"}, "positions are not mirrored"},
@@ -37,8 +38,9 @@ struct OkumaCode {
   ig::Call level_{{"G71"}, "Z"};
   ig::Codes returns_{"M53", "M54"};
   ig::Out<double> time_{"Dwell.Time"};
-  ig::Field<double> return_level_{
-      "CannedCycle.ReturnLevel", ig::read | ig::write, {ig::Life::modal, "mm", "Level of G71, to which M53 returns."}};
+  ig::Field<double> return_level_{"CannedCycle.ReturnLevel",
+                                  ig::read | ig::write,
+                                  {ig::Life::modal, "mm", "Level of G71, to which a cycle returns after M53."}};
   ig::In<double> initial_level_{"CannedCycle.InitialLevel"};
   ig::Out<ig::Symbol> return_mode_{"CannedCycle.ReturnMode"};
   ig::Signal return_to_r_{"CannedCycle.~ReturnToR", ig::read | ig::write, ig::Life::modal};
