@@ -56,11 +56,11 @@ int ApplyCommand::run() const {
 int apply_command(const Arguments& arguments) {
   CommandLine line(
       "apply",
-      "Runs one syntax on one block: the block document before it on standard input, after it on standard output.",
+      "Runs one syntax on one block: reads the block document from standard input, writes it to standard output.",
       R"(echo '{"Parsing": {"G04": {"P": 0.5}}}' | isogloss apply DwellSyntax)");
   ApplyCommand command;
   line.option("SYNTAX", command.syntax, "Id of a syntax, or its alias in the dialect").required();
-  line.option("--previous", command.previous, "The whole block before, as JSON").type_name("FILE");
+  line.option("--previous", command.previous, "The whole previous block, as JSON").type_name("FILE");
   line.option("--ahead", command.ahead, "The executed blocks that follow, as a JSON list").type_name("FILE");
   line.option("--dependencies", command.dependencies, "Dependencies and options as XML, as a case has them")
       .type_name("FILE");

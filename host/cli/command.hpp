@@ -33,13 +33,13 @@ struct Command {
 
 inline constexpr Command commands[] = {
     {"run", "run programs through a dialect: motions, blocks, a summary", run_command},
-    {"explain", "why a block came out as it did; what a diagnostic means", explain_command},
+    {"explain", "explain why a block did what it did, or a diagnostic", explain_command},
     {"lint", "check dialect files", lint_command},
-    {"dialect", "write a dialect with all that it extends as one file", dialect_command},
+    {"dialect", "write a dialect and everything that it extends as one file", dialect_command},
     {"schema", "print the schema of dialect files or of the block document", schema_command},
     {"list", "list plugins, syntaxes, dialects, dependencies, fields, diagnostics", list_command},
     {"inspect", "show the page and declaration of one of them", inspect_command},
-    {"doctor", "say what was found where, and what was not loaded and why", doctor_command},
+    {"doctor", "report what was found where, and what was not loaded and why", doctor_command},
     {"apply", "run one syntax on one block", apply_command},
     {"case", "run the cases of documentation pages", case_command},
 };

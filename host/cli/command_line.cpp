@@ -39,7 +39,7 @@ Option& Option::at_least(std::uint64_t minimum) {
         std::uint64_t value = 0;
         const bool is_number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
         if (is_number && CLI::detail::lexical_cast(text, value) && value >= minimum) return std::string();
-        return "'" + text + "' is no whole number from " + std::to_string(minimum) + " on";
+        return "'" + text + "' is not a whole number from " + std::to_string(minimum) + " on";
       },
       "");
   return *this;

@@ -47,7 +47,7 @@ int DialectCommand::run() const {
 }  // namespace
 
 int dialect_command(const Arguments& arguments) {
-  CommandLine line("dialect", "Writes a dialect with all that it extends as one file.",
+  CommandLine line("dialect", "Writes a dialect and everything that it extends as one file.",
                    "isogloss dialect --effective fanuc --inline -o effective.xml");
   DialectCommand command;
   line.option("--effective", command.name, "The dialect, by name or file").required().type_name("DIALECT");

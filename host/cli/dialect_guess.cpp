@@ -172,10 +172,10 @@ std::optional<Guess> guess_dialect(const std::string& path, std::string_view hea
     return std::nullopt;
   }
   Guess guess{best.key(), best.dialect->name, {}, {}, {}};
-  guess.why = best.of_name > best.of_text ? "by the name of the file"
-              : best.of_text > 0          ? "by what stands in the text"
-              : best.score >= 2           ? "by the extension " + extension
-                                          : "nothing tells its dialect";
+  guess.why = best.of_name > best.of_text ? "from the name of the file"
+              : best.of_text > 0          ? "from the text of the program"
+              : best.score >= 2           ? "from the extension " + extension
+                                          : "nothing identifies the dialect";
   if (next.score > 0 && best.score - next.score < Signature::usual_weight) {
     guess.next = next.key();
     guess.next_name = next.dialect->name;

@@ -126,7 +126,7 @@ int DoctorCommand::run() const {
 }  // namespace
 
 int doctor_command(const Arguments& arguments) {
-  CommandLine line("doctor", "Says which folders are searched, what was found, and what was not loaded and why.",
+  CommandLine line("doctor", "Reports which folders are searched, what was found, and what was not loaded and why.",
                    "isogloss doctor --plugins ./build/plugins");
   DoctorCommand command;
   line.flag("--json", command.json, "Write JSON");

@@ -278,7 +278,7 @@ int ExplainCommand::run() {
   const bool is_line = !number.empty() && number.size() < 10 &&
                        std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
   if (!is_line || std::stoul(number) == 0) {
-    session.say("IG-0513", {}, {"explain wants PROGRAM:LINE or the code of a diagnostic, not '" + what + "'"});
+    session.say("IG-0513", {}, {"explain needs PROGRAM:LINE or the code of a diagnostic, not '" + what + "'"});
     return cannot_start;
   }
   target.line = static_cast<std::uint32_t>(std::stoul(number));
@@ -288,15 +288,16 @@ int ExplainCommand::run() {
 }  // namespace
 
 int explain_command(const Arguments& arguments) {
-  CommandLine line("explain",
-                   "Explains a line: what each syntax made of it, what was carried into it and who wrote that; "
-                   "or says what a diagnostic means.",
-                   "isogloss explain part.nc:42 -d fanuc\n  isogloss explain IG-0206");
+  CommandLine line(
+      "explain",
+      "Explains a line: what each syntax made of it, what was carried into it and which syntax wrote that; "
+      "or explains a diagnostic.",
+      "isogloss explain part.nc:42 -d fanuc\n  isogloss explain IG-0206");
   ExplainCommand command;
   line.option("PROGRAM:LINE", command.what, "A line of a program, or the code of a diagnostic").required();
-  line.option("--in", command.target.file, "LINE is one of this file, a called program's (default: PROGRAM's own)")
+  line.option("--in", command.target.file, "The file of a called program that holds LINE (default: PROGRAM)")
       .type_name("FILE");
-  line.option("--pass", command.target.pass, "Which pass, of a line that is run several times")
+  line.option("--pass", command.target.pass, "Which pass, for a line that runs several times")
       .at_least(1)
       .type_name("N")
       .shows_default();

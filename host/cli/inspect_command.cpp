@@ -142,7 +142,7 @@ int inspect_command(const Arguments& arguments) {
   InspectCommand command;
   line.option("NAME", command.name, "Id of a syntax or dependency, name or file of a dialect, path of a field")
       .required();
-  line.option("-d,--dialect", command.dialect, "Also what this dialect makes of it: options, resolved patterns")
+  line.option("-d,--dialect", command.dialect, "Show the options and resolved patterns of this dialect too")
       .type_name("DIALECT");
   line.flag("--json", command.json, "Write JSON");
   command.common.add_to(line);

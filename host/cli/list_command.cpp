@@ -128,7 +128,7 @@ struct ListCommand {
   int run() const {
     Session session(common);
     if ((what == "codes") != !dialect.empty()) {
-      session.say("IG-0513", {}, {"list codes wants a dialect: -d NAME; the other lists take none"});
+      session.say("IG-0513", {}, {"list codes needs a dialect: -d NAME; the other lists accept none"});
       return cannot_start;
     }
     if (what == "codes") {
@@ -158,7 +158,7 @@ struct ListCommand {
 }  // namespace
 
 int list_command(const Arguments& arguments) {
-  CommandLine line("list", "Lists what is there. Without a name: plugins and dialects.",
+  CommandLine line("list", "Lists plugins, dialects and what they contain. Without WHAT: plugins and dialects.",
                    "isogloss list syntaxes\n  isogloss list codes -d fanuc\n  isogloss list diagnostics --json");
   ListCommand command;
   std::vector<std::string> names;
@@ -166,7 +166,7 @@ int list_command(const Arguments& arguments) {
   names.emplace_back("codes");
   line.option("WHAT", command.what, "plugins, syntaxes, dialects, dependencies, fields, diagnostics or codes")
       .one_of(names);
-  line.option("-d,--dialect", command.dialect, "Whose codes: each with the syntaxes that act on it, and their page")
+  line.option("-d,--dialect", command.dialect, "Dialect of the codes, each listed with its syntaxes and their pages")
       .type_name("DIALECT");
   line.flag("--json", command.json, "Write JSON");
   command.common.add_to(line);

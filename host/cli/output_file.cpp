@@ -66,7 +66,7 @@ std::unique_ptr<OutputFile> OutputFile::open(const std::string& path, std::strin
     return nullptr;
   }
   if (exists && !S_ISREG(info.st_mode)) {
-    error = S_ISDIR(info.st_mode) ? "it is a folder" : "it is no regular file";
+    error = S_ISDIR(info.st_mode) ? "it is a folder" : "it is not a regular file";
     return nullptr;
   }
   if (exists && access(target.c_str(), W_OK) != 0) {

@@ -48,46 +48,45 @@ std::optional<std::filesystem::path> machine_file(const std::string& named, Sess
 }  // namespace
 
 void ProgramOptions::add_to(CommandLine& line) {
-  line.option("-d,--dialect", dialect, "Dialect, by name or file (default: guessed from text and extension, and said)")
+  line.option("-d,--dialect", dialect,
+              "Dialect, by name or file (default: guessed from text and extension, and reported)")
       .type_name("DIALECT");
   line.option("--machine", machine, "Tables of the machine: its axes and kinematics; a file, or a name in machines/")
       .type_name("FILE");
   line.option("--offsets", offsets, "Table of work offsets").type_name("FILE");
   line.option("--tools", tools, "Table of tool offsets").type_name("FILE");
-  line.option("--variables", variables, "Table of variables: those kept from another run, those of the machine")
+  line.option("--variables", variables, "Table of variables: kept from another run, or known only on the machine")
       .type_name("FILE");
   line.option("--set", set, "One value of a table or dependency, e.g. IsoCoordinateTable.G54.Z=-120 (repeatable)")
       .type_name("NAME=VALUE");
-  line.option("--block-skip", block_skip, "Layers of the block skip that are on, e.g. 1,3 (default: none)")
+  line.option("--block-skip", block_skip, "Layers of block skip that are on, e.g. 1,3 (default: none)")
       .type_name("LAYERS");
-  line.flag("--optional-stop", optional_stop, "The optional stop is on");
+  line.flag("--optional-stop", optional_stop, "Switch the optional stop on");
   line.option("--program", program, "Start at this program of the file (default: the first)").type_name("NAME");
   line.option("--subprograms", subprograms,
-              "Where called programs are looked for after the program's own file and folder: a folder, or a file of "
+              "Where to look for called programs after the program's own file and folder: a folder, or a file of "
               "several programs (repeatable)")
       .type_name("PLACE");
   line.option("--on-error", on_error, "What an alarm of the control does")
       .one_of({"stop", "continue"})
       .type_name("stop|continue")
       .shows_default();
-  line.option("--max-blocks", maximum_blocks, "Stop after so many blocks (0: never)").type_name("N").shows_default();
-  line.option("--max-motions", maximum_motions, "Stop after so many blocks and steps of cycles together")
+  line.option("--max-blocks", maximum_blocks, "Stop after N blocks (0: never)").type_name("N").shows_default();
+  line.option("--max-motions", maximum_motions, "Stop after N blocks and steps of cycles together")
       .type_name("N")
       .shows_default();
   line.option("--main-passes", main_passes,
-              "How often the main program runs where it starts itself over at its end; 0: until a limit ends it "
-              "(default: the dialect's, mostly once)")
+              "How often to run a main program that starts itself again at its end; 0: until a limit ends the run "
+              "(default: as the dialect says, mostly once)")
       .at_least(0)
       .type_name("N");
-  line.option("--max-depth", maximum_depth, "How deep calls of programs may be nested").type_name("N").shows_default();
-  line.option("--max-jumps", maximum_jumps, "Stop after so many calls, returns and jumps")
-      .type_name("N")
-      .shows_default();
-  line.option("--max-loop-blocks", maximum_loop_blocks, "Stop after so many blocks that run again after a jump back")
+  line.option("--max-depth", maximum_depth, "How deep program calls may nest").type_name("N").shows_default();
+  line.option("--max-jumps", maximum_jumps, "Stop after N calls, returns and jumps").type_name("N").shows_default();
+  line.option("--max-loop-blocks", maximum_loop_blocks, "Stop after N blocks that run again after a jump back")
       .type_name("N")
       .shows_default();
   line.option("--max-repeat-blocks", maximum_repeat_blocks,
-              "Stop after so many blocks that run again since a call repeats its program")
+              "Stop after N blocks that run again because a call repeats its program")
       .type_name("N")
       .shows_default();
   line.option("--watchdog", watchdog, "A block that takes longer is a fault of its syntax (0: never)")
@@ -111,7 +110,7 @@ std::optional<RunOptions> ProgramOptions::make(Session& session) const {
   for (const std::string& assignment : set) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string::npos || equals == 0) {
-      session.say("IG-0513", {}, {"--set wants NAME=VALUE, not '" + assignment + "'"});
+      session.say("IG-0513", {}, {"--set needs NAME=VALUE, not '" + assignment + "'"});
       sound = false;
     } else {
       out.chain.assignments.emplace_back(assignment.substr(0, equals), assignment.substr(equals + 1));
@@ -119,7 +118,7 @@ std::optional<RunOptions> ProgramOptions::make(Session& session) const {
   }
   if (!block_skip.empty()) {
     if (!are_layers(block_skip)) {
-      session.say("IG-0513", {}, {"--block-skip wants layers from 1 to 9 such as 1,3, not '" + block_skip + "'"});
+      session.say("IG-0513", {}, {"--block-skip needs layers from 1 to 9 such as 1,3, not '" + block_skip + "'"});
       sound = false;
     }
     out.chain.settings["block-skip"] = block_skip;

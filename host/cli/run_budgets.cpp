@@ -18,9 +18,9 @@ std::uint64_t resident_mib() {
 }  // namespace
 
 void RunBudgets::add_to(CommandLine& line) {
-  line.option("--max-output", output_bytes, "Stop after so many bytes of output").type_name("BYTES").shows_default();
-  line.option("--max-memory", memory_mib, "Stop when the run takes more memory").type_name("MIB").shows_default();
-  line.option("--max-diagnostics", diagnostics, "Stop after so many diagnostics, looked at every 65536 blocks")
+  line.option("--max-output", output_bytes, "Stop after this much output").type_name("BYTES").shows_default();
+  line.option("--max-memory", memory_mib, "Stop when the run needs more memory").type_name("MIB").shows_default();
+  line.option("--max-diagnostics", diagnostics, "Stop after N diagnostics, checked every 65536 blocks")
       .type_name("N")
       .shows_default();
 }

@@ -37,16 +37,16 @@ struct RunCommand {
 void RunCommand::add_to(CommandLine& line) {
   line.option("PROGRAM", programs, "Programs, each a run of its own; - is standard input").required();
   program.add_to(line);
-  line.option("--emit", emit, "What is written (default: motions; with --summary alone: none)")
+  line.option("--emit", emit, "What to write (default: motions; with --summary alone: none)")
       .one_of({"blocks", "motions", "none"})
       .type_name("blocks|motions|none");
-  line.option("--format", format, "How it is written")
+  line.option("--format", format, "Form of the output")
       .one_of({"jsonl", "csv", "text"})
       .type_name("jsonl|csv|text")
       .shows_default();
   line.option("-o,--output", output, "Write to a file, which appears only when it is complete").type_name("FILE");
   line.option("--save-table", save_table,
-              "Write a table as the last run left it, to be given to a later run: MacroVariables=kept.xml (repeatable)")
+              "Write a table as the last run left it, for a later run: MacroVariables=kept.xml (repeatable)")
       .type_name("NAME=FILE");
   line.flag("--summary", summary,
             "Blocks, events, lengths, extents, time and diagnostics by code; on standard error when standard output "
@@ -55,7 +55,7 @@ void RunCommand::add_to(CommandLine& line) {
   line.flag("--exact", exact, "Numbers that read back to the same value instead of 6 decimals");
   line.flag("--zero-moves", zero_moves, "Keep linear moves that change no machine axis");
   budgets.add_to(line);
-  line.flag("--checked", checked, "Hold every access of a syntax against its declaration (slow)").group("Testing");
+  line.flag("--checked", checked, "Check every access of a syntax against its declaration (slow)").group("Testing");
   line.flag("--call-all", call_all, "Call every syntax in every block; must give the same result").group("Testing");
   reproducer.add_to(line);
   common.add_to(line);
@@ -178,7 +178,8 @@ class Runs {
     RunOptions options = options_;
     add_folder_of(path, options);
     const std::string place = where_moves_part(*linked_, *next, path, source.head(), options);
-    return place.empty() ? "" : "; " + guess.next_name + ", the next likely, moves otherwise from " + place + " on";
+    return place.empty() ? ""
+                         : "; " + guess.next_name + ", the next candidate, moves differently from " + place + " on";
   }
 
   int run_linked(const std::string& path, OpenedProgram& source) {

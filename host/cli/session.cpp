@@ -69,7 +69,7 @@ void write_to_stderr(std::string_view text) {
 void CommonOptions::add_to(CommandLine& line) {
   line.option("--plugins", plugins, "Look for plugins in this folder first").type_name("DIR").group("Common");
   line.option("--dialects", dialects, "Look for dialects in this folder first").type_name("DIR").group("Common");
-  line.option("--diagnostics", diagnostics, "How diagnostics are written")
+  line.option("--diagnostics", diagnostics, "Form of the diagnostics")
       .one_of({"text", "json", "sarif"})
       .type_name("text|json|sarif")
       .shows_default()
@@ -77,15 +77,15 @@ void CommonOptions::add_to(CommandLine& line) {
   line.option("--diagnostics-output", diagnostics_output, "Write diagnostics to a file instead")
       .type_name("FILE")
       .group("Common");
-  line.option("--repeats", repeats, "Say so many diagnostics of one code in full (0: all)")
+  line.option("--repeats", repeats, "Write N diagnostics of each code in full (0: all)")
       .type_name("N")
       .shows_default()
       .group("Common");
-  line.option("--max-errors", maximum_errors, "Stop after so many errors (0: never)")
+  line.option("--max-errors", maximum_errors, "Stop after N errors (0: never)")
       .type_name("N")
       .shows_default()
       .group("Common");
-  line.flag("--werror", warnings_are_errors, "Warnings are errors").group("Common");
+  line.flag("--werror", warnings_are_errors, "Treat warnings as errors").group("Common");
 }
 
 Session::Session(const CommonOptions& options)

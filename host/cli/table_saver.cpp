@@ -67,7 +67,7 @@ std::optional<std::vector<TableRequest>> read_table_requests(const std::vector<s
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
-      session.say("IG-0513", {}, {"--save-table wants NAME=FILE, not '" + text + "'"});
+      session.say("IG-0513", {}, {"--save-table needs NAME=FILE, not '" + text + "'"});
       sound = false;
     } else {
       out.emplace_back(text.substr(0, equals), text.substr(equals + 1));

@@ -340,7 +340,7 @@ class OddFiles(Command):
         self.write("other.nc", "%\nO1002 (SUB)\nX20.\nM99\n%\n")
         main = self.write("main.nc", "%\nO1\nG21 G90 G0 X0\nM98 P1002\nM98 P1003\nM30\n%\nO1003\nX30.\nM99\n%\n")
         done = self.run_it("run", main, "-d", "fanuc", "--format", "csv")
-        self.assertRegex(done.stderr, r"warning: O1002 is called out of \S*other.nc.*\[IG-0451\]")
+        self.assertRegex(done.stderr, r"warning: O1002 is called from \S*other.nc.*\[IG-0451\]")
         self.assertEqual([line.split(",")[3] for line in done.stdout.splitlines()[1:3]], ["20", "30"])
 
     def test_any_number_of_missing_programs_is_soon_not_found(self):
@@ -496,21 +496,21 @@ class Run(Command):
         for name, dialect in (("1_HAAS.nc", "haas"), ("OSP5020M.nc", "okuma"), ("fixture_Fanuc.nc", "fanuc")):
             program = self.write(name, "G21 G90\nG0 X1. Y2.\nM30\n")
             done = self.run_it("run", program, "--emit", "none")
-            self.assertIn(f"note: dialect {dialect} (by the name of the file", done.stderr)
+            self.assertIn(f"note: dialect {dialect} (from the name of the file", done.stderr)
 
     def test_the_note_tells_where_the_next_likely_dialect_moves_otherwise(self):
-        parting = "; haas, the next likely, moves otherwise from line 6 on); -d names another"
+        parting = "; haas, the next candidate, moves differently from line 6 on); -d names another"
         for line, differs in (("G28", True), ("G04 P1000", False)):  # a Haas moves home where a Fanuc moves nothing
             program = self.write("guess.nc", f"%\nO1\nG21 G0 X1.\nG1 X2. F100.\n{line}\nY7.\nM30\n%\n")
             done = self.run_it("run", program, "--emit", "none")
-            self.assertIn("note: dialect fanuc (by what stands in the text", done.stderr)
+            self.assertIn("note: dialect fanuc (from the text of the program", done.stderr)
             self.assertEqual(parting in done.stderr, differs, done.stderr)
-            self.assertNotIn("moves otherwise", self.run_it("run", program, "-d", "fanuc", "--emit", "none").stderr)
+            self.assertNotIn("moves differently", self.run_it("run", program, "-d", "fanuc", "--emit", "none").stderr)
 
     def test_a_guess_costs_a_long_program_no_more_than_a_moment(self):
         text = "%\nO1\nG21 G0 X1.\nF100.\n" + "".join(f"G1 X{i}. Y{i % 7}.\n" for i in range(200_000)) + "G28\nM30\n%\n"
         done = self.run_it("run", self.write("guess.nc", text), "--emit", "none")
-        self.assertNotIn("moves otherwise", done.stderr)  # beyond what is compared
+        self.assertNotIn("moves differently", done.stderr)  # beyond what is compared
 
     def test_part_of_a_klartext_program_is_known_by_its_moves(self):
         for text in ("1 L Z+2,000 R0 F MAX M3\n2 L X+10,000 Y+5,000 R0 F200\n", "L X1 FMAX\nL Z-1 F100\n"):
@@ -863,8 +863,8 @@ class Listing(Command):
             self.assertEqual(len(list((pathlib.Path(__file__).parents[2] / "plugins" / plugin).rglob(name))), 1, row)
         text = self.run_it("list", "codes", "-d", "siemens").stdout
         self.assertRegex(text, r"(?m)^CYCLE83 +code +SiemensDeepHoleCycleSyntax +siemens/siemens_deep_hole_cycle_syntax\.md$")
-        self.assertIn("wants a dialect", self.run_it("list", "codes", status=2).stderr)
-        self.assertIn("take none", self.run_it("list", "fields", "-d", "iso", status=2).stderr)
+        self.assertIn("needs a dialect", self.run_it("list", "codes", status=2).stderr)
+        self.assertIn("accept none", self.run_it("list", "fields", "-d", "iso", status=2).stderr)
 
     def test_diagnostics_are_complete_and_unique(self):
         rows = json.loads(self.run_it("list", "diagnostics", "--json").stdout)
@@ -919,7 +919,7 @@ class Dialects(Command):
         dialect = self.write("mine.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="mine" extends="fanuc"><Chain>'
                              '<Configure syntax="InertCodeSyntax" codes="Parsing.Flags.M200 M201"/></Chain></Dialect>')
         done = self.run_it("lint", dialect, status=1)
-        self.assertIn("'M201' names no code: write Parsing.Flags.M201 [IG-0243]", done.stderr)
+        self.assertIn("'M201' is not the path of a code: write Parsing.Flags.M201 [IG-0243]", done.stderr)
 
     def test_a_command_without_dialects_says_so(self):
         alone = shutil.copy(OPTIONS.isogloss, self.path / "isogloss")
@@ -994,7 +994,7 @@ class Subprograms(Command):
         os.mkfifo(self.path / "O7.nc")
         main = self.write("main.nc", "G91 G00\nM98 P5\nM98 P6\nM98 P7\nM98 P8\nM30\n")
         done = self.run_csv(main, status=1)
-        for said in ("O5 is a folder", "O6.nc is a link that leads out", "O7.nc is no regular file", "program O8"):
+        for said in ("O5 is a folder", "O6.nc is a link that leads out", "O7.nc is not a regular file", "program O8"):
             self.assertIn(said, done.stderr)
         self.assertEqual(self.xs(done), [])
 

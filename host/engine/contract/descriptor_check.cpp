@@ -104,7 +104,7 @@ bool is_name(std::string_view s) {
 template <class What>
 std::string_view name(const char* s, const What& what) {
   const std::string_view id = text(s, what, longest_name);
-  if (!is_name(id)) fault("{} '{}' is no name (a letter, then letters, digits, _ - .)", what(), id);
+  if (!is_name(id)) fault("{} '{}' is not a name (a letter, then letters, digits, _ - .)", what(), id);
   return id;
 }
 
@@ -157,7 +157,7 @@ void range(double minimum, double maximum, const What& what) {
 template <class What>
 void number_in_range(std::string_view s, double minimum, double maximum, const What& what) {
   const std::optional<double> value = parse_number(s);
-  if (!value) fault("the default of {}, '{}', is no number", what(), s);
+  if (!value) fault("the default of {}, '{}', is not a number", what(), s);
   if (*value < minimum || *value > maximum)
     fault("the default of {}, {}, lies outside {} to {}", what(), s, minimum, maximum);
 }
@@ -355,12 +355,12 @@ void check_diagnostics(const ig_plugin& plugin) {
     const std::string_view code = text(
         row.code, [&] { return fmt::format("the code of diagnostic {}", i); }, longest_name);
     const auto what = [&] { return fmt::format("diagnostic {}", code); };
-    if (!is_code(code)) fault("diagnostic code '{}' is no prefix and number such as ACME-0101", code);
+    if (!is_code(code)) fault("diagnostic code '{}' is not a prefix and number such as ACME-0101", code);
     if (code.starts_with("IG-")) fault("diagnostic code '{}' has the host's own prefix", code);
     unique(codes, code, [] { return "diagnostic code"; });
     if (row.severity < IG_NOTE || row.severity > IG_ERROR)
       fault("diagnostic {} has the severity {}", code, row.severity);
-    if (text(row.text, of("the text of", what)).empty()) fault("diagnostic {} says nothing", code);
+    if (text(row.text, of("the text of", what)).empty()) fault("diagnostic {} has no text", code);
     text(row.explanation, of("the explanation of", what));
     text(row.example, of("the example of", what));
   }

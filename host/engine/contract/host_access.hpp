@@ -59,7 +59,7 @@ bool sound(const Document& d, ig_field f, ig_value v) {
   if constexpr (M == Mode::checked) {
     const FieldInfo& info = d.layout().fields[f];
     if (info.type == IG_NUMBER && !std::isfinite(v.number)) {
-      violation(d, "it gives " + info.path + " a value that is no number");
+      violation(d, "it gives " + info.path + " a value that is not a number");
       return false;
     }
     if (info.type == IG_TRANSFORM || info.type == IG_TEXT) {

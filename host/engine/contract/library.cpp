@@ -100,7 +100,7 @@ bool Library::Parts::load(const fs::path& file) {
   if (known(plugins)) return true;
   if (known(refused)) return false;
   std::error_code error;
-  if (!fs::is_regular_file(file, error)) return refuse(file, "IG-0301", {file.string(), "no regular file"});
+  if (!fs::is_regular_file(file, error)) return refuse(file, "IG-0301", {file.string(), "not a regular file"});
   // Looks before loading: a file without the entry symbol never gets to run its initializers here.
   std::vector<std::string> exports;
   if (const std::optional<std::string> fault = elf_fault(file)) return refuse(file, "IG-0301", {file.string(), *fault});

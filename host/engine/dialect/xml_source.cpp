@@ -110,7 +110,7 @@ std::unique_ptr<XmlSource> XmlSource::open(const std::filesystem::path& file, co
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   const bool is_pipe = std::filesystem::is_fifo(status) && pipes == Pipes::read;
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) && !is_pipe) {
-    const char* const what = std::filesystem::is_directory(status) ? "it is a folder" : "it is no regular file";
+    const char* const what = std::filesystem::is_directory(status) ? "it is a folder" : "it is not a regular file";
     sink.add(host_diagnostic("IG-0102", asked_at, {file.string(), what}));
     return nullptr;
   }

@@ -22,8 +22,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        R"(<?xml version="1.0" encoding="ISO-8859-1"?>)"},
       {error, "IG-0105", "{0} exceeds the limit of {1}",
        "A file may have 16 MiB, a dialect with all its files 64 MiB and 16 ancestors; elements may be nested 64 deep "
-       "and "
-       "have 256 attributes; a file's chain may have 4096 elements.",
+       "and have 256 attributes; a file's chain may have 4096 elements.",
        "<A><A><A>…"},
       {error, "IG-0106", "the root element must be {0}, not {1}",
        "A dialect file begins with <Dialect xmlns=\"urn:isogloss:dialect:1\" name=\"…\">; no prefixes.",
@@ -42,7 +41,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "An edit names a syntax or dependency that the dialect inherits (by its alias, where it has one), as it stands "
        "after the edits written before.",
        R"(<Remove syntax="DwelSyntax"/>)"},
-      {error, "IG-0113", "the name '{0}' is taken ({1})",
+      {error, "IG-0113", "the name '{0}' is already used ({1})",
        "Two instances of one syntax or dependency need two names: give one of them as=\"…\".",
        "<DwellSyntax/> <DwellSyntax/>"},
       {error, "IG-0114", "<{0}> stands twice; the first is {1}", "Each section and each stage stands once.",
@@ -63,7 +62,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        R"(<ToolOffsetTable src="offsets.xml"/>)"},
       {error, "IG-0119", "text in <{0}>: '{1}'", "The elements of a dialect file hold elements, never text.",
        "<Chain>DwellSyntax</Chain>"},
-      {error, "IG-0120", "<{0}> holds nothing to put in", "To take something out, say <Remove>.",
+      {error, "IG-0120", "<{0}> holds no element to insert", "To remove an element, write <Remove>.",
        R"(<Replace syntax="DwellSyntax"/>)"},
       // links: 0200-0299
       {error, "IG-0201", "no plugin '{0}' in the folders searched",
@@ -79,7 +78,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {error, "IG-0204", "{0} has no option '{1}'",
        "The attributes of a syntax or dependency are its options; `isogloss inspect` lists them.",
        R"(<BoringCycleSyntax retrakt="feed-to-r"/>)"},
-      {error, "IG-0205", "option '{0}' of {1} wants {2}, not '{3}'",
+      {error, "IG-0205", "option '{0}' of {1} must be {2}, not '{3}'",
        "The value is not of the option's type, or lies outside its range or choices.",
        R"(<DwellSyntax p-unit="hours"/>)"},
       {error, "IG-0206", "{0} must stand after {1} ({2})",
@@ -97,23 +96,23 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "A field has one type and one life. Two plugins that disagree about it cannot stand in one chain.",
        "Feedrate.FeedrateValue as number and as symbol"},
       {error, "IG-0210", "{0} claims the slot '{1}', which {2} holds already ({3})",
-       "Only one syntax of a chain may claim an exclusive slot. Remove one, or say override=\"true\" where both are "
+       "Only one syntax of a chain may claim an exclusive slot. Remove one, or write override=\"true\" where both are "
        "meant.",
        "two work offset syntaxes"},
       {error, "IG-0211", "{0} needs the service {1}, and no dependency provides it",
        "Add a dependency that provides the service; `isogloss list dependencies` says which do.",
        "<ToolHeightOffsetSyntax/> without <ToolOffsetTable/>"},
       {note, "IG-0212", "{0} writes {1}, which nothing reads",
-       "No syntax of the chain, no exporter and no standard section reads the field. A modal field may be read by its "
-       "writer alone, which then remembers it.",
+       "No syntax of the chain, no exporter and no standard section reads the field. A modal field that only its "
+       "writer reads is not reported: the writer remembers a value in it.",
        "Acme.Counter"},
-      {error, "IG-0213", "{0} has no option '{1}' without a default, and the dialect gives none",
-       "This option has no default, so the dialect must give it.", "<AcmeSyntax/>"},
+      {error, "IG-0213", "option '{1}' of {0} has no default, and the dialect gives no value",
+       "The dialect must give every option that has no default.", "<AcmeSyntax/>"},
       {error, "IG-0214", "no field '{0}' in this chain",
        "An initial value, a pattern or a setting names a field that no syntax of the chain and no standard section "
        "declares.",
        R"(<Field path="PlaneSelct.Term" value="…"/>)"},
-      {error, "IG-0215", "'{0}' is no {1} for {2}", "The text is not of the field's type.",
+      {error, "IG-0215", "'{0}' is not a valid {1} for {2}", "The text is not of the field's type.",
        R"(<Field path="SpindleSpeed.SpindleSpeed_rpm" value="fast"/>)"},
       {error, "IG-0216", "the chain has {0} syntaxes; {1} is the most",
        "A chain is limited so that its wake lists "
@@ -126,7 +125,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        R"(<Offset X="10"/>)"},
       {error, "IG-0219", "{0} has no column '{1}'", "A row's attributes are its key and the table's columns.",
        R"(<Offset id="…" Q="10"/>)"},
-      {error, "IG-0220", "'{1}' is no value for column '{0}'{2}",
+      {error, "IG-0220", "'{1}' is not a valid value for column '{0}'{2}",
        "A column's values are numbers within its range, or text where it says so.", R"(<Offset id="…" X="ten"/>)"},
       {error, "IG-0221", "{0} looks ahead but does not stand in the stage PostLogic: move it to <PostLogic>",
        "Only post-logic syntaxes see the window of executed blocks.", "a radius compensation under <Logic>"},
@@ -145,18 +144,18 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "value then, so the syntax is never called for it.",
        "ig::Field<bool> {\"Acme.IsOn\", ig::wake_while}"},
       {error, "IG-0241", "{0} and {1} both answer {2}, and neither says which of them comes first",
-       "Two syntaxes that take one code both act on it: a hole is drilled twice, or gets a rapid too many. Leave one "
-       "of "
-       "them out of the chain. Where both must stand, their declarations after and before say so, or override=\"true\" "
-       "on the second element.",
+       "Two syntaxes that take one code both act on it: a hole is drilled twice, or gets one rapid move too many. "
+       "Remove one of them from the chain. Where both must stand, declare the order with after and before, or write "
+       "override=\"true\" on the second element.",
        "a vendor's drilling cycle for G81 beside DrillingCycleSyntax"},
-      {error, "IG-0243", "{0}: '{1}' names no code: write Parsing.Flags.{1}",
-       "The paths of codes begin with Parsing.Flags. or Parsing.; another field no scanner fills.", "codes=\"M201\""},
+      {error, "IG-0243", "{0}: '{1}' is not the path of a code: write Parsing.Flags.{1}",
+       "The paths of codes begin with Parsing.Flags. or Parsing.; scanners fill no other fields.", "codes=\"M201\""},
       {warning, "IG-0244", "{0}: the pattern '{2}' of the option {1} matches no field of this chain",
        "Nothing of the option's kind in the chain has such a path, so the pattern is ignored. `isogloss list fields` "
        "prints the paths that exist.",
        R"(lengths="Parsing.G81.?{inch}")"},
-      {error, "IG-0240", "{0} acts in this block, though nothing that it declares wakes it: check that in its build()",
+      {error, "IG-0240",
+       "{0} acts in this block, though nothing that it declares wakes it: its build() must check the block",
        "Found by run --checked --call-all, which calls every syntax in every block: a syntax that depends on not being "
        "called gives another result as soon as another declaration wakes it. This is a fault of the plugin.",
        "a syntax that reads a word without asking whether the block holds it"},
@@ -173,19 +172,18 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "an old plugin"},
       {error, "IG-0305", "{0}: bad descriptor: {1}",
        "What ig_plugin_v1() returned breaks the contract, so nothing of the plugin is used.", "a null id"},
-      {error, "IG-0306", "{0}: the name '{1}' is taken by {2}",
+      {error, "IG-0306", "{0}: the name '{1}' is already used by {2}",
        "Two plugins of one name lie in the folders; the first one found is used.", "two copies of iso.so"},
       {error, "IG-0307", "{0} contributes {1}, which {2} contributes already",
        "The ids of syntaxes and dependencies are unique over all plugins of a dialect.", "two DrillingCycleSyntax"},
       {error, "IG-0308", "{0} could not be created: {1}", "The syntax or dependency refused to start.",
        "an option that the plugin cannot use"},
       {warning, "IG-0309", "{0} exports {1} symbols besides ig_plugin_v1, {2} for instance",
-       "Symbols that leak from one plugin can be taken by another. Build with isogloss_add_plugin().",
+       "Another plugin may bind to a symbol that leaks from this one. Build with isogloss_add_plugin().",
        "a plugin built by hand"},
       {warning, "IG-0310", "{0} declares the diagnostic {1}, which {2} declares already",
        "Codes of diagnostics are unique, so that `isogloss explain CODE` and the severities of a dialect mean one of "
-       "them. "
-       "Each plugin has a prefix of its own.",
+       "them. Each plugin has a prefix of its own.",
        "two plugins with ACM-0001"},
       {error, "IG-0350", "{0} of plugin {1} threw an exception out of {2}(), whose result cannot be trusted: {3}",
        "No exception may leave a function of the contract, which is plain C. The host caught it and goes on where that "
@@ -209,16 +207,16 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "--program O9999"},
       {error, "IG-0407", "stopped after {0} blocks", "The limit given by --max-blocks is reached.", "--max-blocks 10"},
       {note, "IG-0408", "the control would stop here; the run goes on",
-       "An alarm of the control ends the program there. The default is to go on with the next block and to say so; "
-       "--on-error stop ends the run.",
+       "An alarm of the control ends the program there. By default the run goes on with the next block and reports "
+       "this note; --on-error stop ends the run.",
        "an impossible arc"},
       {error, "IG-0409", "the table of names is full",
        "A run may make a limited number of names; a program that makes more is not a real one.", "generated text"},
       {error, "IG-0410", "no dependency or column '{0}'", "--set names a value that the dialect does not have.",
        "--set IsoCoordinateTable.G54.Q=1"},
-      {error, "IG-0411", "'{1}' is no value for {0}", "The value given by --set is not a number within the range.",
-       "--set IsoCoordinateTable.G54.X=ten"},
-      {error, "IG-0412", "the block holds the byte 0x{0}, which is no text of a program",
+      {error, "IG-0411", "'{1}' is not a valid value for {0}",
+       "The value given by --set is not a number within the range.", "--set IsoCoordinateTable.G54.X=ten"},
+      {error, "IG-0412", "the block holds the byte 0x{0}, which cannot stand in a program",
        "Control bytes have no meaning in a part program. The file may be binary, or damaged.", "a NUL byte"},
       {error, "IG-0413", "the file is UTF-16 text; a program is plain bytes",
        "The file begins with the mark of UTF-16, in which every second byte is empty. Save it as UTF-8 or ASCII.",
@@ -229,8 +227,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "M30 before the last line"},
       {error, "IG-0415", "no plugin has the dependency '{0}'",
        "A table file of the user (--machine, --offsets, --tools) names a dependency that neither the dialect has nor "
-       "any "
-       "plugin of the plugin folders.",
+       "any plugin of the plugin folders.",
        "--machine FILE with <MachineKinematic>"},
       {error, "IG-0416", "calls are nested more than {0} deep, so this one is not made: {1}",
        "A called program calls another, and so on. More levels than the limit (`--max-depth`) are almost always a "
@@ -260,36 +257,35 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "Each call that is not made lets its caller go on, which calls again: programs that call themselves more than "
        "once would run on for ever.",
        "a program that calls itself twice"},
-      {warning, "IG-0423", "there is no block in the file: nothing is run",
-       "The file is empty, or holds blank lines alone.", "an export that was cut off at once"},
+      {warning, "IG-0423", "the file holds no block: nothing is run", "The file is empty, or holds only blank lines.",
+       "an export that was cut off at once"},
       {error, "IG-0430", "{0} is too large to compute with: correct the numbers of this block; the run ends here",
-       "A value overflowed, or came so near to it that lengths and angles cannot be computed any more. No position "
-       "from there on would mean anything, so nothing of the block is written and nothing behind it runs.",
+       "A value overflowed, or came so close to it that lengths and angles cannot be computed any more. No position "
+       "from there on would mean anything, so the block is not written and no later block runs.",
        "two incremental moves by 1e308"},
       {error, "IG-0431", "the file cannot be read beyond this line ({0}): the run ends, and no output file is kept",
-       "The disk or the network failed, or the file became shorter while it was read. Half a program is no program: an "
-       "older file under the name of the output stays.",
+       "The disk or the network failed, or the file became shorter while it was read. The output would be incomplete, "
+       "so none is written; an older file of its name stays.",
        "a program on a share that was disconnected"},
       {error, "IG-0432", "{0} has no row '{1}': {2}",
-       "A row that no program can reach would be passed over in silence: correct its name or leave it out.",
+       "No program can reach this row, so it would be ignored silently: correct its name or remove it.",
        "<Offset id=\"g54\" …/>: names of rows are written as the page of the dependency writes them"},
       {error, "IG-0433", "{0} has the row '{1}' already, in line {2}",
-       "Of two rows of one name in one table only one could count.", "a tool that a list names twice"},
-      {warning, "IG-0434", "{0} is given values, and nothing asks for them: {1} answers in its place",
-       "Both know the same things, and the first one of the dialect answers. Let the one with the values stand first, "
-       "leave "
-       "the other one out, or give the values to the one that answers; `isogloss lint` shows who answers for what.",
+       "Only one of two rows with the same name can be used: remove the other.", "a tool that a list names twice"},
+      {warning, "IG-0434", "{0} is given values that nothing reads: {1} answers in its place",
+       "Both provide the same service, and the first one of the dialect answers. Let the one with the values stand "
+       "first, remove the other one, or give the values to the one that answers; `isogloss lint` shows which "
+       "dependency answers.",
        "<MachineAxes> with limits behind a parameter table that knows the axes"},
-      {warning, "IG-0451", "{0} is called out of {1}, which is named otherwise",
-       "No file bears the name of the program, and one of the folders that are searched holds it. Where several do, it "
-       "is not called.",
+      {warning, "IG-0451", "{0} is called from {1}, a file of another name",
+       "No file has the name of the program, but one file in the searched folders holds it. Where several files hold "
+       "it, the program is not called.",
        "M98 P1002, where PART2.NC begins with O1002"},
       {error, "IG-0450",
        "stopped after {0} blocks of repeated calls, in pass {3} of {4} of {1} called at {2}: --max-repeat-blocks sets "
        "another limit",
-       "So that no output fills the disk, blocks are counted that run again since a call repeats its program. The "
-       "first "
-       "pass of each call is not counted.",
+       "So that no output fills the disk, blocks are counted that run again because a call repeats its program. The "
+       "first pass of each call is not counted.",
        "a subprogram of a thousand blocks that is called a million times"},
       {error, "IG-0452", "stopped after {0} bytes of output: --max-output sets another limit",
        "So that no program fills the disk. What was written up to there is kept.",
@@ -298,21 +294,19 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "A run needs a few megabytes, whatever the size of its program. What was written up to there is kept.",
        "a program that defines texts in an endless loop"},
       {error, "IG-0455", "stopped after {0} motions: --max-motions sets another limit",
-       "Blocks and the steps of cycles are counted, so that no program keeps a machine busy for days. What was written "
-       "up "
-       "to there is kept.",
+       "Blocks and the steps of cycles are counted, so that no program keeps a computer busy for days. What was "
+       "written up to there is kept.",
        "a pattern of a million holes, called a thousand times"},
       {error, "IG-0454", "stopped after {0} diagnostics: --max-diagnostics sets another limit",
-       "The text is no program of this control, or a loop says the same a million times. What was written up to there "
-       "is "
-       "kept.",
+       "The text is not a program of this control, or a loop reports the same thing a million times. What was written "
+       "up to there is kept.",
        "a loop with an unknown code in it"},
       // cases, apply, command line: 0500-0599
       {error, "IG-0501", "malformed page: {0}",
        "A case of a page is a heading, prose, and fences after the lines #Previous:, #Ahead:, #Dependencies:, "
        "#BeforeBuild: and #AfterBuild:; the last two must be there.",
        "#BeforeBuild: without a fence"},
-      {error, "IG-0502", "no JSON object: {0}", "A block document is one JSON object.", R"({"Parsing": {"X": 1,}})"},
+      {error, "IG-0502", "not a JSON object: {0}", "A block document is one JSON object.", R"({"Parsing": {"X": 1,}})"},
       {error, "IG-0503", "the syntax could not run: {0}",
        "The document does not fit the fields of the chain, or the syntax refused to start.",
        R"({"Parsing": {"X": true}})"},
@@ -321,13 +315,12 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {error, "IG-0505", "case '{0}' of {1} does not hold",
        "One build of the syntax must turn BeforeBuild into AfterBuild "
        "exactly.",
-       "a page that says other numbers than its syntax"},
+       "a page whose numbers differ from those of its syntax"},
       {error, "IG-0510", "cannot be read: {0}", "The file is missing, is a folder, or may not be read.",
        "isogloss run missing.nc"},
       {error, "IG-0511", "cannot be written: {0}",
        "The folder is missing or write-protected, the disk is full, or the file is neither a regular file, a pipe nor "
-       "a "
-       "character device.",
+       "a character device.",
        "isogloss run part.nc -o /"},
       {error, "IG-0530", "this output would replace {0}, which the run reads: give the output another name",
        "An output file appears under its name when the run is complete. The program, a table or a dialect of the same "
@@ -338,19 +331,20 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {error, "IG-0512", "no dialect in the folders searched",
        "No dialect was named and none could be guessed, since there are none. `isogloss doctor` lists the folders.",
        "isogloss run part.nc --dialects empty"},
-      {error, "IG-0513", "{0}", "The command line asks for something that does not fit together.",
+      {error, "IG-0513", "{0}",
+       "The options of the command line contradict each other, or one has a value that it cannot have.",
        "isogloss run part.nc --emit blocks --format csv"},
       {note, "IG-0514", "dialect {0} ({1}); -d names another",
        "No dialect was named, so it was guessed from the program's text and extension.", "isogloss run part.nc"},
       {error, "IG-0515", "the run has no block at line {0}",
-       "The line is empty, lies behind the end of the file or of the run, or was jumped over: the hint says which.",
+       "The line is empty, lies after the end of the file or of the run, or was jumped over: the hint says which.",
        "isogloss explain part.nc:99999"},
       {error, "IG-0516", "no syntax, dependency, dialect, field or diagnostic '{0}'",
        "`isogloss list` names what is there.", "isogloss inspect DrilingCycleSyntax"},
       {warning, "IG-0517", "stopped after {0} errors: --max-errors sets another limit",
-       "By default 100000, looked at every 65536 blocks: a text with so many is no program of this control.",
+       "By default 100000, looked at every 65536 blocks: a text with so many is not a program of this control.",
        "isogloss run part.nc --max-errors 1"},
-      {note, "IG-0518", "{0} errors in {1} blocks: this may be no part program, or one for another control",
+      {note, "IG-0518", "{0} errors in {1} blocks: this may not be a part program, or it is for another control",
        "At least three of four blocks have an error. `isogloss list dialects` names the dialects, `-d` picks one.",
        "isogloss run README.md"},
   };

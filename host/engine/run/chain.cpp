@@ -276,7 +276,7 @@ void Chain::assign(const std::string& path, const std::string& value) {
       const std::optional<OptionValue> parsed = parse_option(d.dependency->options[o], value);
       if (!parsed) {
         sink_.add(host_diagnostic("IG-0411", {"--set"}, {path, value},
-                                  "it wants " + describe_option(d.dependency->options[o])));
+                                  "it must be " + describe_option(d.dependency->options[o])));
         throw std::runtime_error("no value for " + path);
       }
       dependency_options_[i][o] = *parsed;

@@ -203,7 +203,7 @@ ProgramFile* Flow::open(const ProgramPlaces::Found& found) {
   for (ProgramFile& file : files_)
     if (file.path == found.file) return &file;
   if (!fs::is_regular_file(found.file, code)) {
-    reason_ = found.name + " is no regular file";
+    reason_ = found.name + " is not a regular file";
     return nullptr;
   }
   std::string error;
