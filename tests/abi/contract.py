@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 """Compares the C contract with its checked-in description, host/abi/isogloss.abi.
 
-  contract.py check                    the header fits the description
+  contract.py check                    the header matches the description
   contract.py check --edit append:ig_syntax --expect compatible
                                        a copy of the header, edited, is judged as expected
-  contract.py write                    writes the description anew; refuses what would break a plugin
+  contract.py write                    rewrites the description; refuses a change that would break a plugin
 
-The description is what abidw says of a small library that reaches every type (host/abi/probe.c). Compatible means: every
-struct keeps its members, with names, offsets and types, and gets new ones only at its end and only when it begins with
-struct_size; a member called reserved may get a name. abidiff alone cannot tell an insertion from growth: its suppressions let both pass.
+The description is what abidw prints for a small library that reaches every type (host/abi/probe.c). Compatible means:
+every struct keeps its members, with names, offsets and types, and gets new ones only at its end and only when it begins
+with struct_size; a member called reserved may get a name. abidiff alone cannot tell an insertion from growth: its
+suppressions let both pass.
 """
 import argparse
 import re

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Each misbehaving plugin is refused, caught or survived: with which code, on which stream, with which exit status."""
+"""Each misbehaving plugin is refused, caught or survived, with the expected code, stream and exit status."""
 import argparse
 import os
 import pathlib

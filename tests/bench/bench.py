@@ -6,7 +6,7 @@
 
 All commands run in turn, R rounds after one to warm up; medians are printed. Figures are whole processes, start-up
 included; costs and ratios are processor time, which other work on the machine disturbs least. The
-workloads are the same bytes for everyone, but for the letter of repeats (K, for LinuxCNC L).
+workloads are the same bytes for everyone, except for the letter of repeats (K, for LinuxCNC L).
 """
 import argparse
 import json

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Every code of a diagnostic is provoked by a test, raised by some source, and declared once.
 
-A test that provokes a code names it: the diagnostics of a page's case, an expectation of a golden program, a unit test or
-a test script. Those are executed elsewhere; here it is only asked whether each code stands in one of them.
+A test that provokes a code names it: the diagnostics of a page's case, an expectation of a golden program, a unit test
+or a test script. Those are executed elsewhere; this test only checks that each code stands in one of them.
 """
 import argparse
 import collections

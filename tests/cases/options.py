@@ -3,9 +3,9 @@
 
   options.py --isogloss PATH --source DIR [--list]
 
-A case that gives an option must fail without it: its page is run again with the option taken away. Where no case does,
-a dialect gives it, and one of the dialect's programs must come out otherwise without it; or one comes out otherwise with
-another value. The last takes minutes: such options stand in options_elsewhere.txt and are looked at by --full.
+A case that gives an option must fail without it: its page is run again with the option removed. Where no case gives it,
+a dialect does, and one of the dialect's programs must give another result without it, or with another value. The last
+takes minutes: such options stand in options_elsewhere.txt and are checked by --full.
 """
 import argparse
 import collections

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The command line as its users meet it: what stands on which stream, with which exit status."""
+"""The command line as users see it: what is written to which stream, with which exit status."""
 import argparse
 import json
 import os

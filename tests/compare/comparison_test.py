@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Does the comparison see what it is there for? Needs neither rs274 nor isogloss."""
+"""Does the comparison find the differences that it is meant to find? Needs neither rs274 nor isogloss."""
 import copy
 import unittest
 

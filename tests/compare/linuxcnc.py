@@ -3,10 +3,10 @@
 
   linuxcnc.py --isogloss PATH [--programs N] [--seed S] [--cycles G81,G82] [--keep DIR] [FILE.nc...]
 
-Programs are the ones that stand beside this script (or FILE), and N random ones in the language that both controls
-share (plain.py), and as many with macros (macro.py). What they are known to part in stands in tests/differences.md: `translated` writes it in LinuxCNC's
-way where there is one. Lengths must agree to 1e-4 mm, in inches to half of rs274's last decimal. Exit status 77
-where rs274 is not installed.
+The programs are those beside this script (or FILE), N random ones in the language that both controls share (plain.py),
+and as many with macros (macro.py). tests/differences.md lists the known differences: `translated` writes them in
+LinuxCNC's way where there is one. Lengths must agree to 1e-4 mm, in inches to half of rs274's last decimal. Exit status
+77 where rs274 is not installed.
 """
 import argparse
 import itertools

@@ -1,8 +1,8 @@
 """Seeded random macro programs, written twice: in custom macro B, and in LinuxCNC's language with its O words.
 
-Only what both mean alike: variables that were given a value, comparisons that are joined inside brackets, FIX, FUP and
-ROUND of what is not negative (ROUND not in words), MOD of such whole numbers, ASIN of such too, ATAN of a first part that
-is greater than 0. See tests/differences.md."""
+Only what has the same meaning in both: variables that have a value, comparisons that are joined inside brackets, FIX,
+FUP and ROUND of values that are not negative (ROUND not in words), MOD and ASIN of such values, ATAN with a first part
+greater than 0. See tests/differences.md."""
 import random
 
 FUNCTIONS = ("SIN[{}]", "COS[{}]", "SQRT[ABS[{}]]", "ABS[{}]", "FIX[ABS[{}]]",

@@ -1,4 +1,4 @@
-"""Moves in machine coordinates: what both sides are turned into before they are compared."""
+"""Moves in machine coordinates: both sides are converted to them before they are compared."""
 import csv
 import dataclasses
 import math

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Random closed contours under G41 and G42: the tool must touch them wherever it can, and cut in nowhere.
+"""Random closed contours under G41 and G42: the tool must touch them wherever it can, and must not cut into them.
 
   contours_test.py --isogloss PATH [--contours N] [--seed S] [--keep DIR]
 
 Distances are computed from the contour and the moves alone, by formulas that know nothing of compensation: no point of
 the path may come nearer to the contour than the radius, and each place from which the tool touches the contour without
-cutting another part of it must lie on the path, both to 1e-6 mm. Where a neck is too narrow it must be said. LinuxCNC's rs274, where it is installed, is held to
-the same with 0.02 mm, for the four decimals that it prints: that tests the test.
+cutting another part of it must lie on the path, both to 1e-6 mm. A neck that is too narrow must be reported. LinuxCNC's
+rs274, where it is installed, is checked in the same way to 0.02 mm, because it prints four decimals: that tests the
+test.
 """
 import argparse
 import csv

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""From when on a radius counts that the program changes while the tool runs beside the contour.
+"""From which block on a radius acts that the program changes while the tool runs beside the contour.
 
   radius_change_test.py --isogloss PATH
 """

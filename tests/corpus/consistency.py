@@ -5,7 +5,7 @@
 
 The same program from a file and from standard input, fast, --checked, --call-all and both, with the line ends LF, CRLF
 and CR, as JSON Lines and as CSV: the same motions, the same diagnostics at the same places, the same exit status. Every
-output parses, holds finite numbers only, and its status is what its diagnostics say. Case number i of a seed is always
+output parses, holds finite numbers only, and its status agrees with its diagnostics. Case number i of a seed is always
 the same bytes.
 """
 import argparse

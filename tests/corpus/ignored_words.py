@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Changes one word of a program at a time: where neither motions nor diagnostics change, the word was ignored in silence.
+"""Changes one word of a program at a time: where neither motions nor diagnostics change, the word was ignored silently.
 
   ignored_words.py --isogloss PATH [--programs 40] [--words 12] [--seed S] [--dialects fanuc,iso,…] [--list]
 
-A word gets other values, and goes. It counts when none of these changes shows in anything: not in the blocks, nor in the
-motions, nor in what is said; unless its line is not run at all, or something is said of it. Codes are left out: many
-name what is in force anyway. Such a word stands in inert_words.txt, by program and address, with the reason why it is
-right that nothing changes; or it is a fault.
+A word gets other values, and is then removed. It is a finding when none of these changes shows in the blocks, the
+motions or the diagnostics, unless its line is not run at all or a diagnostic names the word. Codes are left out: many
+name what is in force anyway. A finding either stands in inert_words.txt, by program and address, with the reason why
+nothing changes, or it is a fault.
 """
 import argparse
 import collections

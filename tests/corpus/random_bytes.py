@@ -3,8 +3,8 @@
 
   random_bytes.py --isogloss PATH [--cases 600] [--seed S] [--keep DIR] [--dialects fanuc,iso,haas,…]
 
-Case number i of a seed is always the same bytes. Cases run in batches, a file each; a batch that goes wrong is taken
-apart to find the file.
+Case number i of a seed is always the same bytes. Cases run in batches, a file each; a batch that fails is split
+to find the file.
 """
 import argparse
 import pathlib

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds `isogloss run` against the models of machine.py (dialect fanuc) and seeds.py (dialect iso), event by event.
+"""Compares `isogloss run` with the models of machine.py (dialect fanuc) and seeds.py (dialect iso), event by event.
 
   cycles_test.py --isogloss PATH [--dialect fanuc|iso] [--cycles G81,G82] [--programs N] [--seed S] [--keep DIR]
                  [FILE.nc...]
@@ -7,8 +7,8 @@
 Programs are the worked examples of worked_lists.txt and N random ones for each dialect, and under fanuc some more for
 machines with other parameters and a work offset. Positions, those of the program, must agree to 1e-6 mm, feeds and
 dwells to 1e-6; so must lines, spindle, coolant, stops and the end. Errors in diagnostics are a difference too, unless
-the model knows that the block has words that nobody takes. A program that differs is made as short as it can be while
-it still differs, then printed with both sides.
+the model knows that the block has words that no syntax takes. A program that differs is shortened as long as it
+still differs, then printed with both sides.
 """
 import argparse
 import itertools

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Holds `isogloss apply` against the sequences of seeds.py, on documents of the kind of the seeds' own examples.
+"""Compares `isogloss apply` with the sequences of seeds.py, on documents like the examples of the reference behaviour.
 
   documents_test.py --isogloss PATH [--cycles G81,G82] [--documents N] [--seed S]
 
 For each cycle N random blocks as CannedCycleResolveSyntax would have left them: the call in Parsing, CannedCycle with
-its Params, now and then a plane, a feed in force, a block before. Everything that comes out must be what the model
-says, key for key; of the sections that this cannot know (what the spindle is left in) nothing is asked.
+its Params, now and then a plane, a feed in force, a previous block. The whole output must be that of the model, key
+for key; sections that the model cannot know (the final state of the spindle) are not checked.
 """
 import argparse
 import json

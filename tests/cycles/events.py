@@ -1,4 +1,4 @@
-"""What a machine does, event by event: what models and `isogloss run` are turned into before they are compared."""
+"""What a machine does, event by event: models and `isogloss run` are converted to events before they are compared."""
 import dataclasses
 
 AXES = "XYZ"

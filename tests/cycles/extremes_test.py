@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Cycles with words that nobody would write: zero, tiny, huge, negative, too many. Whatever is said of them, a run ends
-soon, with status 0 or 1, no number is infinite or none, and no block becomes longer than the engine's budget."""
+"""Cycles with words that nobody would write: zero, tiny, huge, negative, too many. Whatever is reported, a run ends
+soon, with status 0 or 1, no number is infinite or NaN, and no block becomes longer than the engine's budget."""
 import argparse
 import collections
 import pathlib

@@ -1,11 +1,11 @@
-"""Canned cycles as a Fanuc 0i/30i carries them out: an interpreter of its own, that knows nothing of Isogloss.
+"""Canned cycles as a Fanuc 0i/30i executes them: an independent interpreter that knows nothing of Isogloss.
 
-Numbers are exact (fractions), so that a depth of three times Q is three pecks. A program outside of what is certain
-raises Uncertain. Where the manuals leave doubt, this module knows no answer either, and says Uncertain:
+Numbers are exact (fractions), so that a depth of three times Q is three pecks. A program whose motion is not certain
+raises Uncertain. Where the manuals leave doubt, this module raises Uncertain too:
 
 - Z or R missing in a cycle that has none stored; Q missing or zero in G73, G83, G76, G87; no F or F0
 - R alone under G91 with a Z that was stored before (does Z go along?)
-- a bottom that is not below R (but in G87)
+- a bottom that is not below R (except in G87)
 - G80 or a motion code beside a cycle code; a change of the plane, of inches or of the frame within a cycle
 - G87 under G99; G87 whose levels are not initial level > Z > R
 - M29 that is not followed by G84 or G74 directly; a change between rigid tapping and another cycle without G80

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Do the models do what the worked examples say, and does the comparison see what it is there for?"""
+"""Do the models do what the worked examples say, and does the comparison find the differences that it should?"""
 import copy
 import itertools
 import unittest

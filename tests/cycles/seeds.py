@@ -1,7 +1,7 @@
-"""Canned cycles in the wording of the documents of Hi.NcParsers.LogicSyntaxs, step by step, for the dialect `iso`.
+"""Canned cycles of the reference behaviour, step by step as its documents describe them, for the dialect `iso`.
 
-The front part (modal codes, which blocks drill, repeats), of which these documents say little, is the machine's, and so
-is G88. Every step is an event, those that go nowhere too. No P acts where the sequence has no dwell.
+The documents say little about modal codes, about which blocks drill and about repeats: these are those of machine.py,
+and so is G88. Every step is an event, including steps that go nowhere. P has no effect where the sequence has no dwell.
 """
 from fractions import Fraction
 
@@ -29,7 +29,7 @@ class Seeds(Machine):
         super().cycle_block(b)
 
     def tap_rigidly(self):
-        raise Uncertain("M29 in the documents of the seeds")
+        raise Uncertain("M29 in the reference behaviour")
 
     def drill(self, position):
         self.previous_level = self.at[self.drilling_axis()]  # "target XY, previous Z"

@@ -1,6 +1,6 @@
-"""Canned cycles as a Syntec carries them out: the machine's, with what differs.
+"""Canned cycles as a Syntec executes them: those of machine.py, with these differences.
 
-- one distance (Pr4002) for the way back of G73, the clearance of G83 and the way back of peck tapping
+- one distance (Pr4002) for the retract of G73, the clearance of G83 and the retract of peck tapping
 - P waits after each peck of G73 and G83; without a decimal point it counts milliseconds, with one seconds
 - tapping is rigid without M29
 - G70 is G20, G71 is G21

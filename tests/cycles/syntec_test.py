@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Holds `isogloss run -d syntec` against the model of syntec.py, event by event, with random programs on several machines.
+"""Compares `isogloss run -d syntec` with the model of syntec.py, event by event, with random programs on several
+machines.
 
   syntec_test.py --isogloss PATH [--programs N] [--seed S] [--keep DIR]
 
-First the worked examples of worked_lists.txt, as they are typed in: a Syntec carries out the same steps, with Pr4002 as
-the one distance. Not held to it: the spindle events of tapping, which is rigid here, and machines that shift the tool
-along another axis, which is an option of the dialect. What must agree, and how a difference is shown, is as in cycles_test.py.
+First the worked examples of worked_lists.txt, as they are typed in: a Syntec executes the same steps, with Pr4002 as
+the one distance. Not compared: the spindle events of tapping, which is rigid here, and machines that shift the tool
+along another axis, which is an option of the dialect. What must agree, and how a difference is shown, is as in
+cycles_test.py.
 """
 import argparse
 import copy

@@ -1,8 +1,8 @@
 """Short five-axis programs in Klartext and for SINUMERIK: where must the tool be?
 
-What each block wants is written beside it: the point of the workpiece, the angles of the rotary axes, or the axes of a
-plane. The machine is walked forwards (tip_test.Machine) from the machine coordinates to the tip. The interpreter goes
-the other way.
+The expectation of each block is written beside it: the point of the workpiece, the angles of the rotary axes, or the
+axes of a plane. The machine is walked forwards (tip_test.Machine) from the machine coordinates to the tip. The
+interpreter goes the other way.
 """
 import json
 import math

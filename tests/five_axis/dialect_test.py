@@ -3,9 +3,10 @@
 
   dialect_test.py --isogloss PATH [--programs N] [--seed S] [--keep DIR]
 
-Each program is written together with what the manuals want of it: where the tip stands in the workpiece, where the rotary
-axes stand, and which of two solutions is taken. The model knows the description of the machine alone (tip_test.Machine,
-rotary_solver). Every block of `isogloss run` must end there, to 1e-6 mm and degrees, and must show that program point.
+Each program is generated together with what the manuals demand: where the tip stands in the workpiece, where the rotary
+axes stand, and which of two solutions is selected. The model knows the description of the machine alone
+(tip_test.Machine, rotary_solver). Every block of `isogloss run` must end there, to 1e-6 mm and degrees, and must show
+that program point.
 """
 import argparse
 import json

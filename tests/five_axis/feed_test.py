@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""What the feed of the tip becomes on the axes: the time of moves under tool centre point control.
+"""The speeds of the axes that a feed of the tip needs: the time of moves under tool centre point control.
 
   feed_test.py --isogloss PATH [--programs N] [--seed S]
 
-A program of one move: the tip goes along a line, or rests, while the rotary axes turn. The machine is walked here in many
-small steps; each takes as long as the feed asks, or as the slowest axis at its rapid rate. `isogloss run --summary` must
-give the same feed time, and say whether an axis held the feed back.
+A program of one move: the tip goes along a line, or rests, while the rotary axes turn. The machine is walked here in
+many small steps; each takes as long as the feed demands, or as the slowest axis needs at its rapid rate. `isogloss run
+--summary` must give the same feed time, and report whether an axis limited the feed.
 """
 import argparse
 import math

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Random swings: G53.6 with R or H, and PLANE ... MOVE DIST. Does the point that rests lie still all the way?
+"""Random swings: G53.6 with R or H, and PLANE ... MOVE DIST. Does the resting point lie still during the whole swing?
 
   swing_test.py --isogloss PATH [--programs N] [--seed S]
 
 The tool swings about a point beside its tip. Between two events of `isogloss run` the angles change evenly and the tip
-goes straight in the workpiece (Form ClLinear); walked forwards so (tip_test.Machine), the point that rests may leave
-its place by no more than the tolerance. Then a limit is laid between the ends of the swing and its farthest place:
-ISO-0403 must be said.
+goes straight in the workpiece (Form ClLinear); walked forwards so (tip_test.Machine), the resting point may leave
+its place by no more than the tolerance. Then a limit is set between the ends of the swing and its farthest place:
+ISO-0403 must be reported.
 """
 import argparse
 import json

@@ -3,9 +3,10 @@
 
   tip_test.py --isogloss PATH [--programs N] [--seed S] [--keep DIR]
 
-The machine is walked forwards, from its axes to the tip: heads turn the tool that hangs from the gauge point, tables carry
-the workpiece. Nothing of the inverse way, which the interpreter goes, is used. Every move of `isogloss run` must bring
-the tip to the programmed point of the workpiece within 1e-6 mm, and the tool to the programmed direction within 1e-9.
+The machine is walked forwards, from its axes to the tip: heads turn the tool that hangs from the gauge point, tables
+carry the workpiece. The inverse direction, which the interpreter computes, is not used. Every move of `isogloss run`
+must bring the tip to the programmed point of the workpiece within 1e-6 mm, and the tool to the programmed direction
+within 1e-9.
 """
 import argparse
 import math

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Random programs of offsets and rotations against a model of the way from program to machine coordinates.
+"""Random programs of offsets and rotations against a model of the transformation from program to machine coordinates.
 
   frames_test.py --isogloss PATH [--programs N] [--seed S] [--keep DIR]
 

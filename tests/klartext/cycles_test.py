@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Cycles 200, 201, 203, 205 to 207, 209 and 240 with random parameters, against a computation of its own in exact fractions.
+"""Cycles 200, 201, 203, 205 to 207, 209 and 240 with random parameters, against an independent computation in exact
+fractions.
 
   cycles_test.py --isogloss PATH [--cases 400] [--seed S]
 

@@ -3,11 +3,11 @@
 
   frames_test.py --isogloss PATH [--programs N] [--seed S]
 
-The model is what the manual says: the datum shift counts from the preset, or along the axes that a mirror image or a
+The model follows the manual: the datum shift counts from the preset, or along the axes that a mirror image or a
 rotation turned before it; mirror image and rotation act about it in the order of their definition, a plane turns about
-it, and a shift and a rotation in the plane act inside the plane. On a machine whose table A carries table C the workpiece turns
-with them. Every move must end where the model does, to 1e-6 mm; after TURN and MOVE the rotary axes must set the
-plane upright, and MOVE must leave the tip where it was in the workpiece.
+it, and a shift and a rotation in the plane act inside the plane. On a machine whose table A carries table C the
+workpiece turns with them. Every move must end where the model does, to 1e-6 mm; after TURN and MOVE the rotary axes
+must set the plane upright, and MOVE must leave the tip where it was in the workpiece.
 """
 import csv
 import math

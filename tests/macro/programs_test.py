@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs each program of programs.txt and holds its moves and what is said against the expectation beside it.
+"""Runs each program of programs.txt and compares its moves and diagnostics with the expectation beside it.
 
   programs_test.py --isogloss PATH [--show] [NAME...]
 

@@ -3,10 +3,10 @@
 
   regenerate.py --isogloss PATH [--check] [FOLDER/NAME...]
 
-Writes the expectations anew, or with --check compares and shows what changed. NAME.args beside a program holds more
+Rewrites the expectations, or with --check compares them and shows what changed. NAME.args beside a program holds more
 arguments. The checked host runs them: a syntax that breaks the contract shows among the diagnostics. Each program runs
-once more with --call-all, which must give the same motions and diagnostics: this proves what wakes a syntax. Before an
-expectation is committed somebody has read it against the control's manual.
+once more with --call-all, which must give the same motions and diagnostics: this proves what wakes a syntax. Read an
+expectation against the control's manual before you commit it.
 """
 import argparse
 import difflib

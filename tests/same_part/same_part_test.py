@@ -8,11 +8,11 @@ dialects/machines/ac-table.xml. Each program is written as that control's progra
 all of them, rotary axes included, must agree to 1e-6 mm with each other and with positions computed here, which know
 nothing of an interpreter: only the geometry of the part and of the machine.
 
-Move by move, that is in every end of a move. Left out are moves that go nowhere, and of two moves of the same kind on one
-line the point between them, since a control may make one move of what another makes two. The pecked hole is compared in its
-characteristic points (over the hole, the level where the feed begins, the bottom, the level afterwards): how deep a peck
-goes, from where its depth is counted, and how far the tool comes back is each control's own. There every peck must lie on the
-axis of the hole, be deeper than the one before, and the last one end at the bottom.
+The end of every move is compared, except for moves that go nowhere and for the point between two moves of the same kind
+on one line, since one control may make one move where another makes two. The pecked hole is compared in its
+characteristic points (over the hole, the level where the feed begins, the bottom, the level afterwards): how deep a
+peck goes, from where its depth is counted, and how far the tool retracts differ between the controls. There every peck
+must lie on the axis of the hole, be deeper than the one before, and the last one end at the bottom.
 """
 import argparse
 import json

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""CYCLE81, CYCLE82, CYCLE83, CYCLE85 and CYCLE89 with random parameters, against a computation of its own in exact
+"""CYCLE81, CYCLE82, CYCLE83, CYCLE85 and CYCLE89 with random parameters, against an independent computation in exact
 fractions.
 
   cycles_test.py --isogloss PATH [--cases 400] [--seed S]
 
 The model follows the steps of the manual Cycles and knows nothing of the plugin. Calls stand alone or under MCALL, in
-all three planes (in force, or of the call), downwards and upwards, with depths absolute and relative. Moves of no length are left out on both
-sides.
+all three planes (in force, or of the call), downwards and upwards, with depths absolute and relative. Moves of no
+length are left out on both sides.
 """
 import argparse
 import csv

@@ -4,9 +4,9 @@ plain matrices.
 
   frames_test.py --isogloss PATH [--programs N] [--seed S]
 
-The model is what the manual says of the frames: machine = settable offset + tool + swivelled plane (programmable
+The model follows the manual's description of frames: machine = settable offset + tool + swivelled plane (programmable
 frame (words)). Every move, arcs and helices included, must end where the model does, to 1e-6 mm, and each arc must
-have the centre and the sense that the frame makes of it.
+have the centre and the sense that result from the frame.
 """
 import csv
 import math

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Canned cycles inside tilted planes: what a program drills on the level it drills in the plane, moved there.
+"""Canned cycles inside tilted planes: a program drills the same holes in a tilted plane as on the level, moved there.
 
   cycles_test.py --isogloss PATH [--programs N] [--seed S]
 
 Random programs of cycles, of G17 to G19, in mm and inches, run twice: as they are, and in a random plane of G68.2. The
-second must have the same events, each machine position that of the first, turned and shifted by the formula of tilt_test.py,
-to 1e-6 mm. G76 and G87 are left out: their shift is in the machine's axes.
+second must have the same events, each machine position that of the first, turned and shifted by the formula of
+tilt_test.py, to 1e-6 mm. G76 and G87 are left out: their shift is in the machine's axes.
 """
 import argparse
 import csv

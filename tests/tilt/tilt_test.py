@@ -4,8 +4,8 @@
   tilt_test.py --isogloss PATH [--programs N] [--seed S] [--keep DIR]
 
 A point of the program lies at origin + R point in the work offset, R has X', Y' and Z' as its columns. G52, the work
-offset and the tool length are added to it. Every move of `isogloss run`, in both dialects, must end where that says, to
-1e-9 mm; and the arcs must have their centre and their normal there.
+offset and the tool length are added to it. Every move of `isogloss run`, in both dialects, must end at the computed
+point, to 1e-9 mm; and the arcs must have their centre and their normal there.
 """
 import argparse
 import csv
