@@ -43,7 +43,7 @@ int ApplyCommand::run() const {
   application.before = read("-").value_or("");
   const std::optional<std::string> after = apply(application, *surroundings, session.library(), session.diagnostics());
   if (!after) {
-    // A block that is no document is a fault of the input; a syntax that is not there is one of the command.
+    // A block that is not a document is a fault of the input; an unknown syntax is a fault of the command.
     return session.diagnostics().by_code().contains("IG-0502") || session.diagnostics().by_code().contains("IG-0503")
                ? input_errors
                : cannot_start;

@@ -56,7 +56,7 @@ class Cases {
   std::string report_;
 };
 
-/// Behind each page the file of its other cases, x_syntax.cases.md, where there is one that was not named itself.
+/// Adds after each page its file of further cases, x_syntax.cases.md, unless the user named that file too.
 std::vector<std::string> with_other_cases(const std::vector<std::string>& files) {
   constexpr std::string_view ending = ".md", cases = ".cases.md";
   std::vector<std::string> out;

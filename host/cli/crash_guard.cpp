@@ -47,7 +47,7 @@ std::atomic<int> whole_lines = 0, waiting_signal = 0, waits_left = 0;
 std::atomic<bool> has_ended = false;
 pthread_t writing_thread;
 constexpr suseconds_t wait_interval = 50'000;  // microseconds
-constexpr int most_waits = 40;                 // so long may a reader take for the end of a line
+constexpr int most_waits = 40;                 // how long a reader may take for the end of a line
 
 std::uint64_t nanoseconds() {
   timespec now{};
@@ -79,7 +79,7 @@ class Line {
     while (n > 0) *this << std::string_view(&digits[--n], 1);
     return *this;
   }
-  /// Of a program or a plugin: what a terminal would obey is shown as a question mark.
+  /// Text of a program or a plugin: control characters are shown as question marks.
   Line& show(std::string_view text) {
     for (const char c : text.substr(0, 200))
       *this << std::string_view(static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? "?" : &c, 1);
@@ -131,7 +131,7 @@ bool write_reproducer(const Breadcrumb& crumb, const char* file) {
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
     alarm(seconds_for_reproducer);
-    // What the first run said need not be said again.
+    // The first run has written its diagnostics already.
     if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) {
       dup2(nowhere, STDOUT_FILENO);
       dup2(nowhere, STDERR_FILENO);
@@ -145,7 +145,7 @@ bool write_reproducer(const Breadcrumb& crumb, const char* file) {
   return WIFEXITED(status) && WEXITSTATUS(status) == success;
 }
 
-/// The report itself crashed: what the first one wrote is all that is known.
+/// The report itself crashed: nothing more can be reported than what it wrote.
 [[noreturn]] void give_up(int) {
   static constexpr std::string_view text =
       "\n  the rest of the report is lost, since the memory of the host is damaged\n";
@@ -173,7 +173,7 @@ void handle(int number, void (*handler)(int), int flags) {
     write_here();
     end_process(internal_fault);
   }
-  // Said step by step: each step trusts more of the memory that the fault may have damaged.
+  // Written step by step: each step trusts more of the memory that the fault may have damaged.
   Line line;
   line << "isogloss: internal fault: " << what;
   line.say();
@@ -214,7 +214,7 @@ void handle(int number, void (*handler)(int), int flags) {
 
 bool is_plugin_at_work() { return Chain::breadcrumb().syntax != nullptr || Library::loading() != nullptr; }
 
-/// Of exit() and quick_exit(), which no plugin may call: half an output would look like a whole one.
+/// Runs at exit() and quick_exit(), which no plugin may call: half an output would look complete.
 void on_exit_call() {
   if (!is_reporting && is_plugin_at_work()) report_and_end("a call of exit()");
 }
@@ -231,7 +231,7 @@ void on_exit_call() {
   end_process(128 + number);
 }
 
-/// What is at work, as far as the watch tells it from what comes later.
+/// Identifies the call that is under way, so that the watch can tell it from later calls.
 struct Work {
   const void* what = nullptr;
   const void* phase = nullptr;
@@ -279,7 +279,7 @@ void on_end(int number) {
   if (whole_lines == 0 || waiting_signal != 0) end_by(number);
   waiting_signal = number;
   waits_left = most_waits;
-  // Wakes the write that waits for its reader, again and again, so that it sees that a signal came.
+  // Interrupts a write that waits for its reader, repeatedly, so that it notices the signal.
   handle(SIGALRM, on_alarm, SA_ONSTACK);
   const itimerval interval{{0, wait_interval}, {0, wait_interval}};
   setitimer(ITIMER_REAL, &interval, nullptr);
@@ -305,7 +305,7 @@ void guard_crashes(char** argv) {
     if (before.sa_handler != SIG_IGN) handle(s, on_end, 0);  // nohup stays nohup
   }
   signal(SIGPIPE, SIG_IGN);
-  signal(SIGXFSZ, SIG_IGN);  // the write fails, and says so
+  signal(SIGXFSZ, SIG_IGN);  // the write fails instead, and its error is reported
 }
 
 void end_process(int status) {

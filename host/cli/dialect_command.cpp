@@ -1,4 +1,4 @@
-// A dialect with all that it extends, as one file.
+// Writes a dialect and everything that it extends as one file.
 #include <filesystem>
 
 #include "output_file.hpp"
@@ -18,7 +18,7 @@ struct DialectCommand {
   int run() const;
 };
 
-/// False, and said, when a file cannot be written.
+/// False, and reported, when a file cannot be written.
 bool write_file(const std::string& path, const std::string& text, Session& session) {
   std::string error;
   const std::unique_ptr<OutputFile> file = OutputFile::open(path, error);
@@ -35,7 +35,7 @@ int DialectCommand::run() const {
   Session session(common);
   const std::optional<Dialect> dialect = session.reader().read(name, session.diagnostics());
   if (!dialect) return session.status() == success ? static_cast<int>(cannot_start) : session.status();
-  // Side files need a folder; without one all stands in the one file.
+  // Side files need a folder; without one everything stands in the one file.
   const bool is_inline = inline_tables || base_directory.empty();
   const WrittenDialect written = write_dialect(*dialect, base_directory, is_inline);
   for (const auto& [path, text] : written.side_files)

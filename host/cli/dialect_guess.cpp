@@ -34,7 +34,7 @@ std::vector<std::string> head_lines(std::string_view head) {
   return lines;
 }
 
-/// The longest piece of a pattern that stands in each line that matches.
+/// The longest literal piece of a pattern: each matching line contains it.
 std::string_view fixed_piece(std::string_view pattern) {
   std::string_view best;
   for (std::size_t at = 0; at < pattern.size();) {
@@ -53,7 +53,7 @@ std::string_view fixed_piece(std::string_view pattern) {
   return best;
 }
 
-/// What the signatures that stand in the lines weigh together. A search for the fixed piece comes before the pattern:
+/// The sum of the weights of the signatures that match a line. A search for the fixed piece comes before the pattern:
 /// it is a tenth of the work.
 std::size_t weight_of_signatures(const Dialect& dialect, std::string_view head, const std::vector<std::string>& lines) {
   std::size_t weight = 0;
@@ -80,7 +80,7 @@ struct Candidate {
   std::size_t score = 0, of_text = 0, of_name = 0;
 
   std::string key() const { return dialect->file.empty() ? dialect->name : dialect->file.string(); }
-  /// The default dialect wins what is undecided.
+  /// The default dialect wins a tie.
   bool comes_before(const Candidate& other) const {
     if (other.dialect == nullptr || score != other.score) return other.dialect == nullptr || score > other.score;
     return dialect->name == default_dialect;
@@ -109,7 +109,7 @@ std::optional<Move> read_move(std::string_view row) {
   return std::nullopt;
 }
 
-/// What a run moves, as far as its budget goes.
+/// The moves of a run, up to its budget.
 class Moves : public Output {
  public:
   bool write(std::string_view bytes) override {
@@ -131,7 +131,7 @@ class Moves : public Output {
       if (const std::optional<Move> move = read_move(rest.substr(0, end))) moves_.push_back(*move);
   }
 
-  /// The place of the first move that the other run makes in another way, or not at all.
+  /// The place of the first move that the other run makes differently, or not at all.
   std::optional<std::string_view> parts_at(const Moves& other) const {
     const std::size_t both = std::min(moves_.size(), other.moves_.size());
     for (std::size_t i = 0; i < both; ++i)
@@ -196,7 +196,7 @@ std::optional<std::string> guessed(const std::string& path, std::string_view hea
 
 std::string where_moves_part(const LinkedDialect& taken, const LinkedDialect& next, const std::string& path,
                              std::string_view head, const RunOptions& options) {
-  // The last line may be half of one.
+  // The last line may be cut off.
   if (head.size() >= guessed_head_bytes) head = head.substr(0, head.rfind('\n') + 1);
   try {
     Moves of_taken, of_next;
@@ -208,7 +208,7 @@ std::string where_moves_part(const LinkedDialect& taken, const LinkedDialect& ne
     const std::string line = "line " + std::string(place->substr(comma + 1)), file(place->substr(0, comma));
     return file == path || file.starts_with('"') ? line : line + " of " + file;
   } catch (const std::exception&) {
-    return {};  // the run itself says what is wrong
+    return {};  // the run itself reports what is wrong
   }
 }
 

@@ -6,7 +6,7 @@
 
 namespace isogloss::cli {
 
-/// So much of a program is read to guess its dialect.
+/// How much of a program is read to guess its dialect.
 constexpr std::size_t guessed_head_bytes = 65536;
 
 struct Guess {
@@ -16,17 +16,17 @@ struct Guess {
   std::string next, next_name;
 };
 
-/// The dialect whose signatures and extensions fit best. Empty, and said, when there is none.
+/// The dialect whose signatures and extensions fit best. Empty, and reported, when there is none.
 std::optional<Guess> guess_dialect(const std::string& path, std::string_view head, Session& session);
 
-/// Says which dialect was taken; `parting` says how the next one differs, or is empty.
+/// Reports which dialect was selected; `parting` tells how the next one differs, or is empty.
 void say_guess(const std::string& path, const Guess& guess, const std::string& parting, Session& session);
 
-/// Guesses and says; what --dialect takes.
+/// Guesses the dialect and reports it; the result is a value for --dialect.
 std::optional<std::string> guessed(const std::string& path, std::string_view head, Session& session);
 
 /// The place of the first move that two dialects make in different ways, "line 12". Runs the head of the program, and
-/// no more than some thousand blocks of it; empty where the moves are the same as far as that.
+/// no more than some thousand blocks of it; empty where the moves up to there are the same.
 std::string where_moves_part(const LinkedDialect& taken, const LinkedDialect& next, const std::string& path,
                              std::string_view head, const RunOptions& options);
 

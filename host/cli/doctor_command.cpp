@@ -1,4 +1,4 @@
-// What was found where, and what was not loaded and why.
+// Reports what was found where, and what was not loaded and why.
 #include <fmt/format.h>
 
 #include "catalogue.hpp"
@@ -26,7 +26,7 @@ Json describe_places(const std::vector<Place>& places) {
   return out;
 }
 
-/// Plugins that work and are not quite as they should be.
+/// Plugins that work but break a recommendation.
 Json describe_warnings(const Library& library) {
   Json out = Json::array();
   for (const Diagnostic& d : library.shared_codes()) out.push_back({{"Code", d.code}, {"Message", d.message}});
@@ -39,7 +39,7 @@ Json describe_warnings(const Library& library) {
   return out;
 }
 
-/// Each dialect, with why it does not link; the first found of a name is the one that is used.
+/// Each dialect, with the reason why it does not link; of several with one name the first found is used.
 Json describe_dialects(Session& session) {
   Json out = Json::array();
   for (const Dialect& listed : session.reader().list()) {

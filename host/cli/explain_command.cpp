@@ -1,4 +1,4 @@
-// Why a block came out as it did; what a diagnostic means.
+// Explains why a block did what it did, or what a diagnostic means.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -100,7 +100,7 @@ std::string wrapped(const std::vector<SleepingSyntax>& list) {
   return out + line + "\n";
 }
 
-/// The calls that led to the block, and which pass over its line this is: nothing of a plain program's first pass.
+/// The calls that led to the block, and the pass over its line; empty in the first pass of a program without calls.
 std::string where_the_run_is(const ExplainedBlock& b) {
   std::string out;
   for (std::size_t i = 1; i < b.frames.size(); ++i) {
@@ -112,7 +112,7 @@ std::string where_the_run_is(const ExplainedBlock& b) {
   return out;
 }
 
-/// Whom the syntax asks: a table of the dialect, or of the machine.
+/// The dependencies that answer the syntax: tables of the dialect, or of the machine.
 std::string asked(const ExplainedStep& step) {
   std::string out;
   for (const ExplainedAnswer& a : step.answers)
@@ -193,7 +193,7 @@ Json json_of(const ExplainedBlock& b) {
           {"Document", Json::parse(b.document)}};
 }
 
-/// What a file that can be read again holds at a line. Lines end as the run has them end: LF, CR or both.
+/// The content of a line, for a file that can be read again. Lines end as in the run: LF, CR or both.
 struct LineInFile {
   std::uint32_t lines = 0;  ///< up to this line; fewer than asked for: the file has no more
   bool is_empty = true;
@@ -245,7 +245,7 @@ int ExplainCommand::explain_line(Session& session, const std::string& path) {
   if (linked == nullptr) return cannot_start;
   watch_calls(program.watchdog);
 
-  // What other lines have to say is not what was asked.
+  // Diagnostics of other lines were not asked for.
   DiagnosticList said;
   ExplainReach reach;
   const std::vector<ExplainedBlock> blocks = explain(*linked, *source, path, target, *options, said, &reach);

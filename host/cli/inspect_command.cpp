@@ -60,7 +60,7 @@ std::string as_text(const Json& object, const std::string& indentation) {
   return out;
 }
 
-/// A page is the plugin's own text, which nobody has looked at before.
+/// A page is text of the plugin, which has not been checked yet.
 std::string read_page(const char* page) {
   constexpr std::size_t longest = std::size_t{1} << 20;
   return printable({page, strnlen(page, longest)}, "\n\t");
@@ -122,7 +122,7 @@ int InspectCommand::run() const {
     const std::optional<Dialect> found = session.reader().read(name, session.diagnostics());
     if (!found) return input_errors;
     Json out = describe(*found);
-    DiagnosticList unheard;  // `lint` says what keeps it from linking
+    DiagnosticList unheard;  // `lint` reports what keeps it from linking
     if (const auto whole = link(*found, session.library(), unheard)) out["Services"] = describe_services(*whole);
     return show(std::move(out), nullptr, session);
   }

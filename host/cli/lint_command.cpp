@@ -1,4 +1,4 @@
-// Reads and links dialects, starts their chains, and says what is wrong with them.
+// Reads and links dialects, starts their chains, and reports what is wrong with them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct LintCommand {
   int run() const;
 };
 
-/// Two orders as a patch: what stays, what goes (-), where it comes again (+). The longest common part stays.
+/// Two orders as a patch: unchanged, removed (-) and inserted again (+) elements. The longest common part stays.
 std::string order_patch(const Dialect& dialect, const std::vector<std::string>& wanted) {
   std::vector<std::string> now;
   for (const ChainElement& e : dialect.chain) now.push_back(e.alias);
@@ -65,7 +65,7 @@ std::string rivals(const LinkedDialect& linked) {
   return out;
 }
 
-/// False when a dependency or a syntax does not take what the dialect gives it, which it says.
+/// False when a dependency or a syntax rejects what the dialect gives it; it reports the reason.
 bool starts(const LinkedDialect& linked, DiagnosticSink& diagnostics) {
   try {
     const Chain chain(linked, {}, diagnostics);

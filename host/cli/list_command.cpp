@@ -1,4 +1,4 @@
-// What is there: plugins, syntaxes, dialects, dependencies, fields, diagnostics, the codes of a dialect.
+// Lists plugins, syntaxes, dialects, dependencies, fields, diagnostics, the codes of a dialect.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -142,7 +142,7 @@ struct ListCommand {
     std::string out;
     Json all = Json::object();
     for (const auto& [name, list] : listers) {
-      // Without a name: what there is little of.
+      // Without a name: only the short lists.
       if (what.empty() ? name != "plugins" && name != "dialects" : name != what) continue;
       const Listing listing = list(session);
       if (json)

@@ -54,7 +54,7 @@ std::unique_ptr<OutputFile> OutputFile::open(const std::string& path, std::strin
     error = "it is a link to a file that does not exist";
     return nullptr;
   }
-  // A link stays a link: what it points at is replaced.
+  // A link stays a link: its target is replaced.
   const std::filesystem::path real = std::filesystem::weakly_canonical(path, ignored);
   const std::string target = real.empty() ? path : real.string();
   struct stat info {};
@@ -92,7 +92,7 @@ void OutputFile::fail(int number) {
 }
 
 bool OutputFile::write_through(std::string_view bytes) {
-  // Who reads a pipe gets whole lines, whatever ends the run; a file that is not complete never appears.
+  // The reader of a pipe gets whole lines, whatever ends the run; an incomplete file never appears.
   const std::unique_ptr<WholeLines> whole = temporary_.empty() ? std::make_unique<WholeLines>() : nullptr;
   bool is_in_line = false;
   while (!bytes.empty()) {

@@ -22,13 +22,13 @@ class OutputFile : public Output {
   OutputFile& operator=(const OutputFile&) = delete;
 
   bool write(std::string_view bytes) override;
-  /// No more than that: write() refuses what goes beyond it.
+  /// The limit of the output: write() refuses bytes beyond it.
   void allow(std::uint64_t bytes) { allowance_ = bytes; }
   bool is_over_allowance() const { return is_over_allowance_; }
   /// Writes what waits, closes and renames; false with error() set, or when the reader is gone.
   bool commit();
 
-  /// The reader went away: no error, there is just nobody to write for.
+  /// The reader went away, which is no error.
   bool reader_is_gone() const { return reader_is_gone_; }
   /// Why a write failed; empty when none did.
   const std::string& error() const { return error_; }

@@ -30,7 +30,7 @@ std::map<std::string, std::filesystem::path> shipped_machines(const Session& ses
   return out;
 }
 
-/// What --machine names: a file, or a machine in `machines`. Empty, and said, when it is neither.
+/// The file that --machine names, or the one of a machine in `machines`. Empty, and reported, when it is neither.
 std::optional<std::filesystem::path> machine_file(const std::string& named, Session& session) {
   std::error_code error;
   const bool is_path = named.empty() || named.find('/') != std::string::npos || named.ends_with(".xml");

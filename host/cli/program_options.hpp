@@ -25,7 +25,7 @@ struct ProgramOptions {
   unsigned watchdog = 10;
 
   void add_to(CommandLine& line);
-  /// Reads the tables and settings; empty when something is wrong, which is then said.
+  /// Reads the tables and settings; empty, and reported, when something is wrong.
   std::optional<RunOptions> make(Session& session) const;
 };
 
@@ -35,7 +35,7 @@ void add_folder_of(const std::string& program, RunOptions& options);
 /// A program that was opened, with its head read for guessing.
 class OpenedProgram : public Source {
  public:
-  /// Null when it cannot be read, which is then said.
+  /// Null, and reported, when it cannot be read.
   static std::unique_ptr<OpenedProgram> open(const std::string& path, Session& session);
   std::size_t read(char* buffer, std::size_t size) override;
   bool has_places() const override { return rest_->has_places(); }

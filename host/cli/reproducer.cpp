@@ -13,7 +13,7 @@ namespace isogloss::cli {
 
 namespace {
 
-/// Keeps the block before, and writes the case when the build comes up, or when this process crashes, too.
+/// Keeps the previous block, and writes the case when the build is reached, or when this process crashes too.
 class CaseWriter : public Exporter {
  public:
   CaseWriter(const ReproducerRequest& request, std::string dialect) : request_(request), dialect_(std::move(dialect)) {}
@@ -74,7 +74,7 @@ class CaseWriter : public Exporter {
   std::optional<Document> previous_;
 };
 
-const CaseWriter* writer = nullptr;  // for the signal handler, which has no other way to it
+const CaseWriter* writer = nullptr;  // for the signal handler, which cannot reach it otherwise
 
 }  // namespace
 

@@ -8,7 +8,7 @@ namespace isogloss::cli {
 
 namespace {
 
-/// Resident memory of the process; 0 where the system does not say.
+/// Resident memory of the process; 0 where the system does not tell it.
 std::uint64_t resident_mib() {
   std::uint64_t size = 0, resident = 0;
   std::ifstream("/proc/self/statm") >> size >> resident;
@@ -26,7 +26,7 @@ void RunBudgets::add_to(CommandLine& line) {
 }
 
 bool RunBudgets::hold(const std::string& program, Session& session) const {
-  if (session.diagnostics().limit_reached()) return false;  // which the end of the run says
+  if (session.diagnostics().limit_reached()) return false;  // which the end of the run reports
   if (session.diagnostics().number() > diagnostics) {
     session.say("IG-0454", {program}, {std::to_string(session.diagnostics().number())});
     return false;

@@ -1,4 +1,4 @@
-/// What a run may take of the machine that it runs on.
+/// The resources that a run may use.
 #pragma once
 
 #include <cstdint>

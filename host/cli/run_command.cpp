@@ -61,7 +61,7 @@ void RunCommand::add_to(CommandLine& line) {
   common.add_to(line);
 }
 
-/// Ends the run when enough errors were said.
+/// Ends the run when enough errors were reported.
 class ErrorLimit : public Exporter {
  public:
   explicit ErrorLimit(const DiagnosticWriter& diagnostics) : diagnostics_(diagnostics) {}
@@ -111,7 +111,7 @@ RapidRates rapid_rates(const LinkedDialect& linked, const ChainSettings& setting
   return rates;
 }
 
-/// How far the run is, on a terminal, once it takes longer than a moment.
+/// Progress on a terminal, once the run takes longer than a moment.
 class Progress {
  public:
   void show(std::uint64_t blocks, std::uint64_t bytes) {
@@ -246,7 +246,7 @@ class Runs {
       summary_status_ = std::max(summary_status_, print(text, success));
   }
 
-  /// Where standard error cannot be written the exit status alone can say so.
+  /// Where standard error cannot be written, only the exit status can report it.
   static int print_to_stderr(const std::string& text) {
     const bool is_out = std::fwrite(text.data(), 1, text.size(), stderr) == text.size() && std::fflush(stderr) == 0;
     return is_out ? success : cannot_start;
@@ -279,7 +279,7 @@ int RunCommand::run() {
   sources.insert(sources.end(), program.subprograms.begin(), program.subprograms.end());
   const std::vector<std::string> given = {program.machine, program.offsets, program.tools, program.variables};
   for (const auto& [name, file] : tables_to_save) saved.push_back(file);
-  // A table may be saved where it came from: the next run takes it up again.
+  // A table may be saved to the file it came from: the next run reads it again.
   std::vector<std::string> outputs = saved;
   outputs.push_back(output);
   outputs.push_back(common.diagnostics_output);

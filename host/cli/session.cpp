@@ -114,7 +114,7 @@ std::unique_ptr<LinkedDialect> Session::link(const std::string& name, const std:
                                              DiagnosticSink& sink) {
   std::optional<Dialect> dialect = reader_.read(name, sink);
   if (!dialect || !add_missing(own, *dialect, library_, sink)) return nullptr;
-  // Notes on the dialect are for who writes it: `lint` says them.
+  // Notes on the dialect are for its author: `lint` reports them.
   class WithoutNotes : public DiagnosticSink {
    public:
     explicit WithoutNotes(DiagnosticSink& sink) : sink_(sink) {}

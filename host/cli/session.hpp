@@ -1,4 +1,4 @@
-/// What every command needs: where things lie, what is loaded, how diagnostics are said.
+/// What every command needs: folders, loaded plugins, and how diagnostics are written.
 #pragma once
 
 #include <filesystem>
@@ -49,16 +49,16 @@ class Session {
   const DialectReader& reader() const { return reader_; }
   DiagnosticWriter& diagnostics() { return diagnostics_; }
 
-  /// Reads and links, with the user's own dependencies where the dialect has them not; null when something is wrong,
-  /// which is then said.
+  /// Reads and links, with the user's own dependencies where the dialect lacks them; null, and reported, when something
+  /// is wrong.
   std::unique_ptr<LinkedDialect> link(const std::string& dialect, const std::vector<DependencyElement>& own = {}) {
     return link(dialect, own, diagnostics_);
   }
   std::unique_ptr<LinkedDialect> link(const std::string& dialect, const std::vector<DependencyElement>& own,
                                       DiagnosticSink& sink);
-  /// Says one of the host's diagnostics.
+  /// Reports one of the host's diagnostics.
   void say(std::string_view code, Location where, std::initializer_list<std::string> arguments, std::string hint = {});
-  /// From now on, whatever --diagnostics-output names; what went there is dropped.
+  /// From now on, whatever --diagnostics-output names; diagnostics already written to that file are dropped.
   void say_to_stderr() { diagnostics_file_.reset(); }
   /// input_errors when there were errors, internal_fault when a plugin broke the contract, else success.
   int status() const;

@@ -10,7 +10,7 @@ struct SurroundingOptions {
   std::string dialect;
 
   void add_to(CommandLine& line);
-  /// Loads every plugin; empty when a dialect was named and cannot be read, which is then said.
+  /// Loads every plugin; empty, and reported, when a dialect was named and cannot be read.
   std::optional<Surroundings> make(Session& session) const;
 };
 

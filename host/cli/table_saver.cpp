@@ -11,7 +11,7 @@ namespace isogloss::cli {
 
 namespace {
 
-/// The root is named as the dependency, one element a row: what a run takes for a table.
+/// The root is named as the dependency, one element a row: which a run reads as a table.
 std::string xml_of(const DependencyTable& table, const std::string& name) {
   const ig_dependency& d = table.dependency();
   pugi::xml_document document;
@@ -36,7 +36,7 @@ class TableSaver : public Exporter {
   void begin(Document& initial, const SymbolTable&) override { chain_ = initial.chain; }
   bool block(Document&, const SymbolTable&) override { return true; }
   bool end() override {
-    if (session_.diagnostics().by_code().contains("IG-0431")) return true;  // half a program was run
+    if (session_.diagnostics().by_code().contains("IG-0431")) return true;  // the program was run only in part
     for (const auto& [name, file] : requests_) save(name, file);
     return true;
   }
@@ -84,7 +84,7 @@ bool are_apart(const std::vector<std::string>& inputs, const std::vector<std::st
     return !file.empty() && file != "-" && (!fs::exists(status) || fs::is_regular_file(status));
   };
   const auto are_one = [&](const std::string& a, const std::string& b) { return fs::equivalent(a, b, code); };
-  // Two outputs may not be there yet.
+  // Both outputs may not exist yet.
   const auto have_one_name = [&](const std::string& a, const std::string& b) {
     return are_one(a, b) || fs::weakly_canonical(fs::absolute(a), code) == fs::weakly_canonical(fs::absolute(b), code);
   };

@@ -13,13 +13,13 @@ namespace isogloss::cli {
 
 /// "MacroVariables=kept.xml": the dependency's name in the dialect, and the file.
 using TableRequest = std::pair<std::string, std::string>;
-/// Nothing, and said, where a text is no such request.
+/// Empty, and reported, where a text is not such a request.
 std::optional<std::vector<TableRequest>> read_table_requests(const std::vector<std::string>& texts, Session& session);
 
-/// No output replaces a file that the run reads, nor another output; otherwise false, and said.
+/// No output replaces a file that the run reads, nor another output; otherwise false, and reported.
 bool are_apart(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs, Session& session);
 
-/// At the end of a run it writes the tables; what fails is said.
+/// Writes the tables at the end of a run; failures are reported.
 std::unique_ptr<Exporter> make_table_saver(const std::vector<TableRequest>& requests, Session& session);
 
 }  // namespace isogloss::cli

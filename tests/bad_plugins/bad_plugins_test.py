@@ -169,7 +169,7 @@ class BadPlugins(unittest.TestCase):
     def test_a_scanner_cannot_take_what_lies_behind_the_text(self):
         done = self.run_with("scans_beyond")
         self.assertEqual(done.returncode, 3, done.stderr)
-        self.assertIn("part.nc:2:1: error: BadSyntax broke the contract: its scan() returned an end behind the text",
+        self.assertIn("part.nc:2:1: error: BadSyntax broke the contract: its scan() returned an end after the text",
                       done.stderr)
         self.assertIn('"Z":3', done.stdout)  # the words after it are there
 

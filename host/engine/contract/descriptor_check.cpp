@@ -15,7 +15,7 @@
 namespace isogloss {
 namespace {
 
-// More than any honest plugin has: a count beyond them is garbage, and reading so far would leave the array.
+// More than any real plugin has: a larger count is garbage, and reading that far would leave the array.
 constexpr std::uint32_t most_parts = 2048;
 constexpr std::uint32_t most_declarations = 8192;
 constexpr std::uint32_t most_names = 256;
@@ -54,7 +54,7 @@ std::string_view bytes(const char* s, const What& what, std::size_t longest) {
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
-/// Eight bytes at a time: the texts of all plugins are looked at whenever one is loaded.
+/// Eight bytes at a time: the texts of all plugins are checked whenever one is loaded.
 bool may_hold_control(std::string_view s) {
   constexpr std::uint64_t ones = 0x0101010101010101u, tops = ones * 0x80, blanks = ones * 0x20, deletes = ones * 0x7f;
   const auto below = [](std::uint64_t x, std::uint64_t limit) { return (x - limit) & ~x & tops; };
@@ -70,7 +70,7 @@ bool may_hold_control(std::string_view s) {
   return found != 0;
 }
 
-/// `list`, `inspect` and diagnostics print it, so it holds no byte that a terminal would obey.
+/// `list`, `inspect` and diagnostics print it, so it must not hold control characters.
 template <class What>
 std::string_view text(const char* s, const What& what, std::size_t longest = longest_text) {
   const std::string_view all = bytes(s, what, longest);

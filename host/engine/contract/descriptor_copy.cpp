@@ -26,7 +26,7 @@ bool copy_struct(T& to, const void* from) {
   std::memcpy(&size, from, sizeof size);
   if (size < sizeof(std::uint32_t) || size > largest_struct) return false;
   std::memcpy(&to, from, std::min<std::size_t>(size, sizeof to));
-  // What the plugin's version had no member for is zero; what it left out of version 1.0 shows as a small size.
+  // Members that the plugin's version lacks are zero; members of version 1.0 that it left out show as a small size.
   if (size >= first_size<T>) to.struct_size = sizeof to;
   return true;
 }

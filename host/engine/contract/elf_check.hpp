@@ -1,4 +1,4 @@
-/// Do the parts of a shared library lie inside the file? Asked before anybody follows its offsets: a damaged or
+/// Do the parts of a shared library lie inside the file? Checked before its offsets are followed: a damaged or
 /// truncated file must not make the host reserve memory for sizes that it merely claims.
 #pragma once
 

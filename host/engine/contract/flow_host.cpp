@@ -10,7 +10,7 @@ namespace {
 
 FlowHost* host_of(const ig_block* block) { return reinterpret_cast<const Document*>(block)->chain->flow; }
 
-/// As much of a struct as both sides know: a caller of another age has a shorter or a longer one.
+/// As much of a struct as both sides know: a caller of another version has a shorter or a longer one.
 template <class T>
 void copy_known(const T& from, T* to, std::uint32_t size) {
   std::memcpy(static_cast<void*>(to), &from, std::min<std::size_t>(size, sizeof(T)));

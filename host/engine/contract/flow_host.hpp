@@ -1,4 +1,4 @@
-/// What stands behind the service isogloss.flow/1: a run that goes where its blocks say, or the making of an index.
+/// Implements the service isogloss.flow/1: for a run that its blocks direct, or while an index is made.
 #pragma once
 
 #include "isogloss/engine/document.hpp"

@@ -1,5 +1,5 @@
-/// What the host's functions hold an access against: nothing that linking has settled in the fast mode, the
-/// declarations of the syntax in the checked one.
+/// What the host's functions check an access against: nothing that linking has settled in the fast mode, the
+/// declarations of the syntax in the checked mode.
 #pragma once
 
 #include <cmath>
@@ -30,7 +30,7 @@ inline std::string field_name(const Document& d, ig_field f) {
 
 enum class Use { read, write, take };
 
-/// False when the field must not be touched; the fast table only wards off ids that lie outside the document.
+/// False when the field must not be touched; the fast table only rejects ids outside the document.
 template <Mode M>
 bool may(const Document& d, ig_field f, Use use) {
   if (f >= d.size()) {

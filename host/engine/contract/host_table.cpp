@@ -1,5 +1,5 @@
 // The functions that a syntax calls while it runs. The fast table checks nothing that linking has settled; the checked
-// one holds every access against the declarations; the traced one also keeps the line that set each field.
+// one checks every access against the declarations; the traced one also keeps the line that set each field.
 #include "contract/host_table.hpp"
 
 #include "contract/host_records.hpp"
@@ -27,7 +27,7 @@ ig_text symbol_text(const ig_block* block, ig_symbol symbol) {
 }
 
 std::string shown(const ig_argument& a) {
-  // A program's text may be a megabyte long; a message shows where it begins.
+  // A program's text may be a megabyte long; a message shows its beginning.
   constexpr std::size_t longest = 120;
   if (a.is_text != 0) {
     if (a.text.size <= longest) return std::string(a.text.data, a.text.size);

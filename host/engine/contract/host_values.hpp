@@ -89,8 +89,8 @@ std::uint32_t fresh_many(const ig_block* block, const ig_field* fields, std::uin
   return mask;
 }
 
-// Three fields side by side. What lies otherwise, or is held against the declarations, goes one by one and stays out of
-// the fast table's way.
+// Three fields side by side. Fields in another layout, and accesses that are checked, go one by one, outside of the
+// fast table.
 
 inline ig_field beside(ig_field x, std::uint32_t i) { return x > IG_NO_FIELD - 2 ? IG_NO_FIELD : x + i; }
 

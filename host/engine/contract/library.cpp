@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-// Boost.DLL 1.74 wants <vector> and <string> first; with std::filesystem it needs no boost_filesystem.
+// Boost.DLL 1.74 needs <vector> and <string> first; with std::filesystem it needs no boost_filesystem.
 #define BOOST_DLL_USE_STD_FS
 #include <boost/dll/library_info.hpp>
 #include <boost/dll/shared_library.hpp>

@@ -57,7 +57,7 @@ class FileReader {
   }
 
  private:
-  /// False when the root is not a dialect's: then nothing else means anything.
+  /// False when the root is not a dialect's: then the rest has no meaning.
   bool read_head() {
     const pugi::xml_node root = xml_.root();
     file_.own.file = xml_.file();
@@ -323,7 +323,7 @@ class FileReader {
     return kind == edit_kinds.end() ? std::nullopt : std::optional(*kind);
   }
 
-  /// The edit without the elements that it puts in; empty when it cannot be applied.
+  /// The edit without the elements that it inserts; empty when it cannot be applied.
   template <class Element>
   std::optional<Edit<Element>> edit(pugi::xml_node node, EditKind kind, const char* anchor,
                                     std::vector<std::string_view> refused) {
@@ -351,7 +351,7 @@ class FileReader {
     return edit;
   }
 
-  /// What does more than options.
+  /// Parts of the edit that are more than options.
   template <class Element>
   static std::string beyond_configure() {
     return std::is_same_v<Element, ChainElement>
@@ -494,7 +494,7 @@ fs::path below_folder_of(const std::string& file, const std::string& path) {
   fs::path named = (folder / relative).lexically_normal();
   std::error_code error;
   const fs::path real = fs::canonical(named, error);
-  if (error) return named;  // it is not there, which its reader says
+  if (error) return named;  // the file does not exist, which its reader reports
   const fs::path real_folder = fs::canonical(folder.empty() ? "." : folder, error);
   return !error && std::mismatch(real_folder.begin(), real_folder.end(), real.begin(), real.end()).first ==
                        real_folder.end()

@@ -25,12 +25,12 @@ class Report {
 enum class EditKind : std::uint8_t { replace, insert_before, insert_after, remove, configure };
 std::string_view to_string(EditKind kind);
 
-/// A change to what the dialect inherits.
+/// A change to an inherited element.
 template <class Element>
 struct Edit {
   EditKind kind;
   std::string anchor;
-  std::vector<Element> elements;   ///< what is put in
+  std::vector<Element> elements;   ///< what is inserted
   std::vector<Attribute> options;  ///< configure
   bool override_slot = false;      ///< configure
   Location where, anchor_where;

@@ -39,7 +39,7 @@ const char* kind_of() {
   return std::is_same_v<Element, ChainElement> ? "syntax" : "dependency";
 }
 
-/// How two instances of one part stand in one dialect.
+/// Hint for two instances of one part in one dialect.
 template <class Element>
 std::string second_name(const Element& element) {
   if constexpr (std::is_same_v<Element, ChainElement>)
@@ -215,7 +215,7 @@ class Reading {
     return base;
   }
 
-  /// The file's own stand before the inherited ones. An inherited one of the same name could never answer: it goes.
+  /// The file's own stand before the inherited ones. An inherited one of the same name never answers: it is removed.
   void fold_dependencies(std::vector<DependencyElement>& inherited, std::vector<DependencyElement> own,
                          const std::vector<Edit<DependencyElement>>& edits) {
     {

@@ -17,7 +17,7 @@
 namespace isogloss {
 namespace {
 
-// What no plugin has a say in. The places for syntaxes and dependencies are groups that follow.
+// The part that does not depend on plugins. The places for syntaxes and dependencies are groups that follow.
 constexpr const char* schema_frame = R"(
 <xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema" xmlns="urn:isogloss:dialect:1"
            targetNamespace="urn:isogloss:dialect:1" elementFormDefault="qualified">
@@ -60,7 +60,7 @@ constexpr const char* schema_frame = R"(
   <xs:complexType name="dialect.Signature">
     <xs:annotation><xs:documentation>A sign of a dialect: in a line of the text, or in the name of the file.</xs:documentation></xs:annotation>
     <xs:attribute name="pattern" type="dialect.Text" use="required"><xs:annotation><xs:documentation>Shell pattern (* ? [0-9]) for a line in the head of a program; of a Name, for the file's name in small letters.</xs:documentation></xs:annotation></xs:attribute>
-    <xs:attribute name="weight" default="4"><xs:annotation><xs:documentation>How much the sign tells: lower where programs of other dialects show it, too. A file's extension weighs 2.</xs:documentation></xs:annotation>
+    <xs:attribute name="weight" default="4"><xs:annotation><xs:documentation>How much the sign tells: lower where programs of other dialects show it too. A file's extension weighs 2.</xs:documentation></xs:annotation>
       <xs:simpleType><xs:restriction base="xs:positiveInteger"><xs:maxInclusive value="100"/></xs:restriction></xs:simpleType>
     </xs:attribute>
   </xs:complexType>
@@ -77,8 +77,8 @@ constexpr const char* schema_frame = R"(
   <xs:complexType name="dialect.Segmenter">
     <xs:annotation><xs:documentation>How text is cut into blocks.</xs:documentation></xs:annotation>
     <xs:attribute name="type" use="required"><xs:simpleType><xs:restriction base="xs:string"><xs:enumeration value="line"/></xs:restriction></xs:simpleType></xs:attribute>
-    <xs:attribute name="continuation" type="dialect.Mark"><xs:annotation><xs:documentation>A line that ends in this mark goes on in the next one: both are one block. Without it each line is a block.</xs:documentation></xs:annotation></xs:attribute>
-    <xs:attribute name="comment" type="dialect.Mark"><xs:annotation><xs:documentation>What begins a comment, which may stand behind the mark.</xs:documentation></xs:annotation></xs:attribute>
+    <xs:attribute name="continuation" type="dialect.Mark"><xs:annotation><xs:documentation>A line that ends with this mark continues in the next one: both are one block. Without it each line is a block.</xs:documentation></xs:annotation></xs:attribute>
+    <xs:attribute name="comment" type="dialect.Mark"><xs:annotation><xs:documentation>Begins a comment, which may stand after the mark.</xs:documentation></xs:annotation></xs:attribute>
   </xs:complexType>
   <xs:simpleType name="dialect.Mark"><xs:restriction base="xs:string"><xs:pattern value="[^ \t\r\n]{1,8}"/></xs:restriction></xs:simpleType>
   <xs:complexType name="dialect.Plugins">
@@ -149,7 +149,7 @@ constexpr const char* schema_frame = R"(
   <xs:simpleType name="dialect.Boolean"><xs:restriction base="xs:string"><xs:enumeration value="true"/><xs:enumeration value="false"/></xs:restriction></xs:simpleType>
 </xs:schema>)";
 
-/// Without exponent, which xs:decimal does not know.
+/// Without exponent, which xs:decimal does not have.
 std::string decimal(double value) {
   char text[512];
   const auto [end, error] = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed);
@@ -184,7 +184,7 @@ std::string with_unit(const char* doc, const char* unit) {
 
 void add_option(pugi::xml_node type, const ig_option_decl& option) {
   pugi::xml_node attribute = add(type, "xs:attribute", option.name);
-  // An inherited element may get it from a Configure, so a schema cannot ask for it.
+  // An inherited element may get it from a Configure, so a schema cannot demand it.
   std::string doc = with_unit(option.doc, option.unit);
   if (option.fallback == nullptr) doc += doc.empty() ? "Required." : " Required.";
   if (option.fallback != nullptr) set_attribute(attribute, "default", option.fallback);

@@ -1,4 +1,4 @@
-// The effective dialect as XML: what a reader of the file would otherwise have to fold in his head.
+// The effective dialect as XML, so that nobody has to apply `extends` and edits by hand.
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>

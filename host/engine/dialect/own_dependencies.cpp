@@ -1,4 +1,4 @@
-// What a dialect does not know of, such as the kinematics of one machine, comes in with the user's own tables.
+// Dependencies that a dialect lacks, such as the kinematics of one machine, come from the user's own tables.
 #include "isogloss/engine/own_dependencies.hpp"
 
 #include <algorithm>

@@ -43,7 +43,7 @@ class RowCheck {
   void check_cell(const Attribute& a) {
     const auto found = std::find(columns_.begin(), columns_.end(), a.name);
     if (found == columns_.end()) {
-      constexpr std::size_t telling = 3;  // of a shorter name any other is near
+      constexpr std::size_t telling = 3;  // for a shorter name any other one is near
       const std::string near = a.name.size() < telling ? std::string() : nearest_name(a.name, columns_);
       std::string all;
       for (const std::string& column : columns_) all += (all.empty() ? "its columns are " : ", ") + column;

@@ -37,7 +37,7 @@ std::size_t utf8_length(std::string_view text, std::size_t i) {
   return size;
 }
 
-/// What the XML declaration says, in capitals; empty when it says nothing.
+/// The encoding of the XML declaration, in capitals; empty without one.
 std::string declared_encoding(std::string_view text) {
   if (!text.starts_with("<?xml")) return {};
   const std::string_view declaration = text.substr(0, text.find("?>"));
@@ -164,7 +164,7 @@ std::string XmlSource::mismatch(const XmlSource& source, std::string_view text, 
 std::unique_ptr<XmlSource> XmlSource::parse(std::string file, std::string text, DiagnosticSink& sink) {
   std::unique_ptr<XmlSource> source(new XmlSource(std::move(file), std::move(text)));
   if (!source->check_text(sink)) return nullptr;
-  // As a fragment, so that what stands outside the root is seen, too.
+  // Parsed as a fragment, so that content outside the root is found too.
   const unsigned options = pugi::parse_default | pugi::parse_doctype | pugi::parse_fragment;
   const pugi::xml_parse_result result =
       source->document_.load_buffer(source->text_.data(), source->text_.size(), options, pugi::encoding_utf8);
@@ -252,7 +252,7 @@ bool XmlSource::check_nodes(DiagnosticSink& sink) const {
     sink.add(host_diagnostic("IG-0103", at_offset(text_.size()), {"no root element"}));
     return false;
   }
-  // Without recursion: the depth is the file's to choose.
+  // Without recursion: the file chooses the depth.
   int depth = 1;
   for (pugi::xml_node node = root(); node;) {
     if (depth > XmlBudget::depth) {

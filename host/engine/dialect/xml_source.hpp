@@ -21,9 +21,9 @@ struct XmlBudget {
   std::size_t bytes_left = std::size_t{64} << 20;
 };
 
-/// UTF-8 without a document type; more strictly read than pugixml does: each fault that it would pass over is reported
-/// with its place.
-/// A pipe in a folder that is searched would be waited for; one that the user names is what he wants.
+/// UTF-8 without a document type, read more strictly than by pugixml: each fault that pugixml ignores is reported with
+/// its place.
+/// A pipe in a searched folder would block the run; a pipe that the user names is read.
 enum class Pipes : std::uint8_t { refuse, read };
 
 class XmlSource {
@@ -55,7 +55,7 @@ class XmlSource {
   pugi::xml_document document_;
 };
 
-/// For those who write XML: adds an attribute behind those that the element has.
+/// For writers of XML: adds an attribute after those that the element has.
 inline void set_attribute(pugi::xml_node element, const char* name, const std::string& value) {
   element.append_attribute(name).set_value(value.c_str());
 }

@@ -14,8 +14,8 @@
 namespace isogloss {
 namespace {
 
-/// The layout that a chain of all syntaxes would have. A field that two plugins declare differently is the first's:
-/// they cannot stand in one chain.
+/// The layout that a chain of all syntaxes would have. Where two plugins declare a field differently, the first
+/// one wins: they cannot stand in one chain.
 class Everything {
  public:
   explicit Everything(const Library& library) {

@@ -78,7 +78,7 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
   for (ig_field f = 0; f < size_; ++f) {
     const FieldInfo& info = layout.fields[f];
     Bits& bits = bits_[f >> 6];
-    // A copy from before the block is made anew before the rest goes.
+    // Copies of `previous` fields are updated before the other values are dropped.
     if (info.life == IG_LIFE_FRAME && info.previous_of == IG_NO_FIELD) frame_fields_.push_back(f);
     if (is_carried(info.life) || info.previous_of != IG_NO_FIELD) bits.modal |= bit(f);
     if (info.type == IG_CODE)
@@ -106,7 +106,7 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
 void Document::find_open_words(std::vector<std::uint64_t>& wake) {
   const auto is_far = [&](ig_field f) {
     const FieldInfo& info = layout_->fields[f];
-    if (info.previous_of != IG_NO_FIELD) return true;  // nothing but begin() writes it
+    if (info.previous_of != IG_NO_FIELD) return true;  // only begin() writes it
     return info.life == IG_LIFE_WORD && info.type != IG_CODE && std::count(info.path.begin(), info.path.end(), '.') > 1;
   };
   std::uint32_t open_end = 0;
@@ -169,7 +169,7 @@ void Document::watch(ig_field f, std::uint64_t raised) {
   watchers_.push_back({f, raised});
 }
 
-/// Mostly it is the same field (the motion in force) that changes from block to block: it comes to stand first.
+/// Mostly the same field changes from block to block (the motion in force): it moves to the front.
 void Document::tell_change(ig_field f) {
   for (Watcher& w : watchers_)
     if (w.field == f) {

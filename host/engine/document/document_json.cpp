@@ -46,7 +46,7 @@ class JsonSink {
   throw std::runtime_error(path + ": " + std::string(expected) + " is expected, this is " + found.type_name());
 }
 
-/// A value of the field's type; words, codes, texts and transforms are not for this.
+/// A value of the field's type; not for words, codes, texts and transforms.
 ig_value read_value(const Json& json, ig_type type, const std::string& path, SymbolTable& symbols) {
   ig_value v{};
   switch (type) {
@@ -78,7 +78,7 @@ class Loader {
  public:
   Loader(Document& document, SymbolTable& symbols) : d_(document), layout_(document.layout()), symbols_(symbols) {}
 
-  /// What it could not place.
+  /// The parts that have no field.
   Json load(const Json& json) {
     if (!json.is_object()) wrong("the document", "an object", json);
     Json rest = Json::object();
@@ -96,7 +96,7 @@ class Loader {
   }
 
  private:
-  /// Null when everything found its place.
+  /// Null when everything has a field.
   Json load_at(const std::string& path, const Json& json) {
     if (const ig_field f = layout_.id(path); is_value(f)) {
       if (layout_.fields[f].type == IG_TEXT) {
@@ -202,7 +202,7 @@ class Loader {
       list.add(0);
       const std::string path = info.path + '[' + std::to_string(list.count - 1) + ']';
       if (!record.is_object()) wrong(path, "an object", record);
-      if (!load_record(record, path, "", info, list)) return json;  // not ours to understand: passes through whole
+      if (!load_record(record, path, "", info, list)) return json;  // an unknown record passes through unchanged
     }
     d_.lists[index] = std::move(list);
     return {};

@@ -18,7 +18,7 @@ ShapeNode& child_of(std::vector<ShapeNode>& nodes, std::string_view name) {
 ShapeNode& node_at(std::vector<ShapeNode>& nodes, std::string_view path) {
   std::vector<ShapeNode>* level = &nodes;
   while (true) {
-    // The longest name counts: a code with decimals may stand beside the one without.
+    // The longest name wins: a code with decimals may stand beside the one without.
     ShapeNode* code = nullptr;
     for (ShapeNode& node : *level) {
       if (node.kind != ShapeNode::Kind::code || !path.starts_with(node.name)) continue;

@@ -43,10 +43,10 @@ inline constexpr std::string_view parsing_prefix = "Parsing.";
 std::string leftover_value(const Leftover& left, std::string_view source);
 /// The texts that no scanner took and the statements that are not executed, joined by one blank.
 std::string unparsed_text(const Document& document);
-/// The codes that nobody took and those that nobody knows, in their order.
+/// The codes that no syntax took and the unknown codes, in their order.
 std::vector<std::string> open_codes(const Document& document, const std::vector<ig_field>& flags);
 
-/// What a walk shows.
+/// What a walk includes.
 struct ShowOptions {
   const std::set<std::string>* sections = nullptr;  ///< only these
   bool only_fresh = false;                          ///< what was written in this block

@@ -23,7 +23,7 @@ class FiniteValues {
   bool is_suspect(const Document& d) {
     if (has_overflow_flag()) [[unlikely]]
       has_overflowed_ = true;
-    // A value that is not present is an old one: at worst a search for nothing.
+    // A value that is not present is stale: at worst the search finds nothing.
     const double size =
         std::fabs(d.number(machine_[0])) + std::fabs(d.number(machine_[1])) + std::fabs(d.number(machine_[2]));
     return has_overflowed_ || !(size < largest);

@@ -143,7 +143,7 @@ class TextSink {
  private:
   struct Level {
     std::string_view closing;
-    bool is_empty;  ///< nothing to part the next text from
+    bool is_empty;  ///< nothing before it that needs a separator
   };
   static inline const std::string margin = std::string(10, ' ');
 
@@ -213,7 +213,7 @@ class WrittenSection {
     std::array<double, 16> matrix{};
   };
 
-  /// False where more than plain values may stand.
+  /// False where other than plain values may stand.
   bool collect(const std::vector<ShapeNode>& nodes, const Layout& layout) {
     return std::all_of(nodes.begin(), nodes.end(), [&](const ShapeNode& node) {
       if (node.kind == ShapeNode::Kind::section) return collect(node.children, layout);
@@ -236,7 +236,7 @@ class WrittenSection {
       if (d.present(field)) kept_.push_back({field, 0});
   }
 
-  /// -0 is written otherwise than 0.
+  /// -0 and 0 are written differently.
   static bool has_same_bits(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
   }

@@ -1,4 +1,4 @@
-/// A move that leads the tip of the tool while the rotary axes turn: what it asks of the machine's axes.
+/// A move that leads the tip of the tool while the rotary axes turn: what it demands of the machine's axes.
 #pragma once
 
 #include <algorithm>
@@ -57,7 +57,7 @@ class LedMove {
   }
 
  private:
-  /// What the whole move would take if the axes went as they do at one place of it, each no faster than its rate.
+  /// The time of the whole move if the axes moved as at one place of it, each no faster than its rate.
   double least_seconds(double place, const double (&per_second)[6], bool& is_known) const {
     double angles[3], tip[3], slides[3];
     for (unsigned i = 0; i < 3; ++i) {
@@ -73,7 +73,7 @@ class LedMove {
     return longest;
   }
 
-  /// The tip in the workpiece where the slides and the rotary axes stand so.
+  /// The position of the tip in the workpiece for these positions of the slides and rotary axes.
   bool tip_of(const double* machine, const double (&angles)[3], double (&tip)[3]) const {
     double pivot[16], axis[3];
     if (kinematics_.pivot(kinematics_.self, angles, pivot) == 0) return false;

@@ -14,7 +14,7 @@ namespace isogloss {
 
 namespace {
 
-/// Room for all that an event holds besides names and file.
+/// Room for everything that an event holds besides names and file.
 constexpr std::size_t event_room = 2048;
 
 template <bool exact>
@@ -25,7 +25,7 @@ char* put_number(char* out, double value) {
     return write_decimal(out, value);
 }
 
-/// A number that mostly stays the same from event to event (the level of a pocket, the feed): its text is kept.
+/// A number that is mostly the same from event to event (the level of a pocket, the feed): its text is kept.
 template <bool exact>
 class RepeatedNumber {
  public:
@@ -61,7 +61,7 @@ class EventLines {
   std::string prefix_;  // up to the line number
   std::uint32_t line_ = 0;
 
-  /// True when the file is another one than before.
+  /// True when the file has changed.
   bool enter(const BlockSource& source) {
     line_ = source.line;
     const bool same_text = source.file.data() == seen_.data() && source.file.size() == seen_.size();

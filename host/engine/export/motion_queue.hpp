@@ -80,10 +80,10 @@ class MotionQueue {
   void stop(std::string_view term) { add_named(Kind::stop, term); }
   void end(std::string_view term) { add_named(Kind::end, term); }
 
-  /// False once the output takes no more.
+  /// False once the output accepts no more.
   bool ok() const { return !closed_.load(std::memory_order_relaxed); }
 
-  /// Writes all that waits.
+  /// Writes everything that waits.
   bool drain() {
     if (!worker_.joinable()) {
       write(*filling_);
@@ -118,7 +118,7 @@ class MotionQueue {
     std::unique_ptr<Event[]> events = std::make_unique_for_overwrite<Event[]>(batch_size);
     std::size_t count = 0;
     std::vector<Arc> arcs;          // of the arcs among the events, in their order
-    std::deque<std::string> texts;  // names, which outlive the run that told them
+    std::deque<std::string> texts;  // names, which outlive the run that produced them
   };
   /// A batch is empty after it was written, also after it could not be.
   class Emptied {
@@ -164,7 +164,7 @@ class MotionQueue {
       write(*filling_);
   }
 
-  /// Without a second processor, or without a thread to be had, this one writes.
+  /// Without a second processor, or where no thread can be started, this thread writes.
   void start() {
     if (tried_ || std::thread::hardware_concurrency() < 2) return;
     tried_ = true;

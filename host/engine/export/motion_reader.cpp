@@ -8,7 +8,7 @@ namespace isogloss {
 
 namespace {
 
-/// Coordinates that are closer are the same place: what an offset there and back leaves behind.
+/// Coordinates that are closer are the same place: an offset there and back leaves such differences.
 constexpr double same_place_mm = 1e-7;
 /// Ends of an arc that are closer make a full circle.
 constexpr double closed_arc_mm = 1e-6;
@@ -38,7 +38,7 @@ void advance(AxisPoint& position, const AxisPoint& to) {
   position.known |= to.known;
 }
 
-/// The unit vector about which the mapped plane turns from its first axis to its second. Taken from the two axes, so
+/// The unit vector about which the mapped plane turns from its first axis to its second. Computed from the two axes, so
 /// that the sense stays right in a mirrored frame.
 void map_normal(const Frame& frame, PlaneAxes plane, double (&out)[3]) {
   if (frame.kind != Frame::Kind::general) {

@@ -63,7 +63,7 @@ class KnownName {
   ig_symbol id_ = 0;
 };
 
-/// Keeps what the events of earlier blocks have left behind: position, spindle, coolant.
+/// Keeps the state that earlier events left: position, spindle, coolant.
 class MotionReader {
  public:
   explicit MotionReader(bool zero_moves) : keep_zero_moves_(zero_moves) {}
@@ -182,7 +182,7 @@ class MotionReader {
     const bool has_speed = d.present(speed_);
     events.spindle(symbols.text(direction), has_speed, has_speed ? d.number(speed_) : 0);
   }
-  /// An oriented stop leaves the spindle standing: whatever starts it again is a change.
+  /// After an oriented stop the spindle stands still: any start is a change.
   template <class Events>
   void tell_orient(double degrees, Events& events) {
     spindle_turns_ = false;

@@ -1,6 +1,6 @@
-// What a run amounts to: lengths, extents, times. Everything in machine space, arcs by their true length and bulge; but
-// a feed that leads the tip while rotary axes turn has the length of the tip's way, and is held back where an axis
-// would pass its rapid rate.
+// The totals of a run: lengths, extents, times. Everything in machine space, arcs by their true length and bulge; but
+// a feed that leads the tip while rotary axes turn has the length of the tip's path, and is slowed down where an axis
+// would exceed its rapid rate.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,7 +15,8 @@ namespace isogloss {
 
 namespace {
 
-/// A circular or helical way: center + r·cos φ + q·sin φ + rise·φ/sweep, φ from 0 to sweep (radians, about the normal).
+/// A circular or helical path: center + r·cos φ + q·sin φ + rise·φ/sweep, φ from 0 to sweep (radians, about the
+/// normal).
 struct Helix {
   double center[3], r[3], q[3], rise[3];
   double sweep;
@@ -144,9 +145,9 @@ class SummaryExporter : public Exporter {
     return std::sqrt(sum);
   }
 
-  /// Under tip control the feed is that of the tip in the workpiece; the machine's axes go another way.
+  /// Under tip control the feed is that of the tip in the workpiece; the machine's axes take another path.
   static double way_of_tip(const Move& m) {
-    constexpr double rests_mm = 1e-7;  // shorter is what a frame there and back leaves
+    constexpr double rests_mm = 1e-7;  // shorter lengths come from a frame there and back
     if (!m.start.has_xyz() || !m.program.has_xyz()) return straight(m, 0, 3);
     double sum = 0;
     for (unsigned i = 0; i < 3; ++i) sum += (m.program.at[i] - m.start.at[i]) * (m.program.at[i] - m.start.at[i]);
@@ -159,8 +160,8 @@ class SummaryExporter : public Exporter {
       if (m.from.has(i) && m.machine.has(i)) s_.turned_deg[i - 3] += std::abs(m.machine.at[i] - m.from.at[i]);
   }
 
-  /// The time of the slowest axis at its rapid: nothing goes faster. A feed neither, where a table must swing round
-  /// while the tip goes a short way.
+  /// The time of the slowest axis at its rapid rate: nothing moves faster. This limits a feed too, where a table must
+  /// swing round while the tip moves a short distance.
   double least_seconds(const Move& m) const {
     double longest = 0;
     for (unsigned i = 0; i < 6; ++i)
@@ -176,7 +177,7 @@ class SummaryExporter : public Exporter {
     s_.rapid_seconds += time_of(m, 0);
   }
 
-  /// Of a move whose feed alone would take so long; 0: a rapid.
+  /// For a move whose feed alone would take this long; 0: a rapid move.
   double time_of(const Move& m, double feed_seconds) {
     double least = least_seconds(m);
     bool is_slowed = least > feed_seconds * (1 + 1e-9);
@@ -231,7 +232,7 @@ class SummaryExporter : public Exporter {
           i, [&](double at) { widen(program_known_, i, at, s_.program_minimum, s_.program_maximum); });
   }
 
-  /// Where a cut begins counts, too; where a rapid comes from does not (the first one comes from home).
+  /// The start of a cut is included; the start of a rapid move is not (the first one starts at home).
   void reach_start(const Move& m) {
     for (int i = 0; i < 6; ++i)
       if (m.from.has(static_cast<unsigned>(i)) && m.machine.has(static_cast<unsigned>(i)))

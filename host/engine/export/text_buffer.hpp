@@ -11,7 +11,7 @@
 
 namespace isogloss {
 
-/// The text without what is no UTF-8: each such place becomes U+FFFD. A program may hold any byte.
+/// The text with U+FFFD in place of each invalid UTF-8 sequence. A program may hold any byte.
 std::string valid_utf8(std::string_view text);
 /// A JSON string with its quotes; valid UTF-8, whatever the text holds.
 std::string json_string(std::string_view text);
@@ -35,7 +35,7 @@ class TextBuffer {
     commit(p + text.size());
   }
 
-  /// False once the output takes no more; what is written after that is dropped.
+  /// False once the output accepts no more; later text is dropped.
   bool ok() const { return ok_; }
   bool flush() {
     const std::string_view waiting(data_.get(), static_cast<std::size_t>(at_ - data_.get()));

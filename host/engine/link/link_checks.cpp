@@ -17,7 +17,7 @@ namespace {
 
 std::string place(const Location& w) { return fmt::format("{}:{}:{}", w.file, w.line, w.column); }
 
-/// A pair that breaks the declarations of both is one fault, and so is one syntax that stands wrong to several.
+/// A pair that breaks the declarations of both is one fault; so is one syntax that stands wrong relative to several.
 void check_order(const LinkedDialect& linked, std::vector<LinkFault>& faults) {
   std::set<std::pair<std::size_t, std::size_t>> said;
   std::map<std::pair<std::string, std::size_t>, std::vector<std::string>> further;  // by code and what stands wrong
@@ -62,7 +62,7 @@ struct Traffic {
     for (const LinkedSyntax& s : linked.chain)
       for (std::size_t i = 0; i < own.size(); ++i) {
         writes[i] |= s.may_write[i];
-        // A switch, or what is carried to the next block, a syntax may tell itself; other values are for others.
+        // A syntax may read its own switches and carried values; other values are for other syntaxes.
         reads[i] |= (s.may_read[i] & (own[i] | ~s.may_write[i])) | s.may_take[i];
       }
     for (ig_field f = 0; f < written.size(); ++f) {
@@ -102,7 +102,7 @@ void check_unread(const LinkedDialect& linked, const Traffic& traffic, std::vect
     }
 }
 
-/// A wake-while looks at a block as it begins: what was carried, what it held before, and its words.
+/// A wake-while examines a block at its beginning: carried values, previous values and words.
 void check_wakes(const LinkedDialect& linked, std::vector<LinkFault>& faults) {
   for (const LinkedSyntax& s : linked.chain)
     for (std::uint32_t i = 0; i < s.syntax->field_count; ++i) {
@@ -158,7 +158,7 @@ class Acquaintance {
   std::vector<std::bitset<256>> behind_;  // a chain has no more (IG-0216)
 };
 
-/// "G81, G82"; a long list ends with how many more there are.
+/// "G81, G82"; a long list ends with the number of the others.
 std::string codes_of(const Layout& layout, const std::vector<ig_field>& fields) {
   constexpr std::size_t most = 5;
   constexpr std::string_view flags = "Parsing.Flags.";

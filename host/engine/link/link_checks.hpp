@@ -12,7 +12,7 @@ struct LinkFault {
   std::string hint{};
 };
 
-/// Order, required reads, slots, services, writes that nobody reads.
+/// Order, required reads, slots, services, writes that nothing reads.
 std::vector<LinkFault> check_links(const LinkedDialect& linked);
 /// Services alone.
 std::vector<LinkFault> check_services(const LinkedDialect& linked);

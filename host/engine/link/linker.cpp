@@ -89,7 +89,7 @@ class Linker {
     return std::any_of(names.begin(), names.end(), [&](const PluginReference& p) { return p.name == plugin->name; });
   }
 
-  /// Of a name that the dialect's plugins do not have: the plugin that has it, or one like it.
+  /// For a name that the dialect's plugins lack: the plugin that has it, or one with a similar name.
   template <class NamesOf>
   std::string cure(const std::string& name, const std::vector<std::string>& own, const NamesOf& names_of) {
     library_.load_all();
@@ -351,7 +351,7 @@ class Linker {
     return record_field(static_cast<std::size_t>(l - lists.begin()), static_cast<std::size_t>(f - l->fields.begin()));
   }
 
-  // ---- ids: modal fields first, of them those whose values from before the block are asked for, with these values;
+  // ---- ids: modal fields first, among them those that are read as `previous`, with their copies;
   // then the block's, switches, codes, words, words of codes (Parsing.G81.X)
 
   static std::size_t rank(const Draft& draft) {
@@ -363,8 +363,8 @@ class Linker {
     return std::count(info.path.begin(), info.path.end(), '.') > 1 ? 6 : 5;
   }
 
-  /// X Y Z of a section are read and written at once where the bits of the three lie in one word. Three that would
-  /// begin too late in a word let the next numbers that belong to none go first.
+  /// X Y Z of a section are read and written at once where the bits of the three lie in one word. Where three would
+  /// cross a word, fields that belong to no such group are placed first.
   void keep_points_whole(std::vector<std::uint32_t>& numbers, std::size_t first_id) const {
     for (std::size_t i = 0; i < numbers.size();) {
       if (!begins_point(numbers, i)) {
@@ -518,7 +518,7 @@ class Linker {
     return f ? std::string_view(out_->layout.fields[*f].unit) : std::string_view();
   }
 
-  /// Only of what the dialect itself writes: a default may be for other chains.
+  /// Only for options that the dialect writes: a default may be for other chains.
   void say_unmet(const LinkedSyntax& s, std::string_view option, const std::string& pattern) {
     for (const Attribute& given : s.element.options)
       if (given.name == option) say("IG-0244", given.where, {s.element.alias, given.name, pattern});
@@ -620,7 +620,7 @@ class Linker {
   LinkMode mode_;
   std::unique_ptr<LinkedDialect> out_;
   bool failed_ = false;
-  // Views below are of descriptors, of the standard sections and of patterns, which stay.
+  // The views below point into descriptors, standard sections and patterns, which outlive the linker.
   std::map<std::pair<const LinkedSyntax*, const ig_field_decl*>, std::vector<FieldPattern>> patterns_;
   std::unordered_map<std::string_view, std::string_view> owners_;  // codes that own words, their path by their name
   std::vector<Draft> drafts_;                                      // in the order in which they are mentioned first

@@ -77,7 +77,7 @@ bool FieldPattern::matches(std::string_view path, std::string_view unit) const {
   if (!any_unit_ && unit != unit_) return false;
   const std::string_view pattern = path_;
   if (!path.starts_with(pattern.substr(0, prefix_size_))) return false;
-  // What most patterns end with needs no segments.
+  // The common endings of patterns need no segments.
   const std::string_view wild = pattern.substr(prefix_size_);
   const std::size_t rest = path.size() - prefix_size_;
   if (wild == "**") return rest > 0;
@@ -86,7 +86,7 @@ bool FieldPattern::matches(std::string_view path, std::string_view unit) const {
   if (wild == "*.?") {
     const std::size_t dot = path.find('.', prefix_size_);
     if (dot == std::string_view::npos) return false;
-    // A letter alone behind the only point; a digit there may be the decimal of a code.
+    // A single letter after the only point; a digit there may be the decimal of a code.
     if (dot + 2 == path.size() && dot > prefix_size_ && (path.back() < '0' || path.back() > '9')) return true;
   }
   return match(segments_, 0, path);

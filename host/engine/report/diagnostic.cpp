@@ -62,7 +62,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& names) {
-  // Lists of any length come from files. What is looked at in the first milliseconds is enough for a hint.
+  // Lists of any length come from files. The names examined in the first milliseconds are enough for a hint.
   std::size_t comparisons_left = 10'000'000;
   const std::string* best = nullptr;
   std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;

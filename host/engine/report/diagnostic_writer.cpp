@@ -11,7 +11,7 @@ namespace isogloss {
 
 namespace {
 
-// Of a message or a hint: program text and what a plugin says may be of any length.
+// Limit of a message or a hint: program text and texts of plugins may have any length.
 constexpr std::size_t longest_text = 4096;
 
 void shorten(std::string& text) {
@@ -36,7 +36,7 @@ std::string_view colour(Severity severity) {
   return severity == Severity::error ? "\033[1;31m" : severity == Severity::warning ? "\033[1;35m" : "\033[1;36m";
 }
 
-/// What a message says but for numbers and quoted text, which is a program's own and always another.
+/// A message without numbers and quoted text, which differ from place to place.
 std::string wording(std::string_view message) {
   std::string out;
   bool is_quoted = false;
@@ -72,7 +72,7 @@ void DiagnosticWriter::add(Diagnostic diagnostic) {
   }
 }
 
-/// Was it said often enough, or in the same words at the same place?
+/// Was it written often enough, or in the same words at the same place?
 bool DiagnosticWriter::is_repeat(const Diagnostic& d) {
   if (policy_.repeats == 0) return false;
   Said& said = said_[d.code];
@@ -80,7 +80,7 @@ bool DiagnosticWriter::is_repeat(const Diagnostic& d) {
     return other.where.line == d.where.line && other.where.column == d.where.column && other.message == d.message &&
            other.where.file == d.where.file;
   };
-  // Of an error another word in the message is news, another number is not.
+  // Another word in the message of an error is news, another number is not.
   constexpr std::size_t most_wordings = 20;
   const bool is_new = d.severity == Severity::error && said.wordings.size() < most_wordings &&
                       said.wordings.insert(wording(d.message)).second;

@@ -116,7 +116,7 @@ class PageReader {
   bool inside_ = false;
 };
 
-/// What the XML beside a case says.
+/// The XML beside a case, as text.
 struct CaseDependencies {
   std::vector<Attribute> options;
   std::vector<DependencyElement> dependencies;
@@ -129,7 +129,7 @@ std::vector<Attribute> attributes(const pugi::xml_node& node, const Location& wh
   return out;
 }
 
-/// Throws std::runtime_error when the text is no XML.
+/// Throws std::runtime_error when the text is not XML.
 CaseDependencies read_dependencies(const std::string& xml, const std::string& syntax, const Location& where) {
   CaseDependencies out;
   if (trimmed(xml).empty()) return out;
@@ -179,7 +179,7 @@ Dialect surround(const ig_syntax& syntax, const ig_plugin& plugin, const Surroun
     d = *around.dialect;
     d.initial.clear();
     if (!around.is_named) {
-      // The default surroundings must not be in the way of a plugin that is being written.
+      // The default surroundings must not hinder a plugin that is being written.
       std::erase_if(d.plugins, [&](const PluginReference& p) { return library.find(p.name) == nullptr; });
       std::erase_if(d.chain, [&](const ChainElement& e) { return library.syntax(e.syntax) == nullptr; });
       std::erase_if(d.dependencies, [&](const DependencyElement& e) { return library.dependency(e.id) == nullptr; });
@@ -237,7 +237,7 @@ bool is_list_of_objects(const Json& json) {
   return json.is_array() && std::all_of(json.begin(), json.end(), [](const Json& one) { return one.is_object(); });
 }
 
-/// No block is nested so deep, and what goes through the objects goes down into each.
+/// No real block is nested so deep, and the walk through the objects is recursive.
 constexpr int deepest_json = 100;
 
 struct TooDeep {};
@@ -249,7 +249,7 @@ Json parse_json(const std::string& text, const Location& where, DiagnosticSink& 
       return true;
     });
     if (wants_list ? is_list_of_objects(json) : json.is_object()) return json;
-    sink.add(host_diagnostic("IG-0502", where, {wants_list ? "it is no list of objects" : "it is no object"}));
+    sink.add(host_diagnostic("IG-0502", where, {wants_list ? "it is not a list of objects" : "it is not an object"}));
   } catch (const Json::parse_error& e) {
     const std::size_t before = std::min(e.byte == 0 ? 0 : e.byte - 1, text.size());
     const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(before), '\n');
@@ -304,7 +304,7 @@ class Bench {
 
  private:
   Json finish(Document& document, const Json& before, const Json& unknown) {
-    // Through run(), not build(): the checked chain then holds the result against the contract.
+    // Through run(), not build(): the checked chain then checks the result against the contract.
     if (syntax_.build != nullptr) chain_.wake(document, position_);
     chain_.run(document, position_, position_ + 1);
 

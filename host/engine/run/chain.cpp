@@ -31,7 +31,7 @@ class Calling {
   Breadcrumb before_;
 };
 
-/// Of an exception that a function of the contract let out, which none may.
+/// Reports an exception that left a function of the contract, which none may.
 [[gnu::cold]] Diagnostic exception_diagnostic(const ig_plugin& plugin, const std::string& alias, const char* phase,
                                               Location where) {
   std::string words;
@@ -47,12 +47,12 @@ class Calling {
 
 bool is_blank(unsigned char c) { return c == ' ' || c == '\t'; }
 
-/// Does an element of a file that a run was given speak of this dependency of the dialect?
+/// Does an element of a file that was given to the run mean this dependency of the dialect?
 bool is_given(const DependencyElement& element, const DependencyElement& of_dialect) {
   return of_dialect.alias == element.alias || of_dialect.id == element.id;
 }
 
-/// Of rows that are known by one value, though they may have others by axis.
+/// True for tables whose rows have one main value, even if they also have values by axis.
 bool has_one_value(const ig_dependency& d) {
   return d.column_count == 1 || std::string_view(d.columns[0].name) == "Value";
 }
@@ -70,7 +70,7 @@ void set_row(DependencyTable& table, const TableRow& row) {
     if (const auto column = table.column(a.name)) table.set(key, static_cast<std::uint32_t>(*column), a.value);
 }
 
-/// Where the user, or the dialect, gave the dependency what it holds.
+/// The place where the user, or the dialect, gave the dependency its values.
 const Location& place_of(const DependencyElement& of_dialect, const std::vector<DependencyElement>& of_user) {
   const Location* place = &of_dialect.where;
   for (const DependencyElement& given : of_user)
@@ -78,7 +78,7 @@ const Location& place_of(const DependencyElement& of_dialect, const std::vector<
   return *place;
 }
 
-/// NULL where the dependency does not provide it, or is not there yet.
+/// NULL where the dependency does not provide it, or does not exist yet.
 const void* service_of(const ig_dependency& d, void* self, std::string_view id) {
   if (self == nullptr || d.provides == nullptr) return nullptr;
   for (const char* const* provided = d.provides; *provided != nullptr; ++provided)
@@ -191,7 +191,7 @@ void Chain::create_dependencies() {
   check_answers();
 }
 
-/// Refuses rows that were given and mean nothing; each is said.
+/// Refuses rows that have no meaning; each is reported.
 void Chain::refuse_rows(std::size_t dependency) {
   const LinkedDependency& d = linked_.dependencies[dependency];
   if (d.dependency->row_fault == nullptr) return;
@@ -221,7 +221,7 @@ void Chain::refuse_rows(std::size_t dependency) {
   if (!is_sound) throw std::runtime_error(d.element.alias + " has no such row");
 }
 
-/// Who gives values to a dependency must hear when another one answers in its place.
+/// Reports a dependency that was given values although another one answers in its place.
 void Chain::check_answers() {
   for (std::size_t i = 0; i < dependencies_.size(); ++i) {
     const LinkedDependency& d = linked_.dependencies[i];
@@ -348,11 +348,11 @@ void Chain::watch_modal_state() {
   for (std::uint32_t i = 0; i < watched_.size(); ++i) {
     const ig_field field = watched_[i].field;
     if (watches_.empty() || watches_.back().field != field) {
-      // A copy from before the block changes with what it is a copy of, a block later.
+      // A `previous` field changes one block after its source.
       const ig_field original = fields[field].previous_of != IG_NO_FIELD ? fields[field].previous_of : field;
       document_.watch(original, change_of(watches_.size()));
       watches_.push_back({field, i, i, is_carried(fields[original].life), {}});
-      // Words come in without a word to the watch.
+      // Scanned words bypass `tell_watch`, so check them in every block.
       if (fields[original].life == IG_LIFE_WORD) always_ |= change_of(watches_.size() - 1);
     }
     ++watches_.back().end;
@@ -360,8 +360,8 @@ void Chain::watch_modal_state() {
   document_.changes = ~std::uint64_t{0};
 }
 
-/// Where the block before left another value, or one that ended with it. What has not changed is put together once as
-/// long as the same fields change.
+/// Re-evaluates only the watches whose fields changed, or whose value ended with the previous block; caches the union
+/// of the others.
 void Chain::look_at_state() {
   const std::uint64_t changes = document_.changes;
   if (changes != changing_) {
@@ -401,7 +401,7 @@ const void* Chain::service(std::string_view id) const {
   return who ? service_of(*linked_.dependencies[*who].dependency, dependencies_[*who], id) : nullptr;
 }
 
-/// What the run gave a file for comes first, the last file before all; then the dialect's, in its order.
+/// Dependencies from the run's files come first, those of the last file before all; then the dialect's, in its order.
 std::optional<std::size_t> Chain::answering(std::string_view id) const {
   const auto answers = [&](std::size_t i) {
     return service_of(*linked_.dependencies[i].dependency, dependencies_[i], id) != nullptr;
@@ -467,7 +467,7 @@ bool Chain::is_awake(const Document& d, std::size_t position) const {
   return (d.active[bit / 64] >> (bit % 64) & 1) != 0;
 }
 
-/// No scanner took this byte of the text.
+/// No scanner accepted this byte of the text.
 [[gnu::cold]] void Chain::leave_byte(Document& d, std::size_t position) {
   d.current = 0;
   const auto c = static_cast<unsigned char>(d.source.text[position]);
@@ -480,17 +480,17 @@ bool Chain::is_awake(const Document& d, std::size_t position) const {
   d.add_leftover(IG_LEFT_TEXT, IG_NO_FIELD, begin, begin + 1, d.source.text.substr(position, 1));
 }
 
-/// What a scanner says to have taken beyond the text it has not seen: the byte is nobody's.
+/// A scanner that claims bytes beyond the text cannot have seen them: the byte stays unscanned.
 [[gnu::cold]] std::size_t Chain::refuse_end(std::size_t at) {
   const LinkedSyntax& s = linked_.chain[document_.current - 1u];
   const Diagnostic text = host_diagnostic(
-      "IG-0402", {}, {s.element.alias, "its scan() returned an end behind the text, so what it took is not counted"});
+      "IG-0402", {}, {s.element.alias, "its scan() returned an end after the text, so its bytes stay unscanned"});
   report(document_, text.severity, text.code, text.message, static_cast<std::uint32_t>(at),
          static_cast<std::uint32_t>(at + 1));
   return at;
 }
 
-/// The bytes from the position on. It is kept where the caller sees it: a scanner may throw.
+/// Scans from the position on. The position is the caller's variable, because a scanner may throw.
 [[gnu::always_inline]] inline void Chain::scan_from(std::size_t& position) {
   Document& d = document_;
   const char* const text = d.source.text.data();
@@ -501,7 +501,7 @@ bool Chain::is_awake(const Document& d, std::size_t position) const {
       ++position;
       continue;
     }
-    if (c == '\r' || c == '\n') {  // a lone carriage return ends a line, too
+    if (c == '\r' || c == '\n') {  // a lone carriage return also ends a line
       if (d.source.is_joined) {
         ++position;
         continue;
@@ -582,7 +582,7 @@ void Chain::call_watched(Document& d, std::uint32_t position) {
   }
 }
 
-/// The SDK's trampoline has said why; a plugin of its own making may not.
+/// The SDK's trampoline has reported the reason; a plugin without the SDK may not have.
 void Chain::tell_failure(const Document& d, std::uint32_t position) {
   if (failure_said_by != position + 1) {
     const Diagnostic text =
@@ -592,7 +592,7 @@ void Chain::tell_failure(const Document& d, std::uint32_t position) {
   failure_said_by = 0;
 }
 
-/// Of the syntax at work; what the host itself throws goes on.
+/// Reports an exception of the running syntax; exceptions of the host are rethrown.
 [[gnu::cold]] void Chain::tell_exception(const Document& d, const char* phase) {
   if (d.current == 0) throw;
   const std::uint32_t position = d.current - 1u;
@@ -602,7 +602,7 @@ void Chain::tell_failure(const Document& d, std::uint32_t position) {
   failure_said_by = 0;
 }
 
-/// Of a syntax that looks ahead. False when it has to wait for the blocks ahead, and what comes after it with it.
+/// Calls a syntax that looks ahead. False when it, and every later syntax, has to wait for the blocks ahead.
 bool Chain::call_looking_ahead(Document& d, std::uint32_t position, std::uint32_t first) {
   const Step& step = steps_[position];
   if (step.build_ahead == nullptr) return true;
@@ -620,8 +620,8 @@ bool Chain::call_looking_ahead(Document& d, std::uint32_t position, std::uint32_
   return true;
 }
 
-/// Calls what is awake. `begin` is where this pass over the block began: a syntax that looks ahead may have to wait.
-/// Plain is the fast mode without call_all, which pays for neither.
+/// Calls the syntaxes that are awake. `begin` is where this pass over the block began: a syntax that looks ahead may
+/// have to wait. Plain is the fast mode without call_all, which pays for neither.
 template <bool is_plain>
 [[gnu::always_inline]] inline void Chain::call_steps(Document& d, std::uint32_t begin, std::uint32_t first,
                                                      std::uint32_t last) {
@@ -702,7 +702,7 @@ ig_status Chain::build(std::uint32_t position) {
   return status;
 }
 
-/// A range that reaches into the next line ends with its own.
+/// A range that reaches into the next line is cut at the end of its own line.
 void Chain::place_in_joined(const Document& d, std::uint32_t begin, std::uint32_t end, Diagnostic& out) {
   const BlockSource& source = d.source;
   if (joined_ == nullptr) joined_ = std::make_unique<LinePlaces>();

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t window = 64 * 1024;  // more would only touch more pages: reading costs the same
 
-/// Bytes of a descriptor, tried again where a signal came between; negative: why is in errno.
+/// Bytes of a descriptor, read again after a signal; negative: the reason is in errno.
 template <class F>
 ssize_t try_again(F&& call) {
   ssize_t n;
@@ -34,7 +34,7 @@ class FileSource : public Source {
  public:
   explicit FileSource(int descriptor) : descriptor_(descriptor) {
     struct stat status {};
-    // Standard input may be a file that somebody has read a part of.
+    // Standard input may be a file of which a part has been read already.
     const off_t place = ::lseek(descriptor, 0, SEEK_CUR);
     has_places_ = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && place >= 0;
     if (has_places_) base_ = static_cast<std::uint64_t>(place);
@@ -214,7 +214,7 @@ bool Cursor::join(Line& line, std::size_t& size) {
     ++number_;
     if (!has_end) return false;
   }
-  // A block that is too long ends here for the reader; what it goes on in is no block either.
+  // For the reader a block that is too long ends here; its remaining lines are not a block either.
   skips_ = size > maximum_ && goes_on({buffer_.data() + begin_ + begin, size - begin});
   return true;
 }
@@ -262,7 +262,7 @@ bool Cursor::next(Line& line) {
   return true;
 }
 
-/// The rest of the line is read away; what is kept is moved out of the way of the reads.
+/// Reads and drops the rest of the line; the kept part is moved out of the way.
 bool Cursor::cut_long_line(Line& line, std::size_t size) {
   std::vector<char> kept(buffer_.data() + begin_, buffer_.data() + begin_ + maximum_);
   const char* found = nullptr;

@@ -10,7 +10,7 @@
 namespace isogloss {
 
 struct Line {
-  std::string_view text;  ///< without its end; alive until the next call. The ends of lines that go on are in it
+  std::string_view text;  ///< without its end; alive until the next call. It includes the ends of continued lines
   std::uint64_t offset = 0;
   std::uint32_t number = 0;
   std::uint32_t lines = 1;  ///< that the segmenter joined
@@ -28,7 +28,7 @@ struct LinePlace {
 class LinePlaces {
  public:
   LinePlace at(std::string_view text, std::size_t position);
-  /// Another text is next.
+  /// Another text follows.
   void forget() { *this = {}; }
 
  private:
@@ -38,7 +38,7 @@ class LinePlaces {
 };
 
 /// Lines end in LF or CR LF; a file without any LF has lines that end in CR. A leading byte order mark is skipped.
-/// A cursor goes back for nothing as long as the place lies in its window.
+/// Going back costs nothing as long as the place lies in the window.
 class Cursor {
  public:
   Cursor() = default;

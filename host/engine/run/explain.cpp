@@ -69,7 +69,7 @@ class Explainer : public Exporter {
   ExplainReach reach;
 
  private:
-  /// How the run goes while it is elsewhere.
+  /// Follows the run while it is elsewhere.
   void note(const Document& document) {
     const BlockSource& source = document.source;
     reach.last = {std::string(source.file), source.line, source.column + 1};

@@ -395,13 +395,13 @@ LabelIndex& Flow::labels(ProgramFile& file) {
   return *file.labels;
 }
 
-/// The rest of a source that can be read only once went by, or what lies before: nothing of it is run any more.
+/// A part of a source that can be read only once was lost: the run cannot continue there.
 void Flow::say_lost(const ProgramFile& file) {
   if (!over_) sink_.add(host_diagnostic("IG-0421", {file.name, here_.line, 0}, {file.name}));
   over_ = true;
 }
 
-/// Where a program goes on cannot be told without the rest of the file.
+/// The rest of the file is needed to know where a program continues.
 void Flow::say_unreadable(const ProgramFile& file, std::uint32_t line) {
   if (!over_) sink_.add(host_diagnostic("IG-0431", {file.name, line, 0}, {file.source->failure()}));
   over_ = true;

@@ -1,4 +1,4 @@
-/// Where a run is, and where it goes on: frames, jumps, and the limits that end what would never end.
+/// Where a run is, and where it continues: frames, jumps, and the limits that end endless runs.
 #pragma once
 
 #include <set>
@@ -15,7 +15,7 @@ class Flow : public FlowHost {
        DiagnosticSink& sink);
 
   Cursor& cursor() { return *cursor_; }
-  /// Says that the file that runs cannot be read beyond this line, and ends the run.
+  /// Reports that the running file cannot be read beyond this line, and ends the run.
   void fail_to_read(std::uint32_t line) { say_unreadable(*frame_->file, line); }
   /// As long-lived as the run: blocks that wait in the look-ahead window keep it.
   const std::string& file_name() const { return frame_->file->name; }
@@ -31,24 +31,24 @@ class Flow : public FlowHost {
     if (is_looping_) count_loop();
     if (repeats_at_ != 0) count_repeat();
   }
-  bool is_over() const { return over_; }  ///< a limit is reached, which was said
+  bool is_over() const { return over_; }  ///< a limit was reached and reported
   bool has_request() const { return request_ != Request::none; }
-  /// Carries out what the block asked for; `next` is where the run would go on.
+  /// Executes the request of the block; `next` is where the run would continue otherwise.
   void perform(Document& document, const Place& next);
   /// The frame's text ends with this block: the caller goes on. False in the main program.
   bool request_end(const Document& document);
   /// The frame's text has ended.
   bool leave_at_end(Document& document);
-  /// What the last seek has left to do: the column at which its line begins to count.
+  /// What the last seek has left to do: the column at which its line begins.
   std::uint32_t take_column() { return std::exchange(column_, 0u); }
-  /// True once: the block there is passed over, to this end.
+  /// True once: the block there is skipped, up to this end.
   bool take_passing() { return std::exchange(passing_, false); }
   std::size_t block_end(std::string_view text) {
     const Chain::Interlude interlude;
     return indexer().block_end(text);
   }
 
-  /// The first text behind the end of the main program that was no part of this run.
+  /// The first text after the end of the main program that this run did not execute.
   std::optional<Place> first_not_run();  ///< its column is that of the text
 
   void label(std::string_view, ig_label_kind) override {}

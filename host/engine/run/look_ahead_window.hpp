@@ -1,4 +1,4 @@
-/// Executed blocks that wait because a syntax of the post-logic stage wants to see what follows. A block comes in when
+/// Executed blocks that wait because a syntax of the post-logic stage reads the blocks that follow. A block enters when
 /// such a syntax is awake in it, or when there are blocks before it that still wait; where nothing looks ahead no block
 /// is ever copied.
 #pragma once
@@ -65,7 +65,7 @@ class LookAheadWindow {
     return e;
   }
 
-  /// Is all there that the oldest may want to see?
+  /// Are all blocks present that the oldest block may need?
   bool is_complete() const {
     return waiting_ > linked_.look_ahead || (waiting_ > 0 && !looks_ahead(oldest().document));
   }

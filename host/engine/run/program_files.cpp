@@ -52,7 +52,7 @@ std::optional<Place> LabelIndex::find(std::string_view name, const Place& from, 
   const auto last = next == programs_.end() ? not_before({UINT64_MAX, UINT32_MAX, UINT32_MAX}) : not_before(next->at);
   if (first == last) return std::nullopt;
   if (search == IG_SEARCH_TOP) return first->at;
-  const auto here = not_before(from);  // a block may jump to itself, but only when no other has the name
+  const auto here = not_before(from);  // a block may jump to itself, but only when no other block has the name
   if (search == IG_SEARCH_BACKWARD) return here == first ? std::nullopt : std::optional(std::prev(here)->at);
   const auto behind = here != last && here->at == from ? here + 1 : here;
   if (behind != last) return behind->at;
@@ -88,7 +88,7 @@ void Indexer::label(std::string_view name, ig_label_kind kind) {
   if (kind == IG_LABEL_PROGRAM) program_.assign(name);
 }
 
-/// Nothing of one file is known in the next.
+/// No name of one file is known in the next.
 void Indexer::start() {
   Document& d = chain_.document();
   for (ig_field f = 0; f < d.size(); ++f) d.erase(f);

@@ -33,7 +33,7 @@ class LabelIndex {
   bool has_programs() const { return !programs_.empty(); }
   /// The label of the program that `from` stands in.
   std::optional<Place> find(std::string_view name, const Place& from, ig_search search) const;
-  /// The programs that begin behind a place, in order.
+  /// The programs that begin after a place, in order.
   std::vector<Place> programs_behind(const Place& place) const;
 
  private:
@@ -54,7 +54,7 @@ struct ProgramFile {
   std::unique_ptr<LabelIndex> labels{};
 };
 
-/// A chain of its own whose scanners say the names of lines; it builds nothing and reports nothing.
+/// A separate chain whose scanners report the names of lines; it builds nothing and reports no diagnostics.
 class Indexer : public FlowHost {
  public:
   Indexer(const LinkedDialect& linked, const ChainSettings& settings, std::size_t maximum_line_bytes);
@@ -90,10 +90,10 @@ class ProgramPlaces {
   struct Found {
     std::filesystem::path file;  ///< resolved
     std::string name;            ///< as it is shown
-    bool is_library = false;     ///< a file of several programs: it counts when it holds the label
+    bool is_library = false;     ///< a file of several programs: used only when it holds the label
   };
-  /// Calls `take` with each file that may hold the program, the best first, until it says yes. What is in the way goes
-  /// to `reason`.
+  /// Calls `take` with each file that may hold the program, the best first, until it returns true. An obstacle is
+  /// written to `reason`.
   bool find(std::span<const ig_text> stems, const std::function<bool(const Found&)>& take, std::string& reason);
   /// Every file of the folders that may hold programs, whatever its name; of a folder of more than 256 none. All calls
   /// together read 64 MiB of 4096 files at most: a program may ask for any number of others.

@@ -135,7 +135,7 @@ class Run {
   /// Is the line at which the run stops one of these?
   bool holds_last(const Line& line) const { return options_.stop_after_line - line.number < line.lines; }
 
-  /// Where the run goes on behind a block that ends at this column.
+  /// Where the run continues after a block that ends at this column.
   Place place_behind(const Line& line, std::size_t column) {
     if (has_more(line, column)) return {line.offset, static_cast<std::uint32_t>(column), line.number};
     return {flow_.cursor().offset(), 0, line.number + line.lines};
@@ -189,7 +189,7 @@ class Run {
       }
   }
 
-  /// To its end; or to where it has to wait for the blocks after it, which is true.
+  /// Runs the block to its end; true when it has to wait for the blocks after it.
   [[gnu::always_inline]] inline bool execute(Document& d) {
     if (!window_.is_empty()) {
       chain_.run(d, 0, linked_.post_logic_begin);
@@ -202,11 +202,11 @@ class Run {
     return false;
   }
 
-  /// No value that overflowed leaves the run: nothing behind it can be right.
+  /// No value that overflowed leaves the run: nothing after it can be right.
   enum class Inspection : std::uint8_t { done, missing };
   bool is_finite(Document& d, Inspection inspection) { return !finite_.is_suspect(d) || !tell_overflow(d, inspection); }
 
-  /// Whether the block had to wait for others or not, the same is said of it.
+  /// Reports the same about a block whether it had to wait for others or not.
   [[gnu::cold]] bool tell_overflow(Document& d, Inspection inspection) {
     const std::string path = finite_.find_overflow(d);
     if (path.empty()) return false;
@@ -227,7 +227,7 @@ class Run {
     chain_.report(d, text.severity, text.code, text.message, 0, 0);
   }
 
-  // Executed blocks wait until the ones are there that they want to see; post-logic, inspection and export follow.
+  // Executed blocks wait until the blocks that they read are present; post-logic, inspection and export follow.
   void keep_in_window(const Document& d) {
     const std::uint32_t resume_at = window_.is_empty() ? chain_.waits_at : linked_.post_logic_begin;
     window_.add(d, resume_at, sink_.take()).alarmed = chain_.alarmed;
@@ -251,11 +251,11 @@ class Run {
     chain_.window.clear();
     window_.drop_oldest();
     if (!is_sound || (chain_.alarmed && options_.stop_on_error)) {
-      window_.clear();  // what the control has read ahead it does not execute
+      window_.clear();  // the control does not execute blocks that it has only read ahead
       return;
     }
     if (!window_.is_empty()) sink_.hold();
-    for (const Diagnostic& d : later) sink_.add(d);  // said between two blocks, behind the last one that waits
+    for (const Diagnostic& d : later) sink_.add(d);  // reported between two blocks, after the last one that waits
   }
 
   void flush_window() {
@@ -263,7 +263,7 @@ class Run {
     sink_.pass_on();
   }
 
-  /// The main program's text ended and no block ended the program: its syntaxes may say what they think of that. This
+  /// The main program's text ended and no block ended the program: syntaxes may report that. This
   /// is no block of the program and reaches no exporter.
   void run_end() {
     if (end_ == IG_NO_FIELD || result_.blocks == 0 || result_.output_closed) return;
@@ -272,7 +272,7 @@ class Run {
     chain_.run(chain_.document(), 0, linked_.post_logic_begin);
   }
 
-  /// Text behind the end of the program that no call or jump reached is said once.
+  /// Text after the end of the program that no call or jump reached is reported once.
   void say_what_follows() {
     if (const auto first = flow_.first_not_run())
       sink_.add(host_diagnostic("IG-0414", {flow_.file_name(), first->line, first->column + 1}, {}));

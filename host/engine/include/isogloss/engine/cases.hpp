@@ -25,8 +25,8 @@ struct Case {
   std::optional<Fence> previous;       ///< JSON: the whole block before
   std::optional<Fence> ahead;          ///< JSON: executed blocks after it, a list
   std::optional<Fence> dependencies;   ///< XML: dependencies, the syntax's own element with options, <Settings …/>
-  std::optional<Fence> diagnostics;    ///< codes that the build must report, no others; without it: none
-  bool says_anything = false;          ///< "#Diagnostics: any": whatever it reports
+  std::optional<Fence> diagnostics;    ///< the codes that the build must report, exactly; absent: none
+  bool says_anything = false;          ///< "#Diagnostics: any": any codes are accepted
   std::optional<Fence> before, after;  ///< JSON; both are there in a case that was read without a fault
 };
 
@@ -38,7 +38,7 @@ struct Page {
 /// Reads a page; `file` names it in diagnostics.
 Page read_page(std::string_view text, const std::string& file, DiagnosticSink& sink);
 
-/// What a syntax that runs alone has around it.
+/// The surroundings of a syntax that runs alone.
 struct Surroundings {
   /// Gives vocabulary and dependencies; without one the plugin's own syntaxes are the vocabulary.
   std::optional<Dialect> dialect;
@@ -47,14 +47,14 @@ struct Surroundings {
   std::map<std::string, std::string, std::less<>> settings;
 };
 
-/// What goes into one build.
+/// The input of one build.
 struct Application {
   std::string syntax;  ///< id or alias
   std::string before;  ///< JSON
   std::optional<std::string> previous;
   std::string dependencies;  ///< XML, may be empty
   Location where;            ///< of `before`
-  /// JSON, a list: what is written in each of the executed blocks that follow.
+  /// JSON, a list: the values written in each of the executed blocks that follow.
   std::optional<std::string> ahead = std::nullopt;
 };
 

@@ -63,7 +63,7 @@ struct Breadcrumb {
 
 class Chain {
  public:
-  /// Another chain works while a block of this one does: afterwards the block of before is at work again.
+  /// Another chain works while a block of this one does: afterwards the block of the outer chain is at work again.
   class Interlude {
    public:
     Interlude();
@@ -94,7 +94,7 @@ class Chain {
   void begin_block(const BlockSource& source);
   /// Asks the scanners; returns the end of the block in the text (a scanner may split the line).
   std::size_t scan();
-  /// Calls what is awake in chain positions [first, last).
+  /// Calls the syntaxes in chain positions [first, last) that are awake.
   void run(Document& document, std::uint32_t first, std::uint32_t last);
   /// One build() of one syntax on the document as it is.
   ig_status build(std::uint32_t position);
@@ -107,20 +107,21 @@ class Chain {
   /// Called before and after each build() in traced mode.
   std::function<void(std::uint32_t position, bool before)> trace;
 
-  // What syntaxes asked for in this block.
+  // Requests of syntaxes in this block.
   bool ends_program = false, ends_file = false, alarmed = false, skip_rest = false;
   /// Chain position of a syntax that looks ahead and that run() came to before the stage of such syntaxes began: the
-  /// block has to wait for those after it. 0: none; whoever keeps the window resets it.
+  /// block has to wait for those after it. 0: none; the owner of the window resets it.
   std::uint32_t waits_at = 0;
-  std::uint16_t failure_said_by = 0;  ///< chain position + 1; a syntax that fails without a word is reported for it
+  /// Chain position + 1 of the syntax that reported its failure; the host reports a failure without a reason.
+  std::uint16_t failure_said_by = 0;
   std::size_t split_at = 0;
   std::uint64_t builds = 0;   ///< builds called so far
   std::uint64_t blocks = 0;   ///< blocks begun so far
   std::uint64_t records = 0;  ///< records added to lists so far: steps of cycles
 
-  /// Who carries out calls and jumps, set by the runner; null where no program runs.
+  /// Executes calls and jumps, set by the runner; null where no program runs.
   FlowHost* flow = nullptr;
-  /// From now on scanners say the names of lines.
+  /// From now on scanners report the names of lines.
   void collect_labels() { flow_service_.is_indexing = 1; }
 
   void report(const Document& document, Severity severity, std::string_view code, std::string message,
@@ -142,7 +143,7 @@ class Chain {
     ig_field field;
     std::uint32_t begin, end;  // of what it wakes, in watched_
     bool is_modal;
-    std::uint64_t awake[4];  // what its value of now wakes
+    std::uint64_t awake[4];  // what its present value wakes
   };
 
   void place_in_joined(const Document& d, std::uint32_t begin, std::uint32_t end, Diagnostic& out);
@@ -194,7 +195,7 @@ class Chain {
   std::uint64_t awake_by_rest_[4] = {};                   // all but those that changed last
   std::uint64_t changing_ = 0;                            // of Document::changes: those
   std::uint64_t passing_ = 0;                             // of Document::changes: the values that end with this block
-  std::uint64_t always_ = 0;                              // ... and those that nobody tells of
+  std::uint64_t always_ = 0;                              // ... and those whose writes bypass tell_watch
   std::vector<Step> steps_;                               // by chain position
   std::vector<std::unique_ptr<DependencyTable>> tables_;  // by linked dependency, as the two below
   std::vector<std::vector<OptionValue>> dependency_options_;

@@ -1,4 +1,4 @@
-/// What the host and its plugins say about a program, a dialect or a plugin.
+/// What the host and its plugins report about a program, a dialect or a plugin.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct Diagnostic {
   std::string message;  ///< one sentence, without place and severity
   Location where;
   std::uint32_t end_column = 0;  ///< one past the last column; 0: unknown
-  std::string hint;              ///< how to mend it; may be empty
+  std::string hint;              ///< how to correct it; may be empty
 };
 
 /// Receives diagnostics in the order in which they arise. Called on the thread that runs.

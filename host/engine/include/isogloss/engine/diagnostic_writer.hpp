@@ -1,4 +1,4 @@
-/// Says diagnostics to people (text) and to programs (JSON Lines, SARIF).
+/// Writes diagnostics for people (text) and for programs (JSON Lines, SARIF).
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ enum class DiagnosticStyle : std::uint8_t { text, json, sarif };
 
 struct DiagnosticPolicy {
   DiagnosticStyle style = DiagnosticStyle::text;
-  std::uint64_t repeats = 5;  ///< text: so many of one code are said in full, and the first error of each wording;
+  std::uint64_t repeats = 5;  ///< text: how many of one code are written in full, and the first error of each wording;
                               ///< those of one place and wording once, the rest as one line; 0: all
   std::uint64_t maximum_errors = 0;  ///< limit_reached() from then on; 0: no limit
   bool warnings_are_errors = false;
@@ -31,7 +31,7 @@ class DiagnosticWriter : public DiagnosticSink {
   ~DiagnosticWriter() override;
 
   void add(Diagnostic diagnostic) override;
-  /// Says how many repeats were left unsaid, and forgets them: at the end of a program.
+  /// Writes how many repeats were left out, and forgets them: at the end of a program.
   void finish_program();
   /// finish_program(), and the end of a SARIF document. Nothing may be added after it.
   void finish();

@@ -58,8 +58,8 @@ struct PluginReference {
 /// How text is cut into blocks.
 struct Segmenter {
   std::string type;          ///< "line"
-  std::string continuation;  ///< a line that ends in it goes on in the next one; empty: each line is a block
-  std::string comment;       ///< what begins here may stand behind the mark; empty: nothing may
+  std::string continuation;  ///< a line that ends with it continues in the next one; empty: each line is a block
+  std::string comment;       ///< begins a comment that may follow the mark; empty: no comment may
 };
 
 /// A sign of a dialect in the head of a program.
@@ -70,7 +70,7 @@ struct Signature {
   friend bool operator==(const Signature&, const Signature&) = default;
 };
 
-/// A dialect with all that it extends folded in.
+/// A dialect with everything that it extends applied.
 struct Dialect {
   std::string name;
   std::string title;
@@ -93,7 +93,7 @@ class DialectReader {
  public:
   explicit DialectReader(std::vector<std::filesystem::path> folders);
 
-  /// `name` is a dialect's name or, when it holds a '/' or ends in .xml, a file. Reports what is wrong; empty then.
+  /// `name` is a dialect's name or, when it holds a '/' or ends in .xml, a file. Empty, and reported, on a fault.
   std::optional<Dialect> read(const std::string& name, DiagnosticSink& sink) const;
 
   /// The dialect files in the folders: name, title, extensions, signatures; nothing resolved. Sorted by name.

@@ -15,7 +15,7 @@ namespace isogloss {
 
 class Chain;
 
-/// One entry of the way from program to machine coordinates. Row vectors, translation in elements 12..14.
+/// One entry of the transformation from program to machine coordinates. Row vectors, translation in elements 12..14.
 struct Frame {
   enum class Kind : std::uint8_t { identity, translation, general };
   Kind kind = Kind::identity;
@@ -48,14 +48,14 @@ struct ListData {
   std::vector<std::uint64_t> present;
 
   ig_value* record(std::size_t index) { return values.data() + index * stride; }
-  /// One more, of which `mask` is present. What is not present may be anything.
+  /// One more record, of which `mask` is present. Values that are not present are undefined.
   ig_value* add(std::uint64_t mask) {
     const std::size_t end = (std::size_t{count} + 1) * stride;
     if (values.size() < end) values.resize(end + end / 2);
     present.push_back(mask);
     return record(count++);
   }
-  /// The room stays, up to what a copy of the block may cost.
+  /// The memory stays allocated, up to what a copy of the block may cost.
   void clear() {
     constexpr std::size_t most_kept = 4096;
     count = 0;
@@ -89,7 +89,7 @@ class Document {
   /// behind them, for each list (which syntaxes a new record wakes).
   Document(const Layout& layout, std::vector<std::uint64_t> wake, std::uint32_t wake_words);
   const Layout& layout() const { return *layout_; }
-  /// As a syntax gets it: it begins with the view of what the document holds now.
+  /// As a syntax gets it: it begins with the view of the present values.
   ig_block* block() {
     view_ = {reinterpret_cast<const ig_view_bits*>(bits_.data()), reinterpret_cast<const ig_view_value*>(state_.data()),
              size_, 0};
@@ -117,7 +117,7 @@ class Document {
     bits.taken &= ~bit(f);
     wake(f);
   }
-  /// The same for several; ids outside the document are left out. A code among them counts as seen.
+  /// The same for several; ids outside the document are left out. Codes among them are counted as seen.
   void set_many(const ig_field* f, std::uint32_t count, const ig_value* v) {
     State* const state = state_.data();
     Bits* const bits = bits_.data();
@@ -245,11 +245,11 @@ class Document {
   void rewrite(ig_field f, ig_value v);
   /// From now on every change of the field adds these bits to `changes`.
   void watch(ig_field f, std::uint64_t changes);
-  /// No write wakes the syntax of this bit any more.
+  /// From now on no write wakes the syntax of this bit.
   void silence(std::uint32_t bit);
   void move(ig_field from, ig_field to);
 
-  /// Starts the next block: values from before it are put aside, modal fields are carried, the rest goes.
+  /// Starts the next block: `previous` values are copied, modal fields are carried, the others are dropped.
   void begin(const BlockSource& source);
   /// True when something of the block is left over: a word, an unanswered code, or other leftovers.
   bool has_leftovers() const;
@@ -267,7 +267,7 @@ class Document {
   bool map_to_program(const double (&in)[3], double (&out)[3]);
   bool frame_changed = false;  ///< under a resting tool
   bool frame_moved = false;    ///< in either way
-  /// Did it move with the axes in this block?
+  /// Did the frame move with the axes in this block?
   bool is_moving_frame(ig_field f) const { return present(f) && frame(f).is_moving; }
 
   /// Values that each frame has for itself, between two blocks: a called program begins without them.
@@ -295,17 +295,17 @@ class Document {
   };
   const Bits& bits(std::uint32_t word) const { return bits_[word]; }
 
-  /// The same values, words and lists (the checked table holds a build that says "unchanged" to it).
+  /// The same values, words and lists (the checked table verifies a build that returns "unchanged").
   bool same_content(const Document& other) const;
 
-  /// Takes the block's text into the document itself, so that it outlives the reader's buffer.
+  /// Copies the block's text into the document, so that it outlives the reader's buffer.
   void own_source();
   /// A record was added to this list.
   void wake_by_list(std::size_t list) { wake_by(wake_ + (size_ + list) * wake_words_); }
 
  private:
   static constexpr std::uint64_t bit(ig_field f) { return std::uint64_t{1} << (f & 63); }
-  /// The place of what is no word of the text: the syntax that runs wrote it.
+  /// The place of a value that is not a word of the text: the running syntax wrote it.
   std::uint64_t written() const { return std::uint64_t{current} << 32; }
   void wake(ig_field f) { wake_by(wake_ + std::size_t{f} * wake_words_); }
   void wake_by(const std::uint64_t* woken) {
@@ -321,9 +321,9 @@ class Document {
     if (!present(f) || state_[f].value.integer != v.integer) tell_change(f);
   }
   [[gnu::cold]] void tell_change(ig_field f);
-  /// Of three fields side by side; without values they go.
+  /// For three fields side by side; without values they are erased.
   [[gnu::cold]] void tell_changes(ig_field x, const double* point);
-  /// Of a transform. The field's value says nothing: a syntax may have set it by mistake.
+  /// For a transform. The field's value is meaningless: a syntax may have set it by mistake.
   std::size_t frame_index(ig_field f) const {
     std::size_t i = 0;
     while (layout_->transforms[i] != f) ++i;

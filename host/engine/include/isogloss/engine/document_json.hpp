@@ -1,4 +1,4 @@
-/// The document's JSON face: what cases, apply, explain and the block stream show.
+/// The document as JSON, as cases, apply, explain and the block stream show it.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

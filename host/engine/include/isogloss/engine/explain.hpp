@@ -1,4 +1,4 @@
-/// Why a block came out as it did: each syntax that touched it, what it changed, and what was there before.
+/// Why a block did what it did: each syntax that touched it, what it changed, and the previous value.
 #pragma once
 
 #include <string>
@@ -66,7 +66,7 @@ struct ExplainTarget {
   std::uint64_t pass = 1;  ///< from 1
 };
 
-/// What is known of a target that the run does not come to. Lines count from 1; 0: there is none.
+/// What is known about a target that the run does not reach. Lines count from 1; 0: there is none.
 struct ExplainReach {
   std::uint64_t passes = 0;                      ///< how often the run came to the line
   std::uint32_t first = 0;                       ///< the first line of the target's file that was run
@@ -75,8 +75,8 @@ struct ExplainReach {
   std::string last_text{};
 };
 
-/// Runs `source` up to the target and explains its blocks; none when the run does not come there, of which `reach`
-/// tells more. Diagnostics of the whole run go to `sink`.
+/// Runs `source` up to the target and explains its blocks; none when the run does not reach it; `reach`
+/// then tells why. Diagnostics of the whole run go to `sink`.
 std::vector<ExplainedBlock> explain(const LinkedDialect& linked, Source& source, const std::string& name,
                                     const ExplainTarget& target, RunOptions options, DiagnosticSink& sink,
                                     ExplainReach* reach = nullptr);

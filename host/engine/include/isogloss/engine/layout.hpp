@@ -31,7 +31,7 @@ class SymbolTable {
   std::unordered_map<std::string, ig_symbol, Hash, std::equal_to<>> ids_;
 };
 
-/// A value of this life is there again in the next block.
+/// A value of this life is present again in the next block.
 constexpr bool is_carried(ig_life life) { return life == IG_LIFE_MODAL || life == IG_LIFE_FRAME; }
 
 /// A field as one syntax or the host's list of standard sections declares it.
@@ -81,7 +81,7 @@ class Layout {
   std::unordered_map<std::string_view, ig_field> ids_;
 };
 
-/// The standard sections (architecture §4, data model): fields that consumers know by name.
+/// The standard sections: fields that consumers know by name.
 const std::vector<FieldInfo>& standard_fields();
 /// The records of the standard lists.
 const std::vector<ListInfo>& standard_lists();

@@ -11,7 +11,7 @@
 
 namespace isogloss {
 
-/// A file that looked like a plugin and was not loaded.
+/// A file that looked like a plugin but was not loaded.
 struct RefusedPlugin {
   std::filesystem::path file;
   std::string code;

@@ -8,8 +8,8 @@
 
 namespace isogloss {
 
-/// Adds to the dialect those that it does not have, each with the plugin that has it; a Chain puts the rows of the
-/// others over those of the dialect. False, and said, when no plugin has one.
+/// Adds the dependencies that the dialect lacks, each with the plugin that has it; a Chain puts the rows of the others
+/// over those of the dialect. False, and reported, when no plugin has one.
 bool add_missing(const std::vector<DependencyElement>& own, Dialect& dialect, Library& library, DiagnosticSink& sink);
 
 }  // namespace isogloss

@@ -6,7 +6,7 @@
 
 namespace isogloss {
 
-/// A control character that is not among `kept` is shown as \x1b, and what is no UTF-8 as U+FFFD.
+/// A control character that is not among `kept` is shown as \x1b, and a byte sequence that is not UTF-8 as U+FFFD.
 std::string printable(std::string_view text, std::string_view kept = {});
 
 }  // namespace isogloss

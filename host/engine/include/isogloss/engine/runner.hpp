@@ -20,17 +20,17 @@ struct RunOptions {
   std::uint64_t maximum_motions = 1'000'000'000;     ///< blocks, and the steps of those that move by steps
   std::uint64_t maximum_jumps = 1'000'000;           ///< calls, returns and jumps
   std::uint64_t maximum_loop_blocks = 100'000'000;   ///< blocks that run again after jumps back
-  std::uint64_t maximum_repeat_blocks = 10'000'000;  ///< blocks that run again since a call repeats its program
+  std::uint64_t maximum_repeat_blocks = 10'000'000;  ///< blocks that run again because a call repeats its program
   std::uint32_t maximum_depth = 100;                 ///< of called programs
   /// Where called programs may be, in this order: folders, and files that hold several programs.
   std::vector<std::string> program_places;
-  std::uint64_t stop_after_line = 0;  ///< ends the run behind this line; 0: no limit (explain)
-  std::string stop_in_file;           ///< whose line it is, by name; empty: the main program's
+  std::uint64_t stop_after_line = 0;  ///< ends the run after this line; 0: no limit (explain)
+  std::string stop_in_file;           ///< the file of that line, by name; empty: the main program's
   std::uint64_t stop_after_pass = 1;  ///< how often that line is run
   std::size_t maximum_line_bytes = 1u << 20;
   std::function<void(Chain&)> prepare;  ///< called once the chain is created, before its start; empty: none
   std::function<void(std::uint64_t blocks, std::uint64_t bytes)> progress;  ///< now and then; empty: none
-  std::function<bool()> goes_on;  ///< asked as often; false ends the run, which who answers explains; empty: always
+  std::function<bool()> goes_on;  ///< asked as often; false ends the run, and its author reports why; empty: always
 };
 
 struct RunResult {
@@ -48,7 +48,7 @@ class Source {
   virtual ~Source() = default;
   /// The next bytes, as many as the buffer takes or fewer; 0 at the end.
   virtual std::size_t read(char* buffer, std::size_t size) = 0;
-  /// True where read_at() answers; what can only be read once is kept by the run.
+  /// True where read_at() works; the run keeps what can be read only once.
   virtual bool has_places() const { return false; }
   virtual std::size_t read_at(std::uint64_t, char*, std::size_t) { return 0; }
   /// True when what was read can no longer be read again.

@@ -1,4 +1,4 @@
-/// Schemas of what people write and read, made from what the loaded plugins declare.
+/// Schemas of dialect files and block documents, made from the declarations of the loaded plugins.
 #pragma once
 
 #include <string>
