@@ -186,7 +186,7 @@ class BadPlugins(unittest.TestCase):
                 self.assertIn("BadSyntax", done.stderr)
 
     def test_a_syntax_that_acts_where_nothing_wakes_it_is_named(self):
-        """It wakes at X, so line 1 is none of its blocks; nobody sees it until all syntaxes are called."""
+        """The syntax wakes on X, so it is not called in line 1; the fault shows only when all syntaxes are called."""
         self.assertNotIn("IG-0240", self.run_with("acts_unasked", "--checked").stderr)
         done = self.run_with("acts_unasked", "--checked", "--call-all")
         self.assertEqual(done.returncode, 3, done.stderr)
@@ -194,7 +194,7 @@ class BadPlugins(unittest.TestCase):
         self.assertIn("[IG-0240]", done.stderr)
 
     def test_a_value_of_another_type_does_no_harm(self):
-        """The fast table takes it: the frame stays what it was, and the tool goes where it goes without the plugin."""
+        """The fast table accepts it: the frame stays, and the tool moves as without the plugin."""
         sound = self.run_it("run", self.program, "-d", "iso").stdout
         for plugin in ("sets_a_frame_as_number", "sets_a_text_as_number"):
             with self.subTest(plugin):
@@ -262,7 +262,7 @@ class BadPlugins(unittest.TestCase):
                 self.assertRegex(line, r"\[IG-030[1-3]\]")
 
     def test_damaged_libraries_never_crash_the_look_before_loading(self):
-        """Headers only: a library damaged in its code is loaded, and is then as bad as its author."""
+        """Headers only: a library with damaged code is loaded like any other."""
         sound = bytearray((OPTIONS.plugins / "newer_minor" / "newer_minor.so").read_bytes())
         sections = struct.unpack_from("<Q", sound, 40)[0]
         damage = {"sections_far": (40, 1 << 40), "sections_inside": (40, sections + 8), "no_sections": (40, 0),

@@ -26,7 +26,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 def elsewhere():
-    """Options that no case and no dialect holds to account: "programs" do."""
+    """Options that no case and no dialect tests: "programs" do."""
     out = {}
     for line in (HERE / "options_elsewhere.txt").read_text().splitlines():
         if line and not line.startswith("#"):
@@ -89,7 +89,7 @@ class Programs:
         self.isogloss, self.source, self.folder = isogloss, source, folder
 
     def differ(self, name, dialects, one, other):
-        """Does a program of the dialect come out otherwise in its other form?"""
+        """Does a program of the dialect give another result in its other form?"""
         for program in sorted((self.source / "tests" / "programs" / name).glob("*.nc")):
             if program.stat().st_size > 6000:
                 continue
@@ -108,7 +108,7 @@ class Programs:
         return False
 
     def notice_the_loss(self, part, option):
-        """Without it, where a dialect gives it."""
+        """The dialect without the option, where a dialect gives it."""
         given = re.compile(rf'(<{part}\b[^<>]*?|<Configure (?:syntax|dependency)="{part}"[^<>]*?)'
                            rf'\s{re.escape(option)}="[^"]*"')
         for dialect in sorted((self.source / "dialects").glob("*.xml")):
@@ -125,7 +125,7 @@ class Programs:
         return False
 
     def notice(self, kind, part, option):
-        """With another value, in any dialect that has the part."""
+        """The dialect with another value, in any dialect that has the part."""
         section, what = ("Chain", "syntax") if kind == "syntaxes" else ("Dependencies", "dependency")
         for name in DIALECTS:
             for value in others(option):

@@ -59,7 +59,7 @@ class Limits(Command):
 
 
 class LookAhead(Command):
-    """What the host says of a run does not depend on whether blocks wait for others at that moment."""
+    """The diagnostics of a run do not depend on whether blocks wait for others at that moment."""
 
     def said(self, program, *arguments):
         done = subprocess.run([OPTIONS.isogloss, "run", program, "--emit", "none", *arguments], capture_output=True,
@@ -142,7 +142,7 @@ class Overflow(Command):
 
 
 class ReadErrors(Command):
-    """Half a program is not taken for a whole one."""
+    """A program that was read in part is not treated as a whole one."""
 
     def test_a_program_that_becomes_shorter_during_the_run_is_an_error(self):
         program = self.write("part.nc", "G21 G90 F100\n" + "".join(f"G01 X{i}.\n" for i in range(200_000)) + "M30\n")
@@ -930,7 +930,7 @@ class Dialects(Command):
         self.assertIn("[IG-0512]", done.stderr)
 
     def test_lint_starts_the_chain(self):
-        """What a dependency refuses to take is no secret until the first run."""
+        """Values that a dependency rejects are reported before the first run."""
         dialect = self.path / "machine.xml"
         dialect.write_text('<Dialect xmlns="urn:isogloss:dialect:1" name="machine" extends="iso"><Dependencies>'
                            '<MachineAxes><Axis name="Q" Home="0"/></MachineAxes></Dependencies></Dialect>')
@@ -1314,7 +1314,7 @@ class Faults(Command):
 
 
 class Signals(Command):
-    """What ends a run from outside, and whoever reads slowly."""
+    """Signals that end a run, and slow readers."""
     def start(self, *arguments, lines=200_000, line="G01 X{x}. Y2.", **pipes):
         program = self.write("long.nc", "F1000\n" + "".join(line.format(x=i % 90) + "\n" for i in range(lines)))
         return subprocess.Popen([OPTIONS.isogloss, "run", program, "-d", "fanuc", *map(str, arguments)], **pipes)

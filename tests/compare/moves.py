@@ -55,7 +55,7 @@ def without_zero_moves(moves):
 
 
 def difference(ours, theirs):
-    """What parts two moves, or None."""
+    """How two moves differ, or None."""
     if (ours.kind, ours.line) != (theirs.kind, theirs.line):
         return "another move" if ours.kind != theirs.kind else "another line"
     slack = max(ours.slack, theirs.slack)

@@ -13,7 +13,7 @@ def tool_length(tool):
 
 
 class PlainProgram:
-    """Knows where the tool is in program coordinates, axis by axis, or that it does not (None)."""
+    """Keeps the tool position in program coordinates, axis by axis; None: unknown."""
 
     def __init__(self, seed, fragments=60, cycles=CYCLES):
         self.cycles = cycles

@@ -161,7 +161,7 @@ class Test:
                 self.compare(seed, elements, side, offset)
 
     def neck(self, seed):
-        """A pocket behind an opening: said where the tool does not pass it, and only there."""
+        """A pocket behind an opening: reported where the tool does not fit through, and only there."""
         rng = random.Random(seed)
         radius, width, depth = rng.uniform(2, 8), rng.uniform(3, 20), rng.uniform(5, 20)
         room = rng.uniform(2.5, 5) * radius

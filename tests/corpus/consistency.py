@@ -56,7 +56,7 @@ def case(seed, number, programs):
 
 
 class Run:
-    """One run, taken apart; `faults` says what is wrong with it alone."""
+    """One run and its parts; `faults` lists what is wrong with this run alone."""
 
     def __init__(self, isogloss, dialect, path, *arguments, given=None):
         command = [isogloss, "run", path, "-d", dialect, "--diagnostics", "json", "--repeats", "0", *BUDGETS, *arguments]

@@ -49,7 +49,7 @@ def without_comments(line, dialect):
 
 
 def changes(letter, number):
-    """What stands in its place: other values, and nothing."""
+    """The replacements of the word: other values, and nothing."""
     value = float(number)
     others = [value + 1, -value if value else 7, value * 2 + 0.5]
     return [f"{letter}{v:.3f}" for v in others] + [""]

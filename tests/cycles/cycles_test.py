@@ -51,7 +51,7 @@ def parameters(settings):
 
 
 class Run:
-    """What `isogloss run` says of several programs in one process."""
+    """The output of `isogloss run` for several programs in one process."""
 
     def __init__(self, isogloss, dialect, folder, arguments):
         self.command = [isogloss, "run", "-d", dialect, "--emit", "motions", "--format", "jsonl", "--exact",
@@ -112,7 +112,7 @@ class Comparison:
         return len(expected), None
 
     def shrink(self, text):
-        """Blocks left out one after the other, as long as something differs and the model is sure."""
+        """Leaves out one block after the other, as long as something differs and the model is sure."""
         lines, size = text.splitlines(), max(1, len(text.splitlines()) // 2)
         while size:
             position = len(lines) - size
@@ -149,7 +149,7 @@ def numbered(text):
 
 
 def examples(cycles, settings):
-    """Worked examples of that machine, of cycles that are there."""
+    """Worked examples of that machine, for the selected cycles."""
     for example in worked_lists.read():
         codes = {c for c in Machine.CYCLES if f"G{c} " in example.program}
         if example.settings == settings and codes <= set(cycles):

@@ -29,7 +29,7 @@ class Event:
 
 
 def differ(a, b):
-    """What parts two events, or None."""
+    """How two events differ, or None."""
     if a is None or b is None:
         return "one side has an event more"
     for name in ("kind", "line", "by_hand"):

@@ -161,7 +161,7 @@ class Machine:
                 self.turn(self.spindle)
 
     def change_unit(self, b):
-        """Lengths and feeds are mm from here on; the machine's settings and the F in force stay what they are."""
+        """Lengths and feeds are mm from here on; the machine's settings and the F in force stay."""
         code = b.last_of((20, 21))
         if code:
             if self.cycle:
@@ -334,7 +334,7 @@ class Hole:
             self.rapid(self.initial)
 
     def depths(self):
-        """What each peck goes to: R less k times Q, the last one the bottom."""
+        """The depth of each peck: R less k times Q, the last one the bottom."""
         k = 1
         while self.r - k * self.q() > self.z:
             yield self.r - k * self.q()

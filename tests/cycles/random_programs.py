@@ -106,7 +106,7 @@ class RandomProgram:
         self.attempt(code, f"F{feed}")
 
     def between_holes(self):
-        """What does not drill, whether a cycle is on or not."""
+        """A block that does not drill, whether a cycle is on or not."""
         speed = f"S{self.random.randrange(100, 3000, 50)}"
         dwell = self.random.choice(("X1.5", "X0.25", self.dwell_word()))
         self.attempt(*self.random.choice((("M08",), ("M09",), ("M03", speed), ("M04", speed), (speed,), ("M05",),

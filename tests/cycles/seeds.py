@@ -40,7 +40,7 @@ class Seeds(Machine):
 
 
 class Steps(Hole):
-    """The steps by the names that the documents have for them; `final` is the initial level under G98, R under G99."""
+    """The steps by their names in the documents; `final` is the initial level under G98, R under G99."""
 
     def __init__(self, control, position):
         super().__init__(control, position)

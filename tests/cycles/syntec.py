@@ -80,5 +80,5 @@ class SyntecProgram(RandomProgram):
 
 
 def model_of(settings):
-    """Syntec on this machine, as the class that a random program makes its model of."""
+    """Syntec on this machine, as the class from which a random program makes its model."""
     return type("SyntecOf", (Syntec,), {"__init__": lambda self: Syntec.__init__(self, settings)})

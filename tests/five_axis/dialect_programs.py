@@ -217,7 +217,7 @@ def machine_xml(axes):
 
 
 def motions(isogloss, plugins, folder, stem):
-    """The events of STEM.nc under the dialect STEM.xml, and what is said."""
+    """The events of STEM.nc under the dialect STEM.xml, and the diagnostics."""
     command = [isogloss, "run", f"{stem}.nc", "-d", f"{stem}.xml", "--emit", "motions", "--format", "jsonl", "--exact"]
     if plugins:
         command += ["--plugins", plugins]

@@ -34,7 +34,7 @@ def unit(v):
 
 
 def crooked(rng, machine):
-    """Axes as they are measured: off by some degrees."""
+    """Axes as measured: off by some degrees."""
     machine.axes = [(a, place, unit(plus(n, [rng.uniform(-0.05, 0.05) for _ in range(3)])), p)
                     for a, place, n, p in machine.axes]
 
@@ -135,7 +135,7 @@ class Program:
                          self.machine.hanging([0.0, 0.0, -self.length], self.angles))
 
     def plain_to(self, p):
-        """No tip control, no plane: X Y Z know nothing of the axes."""
+        """No tip control, no plane: X Y Z are independent of the rotary axes."""
         self.xyz = plus(self.work, p, [0.0, 0.0, self.length])
 
     def expect(self, line, shows_point=True, led=None):
@@ -173,7 +173,7 @@ class Program:
         self.write("M30")
 
     def drawn(self, draw):
-        """What `draw` gives, as soon as the model knows what follows from it."""
+        """The first result of `draw` whose consequences the model knows."""
         for _ in range(50):
             try:
                 return draw()
@@ -307,7 +307,7 @@ class Klartext(Program):
         self.level()
 
     def level(self):
-        """Off plane and tip control nothing is asked of the tip but where the machine goes."""
+        """Without plane and tip control only the machine position is checked."""
         p = self.some_point()
         self.plain_to(p)
         self.expect(self.write("L " + self.words(p) + " R0 FMAX"), False)

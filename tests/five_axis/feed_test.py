@@ -32,7 +32,7 @@ def slides(machine, tip, angles, length):
 
 
 def expected(machine, rates, move):
-    """Seconds, and whether the rates held the feed back."""
+    """Seconds, and whether the rates limited the feed."""
     start, end, turned, length, feed = move
     way = math.dist(start, end)
     if way == 0:

@@ -68,7 +68,7 @@ def pairs(machine, direction):
 
 
 def turn_inside(angle, present, travel, wanted=lambda angle: True):
-    """The turn of the angle nearest to the present one inside the travel that is wanted, or None."""
+    """The turn of the angle nearest to the present one inside the wanted travel, or None."""
     low, high = travel
     nearest = angle + 360 * round((present - angle) / 360)
     fits = [a for a in (nearest + 360 * k for k in range(-3, 4)) if low - SAME <= a <= high + SAME and wanted(a)]
@@ -81,7 +81,7 @@ def turn_inside(angle, present, travel, wanted=lambda angle: True):
 
 
 def has_sign(sign, travel):
-    """Of an axis without limits the angle from -180 to 180 counts, of others the angle itself."""
+    """For an axis without limits the angle from -180 to 180 is used, for others the angle itself."""
     def test(angle):
         named = math.remainder(angle, 360) if travel == INFINITE else angle
         if abs(named) < 1e-4 or abs(abs(named) - 180) < 1e-4:
@@ -91,7 +91,7 @@ def has_sign(sign, travel):
 
 
 def inside(machine, direction, present, travels, sign=0, master=None):
-    """The pairs inside the travel, each in its nearest turn; of the master axis in one with the sign."""
+    """The pairs inside the travel, each in its nearest turn; the master axis in a turn with the sign."""
     out = []
     for pair in pairs(machine, direction):
         turns = {letter: turn_inside(angle, present[letter], travels[letter],

@@ -61,7 +61,7 @@ class Swing:
             self.line = 5
 
     def rests(self, at, lever=None):
-        """Where the point lies in the workpiece that is not to move."""
+        """The position in the workpiece of the point that must not move."""
         xyz, angles = at
         t = self.machine.direction(angles)
         tip = self.machine.in_workpiece(self.machine.tip(xyz, angles, self.length), angles)

@@ -118,7 +118,7 @@ class Machine:
         return p
 
     def in_workpiece(self, p, angles):
-        """The way back: the point of the workpiece that stands at p."""
+        """The inverse: the point of the workpiece that stands at p."""
         for letter, place, n, point in self.axes:
             if place == "table":
                 p = plus(point, turned(minus(p, point), n, self.geometric(letter, angles)))
@@ -135,7 +135,7 @@ class Machine:
         return plus(at, self.hanging([0.0, 0.0, -length], angles))
 
     def direction(self, angles):
-        """Of the tool, as the workpiece sees it: heads turn it, tables turn the workpiece away under it."""
+        """The direction of the tool as seen from the workpiece: heads turn it, tables turn the workpiece away under it."""
         t = [0.0, 0.0, 1.0]
         for letter, place, n, _ in reversed(self.axes):
             if place == "head":

@@ -228,7 +228,7 @@ class Program:
 
 
 def difference(isogloss, folder, rules, program):
-    """(moves compared, what parts the first one that differs, or None)"""
+    """(moves compared, how the first different one differs, or None)"""
     (folder / "in.nc").write_text("\n".join(program.lines) + "\n")
     settings = [w for row, mm in LENGTHS.items() if row for w in ("--set", f"ToolOffsetTable.{row}.H={mm}")]
     run = subprocess.run([isogloss, "run", "in.nc", "-d", rules, "--emit", "motions", "--format", "csv", "--exact",
@@ -273,7 +273,7 @@ OPTION_MOVES = [  # block, machine coordinates that it ends at
 
 
 def option_difference(isogloss, folder):
-    """What parts the program of the other options from what it should do, or None."""
+    """How the program of the other options differs from what it should do, or None."""
     (folder / "other.xml").write_text(OPTIONS)
     (folder / "in.nc").write_text("\n".join(block for block, _ in OPTION_MOVES) + "\n")
     run = subprocess.run([isogloss, "run", "in.nc", "-d", "other.xml", "--emit", "motions", "--format", "csv"], cwd=folder,

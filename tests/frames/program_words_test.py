@@ -17,7 +17,7 @@ AXES = "XYZ"
 
 
 class Model:
-    """What the control makes of the words: polar, then scaling, then mirror image."""
+    """How the control changes the words: polar, then scaling, then mirror image."""
 
     def __init__(self):
         self.at = [0.0, 0.0, 0.0]

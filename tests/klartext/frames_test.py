@@ -225,7 +225,7 @@ class Program:
         self.check("turn" if how != "STAY" else "stay", how, way, self.frame())
 
     def reset_plane(self):
-        """In the reverse order: rotation, shift. Zeros without a shift of the plane are those of before the plane."""
+        """In the reverse order: rotation, shift. Without a shift inside the plane the zero is that from before the plane."""
         if self.inner_angle != 0:
             self.write("CYCL DEF 10.0 ROTATION")
             self.write("CYCL DEF 10.1 ROT+0")
@@ -286,7 +286,7 @@ class Machine:
 
 
 def step(machine, check, row):
-    """What parts the row from the check, or None."""
+    """How the row differs from the check, or None."""
     got = [float(row[c]) for c in ("mx", "my", "mz")] if row else list(machine.at)
     angles = [float(row[c] or 0) for c in "ac"] if row else [machine.a, machine.c]
     what = check[0]

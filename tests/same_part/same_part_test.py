@@ -98,7 +98,7 @@ class Expected:
 
 
 def moves_of(isogloss, dialect, folder):
-    """The same of a run, with its line; and what was said."""
+    """The same for a run, with its line; and the diagnostics."""
     command = [isogloss, "run", HERE / PROGRAMS[dialect], "-d", dialect, "--machine", MACHINES / "ac-table.xml", "--emit",
                "motions", "--format", "jsonl", "--exact"]
     done = subprocess.run([*command, *(a for t in TABLES[dialect] for a in ("--set", t))], cwd=folder,

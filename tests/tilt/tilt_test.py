@@ -74,7 +74,7 @@ class Plane:
         return Plane(outer.out(self.origin), [outer.way(a) for a in self.axes])
 
     def turned(self, degrees):
-        """In itself, about Z'."""
+        """Turned in itself, about Z'."""
         x, y, z = self.axes
         return Plane(self.origin, [rotated(z, degrees, x), rotated(z, degrees, y), z])
 
@@ -282,7 +282,7 @@ TURNED = """<?xml version="1.0" encoding="UTF-8"?>
 
 
 def difference(isogloss, folder, dialect, program):
-    """(moves compared, what parts the first one that differs, or None)"""
+    """(moves compared, how the first different one differs, or None)"""
     (folder / "in.nc").write_text("\n".join(program.lines) + "\n")
     settings = [w for row, mm in LENGTHS.items() for w in ("--set", f"ToolOffsetTable.{row}.H={mm}")]
     settings += [w for code, offset in WORK.items() for a, mm in zip(WORDS, offset)

@@ -35,7 +35,7 @@ struct FanucMacroStatement {
       ig::diagnostic(IG_ERROR, "FAN-0133", "N{0} is not found, so the jump is not executed: {1}"),
       ig::diagnostic(IG_ERROR, "FAN-0134", "{0}{1} is not executed: loops are numbered from 1 to {2}"),
       ig::diagnostic(IG_ERROR, "FAN-0135", "END{0} of this loop is not found, so the loop is not skipped: {1}"),
-      ig::diagnostic(IG_ERROR, "FAN-0136", "END{0} has no DO{0} before it: the run continues after END{0}"),
+      ig::diagnostic(IG_ERROR, "FAN-0136", "END{0} belongs to no open DO{0}: the run continues after END{0}"),
       ig::diagnostic(IG_ERROR, "FAN-0137", "END{0} crosses the loop DO{1} of line {2}: end the inner loop first"),
       ig::diagnostic(IG_ERROR, "FAN-0138", "DO{0} stands inside DO{0} of line {1}: give the inner loop another number"),
       ig::diagnostic(IG_ERROR, "FAN-0139", "alarm {0}: {1}"),
