@@ -135,7 +135,7 @@ class Machine:
         return plus(at, self.hanging([0.0, 0.0, -length], angles))
 
     def direction(self, angles):
-        """The direction of the tool as seen from the workpiece: heads turn it, tables turn the workpiece away under it."""
+        """The direction of the tool as seen from the workpiece: heads turn it, tables turn the workpiece away."""
         t = [0.0, 0.0, 1.0]
         for letter, place, n, _ in reversed(self.axes):
             if place == "head":

@@ -225,7 +225,7 @@ class Program:
         self.check("turn" if how != "STAY" else "stay", how, way, self.frame())
 
     def reset_plane(self):
-        """In the reverse order: rotation, shift. Without a shift inside the plane the zero is that from before the plane."""
+        """In the reverse order: rotation, shift. Without a shift in the plane the zero is that from before it."""
         if self.inner_angle != 0:
             self.write("CYCL DEF 10.0 ROTATION")
             self.write("CYCL DEF 10.1 ROT+0")
