@@ -6,7 +6,7 @@ namespace heidenhain {
 namespace {
 
 struct KlartextCycleCheck {
-  static constexpr auto spec = ig::syntax("KlartextCycleCheckSyntax", "Says calls of cycles that nothing executes.")
+  static constexpr auto spec = ig::syntax("KlartextCycleCheckSyntax", "Reports calls of cycles that are not executed.")
                                    .after("KlartextCycleSyntax", "KlartextPathSyntax")
                                    .before("MachineCoordSelectSyntax", "ProgramXyzSyntax");
   static constexpr std::array diagnostics{

@@ -22,7 +22,8 @@ struct KlartextDrillingCycle {
   ig::Choice<ReEntry> re_entry_{"re-entry", "clearance|fixed", "clearance",
                                 "How far above the depth reached cycle 200 ends its rapid back into the hole: Q200, or "
                                 "the distance of re-entry-distance."};
-  ig::NumberOption re_entry_distance_{"re-entry-distance", "0.2", {0, 1000}, "mm", "Of a TNC 426."};
+  ig::NumberOption re_entry_distance_{
+      "re-entry-distance", "0.2", {0, 1000}, "mm", "The distance of the re-entry on a TNC 426."};
   ig::NumberOption point_angle_{"point-angle",
                                 "0",
                                 {0, 179},

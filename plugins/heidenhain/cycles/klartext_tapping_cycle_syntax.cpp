@@ -16,7 +16,7 @@ struct KlartextTappingCycle {
   HoleCycle cycle_{{206, "CYCL206"}, {207, "CYCL207"}, {209, "CYCL209"}};
   CycleSpindle spindle_;
   ig::Choice<After> after_{"spindle-after", "stop|as-before", "stop",
-                           "What the spindle does after 207 and 209: it stands, or turns again as it did before."};
+                           "What the spindle does after 207 and 209: it stops, or turns again as before."};
 
   ig::Status build(ig::Block& b) { return cycle_.run(b, *this); }
 

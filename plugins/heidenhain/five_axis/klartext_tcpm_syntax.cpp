@@ -7,7 +7,7 @@ using namespace ig::cnc;
 namespace {
 
 struct KlartextTcpm {
-  static constexpr auto spec = ig::syntax("KlartextTcpmSyntax", "FUNCTION TCPM: tip control.")
+  static constexpr auto spec = ig::syntax("KlartextTcpmSyntax", "FUNCTION TCPM: tool centre point control.")
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
                                    .before("KlartextUnknownSyntax", "ToolCenterPointSyntax", "ToolHeightOffsetSyntax")
                                    .scans("Ff");

@@ -108,8 +108,8 @@ class PlanePositioning {
                                                ig::Previous<double>{"MachineCoordinate.B"},
                                                ig::Previous<double>{"MachineCoordinate.C"}};
   ig::Choice<Choice> choice_{"choice", "sum|farthest", "sum",
-                             "Which solution is taken without SEQ: the shorter way of both axes together, or of the "
-                             "one that goes farther."};
+                             "Which solution is selected without SEQ: the shorter way of both axes together, or of the "
+                             "axis that moves farther."};
   enum class FreeAxis { zero, stays };
   ig::Choice<FreeAxis> free_axis_{"free-axis", "zero|stays", "zero",
                                   "Where COORD ROT puts a table that lies square to the tool: at 0 as a TNC 640, or "

@@ -17,7 +17,7 @@ struct KlartextLabel {
 
   Values values_;
   ig::Signal statement_{"Parsing.~KlartextLabel", ig::read | ig::write | ig::wake};
-  ig::TextField label_{"KlartextLabel.Name", ig::write, {ig::Life::block, "", "The label that the block is."}};
+  ig::TextField label_{"KlartextLabel.Name", ig::write, {ig::Life::block, "", "The label that the block defines."}};
   ig::Out<ig::Symbol> term_{"SubProgramCall.Term"};
   ig::TextField file_name_{"SubProgramCall.FileName", ig::write};
   ig::Name call_label_{"CALL LBL"}, call_program_{"CALL PGM"};

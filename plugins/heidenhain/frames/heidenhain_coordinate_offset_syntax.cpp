@@ -35,7 +35,7 @@ struct HeidenhainCoordinateOffset {
   ig::InWhile<bool> while_rotated_{"DatumShift.IsRotated"}, while_mirrored_{"DatumShift.IsMirrored"};
   PlaneInForce plane_;
   ig::Choice<Order> order_{"order", "programmed|shift-first", "programmed",
-                           "What a shift counts along that comes after a rotation or a mirror image: the axes that "
+                           "Along which axes a shift after a rotation or a mirror image lies: the axes that "
                            "these have turned, or those of the preset."};
   ig::Service<ig_work_offset_1> table_{"isogloss.work-offset/1", ig::Need::required, "The presets."};
   ig::Name g68_{"G68"};

@@ -22,7 +22,7 @@ std::bitset<10> read_layers(std::string_view list) {
 
 struct KlartextBlockNumber {
   static constexpr auto spec =
-      ig::syntax("KlartextBlockNumberSyntax", "Takes the block number and the skip sign.").scans("0123456789/Nn");
+      ig::syntax("KlartextBlockNumberSyntax", "Reads the block number and the skip sign.").scans("0123456789/Nn");
 
   ig::TextOption layers_{"block-skip", "", "Layers that are switched on, 1 to 9, separated by commas."};
   ig::Setting setting_{"block-skip"};

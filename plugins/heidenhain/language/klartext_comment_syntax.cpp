@@ -10,7 +10,7 @@ using namespace ig::cnc;
 namespace {
 
 struct KlartextComment {
-  static constexpr auto spec = ig::syntax("KlartextCommentSyntax", "Takes comments ; and structure blocks *.")
+  static constexpr auto spec = ig::syntax("KlartextCommentSyntax", "Reads comments ; and structure blocks *.")
                                    .after("KlartextBlockNumberSyntax")
                                    .scans(";*~");
 

@@ -94,7 +94,7 @@ class FeedWords {
   ig::Signal per_revolution_{"KlartextFeed.~PerRevolution", ig::read, ig::Life::modal};
   ig::Name g95_{"G95"}, inch_{"Inch"};
   ig::Choice<InchFeed> inch_feed_{"inch-feed", "tenths|inches", "tenths",
-                                  "What F counts in an inch program: tenths of an inch a minute, or inches a minute."};
+                                  "The unit of F in an inch program: tenths of an inch a minute, or inches a minute."};
 };
 
 }  // namespace heidenhain

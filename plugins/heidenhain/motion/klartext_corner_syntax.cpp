@@ -14,7 +14,7 @@ namespace {
 struct KlartextCorner {
   static constexpr std::uint32_t window = 16;
   static constexpr auto spec =
-      ig::syntax("KlartextCornerSyntax", "RND and CHF: the corner at the end of the move before.")
+      ig::syntax("KlartextCornerSyntax", "RND and CHF: the corner at the end of the previous move.")
           .after("KlartextPathSyntax", "KlartextMotionSyntax", "LinearMotionSyntax", "CircularMotionSyntax",
                  "RadiusCompensationSyntax")
           .before("RadiusCompensationPathSyntax", "CornerBreakPathSyntax")

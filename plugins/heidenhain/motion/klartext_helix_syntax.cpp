@@ -5,7 +5,7 @@ namespace heidenhain {
 namespace {
 
 struct KlartextHelix {
-  static constexpr auto spec = ig::syntax("KlartextHelixSyntax", "CP IPA beyond 360 degrees: whole circles more.")
+  static constexpr auto spec = ig::syntax("KlartextHelixSyntax", "CP IPA beyond 360 degrees: additional full circles.")
                                    .after("KlartextMotionSyntax", "CircularMotionSyntax");
 
   ig::In<std::int64_t> circles_{"KlartextPath.Circles", ig::wake};

@@ -10,7 +10,7 @@ namespace {
 
 struct SiemensBoringCycle {
   static constexpr auto spec =
-      ig::syntax("SiemensBoringCycleSyntax", "CYCLE86/CYCLE87/CYCLE88 boring: the tool leaves with a resting spindle.")
+      ig::syntax("SiemensBoringCycleSyntax", "CYCLE86/CYCLE87/CYCLE88 boring: the spindle stops before the retract.")
           .after("SiemensCycleSyntax", "SiemensReamingCycleSyntax", "FeedrateSyntax", "SpindleSpeedSyntax",
                  "SiemensSpindlePositionSyntax")
           .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");

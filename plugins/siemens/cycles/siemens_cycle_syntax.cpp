@@ -10,7 +10,7 @@ namespace {
 
 struct SiemensCycle {
   static constexpr auto spec =
-      ig::syntax("SiemensCycleSyntax", "MCALL: the cycle that blocks with a move repeat.")
+      ig::syntax("SiemensCycleSyntax", "MCALL: the cycle that runs after each block that moves.")
           .after("SiemensUnitSyntax", "SiemensPositionSyntax")
           .before("SiemensDrillingCycleSyntax", "SiemensDeepHoleCycleSyntax", "SiemensReamingCycleSyntax",
                   "SiemensBoringCycleSyntax", "SiemensTappingCycleSyntax", "ProgramXyzSyntax");

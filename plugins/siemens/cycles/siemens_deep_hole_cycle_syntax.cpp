@@ -17,7 +17,7 @@ struct SiemensDeepHoleCycle {
   };
 
   DrillingCall cycle_{"CYCLE83"};
-  ig::NumberOption chip_break_{"chip-break", "1", {0, 1000}, "mm", "The way back of VARI 0 where VRT does not say it."};
+  ig::NumberOption chip_break_{"chip-break", "1", {0, 1000}, "mm", "The retract of VARI 0 if _VRT does not give it."};
   std::vector<double> depths_;  // of the strokes, below the reference plane; its memory is kept
 
   ig::Status build(ig::Block& b) {

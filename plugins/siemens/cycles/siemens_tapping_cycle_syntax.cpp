@@ -23,7 +23,7 @@ struct SiemensTappingCycle {
 
   DrillingCall cycle_{"CYCLE84", "CYCLE840"};
   CycleSpindle spindle_;
-  ig::NumberOption chip_break_{"chip-break", "1", {0, 1000}, "mm", "The way back of chip breaking without VRT."};
+  ig::NumberOption chip_break_{"chip-break", "1", {0, 1000}, "mm", "The retract of chip breaking without _VRT."};
   ig::In<ig::Symbol> unit_{"Unit.System"};
   ig::Name inch_{"Inch"};
 

@@ -33,7 +33,7 @@ struct SiemensSwivel {
   CycleFields call_{swivel_signature, ig::take | ig::wake};
   enum class OldFrame { deleted, kept };
   ig::Choice<OldFrame> old_frame_{"programmable-frame", "deleted|kept", "deleted",
-                                  "What becomes of TRANS, ROT, SCALE and MIRROR with a new plane, and with its end."};
+                                  "What happens to TRANS, ROT, SCALE and MIRROR when a plane begins or ends."};
   ig::Transform programmable_{"ProgrammableFrame", ig::read | ig::write};
   ig::Field<ig::Symbol> programmable_term_{"ProgrammableFrame.Term", ig::write, {ig::Life::modal, "", ""}};
   ig::Signal uneven_{"ProgrammableFrame.~Uneven", ig::write, ig::Life::modal};

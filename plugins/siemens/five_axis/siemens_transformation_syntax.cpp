@@ -15,7 +15,7 @@ namespace {
 
 struct SiemensTransformation {
   static constexpr auto spec =
-      ig::syntax("SiemensTransformationSyntax", "TRAORI and TRAFOOF: the tip of the tool is led.")
+      ig::syntax("SiemensTransformationSyntax", "TRAORI and TRAFOOF: tool centre point control.")
           .after("ParameterizedFlagSyntax", "SiemensUnitSyntax", "PositioningModeSyntax", "SiemensFrameSyntax",
                  "SiemensRotaryWordsSyntax", "G53p1RotaryPositionSyntax")
           .before("SiemensToolOffsetSyntax", "ToolCenterPointSyntax", "SiemensPositionSyntax");

@@ -7,7 +7,7 @@ using namespace ig::cnc;
 namespace {
 
 struct SiemensComment {
-  static constexpr auto spec = ig::syntax("SiemensCommentSyntax", "Takes comments: ; to the end of the line.")
+  static constexpr auto spec = ig::syntax("SiemensCommentSyntax", "Reads comments: ; to the end of the line.")
                                    .before("SiemensFlowSyntax", "SiemensWordSyntax")
                                    .scans(";");
 

@@ -7,7 +7,7 @@ namespace {
 
 struct SiemensFileEnd {
   static constexpr auto spec =
-      ig::syntax("SiemensFileEndSyntax", "Says that a program ends without M30, M2, M17 or RET.");
+      ig::syntax("SiemensFileEndSyntax", "Reports a program that ends without M30, M2, M17 or RET.");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_NOTE, "SIE-0293",
                      "the program ends here without M30, M2, M17 or RET: end its last block with one of them"),

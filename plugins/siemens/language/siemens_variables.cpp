@@ -15,14 +15,16 @@ namespace {
 
 struct SiemensVariables {
   static constexpr auto spec =
-      ig::dependency("SiemensVariables", "R parameters, and given values of data that the machine holds.")
+      ig::dependency("SiemensVariables", "R parameters, and values that the user gives for data of the machine.")
           .rows("Variable", "name")
           .provides(variable_service);
 
   ig::IntegerOption r_parameters{"r-parameters", "1000", {1, 32'535}, "How many R parameters there are, from R0."};
-  ig::IntegerOption most_variables{
-      "most-variables", "100000", {1, 10'000'000}, "Variables that one program may have, elements of arrays counted."};
-  ig::Column value{"Value", "0", "", {}, "What it holds when the program starts."};
+  ig::IntegerOption most_variables{"most-variables",
+                                   "100000",
+                                   {1, 10'000'000},
+                                   "Variables that one program may have; each element of an array counts as one."};
+  ig::Column value{"Value", "0", "", {}, "The value when the program starts."};
   ig::Table table;
   ig::RowNames names;
   VariableStore store;

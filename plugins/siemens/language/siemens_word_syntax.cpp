@@ -51,7 +51,7 @@ struct SiemensWord {
   AxisModes modes_{ig::write};
   ig::TextField tool_name_{"ToolName.Text", ig::write, {ig::Life::block, "", "T=\"…\" of this block."}};
   Environment environment_;
-  ig::IntegerOption master_{"master-spindle", "1", {1, 31}, "The spindle that S and M3 mean; S1= and M1= name one."};
+  ig::IntegerOption master_{"master-spindle", "1", {1, 31}, "The spindle of S and M3; S1= and M1= name one."};
 
   /// Words that follow each other, until one host call takes them.
   struct Run {

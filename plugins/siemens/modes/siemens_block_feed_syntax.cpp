@@ -6,7 +6,7 @@ namespace {
 
 struct SiemensBlockFeed {
   static constexpr auto spec =
-      ig::syntax("SiemensBlockFeedSyntax", "FB= the feed of one block.")
+      ig::syntax("SiemensBlockFeedSyntax", "FB=: the feed of one block.")
           .after("FeedrateSyntax", "SpindleSpeedSyntax", "CircularMotionSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "SIE-0281",

@@ -7,7 +7,7 @@ namespace siemens {
 namespace {
 
 struct SiemensFeedType {
-  static constexpr auto spec = ig::syntax("SiemensFeedTypeSyntax", "G96, G961, G962, G971 and G972: what F counts.")
+  static constexpr auto spec = ig::syntax("SiemensFeedTypeSyntax", "G96, G961, G962, G971 and G972: the unit of F.")
                                    .before("FeedrateSyntax", "SpindleSpeedSyntax");
 
   ig::Codes kin_{"G961", "G971", "G962", "G972"};

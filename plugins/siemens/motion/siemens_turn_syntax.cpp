@@ -8,7 +8,7 @@ namespace {
 
 struct SiemensTurn {
   static constexpr auto spec =
-      ig::syntax("SiemensTurnSyntax", "TURN= further full turns of a helix.").after("CircularMotionSyntax");
+      ig::syntax("SiemensTurnSyntax", "TURN=: additional full turns of a helix.").after("CircularMotionSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "SIE-0226",
                      "TURN={0} is not executed: it needs an arc and a whole number from 0 to 999"),

@@ -18,8 +18,8 @@ struct SiemensDirectTool {
   };
 
   ig::Choice<WithoutM6> without_m6_{"without-m6", "changed|waits", "changed",
-                                    "A move with an offset of a tool that T named and no M6 brought: T has changed the "
-                                    "tool (machine data 22550 = 0), or it waits, and the offset counts as 0."};
+                                    "A move with the offset of a tool that no M6 brought: T has changed the tool "
+                                    "(machine data 22550 = 0), or the tool waits, and its offset is 0."};
   ig::In<std::int64_t> named_{"ToolChange.ToolId", ig::wake};
   ig::Out<std::int64_t> in_spindle_{"ToolChange.SpindleToolId"};
   ig::Out<bool> is_change_{"ToolChange.IsChange"};

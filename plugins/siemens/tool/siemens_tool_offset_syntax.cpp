@@ -44,7 +44,7 @@ struct SiemensToolOffset {
   ig::IntegerOption step_{"edge-step",
                           "100",
                           {1, 100'000},
-                          "Where the table keeps further edges: D1 of tool 5 is row 5, D2 is row 5 + this."};
+                          "Rows of the table between two edges of a tool: D1 of tool 5 is row 5, D2 is row 5 + this."};
   ig::Choice<AfterChange> after_change_{"after-change", "D1|D0|kept", "D1", "The edge in force after a tool change."};
   PlaneInForce plane_;
   ToolCenterMode mode_;
