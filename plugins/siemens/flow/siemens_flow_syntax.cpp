@@ -20,7 +20,7 @@ struct SiemensFlow {
           .before("SiemensWordSyntax", "ProgramEndSyntax")
           .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_:");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SIE-0142", "{0} of this statement is missing: write it after the block"),
+      ig::diagnostic(IG_ERROR, "SIE-0142", "the statement is not closed: write the {0} that belongs to it"),
       ig::diagnostic(IG_ERROR, "SIE-0143",
                      "loops are nested deeper than {0} levels, so the run ends: close each loop before the next"),
       ig::diagnostic(IG_ERROR, "SIE-0145",
