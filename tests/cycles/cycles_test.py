@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compares `isogloss run` with the models of machine.py (dialect fanuc) and seeds.py (dialect iso), event by event.
+"""Compares `isogloss run` with the models of machine.py (dialect fanuc) and reference.py (dialect iso), event by event.
 
   cycles_test.py --isogloss PATH [--dialect fanuc|iso] [--cycles G81,G82] [--programs N] [--seed S] [--keep DIR]
                  [FILE.nc...]
@@ -27,11 +27,11 @@ import events
 import worked_lists
 from machine import Machine, Settings, Uncertain
 from random_programs import RandomProgram
-from seeds import Seeds
+from reference import Reference
 
 # The cycles that the shipped dialects carry out.
 CYCLES = "G73,G74,G76,G81,G82,G83,G84,G85,G86,G87,G88,G89"
-MODELS = {"fanuc": Machine, "iso": Seeds}
+MODELS = {"fanuc": Machine, "iso": Reference}
 BATCH = 100
 # Machines as their builders may have set them.
 OTHERS = [Settings(peck=Fraction("0.5"), chip=Fraction("0.25"), tap=Fraction(2), tap_to_r=True, shift="-X"),

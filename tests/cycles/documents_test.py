@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compares `isogloss apply` with the sequences of seeds.py, on documents like the examples of the reference behaviour.
+"""Compares `isogloss apply` with the sequences of reference.py, on documents like the examples of the reference behaviour.
 
   documents_test.py --isogloss PATH [--cycles G81,G82] [--documents N] [--seed S]
 
@@ -22,7 +22,7 @@ from budget import budgeted  # noqa: E402: it lies in another folder
 from cycles_test import CYCLES
 from machine import AXIS, PLANES
 from random_programs import NEED_Q
-from seeds import Seeds
+from reference import Reference
 
 SYNTAXES = {73: "HighSpeedPeckCycleSyntax", 74: "TappingCycleSyntax", 76: "FineBoringSyntax",
             81: "DrillingCycleSyntax", 82: "DrillingCycleSyntax", 83: "PeckDrillingCycleSyntax",
@@ -37,7 +37,7 @@ class Document:
 
     def __init__(self, code, rng):
         self.code, self.rng = code, rng
-        self.model = model = Seeds()
+        self.model = model = Reference()
         model.line, model.cycle = 1, code
         model.plane, model.return_to_r = rng.choice((17, 17, 18, 19)), rng.random() < 0.5
         self.previous = {a: self.number(-50, 50) for a in "XYZ"} if rng.random() < 0.7 else None

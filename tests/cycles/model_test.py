@@ -9,7 +9,7 @@ import events
 import worked_lists
 from machine import Machine, Uncertain
 from random_programs import RandomProgram
-from seeds import Seeds
+from reference import Reference
 
 START = worked_lists.START
 
@@ -75,37 +75,37 @@ class OfTheMachine(unittest.TestCase):
 
 class OfTheSeeds(unittest.TestCase):
     def test_previous_level(self):
-        happened = steps(Seeds(), "G99 G81 X1. Z-5. R2. F100\nG98 X2.")
+        happened = steps(Reference(), "G99 G81 X1. Z-5. R2. F100\nG98 X2.")
         self.assertEqual(happened[-1], "rapid X2 Y0 Z2")
 
     def test_g83_and_g73(self):
-        self.assertEqual(steps(Seeds(), "G98 G83 Z-20. R2. Q8. F100"),
+        self.assertEqual(steps(Reference(), "G98 G83 Z-20. R2. Q8. F100"),
                          ["rapid X0 Y0 Z50", "rapid X0 Y0 Z2", "feed X0 Y0 Z-6 F100", "rapid X0 Y0 Z2",
                           "rapid X0 Y0 Z-1", "feed X0 Y0 Z-14 F100", "rapid X0 Y0 Z2", "rapid X0 Y0 Z-9",
                           "feed X0 Y0 Z-20 F100", "rapid X0 Y0 Z2", "rapid X0 Y0 Z50"])
-        self.assertEqual(steps(Seeds(), "G98 G73 Z-20. R2. Q8. F100"),
+        self.assertEqual(steps(Reference(), "G98 G73 Z-20. R2. Q8. F100"),
                          ["rapid X0 Y0 Z50", "rapid X0 Y0 Z2", "feed X0 Y0 Z-6 F100", "rapid X0 Y0 Z-1",
                           "feed X0 Y0 Z-14 F100", "rapid X0 Y0 Z-9", "feed X0 Y0 Z-20 F100", "rapid X0 Y0 Z-15",
                           "rapid X0 Y0 Z50"])
 
     def test_g87_cuts_from_z_up_to_r(self):
-        self.assertEqual(steps(Seeds(), "G98 G87 X30. Y20. Z-25. R-5. Q4. F60"),
+        self.assertEqual(steps(Reference(), "G98 G87 X30. Y20. Z-25. R-5. Q4. F60"),
                          ["orient", "rapid X34 Y20 Z50", "rapid X34 Y20 Z-25", "rapid X30 Y20 Z-25",
                           "spindle CW S0", "feed X30 Y20 Z-5 F60", "orient", "rapid X34 Y20 Z-5", "rapid X34 Y20 Z50",
                           "rapid X30 Y20 Z50", "spindle CW S0"])
 
     def test_feed_out_to_the_final_level(self):
-        self.assertEqual(steps(Seeds(), "G98 G85 Z-5. R2. F60")[-1], "feed X0 Y0 Z50 F60")
-        self.assertEqual(steps(Seeds(), "G98 G84 Z-5. R2. F60")[-3:],
+        self.assertEqual(steps(Reference(), "G98 G85 Z-5. R2. F60")[-1], "feed X0 Y0 Z50 F60")
+        self.assertEqual(steps(Reference(), "G98 G84 Z-5. R2. F60")[-3:],
                          ["spindle CCW S0", "feed X0 Y0 Z50 F60", "spindle CW S0"])
 
     def test_seconds(self):
-        self.assertIn("dwell 0.5", steps(Seeds(), "G82 Z-5. R2. P0.5 F60"))
+        self.assertIn("dwell 0.5", steps(Reference(), "G82 Z-5. R2. P0.5 F60"))
 
 
 class RandomPrograms(unittest.TestCase):
     def test_are_repeatable_certain_and_drill(self):
-        for model in (Machine, Seeds):
+        for model in (Machine, Reference):
             drilled, seen = 0, set()
             for seed in range(30):
                 program = RandomProgram(seed, model)

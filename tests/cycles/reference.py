@@ -9,7 +9,7 @@ import machine
 from machine import AXIS, REVERSE, Hole, Machine, Settings, Uncertain
 
 
-class Seeds(Machine):
+class Reference(Machine):
     MACHINE_LEVELS = False
 
     def __init__(self, settings=None):
