@@ -10,6 +10,7 @@
 #include "dialect_guess.hpp"
 #include "isogloss/engine/explain.hpp"
 #include "isogloss/engine/printable.hpp"
+#include "known_codes.hpp"
 #include "output_file.hpp"
 #include "program_options.hpp"
 
@@ -31,45 +32,37 @@ struct ExplainCommand {
   int explain_line(Session& session, const std::string& path);
 };
 
-struct CodeInfo {
-  std::string code, text, explanation, example, plugin;
-  Severity severity = Severity::error;
-};
-
-std::optional<CodeInfo> find_code(const std::string& code, Library& library) {
-  for (const DiagnosticInfo& d : host_diagnostics())
-    if (d.code == code)
-      return CodeInfo{code,   std::string(d.text), std::string(d.explanation), std::string(d.example),
-                      "host", d.severity};
+std::optional<KnownCode> find_code(const std::string& code, Library& library) {
+  const auto find = [&]() -> std::optional<KnownCode> {
+    for (const KnownCode& known : known_codes(library))
+      if (known.info.code == code) return known;
+    return std::nullopt;
+  };
+  if (const auto of_the_host = find()) return of_the_host;
   library.load_all();
-  for (const LoadedPlugin& loaded : library.plugins())
-    for (std::uint32_t i = 0; i < loaded.plugin->diagnostic_count; ++i) {
-      const ig_diagnostic_decl& d = loaded.plugin->diagnostics[i];
-      if (code == d.code)
-        return CodeInfo{code, d.text, d.explanation, d.example, loaded.plugin->name, static_cast<Severity>(d.severity)};
-    }
-  return std::nullopt;
+  return find();
 }
 
 int ExplainCommand::explain_code(Session& session) const {
-  const std::optional<CodeInfo> found = find_code(what, session.library());
+  const std::optional<KnownCode> found = find_code(what, session.library());
   if (!found) {
     session.say("IG-0516", {}, {what}, "isogloss list diagnostics names them");
     return cannot_start;
   }
   if (json)
-    return print(Json{{"Code", found->code},
-                      {"Severity", to_string(found->severity)},
+    return print(Json{{"Code", found->info.code},
+                      {"Severity", to_string(found->info.severity)},
                       {"Plugin", found->plugin},
-                      {"Text", found->text},
-                      {"Explanation", found->explanation},
-                      {"Example", found->example}}
+                      {"Text", found->info.text},
+                      {"Explanation", found->info.explanation},
+                      {"Example", found->info.example}}
                          .dump(2) +
                      "\n",
                  success);
-  return print(fmt::format("{} ({}, {})\n  {}\n\n{}\n\nExample: {}\n", found->code, to_string(found->severity),
-                           found->plugin, found->text, found->explanation, found->example),
-               success);
+  return print(
+      fmt::format("{} ({}, {})\n  {}\n\n{}\n\nExample: {}\n", found->info.code, to_string(found->info.severity),
+                  found->plugin, found->info.text, found->info.explanation, found->info.example),
+      success);
 }
 
 /// IG-0206: capitals and digits, a hyphen, digits.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "catalogue.hpp"
+#include "known_codes.hpp"
 #include "output_file.hpp"
 #include "session.hpp"
 
@@ -69,23 +70,13 @@ Listing fields(Session& session) {
 
 Listing diagnostics(Session& session) {
   Listing out{"diagnostics", {"Code", "Severity", "Text"}, Json::array()};
-  for (const DiagnosticInfo& d : host_diagnostics())
-    out.rows.push_back({{"Code", d.code},
-                        {"Severity", to_string(d.severity)},
-                        {"Plugin", "host"},
-                        {"Text", d.text},
-                        {"Explanation", d.explanation},
-                        {"Example", d.example}});
-  for (const LoadedPlugin& p : session.library().plugins())
-    for (std::uint32_t i = 0; i < p.plugin->diagnostic_count; ++i) {
-      const ig_diagnostic_decl& d = p.plugin->diagnostics[i];
-      out.rows.push_back({{"Code", d.code},
-                          {"Severity", to_string(static_cast<Severity>(d.severity))},
-                          {"Plugin", p.plugin->name},
-                          {"Text", d.text},
-                          {"Explanation", d.explanation},
-                          {"Example", d.example}});
-    }
+  for (const KnownCode& known : known_codes(session.library()))
+    out.rows.push_back({{"Code", known.info.code},
+                        {"Severity", to_string(known.info.severity)},
+                        {"Plugin", known.plugin},
+                        {"Text", known.info.text},
+                        {"Explanation", known.info.explanation},
+                        {"Example", known.info.example}});
   return out;
 }
 

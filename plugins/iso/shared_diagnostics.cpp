@@ -18,20 +18,6 @@ const ig::Diagnostics shared_diagnostics{
     ig::diagnostic(IG_WARNING, "ISO-0108", "'{0}' is programmed more than once in this block: the last one is used",
                    "The control uses the last word of an address without an alarm, and so does this run.",
                    "G01 X1. X2. F100"),
-    ig::diagnostic(
-        IG_WARNING, "ISO-0201", "this block has more than one code of a modal group: {0} is used, so remove the others",
-        "Codes of one group exclude each other. The control uses the last one without an alarm, and so does this run.",
-        "G90 G91 X10."),
-    ig::diagnostic(
-        IG_ERROR, "ISO-0210", "F{0} is not greater than zero: the previous feed rate stays in force",
-        "A control stops at the next feed move after F0 or a negative F. This word does not change the feed rate here.",
-        "G01 X10. F0"),
-    ig::diagnostic(IG_ERROR, "ISO-0211",
-                   "feed move without a feed rate: {0} ended the feed rate in {1}, so program F again",
-                   "F200 is 200 mm/min under G94 and 200 mm/rev under G95. With the option mode-change=\"require-f\", "
-                   "a change of the mode ends the old feed rate: program F together with the new mode, or before the "
-                   "first feed move. The move is kept, without a feed rate.",
-                   "G95 (F100 before), then G01 X10."),
     ig::diagnostic(IG_WARNING, "ISO-0223", "the tool table has no offset {0}: tool length 0 is assumed",
                    "Add a row to the ToolOffsetTable, or give --tools FILE. Z of this tool is unreliable.", "G43 H77"),
     ig::diagnostic(IG_WARNING, "ISO-0224", "{0} has no H, and no H was programmed before: tool length 0 is assumed",
@@ -42,13 +28,6 @@ const ig::Diagnostics shared_diagnostics{
                    "The mirror image acts on X, Y and Z here, not on A, B and C. G10 writes rotary axes only into work "
                    "offsets, and only where the table keeps them. Positions of the axis from here on are unreliable.",
                    "G51.1 A0"),
-    ig::diagnostic(IG_ERROR, "ISO-0302", "feed move without a feed rate: program F in this block or before it",
-                   "The control stops with an alarm. The move is kept without a feed rate, so cycle times are wrong. "
-                   "Under G93 every feed move needs an F of its own.",
-                   "G01 X10. (no F so far)"),
-    ig::diagnostic(IG_ERROR, "ISO-0303",
-                   "feed per revolution without a spindle speed: the axes would stand still, so program S first",
-                   "Under G95 the feed rate is F times the spindle speed.", "G95 G01 X10. F0.1 (no S so far)"),
     ig::diagnostic(IG_ERROR, "ISO-0326", "{0} without Q: the hole is not drilled; program Q, the depth of one peck",
                    "Q, the depth of one peck, must be greater than zero and be programmed in the first block of the "
                    "cycle. A Fanuc control stops with alarm PS0045 where parameter 5103 bit 1 asks for it. The tool "
@@ -81,15 +60,6 @@ const ig::Diagnostics shared_diagnostics{
                    "The parameter table of the dialect has no value, or a negative one, for the clearance of the peck "
                    "cycle (Fanuc: 5115 for G83, 5114 for G73).",
                    "G83 X10. Y10. Z-20. R2. Q4. F100"),
-    ig::diagnostic(IG_WARNING, "ISO-0336",
-                   "the spindle turned counter-clockwise, but {0} restarts it clockwise: program M04 after the cycle",
-                   "The cycle stops the spindle at the bottom and restarts it with M03, whatever its direction was "
-                   "before. A left-hand tool cuts backwards from here on, until M04.",
-                   "M04 S500 G86 X10. Y10. Z-20. R2. F100"),
-    ig::diagnostic(
-        IG_ERROR, "ISO-0337", "{0} with P{1}: a dwell cannot be negative, so the cycle does not dwell",
-        "P is the time that the tool dwells at the bottom of the hole: seconds, or milliseconds on a Fanuc control.",
-        "G82 X10. Y10. Z-20. R2. P-500 F100"),
     ig::diagnostic(IG_WARNING, "ISO-0340", "{0} without an axis word: nothing moves",
                    "G27 to G30 move the axes that their block names. Some controls stop with an alarm. With the option "
                    "without-axes=\"all\", G28 and G30 return every axis.",
@@ -110,15 +80,6 @@ const ig::Diagnostics shared_diagnostics{
                    "Cycles share one stored Q: the depth of cut of a G83 becomes the shift of a G76, and the bar hits "
                    "the wall. Program Q in the first block of each cycle.",
                    "G83 Z-20. R2. Q8. F90 (then) G76 X30. Z-18."),
-    ig::diagnostic(IG_ERROR, "ISO-0352",
-                   "{0}: {1} holes of {2} steps are too many for one block: only {3} holes are made",
-                   "A block makes at most 100000 steps. Write several blocks, with a smaller K each.",
-                   "G91 G87 X1. Z-1. R-1. Q0.1 F90 K10000"),
-    ig::diagnostic(IG_WARNING, "ISO-0354", "{0}: {1}{2} has no effect in this cycle",
-                   "The control accepts the word without an alarm and keeps it for a later cycle of the same run of "
-                   "holes. In this cycle the word does nothing: a Fanuc control does not dwell in G73, G81, G83, G85 "
-                   "and G86, whatever P is. It does dwell in G82 and G89.",
-                   "G83 X10. Y10. Z-20. R2. Q5. P500 F100"),
     ig::diagnostic(
         IG_WARNING, "ISO-0359", "{0}: {1}{2} is negative, and its sign is ignored because a peck has no sign",
         "I, J and K of a peck cycle are depths of cut and always positive.", "G83 Z-20. R2. I-8. J1. K2. F100"),
@@ -131,17 +92,6 @@ const ig::Diagnostics shared_diagnostics{
                    "Polar coordinate command, scaling and mirror image do not act on reference returns, machine "
                    "coordinates and offsets. The control requires them to be cancelled first (G15, G50, G50.1).",
                    "G51 X0 Y0 P500 (then) G91 G28 Z0"),
-    ig::diagnostic(IG_ERROR, "ISO-0401", "{0}: the machine has no such axis, so the word moves nothing",
-                   "The rows of MachineAxes (--machine FILE), or the parameters of the control, define the axes of the "
-                   "machine. The word is not executed; the other words of its block are.",
-                   "G01 B30. F100"),
-    ig::diagnostic(IG_NOTE, "ISO-0402", "the machine declares no rotary axes: A, B and C turn without limits",
-                   "Each of them is assumed to turn without end and to take the shortest way to a position. Reported "
-                   "once per run. Give --machine FILE with a MachineAxes row for each axis.",
-                   "G00 A90."),
-    ig::diagnostic(IG_ERROR, "ISO-0404",
-                   "{0} {1}: this angle is too large for a rotary axis, so the axis does not move",
-                   "Angles up to a thousand million degrees are supported.", "G00 A1e10"),
     ig::diagnostic(IG_ERROR, "ISO-0443",
                    "{0}: the rotary axes cannot point the tool along ({1}, {2}, {3}), so they do not move",
                    "No pair of angles gives the tool this direction, even without the limits of the axes.",

@@ -3,6 +3,7 @@
 import argparse
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -80,6 +81,39 @@ class Checks:
                           HERE / "vendor", "--emit", "blocks").stdout.splitlines()
         held = [json.loads(line).get("AcmeVacuum", {}).get("IsOn") for line in blocks]
         expect(held[:3] == [True, True, False], "a vendor's dialect runs the vendor's syntax", blocks)
+
+        self.vendor_cycle(plugins)
+
+    def vendor_cycle(self, plugins):
+        """G181 of the vendor is one of the canned cycles: without P it makes the moves of G85, wherever it stands."""
+        self.run(self.command, "case", HERE / "vendor" / "acme_dimple_cycle_syntax.md", "--plugins", plugins)
+        start = "G90 G54 G17 G21 G94 S500 M3\nG0 X0. Y0. Z50.\n"
+        for name, body in (
+                ("it is modal", "G98 G81x X10. Y10. Z-5. R2. F100\nX60.\nY20. Z-8.\nG80\nX0."),
+                ("G99 and G98", "G99 G81x X10. Z-5. R2. F100\nG98 X20.\nG99 X30.\nG80"),
+                ("G91", "G91 G81x X10. Y5. Z-7. R-45. F100\nX10.\nG80\nG90"),
+                ("repeats by K", "G91 G99 G81x X10. Z-7. R-45. F100 K3\nG80"),
+                ("repeats by L", "G91 G99 G81x X10. Z-7. R-45. F100 L3\nG80"),
+                ("a motion code ends it", "G81x X10. Z-5. R2. F100\nG1 X20.\nX30."),
+                ("another cycle follows, and is followed", "G81x X10. Z-5. R2. F100\nG83 X20. Q3.\nG81x X30.\nG80"),
+                ("G18", "G18 G81x X10. Y-5. R2. Z5. F100\nX20.\nG80"),
+                ("G19", "G19 G81x X-10. Y-5. R2. Z5. F100\nY20.\nG80"),
+                ("inches", "G20\nG81x X1. Z-.5 R.1 F10.\nX2.\nG80"),
+                ("scaled, mirrored and turned", "G68 X0 Y0 R30.\nG51.1 X0.\nG81x X10. Y3. Z-5. R2. F100\nG80"),
+                ("no F is reported", "G81x X10. Z-5. R2.\nG80"),
+                ("no R is reported", "G81x X10. Z-5. F100\nG80")):
+            answers = []
+            for code in ("G85", "G181"):
+                program = self.folder / "cycle.acme"
+                program.write_text(start + body.replace("G81x", code) + "\nM30\n")
+                done = subprocess.run([self.command, "run", program, "-d", "acme", "--plugins", plugins, "--dialects",
+                                       HERE / "vendor", "--emit", "motions", "--format", "csv"], capture_output=True,
+                                      text=True, cwd=self.folder)
+                answers.append((done.returncode, (done.stdout + done.stderr).replace(code, "G81x")))
+            # Columns differ by the length of the code, the moves do not.
+            plain = [(status, re.sub(r":(\d+):\d+:", r":\1:", text)) for status, text in answers]
+            expect(plain[0] == plain[1], f"a vendor's cycle: {name}", answers)
+            expect(("error: " if "reported" in name else ",feed,") in plain[0][1], "and something came of it", answers)
 
     def without_entry(self):
         _, done = self.build_project("without_entry", status=1)

@@ -2,7 +2,7 @@
 /// stops the spindle, leaves by rapid and starts the spindle again.
 ///
 /// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
-#include <isogloss/cnc/cycle_spindle.hpp>
+#include <isogloss/cnc/restarted_spindle.hpp>
 
 namespace iso {
 

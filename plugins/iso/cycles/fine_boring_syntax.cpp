@@ -2,7 +2,7 @@
 /// in the finished bore.
 ///
 /// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
-#include <isogloss/cnc/cycle_spindle.hpp>
+#include <isogloss/cnc/restarted_spindle.hpp>
 #include "cycles/tool_shift.hpp"
 
 namespace iso {

@@ -3,7 +3,7 @@
 ///
 /// Works on the call that CannedCycleResolveSyntax has resolved. What the operator does is a rapid to R, marked as
 /// manual. Every step is an item, also one of no length.
-#include <isogloss/cnc/cycle_spindle.hpp>
+#include <isogloss/cnc/restarted_spindle.hpp>
 
 namespace iso {
 

@@ -5,7 +5,7 @@
 /// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/cycle_spindle.hpp>
+#include <isogloss/cnc/restarted_spindle.hpp>
 #include "cycles/peck_tapping.hpp"
 
 namespace iso {

@@ -22,6 +22,18 @@
 
 namespace ig::cnc {
 
+inline const Diagnostics canned_cycle_diagnostics{
+    diagnostic(
+        IG_ERROR, "ISO-0337", "{0} with P{1}: a dwell cannot be negative, so the cycle does not dwell",
+        "P is the time that the tool dwells at the bottom of the hole: seconds, or milliseconds on a Fanuc control.",
+        "G82 X10. Y10. Z-20. R2. P-500 F100"),
+    diagnostic(IG_WARNING, "ISO-0354", "{0}: {1}{2} has no effect in this cycle",
+               "The control accepts the word without an alarm and keeps it for a later cycle of the same run of "
+               "holes. In this cycle the word does nothing: a Fanuc control does not dwell in G73, G81, G83, G85 "
+               "and G86, whatever P is. It does dwell in G82 and G89.",
+               "G83 X10. Y10. Z-20. R2. Q5. P500 F100"),
+};
+
 /// The words that every cycle code owns. P is as programmed (p-unit), K and L are counts.
 inline constexpr std::string_view cycle_words = "X Y Z R Q P[] I J K[1] L[1] F";
 

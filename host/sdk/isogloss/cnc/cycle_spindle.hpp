@@ -2,7 +2,7 @@
 /// the cycle leaves behind is the direction in force for the blocks after it.
 #pragma once
 
-#include "isogloss/cnc/canned_cycle.hpp"
+#include "isogloss/sdk.hpp"
 
 namespace ig::cnc {
 
@@ -35,32 +35,5 @@ class CycleSpindle {
   Out<Symbol> direction_{"SpindleSpeed.Direction"};
   Name cw_{"CW"}, ccw_{"CCW"}, stop_{"STOP"};
 };
-
-/// Of a cycle that stops the spindle and starts it again.
-class RestartedSpindle : public CycleSpindle {
- public:
-  /// How the cycle starts it; `code` is the cycle's.
-  Spindle begin(Block& b, const CompoundMotion& motion, const Where& where, Symbol code) const {
-    const bool ccw = turns_ccw(b);
-    if (ccw && restart_ == Restart::clockwise) b.report(diag("ISO-0336"), where, b.text(code));
-    const auto start = ccw && restart_ == Restart::as_before ? Spindle::ccw : Spindle::cw;
-    CycleSpindle::begin(b, motion, start);
-    return start;
-  }
-
- private:
-  enum class Restart { clockwise, as_before };
-  Choice<Restart> restart_{"restart", "clockwise|as-before", "clockwise",
-                           "How the cycle restarts the spindle: clockwise, or in its previous direction."};
-};
-
-/// Fewer holes where the steps of all would be too many; says so. Counts one step for an M code of the block.
-inline void limit_steps(Block& b, CycleRun& run, std::int64_t steps_per_hole) {
-  const std::int64_t room = (most_steps - 1) / steps_per_hole;
-  if (run.count <= room) return;
-  b.report(diag("ISO-0352"), Where::block(), b.text(run.code), static_cast<double>(run.count),
-           static_cast<double>(steps_per_hole), static_cast<double>(room));
-  run.count = static_cast<int>(room);
-}
 
 }  // namespace ig::cnc

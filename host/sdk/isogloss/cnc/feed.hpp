@@ -8,6 +8,26 @@
 
 namespace ig::cnc {
 
+inline const Diagnostics feed_diagnostics{
+    diagnostic(
+        IG_ERROR, "ISO-0210", "F{0} is not greater than zero: the previous feed rate stays in force",
+        "A control stops at the next feed move after F0 or a negative F. This word does not change the feed rate here.",
+        "G01 X10. F0"),
+    diagnostic(IG_ERROR, "ISO-0211",
+               "feed move without a feed rate: {0} ended the feed rate in {1}, so program F again",
+               "F200 is 200 mm/min under G94 and 200 mm/rev under G95. With the option mode-change=\"require-f\", "
+               "a change of the mode ends the old feed rate: program F together with the new mode, or before the "
+               "first feed move. The move is kept, without a feed rate.",
+               "G95 (F100 before), then G01 X10."),
+    diagnostic(IG_ERROR, "ISO-0302", "feed move without a feed rate: program F in this block or before it",
+               "The control stops with an alarm. The move is kept without a feed rate, so cycle times are wrong. "
+               "Under G93 every feed move needs an F of its own.",
+               "G01 X10. (no F so far)"),
+    diagnostic(IG_ERROR, "ISO-0303",
+               "feed per revolution without a spindle speed: the axes would stand still, so program S first",
+               "Under G95 the feed rate is F times the spindle speed.", "G95 G01 X10. F0.1 (no S so far)"),
+};
+
 /// A member of each syntax that moves by feed; one that also calls resolve() says FeedInForce{read | write}.
 class FeedInForce {
  public:

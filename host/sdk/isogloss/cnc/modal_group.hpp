@@ -7,6 +7,13 @@
 
 namespace ig::cnc {
 
+inline const Diagnostics modal_group_diagnostics{
+    diagnostic(
+        IG_WARNING, "ISO-0201", "this block has more than one code of a modal group: {0} is used, so remove the others",
+        "Codes of one group exclude each other. The control uses the last one without an alarm, and so does this run.",
+        "G90 G91 X10."),
+};
+
 /// The code of the group that counts: the last one in the block, as on Fanuc. More than one is worth a warning.
 inline std::optional<std::size_t> take_modal(Block& b, const Codes& group) {
   std::uint32_t found = 0;

@@ -4,6 +4,7 @@
 #include "isogloss/sdk.hpp"
 
 #include "isogloss/cnc/feed.hpp"
+#include "isogloss/cnc/modal_group.hpp"
 
 namespace ig::cnc {
 

@@ -8,6 +8,19 @@
 
 namespace ig::cnc {
 
+inline const Diagnostics rotary_words_diagnostics{
+    diagnostic(IG_ERROR, "ISO-0401", "{0}: the machine has no such axis, so the word moves nothing",
+               "The rows of MachineAxes (--machine FILE), or the parameters of the control, define the axes of the "
+               "machine. The word is not executed; the other words of its block are.",
+               "G01 B30. F100"),
+    diagnostic(IG_NOTE, "ISO-0402", "the machine declares no rotary axes: A, B and C turn without limits",
+               "Each of them is assumed to turn without end and to take the shortest way to a position. Reported "
+               "once per run. Give --machine FILE with a MachineAxes row for each axis.",
+               "G00 A90."),
+    diagnostic(IG_ERROR, "ISO-0404", "{0} {1}: this angle is too large for a rotary axis, so the axis does not move",
+               "Angles up to a thousand million degrees are supported.", "G00 A1e10"),
+};
+
 enum class Undeclared { accept, refuse };
 
 /// A member of each syntax that moves rotary axes.
