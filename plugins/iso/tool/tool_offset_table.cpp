@@ -17,7 +17,7 @@ struct ToolOffsetTable {
   ig::IntegerOption size{"size", "400", {1, 99'999}, "The highest offset number of the control; the lowest is 1."};
   ig::Choice<Unlisted> unlisted{
       "unlisted", "zero|missing", "zero",
-      "What a number without a row means: an offset of zero, or no offset, which is an error."};
+      "What a number without a row means: an offset of zero, or no offset, which is reported."};
   ig::Column length{"H", "0", "mm", {}, "Length, geometry."};
   ig::Column length_wear{"HWear", "0", "mm", {}, "Length, wear; added to H."};
   ig::Column radius{"D", "0", "mm", {}, "Radius, geometry."};
