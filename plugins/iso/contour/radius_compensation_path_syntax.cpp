@@ -53,24 +53,26 @@ struct RadiusCompensationPath {
                      "and material remains at an outer one.",
                      "G41 ... (then) X10. (then) M08 (then) G04 P10 (then) M51 (then) Y10."),
       ig::diagnostic(IG_WARNING, "ISO-0470",
-                     "{0} under radius compensation: compensation is off for this block, so program G40 first",
+                     "{0} under radius compensation: compensation is off for this block, so cancel it first",
                      "Reference returns, G53, canned cycles and other moves made of steps go to positions as "
                      "programmed. The block before them ends square to its contour; the next straight move in the "
-                     "plane starts compensation again.",
+                     "plane starts compensation again. Program G40 first.",
                      "G41 ... (then) G28 Z0"),
       ig::diagnostic(IG_ERROR, "ISO-0471",
-                     "the plane changes under radius compensation: compensation is off, so program G40 first",
+                     "the plane changes under radius compensation: compensation is off, so cancel it first",
                      "The control stops with alarm PS0037. Here compensation is off at once; the next straight move in "
-                     "the new plane starts it again.",
+                     "the new plane starts it again. Program G40 first.",
                      "G41 ... (then) G18"),
       ig::diagnostic(IG_ERROR, "ISO-0472",
                      "radius compensation is not executed while rotary axes turn: the block runs as programmed",
                      "The contour in the plane is known only while the rotary axes rest. Compensation in space (G41.2) "
                      "is not executed.",
                      "G43.4 H1 (then) G41 D1 X10. (then) X20. A10."),
-      ig::diagnostic(IG_WARNING, "ISO-0473",
-                     "the program ends under radius compensation: program G40 with a move away from the part",
-                     "No move has taken the tool off the contour.", "G41 ... (then) M30"),
+      ig::diagnostic(
+          IG_WARNING, "ISO-0473",
+          "the program ends under radius compensation: cancel it with a move away from the part",
+          "No move has taken the tool off the contour. Program G40 with a move away from the part before the end.",
+          "G41 ... (then) M30"),
       ig::diagnostic(IG_ERROR, "ISO-0474",
                      "the compensated path of this block cannot be computed: the block runs as programmed",
                      "Its numbers are too large. Compensation is off for this block.", "G41 ... (then) X1e300"),

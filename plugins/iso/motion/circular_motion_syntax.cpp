@@ -29,7 +29,7 @@ struct CircularMotion {
       ig::diagnostic(IG_ERROR, "ISO-0322",
                      "the radius of {0} mm is too small for this arc: a half circle of radius {1} mm is made"),
       ig::diagnostic(IG_WARNING, "ISO-0323",
-                     "an arc with R ends where it starts, so no arc is made: program I, J or K for a full circle"),
+                     "an arc with R ends where it starts, so no arc is made: program its centre instead"),
       ig::diagnostic(IG_ERROR, "ISO-0324", "the centre of the arc is its start: the tool goes straight to the end"),
       ig::diagnostic(IG_WARNING, "ISO-0325",
                      "the arc has both R and a centre (I, J, K): R is used, so remove the others"),
