@@ -117,7 +117,8 @@ enum {
   IG_OPTION_INTEGER = 3,
   IG_OPTION_BOOLEAN = 4,
   IG_OPTION_CHOICE = 5, /* one of choices, "a|b|c" */
-  IG_OPTION_FIELDS = 6  /* field patterns, separated by blanks: Parsing.X Parsing.*.X Parsing.**{mm} */
+  IG_OPTION_FIELDS = 6  /* field patterns, separated by blanks: Parsing.X Parsing.*.X Parsing.**{mm}; since 1.6
+                         * Parsing.*{kind}.X, X of all codes whose own unit is "kind" */
 };
 
 typedef struct ig_option_decl {

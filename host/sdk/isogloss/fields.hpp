@@ -47,8 +47,8 @@ struct In : Field<T> {
 /// Reads a value and runs in every block that starts with it (equal to `value`, when one is given).
 template <class T>
 struct InWhile : Field<T> {
-  explicit InWhile(std::string_view path, const char* value = nullptr, Access more = read)
-      : Field<T>(path, read | wake_while | more, {}, value) {}
+  explicit InWhile(std::string_view path, const char* value = nullptr, Access more = read, About about = {})
+      : Field<T>(path, read | wake_while | more, about, value) {}
 };
 
 /// Writes (and may read back) a value.

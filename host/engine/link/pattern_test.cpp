@@ -1,0 +1,24 @@
+#include "link/pattern.hpp"
+
+#include <catch2/catch.hpp>
+
+using isogloss::FieldPattern;
+
+TEST_CASE("braces behind a pattern ask for the unit of the field") {
+  const FieldPattern pattern("Parsing.**{mm}");
+  CHECK(pattern.owner_unit().empty());
+  CHECK(pattern.matches("Parsing.G81.X", "mm"));
+  CHECK(pattern.matches("Parsing.X", "mm"));
+  CHECK_FALSE(pattern.matches("Parsing.G81.P", "s"));
+}
+
+TEST_CASE("braces inside a pattern ask for the unit of what owns the field") {
+  const FieldPattern pattern("Parsing.*{canned-cycle}.X");
+  CHECK(pattern.path() == "Parsing.*.X");
+  CHECK_FALSE(pattern.is_literal());
+  CHECK(pattern.owner_unit() == "canned-cycle");
+  CHECK(pattern.matches("Parsing.G181.X", "mm"));
+  CHECK_FALSE(pattern.matches("Parsing.G181.Y", "mm"));
+  CHECK(pattern.owner("Parsing.G181.X") == "Parsing.G181");
+  CHECK(pattern.owner("Parsing.G68.2.X") == "Parsing.G68.2");
+}
