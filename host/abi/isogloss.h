@@ -186,6 +186,7 @@ typedef struct ig_syntax {
   ig_scan_fn scan;   /* NULL: no scanner */
   ig_run_fn build;   /* NULL: a scanner only */
   const char* cases; /* Markdown with all other cases, NULL where there are none; since 1.5 */
+  const char* folder; /* of its page below the plugin's sources: "cycles"; NULL: beside them; since 1.6 */
 } ig_syntax;
 
 /* A column of a dependency's table. */

@@ -75,6 +75,7 @@ AT(ig_syntax, restart, 128);
 AT(ig_syntax, scan, 136);
 AT(ig_syntax, build, 144);
 AT(ig_syntax, cases, 152);
+AT(ig_syntax, folder, 160);
 
 GROWS_FROM(ig_column_decl, 56);
 AT(ig_column_decl, is_text, 4);

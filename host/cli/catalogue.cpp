@@ -237,6 +237,12 @@ Json describe_fields(const Library& library) {
   return out;
 }
 
+/// "iso/cycles/drilling_cycle_syntax.md"
+std::string page_of(const LinkedSyntax& s) {
+  const std::string folder = s.syntax->folder != nullptr ? std::string(s.syntax->folder) + "/" : "";
+  return fmt::format("{}/{}{}.md", s.plugin->name, folder, snake_case(s.syntax->id));
+}
+
 Json describe_codes(const LinkedDialect& linked) {
   constexpr std::string_view parsing = "Parsing.", flags = "Parsing.Flags.";
   const std::vector<FieldInfo>& fields = linked.layout.fields;
@@ -260,7 +266,7 @@ Json describe_codes(const LinkedDialect& linked) {
       Json row{{"Code", name},
                {"Kind", fields[f].type == IG_CODE ? "code" : "word"},
                {"Syntax", s.element.alias},
-               {"Page", fmt::format("{}/{}.md", s.plugin->name, snake_case(s.syntax->id))}};
+               {"Page", page_of(s)}};
       if (!fields[f].unit.empty()) row["Unit"] = fields[f].unit;
       if (const auto own = words.find(name); own != words.end()) row["Words"] = own->second;
       out.push_back(std::move(row));

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 const char* ig::embedded_page(const char*) noexcept { return nullptr; }
+const char* ig::embedded_folder(const char*) noexcept { return nullptr; }
 const ig::EmbeddedDiagnostic* ig::embedded_diagnostic(const char*) noexcept { return nullptr; }
 
 namespace {

@@ -258,6 +258,7 @@ void check_fields(const ig_syntax& syntax, std::string_view owner) {
 
 void check_syntax(const ig_syntax& syntax, std::string_view owner) {
   text(syntax.summary, member(owner, "summary"));
+  if (syntax.folder != nullptr) text(syntax.folder, member(owner, "folder"), longest_name);
   // The page is not read here: all pages together are most of a plugin's bytes, and a run shows none.
   if (syntax.look_ahead > most_look_ahead)
     fault("{} looks {} blocks ahead, more than {}", owner, syntax.look_ahead, most_look_ahead);

@@ -21,7 +21,7 @@ function(isogloss_add_plugin name)
   set(embedded ${CMAKE_CURRENT_BINARY_DIR}/${name}_pages.cpp)
   add_custom_command(
     OUTPUT ${embedded}
-    COMMAND ${CMAKE_COMMAND} -D OUTPUT=${embedded} -D "PAGES=${pages}" -P ${tools}/EmbedPages.cmake
+    COMMAND ${CMAKE_COMMAND} -D OUTPUT=${embedded} -D ROOT=${CMAKE_CURRENT_SOURCE_DIR} -D "PAGES=${pages}" -P ${tools}/EmbedPages.cmake
     DEPENDS ${pages} ${tools}/EmbedPages.cmake
     COMMENT "Embedding the pages of ${name}"
     VERBATIM)

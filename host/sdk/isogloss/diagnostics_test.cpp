@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 const char* ig::embedded_page(const char*) noexcept { return nullptr; }
+const char* ig::embedded_folder(const char*) noexcept { return nullptr; }
 const ig::EmbeddedDiagnostic* ig::embedded_diagnostic(const char* code) noexcept {
   static constexpr EmbeddedDiagnostic words{"ACME-0002", "from the page", "M2"};
   return std::string_view(code) == words.code ? &words : nullptr;

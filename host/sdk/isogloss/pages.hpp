@@ -7,6 +7,9 @@ namespace ig {
 /// Static storage; any thread.
 const char* embedded_page(const char* stem) noexcept;
 
+/// The folder of that page below the plugin's CMakeLists.txt ("cycles"), or nullptr where it stands beside that.
+const char* embedded_folder(const char* stem) noexcept;
+
 /// What a page says of a diagnostic: an item `* **ACME-0001** (error): in short.` with the explanation on the lines
 /// below it, the last of which may be `Example: …`.
 struct EmbeddedDiagnostic {

@@ -208,6 +208,7 @@ class SyntaxDescriptor {
     out_.id = T::spec.id;
     out_.summary = T::spec.summary;
     out_.page = embedded_page(snake_case(T::spec.id).c_str());
+    out_.folder = embedded_folder(snake_case(T::spec.id).c_str());
     out_.cases = embedded_page((snake_case(T::spec.id) + ".cases").c_str());
     out_.fields = recorded_.fields.data();
     out_.options = recorded_.options.data();
