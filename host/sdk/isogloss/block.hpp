@@ -1,4 +1,4 @@
-/// The block document as a syntax sees it while it runs: a thin, inlined cover over the host's table.
+/// The block document as a syntax sees it while it runs: inlined calls of the host's table ig_host.
 #pragma once
 
 #include <isogloss_view.h>
@@ -11,7 +11,7 @@
 
 namespace ig {
 
-/// Where a diagnostic points: a word, a range of columns (0-based, end exclusive), or the whole block.
+/// Where a diagnostic points: at a word, at a range of byte columns (0-based, end exclusive), or at the whole block.
 struct Where {
   ig_field field = IG_NO_FIELD;
   std::uint32_t begin = 0;
@@ -23,9 +23,10 @@ struct Where {
   }
 };
 
-/// The words of a code that owned them, taken.
+/// The words that a code owned, after Block::take(Call) has taken them. operator[] gives nothing for a word that the
+/// block does not hold.
 struct Words {
-  std::size_t row = 0;  ///< which of the Call's codes
+  std::size_t row = 0;  ///< index of the code in the Call's list
   Symbol code;
   std::string_view letters;
   std::uint32_t mask = 0;
@@ -38,11 +39,13 @@ struct Words {
   }
 };
 
+/// A handle: cheap to copy, valid only during the call of build(), scan() or restart() that received it. A field is
+/// reached through the member that declares it. Lengths are in mm and angles in degrees, as everywhere in the document.
 class Block {
  public:
   Block(const ig_host* host, ig_block* block) : host_(host), block_(block) {}
 
-  /// False where it has no value.
+  /// False where the field has no value.
   bool get(ig_field f, ig_value& out) const {
     const ig_view* const shown = view();
     if (shown == nullptr) [[unlikely]]
@@ -85,12 +88,12 @@ class Block {
   bool has(const F& field) const {
     return has(ig_field{field.id()});
   }
-  /// One of these, at least.
+  /// True when at least one of the fields has a value.
   template <class... F>
   bool has_any(const F&... fields) const {
     return (has(fields) || ...);
   }
-  /// The values of several fields, at most 32; a bit for each that is present.
+  /// Reads at most 32 fields; returns a bit for each that has a value. `out` is left alone for the others.
   std::uint32_t get_many(const ig_field* fields, std::uint32_t count, ig_value* out) const {
     const ig_view* const shown = view();
     if (shown == nullptr) [[unlikely]]
@@ -103,13 +106,13 @@ class Block {
     }
     return mask;
   }
-  /// A bit for each of several fields, at most 32, that was written in this block.
+  /// A bit for each of at most 32 fields that was written in this block.
   std::uint32_t fresh_many(const ig_field* fields, std::uint32_t count) const {
     std::uint32_t mask = 0;
     for (std::uint32_t i = 0; i < count; ++i) mask |= static_cast<std::uint32_t>(is_fresh(fields[i])) << i;
     return mask;
   }
-  /// Written in this block, not carried.
+  /// True when the field was written in this block; false when its value was carried from an earlier one.
   bool is_fresh(ig_field f) const {
     const ig_view* const shown = view();
     if (shown == nullptr) [[unlikely]]
@@ -141,7 +144,7 @@ class Block {
     const ig_value v[3] = {{.number = p.x}, {.number = p.y}, {.number = p.z}};
     host_->set_many(block_, xyz.ids(), 3, v);
   }
-  /// A new value for what was carried: writer and value change, nothing wakes, the field does not become fresh.
+  /// Changes a carried value: value and writer change, but no syntax wakes and the field does not become fresh.
   void amend(const Xyz& xyz, const Vec3& p) {
     const ig_value v[3] = {{.number = p.x}, {.number = p.y}, {.number = p.z}};
     host_->amend_many(block_, xyz.ids(), 3, v);
@@ -156,7 +159,7 @@ class Block {
   void erase(const F& field) {
     host_->erase(block_, field.id());
   }
-  /// A code for the syntaxes after this one.
+  /// Puts a code, or a signal, into the block for the syntaxes after this one.
   void raise(ig_field code) { host_->set(block_, code, present); }
   void raise(const Signal& signal) { host_->set(block_, signal.id(), ig_value{}); }
   bool is_raised(const Signal& signal) const { return has(signal); }
@@ -177,20 +180,21 @@ class Block {
     return triple(host_->take_many(block_, xyz.ids(), 3, v), v);
   }
 
-  /// The last code of the group in this block, all of them taken; `found` says how many there were.
+  /// Takes all codes of the group; returns the index of the last one in the block, nothing where there is none. `found`
+  /// receives how many there were.
   std::optional<std::size_t> take(const Codes& codes, std::uint32_t* found = nullptr) {
     std::uint32_t n = 0;
     const std::int32_t i = host_->take_code(block_, codes.ids(), codes.size(), found != nullptr ? found : &n);
     return i < 0 ? std::nullopt : std::optional<std::size_t>(static_cast<std::size_t>(i));
   }
-  /// The same without taking.
+  /// Like take(), but takes nothing.
   std::optional<std::size_t> find(const Codes& codes) const {
     std::uint32_t n = 0;
     const std::int32_t i = host_->find_code(block_, codes.ids(), codes.size(), &n);
     return i < 0 ? std::nullopt : std::optional<std::size_t>(static_cast<std::size_t>(i));
   }
 
-  /// The last call in this block with all its words, taken.
+  /// Takes the last call in the block with all its words; nothing where the block holds none of its codes.
   std::optional<Words> take(const Call& call) {
     std::uint32_t n = 0;
     const std::int32_t row = host_->take_code(block_, call.codes(), call.code_count(), &n);
@@ -208,17 +212,17 @@ class Block {
     const std::int32_t row = host_->find_code(block_, call.codes(), call.code_count(), &n);
     return row < 0 ? std::nullopt : std::optional<std::size_t>(static_cast<std::size_t>(row));
   }
-  /// Raises a call for the syntaxes after this one.
+  /// Puts a call into the block for the syntaxes after this one.
   void set_call(const Call& call, std::size_t row) { raise(call.code(row)); }
   void set_word(const Call& call, std::size_t row, char letter, double value) {
     host_->set(block_, call.word(row, letter), {.number = value});
   }
 
-  // The same for ids, of members that declare many fields at once.
+  // The same functions by id, for members that declare many fields at once.
 
   void set(ig_field f, double number) { host_->set(block_, f, {.number = number}); }
   void set(ig_field f, ig_value value) { host_->set(block_, f, value); }
-  /// Of at most 32 fields.
+  /// Sets at most 32 fields.
   void set_many(const ig_field* fields, std::uint32_t count, const ig_value* values) {
     host_->set_many(block_, fields, count, values);
   }
@@ -226,57 +230,60 @@ class Block {
     host_->amend_many(block_, fields, count, values);
   }
   void erase(ig_field f) { host_->erase(block_, f); }
-  /// False where the block does not hold the word, or somebody took it.
+  /// False where the block does not hold the word, or another syntax has taken it.
   bool take(ig_field f, ig_value& out) { return host_->take(block_, f, &out) != 0; }
-  /// The word goes, and its value with it.
+  /// Takes a word whose value does not matter.
   bool take(ig_field f) {
     ig_value unused;
     return take(f, unused);
   }
-  /// A bit for each of at most 32 words that the block held; all of them are taken.
+  /// Takes at most 32 words; returns a bit for each that the block held.
   std::uint32_t take_many(const ig_field* fields, std::uint32_t count, ig_value* out) {
     return host_->take_many(block_, fields, count, out);
   }
-  /// The index of the last code of the block among these, or -1. All are taken; `found` says how many there were.
+  /// Takes all of these codes; returns the index of the last one in the block, or -1. `found` receives how many there
+  /// were.
   std::int32_t take_code(const ig_field* codes, std::uint32_t count, std::uint32_t* found = nullptr) {
     std::uint32_t n = 0;
     return host_->take_code(block_, codes, count, found != nullptr ? found : &n);
   }
-  /// The same without taking.
+  /// Like take_code(), but takes nothing.
   std::int32_t find_code(const ig_field* codes, std::uint32_t count, std::uint32_t* found = nullptr) const {
     std::uint32_t n = 0;
     return host_->find_code(block_, codes, count, found != nullptr ? found : &n);
   }
 
-  // Words, for scanners and for those that rewrite what scanners wrote.
+  // Words, for scanners and for syntaxes that rewrite what scanners wrote.
 
   void set_words(const ig_word* words, std::uint32_t count) { host_->set_words(block_, words, count); }
   void set_word(const ig_word& word) { host_->set_words(block_, &word, 1); }
-  /// Another value for a word in its place: columns, life and mark stay, IG_WORD_WITHOUT_POINT goes.
+  /// Replaces the value of a word: its columns, life and mark stay, IG_WORD_WITHOUT_POINT is cleared.
   void rewrite(ig_field word, double number) { host_->rewrite(block_, word, {.number = number}); }
   void rewrite(ig_field word, ig_value value) { host_->rewrite(block_, word, value); }
-  /// The word becomes one of another field, with its columns and its mark.
+  /// Makes the word one of another field; its columns and its mark go with it.
   void move(ig_field from, ig_field to) { host_->move(block_, from, to); }
-  /// Where a word stands; false where it has no place in the text.
+  /// The place of a word; false where it has none in the text.
   bool word(ig_field f, ig_word& out) const { return host_->word(block_, f, &out) != 0; }
 
-  // Records of a list, CompoundMotion.Items for instance: fields of one list.
+  // Records of a list, CompoundMotion.Items for instance. All fields of one call belong to the same list.
 
   void append(const ig_field* fields, std::uint32_t count, const ig_value* values) {
     host_->append(block_, fields, count, values);
   }
   std::uint32_t count(ig_field any_of_list) const { return host_->count(block_, any_of_list); }
-  /// A bit for each of at most 32 fields that record `index` holds.
+  /// Reads at most 32 fields of record `index`, from 0; returns a bit for each that the record holds.
   std::uint32_t record(std::uint32_t index, const ig_field* fields, std::uint32_t count, ig_value* out) const {
     return host_->record(block_, index, fields, count, out);
   }
   void set_record(std::uint32_t index, const ig_field* fields, std::uint32_t count, const ig_value* values) {
     host_->set_record(block_, index, fields, count, values);
   }
-  /// Each record that has the three `program` fields and lacks `machine` gets them, through the frame.
+  /// Computes the three `machine` fields from the three `program` fields, through the frame, in each record that has
+  /// the latter and lacks the former.
   void map_records(const ig_field* program, const ig_field* machine) { host_->map_records(block_, program, machine); }
 
-  /// Of a syntax that looks ahead: the k-th block after this one; nothing past the end of the program.
+  /// The k-th executed block after this one, k from 1; nothing past the end of the program. The spec must say
+  /// looks_ahead().
   std::optional<Block> ahead(std::uint32_t k) {
     ig_block* const next = host_->ahead(block_, k);
     return next != nullptr ? std::optional<Block>(Block(host_, next)) : std::nullopt;
@@ -291,7 +298,8 @@ class Block {
     host_->set_translation(block_, t.id(), v);
   }
   void set_transform(const Transform& t, const double (&matrix)[16]) { host_->set_transform(block_, t.id(), matrix); }
-  /// An entry that moves with the axes during the block, as it is at the block's end; the tool tip moves along.
+  /// Sets an entry of the frame that moves with the axes during the block, with its value at the block's end. The tool
+  /// tip moves along, so frame_changed() is not affected.
   void set_moving_transform(const Transform& t, const double (&matrix)[16]) {
     host_->set_moving_transform(block_, t.id(), matrix);
   }
@@ -301,12 +309,12 @@ class Block {
   void set_moving_transform(const Transform& t, const std::array<double, 16>& matrix) {
     host_->set_moving_transform(block_, t.id(), matrix.data());
   }
-  /// One entry of the frame; false, and nothing in `matrix`, where it is not set.
+  /// One entry of the frame; false, with `matrix` unchanged, where the entry is not set.
   bool get(const Transform& t, double (&matrix)[16]) const { return host_->transform(block_, t.id(), matrix) != 0; }
   bool get(const Transform& t, std::array<double, 16>& matrix) const {
     return host_->transform(block_, t.id(), matrix.data()) != 0;
   }
-  /// True when an entry of the frame got another value in this block, under a resting tool.
+  /// True when an entry of the frame was set to another value in this block while the tool was at rest.
   bool frame_changed() const { return host_->frame_changed(block_) != 0; }
   std::optional<Vec3> to_machine(const Vec3& program) { return map(IG_TO_MACHINE, program); }
   std::optional<Vec3> to_program(const Vec3& machine) { return map(IG_TO_PROGRAM, machine); }
@@ -322,7 +330,7 @@ class Block {
     if (number == detail::DiagnosticTable::no_such_row) return say_undeclared(diagnostic);
     report(number, where, args...);
   }
-  /// By its number in the array that ISOGLOSS_PLUGIN() was given.
+  /// Reports a diagnostic by its index in the array given to ISOGLOSS_PLUGIN().
   template <class... Args>
   void report(std::uint32_t diagnostic, Where where, const Args&... args) {
     const std::array<ig_argument, sizeof...(Args)> list{argument(args)...};
@@ -341,7 +349,7 @@ class Block {
     const std::string fault = "no file of the plugin declares the diagnostic " + std::string(diagnostic.code);
     host_->fault(block_, to_text(fault));
   }
-  /// Null: this host does not show where the values lie.
+  /// Null where this host does not show where the values are stored; then its functions are called.
   const ig_view* view() const {
     return (host_->flags & IG_HOST_SHOWS_BLOCKS) != 0 ? reinterpret_cast<const ig_view*>(block_) : nullptr;
   }
@@ -349,12 +357,12 @@ class Block {
     return f < shown->field_count && (shown->bits[f / 64].present >> (f % 64) & 1) != 0;
   }
   static bool lies_in_one_word(const Xyz& xyz) { return xyz.point() != IG_NO_FIELD && xyz.point() % 64 <= 61; }
-  /// Which of the three are present; 0 also where they do not lie in one word of bits.
+  /// Which of the three fields are present; 0 also where their bits do not lie in one word.
   static std::uint32_t three(const ig_view* shown, const Xyz& xyz) {
     if (!lies_in_one_word(xyz)) return 0;
     return static_cast<std::uint32_t>(shown->bits[xyz.point() / 64].present >> (xyz.point() % 64)) & 7u;
   }
-  /// Not inlined, so that get() of a whole point is.
+  /// Not inlined, so that the common case of get() stays small.
   [[gnu::noinline]] PartialVec3 get_partial(const Xyz& xyz) const {
     if (xyz.point() != IG_NO_FIELD) {
       if (const ig_view* const shown = view(); shown != nullptr && lies_in_one_word(xyz) && three(shown, xyz) == 0)

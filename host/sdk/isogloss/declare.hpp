@@ -1,5 +1,6 @@
-/// How members become a descriptor: the same constructors run once under a Recorder, which writes down what they
-/// declare, and once for each instance under a Binding, which hands them their ids in the same order.
+/// Turns the members of a syntax into its descriptor. The same constructors run once under a Recorder, which notes what
+/// they declare, and once for each instance under a Binding, which gives them their ids in the same order. Included by
+/// the other headers; vendors need only the enumerations and About.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +37,8 @@ enum class Life : ig_life {
   frame = IG_LIFE_FRAME
 };
 
-/// What a vendor says of a field that the host's list of standard sections does not hold.
+/// Describes a field that is not in the host's list of standard sections: how long its value lives, its unit, one
+/// sentence.
 struct About {
   Life life = Life::standard;
   std::string_view unit = {};
@@ -76,8 +78,8 @@ class Recorder {
   std::size_t left_ = 0;
 };
 
-/// Hands out ids, options, services and columns by position. `declared` is what the same constructors wrote down when
-/// the plugin was loaded: a member that is another one now would get its neighbour's id, so that is refused.
+/// Gives out ids of fields, options, services and columns by position. `declared` is what the same constructors
+/// declared when the plugin was loaded. A member that differs now would receive its neighbour's id, so it is refused.
 struct Binding {
   const ig_link_api* api;
   ig_link* link;
@@ -88,7 +90,7 @@ struct Binding {
   std::uint32_t service = 0;
   std::uint32_t column = 0;
 
-  /// Throws where the next field is another than the declared one.
+  /// Throws std::logic_error where the next field differs from the declared one.
   void expect_field(const std::array<std::string_view, 4>& pieces) const {
     if (declared == nullptr) return;
     if (field >= declared->fields.size()) refuse("field", {pieces.begin(), pieces.end()}, {});
@@ -99,7 +101,7 @@ struct Binding {
     }
     if (!rest.empty()) refuse("field", {pieces.begin(), pieces.end()}, declared->fields[field].path);
   }
-  /// The same for options, services and columns: `all` is the recorder's list of them, `id` the member that names one.
+  /// The same for options, services and columns; `all` is the recorder's list of them, `id` the member that names one.
   template <class D>
   void expect(const char* kind, const std::vector<D> Recorder::*all, const char* D::*id, std::uint32_t next,
               std::string_view name) const {
@@ -108,7 +110,7 @@ struct Binding {
     const std::string_view known = next < list.size() ? std::string_view(list[next].*id) : std::string_view();
     if (known != name) refuse(kind, {name}, known);
   }
-  /// Throws where fewer members were constructed than declared.
+  /// Throws std::logic_error where fewer members were constructed than declared.
   void expect_all() const {
     if (declared == nullptr) return;
     if (field < declared->fields.size()) refuse("field", {}, declared->fields[field].path);
@@ -144,7 +146,7 @@ class Scope {
   T* old_;
 };
 
-/// A path in pieces: they are joined only where a descriptor is recorded.
+/// A path in pieces, which are joined only when a descriptor is recorded.
 struct Path {
   Path(std::string_view a, std::string_view b = {}, std::string_view c = {}, std::string_view d = {})
       : pieces{a, b, c, d} {}
@@ -183,17 +185,17 @@ inline ig_field declare_field(const Declared& d) {
   return bound->ids[bound->field++];
 }
 
-/// Has the host of the chain that is created get_point and its kin?
+/// True when the host of the chain being created has get_point() and its relatives (ABI 1.2).
 inline bool has_point_calls() { return binding != nullptr && binding->api->host_minor >= 2; }
 
-/// The number of the declaration just made, for expand().
+/// The index of the declaration just made, for expand().
 inline std::uint32_t last_field() { return binding != nullptr ? binding->field - 1 : 0; }
 
 inline Symbol symbol(std::string_view name) {
   return binding != nullptr ? Symbol{binding->api->symbol(binding->link, to_text(name))} : Symbol{};
 }
 
-/// The unit that an address has unless a syntax says otherwise: lengths in mm, angles, feed.
+/// The unit of an address unless a syntax gives another one: mm, degrees or mm/min.
 constexpr const char* default_unit(char address) {
   switch (address) {
     case 'X':

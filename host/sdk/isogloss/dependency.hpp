@@ -1,10 +1,12 @@
-/// Dependencies: named parts that answer questions from a table, which the host holds.
+/// Members of a dependency: a named part of a dialect that answers questions from a table. The host holds the table: it
+/// reads it from XML, copies it for each run and writes it back.
 #pragma once
 
 #include "isogloss/options.hpp"
 
 namespace ig {
 
+/// One column of the table. `fallback` is the default as text, nullptr for none; `range` is inclusive and in `unit`.
 class Column {
  public:
   Column(const char* name, const char* fallback, const char* unit, Range range, const char* doc, bool is_text = false) {
@@ -31,7 +33,8 @@ class Column {
   std::uint32_t index_ = 0;
 };
 
-/// The rows of the dependency that holds this member.
+/// The rows of the dependency that holds this member. A value is nothing where the row or its value is missing;
+/// set_value() adds a row that is missing, and is false where the dependency has no table.
 class Table {
  public:
   Table() {

@@ -1,8 +1,9 @@
-/// Diagnostics: declared where they belong, raised by their codes.
+/// Diagnostics: declared beside the syntax that raises them, and raised by their codes.
 ///
-/// A syntax lists its own in a member `static constexpr std::array diagnostics{ig::diagnostic(…), …}`; what several
-/// syntaxes of a plugin raise stands in one `const ig::Diagnostics` at namespace scope. What a diagnostic means, with
-/// an example, stands under "Diagnostics" on the page of the syntax, or on the page beside the shared list.
+/// A syntax lists its own diagnostics in a member `static constexpr std::array diagnostics{ig::diagnostic(…), …}`.
+/// Those that several syntaxes of a plugin raise are listed in one `const ig::Diagnostics` at namespace scope. The
+/// explanation of a diagnostic, with an example, is under "Diagnostics" on the page of the syntax, or on the page
+/// beside the shared list.
 #pragma once
 
 #include <algorithm>
@@ -17,20 +18,20 @@
 
 namespace ig {
 
-/// A row of the plugin's table. `text` has {0}, {1} … where the arguments of Block::report() go. Without an explanation
-/// and an example those of the page count.
+/// One row of the plugin's table. {0}, {1} … in `text` stand for the arguments of Block::report(). Without an
+/// explanation and an example, those of the page are used.
 constexpr ig_diagnostic_decl diagnostic(ig_severity severity, const char* code, const char* text,
                                         const char* explanation = nullptr, const char* example = nullptr) {
   return {sizeof(ig_diagnostic_decl), severity, code, text, explanation, example};
 }
 
-/// The code of a diagnostic that some file of the plugin declares.
+/// The code of a diagnostic that a file of the plugin declares.
 struct DiagnosticCode {
   std::string_view code;
   friend constexpr bool operator==(DiagnosticCode, DiagnosticCode) = default;
 };
 
-/// diag("ACME-0001"); what is no code does not compile: two to four capitals, a hyphen, four digits.
+/// diag("ACME-0001"). A code is two to four capitals, a hyphen and four digits; anything else does not compile.
 consteval DiagnosticCode diag(std::string_view code) {
   const std::size_t hyphen = code.find('-');
   bool is_code = hyphen >= 2 && hyphen <= 4 && code.size() == hyphen + 5;
@@ -48,13 +49,13 @@ inline bool is_before(const ig_diagnostic_decl& a, const ig_diagnostic_decl& b) 
   return std::string_view(a.code) < b.code;
 }
 
-/// The table of one plugin. Its files put their diagnostics in before the entry function can be called.
+/// The table of one plugin. All files add their diagnostics before the entry function can be called.
 class DiagnosticTable {
  public:
   void add(std::span<const ig_diagnostic_decl> some) { rows_.insert(rows_.end(), some.begin(), some.end()); }
 
-  /// In the order of codes, each once, with the words of the pages. `leading` keep their places, which are their
-  /// numbers.
+  /// Sorts the rows by code, drops duplicates and adds the explanations of the pages. The rows of `leading` come first
+  /// and keep their indices.
   std::span<const ig_diagnostic_decl> complete(std::span<const ig_diagnostic_decl> leading) {
     std::stable_sort(rows_.begin(), rows_.end(), is_before);
     rows_.erase(std::unique(rows_.begin(), rows_.end(),
@@ -66,7 +67,7 @@ class DiagnosticTable {
     return rows_;
   }
 
-  /// The number of a code, or no_such_row.
+  /// The index of a code, or no_such_row.
   std::uint32_t find(std::string_view code) const {
     const auto number = [this](auto row) { return static_cast<std::uint32_t>(row - rows_.begin()); };
     const auto first = rows_.begin() + static_cast<std::ptrdiff_t>(leading_);
@@ -97,8 +98,8 @@ inline DiagnosticTable& diagnostic_table() {
 
 }  // namespace detail
 
-/// `const ig::Diagnostics acme_shared_diagnostics{ig::diagnostic(…), …};` puts what several syntaxes raise into the
-/// plugin.
+/// Puts diagnostics that several syntaxes raise into the plugin: `const ig::Diagnostics
+/// acme_shared_diagnostics{ig::diagnostic(…), …};` at namespace scope.
 struct Diagnostics {
   Diagnostics(std::initializer_list<ig_diagnostic_decl> some) {
     detail::diagnostic_table().add({some.begin(), some.size()});

@@ -1,4 +1,5 @@
-/// Members of a syntax: each declares what the syntax does with a field of the block document.
+/// Members of a syntax: each one declares what the syntax does with a field of the block document. All are constructed
+/// once when the plugin is loaded and once for each chain, and must be the same each time.
 #pragma once
 
 #include <optional>
@@ -8,13 +9,13 @@
 
 namespace ig {
 
-/// "Parsing.G81.J" is the word G81.J.
+/// The name of a word without its section: "G81.J" for "Parsing.G81.J".
 constexpr std::string_view word_name(std::string_view path) {
   constexpr std::string_view section = "Parsing.";
   return path.starts_with(section) ? path.substr(section.size()) : path;
 }
 
-/// A name known when the chain is created, compared and written in build() without touching text.
+/// A name that is known when the chain is created; build() compares and writes it without touching text.
 class Name {
  public:
   explicit Name(std::string_view text) : symbol_(detail::symbol(text)) {}
@@ -24,7 +25,8 @@ class Name {
   Symbol symbol_;
 };
 
-/// One field of type double, std::int64_t, bool or Symbol.
+/// One field of type double, std::int64_t, bool or Symbol. `about` describes a field of a section that the host does
+/// not know.
 template <class T>
 class Field {
  public:
@@ -37,14 +39,14 @@ class Field {
   ig_field id_;
 };
 
-/// Reads a value of this block or the carried one. Add ig::wake to run when it is set, ig::required when linking
-/// should fail if nothing writes it.
+/// Reads the value of this block or the carried one. Add ig::wake to run when the field is set, ig::required to refuse
+/// a chain in which no syntax writes it.
 template <class T>
 struct In : Field<T> {
   explicit In(std::string_view path, Access more = read, About about = {}) : Field<T>(path, read | more, about) {}
 };
 
-/// Reads a value and runs in every block that starts with it (equal to `value`, when one is given).
+/// Reads a value, and runs the syntax in every block that starts with it (with the value `value`, where one is given).
 template <class T>
 struct InWhile : Field<T> {
   explicit InWhile(std::string_view path, const char* value = nullptr, Access more = read, About about = {})
@@ -58,13 +60,14 @@ struct Out : Field<T> {
       : Field<T>(path, read | write | more, about) {}
 };
 
-/// Reads the value from before this block.
+/// Reads the value that the field had before this block.
 template <class T>
 struct Previous : Field<T> {
   explicit Previous(std::string_view path) : Field<T>(path, previous) {}
 };
 
-/// A word of the block ("Parsing.S"): taken by whoever uses it. Runs the syntax when the block holds it.
+/// A word of the block ("Parsing.S"), taken by the syntax that uses it. Runs the syntax when the block holds the word.
+/// Without a unit it has the usual one of its address: mm, deg or mm/min.
 struct Word : Field<double> {
   explicit Word(std::string_view path, Access more = wake, const char* unit = nullptr, const char* doc = "")
       : Field<double>(path, take | more,
@@ -75,7 +78,7 @@ struct Word : Field<double> {
                        doc}) {}
 };
 
-/// Presence only, never shown: one syntax sets it, others run.
+/// A flag between syntaxes, never shown in the document: one syntax raises it, others run.
 class Signal {
  public:
   Signal(std::string_view path, Access access, Life life = Life::block)
@@ -109,7 +112,7 @@ class Xyz {
   }
   const ig_field* ids() const { return ids_.data(); }
   ig_field id(std::size_t axis) const { return ids_[axis]; }
-  /// X where the three stand side by side and the host has calls for that, else IG_NO_FIELD.
+  /// The field X where the three fields are neighbours and the host has calls for points, else IG_NO_FIELD.
   ig_field point() const { return point_; }
 
  private:
@@ -117,7 +120,8 @@ class Xyz {
   ig_field point_ = IG_NO_FIELD;
 };
 
-/// A modal group or any other set of codes: "G17", "G18", "G19". Taken, and the syntax runs when the block holds one.
+/// A modal group or another set of codes: "G17", "G18", "G19". The codes are taken, and the syntax runs when the block
+/// holds one.
 class Codes {
  public:
   Codes(std::initializer_list<std::string_view> codes, Access access = take | wake) {
@@ -138,8 +142,9 @@ class Codes {
   std::vector<Symbol> names_;
 };
 
-/// Codes that own their words: Call{{"G81", "G82"}, "X Y Z R P[s] K[1] F"} is Parsing.G81.X … Parsing.G82.F. A unit in
-/// brackets replaces the address's usual one. `kind` is the unit of the codes themselves: what patterns find them by.
+/// Codes that own their words: Call{{"G81", "G82"}, "X Y Z R P[s] K[1] F"} declares Parsing.G81.X … Parsing.G82.F. A
+/// unit in brackets replaces the address's usual one. `kind` is the unit of the codes themselves, by which patterns
+/// find them.
 class Call {
  public:
   Call(std::initializer_list<std::string_view> codes, std::string_view words, Access access = take | wake,
@@ -169,14 +174,14 @@ class Call {
   ig_field code(std::size_t row) const { return codes_[row]; }
   std::string_view letters() const { return letters_; }
   const ig_field* row(std::size_t row) const { return words_.data() + row * letters_.size(); }
-  /// IG_NO_FIELD for an address that the code does not own.
+  /// The field of the word; IG_NO_FIELD for an address that the code does not own.
   ig_field word(std::size_t row, char letter) const {
     const std::size_t at = letters_.find(letter);
     return at == std::string::npos ? IG_NO_FIELD : words_[row * letters_.size() + at];
   }
 
  protected:
-  /// One more code, found when the chain is created, with its words in the order of letters().
+  /// Adds a code that is found only when the chain is created, with its words in the order of letters().
   void add_row(std::string_view code, ig_field id, std::span<const ig_field> words) {
     names_.push_back(detail::symbol(code));
     codes_.push_back(id);
@@ -209,7 +214,7 @@ class Call {
   std::vector<ig_field> words_;
 };
 
-/// One contributor to the way from program to machine coordinates: ProgramToMcTransform's entry of that Source.
+/// An entry of the frame: one contribution, named by its source, to the way from program to machine coordinates.
 class Transform {
  public:
   explicit Transform(std::string_view source, Access access = write)

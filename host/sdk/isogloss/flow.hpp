@@ -1,4 +1,5 @@
-/// Calls, returns, jumps and loops as a syntax asks for them: a cover over the host's service isogloss.flow/1.
+/// Calls, returns, jumps and loops as a syntax requests them, through the host's service isogloss.flow/1. Details,
+/// limits and errors are in isogloss_flow.h.
 #pragma once
 
 #include <isogloss_flow.h>
@@ -9,10 +10,11 @@
 
 namespace ig {
 
-/// A member of a syntax. Requests are carried out after the block; the first one of a block counts.
+/// A member of each syntax that directs the run. A request is carried out after the block; only the first request of a
+/// block is. Where the chain has no such service, every request is answered IG_GO_NOT_FOUND.
 class Flow {
  public:
-  /// What became of a request; `reason` is good to the end of the block.
+  /// What became of a request. `reason` says where the host looked, and is valid to the end of the block.
   struct Answer {
     std::int32_t status;
     std::string_view reason;
@@ -28,7 +30,7 @@ class Flow {
     std::string_view start = {};
   };
 
-  /// True while a file is indexed: only then the name of a line needs to be put together.
+  /// True while a file is only indexed: only then a label is needed, so its name need not be put together otherwise.
   bool is_indexing() const { return service_ && service_->is_indexing != 0; }
   void label(Block& b, std::string_view name, ig_label_kind kind = IG_LABEL_PLACE) const {
     if (is_indexing()) service_->label(b.raw(), to_text(name), kind);
@@ -45,14 +47,14 @@ class Flow {
     go.tag = c.tag;
     return ask(b, go);
   }
-  /// Back behind the calling block, or to a label of the caller. flags: IG_GO_DROP_REPEATS.
+  /// Returns to the block after the call, or to a label of the caller. flags: IG_GO_DROP_REPEATS.
   Answer leave(Block& b, std::string_view label = {}, std::uint32_t flags = 0) const {
     ig_go go = request(IG_GO_RETURN);
     go.label = to_text(label);
     go.flags = flags;
     return ask(b, go);
   }
-  /// To a label of this program. flags: IG_GO_BEHIND.
+  /// Jumps to a label of this program. flags: IG_GO_BEHIND.
   Answer jump(Block& b, std::string_view label, ig_search search = IG_SEARCH_AROUND, std::uint32_t flags = 0) const {
     ig_go go = request(IG_GO_LABEL);
     go.label = to_text(label);
@@ -60,7 +62,7 @@ class Flow {
     go.flags = flags;
     return ask(b, go);
   }
-  /// Would jump() find it? Goes nowhere.
+  /// True when jump() would find the label. Requests nothing.
   bool has_label(Block& b, std::string_view label, ig_search search = IG_SEARCH_AROUND) const {
     ig_go go = request(IG_ASK_LABEL);
     go.label = to_text(label);
@@ -73,7 +75,7 @@ class Flow {
     go.flags = flags;
     return ask(b, go);
   }
-  /// To the first block of this frame.
+  /// Goes to the first block of this frame.
   Answer restart(Block& b) const {
     ig_go go = request(IG_GO_START);
     return ask(b, go);
@@ -84,12 +86,12 @@ class Flow {
     if (service_) service_->here(b.raw(), &place);
     return place;
   }
-  /// Bytes of the main program's text from `offset` on; none: it has ended, or the host is too old to say.
+  /// Bytes of the main program's text from `offset`; empty at its end, and where the host is older than this function.
   std::string_view text(const Block& b, std::uint64_t offset, std::span<char> buffer) const {
     if (!service_ || service_->struct_size < offsetof(ig_flow_1, text) + sizeof service_->text) return {};
     return {buffer.data(), service_->text(b.raw(), offset, buffer.data(), buffer.size())};
   }
-  /// The frame of this block.
+  /// The frame that this block belongs to, or the one at `level`; nothing where there is no such frame.
   ig_frame frame(const Block& b) const { return frame(b, IG_CURRENT_FRAME).value_or(ig_frame{}); }
   std::optional<ig_frame> frame(const Block& b, std::uint32_t level) const {
     ig_frame out{};

@@ -1,4 +1,5 @@
-/// Motion verbs: a canned cycle's build() reads like the controller's manual.
+/// The steps of a block that makes several moves. A canned cycle written with them reads like the control's manual.
+/// Points in mm, feeds in mm/s, dwells in seconds, angles in degrees.
 #pragma once
 
 #include "isogloss/block.hpp"
@@ -9,30 +10,31 @@ enum class Spindle { cw, ccw, stop };
 
 namespace detail {
 
-/// A step's field, written.
+/// Declares a field of a step, to be written.
 inline ig_field declare_item(std::string_view path, ig_type type) {
   return declare_field({{"CompoundMotion.Items[].", path}, type, IG_WRITE});
 }
 
 }  // namespace detail
 
-/// CompoundMotion: the steps that one block makes. `end` is where the tool stands after them.
+/// The section CompoundMotion: the steps of one block, in their order. The syntax itself sets ProgramXyz to the end
+/// point.
 class CompoundMotion {
  public:
-  /// The block now moves by steps; `term` is the code that does so.
+  /// Begins the steps of the block; `term` is the code that makes them.
   void begin(Block& b, Symbol term) const { b.set(term_, term); }
 
   void rapid_to(Block& b, const Vec3& p) const {
     const ig_value v[] = {{.number = p.x}, {.number = p.y}, {.number = p.z}, symbol(linear_), boolean(true)};
     append(b, rapid_, v);
   }
-  /// The same where the machine point does not follow from the program point (reference positions).
+  /// A rapid to a machine point that does not follow from the program point through the frame (reference positions).
   void rapid_to(Block& b, const Vec3& program, const Vec3& machine) const {
     const ig_value v[] = {{.number = program.x}, {.number = program.y}, {.number = program.z}, symbol(linear_),
                           boolean(true),         {.number = machine.x}, {.number = machine.y}, {.number = machine.z}};
     append(b, machine_rapid_, v);
   }
-  /// feed in mm/s; 0: no feed is in force.
+  /// A straight move by feed, in mm/s; 0 where no feed is in force, which the caller reports.
   void feed_to(Block& b, const Vec3& p, double feed_mmds) const {
     const ig_value v[] = {{.number = p.x}, {.number = p.y}, {.number = p.z}, symbol(linear_), {.number = feed_mmds}};
     b.host()->append(b.raw(), feed_.data(), feed_mmds > 0 ? 5 : 4, v);
@@ -45,7 +47,7 @@ class CompoundMotion {
     const ig_value v = symbol(direction == Spindle::cw ? cw_ : direction == Spindle::ccw ? ccw_ : stop_);
     b.host()->append(b.raw(), &spindle_, 1, &v);
   }
-  /// An oriented stop; angle in degrees.
+  /// An oriented spindle stop; `angle` in degrees.
   void orient(Block& b, double angle) const {
     const ig_value v{.number = angle};
     b.host()->append(b.raw(), &orient_, 1, &v);
@@ -80,7 +82,7 @@ class CompoundMotion {
   Name linear_{"McLinear"}, cw_{"CW"}, ccw_{"CCW"}, stop_{"STOP"};
 };
 
-/// Steps of a CompoundMotion that the operator makes by hand: the control waits until they are done.
+/// Steps of a CompoundMotion that the operator makes by hand; the control waits until they are done.
 class ManualMotion {
  public:
   void rapid_to(Block& b, const Vec3& p) const {

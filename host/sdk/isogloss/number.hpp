@@ -1,4 +1,4 @@
-/// Reading a decimal number as programs write it: "10", "-.5", "+12.", never an exponent, a base or a locale.
+/// Reads a decimal number as programs write it: "10", "-.5", "+12."; no exponent, no other base, no locale.
 #pragma once
 
 #include <charconv>
@@ -8,9 +8,10 @@
 
 namespace ig {
 
+/// The result of read_decimal(). `ok` is false where no number begins at the position or no double can hold it.
 struct Decimal {
   double value = 0;
-  std::size_t end = 0;  ///< first position after the number; the start itself when there is none
+  std::size_t end = 0;  ///< first position after the number; the start position where there is none
   bool has_point = false;
   bool ok = false;
   std::ptrdiff_t decimals = 0;  ///< digits after the point
@@ -18,7 +19,7 @@ struct Decimal {
 
 namespace detail {
 
-/// More digits than two exact factors hold. Too small for a double is 0; false: too large.
+/// For more digits than two exact factors can hold. A number too small for a double becomes 0; false: it is too large.
 inline bool read_long_decimal(const char* first, const char* end, double& value) {
   if (std::from_chars(first, end, value, std::chars_format::fixed).ec == std::errc{}) return true;
   while (first != end && *first == '0') ++first;
@@ -27,8 +28,8 @@ inline bool read_long_decimal(const char* first, const char* end, double& value)
 
 }  // namespace detail
 
-/// The number that begins at `position`. A lone sign or point is none, nor is what no double can hold. Exact: the
-/// nearest double.
+/// The number that begins at `position` of the text, as the nearest double. A lone sign or a lone point is not a
+/// number.
 [[gnu::always_inline]] inline Decimal read_decimal(std::string_view text, std::size_t position) {
   static constexpr double powers[] = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                       1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};

@@ -1,10 +1,13 @@
-/// Options, services and settings: what the dialect file, the dependencies and the command line say to a syntax.
+/// Members of a syntax or dependency for what comes from outside: options of the dialect file, services of
+/// dependencies, settings of the command line. The host checks the types and ranges of options before an instance is
+/// created.
 #pragma once
 
 #include "isogloss/fields.hpp"
 
 namespace ig {
 
+/// The allowed values, inclusive; without bounds by default.
 struct Range {
   double minimum = -HUGE_VAL;
   double maximum = HUGE_VAL;
@@ -35,7 +38,7 @@ inline std::uint32_t declare_option(const char* name, ig_option_type type, const
 
 }  // namespace detail
 
-/// `fallback` is the default, written as in the dialect file.
+/// An option. `fallback` is its default, written as in the dialect file; nullptr: the option must be given.
 class NumberOption {
  public:
   NumberOption(const char* name, const char* fallback, Range range, const char* unit, const char* doc) {
@@ -84,7 +87,7 @@ class TextOption {
   std::string value_;
 };
 
-/// One of several words; E's enumerators stand in the order of `choices`.
+/// An option that is one of several words, "a|b|c"; E's enumerators stand in the same order.
 template <class E>
 class Choice {
  public:
@@ -99,8 +102,9 @@ class Choice {
   E value_{};
 };
 
-/// Fields that only the chain knows, by a pattern: `Parsing.?` (one address), `Parsing.*.X`, `Parsing.**{mm}` (all
-/// words whose unit is mm), `Parsing.*{canned-cycle}.X` (X of all codes whose own unit is canned-cycle).
+/// Fields that are known only when the chain is created, by a pattern: `Parsing.?` (all words of one address),
+/// `Parsing.*.X` (X of every code), `Parsing.**{mm}` (all words whose unit is mm), `Parsing.*{canned-cycle}.X` (X of
+/// all codes whose own unit is canned-cycle).
 class MatchedFields {
  public:
   MatchedFields(std::string_view pattern, Access access, ig_type type = IG_NUMBER) {
@@ -125,12 +129,12 @@ class MatchedFields {
   std::string_view unit(std::size_t i) const { return units_[i]; }
 
  private:
-  std::span<const ig_field> ids_;  // as the texts, the host's for as long as the chain lives
+  std::span<const ig_field> ids_;  // owned by the host, like the texts, as long as the chain lives
   std::vector<std::string_view> paths_;
   std::vector<std::string_view> units_;
 };
 
-/// Fields that the dialect names: an option holds the patterns, separated by blanks.
+/// Fields that the dialect names: the option holds their patterns, separated by blanks.
 class Fields : public MatchedFields {
  public:
   Fields(const char* option, const char* fallback, Access access, const char* doc, ig_type type = IG_NUMBER)
@@ -141,7 +145,8 @@ class Fields : public MatchedFields {
 
 enum class Need { required, optional };
 
-/// A service of the nearest dependency that provides it. Empty only when it is optional and nobody does.
+/// A service of the nearest dependency that provides it. Linking fails where a required one is missing; only an
+/// optional one may be empty, so test it before use.
 template <class T>
 class Service {
  public:
@@ -167,7 +172,7 @@ class Service {
   const T* service_ = nullptr;
 };
 
-/// A config service, answered by name.
+/// The service isogloss.config/1, which answers names with numbers; nothing where it does not know the name.
 class Config : public Service<ig_config_1> {
  public:
   using Service::Service;
@@ -178,12 +183,13 @@ class Config : public Service<ig_config_1> {
   }
 };
 
-/// For the constructor of a syntax, with what its options and services say: build() has nothing to do in this chain.
+/// Call it in the constructor of a syntax whose options and services leave it nothing to do: build() is then not called
+/// in this chain.
 inline void stay_idle() {
   if (detail::binding != nullptr) detail::binding->api->idle(detail::binding->link);
 }
 
-/// What the user said on the command line for this run; empty when nothing.
+/// What the user gave on the command line for this run; empty where nothing was given.
 class Setting {
  public:
   explicit Setting(const char* name) {

@@ -1,4 +1,5 @@
-/// From a struct with members and build() to the descriptor that crosses the boundary.
+/// Makes a plugin of structs: SyntaxSpec and DependencySpec, Register, and the entry function ISOGLOSS_PLUGIN. No
+/// exception leaves the functions that cross the boundary: the host reports its text.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +14,15 @@
 
 namespace ig {
 
-/// Names at most N other syntaxes or services; literal so that a spec is a constant.
+/// A list of at most 12 names of syntaxes or services. It is a literal type, so that a spec can be a constant.
 struct NameList {
   std::array<const char*, 12> names{};
   std::size_t count = 0;
-  constexpr void add(const char* name) { names[count++] = name; }  // one past N does not compile: the spec is constexpr
+  constexpr void add(const char* name) { names[count++] = name; }  // a 13th does not compile: specs are constexpr
   const char* const* data() const { return count == 0 ? nullptr : names.data(); }
 };
 
+/// What a syntax declares besides its members; a static member `spec` of the struct. Make it with ig::syntax().
 struct SyntaxSpec {
   const char* id;
   const char* summary;
@@ -31,6 +33,7 @@ struct SyntaxSpec {
   std::uint32_t look_ahead = 0;
   std::uint32_t inspects = 0;
 
+  /// The syntax runs after (before) the syntaxes with these ids, where the chain has them.
   template <class... S>
   constexpr SyntaxSpec after(S... ids) const {
     SyntaxSpec s = *this;
@@ -49,24 +52,25 @@ struct SyntaxSpec {
     s.exclusive_slot = slot;
     return s;
   }
-  /// Several share this slot; the first that writes in a block wins.
+  /// Several syntaxes may share this slot; the first one that writes in a block wins.
   constexpr SyntaxSpec first_writer(const char* slot) const {
     SyntaxSpec s = *this;
     s.first_writer_slot = slot;
     return s;
   }
-  /// scan() is asked where one of these bytes begins what nobody took yet.
+  /// The host calls scan() where one of these bytes begins text that no scanner has taken yet.
   constexpr SyntaxSpec scans(const char* bytes) const {
     SyntaxSpec s = *this;
     s.trigger_bytes = bytes;
     return s;
   }
+  /// build() may read as many executed blocks ahead with Block::ahead().
   constexpr SyntaxSpec looks_ahead(std::uint32_t blocks) const {
     SyntaxSpec s = *this;
     s.look_ahead = blocks;
     return s;
   }
-  /// build() runs in blocks of which something is left over.
+  /// build() runs in blocks that have leftovers.
   constexpr SyntaxSpec inspects_leftovers() const {
     SyntaxSpec s = *this;
     s.inspects = 1;
@@ -74,8 +78,10 @@ struct SyntaxSpec {
   }
 };
 
+/// `id` is the XML element of the dialect file, `summary` one sentence.
 constexpr SyntaxSpec syntax(const char* id, const char* summary) { return {.id = id, .summary = summary}; }
 
+/// What a dependency declares besides its members; a static member `spec` of the struct. Make it with ig::dependency().
 struct DependencySpec {
   const char* id;
   const char* summary;
@@ -96,7 +102,7 @@ struct DependencySpec {
     (d.services.add(ids), ...);
     return d;
   }
-  /// "key|column=value|…", the rows it has before any file says something.
+  /// The rows of the table before any file gives some, each "key|column=value|…".
   constexpr DependencySpec ships(std::span<const char* const> rows) const {
     DependencySpec d = *this;
     d.shipped = rows;
@@ -108,7 +114,7 @@ constexpr DependencySpec dependency(const char* id, const char* summary) { retur
 
 namespace detail {
 
-/// DrillingCycleSyntax -> drilling_cycle_syntax; a run of capitals or digits stays together.
+/// "drilling_cycle_syntax" for "DrillingCycleSyntax"; a run of capitals or digits stays together.
 inline std::string snake_case(std::string_view id) {
   std::string out;
   for (std::size_t i = 0; i < id.size(); ++i) {
@@ -123,7 +129,7 @@ inline std::string snake_case(std::string_view id) {
 
 inline void report_failure(const ig_link_api* api, ig_link* link, const char* what) { api->fail(link, to_text(what)); }
 
-/// What the constructor of T declares, written down once.
+/// What the constructor of T declares, recorded once.
 template <class T>
 const Recorder& recorded_of();
 
@@ -237,7 +243,7 @@ class SyntaxDescriptor {
   ig_syntax out_{};
 };
 
-/// T::row_fault() answers with what a row that means nothing lacks; with nothing for one that means something.
+/// Asks T::row_fault() why a row has no meaning; an empty text where it has one.
 template <class T>
 ig_text row_fault(void* self, ig_text row) noexcept {
   try {
@@ -303,7 +309,7 @@ const Recorder& recorded_of() {
   return descriptor_of<T>().recorded();
 }
 
-/// What the .cpp files of one plugin have put in; filled before the entry function can be called.
+/// The syntaxes and dependencies of the plugin's files, complete before the entry function can be called.
 struct Contributions {
   std::vector<const ig_syntax* (*)()> syntaxes;
   std::vector<const ig_dependency* (*)()> dependencies;
@@ -347,8 +353,8 @@ class PluginDescriptor {
 
 }  // namespace detail
 
-/// `const ig::Register<DrillingCycle> drilling_cycle_syntax;` (any name that is unique in the plugin) at the end of a
-/// syntax's file puts it into the plugin, with its diagnostics.
+/// Puts a syntax or a dependency into the plugin, with its diagnostics: `const ig::Register<DrillingCycle>
+/// drilling_cycle_syntax;` at the end of its file, under any name that is unique in the plugin.
 template <class T>
 struct Register {
   Register() {
@@ -362,8 +368,9 @@ struct Register {
 
 }  // namespace ig
 
-/// The plugin's entry, once per plugin: ISOGLOSS_PLUGIN("acme", "1.0.0", "Acme"). A fourth argument, an array of
-/// ig_diagnostic_decl, comes first in the table of diagnostics: for a plugin that raises them by their numbers.
+/// Defines the plugin's entry function, once in a plugin: ISOGLOSS_PLUGIN("acme", "1.0.0", "Acme"). An optional fourth
+/// argument, an array of ig_diagnostic_decl, comes first in the table of diagnostics, for a plugin that raises its
+/// diagnostics by index.
 #define ISOGLOSS_PLUGIN(name, version, vendor, ...)                                                           \
   extern "C" IG_EXPORT const ig_plugin* ig_plugin_v1(void) {                                                  \
     try {                                                                                                     \

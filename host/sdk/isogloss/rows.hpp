@@ -1,11 +1,11 @@
-/// The rows of a dependency's table, for one that reads them all.
+/// The names of the rows of a dependency's table, for a dependency that reads all rows.
 #pragma once
 
 #include "isogloss/dependency.hpp"
 
 namespace ig {
 
-/// A member of a dependency: the names of its rows in the order in which they came, as they are when it is created.
+/// A member of a dependency: the names of its rows, in their order, at the time when the dependency is created.
 class RowNames {
  public:
   RowNames() {

@@ -1,4 +1,4 @@
-/// All that a plugin author includes.
+/// Everything that the author of a plugin includes.
 #pragma once
 
 #include "isogloss/block.hpp"

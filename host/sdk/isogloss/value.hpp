@@ -1,4 +1,4 @@
-/// Values as a plugin author sees them: numbers, names, points.
+/// Values as the author of a plugin sees them: statuses, names, points. Lengths in mm.
 #pragma once
 
 #include <array>
@@ -10,16 +10,16 @@
 
 namespace ig {
 
-/// What a build reports: did it change the block?
+/// What build() returns: whether it changed the block, or that it failed.
 enum class Status : std::int32_t { unchanged = IG_UNCHANGED, changed = IG_CHANGED, failed = IG_FAILED };
 
-/// An interned name; equal names are equal symbols within one chain. Id 0 is no name.
+/// An interned name. Within one chain, equal names are equal symbols; id 0 is no name.
 struct Symbol {
   std::uint64_t id = 0;
   friend constexpr bool operator==(Symbol, Symbol) = default;
 };
 
-/// A point or vector in mm.
+/// A point or vector in mm; index 0 is X.
 struct Vec3 {
   double x = 0, y = 0, z = 0;
   constexpr double& operator[](std::size_t axis) { return axis == 0 ? x : axis == 1 ? y : z; }
@@ -30,7 +30,7 @@ struct Vec3 {
   friend constexpr Vec3 operator*(double s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
 };
 
-/// The axes of which a triple has a value (bit 0 is X), and their values.
+/// Values for some of the three axes: bit 0 of the mask is X.
 struct PartialVec3 {
   std::uint32_t mask = 0;
   Vec3 value;
@@ -87,7 +87,7 @@ struct ValueOf<Symbol> {
 
 }  // namespace detail
 
-/// What a code has that stands in a block.
+/// The value of a code that is present in a block.
 inline const ig_value present = detail::ValueOf<bool>::write(true);
 
 }  // namespace ig

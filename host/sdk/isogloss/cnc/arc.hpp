@@ -1,4 +1,6 @@
-/// Geometry of arcs in their plane. Lengths in mm, angles in radians, counter-clockwise positive.
+/// Geometry of arcs in the plane in force, without blocks: centre from a radius, sweep, length, turning points (Fanuc
+/// manual, "Circular interpolation"). Lengths in mm, angles in radians, counter-clockwise positive. No function here
+/// reports: the caller checks what the comment requires.
 #pragma once
 
 #include <cmath>
@@ -7,7 +9,8 @@
 
 namespace ig::cnc {
 
-/// Below this two points are the same: a nanometre, far under any control's least increment.
+/// Two points that are nearer to each other than this, in mm, are the same point. A nanometre is far below the least
+/// input increment of any control.
 inline constexpr double same_point_mm = 1e-6;
 
 /// A point of the plane: first and second axis.
@@ -17,8 +20,9 @@ struct Point2 {
   double length() const { return std::sqrt(u * u + v * v); }
 };
 
-/// The centre for a programmed radius: radius > 0 turns by at most half a circle, radius < 0 by more. A radius that
-/// does not reach counts as half the distance. Start and end differ.
+/// The centre for a programmed radius in mm: a positive radius turns by at most half a circle, a negative one by more.
+/// A radius that is too short for the chord is replaced by half the chord (radius_shortfall() tells). Start and end
+/// must differ.
 inline Point2 center_by_radius(const Point2& start, const Point2& end, double radius, bool is_ccw) {
   const Point2 chord = end - start;
   const double d = chord.length();
@@ -27,12 +31,12 @@ inline Point2 center_by_radius(const Point2& start, const Point2& end, double ra
   return {(start.u + end.u) / 2 - side * chord.v, (start.v + end.v) / 2 + side * chord.u};
 }
 
-/// By how much a programmed radius is too short to reach; negative where it reaches.
+/// By how many mm a programmed radius is too short for the chord; negative or 0 where it reaches.
 inline double radius_shortfall(const Point2& start, const Point2& end, double radius) {
   return (end - start).length() / 2 - std::fabs(radius);
 }
 
-/// The signed turn, a whole circle where start and end are the same.
+/// The signed angle from start to end about the centre, in radians; a whole circle where start and end are the same.
 inline double sweep(const Point2& start, const Point2& end, const Point2& center, bool is_ccw) {
   constexpr double circle = 2 * std::numbers::pi;
   if ((end - start).length() < same_point_mm) return is_ccw ? circle : -circle;
@@ -43,22 +47,24 @@ inline double sweep(const Point2& start, const Point2& end, const Point2& center
   return turn;
 }
 
-/// Length of the path: an arc whose radius changes evenly from start to end, and a rise along the third axis.
+/// Length of the path in mm: an arc whose radius changes evenly from start to end, with a rise of `rise` mm along the
+/// third axis.
 inline double arc_length(const Point2& start, const Point2& end, const Point2& center, bool is_ccw, double rise) {
   const double radius = ((start - center).length() + (end - center).length()) / 2;
   const double in_plane = radius * std::fabs(sweep(start, end, center, is_ccw));
   return std::sqrt(in_plane * in_plane + rise * rise);
 }
 
-/// One coordinate of a point that runs along an arc: from + first * (u of it) + second * (v of it), and a rise that
-/// grows evenly with the angle. Where start and end lie on different circles the larger one counts.
+/// One coordinate of a point at (u, v) from the centre that runs along an arc: from + first * u + second * v, plus a
+/// rise that grows evenly with the angle. Where start and end lie on circles of different radius, the larger circle is
+/// used.
 struct ArcCoordinate {
-  double from = 0;               ///< at the centre
-  double first = 0, second = 0;  ///< what one mm along u and v adds
-  double rise = 0;               ///< from the start to the end
+  double from = 0;               ///< value at the centre, mm
+  double first = 0, second = 0;  ///< what one mm along u, and along v, adds
+  double rise = 0;               ///< from the start to the end, mm
 };
 
-/// Calls visit(value) where the coordinate turns back between start and end; a whole circle has two such places.
+/// Calls visit(value), value in mm, for each extreme of the coordinate on the arc; a whole circle has two.
 template <class Visit>
 void visit_turning_points(const ArcCoordinate& along, const Point2& start, const Point2& end, const Point2& center,
                           bool is_ccw, Visit visit) {

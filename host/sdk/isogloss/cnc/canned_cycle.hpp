@@ -1,8 +1,9 @@
-/// What all canned cycles share: the words of their call, their levels, their holes.
+/// What all canned cycles share: the words of a call, the levels, the holes, the feed (Fanuc manual, "Canned cycle").
 ///
-/// CannedCycleResolveSyntax leaves a *resolved call* in Parsing.Gxx: X Y Z R absolute; Q P I J F as given; K only where
-/// the block repeats the cycle, the number of holes. Where the call holds L, that is the number of holes, and K a
-/// length. Under G91 the holes of a repeat lie CannedCycle.Increment apart.
+/// CannedCycleResolveSyntax leaves a *resolved call* in Parsing.Gxx, which the cycle syntaxes carry out: X, Y, Z and R
+/// are absolute positions in mm; Q, P, I and J are as programmed; K is the number of holes and is there only where the
+/// block repeats the cycle. Where the call holds L, L is the number of holes and K a length. Under G91 the holes of a
+/// repeat lie CannedCycle.Increment apart.
 #pragma once
 
 #include <algorithm>
@@ -33,11 +34,10 @@ inline const Diagnostics canned_cycle_diagnostics{
                "and G86, whatever P is. It does dwell in G82 and G89.",
                "G83 X10. Y10. Z-20. R2. Q5. P500 F100"),
 };
-
-/// The words that every cycle code owns. P is as programmed (p-unit), K and L are counts.
+/// The words that every cycle code owns. P is as programmed (option `p-unit`); K and L are counts, so their unit is 1.
 inline constexpr std::string_view cycle_words = "X Y Z R Q P[] I J K[1] L[1] F";
 
-/// The words of one call, by address.
+/// The words of one call, indexed by address. operator[] gives nothing for a word that the call does not hold.
 struct CycleWords {
   enum Address : std::size_t { X, Y, Z, R, Q, P, I, J, K, L, F, address_count };  // the order of cycle_words
   std::uint32_t mask = 0;
@@ -50,18 +50,20 @@ struct CycleWords {
   double get_or(std::size_t address, double fallback) const { return has(address) ? values[address].number : fallback; }
 };
 
-/// No block repeats a cycle more often.
+/// The largest number of repeats of one block; a larger K or L is limited to it.
 inline constexpr int most_repeats = 10'000;
 
-/// Most steps that one block may write; the engine takes no more.
+/// The largest number of steps that one block may append: a limit of the host.
 inline constexpr std::int64_t most_steps = 100'000;
 
-/// R and Z of a cycle, given or kept from before, on their way to positions of the tool axis.
+/// R level and bottom of a cycle as positions on the tool axis, in mm; empty where neither this block nor an earlier
+/// one gave it.
 struct CycleLevels {
   std::optional<double> r, bottom;
 };
 
-/// G90: positions. G91: R counts from the initial level, the bottom from R; a new R moves a bottom that was kept.
+/// Positions of R and bottom. G90: the words are positions. G91: R is a distance from the initial level and the bottom
+/// a distance from R; a new R alone moves the kept bottom along with it.
 constexpr CycleLevels resolve_levels(const CycleLevels& given, const CycleLevels& kept, double initial_level,
                                      bool is_incremental) {
   if (!is_incremental) return {given.r ? given.r : kept.r, given.bottom ? given.bottom : kept.bottom};
@@ -75,25 +77,25 @@ constexpr CycleLevels resolve_levels(const CycleLevels& given, const CycleLevels
   return out;
 }
 
-/// One hole of a cycle, or one of several.
+/// One hole, in mm of program coordinates.
 struct CycleHole {
   PlaneAxes plane;
-  Vec3 position;          ///< the tool axis of it says nothing
-  double approach_level;  ///< where the tool travels to it
+  Vec3 position;          ///< of the hole; its component along the tool axis is not used
+  double approach_level;  ///< level at which the tool travels to the hole, mm
   Vec3 at(double level) const { return plane.at_level(position, level); }
 };
 
-/// A resolved call while its cycle is carried out.
+/// A resolved call, ready to be carried out. Lengths and levels in mm of program coordinates.
 struct CycleRun {
   Symbol code;
-  std::size_t row = 0;  ///< of the code among those of the syntax
+  std::size_t row = 0;  ///< index of the code in the list that the syntax gave
   CycleWords words;
   PlaneAxes plane;
-  Vec3 start;                          ///< where the block begins
+  Vec3 start;                          ///< where the tool is at the start of the block
   Vec3 first;                          ///< the first hole
   Vec3 increment;                      ///< from hole to hole
-  int count = 1;                       ///< holes
-  std::optional<PolarRepeats> turned;  ///< instead of `increment`, where G16 turns the holes
+  int count = 1;                       ///< number of holes, 1 to most_repeats
+  std::optional<PolarRepeats> turned;  ///< replaces `increment` where G16 rotates the holes
   double r_level = 0;
   double bottom = 0;
   double return_level = 0;         ///< G98: the initial level; G99: R
@@ -105,13 +107,14 @@ struct CycleRun {
   }
 };
 
-/// A member of each cycle syntax: its codes, taken with their words.
+/// A member of each cycle syntax. It declares the codes with their words, and it takes them from the block.
 class CannedCycle {
  public:
   explicit CannedCycle(std::initializer_list<std::string_view> codes)
       : call_(codes, cycle_words, ig::take | wake, cycle_kind) {}
 
-  /// The call of this block; its F is the feed from here on.
+  /// Takes the call of this block; nothing where the block holds none of the codes. Puts the F of the call in force and
+  /// begins the compound motion. Reports a negative P (ISO-0337) and drops it, and an F that is not positive.
   std::optional<CycleRun> take(Block& b) const {
     std::uint32_t found = 0;
     const std::int32_t row = b.take_code(call_.codes(), call_.code_count(), &found);
@@ -129,7 +132,7 @@ class CannedCycle {
                  words.get_or(CycleWords::Z, run.start.z)};
     const auto counter = words.has(CycleWords::L) ? CycleWords::L : CycleWords::K;
     run.count = static_cast<int>(std::clamp(words.get_or(counter, 1), 1.0, double{most_repeats}));
-    words.mask &= ~(1u << counter);  // what is left of K is a length
+    words.mask &= ~(1u << counter);  // a K that remains here is the Z component of a vector
     if (run.count > 1) {
       run.increment = b.get(increment_).or_else({});
       run.turned = polar_repeats_(b, run.plane);
@@ -148,7 +151,8 @@ class CannedCycle {
     return result;
   }
 
-  /// mm/s for a stroke of that length; says so where no feed is in force. 0 under G93 where the stroke has no length.
+  /// The feed for a stroke of `length_mm`, in mm/s; 0, with a diagnostic, where no feed is in force. Under G93 a stroke
+  /// without length has feed 0 without a diagnostic.
   double stroke_feed(Block& b, double length_mm) const {
     const double mmds = feed_.mmds(b, [length_mm] { return length_mm; });
     if (mmds > 0) return mmds;
@@ -156,7 +160,8 @@ class CannedCycle {
     return mmds;
   }
 
-  /// Of P, Q, I, J and K those that this block names and the cycle does not use.
+  /// Reports (ISO-0354) each of P, Q, I, J and K that this block programs, that is not 0 and that is not one of the
+  /// letters in `used`.
   void say_unused(Block& b, const CycleRun& run, std::string_view used) const {
     constexpr std::string_view letters = "PQIJK";
     constexpr std::array addresses{CycleWords::P, CycleWords::Q, CycleWords::I, CycleWords::J, CycleWords::K};
@@ -167,13 +172,13 @@ class CannedCycle {
     }
   }
 
-  /// The cycle code of the call, or its word with that address, for a diagnostic.
+  /// The place for a diagnostic: the cycle code of the call, or its word with that address.
   Where where(const CycleRun& run) const { return Where::word(call_.code(run.row)); }
   Where where(const CycleRun& run, CycleWords::Address address) const {
     return Where::word(call_.row(run.row)[address]);
   }
 
-  /// The tool stands at the return level of the last hole.
+  /// Leaves the tool at the return level of the last hole.
   void end(Block& b, const CycleRun& run) const { b.set(program_, run.hole(run.count - 1).at(run.return_level)); }
 
   CompoundMotion motion;
@@ -194,10 +199,10 @@ class CannedCycle {
   LastProgramXyz last_;
 };
 
-/// P of a cycle: seconds or milliseconds, as the control has it.
+/// P of a cycle as a time. The option `p-unit` tells whether the control reads P in seconds or in milliseconds.
 class CycleDwell {
  public:
-  /// Seconds; 0 without P.
+  /// The dwell in seconds; 0 without P.
   double seconds(const CycleRun& run) const {
     const double p = run.words.get_or(CycleWords::P, 0);
     return unit_ == Unit::milliseconds ? p / 1000 : p;

@@ -1,6 +1,7 @@
-/// How the tool comes to the first point of a contour beside which it runs, and leaves the last one: on a line along
-/// the contour, square to it, or on an arc that touches it. Lengths and radii are those of the way of the tool's
-/// centre.
+/// How the tool reaches the first point of a contour under radius compensation and leaves the last one: along a
+/// straight line that continues the contour, along its normal, or on a tangential arc (iTNC 530 user's manual,
+/// "Approaching and departing a contour"). Lengths and radii belong to the path of the tool's centre, in mm; angles in
+/// degrees, feeds in mm/s.
 #pragma once
 
 #include <array>
@@ -16,15 +17,15 @@
 
 namespace ig::cnc {
 
-/// A member of the syntaxes that write the way to the contour or read it. It belongs to the block that starts
-/// compensation.
+/// The section ContourApproach of the block that starts compensation. A member of the syntaxes that write the section
+/// or read it. set() writes it, get() gives nothing where the block has none.
 class ContourApproach {
  public:
   enum class Shape { line, normal, arc, line_and_arc };
   struct Way {
     Shape shape = Shape::line;
     double length = 0, radius = 0, angle_deg = 0;
-    bool is_rapid = false;  ///< up to where it begins
+    bool is_rapid = false;  ///< rapid up to `begin` of the path
     std::optional<double> feed_mmds{};
   };
 
@@ -59,13 +60,15 @@ class ContourApproach {
     return way;
   }
 
-  /// The way to `end`, where the contour goes on in the unit direction `along` and the tool is on the side of `side`.
+  /// The approach to `end`, the contour's first point: `along` is the unit direction in which the contour continues,
+  /// `side` the unit normal that points to the tool's side.
   struct Path {
     Point2 begin;
-    std::optional<Point2> center{};  ///< of an arc
+    std::optional<Point2> center{};  ///< set when the path is an arc
     bool is_ccw = false;
   };
-  /// From `from`. Nothing where no such line touches the circle.
+  /// The path that the tool follows after a move from `from` to `begin`. Nothing for Shape::line_and_arc where `from`
+  /// lies inside the circle, so that no line touches it.
   static std::optional<Path> path(const Way& way, const Point2& from, const Point2& end, const Point2& along,
                                   const Point2& side) {
     if (way.shape == Shape::line) return Path{{end.u - way.length * along.u, end.v - way.length * along.v}};
@@ -85,7 +88,8 @@ class ContourApproach {
     const double u = p.u - center.u, v = p.v - center.v;
     return {center.u + c * u - s * v, center.v + s * u + c * v};
   }
-  /// Where a line from `from` comes to the circle, to go on round it.
+  /// The point where a line from `from` touches the circle so that the tool continues round it in the given sense;
+  /// nothing where `from` lies on or inside the circle.
   static std::optional<Point2> touching(const Point2& from, const Point2& center, double radius, bool is_ccw) {
     const Point2 way{center.u - from.u, center.v - from.v};
     const double distance = way.length();
@@ -105,8 +109,9 @@ class ContourApproach {
   std::array<Name, 4> names_{Name{"Line"}, Name{"Normal"}, Name{"Arc"}, Name{"LineAndArc"}};
 };
 
-/// The arc on which the tool leaves the contour, up to where the move of the block goes straight on to its end; of the
-/// tool's centre, in program coordinates.
+/// The section ContourDeparture: the tangential arc on which the tool's centre leaves the contour; from its end the
+/// move of the block goes straight to its own end point. Program coordinates, mm. get() gives nothing where the block
+/// has no departure.
 class ContourDeparture {
  public:
   explicit ContourDeparture(Access access)

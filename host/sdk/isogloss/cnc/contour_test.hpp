@@ -1,4 +1,4 @@
-/// What the tests of contours share.
+/// Helpers of the tests of contour geometry: moves in one line, and points compared to 1e-9 mm.
 #pragma once
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
-/// A section Offset_X, Offset_Y, Offset_Z and the translation of the same name on the way from program to machine
-/// coordinates.
+/// A section with Offset_X, Offset_Y and Offset_Z (mm) that acts as a translation of the same name in the frame, on the
+/// way from program to machine coordinates.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ class OffsetSection {
         z_(section + ".Offset_Z", about),
         frame_(section) {}
 
-  /// 0 on each axis where nothing was said.
+  /// The offset in force in mm; 0 on each axis that has none.
   Vec3 get(const Block& b) const { return {b.get_or(x_, 0.0), b.get_or(y_, 0.0), b.get_or(z_, 0.0)}; }
   bool has(const Block& b) const { return b.has(x_); }
 
@@ -27,7 +27,7 @@ class OffsetSection {
     b.set(z_, offset.z);
     b.set_translation(frame_, offset);
   }
-  /// The entry of the frame anew, from the section that was carried or stands in the dialect's initial block.
+  /// Writes the frame's entry again from the section, which was carried here or stands in the dialect's initial block.
   void restore(Block& b) const { b.set_translation(frame_, get(b)); }
 
  private:

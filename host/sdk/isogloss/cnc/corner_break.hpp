@@ -1,11 +1,12 @@
-/// Chamfers and roundings of a corner between two moves, in the plane and without blocks. Lengths in mm.
+/// Geometry of chamfers and roundings at the corner between two moves, in the plane and without blocks (Fanuc manual,
+/// "Optional chamfering and corner rounding"). Lengths in mm.
 #pragma once
 
 #include "isogloss/cnc/radius_compensation.hpp"
 
 namespace ig::cnc {
 
-/// What stands between two moves in the place of their corner: the first ends at `begin`, the second starts at `end`.
+/// What replaces the corner of two moves: the first move ends at `begin`, the second starts at `end`.
 struct BrokenCorner {
   Point2 begin, end;
   bool is_arc = false;
@@ -15,9 +16,12 @@ struct BrokenCorner {
   ContourMove move() const { return {begin, end, is_arc, center, is_ccw}; }
 };
 
-/// What the size of a corner means: of a chamfer how far from the corner its ends lie, or how long it is; or a radius.
+/// What the size of a corner means. legs: the distance from the corner to both ends of a chamfer; length: the length of
+/// the chamfer itself; rounding: the radius.
 enum class CornerShape { legs, length, rounding };
 
+/// Why a corner stays as programmed. `no`: it is broken. `length_at_arc`: a chamfer given by its length needs two
+/// straight moves.
 enum class Unbroken { no, straight_on, doubles_back, no_place, first_too_short, second_too_short, length_at_arc };
 
 struct CornerBreaking {
@@ -27,7 +31,8 @@ struct CornerBreaking {
 
 namespace detail {
 
-/// The point of a move at the distance `chord` from its end, or from its start; nothing beyond a circle.
+/// The point of a move at the straight distance `chord` from its end, or from its start; nothing where the chord is
+/// longer than the diameter of the arc.
 inline std::optional<Point2> at_chord(const ContourMove& m, double chord, bool from_end) {
   const Point2 corner = from_end ? m.end : m.start;
   if (!m.is_arc) return corner + (from_end ? -chord : chord) * m.direction_at_end();
@@ -49,7 +54,8 @@ inline Point2 foot(const ContourMove& m, const Point2& corner, const Point2& p) 
   return m.center + ((corner - m.center).length() / out.length()) * out;
 }
 
-/// Does `p` lie on the move, between `from` and its end? Of a line nothing need be left, of an arc something must.
+/// Does `p` lie on the move, between `from` and its end? A straight move may be used up to its end point, an arc may
+/// not.
 inline bool lies_within(const ContourMove& m, const Point2& from, const Point2& p) {
   if (!m.is_arc) {
     const Point2 direction = m.direction_at_end();
@@ -84,8 +90,9 @@ inline Unbroken find_chamfer(const ContourMove& a, const ContourMove& b, double 
 
 }  // namespace detail
 
-/// From `a`, of which what comes behind `a_begin` is left, to `b`, which begins where `a` ends. Directions within a
-/// degree count as one. Fanuc manual, "Optional chamfering and corner rounding".
+/// Breaks the corner from `a`, whose part before `a_begin` is already used up by the corner before, to `b`, which
+/// begins where `a` ends. Directions that differ by at most one degree have no corner (straight_on), or double back.
+/// `size` is positive.
 inline CornerBreaking break_corner(const ContourMove& a, const Point2& a_begin, const ContourMove& b, double size,
                                    CornerShape shape) {
   constexpr double sine_of_a_degree = 0.017452406437283512;
@@ -112,7 +119,8 @@ inline CornerBreaking break_corner(const ContourMove& a, const Point2& a_begin, 
   return out;
 }
 
-/// What the corners at its two ends leave of a move. A line keeps its direction, even where nothing is left of it.
+/// The part of a move that the corners at its two ends leave. A line keeps its direction even where nothing of it is
+/// left.
 inline ContourMove between_corners(ContourMove m, const Point2& begin, const Point2& end) {
   const Point2 direction = m.direction_at_end();
   m.start = m.is_arc || !is_same(begin, end) ? begin : end - direction;

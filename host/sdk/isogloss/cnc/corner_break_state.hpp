@@ -1,5 +1,5 @@
-/// The section CornerBreak: what stands at the end of the block's move instead of its corner. The syntaxes that read a
-/// control's words for it write it, those that make the path read it.
+/// The section CornerBreak: the chamfer or rounding that replaces the corner at the end of the block's move. Syntaxes
+/// that read a control's words for it write the section; syntaxes that make the path read it.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@ namespace ig::cnc {
 class CornerBreakState {
  public:
   struct Corner {
-    Symbol term;  ///< as the control calls it
+    Symbol term;  ///< the control's own name for it
     CornerShape shape = CornerShape::legs;
     double size = 0;        ///< mm; see CornerShape
-    bool is_modal = false;  ///< of every corner: where there is none nothing need be said
+    bool is_modal = false;  ///< set for every corner: a block without a corner is no fault
   };
   explicit CornerBreakState(Access access)
       : term_("CornerBreak.Term", access,
@@ -51,8 +51,8 @@ class CornerBreakState {
   Name legs_{"Legs"}, length_{"Length"}, rounding_{"Rounding"};
 };
 
-/// A member of each syntax whose words stand in the block of the move. From the block of the corner up to the next move
-/// the path is not that of the words.
+/// A member of each syntax whose words stand in the block of the move. keep() writes the corner and keeps the path
+/// syntaxes awake from the block of the corner up to the next move, because until then the path differs from the words.
 class CornerBreakWords {
  public:
   bool is_open(const Block& b) const { return b.is_raised(open_); }

@@ -1,4 +1,4 @@
-/// The canned cycles of group 09, and those that other plugins bring.
+/// The codes of the canned cycles: group 09 of a Fanuc, and the codes that other plugins declare with the same kind.
 #pragma once
 
 #include <algorithm>
@@ -15,11 +15,11 @@ namespace ig::cnc {
 inline constexpr std::array<std::string_view, 13> cycle_codes = {"G73", "G74", "G76", "G77", "G81", "G82", "G83",
                                                                  "G84", "G85", "G86", "G87", "G88", "G89"};
 
-/// What a CannedCycle says of its codes, so that the family finds them.
+/// The unit that a CannedCycle gives to its codes; syntaxes for all canned cycles find the codes by it.
 inline constexpr std::string_view cycle_kind = "canned-cycle";
 
-/// The words of all canned cycles of a chain: rows for some other codes, for those of group 09, and for each further
-/// code that a CannedCycle of any plugin declares.
+/// A Call with the words of all canned cycles of a chain: rows first for the codes in `before`, then for those of group
+/// 09, then for each further code that a CannedCycle of any plugin declares.
 class CycleCalls : public Call {
  public:
   CycleCalls(std::string_view words, Access access, std::initializer_list<std::string_view> before = {})

@@ -1,15 +1,16 @@
-/// The spindle around a cycle that turns it itself: an M code of the same block acts before the first hole, and what
-/// the cycle leaves behind is the direction in force for the blocks after it.
+/// The spindle around a cycle that turns it: an M code of the same block acts before the first hole, and the direction
+/// that the cycle ends with is in force for the blocks after it.
 #pragma once
 
 #include "isogloss/sdk.hpp"
 
 namespace ig::cnc {
 
+/// A member of each cycle syntax that turns, stops or reverses the spindle.
 class CycleSpindle {
  public:
-  /// M03, M04, M05 (M29) of this block, as a step, unless the order of events of a block says the same: a start comes
-  /// before the steps, but a stop after them. Then the direction in force is `last`.
+  /// Makes M03, M04 or M05 of this block the first step of the motion, unless the order of events within a block gives
+  /// the same result (a start acts before the steps, a stop after them). Then `last` becomes the direction in force.
   void begin(Block& b, const CompoundMotion& motion, Spindle last) const {
     const auto now = b.get(direction_);
     if (!now) return;
@@ -18,11 +19,11 @@ class CycleSpindle {
     if (is_programmed_here && (!stays || *now == stop_))
       motion.spindle(b, *now == cw_ ? Spindle::cw : *now == ccw_ ? Spindle::ccw : Spindle::stop);
     if (stays) return;
-    if (is_programmed_here) b.erase(direction_);  // said by the step already
+    if (is_programmed_here) b.erase(direction_);  // the step holds it now
     b.amend(direction_, name(last));
   }
 
-  /// How the spindle turns when the cycle begins; empty when nothing was ever said.
+  /// The direction of the spindle when the cycle begins; empty where no block has set one.
   std::optional<Symbol> direction(const Block& b) const { return b.get(direction_); }
   Symbol name(Spindle direction) const {
     return direction == Spindle::cw ? cw_ : direction == Spindle::ccw ? ccw_ : stop_;

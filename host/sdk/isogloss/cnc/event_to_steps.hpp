@@ -1,4 +1,4 @@
-/// The move of a block, taken to be made in steps: one block never moves twice.
+/// Takes the single move of a block away so that a syntax can write it as steps: one block never holds both.
 #pragma once
 
 #include "isogloss/cnc/tool_steps.hpp"
@@ -8,6 +8,8 @@ namespace ig::cnc {
 /// A member of each syntax that replaces a move.
 class EventToSteps {
  public:
+  /// Erases the section MotionEvent and returns what the steps have to keep of it: rapid or feed (mm/s), additional
+  /// circles.
   ToolSteps::Manner take(Block& b) const {
     const ToolSteps::Manner manner{b.get_or(is_rapid_, false), b.get(feedrate_), b.get_or(circles_, std::int64_t{0})};
     b.erase(form_);

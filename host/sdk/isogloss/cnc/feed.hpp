@@ -1,5 +1,5 @@
-/// The feed in force: what F, G93/G94/G95 and S of this and earlier blocks add up to. Used by FeedrateSyntax, by the
-/// cycles, whose call may hold an F, and by the motions.
+/// The feed in force: what F, G93, G94 and G95 and the spindle speed of this and earlier blocks amount to.
+/// FeedrateSyntax uses it, the cycles, whose call may hold an F, and the motion syntaxes.
 #pragma once
 
 #include "isogloss/sdk.hpp"
@@ -27,8 +27,7 @@ inline const Diagnostics feed_diagnostics{
                "feed per revolution without a spindle speed: the axes would stand still, so program S first",
                "Under G95 the feed rate is F times the spindle speed.", "G95 G01 X10. F0.1 (no S so far)"),
 };
-
-/// A member of each syntax that moves by feed; one that also calls resolve() says FeedInForce{read | write}.
+/// A member of each syntax that moves by feed. A syntax that also calls resolve() declares FeedInForce{read | write}.
 class FeedInForce {
  public:
   explicit FeedInForce(Access access = read)
@@ -38,8 +37,8 @@ class FeedInForce {
         ended_unit_("Feedrate.EndedUnit", access,
                     {Life::modal, "", "What the feed counted that G94 or G95 ended; gone with the next F."}) {}
 
-  /// F becomes the modal feed, in the mode in force (G94 when none is). Nothing is written without F, nor for one that
-  /// is no feed, which is said.
+  /// Makes F the modal feed, in the mode in force (G94 where there is none). Without F nothing changes; an F of 0 or
+  /// less is reported at `where` (ISO-0210) and changes nothing.
   void resolve(Block& b, std::optional<double> f, Where where = Where::block()) const {
     if (!f) return;
     if (*f <= 0) {
@@ -51,22 +50,24 @@ class FeedInForce {
     if (!b.has(term_)) set_mode(b, g94_);
   }
 
-  /// G93, G94 or G95, and its unit.
+  /// Sets the mode, one of G93, G94 and G95, and its unit.
   void set_mode(Block& b, Symbol term) const {
     b.set(term_, term);
     b.set(unit_, term == g93_ ? per_minute_ : term == g95_ ? mm_per_revolution_ : mm_per_minute_);
   }
 
-  /// No feed is in force any more, until the next F.
+  /// Ends the feed: from here on none is in force, until the next F.
   void forget(Block& b) const { b.erase(value_); }
 
-  /// As forget(), before the mode is set anew: the first feed move without F says why there is none.
+  /// Like forget(), for a change of mode: the unit of the ended feed is kept, so that the first feed move without F can
+  /// name the reason.
   void end(Block& b) const {
     if (const auto unit = b.get(unit_)) b.set(ended_unit_, *unit);
     forget(b);
   }
 
-  /// No F is in force, or one for each revolution of a spindle that does not turn.
+  /// Reports why a feed move has no feed: ISO-0303 where the feed is per revolution and the spindle has no speed,
+  /// ISO-0211 where a change of mode ended the feed, else ISO-0302.
   void say_missing(Block& b) const {
     if (value(b))
       b.report(diag("ISO-0303"), Where::block());
@@ -76,14 +77,14 @@ class FeedInForce {
       b.report(diag("ISO-0302"), Where::block());
   }
 
-  /// As programmed: mm/min, mm/rev or 1/min.
+  /// F as programmed, in mm/min, mm/rev or 1/min by mode; nothing where none is in force.
   std::optional<double> value(const Block& b) const { return b.get(value_); }
-  /// G94 where nothing was said.
+  /// The mode in force; G94 where no block has set one.
   Symbol mode(const Block& b) const { return b.get_or(term_, static_cast<Symbol>(g94_)); }
   bool is_inverse_time(const Block& b) const { return b.is(term_, g93_); }
 
-  /// mm/s along a path; 0 where no feed is in force (no F yet, G95 without a spindle speed). `length()` is the path's
-  /// in mm, asked where the feed depends on it.
+  /// The feed along a path in mm/s; 0 where none is in force (no F yet, or G95 without a spindle speed). `length()`
+  /// gives the length of the path in mm and is called only where the feed depends on it (G93).
   template <class Length>
   double mmds(const Block& b, const Length& length) const {
     const auto f = b.get(value_);

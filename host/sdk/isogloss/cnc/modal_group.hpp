@@ -1,4 +1,4 @@
-/// Codes of one modal group exclude each other.
+/// Takes the codes of a modal group from a block: they exclude each other, and the last one is in force.
 #pragma once
 
 #include "isogloss/sdk.hpp"
@@ -13,8 +13,8 @@ inline const Diagnostics modal_group_diagnostics{
         "Codes of one group exclude each other. The control uses the last one without an alarm, and so does this run.",
         "G90 G91 X10."),
 };
-
-/// The code of the group that counts: the last one in the block, as on Fanuc. More than one is worth a warning.
+/// Takes all codes of the group and returns the index of the last one in the block, as on Fanuc; nothing where the
+/// block holds none. Reports ISO-0201 where it holds more than one.
 inline std::optional<std::size_t> take_modal(Block& b, const Codes& group) {
   std::uint32_t found = 0;
   const std::optional<std::size_t> last = b.take(group, &found);

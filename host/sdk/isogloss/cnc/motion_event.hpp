@@ -1,4 +1,4 @@
-/// The motion of a block, and the motion code that it leaves in force.
+/// The single motion of a block (section MotionEvent) and the motion code in force (section MotionState).
 #pragma once
 
 #include "isogloss/sdk.hpp"
@@ -8,18 +8,18 @@
 
 namespace ig::cnc {
 
-/// The codes of group 01 that move the axes; the block's last one counts.
+/// The codes of group 01 that move the axes; where a block holds several, the last one is in force.
 class MotionGroup {
  public:
   enum Index : std::size_t { g00, g01, g02, g03, g33 };
 
-  /// The code of this block that counts, if there is one. Nothing is taken; `found` is how many there are.
+  /// The index of the block's last motion code, without taking it; `found` receives how many the block holds.
   std::optional<std::size_t> find(const Block& b, std::uint32_t& found) const {
     const std::int32_t last = b.find_code(codes_.ids(), codes_.size(), &found);
     return last < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(last));
   }
 
-  /// Takes what find() found, and makes `code` the motion in force.
+  /// Takes the codes that find() found and puts `code` in force. Reports ISO-0201 where there was more than one.
   void take(Block& b, std::size_t code, std::uint32_t found) const {
     if (found == 1) {
       ig_value unused;
@@ -32,10 +32,10 @@ class MotionGroup {
   }
   void put_in_force(Block& b, std::size_t code) const { b.set(state_, codes_.name(code)); }
 
-  /// Has a motion syntax before this one dealt with the block's code, or with the one in force?
+  /// True when an earlier motion syntax has dealt with the block's code, or with the code in force.
   bool is_answered(const Block& b) const { return b.is_fresh(state_); }
 
-  /// The code in force; G00 where nothing was said.
+  /// The code in force; G00 where no block has set one.
   std::size_t in_force(const Block& b) const {
     const Symbol term = b.get_or(state_, codes_.name(g00));
     if (term == codes_.name(g01)) return g01;
@@ -49,13 +49,14 @@ class MotionGroup {
   Out<Symbol> state_{"MotionState.Term"};
 };
 
-/// The motion of a block. An arc's centre is a program point, at the level of the arc's start.
+/// The motion of a block: rapid, feed or arc. Points in mm of program coordinates; an arc's centre lies at the level of
+/// the arc's start.
 class BlockMotion {
  public:
-  /// One block never moves twice.
+  /// True when the block already has a motion, single or compound. A motion syntax then does nothing.
   bool is_moving(const Block& b) const { return b.has_any(compound_, form_); }
 
-  /// Do the rotary axes turn under tool centre point control in this block?
+  /// True when the rotary axes turn under tool centre point control in this block.
   bool turns(const Block& b) const { return b.is_raised(turns_); }
 
   void rapid(Block& b) const {
@@ -63,7 +64,8 @@ class BlockMotion {
     const ig_value values[] = {symbol(straight_form(b)), {.integer = 1}};
     b.set_many(fields, 2, values);
   }
-  /// `length()` is the path's, in mm; asked where the feed depends on it (G93).
+  /// A straight move by the feed in force. `length()` gives the length of the path in mm and is called only where the
+  /// feed depends on it (G93). A missing feed is reported.
   template <class Length>
   void feed(Block& b, const Length& length) const {
     const double mmds = feed_.mmds(b, length);
@@ -72,6 +74,7 @@ class BlockMotion {
     b.set_many(fields, mmds > 0 ? 2 : 1, values);
     if (mmds <= 0) say_no_feed(b);
   }
+  /// An arc by the feed in force, otherwise like feed().
   template <class Length>
   void arc(Block& b, const Vec3& center, bool is_ccw, const Length& length) const {
     const double mmds = feed_.mmds(b, length);
@@ -81,19 +84,20 @@ class BlockMotion {
     b.set_many(fields, mmds > 0 ? 4 : 3, values);
     if (mmds <= 0) say_no_feed(b);
   }
-  /// By a feed of its own, in mm/s; 0: none is in force, which was said.
+  /// A straight move by a feed of the caller's, in mm/s; 0: no feed is in force, and the caller has reported it.
   void straight(Block& b, double feed_mmds) const {
     b.set(form_, straight_form(b));
     if (feed_mmds > 0) b.set(feedrate_, feed_mmds);
   }
 
  private:
-  /// The tip is led along its path while the rotary axes turn.
+  /// While the rotary axes turn under tool centre point control, the control leads the tip along its path.
   Symbol straight_form(const Block& b) const { return turns(b) ? led_ : linear_; }
 
   static ig_value symbol(Symbol s) { return ig::detail::ValueOf<Symbol>::write(s); }
 
-  /// A feed move without a feed; under G93 a path without length needs none, and what G96 leaves unknown was said.
+  /// Reports a missing feed. Not under G93, where a path without length needs none, and not under G96, where the
+  /// missing spindle speed has been reported.
   void say_no_feed(Block& b) const {
     if (feed_.value(b) && (feed_.is_inverse_time(b) || b.is(speed_mode_, surface_))) return;
     feed_.say_missing(b);

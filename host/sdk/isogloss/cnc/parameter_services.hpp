@@ -1,23 +1,26 @@
-/// The services of a table of parameters that has the axes under Fanuc's numbers: 1240 to 1243 are reference positions,
-/// 1320 and 1321 the travel. The table says what a rapid and a rollover are.
+/// Services from a parameter table that keeps the axes under Fanuc's numbers: 1240 to 1243 are the reference positions,
+/// 1320 and 1321 the stored stroke limits (mm or degrees). The table itself answers for the rapid rate and the
+/// rollover.
 #pragma once
 
 #include "isogloss/sdk.hpp"
 
 namespace ig::cnc {
 
+/// `Table` is the dependency that holds the parameters; the services keep a pointer to it and live as long as it does.
 template <class Table>
 struct ParameterServices {
   using Answer = std::optional<double>;
   using Mode = std::optional<std::uint32_t>;
 
-  /// Numbers that `question` answers by name.
+  /// The service isogloss.config/1; `question` answers a name with its number, or with nothing.
   template <Answer (Table::*question)(std::string_view) const>
   static ig_config_1 config(Table* table) {
     return {sizeof(ig_config_1), 0, table, &ask<question>};
   }
 
-  /// `of_axis`: a parameter of an axis. `rapid`: mm or degrees a minute. `rollover`: as ig_machine_axis_1 has it.
+  /// The service isogloss.machine-axis/1. `of_axis` answers a parameter number for an axis, `rapid` gives mm/min or
+  /// degrees/min, `rollover` a mode of ig_machine_axis_1::rollover; each gives nothing where the value is not known.
   template <Answer (Table::*of_axis)(std::string_view, char) const, Answer (Table::*rapid)(char) const,
             Mode (Table::*rollover)(char) const>
   static ig_machine_axis_1 machine_axes(Table* table) {
@@ -42,7 +45,7 @@ struct ParameterServices {
   static std::int32_t ask(void* self, ig_text name, double* out) {
     return write((self_of(self).*question)(to_view(name)), out);
   }
-  /// The machine starts at the first reference position.
+  /// Home is the first reference position.
   template <Answer (Table::*of_axis)(std::string_view, char) const>
   static std::int32_t home(void* self, char axis, double* position) {
     return reference<of_axis>(self, axis, 1, position);
@@ -55,7 +58,7 @@ struct ParameterServices {
   template <Answer (Table::*of_axis)(std::string_view, char) const>
   static std::int32_t travel(void* self, char axis, double* low, double* high) {
     const Answer from = (self_of(self).*of_axis)("1321", axis), to = (self_of(self).*of_axis)("1320", axis);
-    return from && to && *from <= *to ? write(from, low) & write(to, high) : 0;  // the other way round: no limits
+    return from && to && *from <= *to ? write(from, low) & write(to, high) : 0;  // limits in the wrong order: no limits
   }
   template <Answer (Table::*rapid)(char) const>
   static std::int32_t rapid_rate(void* self, char axis, double* per_second) {

@@ -1,16 +1,16 @@
-/// The plane in force: which axes span it, and which one the tool works along.
+/// The plane in force (G17, G18, G19): the two axes that span it, and the third one, along which the tool works.
 #pragma once
 
 #include "isogloss/sdk.hpp"
 
 namespace ig::cnc {
 
-/// Axes as 0 X, 1 Y, 2 Z, such that first × second = tool. A turn from first to second is counter-clockwise, seen from
-/// the positive end of the tool axis.
+/// Axes as 0 X, 1 Y, 2 Z, ordered so that first × second = tool: a turn from the first axis to the second is
+/// counter-clockwise when seen from the positive end of the tool axis.
 struct PlaneAxes {
   std::size_t first = 0, second = 1, tool = 2;
 
-  /// The point over (or in) `hole` whose tool axis stands at `level`.
+  /// The point above or in `hole` whose tool axis is at `level`, in mm.
   constexpr Vec3 at_level(Vec3 hole, double level) const {
     hole[tool] = level;
     return hole;
@@ -19,10 +19,10 @@ struct PlaneAxes {
 };
 
 inline constexpr PlaneAxes xy_plane{0, 1, 2};
-inline constexpr PlaneAxes zx_plane{2, 0, 1};  // ZX, not XZ: this decides the sense of arcs
+inline constexpr PlaneAxes zx_plane{2, 0, 1};  // ZX, not XZ: this order gives arcs their sense
 inline constexpr PlaneAxes yz_plane{1, 2, 0};
 
-/// A member of each syntax that works in the plane. G17 where nothing was said.
+/// A member of each syntax that works in the plane; G17 where no block has selected one.
 class PlaneInForce {
  public:
   PlaneAxes operator()(const Block& b) const {

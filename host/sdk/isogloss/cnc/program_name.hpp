@@ -1,5 +1,5 @@
-/// The names that a program and a sequence number have in searches: O3 for O0003, N10 for N0010, <PART> as written; and
-/// the names of the files in which a program may lie.
+/// The names under which programs and sequence numbers are searched (O3 for O0003, N10 for N0010, <PART> as written),
+/// and the names of the files that may hold a program.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace ig::cnc {
 
-/// A letter and a whole number; no allocation.
+/// A letter (or none, for '\0') and a whole number, padded with zeros to `digits` digits at most 20; allocates nothing.
 class NumberedName {
  public:
   NumberedName(char letter, std::int64_t number, int digits = 0) {
@@ -29,7 +29,8 @@ class NumberedName {
   std::size_t size_ = 0;
 };
 
-/// The name of digits as they stand in the text; leading zeros count for nothing.
+/// The name for digits as they stand in the text, without leading zeros; nothing where the text is not a whole number
+/// of at most 64 bits.
 inline std::optional<NumberedName> numbered_name(char letter, std::string_view digits) {
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
@@ -37,7 +38,8 @@ inline std::optional<NumberedName> numbered_name(char letter, std::string_view d
   return NumberedName(letter, number);
 }
 
-/// O1234, 1234, and both with zeros to 4, 5 and 8 digits: what a file of program 1234 is called, without extension.
+/// The names, without extension, that a file of program 1234 may have: O1234 and 1234, each also with zeros to 4, 5 and
+/// 8 digits. The list is valid as long as the object.
 class ProgramFileNames {
  public:
   explicit ProgramFileNames(std::int64_t number) {

@@ -1,5 +1,6 @@
-/// Geometry of cutter radius compensation in the plane, without blocks: offset points of a move, and what joins the
-/// offsets of two moves at their corner. Lengths in mm. An offset is signed: positive lies to the left of the way.
+/// Geometry of cutter radius compensation in the plane, without blocks: the offset points of a move, and what joins the
+/// offsets of two moves at their corner (Fanuc manual, "Details of cutter compensation"). Lengths in mm. An offset is
+/// signed: positive is to the left of the direction of travel.
 #pragma once
 
 #include <algorithm>
@@ -17,30 +18,31 @@ constexpr double cross(const Point2& a, const Point2& b) { return a.u * b.v - a.
 constexpr Point2 left_of(const Point2& direction) { return {-direction.v, direction.u}; }
 inline bool is_same(const Point2& a, const Point2& b) { return (a - b).length() < same_point_mm; }
 
-/// One move of the contour: a straight line, or an arc about a center. It has a length.
+/// One move of the contour: a straight line, or an arc about a centre. Its length must not be 0.
 struct ContourMove {
   Point2 start, end;
   bool is_arc = false;
   Point2 center{};
   bool is_ccw = false;
-  double slack_mm = same_point_mm;  ///< how far an arc may lie off its circle, and its radius be short of the tool's
+  double slack_mm = same_point_mm;  ///< tolerance: of an arc's ends to its circle, of its radius to the tool's
 
   Point2 direction_at_start() const { return is_arc ? tangent(start) : unit(end - start); }
   Point2 direction_at_end() const { return is_arc ? tangent(end) : unit(end - start); }
-  /// Where the tool touches the start, and the end, of the move.
+  /// The tool's centre where the tool touches the start, and the end, of the move.
   Point2 offset_start(double offset) const { return start + offset * left_of(direction_at_start()); }
   Point2 offset_end(double offset) const { return end + offset * left_of(direction_at_end()); }
-  /// Radius of the tool's path on an arc; below zero where the tool does not fit in. At zero it turns on the spot.
+  /// Radius of the tool centre's path along an arc; negative where the tool does not fit in. At 0 the centre rests.
   double path_radius(const Point2& at, double offset) const {
     const double radius = (at - center).length() + (is_ccw ? -offset : offset);
     return radius < 0 && radius > -slack_mm ? 0 : radius;
   }
+  /// True when the tool fits into the arc; always for a straight line.
   bool fits(double offset) const {
     return !is_arc || std::fmin(path_radius(start, offset), path_radius(end, offset)) >= 0;
   }
 
-  /// How far the tool goes along the move from `from` to `to`, which lie on its offset: negative where it would have to
-  /// go back. On an arc, measured on the tool's path.
+  /// How far the tool's centre goes along the move from `from` to `to`, which lie on its offset; negative where it
+  /// would have to go back. On an arc the length is measured on the centre's path.
   double way(const Point2& from, const Point2& to, double offset) const {
     if (!is_arc) return dot(to - from, direction_at_end());
     const double whole = std::fabs(sweep(start, end, center, is_ccw));
@@ -53,7 +55,7 @@ struct ContourMove {
     const Point2 left = left_of(unit(at - center));
     return is_ccw ? left : -1.0 * left;
   }
-  /// The angle from one point to another about the center, at most half a circle, positive in the sense of the arc.
+  /// The angle from one point to another about the centre, at most half a circle, positive in the sense of the arc.
   double turn(const Point2& from, const Point2& to) const {
     const Point2 a = from - center, b = to - center;
     const double angle = std::atan2(cross(a, b), dot(a, b));
@@ -61,13 +63,14 @@ struct ContourMove {
   }
 };
 
+/// How the tool passes a corner; no_solution: the offsets of the two moves do not cross.
 enum class CornerKind { tangent, inner, obtuse, acute, round, square, crossing, no_solution };
 
-/// From one move to the next: the tool leaves the first at `leave` and makes the steps.
+/// The passage from one move to the next: the tool leaves the first move at `leave` and makes `count` steps.
 struct Corner {
   struct Step {
     Point2 to;
-    bool is_arc = false;  ///< about the corner of the contour
+    bool is_arc = false;  ///< an arc about the corner of the contour
     bool is_ccw = false;
   };
   CornerKind kind = CornerKind::square;
@@ -84,6 +87,7 @@ struct Corner {
   const Point2& last() const { return count == 0 ? leave : steps[count - 1].to; }
 };
 
+/// What the tool does outside a corner: straight lines, or an arc about the corner.
 enum class OuterCorner { lines, arc };
 
 namespace detail {
@@ -133,7 +137,7 @@ inline Crossings cross_circles(const OffsetCurve& a, const OffsetCurve& b) {
   return {{foot + half * left_of(unit), foot - half * left_of(unit)}, 2};
 }
 
-/// Where two offsets cross, nearest to `near`.
+/// The crossing of two offsets that is nearest to `near`; nothing where they do not cross.
 inline std::optional<Point2> crossing(const OffsetCurve& a, const OffsetCurve& b, const Point2& near) {
   const Crossings all = a.is_circle   ? (b.is_circle ? cross_circles(a, b) : cross_line_circle(b, a))
                         : b.is_circle ? cross_line_circle(a, b)
@@ -145,14 +149,14 @@ inline std::optional<Point2> crossing(const OffsetCurve& a, const OffsetCurve& b
 
 }  // namespace detail
 
-/// The tool stands at a right angle to the move at its end.
+/// The tool stands square to the move at its end.
 inline Corner square_corner(const ContourMove& move, double offset) {
   return {CornerKind::square, move.offset_end(offset), {}, 0};
 }
 
-/// From `a` to `b`, which begins where `a` ends, on one side of both.
+/// The passage from `a` to `b`, which begins where `a` ends, on the same side of both.
 inline Corner corner(const ContourMove& a, const ContourMove& b, double offset, OuterCorner outer) {
-  // Directions that differ by less are one: a bend so small moves no point by more than the offset times it.
+  // A smaller bend is none: it would move a point by no more than the offset times the bend, in radians.
   constexpr double no_bend = 3e-8;
   const Point2 u1 = a.direction_at_end(), u2 = b.direction_at_start();
   const Point2 q1 = a.offset_end(offset), q2 = b.offset_start(offset);
@@ -178,7 +182,8 @@ inline Corner corner(const ContourMove& a, const ContourMove& b, double offset, 
     out.arc_to(q2, offset < 0);
     return out;
   }
-  // The lines at right angles to both offsets, or to both sides of a sharp corner; an arc is left where it ends.
+  // An obtuse corner is passed where the two offset lines cross, a sharp one on lines square to both sides; an arc is
+  // left where it ends.
   constexpr double right_angle = -1e-9;
   const bool is_obtuse = along > right_angle;
   out.kind = is_obtuse ? CornerKind::obtuse : CornerKind::acute;
@@ -193,7 +198,7 @@ inline Corner corner(const ContourMove& a, const ContourMove& b, double offset, 
   return out;
 }
 
-/// Where the offsets of two moves that are no neighbours cross, if both are made shorter by it.
+/// The crossing of the offsets of two moves that are no neighbours; nothing unless the crossing shortens both of them.
 inline std::optional<Corner> meet(const ContourMove& a, const ContourMove& b, double offset, const Point2& from) {
   if (!a.fits(offset) || !b.fits(offset)) return std::nullopt;
   const auto at = detail::crossing(detail::curve_at(a, a.end, a.direction_at_end(), offset),
@@ -205,8 +210,8 @@ inline std::optional<Corner> meet(const ContourMove& a, const ContourMove& b, do
   return Corner{CornerKind::inner, *at, {}, 0};
 }
 
-/// From `a`, with the tool on one side, to `b` with the tool on the other: where the two offsets of straight moves
-/// cross within them, else by a step across the contour.
+/// The passage from `a`, with the tool on one side, to `b`, with the tool on the other: where the offsets of two
+/// straight moves cross within both, else by a step across the contour.
 inline Corner change_of_side(const ContourMove& a, double offset_a, const ContourMove& b, double offset_b) {
   Corner out{CornerKind::crossing, a.offset_end(offset_a), {}, 0};
   if (!a.is_arc && !b.is_arc) {
@@ -225,7 +230,8 @@ inline Corner change_of_side(const ContourMove& a, double offset_a, const Contou
   return out;
 }
 
-/// The end of `a` before a cancel whose direction the program gives, of any length but none.
+/// The end of `a` before a cancelling move whose direction the program gives (G40 with I, J or K). `direction` must not
+/// be 0; its length has no meaning.
 inline Corner directed_end(const ContourMove& a, double offset, const Point2& direction) {
   const Point2 unit = (1 / direction.length()) * direction;
   const ContourMove wall{a.end, a.end + unit, false, {}, false};

@@ -1,5 +1,5 @@
-/// Codes of one control that are known by name but not executed: each is one diagnostic that says what is missing, and
-/// its words go with it.
+/// Codes of a control that a dialect knows by name but does not execute: each gets one diagnostic that says what is
+/// missing, and its words are taken with it.
 #pragma once
 
 #include <vector>
@@ -8,18 +8,20 @@
 
 namespace ig::cnc {
 
+/// A member of the syntax that reports such codes.
 class RecognisedCodes {
  public:
-  /// Give the words no unit, `X[]`: nobody reads them, and a decimal point that is missing there is no news.
+  /// Codes with one reason. Give their words no unit, `X[]`: nothing reads the values, so a missing decimal point needs
+  /// no report.
   struct Feature {
     Call codes;
     std::string_view missing;
   };
-  /// The diagnostic gets the code and what is missing.
+  /// The arguments of the diagnostic are the code and `missing`.
   RecognisedCodes(DiagnosticCode diagnostic, std::vector<Feature> features)
       : diagnostic_(diagnostic), features_(std::move(features)) {}
 
-  /// True where the block had one.
+  /// Takes and reports every such code that no syntax has answered; true when the block held one.
   bool say(Block& b) const {
     bool any = false;
     for (const Feature& feature : features_)

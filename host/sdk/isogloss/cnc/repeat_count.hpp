@@ -1,12 +1,13 @@
-/// K has two meanings: the third arc centre, a length, and how often a canned cycle is repeated, a count. Inside the
-/// cycle's own block the code owns its K; in the blocks after it the K stands alone, and the modal state decides.
+/// What K, and J of a tapping cycle, mean. K is either a length (the third component of an arc's centre) or a count
+/// (the repeats of a canned cycle). Inside the cycle's own block the code owns its K; in later blocks K stands alone,
+/// and the modal state decides.
 #pragma once
 
 #include "isogloss/sdk.hpp"
 
 namespace ig::cnc {
 
-/// What K of a canned cycle is: an option of each syntax that reads lengths.
+/// The meaning of K in a canned cycle: an option of each syntax that reads lengths.
 class CycleK {
  public:
   bool is_length() const { return k_ == Meaning::length; }
@@ -16,13 +17,13 @@ class CycleK {
   Choice<Meaning> k_{"cycle-k", "count|length", "count", "K of a canned cycle counts its repeats, or is a length."};
 };
 
-/// What J of a tapping cycle is: an option of each syntax that reads lengths.
+/// The meaning of J in a tapping cycle: an option of each syntax that reads lengths.
 class TappingJ {
  public:
   static constexpr std::array<std::string_view, 2> cycles{"G74", "G84"};
 
   bool is_ratio() const { return j_ == Meaning::ratio; }
-  /// Of a block in which a canned cycle is active: J of the block itself is a ratio.
+  /// True when J of this block, which stands without a code of its own, is a ratio: a tapping cycle is active.
   bool is_ratio(const Block& b) const { return is_ratio() && (b.is(cycle_, g74_) || b.is(cycle_, g84_)); }
 
  private:
@@ -33,6 +34,7 @@ class TappingJ {
   Name g74_{"G74"}, g84_{"G84"};
 };
 
+/// A member of each syntax that must tell whether a lone K is a count.
 class RepeatCount {
  public:
   /// True when K of the block itself is a count: a canned cycle is active and no motion code ends it here.

@@ -1,5 +1,5 @@
-/// The spindle of a canned cycle that stops it in the hole and starts it again, and how many holes of many steps fit
-/// into one block.
+/// The spindle of a canned cycle that stops it in the hole and starts it again, and the limit on the number of holes
+/// whose steps fit into one block.
 #pragma once
 
 #include "isogloss/cnc/canned_cycle.hpp"
@@ -18,10 +18,11 @@ inline const Diagnostics restarted_spindle_diagnostics{
                "G91 G87 X1. Z-1. R-1. Q0.1 F90 K10000"),
 };
 
-/// Of a cycle that stops the spindle and starts it again.
+/// The spindle of a cycle that stops it and starts it again. A member of the cycle's syntax.
 class RestartedSpindle : public CycleSpindle {
  public:
-  /// How the cycle starts it; `code` is the cycle's.
+  /// Returns the direction in which the cycle `code` restarts the spindle. Reports ISO-0336 at `where` when an M04
+  /// spindle restarts clockwise, because the option `restart` says so.
   Spindle begin(Block& b, const CompoundMotion& motion, const Where& where, Symbol code) const {
     const bool ccw = turns_ccw(b);
     if (ccw && restart_ == Restart::clockwise) b.report(diag("ISO-0336"), where, b.text(code));
@@ -36,7 +37,8 @@ class RestartedSpindle : public CycleSpindle {
                            "How the cycle restarts the spindle: clockwise, or in its previous direction."};
 };
 
-/// Fewer holes where the steps of all would be too many; says so. Counts one step for an M code of the block.
+/// Reduces the number of holes so that all steps fit into the host's list, and reports ISO-0352 when it does. One step
+/// is kept for an M code of the block.
 inline void limit_steps(Block& b, CycleRun& run, std::int64_t steps_per_hole) {
   const std::int64_t room = (most_steps - 1) / steps_per_hole;
   if (run.count <= room) return;

@@ -1,5 +1,5 @@
-/// The rotary axes A, B and C: which of them the machine has, where they stand and where a block sends them, and how
-/// they get there. Angles in degrees, as the machine counts them; index 0 is A.
+/// The rotary axes A, B and C: which of them the machine has, where they stand, where a block sends them, and which way
+/// they turn (Fanuc manual, "Rotary axis roll-over"). Angles in degrees of the machine; index 0 is A.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace ig::cnc {
 using Angles = std::array<double, 3>;
 inline constexpr std::string_view rotary_names = "ABC";
 
-/// The axes of which a triple has an angle (bit 0 is A).
+/// Angles of some of the axes: bit 0 of the mask is A.
 struct PartialAngles {
   std::uint32_t mask = 0;
   Angles value{};
@@ -24,7 +24,7 @@ struct PartialAngles {
   }
 };
 
-/// The values of three fields, for A, B and C.
+/// The values of three fields, those of A, B and C, as far as they are present.
 inline PartialAngles angles_of(const Block& b, const std::array<ig_field, 3>& fields) {
   PartialAngles out;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -36,7 +36,7 @@ inline PartialAngles angles_of(const Block& b, const std::array<ig_field, 3>& fi
   return out;
 }
 
-/// Writes the angles that there are.
+/// Writes the angles that are present.
 inline void set_angles(Block& b, const std::array<ig_field, 3>& fields, const PartialAngles& to) {
   ig_field named[3];
   ig_value v[3];
@@ -49,14 +49,16 @@ inline void set_angles(Block& b, const std::array<ig_field, 3>& fields, const Pa
   b.set_many(named, n, v);
 }
 
-/// Angles that differ by less are the same position; limits are inclusive by this much.
+/// Angles that differ by at most this many degrees are the same position; limits of travel are inclusive by as much.
 inline constexpr double same_angle_deg = 1e-6;
 
-/// What a machine does with an angle that is more than it needs (ig_machine_axis_1::rollover).
+/// How an axis goes to a programmed position; the numbers are those of ig_machine_axis_1::rollover. counts_on: to the
+/// angle itself, beyond 360 too; shortest: the shortest way; signed_direction: in the direction of the sign.
 enum class Rollover : std::uint32_t { counts_on, shortest, signed_direction };
-/// Which way half a turn goes.
+/// The direction of a turn of exactly 180 degrees, where both ways are equally short.
 enum class HalfTurn { positive, negative };
 
+/// The travel of an axis in degrees, limits inclusive; without limits by default.
 struct AngleRange {
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
@@ -67,14 +69,14 @@ struct AngleRange {
 
 namespace detail {
 
-/// Beyond it an angle says nothing about a position of the circle.
+/// An angle of this size or more says nothing about a position on the circle: a double has too few digits.
 inline constexpr double countable_deg = 1e9;
 inline double countable(double angle) { return std::fabs(angle) < countable_deg ? angle : std::fmod(angle, 360); }
 
 }  // namespace detail
 
-/// The angle of the position `to` of the circle that lies nearest to `from`: 370 for 10 after 350, -90 for 270 after 0.
-/// Whole turns are added to `to`, so that 0.3 stays 0.3.
+/// The angle that names the position `to` on the circle and is nearest to `from`: 370 for 10 after 350, -90 for 270
+/// after 0. Whole turns are added to `to`, so that 0.3 stays 0.3.
 inline double nearest_turn(double from, double to, HalfTurn half = HalfTurn::positive) {
   constexpr double noise = 1e-9;
   if (std::fabs(to - from) < 179 && std::fabs(from) < detail::countable_deg) return to + 0.0;  // + 0.0: no -0
@@ -87,7 +89,8 @@ inline double nearest_turn(double from, double to, HalfTurn half = HalfTurn::pos
   return to + 360 * turns + 0.0;
 }
 
-/// The position that `to` without its sign names, in the direction of the sign. No way at all where the axis is there.
+/// The angle at which the axis stands after turning from `from`, in the direction of the sign of `to`, to the position
+/// that `to` names without its sign. Where the axis already is at the position, it does not turn.
 inline double directed_turn(double from, double to) {
   const bool backwards = to < 0;
   to = std::fmod(std::fabs(to), 360);
@@ -99,7 +102,8 @@ inline double directed_turn(double from, double to) {
   return way < 0 ? nearest + 360 : nearest;
 }
 
-/// The nearest turn; where it lies outside the travel, the first other turn that does not.
+/// The nearest turn; where that is outside the travel, the next turn towards the travel if it lies inside, else the
+/// nearest one.
 inline double nearest_turn_inside(double from, double to, const AngleRange& travel, HalfTurn half) {
   const double nearest = nearest_turn(from, to, half);
   if (travel.holds(nearest)) return nearest;
@@ -107,8 +111,8 @@ inline double nearest_turn_inside(double from, double to, const AngleRange& trav
   return travel.holds(other) ? other : nearest;
 }
 
-/// A member of each syntax that asks where the rotary axes stand, or where its block sends them, before McAbcSyntax has
-/// run. Say read | wake to run in blocks that hold A, B or C.
+/// A member of each syntax that asks where the rotary axes are, or where its block sends them, before McAbcSyntax has
+/// run. Declare read | wake to run in blocks that hold A, B or C.
 class RotaryAngles {
  public:
   explicit RotaryAngles(Access words = read)
@@ -117,18 +121,18 @@ class RotaryAngles {
   /// A, B and C of this block, as programmed.
   PartialAngles words(const Block& b) const { return angles_of(b, words_); }
 
-  /// Where the axes stand before the words of this block act: what was carried here, or what a syntax before this one
-  /// (G53.1) wrote.
+  /// Where the axes are before the words of this block act: the carried angles, or those that an earlier syntax (G53.1)
+  /// wrote.
   PartialAngles present(const Block& b) const { return angles_of(b, machine_); }
 
-  /// Where the axes stand at the end of the block; under G91 the words count from where they stand. Whole turns more or
-  /// less are not decided here.
+  /// Where the axes are at the end of the block; under G91 the words are distances from their present angles. The
+  /// choice between angles that differ by whole turns is not made here.
   PartialAngles target(const Block& b) const {
     PartialAngles to = present(b);
     const PartialAngles named = words(b);
     if (named.mask == 0) return to;
     const bool is_incremental = distance_.is_incremental(b);
-    if (is_incremental && b.find(machine_select_)) return to;  // the control ignores G53 with its words
+    if (is_incremental && b.find(machine_select_)) return to;  // the control ignores G53, and its words, under G91
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!named.has(axis)) continue;
       to.value[axis] = named.value[axis] + (is_incremental && to.has(axis) ? to.value[axis] : 0);
@@ -150,8 +154,8 @@ class RotaryAngles {
   DistanceMode distance_;
 };
 
-/// Raised for an axis of which the block says how far it turns, where its word has become a position already (IC+300 of
-/// Klartext): it turns so far, more than half a turn as well.
+/// Raised for an axis whose word has become a position already although the program gave a distance (IC+300 in
+/// Klartext): the axis turns by the whole distance, even when that is more than half a turn.
 class RotaryIncrements {
  public:
   explicit RotaryIncrements(Access access)
@@ -165,7 +169,7 @@ class RotaryIncrements {
   std::array<Signal, 3> axes_;
 };
 
-/// What the machine says of its rotary axes, asked once.
+/// The machine's rotary axes, from its services, asked once when the chain is created.
 class RotaryAxes {
  public:
   RotaryAxes() {
@@ -178,7 +182,7 @@ class RotaryAxes {
   Rollover rollover(std::size_t axis) const { return rollover_[axis]; }
   const AngleRange& travel(std::size_t axis) const { return travel_[axis]; }
 
-  /// The angle to which the axis goes from `from` when `to` is commanded as a position.
+  /// The angle to which the axis goes from `from` when the position `to` is commanded.
   double approach(std::size_t axis, double from, double to, HalfTurn half = HalfTurn::positive) const {
     switch (rollover_[axis]) {
       case Rollover::shortest: return nearest_turn_inside(from, to, travel_[axis], half);
@@ -208,7 +212,7 @@ class RotaryAxes {
     is_there = is_there || is_limited || is_known;
     if (is_there) mask_ |= 1u << axis;
   }
-  /// An axis that turns the tool or the workpiece is there, whether or not it has limits and a rate.
+  /// An axis that turns the tool or the workpiece exists, whether or not its limits and its rate are known.
   void ask_kinematics() {
     if (!kinematics_) return;
     char names[2] = {};

@@ -1,4 +1,4 @@
-/// Offsets of the rotary axes: what the work coordinate systems add to A, B and C. Degrees; index 0 is A.
+/// Offsets of the rotary axes: what the work coordinate systems add to programmed A, B and C. Degrees; index 0 is A.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace ig::cnc {
 
-/// Offset_A, Offset_B and Offset_C of a section. A member of each syntax that keeps one. An axis to which nobody gave
-/// an offset has no field.
+/// Offset_A, Offset_B and Offset_C of a section; an axis that never got an offset has no field. A member of each syntax
+/// that keeps such a section.
 class RotaryOffsetSection {
  public:
   explicit RotaryOffsetSection(const std::string& section, Access access = read | write)
@@ -18,7 +18,7 @@ class RotaryOffsetSection {
              offset(section + ".Offset_C", access)} {}
 
   PartialAngles get(const Block& b) const { return angles_of(b, ids_); }
-  /// Writes the axes that change. True when there was one.
+  /// Writes the axes whose offset changes; true when there was one.
   bool set(Block& b, const Angles& to) const {
     const PartialAngles old = get(b);
     bool any = false;
@@ -37,8 +37,8 @@ class RotaryOffsetSection {
   std::array<ig_field, 3> ids_;
 };
 
-/// What is added to a programmed angle: RotaryOffset.A, B and C, present where it is not 0. RotaryOffsetSyntax writes
-/// it.
+/// The sum that is added to a programmed angle: RotaryOffset.A, B and C, present where the sum is not 0.
+/// RotaryOffsetSyntax writes it.
 class RotaryOffsets {
  public:
   explicit RotaryOffsets(Access access = read)
@@ -53,14 +53,14 @@ class RotaryOffsets {
       b.erase(ids_[axis]);
   }
 
-  /// The machine angle that a word names. Where the sign of a word is a direction it stays one.
+  /// The machine angle that a word names. Where the sign of the word is a direction, the result keeps that sign.
   static double to_machine(double word, double offset, Rollover rollover) {
     if (offset == 0) return word;
     if (rollover != Rollover::signed_direction) return word + offset;
     double position = std::fmod(std::fabs(word) + offset, 360);
     if (position < 0) position += 360;
     if (!(word < 0)) return position;
-    return position > 0 ? -position : -360;  // 0 has no sign
+    return position > 0 ? -position : -360;  // 0 cannot carry a sign
   }
 
  private:
@@ -79,19 +79,22 @@ inline bool has_rotary(const ig_work_offset_1& table) {
 
 }  // namespace detail
 
-/// Of a set of the table; nothing where the table keeps none.
+/// The rotary origin of the work offset `id`; nothing where the table has no such offset, or keeps none for rotary
+/// axes.
 inline std::optional<Angles> rotary_origin(const Service<ig_work_offset_1>& service, std::string_view id) {
   const ig_work_offset_1& table = *service.operator->();
   Angles out{};
   if (!detail::has_rotary(table) || table.get_rotary(table.self, to_text(id), out.data()) == 0) return std::nullopt;
   return out;
 }
+/// Writes the rotary origin of `id`; false where the table cannot keep it.
 inline bool set_rotary_origin(const Service<ig_work_offset_1>& service, std::string_view id, const Angles& to) {
   const ig_work_offset_1& table = *service.operator->();
   return detail::has_rotary(table) && table.set_rotary(table.self, to_text(id), to.data()) != 0;
 }
 
-/// A, B and C of a code that sets coordinates, where the machine has the axis; others are said.
+/// A, B and C of a code that sets coordinates, for axes that the machine has. The other ones are reported at their
+/// words.
 inline PartialAngles rotary_coordinates(Block& b, const RotaryWords& machine, const Words& words, const Call& call) {
   PartialAngles named;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -1,5 +1,5 @@
-/// A, B and C of a block or of a code that moves: whether the machine has such an axis, and what a step of a compound
-/// motion says of them.
+/// A, B and C of a block or of a code that moves: whether the machine has the axis, where it stands, and what the steps
+/// of a compound motion do with it. Degrees.
 #pragma once
 
 #include "isogloss/sdk.hpp"
@@ -21,6 +21,7 @@ inline const Diagnostics rotary_words_diagnostics{
                "Angles up to a thousand million degrees are supported.", "G00 A1e10"),
 };
 
+/// What to do with A, B and C on a machine that declares no rotary axis.
 enum class Undeclared { accept, refuse };
 
 /// A member of each syntax that moves rotary axes.
@@ -28,7 +29,9 @@ class RotaryWords {
  public:
   const RotaryAxes& axes() const { return axes_; }
 
-  /// False, with a diagnostic at the word, for an axis that the machine has not, and for what is no position.
+  /// True when the axis can go to the angle. False, with a diagnostic at `word`, for an axis that the machine does not
+  /// have (ISO-0401) and for an angle of 1e9 degrees or more (ISO-0404). Reports ISO-0402, once a run, where the
+  /// machine declares no rotary axis at all.
   bool accept(Block& b, std::size_t axis, double angle, ig_field word) const {
     const bool is_there = axes_.any() ? axes_.has(axis) : undeclared_ == Undeclared::accept;
     if (!is_there) {
@@ -54,7 +57,7 @@ class RotaryWords {
   Signal assumed_{"RotaryAxes.~Assumed", read | write, Life::modal};
 };
 
-/// Where the rotary axes stand: MachineCoordinate.A, B and C.
+/// The angles at which the rotary axes are: MachineCoordinate.A, B and C.
 class RotaryPosition {
  public:
   explicit RotaryPosition(Access access)
@@ -66,6 +69,7 @@ class RotaryPosition {
     ig_value v;
     return b.get(ids_[axis], v) ? std::optional(v.number) : std::nullopt;
   }
+  /// A bit for each axis that was written in this block.
   std::uint32_t fresh(const Block& b) const { return b.fresh_many(ids_.data(), 3); }
   void set(Block& b, std::size_t axis, double angle) const { b.set(ids_[axis], angle); }
   void set(Block& b, const PartialAngles& to) const { set_angles(b, ids_, to); }
@@ -74,7 +78,7 @@ class RotaryPosition {
   std::array<ig_field, 3> ids_;
 };
 
-/// A, B and C in the steps of CompoundMotion. A step that names none leaves them where they are.
+/// A, B and C in the steps of CompoundMotion. A step without them leaves the axes where they are.
 class RotarySteps {
  public:
   std::uint32_t count(const Block& b) const { return b.count(ids_[0]); }
@@ -91,11 +95,11 @@ class RotarySteps {
       if (to.has(axis)) b.set_record(step, &ids_[axis], 1, &v);
     }
   }
-  /// In the step that was appended last.
+  /// Writes into the step that was appended last.
   void set_last(Block& b, const PartialAngles& to) const {
     if (to.mask != 0) set(b, count(b) - 1, to);
   }
-  /// Does the step move the axes at all? A dwell does not.
+  /// True when the step moves the axes; false for a dwell, for example.
   bool is_move(const Block& b, std::uint32_t step) const {
     ig_value unused;
     return b.record(step, &x_, 1, &unused) != 0;

@@ -1,5 +1,6 @@
-/// Scaling (G51) and programmable mirror image (G51.1) as they are in force: what they make of program positions. Words
-/// are rewritten by ScalingSyntax and ProgrammableMirrorSyntax; who needs more than its words asks here.
+/// Scaling (G51) and programmable mirror image (G51.1) in force, and what they make of program positions (Fanuc manual,
+/// "Scaling", "Programmable mirror image"). ScalingSyntax and ProgrammableMirrorSyntax rewrite the words of a block; a
+/// syntax that needs other points asks here. Lengths in mm.
 #pragma once
 
 #include <cmath>
@@ -12,23 +13,23 @@
 
 namespace ig::cnc {
 
-/// One axis: position x becomes factor · x + offset; a distance, factor times itself.
+/// The map of one axis: a position x becomes factor · x + offset, a distance is multiplied by factor.
 struct AxisMap {
   double factor = 1, offset = 0;
   constexpr double position(double x) const { return factor * x + offset; }
   constexpr double programmed(double position) const { return (position - offset) / factor; }
-  /// First this one, then a scaling about `center`.
+  /// This map first, then a scaling about `center`.
   constexpr AxisMap scaled(double by, double center) const { return {by * factor, by * offset + (1 - by) * center}; }
   constexpr AxisMap mirrored(double at) const { return {-factor, 2 * at - offset}; }
 };
 
-/// Holes that G16 and G91 turn about the pole, repeat by repeat.
+/// The holes of a repeat that G16 with G91 rotates about the pole, hole by hole.
 struct PolarRepeats {
   double turn_deg;
   Vec3 pole;
   AxisMap first_axis, second_axis;
 
-  /// Repeat number i, from the hole of number 0.
+  /// The hole of repeat i, counted from 0; `start` is hole 0.
   Vec3 hole(const Vec3& start, int i, const PlaneAxes& plane) const {
     const double angle = std::remainder(i * turn_deg, 360) * radians_per_degree;
     const double c = std::cos(angle), s = std::sin(angle);
@@ -41,6 +42,7 @@ struct PolarRepeats {
   }
 };
 
+/// A member of each syntax that needs more than the words of its block.
 class ScaleAndMirror {
  public:
   AxisMap axis(const Block& b, std::size_t i) const {
@@ -49,13 +51,13 @@ class ScaleAndMirror {
     if (factor.has(i)) map = map.scaled(factor.value[i], center.value[i]);
     return mirror.has(i) ? map.mirrored(mirror.value[i]) : map;
   }
-  /// The program point as it would have been programmed without them.
+  /// The point that a program without scaling and mirror image would name.
   Vec3 programmed(const Block& b, const Vec3& point) const {
     Vec3 out;
     for (std::size_t i = 0; i < 3; ++i) out[i] = axis(b, i).programmed(point[i]);
     return out;
   }
-  /// One of the two axes is mirrored, but not both: arcs and rotations in the plane turn the other way round.
+  /// True when exactly one axis of the plane is mirrored: arcs and rotations then turn in the opposite sense.
   bool swaps_sense(const Block& b, const PlaneAxes& plane) const {
     if (!b.has_any(scaling_, image_)) return false;
     const PartialVec3 factor = b.get(factor_), mirror = b.get(mirror_);
@@ -72,7 +74,7 @@ class ScaleAndMirror {
   Xyz mirror_{"MirrorImage", read};
 };
 
-/// A member of each syntax that repeats holes.
+/// A member of each syntax that repeats holes; nothing where the holes of a repeat are not rotated.
 class PolarRepeatsInForce {
  public:
   std::optional<PolarRepeats> operator()(const Block& b, const PlaneAxes& plane) const {

@@ -1,4 +1,5 @@
-/// What the scanners share: characters, and how far the parts of a block reach.
+/// What scanners share: classes of characters, and functions that find the end of a part of a block. Positions are byte
+/// offsets into the text, from 0.
 #pragma once
 
 #include <string_view>
@@ -9,12 +10,12 @@ namespace ig::cnc {
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-/// 0 to 25 for a letter of either case, more for anything else.
+/// 0 to 25 for a letter of either case, a larger number for any other character.
 constexpr unsigned letter_index(char c) { return (static_cast<unsigned char>(c) | 0x20u) - 'a'; }
 constexpr bool is_letter(char c) { return letter_index(c) < 26; }
 constexpr char to_upper(char c) { return is_letter(c) ? static_cast<char>(c & ~0x20) : c; }
 
-/// The character at a position; NUL past the end, which is part of no word.
+/// The character at a position; NUL past the end, which belongs to no word.
 constexpr char at(std::string_view text, std::size_t position) {
   return position < text.size() ? text[position] : '\0';
 }
@@ -30,7 +31,7 @@ constexpr std::size_t skip_while(std::string_view text, std::size_t position, Pr
   return position;
 }
 
-/// Where the block ends: a lone carriage return ends one inside the text.
+/// The position where the block ends: at a line feed, or at a lone carriage return inside the text.
 constexpr std::size_t block_end(std::string_view text, std::size_t position) {
   return skip_while(text, position, [](char c) { return c != '\r' && c != '\n'; });
 }
@@ -49,11 +50,12 @@ constexpr std::string_view piece(std::string_view text, std::size_t begin, std::
   return text.substr(begin, end - begin);
 }
 
-/// Columns of words have 16 bits.
+/// A position as a column of ig_word, which has 16 bits; larger positions become 65535.
 constexpr std::uint16_t column(std::size_t position) {
   return static_cast<std::uint16_t>(position < 65535 ? position : 65535);
 }
 
+/// Compares letters without case; `upper` must be in capitals.
 constexpr bool equals_ignoring_case(std::string_view text, std::string_view upper) {
   if (text.size() != upper.size()) return false;
   for (std::size_t i = 0; i < text.size(); ++i)
@@ -84,7 +86,8 @@ constexpr bool stands_first(std::string_view text, std::size_t position) {
   return true;
 }
 
-/// Past the bracket that closes the one at `position` ('[', '(' or '<'), or the end of the block when none does.
+/// The position past the bracket that closes the one at `position` ('[', '(' or '<'); the end of the block where none
+/// does.
 constexpr std::size_t skip_bracketed(std::string_view text, std::size_t position) {
   const char open = text[position];
   const char close = open == '[' ? ']' : open == '(' ? ')' : '>';
@@ -97,7 +100,8 @@ constexpr std::size_t skip_bracketed(std::string_view text, std::size_t position
   return i;
 }
 
-/// Past one operand of an expression: #1, #[…], #<name>, […], SIN[…], 12.5; `position` itself when there is none.
+/// The position past one operand of an expression: #1, #[…], #<name>, […], SIN[…], 12.5; `position` itself where there
+/// is none.
 constexpr std::size_t skip_operand(std::string_view text, std::size_t position) {
   std::size_t i = skip_while(text, position, [](char c) { return c == '+' || c == '-' || is_blank(c); });
   const std::size_t hashes = i;
@@ -111,7 +115,8 @@ constexpr std::size_t skip_operand(std::string_view text, std::size_t position) 
   return position;
 }
 
-/// Past an expression without blanks between its operands: #1, -[#2+1.], SIN[#3]*2.
+/// The position past an expression that has no blanks between its operands: #1, -[#2+1.], SIN[#3]*2. `position` itself
+/// where there is none.
 constexpr std::size_t skip_expression(std::string_view text, std::size_t position) {
   std::size_t end = skip_operand(text, position);
   while (end != position) {
@@ -124,9 +129,10 @@ constexpr std::size_t skip_expression(std::string_view text, std::size_t positio
   return end;
 }
 
-/// What a scanner does with a value that is an expression.
+/// Whether a scanner makes a leftover of a value that is an expression, or passes it by for another scanner.
 enum class Expressions { leave, pass };
 
+/// Adds a leftover with the name `name` for the columns from `begin` to `end`.
 inline void leave(Block& b, ig_leftover_kind kind, std::string_view name, std::size_t begin, std::size_t end,
                   ig_field field = IG_NO_FIELD) {
   const ig_leftover left{kind, field, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
@@ -134,7 +140,8 @@ inline void leave(Block& b, ig_leftover_kind kind, std::string_view name, std::s
   b.host()->add_leftover(b.raw(), &left);
 }
 
-/// O-words of LinuxCNC: `o100 sub`, `o<name> call [1]`, `o[#1] if [#2 GT 3]`. True when the O at `position` begins one.
+/// True when the O at `position` begins an O-word of LinuxCNC (user manual, "O Codes"): `o100 sub`, `o<name> call [1]`,
+/// `o[#1] if [#2 GT 3]`.
 constexpr bool begins_o_word(std::string_view text, std::size_t position) {
   std::size_t i = skip_blanks(text, position + 1);
   if (const char c = at(text, i); c == '<' || c == '[') {

@@ -1,5 +1,5 @@
-/// The entry TiltTransform of the frame: rotations of the programmed coordinates. Matrices as in the block document:
-/// row vectors, translation in elements 12 to 14.
+/// Rotations of the programmed coordinates: the entry TiltTransform of the frame. Matrices have the form that the block
+/// document uses: row vectors, translation in elements 12 to 14. Lengths in mm, angles in degrees.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ inline Vec3 mapped(const Mat4& m, const Vec3& p) {
           p.x * m[2] + p.y * m[6] + p.z * m[10] + m[14]};
 }
 
-/// Cosine and sine; those of quarter turns are exact.
+/// Cosine and sine of an angle in degrees, exact at multiples of 90.
 struct Turn {
   double cos = 1, sin = 0;
 
@@ -37,8 +37,9 @@ struct Turn {
   }
 };
 
-/// The rotation in the plane, counter-clockwise seen from the positive end of its tool axis, that takes the point
-/// `from` to the point `to`; with both the same, the rotation about that point. The tool axis keeps its positions.
+/// The rotation in the plane that takes the point `from` to the point `to`, counter-clockwise seen from the positive
+/// end of the tool axis; where both are the same point, the rotation is about it. Coordinates along the tool axis do
+/// not change.
 inline Mat4 rotation_in(const PlaneAxes& plane, double degrees, const Vec3& from, const Vec3& to) {
   const Turn turn = Turn::by(degrees);
   const std::size_t u = plane.first, v = plane.second;
@@ -52,7 +53,7 @@ inline Mat4 rotation_in(const PlaneAxes& plane, double degrees, const Vec3& from
   return m;
 }
 
-/// First `a`, then `b`.
+/// The map that applies `a` first, then `b`.
 inline Mat4 product(const Mat4& a, const Mat4& b) {
   Mat4 m = identity_frame;
   for (std::size_t row = 0; row < 16; row += 4)
@@ -62,7 +63,7 @@ inline Mat4 product(const Mat4& a, const Mat4& b) {
   return m;
 }
 
-/// The way back of a rotation with a translation.
+/// The inverse of a rotation with a translation; other matrices have no inverse here.
 inline Mat4 inverse(const Mat4& m) {
   Mat4 out = identity_frame;
   for (std::size_t row = 0; row < 3; ++row)
@@ -82,7 +83,8 @@ inline double scalar_product(const Vec3& a, const Vec3& b) { return a.x * b.x + 
 inline Vec3 vector_product(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-/// Nothing for a vector without a direction. Scaled first: squares of what a program may say overflow.
+/// The vector with length 1; nothing for a vector of length 0 or one that is not finite. The vector is scaled first,
+/// because the squares of large components overflow.
 inline std::optional<Vec3> unit(Vec3 v) {
   const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
   if (!(largest > 0) || !std::isfinite(largest)) return std::nullopt;
@@ -91,24 +93,25 @@ inline std::optional<Vec3> unit(Vec3 v) {
   return Vec3{v.x / length, v.y / length, v.z / length};
 }
 
-/// Turns about an axis of space (0 X, 1 Y, 2 Z), right-handed: a point moves from the first to the second of the other
-/// two axes.
+/// The right-handed rotation about an axis (0 X, 1 Y, 2 Z): a point moves from the first of the two other axes towards
+/// the second.
 inline Mat4 turn_about(std::size_t axis, double degrees) {
   return rotation_in(axis == 0 ? yz_plane : axis == 1 ? zx_plane : xy_plane, degrees, {}, {});
 }
 
-/// How a tilted plane lies in the workpiece. The rows of such a matrix are the plane's own axes, as the workpiece sees
-/// them: a programmed point x y z lies at x times the first row, and so on.
+/// How a tilted plane lies in the workpiece (Fanuc 30i manual, "Tilted working plane"). The rows of such a matrix are
+/// the plane's own axes in coordinates of the workpiece: the programmed point x y z lies at x times the first row plus
+/// y times the second plus z times the third.
 ///
-/// Euler angles Z, X', Z'': about the axes as turned so far, which is the reverse order about axes that rest.
+/// Euler angles about Z, X', Z'': each about the axes as turned so far, which is the reverse order about fixed axes.
 inline Mat4 euler_zxz(const Vec3& angles) {
   return product(product(turn_about(2, angles.z), turn_about(0, angles.y)), turn_about(2, angles.x));
 }
 
 enum class TurnedAxes { fixed, turned };
 
-/// The angles are about X, Y and Z, in the order of the axes named: about the axes of the workpiece, or about those
-/// that were turned along.
+/// Rotations by angles.x about X, angles.y about Y and angles.z about Z, in the given order of axes: about the axes of
+/// the workpiece (fixed), or about the axes that the rotations before have turned (turned).
 inline Mat4 roll_pitch_yaw(const Vec3& angles, const std::array<std::size_t, 3>& order, TurnedAxes axes) {
   Mat4 m = identity_frame;
   for (const std::size_t axis : order) {
@@ -118,7 +121,7 @@ inline Mat4 roll_pitch_yaw(const Vec3& angles, const std::array<std::size_t, 3>&
   return m;
 }
 
-/// X' along x, and Y' on the side to which `side` points. Nothing where the two span no plane.
+/// The plane with X' along x and Y' on the side to which `side` points; nothing where the two span no plane.
 inline std::optional<Mat4> from_x_and_side(const Vec3& x, const Vec3& side) {
   constexpr double least_sine = 1e-9;
   const auto along = unit(x), to_side = unit(side);
@@ -129,7 +132,7 @@ inline std::optional<Mat4> from_x_and_side(const Vec3& x, const Vec3& side) {
   return Mat4{along->x, along->y, along->z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, 0, 0, 0, 1};
 }
 
-/// Z' along z, and X' as near to x as it can be.
+/// The plane with Z' along z and X' as near to x as possible; nothing where the two span no plane.
 inline std::optional<Mat4> from_z_and_x(const Vec3& z, const Vec3& x) {
   const auto turned = from_x_and_side(z, x);  // its first row is Z', its second X'
   if (!turned) return std::nullopt;
@@ -137,8 +140,8 @@ inline std::optional<Mat4> from_z_and_x(const Vec3& z, const Vec3& x) {
   return Mat4{t[4], t[5], t[6], 0, t[8], t[9], t[10], 0, t[0], t[1], t[2], 0, 0, 0, 0, 1};
 }
 
-/// Projection angles: X turned about Y by the first is X'; Y turned about X by the second lies in the plane; the third
-/// turns both about Z'. Nothing where the first two directions coincide.
+/// Projection angles: X turned about Y by the first angle is X'; Y turned about X by the second lies in the plane; the
+/// third turns both about Z'. Nothing where the first two directions coincide.
 inline std::optional<Mat4> from_projections(const Vec3& angles) {
   const Turn about_y = Turn::by(angles.x), about_x = Turn::by(angles.y);
   const auto untwisted = from_x_and_side({about_y.cos, 0, -about_y.sin}, {0, about_x.cos, about_x.sin});
@@ -148,16 +151,16 @@ inline std::optional<Mat4> from_projections(const Vec3& angles) {
 
 inline bool is_finite(const Mat4& m) {
   double nothing = 0;
-  for (const double element : m) nothing += 0 * element;  // what is not finite makes it one that is no number
+  for (const double element : m) nothing += 0 * element;  // an infinity or a NaN makes the sum NaN
   return nothing == 0;
 }
 
-/// A member of each syntax that asks for the entry or writes it.
+/// A member of each syntax that reads or writes the entry.
 class TiltFrame {
  public:
   explicit TiltFrame(Access access) : frame_("TiltTransform", access) {}
 
-  /// Nothing is tilted where nothing was said.
+  /// The entry's matrix; the identity where it is not set.
   Mat4 get(const Block& b) const {
     Mat4 m;
     return b.get(frame_, m) ? m : identity_frame;

@@ -1,4 +1,5 @@
-/// What the rotary axes make of the tool: its direction, the frame that turns with them, the angles for a direction.
+/// What the rotary axes do to the tool: its direction, the frame that turns with them, and the angles for a direction
+/// (Fanuc 30i manuals, "Tool axis direction control", "Tool center point control"). Lengths in mm, angles in degrees.
 #pragma once
 
 #include <algorithm>
@@ -11,21 +12,23 @@ namespace ig::cnc {
 
 inline double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-/// The machine's rotary axes as isogloss.machine-kinematics/1 knows them.
+/// The machine's rotary axes, as the service isogloss.machine-kinematics/1 describes them. False where no axis is
+/// known: then tool_axis(), pivot() and solve() must not be called.
 class ToolKinematics {
  public:
   explicit operator bool() const { return count_ != 0; }
   std::size_t count() const { return count_; }
-  /// 0, 1, 2 for A, B, C; the axis nearer the machine's base first.
+  /// The axis number i, from 0, as 0 for A, 1 for B, 2 for C; the axis nearer the machine's base comes first.
   std::size_t axis(std::size_t i) const { return axes_[i]; }
   bool has(std::size_t axis) const { return (mask_ >> axis & 1u) != 0; }
   /// A bit for each of A, B and C.
   std::uint32_t mask() const { return mask_; }
-  /// A head carries the tool and a table the workpiece.
+  /// True when one axis carries the tool (head) and the other one the workpiece (table).
   bool is_mixed() const { return count_ == 2 && is_table_[0] != is_table_[1]; }
   bool is_table(std::size_t i) const { return is_table_[i]; }
 
-  /// From the tip to the holder, as the workpiece sees it. Nothing for angles that are no numbers.
+  /// The unit vector from the tip to the holder, in coordinates of the workpiece; nothing for angles that are not
+  /// finite.
   std::optional<Vec3> tool_axis(const Angles& angles) const {
     double t[3];
     if (service_->tool_axis(service_->self, angles.data(), t) == 0) return std::nullopt;
@@ -71,7 +74,8 @@ class ToolKinematics {
   std::size_t count_ = ask();
 };
 
-/// The way between X Y Z of the machine and the tip of a tool in the workpiece, seen with all rotary axes at zero.
+/// The relation between X Y Z of the machine and the tip of a tool of this length in the workpiece, in coordinates with
+/// all rotary axes at zero. Each function gives nothing for angles that are not finite.
 struct ToolTip {
   const ToolKinematics& machine;
   double length;
@@ -94,7 +98,7 @@ struct ToolTip {
   }
 };
 
-/// Which of the pairs of angles that give the tool its direction is taken.
+/// Which pair of angles is chosen where several give the tool its direction.
 enum class SolutionChoice { min_first, min_sum, min_max, positive, negative };
 
 inline constexpr const char* solution_choices = "min-first|min-sum|min-max|positive|negative";
@@ -105,15 +109,17 @@ struct RotaryCandidates {
   bool is_reachable = false;  ///< some angles give the direction, inside the limits or not
 };
 
-/// Angles for a direction: both solutions, in the turn of each axis that lies nearest inside its travel.
+/// The angles for a direction of the tool: both solutions, each axis in the nearest turn that is inside its travel.
 class RotarySolver {
  public:
-  /// The master axis is at 0 or at an angle of that sign; 0: at any.
+  /// Condition on an axis: its angle is 0 or has this sign; with sign 0 every angle is allowed.
   struct Sign {
     std::size_t axis;
     int sign;
   };
 
+  /// `direction` points from the tip to the holder. Solutions outside the travel are left out; is_reachable tells the
+  /// two reasons for none apart.
   RotaryCandidates candidates(const ToolKinematics& machine, const Vec3& direction, const Angles& present,
                               const Sign& wanted = {0, 0}) const {
     std::array<ig_rotary_solution, 2> found{};
@@ -140,7 +146,8 @@ class RotarySolver {
     return {machine.axis(0), choice == SolutionChoice::positive ? 1 : choice == SolutionChoice::negative ? -1 : 0};
   }
 
-  /// Of an axis that turns on and on the angle from -180 to 180 counts, and half a turn has both signs.
+  /// True when the angle has the wanted sign. On an axis without limits the angle between -180 and 180 decides, and
+  /// half a turn has both signs.
   bool has_sign(const Sign& wanted, double angle) const {
     const AngleRange& travel = axes_.travel(wanted.axis);
     const bool is_limited = std::isfinite(travel.minimum) || std::isfinite(travel.maximum);
@@ -148,7 +155,7 @@ class RotarySolver {
     return named * wanted.sign >= -same_angle_deg || (!is_limited && std::fabs(named) >= 180 - same_angle_deg);
   }
 
-  /// The one that comes first in the order of the choice; candidates that the choice rules out are dropped.
+  /// The best solution in the order of the choice; nothing where the choice rules out all of them.
   std::optional<Angles> choose(const ToolKinematics& machine, const RotaryCandidates& from, const Angles& present,
                                SolutionChoice choice) const {
     const Sign wanted = sign_of(machine, choice);
@@ -163,7 +170,7 @@ class RotarySolver {
   const RotaryAxes& axes() const { return axes_; }
 
  private:
-  /// The turn of the angle inside the travel that has the sign, the nearest one; the angle itself where none has.
+  /// The nearest turn of the angle that is inside the travel and has the sign; the angle itself where there is none.
   double turn_with(const Sign& wanted, double angle) const {
     for (const double turns : {0.0, 360.0, -360.0, 720.0, -720.0})
       if (has_sign(wanted, angle + turns) && axes_.travel(wanted.axis).holds(angle + turns)) return angle + turns;
@@ -179,7 +186,7 @@ class RotarySolver {
         way[k] = std::fabs(angles[axis] - present[axis]);
         from_zero[k] = std::fabs(std::remainder(angles[axis], 360.0));
       }
-      // Fanuc asks a table before a head.
+      // Fanuc compares the table before the head.
       const std::size_t first = machine.is_mixed() && machine.is_table(1) ? 1 : 0, second = 1 - first;
       const double sum = way[0] + way[1], longest = std::fmax(way[0], way[1]);
       const double before = choice == SolutionChoice::min_sum   ? sum
@@ -199,7 +206,7 @@ class RotarySolver {
   RotaryAxes axes_;
 };
 
-/// Is tool centre point control in force?
+/// The code of tool length compensation in force, and whether that is tool centre point control (G43.4, G43.5).
 class ToolCenterMode {
  public:
   bool is_on(const Block& b) const {
@@ -213,7 +220,7 @@ class ToolCenterMode {
   Name g43_4_{"G43.4"}, g43_5_{"G43.5"};
 };
 
-/// The angles for which the entry PivotTransform stands; none where it is the identity.
+/// The angles for which the frame's entry PivotTransform is computed; none where the entry is the identity.
 class PivotState {
  public:
   explicit PivotState(Access access)
@@ -240,19 +247,20 @@ class PivotState {
 struct RotaryTurn {
   Angles from{}, to{};
   bool moves = false;
-  bool is_followed = false;  ///< the frame stands for some angles: those of `from`
-  bool was_moved = false;    ///< something else (G28, G53) has turned the axes since: the frame is to be set anew
+  bool is_followed = false;  ///< the frame is computed for some angles: those of `from`
+  bool was_moved = false;    ///< another code (G28, G53) has turned the axes since: set the frame anew
 };
 
-/// Before RotaryOffsetSyntax the words are angles of the program, after it angles of the machine.
+/// Whether the words of the block are still angles of the program (before RotaryOffsetSyntax) or already angles of the
+/// machine (after it).
 enum class RotaryWordsAre { of_program, of_machine };
 
-/// A member of each syntax that lets the frame follow the axes.
+/// A member of each syntax that lets the frame follow the rotary axes.
 class RotaryTurns {
  public:
   RotaryTurns(Access state, RotaryWordsAre words) : state_(state), words_are_(words) {}
 
-  /// One look at all that counts: most blocks under tip control ask twice.
+  /// Everything about the turn in one pass, because most blocks under tool centre point control ask for it twice.
   RotaryTurn read(const Block& b, const ToolKinematics& machine) const {
     RotaryTurn turn;
     Angles words{};
@@ -281,7 +289,7 @@ class RotaryTurns {
     const bool is_incremental = distance_.is_incremental(b);
     if (is_incremental && b.find(machine_select_)) named = 0;  // the control ignores G53 under G91
     const Angles offset = is_incremental ? Angles{} : offset_of_words(b);
-    bool turns_on = false;  // a whole turn moves as well
+    bool turns_on = false;  // a whole turn is a move as well
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if ((named >> axis & 1u) == 0) continue;
       const double now = turn.to[axis];
@@ -294,7 +302,7 @@ class RotaryTurns {
   bool moves(const ToolKinematics& machine, const RotaryTurn& turn) const {
     return differ(machine, turn.from, turn.to);
   }
-  /// The angle of the machine that the word of a position names.
+  /// The machine angle that a word, read as a position, names.
   double to_machine(const Block& b, std::size_t axis, double word) const {
     return RotaryOffsets::to_machine(word, offset_of_words(b)[axis], axes_.rollover(axis));
   }
@@ -306,8 +314,8 @@ class RotaryTurns {
  private:
   static constexpr double noise = 1e-9;
 
-  /// The frame stands for other angles than those at which the axes are: something has turned them since, unless it is
-  /// this block that does.
+  /// If the axes are no longer at the angles for which the frame is computed, another code has turned them since, and
+  /// the turn starts at their present angles; unless this block itself has written them.
   void leave_for(const Block& b, const ToolKinematics& machine, RotaryTurn& turn) const {
     const Angles& now = turn.to;
     if (!differ(machine, turn.from, now) || is_written(b)) return;
@@ -315,14 +323,14 @@ class RotaryTurns {
     turn.was_moved = true;
   }
 
-  /// What has still to be added to the words of positions.
+  /// The offset that still has to be added to the words of positions.
   Angles offset_of_words(const Block& b) const {
     if (words_are_ == RotaryWordsAre::of_machine || !offsets_.any(b) || b.find(machine_select_)) return {};
     return offsets_.get(b);
   }
 
-  /// Where a word sends its axis. One that McAbcSyntax refuses turns nothing; a sign that is a direction is none of the
-  /// position.
+  /// Where a word sends its axis. A word that McAbcSyntax will refuse turns nothing; a sign that is a direction is not
+  /// part of the position.
   double position(std::size_t axis, double word, double offset, double now, bool is_incremental) const {
     if (!(std::fabs(word) < detail::countable_deg) || (axes_.any() && !axes_.has(axis))) return now;
     if (is_incremental) return now + word;
@@ -330,7 +338,7 @@ class RotaryTurns {
     return axes_.rollover(axis) == Rollover::signed_direction ? std::fabs(word) : word;
   }
 
-  /// Whole turns of an axis that counts on are a move as well.
+  /// True when the axes differ. On an axis that counts on, a whole turn is a difference as well.
   bool differ(const ToolKinematics& machine, const Angles& a, const Angles& b) const {
     for (std::size_t k = 0; k < machine.count(); ++k) {
       const std::size_t axis = machine.axis(k);

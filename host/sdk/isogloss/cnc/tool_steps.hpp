@@ -1,4 +1,4 @@
-/// The steps of a compound motion that a syntax makes of a move.
+/// Steps of a compound motion that replace a single move. Program coordinates in mm, feeds in mm/s, angles in degrees.
 #pragma once
 
 #include <array>
@@ -8,9 +8,11 @@
 
 namespace ig::cnc {
 
-/// Steps of a compound motion: the tool's centre in program coordinates. Machine coordinates follow from them.
+/// Appends steps with the tool's centre in program coordinates; finish() computes the machine coordinates of all of
+/// them.
 class ToolSteps {
  public:
+  /// What a step keeps of the move that it replaces: rapid or feed, and additional whole circles of an arc.
   struct Manner {
     bool is_rapid = false;
     std::optional<double> feed_mmds;
@@ -37,7 +39,7 @@ class ToolSteps {
     values[n++].integer = manner.more_circles;
     b.append(fields, n, values);
   }
-  /// The tip goes straight to `to` while the rotary axes turn; where the machine then stands is known.
+  /// The tip goes straight to `to` while the rotary axes turn; the caller gives the machine position at the end.
   void led(Block& b, const Vec3& to, const Vec3& machine, const PartialAngles& rotary, const Manner& manner) const {
     ig_field fields[12];
     ig_value values[12];
@@ -53,7 +55,8 @@ class ToolSteps {
     }
     b.append(fields, n, values);
   }
-  /// Machine coordinates of all steps; those of the rotary axes that the block turns go to the last one.
+  /// Computes the machine coordinates of all steps and writes the angles of the rotary axes that the block turns into
+  /// the last one. Call it once, after at least one step.
   void finish(Block& b, const PartialAngles& rotary) const {
     b.map_records(program_.data(), machine_.data());
     const std::uint32_t last = b.count(program_[0]) - 1;

@@ -1,4 +1,4 @@
-/// Factors between the units in which programs are written.
+/// Factors between the units of programs and those of the block document (mm, degrees).
 #pragma once
 
 #include <numbers>

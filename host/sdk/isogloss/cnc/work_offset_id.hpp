@@ -1,4 +1,4 @@
-/// Names of work offsets, as the tables know them: "EXT", "G54" to "G59.9", "G54.1P12". No allocation.
+/// Names of work offsets as the tables have them: "EXT", "G54" to "G59.9", "G54.1P12". Allocates nothing.
 #pragma once
 
 #include <array>
@@ -9,16 +9,17 @@
 
 namespace ig::cnc {
 
+/// The name that a P number means; text() is empty where the number names no work offset.
 class WorkOffsetId {
  public:
-  /// P of G10 L2: 0 is the external offset, 1 to 6 are G54 to G59. Anything else has no name.
+  /// P of G10 L2: 0 is the external offset, 1 to 6 are G54 to G59.
   static WorkOffsetId basic(double p) {
     static constexpr std::array<std::string_view, 7> names{"EXT", "G54", "G55", "G56", "G57", "G58", "G59"};
     const auto n = whole_number(p);
     return WorkOffsetId(n && *n < 7 ? names[static_cast<std::size_t>(*n)] : "");
   }
 
-  /// P of G54.1 and of G10 L20, from 1.
+  /// P of G54.1 and of G10 L20: a whole number from 1.
   static WorkOffsetId additional(double p) {
     const auto n = whole_number(p);
     if (!n || *n == 0) return WorkOffsetId("");
@@ -29,8 +30,8 @@ class WorkOffsetId {
     return id;
   }
 
-  /// Where one number counts all sets: 0 is the external offset, 1 to 6 are G54 to G59, 7 to 15 G59.1 to G59.9, from
-  /// 16 on G54.1P16 and so on.
+  /// P where one number covers all work offsets: 0 is the external offset, 1 to 6 are G54 to G59, 7 to 15 are G59.1 to
+  /// G59.9, 16 and above are G54.1 P16 and above.
   static WorkOffsetId of_all(double p) {
     static constexpr std::array<std::string_view, 9> further{"G59.1", "G59.2", "G59.3", "G59.4", "G59.5",
                                                              "G59.6", "G59.7", "G59.8", "G59.9"};

@@ -1,4 +1,5 @@
-/// The columns of a table of work offsets, and the service that it provides from them.
+/// The columns of a table of work offsets, and the service isogloss.work-offset/1 from such a table. Lengths in mm,
+/// angles in degrees.
 #pragma once
 
 #include <array>
@@ -7,7 +8,7 @@
 
 namespace ig::cnc {
 
-/// A member of each table of work offsets, before the table itself.
+/// A member of each table of work offsets, declared before the table itself.
 struct WorkOffsetColumns {
   std::array<Column, 3> linear{Column{"X", "0", "mm", {}, "Origin in machine coordinates."},
                                Column{"Y", "0", "mm", {}, "Origin in machine coordinates."},
@@ -18,8 +19,8 @@ struct WorkOffsetColumns {
       Column{"C", nullptr, "deg", {-1e9, 1e9}, "Angle of the machine at which the program counts 0."}};
 };
 
-/// Table has `columns` and `table`, and bool has(std::string_view id) const: is there such an offset? One that no row
-/// names lies at machine zero.
+/// `Table` has the members `columns` and `table`, and `bool has(std::string_view id) const`, which tells whether the
+/// control has such an offset. An offset that the control has but no row names is at machine zero.
 template <class Table>
 struct WorkOffsetService {
   static ig_work_offset_1 of(Table* table) {
@@ -49,7 +50,7 @@ struct WorkOffsetService {
   static std::int32_t get_rotary(void* self, ig_text id, double offset[3]) {
     return read(self_of(self), id, self_of(self).columns.rotary, offset);
   }
-  /// Axes whose origin stays are not written: a table that is saved names the axes that have one.
+  /// Writes only axes whose origin changes, so that a saved table names only axes that have an origin.
   static std::int32_t set_rotary(void* self, ig_text id, const double offset[3]) {
     const Table& t = self_of(self);
     double present[3];
