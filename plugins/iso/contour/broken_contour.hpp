@@ -1,5 +1,5 @@
-/// The contour with its corners broken: what the move of a block becomes where it, or the one before it, ends in a
-/// chamfer or a rounding. Needs the next move, so it is for syntaxes that look ahead.
+/// The contour with its corners broken: the move that remains of a block where it, or the block before it, ends in a
+/// chamfer or a rounding. The next move must be known, so this is for syntaxes that look ahead.
 #pragma once
 
 #include <isogloss/sdk.hpp>
@@ -11,15 +11,15 @@ namespace iso {
 
 using namespace ig::cnc;
 
-/// A member of each syntax that looks ahead and follows the contour; it is asked in every block from a broken corner
-/// to the next move.
+/// A member of each syntax that looks ahead and follows the contour. It must be asked in every block from a broken
+/// corner to the next move.
 class BrokenContour {
  public:
   struct Piece {
-    ContourMotion motion;                 ///< of the block, without what the corners at its ends take
-    std::optional<ContourMotion> corner;  ///< what stands at its end
-    std::string_view unbroken;            ///< why nothing does, where something should
-    bool is_expected = false;             ///< nothing needs to be said of that
+    ContourMotion motion;                 ///< of the block, shortened by the corners at its ends
+    std::optional<ContourMotion> corner;  ///< what replaces the corner at its end
+    std::string_view unbroken;            ///< why the corner is not broken although it should be
+    bool is_expected = false;             ///< an unbroken corner here needs no report
     bool begins_behind_corner = false;
   };
 
@@ -80,7 +80,7 @@ class BrokenContour {
   }
   static bool rises(const ContourMotion& m) { return std::fabs(m.to[m.plane.tool] - m.from[m.plane.tool]) > 1e-9; }
 
-  /// Empty where the corner is broken, or where there is none to break.
+  /// The reason why the corner is not broken; empty where it is broken, or where there is none to break.
   std::string_view find(ig::Block& b, const ContourMotion& now, const Point2& begin,
                         const CornerBreakState::Corner& wanted, CornerBreaking& out) const {
     if (now.kind != ContourMotion::Kind::move || b.get_or(is_rapid_, false))
@@ -102,7 +102,7 @@ class BrokenContour {
     return {};
   }
 
-  /// Fanuc lets one block without a move, a dwell, stand between.
+  /// Fanuc allows one block without a move, a dwell for example, between the two moves.
   std::string_view find_next(ig::Block& b, const ContourMotion& now, ContourMotion& next) const {
     std::int64_t rests = 0;
     for (std::uint32_t k = 1; k <= ContourAhead::window; ++k) {
@@ -131,7 +131,7 @@ class BrokenContour {
   RotaryPosition rotary_{ig::read};
   ig::IntegerOption rests_allowed_{
       "blocks-at-corner", "1", {0, 10}, "Blocks without a move that may stand between the moves of a broken corner."};
-  std::optional<Point2> start_;  ///< where the next move begins: behind the corner that was broken
+  std::optional<Point2> start_;  ///< where the next move begins: after the broken corner
 };
 
 }  // namespace iso

@@ -1,4 +1,4 @@
-/// What follows on the contour: the next moves in the plane, as far as the control reads ahead.
+/// The next moves of the contour in the plane, as far as the control reads ahead.
 #pragma once
 
 #include <isogloss/cnc/corner_break_state.hpp>
@@ -8,7 +8,7 @@ namespace iso {
 
 using namespace ig::cnc;
 
-/// A line that holds nothing but a comment is no block to the control.
+/// The control does not count a line that holds only a comment as a block.
 inline bool is_comment_line(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos || (text[first] != '(' && text[first] != ';')) return false;
@@ -21,18 +21,18 @@ class ContourAhead {
  public:
   static constexpr std::uint32_t window = 16;
 
-  /// What follows in the plane.
+  /// What follows in the plane after the block.
   struct Next {
     enum class Kind { none, move, barrier, too_far };
     Kind kind = Kind::none;
-    double offset = 0;  ///< 0: it cancels
+    double offset = 0;  ///< 0: the next move cancels compensation
     bool is_rapid = false;
     ContourMove move{};
-    Point2 direction{};            ///< of the cancel, where the program gives one
-    bool cancels_at_rest = false;  ///< the code that cancels stands in a block without a move before it
+    Point2 direction{};            ///< of the cancelling move, where the program gives one
+    bool cancels_at_rest = false;  ///< the cancelling code stands in a block without a move, before the move
   };
 
-  /// In the plane of the program: a frame that scales (SCALE) does not scale the tool.
+  /// The offset in coordinates of the program: a frame that scales (SCALE) does not scale the tool.
   double offset_in_force(ig::Block& b) const {
     const bool is_left = b.is(side_, left_);
     if (!is_left && !b.is(side_, right_)) return 0;
@@ -76,10 +76,10 @@ class ContourAhead {
     return next;
   }
 
-  /// The moves that follow on the same side at the same distance, as far as the control reads. The first begins at
-  /// `start`, where that is given: behind a corner that is broken.
+  /// The moves that follow on the same side at the same distance, as far as the control reads. The first one begins at
+  /// `start` where that is given, after a broken corner.
   using Moves = std::array<ContourMove, 8>;
-  /// Which of them are cut at a height: by feed, and without a move across the plane.
+  /// Which of the moves cut at a constant height: by feed, and without a move across the plane.
   struct Walls {
     double height = 0;
     std::array<bool, std::tuple_size_v<Moves>> are{};
@@ -119,7 +119,7 @@ class ContourAhead {
  private:
   using Break = std::optional<CornerBreakState::Corner>;
 
-  /// How long a millimetre of the program is in the machine. What a turned frame adds below 1e-9 is noise.
+  /// The length in the machine of one mm of the program. Digits below 1e-9 are noise of a rotated frame.
   double scale(ig::Block& b) const {
     ig::Vec3 axis;
     axis[plane_(b).first] = 1;
@@ -129,7 +129,7 @@ class ContourAhead {
     return scale > 0 ? scale : 1;
   }
 
-  /// The move as the frame of this block shows it.
+  /// The move of a later block, mapped into the frame of this block.
   static bool bring_here(ig::Block& b, ig::Block& ahead, const ContourMotion& motion, ContourMove& move) {
     const auto bring = [&](const ig::Vec3& p) -> std::optional<Point2> {
       const auto machine = ahead.to_machine(p);
@@ -147,7 +147,7 @@ class ContourAhead {
     return true;
   }
 
-  /// The moves with what breaks their corners between them.
+  /// The moves with the chamfers and roundings between them.
   static std::size_t with_corners(Moves& moves, std::size_t count, Point2 begin, const std::array<Break, 8>& breaks,
                                   Walls* walls) {
     Moves out;

@@ -1,5 +1,5 @@
-/// How near the tool comes to moves of the contour that are no neighbours of the one beside which it runs. In the
-/// plane; lengths in mm.
+/// The distance between the tool and moves of the contour that are not neighbours of its own move. In the plane;
+/// lengths in mm.
 #pragma once
 
 #include <isogloss/cnc/radius_compensation.hpp>
@@ -8,7 +8,7 @@ namespace iso {
 
 using namespace ig::cnc;
 
-/// From a point to the nearest of a move.
+/// The distance from a point to the nearest point of a move.
 inline double distance(const ContourMove& move, const Point2& p) {
   const double to_ends = std::fmin((p - move.start).length(), (p - move.end).length());
   if (!move.is_arc) {
@@ -24,7 +24,7 @@ inline double distance(const ContourMove& move, const Point2& p) {
   return lies_beside ? std::fabs(to_center - (move.start - move.center).length()) : to_ends;
 }
 
-/// The place on a move, 0 at its start and 1 at its end.
+/// The point of a move at the fraction t: 0 is its start, 1 its end.
 inline Point2 place_on(const ContourMove& move, double t) {
   if (!move.is_arc) return move.start + t * (move.end - move.start);
   const double angle = t * sweep(move.start, move.end, move.center, move.is_ccw);
@@ -32,8 +32,8 @@ inline Point2 place_on(const ContourMove& move, double t) {
   return move.center + std::cos(angle) * out + std::sin(angle) * left_of(out);
 }
 
-/// The nearest that two moves come to each other: of straight ones exactly, of arcs by places on them, so that it may
-/// come out too great by a little.
+/// The least distance between two moves: exact for straight moves; for arcs computed from sample points, so that the
+/// result may be a little too large.
 inline double gap(const ContourMove& a, const ContourMove& b) {
   const auto beside = [](const ContourMove& one, const ContourMove& other) {
     const int places = one.is_arc ? 16 : 1;

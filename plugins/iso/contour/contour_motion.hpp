@@ -1,4 +1,4 @@
-/// What an executed block does in the plane: the move of the contour that radius compensation puts the tool beside.
+/// The motion of an executed block in the plane, as a move of the contour for cutter radius compensation.
 #pragma once
 
 #include <isogloss/cnc/plane.hpp>
@@ -13,17 +13,17 @@ struct ContourMotion {
   enum class Kind {
     rest,     ///< no move in the plane
     move,     ///< a straight line or an arc
-    by_steps  ///< a cycle, a reference return, G53: positions that no contour leads to
+    by_steps  ///< a cycle, a reference return, G53: the positions do not belong to a contour
   };
   Kind kind = Kind::rest;
   PlaneAxes plane;
   ig::Vec3 from, to;  ///< as programmed
   bool has_event = false;
-  bool turns = false;  ///< the tip is led while rotary axes turn
+  bool turns = false;  ///< the tip is led along its path while rotary axes turn
   ContourMove move{};
 };
 
-/// A member of each syntax that must know.
+/// A member of each syntax that needs the motion of a block.
 class ContourMotionOf {
  public:
   ContourMotion operator()(ig::Block& b) const {
@@ -47,7 +47,7 @@ class ContourMotionOf {
   static Point2 in_plane(const PlaneAxes& plane, const ig::Vec3& p) { return {p[plane.first], p[plane.second]}; }
 
  private:
-  /// An arc that has no radius at one of its ends is none here.
+  /// An arc with radius 0 at one of its ends is not an arc here.
   void read_arc(const ig::Block& b, ContourMotion& out) const {
     if (!b.is(form_, arc_)) return;
     out.move.center = in_plane(out.plane, b.get(center_).or_else(out.from));

@@ -1,6 +1,7 @@
-/// Chamfers and roundings between two moves: the first one ends before the corner, a straight line or an arc leads to
-/// the second one, which begins behind it. Needs the next move, so it looks ahead. Under radius compensation
-/// RadiusCompensationPathSyntax does the same. Fanuc manual, "Optional chamfering and corner rounding".
+/// Chamfers and roundings between two moves: the first move ends before the corner, a straight line or an arc leads to
+/// the second move, which begins after the corner. The next move must be known, so the syntax looks ahead. Under cutter
+/// radius compensation RadiusCompensationPathSyntax does the same. Fanuc manual, "Optional chamfering and corner
+/// rounding".
 #include <isogloss/cnc/event_to_steps.hpp>
 #include "contour/broken_contour.hpp"
 
@@ -27,7 +28,7 @@ struct CornerBreakPath {
   EventToSteps event_;
   ToolSteps steps_;
 
-  std::optional<ig::Vec3> tool_;  ///< behind the corner, until the next move
+  std::optional<ig::Vec3> tool_;  ///< after the corner, until the next move
 
   ig::Status restart(ig::Block&) {
     contour_.forget();

@@ -1,5 +1,5 @@
-/// The chamfer or rounding that ,C and ,R put at the end of a block's move: its kind and size, as a state that
-/// CornerBreakPathSyntax and the radius compensation make the path from.
+/// The kind and the size of the chamfer or rounding that ,C and ,R put at the end of a block's move.
+/// CornerBreakPathSyntax and cutter radius compensation make the path from this state.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/corner_break_state.hpp>

@@ -1,5 +1,5 @@
-/// ,C and ,R behind a move: a chamfer, a rounding at the corner to the next one. The scanner reads the number;
-/// CornerBreakSizeSyntax says what it means.
+/// Reads ,C and ,R after a move: a chamfer or a rounding at the corner to the next move. CornerBreakSizeSyntax
+/// interprets the number.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/scan.hpp>

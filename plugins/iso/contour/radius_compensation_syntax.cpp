@@ -1,5 +1,5 @@
-/// G40/G41/G42 and D: whether the tool runs beside the contour, on which side, and how far: the state that
-/// RadiusCompensationPathSyntax makes the tool's path from. Fanuc manual, "Cutter compensation".
+/// G40, G41, G42 and D: whether the tool runs beside the contour, on which side, and at what distance.
+/// RadiusCompensationPathSyntax makes the tool's path from this state. Fanuc manual, "Cutter compensation".
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/modal_group.hpp>
@@ -43,8 +43,9 @@ struct RadiusCompensation {
   ig::Xyz direction_{"RadiusCompensation.CancelDirection",
                      ig::write,
                      {ig::Life::block, "mm", "Direction of the wall that the contour ends at, as programmed."}};
-  /// In force, or on the way off: up to the straight move that takes the tool back to the programmed point. A switch,
-  /// since the cancelling code stands at the start of most programs and must wake nobody from there on.
+  /// Raised while compensation is in force, and after its cancelling up to the straight move that brings the tool back
+  /// to the programmed point. It is a signal, because G40 stands at the start of most programs and must not wake a
+  /// syntax in every later block.
   ig::Signal active_{"RadiusCompensation.~Active", ig::read | ig::write | ig::wake_while, ig::Life::modal};
   ig::Signal path_{"RadiusCompensation.~Path", ig::write};
   ig::Call corner_arc_code_{{"G39"}, "I J K"};
@@ -122,7 +123,8 @@ struct RadiusCompensation {
     return true;
   }
 
-  /// Off, or on the way off: the tool is back on the contour after the first straight move in the plane.
+  /// Compensation ends at once, or with the first straight move in the plane, which brings the tool back to the
+  /// contour.
   bool leave(ig::Block& b, bool has_code, bool was_on) const {
     if (has_code) {
       b.set(side_, none_);
@@ -164,7 +166,7 @@ struct RadiusCompensation {
     }
   }
 
-  static constexpr double largest_radius = 1e9;  ///< mm; positions are no greater
+  static constexpr double largest_radius = 1e9;  ///< mm; no position is larger
 
   void find_radius(ig::Block& b, ig::Where where) {
     const std::int64_t id = b.get_or(offset_id_, std::int64_t{0});

@@ -1,7 +1,8 @@
-/// G87: the bar goes down through an existing bore beside its centre, and bores upward, towards the spindle: the back
-/// side of the workpiece.
+/// G87: the bar goes down through an existing bore, off its centre, and bores upward, towards the spindle, into the
+/// back side of the workpiece.
 ///
-/// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
+/// Carries out the call that CannedCycleResolveSyntax has resolved. Every step is an item of the motion, even one of
+/// length 0.
 #include <isogloss/cnc/restarted_spindle.hpp>
 #include "cycles/tool_shift.hpp"
 
@@ -83,7 +84,7 @@ struct BackBoring {
   }
 
  private:
-  /// With R below the workpiece a return to R would leave the bar there: the initial level counts.
+  /// R is below the workpiece, where the bar must not stay: the tool returns to the initial level.
   void check_levels(ig::Block& b, CycleRun& run, double low, double high) const {
     if (r_is_ == RLevel::bottom && !run.returns_to_initial) {
       b.report(ig::diag("ISO-0345"), ig::Where::block());

@@ -1,7 +1,8 @@
-/// G85, G86 and G89: bore to the bottom by feed. G85 leaves the hole by feed, G89 waits (P) and does the same, G86
+/// G85, G86 and G89: bore to the bottom by feed. G85 leaves the hole by feed; G89 dwells (P) and leaves by feed; G86
 /// stops the spindle, leaves by rapid and starts the spindle again.
 ///
-/// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
+/// Carries out the call that CannedCycleResolveSyntax has resolved. Every step is an item of the motion, even one of
+/// length 0.
 #include <isogloss/cnc/restarted_spindle.hpp>
 
 namespace iso {
@@ -61,7 +62,7 @@ struct BoringCycle {
 
  private:
   bool waits(ig::Symbol code) const { return code == g89_ || (code == g86_ && g86_dwell_ == StopDwell::bottom); }
-  /// Where the machine does not say, or says 0, the way back has the feed of the way in.
+  /// Where the machine gives no override, or 0, the retract has the feed of the infeed.
   static double override_of(std::optional<double> percent) { return percent && *percent > 0 ? *percent / 100 : 1; }
 };
 

@@ -1,5 +1,5 @@
-/// G12 and G13: a round pocket about the place of the tool, clockwise or counter-clockwise. The tool goes down, out on
-/// a half circle, round each circle, and back to the centre on a half circle.
+/// G12 and G13: a round pocket about the position of the tool, clockwise or counter-clockwise. The tool goes down, out
+/// on a half circle, round each circle, and back to the centre on a half circle.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/feed.hpp>
@@ -46,7 +46,7 @@ struct CircularPocket {
   };
 
   ig::Call call_{{"G12", "G13"}, "X Y Z I K Q L[1] D[]"};
-  /// Q belongs to K: without it, it is a word that nobody uses.
+  /// Q belongs to K: without K, Q is a word that nothing uses.
   ig::Field<double> stray_q_{"Parsing.Q", ig::read | ig::write, {ig::Life::standard, "mm", ""}};
   ig::CompoundMotion motion_;
   ToolSteps steps_;
@@ -104,7 +104,7 @@ struct CircularPocket {
     return rounded(distance_.is_incremental(b) ? from + map.factor * *word : map.position(*word));
   }
 
-  /// False where nothing can be milled, which is said.
+  /// False, with a diagnostic, where nothing can be milled.
   bool describe(ig::Block& b, ig_field code, const ig::Words& words, Pocket& out) {
     const auto where = ig::Where::word(code);
     const auto name = b.text(words.code);
@@ -192,7 +192,7 @@ struct CircularPocket {
     steps_.arc(b, is_out ? on_circle : pocket.center, middle, pocket.is_ccw, feed);
   }
 
-  /// In the plane, for G93.
+  /// The length of the path in the plane, for G93.
   static double way_of(const Pocket& pocket) {
     constexpr double pi = std::numbers::pi;
     const double between = static_cast<double>(pocket.circles - 1);

@@ -1,6 +1,7 @@
-/// G81 and G82: drill to the bottom in one stroke, rapid out. G82 waits at the bottom (P) before it leaves.
+/// G81 and G82: drill to the bottom in one stroke, retract by rapid. G82 dwells (P) at the bottom.
 ///
-/// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
+/// Carries out the call that CannedCycleResolveSyntax has resolved. Every step is an item of the motion, even one of
+/// length 0.
 #include <cmath>
 
 #include <isogloss/cnc/canned_cycle.hpp>

@@ -1,7 +1,8 @@
-/// G76: bore to the bottom, stop the spindle at its angle, move the tip off the wall, and leave by rapid without a mark
-/// in the finished bore.
+/// G76: bore to the bottom, stop the spindle at its angle, move the tip off the wall, and retract by rapid, so that the
+/// finished bore gets no mark.
 ///
-/// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
+/// Carries out the call that CannedCycleResolveSyntax has resolved. Every step is an item of the motion, even one of
+/// length 0.
 #include <isogloss/cnc/restarted_spindle.hpp>
 #include "cycles/tool_shift.hpp"
 

@@ -1,6 +1,7 @@
-/// G73: drill in pecks of Q and go back a little after each of them, so that the chip breaks.
+/// G73: drill in pecks of Q and go back a little after each peck, so that the chip breaks.
 ///
-/// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
+/// Carries out the call that CannedCycleResolveSyntax has resolved. Every step is an item of the motion, even one of
+/// length 0.
 #include "cycles/peck_cycle_util.hpp"
 
 namespace iso {

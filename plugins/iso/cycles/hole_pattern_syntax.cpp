@@ -1,6 +1,6 @@
-/// G70, G71 and G72: holes on a circle, on an arc, along a line, drilled with the canned cycle in force or with that of
-/// the block. The pattern is turned into the first hole, a number and the way from hole to hole; the cycle does the
-/// rest.
+/// G70, G71 and G72: holes on a circle, on an arc or along a line, drilled with the canned cycle in force or with that
+/// of the block. This syntax turns the pattern into the first hole, the number of holes and the step from hole to hole;
+/// the cycle does the rest.
 #include <cmath>
 #include <numbers>
 
@@ -64,7 +64,7 @@ struct HolePattern {
   }
 
  private:
-  /// The first of the words that the pattern cannot do without; L is looked at by itself.
+  /// The first missing word among those that the pattern needs; L is checked separately.
   template <class Words>
   static std::string_view missing_word(std::size_t row, const Words& words) {
     if (!words['L']) return "L";
@@ -79,7 +79,7 @@ struct HolePattern {
     return std::nullopt;
   }
 
-  /// X and Y of the block are the centre, or the first hole of a line; where they are missing the tool stands there.
+  /// X and Y of the block are the centre, or the first hole of a line; a missing one is the position of the tool.
   void lay_out(ig::Block& b, std::size_t row, std::optional<std::size_t> called, double i, double j, double k,
                double count) const {
     const PlaneAxes plane = plane_(b);

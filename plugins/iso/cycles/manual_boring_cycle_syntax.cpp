@@ -1,8 +1,8 @@
-/// G88: bore to the bottom by feed, wait (P), stop the spindle; then the operator draws the tool out by hand. On some
-/// controls G87 is the same without the wait.
+/// G88: bore to the bottom by feed, dwell (P), stop the spindle; then the operator retracts the tool by hand. On some
+/// controls G87 is the same without the dwell.
 ///
-/// Works on the call that CannedCycleResolveSyntax has resolved. What the operator does is a rapid to R, marked as
-/// manual. Every step is an item, also one of no length.
+/// Carries out the call that CannedCycleResolveSyntax has resolved. The operator's retract is a rapid to R, marked as
+/// manual. Every step is an item of the motion, even one of length 0.
 #include <isogloss/cnc/restarted_spindle.hpp>
 
 namespace iso {

@@ -1,4 +1,5 @@
-/// What G83 and G73 share besides every cycle: the pecks that Q makes of a hole, and what a Q that makes none means.
+/// What G83 and G73 share besides what all cycles share: the pecks into which Q divides a hole, and the treatment of a
+/// Q that gives none.
 #pragma once
 
 #include <isogloss/sdk.hpp>
@@ -14,19 +15,19 @@ struct Pecks {
   PeckStrokes strokes;
   int count;           ///< strokes of one hole
   double retraction;   ///< mm: clearance before a peck (G83), way back after it (G73)
-  double clear_level;  ///< where the chips come out: R, or above it
-  double full_return;  ///< mm: G73 goes there after so much; 0: never
+  double clear_level;  ///< where the chips come out: R, or a level above it
+  double full_return;  ///< mm: G73 retracts fully after this depth; 0: never
 
   bool is_last(int k) const { return k == count; }
   double level(int k) const { return strokes.level(k, count); }
-  /// The retraction above the level that stroke k reached; above R where it is longer than the hole is deep there.
+  /// The level above stroke k by the retraction; above R where the retraction is longer than the hole is deep there.
   double clear_of(int k) const { return strokes.above(level(k), retraction); }
 };
 
 /// A member of each peck cycle.
 class PeckCycle {
  public:
-  /// `retraction` is the name of the distance in isogloss.canned-cycle/1.
+  /// `retraction` is the name of the distance in the service isogloss.canned-cycle/1.
   explicit PeckCycle(const char* retraction) : config_("isogloss.canned-cycle/1", ig::Need::optional, retraction) {
     const auto answer = config_.number(retraction);
     if (answer && *answer >= 0)
@@ -35,7 +36,7 @@ class PeckCycle {
       unknown_ = retraction;
   }
 
-  /// Nothing, and a diagnostic, where Q makes no pecks of the hole: then it must not be drilled.
+  /// The pecks of a hole; nothing, with a diagnostic, where Q gives none: the hole must then not be drilled.
   std::optional<Pecks> plan(ig::Block& b, const CannedCycle& cycle, const CycleRun& run) const {
     const double length = std::fabs(run.bottom - run.r_level);
     const double q = run.words.get_or(CycleWords::Q, 0);
@@ -57,7 +58,7 @@ class PeckCycle {
     const PeckStrokes strokes(run.r_level, run.bottom, depth);
     const double number = strokes.number();
     const double most = most_pecks(run.count);
-    if (!(number <= most)) {  // so written, what is no number is too many as well
+    if (!(number <= most)) {  // written so that NaN is too many as well
       b.report(ig::diag("ISO-0329"), cycle.where(run, CycleWords::Q), b.text(run.code), depth, number, most);
       return std::nullopt;
     }
@@ -69,7 +70,7 @@ class PeckCycle {
     return Pecks{strokes, static_cast<int>(number), retraction_, clear_level(strokes, run), full_return};
   }
 
-  /// Of the words of a call, those that make its pecks.
+  /// The letters of the call's words that define its pecks.
   std::string_view used(const CycleRun& run, std::string_view with_q, std::string_view with_ijk) const {
     return by_ijk(run) && run.words.get_or(CycleWords::I, 0) != 0 ? with_ijk : with_q;
   }
@@ -84,7 +85,7 @@ class PeckCycle {
     return strokes.above(run.r_level, config_.number("PeckClearanceAboveR_mm").value_or(0));
   }
 
-  /// First I, then each J less than the one before, down to K.
+  /// The first peck is I, each later one is J shorter, down to K.
   std::optional<Pecks> plan_decreasing(ig::Block& b, const CannedCycle& cycle, const CycleRun& run, double first,
                                        bool is_news) const {
     constexpr std::array addresses{CycleWords::I, CycleWords::J, CycleWords::K};
@@ -108,14 +109,15 @@ class PeckCycle {
     return Pecks{strokes, static_cast<int>(number), retraction_, clear_level(strokes, run), 0};
   }
 
-  /// Of one hole. A peck is three steps, a hole four more, and the steps of a block must fit into its list.
+  /// The largest number of pecks of one hole. A peck is three steps, a hole four more, and the steps of a block must
+  /// fit into the host's list.
   double most_pecks(int holes) const {
     const auto allowed = static_cast<double>(static_cast<std::int64_t>(max_pecks_));
     return std::min(allowed, std::floor((static_cast<double>(most_steps) / holes - 4) / 3));
   }
 
   ig::Config config_;
-  double retraction_ = 5;  // as FallbackConfig, where no dependency answers
+  double retraction_ = 5;  // the default of FallbackConfig, where no dependency answers
   std::string_view unknown_;
   ig::Previous<ig::Symbol> term_before_{"CannedCycle.Term"};
   ig::Previous<double> q_before_{"CannedCycle.Params.Q"};

@@ -1,6 +1,7 @@
-/// G83: drill in pecks of Q, and leave the hole up to R after each of them, so that the chips come out.
+/// G83: drill in pecks of Q and retract to R after each peck, so that the chips come out.
 ///
-/// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
+/// Carries out the call that CannedCycleResolveSyntax has resolved. Every step is an item of the motion, even one of
+/// length 0.
 #include "cycles/peck_cycle_util.hpp"
 
 namespace iso {

@@ -1,8 +1,9 @@
-/// G84 and G74: feed to the bottom with the turning tap, reverse the spindle, feed out, and turn as before. Rigid (M29,
-/// or by a parameter): axis and spindle are coupled, the spindle stands before and after, and Q cuts the depth in
-/// pecks.
+/// G84 and G74: feed to the bottom with the turning tap, reverse the spindle, feed out, and turn as before. In rigid
+/// tapping (M29, or by a parameter) axis and spindle are coupled, the spindle is at rest before and after the hole, and
+/// Q divides the depth into pecks.
 ///
-/// Works on the call that CannedCycleResolveSyntax has resolved. Every step is an item, also one of no length.
+/// Carries out the call that CannedCycleResolveSyntax has resolved. Every step is an item of the motion, even one of
+/// length 0.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/restarted_spindle.hpp>
@@ -80,9 +81,9 @@ struct TappingCycle {
   }
 
  private:
-  static constexpr double most_speed = 20;  // as the extraction override of a Fanuc: 2000 %
+  static constexpr double most_speed = 20;  // the largest extraction override of a Fanuc: 2000 %
 
-  /// What all holes of the block have in common.
+  /// What is the same for all holes of the block.
   struct Tap {
     ig::Spindle in, out;
     bool rigid = false, stops = false, returns_by_rapid = false;
@@ -150,7 +151,7 @@ struct TappingCycle {
     return stop_ == SpindleStop::parameter ? parameter("TappingSpindleStop", 1) != 0
                                            : stop_ == SpindleStop::before_reversal;
   }
-  /// In terms of the speed of the way in.
+  /// The speed of the retract as a factor of the speed of the infeed.
   double retract_speed(ig::Block& b, const CycleRun& run) const {
     if (j_word_ == JWord::retract_speed && run.words.has(CycleWords::J)) {
       const double j = run.words.get_or(CycleWords::J, 0);
@@ -162,7 +163,7 @@ struct TappingCycle {
   }
   double parameter(std::string_view name, double fallback) const { return config_.number(name).value_or(fallback); }
 
-  /// Floating: one cut. Rigid: by Q, of which the sign says nothing.
+  /// With a floating holder one cut; in rigid tapping cuts of Q, whose sign has no meaning.
   PeckTapping pecks_of(ig::Block& b, const CycleRun& run, bool rigid) const {
     const double q = run.words.get_or(CycleWords::Q, 0);
     if (!rigid && q != 0 && !is_kept(b)) b.report(ig::diag("ISO-0348"), ig::Where::block(), b.text(run.code));

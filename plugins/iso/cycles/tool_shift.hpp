@@ -1,5 +1,5 @@
 /// The shift of fine boring (G76) and back boring (G87): with the spindle stopped at its angle the bar moves sideways,
-/// so that its tip leaves the wall and may pass through the bore.
+/// so that its tip leaves the wall and the bar may pass through the bore.
 #pragma once
 
 #include <cmath>
@@ -12,8 +12,8 @@ namespace iso {
 
 using namespace ig::cnc;
 
-/// Named as in G17; in the other planes X stands for the plane's first axis, Y for its second (Fanuc parameter 5101
-/// bits 4 and 5: G18 Z X, G19 Y Z).
+/// Directions named as in G17. In the other planes X stands for the plane's first axis and Y for its second (Fanuc
+/// parameter 5101 bits 4 and 5: G18 Z X, G19 Y Z).
 enum class ShiftDirection { plus_x, minus_x, plus_y, minus_y, parameter };
 
 constexpr ig::Vec3 shift_direction(ShiftDirection direction, const PlaneAxes& plane) {
@@ -24,8 +24,8 @@ constexpr ig::Vec3 shift_direction(ShiftDirection direction, const PlaneAxes& pl
   return unit;
 }
 
-/// A machine's parameter: 1 X, 2 Y, 3 Z, negative for the other way. Empty when it names no axis, or the one along
-/// which the tool bores.
+/// The direction from a machine parameter: 1 X, 2 Y, 3 Z, negative for the opposite direction. Nothing where it names
+/// no axis, or the axis along which the tool bores.
 constexpr std::optional<ig::Vec3> shift_direction(double signed_axis, const PlaneAxes& plane) {
   const double number = signed_axis < 0 ? -signed_axis : signed_axis;
   for (const std::size_t axis : {plane.first, plane.second}) {
@@ -37,13 +37,13 @@ constexpr std::optional<ig::Vec3> shift_direction(double signed_axis, const Plan
   return std::nullopt;
 }
 
-/// The bore seen from where the bar stands beside its centre.
+/// The hole with the bar's position off the centre in place of the hole's own.
 inline CycleHole shifted(CycleHole hole, const ig::Vec3& shift) {
   hole.position = hole.position + shift;
   return hole;
 }
 
-/// A member of the two syntaxes: options, and the vector from the centre of the bore to where the bar is moved.
+/// A member of the two syntaxes: their options, and the vector from the centre of the bore to the shifted bar.
 class ToolShift {
  public:
   struct Shift {
@@ -51,7 +51,7 @@ class ToolShift {
     bool is_feed;     ///< moved by feed, not by rapid
   };
 
-  /// Says so where there is none, or where it is not what the block says.
+  /// The shift of this block. Reports where there is none, and where it differs from what the block programs.
   Shift of(ig::Block& b, const CycleRun& run) const {
     const bool has_vector = run.words.get_or(CycleWords::I, 0) != 0 || run.words.get_or(CycleWords::J, 0) != 0;
     const bool has_q = run.words.get_or(CycleWords::Q, 0) != 0;
@@ -59,7 +59,7 @@ class ToolShift {
                                                                                       : by_vector(b, run);
   }
 
-  /// Degrees at which the spindle stops.
+  /// The angle at which the spindle stops, in degrees.
   double angle() const { return angle_; }
 
  private:
@@ -78,7 +78,7 @@ class ToolShift {
     return {in_program(b, run.plane, std::fabs(q) * unit(run.plane)), false};
   }
 
-  /// The components along the axes of the plane; K counts holes, so there is none along Z.
+  /// The components along the axes of the plane. K is the number of holes, so there is no component along Z.
   Shift by_vector(ig::Block& b, const CycleRun& run) const {
     ig::Vec3 vector{run.words.get_or(CycleWords::I, 0), run.words.get_or(CycleWords::J, 0), 0};
     vector[run.plane.tool] = 0;
@@ -93,8 +93,8 @@ class ToolShift {
     return by_machine ? *by_machine : shift_direction(ShiftDirection::plus_x, plane);
   }
 
-  /// The bar points the same way however the program is rotated. Where the machine's direction would leave the plane
-  /// (a tilted head) the program's axes count.
+  /// The shift in program coordinates: the bar points the same way however the program is rotated. Where the machine's
+  /// direction would leave the plane (a tilted head), the program's axes are used.
   ig::Vec3 in_program(ig::Block& b, const PlaneAxes& plane, const ig::Vec3& shift) const {
     if (frame_ == FrameOfShift::program) return shift;
     const auto origin = b.to_machine({});

@@ -1,5 +1,6 @@
-/// G53.1 and G53.6: the rotary axes turn the tool upright on the tilted plane in force. Under G53.1 X Y Z of the
-/// machine stay; under G53.6 the tip of the tool stays on the workpiece. Fanuc manual, "Tool axis direction control".
+/// G53.1 and G53.6: the rotary axes turn the tool square to the tilted work plane in force. Under G53.1 the machine's X
+/// Y Z do not move; under G53.6 the tip of the tool stays on the workpiece. Fanuc manual, "Tool axis direction
+/// control".
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -120,7 +121,8 @@ struct G53p1RotaryPosition {
     return as_written(b, codes_.code(call.row), call.code);
   }
 
-  /// Without a plane, under tip control, without a machine: said, and the block does nothing but what else it holds.
+  /// Reports a block without a tilted plane, under tool centre point control, or without machine kinematics. The code
+  /// then has no effect; the rest of the block is executed.
   bool is_refused(ig::Block& b, const ig::Words& call, ig::Where where) const {
     const std::string_view code = written(b, call);
     if (!is_tilted(b)) {
@@ -167,7 +169,7 @@ struct G53p1RotaryPosition {
     return std::nullopt;
   }
 
-  /// Words of the axes that turn the tool; others are left to move as words do.
+  /// Takes the words of the axes that turn the tool; words of other axes move as usual.
   PartialAngles take_rotary(ig::Block& b, const Angles& present) const {
     const Angles to = turn_.angles().target(b).value;
     PartialAngles out;
@@ -181,10 +183,10 @@ struct G53p1RotaryPosition {
     return out;
   }
 
-  /// The words count; of an axis without one, the solution that agrees with them, if one does.
+  /// The programmed angles; for an axis without a word, the angle of the solution that agrees with them, if one does.
   std::optional<Angles> by_words(const RotaryCandidates& found, const PartialAngles& wanted, const Angles& present,
                                  SolutionChoice choice) const {
-    constexpr double agrees_deg = 0.01;  // as programs round angles
+    constexpr double agrees_deg = 0.01;  // the precision to which programs round angles
     RotaryCandidates agreeing;
     for (std::size_t i = 0; i < found.count; ++i) {
       bool agrees = true;
@@ -198,7 +200,7 @@ struct G53p1RotaryPosition {
     return wanted.or_else(base.value_or(present));
   }
 
-  /// G53.6: which point rests is all that PivotTransformationSyntax has to know.
+  /// For G53.6: tells PivotTransformationSyntax which point is at rest.
   void lead(ig::Block& b, const ig::Words& call, const Angles& from, const Angles& to, RotaryTurn turn,
             ig::Where where) const {
     turn.from = from;
@@ -214,7 +216,8 @@ struct G53p1RotaryPosition {
     if (rests != 0) b.set(lever_, rests);
   }
 
-  /// The plane's normal itself where the tool is upright: angles round, and its digits are then the plane's.
+  /// The tool's orientation: the plane's normal itself where the tool is square to the plane, since the angles are
+  /// rounded.
   void set_orientation(ig::Block& b, const Angles& angles, const ig::Vec3& normal) const {
     constexpr double upright_rad = 1e-6;
     const auto axis = machine_.tool_axis(angles);
@@ -226,7 +229,7 @@ struct G53p1RotaryPosition {
       b.report(ig::diag("ISO-0449"), ig::Where::block(), 2 * std::asin(std::fmin(lean / 2, 1)) * degrees_per_radian);
   }
 
-  /// After G53.1: a rotary word leans the tool; a plane that ended leaves no direction behind.
+  /// After G53.1: a rotary word leans the tool; when the plane ends, its direction ends too.
   ig::Status follow(ig::Block& b) const {
     if (mode_.is_on(b) || !machine_) return ig::Status::unchanged;
     if (!b.has(aligned_)) {

@@ -1,6 +1,6 @@
-// The sequence number N10: a name of the block for searches and jumps, never an order. It stands first; elsewhere the
-// control complains or not, so it is taken with a warning. A second N of a block is an ordinary word that nobody uses.
-// Between G10 L50 and G11 N is the number of a parameter, and nothing jumps there.
+// The sequence number N10: a name of the block for searches and jumps, never an order. It stands first in the block;
+// elsewhere some controls raise an alarm, so it is read with a warning. A second N of a block is an ordinary word that
+// nothing uses. Between G10 L50 and G11 N is the number of a parameter, and nothing jumps there.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/program_name.hpp>

@@ -1,5 +1,5 @@
-// The machine's axes: which there are, where home and the reference positions lie, how far and how fast they travel,
-// how the rotary ones turn.
+// The machine's axes: which exist, where home and the reference positions are, the travel and the rapid rate of each,
+// and how the rotary axes turn.
 #include <cmath>
 #include <stdexcept>
 

@@ -1,5 +1,5 @@
-/// Where a rotary axis goes on a circle: a position names every angle that differs by whole turns, and this picks the
-/// one to which the axis turns. In a compound motion step by step, each from where the step before it ended.
+/// Which angle a rotary axis goes to: a position on the circle names all angles that differ by whole turns, and this
+/// syntax picks one. In a compound motion it does so for each step, from where the step before it ended.
 #include <isogloss/cnc/rotary_words.hpp>
 
 namespace iso {
@@ -26,7 +26,7 @@ struct McAbcCyclicPath {
                                   "The direction of a rotation by exactly 180 degrees."};
 
   ig::Status build(ig::Block& b) {
-    if (b.is_raised(as_increment_)) return ig::Status::unchanged;  // the program says how far
+    if (b.is_raised(as_increment_)) return ig::Status::unchanged;  // the program gives the distance itself
     const std::uint32_t fresh = rotary_.fresh(b);
     if (fresh == 0) return ig::Status::unchanged;
     const std::uint32_t steps = steps_.count(b);
@@ -66,10 +66,10 @@ struct McAbcCyclicPath {
     return rest < 0 ? rest + 360 : rest;
   }
 
-  /// A-0 becomes 0.
+  /// Bit for bit, so that A-0 is changed to 0.
   static bool is_same(double a, double b) { return a == b && std::signbit(a) == std::signbit(b); }
 
-  /// The sign is a direction in words of the program only.
+  /// The sign is a direction only in words of the program.
   double approach(const ig::Block& b, std::size_t axis, double from, double to) const {
     const bool is_signed = axes_.rollover(axis) == Rollover::signed_direction;
     if (is_signed && !b.is_raised(by_words_)) return nearest_turn(from, to, half_turn_);

@@ -1,5 +1,5 @@
-/// A, B and C become machine coordinates. X, Y and Z of the machine stay where they are in a block that names rotary
-/// axes only: the axes turn, nothing follows them, unless the frame moves with them (G43.4).
+/// A, B and C become machine coordinates. In a block that names only rotary axes, the machine's X, Y and Z do not move,
+/// unless the frame moves with the rotary axes (G43.4).
 #include <isogloss/cnc/rotary_words.hpp>
 
 namespace iso {
@@ -43,7 +43,8 @@ struct McAbc {
   }
 
  private:
-  /// Each hole of a repeat has as many steps as the others, the first of them the positioning. `to` becomes the last.
+  /// All holes of a repeat have the same number of steps, and the first step of each is the positioning. `to` becomes
+  /// the angles at the end.
   void turn_steps(ig::Block& b, PartialAngles& to) const {
     const std::uint32_t steps = steps_.count(b);
     const auto holes = static_cast<std::uint32_t>(b.get_or(repeats_, std::int64_t{1}));

@@ -1,7 +1,7 @@
-/// The frame's last entry, PivotTransform: the workpiece turns with its table, the gauge point with the head. It is in
-/// the frame while the program describes the workpiece wherever the axes have turned it: under tool centre point
-/// control, where it moves with the axes and takes the tip along, and after G53.1, where it rests with them. Else
-/// rotary words just turn, and X Y Z are fixed to the machine.
+/// The frame's last entry, PivotTransform: the workpiece turns with its table, the gauge point with the head. The entry
+/// is in the frame while the program describes the workpiece wherever the axes have turned it: under tool centre point
+/// control, where the entry moves with the axes and takes the tip along, and after G53.1, where it is at rest with
+/// them. Otherwise rotary words only turn their axes, and X Y Z are machine directions.
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
 
@@ -70,13 +70,14 @@ struct PivotTransformation {
     return true;
   }
 
-  /// In the plane, without tip control: the axes turn what is programmed, and the machine's X Y Z stay.
+  /// On a tilted plane without tool centre point control: the axes turn the programmed coordinates, and the machine's X
+  /// Y Z do not move.
   ig::Status rest(ig::Block& b, const RotaryTurn& turn) const {
     if (turn.is_followed && !turn.moves && !turn.was_moved) return ig::Status::unchanged;
     return set(b, turn.to) ? ig::Status::changed : ig::Status::unchanged;
   }
 
-  /// The axes turn, and the tip goes along its path: to where X Y Z of the block say, else it rests.
+  /// The axes turn while the tip goes along its path, to X Y Z of the block; without such words the tip rests.
   bool lead(ig::Block& b, const RotaryTurn& turn) const {
     const auto end = machine_.pivot(turn.to);
     if (!end || !is_finite(*end)) return false;
@@ -93,7 +94,7 @@ struct PivotTransformation {
     return true;
   }
 
-  /// The frame has changed as well: the block begins where the new one puts the tip, with the axes at the start.
+  /// The frame has changed as well: the block begins where the new frame puts the tip, with the axes at their start.
   bool begin_anew(ig::Block& b, const RotaryTurn& turn) const {
     const auto before = machine_.tool_axis(turn.from), after = machine_.tool_axis(turn.to);
     if (!before || !after) return false;
@@ -111,7 +112,7 @@ struct PivotTransformation {
     b.set_moving_transform(tool_, m);
   }
 
-  /// A way in the workpiece as the tilted plane sees it.
+  /// A vector of the workpiece in coordinates of the tilted plane.
   ig::Vec3 unturned(const ig::Block& b, const ig::Vec3& way) const {
     Mat4 m;
     if (!b.get(tilt_, m)) return way;

@@ -1,6 +1,6 @@
-/// Work offsets of rotary axes: what G54, EXT, G52 and G92 put between the angle of the program and the angle of the
-/// machine is summed up here, and added in place to the words of positions, so that every syntax after this one reads
-/// angles of the machine. Distances (G91) and machine positions (G53) need no offset.
+/// Work offsets of rotary axes: adds up what G54, EXT, G52 and G92 put between the angle of the program and the angle
+/// of the machine, and adds the sum in place to the words of positions, so that all later syntaxes read machine angles.
+/// Distances (G91) and machine positions (G53) get no offset.
 #include <bit>
 
 #include <isogloss/sdk.hpp>

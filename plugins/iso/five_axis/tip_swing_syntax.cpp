@@ -1,6 +1,6 @@
-/// G53.6 with R or H, and what PLANE … MOVE DIST makes of it: a point beside the tip rests while the rotary axes turn,
-/// so the tip swings about it on an arc of space. A move is a straight line of the tip; this one becomes as many as
-/// come close enough to the arc.
+/// G53.6 with R or H, and what PLANE … MOVE DIST becomes: a point at a distance from the tip rests while the rotary
+/// axes turn, so the tip swings about it on an arc in space. Moves are straight lines of the tip, so this move becomes
+/// as many lines as stay within the tolerance of the arc.
 #include <numbers>
 
 #include <isogloss/cnc/event_to_steps.hpp>
@@ -63,14 +63,14 @@ struct TipSwing {
  private:
   static constexpr double most_steps = 10000;
 
-  /// A chord that spans the angle q is at most lever q² / 8 from its arc; q is no more than the axes turn together.
+  /// A chord over the angle q is at most lever q² / 8 from its arc; q is no more than the sum of the axes' angles.
   double steps_within_tolerance(double lever, const Angles& from, const Angles& to) const {
     double turned = 0;
     for (std::size_t i = 0; i < 3; ++i) turned += std::fabs(to[i] - from[i]) * radians_per_degree;
     return std::fmin(std::ceil(turned * std::sqrt(std::fabs(lever) / (8 * tolerance_))), most_steps);
   }
 
-  /// The frame of the block is that of its end: a program point lies where the tip has it in the workpiece.
+  /// The frame of the block is that of its end: a program point is where the tip has it in the workpiece then.
   void append(ig::Block& b, const ToolTip& tool, const ig::Vec3& rests, double lever, const PartialAngles& turned,
               const Angles& end, const ToolSteps::Manner& manner) const {
     const auto axis = machine_.tool_axis(turned.value);

@@ -1,6 +1,7 @@
 /// G43.4 and G43.5: X Y Z are positions of the tool's tip in the workpiece, wherever the rotary axes have turned it.
-/// The length lies along the tool axis; the frame turns with the axes (PivotTransformationSyntax). G43.4 takes the
-/// angles, G43.5 the direction of the tool (I J K). Fanuc manual, "Tool center point control".
+/// The tool length lies along the tool axis; the frame turns with the axes (PivotTransformationSyntax). A block of
+/// G43.4 gives the angles, a block of G43.5 the direction of the tool (I J K). Fanuc manual, "Tool center point
+/// control".
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/cycle_codes.hpp>
@@ -90,7 +91,7 @@ struct ToolCenterPoint {
       h = (*b.take(codes_))['H'];
     }
     if (starts && !machine_) return as_g43(b, *named, h, where);
-    if (!starts && other) {  // the length is ToolHeightOffsetSyntax's again
+    if (!starts && other) {  // ToolHeightOffsetSyntax applies the length again
       if (was_on && !b.has(aligned_))
         for (std::size_t i = 0; i < 3; ++i) b.erase(orientation_.id(i));
       return ig::Status::changed;
@@ -128,7 +129,7 @@ struct ToolCenterPoint {
     if (const auto code = b.find(excluded_calls_)) say(excluded_calls_.code(*code), excluded_calls_.name(*code));
   }
 
-  /// The length and the tool axis: at the block's end, and where the block begins when something else than the axes
+  /// Updates the length and the tool axis: at the block's end, and also at its start when something other than the axes
   /// changed them.
   bool follow(ig::Block& b, const RotaryTurn& turn, bool starts, std::optional<double> h, ig::Where where) const {
     if (h)
@@ -153,7 +154,7 @@ struct ToolCenterPoint {
     if (turn.moves) {
       const auto axis = machine_.tool_axis(turn.to);
       if (!axis) return true;
-      b.amend(orientation_, *axis);  // wakes nobody: its length lies along it already
+      b.amend(orientation_, *axis);  // amended, so that no syntax wakes: the length lies along it already
       Mat4 m = identity_frame;
       for (std::size_t i = 0; i < 3; ++i) m[12 + i] = length * (*axis)[i];
       b.set_moving_transform(frame_, m);
@@ -161,7 +162,7 @@ struct ToolCenterPoint {
     return true;
   }
 
-  /// G43.5: the angles that give the tool the direction of I J K. True when the block named any.
+  /// G43.5: the angles that give the tool the direction of I J K. True when the block named a direction.
   bool turn_to_direction(ig::Block& b, RotaryTurn& turn) const {
     bool has_rotary = false, has_direction = false;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -192,7 +193,7 @@ struct ToolCenterPoint {
     return true;
   }
 
-  /// The unit vector of I J K in the workpiece; nothing where they are none, which is said.
+  /// The unit vector of I J K in the workpiece; nothing, with a diagnostic, where they give no direction.
   std::optional<ig::Vec3> direction(ig::Block& b) const {
     std::uint32_t found = 0;
     const std::size_t code = group_.find(b, found).value_or(group_.in_force(b));
@@ -207,7 +208,7 @@ struct ToolCenterPoint {
       b.report(ig::diag("ISO-0450"), ig::Where::block());
       return std::nullopt;
     }
-    v = (1 / longest) * v;  // else the square of an enormous number overflows
+    v = (1 / longest) * v;  // avoids the overflow of the square of a huge number
     v = (1 / std::sqrt(dot(v, v))) * v;
     const Mat4 m = tilt_.get(b);
     return ig::Vec3{v.x * m[0] + v.y * m[4] + v.z * m[8], v.x * m[1] + v.y * m[5] + v.z * m[9],

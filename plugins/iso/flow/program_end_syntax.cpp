@@ -1,6 +1,6 @@
-/// M02/M30: the program ends after this block. An M99 that nobody answered as a return stands in the main program,
-/// where the control would start again: the run ends there too, and says so. Some controls return from a called program
-/// at its M30. A main program that runs into the end of its file stops the control with an alarm.
+/// M02 and M30: the program ends after this block. An M99 that no syntax has executed as a return stands in the main
+/// program, where the control would start again: the run ends there too, and reports it. Some controls return from a
+/// called program at its M30. A main program that runs into the end of its file stops the control with an alarm.
 #include <isogloss/flow.hpp>
 
 #include <isogloss/sdk.hpp>

@@ -1,5 +1,5 @@
-// M98, and where the machine has them M198 and M97: a program is called after this block, once or several times. Its
-// modal state is the caller's, and stays so after the return.
+// M98, and M198 and M97 where the machine has them: a program is called after this block, once or several times. It
+// begins with the caller's modal state, and its changes stay after the return.
 #include <cmath>
 
 #include <isogloss/sdk.hpp>
@@ -64,7 +64,7 @@ struct SubprogramCall {
   ig::Out<std::int64_t> l_{"SubProgramCall.L"};
   ig::Flow flow_;
 
-  /// The name of M98 <PART>; where it stands first it begins a program, and is none of this.
+  /// The name of M98 <PART>. A name that stands first in the block begins a program and is not read here.
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     const std::size_t end = skip_bracketed(text, position);
     if (text[end - 1] != '>' || stands_first(text, position)) return position;
@@ -162,7 +162,7 @@ struct SubprogramCall {
     if (may_call(b, r)) say(b, r, ask(b, r));
   }
 
-  /// 51234: five times O1234; but where only O51234 is there, that one.
+  /// M98 P51234 calls O1234 five times; where only a program O51234 exists, it calls that one.
   void split(ig::Block& b, Request& r, std::int64_t limit) const {
     Request whole = r;
     r.repeats = static_cast<std::uint32_t>(r.program / limit);

@@ -1,5 +1,5 @@
-// M99: back to the calling program, behind the call or to a sequence number. In the main program it starts the program
-// over, as long as passes are left; the last one ends the run.
+// M99: return to the calling program, to the block after the call or to a sequence number. In the main program it
+// starts the program again as long as passes are left; the last pass ends the run.
 #include <stdexcept>
 
 #include <isogloss/sdk.hpp>
@@ -68,7 +68,7 @@ struct SubprogramReturn {
     return b.get(return_.word(0, 'P'), p) ? whole_number(p.number) : std::nullopt;
   }
 
-  /// A jump; nothing returns. Without such a block the subprogram goes on.
+  /// A jump within the subprogram, without a return. Where there is no such block the subprogram goes on.
   ig::Status within_subprogram(ig::Block& b) {
     const ig::Where where = place_of_p(b);
     const ig::Words words = *b.take(return_);
@@ -105,8 +105,7 @@ struct SubprogramReturn {
     return ig::Status::changed;
   }
 
-  /// A jump forward is no new pass. The pass that would be one too many is left to ProgramEndSyntax, which ends the
-  /// run.
+  /// A jump forward does not begin a new pass. After the last pass ProgramEndSyntax ends the run.
   ig::Status in_main(ig::Block& b) {
     const ig::Where where = place_of_p(b);
     const auto wanted = this->wanted(b);

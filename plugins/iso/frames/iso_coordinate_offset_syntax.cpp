@@ -1,6 +1,6 @@
-/// G54 to G59.9 and G54.1 P: which of the table's origins the program counts from. The external offset of the table
-/// (EXT) is added to each, for rotary axes too. The table is asked when a code selects a set and when G10 wrote into
-/// it.
+/// G54 to G59.9 and G54.1 P: which work offset of the table is the program's origin. The external offset of the table
+/// (EXT) is added to each, for rotary axes too. The table is read when a code selects an offset and after G10 has
+/// written into it.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/coordinate_offset.hpp>
@@ -92,7 +92,7 @@ struct IsoCoordinateOffset {
 
   ig::Symbol selected(const ig::Block& b) const { return b.get_or(id_, static_cast<ig::Symbol>(g54_)); }
 
-  /// G110 to G129 are P1 to P20 of G154; without P that is P1 too.
+  /// G110 to G129 are P1 to P20 of G154. G154 without P is P1.
   double further_number(ig::Block& b, std::size_t code) const {
     if (code != g154) return static_cast<double>(code + 1);
     const auto words = b.take(by_p_);
@@ -101,7 +101,7 @@ struct IsoCoordinateOffset {
     return p.value_or(1);
   }
 
-  /// G54.1 without P is P1. G54 P2 is G54.1 P2 (or, by option, G55), unless a canned cycle waits for the P.
+  /// G54.1 without P is P1. G54 P2 is G54.1 P2 (or, by option, G55), unless the P belongs to a canned cycle.
   std::optional<double> set_number(ig::Block& b, std::size_t code) const {
     if (code == g54_1) {
       const auto words = b.take(additional_);

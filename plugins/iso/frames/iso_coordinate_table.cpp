@@ -1,5 +1,5 @@
-// The work offsets: where the origin of each work coordinate system lies in machine coordinates. Sets that the control
-// has but no row names lie at machine zero, as they do before anyone has measured a part.
+// The work offsets: the origin of each work coordinate system in machine coordinates. Offsets that the control has but
+// no row names are at machine zero, as they are before a part is measured.
 #include <charconv>
 
 #include <isogloss/cnc/work_offset_service.hpp>
@@ -26,7 +26,7 @@ struct IsoCoordinateTable {
 
   const void* service(std::string_view id) const { return id == "isogloss.work-offset/1" ? &offsets : nullptr; }
 
-  /// A row may name a higher P than the control has. A row of another name no program reaches.
+  /// A row may name a larger P than the control has. No program reaches a row with any other name.
   std::string row_fault(std::string_view row) const {
     constexpr std::string_view set = "G54.1P", preset = "DATUM_PRESET_";
     const bool is_set = row.starts_with(set) && is_within(row.substr(set.size()), most_sets);
@@ -36,7 +36,7 @@ struct IsoCoordinateTable {
     return "its rows are EXT, G54 to G59, G59.1 to G59.9, G54.1P1, G54.1P2 and so on, and DATUM_PRESET_0, _1 and so on";
   }
 
-  /// What the control has, or a row names.
+  /// True for an offset that the control has, and for one that a row names.
   bool has(std::string_view id) const {
     for (const ig::Column& column : columns.linear)
       if (table.value(id, column)) return true;

@@ -1,9 +1,9 @@
-/// G68 and G69: the programmed coordinates are rotated in their plane, about a centre, before every offset. Fanuc
+/// G68 and G69: the programmed coordinates are rotated in their plane about a centre, before every offset. Fanuc
 /// manual, "Coordinate system rotation".
 ///
-/// Until an axis of the plane is programmed under G90, the control turns increments about the place where the tool
-/// stands. A rotation that moves the centre to the tool, and leaves the tool's program point as it is, does just that:
-/// it is the frame in force until then where the dialect keeps the programmed numbers (unnamed-axis="programmed").
+/// Until an axis of the plane is programmed under G90, the control rotates increments about the position of the tool.
+/// That equals a rotation that takes the centre to the tool and keeps the tool's program point; the frame is this
+/// rotation until then, where the dialect keeps the programmed numbers (unnamed-axis="programmed").
 #include <algorithm>
 
 #include <isogloss/sdk.hpp>
@@ -50,7 +50,7 @@ struct IsoG68Rotation {
   ig::Xyz center_{"TiltTransform", ig::read | ig::write, {ig::Life::modal, "mm", "Centre, unrotated coordinates."}};
   ig::Out<double> angle_{"TiltTransform.R", {ig::Life::modal, "deg", "Angle in force."}};
   TiltFrame frame_{ig::read | ig::write};
-  /// The frame turns about the tool still: no axis of the plane was programmed under G90 since G68.
+  /// Raised while the frame still rotates about the tool: no axis of the plane was programmed under G90 since G68.
   ig::Signal about_tool_{"TiltTransform.~AboutTool", ig::read | ig::write | ig::wake_while, ig::Life::modal};
 
   ig::Xyz words_{"Parsing", ig::read | ig::write};
@@ -107,7 +107,7 @@ struct IsoG68Rotation {
     return v.number;
   }
 
-  /// A word of the centre, as scaling and mirror image leave it.
+  /// A word of the centre, after scaling and mirror image.
   std::optional<double> center_word(ig::Block& b, std::size_t axis) const {
     const auto word = take_word(b, axis);
     return word ? std::optional(scale_and_mirror_.axis(b, axis).position(*word)) : std::nullopt;
@@ -125,7 +125,7 @@ struct IsoG68Rotation {
     frame_.set(b, identity_frame);
   }
 
-  /// A word that no rotation in the plane has is left to be reported.
+  /// Words that no rotation in the plane has are not taken, so that they are reported.
   void rotate(ig::Block& b) const {
     const auto where = ig::Where::word(g68_.code(0));
     std::uint32_t found = 0;
@@ -183,9 +183,9 @@ struct IsoG68Rotation {
     return parameter;
   }
 
-  /// The first block that names an axis of the plane under G90: from here on the frame turns about the centre. An axis
-  /// that the block does not name gets the number that was programmed last, which scaling and mirror image are still to
-  /// see; G28 moves the named axes alone, and G16 makes two positions of one word by itself.
+  /// The first block that names an axis of the plane under G90: from here on the frame rotates about the centre. An
+  /// axis that the block does not name gets its last programmed number, which scaling and mirror image have still to
+  /// change. G28 moves the named axes only, and G16 makes both positions from one word.
   bool settle(ig::Block& b) const {
     if (distance_.is_incremental(b) || b.find(machine_select_)) return false;
     const PlaneAxes plane = rotated_plane(b);
@@ -205,7 +205,7 @@ struct IsoG68Rotation {
     return true;
   }
 
-  /// The plane in which G68 was programmed, by the words of its centre.
+  /// The plane in which G68 was programmed, told by the words of its centre.
   PlaneAxes rotated_plane(const ig::Block& b) const {
     const ig::PartialVec3 center = b.get(center_);
     return !center.has(0) ? yz_plane : !center.has(1) ? zx_plane : xy_plane;

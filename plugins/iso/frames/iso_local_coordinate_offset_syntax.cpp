@@ -1,6 +1,5 @@
-/// G52: a local coordinate system inside every work coordinate system. The words are the local origin itself, also
-/// under G91: an axis that is named gets a new offset, one that is not keeps its own. G92 ends it on the axes that it
-/// names.
+/// G52: a local coordinate system inside every work coordinate system. The words are the local origin itself, under G91
+/// too: an axis that is named gets a new offset, the other axes keep theirs. G92 ends it on the axes that it names.
 #include <isogloss/cnc/coordinate_offset.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 
@@ -61,7 +60,8 @@ struct IsoLocalCoordinateOffset {
     return rotary_.set(b, turned) || left != old;
   }
 
-  /// A bit for each of X Y Z A B C. G92 and G92.1 end the local system on the axes that they name, G92.1 alone on all.
+  /// A bit for each of X Y Z A B C. G92 and G92.1 end the local system on the axes that they name, G92.1 without words
+  /// on all.
   std::uint32_t ended_axes(const ig::Block& b) const {
     constexpr std::uint32_t all = 63;
     if (ends_with_program_ && b.find(program_end_)) return all;

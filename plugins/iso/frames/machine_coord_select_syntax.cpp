@@ -1,5 +1,5 @@
-/// G53: for this block the axis words are positions of the gauge point in machine coordinates. No offset acts on them,
-/// tool length included; axes that are not named stay. Under G91 most controls ignore G53.
+/// G53: for this block the axis words are positions of the gauge point in machine coordinates. No offset applies to
+/// them, tool length included; axes that are not named do not move. Under G91 most controls ignore G53.
 #include <isogloss/cnc/motion_event.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 

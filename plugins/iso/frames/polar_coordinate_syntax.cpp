@@ -1,6 +1,6 @@
 /// G16 and G15: the first axis word of the plane is a radius, the second an angle, counter-clockwise from the first
-/// axis. The two words are rewritten in place, to positions under G90 and to distances under G91, so that nothing after
-/// this syntax knows of it. Fanuc manual, "Polar coordinate command".
+/// axis. Both words are rewritten in place, to positions under G90 and to distances under G91, so that no later syntax
+/// has to know of G16. Fanuc manual, "Polar coordinate command".
 #include <cmath>
 #include <numbers>
 
@@ -71,7 +71,7 @@ struct PolarCoordinate {
     b.erase(angle_);
   }
 
-  /// Where the tool stands, as the program would say it.
+  /// The position of the tool as the program would write it.
   ig::Vec3 position(ig::Block& b) const { return scale_and_mirror_.programmed(b, last_(b)); }
 
   void begin(ig::Block& b) const {
@@ -111,11 +111,11 @@ struct PolarCoordinate {
     return true;
   }
 
-  /// UnitModeSyntax took the angle of an inch block for a length.
+  /// UnitModeSyntax has converted the angle of an inch block as if it were a length.
   double words_per_degree(const ig::Block& b) const { return b.is(system_, inch_) ? mm_per_inch : 1; }
 
   static double turned(double from, double by) { return rounded(std::remainder(from + std::fmod(by, 360), 360)); }
-  /// Of degrees; 0 and 1 where they are.
+  /// Cosine of an angle in degrees, exact at multiples of 90.
   static double cosine(double degrees) {
     const double d = std::fabs(std::remainder(degrees, 360));
     return d == 90 ? 0 : std::cos(d * radians_per_degree);
@@ -130,7 +130,7 @@ struct PolarCoordinate {
       b.set(word, v);
   }
 
-  /// An arc's centre from the start has no place among radius and angle.
+  /// The centre of an arc, given from its start, is not possible together with radius and angle.
   void report_center(ig::Block& b, const PlaneAxes& plane) const {
     for (const std::size_t axis : {plane.first, plane.second})
       if (const ig_field center = words_.centers()[axis]; GeometryWords::get(b, center)) {
@@ -139,7 +139,7 @@ struct PolarCoordinate {
       }
   }
 
-  /// K or L: each hole is turned further by the angle.
+  /// K or L: each hole is rotated by the angle from the hole before.
   void repeat(ig::Block& b, bool has_radius, double turn) const {
     const auto row = b.find(repeated_);
     for (const ig_field word :

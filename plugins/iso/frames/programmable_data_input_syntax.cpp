@@ -1,7 +1,7 @@
 /// G10: the program writes the control's tables: work offsets (L2, L20) and tool offsets (L10 to L13). Under G90 the
-/// words replace what stands in the table, under G91 they are added. The syntaxes that read the tables hear of it by a
-/// signal and ask again in the same block. Between G10 L50 and G11 stand parameters of the control, after G10 L3 lives
-/// of tools: their words are taken, so that nobody reads them as a motion or a tool change.
+/// words replace the values in the table, under G91 they are added. A signal tells the syntaxes that read the tables,
+/// and they read again in the same block. Between G10 L50 and G11 the words are parameters of the control, after G10 L3
+/// tool life data: they are taken, so that they are not executed as a motion or a tool change.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/rotary_offset.hpp>
@@ -32,9 +32,9 @@ struct ProgrammableDataInput {
 
   ig::Call g10_{{"G10"}, "L[] P[] R X Y Z A B C"};
   ig::Codes g11_{"G11"};
-  /// After G10 L50, up to G11.
+  /// Raised from G10 L50 to G11.
   ig::Signal parameters_{"ProgrammableDataInput.~Parameters", ig::read | ig::write | ig::wake_while, ig::Life::modal};
-  /// After G10 L3, L75 and L76, up to G11.
+  /// Raised from G10 L3, L75 or L76 to G11.
   ig::Signal tool_data_{"ProgrammableDataInput.~ToolData", ig::read | ig::write | ig::wake_while, ig::Life::modal};
   ig::Word p_{"Parsing.P", ig::read, ""}, r_{"Parsing.R", ig::read};
   std::array<ig::Word, 5> of_tool_{ig::Word{"Parsing.T", ig::read, ""}, ig::Word{"Parsing.H", ig::read, ""},
@@ -145,7 +145,7 @@ struct ProgrammableDataInput {
     return b.get(positions_).mask != 0 || b.has(i_) || b.has(j_) || b.has(k_);
   }
 
-  /// G10 has said that none of it is kept.
+  /// The diagnostic at G10 has reported that these data are not stored.
   bool swallow_tool_data(ig::Block& b) const {
     if (programs_position(b)) return false;
     bool any = b.take(p_).has_value();

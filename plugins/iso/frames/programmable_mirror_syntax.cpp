@@ -1,5 +1,5 @@
-/// G51.1 and G50.1: an axis is mirrored at a position of it. The words of the block are rewritten in place; where one
-/// of the two axes of the plane is mirrored, CircularMotionSyntax turns arcs the other way. Fanuc manual, "Programmable
+/// G51.1 and G50.1: an axis is mirrored at a position. The words of the block are rewritten in place; where one of the
+/// two axes of the plane is mirrored, CircularMotionSyntax reverses the sense of arcs. Fanuc manual, "Programmable
 /// mirror image".
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
@@ -47,7 +47,7 @@ struct ProgrammableMirror {
   }
 
  private:
-  /// The named axes; without a name, all of them.
+  /// Ends the mirror image of the named axes; without words, of all axes.
   void end(ig::Block& b, const ig::Words& words) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (words.mask == 0 || words["XYZ"[axis]]) b.erase(mirror_.id(axis));

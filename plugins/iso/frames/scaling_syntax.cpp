@@ -1,6 +1,6 @@
-/// G51 and G50: positions are scaled about a centre, by one factor or by one for each axis. The words of the block are
-/// rewritten in place, so that nothing after this syntax knows of it; what the control does not scale (tool offsets,
-/// the Q of a peck, the shift of a boring bar) stays. Fanuc manual, "Scaling".
+/// G51 and G50: positions are scaled about a centre, by one factor or by one factor for each axis. The words of the
+/// block are rewritten in place, so that no later syntax has to know of G51. What the control does not scale (tool
+/// offsets, the Q of a peck, the shift of a boring bar) is not changed. Fanuc manual, "Scaling".
 #include <algorithm>
 #include <cmath>
 
@@ -39,7 +39,7 @@ struct Scaling {
   ig::Config config_{"isogloss.motion/1", ig::Need::optional, "ScalingUnit, ScalingFactor"};
   ig::NumberOption factor_unit_{
       "factor-unit", "0", {0, 1}, "", "What P1 and I1 mean; 0: the value of isogloss.motion/1, or else 0.001."};
-  double least_ = factor_unit_ < 1 ? 1 : 0.001;  // of a count; a whole factor is written with decimals
+  double least_ = factor_unit_ < 1 ? 1 : 0.001;  // in counts; whole factors have decimals
   double unit_ = factor_unit_ > 0 ? double{factor_unit_} : config_.number("ScalingUnit").value_or(0.001);
 
   ig::Status build(ig::Block& b) {
@@ -100,7 +100,7 @@ struct Scaling {
     const auto position = [&](ig_field word, std::size_t axis) {
       const auto value = GeometryWords::get(b, word);
       if (!value) return;
-      // The drilling axis is scaled in a cycle, but not mirrored.
+      // In a cycle the drilling axis is scaled but not mirrored.
       const double by = here->is_cycle && axis == plane.tool ? std::fabs(factor[axis]) : factor[axis];
       const double to = incremental ? by * *value : AxisMap{}.scaled(by, center[axis]).position(*value);
       GeometryWords::rewrite(b, word, rounded(to));

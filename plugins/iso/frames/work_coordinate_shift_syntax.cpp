@@ -1,5 +1,5 @@
-/// G92 and G92.1: the present position gets the coordinates that the words say, by a shift of all work coordinate
-/// systems. Nothing moves. Fanuc manual, "Setting a workpiece coordinate system" and "Workpiece coordinate system
+/// G92 and G92.1: the present position gets the coordinates that the words give, by a shift of all work coordinate
+/// systems. No axis moves. Fanuc manual, "Setting a workpiece coordinate system" and "Workpiece coordinate system
 /// preset".
 #include <isogloss/cnc/coordinate_offset.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
@@ -40,7 +40,7 @@ struct WorkCoordinateShift {
   ig::Out<double> limit_{"SpindleSpeed.Limit_rpm", {ig::Life::modal, "1/min", "Highest speed under G96."}};
   ig::Xyz machine_{"MachineCoordinate", ig::read};
   LastProgramXyz last_;
-  /// Axes that went home in a block before: the shift ends when the next block begins.
+  /// Raised for axes that went home in the block before: their shift ends when the next block begins.
   std::array<ig::Signal, 6> homed_{ig::Signal{"WorkCoordinateShift.~HomedX", waits, ig::Life::modal},
                                    ig::Signal{"WorkCoordinateShift.~HomedY", waits, ig::Life::modal},
                                    ig::Signal{"WorkCoordinateShift.~HomedZ", waits, ig::Life::modal},
@@ -90,7 +90,7 @@ struct WorkCoordinateShift {
       b.report(ig::diag("ISO-0365"), ig::Where::word(g92_.code(0)), b.text(words.code));
   }
 
-  /// Such that the angles at which the axes stand get these numbers.
+  /// Shifts so that the present angles of the axes get these values.
   void set_angles(ig::Block& b, const PartialAngles& named) const {
     const Angles machine = angles_.get(b).or_else({}), work = work_.get(b).value, local = local_.get(b).value;
     Angles shift = rotary_.get(b).value;
@@ -99,7 +99,7 @@ struct WorkCoordinateShift {
     rotary_.set(b, shift);
   }
 
-  /// Such that `position` is the program point of the machine point `tool`.
+  /// Shifts so that `position` is the program point of the machine point `tool`.
   void shift_to(ig::Block& b, const ig::Vec3& tool, const ig::Vec3& position) const {
     const ig::Vec3 unshifted = b.to_machine(position).value_or(tool);
     const ig::Vec3 shift = rounded(shift_.get(b) + (tool - unshifted));
@@ -115,7 +115,7 @@ struct WorkCoordinateShift {
     if (s && *s < 0) b.report(ig::diag("ISO-0370"), ig::Where::word(g92_.word(0, 'S')), *s);
   }
 
-  /// The axes that the block names, all of them where it names none.
+  /// Ends the shift on the axes that the block names, on all axes where it names none.
   void preset(ig::Block& b, const ig::Words& words) const {
     ig::Vec3 shift = shift_.get(b);
     for (std::size_t axis = 0; axis < 3; ++axis) {

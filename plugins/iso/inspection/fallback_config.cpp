@@ -1,6 +1,5 @@
-// Answers where no controller's table does: retracts of the peck cycles, the shift of the boring cycles, tapping, the
-// tolerance of arcs. A dialect that brings a
-// parameter table of its own lists that one first.
+// Answers of the last resort, where no controller's table gives any: retracts of the peck cycles, the shift of the
+// boring cycles, tapping, the tolerance of arcs. A dialect with a parameter table of its own lists that table first.
 #include <isogloss/sdk.hpp>
 
 namespace iso {

@@ -1,5 +1,5 @@
-/// Codes that change nothing in a resolved program: the cancelling code of functions that are not executed here. A
-/// dialect that executes such a function takes them off its list.
+/// Codes that change nothing in a resolved program, because they cancel functions that are not executed here. A dialect
+/// that executes such a function takes its codes off the list.
 
 #include <isogloss/sdk.hpp>
 

@@ -1,6 +1,6 @@
-/// Functions that are known by name but not executed: each takes its code with the words that belong to it, so that
-/// they are not read as a move or as a spindle speed, and says what is unreliable from here on. A syntax earlier in the
-/// chain that executes such a code makes this one silent.
+/// Functions that are known by name but not executed. Each code is taken with its words, so that they are not executed
+/// as a move or as a spindle speed, and a diagnostic says what is unreliable from here on. Where an earlier syntax of
+/// the chain executes the code, this one reports nothing.
 #include <string>
 #include <vector>
 
@@ -27,7 +27,7 @@ struct NotExecuted {
       ig::diagnostic(IG_ERROR, "ISO-0272", "{0} is not executed: moves into the forbidden zone are not reported"),
   };
 
-  /// A macro call takes any address, also those that nothing else reads.
+  /// A macro call owns every address, even those that no other syntax reads.
   struct AnyAddress {
     static constexpr std::string_view letters = "ABCDEFHIJKLPQRSTUVWXYZ";
     AnyAddress() {
@@ -54,7 +54,7 @@ struct NotExecuted {
       {ig::Call{{"G07.1"}, "A[mm] B[mm] C[mm]"}, ig::diag("ISO-0270")},
       {ig::Call{{"G22"}, "X Y Z I J K"}, ig::diag("ISO-0272")},
   };
-  // Their rotary words are no positions to go to.
+  // Rotary words of these codes are not positions.
   ig::Call coordinates_{{"G50.1", "G51.1"}, "A B C"};
 
   ig::Status build(ig::Block& b) {

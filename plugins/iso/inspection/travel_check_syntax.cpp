@@ -1,6 +1,6 @@
-/// The travel of the machine's axes: every position of a block, every place where an arc turns back, and the curve on
-/// which the machine goes while rotary axes turn about the tip, against the limits that the machine declares. A machine
-/// without limits costs nothing.
+/// Checks the travel of the machine's axes: every position of a block, the extremes of arcs, and the curve that the
+/// machine follows while rotary axes turn about the tip, against the limits that the machine declares. On a machine
+/// without limits the syntax is idle.
 #include <bit>
 
 #include <isogloss/cnc/arc.hpp>
@@ -24,7 +24,7 @@ struct TravelCheck {
   static constexpr std::string_view names = "XYZABC";
   using Axes = std::array<ig_field, names.size()>;
 
-  /// What counts of one step of a compound motion: the machine's axes, the program point, the arc.
+  /// What the check needs of one step of a compound motion: the machine's axes, the program point, the arc.
   struct Step {
     enum : std::uint32_t { program = 6, center = 9, sense = 12, form = 13, size = 14 };
     std::array<ig_field, size> ids{};
@@ -68,8 +68,8 @@ struct TravelCheck {
   RotaryPosition rotary_before_{ig::previous};
   ig::In<double> length_{"ToolHeightCompensation.Offset_mm"};
   ToolKinematics kinematics_;
-  /// A bit for each axis that was reported: until it is back inside. No field of the block, since the blocks that wait
-  /// in the look-ahead window were begun before this one was checked.
+  /// A bit for each axis that has been reported, until it is back inside. It is not a field of the block, because the
+  /// blocks in the look-ahead window began before this one was checked.
   std::uint32_t outside_ = 0;
   ig::Service<ig_machine_axis_1> machine_{"isogloss.machine-axis/1", ig::Need::optional, "The limits."};
   std::array<AngleRange, names.size()> travel_;
@@ -102,7 +102,7 @@ struct TravelCheck {
     return static_cast<std::size_t>(std::countr_zero(lowest_bit_of));
   }
 
-  /// What the block writes where it ends.
+  /// Checks the position at the end of the block.
   std::uint32_t check_end(ig::Block& b, std::uint32_t outside) const {
     for (std::uint32_t rest = limited_; rest != 0; rest &= rest - 1) {
       const std::size_t axis = axis_of(rest);
@@ -112,7 +112,7 @@ struct TravelCheck {
     return outside;
   }
 
-  /// X, Y and Z between the ends of the move.
+  /// Checks X, Y and Z between the ends of the move.
   std::uint32_t check_between(ig::Block& b, std::uint32_t outside) const {
     const ig::PartialVec3 center = b.get(center_);
     if (center.complete() && (b.fresh_many(position_.data(), 3) & limited_) != 0) {
@@ -156,7 +156,7 @@ struct TravelCheck {
     return outside;
   }
 
-  /// Between its ends an arc goes farthest where a coordinate of the machine turns back. Its ends are checked as such.
+  /// Checks the extremes of an arc in machine coordinates; its ends are checked separately.
   std::uint32_t check_arc(ig::Block& b, const Arc& arc, std::uint32_t outside) const {
     const PlaneAxes plane = plane_(b);
     const auto along = [&](std::size_t axis) {
@@ -181,12 +181,12 @@ struct TravelCheck {
     return outside;
   }
 
-  /// A position between the ends of a move: that the axis is back inside, the end says.
+  /// Checks a position between the ends of a move. Only the end point may clear the report.
   std::uint32_t pass(ig::Block& b, std::size_t axis, double position, std::uint32_t outside) const {
     return (limited_ >> axis & 1u) != 0 ? outside | check_axis(b, axis, position, outside) : outside;
   }
 
-  /// The tip goes straight in the workpiece, the angles evenly: looked at every few degrees.
+  /// Checks samples every few degrees: the tip goes straight in the workpiece while the angles change evenly.
   std::uint32_t check_curve(ig::Block& b, const Place& begin, const Place& end, std::uint32_t outside) const {
     double widest = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -215,7 +215,7 @@ struct TravelCheck {
     return outside;
   }
 
-  /// The axes that are outside after this position; an axis that it does not name stays as it was.
+  /// Returns the axes that are outside after this position; an axis that it does not name keeps its bit.
   std::uint32_t check(ig::Block& b, std::uint32_t named, const ig_value* at, std::uint32_t outside) const {
     for (std::uint32_t rest = named & limited_; rest != 0; rest &= rest - 1)
       outside = check_axis(b, axis_of(rest), at[axis_of(rest)].number, outside);

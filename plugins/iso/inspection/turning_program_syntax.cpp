@@ -1,5 +1,6 @@
-/// A lathe's program read as milling would give diameters as positions and offsets as tools. Before the first block the
-/// text is looked through for the signs of one; where they stand, one error says so and nothing is executed.
+/// Detects a lathe program: executed as milling, its diameters would be positions and its offsets tools. Before the
+/// first block the text is searched for the signs of one; where they are found, one error reports it and nothing is
+/// executed.
 #include <isogloss/sdk.hpp>
 
 #include "inspection/turning_signs.hpp"
@@ -46,8 +47,8 @@ struct TurningProgram {
 
  private:
   static constexpr std::uint64_t most_bytes = 256 * 1024;
-  static constexpr char mill_axis = 'Y';         // that lathes mostly lack
-  static constexpr std::int64_t most_of_it = 2;  // so many words of it a turning program may have
+  static constexpr char mill_axis = 'Y';         // which most lathes do not have
+  static constexpr std::int64_t most_of_it = 2;  // as many words of it a turning program may hold
 };
 
 const ig::Register<TurningProgram> turning_program_syntax;

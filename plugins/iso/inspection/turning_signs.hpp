@@ -1,5 +1,5 @@
-/// Looks through the text of a program for what only a lathe's programs hold. It knows words (a letter and a number),
-/// blocks and comments, and no code: which words are signs is what the dialect says.
+/// Searches the text of a program for what only lathe programs hold. It distinguishes words (a letter and a number),
+/// blocks and comments, but knows no codes: the dialect names the words that are signs.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +13,10 @@ namespace iso {
 
 class TurningSigns {
  public:
-  /// "T???? G50+S": signs, each of words that stand in one block. A word is a letter, or a letter and a number, in
-  /// which ? stands for any digit; without ? leading zeros do not count. A sign with ? is void where `tool_change`
-  /// stands anywhere in the text. More than `most` words of the address `axis` make the text a milling program.
+  /// `signs` is a list such as "T???? G50+S": each sign is a set of words that stand in one block. A word is a letter,
+  /// or a letter and a number, in which ? stands for any digit; without ? leading zeros do not matter. A sign with ? is
+  /// void where `tool_change` stands anywhere in the text. More than `most` words of the address `axis` make the text a
+  /// milling program.
   TurningSigns(std::string_view signs, std::string_view tool_change, char axis, std::int64_t most)
       : tool_change_(word_of(tool_change)), axis_(axis), most_(most) {
     for (const std::string_view sign : split(signs, ' ')) {
@@ -30,7 +31,7 @@ class TurningSigns {
     std::uint32_t line = 0;
   };
 
-  /// The text in pieces of any size. False: it mills, and the rest need not be looked at.
+  /// Reads the text in pieces of any size. False: it is a milling program, and the rest need not be read.
   bool read(std::string_view piece) {
     for (const char c : piece) {
       if (!read(c)) return false;
@@ -38,7 +39,7 @@ class TurningSigns {
     return true;
   }
 
-  /// After the last piece.
+  /// The sign that was found; call it after the last piece.
   std::optional<Found> result() {
     read('\n');
     if (axis_words_ > most_) return std::nullopt;
@@ -89,7 +90,7 @@ class TurningSigns {
     return number;
   }
 
-  /// False where the text is known to mill.
+  /// False where the text is known to be a milling program.
   bool read(char c) {
     const bool is_rest_of_end = c == '\n' && last_ == '\r';
     last_ = c;
@@ -114,7 +115,7 @@ class TurningSigns {
     if (c == ' ' || c == '\t') return true;
     if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
     if (is_letter(c)) {
-      // Letters side by side are a name or an operator, and no words.
+      // Letters side by side are a name or an operator, not words.
       const bool is_name = is_after_letter_;
       if (is_name && !words_.empty()) words_.back().letter = '\0';
       if (words_.size() < most_words) words_.push_back({is_name ? '\0' : c, {}});
@@ -151,7 +152,7 @@ class TurningSigns {
     kept = Found{std::move(said), line_};
   }
 
-  static constexpr std::size_t most_words = 64;  // of a block that can be a sign
+  static constexpr std::size_t most_words = 64;  // in a block that can be a sign
 
   std::vector<Sign> signs_;
   Word tool_change_;

@@ -1,5 +1,6 @@
-/// Nothing in a program is ignored silently: whatever is left of a block when every syntax has run is reported here,
-/// each piece with its columns. What can move the tool elsewhere is an error, the rest a warning, plain text a note.
+/// No part of a program is ignored silently: what is left of a block after every syntax has run is reported here, each
+/// leftover with its columns. A leftover that can move the tool elsewhere is an error, plain text a note, any other one
+/// a warning.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/leftovers.hpp>
@@ -9,7 +10,8 @@ namespace iso {
 using namespace ig::cnc;
 namespace {
 
-/// Words whose loss moves the tool elsewhere: axes, arc centres, cycle depths, and all words of a code ("G81.Q").
+/// Words whose loss moves the tool elsewhere: axes, arc centres, cycle depths, and all words that a code owns
+/// ("G81.Q").
 bool is_geometric(std::string_view word) {
   return word.size() > 1 || std::string_view("ABCIJKQRUVWXYZ").find(word) != std::string_view::npos;
 }
@@ -36,7 +38,7 @@ struct UnconsumedCheck {
   ig::Name arc_{"McArc"};
 
   ig::Status build(ig::Block& b) {
-    bool is_said = b.is_raised(said_);  // of the first unknown G code, with its words
+    bool is_said = b.is_raised(said_);  // the first unknown G code was reported with its words
     for (std::uint32_t i = 0; const auto left = leftover(b, i); ++i) {
       if (is_said && left->kind == IG_LEFT_UNKNOWN && left->name.starts_with('G'))
         is_said = false;
@@ -47,7 +49,7 @@ struct UnconsumedCheck {
   }
 
  private:
-  /// "G84.Q" where G84 itself is left: one report of the code says it all.
+  /// "G84.Q" where G84 itself is left over: the report of the code covers its words.
   static bool belongs_to_leftover_code(const ig::Block& b, const Leftover& word) {
     const std::size_t dot = word.name.rfind('.');
     if (word.kind != IG_LEFT_WORD || dot == std::string::npos) return false;
@@ -56,7 +58,7 @@ struct UnconsumedCheck {
     return false;
   }
 
-  /// K0 of an arc in XY, as some posts write it.
+  /// K0 of an arc in the XY plane, which some post-processors write.
   static bool is_idle_center(const ig::Block& b, const Leftover& word) {
     const std::string_view source = b.source();
     return word.kind == IG_LEFT_WORD && (word.name == "I" || word.name == "J" || word.name == "K") &&

@@ -1,4 +1,5 @@
-/// A G code that the dialect does not know may be a macro, a cycle or a tilted plane: its axis words are no positions.
+/// A G code that the dialect does not know may be a macro, a cycle or a tilted plane, so the axis words of its block
+/// are not executed as positions.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/leftovers.hpp>
@@ -21,7 +22,7 @@ struct UnknownCode {
   ig::Signal unknown_{"Source.~UnknownCode", ig::read | ig::wake};
   ig::Signal said_{"Source.~UnknownCodeSaid", ig::write};
   ig::Codes motions_{{"G00", "G01", "G02", "G03"}, ig::read};
-  // Taken, but no reason to run.
+  // Taken, but they do not wake the syntax.
   static constexpr std::string_view letters = "XYZABCUVWIJKRQPLE";
   std::array<ig::Word, letters.size()> words_{
       ig::Word{"Parsing.X", ig::read}, ig::Word{"Parsing.Y", ig::read}, ig::Word{"Parsing.Z", ig::read},

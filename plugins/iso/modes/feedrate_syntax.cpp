@@ -1,5 +1,5 @@
-/// F and G93/G94/G95: the feed in force and what it counts. F and its mode are modal; under G93, where F is the inverse
-/// of the block's own time, F holds for its block only.
+/// F and G93, G94, G95: the feed in force and its unit. F and its mode are modal; under G93, where F is the inverse of
+/// the block's time, F holds for its block only.
 #include <isogloss/cnc/feed.hpp>
 #include <isogloss/cnc/modal_group.hpp>
 

@@ -1,5 +1,5 @@
 /// G61 to G64 and G09: how the control passes from one block to the next. The end points are the same under all of
-/// them; what is in force is recorded for those who compute times and corners. Fanuc manual, "Feed functions".
+/// them; the mode in force is recorded for syntaxes that compute times and corners. Fanuc manual, "Feed functions".
 #include <isogloss/cnc/modal_group.hpp>
 
 namespace iso {

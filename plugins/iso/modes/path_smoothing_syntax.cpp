@@ -1,5 +1,5 @@
-/// G05.1, G05 and G08: look-ahead, contour and high-speed control. They round corners within a tolerance that the
-/// machine's builder set and change speeds; the programmed path stays, and what is in force is recorded.
+/// G05.1, G05 and G08: look-ahead, contour and high-speed control. They change speeds and round corners within a
+/// tolerance that the machine builder has set; the programmed path does not change, and the mode in force is recorded.
 
 #include <isogloss/sdk.hpp>
 
@@ -17,7 +17,7 @@ struct PathSmoothing {
                      "{0}: {1}{2} only selects an axis and does not move it: program the move in its own block"),
   };
 
-  // X0 Y0 Z0 beside G05.1 name axes and move none.
+  // X0 Y0 Z0 beside G05.1 name axes and do not move them.
   ig::Call contour_{{"G05.1"}, "P[] Q[] R[] X Y Z A B C"};
   ig::Call high_speed_{{"G05"}, "P[]"};
   ig::Call look_ahead_{{"G08"}, "P[]"};
@@ -62,7 +62,7 @@ struct PathSmoothing {
     b.erase(level_);
     if (level) b.set(level_, *level);
   }
-  /// The words name axes, and manuals write them with 0: another value looks like a move.
+  /// Words beside the code name axes, and manuals write them with 0: another value looks like a move.
   void report_moves(ig::Block& b, const ig::Words& words) const {
     for (const char axis : std::string_view("XYZABC"))
       if (const auto value = words[axis]; value && *value != 0)

@@ -1,5 +1,5 @@
-/// G90/G91: are axis words positions or distances? Only the mode is written here; IncrementalResolveSyntax and the
-/// canned cycles, whose R and Z count from other points, turn distances into positions.
+/// G90 and G91: whether axis words are positions or distances. Only the mode is written here; IncrementalResolveSyntax
+/// turns distances into positions, and so do the canned cycles, whose R and Z start from other points.
 #include <isogloss/cnc/modal_group.hpp>
 
 namespace iso {

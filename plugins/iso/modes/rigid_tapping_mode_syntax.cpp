@@ -1,6 +1,6 @@
-/// M29: the tapping cycles that follow are rigid, axis and spindle turn as one. The spindle is stopped here and started
-/// by the cycle. Ends with G80 or a motion code, as the cycles do. Many machines use M29 for something else: without S,
-/// and with something else than the cycle behind it, it is taken for that.
+/// M29: the tapping cycles that follow are rigid, axis and spindle are coupled. M29 stops the spindle, and the cycle
+/// starts it. The mode ends with G80 or a motion code, like the cycles. Many machines use M29 for another function: an
+/// M29 without S that is not followed by a tapping cycle is read as that.
 
 #include <isogloss/sdk.hpp>
 
@@ -23,7 +23,7 @@ struct RigidTappingMode {
                               ig::read | ig::write | ig::wake_while,
                               {ig::Life::modal, "", "The code that made tapping rigid; absent where it is not."}};
   ig::Signal awaits_cycle_{"RigidTapping.~AwaitsCycle", ig::read | ig::write, ig::Life::modal};
-  /// M29 had no S: the cycle must come before anything is stopped.
+  /// M29 has no S: nothing is stopped before the cycle comes.
   ig::Signal is_unsure_{"RigidTapping.~IsUnsure", ig::read | ig::write, ig::Life::modal};
   ig::Signal said_{"RigidTapping.~Said", ig::read | ig::write, ig::Life::modal};
   ig::Out<ig::Symbol> direction_{"SpindleSpeed.Direction"};

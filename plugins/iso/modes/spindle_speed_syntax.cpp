@@ -1,6 +1,6 @@
-/// S and M03/M04/M05: speed and direction of the spindle, both modal and each on its own: M05 keeps the speed, so that
-/// a later M03 without S runs as before. G96 makes S a surface speed; the revolutions that follow from it are not known
-/// here.
+/// S and M03, M04, M05: speed and direction of the spindle, both modal and independent: M05 keeps the speed, so that a
+/// later M03 without S turns as before. G96 makes S a surface speed; the spindle speed that follows from it is not
+/// known here.
 #include <isogloss/cnc/modal_group.hpp>
 
 namespace iso {
@@ -50,7 +50,7 @@ struct SpindleSpeed {
   }
 
  private:
-  /// The revolutions of before do not hold under G96, and are not known after it until an S.
+  /// The spindle speed of the blocks before does not hold under G96, and after G96 none is known until an S.
   void change_mode(ig::Block& b, std::size_t mode, bool has_s) const {
     const bool was_surface = b.is(term_, g96_);
     if (mode == 0) {

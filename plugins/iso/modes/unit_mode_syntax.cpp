@@ -1,5 +1,5 @@
-/// G20/G21 (G70/G71): inch or metric input. Stands first in the logic: in inch blocks it turns the lengths and feeds
-/// that the block programs into mm, in place, so that nothing after it knows of inches.
+/// G20 and G21 (G70 and G71): inch or metric input. It is the first syntax of the logic: in inch blocks it converts the
+/// programmed lengths and feeds into mm, in place, so that no later syntax has to know of inches.
 #include <algorithm>
 #include <cmath>
 
@@ -33,7 +33,7 @@ struct UnitMode {
   ig::Out<ig::Symbol> term_{"Unit.Term"};
   ig::InWhile<ig::Symbol> system_{"Unit.System", "Inch", ig::write};
 
-  // F under G93 is a time, K of a repeated canned cycle a count: no lengths.
+  // F under G93 is a time, and K of a repeated canned cycle a count: neither is a length.
   ig::Codes feed_modes_{{"G93", "G94", "G95"}, ig::read};
   ig::In<ig::Symbol> feed_mode_{"Feedrate.Term"};
   RepeatCount repeat_count_;
@@ -94,7 +94,8 @@ struct UnitMode {
   }
 
  private:
-  /// True at the first length that is not 0: the same number, and 25.4 times the way. From there on the unit is known.
+  /// True at the first length other than 0 of a program that has not selected a unit, which is reported there by
+  /// option: in the other unit the program would move 25.4 times as far, or as little.
   bool say_unsaid(ig::Block& b) const {
     for (std::size_t i = 0; i < lengths_.size(); ++i) {
       ig_value value;

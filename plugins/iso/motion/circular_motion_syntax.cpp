@@ -1,5 +1,5 @@
-/// G02 and G03: an arc in the plane, to the program point of the block, about a centre (I J K, from the start) or with
-/// a radius (R). What moves along the third axis makes it a helix. Fanuc manual, "Circular interpolation".
+/// G02 and G03: an arc in the plane to the program point of the block, about a centre (I J K, from the start) or with a
+/// radius (R). A move along the third axis makes it a helix. Fanuc manual, "Circular interpolation".
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/arc.hpp>
@@ -103,7 +103,8 @@ struct CircularMotion {
     double length() const { return iso::length(to - from); }
   };
 
-  /// R, and the centre words of the plane; the third one has no meaning and is left to be reported.
+  /// Takes R and the centre words of the plane. The third centre word has no meaning and remains, so that it is
+  /// reported.
   ArcWords take_words(ig::Block& b, const PlaneAxes& plane) const {
     const std::array<const ig::Word*, 3> centers{&i_, &j_, &k_};
     ArcWords words{b.take(r_), b.take(*centers[plane.first]), b.take(*centers[plane.second])};
@@ -130,7 +131,7 @@ struct CircularMotion {
       if (path.length() >= same_point_mm) motion_.feed(b, [&] { return path.length(); });
       return;
     }
-    // Programs round R and the end point: a thousandth is no fault even where no tolerance is set.
+    // Programs round R and the end point: 0.001 mm is accepted even where no tolerance is set.
     if (radius_shortfall(path.start(), path.end(), radius) > std::fmax(tolerance_, 0.001)) {
       b.report(ig::diag("ISO-0322"), ig::Where::word(r_.id()), std::fabs(radius),
                (path.end() - path.start()).length() / 2);

@@ -1,5 +1,5 @@
-/// G04: wait. The X, U or P of G04 is a time and belongs to it, never to a move or to a hole. G04 alone is an exact
-/// stop at the end of the block: no time passes.
+/// G04: dwell. The X, U or P of G04 is a time and belongs to G04, never to a move or to a hole. G04 alone is an exact
+/// stop at the end of the block and takes no time.
 
 #include <isogloss/sdk.hpp>
 

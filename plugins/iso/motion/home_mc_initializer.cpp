@@ -1,4 +1,4 @@
-// Where the machine stands before the first block: at home, on every axis that the machine has. Without a machine
+// The position of the machine before the first block: home, on every axis that the machine has. Without a machine
 // description that is machine zero on X, Y and Z.
 #include <isogloss/cnc/rotary_axis.hpp>
 
@@ -27,7 +27,7 @@ struct HomeMcInitializer {
     return ig::Status::changed;
   }
 
-  /// A block that stands nowhere, which is what a case is, stands at home.
+  /// A block without a position, as in a case of a page, starts at home.
   ig::Status build(ig::Block& b) const { return b.has(coordinates[0]) ? ig::Status::unchanged : restart(b); }
 };
 

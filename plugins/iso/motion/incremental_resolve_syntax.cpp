@@ -1,5 +1,5 @@
-/// G91: distances become positions, in place, so that nothing after this syntax knows of G91. The words of canned
-/// cycles are not touched: their R and Z count from other points, and CannedCycleResolveSyntax has resolved them.
+/// G91: distances become positions, in place, so that no later syntax has to know of G91. The words of canned cycles
+/// are left alone: their R and Z start from other points, and CannedCycleResolveSyntax has resolved them.
 #include <bit>
 
 #include <isogloss/cnc/program_xyz.hpp>

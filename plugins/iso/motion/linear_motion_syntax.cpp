@@ -1,5 +1,5 @@
-/// G00 and G01: the block that wrote a machine point goes there on a straight line, by rapid or by feed. The code stays
-/// in force until another one of group 01.
+/// G00 and G01: the block goes to its machine point on a straight line, by rapid or by feed. The code stays in force
+/// until another code of group 01.
 #include <isogloss/cnc/motion_event.hpp>
 #include <isogloss/cnc/rotary_words.hpp>
 #include <isogloss/cnc/units.hpp>
@@ -60,7 +60,7 @@ struct LinearMotion {
  private:
   double way(ig::Block& b) const { return length(b.get(program_).or_else({}) - last_(b)); }
 
-  /// A degree counts like the unit of lengths that the program is written in; F has become mm.
+  /// One degree counts like one unit of length of the program; F is in mm by now.
   void feed_and_turn(ig::Block& b) const {
     const double linear = way(b);
     const bool only_turns = linear < same_way_mm;
@@ -87,7 +87,7 @@ struct LinearMotion {
     return std::sqrt(sum);
   }
 
-  static constexpr double same_way_mm = 1e-7;  // shorter is what a frame there and back leaves
+  static constexpr double same_way_mm = 1e-7;  // a shorter way is rounding of the frame
 };
 
 const ig::Register<LinearMotion> linear_motion_syntax;

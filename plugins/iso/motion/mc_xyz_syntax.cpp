@@ -1,6 +1,5 @@
 /// From program to machine coordinates: the point of the block and the steps of a compound motion, through all entries
-/// of the frame. Where only the frame changed, the tool rests: its machine point stays and its program point is another
-/// one.
+/// of the frame. Where only the frame changed, the tool rests: its machine point stays and its program point changes.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/program_xyz.hpp>
@@ -23,7 +22,7 @@ struct McXyz {
   ig::Xyz item_program_{"CompoundMotion.Items[].ProgramXyz", ig::read | ig::wake};
   ig::Xyz item_machine_{"CompoundMotion.Items[].MachineCoordinate", ig::write};
 
-  /// The tool stands at the home position: that is where its first program point comes from.
+  /// The first program point is that of the home position.
   ig::Status restart(ig::Block& b) { return follow_frame(b); }
 
   ig::Status build(ig::Block& b) {
@@ -38,7 +37,7 @@ struct McXyz {
   }
 
  private:
-  /// A cycle that says nothing but its steps: the tool stands where the last of them ends.
+  /// For a cycle that writes nothing but its steps: the tool is at the end of the last step.
   bool take_end_of_steps(ig::Block& b) const {
     for (std::uint32_t step = b.count(item_program_.id(0)); step-- > 0;) {
       ig_value at[3];

@@ -1,4 +1,4 @@
-/// X, Y and Z become the program point at the end of the block. Axes that are not named stay where they are.
+/// X, Y and Z become the program point at the end of the block. Axes that are not named keep their positions.
 #include <isogloss/cnc/program_xyz.hpp>
 
 namespace iso {

@@ -1,5 +1,5 @@
-/// G27: by rapid to the point, with the named axes; then each of them must stand at its first reference position, or
-/// the control stops. Fanuc manual, "Reference position".
+/// G27: a rapid to the point, with the named axes; then each of them must be at its first reference position, or the
+/// control stops. Fanuc manual, "Reference position".
 #include <cmath>
 
 #include "motion/reference_position.hpp"

@@ -1,4 +1,4 @@
-/// Reference positions of the machine's axes, and what G27 to G30 do with the rotary ones.
+/// Reference positions of the machine's axes, and what G27 to G30 do with the rotary axes.
 #pragma once
 
 #include <isogloss/cnc/rotary_words.hpp>
@@ -10,8 +10,8 @@ using namespace ig::cnc;
 /// A member of each syntax that goes to a reference position. X Y Z A B C are axes 0 to 5.
 class ReferencePositions {
  public:
-  /// mm and degrees in machine coordinates, of position 1 to 4; machine zero, said at `code`, where the machine does
-  /// not know it.
+  /// Reference position 1 to 4 of an axis, in mm or degrees of the machine. Machine zero, reported at `code`, where the
+  /// machine does not know it.
   double operator()(ig::Block& b, std::size_t axis, std::uint32_t which, ig_field code) const {
     const char name = "XYZABC"[axis];
     double position = 0;
@@ -35,10 +35,10 @@ inline ig::PartialVec3 axis_words(const ig::Words& words) {
   return named;
 }
 
-/// A member of each syntax that sends rotary axes over a point to a reference position.
+/// A member of each syntax that sends rotary axes through an intermediate point to a reference position.
 class RotaryReturn {
  public:
-  /// The axis words of a call that name rotary axes of the machine; others are said.
+  /// The axis words of a call for rotary axes that the machine has; the other ones are reported.
   PartialAngles named(ig::Block& b, const ig::Words& words, const ig::Call& call) const {
     PartialAngles named;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -49,7 +49,7 @@ class RotaryReturn {
     }
     return named;
   }
-  /// All of the machine, where they stand.
+  /// The present angles of all rotary axes of the machine.
   PartialAngles all(const ig::Block& b) const {
     PartialAngles all{0, present(b)};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -58,7 +58,7 @@ class RotaryReturn {
   }
   Angles present(const ig::Block& b) const { return before_.get(b).or_else({}); }
 
-  /// To the positions that the block names; under G91 they are as far away as it says.
+  /// The angles to which the axes go for the words of the block: positions, or distances under G91.
   PartialAngles approach(const ig::Block& b, const PartialAngles& to) const {
     PartialAngles out = to;
     const Angles from = present(b);
@@ -67,14 +67,14 @@ class RotaryReturn {
     return out;
   }
   double approach(std::size_t axis, double from, double to) const { return words_.axes().approach(axis, from, to); }
-  /// On from there to a position of the machine, whose sign is no direction.
+  /// The angle for a machine position approached from `from`; the sign of the position is not a direction.
   double to_machine(std::size_t axis, double from, double position) const {
     return words_.axes().rollover(axis) == Rollover::counts_on ? position : nearest_turn(from, position);
   }
 
-  /// The step that was appended last moves to these angles.
+  /// Adds these angles to the step that was appended last.
   void step(ig::Block& b, const PartialAngles& to) const { steps_.set_last(b, to); }
-  /// The block ends at these angles.
+  /// The angles at the end of the block.
   void end(ig::Block& b, const PartialAngles& to) const { position_.set(b, to); }
 
  private:

@@ -1,6 +1,6 @@
-/// G28 and G30: by rapid to the intermediate point that the words name, then to a reference position of the machine,
-/// both with the named axes only. `G91 G28 Z0` goes straight up; `G90 G28 Z0` goes to program Z0 first, as the control
-/// does. Fanuc manual, "Reference position".
+/// G28 and G30: a rapid to the intermediate point that the words name, then to a reference position of the machine,
+/// both with the named axes only. `G91 G28 Z0` goes straight up; `G90 G28 Z0` goes to program Z0 first, as on the
+/// control. Fanuc manual, "Reference position".
 #include <isogloss/cnc/tool_kinematics.hpp>
 #include "motion/reference_position.hpp"
 
@@ -62,7 +62,7 @@ struct ReferenceReturn {
  private:
   static constexpr std::uint32_t axes = 63;  // X Y Z A B C of a call
 
-  /// True when the axes have arrived.
+  /// True when the axes have reached the reference position.
   bool go(ig::Block& b, const ig::Words& words, const ig::Call& call, std::uint32_t which) const {
     const ig_field code = call.code(0);
     const ig::Vec3 from = last_(b);
@@ -76,7 +76,7 @@ struct ReferenceReturn {
       returned = {7, from};
       turned = rotary_.all(b);
     } else if (returned.mask == 0 && turned.mask == 0) {
-      return false;  // axes that the machine has not, which was said
+      return false;  // the machine has no such axis; that was reported
     }
     const ig::Vec3 intermediate = returned.or_else(from);
     const auto over = b.to_machine(intermediate);
@@ -111,7 +111,8 @@ struct ReferenceReturn {
     return true;
   }
 
-  /// A frame that stands with the axes (a tilted plane after G53.1, tip control) stands with them where they arrive.
+  /// A frame that depends on the rotary axes (a tilted plane after G53.1, tool centre point control) gets their new
+  /// angles.
   void turn_frame(ig::Block& b, const PartialAngles& home) const {
     const PartialAngles before = pivot_.get(b);
     if (before.mask == 0 || home.mask == 0 || !kinematics_) return;
@@ -124,7 +125,7 @@ struct ReferenceReturn {
     pivot_.set(b, kinematics_, angles);
   }
 
-  /// The machine stays where it is; in the program it is a tool length elsewhere.
+  /// The machine does not move; the program point changes by the tool length.
   void end_compensation(ig::Block& b) const {
     if (!b.is(compensation_, g43_) && !b.is(compensation_, g44_)) return;
     const ig::PartialVec3 machine = b.get(machine_);

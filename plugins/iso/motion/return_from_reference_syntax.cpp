@@ -1,6 +1,6 @@
-/// G29: from a reference position back to work, over the intermediate point of the last G28 or G30, by rapid and with
-/// the named axes only. Under G91 the words count from the intermediate point. Stands before ReferenceReturnSyntax,
-/// which takes the words of G28 and G30. Fanuc manual, "Reference position".
+/// G29: from a reference position back to work, through the intermediate point of the last G28 or G30, by rapid and
+/// with the named axes only. Under G91 the words are distances from the intermediate point. It runs before
+/// ReferenceReturnSyntax, which takes the words of G28 and G30. Fanuc manual, "Reference position".
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 #include "motion/reference_position.hpp"
@@ -61,7 +61,7 @@ struct ReturnFromReference {
     return named != 0;
   }
 
-  /// The point is one of the program: a work offset that changes afterwards takes it along.
+  /// The intermediate point is a program point: a work offset that changes afterwards moves it.
   double of_program(const ig::Block& b, std::size_t axis, double machine) const {
     const double offset = offsets_.get(b)[axis];
     if (axes_.rollover(axis) == Rollover::signed_direction && !distance_.is_incremental(b))

@@ -1,5 +1,5 @@
-/// G31: a straight feed move that ends when the skip signal comes. There is no signal here: the move goes to its end,
-/// which is said once. Fanuc manual, "Skip function".
+/// G31: a straight feed move that ends at the skip signal. There is no signal here, so the move goes to its end point,
+/// which is reported once. Fanuc manual, "Skip function".
 #include <isogloss/cnc/motion_event.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 

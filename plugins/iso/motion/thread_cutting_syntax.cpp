@@ -1,5 +1,4 @@
-/// G33: a straight move in step with the spindle, F is the lead. Modal: it belongs to group 01. Fanuc manual, "Thread
-/// cutting".
+/// G33: a straight move coupled to the spindle; F is the lead. Modal, of group 01. Fanuc manual, "Thread cutting".
 #include <isogloss/cnc/motion_event.hpp>
 
 namespace iso {
@@ -44,7 +43,7 @@ struct ThreadCutting {
   }
 
  private:
-  /// Another motion code came after G33 in its block.
+  /// Another motion code follows G33 in its block.
   ig::Status give_up(ig::Block& b, bool has_words) const {
     if (has_words) b.erase(lead_);
     return has_words ? ig::Status::changed : ig::Status::unchanged;
@@ -57,7 +56,7 @@ struct ThreadCutting {
       b.report(ig::diag("ISO-0391"), ig::Where::word(word), lead);
   }
 
-  /// mm/s; 0 where lead or spindle speed are unknown.
+  /// mm/s; 0 where lead or spindle speed is unknown.
   double speed(ig::Block& b) const {
     const double lead = b.get_or(lead_, 0.0), turns = b.get_or(speed_, 0.0) / 60;
     if (lead <= 0)

@@ -1,5 +1,5 @@
-/// G60: a rapid whose last piece always comes from the same side, so that backlash does not count. The axes overrun the
-/// target by a setting of the machine and come back to it. Fanuc manual, "Single direction positioning".
+/// G60: a rapid whose last part always comes from the same side, so that backlash has no effect. The axes overrun the
+/// target by a distance that is set on the machine and come back to it. Fanuc manual, "Single direction positioning".
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/program_xyz.hpp>

@@ -1,12 +1,12 @@
-/// What the program has in place of a code: other languages hand theirs over as codes of ISO.
+/// What the program holds in place of a code: other languages pass their functions on as ISO codes.
 #pragma once
 
 #include <isogloss/sdk.hpp>
 
 namespace iso {
 
-/// The text at which the code stands, up to a bracket (M128 of G43.4, CYCLE800 of G53.1); the code's own name where
-/// it has no place.
+/// The text at which the code stands, up to a bracket (M128 for G43.4, CYCLE800 for G53.1); the code's own name where
+/// it has no place in the text.
 inline std::string_view as_written(const ig::Block& b, ig_field code, ig::Symbol name) {
   const std::string_view source = b.source();
   ig_word place{};

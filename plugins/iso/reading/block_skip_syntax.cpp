@@ -1,5 +1,5 @@
-// Optional block skip: / or /1 to /9, before or after N or in the middle of a block. While the operator has the layer
-// switched on, the rest of the block, from the slash, is not executed; while it is off, the slash means nothing.
+// Optional block skip: / or /1 to /9, before or after N or within a block. While the operator has the layer switched
+// on, the rest of the block, from the slash, is not executed; while it is off, the slash has no effect.
 #include <bitset>
 #include <stdexcept>
 

@@ -1,7 +1,7 @@
-// What a number without a decimal point means. Conventional controls count least input increments (X1000 is 1 mm), the
-// calculator type takes units (X1000 is 1000 mm), and which one it is stands in a parameter. Only lengths, angles and
-// the time of a dwell's X are concerned: F, P and plain counts never are. A point that is missing is worth a warning on
-// either kind, since the same program means two things.
+// What a number without a decimal point means. Conventional controls read it in least input increments (X1000 is 1 mm),
+// calculator-type input reads it in units (X1000 is 1000 mm); a parameter of the control selects one. Only lengths,
+// angles and the time of a dwell's X are concerned, never F, P and plain counts. A missing point gets a warning under
+// both types, since the same program means two things.
 #include <cmath>
 
 #include <isogloss/sdk.hpp>
@@ -63,7 +63,7 @@ struct DecimalPointSyntax {
   bool changes_nothing = rule == Rule::as_written && resolution == Resolution::keep;
   std::vector<Row> rows = changes_nothing ? std::vector<Row>() : measured(rows_of(codes, words));
 
-  /// Increments per unit: exact where the increment is a power of ten.
+  /// Increments per unit; exact where the increment is a power of ten.
   struct Steps {
     double mm, inch, deg;
   };
@@ -76,7 +76,7 @@ struct DecimalPointSyntax {
     if (changes_nothing) ig::stay_idle();
   }
 
-  /// Most controls keep fine digits, and many programs are full of them: nobody wakes where none are cut.
+  /// Most controls keep fine digits, and many programs are full of them: where none are cut, the syntax does not wake.
   ig::Status restart(ig::Block& b) const {
     if (resolution == Resolution::keep) return ig::Status::unchanged;
     b.raise(cuts_digits);
@@ -160,7 +160,7 @@ struct DecimalPointSyntax {
     for (; present != 0; present &= present - 1) {
       const std::size_t i = static_cast<std::size_t>(std::countr_zero(present));
       ig_word word{};
-      b.word(row.words[i], word);  // its mark counts; it may have no place
+      b.word(row.words[i], word);  // its mark is needed; it may have no place
       changed |= (word.flags & IG_WORD_WITHOUT_POINT) != 0 ? read_bare(b, row, i, values[i].number)
                                                            : read_pointed(b, row, i, values[i].number);
     }
@@ -169,7 +169,7 @@ struct DecimalPointSyntax {
 
   double steps_for(const ig::Block& b, Quantity quantity) const {
     if (quantity == Quantity::angle) return steps.deg;
-    return quantity == Quantity::length && is_inch(b) ? steps.inch : steps.mm;  // 0.001 mm goes with 0.001 s
+    return quantity == Quantity::length && is_inch(b) ? steps.inch : steps.mm;  // 0.001 mm corresponds to 0.001 s
   }
 
   bool read_bare(ig::Block& b, const Row& row, std::size_t i, double number) const {
@@ -186,7 +186,7 @@ struct DecimalPointSyntax {
     return value != number;
   }
 
-  /// Cuts off what is finer than the increment, toward zero.
+  /// Cuts off digits below the increment, toward zero.
   bool read_pointed(ig::Block& b, const Row& row, std::size_t i, double number) const {
     if (resolution == Resolution::keep) return false;
     const double step = steps_for(b, row.quantities[i]);

@@ -1,6 +1,6 @@
-// G and M codes. A code that some linked syntax declares is a field of its own, found through a table by letter and
-// number, so that the syntaxes after this one test a bit. A code that nobody declares stays as a leftover under its
-// canonical name: two digits for one-digit codes, G5 is G05, G54.1 stays.
+// G and M codes. A code that some syntax of the chain declares is a field of its own, found in a table by letter and
+// number, so that later syntaxes test one bit. A code that no syntax declares stays as a leftover under its canonical
+// name: two digits for one-digit codes (G5 is G05), G54.1 unchanged.
 #include <isogloss/flow.hpp>
 
 #include <span>
@@ -20,13 +20,13 @@ namespace {
 constexpr std::size_t no_code = static_cast<std::size_t>(-1);
 constexpr std::uint64_t largest_number = 99999;
 
-/// G54.1 as 541, G5 as 50: number times ten plus the one decimal that codes have.
+/// A code as an integer: its number times ten plus the one decimal that codes have (G54.1 is 541, G5 is 50).
 struct Code {
   std::size_t index = no_code;
-  std::size_t end = 0;  ///< past what was read, a code or not
+  std::size_t end = 0;  ///< position after the text that was read, whether it is a code or not
 };
 
-/// `joins`: G5. 1 is G5.1.
+/// With `joins`, "G5. 1" is G5.1.
 Code read_code(std::string_view text, std::size_t position, bool joins = false) {
   const std::size_t digits_end = skip_digits(text, position);
   Code code{no_code, digits_end};
@@ -39,7 +39,7 @@ Code read_code(std::string_view text, std::size_t position, bool joins = false) 
     const std::size_t decimals = is_digit(at(text, next)) ? next : digits_end + 1;
     code.end = skip_digits(text, decimals);
     if (code.end > decimals) decimal = static_cast<std::uint64_t>(text[decimals] - '0');
-    if (code.end > decimals + 1) return code;  // G54.10 is another code than G54.1
+    if (code.end > decimals + 1) return code;  // G54.10 is not G54.1
   }
   if (number <= largest_number) code.index = number * 10 + decimal;
   return code;
@@ -121,12 +121,12 @@ struct FlagSyntax {
   }
 
  private:
-  /// A field that no chain has: the code is for another scanner.
+  /// A field id that no chain uses: the code is for another scanner.
   static constexpr ig_field passed_on = IG_NO_FIELD - 1;
 
   static constexpr std::size_t data_input = 100, data_end = 110;  // G10, G11
 
-  /// An index sees no block executed: it must know from the text which N are numbers of parameters.
+  /// While a file is indexed no block is executed, so the text alone must tell which N are numbers of parameters.
   void note_parameters(ig::Block& b, std::string_view text, std::size_t begin, const Code& code) const {
     if (!flow.is_indexing() || row_of(text[begin]) != 0) return;
     if (code.index == data_end) {
@@ -167,7 +167,8 @@ struct FlagSyntax {
     return index < row.size() ? row[index] : IG_NO_FIELD;
   }
 
-  /// Leading zeros go, one-digit codes get one: G5 is G05, G054 is G54. False: the code is for another scanner.
+  /// The canonical name of a code that no syntax declares: leading zeros go, one-digit codes get one (G5 is G05, G054
+  /// is G54). False: the code is for another scanner.
   bool unknown(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number, std::size_t end) const {
     std::string_view digits = piece(text, number, end);
     while (digits.size() > 1 && digits.front() == '0' && is_digit(digits[1])) digits.remove_prefix(1);
@@ -184,7 +185,7 @@ struct FlagSyntax {
     return true;
   }
 
-  /// A table is searched once for a code: a loop may ask for the same one a million times.
+  /// A table is searched only once for each code, because a loop may ask for the same code a million times.
   bool calls_program(std::string_view code) const {
     std::size_t hash = 0;
     for (const char c : code) hash = hash * 31 + static_cast<unsigned char>(c);
@@ -193,7 +194,8 @@ struct FlagSyntax {
     return asked.calls;
   }
 
-  /// `begin`: not a code at all, another scanner may read it.
+  /// Reports a letter without a number; returns `begin` where it is not a code at all, so that another scanner may read
+  /// it.
   std::size_t no_number(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number) const {
     const char c = at(text, number);
     if (to_upper(c) == 'O' && (is_digit(at(text, number + 1)) || at(text, number + 1) == 'O'))
@@ -205,7 +207,7 @@ struct FlagSyntax {
     return refuse(b, ig::diag("ISO-0102"), text, begin, skip_while(text, begin + 1, [](char u) { return u == '_'; }));
   }
 
-  /// G1.2.3, G0O and M3=3, which is no M03.
+  /// Reports G1.2.3, G0O and M3=3, which is not M03.
   static std::size_t odd_number(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) {
     if (text[end] == '=') return expression(b, text, begin, skip_to_blank(text, end + 1));
     if (text[end] == '.')

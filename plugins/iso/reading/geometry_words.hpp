@@ -1,5 +1,5 @@
-/// The words of a block that polar command, scaling and mirror image act on, wherever they stand: with the block itself
-/// or with its canned cycle.
+/// The words on which polar coordinates, scaling and mirror image act, wherever they are: in the block itself or in its
+/// canned cycle.
 #pragma once
 
 #include <isogloss/sdk.hpp>
@@ -19,7 +19,7 @@ class GeometryWords {
     bool is_cycle;
   };
 
-  /// None in a block whose axis words are machine coordinates (G53).
+  /// Nothing in a block whose axis words are machine coordinates (G53).
   std::optional<Here> find(const ig::Block& b) const {
     if (b.find(machine_select_)) return std::nullopt;
     if (const auto row = b.find(cycles_)) return Here{cycles_.row(*row), cycles_.word(*row, 'R'), true};
@@ -34,7 +34,7 @@ class GeometryWords {
   }
   static void rewrite(ig::Block& b, ig_field word, double value) { b.rewrite(word, value); }
 
-  /// Codes that the control forbids while `term` is in force: their words are taken as they are, which is said.
+  /// Reports codes that the control forbids while `term` is in force; their words are not changed.
   void report_untouched(ig::Block& b, ig::Symbol term) const {
     const auto code = b.find(untouched_);
     if (code)

@@ -1,6 +1,6 @@
-// Comments: ( … ), not nested, anywhere in a block; the semicolon, which opens a comment on controls that read it so
-// and ends the block where a listing shows the end-of-block character as one; and // where the control knows it.
-// Files for such a control hold remarks behind semicolons all the same: plain text there is no block.
+// Comments: ( … ), not nested, anywhere in a block; ; on controls that read it as the start of a comment, and // on
+// controls that know it. Elsewhere ; is the end-of-block character of a listing and ends the block. Files for such a
+// control hold remarks after semicolons all the same, so plain text there is not a block.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -46,7 +46,7 @@ struct IsoCommentSyntax {
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     if (text[position] == ';') return after_semicolon(b, text, position);
     if (text[position] == '/') return after_slashes(b, text, position);
-    // The block may be long, and hold thousands of comments: none of them looks at all of it.
+    // The block may be long and hold thousands of comments, so none of them searches the whole block.
     const std::size_t close = text.find(')', position);
     const std::size_t end = block_end(text.substr(0, close), position);
     if (close == std::string_view::npos || end != close) {
@@ -58,7 +58,7 @@ struct IsoCommentSyntax {
     return close + 1;
   }
 
-  /// Once for all comments of the block: each text that is set takes memory of its own.
+  /// Sets the texts of all comments of the block at once, because each text that is set takes memory of its own.
   ig::Status build(ig::Block& b) {
     if (!b.is_raised(several)) return ig::Status::unchanged;
     b.set_text(text_, joined);
@@ -94,7 +94,7 @@ struct IsoCommentSyntax {
     return end;
   }
 
-  /// Neither an address with its value nor a statement nor a sign that begins a block.
+  /// True for text that is neither a word nor a statement nor a character that begins a block.
   static bool is_remark(std::string_view text, std::size_t position) {
     const char first = text[position];
     if (!is_letter(first)) return std::string_view("#[(/;%<:").find(first) == std::string_view::npos;
@@ -107,14 +107,14 @@ struct IsoCommentSyntax {
     return !has_value || !(is_zero_as_letter || begins_statement(piece(text, position, letters_end)));
   }
 
-  /// The first two letters tell the statements of macros.
+  /// The first two letters identify the statements of macros.
   static bool begins_statement(std::string_view word) {
     constexpr std::array<std::string_view, 10> statements{"IF", "WH", "GO", "DO", "EN", "TH", "DP", "BP", "PO", "PC"};
     const std::array<char, 2> begin{to_upper(word[0]), to_upper(word[1])};
     return std::find(statements.begin(), statements.end(), std::string_view(begin.data(), 2)) != statements.end();
   }
 
-  /// Several comments of a block are one text, joined by blanks, under the symbol of the first.
+  /// Several comments of a block become one text, joined by blanks, under the symbol of the first.
   void add(ig::Block& b, ig::Symbol opened_by, std::string_view comment) {
     if (!b.is_fresh(symbol)) {
       b.set(symbol, opened_by);

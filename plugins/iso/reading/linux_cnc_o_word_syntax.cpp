@@ -1,5 +1,5 @@
 /// `o100 sub`, `O<name> call`, `o101 while [...]`: the O-words of LinuxCNC. No dialect here executes them, and the text
-/// after the first one makes no sense without them, so the run stops there.
+/// after the first one has no meaning without them, so the run stops there.
 #include <algorithm>
 
 #include <isogloss/sdk.hpp>

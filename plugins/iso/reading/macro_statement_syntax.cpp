@@ -1,6 +1,6 @@
-// Statements of macro languages: assignments, conditions, loops, jumps, O-words, output commands. They are recognised
-// as a whole, so that none of their parts is taken for a word, and left over for evaluation; without it, inspection
-// says that they are not executed.
+// Statements of macro languages: assignments, conditions, loops, jumps, O-words, output commands. Each is recognised as
+// a whole, so that none of its parts is read as a word, and becomes a leftover for evaluation. Where no syntax
+// evaluates it, inspection reports that it is not executed.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/scan.hpp>
@@ -43,7 +43,7 @@ struct MacroStatementSyntax {
     return false;
   }
 
-  /// To the comment or semicolon behind it; the parentheses of #3000=1(ALARM TEXT) belong to the statement.
+  /// The end of the statement: a comment or semicolon after it. The parentheses of #3000=1(ALARM TEXT) belong to it.
   static std::size_t statement_end(std::string_view text, std::size_t position) {
     const std::string_view variable = piece(text, position, skip_digits(text, position + 1));
     const bool has_message = variable == "#3000" || variable == "#3006";

@@ -1,5 +1,5 @@
-/// Codes that own their words, as the chain declares them: for each code Parsing.G81 the words Parsing.G81.X …, with
-/// the words of the block that have the same address.
+/// The codes that own words, as the chain declares them: for each code Parsing.G81 its words Parsing.G81.X … and the
+/// words of the block with the same addresses.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct WordRow {
   }
 };
 
-/// One row for each code that owns words, in the order of `codes`, which may hold other codes too.
+/// One row for each code that owns words, in the order of `codes`; codes without words get no row.
 inline std::vector<WordRow> rows_of(const ig::Fields& codes, const ig::Fields& words) {
   std::vector<WordRow> rows(codes.size());
   std::unordered_map<std::string_view, std::size_t> row_of;
@@ -48,7 +48,7 @@ inline std::vector<WordRow> rows_of(const ig::Fields& codes, const ig::Fields& w
   return rows;
 }
 
-/// The words of the block that stand under no code.
+/// The words that belong to the block and to no code.
 inline WordRow row_of_block(const ig::Fields& words) {
   WordRow row;
   for (std::size_t w = 0; w < words.size(); ++w) row.add(words.path(w).back(), words.id(w), words.unit(w));

@@ -1,6 +1,6 @@
-// Codes that own words: X in `G81 X5. R2.` is the cycle's X, X in `G28 X5.` the intermediate point. Each code that some
-// syntax declares with words of its own gets those words of the block; the others stay with the block. When several
-// such codes want one address, the nearest one before the word has it, else the first of the block.
+// Codes that own words: X in `G81 X5. R2.` is the cycle's X, X in `G28 X5.` the intermediate point. Each code that a
+// syntax declares with words of its own gets those words of the block; the other words stay with the block. Where
+// several such codes own an address, the nearest one before the word gets it, else the first one of the block.
 #include "reading/owned_words.hpp"
 
 namespace iso {
@@ -56,7 +56,7 @@ struct ParameterizedFlagSyntax {
 
   struct Owner {
     std::size_t row;
-    std::int64_t ordinal;  ///< place among the codes of the block
+    std::int64_t ordinal;  ///< position among the codes of the block
     std::uint32_t begin;
   };
 
@@ -87,7 +87,7 @@ struct ParameterizedFlagSyntax {
     return any ? ig::Status::changed : ig::Status::unchanged;
   }
 
-  /// The word of the nearest code before the column that owns the address, else of the first one that does.
+  /// The word of the nearest code before the column that owns the address, else of the first code that owns it.
   ig_field owner_of(char letter, std::uint32_t begin, std::span<const Owner> in_order) const {
     ig_field chosen = IG_NO_FIELD;
     for (const Owner& owner : in_order) {

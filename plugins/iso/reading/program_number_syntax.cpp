@@ -1,5 +1,5 @@
-// The program number O1234 or :1234, or the name <PART>, which begins a program. Several programs may follow each other
-// in a file; the control does not run from one into the next, so the second one ends the run.
+// The program number O1234 or :1234, or the name <PART>, which begins a program. A file may hold several programs; the
+// control does not run from one into the next, so the second number ends the run.
 #include <algorithm>
 #include <string>
 
@@ -41,7 +41,7 @@ struct ProgramNumberSyntax {
     if (flow.is_indexing()) {
       const auto number = numbered_name('O', std::string_view(name).substr(1));
       flow.label(b, number ? number->text() : std::string_view(name), IG_LABEL_PROGRAM);
-      b.erase(parameters);  // an index knows no G11 that is missing
+      b.erase(parameters);  // an index does not see that a G11 is missing
     } else if (b.is_raised(begun) || (flow.frame(b).tag & begins_inside) != 0) {
       leave(b, ig::Where::columns(position, end));
       return block_end(text, end);
@@ -62,7 +62,7 @@ struct ProgramNumberSyntax {
     b.end_program();
   }
 
-  /// Of letters, digits and + - _ . alone: a tag of XML is no program.
+  /// True for letters, digits and + - _ . only: a tag of XML is not a program name.
   static bool is_name(std::string_view text) {
     return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
       return is_letter(c) || is_digit(c) || std::string_view("+-_.").find(c) != std::string_view::npos;

@@ -1,8 +1,7 @@
-// % marks the start and the end of the program on the tape. What stands between the first % and the end of its line is
-// leader and skipped; nothing after the second % is program. A % right behind the program number is the first one: some
-// write the number above it. Ctrl-Z ends a file as the second % does. A file without
-// marks is a program all the same, and so is one that holds the last mark only. Programs behind the second % can be
-// called.
+// % marks the start and the end of the program on the tape. The text between the first % and the end of its line is
+// leader and is skipped; text after the second % is not program, but programs there can be called. A % directly after
+// the program number is the first one: some files have the number above it. Ctrl-Z ends a file like the second %. A
+// file without marks, or with the last mark only, is a program all the same.
 #include <isogloss/flow.hpp>
 
 #include <isogloss/sdk.hpp>
@@ -46,7 +45,7 @@ struct TapeBoundarySyntax {
     return end;
   }
 
-  /// The number counts in the block behind its own.
+  /// The number takes effect in the block after its own.
   ig::Status build(ig::Block& b) {
     if (!b.is_raised(number_before) || b.is_fresh(number_before)) return ig::Status::unchanged;
     b.erase(number_before);
@@ -54,7 +53,7 @@ struct TapeBoundarySyntax {
   }
 
  private:
-  /// %O0003(TITLE) on one line: the program number is none of the leader.
+  /// In %O0003(TITLE) on one line the program number is not part of the leader.
   static bool program_follows(std::string_view text, std::size_t position) {
     const std::size_t first = skip_blanks(text, position);
     return first == block_end(text, first) ||

@@ -1,4 +1,4 @@
-/// The codes of inch and metric input: G20 and G21, and where the control has them G70 and G71 (Syntec).
+/// The codes of inch and metric input: G20 and G21, and G70 and G71 on controls that have them (Syntec).
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@ namespace iso {
 
 using namespace ig::cnc;
 
-/// A member of each syntax that asks for the unit of its block, or takes the code.
+/// A member of each syntax that asks for the unit of its block, or takes its code.
 class UnitCodes {
  public:
   explicit UnitCodes(ig::Access access) : usual_{{"G20", "G21"}, access}, further_{{"G70", "G71"}, access} {}
@@ -24,7 +24,7 @@ class UnitCodes {
     if (const auto code = b.find(usual_)) return Found{*code == 0, usual_.name(*code)};
     return std::nullopt;
   }
-  /// Of several the last one of a pair counts, and G70 and G71 before G20 and G21.
+  /// Of several codes the last one of a pair is in force, and G70 and G71 come before G20 and G21.
   std::optional<Found> take(ig::Block& b) const {
     std::optional<Found> found;
     if (const auto code = take_modal(b, usual_)) found = Found{*code == 0, usual_.name(*code)};

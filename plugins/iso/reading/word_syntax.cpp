@@ -1,6 +1,6 @@
-// Words: an address and a number, X12.5. The scanner reads on over all words that follow each other and hands them to
-// the host in one call. What is not plainly a word is said: an expression is kept for evaluation, a typing error is a
-// diagnostic that shows the text, and the word is not set.
+// Words: an address and a number, X12.5. The scanner reads all words that follow each other and gives them to the host
+// in one call. Text that is not plainly a word is reported: an expression becomes a leftover for evaluation; a typing
+// error is a diagnostic that shows the text, and the word is not set.
 #include <string>
 
 #include <isogloss/sdk.hpp>
@@ -13,7 +13,7 @@ namespace iso {
 using namespace ig::cnc;
 namespace {
 
-/// Characters after a number that make it something else than the end of a word.
+/// Characters after a number that do not end a word.
 constexpr std::array<bool, 256> odd_after_number = [] {
   std::array<bool, 256> odd{};
   for (const char c : {'.', ',', '=', 'E', 'e', 'O', 'o'}) odd[static_cast<unsigned char>(c)] = true;
@@ -24,7 +24,7 @@ constexpr bool is_number_part(char c) { return is_digit(c) || c == '.' || c == '
 constexpr bool is_sign_or_blank(char c) { return c == '+' || c == '-' || is_blank(c); }
 constexpr bool is_digit_or_o(char c) { return is_digit(c) || c == '.' || c == 'O' || c == 'o'; }
 
-/// 1E5, 1e-3: an exponent stands against its number and holds no point. X1 E2.5 is two words.
+/// 1E5, 1e-3: an exponent follows its number without a blank and has no point. X1 E2.5 is two words.
 std::size_t skip_exponent(std::string_view text, std::size_t position) {
   if (to_upper(at(text, position)) != 'E') return position;
   const char sign = at(text, position + 1);
@@ -82,7 +82,7 @@ struct WordSyntax {
     for (std::size_t c = 0; c < begins_word.size(); ++c) begins_word[c] = is_address(static_cast<char>(c));
   }
 
-  /// Words that follow each other, until one host call takes them.
+  /// Words that follow each other and are set by one call of the host.
   struct Run {
     std::array<ig_word, 27> words;  // each letter, and the next tool
     std::uint32_t count = 0;
@@ -113,7 +113,7 @@ struct WordSyntax {
   }
 
  private:
-  /// Codes, sequence and program numbers are for the scanners before this one.
+  /// Codes, sequence numbers and program numbers belong to earlier scanners.
   bool is_address(char c) const {
     const unsigned letter = letter_index(c);
     return letter < 26 && table[letter].field != IG_NO_FIELD && c != 'G' && c != 'g' && c != 'M' && c != 'm' &&
@@ -192,7 +192,7 @@ struct WordSyntax {
       }
   }
 
-  /// The address at `begin` has no number at `number`: an expression, a name or a typing error.
+  /// Reads an address at `begin` that has no number at `number`: an expression, a name or a typing error.
   std::size_t no_number(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number) const {
     const char c = at(text, number);
     if (c == '=') return assignment(b, text, begin, number);
@@ -214,13 +214,14 @@ struct WordSyntax {
     return refuse(b, ig::diag("ISO-0104"), text, begin, skip_while(text, begin + 1, [](char u) { return u == '_'; }));
   }
 
-  /// #1, [#1+2.], SIN[30.]
+  /// True at #1, [#1+2.], SIN[30.]
   static bool begins_expression(std::string_view text, std::size_t position) {
     const char c = at(text, position);
     return c == '#' || c == '[' || (is_letter(c) && at(text, skip_while(text, position, is_letter)) == '[');
   }
 
-  /// The number of the word ends at `end`, but the character there is none that ends a word. `begin`: it is one.
+  /// Reports a number that ends at `end` before a character that does not end a word. Returns `begin` where another
+  /// scanner may read it.
   std::size_t odd_number(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) const {
     const char c = text[end];
     const char after = at(text, end + 1);
@@ -237,7 +238,7 @@ struct WordSyntax {
     return begin;
   }
 
-  /// X=#1, X1=10, R5=R2+1: the value reaches to the next blank that stands in no bracket.
+  /// X=#1, X1=10, R5=R2+1: the value reaches to the next blank outside brackets.
   std::size_t assignment(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals) const {
     std::size_t end = skip_blanks(text, equals + 1);
     while (end < text.size() && std::string_view(" \t;\r\n").find(text[end]) == std::string_view::npos)
@@ -256,7 +257,7 @@ struct WordSyntax {
     return end;
   }
 
-  /// CYCLE81(…) with its arguments, TRANS X10: words behind a name are not the block's own. To the comment behind it.
+  /// Skips CYCLE81(…) with its arguments, or TRANS X10, up to a comment: words after a name are not the block's own.
   static std::size_t skip_statement(std::string_view text, std::size_t position) {
     std::size_t end =
         skip_while(text, position, [](char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '.'; });
@@ -272,7 +273,7 @@ struct WordSyntax {
     return end;
   }
 
-  /// G01 X5. ,C2. or ,R2.: a chamfer or corner radius, which is no C and no R word.
+  /// G01 X5. ,C2. or ,R2.: a chamfer or a corner radius, which is neither a C word nor an R word.
   std::size_t corner(ig::Block& b, std::string_view text, std::size_t position) const {
     const std::size_t letter = skip_blanks(text, position + 1);
     if (!is_letter(at(text, letter))) return position;
@@ -287,8 +288,8 @@ struct WordSyntax {
     return end;
   }
 
-  /// X1. 5 and X1 .5: what stands here goes on with the number of the word before it. Without a point at the blank it
-  /// is no such thing: X10 20 has lost an address.
+  /// X1. 5 and X1 .5: the text here continues the number of the word before it. Without a point at the blank it does
+  /// not: in X10 20 an address is missing.
   std::size_t join_number(ig::Block& b, std::string_view text, std::size_t position) const {
     std::size_t before = position;
     while (before > 0 && is_blank(text[before - 1])) --before;

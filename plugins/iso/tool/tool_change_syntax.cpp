@@ -1,5 +1,5 @@
-/// T and M06: T names a tool (the magazine may turn), M06 puts the tool named last into the spindle. Both may stand in
-/// one block, in either order: T counts first.
+/// T and M06: T names a tool (the magazine may turn), M06 puts the last named tool into the spindle. Both may stand in
+/// one block, in either order: T acts first.
 #include <cmath>
 #include <string>
 
@@ -11,13 +11,13 @@ namespace iso {
 using namespace ig::cnc;
 namespace {
 
-/// A tool's number, and what follows its point: T12.03.
+/// A tool's number and the digits after its point: T12.03.
 struct NamedTool {
   std::int64_t number = 0;
   std::int64_t suffix = 0;
 };
 
-/// Where a section keeps a tool; a suffix of 0 is not shown.
+/// The fields in which a section keeps a tool; a suffix of 0 is not shown.
 struct ToolField {
   explicit ToolField(const std::string& name, ig::About about = {})
       : number("ToolChange." + name + "Id", about),

@@ -1,4 +1,4 @@
-/// G43/G44/G49 and H: the length of the tool lies between the programmed point and the machine coordinates. G43 adds
+/// G43, G44, G49 and H: tool length compensation, between the programmed point and the machine coordinates. G43 adds
 /// the length of row H (geometry and wear) along the tool axis, G44 subtracts it, G49 and H0 end it. H is modal: a new
 /// H under G43 is a new length.
 #include <isogloss/sdk.hpp>
@@ -38,7 +38,7 @@ struct ToolHeightOffset {
                         ig::read,
                         {ig::Life::modal, "mm", "What the tool call adds to the length of the table."}};
   ToolLengths lengths_{ig::Need::required};
-  /// Lengths that a block without Z put in force: the next Z word under G91 travels them.
+  /// Lengths put in force by blocks without Z: the next Z word under G91 travels them too.
   ig::Field<double> untravelled_{"ToolHeightCompensation.Untravelled_mm",
                                  ig::read | ig::write | ig::wake_while,
                                  {ig::Life::modal, "mm", "Change of the length that the next Z under G91 moves by."}};
@@ -107,7 +107,7 @@ struct ToolHeightOffset {
     b.set_translation(frame_, signed_length * tool_axis(b));
   }
 
-  /// The manual's example: with H1 = -4, `G91 G43 H1 Z-32.` moves by -36. True when something was written.
+  /// Example of the manual: with H1 = -4, `G91 G43 H1 Z-32.` moves by -36. True when something was written.
   bool travel(ig::Block& b, double change) const {
     if (under_g91_ == UnderG91::position) return false;
     const double pending = b.get_or(untravelled_, 0.0) + change;
@@ -127,7 +127,7 @@ struct ToolHeightOffset {
     return true;
   }
 
-  /// ToolOrientation (G53.1 has turned the tool), else Z of the rotated system or of the machine.
+  /// The tool axis: ToolOrientation where G53.1 has turned the tool, else Z of the rotated system or of the machine.
   ig::Vec3 tool_axis(const ig::Block& b) const {
     const ig::PartialVec3 orientation = b.get(orientation_);
     if (orientation.complete()) return orientation.value;

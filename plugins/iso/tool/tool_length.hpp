@@ -1,4 +1,4 @@
-/// The tool's length as the table of the machine has it: what H names.
+/// Tool lengths from the machine's table, by the number of an H word.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace iso {
 
 using namespace ig::cnc;
 
-/// A member of each syntax that asks for lengths.
+/// A member of each syntax that asks for tool lengths.
 class ToolLengths {
  public:
   explicit ToolLengths(ig::Need need) : table_("isogloss.tool-offset/1", need, "Length geometry and wear.") {}
@@ -24,8 +24,8 @@ class ToolLengths {
     return id;
   }
 
-  /// mm, geometry and wear together. Row 0 is length 0; so is a row that the table has not, or whose sum no number
-  /// holds, which is said.
+  /// Geometry and wear together, in mm. Row 0 is length 0. The length is also 0, with a diagnostic, for a row that the
+  /// table does not have or whose sum no number can hold.
   double length(ig::Block& b, std::int64_t row, ig::Where where) const {
     if (row == 0) return 0;
     double geometry = 0, wear = 0;

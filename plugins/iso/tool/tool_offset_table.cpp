@@ -1,5 +1,5 @@
-// The tool offsets: length (H) and radius (D) of each offset number, as measured and as worn. H and D stand in one
-// row; the row is the offset number, which a program gives with H and D, not the number of the tool in the magazine.
+// The tool offsets: length (H) and radius (D) of each offset number, as geometry and wear. H and D share one row; the
+// row is the offset number that a program gives with H and D, not the number of the tool in the magazine.
 #include <charconv>
 
 #include <isogloss/sdk.hpp>
