@@ -1,4 +1,4 @@
-// The Siemens plugin's entry: the language of SINUMERIK 840D sl and 828D, and what of it plugin iso has not.
+// The entry of the Siemens plugin: the language of SINUMERIK 840D sl and 828D, as far as plugin iso does not have it.
 // Every syntax and dependency registers itself, with its diagnostics, at the end of its own file.
 #include <isogloss/sdk.hpp>
 

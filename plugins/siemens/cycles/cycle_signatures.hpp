@@ -11,7 +11,7 @@
 
 namespace siemens {
 
-/// Units in brackets where a parameter is no length: s, deg, 1 (a count or a mode), mm/min.
+/// The unit is in brackets where a parameter is not a length: s, deg, 1 (a count or a mode), mm/min.
 struct CycleSignature {
   std::string_view name;
   std::string_view parameters;
@@ -38,7 +38,7 @@ inline constexpr CycleSignature drilling_signatures[] = {
 inline constexpr CycleSignature swivel_signature{
     "CYCLE800", "FR[1] TC[1] ST[1] MODE[1] X0 Y0 Z0 A[deg] B[deg] C[deg] X1 Y1 Z1 DIR[1] FR_I DMODE[1]"};
 
-/// Where the cycle under MCALL works.
+/// Patterns: where the cycle that MCALL keeps in force drills.
 inline constexpr CycleSignature pattern_signatures[] = {
     {"HOLES1", "SPCA SPCO STA1[deg] FDIS DBH NUM[1] VARI[1] UMODE[1] HIDE[1] NSP[1] DMODE[1]"},
     {"HOLES2", "CPA CPO RAD STA1[deg] INDA[deg] NUM[1] VARI[1] UMODE[1] HIDE[1] NSP[1] DMODE[1]"},

@@ -1,5 +1,5 @@
-/// What the drilling cycles share: the parameters of their call, their levels along the drilling axis, and the way
-/// there.
+/// What the drilling cycles share: the parameters of their call, their levels along the drilling axis, and the way to
+/// them.
 #pragma once
 
 #include <cmath>
@@ -12,10 +12,10 @@ namespace siemens {
 
 using namespace ig::cnc;
 
-/// The feed in force, as FeedrateSyntax has written it.
+/// The feed in force, as FeedrateSyntax writes it.
 class FeedInForce {
  public:
-  /// mm/s of that number, or of the F in force; 0 where it is not known.
+  /// The feed `own`, or the F in force, in mm/s; 0 where it is not known.
   double mmds(const ig::Block& b, std::optional<double> own = std::nullopt) const {
     const double f = own.value_or(b.get_or(value_, 0.0));
     if (!(f > 0)) return 0;
@@ -31,18 +31,18 @@ class FeedInForce {
   ig::Name g93_{"G93"}, g95_{"G95"};
 };
 
-/// How a dwell is given.
+/// How a dwell is programmed: in seconds, in spindle turns, or the one or the other by its sign.
 enum class DwellUnit { by_sign, seconds, turns };
 
-/// A call while its cycle is carried out. Levels are positions of the drilling axis.
+/// A call while its cycle is executed. Levels are positions of the drilling axis, in mm.
 struct DrillingRun {
   const CycleFields* cycle = nullptr;
   std::array<std::optional<double>, CycleFields::most> values;
   PlaneAxes plane;
-  ig::Vec3 hole;                                 ///< its drilling axis is where the tool comes from
-  std::optional<std::vector<ig::Vec3>> pattern;  ///< the holes of HOLES1 and its kin
+  ig::Vec3 hole;                                 ///< along the drilling axis: where the tool comes from
+  std::optional<std::vector<ig::Vec3>> pattern;  ///< the holes of a pattern (HOLES1, …)
   double retract = 0, reference = 0, start = 0, depth = 0;
-  double out = 1;  ///< 1 where the axis leaves the hole towards plus
+  double out = 1;  ///< 1 where the axis leaves the hole in its positive direction, else -1
   double feed = 0;
   double dwell = 0;  ///< DTB in seconds
 
@@ -50,7 +50,7 @@ struct DrillingRun {
     const std::size_t i = cycle->index_of(parameter);
     return i < values.size() ? values[i] : std::nullopt;
   }
-  /// A digit of AMODE and its kin, counted from the right.
+  /// A digit of a mode parameter such as AMODE, counted from the right.
   double mode(std::string_view parameter, int digit) const {
     return std::fmod(std::floor((*this)[parameter].value_or(0) / std::pow(10, digit)), 10);
   }
@@ -68,8 +68,8 @@ class DrillingCall {
     for (const std::string_view name : names) cycles_.emplace_back(drilling_signature(name), ig::take | ig::wake);
   }
 
-  /// The call of this block, and the move to the hole that the block makes before it. Nothing where there is no call,
-  /// or one that the control refuses, which was said: X Y Z of the block then move as they would without it.
+  /// The call of this block, and the block's own move to the hole before it. Nothing where there is no call, or where
+  /// the control refuses it, which is reported: X Y Z of the block then move as without the call.
   std::optional<DrillingRun> take(ig::Block& b) const {
     for (const CycleFields& cycle : cycles_) {
       std::uint32_t found = 0;
@@ -93,7 +93,7 @@ class DrillingCall {
     return std::nullopt;
   }
 
-  /// The steps at each hole, and the rapid in the plane to it where a pattern names the holes.
+  /// Makes the steps at each hole, after a rapid in the plane to it where a pattern names the holes.
   template <class Steps>
   void drill(ig::Block& b, DrillingRun& run, const Steps& steps) const {
     if (!run.pattern) {
@@ -114,7 +114,7 @@ class DrillingCall {
     b.set(program_, run.at(run.retract));
   }
 
-  /// The control stops before the hole.
+  /// The control stops before the hole: no step is made.
   void stay(ig::Block& b, const DrillingRun& run) const {
     b.set(program_, run.hole);
     b.alarm();
@@ -125,7 +125,7 @@ class DrillingCall {
     return ig::Where::word(i < run.cycle->size() ? run.cycle->field(i).id() : run.cycle->code().code(0));
   }
 
-  /// Seconds: turns of the spindle where the number is negative, or where the mode (AMODE) says so.
+  /// The dwell in seconds. The number is spindle turns where it is negative, or where the mode (AMODE) says so.
   double seconds(ig::Block& b, const DrillingRun& run, std::optional<double> number,
                  DwellUnit unit = DwellUnit::by_sign) const {
     if (!number || *number == 0) return 0;
@@ -140,7 +140,7 @@ class DrillingCall {
   FeedInForce feed;
 
  private:
-  /// That of the call (DMODE), else the one in force.
+  /// The plane of the call (DMODE), else the one in force.
   PlaneAxes plane_of(const ig::Block& b, const DrillingRun& run) const {
     const double plane = run.mode("DMODE", 0);
     return plane == 1 ? xy_plane : plane == 2 ? zx_plane : plane == 3 ? yz_plane : plane_(b);
@@ -209,7 +209,7 @@ class DrillingCall {
   std::vector<CycleFields> cycles_;
   HolePattern pattern_{ig::take};
   ig::Xyz words_{"Parsing", ig::take};
-  // Rotary axes turn with the first step: the way to the hole.
+  // Rotary axes turn with the first step, on the way to the hole.
   std::array<ig::Word, 3> angles_{ig::Word{"Parsing.A", ig::read, "deg"}, ig::Word{"Parsing.B", ig::read, "deg"},
                                   ig::Word{"Parsing.C", ig::read, "deg"}};
   ig::Xyz program_{"ProgramXyz", ig::write};

@@ -1,4 +1,4 @@
-/// HOLES1, HOLES2, CYCLE801 and CYCLE802: where the cycle that MCALL keeps makes its holes.
+/// HOLES1, HOLES2, CYCLE801 and CYCLE802: the positions at which the cycle kept by MCALL drills.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +24,8 @@ class HolePattern {
 
   bool stands_in(const ig::Block& b) const { return find(b) < calls_.size(); }
 
-  /// For a cycle that asks where to drill: the positions in the plane, nearest end first. Nothing where the block holds
-  /// no pattern; none where it is not executed, which was said.
+  /// The positions in the plane, from the nearest end of the pattern. Nothing where the block holds no pattern; an
+  /// empty list where the pattern is not executed, which is reported.
   std::optional<std::vector<ig::Vec3>> take(ig::Block& b, const PlaneAxes& plane, const ig::Vec3& from) const {
     const std::size_t i = find(b);
     if (i >= calls_.size()) return std::nullopt;
@@ -41,7 +41,7 @@ class HolePattern {
     return std::move(out.holes);
   }
 
-  /// Nobody drills here: says so.
+  /// Reports a pattern at which no cycle drills.
   void refuse(ig::Block& b) const {
     const std::size_t i = find(b);
     Call call{&calls_[i], {}};
@@ -102,7 +102,7 @@ class HolePattern {
     return true;
   }
 
-  /// A number of holes, 0 where the control would not take it.
+  /// A number of holes; 0 where the control would refuse it.
   static std::size_t count(ig::Block& b, const Call& call, std::string_view parameter) {
     const double n = call[parameter];
     if (n >= 1 && n <= most && n == std::floor(n)) return static_cast<std::size_t>(n);
@@ -137,7 +137,7 @@ class HolePattern {
     }
   }
 
-  /// Row by row, there and back, from the corner that lies nearest.
+  /// Row by row, in alternating direction, from the nearest corner.
   static void grid(ig::Block& b, const Call& call, Positions& out) {
     const std::size_t columns = count(b, call, "NUM1"), rows = count(b, call, "NUM2");
     if (columns == 0 || rows == 0) return;

@@ -1,5 +1,5 @@
-/// CYCLE86: bore to the depth, stop the spindle at its angle, move the tip off the wall, and leave by rapid. CYCLE87
-/// and CYCLE88: bore to the depth, stop spindle and program, and leave by rapid when the operator goes on.
+/// CYCLE86: bore to the depth, stop the spindle at its angle, move the tip off the wall, and retract by rapid. CYCLE87
+/// and CYCLE88: bore to the depth, stop spindle and program, and retract by rapid when the operator goes on.
 #include <isogloss/cnc/cycle_spindle.hpp>
 #include "cycles/drilling_cycle.hpp"
 
@@ -48,7 +48,7 @@ struct SiemensBoringCycle {
   }
 
  private:
-  /// SDIR 3 or 4; as the spindle turns where it says nothing.
+  /// The direction of SDIR 3 or 4; without SDIR the present direction of the spindle.
   std::optional<ig::Spindle> direction(ig::Block& b, const DrillingRun& run) const {
     const double sdir = run["SDIR"].value_or(0);
     if (sdir == 3) return ig::Spindle::cw;

@@ -1,6 +1,6 @@
-/// MCALL: a drilling cycle after each block that moves. The call is kept, and raised anew in each block that programs
-/// an axis, or a pattern of holes; MCALL alone ends it. A call without MCALL is left to the cycles, which drill where
-/// the tool stands.
+/// MCALL: a drilling cycle after each block that moves. The call is kept and raised again in each block that programs
+/// an axis or a pattern of holes; MCALL alone ends it. A call without MCALL is executed by the cycles themselves, at
+/// the position of the tool.
 #include <isogloss/sdk.hpp>
 
 #include "cycles/hole_pattern.hpp"
@@ -69,12 +69,12 @@ struct SiemensCycle {
       ig_value v;
       if (b.take(cycles_[i].field(k).id(), v)) b.set(kept_[i][k], v.number);
     }
-    b.erase(cycles_[i].code().code(0));  // nobody drills in this block
+    b.erase(cycles_[i].code().code(0));  // no cycle drills in this block
     b.set(term_, cycles_[i].code().name(0));
     return true;
   }
 
-  /// A rotary axis alone is a move as well: the table turns the next hole under the tool.
+  /// A rotary axis alone is a move as well: a table turns the next hole under the tool.
   bool moves(const ig::Block& b) const {
     return b.get(words_).mask != 0 || b.has(angles_[0]) || b.has(angles_[1]) || b.has(angles_[2]);
   }

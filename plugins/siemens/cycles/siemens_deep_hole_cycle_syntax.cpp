@@ -1,5 +1,5 @@
-/// CYCLE83: drilling in strokes, with a short way back that breaks the chip (VARI 0), or out of the hole to the safety
-/// distance each time (VARI 1).
+/// CYCLE83: drilling in strokes, with a short retract that breaks the chip (VARI 0), or a retract to the safety
+/// distance after each stroke (VARI 1).
 #include "cycles/drilling_cycle.hpp"
 
 namespace siemens {
@@ -18,7 +18,7 @@ struct SiemensDeepHoleCycle {
 
   DrillingCall cycle_{"CYCLE83"};
   ig::NumberOption chip_break_{"chip-break", "1", {0, 1000}, "mm", "The retract of VARI 0 if _VRT does not give it."};
-  std::vector<double> depths_;  // of the strokes, below the reference plane; its memory is kept
+  std::vector<double> depths_;  // of the strokes, below the reference plane; a member, to keep its memory
 
   ig::Status build(ig::Block& b) {
     auto run = cycle_.take(b);
@@ -68,7 +68,7 @@ struct SiemensDeepHoleCycle {
     motion.rapid_to(b, run.at(run.retract));
   }
 
-  // Digits of AMODE, from the right.
+  // Digits of AMODE, counted from the right.
   static constexpr int first_depth_digit = 4, degression_digit = 5, limit_digit = 6, feed_digit = 7;
 
   static bool is_percentage(const DrillingRun& run) { return run.mode("AMODE", feed_digit) == 1; }
@@ -78,7 +78,7 @@ struct SiemensDeepHoleCycle {
     return f == 0 ? 1 : is_percentage(run) ? f / 100 : f;
   }
 
-  /// The strokes. False where the control refuses the call, which was said.
+  /// Computes the strokes. False, with a diagnostic, where the control refuses the call.
   bool plan(ig::Block& b, const DrillingRun& run) {
     const std::string_view name = run.cycle->name();
     const double total = std::fabs(run.reference - run.depth);
@@ -102,7 +102,7 @@ struct SiemensDeepHoleCycle {
       return false;
     }
     double less = run["DAM"].value_or(0);
-    if (run.mode("AMODE", degression_digit) == 2) less = -std::fabs(less) / 100;  // a percentage: a factor
+    if (run.mode("AMODE", degression_digit) == 2) less = -std::fabs(less) / 100;  // a percentage is a factor
     const double least = std::fabs(run["MDEP"].value_or(0));
     depths_.assign(1, first);
     double stroke = first;
@@ -112,7 +112,7 @@ struct SiemensDeepHoleCycle {
         stroke -= less;
       } else if (less > 0) {
         stroke = left > 2 * less + rounding_mm ? less : left / 2;
-        if (left <= 2 * less + rounding_mm) {  // the last two are equal
+        if (left <= 2 * less + rounding_mm) {  // the last two strokes are equal
           depths_.push_back(depths_.back() + stroke);
           depths_.push_back(total);
           break;

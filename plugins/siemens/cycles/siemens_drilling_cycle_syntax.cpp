@@ -1,4 +1,4 @@
-/// CYCLE81 and CYCLE82: rapid to the safety distance, feed to the depth, wait there, rapid to the retract plane.
+/// CYCLE81 and CYCLE82: rapid to the safety distance, feed to the depth, dwell there, rapid to the retract plane.
 #include "cycles/drilling_cycle.hpp"
 
 namespace siemens {

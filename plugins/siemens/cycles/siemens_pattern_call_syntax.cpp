@@ -1,5 +1,5 @@
-/// HOLES1, HOLES2, CYCLE801 and CYCLE802 under MCALL of a subprogram: to each hole by rapid, where
-/// SiemensModalCallSyntax calls it. The block is executed once for each hole.
+/// HOLES1, HOLES2, CYCLE801 and CYCLE802 under MCALL of a subprogram: a rapid to each hole, where
+/// SiemensModalCallSyntax calls the subprogram. The block is executed once for each hole.
 #include "cycles/hole_pattern.hpp"
 #include "flow/flow_words.hpp"
 
@@ -35,12 +35,12 @@ struct SiemensPatternCall {
     if (b.is_raised(open_)) look_back(b, here, open);
     if (!pattern_.stands_in(b) || !b.is_raised(subprogram_) || b.find(mcall_)) return ig::Status::changed;
     const auto holes = pattern_.take(b, plane_(b), last_(b));
-    // Those of programs that have ended, and one of this program that a jump has left.
+    // Drop the patterns of programs that have ended, and one of this program that a jump has left.
     while (!open.empty() && (open.back().frame > here.frame || !open.back().is_open() ||
                              (open.back().frame == here.frame && open.back().offset != here.offset)))
       open.pop_back();
     if (open.empty() || open.back().frame != here.frame) {
-      if (!holes || holes->empty()) return ig::Status::changed;  // said
+      if (!holes || holes->empty()) return ig::Status::changed;  // reported
       PatternCall& begun = open.emplace_back();
       begun.frame = here.frame;
       begun.offset = here.offset;
@@ -59,7 +59,7 @@ struct SiemensPatternCall {
   }
 
  private:
-  /// The program goes on behind the pattern, but not all of its holes were made.
+  /// Reports a pattern when the program goes on after it although not all of its holes were made.
   void look_back(ig::Block& b, const ig_place& here, std::vector<PatternCall>& open) const {
     if (open.empty() || here.frame < open.back().frame) {
       b.erase(open_);

@@ -1,5 +1,5 @@
-/// CYCLE85 and CYCLE89: rapid to the safety distance, feed to the depth, wait there, feed back, rapid to the retract
-/// plane. CYCLE85 has feeds of its own, FFR and RFF.
+/// CYCLE85 and CYCLE89: rapid to the safety distance, feed to the depth, dwell there, retract by feed, rapid to the
+/// retract plane. CYCLE85 has feeds of its own, FFR and RFF.
 #include "cycles/drilling_cycle.hpp"
 
 namespace siemens {

@@ -1,5 +1,5 @@
-/// CYCLE84: rigid tapping; spindle and axis are coupled, one cut, or in pecks. CYCLE840: the same with a floating
-/// holder. The feed follows from the pitch and the speed.
+/// CYCLE84: rigid tapping; spindle and axis are coupled, in one cut or in pecks. CYCLE840: tapping with a floating
+/// holder. The feed follows from the pitch and the spindle speed.
 #include <isogloss/cnc/cycle_spindle.hpp>
 #include "cycles/drilling_cycle.hpp"
 #include "motion/thread_pitch.hpp"
@@ -48,7 +48,7 @@ struct SiemensTappingCycle {
   struct Tap {
     ig::Spindle in, out, last;
     double feed_in = 0, feed_out = 0;  // mm/s
-    std::optional<double> angle;       // of the oriented stop before
+    std::optional<double> angle;       // of the oriented stop before the cut
     Cuts cuts = Cuts::one;
     double cut = 0, back = 0;  // mm
     double dwell = 0;
@@ -89,7 +89,7 @@ struct SiemensTappingCycle {
     b.report(ig::diag("SIE-0199"), DrillingCall::where(run), run.cycle->name());
     return false;
   }
-  /// 3, 4 or 5: how the spindle turns behind the cycle; as before where nothing says it.
+  /// 3, 4 or 5: the direction of the spindle after the cycle; the direction before it where no parameter gives one.
   std::optional<ig::Spindle> turning(ig::Block& b, const DrillingRun& run, std::string_view parameter) const {
     const double n = run[parameter].value_or(0);
     if (n == 3) return ig::Spindle::cw;

@@ -1,4 +1,4 @@
-/// What C=DC(90), C=ACP(90), C=ACN(90) and C=IC(10) mean for an axis that stands at `present`.
+/// The angle that C=DC(90), C=ACP(90), C=ACN(90) and C=IC(10) give to an axis whose present angle is `present`.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,6 @@
-/// A, B and C become angles of the machine before anything follows the rotary axes: the settable frame in force puts
-/// its offset between both, IC counts from where the axis stands, DC, ACP and ACN say which way it turns. G53, G153 and
-/// SUPA know no offset; under G91 a bare word stays a distance.
+/// A, B and C become angles of the machine before any other syntax reads them. The settable frame in force adds its
+/// offset; IC is a distance from the present angle; DC, ACP and ACN give the direction of rotation. Under G53, G153 and
+/// SUPA no offset applies; under G91 a bare word remains a distance.
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
@@ -65,8 +65,8 @@ struct SiemensRotaryWords {
  private:
   static ig::Status of(bool changed) { return changed ? ig::Status::changed : ig::Status::unchanged; }
 
-  /// To what follows the axes G53 is that of a Fanuc, which leads no tip and is none under G91. Here it puts off frames
-  /// as SUPA does.
+  /// For the syntaxes that follow the rotary axes, G53 is the code of a Fanuc, which ends tool centre point control for
+  /// its block and has no effect under G91. Here G53 suppresses frames, as SUPA does.
   bool name_supa(ig::Block& b) const {
     ig_value code;
     bool is_renamed = false;
@@ -79,7 +79,7 @@ struct SiemensRotaryWords {
     return is_renamed;
   }
 
-  /// True where the offset has changed.
+  /// Selects the frame; true where the offset changes.
   bool select(ig::Block& b, ig::Symbol id) const {
     Angles sum{};
     for (const std::string_view row : {id == g500_ ? std::string_view() : b.text(id), std::string_view("BASE")}) {
@@ -95,7 +95,7 @@ struct SiemensRotaryWords {
     return false;
   }
 
-  /// Under G91 a word that is no distance becomes one, since what follows counts it as one.
+  /// Under G91 a word that is a position becomes a distance, because later syntaxes read it as one.
   bool resolve(ig::Block& b, std::size_t axis, double word, double offset, bool g91) const {
     const auto mode = modes_.get(b, 3 + axis);
     if (!mode && (g91 || offset == 0)) return false;

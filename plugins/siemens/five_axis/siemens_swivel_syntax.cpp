@@ -1,4 +1,4 @@
-/// CYCLE800: a swivelled plane, and the rotary axes that put the tool upright on it. The call becomes the words that
+/// CYCLE800: a swivelled plane, and the rotary axes that set the tool square to it. The call becomes the words that
 /// IsoG68p2TiltSyntax (the plane) and G53p1RotaryPositionSyntax (the axes) execute.
 #include <algorithm>
 
@@ -134,7 +134,7 @@ struct SiemensSwivel {
     const bool is_additive = *status % 10 == 1 && is_tilted(b);
     if (*status % 10 != 1) end_programmable_frame(b);
     const std::size_t row = is_additive ? 1 : 0;
-    // A new plane replaces the one before, which is no fault here.
+    // A new plane replaces the previous one, which is not a fault here.
     if (!is_additive && is_tilted(b)) b.erase(term_);
     b.set_call(plane_, row);
     constexpr std::string_view names = "XYZIJK";
@@ -157,7 +157,7 @@ struct SiemensSwivel {
     if (counts) b.report(ig::diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
   }
 
-  /// Stands where CYCLE800 does, for what is said of it.
+  /// Has the place of CYCLE800 in the block, so that diagnostics point there.
   void align(ig::Block& b) const {
     ig_word word{};
     b.word(call_.code().code(0), word);
@@ -166,7 +166,7 @@ struct SiemensSwivel {
     b.set_word(word);
   }
 
-  /// Nothing has turned the rotary axes.
+  /// True when no code has turned the rotary axes.
   bool is_at_zero(const ig::Block& b) const {
     return std::all_of(angles_.begin(), angles_.end(), [&](const auto& angle) { return b.get_or(angle, 0.0) == 0; });
   }

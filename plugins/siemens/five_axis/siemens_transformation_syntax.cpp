@@ -1,6 +1,6 @@
 /// TRAORI: X Y Z are positions of the tool's tip in the workpiece, wherever the rotary axes have turned it. The call
-/// becomes what ToolCenterPointSyntax executes: G43.4, which takes angles, or G43.5, where the block names a direction
-/// (A3= B3= C3=). TRAFOOF ends it.
+/// becomes a code that ToolCenterPointSyntax executes: G43.4, whose blocks give angles, or G43.5 where the block gives
+/// a direction (A3= B3= C3=). TRAFOOF ends it.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/plane.hpp>
@@ -74,7 +74,7 @@ struct SiemensTransformation {
     const bool has_vector = b.has(vector_[0]) || b.has(vector_[1]) || b.has(vector_[2]);
     const bool by_vector = has_vector && take_vector(b);
     const bool is_by_vector = b.is(by_direction_, g43_5_);
-    // I J K of an arc are its centre and no direction: the tool rests in its angles.
+    // I J K of an arc are its centre, not a direction: the angles of the tool do not change.
     const bool ends_vector = is_by_vector && (has_angles || is_arc(b));
     if (on || (by_vector ? !is_by_vector : ends_vector)) b.set_call(tip_, by_vector ? 1 : 0);
     return ig::Status::changed;
@@ -95,7 +95,7 @@ struct SiemensTransformation {
       }
   }
 
-  /// False where the block is an arc, whose I J K are its centre. The direction turns with ROT and MIRROR, as X Y Z do.
+  /// False where the block is an arc, whose I J K are its centre. ROT and MIRROR rotate the direction as they do X Y Z.
   bool take_vector(ig::Block& b) const {
     std::array<double, 3> v{};
     for (std::size_t i = 0; i < 3; ++i) v[i] = b.take(vector_[i]).value_or(0);
@@ -114,7 +114,7 @@ struct SiemensTransformation {
     return true;
   }
 
-  /// The length lies along the axis of the plane again, or along the tool that CYCLE800 has put upright.
+  /// The length lies along the axis of the plane again, or along the tool that CYCLE800 has set square to the plane.
   void end(ig::Block& b) const {
     const ig::PartialVec3 orientation = b.get(orientation_);
     const bool stays = b.has(aligned_) && orientation.complete();

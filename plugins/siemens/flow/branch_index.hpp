@@ -1,5 +1,5 @@
-/// Which ELSE and ENDIF belong to an IF, and which end to a loop: known by names that they get while the program is
-/// indexed. ENDIF@12 ends the IF of line 12.
+/// Which ELSE and ENDIF belong to an IF, and which end to a loop. While the program is indexed, these blocks get labels
+/// that name the partner: ENDIF@12 ends the IF of line 12.
 #pragma once
 
 #include "flow/flow_words.hpp"

@@ -1,4 +1,4 @@
-/// GOTO and its kin, and CASE, which chooses one of them.
+/// GOTO, GOTOF, GOTOB and GOTOC, and CASE, which selects one of several jumps.
 #pragma once
 
 #include "flow/flow_words.hpp"
@@ -12,7 +12,7 @@ class Jumps {
  public:
   Jumps(const Environment& environment, LoopStack& loops) : environment_(environment), loops_(loops) {}
 
-  /// GOTOF LABEL at `position`; LABEL is a name, a sequence number or a text.
+  /// Executes GOTOF LABEL at `position`; LABEL is a name, a sequence number or a text.
   void go(ig::Block& b, std::string_view text, std::size_t position) {
     const std::size_t behind = skip_name(text, position);
     const std::string kind = upper(piece(text, position, behind));
@@ -57,8 +57,8 @@ class Jumps {
     loops_.note_jump(environment_.flow.frame(b).id);
   }
 
-  /// GOTOF A IF c GOTOF B at `position`, behind a condition that holds or does not: of several jumps in a block the
-  /// first counts whose condition holds.
+  /// Executes GOTOF A IF c GOTOF B at `position`, after a condition whose value is `holds`: of several jumps in a
+  /// block, the first one whose condition holds is executed.
   void by_conditions(ig::Block& b, std::string_view text, std::size_t position, bool holds) {
     for (;;) {
       const std::size_t other = find_word(text, position, "IF");
@@ -76,7 +76,7 @@ class Jumps {
     }
   }
 
-  /// CASE (x) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C
+  /// Executes CASE (x) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C.
   void by_case(ig::Block& b, std::string_view text, std::size_t begin, std::size_t behind_case) {
     Expression e(b, environment_, text, behind_case);
     const auto value = e.number();

@@ -1,4 +1,4 @@
-/// The words that begin a statement of the flow, and what its parts have in common.
+/// The words that begin a statement of the program flow, and helpers to read its parts.
 #pragma once
 
 #include "language/siemens_expression.hpp"
@@ -47,7 +47,7 @@ inline FlowWord flow_word(std::string_view name) {
 inline ig::Where columns(std::string_view text, std::size_t begin) {
   return ig::Where::columns(begin, std::max(text.size(), begin + 1));
 }
-/// False, and said, when something stands behind the statement.
+/// True where the statement ends at `position`; false, with a diagnostic, where other text follows.
 inline bool ends(ig::Block& b, std::string_view text, std::size_t position) {
   const std::size_t rest = skip_blanks(text, position);
   if (rest >= text.size()) return true;
@@ -57,7 +57,7 @@ inline bool ends(ig::Block& b, std::string_view text, std::size_t position) {
 inline bool is_word(std::string_view text, std::size_t position, std::string_view word) {
   return equals_ignoring_case(piece(text, position, skip_name(text, position)), word);
 }
-/// Where the word stands from `position` on, outside texts; the end of the text where it does not.
+/// The position of the word from `position` on, outside strings; the end of the text where it is not found.
 inline std::size_t find_word(std::string_view text, std::size_t position, std::string_view word) {
   bool quoted = false;
   for (std::size_t i = position; i < text.size(); ++i) {
@@ -66,12 +66,12 @@ inline std::size_t find_word(std::string_view text, std::size_t position, std::s
   }
   return text.size();
 }
-/// N0430 is the label N430.
+/// N0430 becomes the label N430.
 inline void drop_zeros(std::string& label) {
   const bool is_number = label.size() > 1 && label[0] == 'N' && skip_digits(label, 1) == label.size();
   if (is_number) label.erase(1, std::min(label.find_first_not_of('0', 1), label.size() - 1) - 1);
 }
-/// Does a GOTO stand behind the condition?
+/// True when a GOTO follows the condition.
 inline bool has_jump(std::string_view text, std::size_t position) {
   const std::size_t end = statement_end(text, position);
   bool quoted = false;
@@ -82,7 +82,7 @@ inline bool has_jump(std::string_view text, std::size_t position) {
   return false;
 }
 
-/// The label of the block with a pattern of holes, at each of which MCALL calls a subprogram.
+/// The label of a block with a pattern of holes, at each of which MCALL calls a subprogram.
 inline std::string pattern_label(std::int64_t line) { return "PATTERN@" + std::to_string(line); }
 
 }  // namespace siemens

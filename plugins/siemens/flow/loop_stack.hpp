@@ -1,4 +1,4 @@
-/// The loops and repeats that a run is in, the innermost last.
+/// The loops and repeats that the run is in, the innermost last.
 #pragma once
 
 #include <isogloss/flow.hpp>
@@ -16,10 +16,10 @@ struct Loop {
   std::int64_t line;
   ig_place place;
   bool goes_on = false;       ///< its end has sent the run back to its beginning
-  bool jumped = false;        ///< a GOTO came while it ran: it may have been left
+  bool jumped = false;        ///< a GOTO was executed in it: the loop may have been left
   std::int64_t end_line = 0;  ///< 0: not reached yet
-  double left = 0;            ///< repeats of a section
-  std::string until;          ///< the label behind which the section ends
+  double left = 0;            ///< repeats of a section that are still to be made
+  std::string until;          ///< the label after which the section ends
 };
 
 class LoopStack {
@@ -27,13 +27,13 @@ class LoopStack {
   static constexpr std::size_t deepest = 1000;
 
   void clear() { loops_.clear(); }
-  /// Loops of programs that have ended go.
+  /// Drops the loops of programs that have ended.
   void enter(const ig_frame& frame) {
     while (!loops_.empty() &&
            (loops_.back().frame > frame.id || (loops_.back().frame == frame.id && loops_.back().pass != frame.pass)))
       loops_.pop_back();
   }
-  /// The loop that begins at this line of the frame, made the innermost; nothing where it is not running.
+  /// The loop that begins at this line of the frame, made the innermost one; null where it is not running.
   Loop* at_line(std::uint64_t frame, std::int64_t line, LoopKind kind) {
     for (std::size_t i = loops_.size(); i-- > 0 && loops_[i].frame == frame;)
       if (loops_[i].line == line && loops_[i].kind == kind) {
@@ -42,7 +42,7 @@ class LoopStack {
       }
     return nullptr;
   }
-  /// The loop of that kind which ends at this line. `doubtful`: another one may be meant.
+  /// The loop of that kind that ends at this line. `doubtful` is set where another one may be meant.
   Loop* ending(std::uint64_t frame, std::int64_t line, LoopKind kind, bool& doubtful) {
     doubtful = false;
     while (!loops_.empty() && loops_.back().frame == frame) {

@@ -1,5 +1,5 @@
-// Labels, jumps, branches and loops. The scanner takes the statement as a whole; build() executes it. Which ELSE and
-// ENDIF belong to an IF is known by names that they get while the program is indexed: ENDIF@12 ends the IF of line 12.
+// Labels, jumps, branches and loops. The scanner reads the statement as a whole; build() executes it. Which ELSE and
+// ENDIF belong to an IF is known from labels that the index gives them: ENDIF@12 ends the IF of line 12.
 #include "flow/branch_index.hpp"
 #include "flow/flow_jumps.hpp"
 
@@ -51,7 +51,7 @@ struct SiemensFlow {
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     if (text[position] == ':') return main_block(b, text, position);
     const std::size_t end = skip_name(text, position);
-    // The control wants two letters first; L1: is written, too.
+    // The control requires two letters first; programs write L1: as well.
     if (end - position < 2 || (is_digit(text[position + 1]) && at(text, end) != ':')) return position;
     const std::size_t behind = skip_blanks(text, end);
     if (at(text, behind) == ':' && at(text, behind + 1) != '=') {
@@ -122,7 +122,8 @@ struct SiemensFlow {
     }
   }
 
-  /// The condition behind the word, and where reading stopped. WHILE (…) DO is written, too.
+  /// The value of the condition after the word; `after` receives the position where it ends. Programs also write WHILE
+  /// (…) DO.
   std::optional<bool> condition(ig::Block& b, std::string_view text, std::size_t& after) const {
     Expression e(b, environment_, text, behind_);
     const auto holds = e.truth();
@@ -135,7 +136,7 @@ struct SiemensFlow {
     const auto holds = condition(b, text, after);
     const bool jumps_here = after < text.size() && flow_word(piece(text, after, skip_name(text, after))) == Word::go;
     if (!holds) {
-      // Neither branch is known to be right: both are left out.
+      // Neither branch is known to be the right one: both are skipped.
       if (!has_jump(text, behind_)) jump_behind(b, text, "ENDIF@", "ENDIF", line);
       return;
     }
@@ -156,7 +157,7 @@ struct SiemensFlow {
 
   std::uint64_t frame(const ig::Block& b) const { return environment_.flow.frame(b).id; }
 
-  /// The loop of this line; true where its end has sent the run back to it.
+  /// The loop that begins at this line, entered where it is not running yet; null where loops are nested too deeply.
   Loop* begun(ig::Block& b, std::string_view text, LoopKind kind, std::int64_t line) {
     const ig_frame f = environment_.flow.frame(b);
     if (Loop* const loop = loops_.at_line(f.id, line, kind)) {
@@ -195,7 +196,7 @@ struct SiemensFlow {
     jump_behind(b, text, std::string(end) + "@", end, line);
   }
 
-  /// FOR i=1 TO 10: the variable counts in steps of 1, the end value counts, too.
+  /// FOR i=1 TO 10: the variable increases in steps of 1; the pass with the end value is made, too.
   void execute_for(ig::Block& b, std::string_view text, std::int64_t line) {
     Expression e(b, environment_, text, skip_blanks(text, behind_));
     const auto variable = e.reference();
@@ -325,7 +326,7 @@ struct SiemensFlow {
     loops_.pop();
   }
 
-  /// The label or number behind which the section in repetition ends.
+  /// Ends the pass of a repeated section at its end label or number.
   void end_section(ig::Block& b, std::string_view label) {
     loops_.enter(environment_.flow.frame(b));
     const Loop* const section = loops_.innermost(frame(b));
@@ -352,7 +353,8 @@ struct SiemensFlow {
     return true;
   }
 
-  /// RET("LABEL"): back to that block of the caller. How many levels and what else the control takes is not executed.
+  /// RET("LABEL"): returns to that block of the caller. The further parameters, such as the number of levels, are not
+  /// executed.
   void return_to(ig::Block& b, std::string_view text) {
     const std::size_t open = skip_blanks(text, behind_);
     const auto refuse = [&] { b.report(ig::diag("SIE-0306"), columns(text, begin_), text.substr(begin_)); };
@@ -377,7 +379,7 @@ struct SiemensFlow {
     environment_.flow.leave(b);
   }
 
-  /// Behind the call; or back to the pattern of holes that called.
+  /// Returns to the block after the call, or to the pattern of holes that called.
   void leave_subprogram(ig::Block& b) const {
     const std::vector<PatternCall>& patterns = environment_.store().patterns;
     const std::uint64_t tag = environment_.flow.frame(b).tag;
@@ -385,10 +387,10 @@ struct SiemensFlow {
     environment_.flow.leave(b, is_of_pattern ? std::string_view(patterns.back().label) : std::string_view());
   }
 
-  BranchIndex branches_{environment_};  // while the program is indexed
+  BranchIndex branches_{environment_};  // used while the program is indexed
   LoopStack loops_;
   Jumps jumps_{environment_, loops_};
-  Word word_ = Word::none;  // what scan() has found
+  Word word_ = Word::none;  // the word that scan() has found
   std::size_t begin_ = 0, behind_ = 0, end_statement_ = 0;
   std::string first_label_;
 };

@@ -1,4 +1,4 @@
-/// What a frame makes of circles.
+/// What a frame does to circles.
 #pragma once
 
 #include <cmath>
@@ -11,12 +11,12 @@ namespace siemens {
 
 using namespace ig::cnc;
 
-/// Where the frame lets an axis of the program point; its length is the scale of the axis.
+/// The direction in which the frame maps an axis of the program; its length is the scale of the axis.
 inline ig::Vec3 axis_of(std::span<const double, 16> m, std::size_t axis) {
   return {m[4 * axis], m[4 * axis + 1], m[4 * axis + 2]};
 }
 
-/// A circle in the plane stays a circle: both axes have one scale and are square to each other.
+/// True where a circle in the plane remains a circle: both axes have the same scale and are square to each other.
 inline bool keeps_circles(std::span<const double, 16> m, const PlaneAxes& plane) {
   const ig::Vec3 u = axis_of(m, plane.first), v = axis_of(m, plane.second);
   const double size = length(u);

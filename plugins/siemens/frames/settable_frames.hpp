@@ -8,7 +8,7 @@
 
 namespace siemens {
 
-/// A member of each syntax that follows them.
+/// A member of each syntax that depends on the settable frame.
 class SettableFrames {
  public:
   explicit SettableFrames(ig::Access access) {
@@ -18,7 +18,7 @@ class SettableFrames {
       names_.push_back(ig::Name(name));
     }
   }
-  /// The code of this block.
+  /// The code in this block, if there is one.
   std::optional<std::size_t> find(const ig::Block& b) const {
     std::uint32_t found = 0;
     return some(b.find_code(ids_.data(), static_cast<std::uint32_t>(ids_.size()), &found));

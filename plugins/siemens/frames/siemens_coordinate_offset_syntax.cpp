@@ -1,5 +1,5 @@
-/// G54 to G57, G505 to G599 and G500: which of the settable work offsets the program counts from. The base frame of the
-/// table (BASE) is added to each; under G500 it is alone. Rotary axes are SiemensRotaryWordsSyntax's.
+/// G54 to G57, G505 to G599 and G500: which settable work offset is the program's origin. The base frame of the table
+/// (BASE) is added to each of them, and under G500 it acts alone. SiemensRotaryWordsSyntax handles the rotary axes.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/coordinate_offset.hpp>

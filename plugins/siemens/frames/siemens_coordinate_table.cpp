@@ -1,5 +1,5 @@
-// The settable work offsets of a SINUMERIK: G54 to G57, G505 to G599, and the base frame, which is in force under all
-// of them and alone under G500.
+// The settable work offsets of a SINUMERIK: G54 to G57, G505 to G599, and the base frame, which acts with each of them
+// and alone under G500.
 #include <charconv>
 
 #include <isogloss/cnc/work_offset_service.hpp>

@@ -1,5 +1,6 @@
-/// TRANS, ROT, SCALE, MIRROR and their additive forms: the programmable frame. TRANS and its kin replace the whole of
-/// it, also what the others of them have said; ATRANS and its kin act in the frame as it is.
+/// TRANS, ROT, SCALE, MIRROR and their additive forms: the programmable frame. TRANS, ROT, SCALE and MIRROR replace the
+/// whole frame, including what the others of them have set; ATRANS, AROT, ASCALE and AMIRROR act within the frame in
+/// force.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/tilt_transform.hpp>
@@ -56,7 +57,7 @@ struct SiemensFrame {
   }
 
  private:
-  /// Once for each time that G41 or G42 meets such a frame.
+  /// Reports such a frame once each time that G41 or G42 becomes active in it.
   bool say_uneven_compensation(ig::Block& b) const {
     const bool is_wrong =
         b.is_raised(uneven_) && (b.is(left_, g41_) || b.is(right_, g42_)) && !keeps_circles(present(b), plane_(b));
@@ -107,7 +108,7 @@ struct SiemensFrame {
     return b.get(frame_, m) ? m : identity_frame;
   }
 
-  /// About Z, then the new Y, then the new X: of row vectors X comes first.
+  /// The rotation about Z, then about the new Y, then about the new X. With row vectors, X is applied first.
   Mat4 rotation(ig::Block& b, const ig::Words& words, ig::Where where) const {
     const auto rpl = b.take(rpl_);
     const bool has_axes = words['X'] || words['Y'] || words['Z'];
@@ -117,7 +118,7 @@ struct SiemensFrame {
                           TurnedAxes::fixed);
   }
 
-  /// Finite, and with a way back.
+  /// True for a finite matrix that has an inverse.
   static bool is_sound(const Mat4& m) {
     constexpr double least = 1e-9, most = 1e9;
     for (const double element : m)

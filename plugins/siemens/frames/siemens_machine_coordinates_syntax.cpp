@@ -1,5 +1,5 @@
-/// G53, G153 and SUPA: for this block no frame acts on the axis words, only the length of the tool, unless D0 has put
-/// it off. Group 1 decides how the block moves. Increments count from where the axes stand.
+/// G53, G153 and SUPA: for this block no frame acts on the axis words; only the tool length does, unless D0 has
+/// cancelled it. Group 1 decides how the block moves. Distances start at the present positions of the axes.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/program_xyz.hpp>
@@ -48,7 +48,8 @@ struct SiemensMachineCoordinates {
   }
 
  private:
-  /// As the machine sees it: the frame has it as the workpiece does, which may be swivelled with the table.
+  /// The tool length in machine coordinates. The frame holds it in coordinates of the workpiece, which a table may have
+  /// swivelled.
   ig::Vec3 tool_length(const ig::Block& b) const {
     double m[16];
     if (!b.get(tool_, m)) return {};

@@ -1,5 +1,5 @@
-/// The values of an array: SET(1,2,3) and (1,2,3) for its elements one behind the other, REP(0) for all of them,
-/// REP(0,5) for five; in a definition and in an assignment, from the element on that is named there.
+/// The values of an array: SET(1,2,3) and (1,2,3) for consecutive elements, REP(0) for all elements, REP(0,5) for five
+/// of them; in a definition, and in an assignment from the named element on.
 #pragma once
 
 #include "flow/flow_words.hpp"
@@ -13,21 +13,22 @@ class ArrayValues {
   ArrayValues(ig::Block& b, const Environment& environment, std::string_view text)
       : b_(b), environment_(environment), text_(text) {}
 
-  /// SET( or REP( at `position`, or a bracket alone.
+  /// True at SET( or REP( at `position`, or at a bracket alone.
   static bool begin(std::string_view text, std::size_t position, bool or_bracket) {
     if (or_bracket && at(text, position) == '(') return true;
     return (is_word(text, position, "SET") || is_word(text, position, "REP")) &&
            at(text, skip_blanks(text, skip_name(text, position))) == '(';
   }
 
-  /// Stores them from the element of that number on and goes behind them. False, and said, where that is not possible.
+  /// Stores the values from element number `first` on and moves `next` past them. False, with a diagnostic, where that
+  /// is not possible.
   bool read(std::size_t& next, const std::string& array, std::size_t first) {
     const std::size_t begin = next;
     const bool repeats = is_word(text_, next, "REP");
     if (at(text_, next) != '(') next = skip_blanks(text_, skip_name(text_, next));
     if (!read_list(next, array)) return false;
     const Variable* const target = environment_.store().find(array);
-    // One more than the program may have, so that the store says it.
+    // One more than the program may have, so that the store reports the excess.
     const std::size_t most_elements = environment_.store().most_names + 1;
     const bool is_sized = !target->sizes.empty();
     const std::size_t room = is_sized ? target->size() - std::min(first, target->size()) : most_elements;
@@ -44,7 +45,7 @@ class ArrayValues {
       values_.resize(room);
     }
     for (std::size_t i = 0; i < values_.size(); ++i) {
-      if (!values_[i]) continue;  // SET(1,,3) leaves an element as it is
+      if (!values_[i]) continue;  // SET(1,,3) does not change the second element
       if (environment_.store().define(array + target->indices_of(first + i), *values_[i])) continue;
       b_.report(ig::diag("SIE-0114"), ig::Where::columns(begin, next), std::string_view(array));
       return false;

@@ -1,4 +1,4 @@
-// ; opens a comment, up to the end of the line. Round brackets are no comments here.
+// ; opens a comment, up to the end of the line. Round brackets do not enclose comments here.
 #include <isogloss/cnc/scan.hpp>
 
 namespace siemens {

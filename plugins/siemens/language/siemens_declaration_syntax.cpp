@@ -1,4 +1,4 @@
-// DEF, DEFINE, PROC, EXTERN: variables of the program, names for texts, and what a call has passed.
+// DEF, DEFINE, PROC, EXTERN: variables of the program, names for texts, and the parameters that a call passes.
 #include "language/array_values.hpp"
 
 namespace siemens {
@@ -79,7 +79,8 @@ struct SiemensDeclaration {
     return equals_ignoring_case(piece(text, position, skip_name(text, position)), word);
   }
 
-  /// REAL, INT, BOOL, CHAR, STRING[n]; AXIS is kept as a text. Nothing for FRAME and names of no type.
+  /// The type at `position`: REAL, INT, BOOL, CHAR, STRING[n]; AXIS is kept as a text. Nothing for FRAME and other
+  /// names.
   static std::optional<Type> type_at(std::string_view text, std::size_t& position) {
     const std::size_t end = skip_name(text, position);
     const std::string name = upper(piece(text, position, end));
@@ -153,7 +154,7 @@ struct SiemensDeclaration {
     }
   }
 
-  /// [5] and [2,3]: how many elements there are in each dimension.
+  /// [5] and [2,3]: the number of elements in each dimension.
   bool read_sizes(ig::Block& b, std::string_view text, std::size_t& next, const std::string& name,
                   std::vector<std::uint32_t>& sizes) {
     constexpr double most = 1e6;
@@ -179,7 +180,7 @@ struct SiemensDeclaration {
     return true;
   }
 
-  /// =value; of an array what ArrayValues reads, or one value for all of its elements.
+  /// Reads =value; for an array, what ArrayValues reads, or one value for all elements.
   bool initial(ig::Block& b, std::string_view text, std::size_t& next, const std::string& name) {
     Variable& defined = *environment_.store().find(name);
     const std::size_t first = skip_blanks(text, next + 1);
@@ -265,7 +266,7 @@ struct SiemensDeclaration {
     return true;
   }
 
-  Word word_ = Word::none;  // what scan() has found
+  Word word_ = Word::none;  // the word that scan() has found
   std::size_t begin_ = 0, behind_ = 0, end_statement_ = 0;
 };
 

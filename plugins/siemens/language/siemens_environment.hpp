@@ -1,4 +1,4 @@
-/// What the syntaxes of the language share: the variables, the place in the program, and what of the machine is known.
+/// What the syntaxes of the language share: the variables, the place in the program, and the known data of the machine.
 #pragma once
 
 #include <array>
@@ -23,17 +23,17 @@ class Environment {
 
   VariableStore& store() const { return const_cast<VariableStore&>(*store_.operator->()); }
 
-  /// A name that is missing is missing wherever it stands: it is said once, an array without its indices.
+  /// Reports a missing name once for the run, an array without its indices.
   void report_name(ig::Block& b, ig::DiagnosticCode diagnostic, const ig::Where& where, const std::string& name) const {
     const std::string base = name.substr(0, name.find('['));
     if (store().say_once(std::string(diagnostic.code) + '\n' + base))
       b.report(diagnostic, where, std::string_view(base));
   }
 
-  /// Before variables are read or written in a block.
+  /// Call it before variables are read or written in a block.
   void enter(ig::Block& b) const { store().enter(flow.frame(b).id); }
 
-  /// What a loop or a subprogram meets again at the same place of the text is said once for that place.
+  /// Reports a diagnostic once for each place of the text, however often a loop or a subprogram comes there again.
   template <class... Args>
   void report_once(ig::Block& b, ig::DiagnosticCode diagnostic, const ig::Where& where, std::size_t column,
                    const Args&... args) const {
@@ -61,7 +61,8 @@ inline std::string upper(std::string_view name) {
   return out;
 }
 
-/// A block in which the name from `begin` to `end` has become what DEFINE says of it. Columns before it stay.
+/// A block in which the name from `begin` to `end` is replaced by its DEFINE text. Columns before `begin` do not
+/// change.
 class ExpandedText {
  public:
   ExpandedText(std::string_view text, std::size_t begin, std::size_t end, std::string_view by)
@@ -70,7 +71,7 @@ class ExpandedText {
   }
   std::string_view text() const { return text_; }
   std::size_t macro_end() const { return macro_end_; }
-  /// Where reading has come to, in the text as it is written.
+  /// The position in the original text for a position in the expanded text.
   std::size_t original(std::size_t position) const {
     return position <= begin_ ? position : std::max(position, macro_end_) - macro_end_ + end_;
   }
@@ -80,7 +81,7 @@ class ExpandedText {
   std::size_t begin_, end_, macro_end_;
 };
 
-/// Where the statement ends: at a comment, which a string may look like, or at the end of the block.
+/// The position where the statement ends: at a comment (a ; inside a string is none) or at the end of the block.
 constexpr std::size_t statement_end(std::string_view text, std::size_t position) {
   bool quoted = false;
   for (; position < text.size() && text[position] != '\r' && text[position] != '\n'; ++position) {
@@ -89,15 +90,15 @@ constexpr std::size_t statement_end(std::string_view text, std::size_t position)
   }
   return position;
 }
-/// Without the blanks before it.
+/// The same without the blanks before it.
 constexpr std::size_t statement_text_end(std::string_view text, std::size_t position) {
   std::size_t end = statement_end(text, position);
   while (end > position && is_blank(text[end - 1])) --end;
   return end;
 }
 
-/// Past the round bracket that closes the one at `position`; strings may hold brackets. The end of the statement where
-/// none does.
+/// The position past the round bracket that closes the one at `position`; strings may hold brackets. The end of the
+/// statement where no bracket closes it.
 constexpr std::size_t skip_call(std::string_view text, std::size_t position) {
   std::size_t depth = 0;
   bool quoted = false;

@@ -1,4 +1,4 @@
-// Priorities as in the manual "Job planning", arithmetic functions: NOT binds first, comparisons last.
+// Priorities follow the manual "Job planning", arithmetic functions: NOT binds first, comparisons last.
 #include "language/siemens_expression.hpp"
 #include <isogloss/cnc/units.hpp>
 
@@ -16,7 +16,7 @@ struct Operator {
   std::string_view text;
   int priority;  // 1 binds first
 };
-// Longer ones before those that they begin with.
+// Longer operators come before those that they begin with.
 constexpr Operator operators[] = {{"*", 1},     {"/", 1},    {"DIV", 1}, {"MOD", 1}, {"+", 2},  {"-", 2},  {"B_AND", 3},
                                   {"B_XOR", 4}, {"B_OR", 5}, {"AND", 6}, {"XOR", 7}, {"OR", 8}, {"<<", 9}, {"==", 10},
                                   {"<>", 10},   {">=", 10},  {"<=", 10}, {">", 10},  {"<", 10}};
@@ -52,7 +52,7 @@ std::optional<bool> Expression::truth() {
   return n ? std::optional(*n != 0) : std::nullopt;
 }
 
-/// The operator of that priority which stands here, taken; "" where there is none.
+/// Takes the operator of that priority at the present position; "" where there is none.
 std::string_view Expression::take_operator(int priority) {
   skip_blanks();
   for (const Operator& o : operators) {
@@ -86,7 +86,7 @@ std::optional<Value> Expression::level(int priority) {
 
 /// Signs and NOT, any number of them.
 std::optional<Value> Expression::unary() {
-  std::string prefix;  // what is applied from its end
+  std::string prefix;  // applied from its end
   skip_blanks();
   for (;; skip_blanks()) {
     const char c = peek();
@@ -121,7 +121,7 @@ std::optional<Value> Expression::unary() {
   return v;
 }
 
-/// <<5 alone: what stands behind it, as a text.
+/// <<5 alone: the operand after it, as a text.
 std::optional<Value> Expression::as_text() {
   at_ += 2;
   if (++depth_ > deepest) return fail(ig::diag("SIE-0103"), at_, static_cast<double>(deepest));
@@ -171,7 +171,7 @@ std::optional<Value> Expression::operand() {
   return r ? read(*r) : std::nullopt;
 }
 
-/// What DEFINE says of the name that was read: a value in itself.
+/// The value of the DEFINE text of the name that was read.
 std::optional<Value> Expression::of_macro(std::size_t begin, const std::string& macro) {
   if (depth_ > 0 && depth_ >= deepest) return fail(ig::diag("SIE-0103"), begin, static_cast<double>(deepest));
   const std::string padded = std::string(begin, ' ') + macro;
@@ -335,7 +335,7 @@ std::optional<Value> Expression::read(const Reference& r) {
   return std::nullopt;
 }
 
-/// Functions of tools, curves, axes, files and protection zones of the running control.
+/// True for functions that ask a running control about tools, curves, axes, files and protection zones.
 static bool asks_control(std::string_view name) {
   for (const std::string_view known :
        {"GETT",     "GETACTT",  "GETACTTD",   "GETDNO",     "GETEXET",    "GETSELT", "GETTCOR",  "NEWT",    "CHKDNO",

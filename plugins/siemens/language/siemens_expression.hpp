@@ -1,5 +1,5 @@
-/// Expressions of the Siemens language, read and computed in one pass over the text. Faults are reported where they
-/// stand. Recursion is bounded by the brackets that are read.
+/// Expressions of the Siemens language, read and computed in one pass over the text. Faults are reported at their
+/// columns. The depth of recursion is limited by the number of brackets that are read.
 #pragma once
 
 #include <algorithm>
@@ -16,11 +16,11 @@ class Expression {
   Expression(ig::Block& b, const Environment& environment, std::string_view text, std::size_t position)
       : b_(b), environment_(environment), text_(text), at_(std::min(position, text.size())) {}
 
-  /// Nothing where it has no value, which was said.
+  /// The value; nothing, with a diagnostic, where the expression has none.
   std::optional<Value> value();
   std::optional<double> number();
   std::optional<bool> truth();
-  /// Where reading has stopped.
+  /// The position where reading has stopped.
   std::size_t position() const { return at_; }
 
   /// R1, R[…], NAME, NAME[…], $NAME[…]: the name of a variable, with its indices computed.
@@ -57,7 +57,7 @@ class Expression {
   }
   std::string_view shown(std::size_t begin) const { return ig::cnc::piece(text_, begin, std::max(at_, begin)); }
 
-  /// A little of what stands there, without the comment.
+  /// A short piece of the text at `begin`, without a comment, for a diagnostic.
   std::string_view next_text(std::size_t begin) const {
     const std::string_view some = text_.substr(std::min(begin, text_.size()), 20);
     return trim(some.substr(0, some.find_first_of(";\r\n")));
@@ -69,7 +69,7 @@ class Expression {
   std::size_t at_;
   int depth_ = 0;
   bool failed_ = false;
-  bool is_in_macro_ = false;  // they do not nest
+  bool is_in_macro_ = false;  // macros do not nest
 };
 
 }  // namespace siemens

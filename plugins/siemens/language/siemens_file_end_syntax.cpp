@@ -1,4 +1,4 @@
-/// A main program whose file ends before it does: the run ends there, and says so.
+/// A main program whose file ends without M2, M17 or M30: the run ends there, with a diagnostic.
 
 #include <isogloss/sdk.hpp>
 

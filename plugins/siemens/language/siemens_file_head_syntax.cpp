@@ -1,5 +1,5 @@
-// %_N_NAME_MPF: in an archive the program NAME begins here, and the one before it has ended. What else stands behind %
-// is the title of the file.
+// %_N_NAME_MPF: in an archive the program NAME begins here and the one before it ends. Any other text after % is the
+// title of the file.
 #include "language/siemens_environment.hpp"
 
 namespace siemens {
@@ -49,7 +49,7 @@ struct SiemensFileHead {
     b.end_program();
   }
 
-  /// NAME of %_N_NAME_MPF or %_N_NAME_SPF; "" where the line is none.
+  /// NAME of %_N_NAME_MPF or %_N_NAME_SPF; "" for any other line.
   static std::string_view name_of(std::string_view head) {
     if (!equals_ignoring_case(head.substr(0, 4), "%_N_")) return {};
     std::string_view name = head.substr(4, skip_name(head, 4) - 4);

@@ -1,4 +1,5 @@
-// R parameters and what the user says of variables of the machine: global user data (GUD), machine and setting data.
+// R parameters, and values that the user gives to variables of the machine: global user data (GUD), machine and setting
+// data.
 #include <stdexcept>
 #include <string>
 

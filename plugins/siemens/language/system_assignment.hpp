@@ -1,4 +1,4 @@
-/// Assignments to what the control itself keeps: work offsets, tool data, signals, markers.
+/// Assignments to data of the control: work offsets, tool data, signals, markers.
 #pragma once
 
 #include "language/siemens_expression.hpp"
@@ -11,13 +11,13 @@ class SystemAssignment {
  public:
   struct Outcome {
     std::size_t end;                         ///< of the text that was read
-    std::optional<std::uint32_t> code = {};  ///< the G code that it comes to
-    bool is_fault = false;                   ///< the value could not be computed, which was said
+    std::optional<std::uint32_t> code = {};  ///< the G code that the assignment amounts to
+    bool is_fault = false;                   ///< the value could not be computed, which was reported
   };
 
   explicit SystemAssignment(const Environment& environment) : environment_(environment) {}
 
-  /// $P_UIFR[1,X,TR]=5, $P_UIFR[1]=CTRANS(X,5,Y,3), $TC_DP3[1,1]=120
+  /// Executes $P_UIFR[1,X,TR]=5, $P_UIFR[1]=CTRANS(X,5,Y,3), $TC_DP3[1,1]=120.
   Outcome run(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
               const std::string& name) const {
     const auto refuse = [&](std::size_t end) -> Outcome {
@@ -44,7 +44,7 @@ class SystemAssignment {
           reference && other.position() == last ? environment_.system.shift_of(b, reference->name) : std::nullopt;
       if (shift && environment_.system.write_shift(b, name, *shift)) return {last};
     }
-    if (name.starts_with("$A_OUT") || name.starts_with("$A_DB")) {  // signals of the machine, as M codes are
+    if (name.starts_with("$A_OUT") || name.starts_with("$A_DB")) {  // signals of the machine, like M codes
       b.report(ig::diag("SIE-0126"), ig::Where::columns(begin, last), ig::cnc::piece(text, begin, last));
       return {last};
     }
@@ -64,7 +64,8 @@ class SystemAssignment {
   }
 
  private:
-  /// :CROT(X,0,Y,0,Z,0), as posts and the control itself write it behind CTRANS. False where a link changes the frame.
+  /// Passes :CROT(X,0,Y,0,Z,0) after CTRANS, as post-processors and the control write it. False where a link changes
+  /// the frame.
   bool passes_idle_links(ig::Block& b, std::string_view text, std::size_t& next) const {
     while (ig::cnc::at(text, ig::cnc::skip_blanks(text, next)) == ':') {
       const std::size_t link = ig::cnc::skip_blanks(text, ig::cnc::skip_blanks(text, next) + 1),
@@ -86,7 +87,7 @@ class SystemAssignment {
     return shift;
   }
 
-  /// (X,5,Y,3): nothing where it holds another axis, or no value.
+  /// Reads (X,5,Y,3); nothing where it holds another axis, or no value.
   std::optional<SystemData::Shift> shift_at(ig::Block& b, std::string_view text, std::size_t& next,
                                             double unnamed = 0) const {
     SystemData::Shift shift = uniform(unnamed);

@@ -1,5 +1,5 @@
-/// System variables for which the document or a table holds the value: the position, the tool and its offsets, the
-/// settable frames, the codes in force. What is written to frames and offsets stands in the tables of this run.
+/// System variables whose value is in the document or in a table: the position, the tool and its offsets, the settable
+/// frames, the codes in force. Values that a program writes to frames and offsets go into the tables of this run.
 #pragma once
 
 #include <array>
@@ -18,12 +18,12 @@ namespace siemens {
 
 using namespace ig::cnc;
 
-/// What became of a value that a program gives to a system variable.
+/// The result of an assignment to a system variable.
 enum class Written { no, taken, without_effect };
 
 class SystemData {
  public:
-  /// $P_UIFR[1,X,TR] in parts: $P_UIFR, 1, X, TR.
+  /// The parts of $P_UIFR[1,X,TR]: $P_UIFR, 1, X, TR.
   struct Name {
     std::string_view base;
     std::array<std::string_view, 3> index;
@@ -55,19 +55,19 @@ class SystemData {
     if (name.base == "$P_PFRAME") return programmed(b, name);
     if (const auto row = offset_row(b, name)) return offset(b, *row, column_of(name));
     if (name.base == "$P_GG" && name.count == 1) return group(b, name.number(0).value_or(0));
-    if (name.base == "$P_TOOLL" && name.count == 1)  // 1 lies along the tool, 2 and 3 are 0 of a milling tool
+    if (name.base == "$P_TOOLL" && name.count == 1)  // 1 lies along the tool; a milling tool has 0 for 2 and 3
       return name.index[0] == "1" ? b.get_or(length_, 0.0) / unit(b) : 0.0;
     return plain(b, name.base);
   }
 
-  /// $P_UIFR[n]: the code that puts this frame in force.
+  /// The code that puts the frame $P_UIFR[n] in force.
   static std::optional<std::uint32_t> code_of(std::string_view text) {
     const Name name(text);
     const auto n = name.number(0);
     if (name.base != "$P_UIFR" || name.count != 1 || !n || *n < 0 || *n > 99) return std::nullopt;
     return static_cast<std::uint32_t>(*n == 0 ? 500 : *n < 5 ? 53 + *n : 500 + *n);
   }
-  /// Is it one of those that write() may take?
+  /// True for variables that write() may accept.
   static bool takes(std::string_view text) {
     const Name name(text);
     return name.base == "$P_UIFR" || name.base == "$P_CHBFR" || name.base == "$P_UBFR" ||
@@ -86,7 +86,7 @@ class SystemData {
     return moves_nothing(name.base) ? Written::without_effect : Written::no;
   }
 
-  /// $P_UIFR[n] and its kin as a whole: X Y Z A B C.
+  /// $P_UIFR[n] and similar frames as a whole: X Y Z A B C.
   using Shift = std::array<double, 6>;
   bool write_shift(const ig::Block& b, std::string_view text, const Shift& shift) const {
     const Name name(text);
@@ -114,13 +114,13 @@ class SystemData {
  private:
   static constexpr std::int64_t edge_step = 100;
 
-  /// Lengths of the system are inches under G700.
+  /// mm per unit of the system's lengths, which are inches under G700.
   double unit(const ig::Block& b) const { return b.is(unit_term_, g700_) ? mm_per_inch : 1; }
   static std::size_t axis_of(std::string_view name) {
     return name.size() == 1 ? std::string_view("XYZABC").find(name[0]) : std::string_view::npos;
   }
 
-  /// $AA_IW[X], $AA_IM[X], $P_EP[X]: where the block before has ended.
+  /// $AA_IW[X], $AA_IM[X], $P_EP[X]: the position at the end of the block before.
   std::optional<double> position(const ig::Block& b, const Name& name) const {
     const bool of_machine = name.base == "$AA_IM";
     if (!of_machine && name.base != "$AA_IW" && name.base != "$P_EP" && name.base != "$AA_WCS") return std::nullopt;
@@ -184,7 +184,7 @@ class SystemData {
 
   // ---- Tools
 
-  /// The column of the table that $TC_DP3[t,d], $P_AD[3], $P_TOOLL[1] or $P_TOOLR names.
+  /// The table column that $TC_DP3[t,d], $P_AD[3], $P_TOOLL[1] or $P_TOOLR names.
   static std::optional<std::uint32_t> column_of(const Name& name) {
     std::string_view number = name.base.starts_with("$TC_DP") ? name.base.substr(6) : std::string_view();
     if (name.base == "$P_AD" && name.count == 1) number = name.index[0];
@@ -199,7 +199,7 @@ class SystemData {
     if (name.base == "$P_AD") return b.get_or(row_, std::int64_t{0});
     const auto tool = name.number(0), edge = name.number(1);
     if (name.count != 2 || !tool || !edge || *tool < 1 || *edge < 1 || *edge > 99) return std::nullopt;
-    return *tool + (*edge - 1) * edge_step;  // as SiemensToolOffsetSyntax
+    return *tool + (*edge - 1) * edge_step;  // the numbering of SiemensToolOffsetSyntax
   }
   std::optional<double> offset(const ig::Block& b, std::int64_t row, std::optional<std::uint32_t> column) const {
     double mm = 0;
@@ -211,7 +211,7 @@ class SystemData {
     const std::int64_t row = b.get_or(row_, std::int64_t{0});
     if (name == "$P_TOOLNO" || name == "$TC_MPP6")
       if (const auto tool = b.get(tool_)) return static_cast<double>(*tool);
-    if (name == "$P_TOOLP")  // preselected
+    if (name == "$P_TOOLP")  // the preselected tool
       if (const auto tool = b.get(next_tool_)) return static_cast<double>(*tool);
     if (name == "$P_TOOL") return static_cast<double>(b.get_or(edge_, std::int64_t{0}));
     if (name == "$P_TOOLR")
@@ -220,13 +220,13 @@ class SystemData {
     if (name == "$P_S") return b.get(speed_);
     if (name == "$P_SDIR") return b.is(direction_, cw_) ? 3 : b.is(direction_, ccw_) ? 4 : 5;
     if (name == "$P_UIFRNUM") return offset_number(b) - 1;
-    // The program runs at the machine from its beginning: no block search, no simulation, no test.
-    // Markers and parameters of the channel are 0 until the program writes them.
+    // The program runs from its beginning as on the machine: no block search, no simulation, no test. Markers and
+    // parameters of the channel are 0 until the program writes them.
     for (const std::string_view off : {"$P_SEARCH", "$P_SIM", "$P_ISTEST", "$P_DRYRUN", "$AC_MARKER", "$AC_PARAM"})
       if (name == off) return 0;
     return std::nullopt;
   }
-  /// Names, types, magazine places of tools, clocks and counters: what moves no axis here.
+  /// True for data that move no axis here: names, types and magazine places of tools, clocks, counters.
   static bool moves_nothing(std::string_view base) {
     for (const std::string_view known :
          {"$AC_TIMER", "$AC_OPERATING_TIME", "$AC_CYCLE_TIME", "$AC_CUTTING_TIME", "$AC_REQUIRED_PARTS",
@@ -246,7 +246,7 @@ class SystemData {
     if (id.size() > 1) std::from_chars(id.data() + 1, id.data() + id.size(), n);
     return n >= 505 ? n - 499 : n == 500 ? 1 : n - 52;
   }
-  /// $P_GG[n]: the number of the code in its group, as the list of the G groups has it.
+  /// $P_GG[n]: the number of the code in its group, from the list of G groups.
   std::optional<double> group(const ig::Block& b, std::int64_t group) const {
     const auto index = [&](const ig::In<ig::Symbol>& field, std::initializer_list<std::string_view> codes) {
       double n = 0;

@@ -1,5 +1,5 @@
-/// The variables of a run: R parameters, and named ones of each program that is running. The dependency
-/// SiemensVariables owns one; the syntaxes of this plugin reach it through its service.
+/// The variables of a run: R parameters, and the named ones of each running program. The dependency SiemensVariables
+/// owns one store; the syntaxes of this plugin reach it through its service.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct Value {
   static Value string(std::string t) { return {0, Type::text, std::move(t)}; }
   bool is_text() const { return type == Type::text; }
 
-  /// As a variable of that type takes it: INT rounds, BOOL is 0 or 1. Nothing where text meets number.
+  /// The value converted to a type: INT rounds, BOOL is 0 or 1. Nothing between text and number.
   std::optional<Value> as(Type wanted) const {
     if (is_text() != (wanted == Type::text)) return std::nullopt;
     if (wanted == Type::integer) return integer(std::round(number));
@@ -43,14 +43,14 @@ struct Value {
 };
 
 struct Variable {
-  Value value;  ///< of an array what elements hold that nobody has set
+  Value value;  ///< for an array: the value of elements that were never set
   bool is_array = false;
-  std::vector<std::string> elements{};                 ///< [1] and so on: those with a variable of their own
+  std::vector<std::string> elements{};                 ///< [1] and so on: elements with a variable of their own
   std::vector<std::uint32_t> sizes{};                  ///< of an array, by dimension; empty: not known
   std::pair<std::uint64_t, std::size_t> defined_at{};  ///< offset of its block, column
 
-  /// The element of these indices, "[0,3]", counted with the last index fastest; nothing: it lies outside. Where the
-  /// sizes are not known there is one index, of any size.
+  /// The number of the element with these indices, "[0,3]", where the last index runs fastest; nothing where they are
+  /// out of range. Where the sizes are not known there is one index of any size.
   std::optional<std::size_t> number_of(std::string_view indices) const {
     const std::size_t count = std::max<std::size_t>(sizes.size(), 1);
     std::size_t number = 0, next = 1;
@@ -65,7 +65,7 @@ struct Variable {
     }
     return next == indices.size() ? std::optional(number) : std::nullopt;
   }
-  /// The indices of the element of that number.
+  /// The indices of the element with that number.
   std::string indices_of(std::size_t number) const {
     std::string out = "]";
     for (std::size_t i = sizes.size(); i-- > 0; number /= sizes[i])
@@ -77,7 +77,7 @@ struct Variable {
     for (const std::uint32_t s : sizes) n *= s;
     return n;
   }
-  /// "A[2,3]", as it was defined.
+  /// "A[2,3]", as in its definition.
   std::string shown_as(std::string_view name) const {
     std::string out(name);
     if (sizes.empty()) return out + "[]";
@@ -90,19 +90,19 @@ struct Variable {
 struct Argument {
   std::optional<Value> value;
   std::string name;
-  std::vector<std::pair<std::string, Value>> elements{};  ///< of an array, where name is one
+  std::vector<std::pair<std::string, Value>> elements{};  ///< of an array, where `name` is one
   std::vector<std::uint32_t> sizes{};
 };
 
-/// MCALL NAME(…): called after each block of that program that moves.
+/// MCALL NAME(…): a call after each block of that program that moves.
 struct ModalCall {
   std::string program;
   std::vector<Argument> arguments;
   std::uint64_t frame = 0;
 };
 
-/// A pattern of holes at each of which MCALL calls a subprogram. Its block is executed once for each hole: the end of
-/// the subprogram goes back to it.
+/// A pattern of holes at each of which MCALL calls a subprogram. Its block is executed once for each hole: the
+/// subprogram's end returns to it.
 struct PatternCall {
   std::uint64_t frame = 0;   ///< of the block with the pattern
   std::uint64_t offset = 0;  ///< where that block begins
@@ -118,25 +118,26 @@ class VariableStore {
  public:
   ModalCall modal;
   std::vector<PatternCall> patterns;           ///< the innermost last
-  std::optional<std::int64_t> master_spindle;  ///< what SETMS has named
-  std::uint32_t curve_begins = 0;              ///< the line of the CTABDEF that is in force; 0: none
+  std::optional<std::int64_t> master_spindle;  ///< the spindle that SETMS has named
+  std::uint32_t curve_begins = 0;              ///< line of the CTABDEF in force; 0: none
 
-  std::size_t most_names = 100'000;  ///< of one program, elements of arrays counted
+  std::size_t most_names = 100'000;  ///< of one program, with elements of arrays
 
   void set_r_count(std::size_t count) { r_.assign(count, {}); }
   std::size_t r_count() const { return r_.size(); }
 
-  /// R parameters: nothing where there is none of that number.
+  /// One R parameter; r() gives null for a number that the control does not have.
   struct RParameter {
     double value = 0;
     bool is_given = false;  ///< by the user or by the program
   };
   RParameter* r(std::size_t number) { return number < r_.size() ? &r_[number] : nullptr; }
 
-  /// Names that the user gave a value: data of the machine.
+  /// Gives a value to a name: data of the machine, from the user.
   void give(std::string name, double value) { given_[std::move(name)] = value; }
 
-  /// The program with this frame runs. Programs above it have ended: what their VAR parameters hold goes to the caller.
+  /// Makes the program with this frame the running one. Programs above it have ended: the values of their VAR
+  /// parameters go to the caller.
   void enter(std::uint64_t frame) {
     if (frame == scopes_.back().frame) return;
     while (scopes_.size() > 1 && scopes_.back().frame > frame) {
@@ -158,7 +159,7 @@ class VariableStore {
     const auto it = scope.variables.find(name);
     return it == scope.variables.end() ? nullptr : &it->second;
   }
-  /// The same, up to the end of the run.
+  /// Like give(), but only up to the end of the run.
   void give_for_run(const std::string& name, double value) {
     if (given_for_run_.size() < most_names) given_for_run_[name] = value;
   }
@@ -167,7 +168,7 @@ class VariableStore {
     const auto it = given_.find(name);
     return it == given_.end() ? std::nullopt : std::optional(it->second);
   }
-  /// False where there are too many.
+  /// Defines a variable; false where there are too many.
   bool define(const std::string& name, Value value, bool is_array = false) {
     auto& variables = scopes_.back().variables;
     if (is_array)
@@ -180,7 +181,7 @@ class VariableStore {
       array->second.elements.push_back(name.substr(bracket));
     return true;
   }
-  /// Every element of the array has this value.
+  /// Gives every element of the array this value.
   void fill(const std::string& array, Value value) {
     auto& variables = scopes_.back().variables;
     for (const auto& [element, own] : elements(array)) variables.erase(array + element);
@@ -202,7 +203,7 @@ class VariableStore {
     passed_ = std::move(arguments);
     return ++tag_;
   }
-  /// What the call of the present program passed; for the first statement of it.
+  /// The arguments of the present program's call, for the first statement that asks.
   const std::vector<Argument>& passed(std::uint64_t tag) {
     if (tag != 0 && tag == tag_) scopes_.back().arguments = passed_;
     return scopes_.back().arguments;
@@ -249,7 +250,7 @@ class VariableStore {
     std::uint64_t frame = 0;
     std::unordered_map<std::string, Variable> variables;
     std::map<std::string, std::string> references;
-    std::vector<Argument> arguments;  // of each pass anew
+    std::vector<Argument> arguments;  // set again for each pass
   };
   std::vector<RParameter> r_;
   std::unordered_map<std::string, double> given_, given_for_run_;

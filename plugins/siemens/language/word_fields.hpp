@@ -1,4 +1,4 @@
-/// What a chain knows by name: addresses (X, CR, I1) and codes (G1, SUPA, TRANS), as its syntaxes declare them.
+/// The names that a chain knows: addresses (X, CR, I1) and codes (G1, SUPA, TRANS), as its syntaxes declare them.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// How one word of a block counts, whatever G90 and G91 say: X=AC(10), X=IC(5), C=DC(90), C=ACP(90), C=ACN(90).
+/// How a single word is read, whatever G90 and G91 say: X=AC(10), X=IC(5), C=DC(90), C=ACP(90), C=ACN(90).
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ class AxisModes {
  public:
   static constexpr std::array<std::string_view, 14> words{"X", "Y", "Z",  "A",  "B",  "C",  "I",
                                                           "J", "K", "I1", "J1", "K1", "AP", "RP"};
-  static constexpr std::size_t ap = 12, rp = 13;  ///< the polar ones
+  static constexpr std::size_t ap = 12, rp = 13;  ///< the polar words
 
   explicit AxisModes(ig::Access access) {
     for (const std::string_view word : words)

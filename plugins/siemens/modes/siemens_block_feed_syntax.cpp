@@ -1,4 +1,4 @@
-/// FB=: the feed of one block, in the unit of F. F stays what it is.
+/// FB=: the feed of one block, in the unit of F. The modal F does not change.
 #include <isogloss/sdk.hpp>
 
 namespace siemens {

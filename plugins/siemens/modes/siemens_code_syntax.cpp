@@ -1,5 +1,5 @@
 /// Functions of the control that are known by name but not executed: each is one error that says what is missing, and
-/// the words that belong to it go with it.
+/// its words are taken with it.
 #include <algorithm>
 #include <vector>
 
@@ -59,7 +59,7 @@ struct SiemensCode {
     std::string_view missing;
   };
   std::vector<Word> words_ = declared_words();
-  /// A tool that keeps its direction is said once for each kind of word, since whole programs are full of them.
+  /// A tool that keeps its direction is reported once for each kind of word, since whole programs are full of them.
   struct Direction {
     std::string_view word;
     ig::Signal said;
@@ -70,8 +70,8 @@ struct SiemensCode {
       Direction{"A2", {"SiemensCode.~A2Said", ig::read | ig::write, ig::Life::modal}},
       Direction{"A3", {"SiemensCode.~A3Said", ig::read | ig::write, ig::Life::modal}}};
 
-  // Smoothing and limits, the angle at which a thread begins: they change no end point. Of splines: the code says that
-  // the curve is missing.
+  // Smoothing, limits and the start angle of a thread: they do not change end points. For splines the code itself
+  // reports that the curve is missing.
   std::array<ig::Word, 14> quiet_{ig::Word{"Parsing.OVRRAP"}, ig::Word{"Parsing.ALF"},     ig::Word{"Parsing.DILF"},
                                   ig::Word{"Parsing.ADIS"},   ig::Word{"Parsing.ADISPOS"}, ig::Word{"Parsing.CTOL"},
                                   ig::Word{"Parsing.OTOL"},   ig::Word{"Parsing.STOLF"},   ig::Word{"Parsing.LIMS"},
@@ -81,12 +81,12 @@ struct SiemensCode {
   ig::Status build(ig::Block& b) {
     bool any = codes_.say(b);
     for (const ig::Word& word : quiet_) any |= b.take(word).has_value();
-    std::string_view said;  // of words that belong together the first one is said
+    std::string_view said;  // of words that belong together the first one is reported
     for (const Word& word : words_) {
       const auto value = b.take(word.word);
       if (!value) continue;
       any = true;
-      if (*value == 0 && is_additional(word.missing)) continue;  // the end of it
+      if (*value == 0 && is_additional(word.missing)) continue;  // its end
       const auto direction = std::find_if(directions_.begin(), directions_.end(),
                                           [&](const Direction& d) { return word.missing.starts_with(d.word); });
       const bool is_direction = direction != directions_.end();

@@ -1,5 +1,5 @@
-/// DIAMON and DIAM90: X of a turned part is a diameter. The word becomes the radius before anything reads it, so that
-/// all positions of the run stay distances from the axis.
+/// DIAMON and DIAM90: X of a turned part is a diameter. The word is converted to the radius before any other syntax
+/// reads it, so that all positions of the run are distances from the axis.
 #include "modes/axis_modes.hpp"
 
 namespace siemens {
@@ -38,7 +38,7 @@ struct SiemensDiameter {
  private:
   static constexpr std::size_t off = 2;
 
-  /// Under DIAM90 distances stay radii.
+  /// Under DIAM90 distances remain radii.
   bool is_radius(const ig::Block& b, std::size_t word) const {
     const auto mode = modes_.get(b, word);
     const bool is_distance = mode ? *mode == ic_ : b.is(positioning_, g91_);

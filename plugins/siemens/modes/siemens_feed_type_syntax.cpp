@@ -1,6 +1,6 @@
-/// G96 and its kin stand in one group with G93, G94 and G95: they say what F counts, too. G96 counts it per revolution,
-/// G961 per minute, G962 as before; and G93, G94 or G95 end G96. What is left of them is G96 or G97, as
-/// SpindleSpeedSyntax knows them.
+/// G96, G961, G962 and G97 are in one group with G93, G94 and G95, so they also set the unit of F. G96 sets feed per
+/// revolution, G961 feed per minute, G962 keeps the unit; and G93, G94 or G95 end G96. What remains is the G96 or G97
+/// that SpindleSpeedSyntax knows.
 #include <isogloss/sdk.hpp>
 
 namespace siemens {
@@ -29,7 +29,7 @@ struct SiemensFeedType {
  private:
   static constexpr std::size_t per_minute = 1, per_revolution = 2;
 
-  /// G97 where a type of feed takes the place of G96 in its group.
+  /// Raises G97 where a feed type replaces G96 in the group.
   ig::Status end_rate(ig::Block& b) const {
     if (!b.find(types_) || b.find(ended_) || !b.is(rate_, constant_.name(0))) return ig::Status::unchanged;
     raise(b, ended_.id(0));

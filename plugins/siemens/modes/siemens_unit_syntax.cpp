@@ -1,5 +1,6 @@
-/// G70/G71 and G700/G710: inch or metric input. G70 is for positions alone: F stays mm/min; under G700 F is inch/min.
-/// Stands first in the logic: it turns what the block programs into mm, so that nothing after it knows of inches.
+/// G70, G71, G700 and G710: inch or metric input. G70 applies to positions only, F remains in mm/min; under G700 F is
+/// in inch/min. It is the first syntax of the logic and converts the programmed values into mm, so that no later syntax
+/// has to know of inches.
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 

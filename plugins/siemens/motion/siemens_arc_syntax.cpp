@@ -1,5 +1,5 @@
-/// Arcs as Siemens writes them become the words that CircularMotionSyntax knows: AR= (the angle of the arc), CIP
-/// (through a point), and TURN= is kept for SiemensTurnSyntax. CR= was read as R.
+/// Arcs as Siemens writes them become the words that CircularMotionSyntax knows: AR= (the angle of the arc) and CIP (an
+/// arc through a point). TURN= is kept for SiemensTurnSyntax, and CR= has been read as R.
 #include <cmath>
 #include <numbers>
 
@@ -83,7 +83,7 @@ struct SiemensArc {
   }
 
  private:
-  /// The frame makes no circle of an arc in the plane in force.
+  /// True where the frame distorts circles in the plane in force.
   bool is_bent(const ig::Block& b) const {
     std::array<double, 16> m;
     return b.is_raised(uneven_) && b.get(frame_, m) && !keeps_circles(m, plane_(b));
@@ -94,7 +94,7 @@ struct SiemensArc {
     b.set(centre_[plane.second], rounded(from_start.v));
   }
 
-  /// AR with the end point: the centre; AR with the centre: the end point.
+  /// AR with the end point gives the centre; AR with the centre gives the end point.
   void by_angle(ig::Block& b, double degrees, bool is_ccw) const {
     const auto where = ig::Where::word(ar_.id());
     if (!(degrees > 0 && degrees < 360)) {
@@ -119,13 +119,13 @@ struct SiemensArc {
       b.report(ig::diag("SIE-0222"), where);
       return;
     }
-    // The centre lies on the middle line of the chord: half the chord over the tangent of half the angle.
+    // The centre lies on the bisector of the chord, at half the chord over the tangent of half the angle.
     const double height = 0.5 / std::tan(turn / 2);
     set(b, plane, {chord.u / 2 - chord.v * height, chord.v / 2 + chord.u * height});
   }
   void set_word(ig::Block& b, std::size_t axis, double value) const { b.set(words_.id(axis), rounded(value)); }
 
-  /// The circle through start, I1 J1 K1 and end. It must lie in the plane, or go evenly along the third axis.
+  /// The circle through the start, I1 J1 K1 and the end. It must lie in the plane or rise evenly along the third axis.
   bool through_point(ig::Block& b, bool is_named) const {
     std::array<std::optional<double>, 3> word;
     for (std::size_t axis = 0; axis < 3; ++axis) word[axis] = b.take(middle_[axis]);
@@ -153,7 +153,7 @@ struct SiemensArc {
     b.raise(arcs_.id(area > 0 ? 1 : 0));
     return true;
   }
-  /// G01: a straight line to the end point.
+  /// The code of a straight move, G01, to the end point.
   ig_field others_code() const { return straight_.id(0); }
   ig::Codes straight_{{"G01"}, ig::write};
 };

@@ -1,4 +1,4 @@
-/// ANG=: a straight line is given by its angle and one coordinate of its end; the other one follows.
+/// ANG=: a straight line is given by its angle and one coordinate of its end point; the other coordinate is computed.
 #include <cmath>
 #include <numbers>
 
@@ -36,7 +36,8 @@ struct SiemensContourAngle {
     const double turn = std::fmod(*angle, 360) * radians_per_degree, along = std::cos(turn), across = std::sin(turn);
     const bool by_first = named.has(plane.first), by_second = named.has(plane.second);
     const double slope = by_first ? along : across;
-    // Both coordinates or none belong to contours of several lines, which are computed from their blocks together.
+    // Both coordinates, or none, belong to contours of several lines, which the control computes from their blocks
+    // together.
     if (by_first == by_second || std::fabs(slope) < 1e-9 || is_arc(b)) {
       b.report(ig::diag("SIE-0262"), ig::Where::word(angle_.id()),
                "ANG=: the end point of the contour line is not computed");

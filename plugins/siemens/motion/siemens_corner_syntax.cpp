@@ -1,5 +1,5 @@
-/// CHF=, CHR= and RND= behind a move, and RNDM= behind each: the chamfer or rounding at the corner to the next move,
-/// its kind and size, as a state that CornerBreakPathSyntax and the radius compensation make the path from.
+/// CHF=, CHR= and RND= after a move, and RNDM= after each move: kind and size of the chamfer or rounding at the corner
+/// to the next move. CornerBreakPathSyntax and cutter radius compensation make the path from this state.
 #include <cmath>
 
 #include <isogloss/sdk.hpp>

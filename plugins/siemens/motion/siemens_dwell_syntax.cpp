@@ -1,4 +1,5 @@
-/// G4: wait. F counts seconds, S turns of the spindle; neither is the feed or the speed of the blocks after it.
+/// G4: dwell. F is a time in seconds, S a number of spindle turns; neither changes the feed or the speed of later
+/// blocks.
 
 #include <isogloss/sdk.hpp>
 

@@ -1,5 +1,6 @@
-/// G110, G111 and G112 put the pole; AP= and RP= are angle and radius from it. The words become positions in the plane,
-/// in place, so that nothing after this syntax knows of it. An arc without a centre of its own turns about the pole.
+/// G110, G111 and G112 set the pole; AP= and RP= are angle and radius from it. The words become positions in the plane,
+/// in place, so that no later syntax has to know of polar coordinates. An arc without a centre of its own turns about
+/// the pole.
 #include <cmath>
 #include <numbers>
 
@@ -60,7 +61,7 @@ struct SiemensPolar {
  private:
   ig::Vec3 pole(const ig::Block& b) const { return b.get(pole_).or_else({}); }
 
-  /// The plane's part of a distance, by its coordinates or by angle and radius.
+  /// Sets the pole at a distance in the plane, given by coordinates or by angle and radius.
   void put_pole(ig::Block& b, const ig::Words& words, std::optional<double> ap, std::optional<double> rp) const {
     const PlaneAxes plane = plane_(b);
     ig::Vec3 at = words.row == 0 ? last_(b) : words.row == 2 ? pole(b) : ig::Vec3{};

@@ -1,5 +1,5 @@
-/// G91, IC and AC: distances become positions, in place, so that nothing after this syntax knows of them; I=AC(50)
-/// becomes a distance from the start of the arc. What A B C name is SiemensRotaryWordsSyntax's, but for increments.
+/// G91, IC and AC: distances become positions, in place, so that no later syntax has to know of them; I=AC(50) becomes
+/// a distance from the start of the arc. SiemensRotaryWordsSyntax handles A, B and C, except for their distances.
 #include <cmath>
 #include <span>
 
@@ -71,7 +71,7 @@ struct SiemensPosition {
       return false;
     }
     const bool is_distance = word < 6 || word >= 9 ? (mode ? *mode == ic_ : g91) : !mode || *mode == ic_;
-    const bool wants_distance = word >= 6 && word < 9;  // I J K: from the start
+    const bool wants_distance = word >= 6 && word < 9;  // I J K are distances from the start
     if (is_distance == wants_distance) return false;
     rewrite(b, word, wants_distance ? value - start : value + start);
     return true;

@@ -1,5 +1,5 @@
-/// G74: to the reference point. G75: to a fixed point of the machine. By rapid, with the named axes alone, whatever
-/// group 1 says, which stays in force; no frame and no tool length acts.
+/// G74: to the reference point. G75: to a fixed point of the machine. Both go by rapid with the named axes only,
+/// whatever code of group 1 is in force, and do not change it; no frame and no tool length applies.
 #include <cmath>
 
 #include <isogloss/sdk.hpp>
@@ -77,7 +77,7 @@ struct SiemensReference {
         b.set(turns_[axis - 3], position);
     }
     move_.rapid(b);
-    if ((named & 7u) == 0) return;  // McAbcSyntax turns the others
+    if ((named & 7u) == 0) return;  // McAbcSyntax turns the rotary axes
     b.set(machine_, to);
     if (const auto program = b.to_program(to))
       b.set(program_, rounded(*program));

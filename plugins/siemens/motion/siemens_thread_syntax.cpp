@@ -1,4 +1,4 @@
-/// G33: a thread by a pitch of its own. G331 and G332: tapping in step with the spindle, in and out. G63: one block by
+/// G33: a thread with a pitch of its own. G331 and G332: tapping in and out, coupled to the spindle. G63: one block by
 /// feed, with a tap in a floating holder.
 #include <cmath>
 
@@ -106,7 +106,7 @@ struct SiemensThread {
     if (rpm <= 0 && !b.is_raised(speed_said_)) b.report(ig::diag("SIE-0285"), ig::Where::block(), b.text(code));
     if (rpm <= 0) b.raise(speed_said_);
     if (code != g331_ && code != g332_) {
-      // On a taper the pitch counts along its axis: the tool covers the longer way in the same turns.
+      // On a taper the pitch is measured along its axis: the tool covers the longer way in the same turns.
       const ig::Vec3 way = *to - last_(b);
       const double along = std::fabs(way[static_cast<std::size_t>(b.get_or(axis_, 2.0))]);
       const double stretch = along > 0 ? std::hypot(way.x, way.y, way.z) / along : 1;

@@ -1,4 +1,4 @@
-/// TURN=n: a helix makes n full turns more than its end point needs.
+/// TURN=n: a helix makes n full turns in addition to those that its end point needs.
 #include <isogloss/sdk.hpp>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-/// The pitch of a thread as CYCLE84 and CYCLE840 are told it: as a metric size (MPIT), or as a number (PIT) in the unit
-/// of PITA. Its sign is the hand of the thread.
+/// The pitch of a thread in the parameters of CYCLE84 and CYCLE840: as a metric size (MPIT), or as a number (PIT) in
+/// the unit of PITA. Its sign is the hand of the thread.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace siemens {
 
 using namespace ig::cnc;
 
-/// Coarse pitch of M3 to M48 in mm; 0 where the series has no such size.
+/// The coarse pitch of M3 to M48 in mm; 0 for a size that the series does not have.
 constexpr double coarse_pitch_mm(double size) {
   struct Row {
     double size, pitch;
@@ -24,7 +24,7 @@ constexpr double coarse_pitch_mm(double size) {
   return 0;
 }
 
-/// mm per turn. `inch`: what PITA 0 takes PIT for.
+/// The pitch in mm per turn. `inch`: the unit of PIT under PITA 0.
 inline double pitch_mm(double pit, double pita, bool inch) {
   if (pita == 2) return pit == 0 ? 0 : mm_per_inch / pit;  // threads per inch
   if (pita == 3 || (pita == 0 && inch)) return pit * mm_per_inch;
@@ -32,7 +32,7 @@ inline double pitch_mm(double pit, double pita, bool inch) {
   return pit;
 }
 
-/// Nothing where the call says none, or two that differ.
+/// The pitch; nothing where the call gives none, or two that differ.
 inline std::optional<double> thread_pitch(double mpit, double pit, double pita, bool inch) {
   const double by_size = std::copysign(coarse_pitch_mm(std::fabs(mpit)), mpit), by_number = pitch_mm(pit, pita, inch);
   if (mpit != 0 && by_size == 0) return std::nullopt;

@@ -1,5 +1,5 @@
-/// Machines where T alone changes the tool have no M6 in their programs. The first move with an offset shows it: up to
-/// there M6 may still come.
+/// On machines where T alone changes the tool, programs hold no M6. The first move with an offset shows that there is
+/// none: until then M6 may still come.
 
 #include <isogloss/sdk.hpp>
 
@@ -65,8 +65,8 @@ struct SiemensDirectTool {
   }
 
  private:
-  /// 0: the tool may wait on. Without any D a rapid may still go to where the tool is changed; a feed move or a cycle
-  /// has D1, which comes into force with the tool.
+  /// The edge that a move needs; 0: the tool change can still wait. Without any D, a rapid may still go to the place of
+  /// the tool change; a feed move or a cycle uses D1, which becomes active with the tool.
   double edge_of(const ig::Block& b) const {
     if (const auto d = b.get(d_)) return *d;
     if (const auto edge = b.get(edge_)) return static_cast<double>(*edge);

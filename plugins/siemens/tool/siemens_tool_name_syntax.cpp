@@ -1,4 +1,5 @@
-/// T="NAME": a name that is a number is that tool; others are counted in the order in which the program names them.
+/// T="NAME": a name that is a number is that tool's number; other names are numbered in the order in which the program
+/// uses them.
 #include <string>
 #include <vector>
 

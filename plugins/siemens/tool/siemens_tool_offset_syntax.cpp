@@ -1,5 +1,5 @@
-/// D: which cutting edge of the tool is in force. Its length lies along the tool axis between the
-/// programmed point and the machine; its radius is what G41 and G42 use. After a tool change D1 is in force.
+/// D: the cutting edge of the tool that is in force. Its length lies along the tool axis between the programmed point
+/// and the machine; its radius is used by G41 and G42. After a tool change D1 is in force.
 #include <string>
 
 #include <isogloss/sdk.hpp>
