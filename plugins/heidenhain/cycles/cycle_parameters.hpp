@@ -1,4 +1,4 @@
-/// The definition of a cycle in the block document: what CYCL DEF wrote, and the cycles read. mm, mm/min, seconds.
+/// The definition of a cycle in the block document: CYCL DEF writes it, the cycles read it. mm, mm/min, seconds.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace heidenhain {
 
-/// Parameters of the cycles that are executed, and what they count.
+/// A parameter of the cycles that are executed, and its unit.
 struct CycleParameter {
   std::uint32_t q;
   const char* name;
@@ -19,7 +19,7 @@ struct CycleParameter {
 };
 
 inline constexpr std::array cycle_parameters{
-    // Parts of the older cycles, CYCL DEF 1.1 to 1.5; signs and units as written.
+    // Parts of the older cycles, CYCL DEF 1.1 to 1.5; signs and units are as written.
     CycleParameter{1, "Part1", "", "SET UP of cycles 1, 2 and 17."},
     CycleParameter{2, "Part2", "", "DEPTH of them."},
     CycleParameter{3, "Part3", "", "PECKING of cycle 1, DWELL of 2, PITCH of 17."},

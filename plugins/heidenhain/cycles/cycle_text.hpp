@@ -1,4 +1,4 @@
-/// How the definition of a cycle is written: its number, and the Q parameters behind its name.
+/// Reads the text of a cycle's definition: its number, and the Q parameters after its name.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@ namespace heidenhain {
 
 using namespace ig::cnc;
 
-/// CYCL DEF 200, CYCL DEF 7.1; the number may follow without a blank, and its parts with blanks: CYCL DEF9 .0
+/// CYCL DEF 200, CYCL DEF 7.1. The number may follow without a blank, and blanks may separate its parts: CYCL DEF9 .0
 struct CycleNumber {
   std::uint32_t cycle = 0;
   std::optional<std::uint32_t> part;
@@ -50,7 +50,7 @@ constexpr bool acts_where_defined(std::uint32_t cycle) {
   return false;
 }
 
-/// Cycles that wait for a call, by the tables of the manuals. Of the others, those of the machine's maker among them,
+/// Cycles that wait for a call, from the tables of the manuals. For other cycles, those of machine builders among them,
 /// it is not known when they act.
 constexpr bool waits_for_call(std::uint32_t cycle) {
   struct Range {
@@ -64,7 +64,7 @@ constexpr bool waits_for_call(std::uint32_t cycle) {
   return false;
 }
 
-/// The parameters that a cycle has; empty: they are not known here.
+/// The parameters of a cycle; empty where they are not known here.
 inline std::span<const std::uint16_t> parameters_of(std::int64_t cycle) {
   static constexpr std::uint16_t c200[] = {200, 201, 206, 202, 210, 203, 204, 211, 395};
   static constexpr std::uint16_t c201[] = {200, 201, 206, 211, 208, 203, 204};
@@ -106,7 +106,7 @@ inline std::span<const std::uint16_t> parameters_of(std::int64_t cycle) {
 /// A member of the syntaxes that read definitions.
 class CycleText {
  public:
-  /// Without feeds: of cycles that have none.
+  /// Whether the cycle has feeds among its parameters.
   enum class Feeds { none, some };
   CycleText() : CycleText(Feeds::some) {}
   explicit CycleText(Feeds feeds) {
@@ -115,8 +115,9 @@ class CycleText {
 
   static constexpr double fastest = 99'999;
 
-  /// Q200=2 and so on, between the words of the cycle's name: each is an assignment, and `note(number, value)` of the
-  /// ones that are no local parameters. Behind the last of them; `position` where there is none.
+  /// Executes Q200=2 and so on, between the words of the cycle's name: each is an assignment, and note(number, value)
+  /// is called for those that are not local parameters. Returns the position after the last one; `position` where there
+  /// is none.
   template <class Note>
   std::size_t parameters(ig::Block& b, std::string_view text, std::size_t position, std::int64_t cycle,
                          Note&& note) const {
@@ -155,14 +156,14 @@ class CycleText {
     return done;
   }
 
-  /// In mm, and mm/min, as `unit` counts; no number where the program's is none.
+  /// The value in mm or mm/min, according to `unit`; unchanged where it has another unit.
   double metric(const ig::Block& b, std::string_view unit, double value) const {
     const bool is_feed = feed_ && unit == "mm/min" && value < fastest;
     if ((unit != "mm" && !is_feed) || !b.is(system_, inch_)) return value;
     return mm_per_inch * (is_feed ? feed_->in_unit(b, value) : value);
   }
 
-  /// The number behind the word, which is in any language: V.ZEIT 1.5
+  /// The number after a word of any language: V.ZEIT 1.5
   Value number_behind(ig::Block& b, std::string_view text, std::size_t i) const {
     i = skip(text, i);
     if (const Value v = values_.read(b, text, i); v.ok) return v;
@@ -176,7 +177,7 @@ class CycleText {
     return values_.read(b, text, i);
   }
 
-  /// Q206 FAUTO, as some listings have it without the sign.
+  /// Q206 FAUTO without the equals sign, as some listings have it.
   static bool is_feed_word_at(std::string_view text, std::size_t i) {
     const std::string_view word = piece(text, i, letters_end(text, i));
     for (const std::string_view name : {"FAUTO", "FMAX", "AUTO", "MAX"})

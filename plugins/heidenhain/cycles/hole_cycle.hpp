@@ -16,8 +16,8 @@ namespace heidenhain {
 
 using namespace ig::cnc;
 
-/// What a syntax of such cycles is, and where it stands in the chain: behind all that says where, how fast and in which
-/// plane, before what makes positions of the machine.
+/// The spec of a syntax of such cycles, with its place in the chain: after everything that determines position, feed
+/// and plane, before the computation of machine positions.
 constexpr auto hole_cycle(const char* id, const char* summary) {
   return ig::syntax(id, summary)
       .after("KlartextCycleSyntax", "KlartextMotionSyntax", "UnitModeSyntax", "FeedrateSyntax", "PlaneSelectSyntax",
@@ -26,21 +26,21 @@ constexpr auto hole_cycle(const char* id, const char* summary) {
               "LinearMotionSyntax");
 }
 
-/// A cycle while it is carried out. Levels are positions of the tool axis; feeds are mm/s, 0 is a rapid.
+/// A cycle that is being executed. Levels are positions on the tool axis in mm; feeds are in mm/s, 0 is a rapid.
 struct HoleRun {
   std::int64_t number = 0;
   PlaneAxes plane;
-  ig::Vec3 hole;      ///< its tool axis says nothing
-  double offset = 0;  ///< CYCL CALL POS: the tool axis of the point
+  ig::Vec3 hole;      ///< its component along the tool axis is not used
+  double offset = 0;  ///< CYCL CALL POS: the point's coordinate along the tool axis
   double surface = 0, clearance = 0, safe = 0, bottom = 0, end = 0;
   double feed = 0, retract = 0;
   double dwell = 0;
-  double level = 0;  ///< where the tool stands
+  double level = 0;  ///< present level of the tool
 
   ig::Vec3 at(double z) const { return plane.at_level(hole, z); }
-  /// 1 where the tool axis leaves the hole towards plus.
+  /// 1 where the tool leaves the hole in the positive direction of the tool axis, else -1.
   double out() const { return safe >= bottom ? 1 : -1; }
-  /// Not beyond the safe level.
+  /// `z`, limited to the safe level.
   double inside(double z) const { return out() > 0 ? std::fmin(z, safe) : std::fmax(z, safe); }
 };
 
@@ -57,11 +57,11 @@ class HoleCycle {
 
   static constexpr double most_steps = 100'000;
 
-  /// Where the block calls one of the cycles: `self.prepare(b, run)` reads the parameters of its own and gives the
-  /// steps of one hole, nothing where the cycle cannot run, which it says; the block then moves as it would without
-  /// the call. `self.machine(b, run)` makes the steps of one hole, from above it, the way there being made;
-  /// `self.begin(b, run)` comes before all of them. Where `self.find_surface(b, run)` exists, it finds surface and
-  /// clearance in place of Q203 and Q200; `run.level` is where the tool stands then.
+  /// Executes a call of one of the cycles in this block. `self.prepare(b, run)` reads the cycle's own parameters and
+  /// returns the number of steps of one hole; nothing, with a diagnostic, where the cycle cannot run, and the block
+  /// then moves as without the call. `self.begin(b, run)` is called before all holes, `self.machine(b, run)` makes the
+  /// steps of one hole from above it. Where `self.find_surface(b, run)` exists, it finds surface and clearance in place
+  /// of Q203 and Q200; `run.level` is then the present level of the tool.
   template <class Self>
   ig::Status run(ig::Block& b, Self& self) const {
     const bool is_called = b.has(call_);
@@ -121,7 +121,7 @@ class HoleCycle {
     if (!value) b.report(ig::diag("HEI-0163"), ig::Where::block(), static_cast<double>(c.number), name(q));
     return value;
   }
-  /// A feed in mm/s; 0, which is said, where there is none.
+  /// A feed in mm/s; 0, with a diagnostic, where there is none.
   double feed(ig::Block& b, const HoleRun& c, std::uint32_t q) const {
     const auto value = needed(b, c, q);
     if (!value) return 0;
@@ -140,7 +140,7 @@ class HoleCycle {
     const auto depth = needed(b, c, 201);
     return depth && levels(b, c, *depth) && feeds(b, c);
   }
-  /// `depth`: as Q201, negative downwards.
+  /// `depth` is signed like Q201: negative is downwards.
   bool levels(ig::Block& b, HoleRun& c, double depth) const {
     if (depth == 0) {
       b.report(ig::diag("HEI-0164"), ig::Where::block(), static_cast<double>(c.number));
@@ -162,12 +162,12 @@ class HoleCycle {
     return c.feed > 0;
   }
 
-  /// Each stroke smaller by Q212 but not below Q205, from the surface on.
+  /// Strokes from the surface, each smaller than the one before by Q212, but not smaller than Q205.
   PeckStrokes shrinking_strokes(const ig::Block& b, const HoleRun& c, double infeed) const {
     const double less = std::fabs(get_or(b, 212, 0));
     if (less == 0) return {c.surface, c.bottom, infeed};
     const double least = std::fabs(get_or(b, 205, 0));
-    // Without a least infeed the last one that is one stays.
+    // Without a least infeed, the last positive infeed is repeated.
     const double floor = least > 0 ? std::fmin(least, infeed) : infeed - less * std::floor((infeed - 1e-9) / less);
     return {c.surface, c.bottom, infeed, less, floor > 0 ? floor : infeed};
   }
@@ -189,7 +189,7 @@ class HoleCycle {
   void dwell(ig::Block& b, double seconds) const {
     if (seconds > 0) motion.dwell(b, seconds);
   }
-  /// To the second set-up clearance, or the first one, where the tool does not stand there.
+  /// Retracts to the second set-up clearance (or the first), unless the tool is there already.
   void leave(ig::Block& b, HoleRun& c) const {
     if (c.end != c.level) rapid_to(b, c, c.end);
   }
@@ -213,7 +213,7 @@ class HoleCycle {
     return true;
   }
 
-  /// The block's own move, by rapid or by feed. CYCL CALL POS goes to the point by rapid, not below the safe level.
+  /// The block's own move, by rapid or by feed. CYCL CALL POS goes to its point by rapid, not below the safe level.
   void position(ig::Block& b, HoleRun& c, const ig::PartialVec3& named) const {
     const std::size_t tool = c.plane.tool;
     c.level = c.hole[tool];
@@ -233,7 +233,7 @@ class HoleCycle {
       motion.feed_to(b, to, in_mmds(b, b.get_or(feed_, 0.0)));
   }
 
-  /// Cycle 220 and 221: over the first point at the second set-up clearance, and from hole to hole at the first or the
+  /// Cycles 220 and 221: to the first point at the second set-up clearance, and from hole to hole at the first or the
   /// second one.
   template <class Self>
   void machine_all(ig::Block& b, const Self& self, HoleRun& c, const HolePattern::Points& points) const {
@@ -250,8 +250,8 @@ class HoleCycle {
     }
   }
 
-  /// CYCL CALL PAT: between the points the tool stands as high as it stood at the call, or at the second set-up
-  /// clearance where that is higher. Each point adds to the surface.
+  /// CYCL CALL PAT: between the points the tool stays at its level at the call, or at the second set-up clearance where
+  /// that is higher. Each point adds its own height to the surface.
   template <class Self>
   void machine_list(ig::Block& b, const Self& self, HoleRun& c, const HolePattern::Points& points) const {
     const double at_call = c.hole[c.plane.tool];
@@ -308,8 +308,8 @@ class CycleSpindle {
   }
   bool is(const ig::Block& b, ig::Spindle direction) const { return b.is(direction_, name(direction)); }
 
-  /// Before the first step of a cycle that leaves the spindle turning as `last`. An M function of the block acts before
-  /// the cycle: it becomes a step, unless the order of events in a block says the same.
+  /// Before the first step of a cycle that leaves the spindle turning as `last`: an M function of the block acts before
+  /// the cycle, so it becomes a step, unless the order of events within a block gives the same result.
   void leave(ig::Block& b, const ig::CompoundMotion& motion, ig::Spindle last) const {
     const auto now = b.get(direction_);
     const bool stays = now && *now == name(last);

@@ -1,5 +1,5 @@
-/// Where the cycle defined last runs: the points of a circle or of rows, cycles 220 and 221, which run it at once, or
-/// those of PATTERN DEF, for CYCL CALL PAT.
+/// The points at which the last defined cycle runs: on a circle or in rows (cycles 220 and 221, which run it at once),
+/// or those of PATTERN DEF, for CYCL CALL PAT.
 #pragma once
 
 #include <cmath>
@@ -54,7 +54,7 @@ class HolePattern {
   struct Points {
     bool is_pattern = false;
     bool is_high = false;
-    const std::vector<PatternPoint>* list = nullptr;  ///< of PATTERN DEF
+    const std::vector<PatternPoint>* list = nullptr;  ///< those of PATTERN DEF
     std::int64_t count = 1;
     std::int64_t in_row = 1;
     double angle = 0, step = 0;  ///< of a circle
@@ -104,7 +104,7 @@ class HolePattern {
     return p;
   }
 
-  /// Point `i`, at the tool axis of `here`; rows are run there and back.
+  /// Point `i`, at the tool axis position of `here`; rows run in alternating direction.
   ig::Vec3 point(const ig::Block& b, const Points& p, const PlaneAxes& plane, ig::Vec3 here, std::int64_t i) const {
     double u = 0, v = 0;
     if (p.list != nullptr) {

@@ -1,4 +1,4 @@
-// Cycle 208, bore milling: from the centre out on a half circle, down on a helix, once round at the bottom, back to the
+// Cycle 208, bore milling: from the centre out on a half circle, down on a helix, one circle at the bottom, back to the
 // centre. A tool as wide as the hole goes straight down.
 #include <numbers>
 
@@ -40,7 +40,7 @@ struct KlartextBoreMilling {
       b.report(ig::diag("HEI-0178"), ig::Where::block(), 208.0, std::string_view("Q370"), overlap);
       return std::nullopt;
     }
-    // Something is left standing in the middle, unless a hole is there already.
+    // A core remains in the middle, unless a hole is there already.
     if (tool > 0 && cycle_.get_or(b, 342, 0) == 0 && hole > 4 * tool + same_point_mm)
       return refuse(b, "the hole is wider than two diameters of the tool, and Q342 is 0");
     if (radius_ < same_point_mm) radius_ = 0;
@@ -62,7 +62,7 @@ struct KlartextBoreMilling {
   }
 
  private:
-  double radius_ = 0, turns_ = 0;  // of the block: the way of the tool's centre
+  double radius_ = 0, turns_ = 0;  // path of the tool's centre in this block
 
   static std::optional<double> refuse(ig::Block& b, std::string_view why) {
     b.report(ig::diag("HEI-0185"), ig::Where::block(), 208.0, why);
@@ -84,7 +84,7 @@ struct KlartextBoreMilling {
     return 0;
   }
 
-  /// A point of the helix, `turned` in turns from where it begins.
+  /// A point of the helix, at `turned` turns from its start.
   ig::Vec3 on_circle(const HoleRun& c, double level, double turned, double sense) const {
     const double angle = (turned - std::floor(turned)) * 2 * std::numbers::pi * sense;
     ig::Vec3 p = c.at(level);

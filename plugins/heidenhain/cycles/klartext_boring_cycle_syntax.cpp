@@ -1,4 +1,4 @@
-// Cycles 202 boring and 204 back boring: the spindle stops at an angle, and the tool leaves the wall before it moves
+// Cycles 202, boring, and 204, back boring: the spindle stops at an angle, and the tool leaves the wall before it moves
 // through the hole.
 #include "cycles/hole_cycle.hpp"
 
@@ -39,8 +39,8 @@ struct KlartextBoringCycle {
   }
 
  private:
-  /// Q249 counts upwards from the underside, which lies Q250 below the surface; the tool's length ends at the
-  /// underside of its bar, Q252 below the edge.
+  /// Q249 is measured upwards from the underside, which lies Q250 below the surface. The tool length ends at the
+  /// underside of the bar, Q252 below the cutting edge.
   bool prepare_back(ig::Block& b, HoleRun& c) const {
     const auto depth = cycle_.needed(b, c, 249), thickness = cycle_.needed(b, c, 250), edge = cycle_.needed(b, c, 252);
     if (!depth || !thickness || !edge || !cycle_.needed(b, c, 251)) return false;
@@ -56,7 +56,7 @@ struct KlartextBoringCycle {
     return true;
   }
 
-  /// The hole, moved by `distance` in the direction of Q214.
+  /// The position of the hole, shifted by `distance` in the direction of Q214.
   ig::Vec3 aside(const ig::Block& b, const HoleRun& c, double distance) const {
     ig::Vec3 hole = c.hole;
     const int direction = static_cast<int>(cycle_.get_or(b, 214, 0));

@@ -1,4 +1,4 @@
-// Calls of cycles that no syntax before has executed: each is said, and the block moves as if it did not call.
+// Calls of cycles that no earlier syntax has executed: each is reported, and the block moves as without the call.
 
 #include <isogloss/sdk.hpp>
 

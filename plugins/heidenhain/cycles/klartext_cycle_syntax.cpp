@@ -1,5 +1,5 @@
-// CYCL DEF of cycles that wait for a call, and CYCL CALL. The number of a cycle decides what it is, since its name
-// comes in the language of the control. A definition is kept in CycleDefinition, and its Q parameters get their values.
+// CYCL DEF of cycles that wait for a call, and CYCL CALL. A cycle is identified by its number, because its name is in
+// the language of the control. A definition is kept in CycleDefinition, and its Q parameters get their values.
 #include "cycles/cycle_text.hpp"
 #include "cycles/hole_pattern.hpp"
 #include "motion/m_functions.hpp"
@@ -42,7 +42,7 @@ struct KlartextCycle {
     if ((!is_open && first != 'C' && first != 'Q') || !stands_first(text, position)) return position;
     const std::size_t end = statement_end(text, position);
     const std::size_t definition = keyword(text, position, "CYCL DEF"), call = keyword(text, position, "CYCL CALL");
-    // Listings show the parameters of a cycle on lines of their own, without a number.
+    // Listings show the parameters of a cycle on lines of their own, without block numbers.
     const bool is_alone = first == 'Q' && position == skip_blanks(text, 0) && !b.has(n_) &&
                           is_parameter_alone(text.substr(0, end), position);
     if (is_open && is_alone && !text_.values().is_indexing())
@@ -58,7 +58,7 @@ struct KlartextCycle {
   }
 
  private:
-  /// `begin` where another syntax executes the cycle.
+  /// Returns `begin` where another syntax executes the cycle.
   std::size_t define(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
     const auto number = CycleNumber::at(text, skip(text, i));
     if (!number) {
@@ -108,7 +108,7 @@ struct KlartextCycle {
     });
   }
 
-  /// Q200=2 with nothing behind it; else the line is a formula.
+  /// True for Q200=2 with no text after it; any other line is a formula.
   static bool is_parameter_alone(std::string_view text, std::size_t position) {
     std::size_t end = position;
     const bool is_q = Values::q_at(text, position, end).has_value();

@@ -1,6 +1,6 @@
-// Cycles 200 drilling, 201 reaming, 203 universal drilling and 240 centring, run by CYCL CALL, CYCL CALL POS, M99, M89
-// and the patterns 220 and 221. A positioning block moves first, then the cycle works where it ended. Every step is an
-// item of CompoundMotion.
+// Cycles 200, drilling, 201, reaming, 203, universal drilling, and 240, centring, run by CYCL CALL, CYCL CALL POS, M99,
+// M89 and the patterns 220 and 221. A positioning block moves first, then the cycle runs at its end point. Every step
+// is an item of CompoundMotion.
 #include <numbers>
 
 #include <isogloss/cnc/peck_strokes.hpp>

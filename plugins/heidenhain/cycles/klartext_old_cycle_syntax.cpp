@@ -1,5 +1,5 @@
-// Cycles 1 pecking, 2 tapping and 17 rigid tapping of older controls. They start where the tool stands at the call, SET
-// UP above the surface, and end there.
+// Cycles 1, pecking, 2, tapping, and 17, rigid tapping, of older controls. They start at the tool's position at the
+// call, which is SET UP above the surface, and end there.
 #include <isogloss/cnc/units.hpp>
 #include "cycles/hole_cycle.hpp"
 

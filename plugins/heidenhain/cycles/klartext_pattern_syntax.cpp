@@ -57,7 +57,7 @@ struct KlartextPattern {
     b.report(ig::diag("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole, effect);
   }
 
-  /// POS1 (X+25 Y+33.5 Z+0) POS2 (...)
+  /// Reads POS1 (X+25 Y+33.5 Z+0) POS2 (...)
   void read(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i, Points& points) const {
     bool any = false;
     while ((i = skip(text, i)) < text.size()) {
@@ -82,7 +82,7 @@ struct KlartextPattern {
     if (!any) say(b, text, begin, "it holds no point");
   }
 
-  /// Up to the closing bracket; false, which is said, where something else stands there.
+  /// Reads up to the closing bracket; false, with a diagnostic, where other text is there.
   bool words_at(ig::Block& b, std::string_view text, std::size_t& i, Words& words, bool& is_complete) const {
     while ((i = skip(text, i)) < text.size() && text[i] != ')') {
       std::size_t end = letters_end(text, i);
@@ -102,12 +102,12 @@ struct KlartextPattern {
       is_complete = is_complete && v.ok;
       i = v.ok ? v.end : skip_while(text, end, [](char c) { return c == '+' || c == '-'; });
     }
-    if (i < text.size()) ++i;  // a bracket that is left open ends with the block
+    if (i < text.size()) ++i;  // a bracket that is not closed ends with the block
     return true;
   }
 
   void add(ig::Block& b, Kind kind, const Words& w, std::string_view shown, ig::Where where, Points& points) const {
-    // Shorter rows end in X, which has been found by then.
+    // Shorter rows are padded with X, which has been found by then.
     static constexpr std::array<std::array<Name, 6>, kind_count> needed{{{X, Y},
                                                                          {X, Y, D, NUM},
                                                                          {X, Y, DX, DY, NUMX, NUMY},
@@ -117,7 +117,7 @@ struct KlartextPattern {
     const PlaneAxes plane = plane_(b);
     static constexpr std::array<Name, 3> axes{X, Y, Z};
     for (const Name name : needed[kind]) {
-      // X and Y stand for the axes of the plane.
+      // X and Y stand for the first and the second axis of the plane.
       const Name needs = name == X ? axes[plane.first] : name == Y ? axes[plane.second] : name;
       if (w[needs]) continue;
       b.report(ig::diag("HEI-0104"), where, shown, names[needs]);
@@ -159,7 +159,7 @@ struct KlartextPattern {
     const double du = is_grid ? number(DX) : number(D), dv = number(DY);
     for (std::size_t r = 0; r < rows; ++r)
       for (std::size_t i = 0; i < columns; ++i) {
-        const std::size_t c = r % 2 == 0 ? i : columns - 1 - i;  // there and back
+        const std::size_t c = r % 2 == 0 ? i : columns - 1 - i;  // rows run in alternating direction
         if (kind == frame && r != 0 && r + 1 != rows && c != 0 && c + 1 != columns) continue;
         const double x = du * static_cast<double>(c), y = dv * static_cast<double>(r);
         put(u + along.cos * x - across.sin * y, v + along.sin * x + across.cos * y);

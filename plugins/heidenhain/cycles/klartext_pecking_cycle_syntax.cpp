@@ -1,5 +1,5 @@
-// Cycle 205, universal pecking: infeeds that become smaller, chip breaks inside each of them, a full retract between
-// them, and a way back into the hole that ends at an advanced stop distance of its own for each infeed.
+// Cycle 205, universal pecking: infeeds that become smaller, chip breaks inside each infeed, a full retract between
+// them, and a return into the hole that stops at an advanced stop distance, different for each infeed.
 #include "cycles/hole_cycle.hpp"
 
 namespace heidenhain {
@@ -54,7 +54,7 @@ struct KlartextPeckingCycle {
     return cycle_.shrinking_strokes(b, c, infeed);
   }
 
-  /// One infeed, with a chip break after each Q257 of it.
+  /// One infeed, with a chip break after every Q257 of depth.
   void infeed(ig::Block& b, HoleRun& c, double from, double to) const {
     const double by = std::fabs(cycle_.get_or(b, 257, 0)), retract = std::fabs(cycle_.get_or(b, 256, 0));
     const PeckStrokes breaks(from, to, by > 0 ? by : std::fabs(to - from));

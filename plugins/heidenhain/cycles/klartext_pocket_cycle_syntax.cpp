@@ -1,5 +1,5 @@
-// Cycles 251 to 254, pockets and slots: the tool goes to where they begin and ends where they end. What they cut is
-// missing, and said.
+// Cycles 251 to 254, pockets and slots: the tool goes to their start position and to their end position. The cutting
+// moves are missing, which is reported.
 #include "cycles/hole_cycle.hpp"
 
 namespace heidenhain {
@@ -21,7 +21,7 @@ struct KlartextPocketCycle {
   std::optional<double> prepare(ig::Block& b, HoleRun& c) const {
     const auto depth = cycle_.needed(b, c, 201);
     if (!depth || !cycle_.levels(b, c, *depth)) return std::nullopt;
-    // A slot that does not lie about the tool leaves it at an end of its own.
+    // A slot whose centre is not the tool's position ends with the tool at one of its ends.
     const double place = cycle_.get_or(b, 367, 0);
     if (c.number >= 253 && place != 0) {
       b.report(ig::diag("HEI-0178"), ig::Where::block(), static_cast<double>(c.number), std::string_view("Q367"),

@@ -1,5 +1,5 @@
-// Cycle 241, deep drilling with a single-lip drill: into a hole that is there already by a feed of its own, then to the
-// depth, in infeeds where Q202 says so. The tool leaves the hole by feed.
+// Cycle 241, deep drilling with a single-lip drill: into an existing hole by a feed of its own, then to the depth, in
+// infeeds where Q202 gives one. The tool leaves the hole by feed.
 #include "cycles/hole_cycle.hpp"
 
 namespace heidenhain {
@@ -41,13 +41,13 @@ struct KlartextSingleLipCycle {
   }
 
  private:
-  /// The set-up clearance above where the drill begins to work.
+  /// The set-up clearance above the level where the drill begins to cut.
   double start_of(const ig::Block& b, const HoleRun& c) const {
     const double depth = std::fabs(cycle_.get_or(b, 379, 0)) - c.clearance;
     return c.inside(c.surface - c.out() * std::fmin(depth, std::fabs(c.bottom - c.surface)));
   }
 
-  /// Below the dwell depth by Q401 per cent of the feed.
+  /// Below the dwell depth the feed is Q401 per cent.
   void drill_to(ig::Block& b, HoleRun& c, double level) const {
     const double depth = std::fabs(cycle_.get_or(b, 435, 0)), factor = cycle_.get_or(b, 401, 100);
     const double slow = c.surface - c.out() * depth;

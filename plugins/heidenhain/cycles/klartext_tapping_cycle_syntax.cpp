@@ -1,5 +1,5 @@
-// Cycles 206 tapping with a floating chuck, 207 rigid tapping and 209 tapping with chip breaking: the spindle turns
-// round at the bottom, and the tool comes out by feed.
+// Cycles 206, tapping with a floating chuck, 207, rigid tapping, and 209, tapping with chip breaking: the spindle
+// reverses at the bottom, and the tool leaves the hole by feed.
 #include "cycles/hole_cycle.hpp"
 
 namespace heidenhain {

@@ -1,4 +1,4 @@
-// Cycles 7 and 10 in a tilted plane: they shift and turn the plane's own coordinates. One frame inside that of the
+// Cycles 7 and 10 in a tilted plane: they shift and rotate the plane's own coordinates. One frame inside that of the
 // plane holds both.
 #include "frames/datum_shift.hpp"
 
@@ -45,7 +45,7 @@ struct KlartextPlaneFrame {
     }
     const bool shifts = words_.stand_in(b) && (is_tilted ? begins(b) || shift_.was_set(b) : is_shifted(b));
     if (shifts && is_tilted) shift(b);
-    if (shifts && !is_tilted) shift_.end(b);  // HeidenhainCoordinateOffsetSyntax has the words
+    if (shifts && !is_tilted) shift_.end(b);  // HeidenhainCoordinateOffsetSyntax takes the words
     if (!shifts && !any && !acts(b)) return ig::Status::unchanged;
     lay(b);
     return ig::Status::changed;
@@ -55,7 +55,7 @@ struct KlartextPlaneFrame {
   bool acts(const ig::Block& b) const { return b.has(angle_) || is_shifted(b); }
   bool is_shifted(const ig::Block& b) const { return shift_.get(b) != ig::Vec3{}; }
 
-  /// Is the frame another one behind it?
+  /// Ends a shift of zeros; true when there was one. Reports, with `how`, a shift or rotation that has an effect.
   bool leave(ig::Block& b, std::string_view how) const {
     if (acts(b)) {
       b.report(ig::diag("HEI-0191"), ig::Where::block(), how);
@@ -66,7 +66,7 @@ struct KlartextPlaneFrame {
     return was_set;
   }
 
-  /// Zeros alone end the shift of before the plane; they are not for this syntax.
+  /// Zeros alone end the shift from before the plane; they are not for this syntax.
   bool begins(const ig::Block& b) const {
     for (const ig::Xyz* named : {&absolute_, &steps_}) {
       const ig::PartialVec3 v = b.get(*named);

@@ -1,4 +1,4 @@
-// MB of PLANE … TURN: the tool goes out along Z of the machine, then the rotary axes turn. The block moves twice, so
+// MB of PLANE … TURN: the tool retracts along Z of the machine, then the rotary axes turn. The block moves twice, so
 // its move becomes two steps.
 #include <isogloss/sdk.hpp>
 

@@ -1,6 +1,6 @@
-// PLANE … STAY: nothing moves, and from here on coordinates count in the plane as the rotary axes stand, wherever the
-// program positions them: the frame follows the axes as after TURN, and the length of the tool lies where the axes have
-// it already, since a program that finds them in place moves none of them.
+// PLANE … STAY: nothing moves. From here on coordinates are in the plane as the present rotary axes have it, wherever
+// the program positions them later: the frame follows the axes as after TURN. The tool length lies along the tool as
+// the axes hold it now, since a program that finds them in place moves none of them.
 #include <isogloss/cnc/tool_kinematics.hpp>
 
 namespace heidenhain {

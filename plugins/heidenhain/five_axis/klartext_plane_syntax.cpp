@@ -1,6 +1,6 @@
 // PLANE SPATIAL, EULER, VECTOR, POINTS, AXIAL, RELATIV and RESET: the tilted working plane. The plane becomes a G68.2
-// with three spatial angles, its positioning a G53.1 (TURN) or G53.6 (MOVE) with the angles that are found here; they
-// go to Q120 to Q122 as well, for the block that positions the axes after STAY.
+// with three spatial angles, its positioning a G53.1 (TURN) or a G53.6 (MOVE) with the angles that are found here.
+// These angles also go to Q120 to Q122, for the block that positions the axes after STAY.
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 #include "five_axis/plane_definition.hpp"
@@ -101,7 +101,7 @@ struct KlartextPlane {
 
   // ---- text
 
-  /// CYCL DEF 19.1: where its words begin; 19.0 only names the cycle and is left to KlartextCycleSyntax.
+  /// The position where the words of CYCL DEF 19.1 begin; 19.0 only names the cycle and is left to KlartextCycleSyntax.
   static std::size_t behind_cycle_19(std::string_view text, std::size_t position) {
     const std::size_t definition = keyword(text, position, "CYCL DEF");
     if (definition == position) return position;
@@ -113,7 +113,8 @@ struct KlartextPlane {
     return at(text, i) == '1' && !is_digit(at(text, i + 1)) ? i + 1 : position;
   }
 
-  /// Spatial angles; those that are not named keep their value. All 0, or none at all: no plane.
+  /// Reads spatial angles; those that are not named keep their values. If all are 0, or none is given, there is no
+  /// plane.
   bool read_cycle(ig::Block& b, std::string_view text, std::size_t i) {
     bool any = false, is_tilted = false;
     while ((i = skip(text, i)) < text.size()) {
@@ -164,7 +165,7 @@ struct KlartextPlane {
     return is_complete(b);
   }
 
-  /// P1X holds a digit, and a Q behind the letters begins the value: SPAQ1.
+  /// A digit belongs to the keyword in P1X, but a Q after the letters begins the value: SPAQ1.
   static std::size_t keyword_prefix(std::string_view text, std::size_t i, std::string_view upper) {
     const std::size_t end = i + upper.size();
     const bool is_word = equals_ignoring_case(text.substr(i).substr(0, upper.size()), upper);
@@ -183,7 +184,7 @@ struct KlartextPlane {
       command_.plane.words[k] = v.number;
       return v.end;
     }
-    // As the manuals of the iTNC write the angle of nutation.
+    // The manuals of the iTNC write the angle of nutation in this way.
     if (command_.plane.kind == PlaneDefinition::euler)
       if (const std::size_t value = keyword_prefix(text, i, "EULNU"); value != i)
         if (const Value v = values_.read(b, text, value); v.ok) {
@@ -275,12 +276,12 @@ struct KlartextPlane {
     }
     const ig::Vec3 angles = command_.plane.kind == PlaneDefinition::spatial ? command_.plane.words_from(0)
                                                                             : PlaneDefinition::spatial_angles(*m);
-    // PLANE ends tip control.
+    // PLANE ends tool centre point control.
     if (b.is(length_term_, g43_4_)) {
       b.set(length_term_, g43_);
       b.set_call(length_, 0);
     }
-    // One plane may follow another: each counts from the workpiece.
+    // One plane may follow another: each is defined in the workpiece.
     if (b.is(term_, g68_2_)) b.set(term_, g69_);
     b.set_call(plane_, 0);
     for (const char axis : {'X', 'Y', 'Z'}) b.set_word(plane_, 0, axis, 0);
@@ -294,10 +295,10 @@ struct KlartextPlane {
     position(b, upright);
   }
 
-  /// `angles`: those of the plane, nothing where none are inside the travel.
+  /// `angles` are those of the plane; nothing where no solution is inside the travel.
   void position(ig::Block& b, const std::optional<Angles>& angles) {
     if (!axes_) {
-      // They are 0 from here on: what reads them says nothing of the same cause.
+      // They are 0 from here on, so that syntaxes that read them report nothing for the same cause.
       QStore* const store = values_.store();
       for (std::uint32_t q = 120; q <= 122 && store != nullptr; ++q)
         if (std::isnan(store->get({QKind::q, q}, 0))) store->set({QKind::q, q}, 0, 0);
@@ -353,7 +354,7 @@ struct KlartextPlane {
     turn_axes(b, {});
   }
 
-  /// MB: KlartextPlaneRetractSyntax goes out before the axes turn. Only along Z of the machine: where no head is
+  /// MB: KlartextPlaneRetractSyntax retracts before the axes turn. Only along Z of the machine, where no head is
   /// tilted.
   void retract(ig::Block& b) const {
     if (!command_.retract || (command_.move != Move::turn && command_.move != Move::move)) return;

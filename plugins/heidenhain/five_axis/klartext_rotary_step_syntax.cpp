@@ -1,6 +1,6 @@
-// A, B, C and IA, IB, IC become angles of the machine before the frame follows the rotary axes: the preset in force
-// puts its offset between program and machine, and under M128, and in a plane that PLANE has turned to, an increment
-// moves the frame as a position does.
+// A, B, C and IA, IB, IC become angles of the machine before the frame follows the rotary axes. The preset in force
+// adds its offset between program and machine. Under M128, and in a plane to which PLANE has turned the axes, an
+// increment moves the frame as a position does.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/rotary_offset.hpp>
@@ -52,7 +52,7 @@ struct KlartextRotaryStep {
   }
 
  private:
-  /// PLANE has found angles of the machine, and M91 names them.
+  /// PLANE has found machine angles already, and M91 programs them.
   void shift(ig::Block& b, const Angles& offset) const {
     const bool is_plane = b.is_raised(is_plane_);
     if (b.find(plane_) || b.find(tip_) || (is_plane && has_words(b))) say(b, offset);

@@ -1,4 +1,4 @@
-// FUNCTION TCPM and FUNCTION RESET TCPM: the tip of the tool is led while the rotary axes turn, as M128 and M129 say.
+// FUNCTION TCPM and FUNCTION RESET TCPM: the tip of the tool is led while the rotary axes turn, as under M128 and M129.
 #include "language/klartext_values.hpp"
 
 namespace heidenhain {
@@ -36,7 +36,7 @@ struct KlartextTcpm {
       b.set_word(w);
     };
     if (starts || b.is(length_term_, g43_4_)) word(starts ? tip_.code(0) : length_.code(0));
-    // Without a TOOL CALL before it the tool in the spindle counts, whose length is not known.
+    // Without a TOOL CALL before it the tool in the spindle is used; its length is not known.
     if (starts && !b.has(offset_id_)) word(tip_.word(0, 'H'));
     const std::size_t after = i;
     for (const std::string_view words : {"F TCP", "F CONT", "AXIS POS", "PATHCTRL AXIS", "REFPNT TIP-TIP"})

@@ -1,4 +1,4 @@
-/// How a PLANE statement defines the plane: its kind, the words of that kind, and the directions that they give.
+/// The definition of a plane by a PLANE statement: its kind, the words of that kind, and the directions that they give.
 #pragma once
 
 #include <numbers>
@@ -31,7 +31,7 @@ struct PlaneDefinition {
     return all[kind];
   }
 
-  /// Those of the kind, in the order of `words`.
+  /// The words of the kind, in the order of `words`.
   std::span<const std::string_view> names() const {
     static constexpr std::array<std::string_view, 3> of_spatial{"SPA", "SPB", "SPC"};
     static constexpr std::array<std::string_view, 3> of_euler{"EULPR", "EULNUT", "EULROT"};
@@ -48,7 +48,7 @@ struct PlaneDefinition {
       default: return of_spatial;
     }
   }
-  /// One word of these is enough.
+  /// True where one of the words is enough.
   bool takes_some() const { return kind == relative || kind == axial; }
 
   double word(std::size_t i) const { return words[i].value_or(0); }
@@ -64,8 +64,8 @@ struct PlaneDefinition {
             std::atan2(m[1], m[0]) / radians_per_degree};
   }
 
-  /// Its rows are the axes of the plane; nothing where the words give none. RELATIV turns the plane `present`; the axes
-  /// of AXIAL stand at `axes`.
+  /// A matrix whose rows are the axes of the plane; nothing where the words define none. RELATIV rotates the plane
+  /// `present`; under AXIAL the rotary axes are at `axes`.
   std::optional<Mat4> frame(const Mat4& present, const Angles& axes, const ToolKinematics& machine) const {
     switch (kind) {
       case euler: return euler_zxz(words_from(0));
@@ -78,9 +78,9 @@ struct PlaneDefinition {
   }
 
  private:
-  /// The plane that the axes turn: the head turns its directions from those of the machine, the table takes them along
-  /// with the workpiece. Nothing where the tool does not stand upright on it, since two axes of a head are not as their
-  /// names say.
+  /// The plane that belongs to angles of the axes: the head turns its directions from those of the machine, the table
+  /// turns them with the workpiece. Nothing where the tool is not square to the plane, because two axes of a head are
+  /// not as their names suggest.
   static std::optional<Mat4> frame_of_axes(const Angles& axes, const ToolKinematics& machine) {
     const auto pivot = machine.pivot(axes);
     const auto tool = machine.tool_axis(axes);
@@ -97,8 +97,8 @@ struct PlaneDefinition {
     return m;
   }
 
-  /// How the head has turned the tool, as the machine sees it. The table turns what the machine says of the tool's
-  /// axis, so that is turned back.
+  /// How the head has turned the tool, in machine coordinates. The machine's tool axis includes the rotation of the
+  /// table, which is undone here.
   static std::optional<Mat4> turn_of_head(const Angles& axes, const Mat4& pivot, const ToolKinematics& machine) {
     std::size_t heads = 0, head = 0;
     for (std::size_t i = 0; i < machine.count(); ++i)
@@ -120,10 +120,10 @@ struct PlaneDefinition {
       for (std::size_t i = 0; tool && i < 3; ++i) out[i] = dot(*tool, {pivot[i], pivot[4 + i], pivot[8 + i]});
       return out;
     };
-    // The tool goes round a circle about the head's axis.
+    // The tool moves on a circle about the head's axis.
     const ig::Vec3 start = seen(0), middle = 0.5 * (start + seen(180));
     const auto n = unit(vector_product(start - middle, seen(90) - middle));
-    if (!n) return turn_about(head, axes[head]);  // it lies along the axis
+    if (!n) return turn_about(head, axes[head]);  // the tool lies along the axis
     const ig::Vec3 upright = ig::Vec3{0, 0, 1} - middle, here = seen(axes[head]) - middle;
     const double angle = std::atan2(dot(*n, vector_product(upright, here)), dot(upright, here));
     const double c = std::cos(angle), s = std::sin(angle);

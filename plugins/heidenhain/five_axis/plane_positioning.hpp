@@ -1,4 +1,4 @@
-/// Where the rotary axes stand upright on a plane, and which of the two ways there is taken.
+/// The angles of the rotary axes that set the tool square to a plane, and which of the two solutions is used.
 #pragma once
 
 #include <numbers>
@@ -11,7 +11,7 @@ namespace heidenhain {
 
 using namespace ig::cnc;
 
-/// A member of the syntax that positions them.
+/// A member of the syntax that positions the axes.
 class PlanePositioning {
  public:
   explicit operator bool() const { return bool(machine_); }
@@ -23,7 +23,8 @@ class PlanePositioning {
     return now;
   }
 
-  /// Inside the travel; nothing where no position is, or none with that sign of the master axis (0: any).
+  /// A solution inside the travel; nothing where there is none, or none with that sign of the master axis (0: any
+  /// sign).
   std::optional<Angles> choose(const ig::Vec3& normal, const Angles& now, int sequence) const {
     const RotarySolver::Sign wanted{master(), sequence};
     const RotaryCandidates found = solver_.candidates(machine_, normal, now, wanted);
@@ -47,9 +48,9 @@ class PlanePositioning {
     }
     return best;
   }
-  /// A table that carries the workpiece and lies square to the tool is free: no angle of it leans the tool. TABLE ROT
-  /// turns it until X of a level plane lies along X of the machine, COORD ROT to 0; a plane that is not level leaves it
-  /// alone.
+  /// A table that carries the workpiece and whose axis lies along the tool is free: its angle does not lean the tool.
+  /// TABLE ROT turns it until X of a level plane lies along X of the machine, COORD ROT turns it to 0; with a plane
+  /// that is not level it does not move.
   Angles with_free_axis(const Angles& upright, const Mat4& plane, const Angles& now, bool turns_table) const {
     const std::size_t last = machine_.count() - 1, axis = machine_.axis(last);
     const auto tool = machine_.tool_axis(upright);
@@ -78,9 +79,9 @@ class PlanePositioning {
 
  private:
   enum class Choice { sum, farthest };
-  static constexpr double same_direction = 1e-9;  ///< what a cosine of two directions may lack
+  static constexpr double same_direction = 1e-9;  ///< tolerance for the cosine of two equal directions
 
-  /// Where the table has turned the direction `x` of the workpiece along X of the machine.
+  /// The table angle that brings the direction `x` of the workpiece along X of the machine.
   std::optional<double> aligning_angle(Angles angles, std::size_t axis, const ig::Vec3& x) const {
     const auto seen = [&](double angle) -> std::optional<ig::Vec3> {
       angles[axis] = angle;
@@ -96,7 +97,7 @@ class PlanePositioning {
     return std::nullopt;
   }
 
-  /// SEQ is the sign of the master axis: the first one counted from the tool, or the last one counted from the table.
+  /// SEQ is the sign of the master axis: the first one from the tool, or the last one from the table.
   std::size_t master() const {
     const bool second_is_head = machine_.count() == 2 && !machine_.is_table(1);
     return machine_.axis(second_is_head ? 1 : 0);

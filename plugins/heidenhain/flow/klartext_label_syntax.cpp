@@ -88,7 +88,7 @@ struct KlartextLabel {
     b.report(ig::diag("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, of);
   }
 
-  /// REP 3/3, REP Q3/Q3: the control shows how many repeats are left, and writes it into listings.
+  /// REP 3/3, REP Q3/Q3: the control shows the remaining repeats, and writes them into listings.
   static std::size_t behind_count_left(std::string_view text, std::size_t end) {
     const std::size_t slash = skip(text, end);
     if (at(text, slash) != '/') return end;
@@ -145,7 +145,7 @@ struct KlartextLabel {
     if (answer.is_not_found()) b.report(ig::diag("HEI-0120"), where, std::string_view(name), answer.reason);
   }
 
-  /// TNC:\FOLDER\NAME.H, in quotes or not: the name alone counts.
+  /// TNC:\FOLDER\NAME.H, in quotes or not: only the name is used.
   void call_program(ig::Block& b, std::string_view text, std::size_t i) {
     std::string_view path = trim(text.substr(std::min(i, text.size())));
     if (path.size() >= 2 && path.front() == '"' && path.back() == '"') path = path.substr(1, path.size() - 2);

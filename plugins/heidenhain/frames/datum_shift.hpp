@@ -1,4 +1,4 @@
-// Cycle 7 where other transformations stand around it: each acts in the system that those before it made.
+// Cycle 7 together with other transformations: each acts in the system that the earlier ones have made.
 #pragma once
 
 #include <isogloss/sdk.hpp>
@@ -15,7 +15,7 @@ class DatumWords {
  public:
   bool stand_in(const ig::Block& b) const { return b.find(call_).has_value(); }
 
-  /// Taken; axes that are not named keep `old`.
+  /// Takes the words; axes that are not named keep `old`.
   ig::Vec3 take(ig::Block& b, const ig::Vec3& old) const {
     ig::Vec3 shift = old;
     for (std::size_t row = 0; row < 2; ++row) {
@@ -37,7 +37,7 @@ class DatumWords {
   ig::Call call_{{"DATUM", "IDATUM"}, "X Y Z A B C"};
 };
 
-/// A shift that came after a rotation or a mirror image: it counts along the axes that these have turned.
+/// A shift that was defined after a rotation or a mirror image: it lies along the axes that these have turned.
 class TurnedShift {
  public:
   explicit TurnedShift(const std::string& section)
@@ -45,7 +45,7 @@ class TurnedShift {
         rotated_(section + ".IsRotated", {ig::Life::modal, "", "The shift came after the rotation."}),
         mirrored_(section + ".IsMirrored", {ig::Life::modal, "", "The shift came after the mirror image."}) {}
 
-  /// Zeros are one, too.
+  /// True where a shift was set, even to zeros.
   bool was_set(const ig::Block& b) const { return b.get(shift_).mask != 0; }
   bool is_here(const ig::Block& b) const { return b.has(rotated_) || b.has(mirrored_); }
   ig::Vec3 get(const ig::Block& b) const {
@@ -54,7 +54,7 @@ class TurnedShift {
   }
   void set(ig::Block& b, const ig::Vec3& shift) const { b.set(shift_, shift); }
 
-  /// What stands before the shift that begins in this block.
+  /// Notes which transformations are in force when the shift of this block begins.
   void begin(ig::Block& b, bool is_rotated, bool is_mirrored) const {
     keep(b, rotated_, is_rotated);
     keep(b, mirrored_, is_mirrored);
@@ -64,7 +64,7 @@ class TurnedShift {
     begin(b, false, false);
   }
 
-  /// Along the axes of the system around it. A rotation or a mirror image that has ended stands before it no longer.
+  /// The shift along the axes of the outer system. A rotation or a mirror image that has ended no longer precedes it.
   ig::Vec3 around(ig::Block& b, const Mat4* rotation) const {
     ig::Vec3 v = get(b);
     if (b.has(mirrored_)) {

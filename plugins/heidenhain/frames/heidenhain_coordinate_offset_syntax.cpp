@@ -85,7 +85,7 @@ struct HeidenhainCoordinateOffset {
     turned_.end(b);
   }
 
-  /// KlartextRotaryStepSyntax adds it to the words of the rotary axes.
+  /// KlartextRotaryStepSyntax adds the preset's angles to the words of the rotary axes.
   void turn(ig::Block& b, std::string_view id) const { rotary_.set(b, rotary_origin(table_, id).value_or(Angles{})); }
 
   void shift(ig::Block& b) const {
@@ -99,7 +99,7 @@ struct HeidenhainCoordinateOffset {
       local_.set(b, now);
   }
 
-  /// Cycles 8 and 10 that stand before the shift turn it with them.
+  /// Cycles 8 and 10 that precede the shift also turn the shift.
   void follow(ig::Block& b) const {
     const Mat4 rotation = turn_about(plane_(b).tool, b.get_or(angle_, 0.0));
     const ig::Vec3 to = turned_.around(b, b.is(tilt_, g68_) ? &rotation : nullptr);

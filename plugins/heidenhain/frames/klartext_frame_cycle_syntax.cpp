@@ -1,5 +1,6 @@
 // Cycles that act where they are defined: datum shift, mirror image, dwell, rotation, preset, patterns of holes. Each
-// is done here, or handed to the syntax that executes it; TRANS DATUM, MIRROR and ROTATION do what cycles 7, 8, 10 do.
+// is executed here or passed to the syntax that executes it; TRANS DATUM, MIRROR and ROTATION act like cycles 7, 8 and
+// 10.
 #include <algorithm>
 
 #include "cycles/cycle_text.hpp"
@@ -90,12 +91,12 @@ struct KlartextFrameCycle {
       return;
     }
     word(b, preset_number_.id(), where.begin, where.end, *preset);
-    // The manual: a preset resets shift, mirror image and rotation; a tilted plane stays.
+    // The manual: a preset resets shift, mirror image and rotation; a tilted plane stays in force.
     if (b.is(tilt_, g68_)) code(b, rotation_end_.id(0), where.begin, where.end);
     if (b.has(mirror_term_)) code(b, mirror_.code(0), where.begin, where.end);
   }
 
-  /// The cycle that was defined last runs at the points of the pattern, at once.
+  /// The last defined cycle runs at the points of the pattern at once.
   void pattern(ig::Block& b, std::string_view text, const CycleNumber& number, ig::Where where) const {
     const std::int64_t cycle = number.cycle;
     text_.parameters(b, text, number.end, cycle, [&](std::uint32_t q, double value) {
@@ -104,7 +105,7 @@ struct KlartextFrameCycle {
       const double metric = text_.metric(b, pattern_parameters[i].unit, value);
       if (!std::isfinite(metric)) return;
       pattern_.set(b, q, metric);
-      // Clearances and surface are parameters of the cycle, too: they stay for the calls behind the pattern.
+      // Clearances and surface are parameters of the cycle as well: they stay for the calls after the pattern.
       if (index_of_parameter(q) < cycle_parameters.size() && b.get_or(in_force_, std::int64_t{0}) >= 200)
         definition_.set(b, q, metric);
     });
@@ -162,8 +163,8 @@ struct KlartextFrameCycle {
       case 800: return say("coordinates are not those of turning");
       case 892: return say("the unbalance is not measured");
       case 247: return preset(b, text, number, where);
-      // 14, 20, 270, 271, 285: contours and gears, said where they are machined; 32, 332, 392: how exactly and how fast
-      // the path is kept; 801: the end of 800
+      // 14, 20, 270, 271, 285: contours and gears, which are reported where they are machined; 32, 332, 392: accuracy
+      // and speed of the path; 801: the end of 800
       default: return;
     }
   }
@@ -201,10 +202,10 @@ struct KlartextFrameCycle {
     }
   }
 
-  /// CYCL DEF 8.1 X Y: the axes that are mirrored about the datum; none: no mirror image.
+  /// CYCL DEF 8.1 X Y: the axes that are mirrored about the datum; without axes the mirror image ends.
   void mirror(ig::Block& b, std::string_view text, std::size_t i, ig::Where where, bool is_anew) const {
     if (is_anew && b.has(mirror_term_)) code(b, mirror_.code(0), where.begin, where.end);
-    // A rotation that was defined in a mirror image has been turned the other way round.
+    // A rotation that was defined in a mirror image has been turned in the opposite sense.
     if (b.is(tilt_, g68_) && b.has(mirrored_rotation_))
       b.report(ig::diag("HEI-0161"), where, 8.0, std::string_view("the rotation in force keeps its sense"));
     while ((i = skip(text, i)) < text.size()) {
@@ -244,7 +245,7 @@ struct KlartextFrameCycle {
     return !v.ok || v.number != 1;
   }
 
-  /// CYCL DEF 10.1 ROT+35, IROT+10: about the datum, in the plane.
+  /// CYCL DEF 10.1 ROT+35, IROT+10: a rotation about the datum, in the plane.
   void rotate(ig::Block& b, std::string_view text, std::size_t i, ig::Where where, std::string_view of) const {
     const std::size_t first = skip(text, i);
     const bool is_step = to_upper(at(text, first)) == 'I';
@@ -254,7 +255,7 @@ struct KlartextFrameCycle {
       return;
     }
     const bool is_rotated = b.is(tilt_, g68_);
-    // IsoG68RotationSyntax turns the other way in a mirrored system, and keeps the angle that it turns.
+    // IsoG68RotationSyntax turns in the opposite sense in a mirrored system, and keeps the angle that it turns.
     const bool is_mirrored = is_mirrored_in_plane(b);
     const double in_force = b.is(tilt_, g68_2_) ? b.get_or(turned_in_plane_, 0.0)
                             : is_rotated        ? b.get_or(turned_, 0.0)
@@ -267,7 +268,7 @@ struct KlartextFrameCycle {
       word(b, plane_rotation_.id(), where.begin, where.end, is_mirrored_in_plane(b) ? -angle : angle);
       return;
     }
-    if (b.has(turned_in_plane_)) word(b, plane_rotation_.id(), where.begin, where.end, 0);  // of a plane that ended
+    if (b.has(turned_in_plane_)) word(b, plane_rotation_.id(), where.begin, where.end, 0);  // of a plane that has ended
     if (angle == 0) {
       if (b.is(tilt_, g68_)) code(b, rotation_end_.id(0), where.begin, where.end);
       return;
@@ -283,7 +284,7 @@ struct KlartextFrameCycle {
     word(b, rotation_.word(0, 'R'), where.begin, where.end, angle);
   }
 
-  /// TRANS MIRROR AXIS X, TRANS ROTATION ROT+90, TRANS SCALE SCL1 and their RESET: what cycles 8, 10 and 11 do.
+  /// TRANS MIRROR AXIS X, TRANS ROTATION ROT+90, TRANS SCALE SCL1 and their RESET: like cycles 8, 10 and 11.
   std::size_t trans(ig::Block& b, std::string_view text, std::size_t begin) const {
     const std::size_t mirrored = keyword(text, begin, "TRANS MIRROR"), turned = keyword(text, begin, "TRANS ROTATION");
     const std::size_t scaled = keyword(text, begin, "TRANS SCALE");
@@ -308,7 +309,7 @@ struct KlartextFrameCycle {
     return end;
   }
 
-  /// TRANS DATUM AXIS X+10, TABLE TABLINE 5, RESET: what cycle 7 does.
+  /// TRANS DATUM AXIS X+10, TABLE TABLINE 5, RESET: like cycle 7.
   void trans_datum(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
     i = skip(text, i);
     const std::size_t axis = keyword(text, i, "AXIS"), reset = keyword(text, i, "RESET");

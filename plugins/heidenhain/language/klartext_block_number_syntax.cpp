@@ -1,5 +1,5 @@
-// The block number, and the skip sign / or /1 to /9 before or behind it. The number is a name for people only: nothing
-// jumps there. While the operator has the skip switched on, the block is not executed.
+// The block number, and the skip sign / or /1 to /9 before or after it. The number is a name for people only: no jump
+// uses it. While the operator has the skip switched on, the block is not executed.
 #include <bitset>
 #include <stdexcept>
 

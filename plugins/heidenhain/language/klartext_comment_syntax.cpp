@@ -1,5 +1,5 @@
-// Comments: ; to the end of the line, and the structure block * - text. A comment that stands first takes its whole
-// block, also the lines that ~ adds to it. The mark itself separates words.
+// Comments: ; to the end of the line, and the structure block * - text. A comment that stands first is the whole block,
+// including the lines that ~ adds to it. The mark ~ itself separates words.
 #include <string>
 
 #include "language/klartext_text.hpp"
@@ -37,7 +37,7 @@ struct KlartextComment {
     return next >= text.size() || is_line_end(text[next]) || text[next] == ';';
   }
 
-  /// Lines that ~ joined, as one text.
+  /// The lines that ~ joins, as one text.
   std::string_view without_marks(std::string_view text) {
     text = trim(text);
     if (text.find('\n') == std::string_view::npos) return text;

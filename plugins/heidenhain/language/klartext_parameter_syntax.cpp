@@ -1,5 +1,5 @@
 // Q parameters: FN 0 to FN 8 and FN 13 assign, FN 9 to FN 12 jump to a label, FN 18 reads, Q1 = … is a formula. The
-// scanner takes the statement as a whole; build() executes it, after all that stood before it.
+// scanner reads the statement as a whole; build() executes it, after everything before it in the block.
 #include <isogloss/cnc/units.hpp>
 #include "cycles/cycle_text.hpp"
 #include "language/system_data.hpp"
@@ -67,7 +67,7 @@ struct KlartextParameter {
     return ig::Where::columns(position, std::max(position + 1, text.size()));
   }
 
-  /// Q at `position` and the = behind it.
+  /// A Q parameter at `position` and the = after it.
   struct Target {
     QNumber q;
     std::string_view name;
@@ -105,7 +105,7 @@ struct KlartextParameter {
     if (t.q.kind == QKind::q) of_cycle(b, t.q.number, value);
   }
 
-  /// A cycle reads its parameters when it is called: Q201 = -18 behind CYCL DEF 200 changes the depth.
+  /// A cycle reads its parameters when it is called: Q201 = -18 after CYCL DEF 200 changes the depth.
   void of_cycle(ig::Block& b, std::uint32_t q, double value) const {
     const std::size_t i = index_of_parameter(q);
     if (q < 200 || i >= cycle_parameters.size() || b.get_or(cycle_number_, std::int64_t{0}) < 200) return;
@@ -139,7 +139,7 @@ struct KlartextParameter {
     const std::string_view whole = rest_of_line(text, begin_);
     if (number == 15 || number == 16 || number == 38) return;  // output: no position depends on it
     if (number == 18 && read_system(b, text, i)) return;
-    // What FN 18 reads is told apart; what the others write or do is not.
+    // Reported once for each datum that FN 18 reads, and once for each of the other functions.
     QStore* const store = cycle_.values().store();
     const std::size_t equals = number == 18 ? whole.find('=') : std::string_view::npos;
     const std::string_view kind = equals == std::string_view::npos ? whole.substr(0, i - begin_) : whole.substr(equals);
@@ -147,7 +147,7 @@ struct KlartextParameter {
     b.report(ig::diag("HEI-0117"), ig::Where::columns(begin_, begin_ + whole.size()), double(number));
   }
 
-  /// A value at `i`, which goes behind it; said where there is none.
+  /// A value at `i`, which moves past it; reported where there is none.
   std::optional<double> value(ig::Block& b, std::string_view text, std::size_t& i) const {
     i = skip(text, i);
     const Value v = cycle_.values().read(b, text, i);
@@ -170,7 +170,7 @@ struct KlartextParameter {
     return false;
   }
 
-  /// Between the two operands; a sign of the second one may follow.
+  /// The position after the operator between the two operands; a sign of the second one may follow.
   static std::size_t operation(std::string_view text, std::size_t i, unsigned number) {
     i = skip(text, i);
     if (number == 1) return at(text, i) == '+' ? i + 1 : i;
@@ -221,7 +221,7 @@ struct KlartextParameter {
     if (ends(b, text, i)) assign(b, *t, result);
   }
 
-  /// SYSREAD Q1 = ID270 NR1 IDX3; false where that is not known here.
+  /// SYSREAD Q1 = ID270 NR1 IDX3; false where the datum is not known here.
   bool read_system(ig::Block& b, std::string_view text, std::size_t i) {
     i = skip(text, glued(text, i, "SYSREAD"));
     std::size_t end = i;
@@ -247,7 +247,7 @@ struct KlartextParameter {
     return value.has_value();
   }
 
-  /// Q1 IS DEFINED, Q1 IS UNDEFINED: whether it holds. Nothing where another condition stands there.
+  /// Whether Q1 IS DEFINED or Q1 IS UNDEFINED holds; nothing where another condition is there.
   std::optional<bool> definedness(ig::Block& b, std::string_view text, std::size_t& next) const {
     std::size_t i = skip(text, next), end = i;
     if (at(text, i) == '+') ++i;
@@ -296,12 +296,12 @@ struct KlartextParameter {
     if (answer.is_not_found())
       b.report(ig::diag("HEI-0120"), ig::Where::columns(i, end), std::string_view(name), answer.reason);
   }
-  /// What the control's display does not tell apart.
+  /// True for values that the control's display shows as equal.
   static bool same(double left, double right) {
     return std::fabs(left - right) <= 1e-9 * std::fmax(1, std::fabs(left));
   }
 
-  /// Behind a word that a sign, a number or a letter may follow.
+  /// The position after a word that a sign, a number or a letter may follow directly.
   static std::size_t glued(std::string_view text, std::size_t i, std::string_view upper) {
     std::size_t end = i;
     for (const char c : upper) {

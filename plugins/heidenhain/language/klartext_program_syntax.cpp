@@ -1,5 +1,5 @@
 // The frame of a program: BEGIN PGM NAME MM or INCH, END PGM, BLK FORM, and STOP. BEGIN PGM names the program for CALL
-// PGM and sets the unit; END PGM ends it, or leads back to the caller. The blank changes no path.
+// PGM and sets the unit; END PGM ends the program, or returns to the caller. The blank form does not change the path.
 #include "language/klartext_values.hpp"
 #include "motion/m_functions.hpp"
 
@@ -53,7 +53,7 @@ struct KlartextProgram {
   ig::Status build(ig::Block& b) {
     if (b.is_raised(text_ended_) && b.is_raised(begun_)) b.report(ig::diag("HEI-0190"), ig::Where::block());
     if (!b.is_raised(ends_)) {
-      // What stands behind M2 and M30 are subprograms, and END PGM.
+      // After M2 and M30 come subprograms, and END PGM.
       if (b.find(end_codes_)) b.flow(IG_FLOW_END_FILE);
       return ig::Status::unchanged;
     }
@@ -70,10 +70,10 @@ struct KlartextProgram {
  private:
   struct NameAndUnit {
     std::string_view name;
-    std::string_view unit;  // MM or INCH; empty where none stands there
+    std::string_view unit;  // MM or INCH; empty where neither is there
   };
 
-  /// NAME MM: what stands behind the unit is said, but for the one of a name that is a unit itself.
+  /// NAME MM: text after the unit is reported, unless the name itself looks like a unit.
   NameAndUnit name_and_unit(ig::Block& b, std::string_view text, std::size_t i, std::string_view of) const {
     i = skip(text, i);
     const std::size_t first = i;
@@ -97,7 +97,7 @@ struct KlartextProgram {
     return equals_ignoring_case(word, "MM") || equals_ignoring_case(word, "INCH");
   }
 
-  /// BLK FORM 0.1 Z X+0 Y+0 Z-20; other shapes have words of their own, and files.
+  /// BLK FORM 0.1 Z X+0 Y+0 Z-20; other shapes have words, and files, of their own.
   void blank(ig::Block& b, std::string_view text, std::size_t i) const {
     const ig::Decimal corner = read_number(text, skip(text, i));
     if (!corner.ok) return;
@@ -134,7 +134,7 @@ struct KlartextProgram {
     return end;
   }
 
-  /// STOP, and M functions behind it. M6 changes the tool that TOOL CALL named.
+  /// STOP, and M functions after it. M6 loads the tool that TOOL CALL named.
   std::size_t stop(ig::Block& b, std::string_view text, std::size_t position, std::size_t i) const {
     const std::size_t end = statement_end(text, position);
     if (values_.is_indexing()) return end;

@@ -1,4 +1,4 @@
-/// How Klartext is written: what separates words, where a statement ends, keywords, numbers with a comma.
+/// The lexical rules of Klartext: what separates words, where a statement ends, keywords, numbers with a comma.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace heidenhain {
 
 using namespace ig::cnc;
 
-/// A line that ends in ~ goes on in the next one; the mark and the line end between them separate words.
+/// A line that ends in ~ continues in the next one; the mark and the line end between them separate words.
 constexpr bool is_space(char c) { return c == ' ' || c == '\t' || c == '~' || c == '\r' || c == '\n'; }
 constexpr bool is_line_end(char c) { return c == '\r' || c == '\n'; }
 
@@ -19,8 +19,8 @@ constexpr std::size_t line_end(std::string_view text, std::size_t position) {
   return skip_while(text, position, [](char c) { return !is_line_end(c); });
 }
 
-/// Behind the comment at `position`. A line that ~ adds goes on with the comment, which was too long for its own,
-/// unless the mark stands before the comment or the line is the next parameter of a cycle.
+/// The position after the comment at `position`. On a line that ~ adds, the comment continues, because it was too long
+/// for its own line, unless the mark stands before the comment or the line is the next parameter of a cycle.
 constexpr std::size_t comment_end(std::string_view text, std::size_t position) {
   const std::size_t end = line_end(text, position);
   if (end >= text.size()) return end;
@@ -33,8 +33,8 @@ constexpr std::size_t comment_end(std::string_view text, std::size_t position) {
   return is_parameter ? end : text.size();
 }
 
-/// To the next word of the statement: past blanks, and past a comment behind which the block goes on. A comment that
-/// ends the block stays.
+/// The position of the next word of the statement: after blanks, and after a comment that the block continues behind. A
+/// comment that ends the block is not skipped.
 constexpr std::size_t skip(std::string_view text, std::size_t position) {
   while (position < text.size()) {
     if (is_space(text[position])) {
@@ -50,12 +50,12 @@ constexpr std::size_t skip(std::string_view text, std::size_t position) {
   return position;
 }
 
-/// Nothing more of the statement at this position?
+/// True where the statement has no more text at this position.
 constexpr bool is_end(std::string_view text, std::size_t position) {
   return position >= text.size() || text[position] == ';';
 }
 
-/// Behind the statement: the end of the block, or the comment that ends it. Text in quotes may hold a semicolon.
+/// The end of the statement: the end of the block, or the comment that ends it. Text in quotes may hold a semicolon.
 constexpr std::size_t statement_end(std::string_view text, std::size_t position) {
   bool quoted = false;
   while (position < text.size()) {
@@ -73,8 +73,8 @@ constexpr std::size_t statement_end(std::string_view text, std::size_t position)
   return position;
 }
 
-/// Behind the skip sign / or /1 to /9 at `position`. Before the block number a lone digit is the number itself, unless
-/// another number follows: /5 L, /3 12 L.
+/// The position after the skip sign / or /1 to /9 at `position`. Before the block number a lone digit is the block
+/// number itself, unless another number follows: /5 L, /3 12 L.
 constexpr std::size_t skip_sign_end(std::string_view text, std::size_t position, bool before_number) {
   const char layer = at(text, position + 1);
   const bool is_layer = layer >= '1' && layer <= '9' && !is_digit(at(text, position + 2));
@@ -82,7 +82,7 @@ constexpr std::size_t skip_sign_end(std::string_view text, std::size_t position,
   return before_number && !is_digit(at(text, skip_blanks(text, position + 2))) ? position + 1 : position + 2;
 }
 
-/// Where the words of the block begin: behind its number, 12 or N12, and the skip sign.
+/// The position where the words of the block begin: after its number, 12 or N12, and the skip sign.
 constexpr std::size_t first_word(std::string_view text) {
   std::size_t i = skip_blanks(text, 0);
   if (at(text, i) == '/') i = skip_blanks(text, skip_sign_end(text, i, true));
@@ -93,8 +93,8 @@ constexpr std::size_t first_word(std::string_view text) {
 }
 constexpr bool stands_first(std::string_view text, std::size_t position) { return position == first_word(text); }
 
-/// Behind the words of `upper`, each of which may be followed by blanks; `position` itself where they do not stand
-/// there. The last word must end: no letter follows it.
+/// The position after the words of `upper`, each of which may be followed by blanks; `position` itself where they are
+/// not there. No letter may follow the last word.
 constexpr std::size_t keyword(std::string_view text, std::size_t position, std::string_view upper) {
   std::size_t i = position;
   for (const char c : upper) {
@@ -109,24 +109,24 @@ constexpr std::size_t keyword(std::string_view text, std::size_t position, std::
   return i;
 }
 
-/// The letters at a position.
+/// The position after the letters at `position`.
 constexpr std::size_t letters_end(std::string_view text, std::size_t position) {
   return skip_while(text, position, is_letter);
 }
 
-/// Trimmed of blanks and line ends.
+/// The text without blanks and line ends at both ends.
 constexpr std::string_view trim(std::string_view text) {
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
   return text;
 }
 
-/// What stands from a position to the end of its line, for a message.
+/// The text from a position to the end of its line, for a message.
 constexpr std::string_view rest_of_line(std::string_view text, std::size_t position) {
   return trim(piece(text, position, line_end(text, position)));
 }
 
-/// An unsigned number at `position`, whose fraction follows a point or a comma.
+/// An unsigned number at `position`, with a point or a comma before its fraction.
 inline ig::Decimal read_number(std::string_view text, std::size_t position) {
   const std::size_t whole = skip_digits(text, position);
   if (at(text, whole) != ',') {

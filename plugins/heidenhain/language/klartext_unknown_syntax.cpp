@@ -1,5 +1,5 @@
-// What no other scanner of Klartext took: statements that are known by name but not executed, programs in DIN/ISO
-// format, and whatever else begins a block. Each is one diagnostic.
+// Text that no other scanner of Klartext has read: statements that are known by name but not executed, programs in
+// DIN/ISO format, and anything else that begins a block. Each is one diagnostic.
 #include "language/klartext_values.hpp"
 
 namespace heidenhain {
@@ -26,7 +26,7 @@ struct KlartextUnknown {
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     const std::size_t end = statement_end(text, position);
     if (values_.is_indexing()) return end;
-    // Of a block of several lines the first one names it.
+    // A block of several lines is named by its first line.
     const std::string_view whole = trim(piece(text, position, std::min(end, line_end(text, position))));
     const auto where = ig::Where::columns(position, position + whole.size());
     if (!b.is_raised(begun_) && is_din(text, position)) {
@@ -99,7 +99,7 @@ struct KlartextUnknown {
       Known{"POLARKIN", "the kinematics stay"},
   };
 
-  /// TCH PROBE 1.1: its first part, 1.0, is said.
+  /// TCH PROBE 1.1: its first part, 1.0, has been reported.
   static bool is_part_of_probing(std::string_view text, std::size_t position) {
     const std::size_t behind = keyword(text, position, "TCH PROBE");
     if (behind == position) return false;
@@ -107,13 +107,13 @@ struct KlartextUnknown {
     return at(text, point) == '.' && is_digit(at(text, point + 1)) && at(text, point + 1) != '0';
   }
 
-  /// FUNCTION MODE MILL with no name of kinematics: what is in force here anyway, since TURN is not executed.
+  /// FUNCTION MODE MILL without a name of kinematics has no effect here, because TURN is not executed.
   static bool is_mill_mode(std::string_view text, std::size_t position, std::size_t end) {
     const std::size_t behind = keyword(text, position, "FUNCTION MODE MILL");
     return behind != position && skip(text, behind) >= end;
   }
 
-  /// %NAME G71 *, and N10 G00 …: a Klartext block begins with a bare number.
+  /// %NAME G71 *, and N10 G00 …: unlike these, a Klartext block begins with a bare number.
   static bool is_din(std::string_view text, std::size_t position) {
     if (!stands_first(text, position)) return false;
     if (text[position] == '%') return true;

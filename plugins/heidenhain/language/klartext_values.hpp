@@ -1,4 +1,4 @@
-/// Values of a program: numbers, Q parameters, formulas. Degrees.
+/// Values in a program: numbers, Q parameters, formulas. Angles in degrees.
 #pragma once
 
 #include <charconv>
@@ -15,7 +15,7 @@ namespace heidenhain {
 
 using namespace ig::cnc;
 
-/// What stands at a position; `end` is the position itself where there is no value.
+/// A value read at a position; `end` is the position itself where there is no value.
 struct Value {
   double number = 0;
   std::size_t end = 0;
@@ -29,7 +29,7 @@ class Values {
   const ig::Flow& flow() const { return flow_; }
   QStore* store() const { return const_cast<QStore*>(store_.operator->()); }
 
-  /// Q5, QL1 or QR3 at a position. QS is none.
+  /// Q5, QL1 or QR3 at a position. QS parameters hold texts and are not read here.
   static std::optional<QNumber> q_at(std::string_view text, std::size_t position, std::size_t& end) {
     if (to_upper(at(text, position)) != 'Q') return std::nullopt;
     QNumber q;
@@ -46,7 +46,7 @@ class Values {
     return q;
   }
 
-  /// A number or a Q parameter with any signs before it.
+  /// A number or a Q parameter, with any number of signs before it.
   Value read(ig::Block& b, std::string_view text, std::size_t position) const {
     bool negative = false;
     std::size_t i = position;
@@ -62,7 +62,7 @@ class Values {
     return v;
   }
 
-  /// The parameter has a value.
+  /// True when the parameter has a value.
   bool has(ig::Block& b, const QNumber& q) const {
     const QStore* const s = store();
     return s != nullptr && QStore::exists(q) && !std::isnan(s->get(q, program(b)));
@@ -86,12 +86,12 @@ class Values {
       b.report(ig::diag("HEI-0114"), where, name);
   }
 
-  /// Text in brackets is a comment of other controls, and of simulators: it is said once.
+  /// Text in brackets is a comment on other controls and in simulators: it is reported once.
   void say_brackets(ig::Block& b, ig::Where where) const {
     if (QStore* const s = store(); s == nullptr || s->is_first_time(0, "(")) b.report(ig::diag("HEI-0189"), where);
   }
 
-  /// A formula to the end of its statement; nothing, which is said, where it has no result.
+  /// A formula to the end of its statement; nothing, with a diagnostic, where it has no result.
   std::optional<double> formula(ig::Block& b, std::string_view text, std::size_t position, std::size_t end) const {
     Parser parser{*this, b, text.substr(0, end), position, 0, false};
     const double result = parser.sum();
@@ -111,7 +111,7 @@ class Values {
   }
 
  private:
-  /// Without signs.
+  /// The value without signs before it.
   Value operand(ig::Block& b, std::string_view text, std::size_t position) const {
     std::size_t end = position;
     if (const auto q = q_at(text, position, end))
@@ -120,7 +120,7 @@ class Values {
     return {d.value, d.end, d.ok && d.end > position};
   }
 
-  /// QL belong to a program, not to its labels.
+  /// QL parameters belong to a program, not to its labels.
   std::uint64_t program(const ig::Block& b) const {
     ig_frame frame = flow_.frame(b);
     while (frame.tag == called_label && frame.depth > 0) {

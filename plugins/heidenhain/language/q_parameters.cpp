@@ -1,5 +1,5 @@
-// The Q parameters of a run: what the table gives, and what the program writes. The values stand in arrays, since loops
-// read them millions of times.
+// The Q parameters of a run: values from the table, and values that the program writes. They are kept in arrays,
+// because loops read them millions of times.
 #include <charconv>
 #include <stdexcept>
 #include <string>

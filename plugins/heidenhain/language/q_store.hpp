@@ -15,10 +15,10 @@ namespace heidenhain {
 
 inline constexpr const char* q_store_service = "heidenhain.q-parameters/1";
 
-/// Of the tag of a frame: what called the text.
+/// Part of a frame's tag: what called the text.
 enum CallTag : std::uint64_t { called_label = 1, called_program = 2 };
 
-/// Q, QL (of one program alone) and QR (kept when the power is off).
+/// Q, QL (local to one program) and QR (kept when the power is off).
 enum class QKind : std::uint8_t { q, local, retained };
 
 struct QNumber {
@@ -26,7 +26,7 @@ struct QNumber {
   std::uint32_t number = 0;
 };
 
-/// A position of PATTERN DEF in the plane across the tool, and what it adds to the surface; mm, as programmed.
+/// A position of PATTERN DEF in the plane across the tool, and its height above the surface; mm, as programmed.
 struct PatternPoint {
   double first, second, surface;
 };
@@ -38,7 +38,7 @@ class QStore {
 
   static bool exists(const QNumber& q) { return q.number < (q.kind == QKind::q ? q_count : other_count); }
 
-  /// NaN where it has no value; the parameter exists. `program`: the frame whose local ones count.
+  /// The value; NaN where there is none. The parameter must exist. `program` is the frame whose local ones are used.
   double get(const QNumber& q, std::uint64_t program) const {
     if (q.kind == QKind::q) return q_[q.number];
     if (q.kind == QKind::retained) return retained_[q.number];
@@ -55,13 +55,13 @@ class QStore {
       locals(program).values[q.number] = value;
   }
 
-  /// CALL LBL … REP: how often the part is still to be repeated; `total` where its block is new. False: no more.
+  /// CALL LBL … REP: counts one repeat of the part down from `total`. False: none is left.
   bool repeat(std::uint64_t frame, std::uint64_t offset, double total) {
     const auto same = [&](const Repeat& r) { return r.frame == frame && r.offset == offset; };
     const auto it = std::find_if(repeats_.begin(), repeats_.end(), same);
     if (it == repeats_.end()) {
       if (!(total >= 1)) return false;
-      // A part that was left by a jump leaves its counter behind.
+      // A part that a jump has left leaves its counter behind.
       if (repeats_.size() >= most_repeats) repeats_.erase(repeats_.begin());
       repeats_.push_back({frame, offset, std::floor(total) - 1});
       return true;
@@ -74,8 +74,8 @@ class QStore {
     return true;
   }
 
-  /// Is what stands at this place of a program said for the first time? A loop comes there again and again. What has
-  /// one cause in many places takes the number of its diagnostic for the place.
+  /// True when the text is reported for the first time at this place of a program, where a loop may come again and
+  /// again. For a cause that occurs in many places, the number of its diagnostic stands for the place.
   bool is_first_time(std::uint64_t offset, std::string_view text) {
     const std::uint64_t place = offset ^ (std::hash<std::string_view>{}(text) << 1);
     if (std::find(said_.begin(), said_.end(), place) != said_.end()) return false;
@@ -83,7 +83,7 @@ class QStore {
     return true;
   }
 
-  /// What PATTERN DEF defined last, for CYCL CALL PAT.
+  /// The points of the last PATTERN DEF, for CYCL CALL PAT.
   std::vector<PatternPoint> pattern;
 
  private:

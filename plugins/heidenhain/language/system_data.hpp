@@ -1,4 +1,4 @@
-/// What FN 18 reads of the control: the tool, its table, datum and positions. mm and degrees.
+/// Data of the control that FN 18 reads: the tool, its table, datum and positions. mm and degrees.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace heidenhain {
 
 using namespace ig::cnc;
 
-/// A member of the syntax that reads.
+/// A member of the syntax that reads them.
 class SystemData {
  public:
   struct Request {
@@ -22,7 +22,7 @@ class SystemData {
     std::optional<double> index{};
   };
 
-  /// In the program's unit; nothing where it is not known here.
+  /// The datum in the program's unit; nothing where it is not known here.
   std::optional<double> read(ig::Block& b, const Request& r) const {
     const bool is_of_axis = r.index && *r.index >= 1 && *r.index <= 6 && *r.index == std::floor(*r.index);
     const std::size_t axis = is_of_axis ? static_cast<std::size_t>(*r.index) - 1 : 0;
@@ -67,7 +67,7 @@ class SystemData {
   ig::Previous<double> speed_{"SpindleSpeed.SpindleSpeed_rpm"};
   ig::In<double> length_delta_{"ToolHeightCompensation.Delta_mm", ig::read, {ig::Life::modal, "mm", ""}};
   ig::In<double> radius_delta_{"RadiusCompensation.Delta_mm", ig::read, {ig::Life::modal, "mm", ""}};
-  /// As programmed: in the plane, along turned axes, or else along those of the preset.
+  /// The shift as programmed: in the plane, along turned axes, or along those of the preset.
   double shift(const ig::Block& b, std::size_t axis) const {
     for (const ig::Xyz* of : {&plane_shift_, &turned_shift_})
       if (const ig::PartialVec3 v = b.get(*of); v.has(axis)) return v.value[axis];

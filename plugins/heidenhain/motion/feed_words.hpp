@@ -1,4 +1,4 @@
-/// F of a path block or a TOOL CALL: a number, MAX, AUTO, or feed per revolution.
+/// F of a path block or of TOOL CALL: a number, MAX, AUTO, or feed per revolution.
 #pragma once
 
 #include "language/klartext_values.hpp"
@@ -21,7 +21,7 @@ class FeedWords {
       if (const std::size_t word = letters_end(text, next); word > next) kind = piece(text, next, word);
     }
     const auto is = [&](std::string_view name) { return equals_ignoring_case(kind, name); };
-    // FMAXM3, FAUTOR0: the letter of the next word is none of this one.
+    // FMAXM3, FAUTOR0: the next word may follow directly.
     for (const std::string_view name : {"MAX", "AUTO"})
       if (kind.size() == name.size() + 1 && to_upper(kind.back()) != 'T' && is_digit(at(text, letters)) &&
           equals_ignoring_case(kind.substr(0, name.size()), name))
@@ -45,7 +45,7 @@ class FeedWords {
       return letters;
     }
     const Value v = values.read(b, text, is_per_revolution || is_unknown ? letters : position + 1);
-    if (!v.ok) return is_unknown ? letters : position + 1;  // F alone: the prompt was left without an answer
+    if (!v.ok) return is_unknown ? letters : position + 1;  // F alone: the prompt was not answered
     if (is_unknown) {
       b.report(ig::diag("HEI-0136"), ig::Where::columns(position, v.end), trim(piece(text, position, v.end)));
       return v.end;
@@ -60,10 +60,10 @@ class FeedWords {
     return v.end;
   }
 
-  /// F of TOOL CALL: in force, and what F AUTO means.
+  /// Keeps the F of TOOL CALL, which is in force and is the meaning of F AUTO.
   void keep(ig::Block& b, double feed) const { b.set(tool_feed_, feed); }
   std::optional<double> word(const ig::Block& b) const { return b.get(f_); }
-  /// As F counts in this program: inches a minute in an inch program.
+  /// The feed in the unit of F in this program: inch/min in an inch program.
   double in_unit(const ig::Block& b, double feed) const {
     return inch_feed_ == InchFeed::tenths && b.is(system_, inch_) ? feed / 10 : feed;
   }

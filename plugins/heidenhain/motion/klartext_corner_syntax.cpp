@@ -1,6 +1,6 @@
 // RND and CHF stand in a block of their own between two moves. The move before must end short of the corner, so each
-// feed move looks whether such a block follows, and gets the corner that CornerBreakPathSyntax and the radius
-// compensation make the path from.
+// feed move looks whether such a block follows, and gets the corner from which CornerBreakPathSyntax and cutter radius
+// compensation make the path.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/contour_approach.hpp>
@@ -20,7 +20,8 @@ struct KlartextCorner {
           .before("RadiusCompensationPathSyntax", "CornerBreakPathSyntax")
           .looks_ahead(window);
 
-  /// Looking ahead costs more than the move itself: moves of a surface and of five axes, which no corner ends, do not.
+  /// Looking ahead costs more than the move itself, so moves of a surface and of five axes, which have no such corners,
+  /// do not.
   ig::In<bool> in_plane_{
       "KlartextPath.IsFeedInPlane", ig::wake, {ig::Life::block, "", "The move may end in a corner."}};
   ig::In<ig::Symbol> form_{"MotionEvent.Form"};
@@ -35,8 +36,8 @@ struct KlartextCorner {
   ig::Signal path_{"CornerBreak.~Path", ig::write};
   ig::Name rnd_{"RND"}, chf_{"CHF"};
 
-  bool is_announced_ = false;  ///< the next block of RND or CHF belongs to a move that has it
-  bool is_open_ = false;       ///< up to the next move, which begins behind the corner
+  bool is_announced_ = false;  ///< the next RND or CHF block belongs to a move that already has it
+  bool is_open_ = false;       ///< up to the next move, which begins after the corner
 
   ig::Status restart(ig::Block&) {
     is_announced_ = is_open_ = false;

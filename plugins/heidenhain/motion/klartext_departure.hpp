@@ -1,4 +1,4 @@
-/// DEP as it is written: KlartextMotionSyntax makes positions of it.
+/// The words of DEP as written: KlartextMotionSyntax makes positions of them.
 #pragma once
 
 #include <isogloss/cnc/contour_approach.hpp>

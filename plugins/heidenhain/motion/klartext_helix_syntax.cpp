@@ -1,4 +1,4 @@
-// CP with IPA beyond 360 degrees: how many whole circles the arc makes more.
+// CP with IPA beyond 360 degrees: how many additional whole circles the arc makes.
 #include <isogloss/sdk.hpp>
 
 namespace heidenhain {

@@ -1,5 +1,6 @@
-// What the words of a path block mean: increments become positions, polar coordinates become rectangular ones, the pole
-// CC becomes the centre of an arc, and CT finds its own. From here on the block is one of G00 to G03, as anywhere else.
+// The meaning of the words of a path block: increments become positions, polar coordinates become rectangular ones, the
+// pole CC becomes the centre of an arc, and CT finds its own centre. From here on the block is one of G00 to G03, as in
+// the other languages.
 #include <numbers>
 
 #include <isogloss/cnc/units.hpp>
@@ -107,7 +108,7 @@ struct KlartextMotion {
   struct Way {
     PlaneAxes plane;
     ig::Vec3 from, to;
-    std::uint32_t mask;  // axes that the block moves
+    std::uint32_t mask;  // the axes that the block moves
     ig::Symbol function;
     Point2 start() const { return {from[plane.first], from[plane.second]}; }
     Point2 end() const { return {to[plane.first], to[plane.second]}; }
@@ -118,7 +119,7 @@ struct KlartextMotion {
     }
   };
 
-  /// Where the program stands, as it would say it: mirror images come after this syntax.
+  /// The start of the block in coordinates of the program, before mirror images, which come after this syntax.
   ig::Vec3 start(ig::Block& b) const {
     const ig::Vec3 last = last_(b);
     return b.has(mirror_term_) ? rounded(mirror_.programmed(b, last)) : last;
@@ -134,7 +135,7 @@ struct KlartextMotion {
     return ig::Field<double>(path, ig::read | ig::write, {ig::Life::standard, "mm", ""}).id();
   }
 
-  /// A feed move without rotary axes: KlartextCornerSyntax looks for RND and CHF behind it.
+  /// True for a feed move without rotary axes: KlartextCornerSyntax looks for RND and CHF after it.
   bool can_end_in_corner(const ig::Block& b) const {
     const auto code = b.find(motions_);
     if (!code || *code == 0) return false;
@@ -144,7 +145,7 @@ struct KlartextMotion {
     return true;
   }
 
-  /// Positions of the block; an axis that it does not move has no word.
+  /// Writes positions into the block; an axis that it does not move gets no word.
   void put(ig::Block& b, const Way& way) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
       if ((way.mask >> axis & 1u) != 0) b.set(words_.id(axis), rounded(way.to[axis]));
@@ -152,7 +153,7 @@ struct KlartextMotion {
 
   bool retracts(const ig::Block& b) const { return b.has(to_limit_) || b.has(distance_); }
 
-  /// M140: back along the tool axis. The end of the travel is known where that is Z of the machine.
+  /// M140: a retract along the tool axis. The end of the travel is known where that is Z of the machine.
   void retract(ig::Block& b, Way& way) const {
     const auto distance = b.take(distance_);
     const auto say = [&](std::string_view why) {
@@ -177,7 +178,7 @@ struct KlartextMotion {
     put(b, way);
   }
 
-  /// DEP: off the contour, from where the tool's centre stands beside its last point, on the side of RL or RR.
+  /// DEP: departs from the contour, from the tool centre's position at its last point, to the side of RL or RR.
   void depart(ig::Block& b, Way& way, const KlartextDeparture::Way& off) const {
     using Shape = KlartextDeparture::Shape;
     const ig::PartialVec3 known = b.get(tangent_);
@@ -203,7 +204,7 @@ struct KlartextMotion {
       const bool is_ccw = (left > 0) == (r > 0);
       Point2 end = ContourApproach::turned(from, center, is_ccw ? off.angle_deg : -off.angle_deg);
       if (off.shape == Shape::line_and_arc) {
-        // Seen from the end the arc turns the other way.
+        // Seen from its end, the arc turns the other way.
         const auto touching = ContourApproach::touching(way.end(), center, r, !is_ccw);
         if (!touching) return say("its end lies inside the arc, the tool leaves straight");
         end = *touching;
@@ -221,13 +222,13 @@ struct KlartextMotion {
     put(b, way);
   }
 
-  /// Farther away no machine goes, and numbers lose what is computed with them.
+  /// False for positions farther away than any machine, whose results would lose all digits.
   static bool is_position(const ig::Vec3& p) {
     constexpr double farthest = 1e9;
     return std::fabs(p.x) < farthest && std::fabs(p.y) < farthest && std::fabs(p.z) < farthest;
   }
 
-  /// The block has no meaning: its words go with it.
+  /// Drops the words of a block that has no meaning.
   ig::Status drop(ig::Block& b) const {
     b.take(words_);
     b.erase(in_plane_);
@@ -269,7 +270,7 @@ struct KlartextMotion {
     return true;
   }
 
-  /// IPA may be more than a whole circle. Its sign is the sense of rotation.
+  /// IPA may exceed a whole circle. Its sign is the sense of rotation.
   void note_circles(ig::Block& b, const Way& way, const Point2& center, double turned) const {
     const auto is_ccw = b.get(is_ccw_);
     if (!is_ccw || turned == 0) return;
@@ -305,7 +306,7 @@ struct KlartextMotion {
 
   void raise(ig::Block& b, std::size_t motion) const { b.raise(motions_.id(motion)); }
 
-  /// CT: the arc that leaves where the path before goes on to, and ends at the point.
+  /// CT: the arc that continues the direction of the path before and ends at the point.
   void along_tangent(ig::Block& b, const Way& way) const {
     const ig::PartialVec3 known = b.get(tangent_);
     const Point2 way_in_plane = way.end() - way.start();
@@ -319,7 +320,7 @@ struct KlartextMotion {
     const Point2 left{-t.v / t_length, t.u / t_length};
     const double aside = way_in_plane.u * left.u + way_in_plane.v * left.v;
     const double ahead = way_in_plane.u * t.u + way_in_plane.v * t.v;
-    if (std::fabs(aside) < same_point_mm) {  // straight on; straight back is no arc
+    if (std::fabs(aside) < same_point_mm) {  // straight on; straight back is not an arc
       if (ahead < 0) b.report(ig::diag("HEI-0134"), ig::Where::block(), b.text(way.function));
       raise(b, 1);
       return keep_tangent(b, way.to - way.from);

@@ -1,6 +1,6 @@
-// Path functions: L, LP, LN, CC, C, CR, CT, CP, CTP, and what goes with them: RND, CHF, APPR, DEP. The scanner takes
-// the block as a whole and writes its words; KlartextMotionSyntax makes a path of them. A block that begins with an
-// axis or an M function counts as L.
+// Path functions: L, LP, LN, CC, C, CR, CT, CP, CTP, and RND, CHF, APPR and DEP beside them. The scanner reads the
+// block as a whole and writes its words; KlartextMotionSyntax makes a path of them. A block that begins with an axis or
+// an M function is read as L.
 #include <isogloss/cnc/contour_approach.hpp>
 #include <isogloss/cnc/units.hpp>
 #include "motion/feed_words.hpp"
@@ -89,7 +89,7 @@ struct KlartextPath {
     std::optional<bool> is_ccw{};
     std::optional<ContourApproach::Shape> shape{};  ///< of APPR and DEP
     std::optional<double> length{}, radius{}, angle{};
-    bool is_beside = false;  ///< RL or RR stands in the block
+    bool is_beside = false;  ///< the block holds RL or RR
   };
 
   static ig_field word(std::string_view name, const char* unit) {
@@ -104,7 +104,7 @@ struct KlartextPath {
     for (std::size_t i = 0; i < function_count; ++i)
       if (equals_ignoring_case(letters, function_names[i]) && (i != C || !is_word))
         return Found{static_cast<Function>(i), end};
-    // L, C and CC with their first word glued to them: LX+10, CCX+5, LIX+5
+    // L, C and CC with their first word attached: LX+10, CCX+5, LIX+5
     for (const Function f : {LP, LN, CC, CR, CT, CP, L, C}) {
       const std::size_t size = function_names[f].size();
       if (letters.size() <= size || letters.size() > size + 3 || !is_word) continue;
@@ -146,7 +146,7 @@ struct KlartextPath {
     const char c = to_upper(text[i]), d = to_upper(at(text, i + 1));
     if (path.function >= APPR)
       if (const std::size_t end = shape_at(b, text, i, path); end != i) return end;
-    // LIN_Z-5, LIN_IZ-5: the axis that an arc moves along a straight line, as the newer controls write it.
+    // LIN_Z-5, LIN_IZ-5: on newer controls, the axis that an arc moves along a straight line.
     if (path.function >= C && path.function <= CTP && path.function != CC &&
         equals_ignoring_case(piece(text, i, std::min(i + 4, text.size())), "LIN_")) {
       const std::size_t axis_word = i + 4;
@@ -188,7 +188,7 @@ struct KlartextPath {
     }
   }
 
-  /// U, V, W move no axis here; the other words of the block still hold, above all M91 and FMAX.
+  /// U, V and W move no axis here; the other words of the block are executed, above all M91 and FMAX.
   std::size_t parallel_axis(ig::Block& b, std::string_view text, std::size_t i) const {
     const std::size_t letter = to_upper(text[i]) == 'I' ? i + 1 : i;
     const char c = to_upper(at(text, letter));
@@ -200,8 +200,8 @@ struct KlartextPath {
     return v.end;
   }
 
-  /// LT, LN, CT, LCT, in polar coordinates PLT and so on, and LEN, CCA, R with a value: how the tool approaches the
-  /// contour or leaves it.
+  /// LT, LN, CT, LCT, in polar coordinates PLT and so on, and LEN, CCA and R with a value: the shape of an approach or
+  /// a departure.
   std::size_t shape_at(ig::Block& b, std::string_view text, std::size_t i, Path& path) const {
     const std::size_t end = letters_end(text, i);
     const std::string_view letters = piece(text, i, end);
@@ -223,7 +223,7 @@ struct KlartextPath {
   static std::size_t axis_of(char c) { return std::min<std::size_t>(std::string_view("XYZABC").find(to_upper(c)), 6); }
   static std::size_t polar_of(char c) { return std::min<std::size_t>(std::string_view("RA").find(to_upper(c)), 2); }
 
-  /// `other`: the same axis as an increment or as a position.
+  /// `other` is the same axis as an increment or as a position.
   std::size_t put(ig::Block& b, std::string_view text, std::size_t begin, std::size_t value, ig_field field, Path& path,
                   ig_field other = IG_NO_FIELD) const {
     const Value v = values_.read(b, text, value);
@@ -240,7 +240,7 @@ struct KlartextPath {
     return v.end;
   }
 
-  /// R0, RL, RR; R alone, the prompt that was left without an answer; R and a number of CR.
+  /// R0, RL, RR; R alone, a prompt that was not answered; R with a number, of CR.
   std::size_t radius(ig::Block& b, std::string_view text, std::size_t i, Path& path) const {
     const char d = to_upper(at(text, i + 1));
     const bool is_alone = !is_digit(at(text, i + 2)) && at(text, i + 2) != '.' && at(text, i + 2) != ',';
@@ -254,7 +254,7 @@ struct KlartextPath {
       uncompensate(b, i, i + 2);
       return i + 2;
     }
-    // R+ and R- of a paraxial block lengthen or shorten it by the radius
+    // R+ and R- lengthen or shorten a paraxial block by the radius
     if (d == '+' || d == '-') {
       b.report(ig::diag("HEI-0131"), ig::Where::columns(i, i + 2), piece(text, i, i + 2));
       return i + 2;
@@ -262,7 +262,7 @@ struct KlartextPath {
     return is_letter(d) || is_digit(d) ? i : i + 1;
   }
 
-  /// The side of the contour, and the tool in the spindle, where they are not in force already.
+  /// Sets the side of the contour and the tool in the spindle, where they are not in force already.
   void compensate(ig::Block& b, std::size_t side, std::size_t begin, std::size_t end) const {
     const std::int64_t tool = b.get_or(tool_, std::int64_t{0});
     if (b.is(side_in_force_, side == 1 ? g41_ : g42_) && b.get_or(offset_in_force_, std::int64_t{0}) == tool) return;
@@ -316,7 +316,8 @@ struct KlartextPath {
     }
   }
 
-  /// The way to the contour or off it; false where it has none: without RL or RR, or where a word of it is missing.
+  /// The path to the contour or away from it; false where it has none: without RL or RR, or where one of its words is
+  /// missing.
   bool shape_path(ig::Block& b, const Path& path) const {
     using Shape = ContourApproach::Shape;
     if (!path.shape) return false;
@@ -336,7 +337,7 @@ struct KlartextPath {
       departure_.set(b, way);
       return true;
     }
-    // Up to where the way begins the tool goes on as in the block before; LCT has one feed.
+    // Up to the start of the approach the tool moves as in the block before; LCT has one feed throughout.
     if (shape != Shape::line_and_arc) {
       way.is_rapid = b.is(motion_in_force_, g00_);
       if (const auto feed = b.get(feed_in_force_); feed && b.is(feed_term_, g94_)) way.feed_mmds = *feed / 60;
@@ -352,7 +353,7 @@ struct KlartextPath {
     return L;
   }
 
-  /// F of a corner, with its value: F100, F 100, F MAX. Without one it says nothing.
+  /// F of a corner with its value: F100, F 100, F MAX. Without a value it has no effect.
   std::size_t corner_feed(ig::Block& b, std::string_view text, std::size_t i, const Path& path) const {
     const auto word_end = [&](std::size_t from) {
       return skip_while(text, from, [](char x) { return !is_space(x) && x != ';'; });
@@ -370,7 +371,7 @@ struct KlartextPath {
     return end;
   }
 
-  /// RND R5, CHF 2: between two moves; F of its own.
+  /// RND R5, CHF 2: between two moves, with an F of their own.
   std::size_t corner(ig::Block& b, std::string_view text, std::size_t begin, Path& path) const {
     std::size_t i = skip(text, path.position);
     if (path.function == RND && to_upper(at(text, i)) == 'R') i = skip(text, i + 1);

@@ -1,5 +1,5 @@
-// CC sets the pole of arcs and polar coordinates. The two axes that it names also say in which plane they lie: CC Y Z
-// with the tool along Z makes the arcs that follow stand upright.
+// CC sets the pole of arcs and polar coordinates. The two axes that it names also select the plane: after CC Y Z with
+// the tool along Z, arcs stand upright.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/plane.hpp>
@@ -27,7 +27,7 @@ struct KlartextPole {
   ig::Out<ig::Symbol> pole_plane_{
       "KlartextPath.PolePlane",
       {ig::Life::modal, "", "G17, G18 or G19: the plane that CC named, where it is not the one across the tool."}};
-  /// What the plane goes back to behind a block in the plane of the pole.
+  /// The plane that is in force again after a block in the plane of the pole.
   ig::Out<ig::Symbol> working_plane_{"KlartextPath.WorkingPlane",
                                      {ig::Life::modal, "", "The plane across the tool, behind an arc in another."}};
   ig::Signal turned_{"KlartextPath.~PlaneTurned", ig::read | ig::write | ig::wake_while, ig::Life::modal};
@@ -67,7 +67,7 @@ struct KlartextPole {
     b.set(term_, plane);
     b.set(plane_name_, plane == planes_[1] ? names_[1] : plane == planes_[2] ? names_[2] : names_[0]);
   }
-  /// Of two axes, as a mask.
+  /// The plane of two axes, given as a mask.
   std::size_t plane_of(std::uint32_t axes) const { return axes == 3 ? 0 : axes == 5 ? 1 : 2; }
 
   void set_pole(ig::Block& b) const {
@@ -88,7 +88,7 @@ struct KlartextPole {
         if (!positions.has(axis)) steps[axis] += last[axis];
       }
     choose_plane(b, named);
-    // Alone it is where the tool stands; an axis that is not named keeps its pole.
+    // CC alone is the position of the tool; an axis that is not named keeps its pole.
     ig::Vec3 pole = named == 0 ? last : b.get(pole_).or_else(last);
     for (std::size_t axis = 0; axis < 3; ++axis)
       if ((named >> axis & 1u) != 0) pole[axis] = positions.has(axis) ? positions.value[axis] : steps[axis];

@@ -1,5 +1,5 @@
-/// M functions, which stand in any block: those that ISO has as well become its codes, the others become what they
-/// mean, or are said.
+/// M functions, which may stand in any block: those that ISO has as well become its codes, the others are executed here
+/// or reported.
 #pragma once
 
 #include <charconv>
@@ -29,11 +29,11 @@ class MFunctions {
     }
   }
 
-  /// The M at `position`; returns the position behind it and behind the words that belong to it.
+  /// Reads the M at `position`; returns the position after it and after the words that belong to it.
   std::size_t scan(ig::Block& b, const Values& values, std::string_view text, std::size_t position) const {
     const std::size_t digits = skip_blanks(text, position + 1);
     const Value v = values.read(b, text, digits);
-    if (!v.ok) return position + 1;  // M alone: the prompt was left without an answer
+    if (!v.ok) return position + 1;  // M alone: the prompt was not answered
     const std::size_t end = at(text, v.end) == '.' ? v.end + 1 : v.end;
     const double rounded = std::round(v.number);
     if (values.is_indexing()) return end;
@@ -51,7 +51,7 @@ class MFunctions {
  private:
   static constexpr std::uint32_t most = 999;
 
-  /// M140 MB 50, M140 MB MAX: back along the tool axis. An F of its own follows.
+  /// M140 MB 50, M140 MB MAX: a retract along the tool axis. An F of its own may follow.
   std::size_t retract(ig::Block& b, const Values& values, std::string_view text, std::size_t begin,
                       std::size_t end) const {
     const std::size_t first = skip(text, end), by = keyword(text, first, "MB"), value = skip(text, by);
@@ -76,8 +76,8 @@ class MFunctions {
     return feed_end;
   }
 
-  /// M128 F: how fast the axes may follow, which changes no path. Its value is read, since a parameter of it may have
-  /// none.
+  /// F of M128 limits the speed of the axes and changes no path. Its value is read nevertheless, because its parameter
+  /// may have none, which is reported.
   static std::size_t behind_feed(ig::Block& b, const Values& values, std::string_view text, std::size_t end) {
     const std::size_t feed = skip(text, end);
     if (to_upper(at(text, feed)) != 'F') return end;
@@ -118,7 +118,7 @@ class MFunctions {
       case 126:
       case 127: b.set(rotary_path_, b.symbol(number == 126 ? "M126" : "M127")); return end;
       case 128: lead_tip(b, begin, end); return behind_feed(b, values, text, end);
-      case 129:  // without M128 in front the length stays as TOOL CALL has left it
+      case 129:  // without a preceding M128 the length stays as TOOL CALL set it
         if (b.is(length_term_, led_)) flag(b, length_.code(0), begin, end);
         return end;
       case 136:
@@ -143,7 +143,7 @@ class MFunctions {
     return end;
   }
 
-  /// M94 and M94 C: whole turns go from what the axes show. Axes that turn on and on stand where they stood.
+  /// M94 and M94 C: removes whole turns from the display of the axes. Axes without limits do not move.
   std::size_t reduce(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) const {
     const std::size_t rest = behind_words(text, end, false);
     const std::size_t named = std::string_view("ABC").find(to_upper(at(text, skip(text, end))));
@@ -156,13 +156,14 @@ class MFunctions {
     return rest;
   }
 
-  /// Without a TOOL CALL before it the tool in the spindle counts, whose length is not known.
+  /// Without a TOOL CALL before it the tool in the spindle is used; its length is not known.
   void lead_tip(ig::Block& b, std::size_t begin, std::size_t end) const {
     flag(b, tcp_.code(0), begin, end);
     if (!b.has(offset_id_)) flag(b, tcp_.word(0, 'H'), begin, end);
   }
 
-  /// Behind the words of an M function, which end where the next M, R0, RL, RR or F stands (M103 has an F of its own).
+  /// The position after the words of an M function, which end at the next M, R0, RL, RR or F (M103 has an F of its
+  /// own).
   static std::size_t behind_words(std::string_view text, std::size_t position, bool has_feed) {
     const std::size_t last = statement_end(text, position);
     for (std::size_t i = skip(text, position); i < last; i = skip(text, word_end(text, i))) {
@@ -189,7 +190,7 @@ class MFunctions {
 
   struct Said {
     std::uint32_t number;
-    ig_severity severity;  // a note: nothing is said, since nothing changes
+    ig_severity severity;  // a note: nothing is reported, because nothing changes
     bool has_words;
     const char* effect;
   };

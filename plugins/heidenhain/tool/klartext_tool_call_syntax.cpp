@@ -1,5 +1,5 @@
-// TOOL CALL: the tool, its axis, its speed and feed, its length and what DL adds to it. TOOL DEF names a tool that the
-// magazine may fetch, or writes its length and radius into the table of tools.
+// TOOL CALL: the tool, its axis, its speed and feed, its length and the allowance DL. TOOL DEF names a tool that the
+// magazine may fetch, or writes its length and radius into the tool table.
 #include <isogloss/cnc/units.hpp>
 #include "motion/feed_words.hpp"
 #include "motion/m_functions.hpp"
@@ -134,7 +134,7 @@ struct KlartextToolCall {
     if (axis > 2) b.report(ig::diag("HEI-0151"), ig::Where::columns(i, i + 1), piece(text, i, i + 1));
     return i + 1;
   }
-  /// A trailing point is none of a number: DL0.
+  /// A final point does not belong to the number: DL0.
   Value read(ig::Block& b, std::string_view text, std::size_t i) const {
     return values_.read(b, text, skip_blanks(text, i));
   }
@@ -147,7 +147,7 @@ struct KlartextToolCall {
     b.raise(delta_changed_);
   }
 
-  /// Q108 and Q114, where the table knows the tool: one that was never measured is 0 there.
+  /// Q108 and Q114, where the table knows the tool; a tool that was never measured is 0 there.
   void note_parameters(double tool, double delta) const {
     QStore* const store = values_.store();
     if (store == nullptr || !table_ || !(tool >= 0 && tool < 1e9)) return;
@@ -194,7 +194,7 @@ struct KlartextToolCall {
     }
   }
 
-  /// Length or radius of a tool, into the table; tool 0 is none, and has neither.
+  /// Writes a length or radius into the table; tool 0 means no tool and has neither.
   bool define(double tool, std::uint32_t column, double mm) const {
     if (tool == 0 && mm == 0) return true;
     const bool is_number = table_ && tool >= 0 && tool < 1e9 && std::isfinite(mm);
