@@ -1,4 +1,4 @@
-// Where the rotary axes of the machine sit and how they turn, read once; the geometry is in rotary_machine.hpp.
+// Reads once where the rotary axes of the machine are and how they turn; the geometry is in rotary_machine.hpp.
 #include <isogloss/rows.hpp>
 #include <isogloss/sdk.hpp>
 #include <stdexcept>
@@ -74,7 +74,7 @@ struct MachineKinematics {
     return axis;
   }
 
-  /// That of the axis the letter stands for, where nothing is said.
+  /// The direction of an axis; by default that of its letter.
   Vector read_direction(std::size_t letter, std::string_view name) const {
     Vector out = Vector::Zero();
     bool is_said = false;
@@ -86,7 +86,7 @@ struct MachineKinematics {
     if (!is_said) return Vector::Unit(static_cast<int>(letter));
     const double longest = out.cwiseAbs().maxCoeff();
     if (longest < 1e-6) fail(name, "its direction X Y Z is zero");
-    // First by the longest: the square of a small number would lose digits.
+    // Divided by the largest component first: the square of a small number would lose digits.
     return (out / longest).normalized();
   }
 
@@ -105,7 +105,7 @@ struct MachineKinematics {
   }
 
   static const RotaryMachine& machine_of(void* self) { return static_cast<const MachineKinematics*>(self)->machine; }
-  /// False when one that the machine has is no number.
+  /// False when the angle of an axis that the machine has is not finite.
   static bool read_angles(const RotaryMachine& machine, const double* angles, Angles& out) {
     out = {};
     for (std::size_t i = 0; i < machine.count(); ++i) {
@@ -138,7 +138,7 @@ struct MachineKinematics {
     Matrix rotation;
     Vector translation;
     machine.pivot(at, rotation, translation);
-    // Row vectors: the matrix of the document is the transpose.
+    // The document has row vectors, so its matrix is the transpose.
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 3; ++column) out[4 * row + column] = rotation(column, row);
       out[4 * row + 3] = 0;
@@ -154,7 +154,7 @@ struct MachineKinematics {
     const double longest = direction.cwiseAbs().maxCoeff();
     Angles at;
     if (!direction.allFinite() || longest == 0 || !read_angles(machine, present, at)) return 0;
-    // Twice: the length of an enormous vector would overflow.
+    // Normalised in two steps, because the length of a huge vector would overflow.
     direction = (direction / longest).normalized().eval();
     std::array<Solution, 2> found;
     const std::uint32_t n = machine.solve(direction, {present[0], present[1], present[2]}, found);

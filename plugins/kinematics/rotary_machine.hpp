@@ -1,5 +1,5 @@
-/// The geometry of one or two rotary axes on tables and heads. Column vectors, mm and radians inside; degrees, as the
-/// machine counts them, outside.
+/// The geometry of one or two rotary axes on tables and heads. Inside: column vectors, mm and radians; in the public
+/// functions degrees of the machine.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,12 +18,12 @@ using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 using Angles = std::array<double, 3>;  ///< of A, B and C
 
-/// Cosine and sine; those of quarter turns are exact.
+/// Cosine and sine of an angle in degrees, exact at multiples of 90.
 struct Turn {
   double cos = 1, sin = 0;
 
   static Turn by(double degrees) {
-    // remainder() is slow, and such a difference as exact while the quarters are few.
+    // remainder() is slow; the difference is exact as well while the quarters are few.
     const double angle = std::fabs(degrees) < 1e9 ? degrees : std::remainder(degrees, 360.0);
     const long quarter = std::lrint(angle / 90);
     const double radians = (angle - 90 * static_cast<double>(quarter)) * radians_per_degree;
@@ -37,7 +37,7 @@ struct Turn {
   }
 };
 
-/// In (-180, 180].
+/// The angle in degrees, in (-180, 180].
 inline double to_degrees(double radians) {
   const double degrees = radians * degrees_per_radian;
   return degrees <= -180 ? degrees + 360 : degrees;
@@ -49,14 +49,14 @@ inline double within_half_turn(double degrees) {
 
 enum class Place : std::uint8_t { table, head };
 
-/// Positive: the tool turns right-handed about the direction, as the workpiece sees it.
+/// A positive angle turns the tool right-handed about the direction, relative to the workpiece.
 struct RotaryAxis {
   std::size_t letter = 0;  ///< of A, B, C
   Place place = Place::table;
   Vector direction = Vector::UnitZ();  ///< unit vector
-  Vector point = Vector::Zero();       ///< on the axis; of a head: from the gauge point
+  Vector point = Vector::Zero();       ///< a point on the axis; for a head, from the gauge point
   double sign = 1;
-  double zero = 0;  ///< deg, what the machine shows where the axis is geometrically at zero
+  double zero = 0;  ///< deg, the displayed angle at which the axis is geometrically at zero
 
   double geometric(double angle) const { return sign * (angle - zero); }
   double shown(double radians) const { return within_half_turn(zero + sign * to_degrees(radians)); }
@@ -67,19 +67,20 @@ struct Solution {
   std::uint32_t free = 0;  ///< a bit for each of A, B, C
 };
 
-/// A vector turned about a unit vector: Rodrigues.
+/// A vector rotated about a unit vector (Rodrigues' formula).
 inline Vector turned(const Vector& v, const Vector& about, const Turn& by) {
   return by.cos * v + (1 - by.cos) * about.dot(v) * about + by.sin * about.cross(v);
 }
 
 class RotaryMachine {
  public:
-  /// The axis nearer the machine's base first; at most two. Directions that are parallel give no machine.
+  /// Adds an axis, at most two, the one nearer the machine's base first. Two axes with parallel directions are not
+  /// allowed.
   void add(const RotaryAxis& axis) { axes_[count_++] = axis; }
   std::size_t count() const { return count_; }
   const RotaryAxis& axis(std::size_t i) const { return axes_[i]; }
 
-  /// What does not change with the angles; after the last add().
+  /// Computes what does not depend on the angles; call it after the last add().
   void prepare() {
     const bool from_the_work = count_ == 2 && axes_[1].place == Place::table;
     outer_ = from_the_work ? 1 : 0;
@@ -97,15 +98,16 @@ class RotaryMachine {
     w_ = normal / sin_between_;
   }
 
-  /// The tool axis as the workpiece sees it: the axes act in the order from the workpiece through the base to the tool.
+  /// The tool axis in coordinates of the workpiece: the axes act in the order from the workpiece through the base to
+  /// the tool.
   Vector tool_axis(const Angles& angles) const {
     const Turn& turn = turn_of(inner_, angles);
     const Vector v = height_ * axes_[inner_].direction + turn.cos * lever_ + turn.sin * side_;
     return count_ == 2 ? turned(v, axes_[outer_].direction, turn_of(outer_, angles)) : v;
   }
 
-  /// Workpiece to machine: tables carry the point, from the workpiece to the base; what heads do to the gauge point is
-  /// taken away.
+  /// From workpiece to machine: tables carry the point from the workpiece to the base; the displacement of the gauge
+  /// point by heads is subtracted.
   void pivot(const Angles& angles, Matrix& rotation, Vector& translation) const {
     bool is_turned = false;
     Vector gauge = Vector::Zero();
@@ -126,8 +128,8 @@ class RotaryMachine {
     translation -= gauge;
   }
 
-  /// The velocity of the machine's X Y Z while the tip at `tip` goes at `tip_speed` and the axes turn at `turning`,
-  /// deg/s. The derivative of pivot(tip + length tool_axis), step by step as those two are computed.
+  /// The velocity of the machine's X Y Z while the tip at `tip` moves at `tip_speed` and the axes turn at `turning`, in
+  /// deg/s. It is the derivative of pivot(tip + length tool_axis), in the same order of steps.
   Vector axis_speeds(const Angles& angles, const Angles& turning, const Vector& tip, double length,
                      const Vector& tip_speed) const {
     Moving tool{turned(tool_, axes_[inner_].direction, turn_of(inner_, angles)), Vector::Zero()};
@@ -153,17 +155,18 @@ class RotaryMachine {
   }
 
  private:
-  /// rad; what no machine can set, nor any program write.
+  /// rad; finer than any machine or program can set
   static constexpr double reach = 1e-6;
-  /// rad; nearer to an axis than this a direction is that of the axis.
+  /// rad; a direction nearer to an axis than this is that of the axis
   static constexpr double singular = 1e-12;
-  /// The share of the radius by which two solutions must differ.
+  /// Two solutions must differ by this fraction of the radius.
   static constexpr double apart = 1e-7;
 
   bool inner_is_tool() const { return lever_.norm() < singular; }
 
-  /// R1(q1) v = direction, where v = R2(q2) tool lies on two circles: about the inner axis through the tool, about the
-  /// outer axis through the direction. u and w span the plane of the latter; u points towards the inner axis.
+  /// R1(q1) v = direction, where v = R2(q2) tool lies on two circles: about the inner axis through the tool, and about
+  /// the outer axis through the direction. u and w span the plane of the second circle; u points towards the inner
+  /// axis.
   std::uint32_t solve_two(const Vector& direction, std::array<Solution, 2>& out) const {
     const Vector& n1 = axes_[outer_].direction;
     const double level = direction.dot(n1);
@@ -192,7 +195,7 @@ class RotaryMachine {
     return 2;
   }
 
-  /// One axis alone, or an inner one along the tool, which does not tilt it.
+  /// One axis alone, or with an inner axis along the tool, which does not tilt it.
   std::uint32_t solve_one(const Vector& direction, Solution& out) const {
     if (count_ == 2) keep(inner_, out);
     const Vector& n = axes_[outer_].direction;
@@ -218,7 +221,7 @@ class RotaryMachine {
   struct Moving {
     Vector at, speed;
   };
-  /// rad/s of the tool relative to the workpiece.
+  /// The speed of the tool relative to the workpiece, in rad/s.
   double speed_of(std::size_t i, const Angles& turning) const {
     return axes_[i].sign * turning[axes_[i].letter] * radians_per_degree;
   }
@@ -244,7 +247,7 @@ class RotaryMachine {
     return m;
   }
 
-  /// A block asks for the same angles twice, and mostly for those of the block before it.
+  /// Cached, because a block asks for the same angles twice, which are mostly those of the block before.
   const Turn& turn_of(std::size_t i, const Angles& angles) const {
     Last& last = last_[i];
     const double angle = angles[axes_[i].letter];

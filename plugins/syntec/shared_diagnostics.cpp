@@ -1,4 +1,4 @@
-// Diagnostics that several syntaxes of the plugin raise, or a header that they share: they belong to no page.
+// Diagnostics that several syntaxes of the plugin raise, or a header of theirs: they belong to no single page.
 #include <isogloss/sdk.hpp>
 
 namespace syntec {

@@ -1,5 +1,5 @@
 /// Functions of a Syntec that are recognised but not executed: each is one error that says what is missing, and its
-/// words go with it. F and S of such a block are those in force all the same.
+/// words are taken with it. F and S of such a block come into force all the same.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/recognised_codes.hpp>

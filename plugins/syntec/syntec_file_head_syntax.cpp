@@ -1,6 +1,6 @@
 /// `%@MACRO` makes a file one of the macro language, and `$2` begins the program of the second axis group: neither is
-/// read, and one diagnostic says so where it begins, however often the file is called. `$1` begins the program of the
-/// first group, which is read.
+/// executed, and one diagnostic reports it where it begins, however often the file is called. `$1` begins the program
+/// of the first group, which is executed.
 #include <isogloss/flow.hpp>
 #include <set>
 
@@ -31,7 +31,7 @@ struct SyntecFileHead {
   ig::Flow flow_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
-    std::size_t before = position;  // backwards: a long line may hold many of these marks
+    std::size_t before = position;  // backwards, because a long line may hold many marks
     while (before > 0 && is_blank(text[before - 1])) --before;
     if (before > 0) return position;
     return text[position] == '%' ? macro_mark(b, text, position) : axis_group(b, text, position);
@@ -42,7 +42,7 @@ struct SyntecFileHead {
     return ig::Status::unchanged;
   }
 
-  /// A program that was called is left where it is declined; any other ends there.
+  /// Returns from a called program where it is declined; the run of the main program ends there.
   ig::Status build(ig::Block& b) {
     if (!b.is_raised(declined_)) return ig::Status::unchanged;
     const ig_frame frame = flow_.frame(b);
@@ -72,7 +72,7 @@ struct SyntecFileHead {
     return group == "1" ? end : decline(b, text, position, end);
   }
 
-  /// Nothing behind it is program, on the same line neither.
+  /// The program ends here, even for text on the same line.
   std::size_t decline(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) const {
     b.set_text(text_, piece(text, begin, end));
     b.raise(declined_);
@@ -88,7 +88,7 @@ struct SyntecFileHead {
       b.report(ig::diag("SYN-0001"), where);
   }
 
-  std::set<std::pair<std::string, std::string>> said_;  ///< of this run: the file, and what stands at its head
+  std::set<std::pair<std::string, std::string>> said_;  ///< of this run: the file, and the text at its head
 };
 
 const ig::Register<SyntecFileHead> syntec_file_head_syntax;

@@ -1,6 +1,6 @@
-/// E of G05 P10000 and G05.1: the tolerance of high-speed, high-precision control. It rounds corners and moves no
-/// programmed point, so it is recorded beside what PathSmoothingSyntax records. G120.1 and G121 choose among sets of
-/// its parameters, and move nothing either.
+/// E of G05 P10000 and G05.1: the tolerance of high-speed, high-precision control. It rounds corners and changes no
+/// programmed point, so it is recorded like the data of PathSmoothingSyntax. G120.1 and G121 select one of its
+/// parameter sets and move no axis either.
 
 #include <isogloss/sdk.hpp>
 

@@ -1,6 +1,6 @@
-/// Codes that call a macro of the machine's builder: G200 to G999, and the G, M and T codes that parameters bind to
-/// one. Such a macro is in MACRO format and is not executed; the words of the block are its arguments and move nothing.
-/// So it is with the codes of two and more decimals (G68.18), which are of robots.
+/// Codes that call a macro of the machine builder: G200 to G999, and the G, M and T codes that parameters assign to
+/// one. Such a macro is in MACRO format and is not executed; the words of the block are its arguments and move no axis.
+/// The same holds for codes with two or more decimals (G68.18), which belong to robots.
 #include <string>
 
 #include <isogloss/sdk.hpp>
@@ -23,7 +23,7 @@ struct SyntecMacroCode {
       ig::diagnostic(IG_ERROR, "SYN-0002", "{0} calls the macro {1}, which is not executed: its moves are missing"),
   };
 
-  /// What a macro takes of its block: with one axis it takes all, and an M code takes everything but T.
+  /// The words that a macro takes from its block: a G macro with one axis takes all, an M code takes all but T.
   static constexpr std::string_view of_g = "XYZABCIJKUVWPQRLE", of_m = "XYZABCIJKUVWPQRLEDFHS";
 
   std::vector<ig::Word> words_ = words();
@@ -65,7 +65,7 @@ struct SyntecMacroCode {
     return out;
   }
 
-  /// G0 is G00, G200.0 is G200.
+  /// G0 becomes G00, G200.0 becomes G200.
   static std::string name_of(char letter, std::string_view number) {
     while (number.size() > 1 && number.front() == '0' && is_digit(number[1])) number.remove_prefix(1);
     if (number.ends_with(".0")) number.remove_suffix(2);
@@ -73,7 +73,7 @@ struct SyntecMacroCode {
     return std::string(1, letter) + (skip_digits(number, 0) < 2 ? "0" : "") + std::string(number);
   }
 
-  /// The macro's file: G0200, G200001 of G200.1, M0123.
+  /// The name of the macro's file: G0200, G200001 for G200.1, M0123.
   static std::string file_of(std::string_view name) {
     const std::size_t point = std::min(name.find('.'), name.size());
     std::string digits(name.substr(1, point - 1));

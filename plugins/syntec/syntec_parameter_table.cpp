@@ -1,5 +1,5 @@
-// The parameters of a Syntec control that change what a program means, by their numbers. Values stand as on the
-// parameter page; this file knows their units.
+// The parameters of a Syntec control that change the meaning of a program, by their numbers. Values are as on the
+// parameter page of the control; this file knows their units.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -59,7 +59,7 @@ struct SyntecParameterTable {
  private:
   using Answer = std::optional<double>;
 
-  /// A value that the parameter does not have would be passed over in silence.
+  /// Rejects a value that the parameter cannot have; it would be ignored silently otherwise.
   void check(const std::string& row) const {
     const auto refuse = [&row](const std::string& why) { throw std::runtime_error("parameter '" + row + "': " + why); };
     if (row.empty() || row.find_first_not_of("0123456789") != std::string::npos)
@@ -77,7 +77,7 @@ struct SyntecParameterTable {
     if (row == control_precision && one && *one != 1 && *one != 2 && *one != 3) refuse("it is 1, 2 or 3");
     if ((row == peck_retract || row == spindle_limit) && one && *one < 0) refuse("it is 0 or more");
   }
-  /// The numbers that this table asks for and that are one for the whole control.
+  /// The parameters that this table uses and that exist once for the whole control.
   static bool is_known(std::string_view row) {
     constexpr std::array ones{control_precision, t_macro,      decimal_point,
                               spindle_limit,     peck_retract, compensation_type};
@@ -87,21 +87,22 @@ struct SyntecParameterTable {
 
   Answer number(std::string_view parameter) const { return table.value(parameter, value); }
 
-  /// Pr1020 gives the axis of a column another name; X, Y, Z, A, B, C otherwise.
+  /// The axis of a column: X, Y, Z, A, B, C, unless Pr1020 gives it another name.
   char name_of(std::size_t column) const {
     const double code = table.value(axis_name, axes[column]).value_or(0);
     for (std::size_t i = 0; i < axis_letters.size(); ++i)
       if (code == axis_letters[i] || code == 100.0 * static_cast<double>(i + 1)) return axis_letters[i];
     return axis_letters[column];
   }
-  /// An axis that two columns name is that of the first of them.
+  /// Where two columns name the same axis, the first one is used.
   Answer of_axis(std::string_view parameter, char axis) const {
     for (std::size_t column = 0; column < axes.size(); ++column)
       if (name_of(column) == axis) return table.value(parameter, axes[column]);
     return std::nullopt;
   }
 
-  /// Pr17: 1 is 0.01 mm, 2 is 0.001 mm, 3 is 0.0001 mm; degrees as mm, inches a tenth of it.
+  /// The least input increment in mm. Pr17: 1 is 0.01 mm, 2 is 0.001 mm, 3 is 0.0001 mm; the same for degrees, a tenth
+  /// of it in inches.
   double increment() const {
     const double precision = number(control_precision).value_or(2);
     return precision == 1 ? 0.01 : precision == 3 ? 0.0001 : 0.001;
@@ -112,7 +113,7 @@ struct SyntecParameterTable {
     if (name == "LengthIncrement_mm" || name == "AngleIncrement_deg") return increment();
     return name == "LengthIncrement_inch" ? Answer(increment() / 10) : std::nullopt;
   }
-  /// One distance for all: G73, G83 and peck tapping.
+  /// One distance for G73, G83 and peck tapping.
   Answer cycle_of(std::string_view name) const {
     if (name != "PeckRetractionDistance_mm" && name != "HighSpeedPeckRetraction_mm" &&
         name != "PeckTappingRetraction_mm")
@@ -129,9 +130,9 @@ struct SyntecParameterTable {
     return limit && *limit > 0 ? limit : std::nullopt;
   }
 
-  /// The number of the macro that a code calls: G200 to G999 as they are; G codes by Pr3701 to Pr3710, M codes by
-  /// Pr3601 to Pr3610; T where Pr3215 is not 0. G codes of two and more decimals (G68.18) are no milling and 0: they
-  /// are passed on to the syntax that says so.
+  /// The number of the macro that a code calls: G200 to G999 directly; G codes by Pr3701 to Pr3710, M codes by Pr3601
+  /// to Pr3610; T where Pr3215 is not 0. G codes of two or more decimals (G68.18) are not for milling; the answer 0
+  /// passes them to the syntax that reports them.
   Answer macro_of_code(std::string_view code) const {
     if (code == "T") return number(t_macro).value_or(0) != 0 ? Answer(0) : std::nullopt;
     if (code.size() < 2) return std::nullopt;
@@ -147,7 +148,7 @@ struct SyntecParameterTable {
     return std::nullopt;
   }
 
-  /// Pr3701 to Pr3710 count the codes that a macro may replace.
+  /// Pr3701 to Pr3710 hold the ordinal numbers of the codes that a macro may replace.
   static Answer registered_code(double choice) {
     constexpr std::array codes{0.0, 1.0, 2.0, 3.0, 53.0, 40.0, 41.0, 42.0, 43.0, 44.0, 49.0, 4.0, 2.4, 3.4};
     if (choice == -1) return codes[0];
@@ -156,12 +157,13 @@ struct SyntecParameterTable {
     return std::nullopt;
   }
 
-  /// A minute.
+  /// mm or degrees per minute.
   Answer rapid_of(char axis) const {
     const Answer rate = of_axis(rapid_rate, axis);
     return rate && *rate >= 0 ? rate : std::nullopt;
   }
-  /// Pr1006: 1 is type A, the shortest way; 2 type B, the sign is the direction; any other counts on.
+  /// Pr1006: 1 is type A, the shortest way; 2 type B, in the direction of the sign; with any other value the axis
+  /// counts on beyond 360.
   std::optional<std::uint32_t> rollover_of(char axis) const {
     const Answer type =
         std::string_view("ABC").find(axis) == std::string_view::npos ? std::nullopt : of_axis(axis_type, axis);

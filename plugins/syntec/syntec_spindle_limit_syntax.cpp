@@ -1,4 +1,4 @@
-/// S beyond the speed that parameter Pr3741 allows is said. The speed stays as programmed.
+/// Reports an S above the speed that parameter Pr3741 allows. The speed stays as programmed.
 
 #include <isogloss/sdk.hpp>
 

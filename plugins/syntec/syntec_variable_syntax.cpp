@@ -1,5 +1,6 @@
-/// Global variables, `@1`, belong to files in MACRO format. A statement that begins with one is left as a whole, so
-/// that it is said once; behind the letter of a word, which has been said to have no number, it is taken with it.
+/// Global variables, `@1`, belong to files in MACRO format. A statement that begins with one becomes a leftover as a
+/// whole, so that it is reported once. After the letter of a word, which has been reported to have no number, the
+/// variable is taken with it.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/scan.hpp>
@@ -17,7 +18,7 @@ struct SyntecVariable {
           .before("FlagSyntax", "WordSyntax")
           .scans("@");
 
-  /// Only the first @ of a block can begin it, and a long block may hold thousands.
+  /// Only the first @ of a block can begin a statement, and a long block may hold thousands of them.
   ig::Signal seen_{"Parsing.~AtSign", ig::read | ig::write};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {

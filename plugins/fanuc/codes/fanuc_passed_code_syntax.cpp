@@ -1,5 +1,5 @@
-/// The last M code and the last sequence number that the program has passed, for #4113 and #4114. Looks at the text and
-/// takes nothing of it: a code that no syntax knows counts, too.
+/// Records the last M code and the last sequence number that the program has passed, for #4113 and #4114. It reads the
+/// text without taking it, because a code that no syntax knows is recorded, too.
 #include <isogloss/cnc/scan.hpp>
 #include "macro/macro_environment.hpp"
 
@@ -18,7 +18,7 @@ struct FanucPassedCode {
   MacroFrame macros_;
   PassedCodeMark mark_;
 
-  /// G and M codes stand in a row, which FlagSyntax takes as one.
+  /// Adjacent G and M codes are read here as one row, as in FlagSyntax.
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (macros_.flow.is_indexing()) return position;
     std::size_t next = position;

@@ -1,5 +1,5 @@
-/// Functions of Mazak's EIA/ISO programs that are recognised but not executed, and D of a canned cycle: a distance
-/// there, no number of a tool radius.
+/// Functions of Mazak's EIA/ISO programs that are recognised but not executed. D of a canned cycle is among them: it is
+/// a distance there, not a tool radius number.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/cycle_codes.hpp>

@@ -1,4 +1,4 @@
-/// The M codes by which a Haas switches brakes, relays, conveyors, doors and the like. They move nothing.
+/// The M codes by which a Haas switches brakes, relays, conveyors, doors and similar devices. They move no axis.
 #include <isogloss/sdk.hpp>
 
 namespace fanuc {

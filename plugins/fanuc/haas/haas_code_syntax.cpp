@@ -1,4 +1,5 @@
-/// Functions of a Haas mill that are recognised but not executed. F of such a block is the feed in force all the same.
+/// Functions of a Haas mill that are recognised but not executed. F of such a block becomes the feed in force all the
+/// same.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/recognised_codes.hpp>
@@ -34,7 +35,7 @@ struct HaasCode {
       }};
   ig::Call length_{{"G143"}, "H[]"};
   ig::Call plane_off_{{"G269"}, ""};
-  /// Under G141 each block says by I, J and K where the tool touches.
+  /// Under G141 each block gives the point of contact by I, J and K.
   ig::Call compensation_on_{{"G141"}, "D[]"};
   ig::In<std::int64_t> offset_id_{"RadiusCompensation.OffsetId"};
   ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional,
@@ -49,12 +50,12 @@ struct HaasCode {
     bool changed = take_contact(b);
     changed |= say_compensation(b);
     changed |= say_length(b);
-    changed |= b.take(plane_off_).has_value();  // nothing to end: G268 has been said
+    changed |= b.take(plane_off_).has_value();  // nothing to end: G268 has been reported
     return codes_.say(b) || changed ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
-  /// Without a radius the path is right as it is.
+  /// Reports missing compensation; without a radius the path is right without it.
   bool say_compensation(ig::Block& b) const {
     const auto words = b.take(compensation_on_);
     if (!words) return false;
@@ -69,7 +70,7 @@ struct HaasCode {
     return true;
   }
 
-  /// Without a length the machine, too, moves to the programmed positions.
+  /// Reports a missing tool length; without a length the machine goes to the programmed positions as well.
   bool say_length(ig::Block& b) const {
     const auto words = b.take(length_);
     if (!words) return false;
@@ -85,7 +86,7 @@ struct HaasCode {
     return true;
   }
 
-  static constexpr std::uint32_t length = 0, radius = 2;  // columns; their wear is the next
+  static constexpr std::uint32_t length = 0, radius = 2;  // columns; the next one is its wear
   double offset(std::int64_t id, std::uint32_t column) const {
     double geometry = 0, wear = 0;
     if (table_ && table_->get(table_->self, id, column, &geometry) == 0) geometry = 0;

@@ -1,5 +1,5 @@
-/// Where X, Y, Z or R of a Haas cycle lies, a position or under G91 a way from where the tool is; and the way to where
-/// the cycle begins.
+/// The point that X, Y, Z and R of a Haas cycle name, as positions or, under G91, as distances from the tool; and the
+/// move to the start of the cycle.
 #pragma once
 
 #include <isogloss/cnc/program_xyz.hpp>
@@ -19,7 +19,7 @@ class HaasCycleTarget {
   }
   bool is_incremental(const ig::Block& b) const { return distance_.is_incremental(b); }
 
-  /// By rapid over X and Y of the cycle, then to its R. What the answer says is where the tool stands.
+  /// A rapid to X and Y of the cycle, then to its R. Returns the position of the tool.
   ig::Vec3 go_to_start(ig::Block& b, const ig::Words& words) const {
     ig::Vec3 to = last_(b);
     const double level = (*this)(b, 2, words['R']);

@@ -1,5 +1,5 @@
-/// G254 of a Haas: the work offset goes along with a table that has turned, so that programs for 3+2 axes fit wherever
-/// the part is clamped. A shift on the way to machine coordinates; the axes of the program stay those of the machine.
+/// G254 of a Haas: the work offset follows a table that has turned, so that programs for 3+2 axes fit wherever the part
+/// is clamped. It is a shift on the way to machine coordinates; the program's axes keep the machine's directions.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/coordinate_offset.hpp>
@@ -34,7 +34,7 @@ struct HaasDynamicOffset {
   RotaryPosition rotary_{ig::read};
   ToolKinematics machine_;
 
-  Angles angles_{};  ///< of the machine, when G254 came
+  Angles angles_{};  ///< of the machine, at G254
   bool said_turned_ = false;
 
   ig::Status build(ig::Block& b) {
@@ -77,7 +77,7 @@ struct HaasDynamicOffset {
     b.report(ig::diag("FAN-0201"), where, std::string_view("G254"), why);
   }
 
-  /// Away from where the work offset was taken.
+  /// True when the table has left the angle at which the work offset was measured.
   bool turns(const ig::Block& b) const {
     const Angles zero = rotary_offsets_.get(b);
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -1,5 +1,5 @@
-/// G47 of a Haas: text or a number is engraved. Its letters are a font of the control and are not shown; the tool goes
-/// to where the text begins, and to R.
+/// G47 of a Haas: engraves text or a number. Its letters are a font of the control and are not shown; the tool goes to
+/// the start of the text, and to R.
 #include <cmath>
 
 #include <isogloss/cnc/units.hpp>
@@ -45,7 +45,7 @@ struct HaasEngraving {
   }
 
  private:
-  /// Why the control cannot engrave either.
+  /// The reason why the control cannot engrave either; empty where it can.
   static std::string_view fault_of(const ig::Block& b, const ig::Words& words) {
     const auto p = words['P'] ? whole_number(*words['P']) : std::nullopt;
     if (!p || (*p > 1 && *p < 32) || *p > 126) return "P is not 0 (text), 1 (a number) or 32 to 126 (a letter)";

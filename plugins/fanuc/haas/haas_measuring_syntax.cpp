@@ -1,5 +1,5 @@
 /// G35, G36, G37 and G136 of a Haas: a feed move that a probe ends, and an offset that the control writes. The move is
-/// made as that of G31; no offset changes.
+/// made like that of G31; no offset changes.
 #include <isogloss/sdk.hpp>
 
 #include <string>

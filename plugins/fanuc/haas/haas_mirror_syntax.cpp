@@ -1,4 +1,4 @@
-/// G101 and G100 of a Haas: an axis is mirrored at the work zero, and no longer. ProgrammableMirrorSyntax mirrors.
+/// G101 and G100 of a Haas: mirror image of an axis at the work zero, on and off. ProgrammableMirrorSyntax executes it.
 
 #include <isogloss/sdk.hpp>
 
@@ -28,7 +28,7 @@ struct HaasMirror {
   }
 
  private:
-  /// The named axes; without a name, all of them.
+  /// Ends the mirror image of the named axes; without words, of all axes.
   void end(ig::Block& b, ig_field code, const ig::Words& words) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (words.mask == 0 || words["XYZ"[axis]]) b.erase(mirror_.id(axis));

@@ -1,5 +1,5 @@
-/// G150 of a Haas: the pocket whose contour a subprogram describes. How the control clears it is not known exactly, so
-/// it is not milled here; the tool goes to where the pocket begins, and to R.
+/// G150 of a Haas: a pocket whose contour is in a subprogram. How the control clears it is not known exactly, so it is
+/// not milled here; the tool goes to the start of the pocket, and to R.
 #include <isogloss/sdk.hpp>
 
 #include <isogloss/cnc/whole_number.hpp>
@@ -42,7 +42,7 @@ struct HaasPocket {
   }
 
  private:
-  /// Why the control cannot mill it either.
+  /// The reason why the control cannot mill it either; empty where it can.
   static std::string_view fault_of(const ig::Words& words) {
     if (!words['P'] || !whole_number(*words['P'])) return "P names no subprogram";
     if (!words['Z']) return "Z, the bottom, is missing";

@@ -1,5 +1,5 @@
-/// L in a block of plain motion: a Haas makes the move so many times. The block is run again, so that G91 goes on from
-/// where the pass before ended.
+/// L in a block of plain motion: a Haas makes the move that many times. The block is run again, so that under G91 each
+/// pass starts at the end of the one before.
 #include <cmath>
 
 #include <isogloss/sdk.hpp>
@@ -18,7 +18,7 @@ struct HaasRepeat {
                                    .after("CannedCycleResolveSyntax", "CircularMotionSyntax", "LinearMotionSyntax")
                                    .before("HaasCodeSyntax", "UnconsumedCheckSyntax");
 
-  /// What no cycle, call or pocket has taken.
+  /// An L that no cycle, call or pocket has taken.
   ig::Word repeats_{"Parsing.L", ig::take | ig::wake, ""};
   ig::In<ig::Symbol> form_{"MotionEvent.Form"};
   ig::IntegerOption most_{"max-repeats", "10000", {1, 1'000'000}, "How often one block may be executed."};

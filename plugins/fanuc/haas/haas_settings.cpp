@@ -23,7 +23,7 @@ struct HaasSettings {
   ig::Column value{"Value", nullptr, "", {}, "The value of the setting: mm, or the number of a choice."};
   ig::Table table;
 
-  /// Also what this table does not ask for: the whole page of a machine may be given.
+  /// Accepts settings that this table does not use as well: the whole page of a machine may be given.
   static std::string row_fault(std::string_view row) {
     const bool is_number =
         !row.empty() && row[0] != '0' && row.find_first_not_of("0123456789") == std::string_view::npos;
@@ -70,12 +70,12 @@ struct HaasSettings {
     if (name == "RotationAngle_deg") return table.value(rotation, value);
     return name == "RotationIsIncremental" ? Answer(is_on(rotation_adds) ? 1 : 0) : std::nullopt;
   }
-  /// 0 and 1 are the speed of the way in.
+  /// 0 and 1 mean the speed of the infeed.
   Answer tap_speed() const {
     const double times = table.value(tap_retract_speed, value).value_or(1);
     return times >= 0 && times <= 9 ? std::max(1.0, times) * 100 : Answer{};
   }
-  /// 1 X+, 2 X-, 3 Y+, 4 Y-: the axes of the plane, as signed numbers of axes.
+  /// 1 X+, 2 X-, 3 Y+, 4 Y- of the plane, as a signed number of an axis.
   Answer shift(std::array<double, 2> plane) const {
     const double choice = table.value(shift_direction, value).value_or(1);
     const double axis = plane[choice > 2 ? 1 : 0];

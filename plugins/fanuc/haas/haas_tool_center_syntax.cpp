@@ -1,4 +1,4 @@
-/// G234 of a Haas: tool centre point control, by another name the G43.4 of a Fanuc.
+/// G234 of a Haas: tool centre point control, the same as G43.4 of a Fanuc.
 #include <isogloss/sdk.hpp>
 
 namespace fanuc {

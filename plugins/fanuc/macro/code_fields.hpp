@@ -1,4 +1,4 @@
-/// The fields of the codes that a chain knows, by letter and number: for scanners that meet a code as a value.
+/// The fields of the codes that a chain knows, by letter and number, for scanners that read a code as a value.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ using namespace ig::cnc;
 
 class CodeFields {
  public:
-  /// From 0 to 9999 with one decimal: ten times the number. Nothing where that is no code.
+  /// Ten times the number, for 0 to 9999 with at most one decimal; nothing for other numbers, which are not codes.
   static std::optional<std::size_t> index_of(double number) {
     const double tenths = std::round(number * 10);
     if (!(tenths >= 0 && tenths <= 99'990) || std::abs(number * 10 - tenths) > 1e-6) return std::nullopt;
@@ -38,7 +38,7 @@ class CodeFields {
     }
   }
 
-  /// The block holds this code at these columns; one that nobody knows is left over under its name.
+  /// Puts the code into the block at these columns; a code that no syntax knows becomes a leftover with its name.
   void set(ig::Block& b, char letter, std::size_t index, std::size_t begin, std::size_t end) const {
     const std::vector<ig_field>& row = table_[letter == 'G' ? 0 : 1];
     if (index < row.size() && row[index] != IG_NO_FIELD) {

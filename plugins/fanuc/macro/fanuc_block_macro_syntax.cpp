@@ -1,5 +1,5 @@
-// Under G66.1 the words of each block are no orders: they are the arguments of the macro, which is called for each
-// block. Asleep unless G66 or G66.1 is in force.
+// Under G66.1 the words of each block are not executed: they are the arguments of the macro, which is called for each
+// block. The syntax is asleep unless G66 or G66.1 is in force.
 #include <isogloss/cnc/scan.hpp>
 #include "macro/macro_arguments.hpp"
 #include "macro/macro_environment.hpp"
@@ -75,7 +75,7 @@ struct FanucBlockMacro {
   static std::uint32_t size_of(const std::vector<ig_field>& codes) { return static_cast<std::uint32_t>(codes.size()); }
   static bool ends_program(double m) { return m == 2 || m == 30 || m == 99; }
 
-  /// L and P are arguments here, too; N and O are none.
+  /// L and P are arguments here, too; N and O are not.
   static std::uint32_t variable_for(char letter) {
     if (letter == 'L') return 12;
     if (letter == 'P') return 16;

@@ -1,5 +1,5 @@
-// Macro calls: G65 once, G66 after each block that moves, G66.1 for each block, and the codes that parameters bind to
-// macros. The scanner reads the arguments itself, since a call gives words another meaning: I J K may stand there ten
+// Macro calls: G65 once, G66 after each block that moves, G66.1 for each block, and the codes that parameters assign to
+// macros. The scanner reads the arguments itself, because words have another meaning in a call: I J K may be there ten
 // times.
 #include "macro/code_fields.hpp"
 #include "macro/macro_arguments.hpp"
@@ -116,9 +116,9 @@ struct FanucMacroCall {
   }
 
  private:
-  static constexpr double first_macro = 9010;  ///< O9001 to O9009 are called by M codes like subprograms
+  static constexpr double first_macro = 9010;  ///< M codes call O9001 to O9009 like subprograms
 
-  /// Each call in force is one level more for the macros of those before it.
+  /// Each modal call in force adds one level for the macros of the calls before it.
   void keep_modal_call(ig::Block& b, ig::Where where) {
     MacroStore& store = environment_.store();
     std::vector<MacroStore::ModalCall>& calls = store.modal_calls();
@@ -175,7 +175,7 @@ struct FanucMacroCall {
     return end_;
   }
 
-  /// Past blanks, and past comments that words follow; the end of the text where none do.
+  /// The position after blanks and after comments that words follow; the end of the text where no word follows.
   static std::size_t next_word(std::string_view text, std::size_t position) {
     for (std::size_t i = position;;) {
       i = skip_blanks(text, i);
@@ -185,7 +185,7 @@ struct FanucMacroCall {
     }
   }
 
-  /// One argument; its end.
+  /// Reads one argument; returns its end.
   std::size_t argument(ig::Block& b, std::string_view text, std::size_t begin) {
     const char letter = to_upper(text[begin]);
     const unsigned index = letter_index(letter);
@@ -242,7 +242,7 @@ struct FanucMacroCall {
     return end;
   }
 
-  /// I J K stand in this order; one that comes too late begins the next set.
+  /// I, J and K come in this order; a letter out of order begins the next set.
   std::uint32_t variable_for(char letter) {
     const std::uint32_t first = variable_of[letter_index(letter)];
     if (letter < 'I' || letter > 'K' || ijk_sets_ == IjkSets::one) return first;
@@ -267,15 +267,15 @@ struct FanucMacroCall {
     return MacroValue{negative ? -o.value.number : o.value.number, Kind::number};
   }
 
-  // What scan() read, for build().
+  // What scan() has read, for build().
   std::size_t begin_ = 0, code_end_ = 0, end_ = 0;
   std::array<char, 16> code_{};
-  std::string name_;  // <PART>; empty: the program has a number
+  std::string name_;  // <PART>; empty where the program has a number
   bool is_modal_ = false, each_block_ = false, has_program_ = false;
   double program_ = 0, repeats_ = 1;
   std::uint64_t tag_bits_ = 0;
   MacroStore::Locals arguments_ = MacroStore::no_locals();
-  std::uint32_t set_ = 0, seen_ = 0;  // sets of I J K; letters
+  std::uint32_t set_ = 0, seen_ = 0;  // sets of I J K; letters read
   char last_of_set_ = 0;
 };
 

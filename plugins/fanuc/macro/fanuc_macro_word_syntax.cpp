@@ -1,6 +1,6 @@
-// Words and codes whose value is computed: X#1, Z-[#2+1.], G#5, M[#6+10]. Their values have full precision and count as
-// written with a decimal point; an empty variable makes the word absent. Evaluated while the block is read, so that all
-// syntaxes after it see plain words.
+// Words and codes whose value is computed: X#1, Z-[#2+1.], G#5, M[#6+10]. The values have full precision and are read
+// as if written with a decimal point; an empty variable removes the word. Evaluated while the block is read, so that
+// later syntaxes see plain words.
 #include <algorithm>
 #include <string>
 
@@ -30,7 +30,7 @@ struct FanucMacroWord {
   };
 
   ig::Fields addresses_{"addresses", "Parsing.?", ig::write, "The addresses that words may have."};
-  /// A comma before C and R: a corner's chamfer and rounding.
+  /// With a comma before them, C and R are chamfer and rounding of a corner.
   ig::Field<double> chamfer_{"Parsing.CornerBreak.C", ig::write, {ig::Life::standard, "mm", ""}};
   ig::Field<double> rounding_{"Parsing.CornerBreak.R", ig::write, {ig::Life::standard, "mm", ""}};
   CodeFields codes_;
@@ -123,11 +123,11 @@ struct FanucMacroWord {
     return o.end;
   }
 
-  /// The text to the end of the brackets that begin at `value`, with blanks for the comments between them, so that
-  /// columns stay; what stands before the word is not copied, for a line may hold thousands of words. The text itself
-  /// where there are no such comments.
+  /// The text up to the end of the brackets that begin at `value`, with blanks in place of the comments between them,
+  /// so that columns stay the same. Text before the word is not copied, because a line may hold thousands of words. The
+  /// text itself where there are no such comments.
   std::string_view without_comments(std::string_view text, std::size_t begin, std::size_t value) {
-    constexpr std::size_t longest_name = 64;  // before the first bracket: signs, #, the name of a function
+    constexpr std::size_t longest_name = 64;  // up to the first bracket: signs, #, a function's name
     std::size_t depth = 0, copied = begin;
     for (std::size_t i = value; i < text.size(); ++i) {
       if (text[i] == '(' && depth > 0) {
@@ -151,7 +151,7 @@ struct FanucMacroWord {
     return std::string_view(blanked_).substr(0, text.size());
   }
 
-  /// What ROUND rounds to in this word; 0: whole numbers.
+  /// The increment to which ROUND rounds in this word; 0: whole numbers.
   double increment_of(const ig::Block& b, char letter) const {
     const Address& address = words_[letter_index(letter)];
     if (address.unit == "deg") return deg_;
@@ -172,7 +172,7 @@ struct FanucMacroWord {
     }
     ig_value before;
     if (b.get(address.field, before)) b.report(ig::diag("FAN-0154"), where, written);
-    // Counts and numbers of things are whole: what a calculation misses by its last digits is rounded.
+    // Counts and identifying numbers are whole: an error in the last digits of a calculation is rounded off.
     const bool is_whole = address.unit.empty() && std::string_view("DHLPT").find(letter) != std::string_view::npos;
     const ig_word word{.field = address.field,
                        .begin = column(begin),

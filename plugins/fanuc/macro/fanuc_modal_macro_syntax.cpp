@@ -1,5 +1,5 @@
-// After each block that moves the axes, the macro that G66 named last is called; G67 ends it. Asleep unless G66 is in
-// force.
+// After each block that moves the axes, the macro of the last G66 is called; G67 ends it. The syntax is asleep unless
+// G66 is in force.
 #include "macro/macro_environment.hpp"
 #include "macro/macro_program_call.hpp"
 

@@ -1,5 +1,5 @@
 // T codes that call O9000 (parameter 6001 bit 5): the number goes to #149, and the program is called after the block
-// like a subprogram. Works on the word, so that T#1 is a T code, too.
+// like a subprogram. The syntax works on the word, so that T#1 is a T code as well.
 #include "macro/macro_environment.hpp"
 #include "macro/macro_program_call.hpp"
 

@@ -1,4 +1,4 @@
-/// Arguments of a macro call: the variable of each address, and what a number without a point counts.
+/// Arguments of a macro call: the local variable of each address, and the unit of a number without a decimal point.
 #pragma once
 
 #include <array>
@@ -9,14 +9,14 @@
 
 namespace fanuc {
 
-/// The variable of each address, A to Z; 0: no argument.
+/// The local variable of each address, A to Z; 0: the address is not an argument.
 inline constexpr std::array<std::uint8_t, 26> variable_of{1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
                                                           0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
 
 /// A member of each syntax that passes arguments.
 class ArgumentUnits {
  public:
-  /// Lengths and angles without a point count increments, unless the control is set otherwise.
+  /// The value of a number without a point: lengths and angles are in increments, unless the control is set otherwise.
   double counted(ig::Block& b, char letter, double number, std::size_t begin, std::size_t end) const {
     if (number == 0 || std::string_view("ABCIJKQRUVWXYZ").find(letter) == std::string_view::npos) return number;
     double value = number;

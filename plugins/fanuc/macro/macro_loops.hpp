@@ -1,4 +1,4 @@
-/// The loops that a run is in: DO without its END so far, for each frame.
+/// The loops that the run is in: each DO whose END has not been reached, by frame.
 #pragma once
 
 #include <isogloss/sdk.hpp>
@@ -17,11 +17,11 @@ class MacroLoops {
   struct Loop {
     std::int64_t number;
     ig_place place;
-    bool jumped = false;  ///< a GOTO came since: it may have left the loop
+    bool jumped = false;  ///< a GOTO was executed since: it may have left the loop
   };
 
   void clear() { *this = {}; }
-  /// The loops of the present frame, outer ones first; those of frames that ended are gone.
+  /// The loops of the present frame, outer ones first. Drops those of frames that have ended.
   std::span<Loop> own(ig::Block& b, const ig::Flow& flow) {
     const ig_frame frame = flow.frame(b);
     if (frame.id != frame_ || frame.pass != pass_) enter_frame(b, flow, frame);
@@ -31,7 +31,7 @@ class MacroLoops {
   }
   void begin(std::int64_t number, const ig_place& place) { open_.push_back({number, place}); }
   void end_innermost() { open_.pop_back(); }
-  /// Takes the loop of this number, and those inside it, off.
+  /// Removes the loop of this number and the loops inside it.
   void leave(ig::Block& b, const ig::Flow& flow, std::int64_t number) {
     const std::span<Loop> open = own(b, flow);
     for (std::size_t i = 0; i < open.size(); ++i)
@@ -41,7 +41,7 @@ class MacroLoops {
       }
   }
 
-  /// The program of the present frame ends in this block.
+  /// Removes the loops of the present frame, whose program ends in this block.
   void end_frame(ig::Block& b, const ig::Flow& flow) {
     own(b, flow);
     std::erase_if(open_, [&](const Loop& l) { return l.place.frame == frame_; });

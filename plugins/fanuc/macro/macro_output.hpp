@@ -1,4 +1,4 @@
-/// What DPRNT writes to the output device of the control.
+/// The text that DPRNT writes to the output device of the control.
 #pragma once
 
 #include <charconv>
@@ -12,7 +12,7 @@ namespace fanuc {
 
 using namespace ig::cnc;
 
-/// #1[43]: four digits before, three behind the point. 0: it is written wrong.
+/// #1[43]: four digits before the point and three after it. 0: the format is wrong.
 inline std::size_t put_variable(ig::Block& b, const MacroEnvironment& environment, std::string_view text,
                                 std::size_t position, std::string& line) {
   const Outcome o = evaluate_operand(text, position, environment.rules(), environment.reader(b));
@@ -32,11 +32,11 @@ inline std::size_t put_variable(ig::Block& b, const MacroEnvironment& environmen
   return open + 4;
 }
 
-/// Which of POPEN, PCLOS, BPRNT and SETVN were said: each once in a run.
+/// Which of POPEN, PCLOS, BPRNT and SETVN have been reported: each once in a run.
 class SaidOutput {
  public:
   void clear() { said_ = 0; }
-  /// True the first time; two letters tell the words apart, shortened or not.
+  /// True the first time. Two letters tell the words apart, whether shortened or not.
   bool is_first(std::string_view word) {
     const char first = to_upper(ig::cnc::at(word, 0)), second = to_upper(ig::cnc::at(word, 1));
     const unsigned kind = first == 'B' ? 0 : first == 'S' ? 1 : second == 'O' ? 2 : 3;
@@ -47,7 +47,7 @@ class SaidOutput {
   unsigned said_ = 0;
 };
 
-/// Says what DPRNT puts out, and, once, that the others were met.
+/// Reports the text that DPRNT writes and, once in a run, each of the other words.
 inline void put_out(ig::Block& b, const MacroEnvironment& environment, SaidOutput& said, std::string_view text,
                     std::size_t position, std::size_t behind) {
   using ig::cnc::piece;

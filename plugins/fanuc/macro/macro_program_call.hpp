@@ -1,4 +1,4 @@
-/// Asks the host to call a program by its number or its name.
+/// Requests the call of a program by its number or its name.
 #pragma once
 
 #include <isogloss/flow.hpp>
@@ -12,14 +12,14 @@ namespace fanuc {
 
 using namespace ig::cnc;
 
-/// Before a macro call that the control would refuse.
+/// Reports a macro call that is nested more deeply than the control permits.
 inline void say_deep_call(ig::Block& b, const MacroStore& store, ig::Where where) {
   const std::uint32_t permitted = store.settings.call_nesting;
   if (store.depth() >= permitted)
     b.report(ig::diag("FAN-0168"), where, static_cast<double>(store.depth() + 1), static_cast<double>(permitted));
 }
 
-/// False where nothing is called, which is said.
+/// Requests the call. An answer other than done, which is reported, means that nothing is called.
 inline ig::Flow::Answer ask_program(ig::Block& b, const ig::Flow& flow, const CalledProgram& program,
                                     std::int64_t repeats, std::uint64_t tag, ig::Where where) {
   const NumberedName number('O', program.number);
@@ -47,8 +47,8 @@ inline bool call_program(ig::Block& b, const ig::Flow& flow, const CalledProgram
   return ask_program(b, flow, program, repeats, tag, where).is_done();
 }
 
-/// After the macro of G66 or G66.1 was asked for. One that is not there is said once: the blocks behind call it no
-/// more.
+/// Call it after the macro of G66 or G66.1 was requested. A missing macro is reported once: later blocks do not call
+/// it.
 inline void settle_modal(MacroStore& store, const ig::Flow::Answer& answer) {
   if (answer.is_done()) return;
   store.leave_last();

@@ -1,4 +1,4 @@
-/// How a macro statement stands in its block: its first word, where it ends, what stands behind THEN. Text only.
+/// How a macro statement is written in its block: its first word, its end, the text after THEN. Works on text only.
 #pragma once
 
 #include <array>
@@ -31,13 +31,13 @@ inline Word keyword(std::string_view text, std::size_t position, std::size_t& en
   return Word::none;
 }
 
-/// Words that two letters or more stand for, as for functions.
+/// Words that may be shortened to two letters or more, like functions.
 inline constexpr std::array shortened{Keyword{"WHILE", Word::while_}, Keyword{"END", Word::end},
                                       Keyword{"THEN", Word::then},    Keyword{"GOTO", Word::go_to},
                                       Keyword{"DPRNT", Word::output}, Keyword{"BPRNT", Word::output},
                                       Keyword{"POPEN", Word::output}, Keyword{"PCLOS", Word::output}};
 
-/// WH, EN, TH … too: where only a statement can stand.
+/// Also accepts WH, EN, TH … where only a statement can be.
 inline Word keyword_or_short(std::string_view text, std::size_t position, std::size_t& end) {
   const Word whole = keyword(text, position, end);
   if (whole != Word::none || end < position + 2) return whole;
@@ -47,8 +47,8 @@ inline Word keyword_or_short(std::string_view text, std::size_t position, std::s
   return Word::none;
 }
 
-/// What the shortened word at the beginning of a block needs behind it: more letters are somebody's mistake. GO1 is
-/// none, it is a G01 with a letter for its zero.
+/// Whether the text after a shortened word at the beginning of a block fits it; more letters there are a typing error.
+/// GO1 is not such a word, but G01 with a letter for its zero.
 inline bool is_short_statement(std::string_view text, Word word, std::size_t end) {
   const char next = ig::cnc::at(text, ig::cnc::skip_blanks(text, end));
   if (word == Word::end) return is_digit(next);
@@ -56,7 +56,7 @@ inline bool is_short_statement(std::string_view text, Word word, std::size_t end
   return false;
 }
 
-/// The statement that begins here, none where words do.
+/// The statement that begins here; none where words begin.
 inline Word statement_at(std::string_view text, std::size_t position) {
   const char c = text[position];
   if (c == '#') return Word::set_name;  // any statement of its own
@@ -73,7 +73,7 @@ inline Word statement_at(std::string_view text, std::size_t position) {
   }
   if (stands_first(text, position)) return word;
   const char next =
-      ig::cnc::at(text, ig::cnc::skip_blanks(text, end));  // a name behind words: a statement with its value only
+      ig::cnc::at(text, ig::cnc::skip_blanks(text, end));  // a name after words: a statement only with its value
   return next == '[' || next == '#' || is_digit(next) ? word : Word::none;
 }
 
@@ -81,8 +81,8 @@ inline bool has_message(std::string_view statement) {
   return statement.find("#3000") != std::string_view::npos || statement.find("#3006") != std::string_view::npos;
 }
 
-/// To the semicolon behind it, without the comments there; the parentheses of #3000=1(ALARM TEXT) belong to the
-/// statement. `inner`: a comment stands inside it.
+/// The position of the semicolon after the statement, without comments before it; the parentheses of #3000=1(ALARM
+/// TEXT) belong to the statement. `inner` is set where a comment stands inside it.
 inline std::size_t statement_end(std::string_view text, std::size_t position, bool& inner) {
   const std::size_t block = skip_while(text, position, [](char c) { return c != ';' && c != '\r' && c != '\n'; });
   const std::string_view statement = text.substr(0, block);
@@ -107,7 +107,7 @@ inline std::size_t statement_end(std::string_view text, std::size_t position, bo
   return end;
 }
 
-/// Where the words behind THEN begin; 0 where no words stand there.
+/// The position where words begin after THEN; 0 where none do.
 inline std::size_t words_behind_then(std::string_view text, std::size_t position, std::size_t end) {
   const std::string_view statement = text.substr(0, end);
   for (std::size_t i = position + 2; i < end;) {
@@ -127,8 +127,8 @@ inline std::size_t words_behind_then(std::string_view text, std::size_t position
   return 0;
 }
 
-/// What hangs on the condition of an IF and is an assignment or words, with THEN before it or not; 0 where something
-/// else stands there.
+/// The position of an assignment or of words that depend on the condition of an IF, with or without THEN; 0 where there
+/// is something else.
 inline std::size_t governed(std::string_view text, std::size_t position, std::size_t end) {
   const std::string_view statement = text.substr(0, end);
   const std::size_t bracket = ig::cnc::skip_blanks(statement, skip_while(statement, position, ig::cnc::is_letter));
@@ -143,7 +143,7 @@ inline std::size_t governed(std::string_view text, std::size_t position, std::si
   return is_words ? rest : 0;
 }
 
-/// Where the assignment ends and words begin, "#101=0.0 M99": at a single letter outside of brackets. Functions and
+/// The end of the assignment where words follow, as in "#101=0.0 M99": a single letter outside brackets. Functions and
 /// operators have two letters or more.
 inline std::size_t assignment_end(std::string_view text, std::size_t position, std::size_t end) {
   const std::string_view statement = text.substr(0, end);
@@ -161,7 +161,7 @@ inline std::size_t assignment_end(std::string_view text, std::size_t position, s
   return end;
 }
 
-/// Behind an M99 that begins here; 0 where none does.
+/// The position after an M99 that begins here; 0 where none does.
 inline std::size_t return_end(std::string_view text, std::size_t position) {
   if (to_upper(ig::cnc::at(text, position)) != 'M') return 0;
   const std::size_t digits = ig::cnc::skip_blanks(text, position + 1);
@@ -169,7 +169,7 @@ inline std::size_t return_end(std::string_view text, std::size_t position) {
   return ig::cnc::piece(text, digits, end) == "99" ? ig::cnc::skip_blanks(text, end) : 0;
 }
 
-/// The digits behind DO and END.
+/// Reads the digits after DO and END.
 inline bool loop_number(std::string_view text, std::size_t position, std::int64_t& number) {
   const std::size_t digits = ig::cnc::skip_blanks(text, position);
   const std::size_t end = skip_digits(text, digits);

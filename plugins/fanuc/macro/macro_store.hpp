@@ -1,5 +1,5 @@
-/// The variables of custom macro B that hold what programs write: local ones for each macro call, common and permanent
-/// ones. The dependency MacroVariables owns one; the syntaxes of this plugin reach it through its service.
+/// The variables of custom macro B that programs write: local ones for each macro call, common and permanent ones. The
+/// dependency MacroVariables owns one store; the syntaxes of this plugin reach it through its service.
 #pragma once
 
 #include <algorithm>
@@ -21,17 +21,18 @@ namespace fanuc {
 inline constexpr const char* macro_store_service = "fanuc.macro-variables/1";
 inline constexpr std::uint32_t last_local = 33;
 
-/// Bits of a frame's tag: a code that parameters bind to the program called it; it has no local variables of its own.
+/// A bit of a frame's tag: a code that parameters assign to the program has called it; it has no local variables of its
+/// own.
 inline constexpr std::uint64_t called_by_code = std::uint64_t{1} << 63;
 inline constexpr std::uint64_t shares_locals = std::uint64_t{1} << 62;
 
-/// "100-199 500": ascending or not, as the dialect writes them.
+/// A list such as "100-199 500", in any order, as the dialect writes it.
 class NumberRanges {
  public:
   struct Range {
     std::uint32_t first, last;
   };
-  /// Nothing where the text is no list of ranges.
+  /// Nothing where the text is not a list of ranges.
   static std::optional<NumberRanges> read(std::string_view text) {
     NumberRanges out;
     while (true) {
@@ -65,25 +66,25 @@ class NumberRanges {
   std::vector<Range> ranges_;
 };
 
-/// Wear of lengths from #2001 and #10001 on, then their geometry; or the other way round (Series 15); or so, and from
-/// #10001 on are no tools (Haas).
+/// The meaning of #2001 and #10001 and above: wear of lengths, then their geometry; the other way round (Series 15); or
+/// the geometry first, while #10001 and above are not tools (Haas).
 enum class ToolVariables { wear_first, series_15, geometry_first };
 
-/// What controls differ in.
+/// What differs between controls.
 struct MacroSettings {
   ExpressionRules rules;
-  std::uint32_t nesting = 5;       ///< brackets inside each other that the control permits
-  std::uint32_t call_nesting = 5;  ///< macro calls inside each other that it permits
+  std::uint32_t nesting = 5;       ///< levels of brackets that the control permits
+  std::uint32_t call_nesting = 5;  ///< levels of macro calls that the control permits
   ToolVariables tools = ToolVariables::wear_first;
-  bool radii_from_2401 = false;  ///< #2401 to #2800 are radii of tools; else #2500 and on are work offsets
-  bool local_in_5201 = false;    ///< #5201 and on are the shift of G52; else the external offset
+  bool radii_from_2401 = false;  ///< #2401 to #2800 are tool radii; else #2500 and above are work offsets
+  bool local_in_5201 = false;    ///< #5201 and above are the shift of G52; else the external offset
   std::uint32_t tool_variable = 0, speed_variable = 0;  ///< the tool in the spindle, and its speed; 0: no variable
-  bool offset_in_12 = false;                            ///< #4012 is the work offset; else it is the modal macro call
-  bool repeats_keep_locals = false;                     ///< G65 L: only the first time begins with the arguments
-  double clock_step_ms = 100;                           ///< how far the clocks go on each time they are read
+  bool offset_in_12 = false;                            ///< #4012 is the work offset; else the modal macro call
+  bool repeats_keep_locals = false;                     ///< G65 L: only the first pass begins with the arguments
+  double clock_step_ms = 100;                           ///< by how much the clocks advance each time they are read
 };
 
-/// The last M code and the last sequence number of the blocks before, and those of the block that is read.
+/// The last M code and the last sequence number of earlier blocks, and those of the present block.
 class PassedCodes {
  public:
   enum Which : std::size_t { m, n };
@@ -96,7 +97,7 @@ class PassedCodes {
   std::array<std::optional<double>, 2> before_, last_;
 };
 
-/// O9010, or <PART> as it is written.
+/// O9010, or <PART> as written.
 struct CalledProgram {
   std::int64_t number = 0;
   std::string name{};  ///< empty: it is called by its number
@@ -110,7 +111,7 @@ class MacroStore {
 
   static constexpr double null = std::numeric_limits<double>::quiet_NaN();
   using Locals = std::array<double, last_local + 1>;
-  /// What G66 keeps: the macro that is called after each block that moves; G66.1: with the words of each block.
+  /// The modal call of G66: a macro that is called after each block that moves; of G66.1: with the words of each block.
   struct ModalCall {
     CalledProgram program;
     std::int64_t repeats;
@@ -123,7 +124,7 @@ class MacroStore {
     return out;
   }
 
-  /// Which rows of the table must be kept: called for each write to a permanent variable.
+  /// Receives each write to a permanent variable, so that the table keeps it.
   struct Keeper {
     virtual void keep(std::uint32_t number, double value) = 0;
 
@@ -135,18 +136,18 @@ class MacroStore {
     for (const auto& r : common.all()) add(r, false);
     for (const auto& r : permanent.all()) add(r, true);
   }
-  /// #10100 is #100 where the distance is 10000; 0: nothing is.
+  /// With a distance of 10000, #10100 is another name of #100; 0: there are no such names.
   void alias(std::uint32_t distance) { alias_ = distance; }
   void assume(NumberRanges assumed) { assumed_ = std::move(assumed); }
   void keep_in(Keeper* keeper) { keeper_ = keeper; }
 
-  /// The variable's place, null where it is none of these. Good until the next call.
+  /// The variable's value; null where it is not one of these. Valid until the next call.
   const double* find(std::uint32_t number) const {
     if (number <= last_local) return &levels_[present_].values[number];
     const Area* const area = area_of(number);
     return area != nullptr ? &area->values[number - area->first] : nullptr;
   }
-  /// False where it is none of these.
+  /// False where the variable is not one of these.
   bool set(std::uint32_t number, double value) {
     ++writes_;
     if (number <= last_local) {
@@ -160,7 +161,7 @@ class MacroStore {
     return true;
   }
 
-  /// Variables of the control that the user gave a value, or that the program wrote: signals, switches.
+  /// Variables of the control to which the user or the program has given a value: signals, switches.
   const double* given(std::uint32_t number) const {
     const auto it = std::lower_bound(given_.begin(), given_.end(), number, before);
     return it != given_.end() && it->first == number ? &it->second : nullptr;
@@ -174,12 +175,12 @@ class MacroStore {
       given_.insert(it, {number, value});
   }
   bool is_assumed(std::uint32_t number) const { return assumed_.holds(number); }
-  /// How often a variable was written so far.
+  /// The number of writes to variables so far.
   std::uint64_t writes() const { return writes_; }
 
-  /// A macro call: its local variables, known by the tag that its frame will show. They wait for that frame, since the
-  /// calling block goes on with those of the caller. Modal calls go on inside it; one that runs by itself does not call
-  /// itself.
+  /// Begins a macro call with its local variables, identified by the tag that its frame will show. They wait for that
+  /// frame, since the calling block goes on with the caller's variables. Modal calls stay active inside it; a macro
+  /// that a modal call runs does not call itself.
   std::uint64_t enter(const Locals& arguments, bool is_modal = false) {
     frame_ = no_frame;
     leave_last();
@@ -189,16 +190,16 @@ class MacroStore {
     return last_tag_;
   }
   std::vector<ModalCall>& modal_calls() { return levels_[present_].modal_calls; }
-  /// The call was not made.
+  /// Undoes enter() where the call was not made.
   void leave_last() { levels_.erase(levels_.begin() + static_cast<std::ptrdiff_t>(present_) + 1, levels_.end()); }
-  /// True once for each frame and pass: which level it has must be asked.
+  /// True once for each frame and pass: its level must be looked up.
   bool is_new_frame(std::uint64_t frame, std::uint32_t pass) {
     if (frame == frame_ && pass == pass_) return false;
     frame_ = frame;
     pass_ = pass;
     return true;
   }
-  /// The level of the macro call with this tag is the present one; a new pass begins with its arguments.
+  /// Makes the level of the macro call with this tag the present one; a new pass begins with its arguments.
   void select(std::uint64_t tag, std::uint32_t pass) {
     if (levels_[present_].tag != tag) {
       if (present_ + 1 < levels_.size() && levels_[present_ + 1].tag == tag)
@@ -234,7 +235,7 @@ class MacroStore {
       if (number - a.first < a.values.size()) return &a;
     return nullptr;
   }
-  /// `number` becomes that by which the area knows the variable.
+  /// `number` becomes the number of the variable within its area.
   const Area* area_of(std::uint32_t& number) const {
     const Area* const area = holding(number);
     if (area != nullptr || alias_ == 0 || number <= alias_ + last_local) return area;
@@ -246,7 +247,7 @@ class MacroStore {
   }
 
   std::vector<Level> levels_{{0, 1, no_locals(), no_locals(), {}}};
-  std::size_t present_ = 0;  // the level in force; a call may wait above it
+  std::size_t present_ = 0;  // the level in force; a requested call may wait above it
   std::vector<Area> areas_;
   std::vector<std::pair<std::uint32_t, double>> given_;
   NumberRanges assumed_;
@@ -255,7 +256,7 @@ class MacroStore {
   std::uint64_t last_tag_ = 0;
   std::uint64_t writes_ = 0;
   static constexpr std::uint64_t no_frame = ~std::uint64_t{0};
-  std::uint64_t frame_ = no_frame;  // whose level is the present one
+  std::uint64_t frame_ = no_frame;  // the frame whose level is the present one
   std::uint32_t pass_ = 0;
 };
 

@@ -1,5 +1,5 @@
-// The variables that macro programs write, and what the user says of variables of the control. The table holds what was
-// given and what is kept; the values themselves stand in arrays, since loops read them millions of times.
+// The variables that macro programs write, and values that the user gives to variables of the control. The table holds
+// given and permanent values; the present values are in arrays, because loops read them millions of times.
 #include <stdexcept>
 #include <string>
 

@@ -1,5 +1,5 @@
-/// G54.2 P: the fixture offset that follows the rotary table; G54.4 P: the setting error of the workpiece. P0 cancels
-/// them, which changes nothing where they never were; what P1 and up choose stands in no table here.
+/// G54.2 P: the fixture offset that follows the rotary table; G54.4 P: workpiece setting error compensation. P0 cancels
+/// them, which changes nothing where they were never active; the offsets of P1 and above are in no table here.
 
 #include <isogloss/sdk.hpp>
 

@@ -1,5 +1,5 @@
-// The parameters of a Fanuc control that change what a program means, by their numbers. Values stand as the operator
-// sees them on the parameter page; this file knows their units and bits.
+// The parameters of a Fanuc control that change the meaning of a program, by their numbers. Values are as on the
+// parameter page of the control; this file knows their units and bits.
 #include <cmath>
 
 #include <isogloss/cnc/parameter_services.hpp>
@@ -68,19 +68,19 @@ struct FanucParameterTable {
     return column == std::string_view::npos ? std::nullopt : table.value(parameter, axes[column]);
   }
 
-  /// Parameter 1013: bit 0 is IS-A, bit 1 IS-C, neither IS-B.
+  /// The least input increment in mm. Parameter 1013: bit 0 is IS-A, bit 1 IS-C, neither bit IS-B.
   double increment() const { return bit(increment_system, 0) ? 0.01 : bit(increment_system, 1) ? 0.0001 : 0.001; }
   Answer in_increments(std::string_view parameter) const { return from_increments(number(parameter)); }
   Answer from_increments(Answer count) const {
     return count ? Answer(*count / std::round(1 / increment())) : std::nullopt;
   }
-  /// An override of 0, as of a parameter that nobody set, is 100 %.
+  /// An override of 0, as in a parameter that was never set, means 100 %.
   Answer percent(std::string_view parameter) const {
     const double override = number(parameter).value_or(0);
     return override > 0 ? override : 100;
   }
 
-  /// Parameter 5400 bit 7 SCR: what P1 of G51 means.
+  /// Parameter 5400 bit 7 SCR: the unit of P under G51.
   double scaling_unit() const { return bit(coordinate_bits, 7) ? 0.001 : 0.00001; }
 
   Answer number_format_of(std::string_view name) const {
@@ -104,8 +104,8 @@ struct FanucParameterTable {
     return std::nullopt;
   }
 
-  /// Parameter 5148 of the boring axis: the signed number of an axis. Without one, 5101: bit 4 is the other way, bit 5
-  /// the second axis of the plane.
+  /// Parameter 5148 of the boring axis is the signed number of an axis. Where it is not set, 5101 applies: bit 4 is the
+  /// opposite direction, bit 5 the second axis of the plane.
   Answer shift_direction(char boring_axis, std::array<double, 2> plane) const {
     if (const Answer axis = of_axis(shift_axis, boring_axis); axis && *axis != 0) return axis;
     const double axis = plane[bit(cycle_bits, 5) ? 1 : 0];
@@ -128,10 +128,10 @@ struct FanucParameterTable {
     return name == "ResetCancelsLocalCoordinate" ? Answer(bit(reset, 3) ? 1 : 0) : std::nullopt;
   }
 
-  /// Parameters 6050 to 6059: the G codes that call O9010 to O9019; 6080 to 6089: the M codes that call O9020 to O9029
-  /// with arguments; 6071 to 6079: those that call O9001 to O9009 like M98. 0 is no code. A G code that is negative in
-  /// the table makes a modal call, and the number of its program is the answer, negative too. 6001 bit 5 TCS: T calls
-  /// O9000.
+  /// Parameters 6050 to 6059 are the G codes that call O9010 to O9019; 6080 to 6089 the M codes that call O9020 to
+  /// O9029 with arguments; 6071 to 6079 those that call O9001 to O9009 like M98. 0 is not a code. A G code that is
+  /// negative in the table makes a modal call, and the answer is the negative number of its program. 6001 bit 5 TCS: T
+  /// calls O9000.
   Answer program_of_code(std::string_view code) const {
     struct Range {
       char letter;
@@ -150,7 +150,7 @@ struct FanucParameterTable {
     return std::nullopt;
   }
 
-  /// "1321" or "1321.X": a parameter as its page shows it.
+  /// "1321" or "1321.X": a parameter with the name that its page shows.
   Answer parameter_of(std::string_view name) const {
     const std::size_t point = name.find('.');
     if (point == std::string_view::npos) return number(name);
@@ -158,7 +158,7 @@ struct FanucParameterTable {
   }
 
   /// 1006 bits 0 and 1, ROT and ROS: 01 is a rotary axis of type A, the only one that can roll over. 1008 bit 0 ROA: it
-  /// does; bit 1 RAB: by the sign of the command, not by the shortest way.
+  /// does roll over; bit 1 RAB: in the direction of the command's sign, not by the shortest way.
   std::optional<std::uint32_t> rollover_of(char axis) const {
     if (std::string_view("ABC").find(axis) == std::string_view::npos) return std::nullopt;
     const Answer type = of_axis(rotary_type, axis), bits = of_axis(rollover_bits, axis);
@@ -168,7 +168,7 @@ struct FanucParameterTable {
     const bool rolls = is_type_a && (how & 1u) != 0;
     return !rolls ? 0 : (how & 2u) != 0 ? 2 : 1;
   }
-  /// A minute.
+  /// mm or degrees per minute.
   Answer rapid_of(char axis) const { return of_axis(rapid_rate, axis); }
 
   using Services = ParameterServices<FanucParameterTable>;

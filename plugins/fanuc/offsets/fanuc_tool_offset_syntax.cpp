@@ -1,5 +1,5 @@
-/// G45 to G48: the ways of one block become longer or shorter by the radius of D, once or twice. The words are
-/// rewritten in place, so that nothing after this syntax knows of it. Fanuc manual, "Tool offset (G45 to G48)".
+/// G45 to G48: the distances of one block become longer or shorter by the radius of D, once or twice. The words are
+/// rewritten in place, so that no later syntax has to know of it. Fanuc manual, "Tool offset (G45 to G48)".
 #include <array>
 #include <cmath>
 
@@ -97,7 +97,7 @@ struct FanucToolOffset {
     return b.is(motion_, g02_) || b.is(motion_, g03_);
   }
 
-  /// What the manual forbids, and what it does not say.
+  /// The reason why the offset is not executed: a case that the manual forbids or does not describe.
   std::string_view refusal(const ig::Block& b) const {
     if (b.find(sides_) || (b.has(compensation_) && !b.is(compensation_, g40_)))
       return "the control forbids it under cutter radius compensation";
@@ -139,7 +139,7 @@ struct FanucToolOffset {
 
   static void rewrite(ig::Block& b, ig_field word, double value) { b.rewrite(word, rounded(value)); }
 
-  /// The centre goes with the ends of a quarter and of three quarters of a circle; of other arcs nothing fits.
+  /// The centre is moved with the ends of a quarter or of three quarters of a circle; other arcs cannot be offset so.
   bool widen_arc(ig::Block& b, ig::Where where, std::string_view name, const std::array<std::optional<double>, 3>& ways,
                  double by) const {
     constexpr double tolerance = 0.01;  // mm

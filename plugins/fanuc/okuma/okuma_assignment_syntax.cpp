@@ -1,5 +1,5 @@
 /// Assignments to an Okuma's variables, VC1=VS27, XPOS=10, VZOFZ[1]=VC35: recognised as a whole, so that the C of VC1
-/// is not taken for an axis that turns. They are not executed.
+/// is not read as a rotary axis. They are not executed.
 #include <isogloss/cnc/scan.hpp>
 
 namespace fanuc {

@@ -1,5 +1,5 @@
-/// Functions of an Okuma OSP that are recognised but not executed, those that cost nothing (G04 F, M54), and M53, which
-/// is right where the cycle begins at the level of G71.
+/// Functions of an Okuma OSP that are recognised but not executed; G04 F and M54, which are executed; and M53, which is
+/// right where the cycle begins at the level of G71.
 #include <cmath>
 
 #include <isogloss/sdk.hpp>
@@ -64,7 +64,8 @@ struct OkumaCode {
  private:
   enum : std::size_t { to_level, to_r };
 
-  /// G04 F1.5: seconds. With X or P DwellSyntax answers. A negative time is left, and reported as not used.
+  /// G04 F1.5: seconds. With X or P DwellSyntax executes it. A negative time is not taken, so that it is reported as
+  /// unused.
   bool wait(ig::Block& b) const {
     ig_value seconds;
     if (!b.get(dwell_.word(0, 'F'), seconds) || seconds.number < 0) return false;

@@ -1,4 +1,4 @@
-/// `$PART.MIN%`: the line that an Okuma writes before a program, its name in the control's memory.
+/// `$PART.MIN%`: the line that an Okuma writes before a program, with its name in the control's memory.
 #include <isogloss/cnc/scan.hpp>
 
 namespace fanuc {
@@ -15,7 +15,7 @@ struct OkumaFileHead {
     if (text.find_first_not_of(" \t") != position) return position;
     const std::size_t end = block_end(text, position);
     const std::string_view line = trim(ig::cnc::piece(text, position, end));
-    return line.find('%') + 1 == line.size() ? end : position;  // what stands behind the name is no part of it
+    return line.find('%') + 1 == line.size() ? end : position;  // text after the name is not part of it
   }
 };
 
