@@ -2,7 +2,7 @@
 
 namespace {
 
-/// Declares X unless its option says no, and Y after it.
+/// Declares X unless its option says no, and then Y.
 struct Conditional {
   static constexpr auto spec = ig::syntax("ConditionalSyntax", "Declares what an option says.");
   enum class X { declared, left_out };
@@ -15,7 +15,7 @@ struct Conditional {
 
 }  // namespace
 
-TEST_CASE("a declaration that depends on an option is seen") {
+TEST_CASE("a declaration that depends on an option is detected") {
   const ig::detail::SyntaxDescriptor<Conditional> descriptor;
   isogloss_test::Observer with(*descriptor.get(), 0, 0), without(*descriptor.get(), 0, 1);
   CHECK(with.run() != without.run());

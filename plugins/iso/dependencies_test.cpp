@@ -16,7 +16,7 @@ bool offset(const FakeDependency& table, std::string_view id, double (&out)[3]) 
 
 }  // namespace
 
-TEST_CASE("work offsets: every set of the control exists, and is zero until it is measured") {
+TEST_CASE("work offsets: every offset of the control exists, and is zero until it is measured") {
   const FakeDependency table(*ig_plugin_v1(), "IsoCoordinateTable", {{"G55", {{"X", 100}, {"Z", -120}}}});
   double o[3];
   REQUIRE(offset(table, "G55", o));
@@ -32,7 +32,7 @@ TEST_CASE("work offsets: every set of the control exists, and is zero until it i
   }
 }
 
-TEST_CASE("work offsets: what G10 writes is read back, and no set is invented") {
+TEST_CASE("work offsets: values that G10 writes are read back, and no new offset appears") {
   const FakeDependency table(*ig_plugin_v1(), "IsoCoordinateTable");
   const auto* s = table.service<ig_work_offset_1>("isogloss.work-offset/1");
   const double origin[3] = {1, 2, 3};
@@ -92,7 +92,7 @@ TEST_CASE("tool offsets: a number without a row is zero, or missing where the ta
   CHECK(s->set(s->self, 401, 0, 50) == 0);
 }
 
-TEST_CASE("fallback settings") {
+TEST_CASE("fallback settings: a distance that is not set follows the other one") {
   const FakeDependency config(*ig_plugin_v1(), "FallbackConfig", {}, {{"HighSpeedPeckRetraction_mm", "0.5"}});
   CHECK(number(config, "isogloss.canned-cycle/1", "PeckRetractionDistance_mm") == 5);
   CHECK(number(config, "isogloss.canned-cycle/1", "HighSpeedPeckRetraction_mm") == 0.5);
@@ -126,7 +126,7 @@ TEST_CASE("settings without a parameter table: boring and tapping as a Fanuc is 
   CHECK(number(other, "isogloss.canned-cycle/1", row.key) == row.other);
 }
 
-TEST_CASE("machine axes: those that have a row") {
+TEST_CASE("machine axes: an axis exists where it has a row") {
   const FakeDependency machine(
       *ig_plugin_v1(), "MachineAxes",
       {{"Z", {{"Home", 250}, {"Reference2", -50}, {"RapidRate", 18000}, {"Minimum", -500}, {"Maximum", 0}}}});
@@ -146,7 +146,7 @@ TEST_CASE("machine axes: those that have a row") {
   CHECK(s->rapid_rate(s->self, 'X', &a) == 0);
 }
 
-TEST_CASE("machine axes: how the rotary ones turn, and travels of which one end is known") {
+TEST_CASE("machine axes: rotary axes tell how they turn, and a travel may have one known end") {
   const FakeDependency machine(*ig_plugin_v1(), "MachineAxes",
                                {{"A", {{"Minimum", -120}}},
                                 {"B", {{"Rollover", 2}, {"Maximum", 90}}},
@@ -171,7 +171,7 @@ TEST_CASE("machine axes: how the rotary ones turn, and travels of which one end 
   CHECK(s->travel(s->self, 'C', &low, &high) == 0);
 }
 
-TEST_CASE("machine axes: a row that names no axis is refused, not left out") {
+TEST_CASE("machine axes: a row that names no axis is refused, not ignored") {
   for (const char* name : {"", "x", "W", "AB", "1"}) {
     CAPTURE(name);
     CHECK_THROWS_WITH(FakeDependency(*ig_plugin_v1(), "MachineAxes", {{name, {{"Home", 5}}}}),

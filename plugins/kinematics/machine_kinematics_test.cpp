@@ -18,7 +18,7 @@ struct Angles {
   double a = 0, b = 0, c = 0;
 };
 
-/// The service as those who ask for it see it.
+/// The service, as other syntaxes reach it.
 class Machine {
  public:
   explicit Machine(const Rows& rows)
@@ -75,13 +75,13 @@ const Rows b_head_c_table{{"B", {{"Place", "head"}, {"Order", 1}}}, {"C", {{"Pla
 const Rows a_head_c_table{{"A", {{"Place", "head"}, {"Order", 1}}}, {"C", {{"Place", "table"}, {"Order", 2}}}};
 const Rows b_head_a_table{{"B", {{"Place", "head"}, {"Order", 1}}}, {"A", {{"Place", "table"}, {"Order", 2}}}};
 
-/// A head whose axis stands between Y and Z, at 45 deg to both, on a C table.
+/// A head on a C table; its axis lies between Y and Z, at 45 deg to both.
 const Rows nutating{{"B", {{"Place", "head"}, {"Order", 1}, {"Y", 1}, {"Z", 1}}},
                     {"C", {{"Place", "table"}, {"Order", 2}}}};
 
 bool near(const Vector& a, const Vector& b, double tolerance = 1e-12) { return (a - b).norm() <= tolerance; }
 
-/// z' of G68.2 I J K.
+/// The normal z' of the plane G68.2 I J K.
 Vector normal_of(double i, double j) {
   return {std::sin(i * rad) * std::sin(j * rad), -std::cos(i * rad) * std::sin(j * rad), std::cos(j * rad)};
 }
@@ -101,31 +101,31 @@ void check_pair(const Machine& machine, const Vector& t, double Angles::*tilt, s
 
 }  // namespace
 
-TEST_CASE("a table turns the workpiece by minus its angle: on paper") {
-  // The centre of the table stands at machine zero; the part has a hole at its +X, 50 mm from the centre.
+TEST_CASE("a table turns the workpiece by minus its angle, as computed on paper") {
+  // The centre of the table is at machine zero; the part has a hole at its +X, 50 mm from the centre.
   const Machine machine(Rows{{"C", {{"Place", "table"}}}});
   CHECK(machine.axes() == "C");
   CHECK(near(machine.carried({0, 0, 0}, {50, 0, 0}), {50, 0, 0}, 0));
-  // C+90: the tool seems to go round the part by +90, so the part goes round by -90: the hole now stands at -Y.
+  // C+90: the tool appears to go round the part by +90, so the part turns by -90 and the hole is at -Y.
   CHECK(near(machine.carried({0, 0, 90}, {50, 0, 0}), {0, -50, 0}, 0));
   CHECK(near(machine.carried({0, 0, 180}, {50, 0, 0}), {-50, 0, 0}, 0));
   CHECK(near(machine.carried({0, 0, -90}, {50, 0, 0}), {0, 50, 0}, 0));
   CHECK(near(machine.carried({0, 0, 30}, {50, 0, 0}), {50 * std::cos(30 * rad), -25, 0}));
-  // The tool stays upright.
+  // The tool stays along Z.
   CHECK(near(machine.tool({0, 0, 90}), {0, 0, 1}, 0));
 }
 
-TEST_CASE("a head turns the tool by its angle: on paper") {
-  // The axis lies 200 mm above the gauge point. The tool is 120 mm long, so the tip swings on a radius of 320 mm.
+TEST_CASE("a head turns the tool by its angle, as computed on paper") {
+  // The axis is 200 mm above the gauge point. The tool is 120 mm long, so the tip swings on a radius of 320 mm.
   const Machine machine(Rows{{"B", {{"Place", "head"}, {"PivotZ", 200}}}});
-  CHECK(near(machine.tool({0, 90, 0}), {1, 0, 0}, 0));  // the holder lies at +X of the tip
-  // Upright the gauge point is 120 above the tip. Lying, the axis is 320 to the right of the tip; X Y Z show the gauge
-  // point as if the head were upright, which is 200 below the axis.
+  CHECK(near(machine.tool({0, 90, 0}), {1, 0, 0}, 0));  // the holder is at +X of the tip
+  // With the tool upright the gauge point is 120 above the tip. With the tool horizontal the axis is 320 to the right
+  // of the tip; X Y Z show the gauge point as if the head were upright, 200 below the axis.
   CHECK(near(machine.gauge({0, 0, 0}, {0, 0, 0}, 120), {0, 0, 120}, 0));
   CHECK(near(machine.gauge({0, 90, 0}, {0, 0, 0}, 120), {320, 0, -200}));
 }
 
-TEST_CASE("the tool axis of the usual machines") {
+TEST_CASE("the usual machines have the expected tool axis") {
   const double a = 25, b = 35, c = 40;
   const double sa = std::sin(a * rad), ca = std::cos(a * rad), sb = std::sin(b * rad), cb = std::cos(b * rad);
   const double sc = std::sin(c * rad), cc = std::cos(c * rad);
@@ -140,13 +140,13 @@ TEST_CASE("the tool axis of the usual machines") {
   CHECK(near(Machine(b_head_a_table).tool(at), by_b_and_a));
 }
 
-TEST_CASE("names: the axis with Order 1 first") {
+TEST_CASE("the axis with Order 1 is named first") {
   CHECK(Machine(ac_table).axes() == "AC");
   CHECK(Machine(ca_head).axes() == "CA");
   CHECK(Machine(b_head_a_table).axes() == "BA");
 }
 
-TEST_CASE("both solutions for tilted planes") {
+TEST_CASE("a tilted plane has two solutions") {
   struct Row {
     double i, j;
     std::array<double, 4> ac, bc;
@@ -184,7 +184,7 @@ TEST_CASE("quarter turns are exact") {
   CHECK(near(Machine(ac_table).tool({-270, 0, 3600000180.0}), {0, 1, 0}, 0));
 }
 
-TEST_CASE("a head and a table of A and B") {
+TEST_CASE("a head and a table with A and B have the solutions of their formulas") {
   // B = asin tx, A = atan2(-ty, tz); second: B' = 180 - B, A' = A + 180.
   const Vector t = Vector(0.3, -0.4, 0.5).normalized();
   const double b = std::asin(t.x()) / rad, a = std::atan2(-t.y(), t.z()) / rad;
@@ -197,7 +197,7 @@ TEST_CASE("a head and a table of A and B") {
   }
 }
 
-TEST_CASE("singular directions leave an axis where it is") {
+TEST_CASE("a singular direction does not move the free axis") {
   const Machine machine(ac_table);
   for (const double z : {1.0, -1.0}) {
     const auto found = machine.solve({0, 0, z}, {12, 0, 745.5});
@@ -207,7 +207,7 @@ TEST_CASE("singular directions leave an axis where it is") {
     CHECK(found[0].free == 4);
   }
   CHECK(machine.solve({1e-16, -1e-17, 1}, {0, 0, 33}).at(0).angles[2] == 33);
-  // Next to the singular direction both solutions are there, and exact.
+  // Near the singular direction both solutions exist and are exact.
   for (const double tilt : {1e-3, 1e-6, 1e-9, 1e-11}) {
     const Vector t = Vector(tilt, tilt, 1).normalized();
     const auto found = machine.solve(t);
@@ -220,7 +220,7 @@ TEST_CASE("singular directions leave an axis where it is") {
   CHECK((found[0].angles[0] == 77 && found[0].angles[1] == 90 && found[0].free == 1));
 }
 
-TEST_CASE("one rotary axis") {
+TEST_CASE("a machine with one rotary axis solves the directions that it can reach") {
   const Machine a(Rows{{"A", {{"Place", "table"}}}});
   CHECK(a.axes() == "A");
   const auto found = a.solve({0, -0.5, std::sqrt(0.75)});
@@ -243,9 +243,9 @@ TEST_CASE("an axis along the tool does not tilt it") {
   CHECK(machine.solve({1, 0, 0}).empty());
 }
 
-TEST_CASE("a nutating head") {
+TEST_CASE("a nutating head reaches directions up to 90 degrees from Z") {
   const Machine machine(nutating);
-  // Half a turn about the axis between Y and Z lays the tool from Z to Y; more than 90 deg from Z it cannot go.
+  // Half a turn about the axis between Y and Z moves the tool from Z to Y; it cannot lean more than 90 deg from Z.
   CHECK(near(machine.tool({0, 180, 0}), {0, 1, 0}));
   CHECK(machine.solve({0, 0, -1}).empty());
   CHECK(machine.solve({0.5, 0, -0.001}).empty());
@@ -265,7 +265,7 @@ TEST_CASE("a nutating head") {
   CHECK(near(machine.tool({0, end[0].angles[1], end[0].angles[2]}), {0, 1, 0}));
 }
 
-TEST_CASE("the worked positions of a table with A and C") {
+TEST_CASE("a table with A and C has the worked positions") {
   // W = (0,0,-50), p = (10,20,0), tool 120 mm.
   const Vector p{10, 20, -50};
   Rows rows = ac_table;
@@ -277,7 +277,7 @@ TEST_CASE("the worked positions of a table with A and C") {
   CHECK(near(Machine(rows).gauge({30, 0, 45}, p, 120), {17.6777, 32.3920, 59.0335}, 1e-4));
 }
 
-TEST_CASE("the worked positions of heads") {
+TEST_CASE("heads have the worked positions") {
   Rows head = cb_head;
   head["C"].insert({"PivotZ", 200});
   head["B"].insert({"PivotZ", 200});
@@ -295,7 +295,7 @@ TEST_CASE("the worked positions of heads") {
   CHECK(near(Machine(mixed).gauge({0, 45, 30}, {10, 20, -50}, 120), {244.9344, 12.3205, -23.7258}, 1e-4));
 }
 
-TEST_CASE("sign and zero of the machine's own counting") {
+TEST_CASE("sign and zero of an axis change its angles, not the directions") {
   Rows rows = ac_table;
   rows["A"].insert({"Sign", -1});
   rows["C"].insert({"Zero", 90});
@@ -305,7 +305,7 @@ TEST_CASE("sign and zero of the machine's own counting") {
   check_pair(other, usual.tool({30, 0, 170}), &Angles::a, {-30, -100, 30, 80});
 }
 
-TEST_CASE("what no machine can be is refused with the reason") {
+TEST_CASE("an impossible machine is refused with the reason") {
   const auto reason = [](const Rows& rows) -> std::string {
     try {
       const Machine machine(rows);
@@ -330,18 +330,19 @@ TEST_CASE("what no machine can be is refused with the reason") {
              Contains("at most two"));
 }
 
-TEST_CASE("what the feed of the tip becomes on the axes: on paper") {
-  // Table C, its line through machine zero; the tip 100 mm out on X. C at 90 deg/s passes the tip by at 157 mm/s: to
-  // stay on its point of the workpiece the slides must go along, towards -Y, for C+ turns the workpiece clockwise.
+TEST_CASE("the feed of the tip gives the axis speeds computed on paper") {
+  // C table, its axis through machine zero; the tip is 100 mm out on X. At 90 deg/s the table passes the tip at 157
+  // mm/s. To stay on its point of the workpiece the slides must follow, towards -Y, because C+ turns the workpiece
+  // clockwise.
   const Machine table(ac_table);
   const double around = 100 * std::numbers::pi / 2;
   CHECK(near(table.speeds({}, {0, 0, 90}, {100, 0, 0}, 50, {0, 0, 0}), {0, -around, 0}));
-  // A feed of 10 mm/s outwards on top of it is one of the machine's X at C0, and towards -Y at C90.
+  // An additional feed of 10 mm/s outwards is in X of the machine at C0, and in -Y at C90.
   CHECK(near(table.speeds({}, {0, 0, 90}, {100, 0, 0}, 50, {10, 0, 0}), {10, -around, 0}));
   CHECK(near(table.speeds({0, 0, 90}, {0, 0, 90}, {100, 0, 0}, 50, {10, 0, 0}), {-around, -10, 0}));
-  // At rest the feed is the feed.
+  // Without rotation the axis speeds are the feed.
   CHECK(near(table.speeds({}, {}, {100, 0, 0}, 50, {1, 2, 3}), {1, 2, 3}));
-  // Head B with its line 180 above the gauge point, a tool of 120: the tip rests, and the slides carry the line of B
+  // B head with its axis 180 above the gauge point, a tool of 120: the tip rests while the slides carry the head's axis
   // round it at a radius of 300.
   const Machine head({{"B", {{"Place", "head"}, {"PivotZ", 180}}}});
   CHECK(near(head.speeds({}, {0, 90, 0}, {0, 0, 0}, 120, {0, 0, 0}), {300 * std::numbers::pi / 2, 0, 0}));
@@ -354,7 +355,7 @@ TEST_CASE("without rows there is no service") {
   CHECK(one.service<ig_machine_kinematics_1>("isogloss.machine-axis/1") == nullptr);
 }
 
-TEST_CASE("no answer to what is no number") {
+TEST_CASE("an angle that is not finite has no answer") {
   const Machine machine(ac_table);
   const ig_machine_kinematics_1& s = machine.service();
   const double nan = std::nan(""), huge = 1e300;
@@ -372,15 +373,15 @@ TEST_CASE("no answer to what is no number") {
     CHECK(machine.solve({0, 0, 1}, {0, 0, bad}).empty());
   }
   CHECK(machine.solve({0, 0, 0}).empty());
-  // B is none of its axes; directions of any length; angles of any number of turns.
+  // B is not an axis of this machine; directions of any length; angles of any number of turns.
   CHECK(near(machine.tool({0, nan, 0}), {0, 0, 1}, 0));
   CHECK(machine.solve({0, -huge, 0}).size() == 2);
   CHECK(machine.solve({0, -1e-300, 0}).size() == 2);
   CHECK(machine.tool({huge, 0, huge}).norm() == Approx(1));
 }
 
-// Any axes on any places: the answers fit each other, and a chain of transforms that is made here without them.
-TEST_CASE("random machines, random directions") {
+// Any axes in any places: the answers agree with each other, and with a chain of transforms computed here.
+TEST_CASE("on random machines the answers agree for random directions") {
   std::mt19937 random(20);
   std::uniform_real_distribution<double> unit(-1, 1), angle(-180, 180), mm(-500, 500);
   for (int m = 0; m < 400; ++m) {
@@ -433,13 +434,13 @@ TEST_CASE("random machines, random directions") {
       }
       const Vector t = work.linear().transpose() * head.linear() * Vector::UnitZ();
       CHECK(near(machine.tool(at), t));
-      // Slides that stand at x y z put the tip of a tool to x y z + head * (0, 0, -length).
+      // With the slides at x y z the tip of the tool is at x y z + head * (0, 0, -length).
       const Vector tip{mm(random), mm(random), mm(random)};
       const double length = 100 + mm(random) / 10;
       const Vector slides = work * tip - head * Vector(0, 0, -length);
       CHECK(near(machine.gauge(at, tip, length), slides, 1e-9));
 
-      // What the feed becomes on the axes: as far as the slides go in a short time, there and back.
+      // The axis speeds, compared with the travel of the slides in a short time, forward and backward.
       const Angles turning{angle(random), angle(random), angle(random)};
       const Vector feed{mm(random), mm(random), mm(random)};
       constexpr double dt = 1e-5;
@@ -462,7 +463,7 @@ TEST_CASE("random machines, random directions") {
         }
         nearest = std::min(nearest, off);
       }
-      // Where the two solutions meet the angle is a square root of what rounding leaves.
+      // Where the two solutions meet, the angle is the square root of a rounding error.
       CHECK(nearest < 1e-4);
     }
   }

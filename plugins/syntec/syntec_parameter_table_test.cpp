@@ -15,7 +15,7 @@ FakeDependency with(const FakeDependency::Rows& rows, std::map<std::string, std:
 
 }  // namespace
 
-TEST_CASE("a control as delivered") {
+TEST_CASE("a control as delivered has the default parameters") {
   const FakeDependency table = with({});
   CHECK(number(table, number_format, "CalculatorDecimalPoint") == 0);
   CHECK(number(table, number_format, "LengthIncrement_mm") == 0.001);
@@ -34,7 +34,7 @@ TEST_CASE("a control as delivered") {
     CHECK(number(table, macro, code) == -1000);
 }
 
-TEST_CASE("Pr4002 is one distance, counted in basic length units") {
+TEST_CASE("Pr4002 is one distance in basic length units for all cycles") {
   CHECK(number(with({{"4002", {{"Value", 2000}}}}), canned_cycle, "PeckRetractionDistance_mm") == 2);
   CHECK(number(with({{"4002", {{"Value", 2000}}}}), canned_cycle, "HighSpeedPeckRetraction_mm") == 2);
   const FakeDependency::Rows coarse{{"4002", {{"Value", 50}}}, {"17", {{"Value", 1}}}};
@@ -45,7 +45,7 @@ TEST_CASE("Pr4002 is one distance, counted in basic length units") {
   CHECK(number(with({{"4002", {{"Value", 0}}}}), canned_cycle, "PeckRetractionDistance_mm") == 0);
 }
 
-TEST_CASE("Pr17 and Pr3241 say what a number without a point is") {
+TEST_CASE("Pr17 and Pr3241 decide what a number without a point means") {
   const FakeDependency fine = with({{"17", {{"Value", 3}}}, {"3241", {{"Value", 1}}}});
   CHECK(number(fine, number_format, "LengthIncrement_mm") == 0.0001);
   CHECK(number(fine, number_format, "LengthIncrement_inch") == 0.00001);
@@ -53,7 +53,7 @@ TEST_CASE("Pr17 and Pr3241 say what a number without a point is") {
   CHECK(number(with({{"17", {{"Value", 1}}}}), number_format, "LengthIncrement_mm") == 0.01);
 }
 
-TEST_CASE("Pr5003 and Pr3741") {
+TEST_CASE("Pr5003 and Pr3741 are read from the table") {
   const FakeDependency table = with({{"5003", {{"Value", 1}}}, {"3741", {{"Value", 12000}}}});
   CHECK(number(table, motion_settings, "RadiusCompensationStartUp") == 1);
   CHECK(number(table, motion_settings, "MaximumSpindleSpeed_rpm") == 12000);
@@ -63,7 +63,7 @@ TEST_CASE("Pr5003 and Pr3741") {
   CHECK(number(with({{"5003", {{"Value", -1}}}}), motion_settings, "RadiusCompensationStartUp") == 0);
 }
 
-TEST_CASE("a value that a parameter does not have is refused, not passed over") {
+TEST_CASE("a value that a parameter cannot have is refused, not ignored") {
   const auto why = [](const FakeDependency::Rows& rows) -> std::string {
     try {
       with(rows);
@@ -87,7 +87,7 @@ TEST_CASE("a value that a parameter does not have is refused, not passed over") 
   CHECK(why({{"9999", {{"Value", -1}, {"X", -1}}}, {"1244", {{"Value", 1}}}}) == "taken");
 }
 
-TEST_CASE("codes that call a macro") {
+TEST_CASE("a code answers with the number of the macro that it calls") {
   CHECK(number(with({}), macro, "G200") == 200);
   CHECK(number(with({}), macro, "G200.1") == 200);
   CHECK(number(with({}), macro, "G999") == 999);
@@ -108,7 +108,7 @@ TEST_CASE("codes that call a macro") {
   CHECK(number(table, macro, "G01") == -1000);
 }
 
-TEST_CASE("the axes of the machine") {
+TEST_CASE("each axis of the machine answers with its own parameters") {
   const FakeDependency table = with({{"1240", {{"Z", 350}, {"A", 0}}},
                                      {"1420", {{"X", 30000}}},
                                      {"1006", {{"A", 1}, {"B", 2}, {"C", 0}}},
@@ -147,7 +147,7 @@ TEST_CASE("Pr1020 names the axis of a column") {
   REQUIRE(axis->home(axis->self, 'C', &at) == 1);
   CHECK(at == 90);
   CHECK(axis->home(axis->self, 'A', &at) == 0);
-  REQUIRE(axis->home(axis->self, 'Y', &at) == 1);  // column Y stands before column C
+  REQUIRE(axis->home(axis->self, 'Y', &at) == 1);  // column Y comes before column C
   CHECK(at == 7);
   CHECK(axis->home(axis->self, '?', &at) == 0);
 }

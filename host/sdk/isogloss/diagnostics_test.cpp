@@ -22,7 +22,7 @@ TEST_CASE("a plugin's table holds each diagnostic once, in the order of codes") 
   CHECK(table.find("ACME-0004") == ig::detail::DiagnosticTable::no_such_row);
 }
 
-TEST_CASE("the words of a page count where the source gives none") {
+TEST_CASE("explanation and example come from the page where the source gives none") {
   ig::detail::DiagnosticTable table;
   table.add(std::array{ig::diagnostic(IG_NOTE, "ACME-0002", "two"),
                        ig::diagnostic(IG_NOTE, "ACME-0003", "three", "why", "M3"),
@@ -34,7 +34,7 @@ TEST_CASE("the words of a page count where the source gives none") {
   CHECK(rows[2].explanation == std::string_view(""));
 }
 
-TEST_CASE("what ISOGLOSS_PLUGIN() is given comes first and keeps its numbers") {
+TEST_CASE("the diagnostics given to ISOGLOSS_PLUGIN() come first and keep their numbers") {
   ig::detail::DiagnosticTable table;
   table.add(std::array{ig::diagnostic(IG_ERROR, "ACME-0001", "one", "why", "M1")});
   const std::array leading{ig::diagnostic(IG_ERROR, "ACME-0009", "nine", "why", "M9"),

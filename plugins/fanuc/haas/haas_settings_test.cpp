@@ -4,7 +4,7 @@
 
 using namespace isogloss_test;
 
-TEST_CASE("settings as shipped") {
+TEST_CASE("the settings of a delivered machine have their defaults") {
   const FakeDependency table(*ig_plugin_v1(), "HaasSettings");
   CHECK(number(table, number_format, "CalculatorDecimalPoint") == 0);
   CHECK(number(table, number_format, "LengthIncrement_mm") == 0.001);
@@ -28,7 +28,7 @@ TEST_CASE("settings as shipped") {
   CHECK(number(table, number_format, "Unknown") == -1000);
 }
 
-TEST_CASE("settings of another machine") {
+TEST_CASE("settings in the table replace the defaults") {
   const FakeDependency table(*ig_plugin_v1(), "HaasSettings",
                              {{"9", {{"Value", 1}}},
                               {"71", {{"Value", 2}}},

@@ -1,4 +1,4 @@
-// Every line of tests/macro/expressions.txt.
+// Checks every line of tests/macro/expressions.txt.
 #include "macro/expression.hpp"
 
 #include <catch2/catch.hpp>
@@ -51,7 +51,7 @@ std::string trimmed(std::string text) {
   return text;
 }
 
-/// What came out, in the words of the file; `expected` says how exact a number must be.
+/// The result in the words of the file; `expected` tells how exact a number must be.
 std::string shown(const Outcome& o, const std::string& text, const std::string& expected) {
   if (!o.ok())
     return name_of(o.fault) + " " + std::to_string(o.fault_begin + 1) + "-" +
@@ -91,7 +91,7 @@ TEST_CASE("Each expression of the table has its value") {
   CHECK(count > 500);
 }
 
-TEST_CASE("What controls differ in is a rule") {
+TEST_CASE("Each difference between controls is a rule") {
   const auto value = [](const char* text, const ExpressionRules& rules) {
     const Outcome o = evaluate(text, 0, rules, variable);
     CHECK(o.ok());

@@ -4,7 +4,7 @@
 
 using namespace isogloss_test;
 
-TEST_CASE("a control as delivered") {
+TEST_CASE("a control as delivered has the default parameters") {
   const FakeDependency table(*ig_plugin_v1(), "FanucParameterTable");
   CHECK(number(table, number_format, "CalculatorDecimalPoint") == 0);
   CHECK(number(table, number_format, "LengthIncrement_mm") == 0.001);
@@ -19,7 +19,7 @@ TEST_CASE("a control as delivered") {
   CHECK(number(table, motion_settings, "Unknown") == -1000);
 }
 
-TEST_CASE("bits and increments of another control") {
+TEST_CASE("bits and increments in the table replace the defaults") {
   const FakeDependency fine(*ig_plugin_v1(), "FanucParameterTable",
                             {{"1013", {{"Value", 2}}}, {"3401", {{"Value", 1}}}, {"5115", {{"Value", 5000}}}});
   CHECK(number(fine, number_format, "CalculatorDecimalPoint") == 1);
@@ -44,7 +44,7 @@ TEST_CASE("bits and increments of another control") {
   CHECK(number(coarse, motion_settings, "ArcRadiusTolerance_mm") == 0);
 }
 
-TEST_CASE("codes that call programs") {
+TEST_CASE("a parameter assigns a code to the program that it calls") {
   const char* const calls = "isogloss.code-call/1";
   const FakeDependency table(*ig_plugin_v1(), "FanucParameterTable",
                              {{"6050", {{"Value", 100}}},
@@ -68,7 +68,7 @@ TEST_CASE("codes that call programs") {
   CHECK(number(tools, calls, "T") == 9000);
 }
 
-TEST_CASE("boring and tapping of a control as delivered") {
+TEST_CASE("boring and tapping of a control as delivered have their defaults") {
   const FakeDependency table(*ig_plugin_v1(), "FanucParameterTable");
   CHECK(number(table, canned_cycle, "ShiftDirectionX") == 2);
   CHECK(number(table, canned_cycle, "ShiftDirectionY") == 3);
@@ -80,7 +80,7 @@ TEST_CASE("boring and tapping of a control as delivered") {
   CHECK(number(table, canned_cycle, "TappingExtractionOverride_percent") == -1000);
 }
 
-TEST_CASE("the direction of a shift: 5148 of the boring axis before 5101") {
+TEST_CASE("5148 of the boring axis gives the direction of a shift before 5101") {
   const auto with = [](double bits) {
     return FakeDependency::Rows{{"5101", {{"Value", bits}}}, {"5148", {{"X", 0}, {"Y", -1}}}};
   };
@@ -96,7 +96,7 @@ TEST_CASE("the direction of a shift: 5148 of the boring axis before 5101") {
   CHECK(number(minus_y, canned_cycle, "ShiftDirectionY") == -1);
 }
 
-TEST_CASE("bits of tapping") {
+TEST_CASE("each bit of tapping has its own answer") {
   const FakeDependency table(*ig_plugin_v1(), "FanucParameterTable",
                              {{"5101", {{"Value", 64}}},
                               {"5200", {{"Value", 1 + 16 + 32}}},
@@ -109,7 +109,7 @@ TEST_CASE("bits of tapping") {
   CHECK(number(table, canned_cycle, "TappingExtractionOverride_percent") == 150);
 }
 
-TEST_CASE("axes have their own values") {
+TEST_CASE("each axis has values of its own") {
   const FakeDependency table(
       *ig_plugin_v1(), "FanucParameterTable",
       {{"1240", {{"Z", 350}, {"C", 90}}}, {"1241", {{"Z", 100}}}, {"1320", {{"X", 10}}}, {"1321", {{"X", -800}}}});
@@ -129,7 +129,7 @@ TEST_CASE("axes have their own values") {
   CHECK(s->rapid_rate(s->self, 'C', &a) == 0);
 }
 
-TEST_CASE("coordinate systems: bits and the angle of a rotation") {
+TEST_CASE("the bits of coordinate systems and the angle of a rotation are read") {
   const FakeDependency shipped(*ig_plugin_v1(), "FanucParameterTable");
   CHECK(number(shipped, coordinate_system, "RotationAngle_deg") == 0);
   CHECK(number(shipped, coordinate_system, "RotationIsIncremental") == 0);
@@ -142,7 +142,7 @@ TEST_CASE("coordinate systems: bits and the angle of a rotation") {
   CHECK(number(set, coordinate_system, "ResetCancelsLocalCoordinate") == 1);
 }
 
-TEST_CASE("rotary axes: type, rollover and direction") {
+TEST_CASE("type, rollover and direction bits decide how a rotary axis turns") {
   const auto mode = [](const FakeDependency::Rows& rows) {
     const FakeDependency table(*ig_plugin_v1(), "FanucParameterTable", rows);
     const auto* s = table.service<ig_machine_axis_1>("isogloss.machine-axis/1");
@@ -168,7 +168,7 @@ TEST_CASE("rotary axes: type, rollover and direction") {
   CHECK(s->rollover(s->self, 'A', &out) == 0);
 }
 
-TEST_CASE("limits that are the wrong way round are off") {
+TEST_CASE("limits in the wrong order are no limits") {
   const FakeDependency table(*ig_plugin_v1(), "FanucParameterTable", {{"1320", {{"X", -10}}}, {"1321", {{"X", 10}}}});
   const auto* s = table.service<ig_machine_axis_1>("isogloss.machine-axis/1");
   double low = 0, high = 0;

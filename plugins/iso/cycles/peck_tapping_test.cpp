@@ -4,7 +4,7 @@
 
 using iso::PeckTapping;
 
-TEST_CASE("cuts of peck tapping") {
+TEST_CASE("each cut of peck tapping is Q deep, and the last one ends at the bottom") {
   const PeckTapping pecks(5, -15, 8, 1, 100);
   REQUIRE(pecks.count == 3);
   CHECK(pecks.depth(1) == -3);
@@ -14,7 +14,7 @@ TEST_CASE("cuts of peck tapping") {
   CHECK(pecks.depth(3) == -15);
 }
 
-TEST_CASE("upwards, and without the sign of Q") {
+TEST_CASE("peck tapping works upwards too, and ignores the sign of Q") {
   const PeckTapping pecks(5, 15, -6, 1, 100);
   REQUIRE(pecks.count == 2);
   CHECK(pecks.depth(1) == 11);
@@ -22,7 +22,7 @@ TEST_CASE("upwards, and without the sign of Q") {
   CHECK(pecks.depth(2) == 15);
 }
 
-TEST_CASE("an exact multiple has no rest, a sliver is none") {
+TEST_CASE("an exact multiple of Q leaves no rest, and a rest that is only rounding gets no cut") {
   CHECK(PeckTapping(2, -22, 8, 1, 100).count == 3);
   CHECK(PeckTapping(0, -0.3, 0.1, 1, 100).count == 3);
   CHECK(PeckTapping(0, -8 - 1e-9, 8, 1, 100).count == 1);

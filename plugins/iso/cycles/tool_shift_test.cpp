@@ -4,7 +4,7 @@
 
 using namespace iso;
 
-TEST_CASE("the table of parameter 5101: directions of the shift in the three planes") {
+TEST_CASE("the shift has the directions of parameter 5101 in all three planes") {
   struct Row {
     ShiftDirection direction;
     ig::Vec3 g17, g18, g19;
@@ -18,7 +18,7 @@ TEST_CASE("the table of parameter 5101: directions of the shift in the three pla
   CHECK(shift_direction(row.direction, yz_plane) == row.g19);
 }
 
-TEST_CASE("a signed axis number is a direction of the plane, or none") {
+TEST_CASE("a signed axis number gives a direction of the plane, or none") {
   CHECK(shift_direction(1, xy_plane) == ig::Vec3{1, 0, 0});
   CHECK(shift_direction(-2, xy_plane) == ig::Vec3{0, -1, 0});
   CHECK(shift_direction(3, zx_plane) == ig::Vec3{0, 0, 1});

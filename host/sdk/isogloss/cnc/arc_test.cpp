@@ -18,7 +18,7 @@ struct RadiusCase {
 }  // namespace
 
 // From X0 Y0 to X50 Y0 with radius 30: the worked table of the Fanuc manual's four arcs.
-TEST_CASE("the centre of an arc with R") {
+TEST_CASE("R gives the centre of each of the manual's four arcs") {
   const RadiusCase c = GENERATE(RadiusCase{"G02 X50. R30.", false, 30, -16.583123951777, -112.885380476162},
                                 RadiusCase{"G02 X50. R-30.", false, -30, 16.583123951777, -247.114619523838},
                                 RadiusCase{"G03 X50. R30.", true, 30, 16.583123951777, 112.885380476162},
@@ -31,7 +31,7 @@ TEST_CASE("the centre of an arc with R") {
   CHECK(sweep(start, end, center, c.is_ccw) / degree == Approx(c.sweep_deg));
 }
 
-TEST_CASE("a radius that does not reach counts as half the distance") {
+TEST_CASE("a radius too short for the chord is replaced by half the chord") {
   const Point2 start{0, 0}, end{30, 40};
   CHECK(radius_shortfall(start, end, 20) == Approx(5));
   CHECK(radius_shortfall(start, end, -20) == Approx(5));
@@ -41,7 +41,7 @@ TEST_CASE("a radius that does not reach counts as half the distance") {
   CHECK(center.v == Approx(20));
 }
 
-TEST_CASE("R keeps its distance from both ends in every direction") {
+TEST_CASE("the centre has the distance R from both ends in every direction") {
   for (int i = 0; i < 36; ++i) {
     const double angle = i * 10 * degree;
     const Point2 start{3, -7}, end{start.u + 20 * std::cos(angle), start.v + 20 * std::sin(angle)};
@@ -58,7 +58,7 @@ TEST_CASE("R keeps its distance from both ends in every direction") {
   }
 }
 
-TEST_CASE("a whole circle, and the length of a helix") {
+TEST_CASE("an arc that ends where it starts is a whole circle, and a rise makes its path longer") {
   const Point2 start{20, 0}, center{0, 0};
   CHECK(sweep(start, start, center, true) == Approx(2 * std::numbers::pi));
   CHECK(sweep(start, start, center, false) == Approx(-2 * std::numbers::pi));
@@ -67,7 +67,7 @@ TEST_CASE("a whole circle, and the length of a helix") {
   CHECK(arc_length({10, 0}, {0, 12}, center, true, 0) == Approx(11 * std::numbers::pi / 2));
 }
 
-TEST_CASE("quarter turns") {
+TEST_CASE("a sweep of a quarter turn has the sign of its direction") {
   const Point2 e{1, 0}, n{0, 1}, center{0, 0};
   CHECK(sweep(e, n, center, true) / degree == Approx(90));
   CHECK(sweep(e, n, center, false) / degree == Approx(-270));
@@ -77,7 +77,7 @@ TEST_CASE("quarter turns") {
   CHECK(sweep(e, {-1, 0}, center, false) / degree == Approx(-180));
 }
 
-TEST_CASE("where a coordinate turns back on an arc: as sampled") {
+TEST_CASE("the turning points of a coordinate are the extremes of samples along the arc") {
   for (int i = 0; i < 200; ++i) {
     const double a = 0.37 * i, b = a + 0.05 + 0.031 * i;
     const bool is_ccw = i % 2 == 0;

@@ -18,7 +18,7 @@ constexpr std::nullopt_t none = std::nullopt;
 
 }  // namespace
 
-TEST_CASE("levels of a canned cycle") {
+TEST_CASE("R and Z of a cycle are positions under G90, and distances from the initial level and from R under G91") {
   const LevelCase c = GENERATE(LevelCase{"G90, both given", {5, -20}, {}, 50, false, {5, -20}},
                                LevelCase{"G90, both kept", {}, {5, -20}, 50, false, {5, -20}},
                                LevelCase{"G90, Z alone", {none, -8}, {5, -20}, 50, false, {5, -8}},
@@ -36,7 +36,7 @@ TEST_CASE("levels of a canned cycle") {
   CHECK(levels.bottom == c.expected.bottom);
 }
 
-TEST_CASE("holes of a repeat") {
+TEST_CASE("the holes of a repeat lie one increment apart, and later ones are approached at the return level") {
   CycleRun run;
   run.start = {0, 0, 50};
   run.first = {10, 0, -15};
@@ -58,7 +58,7 @@ struct PeckCase {
 
 }  // namespace
 
-TEST_CASE("number of pecks") {
+TEST_CASE("a hole has the fewest pecks that reach its bottom, and none for a rest that is only rounding") {
   const PeckCase c =
       GENERATE(PeckCase{"an exact multiple", 2, -22, 8, 3}, PeckCase{"a remainder", 2, -20, 8, 3},
                PeckCase{"one stroke", 2, -20, 22, 1}, PeckCase{"deeper than the hole", 2, -20, 30, 1},
@@ -71,14 +71,14 @@ TEST_CASE("number of pecks") {
   CHECK(PeckStrokes(c.r, c.bottom, c.depth).number() == c.number);
 }
 
-TEST_CASE("a peck that is nothing beside the hole does not end") {
+TEST_CASE("a peck too small for the depth gives a number of pecks beyond every integer") {
   CHECK_FALSE(PeckStrokes(0, -1e300, 1e-300).number() <= 1e9);
   CHECK_FALSE(PeckStrokes(0, -1, 5e-324).number() <= 1e9);
   CHECK_FALSE(PeckStrokes(0, -1e300, 1).number() <= 1e9);
   CHECK_FALSE(PeckStrokes(1.7e308, -1.7e308, 1).number() <= 1e9);
 }
 
-TEST_CASE("pecks that grow smaller") {
+TEST_CASE("shrinking pecks end at the least one") {
   const PeckStrokes inch(0.1, -0.62, 0.25, 0.05, 0.1);
   REQUIRE(inch.number() == 5);
   const double levels[] = {-0.15, -0.35, -0.5, -0.6, -0.62};
@@ -94,7 +94,7 @@ TEST_CASE("pecks that grow smaller") {
   CHECK_FALSE(PeckStrokes(1.7e308, -1.7e308, 2, 1, 1).number() <= 30'000);
 }
 
-TEST_CASE("levels of the pecks") {
+TEST_CASE("each peck goes one depth further, and the last one ends at the bottom") {
   const PeckStrokes down(2, -20, 8);
   CHECK(down.level(1, 3) == -6);
   CHECK(down.level(2, 3) == -14);

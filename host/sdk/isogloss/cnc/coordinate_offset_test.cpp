@@ -20,14 +20,14 @@ struct Sections {
 
 }  // namespace
 
-TEST_CASE("an offset that nobody set is zero, and absent") {
+TEST_CASE("an offset that was never set is absent and reads as zero") {
   Sections s;
   CHECK(s.local.get(s.block) == ig::Vec3{0, 0, 0});
   CHECK_FALSE(s.local.has(s.block));
   CHECK(s.block.to_machine({1, 2, 3}) == ig::Vec3{1, 2, 3});
 }
 
-TEST_CASE("section and frame say the same, and two sections add up") {
+TEST_CASE("section and frame hold the same offset, and two sections add up") {
   Sections s;
   s.local.set(s.block, {10, 20, 5});
   s.work.set(s.block, {100, 0, -200});

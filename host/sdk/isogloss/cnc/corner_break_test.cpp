@@ -15,7 +15,7 @@ CornerBreaking chamfer(const ContourMove& a, const ContourMove& b, double c) {
 
 }  // namespace
 
-TEST_CASE("a chamfer lies as far from the corner on both moves") {
+TEST_CASE("the ends of a chamfer are equally far from the corner") {
   const CornerBreaking found = chamfer(line({-20, 0}, {0, 0}), line({0, 0}, {0, 30}), 2);
   REQUIRE(found.why == Unbroken::no);
   check_point(found.corner.begin, {-2, 0});
@@ -23,7 +23,7 @@ TEST_CASE("a chamfer lies as far from the corner on both moves") {
   CHECK_FALSE(found.corner.is_arc);
 }
 
-TEST_CASE("a chamfer by its length") {
+TEST_CASE("a chamfer given by its length has this length") {
   const ContourMove a = line({-20, 0}, {0, 0});
   const CornerBreaking square = break_corner(a, a.start, line({0, 0}, {0, 30}), std::sqrt(8.0), CornerShape::length);
   REQUIRE(square.why == Unbroken::no);
@@ -35,7 +35,7 @@ TEST_CASE("a chamfer by its length") {
   CHECK(break_corner(a, a.start, round, 3, CornerShape::length).why == Unbroken::length_at_arc);
 }
 
-TEST_CASE("a chamfer on an arc counts along the chord") {
+TEST_CASE("the leg of a chamfer on an arc is measured along the chord") {
   const CornerBreaking found = chamfer(line({0, 40}, {0, 10}), arc({0, 10}, {-10, 0}, {0, 0}, true), 10);
   REQUIRE(found.why == Unbroken::no);
   check_point(found.corner.end, {-10 * std::sin(std::numbers::pi / 3), 5});
@@ -88,7 +88,7 @@ TEST_CASE("a rounding touches both moves") {
   }
 }
 
-TEST_CASE("corners that cannot be broken") {
+TEST_CASE("a corner that cannot be broken names its reason") {
   const ContourMove a = line({-20, 0}, {0, 0});
   CHECK(round(a, line({0, 0}, {30, 0}), 1).why == Unbroken::straight_on);
   CHECK(round(a, line({0, 0}, {30, 0.5}), 1).why == Unbroken::straight_on);
@@ -101,7 +101,7 @@ TEST_CASE("corners that cannot be broken") {
   CHECK(break_corner(a, {-3, 0}, line({0, 0}, {0, 30}), 4, CornerShape::legs).why == Unbroken::first_too_short);
 }
 
-TEST_CASE("a line of which nothing is left keeps its direction") {
+TEST_CASE("a line of which no length is left keeps its direction") {
   const ContourMove left = between_corners(line({0, 0}, {10, 0}), {0, 0}, {0, 0});
   check_point(left.direction_at_end(), {1, 0});
   check_point(left.end, {0, 0});

@@ -14,7 +14,7 @@ TEST_CASE("first × second = tool in every plane") {
   }
 }
 
-TEST_CASE("a level is a position of the tool axis") {
+TEST_CASE("at_level() changes only the position on the tool axis") {
   const ig::Vec3 hole{30, 20, 50};
   CHECK(xy_plane.at_level(hole, 2) == ig::Vec3{30, 20, 2});
   CHECK(zx_plane.at_level(hole, 2) == ig::Vec3{30, 2, 50});

@@ -10,10 +10,10 @@ using isogloss_test::FakeLink;
 
 namespace {
 
-/// Program point of before 10,20,5; machine 110,20,5; the frame of the block before shifts X by 100.
+/// The block before ended at program point 10,20,5 and machine point 110,20,5; its frame shifts X by 100.
 struct Resting {
   FakeLink link;
-  LastProgramXyz last;  // ids 0 to 2: ProgramXyz of before; 3 to 5: MachineCoordinate of before
+  LastProgramXyz last;  // previous values: ids 0 to 2 are ProgramXyz, 3 to 5 MachineCoordinate
   ig::Transform frame{"CoordinateOffset"};
   FakeBlock fake;
   ig::Block block = fake.block();
@@ -26,10 +26,10 @@ struct Resting {
 
 }  // namespace
 
-TEST_CASE("where the frame stays, the point is the one that was carried") {
+TEST_CASE("while the frame does not change, the block begins at the carried point") {
   Resting r;
   CHECK(r.last(r.block) == ig::Vec3{10, 20, 5});
-  r.fake.numbers[0] = 10.000000001;  // no inverse adds its noise
+  r.fake.numbers[0] = 10.000000001;  // a point mapped back would have this noise
   CHECK(r.last(r.block).x == 10.000000001);
 }
 
@@ -47,7 +47,7 @@ TEST_CASE("the tip that rests in the workpiece keeps its program point, whatever
   CHECK(r.last.as_carried(r.block) == ig::Vec3{10, 20, 5});
 }
 
-TEST_CASE("through a turned frame and back") {
+TEST_CASE("a point survives the way through a rotated frame and back") {
   Resting r;
   const double quarter[16] = {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 1, 2, 3, 1};
   r.fake.host()->set_transform(r.block.raw(), r.frame.id(), quarter);
@@ -55,7 +55,7 @@ TEST_CASE("through a turned frame and back") {
   CHECK(r.block.to_machine({18, -109, 2}) == ig::Vec3{110, 20, 5});
 }
 
-TEST_CASE("without a machine point the carried one counts, and nothing at all is 0,0,0") {
+TEST_CASE("without a machine point the carried point is used, and without both 0,0,0") {
   Resting r;
   r.fake.numbers.erase(4);
   r.block.set_translation(r.frame, {300, 0, 0});
@@ -65,7 +65,7 @@ TEST_CASE("without a machine point the carried one counts, and nothing at all is
   CHECK(r.last(r.block) == ig::Vec3{0, 0, 0});
 }
 
-TEST_CASE("rounding leaves numbers alone that are too large for it") {
+TEST_CASE("rounding does not change numbers too large for it") {
   CHECK(rounded(1e300) == 1e300);
   CHECK(rounded(-1e10) == -1e10);
   CHECK(rounded(8999999.1234567891) == Approx(8999999.1234567891).epsilon(1e-15));

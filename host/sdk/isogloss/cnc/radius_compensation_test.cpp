@@ -10,8 +10,8 @@ constexpr double sqrt_half = 0.70710678118654752;
 
 }  // namespace
 
-// The worked example of the reference: radius 5, along X to the origin, then another way. Left is positive.
-TEST_CASE("corners of two straight moves") {
+// The worked example of the reference: radius 5, along X to the origin, then in another direction. Left is positive.
+TEST_CASE("the angle between two straight moves decides how the tool passes their corner") {
   struct Row {
     const char* what;
     Point2 next;
@@ -42,7 +42,7 @@ TEST_CASE("corners of two straight moves") {
   }
 }
 
-TEST_CASE("an outer corner by an arc about it") {
+TEST_CASE("an outer corner may be passed on an arc about it") {
   const Corner left = corner(line({-10, 0}, {0, 0}), line({0, 0}, {0, -10}), 5, OuterCorner::arc);
   CHECK(left.kind == CornerKind::round);
   check_point(left.leave, {0, 5});
@@ -57,7 +57,7 @@ TEST_CASE("an outer corner by an arc about it") {
 }
 
 TEST_CASE("an arc is left where it ends, and entered where it begins") {
-  // Counter-clockwise about (0,10) from the origin: outer corners lie below, to the right.
+  // Counter-clockwise about (0,10) from the origin: outer corners are below, to the right.
   const ContourMove down = line({0, 10}, {0, 0}), turn = arc({0, 0}, {10, 10}, {0, 10}, true);
   const Corner in = corner(down, turn, -5, OuterCorner::lines);  // 90 degrees to the left, tool on the right
   CHECK(in.kind == CornerKind::obtuse);
@@ -99,7 +99,7 @@ TEST_CASE("inner corners with arcs: the tool touches both") {
   CHECK((two.leave - Point2{20, 10}).length() == Approx(10 + offset));
 }
 
-TEST_CASE("the way along a move is negative where two corners swallow it") {
+TEST_CASE("the way along a move is negative where the corners at its ends overlap") {
   const ContourMove groove = line({0, 0}, {0, 8});
   const Corner in = corner(line({-10, 0}, {0, 0}), groove, 5, OuterCorner::lines);
   const Corner out = corner(groove, line({0, 8}, {-10, 8}), 5, OuterCorner::lines);
@@ -112,14 +112,14 @@ TEST_CASE("the way along a move is negative where two corners swallow it") {
   CHECK(circle.fits(-10));
 }
 
-TEST_CASE("no crossing: an arc that the tool does not fit into") {
+TEST_CASE("offsets that do not cross give no solution for a corner") {
   const ContourMove small = arc({0, 0}, {-2, 0}, {-1, 0}, true);
   const Corner c = corner(line({-10, 0}, {0, 0}), small, 3, OuterCorner::lines);
   CHECK(c.kind == CornerKind::no_solution);
   CHECK_FALSE(small.fits(3));
 }
 
-TEST_CASE("another side") {
+TEST_CASE("a change of side crosses the contour where the offsets cross, else by a step") {
   const Corner back = change_of_side(line({0, 0}, {10, 0}), 5, line({10, 0}, {0, 0}), -5);
   check_point(back.leave, {10, 5});
   CHECK(back.count == 0);
@@ -128,12 +128,12 @@ TEST_CASE("another side") {
   REQUIRE(across.count == 1);
   check_point(across.steps[0].to, {10, -2});
   const Corner turned = change_of_side(line({0, 0}, {10, 0}), 2, line({10, 0}, {10, 20}), -2);
-  check_point(turned.leave, {10, 2});  // the foot of the right angle: step over from there
+  check_point(turned.leave, {10, 2});  // the point square to the corner; a step leads across from here
   REQUIRE(turned.count == 1);
   check_point(turned.steps[0].to, {12, 0});
 }
 
-TEST_CASE("a cancel with a direction ends at the wall") {
+TEST_CASE("a cancelling move with a direction ends beside the wall in that direction") {
   const Corner wall = directed_end(line({0, 0}, {20, 0}), 5, {0, 3});
   check_point(wall.leave, {15, 5});
   const Corner parallel = directed_end(line({0, 0}, {20, 0}), 5, {1, 0});

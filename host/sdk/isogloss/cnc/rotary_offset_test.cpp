@@ -20,7 +20,7 @@ TEST_CASE("without an offset the word is the angle") {
   }
 }
 
-TEST_CASE("a sign that is a direction stays, and names the position that is off by the offset") {
+TEST_CASE("a sign that is a direction is kept, and the position is shifted by the offset") {
   for (const double word : {0.0, 10.0, -10.0, 350.0, -350.0, 359.5, -330.0, 330.0, 1000.0, -1000.0})
     for (const double offset : {30.0, -30.0, 400.0, -1000.0, 359.5, -359.5}) {
       INFO(word << " with " << offset);

@@ -4,7 +4,7 @@
 
 using namespace ig::cnc;
 
-TEST_CASE("what may stand before the first word of a block") {
+TEST_CASE("tape marks, skips, comments and the sequence number may stand before the first word") {
   for (const char* before : {"", "  ", "%", "/", "/3 ", "N10", "n 10 ", "(HOLE) ", "% /2 (A) N5 (B) "}) {
     CAPTURE(before);
     CHECK(stands_first(before, std::string_view(before).size()));
@@ -15,7 +15,7 @@ TEST_CASE("what may stand before the first word of a block") {
   }
 }
 
-TEST_CASE("how far an expression reaches") {
+TEST_CASE("an expression ends where no operand follows") {
   const std::pair<std::string_view, std::string_view> cases[] = {{"#1 Y2", "#1"},
                                                                  {"#101Y2", "#101"},
                                                                  {"-#1", "-#1"},
@@ -38,13 +38,13 @@ TEST_CASE("how far an expression reaches") {
   }
 }
 
-TEST_CASE("a carriage return ends the block for brackets, too") {
+TEST_CASE("an open bracket ends at a carriage return") {
   CHECK(skip_bracketed("[1+\r2]", 0) == 3);
   CHECK(block_end("G00\rX1", 0) == 3);
   CHECK(block_end("G00", 0) == 3);
 }
 
-TEST_CASE("O-words and program numbers") {
+TEST_CASE("a keyword makes an O-word; without one it is a program number") {
   for (const char* word : {"o100 sub", "O100SUB", "o<probe> call [1]", "o [#1] if [#2]", "o#1 endwhile"}) {
     CAPTURE(word);
     CHECK(begins_o_word(word, 0));
@@ -55,7 +55,7 @@ TEST_CASE("O-words and program numbers") {
   }
 }
 
-TEST_CASE("characters") {
+TEST_CASE("characters are classified without case, and columns end at 65535") {
   CHECK(letter_index('A') == 0);
   CHECK(letter_index('z') == 25);
   for (const char c : {'@', '[', '`', '{', '1', ' ', '\0', '\xC4'}) CHECK(letter_index(c) > 25);

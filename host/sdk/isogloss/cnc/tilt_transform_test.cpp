@@ -16,7 +16,7 @@ void check(const ig::Vec3& is, const ig::Vec3& wanted) {
 
 }  // namespace
 
-TEST_CASE("the manual's points: 30 degrees about X20 Y10") {
+TEST_CASE("a rotation by 30 degrees about X20 Y10 gives the points of the manual") {
   const ig::Vec3 center{20, 10, 0};
   const Mat4 m = rotation_in(xy_plane, 30, center, center);
   check(mapped(m, {50, 10, 7}), {20 + 30 * std::sqrt(0.75), 25, 7});
@@ -64,7 +64,7 @@ void check_is_rotation(const Mat4& m) {
 
 }  // namespace
 
-TEST_CASE("Euler angles: the reference's matrix, whose columns are the rows here") {
+TEST_CASE("Euler angles give the reference's matrix, whose columns are the rows here") {
   const Mat4 m = euler_zxz({30, 45, 60});
   const double columns[3][3] = {
       {0.126826, 0.780330, 0.612372}, {-0.926777, -0.126826, 0.353553}, {0.353553, -0.612372, 0.707107}};
@@ -74,7 +74,7 @@ TEST_CASE("Euler angles: the reference's matrix, whose columns are the rows here
   CHECK(euler_zxz({0, 0, 0}) == identity_frame);
 }
 
-TEST_CASE("Euler angles: the reference's points") {
+TEST_CASE("Euler angles give the reference's points") {
   check(mapped(at_origin(euler_zxz({0, 30, 0}), {10, 20, 50}), {5, 6, 2}),
         {15, 20 + 6 * std::sqrt(0.75) - 1, 50 + 3 + 2 * std::sqrt(0.75)});
   check(mapped(at_origin(euler_zxz({90, 30, 0}), {10, 20, 50}), {5, 6, 2}),
@@ -88,12 +88,12 @@ TEST_CASE("quarter turns are exact: I90 J90 lays Z along X, X along Y and Y alon
   CHECK(row(m, 2) == ig::Vec3{1, 0, 0});
 }
 
-TEST_CASE("roll, pitch and yaw: about axes at rest, in the order named, or about axes that turn along") {
-  // X by 90: Y lies along Z. Then Z by 90, at rest: X goes to Y, and what lay along Z stays.
+TEST_CASE("roll, pitch and yaw turn in the given order about fixed axes, or about axes that turn along") {
+  // X by 90: Y lies along Z. Then Z by 90, fixed: X goes to Y, and Z does not move.
   const Mat4 fixed = roll_pitch_yaw({90, 0, 90}, {0, 1, 2}, TurnedAxes::fixed);
   CHECK(row(fixed, 0) == ig::Vec3{0, 1, 0});
   CHECK(row(fixed, 1) == ig::Vec3{0, 0, 1});
-  // The Z that turned along points to -Y: X goes to the Y that turned along, which is Z.
+  // The Z that was turned along points to -Y: X goes to the turned Y, which is Z.
   const Mat4 turned = roll_pitch_yaw({90, 0, 90}, {0, 1, 2}, TurnedAxes::turned);
   CHECK(row(turned, 0) == ig::Vec3{0, 0, 1});
   CHECK(row(turned, 1) == ig::Vec3{-1, 0, 0});
@@ -126,12 +126,12 @@ TEST_CASE("projection angles: X seen from the side, Y seen along X") {
   const auto both = from_projections({45, 45, 90});
   REQUIRE(both);
   check(row(*both, 2), {std::sqrt(1.0 / 3), -std::sqrt(1.0 / 3), std::sqrt(1.0 / 3)});
-  check(row(*both, 1), {-std::sqrt(0.5), 0, std::sqrt(0.5)});  // X', a quarter turn later
+  check(row(*both, 1), {-std::sqrt(0.5), 0, std::sqrt(0.5)});  // X', a quarter turn on
   check_is_rotation(*both);
   CHECK_FALSE(from_projections({90, 90, 0}));
 }
 
-TEST_CASE("one plane inside another, and the way back") {
+TEST_CASE("a product applies one plane inside another, and the inverse leads back") {
   const Mat4 outer = at_origin(euler_zxz({90, 90, 0}), {10, 20, 30}), inner = at_origin(turn_about(2, 90), {1, 2, 3});
   const Mat4 both = product(inner, outer);
   CHECK(mapped(both, {5, 0, 0}) == mapped(outer, mapped(inner, {5, 0, 0})));
@@ -145,7 +145,7 @@ TEST_CASE("a rotation about infinity is not finite") {
   CHECK_FALSE(is_finite(rotation_in(xy_plane, 180, {1.5e308, 0, 0}, {1.5e308, 0, 0})));
 }
 
-TEST_CASE("the entry of a block: identity until somebody sets it") {
+TEST_CASE("the entry of a block is the identity until it is set") {
   const isogloss_test::FakeLink link;
   const TiltFrame frame(ig::read | ig::write);
   isogloss_test::FakeBlock fake;

@@ -12,14 +12,14 @@ TEST_CASE("P of G10 L2 names the external offset and G54 to G59") {
   for (const double p : {-1.0, 7.0, 1.5, 1e300}) CHECK(WorkOffsetId::basic(p).text().empty());
 }
 
-TEST_CASE("P of G54.1 numbers the additional sets from 1") {
+TEST_CASE("P of G54.1 numbers the additional work offsets from 1") {
   CHECK(WorkOffsetId::additional(1).text() == "G54.1P1");
   CHECK(WorkOffsetId::additional(300).text() == "G54.1P300");
   CHECK(WorkOffsetId::additional(99999999).text() == "G54.1P99999999");
   for (const double p : {0.0, -1.0, 2.5, 1e300}) CHECK(WorkOffsetId::additional(p).text().empty());
 }
 
-TEST_CASE("where one number counts all sets") {
+TEST_CASE("where one number covers all work offsets, G54.1 begins at 16") {
   CHECK(WorkOffsetId::of_all(0).text() == "EXT");
   CHECK(WorkOffsetId::of_all(1).text() == "G54");
   CHECK(WorkOffsetId::of_all(6).text() == "G59");
