@@ -16,6 +16,7 @@ struct Where {
   ig_field field = IG_NO_FIELD;
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
+  /// The whole block, a word (also the code with this field), or columns of the text.
   static Where block() { return {}; }
   static Where word(ig_field id) { return {id, 0, 0}; }
   static Where columns(std::size_t begin, std::size_t end) {
@@ -130,6 +131,7 @@ class Block {
                                        : host_->fresh_many(block_, xyz.ids(), 3)) != 0;
   }
 
+  /// Sets a value: the field becomes fresh, and the syntaxes that wake on it run.
   template <class T>
   void set(const Field<T>& field, T value) {
     host_->set(block_, field.id(), detail::ValueOf<T>::write(value));
@@ -164,6 +166,8 @@ class Block {
   void raise(const Signal& signal) { host_->set(block_, signal.id(), ig_value{}); }
   bool is_raised(const Signal& signal) const { return has(signal); }
 
+  /// Takes a word: later syntaxes do not see it, and it is not reported as unused. Nothing where the block does not
+  /// hold it.
   std::optional<double> take(const Word& word) {
     if (const ig_view* const shown = view(); shown != nullptr && !shows(shown, word.id())) return std::nullopt;
     ig_value v;
@@ -289,10 +293,14 @@ class Block {
     return next != nullptr ? std::optional<Block>(Block(host_, next)) : std::nullopt;
   }
 
+  /// Texts are borrowed: copy a text that must outlive a change of its field or the call of build(). source() is the
+  /// text of the block.
   std::string_view text(const TextField& field) const { return to_view(host_->text(block_, field.id())); }
   void set_text(const TextField& field, std::string_view text) { host_->set_text(block_, field.id(), to_text(text)); }
   std::string_view source() const { return to_view(host_->source(block_)); }
 
+  /// Set an entry of the frame, the map from program to machine coordinates. Matrices are 4 x 4, row vectors, with the
+  /// translation in mm in elements 12 to 14.
   void set_translation(const Transform& t, const Vec3& offset) {
     const double v[3] = {offset.x, offset.y, offset.z};
     host_->set_translation(block_, t.id(), v);
@@ -316,6 +324,7 @@ class Block {
   }
   /// True when an entry of the frame was set to another value in this block while the tool was at rest.
   bool frame_changed() const { return host_->frame_changed(block_) != 0; }
+  /// A point mapped through all entries of the frame; nothing where the frame has no inverse.
   std::optional<Vec3> to_machine(const Vec3& program) { return map(IG_TO_MACHINE, program); }
   std::optional<Vec3> to_program(const Vec3& machine) { return map(IG_TO_PROGRAM, machine); }
 
@@ -324,6 +333,8 @@ class Block {
     return to_view(host_->symbol_text(block_, static_cast<ig_symbol>(symbol.id)));
   }
 
+  /// Reports a diagnostic that the plugin declares. The arguments, numbers or texts, replace {0}, {1} … in its text. A
+  /// code that no file of the plugin declares is a fault of the syntax.
   template <class... Args>
   void report(DiagnosticCode diagnostic, Where where, const Args&... args) {
     const std::uint32_t number = detail::diagnostic_table().find(diagnostic.code);
@@ -337,10 +348,13 @@ class Block {
     host_->report(block_, diagnostic, where.field, where.begin, where.end, list.data(), sizeof...(Args));
   }
 
+  /// end_program(): the run ends after this block. alarm(): the control would stop here; whether the run goes on is
+  /// decided by --on-error. flow(): see ig_flow.
   void end_program() { host_->flow(block_, IG_FLOW_END, 0); }
   void alarm() { host_->flow(block_, IG_FLOW_ALARM, 0); }
   void flow(ig_flow what, std::size_t position = 0) { host_->flow(block_, what, position); }
 
+  /// The C interface, for what this class does not cover.
   const ig_host* host() const { return host_; }
   ig_block* raw() const { return block_; }
 

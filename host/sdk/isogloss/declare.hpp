@@ -16,6 +16,10 @@
 
 namespace ig {
 
+/// What a syntax does with a field, combined with |. A field must be declared for each use. read: this block's value or
+/// the carried one; required: read, and linking fails where no syntax writes the field; write: set, amend or erase;
+/// take: consume a word or code; previous: the value before this block; wake: run build() when the field is set in this
+/// block; wake_while: run build() in each block that starts with the field.
 enum Access : std::uint32_t {
   read = IG_READ,
   required = IG_READ | IG_REQUIRED,
@@ -29,6 +33,9 @@ constexpr Access operator|(Access a, Access b) {
   return static_cast<Access>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
 }
 
+/// How long a value lives. standard: as the host's list of sections says; word: a word of a block; block: up to the end
+/// of the block; modal: until it is changed; frame: like modal, but a called program begins without it and the caller
+/// has it again after the return.
 enum class Life : ig_life {
   standard = IG_LIFE_STANDARD,
   word = IG_LIFE_WORD,

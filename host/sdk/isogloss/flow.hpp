@@ -21,6 +21,8 @@ class Flow {
     bool is_done() const { return status == IG_GO_DONE; }
     bool is_not_found() const { return status == IG_GO_NOT_FOUND; }
   };
+  /// A request to call `program` (or a part of it, from the label `start`), `repeats` times. `files` are the names that
+  /// its file may have, without folder and extension; `scope` tells where to look; `tag` is shown in the called frame.
   struct Call {
     std::string_view program;
     std::span<const ig_text> files{};
@@ -36,6 +38,7 @@ class Flow {
     if (is_indexing()) service_->label(b.raw(), to_text(name), kind);
   }
 
+  /// Calls a program after this block.
   Answer call(Block& b, const Call& c) const {
     ig_go go = request(IG_GO_CALL);
     go.label = to_text(c.program);
@@ -69,6 +72,7 @@ class Flow {
     go.search = search;
     return ask(b, go).is_done();
   }
+  /// Goes to a place that here() gave in this frame. flags: IG_GO_BEHIND.
   Answer go_to(Block& b, const ig_place& place, std::uint32_t flags = 0) const {
     ig_go go = request(IG_GO_PLACE);
     go.place = place;
@@ -81,6 +85,7 @@ class Flow {
     return ask(b, go);
   }
 
+  /// The place of this block, for go_to().
   ig_place here(const Block& b) const {
     ig_place place{};
     if (service_) service_->here(b.raw(), &place);

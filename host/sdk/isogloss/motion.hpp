@@ -24,6 +24,7 @@ class CompoundMotion {
   /// Begins the steps of the block; `term` is the code that makes them.
   void begin(Block& b, Symbol term) const { b.set(term_, term); }
 
+  /// A rapid to a program point.
   void rapid_to(Block& b, const Vec3& p) const {
     const ig_value v[] = {{.number = p.x}, {.number = p.y}, {.number = p.z}, symbol(linear_), boolean(true)};
     append(b, rapid_, v);

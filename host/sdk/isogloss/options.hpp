@@ -143,6 +143,7 @@ class Fields : public MatchedFields {
             access, type) {}
 };
 
+/// Whether a dialect without the service is refused.
 enum class Need { required, optional };
 
 /// A service of the nearest dependency that provides it. Linking fails where a required one is missing; only an

@@ -90,6 +90,7 @@ struct DependencySpec {
   NameList services{};
   std::span<const char* const> shipped{};
 
+  /// The dependency has a table: `element` is the XML element of a row, `key` the attribute that names it.
   constexpr DependencySpec rows(const char* element, const char* key) const {
     DependencySpec d = *this;
     d.row_element = element;
@@ -110,6 +111,7 @@ struct DependencySpec {
   }
 };
 
+/// `id` is the XML element of the dialect file, `summary` one sentence.
 constexpr DependencySpec dependency(const char* id, const char* summary) { return {.id = id, .summary = summary}; }
 
 namespace detail {

@@ -41,6 +41,7 @@ struct PartialVec3 {
   }
 };
 
+/// Texts cross the boundary as ig_text, which borrows its bytes.
 inline ig_text to_text(std::string_view s) { return {s.data(), s.size()}; }
 inline std::string_view to_view(ig_text t) { return {t.data, t.size}; }
 
