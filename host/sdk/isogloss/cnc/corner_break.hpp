@@ -91,8 +91,8 @@ inline Unbroken find_chamfer(const ContourMove& a, const ContourMove& b, double 
 }  // namespace detail
 
 /// Breaks the corner from `a`, whose part before `a_begin` is already used up by the corner before, to `b`, which
-/// begins where `a` ends. Directions that differ by at most one degree have no corner (straight_on), or double back.
-/// `size` is positive.
+/// begins where `a` ends. Directions that differ by at most one degree are the same, or opposite (straight_on,
+/// doubles_back): they have no corner. `size` is positive.
 inline CornerBreaking break_corner(const ContourMove& a, const Point2& a_begin, const ContourMove& b, double size,
                                    CornerShape shape) {
   constexpr double sine_of_a_degree = 0.017452406437283512;
