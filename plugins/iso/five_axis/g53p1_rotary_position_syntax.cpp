@@ -15,7 +15,7 @@ namespace iso {
 using namespace ig::cnc;
 namespace {
 
-enum class Motion { modal, rapid };
+enum class RotaryMotion { modal, rapid };
 enum class UnreachableP { alarm, alternative };
 enum class CenterSide { beyond_tip, towards_holder };
 
@@ -67,7 +67,7 @@ struct G53p1RotaryPosition {
   ToolKinematics machine_;
   ig::Name g68_2_{"G68.2"}, g68_3_{"G68.3"}, g68_4_{"G68.4"};
 
-  ig::Choice<Motion> motion_{
+  ig::Choice<RotaryMotion> motion_{
       "motion", "modal|rapid", "modal",
       "How the axes move: by the code of group 01 (by rapid under an arc or a thread), or always by rapid."};
   ig::Choice<SolutionChoice> choice_{
@@ -102,7 +102,7 @@ struct G53p1RotaryPosition {
     }
     b.set(aligned_, true);
     set_orientation(b, *angles, normal);
-    if (motion_ == Motion::rapid || !is_straight(b)) move_.rapid(b);
+    if (motion_ == RotaryMotion::rapid || !is_straight(b)) move_.rapid(b);
     return ig::Status::changed;
   }
 
