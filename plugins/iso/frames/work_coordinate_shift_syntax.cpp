@@ -10,7 +10,7 @@ namespace iso {
 using namespace ig::cnc;
 namespace {
 
-enum class ReferenceReturn { keep, cancel };
+enum class AtReference { keep, cancel };
 
 struct WorkCoordinateShift {
   static constexpr auto spec =
@@ -48,8 +48,8 @@ struct WorkCoordinateShift {
                                    ig::Signal{"WorkCoordinateShift.~HomedB", waits, ig::Life::modal},
                                    ig::Signal{"WorkCoordinateShift.~HomedC", waits, ig::Life::modal}};
 
-  ig::Choice<ReferenceReturn> reference_return_{"reference-return", "keep|cancel", "keep",
-                                                "Whether G28 or G30 cancels the shift of the axes that it names."};
+  ig::Choice<AtReference> reference_return_{"reference-return", "keep|cancel", "keep",
+                                            "Whether G28 or G30 cancels the shift of the axes that it names."};
 
   ig::Status restart(ig::Block& b) {
     if (!shift_.has(b)) return ig::Status::unchanged;
@@ -68,7 +68,7 @@ struct WorkCoordinateShift {
       set_position(b, *words);
       changed = true;
     }
-    if (reference_return_ == ReferenceReturn::cancel && is_shifted(b)) changed |= remember_home(b);
+    if (reference_return_ == AtReference::cancel && is_shifted(b)) changed |= remember_home(b);
     return changed ? ig::Status::changed : ig::Status::unchanged;
   }
 

@@ -18,7 +18,7 @@ using namespace ig::cnc;
 namespace {
 
 constexpr std::size_t no_code = static_cast<std::size_t>(-1);
-constexpr std::uint64_t largest_number = 99999;
+constexpr std::uint64_t largest_code = 99999;
 
 /// A code as an integer: its number times ten plus the one decimal that codes have (G54.1 is 541, G5 is 50).
 struct Code {
@@ -31,7 +31,7 @@ Code read_code(std::string_view text, std::size_t position, bool joins = false) 
   const std::size_t digits_end = skip_digits(text, position);
   Code code{no_code, digits_end};
   std::uint64_t number = 0;
-  for (std::size_t i = position; i < digits_end && number <= largest_number; ++i)
+  for (std::size_t i = position; i < digits_end && number <= largest_code; ++i)
     number = number * 10 + static_cast<std::uint64_t>(text[i] - '0');
   std::uint64_t decimal = 0;
   if (at(text, digits_end) == '.') {
@@ -41,7 +41,7 @@ Code read_code(std::string_view text, std::size_t position, bool joins = false) 
     if (code.end > decimals) decimal = static_cast<std::uint64_t>(text[decimals] - '0');
     if (code.end > decimals + 1) return code;  // G54.10 is not G54.1
   }
-  if (number <= largest_number) code.index = number * 10 + decimal;
+  if (number <= largest_code) code.index = number * 10 + decimal;
   return code;
 }
 

@@ -13,7 +13,7 @@ using namespace ig::cnc;
 namespace {
 
 enum class RotatedAxis { follow, keep };
-enum class UnderG91 { position, travel };
+enum class LengthUnderG91 { position, travel };
 
 struct ToolHeightOffset {
   static constexpr auto spec =
@@ -51,9 +51,10 @@ struct ToolHeightOffset {
   ig::Choice<RotatedAxis> rotated_axis_{
       "rotated-axis", "follow|keep", "follow",
       "Direction of the length in a rotated or tilted system before G53.1: along its Z, or along Z of the workpiece."};
-  ig::Choice<UnderG91> under_g91_{"under-g91", "position|travel", "position",
-                                  "A new length under G91: a new position of the resting tool, or a move that is added "
-                                  "to the next increment of Z."};
+  ig::Choice<LengthUnderG91> under_g91_{
+      "under-g91", "position|travel", "position",
+      "A new length under G91: a new position of the resting tool, or a move that is added "
+      "to the next increment of Z."};
 
   ig::Status restart(ig::Block& b) {
     if (is_active(b)) {
@@ -109,7 +110,7 @@ struct ToolHeightOffset {
 
   /// Example of the manual: with H1 = -4, `G91 G43 H1 Z-32.` moves by -36. True when something was written.
   bool travel(ig::Block& b, double change) const {
-    if (under_g91_ == UnderG91::position) return false;
+    if (under_g91_ == LengthUnderG91::position) return false;
     const double pending = b.get_or(untravelled_, 0.0) + change;
     if (pending == 0 && !b.has(untravelled_)) return false;
     const auto other = b.find(other_z_);
