@@ -1,0 +1,206 @@
+/// Assignments: R1=5, NAME=3, A[1]=SET(1,2), $P_UIFR[1]=…, G[8]=2, AX[NAME]=10.
+#include "language/array_values.hpp"
+#include "language/system_assignment.hpp"
+#include "language/word_reader.hpp"
+
+namespace siemens {
+
+using namespace ig::cnc;
+namespace {
+
+/// Z of POS[Z] and POSA[Z].
+char positioning_axis(std::string_view name) {
+  for (const std::string_view known : {"POS[", "POSA["})
+    if (name.starts_with(known) && name.size() == known.size() + 2) return name[known.size()];
+  return '\0';
+}
+
+/// Axes, spindles and codes by index: no variable of a machine has such a name.
+bool is_of_control(std::string_view name) {
+  const std::string_view base = name.substr(0, name.find('['));
+  return base.size() == 1 || base == "AX" || base.starts_with("POS") || base == "MOV" || base == "FDA";
+}
+
+/// Speeds and accelerations of single axes.
+bool changes_no_position(std::string_view name) {
+  for (const std::string_view known : {"FGREF[", "ACC[", "VELOLIM[", "JERKLIM[", "ACCLIMA[", "VELOLIMA[", "JERKLIMA[",
+                                       "OVRA[", "FL[", "FA[", "ATOL[", "POLF["})
+    if (name.starts_with(known)) return true;
+  return false;
+}
+
+/// How far and how fast G147 to G348 approach and retract. The code reports that it is not executed.
+bool belongs_to_approach(std::string_view name) {
+  for (const std::string_view known : {"DISR", "DISRP", "DISCL", "FAD"})
+    if (name == known) return true;
+  return false;
+}
+
+bool belongs_to_spindle(std::string_view name) {
+  return name.starts_with("SPOS[") || name.starts_with("SPOSA[") || name.starts_with("LIMS[");
+}
+
+}  // namespace
+
+/// G[8]=2 is the second code of group 8. Groups whose order the manuals agree on (Programming manual, G functions).
+struct WordReader::Group {
+  std::string_view name;
+  std::array<std::uint32_t, 5> codes;
+  std::uint32_t count;
+};
+
+std::size_t WordReader::assignment(ig::Block& b, std::string_view text, std::size_t begin, Run& run) {
+  if (environment_.flow.is_indexing()) return block_end(text, begin);
+  give(b, run);
+  Expression target(b, environment_, text, begin);
+  const auto reference = target.reference();
+  if (!reference) return line_end_of_fault(text, std::max(target.position(), begin + 1));
+  const std::size_t equals = skip_blanks(text, target.position());
+  if (at(text, equals) != '=') {
+    b.report(ig::diag("SIE-0127"), columns(begin, target.position()), piece(text, begin, target.position()));
+    return target.position();
+  }
+  environment_.enter(b);
+  if (reference->name.size() == 5 && reference->name.starts_with("AX["))  // AX[NAME], NAME of type AXIS
+    return valued_as(b, text, begin, equals, reference->name.substr(3, 1), run);
+  if (const char axis = positioning_axis(reference->name); axis != '\0') {
+    if (environment_.store().say_once("POS"))
+      b.report(ig::diag("SIE-0292"), columns(begin, target.position()), std::string_view(reference->name));
+    return valued_as(b, text, begin, equals, std::string(1, axis), run);
+  }
+  if (const std::size_t name_end = axis_name_end(text, equals, reference->name); name_end != 0) {
+    const std::size_t value_at = skip_blanks(text, equals + 1);
+    environment_.store().find(reference->name)->value = Value::string(upper(piece(text, value_at, name_end)));
+    return name_end;
+  }
+  if (const std::string name = extended_name(reference->name); !name.empty()) {
+    const Assigned a = assigned(b, text, equals);
+    return a.value ? extended(b, text, begin, a.end, name, *a.value, run) : a.end;
+  }
+  if (belongs_to_spindle(reference->name)) return of_spindle(b, text, begin, equals, reference->name, run);
+  if (reference->name[0] == '$' && !environment_.store().given(reference->name)) {
+    const auto done = SystemAssignment(environment_).run(b, text, begin, equals, reference->name);
+    if (done.code) set_code(b, run, 'G', *done.code, begin, done.end);
+    return done.is_fault ? line_end_of_fault(text, done.end) : done.end;
+  }
+  if (const Group* const group = group_named(reference->name)) return of_group(b, text, begin, equals, *group, run);
+  if (const Variable* const array = array_of(reference->name);
+      array != nullptr && ArrayValues::begin(text, skip_blanks(text, equals + 1), false))
+    return assign_elements(b, text, begin, equals, *reference, *array);
+  const bool is_unknown_array = reference->name.find('[') != std::string::npos && !array_of(reference->name);
+  if (!reference->is_r && is_unknown_array && !environment_.store().given(reference->name) &&
+      !changes_no_position(reference->name)) {
+    const std::size_t end = statement_text_end(text, equals);
+    if (defines_curve()) return end;  // PO[X]=
+    if (is_of_control(reference->name))
+      environment_.report_once(b, ig::diag("SIE-0131"), columns(begin, end), begin, std::string_view(reference->name));
+    else
+      environment_.report_name(b, ig::diag("SIE-0124"), columns(begin, target.position()), reference->name);
+    return end;
+  }
+  if (const ig::Symbol mode = take_mode(b, text, skip_blanks(text, equals + 1)); mode != ig::Symbol{}) {
+    const std::size_t end = skip_call(text, at_bracket_);  // ROTX=DC(10): an axis that the chain does not know
+    environment_.report_once(b, ig::diag("SIE-0124"), columns(begin, end), begin, std::string_view(reference->name));
+    return end;
+  }
+  Expression e(b, environment_, text, equals + 1);
+  const auto value = e.value();
+  const std::size_t end = std::max(e.position(), equals + 1);
+  if (!value) return line_end_of_fault(text, end);
+  if (is_unknown_array && changes_no_position(reference->name)) return end;
+  if (belongs_to_approach(reference->name)) return end;
+  assign(b, *reference, *value, begin, end);
+  return end;
+}
+
+void WordReader::assign(ig::Block& b, const Expression::Reference& to, const Value& value, std::size_t begin,
+                        std::size_t end) const {
+  VariableStore& store = environment_.store();
+  if (to.is_r) {
+    if (value.is_text())
+      b.report(ig::diag("SIE-0130"), columns(begin, end), std::string_view(to.name));
+    else
+      *store.r(to.r) = {value.number, true};
+    return;
+  }
+  Variable* const present = store.find(to.name);
+  const Variable* const model = present != nullptr ? present : array_of(to.name);
+  if (const std::size_t bracket = to.name.find('['); present == nullptr && model != nullptr &&
+                                                     bracket != std::string::npos && !model->sizes.empty() &&
+                                                     !model->number_of(std::string_view(to.name).substr(bracket))) {
+    b.report(ig::diag("SIE-0304"), columns(begin, to.end), std::string_view(to.name),
+             std::string_view(model->shown_as(to.name.substr(0, bracket))));
+    return;
+  }
+  if (model == nullptr && store.given(to.name)) {
+    if (!value.is_text()) store.give_for_run(to.name, value.number);
+    return;
+  }
+  if (model == nullptr) {
+    environment_.report_name(b, ig::diag("SIE-0124"), columns(begin, end), to.name);
+    return;
+  }
+  auto fitting = value.as(model->value.type);
+  if (!fitting)
+    b.report(ig::diag("SIE-0130"), columns(begin, end), std::string_view(to.name));
+  else if (present != nullptr)
+    present->value = std::move(*fitting);
+  else if (!store.define(to.name, std::move(*fitting)))
+    b.report(ig::diag("SIE-0114"), columns(begin, end), std::string_view(to.name));
+}
+
+std::size_t WordReader::assign_elements(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
+                                        const Expression::Reference& to, const Variable& array) const {
+  const std::size_t bracket = to.name.find('[');
+  const std::string base = to.name.substr(0, bracket);
+  const auto first = array.number_of(std::string_view(to.name).substr(std::min(bracket, to.name.size())));
+  const std::size_t end = skip_call(text, skip_name(text, skip_blanks(text, equals + 1)));
+  if (bracket == std::string::npos || !first) {
+    b.report(ig::diag("SIE-0304"), columns(begin, to.end), std::string_view(to.name),
+             std::string_view(array.shown_as(base)));
+    return end;
+  }
+  std::size_t next = skip_blanks(text, equals + 1);
+  return ArrayValues(b, environment_, text).read(next, base, *first) ? next : end;
+}
+
+const WordReader::Group* WordReader::group_named(std::string_view name) {
+  static constexpr std::array groups{Group{"G[1]", {0, 1, 2, 3}, 4},         Group{"G[6]", {17, 18, 19}, 3},
+                                     Group{"G[7]", {40, 41, 42}, 3},         Group{"G[8]", {500, 54, 55, 56, 57}, 5},
+                                     Group{"G[13]", {70, 71, 700, 710}, 4},  Group{"G[14]", {90, 91}, 2},
+                                     Group{"G[15]", {93, 94, 95, 96, 97}, 5}};
+  for (const Group& g : groups)
+    if (g.name == name) return &g;
+  return nullptr;
+}
+
+std::size_t WordReader::of_group(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
+                                 const Group& group, Run& run) {
+  const Assigned a = assigned(b, text, equals);
+  if (!a.value) return a.end;
+  const double n = *a.value;
+  if (group.name == "G[8]" && n > 5 && n <= 100 && n == std::floor(n))  // G505 and on
+    set_code(b, run, 'G', 499 + static_cast<std::uint32_t>(n), begin, a.end);
+  else if (n >= 1 && n <= group.count && n == std::floor(n))
+    set_code(b, run, 'G', group.codes[static_cast<std::size_t>(n) - 1], begin, a.end);
+  else
+    b.report(ig::diag("SIE-0125"), columns(begin, a.end), piece(text, begin, a.end));
+  return a.end;
+}
+
+std::size_t WordReader::axis_name_end(std::string_view text, std::size_t equals, const std::string& name) const {
+  const Variable* const target = environment_.store().find(name);
+  if (target == nullptr || !target->value.is_text() || target->is_array) return 0;
+  const std::size_t value_at = skip_blanks(text, equals + 1), end = skip_name(text, value_at);
+  const char behind = at(text, skip_blanks(text, end));
+  if (!is_name_start(at(text, value_at)) || end > value_at + 3 || behind == '(' || behind == '[' || behind == '<')
+    return 0;
+  return environment_.store().find(upper(piece(text, value_at, end))) == nullptr ? end : 0;
+}
+
+Variable* WordReader::array_of(const std::string& element) const {
+  Variable* const v = environment_.store().find(element.substr(0, element.find('[')));
+  return v != nullptr && v->is_array ? v : nullptr;
+}
+
+}  // namespace siemens

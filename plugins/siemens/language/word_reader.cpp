@@ -1,0 +1,244 @@
+/// Words one after the other: which kind each is, and the words and codes that carry their number with them.
+#include "language/word_reader.hpp"
+
+namespace siemens {
+
+using namespace ig::cnc;
+namespace {
+
+constexpr bool is_number_part(char c) { return is_digit(c) || c == '.' || c == '+' || c == '-'; }
+constexpr bool begins_number(char c) { return is_number_part(c); }
+
+/// ID=1 and IDS=1 begin a synchronized action, which SiemensCallSyntax reports.
+bool is_action_number(std::string_view text, std::size_t begin) {
+  const std::size_t end = skip_name(text, begin);
+  const std::string_view name = piece(text, begin, end);
+  return (equals_ignoring_case(name, "ID") || equals_ignoring_case(name, "IDS")) &&
+         at(text, skip_blanks(text, end)) == '=';
+}
+
+}  // namespace
+
+std::size_t WordReader::scan(ig::Block& b, std::string_view text, std::size_t position) {
+  const char first = text[position];
+  if (!is_name_start(first) && first != '$') return without_address(b, text, position);
+  Run run;
+  std::size_t next = position, end = position;
+  do {
+    const std::size_t behind = item(b, text, next, run);
+    if (behind == next) break;  // for another scanner
+    end = behind;
+    next = skip_blanks(text, end);
+  } while (next < text.size() && (is_name_start(text[next]) || text[next] == '$'));
+  give(b, run);
+  return end;
+}
+
+void WordReader::give(ig::Block& b, Run& run) const {
+  if (defines_curve() && !ends_program(b, run)) run.count = 0;
+  if (run.count > 0) b.set_words(run.words.data(), run.count);
+  run.count = 0;
+}
+
+bool WordReader::ends_program(ig::Block& b, const Run& run) const {
+  for (std::uint32_t i = 0; i < run.count; ++i)
+    for (const std::uint32_t m : {2u, 17u, 30u})
+      if (run.words[i].field == fields_.code('M', m)) {
+        b.report(ig::diag("SIE-0320"), columns(run.words[i].begin, run.words[i].end),
+                 static_cast<double>(environment_.store().curve_begins));
+        environment_.store().curve_begins = 0;
+        return true;
+      }
+  return false;
+}
+
+void WordReader::add(ig::Block& b, Run& run, ig_field field, std::size_t begin, std::size_t end, double value,
+                     std::string_view name) const {
+  if (run.count == run.words.size()) give(b, run);
+  bool again = false;
+  for (std::uint32_t i = 0; i < run.count; ++i) again = again || run.words[i].field == field;
+  ig_value before;
+  if (again || (begin > 0 && b.get(field, before))) {
+    give(b, run);
+    b.report(ig::diag("SIE-0122"), columns(begin, end), name);
+  }
+  run.words[run.count++] = {field, column(begin), column(end), {.number = value + 0.0}, 0, 0};
+}
+
+std::size_t WordReader::item(ig::Block& b, std::string_view text, std::size_t begin, Run& run) {
+  const char c = to_upper(text[begin]);
+  const std::size_t second = begin + 1;
+  const char d = at(text, second);
+  if (environment_.store().has_macros() && !is_expanded_ && c != '$' && !environment_.flow.is_indexing())
+    if (const std::size_t end = skip_name(text, begin); at(text, skip_blanks(text, end)) != '=')
+      if (const std::string* const macro = environment_.store().macro(upper(piece(text, begin, end))))
+        return expand(b, text, begin, end, *macro, run);
+  if (is_action_number(text, begin)) return begin;
+  if (c == '$' || c == '_' || is_name_start(d)) return named(b, text, begin, run);
+  if (c == 'R' && (is_digit(d) || d == '[')) return assignment(b, text, begin, run);
+  if (is_digit(d) && is_assigned_variable(b, text, begin)) return assignment(b, text, begin, run);
+  const std::size_t number = skip_blanks(text, second);
+  const char v = at(text, number);
+  if (v == '=' && at(text, number + 1) != '=') return valued(b, text, begin, second, number + 1, run);
+  if (v == '[') return named(b, text, begin, run);
+  if (!begins_number(v)) return empty_word(b, text, begin);
+  if (c == 'G' || c == 'M') return code(b, text, begin, number, run);
+  if (c == 'N' || (c == 'L' && is_digit(v))) return begin;
+  const ig::Decimal n = ig::read_decimal(text, number);
+  if (!n.ok) return refuse(b, ig::diag("SIE-0121"), text, begin, skip_while(text, number, is_number_part));
+  std::size_t end = n.end;
+  double value = n.value;
+  if (const char behind = at(text, end); !(is_letter(behind) || is_blank(behind) || behind == '\0'))
+    if (const std::size_t equals = skip_blanks(text, end); at(text, equals) == '=' && !n.has_point)
+      return valued(b, text, begin, end, equals + 1, run);
+  if (at(text, end) == '.' || at(text, end) == ',')
+    return refuse(b, ig::diag("SIE-0123"), text, begin,
+                  skip_while(text, end, [](char o) { return is_digit(o) || o == '.' || o == ','; }));
+  if (const std::size_t equals = skip_blanks(text, end);
+      !n.has_point && at(text, equals) == '=' && at(text, equals + 1) != '=')
+    return valued(b, text, begin, end, equals + 1, run);
+  if (equals_ignoring_case(text.substr(end, 2), "EX")) {
+    Expression e(b, environment_, text, number);
+    const auto computed = e.number();
+    if (!computed) return std::max(e.position(), end);
+    value = *computed;
+    end = e.position();
+  }
+  word(b, run, std::string_view(&c, 1), fields_.letter(c), begin, end, value);
+  return end;
+}
+
+void WordReader::word(ig::Block& b, Run& run, std::string_view name, ig_field field, std::size_t begin, std::size_t end,
+                      double value) const {
+  if (field == IG_NO_FIELD) {
+    if (!defines_curve()) leave(b, IG_LEFT_WORD, name, begin, end);
+  } else {
+    add(b, run, field, begin, end, value, name);
+  }
+}
+
+std::size_t WordReader::code(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number, Run& run) {
+  const std::size_t end = skip_digits(text, number);
+  const std::size_t equals = skip_blanks(text, end);
+  if (at(text, equals) == '=' && at(text, equals + 1) != '=') return valued(b, text, begin, end, equals + 1, run);
+  if (end == number || at(text, end) == '.')
+    return refuse(b, ig::diag("SIE-0125"), text, begin, skip_while(text, number, is_number_part));
+  std::uint32_t n = 0;
+  for (std::size_t i = number; i < end && n < 100'000; ++i) n = n * 10 + static_cast<std::uint32_t>(text[i] - '0');
+  set_code(b, run, to_upper(text[begin]), n, begin, end);
+  return end;
+}
+
+void WordReader::set_code(ig::Block& b, Run& run, char letter, std::uint32_t n, std::size_t begin,
+                          std::size_t end) const {
+  const ig_field field = fields_.code(letter, n);
+  if (field != IG_NO_FIELD) {
+    if (run.count == run.words.size()) give(b, run);
+    run.words[run.count++] = {field, column(begin), column(end), ig_value{}, 0, 0};
+    return;
+  }
+  if (defines_curve()) return;
+  std::array<char, 16> name{letter, '0'};
+  const auto last = std::to_chars(name.data() + (n < 10 ? 2 : 1), name.data() + name.size(), n).ptr;
+  leave(b, IG_LEFT_UNKNOWN, {name.data(), static_cast<std::size_t>(last - name.data())}, begin, end);
+}
+
+std::size_t WordReader::expand(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end,
+                               const std::string& macro, Run& run) {
+  const ExpandedText as(text, begin, end, macro);
+  std::size_t next = skip_blanks(as.text(), begin);
+  if (next >= as.macro_end() || (!is_name_start(as.text()[next]) && as.text()[next] != '$')) {
+    b.report(ig::diag("SIE-0288"), columns(begin, end), std::string_view(macro));
+    return end;
+  }
+  const std::size_t start = next;
+  is_expanded_ = true;
+  while (next < as.macro_end()) {
+    const std::size_t first = run.count, behind = item(b, as.text(), next, run);
+    if (behind == next) break;
+    for (std::size_t i = std::min<std::size_t>(first, run.count); i < run.count; ++i) {
+      run.words[i].begin = column(begin);
+      run.words[i].end = column(end);
+    }
+    next = skip_blanks(as.text(), behind);
+    if (next < as.macro_end() && !is_name_start(as.text()[next]) && as.text()[next] != '$') break;
+  }
+  is_expanded_ = false;
+  if (next == start) return begin;
+  if (next < as.macro_end()) {
+    b.report(ig::diag("SIE-0288"), columns(begin, end), std::string_view(macro));
+    return end;
+  }
+  return as.original(next);
+}
+
+std::size_t WordReader::named(ig::Block& b, std::string_view text, std::size_t begin, Run& run) {
+  if (text[begin] == '$') return assignment(b, text, begin, run);
+  std::size_t end = skip_name(text, begin);
+  const std::size_t behind = skip_blanks(text, end);
+  if (at(text, behind) == '[') return assignment(b, text, begin, run);
+  if (at(text, behind) == '=' && at(text, behind + 1) != '=') {
+    if (environment_.flow.is_indexing()) return block_end(text, begin);
+    const std::string name = upper(piece(text, begin, end));
+    environment_.enter(b);
+    const bool is_variable = environment_.store().find(name) != nullptr || environment_.store().given(name);
+    const bool has_number = is_digit(name.back()) && is_letter(name[0]) && skip_digits(name, 1) == name.size();
+    if (!is_variable && (name == "ID" || name == "IDS")) return begin;  // a synchronized action
+    if (!is_variable && (fields_.address(name) != IG_NO_FIELD || has_number))
+      return valued(b, text, begin, end, behind + 1, run);
+    return assignment(b, text, begin, run);
+  }
+  if (at(text, behind) == '(' && equals_ignoring_case(piece(text, begin, end), "EXECSTRING"))
+    return execute_string(b, text, begin, behind, run);
+  const ig_field field = fields_.code(upper(piece(text, begin, end)));
+  if (field == IG_NO_FIELD || at(text, behind) == '(') return begin;
+  if (run.count == run.words.size()) give(b, run);
+  run.words[run.count++] = {field, column(begin), column(end), ig_value{}, 0, 0};
+  return end;
+}
+
+std::size_t WordReader::execute_string(ig::Block& b, std::string_view text, std::size_t begin, std::size_t open,
+                                       Run& run) {
+  const std::size_t end = skip_call(text, open);
+  if (environment_.flow.is_indexing()) return end;
+  Expression e(b, environment_, text, open + 1);
+  const auto value = e.value();
+  if (!value) return end;
+  if (!value->is_text() || at(text, skip_blanks(text, e.position())) != ')' || is_expanded_) {
+    b.report(ig::diag("SIE-0305"), columns(begin, end), trim(piece(text, open + 1, end - 1)));
+    return end;
+  }
+  if (trim(value->text).empty()) return end;
+  const std::size_t behind = expand(b, text, begin, end, value->text, run);
+  if (behind != begin) return behind;
+  b.report(ig::diag("SIE-0305"), columns(begin, end), std::string_view(value->text));
+  return end;
+}
+
+bool WordReader::is_assigned_variable(ig::Block& b, std::string_view text, std::size_t begin) const {
+  const std::size_t end = skip_name(text, begin), equals = skip_blanks(text, end);
+  if (at(text, equals) != '=' || at(text, equals + 1) == '=' || environment_.flow.is_indexing()) return false;
+  environment_.enter(b);
+  return environment_.store().find(upper(piece(text, begin, end))) != nullptr;
+}
+
+std::size_t WordReader::refuse(ig::Block& b, ig::DiagnosticCode diagnostic, std::string_view text, std::size_t begin,
+                               std::size_t end) {
+  b.report(diagnostic, columns(begin, end), piece(text, begin, end));
+  return end;
+}
+
+std::size_t WordReader::empty_word(ig::Block& b, std::string_view text, std::size_t begin) {
+  return refuse(b, ig::diag("SIE-0121"), text, begin, begin + 1);
+}
+
+std::size_t WordReader::without_address(ig::Block& b, std::string_view text, std::size_t position) {
+  const std::size_t end = skip_while(text, position, [](char c) { return is_number_part(c) || c == ',' || c == '='; });
+  if (piece(text, position, end).find_first_of("0123456789") == std::string_view::npos) {
+    leave(b, IG_LEFT_TEXT, piece(text, position, end), position, end);
+    return end;
+  }
+  return refuse(b, ig::diag("SIE-0115"), text, position, end);
+}
+
+}  // namespace siemens
