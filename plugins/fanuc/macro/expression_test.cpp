@@ -32,7 +32,7 @@ std::string name_of(Fault fault) {
   }
 }
 
-Fault variable(std::uint32_t number, MacroValue& out) {
+Fault value_of(std::uint32_t number, MacroValue& out) {
   static const std::map<std::uint32_t, double> values{{1, 2},     {2, -3.5}, {3, 7},      {4, 0},   {5, 12},
                                                       {6, 1.25},  {7, 100},  {10, 30},    {11, 45}, {12, 3},
                                                       {20, 1e-5}, {100, -8}, {500, 0.125}};
@@ -44,6 +44,11 @@ Fault variable(std::uint32_t number, MacroValue& out) {
     return Fault::unknown_variable;
   return Fault::none;
 }
+
+struct Variables final : VariableSource {
+  Fault read(std::uint32_t number, MacroValue& out) const override { return value_of(number, out); }
+};
+const Variables variable;
 
 std::string trimmed(std::string text) {
   while (!text.empty() && text.back() == ' ') text.pop_back();

@@ -97,13 +97,17 @@ class MacroEnvironment : public MacroFrame {
   const ExpressionRules& rules() const { return store().settings.rules; }
 
   /// What an expression of this block reads: for evaluate() and its like.
-  struct Reader {
-    const MacroEnvironment& environment;
-    ig::Block& block;
-    Fault operator()(std::uint32_t number, MacroValue& out) const { return environment.read(block, number, out); }
-    Fault parameter(std::uint32_t number, std::uint32_t axis, MacroValue& out) const {
-      return environment.read_parameter(block, number, axis, out);
+  class Reader final : public VariableSource {
+   public:
+    Reader(const MacroEnvironment& environment, ig::Block& b) : environment_(environment), block_(b) {}
+    Fault read(std::uint32_t number, MacroValue& out) const override { return environment_.read(block_, number, out); }
+    Fault parameter(std::uint32_t number, std::uint32_t axis, MacroValue& out) const override {
+      return environment_.read_parameter(block_, number, axis, out);
     }
+
+   private:
+    const MacroEnvironment& environment_;
+    ig::Block& block_;
   };
   Reader reader(ig::Block& b) const { return {*this, b}; }
 
