@@ -1,0 +1,66 @@
+/// Which local variables are the present ones: those of the macro call that the block's frame belongs to.
+#pragma once
+
+#include <isogloss/flow.hpp>
+#include <isogloss/sdk.hpp>
+
+#include <isogloss/cnc/frame_tag.hpp>
+#include "macro/macro_store.hpp"
+
+namespace fanuc {
+
+using namespace ig::cnc;
+
+/// A member, or the base, of what reads and writes variables.
+class MacroFrame {
+ public:
+  ig::Flow flow;
+
+  /// Before the first expression of a block: the local variables are those of its macro call.
+  void enter(const ig::Block& b) const {
+    const ig_frame frame = flow.frame(b);
+    if (store_->is_new_frame(frame.id, frame.pass)) select_level(b, frame);
+  }
+
+  MacroStore& store() const { return *store_; }
+
+  /// A program that a code called sees all codes as they are.
+  bool is_in_bound_program(const ig::Block& b) const {
+    const ig_frame frame = flow.frame(b);
+    for (std::uint32_t level = 1; level <= frame.depth; ++level)
+      if (const auto at = flow.frame(b, level); at && (at->tag & called_by_code) != 0) return true;
+    return false;
+  }
+
+ private:
+  void select_level(const ig::Block& b, const ig_frame& frame) const {
+    ig_frame at = frame;
+    for (std::uint32_t level = frame.depth; level > 0 && !has_locals(at);) {
+      const auto below = flow.frame(b, --level);
+      if (!below) break;
+      at = *below;
+    }
+    store_->select(at.depth == 0 ? 0 : at.tag & ~called_by_code, at.depth == 0 ? 1 : at.pass);
+  }
+  static bool has_locals(const ig_frame& frame) {
+    return (frame.tag & ~begins_inside) != 0 && (frame.tag & shares_locals) == 0;
+  }
+
+  /// The service of MacroVariables; a store of its own where a dialect has none.
+  class Store {
+   public:
+    Store() : service_(macro_store_service, ig::Need::optional, "What macro programs read and write.") {
+      if (!service_) own_.define(*NumberRanges::read("100-199"), *NumberRanges::read("500-999"));
+    }
+    MacroStore* operator->() const { return &**this; }
+    MacroStore& operator*() const { return service_ ? *const_cast<MacroStore*>(service_.operator->()) : own_; }
+
+   private:
+    ig::Service<MacroStore> service_;
+    mutable MacroStore own_;
+  };
+
+  Store store_;
+};
+
+}  // namespace fanuc
