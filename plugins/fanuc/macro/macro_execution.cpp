@@ -1,0 +1,229 @@
+/// Which statement a block holds, and IF. What the condition of IF governs is read while the block is scanned.
+#include "macro/macro_execution.hpp"
+
+#include <algorithm>
+
+namespace fanuc {
+
+using namespace ig::cnc;
+
+std::size_t MacroExecution::scan(ig::Block& b, std::string_view text, std::size_t position) {
+  if (text[position] == '[') return scan_return(b, text, position);
+  const Word word = statement_at(text, position);
+  if (word == Word::none) return position;
+  const bool is_first = stands_first(text, position);
+  has_comment_ = false;
+  const std::size_t end = statement_end(text, position, has_comment_);
+  if (word == Word::foreign || !is_first) {
+    if (word == Word::foreign)
+      leave(b, IG_LEFT_STATEMENT, piece(text, position, end), position, end);
+    else
+      b.report(ig::diag("FAN-0125"), ig::Where::columns(position, end), piece(text, position, end));
+    return end;
+  }
+  if (environment_.flow.is_indexing()) {
+    if (word == Word::end) say_label(b, text, position);
+    return end;
+  }
+  begin_ = position;
+  end_ = end;
+  if (word == Word::if_ && governs_ == Governs::rest_of_block)
+    if (const std::size_t rest = governed(text, position, end); rest != 0)
+      return scan_governed(b, text, position, rest, end);
+  if (word == Word::if_)
+    if (const std::size_t words = words_behind_then(text, position, end); words != 0)
+      return scan_words(b, text, position, words, end);
+  b.raise(statement_);
+  return end;
+}
+
+ig::Status MacroExecution::restart() {
+  loops_here_.clear();
+  unbegun_.fill(false);
+  said_output_.clear();
+  wait_ = {};
+  waited_.clear();
+  return ig::Status::unchanged;
+}
+
+ig::Status MacroExecution::build(ig::Block& b) {
+  if (b.has(program_)) note_program(b);
+  if (b.has(tape_) || b.find(program_end_) || b.find(return_)) end_of_program(b);
+  if (!b.is_raised(statement_) || end_ > b.source().size()) return ig::Status::unchanged;
+  environment_.enter(b);
+  std::string_view text = b.source().substr(0, end_);
+  if (has_comment_ && !has_message(text.substr(begin_))) {
+    blank_comments(text);
+    text = blanked_;
+  }
+  execute(b, text, begin_);
+  return ig::Status::changed;
+}
+
+void MacroExecution::end_of_program(ig::Block& b) {
+  if (b.find(return_) && b.has(p_) && environment_.flow.frame(b).depth == 0)
+    note_jump(b);
+  else
+    loops_here_.end_frame(b, environment_.flow);
+}
+
+void MacroExecution::note_program(ig::Block& b) {
+  loops_here_.end_frame(b, environment_.flow);
+  if (environment_.flow.frame(b).depth == 0) environment_.store().main_program = program_number(b.text(program_));
+}
+
+void MacroExecution::blank_comments(std::string_view text) {
+  blanked_.assign(text);
+  for (std::size_t i = begin_; i < blanked_.size(); ++i)
+    if (blanked_[i] == '(') {
+      const std::size_t close = skip_bracketed(text, i);
+      std::fill(blanked_.begin() + static_cast<std::ptrdiff_t>(i),
+                blanked_.begin() + static_cast<std::ptrdiff_t>(close), ' ');
+      i = close - 1;
+    }
+}
+
+void MacroExecution::say_label(ig::Block& b, std::string_view text, std::size_t position) const {
+  std::int64_t number = 0;
+  if (!fanuc::loop_number(text, skip_while(text, position, is_letter), number)) return;
+  const std::string name = "END" + std::to_string(number);
+  environment_.flow.label(b, name);
+}
+
+Outcome MacroExecution::evaluate_at(ig::Block& b, std::string_view text, std::size_t position) const {
+  const Outcome o = evaluate(text, position, environment_.rules(), environment_.reader(b));
+  if (!o.ok()) {
+    environment_.report(b, o, text);
+  } else if (environment_.has_deep_brackets(o)) {
+    environment_.warn_of_depth(b, o, position, o.end);
+  }
+  return o;
+}
+
+std::size_t MacroExecution::scan_words(ig::Block& b, std::string_view text, std::size_t position, std::size_t words,
+                                       std::size_t end) {
+  environment_.enter(b);
+  std::size_t after = 0;
+  const std::optional<bool> holds = condition(b, text.substr(0, end), position, "IF", after);
+  if (!holds || !*holds) return end;
+  b.report(ig::diag("FAN-0143"), ig::Where::columns(words, end));
+  return words;
+}
+
+std::size_t MacroExecution::scan_governed(ig::Block& b, std::string_view text, std::size_t position, std::size_t rest,
+                                          std::size_t end) {
+  environment_.enter(b);
+  std::size_t after = 0;
+  const std::optional<bool> holds = condition(b, text.substr(0, end), position, "IF", after);
+  if (!holds || !*holds) return end;
+  if (is_letter(text[rest])) return rest;
+  begin_ = rest;
+  end_ = assignment_end(text, rest, end);
+  b.raise(statement_);
+  return end_;
+}
+
+std::size_t MacroExecution::scan_return(ig::Block& b, std::string_view text, std::size_t position) {
+  if (governs_ != Governs::rest_of_block || !stands_first(text, position)) return position;
+  bool has_comment = false;
+  const std::size_t end = statement_end(text, position, has_comment);
+  const std::size_t rest = skip_blanks(text, skip_bracketed(text.substr(0, end), position));
+  const std::size_t behind = return_end(text.substr(0, end), rest);
+  if (behind == 0) return position;
+  if (environment_.flow.is_indexing()) return end;
+  if (to_upper(at(text, behind)) == 'P') {
+    begin_ = position;
+    end_ = end;
+    has_comment_ = has_comment;
+    b.raise(statement_);
+    return end;
+  }
+  environment_.enter(b);
+  const Outcome o = evaluate_at(b, text.substr(0, end), position);
+  return o.ok() && o.value.number != 0 ? rest : end;
+}
+
+void MacroExecution::execute_return_to(ig::Block& b, std::string_view text, std::size_t position) {
+  const Outcome o = evaluate_at(b, text, position);
+  if (!o.ok() || o.value.number == 0) return;
+  execute_go_to(b, text, position, return_end(text, skip_blanks(text, o.end)) + 1);
+}
+
+void MacroExecution::execute(ig::Block& b, std::string_view text, std::size_t position) {
+  if (text[position] == '#') return assign(b, text, position);
+  if (text[position] == '[') return execute_return_to(b, text, position);
+  std::size_t behind = 0;
+  switch (keyword_or_short(text, position, behind)) {
+    case Word::if_: return execute_if(b, text, position);
+    case Word::while_: return execute_while(b, text, position);
+    case Word::do_: return execute_do(b, text, position, position);
+    case Word::end: return execute_end(b, text, position);
+    case Word::go_to: return execute_go_to(b, text, position, behind);
+    case Word::output: return put_out(b, environment_, said_output_, text, position, behind);
+    case Word::set_name:
+      if (said_output_.is_first("SETVN"))
+        b.report(ig::diag("FAN-0141"), columns(text, position), text.substr(position));
+      return;
+    default: incomplete(b, text, position, text.substr(position), "IF");
+  }
+}
+
+void MacroExecution::incomplete(ig::Block& b, std::string_view text, std::size_t position, std::string_view what,
+                                std::string_view missing) {
+  b.report(ig::diag("FAN-0131"), columns(text, position), what, missing);
+}
+
+bool MacroExecution::ends(ig::Block& b, std::string_view text, std::size_t position) {
+  const std::size_t rest = skip_blanks(text, position);
+  if (rest >= text.size()) return true;
+  b.report(ig::diag("FAN-0123"), ig::Where::columns(rest, text.size()), text.substr(rest));
+  return false;
+}
+
+std::optional<bool> MacroExecution::condition(ig::Block& b, std::string_view text, std::size_t position,
+                                              std::string_view what, std::size_t& after) const {
+  const std::size_t bracket = skip_blanks(text, skip_while(text, position, is_letter));
+  if (at(text, bracket) != '[') {
+    incomplete(b, text, position, what, "[");
+    return std::nullopt;
+  }
+  environment_.forget_signals();
+  const Outcome o = evaluate_at(b, text, bracket);
+  if (!o.ok()) return std::nullopt;
+  after = skip_blanks(text, o.end);
+  if (o.value.kind != Kind::truth && !environment_.rules().truth_is_number) {
+    b.report(ig::diag("FAN-0116"), ig::Where::columns(bracket, o.end), piece(text, bracket, o.end));
+    return std::nullopt;
+  }
+  return o.value.number != 0;
+}
+
+void MacroExecution::execute_if(ig::Block& b, std::string_view text, std::size_t position) {
+  std::size_t after = 0;
+  const std::optional<bool> holds = condition(b, text, position, "IF", after);
+  if (!holds) return;
+  std::size_t behind = 0;
+  const Word next = is_letter(at(text, after)) ? keyword_or_short(text, after, behind) : Word::none;
+  if (next == Word::go_to) {
+    if (*holds) execute_go_to(b, text, after, behind, true);
+    return;
+  }
+  if (next != Word::then) {
+    if (after < text.size())
+      b.report(ig::diag("FAN-0123"), ig::Where::columns(after, text.size()), text.substr(after));
+    else
+      incomplete(b, text, position, "IF", "GOTO or THEN");
+    return;
+  }
+  const std::size_t statement = skip_blanks(text, behind);
+  if (statement >= text.size()) return incomplete(b, text, position, "THEN", "the statement");
+  const Word inner = is_letter(text[statement]) ? keyword_or_short(text, statement, behind) : Word::none;
+  const bool is_plain = text[statement] == '#' || inner == Word::go_to || inner == Word::output;
+  if (!is_plain) {
+    b.report(ig::diag("FAN-0123"), ig::Where::columns(statement, text.size()), text.substr(statement));
+  } else if (*holds) {
+    execute(b, text, statement);
+  }
+}
+
+}  // namespace fanuc
