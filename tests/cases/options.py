@@ -20,6 +20,7 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
 from budget import budgeted  # noqa: E402: it lies in another folder
+from golden_programs import golden_files  # noqa: E402
 
 DIALECTS = ("fanuc", "haas", "siemens", "heidenhain", "syntec", "iso")
 HERE = pathlib.Path(__file__).resolve().parent
@@ -90,7 +91,7 @@ class Programs:
 
     def differ(self, name, dialects, one, other):
         """Does a program of the dialect give another result in its other form?"""
-        for program in sorted((self.source / "tests" / "programs" / name).glob("*.nc")):
+        for program in golden_files(".nc", name):
             if program.stat().st_size > 6000:
                 continue
             arguments = program.with_suffix(".args")

@@ -22,7 +22,8 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
 from budget import budgeted  # noqa: E402: it lies in another folder
-from random_bytes import BUDGETS, PROGRAMS, SUFFIXES, mutated  # noqa: E402
+from golden_programs import dialect_of, golden_files  # noqa: E402
+from random_bytes import BUDGETS, SUFFIXES, mutated  # noqa: E402
 
 TIMEOUT = 60
 WORD = re.compile(rb"[A-Z]+ ?=? ?[-+]?[0-9.]+|[A-Z]{2,}")
@@ -154,8 +155,8 @@ def main():
     cases = options.cases or budgeted(30 if options.slow else 100)
     isogloss = options.isogloss.resolve()
     wanted = options.dialects.split(",") if options.dialects else None
-    programs = [(p.parent.name, p.read_bytes()) for p in sorted(PROGRAMS.glob("*/*"))
-                if p.suffix in SUFFIXES and (wanted is None or p.parent.name in wanted)]
+    programs = [(dialect_of(p), p.read_bytes()) for p in golden_files()
+                if p.suffix in SUFFIXES and (wanted is None or dialect_of(p) in wanted)]
     failures = 0
     with tempfile.TemporaryDirectory(prefix="isogloss-consistency-") as name:
         for number in range(cases):

@@ -20,7 +20,8 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
 from budget import budgeted  # noqa: E402: it lies in another folder
-from random_bytes import BUDGETS, PROGRAMS, SUFFIXES  # noqa: E402
+from golden_programs import PROGRAMS, dialect_of, golden_files  # noqa: E402
+from random_bytes import BUDGETS, SUFFIXES  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 TIMEOUT = 60
@@ -114,13 +115,13 @@ def main():
     known = inert()
     wanted = options.dialects.split(",") if options.dialects else None
     rnd = random.Random(options.seed)
-    programs = [p for p in sorted(PROGRAMS.glob("*/*")) if p.suffix in SUFFIXES and p.stat().st_size < 6000
-                and (wanted is None or p.parent.name in wanted)]
+    programs = [p for p in golden_files() if p.suffix in SUFFIXES and p.stat().st_size < 6000
+                and (wanted is None or dialect_of(p) in wanted)]
     rnd.shuffle(programs)
     found, tried = collections.defaultdict(list), 0
     with tempfile.TemporaryDirectory(prefix="isogloss-words-") as name:
         for path in programs[:options.programs]:
-            program = Program(isogloss, path.parent.name, path, pathlib.Path(name))
+            program = Program(isogloss, dialect_of(path), path, pathlib.Path(name))
             before = program.outcome(program.lines)
             if any(code in before[1] for code in (b"ISO-0540", b"ISO-0541", b"SYN-0001")):
                 continue  # the text is refused as a whole

@@ -16,9 +16,8 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
 from budget import budgeted  # noqa: E402: it lies in another folder
+from golden_programs import golden_files  # noqa: E402
 
-HERE = pathlib.Path(__file__).resolve().parent
-PROGRAMS = HERE.parent / "programs"
 SUFFIXES = {".nc", ".mpf", ".spf", ".h", ".i"}
 TIMEOUT = 20
 BATCH = 20
@@ -98,7 +97,7 @@ def main():
     parser.add_argument("--keep", type=pathlib.Path, help="write cases that go wrong there")
     options = parser.parse_args()
     isogloss = options.isogloss.resolve()
-    programs = [p.read_bytes() for p in sorted(PROGRAMS.glob("*/*")) if p.suffix in SUFFIXES]
+    programs = [p.read_bytes() for p in golden_files() if p.suffix in SUFFIXES]
     number = failures = 0
     with tempfile.TemporaryDirectory(prefix="isogloss-random-") as name:
         folder = pathlib.Path(name)

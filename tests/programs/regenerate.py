@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Golden programs: FOLDER/NAME.nc under the dialect FOLDER gives NAME.motions.csv and, on stderr, NAME.diagnostics.txt.
+"""Golden programs: DIALECT/NAME.nc or DIALECT/ROOM/NAME.nc gives NAME.motions.csv and, on stderr, NAME.diagnostics.txt.
 
-  regenerate.py --isogloss PATH [--check] [FOLDER/NAME...]
+  regenerate.py --isogloss PATH [--check] [DIALECT/ROOM/NAME...]
 
 Rewrites the expectations, or with --check compares them and shows what changed. NAME.args beside a program holds more
 arguments. The checked host runs them: a syntax that breaks the contract shows among the diagnostics. Each program runs
@@ -15,6 +15,10 @@ import shlex
 import subprocess
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from golden_programs import dialect_of, golden_files  # noqa: E402: it lies in another folder
+
 HERE = pathlib.Path(__file__).resolve().parent
 
 
@@ -22,7 +26,7 @@ def results(isogloss, program, *more):
     """{expectation file: text} of one run."""
     arguments = program.with_suffix(".args")
     extra = shlex.split(arguments.read_text()) if arguments.exists() else []
-    run = subprocess.run([isogloss, "run", program.name, "-d", program.parent.name, "--checked", "--emit", "motions",
+    run = subprocess.run([isogloss, "run", program.name, "-d", dialect_of(program), "--checked", "--emit", "motions",
                           "--format", "csv", *more, *extra], cwd=program.parent, capture_output=True, text=True, timeout=60, check=False)
     if run.returncode not in (0, 1):
         raise RuntimeError(f"exit status {run.returncode}\n{run.stderr}")
@@ -38,7 +42,7 @@ def main():
     parser.add_argument("names", nargs="*")
     options = parser.parse_args()
     isogloss = options.isogloss.resolve()
-    programs = [(HERE / n).with_suffix(".nc") for n in options.names] or sorted(HERE.glob("*/*.nc"))
+    programs = [(HERE / n).with_suffix(".nc") for n in options.names] or golden_files(".nc")
 
     changed = 0
     for program in programs:
@@ -65,8 +69,8 @@ def main():
             else:
                 path.write_text(text)
                 print(f"wrote {path.relative_to(HERE)}")
-    expected = {p.with_suffix("") for p in HERE.glob("*/*.nc")}
-    for path in sorted(HERE.glob("*/*.motions.csv")):
+    expected = {p.with_suffix("") for p in golden_files(".nc")}
+    for path in golden_files(".motions.csv"):
         if path.with_suffix("").with_suffix("") not in expected:
             changed += 1
             print(f"{path.relative_to(HERE)} has no program")

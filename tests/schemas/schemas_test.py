@@ -15,6 +15,10 @@ try:
 except ImportError:
     jsonschema = None
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from golden_programs import dialect_of, golden_files  # noqa: E402: it lies in another folder
+
 OPTIONS = None
 FILES = {"dialect": "dialect.xsd", "block": "block.schema.json"}
 
@@ -115,9 +119,9 @@ class Schemas(unittest.TestCase):
         jsonschema.Draft202012Validator.check_schema(schema)
         validator = jsonschema.Draft202012Validator(schema)
         blocks = 0
-        for program in sorted((OPTIONS.source / "tests/programs").glob("*/*.nc")):
+        for program in golden_files(".nc"):
             with self.subTest(program.name):
-                done = subprocess.run([OPTIONS.isogloss, "run", program, "-d", program.parent.name, "--emit", "blocks"],
+                done = subprocess.run([OPTIONS.isogloss, "run", program, "-d", dialect_of(program), "--emit", "blocks"],
                                       capture_output=True, text=True, check=False)
                 for line in done.stdout.splitlines():
                     validator.validate(json.loads(line))
