@@ -1,0 +1,123 @@
+// Dense ids: modal fields first, among them those that are read as `previous`, with their copies; then the block's,
+// switches, codes, words, words of codes (Parsing.G81.X).
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "link/link_steps.hpp"
+
+namespace isogloss {
+
+namespace {
+
+using Drafts = std::vector<FieldDrafts::Draft>;
+
+constexpr std::size_t maximum_previous = 63;
+
+std::size_t rank(const FieldDrafts::Draft& draft) {
+  const FieldInfo& info = draft.info;
+  if (is_carried(info.life)) return draft.has_previous && info.type != IG_TRANSFORM ? 0 : 1;
+  if (info.type == IG_SWITCH) return 3;
+  if (info.type == IG_CODE) return 4;
+  if (info.life != IG_LIFE_WORD) return 2;
+  return std::count(info.path.begin(), info.path.end(), '.') > 1 ? 6 : 5;
+}
+
+bool begins_point(const Drafts& drafts, const std::vector<std::uint32_t>& numbers, std::size_t i) {
+  if (numbers.size() - i < 3) return false;
+  const auto section = [&](std::size_t k, char axis) -> std::string_view {
+    const std::string_view path = drafts[numbers[i + k]].info.path;
+    return path.size() > 2 && path[path.size() - 2] == '.' && path.back() == axis ? path.substr(0, path.size() - 1)
+                                                                                  : std::string_view();
+  };
+  const std::string_view x = section(0, 'X');
+  return !x.empty() && section(1, 'Y') == x && section(2, 'Z') == x;
+}
+
+/// X Y Z of a section are read and written at once where the bits of the three lie in one word. Where three would
+/// cross a word, fields that belong to no such group are placed first.
+void keep_points_whole(const Drafts& drafts, std::vector<std::uint32_t>& numbers, std::size_t first_id) {
+  for (std::size_t i = 0; i < numbers.size();) {
+    if (!begins_point(drafts, numbers, i)) {
+      ++i;
+      continue;
+    }
+    std::size_t room = 64 - (first_id + i) % 64;
+    for (std::size_t single = i + 3; room < 3 && room > 0 && single < numbers.size();) {
+      if (begins_point(drafts, numbers, single)) {
+        single += 3;
+        continue;
+      }
+      const auto found = numbers.begin() + static_cast<std::ptrdiff_t>(single++);
+      if (drafts[*found].info.type == IG_TRANSFORM) continue;  // they compose in their order
+      std::rotate(numbers.begin() + static_cast<std::ptrdiff_t>(i), found, found + 1);
+      ++i;
+      --room;
+    }
+    i += 3;
+  }
+}
+
+/// By section; in a section what is carried first, words last, each in the order in which it is mentioned.
+void order_for_show(Layout& layout, const std::vector<ig_field>& id_of) {
+  std::unordered_map<std::string_view, std::size_t> sections;
+  for (const std::string& s : section_order()) sections.emplace(s, sections.size());
+  using Place = std::tuple<std::size_t, int, std::uint32_t>;
+  std::vector<std::pair<Place, ig_field>> shown;
+  for (std::uint32_t number = 0; number < id_of.size(); ++number) {
+    const FieldInfo& info = layout.fields[id_of[number]];
+    if (info.hidden || info.type == IG_CODE || info.type == IG_TRANSFORM) continue;
+    const std::string_view path = info.path;
+    const auto found = sections.find(path.substr(0, path.find('.')));
+    const int life = is_carried(info.life) ? 0 : info.life == IG_LIFE_WORD ? 2 : 1;
+    shown.push_back({{found != sections.end() ? found->second : sections.size(), life, number}, id_of[number]});
+  }
+  std::sort(shown.begin(), shown.end());
+  for (const auto& [place, field] : shown) layout.shown.push_back(field);
+}
+
+}  // namespace
+
+FieldIds order_fields(Linking& linking, FieldDrafts& field_drafts) {
+  Layout& layout = linking.out.layout;
+  Drafts& drafts = field_drafts.drafts();
+  std::array<std::vector<std::uint32_t>, 7> order;
+  for (std::uint32_t i = 0; i < drafts.size(); ++i) order[rank(drafts[i])].push_back(i);
+  std::vector<std::uint32_t> previous;  // in the order of their ids, so that one piece of memory holds them
+  for (const std::vector<std::uint32_t>& same_rank : order)
+    for (const std::uint32_t number : same_rank)
+      if (drafts[number].has_previous) previous.push_back(number);
+  if (previous.size() > maximum_previous)
+    linking.say("IG-0224", {linking.out.dialect.file.string(), 0, 0},
+                {std::to_string(previous.size()), std::to_string(maximum_previous)});
+
+  FieldIds ids{std::vector<ig_field>(drafts.size(), IG_NO_FIELD), std::vector<ig_field>(drafts.size(), IG_NO_FIELD)};
+  ig_field next = 0;
+  const auto give = [&](std::vector<std::uint32_t>& numbers, std::vector<ig_field>& given) {
+    keep_points_whole(drafts, numbers, next);
+    for (const std::uint32_t number : numbers) given[number] = next++;
+  };
+  for (std::vector<std::uint32_t>& same_rank : order) {
+    give(same_rank, ids.of);
+    if (&same_rank == &order[0]) give(previous, ids.of_previous);
+  }
+  layout.fields.resize(next);
+  for (const std::vector<std::uint32_t>& same_rank : order)
+    for (const std::uint32_t number : same_rank) {
+      const ig_field id = ids.of[number];
+      if (drafts[number].info.type == IG_TRANSFORM) layout.transforms.push_back(id);
+      layout.fields[id] = std::move(drafts[number].info);
+    }
+  for (const std::uint32_t number : previous) {
+    FieldInfo& copy = layout.fields[ids.of_previous[number]];
+    copy = layout.fields[ids.of[number]];
+    copy.life = IG_LIFE_BLOCK;
+    copy.hidden = true;
+    copy.previous_of = ids.of[number];
+  }
+  layout.index();
+  order_for_show(layout, ids.of);
+  return ids;
+}
+
+}  // namespace isogloss
