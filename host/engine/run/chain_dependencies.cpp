@@ -1,0 +1,246 @@
+// The dependencies of a chain: their tables, the values that the dialect and the run give them, and which one answers.
+#include <algorithm>
+#include <stdexcept>
+
+#include "contract/host_table.hpp"
+#include "dialect/options.hpp"
+#include "dialect/row_checks.hpp"
+#include "isogloss/engine/chain.hpp"
+#include "run/calling.hpp"
+
+namespace isogloss {
+
+namespace {
+
+/// Does an element of a file that was given to the run mean this dependency of the dialect?
+bool is_given(const DependencyElement& element, const DependencyElement& of_dialect) {
+  return of_dialect.alias == element.alias || of_dialect.id == element.id;
+}
+
+/// True for tables whose rows have one main value, even if they also have values by axis.
+bool has_one_value(const ig_dependency& d) {
+  return d.column_count == 1 || std::string_view(d.columns[0].name) == "Value";
+}
+
+std::string columns_of(const ig_dependency& d) {
+  std::string text = "the columns of " + std::string(d.id) + " are ";
+  for (std::uint32_t i = 0; i < d.column_count; ++i) text += (i == 0 ? "" : ", ") + std::string(d.columns[i].name);
+  return text;
+}
+
+void set_row(DependencyTable& table, const TableRow& row) {
+  const std::string_view key = key_of(table.dependency(), row);
+  table.add(key);
+  for (const Attribute& a : row.attributes)
+    if (const auto column = table.column(a.name)) table.set(key, static_cast<std::uint32_t>(*column), a.value);
+}
+
+/// The place where the user, or the dialect, gave the dependency its values.
+const Location& place_of(const DependencyElement& of_dialect, const std::vector<DependencyElement>& of_user) {
+  const Location* place = &of_dialect.where;
+  for (const DependencyElement& given : of_user)
+    if (is_given(given, of_dialect)) place = &given.where;
+  return *place;
+}
+
+/// NULL where the dependency does not provide it, or does not exist yet.
+const void* service_of(const ig_dependency& d, void* self, std::string_view id) {
+  if (self == nullptr || d.provides == nullptr) return nullptr;
+  for (const char* const* provided = d.provides; *provided != nullptr; ++provided)
+    if (id == *provided)
+      if (const void* const s = d.service(self, *provided)) return s;
+  return nullptr;
+}
+
+}  // namespace
+
+void Chain::create_dependencies() {
+  const auto create_row = [](DependencyTable& table, std::string_view shipped) {
+    const std::size_t bar = shipped.find('|');
+    const std::string_view key = shipped.substr(0, bar);
+    table.add_row(key);
+    table.add(key);
+    while (shipped.find('|') != std::string_view::npos) {
+      shipped.remove_prefix(shipped.find('|') + 1);
+      const std::string_view cell = shipped.substr(0, shipped.find('|'));
+      const std::size_t equals = cell.find('=');
+      const std::optional<std::size_t> column = table.column(cell.substr(0, equals));
+      if (column && equals != std::string_view::npos)
+        table.set(key, static_cast<std::uint32_t>(*column), cell.substr(equals + 1));
+    }
+  };
+  for (const LinkedDependency& d : linked_.dependencies) {
+    auto table = std::make_unique<DependencyTable>(*d.dependency);
+    for (std::uint32_t i = 0; i < d.dependency->default_row_count; ++i)
+      create_row(*table, d.dependency->default_rows[i]);
+    for (const TableRow& row : d.element.rows) set_row(*table, row);
+    tables_.push_back(std::move(table));
+    dependency_options_.push_back(d.options);
+  }
+  for (const DependencyElement& element : settings_.dependencies) overlay(element);
+  for (const auto& [path, value] : settings_.assignments) assign(path, value);
+  dependencies_.resize(linked_.dependencies.size());
+  for (std::size_t i = 0; i < dependencies_.size(); ++i) {
+    const LinkedDependency& d = linked_.dependencies[i];
+    ig_link link{this, &dependency_options_[i], nullptr, tables_[i].get(), {}, false};
+    const Calling calling(*d.plugin, d.element.alias.c_str(), "create");
+    ig_status status = IG_FAILED;
+    try {
+      status = d.dependency->create(&link_api(), &link, nullptr, &dependencies_[i]);
+    } catch (...) {
+      dependencies_[i] = nullptr;
+      sink_.add(
+          exception_diagnostic(*d.plugin, d.element.alias, "create", place_of(d.element, settings_.dependencies)));
+      throw std::runtime_error(d.element.alias + " could not be created");
+    }
+    if (status == IG_FAILED) {
+      dependencies_[i] = nullptr;
+      sink_.add(
+          host_diagnostic("IG-0308", place_of(d.element, settings_.dependencies), {d.element.alias, link.failure}));
+      throw std::runtime_error(d.element.alias + " could not be created");
+    }
+    refuse_rows(i);
+  }
+  check_answers();
+}
+
+/// Refuses rows that have no meaning; each is reported.
+void Chain::refuse_rows(std::size_t dependency) {
+  const LinkedDependency& d = linked_.dependencies[dependency];
+  if (d.dependency->row_fault == nullptr) return;
+  const Calling calling(*d.plugin, d.element.alias.c_str(), "row_fault");
+  bool is_sound = true;
+  const auto check = [&](const std::string& row, const Location& where) {
+    ig_text fault{};
+    try {
+      fault = d.dependency->row_fault(dependencies_[dependency], {row.data(), row.size()});
+    } catch (...) {
+      is_sound = false;
+      sink_.add(exception_diagnostic(*d.plugin, d.element.alias, "row_fault", where));
+      return;
+    }
+    if (fault.size == 0) return;
+    is_sound = false;
+    sink_.add(host_diagnostic("IG-0432", where, {d.element.alias, row, std::string(fault.data, fault.size)}));
+  };
+  const auto check_all = [&](const DependencyElement& element) {
+    for (const TableRow& row : element.rows) check(std::string(key_of(*d.dependency, row)), row.where);
+  };
+  check_all(d.element);
+  for (const DependencyElement& given : settings_.dependencies)
+    if (is_given(given, d.element)) check_all(given);
+  for (const AssignedRow& row : assigned_rows_)
+    if (row.dependency == dependency) check(row.name, {"--set"});
+  if (!is_sound) throw std::runtime_error(d.element.alias + " has no such row");
+}
+
+/// Reports a dependency that was given values although another one answers in its place.
+void Chain::check_answers() {
+  for (std::size_t i = 0; i < dependencies_.size(); ++i) {
+    const LinkedDependency& d = linked_.dependencies[i];
+    if (d.dependency->provides == nullptr || d.dependency->provides[0] == nullptr) continue;
+    const bool is_assigned =
+        std::any_of(settings_.assignments.begin(), settings_.assignments.end(),
+                    [&](const auto& a) { return a.first.substr(0, a.first.find('.')) == d.element.alias; });
+    if (d.element.rows.empty() && !is_assigned) continue;
+    std::string other;
+    bool answers = false;
+    for (const char* const* id = d.dependency->provides; *id != nullptr && !answers; ++id) {
+      const std::optional<std::size_t> who = answering(*id);
+      answers = !who || *who == i;
+      if (!answers) other = linked_.dependencies[*who].element.alias;
+    }
+    if (!answers)
+      sink_.add(
+          host_diagnostic("IG-0434", is_assigned ? Location{"--set"} : d.element.where, {d.element.alias, other}));
+  }
+}
+
+void Chain::overlay(const DependencyElement& element) {
+  for (std::size_t i = 0; i < tables_.size(); ++i) {
+    const LinkedDependency& d = linked_.dependencies[i];
+    if (!is_given(element, d.element)) continue;
+    for (const Attribute& option : element.options) assign(d.element.alias + "." + option.name, option.value);
+    std::vector<Diagnostic> faults = check_rows(*d.dependency, d.element.alias, element.rows);
+    for (Diagnostic& fault : faults) sink_.add(std::move(fault));
+    if (!faults.empty()) throw std::runtime_error("no such rows of " + d.element.alias);
+    for (const TableRow& row : element.rows) set_row(*tables_[i], row);
+    return;
+  }
+  std::vector<std::string> names;
+  for (const LinkedDependency& d : linked_.dependencies) names.push_back(d.element.alias);
+  const std::string near = nearest_name(element.id, names);
+  sink_.add(host_diagnostic("IG-0410", element.where, {element.id}, near.empty() ? "" : "did you mean " + near + "?"));
+  throw std::runtime_error("no dependency " + element.id);
+}
+
+void Chain::assign(const std::string& path, const std::string& value) {
+  const std::size_t dot = path.find('.');
+  const std::string name = path.substr(0, dot);
+  const std::string rest = dot == std::string::npos ? std::string() : path.substr(dot + 1);
+  std::vector<std::string> names;
+  std::string hint;
+  for (std::size_t i = 0; i < tables_.size(); ++i) {
+    const LinkedDependency& d = linked_.dependencies[i];
+    names.push_back(d.element.alias);
+    if (d.element.alias != name) continue;
+    for (std::uint32_t o = 0; o < d.dependency->option_count; ++o) {
+      if (rest != d.dependency->options[o].name) continue;
+      const std::optional<OptionValue> parsed = parse_option(d.dependency->options[o], value);
+      if (!parsed) {
+        sink_.add(host_diagnostic("IG-0411", {"--set"}, {path, value},
+                                  "it must be " + describe_option(d.dependency->options[o])));
+        throw std::runtime_error("no value for " + path);
+      }
+      dependency_options_[i][o] = *parsed;
+      return;
+    }
+    if (rest.empty() || d.dependency->column_count == 0) break;
+    // "ROW.COLUMN", or "ROW" alone where it has one value; rows may hold points.
+    const std::size_t last = rest.rfind('.');
+    std::optional<std::size_t> column;
+    if (last != std::string::npos) column = tables_[i]->column(rest.substr(last + 1));
+    const std::string row = column ? rest.substr(0, last) : rest;
+    if (!column && !has_one_value(*d.dependency)) {
+      hint = columns_of(*d.dependency);
+      break;
+    }
+    assigned_rows_.push_back({i, row});
+    if (!tables_[i]->set(row, static_cast<std::uint32_t>(column.value_or(0)), std::string_view(value))) {
+      sink_.add(host_diagnostic("IG-0411", {"--set"}, {path, value}));
+      throw std::runtime_error("no value for " + path);
+    }
+    return;
+  }
+  const std::string near = nearest_name(name, names);
+  if (hint.empty() && !near.empty() && near != name) hint = "did you mean " + near + "?";
+  sink_.add(host_diagnostic("IG-0410", {"--set"}, {path}, hint));
+  throw std::runtime_error("no dependency or column " + path);
+}
+
+const void* Chain::service(std::string_view id) const {
+  if (id == IG_FLOW_SERVICE) return &flow_service_;
+  const std::optional<std::size_t> who = answering(id);
+  return who ? service_of(*linked_.dependencies[*who].dependency, dependencies_[*who], id) : nullptr;
+}
+
+/// Dependencies from the run's files come first, those of the last file before all; then the dialect's, in its order.
+std::optional<std::size_t> Chain::answering(std::string_view id) const {
+  const auto answers = [&](std::size_t i) {
+    return service_of(*linked_.dependencies[i].dependency, dependencies_[i], id) != nullptr;
+  };
+  for (std::size_t given = settings_.dependencies.size(); given-- > 0;)
+    for (std::size_t i = 0; i < dependencies_.size(); ++i)
+      if (is_given(settings_.dependencies[given], linked_.dependencies[i].element) && answers(i)) return i;
+  for (std::size_t i = 0; i < dependencies_.size(); ++i)
+    if (answers(i)) return i;
+  return std::nullopt;
+}
+
+DependencyTable* Chain::table(std::string_view dependency) {
+  for (std::size_t i = 0; i < tables_.size(); ++i)
+    if (linked_.dependencies[i].element.alias == dependency) return tables_[i].get();
+  return nullptr;
+}
+
+}  // namespace isogloss
