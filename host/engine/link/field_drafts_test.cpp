@@ -1,0 +1,121 @@
+#include <catch2/catch.hpp>
+
+#include "test_dialect.hpp"
+
+using namespace isogloss;
+using namespace isogloss::test;
+
+TEST_CASE("one field has one type and one life, also across plugins") {
+  Plugin one("one"), two("two");
+  one.syntax("Number").fields = {field("Acme.Level", IG_WRITE, IG_NUMBER, IG_LIFE_MODAL)};
+  two.syntax("Symbol").fields = {field("Acme.Level", IG_READ, IG_SYMBOL, IG_LIFE_MODAL)};
+  two.syntax("Block").fields = {field("Acme.Level", IG_READ, IG_NUMBER, IG_LIFE_BLOCK)};
+  two.syntax("Standard").fields = {field("Feedrate.FeedrateValue", IG_READ, IG_TEXT)};
+  two.syntax("Records").fields = {field("CompoundMotion.Items[].Dwell.Time", IG_WRITE, IG_SYMBOL)};
+  for (const char* other : {"Symbol", "Block"}) {
+    Hand hand{"one", "two"};
+    hand.add("Number");
+    hand.add(other);
+    CHECK(faults(hand, {&one, &two}) == Strings{"IG-0209 4"});
+  }
+  Hand standard{"two"};
+  standard.add("Standard");
+  standard.add("Records");
+  CHECK(faults(standard, {&two}) == Strings{"IG-0209 2", "IG-0209 3"});
+}
+
+TEST_CASE("initial values and literal patterns name fields that exist, and are of their type") {
+  Plugin plugin("p");
+  Syntax& syntax = plugin.syntax("S");
+  syntax.options = {option("lengths", IG_OPTION_FIELDS, "Parsing.*.X")};
+  syntax.fields = {field("@lengths", IG_READ | IG_PATTERN), field("Acme.Level", IG_READ)};
+  Hand hand{"p"};
+  hand.add("S");
+  hand.initial("Acme.Levle", "1");
+  hand.initial("Acme.Level", "high");
+  hand.initial("SpindleSpeed.SpindleSpeed_rpm", "1e3");
+  hand.initial("ToolChange.ToolId", "1.5");
+  hand.initial("PlaneSelect.Term", "anything");
+  hand.initial("Source.Line", "1000000000000000000000000");
+  DiagnosticList found;
+  CHECK(faults(hand, {&plugin}, &found) == Strings{"IG-0214 3", "IG-0215 4", "IG-0215 5", "IG-0215 6", "IG-0215 8"});
+  CHECK(found.all[0].hint == "did you mean Acme.Level?");
+}
+
+TEST_CASE("a chain that asks for too many fields of the block before does not link") {
+  Plugin plugin("p");
+  Syntax& curious = plugin.syntax("Curious");
+  std::vector<std::string> paths;
+  for (int i = 0; i < 64; ++i) paths.push_back("Acme.Field" + std::to_string(i));
+  for (const std::string& path : paths) {
+    curious.fields.push_back(field(path.c_str(), IG_WRITE, IG_NUMBER, IG_LIFE_MODAL));
+    curious.fields.push_back(field(path.c_str(), IG_PREVIOUS, IG_NUMBER, IG_LIFE_MODAL));
+  }
+  Hand hand{"p"};
+  hand.add("Curious");
+  CHECK(faults(hand, {&plugin}) == Strings{"IG-0224 0"});
+  curious.fields.resize(126);
+  CHECK(faults(hand, {&plugin}).empty());
+}
+
+TEST_CASE("a pattern of the dialect that matches no field is told; a default is not") {
+  Plugin plugin("p");
+  Syntax& lengths = plugin.syntax("Lengths");
+  lengths.fields = {field("@words", IG_TAKE | IG_PATTERN)};
+  lengths.options = {option("words", IG_OPTION_FIELDS, "Parsing.*.Q")};
+  plugin.syntax("Reader").fields = {field("Parsing.X", IG_TAKE)};
+  Hand by_default{"p"};
+  by_default.add("Reader");
+  by_default.add("Lengths");
+  CHECK(faults(by_default, {&plugin}).empty());
+  Hand given{"p"};
+  given.add("Reader");
+  given.add("Lengths", {{"words", "Parsing.? Parsing.*.X"}});
+  DiagnosticList found;
+  CHECK(faults(given, {&plugin}, &found) == Strings{"IG-0244 4"});
+  CHECK(found.all[0].message.find("'Parsing.*.X'") != std::string::npos);
+}
+
+TEST_CASE("X Y Z of a section lie side by side in one word of bits, and so do their values from before the block") {
+  constexpr std::uint32_t remembers = IG_READ | IG_WRITE | IG_PREVIOUS;
+  // However many numbers stand before them.
+  for (int before = 0; before <= 64; ++before) {
+    CAPTURE(before);
+    const bool has_previous = GENERATE(false, true);
+    const std::uint32_t access = has_previous ? remembers : IG_READ | IG_WRITE;
+    std::vector<std::string> paths;
+    for (int i = 0; i < before + 5; ++i) paths.push_back("Acme.N" + std::to_string(i));
+    Plugin plugin("p");
+    std::vector<ig_field_decl>& fields = plugin.syntax("Remembers").fields;
+    for (int i = 0; i < before; ++i)
+      fields.push_back(field(paths[static_cast<std::size_t>(i)].c_str(), IG_READ | IG_WRITE, IG_NUMBER, IG_LIFE_MODAL));
+    for (const char* path : {"Acme.X", "Acme.Y", "Acme.Z", "Other.X", "Other.Y", "Other.Z"})
+      fields.push_back(field(path, access, IG_NUMBER, IG_LIFE_MODAL));
+    for (int i = before; i < before + 5; ++i)
+      fields.push_back(field(paths[static_cast<std::size_t>(i)].c_str(), IG_READ | IG_WRITE, IG_NUMBER, IG_LIFE_MODAL));
+    Hand hand{"p"};
+    hand.add("Remembers");
+    Library library({});
+    library.add(plugin.get());
+    DiagnosticList found;
+    const auto linked = link(hand.dialect, library, found);
+    REQUIRE(linked);
+    const Layout& layout = linked->layout;
+    const auto copy_of = [&](ig_field f) {
+      ig_field copy = 0;
+      while (copy < layout.fields.size() && layout.fields[copy].previous_of != f) ++copy;
+      return copy;
+    };
+    for (const char* section : {"Acme.", "Other."}) {
+      const auto id = [&](const char* axis) { return layout.id(std::string(section) + axis); };
+      CHECK(id("Y") == id("X") + 1);
+      CHECK(id("Z") == id("X") + 2);
+      CHECK(id("X") / 64 == id("Z") / 64);
+      if (!has_previous) continue;
+      CHECK(copy_of(id("Y")) == copy_of(id("X")) + 1);
+      CHECK(copy_of(id("Z")) == copy_of(id("X")) + 2);
+      CHECK(copy_of(id("X")) / 64 == copy_of(id("Z")) / 64);
+    }
+    for (const std::string& path : paths) CHECK(layout.find(path));
+  }
+}
