@@ -42,6 +42,27 @@ TEST_CASE("initial values and literal patterns name fields that exist, and are o
   CHECK(found.all[0].hint == "did you mean Acme.Level?");
 }
 
+TEST_CASE("a pattern of the syntax itself finds the words of codes of one kind") {
+  Plugin plugin("p");
+  Syntax& cycles = plugin.syntax("Cycles");
+  cycles.fields = {field("Parsing.G181", IG_TAKE | IG_WAKE, IG_CODE), field("Parsing.G181.X", IG_TAKE),
+                   field("Parsing.G5", IG_TAKE | IG_WAKE, IG_CODE), field("Parsing.G5.X", IG_TAKE)};
+  cycles.fields[0].unit = "canned-cycle";
+  Syntax& family = plugin.syntax("Family");
+  family.fields = {field("Parsing.*{canned-cycle}.X", IG_READ | IG_PATTERN)};
+  Hand hand{"p"};
+  hand.add("Family");
+  hand.add("Cycles");
+  Library library({});
+  library.add(plugin.get());
+  DiagnosticList found;
+  const auto linked = link(hand.dialect, library, found, LinkMode::whole);
+  REQUIRE(linked != nullptr);
+  const std::vector<ig_field>& ids = linked->chain[0].expansions.at(0);
+  REQUIRE(ids.size() == 1);
+  CHECK(linked->layout.fields[ids[0]].path == "Parsing.G181.X");
+}
+
 TEST_CASE("a chain that asks for too many fields of the block before does not link") {
   Plugin plugin("p");
   Syntax& curious = plugin.syntax("Curious");
