@@ -1,0 +1,226 @@
+/// Which call a block holds: a subprogram by its name, by a text or by DEFINE, a cycle, a procedure of the control.
+#include "flow/call_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "flow/control_procedures.hpp"
+#include "flow/flow_words.hpp"
+
+namespace siemens {
+
+using namespace ig::cnc;
+namespace {
+
+bool is_synchronized(std::string_view text, std::size_t position, std::string_view name) {
+  for (const std::string_view word : {"WHEN", "WHENEVER", "EVERY", "FROM", "DO"})
+    if (name == word) return true;
+  return (name == "ID" || name == "IDS") && at(text, skip_blanks(text, skip_name(text, position))) == '=';
+}
+
+/// NAME of /_N_SPF_DIR/_N_NAME_SPF, FOLDER\NAME.SPF and NAME.
+std::string program_of(std::string_view path) {
+  path.remove_prefix(std::min(path.find_last_of("/\\:") + 1, path.size()));
+  std::string name = upper(trim(path.substr(0, path.find('.'))));
+  if (name.starts_with("_N_")) name.erase(0, 3);
+  for (const std::string_view kind : {"_SPF", "_MPF"})
+    if (name.size() > 4 && name.ends_with(kind)) name.erase(name.size() - 4);
+  return name;
+}
+
+/// Behind a call: nothing, or a word, which stands wrong, but is read. Else the line is no statement at all.
+bool is_alone(std::string_view text, std::size_t rest) {
+  if (rest >= text.size() || std::string_view(";\r\n").find(text[rest]) != std::string_view::npos) return true;
+  return is_name_start(text[rest]) && !is_name_start(at(text, rest + 1));
+}
+
+}  // namespace
+
+std::size_t CallReader::scan(ig::Block& b, std::string_view text, std::size_t position) {
+  const std::size_t end = skip_name(text, position);
+  const bool is_l = to_upper(text[position]) == 'L' && end > position + 1 && skip_digits(text, position + 1) == end;
+  const std::string* const macro = macro_at(text, position, end);
+  if (macro == nullptr && (end - position < 2 || (is_digit(at(text, position + 1)) && !is_l))) return position;
+  if (environment_.flow.is_indexing()) {
+    for (const CycleSignature& s : pattern_signatures)
+      if (equals_ignoring_case(piece(text, position, end), s.name))
+        environment_.flow.label(b, pattern_label(environment_.flow.here(b).line));
+    return statement_end(text, position);
+  }
+  std::string name = upper(piece(text, position, end));
+  if (macro != nullptr) return expand(b, text, position, end, *macro);
+  begin_ = position;
+  std::size_t next = skip_blanks(text, end);
+  if (is_synchronized(text, position, name)) {
+    const std::size_t last = statement_text_end(text, position);
+    b.report(ig::diag("SIE-0168"), ig::Where::columns(position, last), piece(text, position, last));
+    return statement_end(text, position);
+  }
+  if (const auto behind = curve(b, name, text, position, next)) return *behind;
+  environment_.enter(b);
+  arguments_.clear();
+  if (name == "CALL" || name == "PCALL" || name == "EXTCALL" || name == "ISOCALL")
+    return indirect(b, text.substr(0, statement_text_end(text, position)), next, name);
+  const bool has_bracket = at(text, next) == '(';
+  if (has_bracket) {
+    const std::size_t close = skip_call(text, next);
+    if (const CycleFields* const cycle = cycle_of(name)) {
+      pass(b, *cycle, text, next, close);
+      return close;
+    }
+    if (is_known(b, text, name, next, close)) return name == "SETINT" ? statement_end(text, close) : close;
+    if (!read_arguments(b, text.substr(0, close), next)) return close;
+    next = skip_blanks(text, close);
+  } else if (is_foreign_cycle(name) && !silent_.holds(name)) {
+    environment_.report_once(b, ig::diag("SIE-0181"), ig::Where::columns(position, end), position,
+                             std::string_view(name));
+    return end;
+  } else if (const std::string_view missing = not_executed(name); !missing.empty()) {
+    b.report(ig::diag("SIE-0174"), ig::Where::columns(position, end), std::string_view(name), missing);
+    return end;
+  } else if (silent_.holds(name)) {
+    if (name == "SETMS") environment_.store().master_spindle.reset();
+    return end;
+  }
+  return request(b, text, next, std::move(name), has_bracket ? next : end);
+}
+
+ig::Status CallReader::build(ig::Block& b) {
+  if (!b.is_raised(call_)) return ig::Status::unchanged;
+  const auto where = ig::Where::columns(begin_, std::max(end_, begin_));
+  b.set(term_, b.symbol(program_));
+  if (b.find(modal_)) {
+    environment_.store().modal = {program_, std::move(arguments_), environment_.flow.frame(b).id};
+    b.raise(modal_call_);
+    return ig::Status::changed;
+  }
+  if (repeats_ < 1) return ig::Status::changed;
+  const ig_text file = ig::to_text(program_);
+  ig::Flow::Call call;
+  call.program = program_;
+  call.files = {&file, 1};
+  call.repeats = static_cast<std::uint32_t>(repeats_);
+  call.tag = environment_.store().pass(std::move(arguments_));
+  const ig::Flow::Answer answer = environment_.flow.call(b, call);
+  if (answer.is_not_found())
+    environment_.report_once(b, ig::diag("SIE-0165"), where, begin_, std::string_view(program_), answer.reason);
+  else if (answer.status == IG_GO_TAKEN)
+    b.report(ig::diag("SIE-0167"), where, std::string_view(program_));
+  return ig::Status::changed;
+}
+
+std::optional<std::size_t> CallReader::curve(ig::Block& b, std::string_view name, std::string_view text,
+                                             std::size_t position, std::size_t next) {
+  std::uint32_t& begins = environment_.store().curve_begins;
+  if (name == "CTABDEF") begins = std::max(environment_.flow.here(b).line, 1u);
+  if (begins == 0 || name == "CTABDEF") return std::nullopt;
+  if (name == "CTABEND") begins = 0;
+  return at(text, next) == '(' ? skip_call(text, next) : skip_name(text, position);
+}
+
+const std::string* CallReader::macro_at(std::string_view text, std::size_t position, std::size_t end) const {
+  const VariableStore& store = environment_.store();
+  if (is_expanded_ || !store.has_macros() || environment_.flow.is_indexing()) return nullptr;
+  return store.macro(upper(piece(text, position, end)));
+}
+
+std::size_t CallReader::expand(ig::Block& b, std::string_view text, std::size_t position, std::size_t end,
+                               const std::string& macro) {
+  const ExpandedText as(text, position, end, macro);
+  const bool is_flow = flow_word(piece(macro, 0, skip_name(macro, 0))) != FlowWord::none;
+  is_expanded_ = true;
+  const std::size_t behind = is_flow ? position : scan(b, as.text(), position);
+  is_expanded_ = false;
+  end_ = as.original(end_);
+  if (behind <= position || skip_blanks(as.text(), behind) < as.macro_end()) {
+    b.report(ig::diag("SIE-0288"), ig::Where::columns(position, end), std::string_view(macro));
+    return end;
+  }
+  return as.original(behind);
+}
+
+std::size_t CallReader::indirect(ig::Block& b, std::string_view text, std::size_t next, const std::string& how) {
+  const bool is_name = is_name_start(at(text, next));
+  const std::size_t name_end = skip_name(text, next);
+  std::string name = upper(piece(text, next, name_end));
+  const Variable* const variable = is_name ? environment_.store().find(name) : nullptr;
+  if (name == "BLOCK") {
+    b.report(ig::diag("SIE-0171"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
+    return text.size();
+  }
+  if (!is_name || (variable != nullptr && variable->value.is_text())) {
+    Expression e(b, environment_, text, next);
+    const auto path = e.value();
+    if (!path || !path->is_text()) {
+      if (path || next >= text.size())
+        b.report(ig::diag("SIE-0169"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
+      return text.size();
+    }
+    name = program_of(path->text);
+    next = e.position();
+  } else {
+    next = skip_blanks(text, name_end);
+    if (at(text, next) == '(') {
+      const std::size_t close = skip_call(text, next);
+      if (!read_arguments(b, text.substr(0, close), next)) return text.size();
+      next = close;
+    }
+  }
+  next = skip_blanks(text, next);
+  if (next < text.size() && how == "CALL") {
+    b.report(ig::diag("SIE-0171"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
+    return text.size();
+  }
+  return request(b, text, next, std::move(name), next);
+}
+
+std::size_t CallReader::request(ig::Block& b, std::string_view text, std::size_t next, std::string name,
+                                std::size_t end) {
+  repeats_ = 1;
+  end_ = end;
+  const char behind = at(text, next + 1);
+  if (to_upper(at(text, next)) == 'P' && !is_name_start(behind)) {
+    std::size_t value = skip_blanks(text, next + 1);
+    if (at(text, value) == '=') value = skip_blanks(text, value + 1);
+    Expression e(b, environment_, text, value);
+    const auto times = e.number();
+    if (!times) return std::max(e.position(), value);
+    end_ = e.position();
+    repeats_ = *times;
+    if (!(repeats_ >= 0 && repeats_ <= 9999) || repeats_ != std::floor(repeats_)) {
+      b.report(ig::diag("SIE-0172"), ig::Where::columns(next, end_), std::string_view(name), *times);
+      repeats_ = 0;
+      return end_;
+    }
+  }
+  if (const std::size_t rest = skip_blanks(text, end_); !is_alone(text, rest)) {
+    const std::size_t last = statement_text_end(text, rest);
+    environment_.report_once(b, ig::diag("SIE-0173"), ig::Where::columns(begin_, last), begin_, std::string_view(name),
+                             piece(text, rest, last));
+    return statement_end(text, rest);
+  }
+  if (b.is_raised(call_)) {
+    b.report(ig::diag("SIE-0167"), ig::Where::columns(begin_, end_), std::string_view(name));
+    return statement_end(text, end_);
+  }
+  program_ = std::move(name);
+  b.raise(call_);
+  return end_;
+}
+
+std::vector<CycleFields> CallReader::all_cycles() {
+  std::vector<CycleFields> out;
+  for (const CycleSignature& s : drilling_signatures) out.emplace_back(s, ig::write);
+  for (const CycleSignature& s : pattern_signatures) out.emplace_back(s, ig::write);
+  out.emplace_back(swivel_signature, ig::write);
+  return out;
+}
+
+const CycleFields* CallReader::cycle_of(std::string_view name) const {
+  for (const CycleFields& c : cycles_)
+    if (c.name() == name) return &c;
+  return nullptr;
+}
+
+}  // namespace siemens

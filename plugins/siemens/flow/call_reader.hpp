@@ -1,0 +1,116 @@
+/// Reads the calls of the Siemens language, and calls: subprograms, cycles, and procedures of the control.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cycles/cycle_signatures.hpp"
+#include "language/siemens_expression.hpp"
+
+namespace siemens {
+
+using namespace ig::cnc;
+
+/// A blank-separated list of names.
+class NameSet {
+ public:
+  explicit NameSet(std::string_view list) {
+    while (!(list = trim(list)).empty()) {
+      const std::size_t end = std::min(list.find(' '), list.size());
+      names_.push_back(upper(list.substr(0, end)));
+      list.remove_prefix(end);
+    }
+  }
+  bool holds(const std::string& name) const { return std::find(names_.begin(), names_.end(), name) != names_.end(); }
+
+ private:
+  std::vector<std::string> names_;
+};
+
+/// The one member of the syntax.
+class CallReader {
+ public:
+  /// Where the call at `position` ends; `position` where none stands there.
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position);
+
+  ig::Status build(ig::Block& b);
+
+ private:
+  // Messages and pictures; what the path is measured on; other channels; couplings of spindles, and the end of
+  // couplings, of the handwheel's offset and of synchronized actions, which are not executed either.
+  ig::TextOption silent_list_{
+      "silent",
+      "MSG WORKPIECE GROUP_BEGIN GROUP_END GROUP_ADDEND E_END SETMS FGROUP CYCLE832 WAITM WAITMC SETM "
+      "CLEARM WAITS WAITP WAITE COUPDEF COUPDEL COUPON COUPONC COUPOF COUPOFS COUPRES WRITE DELETE BRISKA SOFTA "
+      "DRIVEA JERKA IPOBRKA ADISPOSA NEWCONF TMON TMOF RESETMON SETPIECE CHKDNO CHKDM GWPSON GWPSOF TANGOF TANGDEL "
+      "TLIFT TRAILOF LEADOF EGOFS EGOFC EGDEL MASLOF MASLOFS MASLDEL CTABDEL CTABLOCK CTABUNLOCK TOFFOF SPCON SPCOF "
+      "WAITENC GET GETD RELEASE AXTOCHAN INIT CANCEL LOCK UNLOCK RESET CLRINT ENABLE DISABLE CALLPATH PROTA PROTS "
+      "PROTD "
+      "CPROT CPROTDEF NPROT NPROTDEF FCTDEF CORROF DRFOF IPTRLOCK IPTRUNLOCK POLFMASK POLFMLIN BLSYNC",
+      "Procedures of the control that move nothing and change nothing here."};
+  std::vector<CycleFields> cycles_ = all_cycles();
+  ig::Codes modal_{{"MCALL"}, ig::read};
+  ig::Codes traori_{{"TRAORI"}, ig::write};
+  ig::TextField message_{"Message.Text", ig::write, {ig::Life::block, "", "What MSG shows."}};
+  ig::Signal modal_call_{"ModalCall.~Begins", ig::write};
+  ig::Signal call_{"Parsing.~Call", ig::read | ig::write | ig::wake};
+  ig::Out<ig::Symbol> term_{"SubProgramCall.Term"};
+  ig::TextField file_{"SubProgramCall.FileName", ig::write};
+  Environment environment_;
+  NameSet silent_{silent_list_.text()};
+
+  // ---- call_reader.cpp: which call it is
+
+  /// CTABDEF begins the definition of a curve, CTABEND ends it; cycles and calls in between are part of it. Nothing:
+  /// the name is none of that.
+  std::optional<std::size_t> curve(ig::Block& b, std::string_view name, std::string_view text, std::size_t position,
+                                   std::size_t next);
+
+  /// What DEFINE says of the name: one that looks like a code counts, too (DEFINE M6 AS L6).
+  const std::string* macro_at(std::string_view text, std::size_t position, std::size_t end) const;
+
+  /// A name for a call (DEFINE).
+  std::size_t expand(ig::Block& b, std::string_view text, std::size_t position, std::size_t end,
+                     const std::string& macro);
+
+  static std::vector<CycleFields> all_cycles();
+  const CycleFields* cycle_of(std::string_view name) const;
+
+  /// CALL "NAME", EXTCALL("FOLDER/NAME.SPF"), PCALL NAME(1,2)
+  std::size_t indirect(ig::Block& b, std::string_view text, std::size_t next, const std::string& how);
+
+  /// P3 or P=R1 behind the name; `next` is where it may stand.
+  std::size_t request(ig::Block& b, std::string_view text, std::size_t next, std::string name, std::size_t end);
+
+  // ---- control_procedures.cpp: what the control knows by name
+
+  /// SETMS(2): what S and M3 mean from here on.
+  void name_master(ig::Block& b, std::string_view text, std::size_t open);
+
+  /// GETEXET(NUMBER) and GETSELT(NUMBER): the tool in the spindle, and the one that T has named.
+  void give_tool(ig::Block& b, std::string_view text, std::size_t open, std::string_view tool, ig::Where where);
+
+  /// MSG("…"), SETAL(65000), cycles that are not executed. False: a subprogram.
+  bool is_known(ig::Block& b, std::string_view text, const std::string& name, std::size_t open, std::size_t close);
+
+  // ---- call_arguments.cpp: the parameters of a call
+
+  bool read_arguments(ig::Block& b, std::string_view text, std::size_t open);
+
+  /// Where a variable alone stands, a VAR parameter may change it.
+  void name_of(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end, Argument& argument) const;
+
+  void pass(ig::Block& b, const CycleFields& cycle, std::string_view text, std::size_t open, std::size_t close);
+
+  // What scan() has found.
+  std::size_t begin_ = 0, end_ = 0;
+  std::string program_;
+  std::vector<Argument> arguments_;
+  double repeats_ = 1;
+  bool is_expanded_ = false;  // the text is what DEFINE says
+};
+
+}  // namespace siemens
