@@ -8,13 +8,13 @@ namespace isogloss {
 
 namespace {
 
-constexpr std::string_view words_prefix = "Parsing.";
-constexpr std::string_view flags_prefix = "Parsing.Flags.";
+constexpr std::string_view words_section = "Parsing.";
+constexpr std::string_view flags_section = "Parsing.Flags.";
 
 ig_life default_life(std::string_view path, ig_type type) {
   if (type == IG_TRANSFORM) return IG_LIFE_MODAL;
   if (type == IG_SWITCH || type == IG_TEXT) return IG_LIFE_BLOCK;
-  return path.starts_with(words_prefix) ? IG_LIFE_WORD : IG_LIFE_BLOCK;
+  return path.starts_with(words_section) ? IG_LIFE_WORD : IG_LIFE_BLOCK;
 }
 
 }  // namespace
@@ -26,14 +26,14 @@ const char* type_name(ig_type type) {
 }
 
 std::string_view FieldDrafts::canonical(std::string_view path) const {
-  if (!path.starts_with(flags_prefix)) return path;
-  const auto owner = owners_.find(path.substr(flags_prefix.size()));
+  if (!path.starts_with(flags_section)) return path;
+  const auto owner = owners_.find(path.substr(flags_section.size()));
   return owner == owners_.end() ? path : owner->second;
 }
 
 void FieldDrafts::add_owner(std::string_view path) {
-  if (path.starts_with(words_prefix) && !path.starts_with(flags_prefix))
-    owners_.emplace(path.substr(words_prefix.size()), path);
+  if (path.starts_with(words_section) && !path.starts_with(flags_section))
+    owners_.emplace(path.substr(words_section.size()), path);
 }
 
 void FieldDrafts::collect_owners() {
@@ -48,7 +48,7 @@ void FieldDrafts::collect_owners() {
       for (const FieldPattern& p : patterns(s, decl)) {
         if (!p.is_literal()) continue;
         add_owner(p.path());
-        if (!p.path().starts_with(words_prefix)) linking_.say("IG-0243", s.element.where, {s.element.alias, p.path()});
+        if (!p.path().starts_with(words_section)) linking_.say("IG-0243", s.element.where, {s.element.alias, p.path()});
       }
     }
 }
