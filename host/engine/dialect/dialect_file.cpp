@@ -18,24 +18,9 @@ constexpr std::array stages{Stage::parsing, Stage::evaluation, Stage::logic, Sta
 constexpr std::array edit_kinds{EditKind::replace, EditKind::insert_before, EditKind::insert_after, EditKind::remove,
                                 EditKind::configure};
 
-std::vector<std::string> words(std::string_view text) {
-  std::vector<std::string> all;
-  for (std::size_t i = 0; (i = text.find_first_not_of(" \t\r\n", i)) != std::string_view::npos;) {
-    const std::size_t end = std::min(text.find_first_of(" \t\r\n", i), text.size());
-    all.emplace_back(text.substr(i, end - i));
-    i = end;
-  }
-  return all;
-}
-
-/// Namespace declarations, and what editors add to find the schema.
-bool is_markup(std::string_view attribute) {
-  return attribute == "xmlns" || attribute.starts_with("xmlns:") || attribute.starts_with("xsi:");
-}
-
-class FileReader {
+class FileReader : XmlElements {
  public:
-  FileReader(const XmlSource& xml, XmlBudget& budget, Report& report) : xml_(xml), budget_(budget), report_(report) {}
+  FileReader(const XmlSource& xml, XmlBudget& budget, Report& report) : XmlElements(xml, report), budget_(budget) {}
 
   DialectFile dialect() {
     if (!read_head()) return std::move(file_);
@@ -280,7 +265,7 @@ class FileReader {
   }
 
   void read_rows(const XmlSource& xml, pugi::xml_node node, DependencyElement& element) {
-    FileReader inside(xml, budget_, report_);
+    XmlElements inside(xml, report_);
     for (const pugi::xml_node row : inside.elements(node)) {
       inside.leaves(row, {});
       element.rows.push_back({row.name(), data_attributes(xml, row, {}), xml.at(row)});
@@ -385,67 +370,6 @@ class FileReader {
     return value == "true";
   }
 
-  // ---- What may stand where ----
-
-  /// The child elements; text between them is reported.
-  std::vector<pugi::xml_node> elements(pugi::xml_node node) {
-    std::vector<pugi::xml_node> all;
-    for (const pugi::xml_node child : node.children()) {
-      if (child.type() == pugi::node_element) all.push_back(child);
-      if (child.type() != pugi::node_pcdata && child.type() != pugi::node_cdata) continue;
-      const std::vector<std::string> text = words(child.value());
-      report_("IG-0119", xml_.at(child), {node.name(), text.empty() ? "" : shown(text[0])});
-    }
-    return all;
-  }
-
-  /// The child elements of these names, none of which has children; others are reported.
-  std::vector<pugi::xml_node> leaves(pugi::xml_node node, const std::vector<std::string>& names) {
-    std::vector<pugi::xml_node> all;
-    for (const pugi::xml_node child : elements(node)) {
-      if (std::find(names.begin(), names.end(), child.name()) == names.end()) {
-        unknown(child, names);
-        continue;
-      }
-      leaves(child, {});
-      all.push_back(child);
-    }
-    return all;
-  }
-
-  void only_attributes(pugi::xml_node node, const std::vector<std::string>& names) {
-    for (const pugi::xml_attribute a : node.attributes()) {
-      if ((node == xml_.root() && is_markup(a.name())) ||
-          std::find(names.begin(), names.end(), a.name()) != names.end())
-        continue;
-      report_("IG-0108", xml_.at(node, a.name()), {node.name(), shown(a.name())}, meant(a.name(), names));
-    }
-  }
-
-  std::string required(pugi::xml_node node, const char* attribute) {
-    const pugi::xml_attribute a = node.attribute(attribute);
-    if (a && *a.value() != '\0') return a.value();
-    report_("IG-0109", xml_.at(node, attribute), {node.name(), attribute});
-    return {};
-  }
-
-  void bad_value(pugi::xml_node node, const char* attribute, const char* wanted) {
-    report_("IG-0110", xml_.at(node, attribute),
-            {node.name(), attribute, wanted, shown(node.attribute(attribute).value())});
-  }
-
-  void unknown(pugi::xml_node node, const std::vector<std::string>& names) {
-    report_("IG-0107", xml_.at(node), {shown(node.name()), node.parent().name()}, meant(node.name(), names));
-  }
-
-  /// False, and reported, when the element has an elder sibling of its name.
-  bool once(pugi::xml_node node) {
-    const pugi::xml_node first = node.parent().child(node.name());
-    if (first == node) return true;
-    report_("IG-0114", xml_.at(node), {node.name(), place(xml_.at(first))});
-    return false;
-  }
-
   template <class Map>
   static std::vector<std::string> names_of(const Map& map) {
     std::vector<std::string> names;
@@ -453,11 +377,7 @@ class FileReader {
     return names;
   }
 
-  static std::string place(const Location& where) { return fmt::format("line {}", where.line); }
-
-  const XmlSource& xml_;
   XmlBudget& budget_;
-  Report& report_;
   DialectFile file_;
   std::map<std::string, Location> dependency_names_;
 };
@@ -500,18 +420,6 @@ fs::path below_folder_of(const std::string& file, const std::string& path) {
                        real_folder.end()
              ? named
              : fs::path();
-}
-
-std::string meant(std::string_view name, const std::vector<std::string>& names) {
-  constexpr std::size_t longest_misspelling = 100;
-  if (name.size() > longest_misspelling) return {};
-  const std::string near = nearest_name(name, names);
-  return near.empty() ? near : "did you mean " + near + "?";
-}
-
-std::string shown(std::string_view text) {
-  constexpr std::size_t longest = 80;
-  return text.size() <= longest ? std::string(text) : std::string(text.substr(0, longest)) + "…";
 }
 
 }  // namespace isogloss

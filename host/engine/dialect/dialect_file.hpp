@@ -1,26 +1,10 @@
 /// One dialect file as it is written, before what it extends is folded in.
 #pragma once
 
-#include "dialect/xml_source.hpp"
+#include "dialect/xml_elements.hpp"
 #include "isogloss/engine/dialect.hpp"
 
 namespace isogloss {
-
-/// Passes diagnostics on and remembers whether one was an error.
-class Report {
- public:
-  explicit Report(DiagnosticSink& sink) : sink_(sink) {}
-  void operator()(std::string_view code, Location where, std::initializer_list<std::string> arguments,
-                  std::string hint = {}) {
-    failed = true;
-    sink_.add(host_diagnostic(code, std::move(where), arguments, std::move(hint)));
-  }
-  DiagnosticSink& sink() { return sink_; }
-  bool failed = false;
-
- private:
-  DiagnosticSink& sink_;
-};
 
 enum class EditKind : std::uint8_t { replace, insert_before, insert_after, remove, configure };
 std::string_view to_string(EditKind kind);
@@ -56,11 +40,5 @@ std::vector<DependencyElement> read_dependency_file(const XmlSource& xml, XmlBud
 
 /// `path` below the folder of `file`; empty when it is absolute or leads out.
 std::filesystem::path below_folder_of(const std::string& file, const std::string& path);
-
-/// "did you mean …?", or nothing.
-std::string meant(std::string_view name, const std::vector<std::string>& names);
-
-/// A text of the file, cut to a length fit for a message.
-std::string shown(std::string_view text);
 
 }  // namespace isogloss
