@@ -850,7 +850,7 @@ class Listing(Command):
     def test_codes_of_a_dialect(self):
         rows = json.loads(self.run_it("list", "codes", "-d", "fanuc", "--json").stdout)
         g81 = [row for row in rows if row["Code"] == "G81"]
-        self.assertIn(("code", "DrillingCycleSyntax", "iso/drilling_cycle_syntax.md"),
+        self.assertIn(("code", "DrillingCycleSyntax", "iso/cycles/drilling_cycle_syntax.md"),
                       [(row["Kind"], row["Syntax"], row["Page"]) for row in g81])
         self.assertIn("R", g81[0]["Words"])
         codes = [row["Code"] for row in rows]

@@ -64,6 +64,8 @@ FieldPattern::FieldPattern(std::string_view text) {
   segments_ = path_segments(text);
   literal_ = text.find_first_of("*?") == std::string_view::npos;
   prefix_size_ = std::min(text.find_first_of("*?"), text.size());
+  if (segments_.size() > 1 && segments_.back().find_first_of("*?") == std::string::npos)
+    suffix_ = "." + segments_.back();
 }
 
 std::string_view FieldPattern::owner(std::string_view path) const {
@@ -76,7 +78,7 @@ std::string_view FieldPattern::owner(std::string_view path) const {
 bool FieldPattern::matches(std::string_view path, std::string_view unit) const {
   if (!any_unit_ && unit != unit_) return false;
   const std::string_view pattern = path_;
-  if (!path.starts_with(pattern.substr(0, prefix_size_))) return false;
+  if (!path.ends_with(suffix_) || !path.starts_with(pattern.substr(0, prefix_size_))) return false;
   // The common endings of patterns need no segments.
   const std::string_view wild = pattern.substr(prefix_size_);
   const std::size_t rest = path.size() - prefix_size_;

@@ -29,6 +29,7 @@ class FieldPattern {
   bool any_unit_ = true;
   std::size_t prefix_size_ = 0;  // before the first wildcard
   bool literal_ = true;
+  std::string suffix_;  // ".X" where the last of several segments has no wildcard
   std::vector<std::string> segments_;
 };
 

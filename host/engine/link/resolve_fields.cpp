@@ -1,4 +1,6 @@
 // From declarations to ids: what a syntax gets for each field that it declares, and what it may do with it.
+#include <map>
+
 #include "link/link_steps.hpp"
 
 namespace isogloss {
@@ -67,6 +69,8 @@ void permit(LinkedSyntax& s, std::uint32_t access, ig_field f) {
 void resolve_fields(Linking& linking, FieldDrafts& drafts, const FieldIds& ids) {
   const std::size_t mask_words = (linking.out.layout.fields.size() + 63) / 64;
   auto declared = drafts.declared().begin();
+  // Patterns that stand in descriptors mean the same for each syntax that has them.
+  std::map<std::pair<std::string_view, ig_type>, std::vector<ig_field>> known;
   for (LinkedSyntax& s : linking.out.chain) {
     s.may_read.resize(mask_words);
     s.may_write.resize(mask_words);
@@ -78,7 +82,13 @@ void resolve_fields(Linking& linking, FieldDrafts& drafts, const FieldIds& ids) 
       permit(s, decl.access, s.ids.back());
       if ((decl.access & IG_PATTERN) == 0) continue;
       s.expansions.resize(i + 1);
-      s.expansions[i] = expand(linking, drafts, s, decl);
+      if (*decl.path == '@') {
+        s.expansions[i] = expand(linking, drafts, s, decl);
+      } else {
+        const auto [same, is_new] = known.try_emplace({decl.path, decl.type});
+        if (is_new) same->second = expand(linking, drafts, s, decl);
+        s.expansions[i] = same->second;
+      }
       for (const ig_field f : s.expansions[i]) permit(s, decl.access, f);
     }
   }
