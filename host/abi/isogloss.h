@@ -182,10 +182,10 @@ typedef struct ig_syntax {
   const char* triggers;          /* the bytes at which scan() is asked; NULL: no scan() */
   ig_create_fn create;
   ig_destroy_fn destroy;
-  ig_run_fn restart; /* once a run, on the block before the first; NULL: nothing to do */
-  ig_scan_fn scan;   /* NULL: no scanner */
-  ig_run_fn build;   /* NULL: a scanner only */
-  const char* cases; /* Markdown with all other cases, NULL where there are none; since 1.5 */
+  ig_run_fn restart;  /* once a run, on the block before the first; NULL: nothing to do */
+  ig_scan_fn scan;    /* NULL: no scanner */
+  ig_run_fn build;    /* NULL: a scanner only */
+  const char* cases;  /* Markdown with all other cases, NULL where there are none; since 1.5 */
   const char* folder; /* of its page below the plugin's sources: "cycles"; NULL: beside them; since 1.6 */
 } ig_syntax;
 

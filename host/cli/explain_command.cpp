@@ -38,7 +38,7 @@ std::optional<KnownCode> find_code(const std::string& code, Library& library) {
       if (known.info.code == code) return known;
     return std::nullopt;
   };
-  if (const auto of_the_host = find()) return of_the_host;
+  if (auto of_the_host = find()) return of_the_host;
   library.load_all();
   return find();
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+
 #include <isogloss/cnc/units.hpp>
 #include <numbers>
 

@@ -1,12 +1,12 @@
 /// Functions of a Syntec that are recognised but not executed: each is one error that says what is missing, and its
 /// words are taken with it. F and S of such a block come into force all the same.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/recognised_codes.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace syntec {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SyntecCode {

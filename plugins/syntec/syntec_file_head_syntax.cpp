@@ -4,13 +4,13 @@
 #include <isogloss/flow.hpp>
 #include <set>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/scan.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace syntec {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SyntecFileHead {

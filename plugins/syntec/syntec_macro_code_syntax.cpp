@@ -3,13 +3,13 @@
 /// The same holds for codes with two or more decimals (G68.18), which belong to robots.
 #include <string>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/scan.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace syntec {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SyntecMacroCode {

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <isogloss/rows.hpp>
-
 #include <isogloss/cnc/parameter_services.hpp>
+#include <isogloss/rows.hpp>
 
 namespace syntec {
 
 using namespace ig::cnc;
+
 namespace {
 
 constexpr std::string_view control_precision = "17", axis_type = "1006", axis_name = "1020", rapid_rate = "1420",

@@ -1,13 +1,13 @@
 /// Global variables, `@1`, belong to files in MACRO format. A statement that begins with one becomes a leftover as a
 /// whole, so that it is reported once. After the letter of a word, which has been reported to have no number, the
 /// variable is taken with it.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/scan.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace syntec {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SyntecVariable {

@@ -857,12 +857,13 @@ class Listing(Command):
         self.assertLess(codes.index("G02"), codes.index("G10"))
         text = self.run_it("list", "codes", "-d", "fanuc").stdout
         self.assertEqual(len(text.splitlines()), len(rows))
-        self.assertRegex(text, r"(?m)^G68\.2 +code +IsoG68p2TiltSyntax +iso/iso_g68p2_tilt_syntax\.md$")
+        self.assertRegex(text, r"(?m)^G68\.2 +code +IsoG68p2TiltSyntax +iso/five_axis/iso_g68p2_tilt_syntax\.md$")
         for row in rows:
             plugin, name = row["Page"].split("/")
             self.assertEqual(len(list((pathlib.Path(__file__).parents[2] / "plugins" / plugin).rglob(name))), 1, row)
         text = self.run_it("list", "codes", "-d", "siemens").stdout
-        self.assertRegex(text, r"(?m)^CYCLE83 +code +SiemensDeepHoleCycleSyntax +siemens/siemens_deep_hole_cycle_syntax\.md$")
+        self.assertRegex(text, r"(?m)^CYCLE83 +code +SiemensDeepHoleCycleSyntax +"
+                               r"siemens/cycles/siemens_deep_hole_cycle_syntax\.md$")
         self.assertIn("needs a dialect", self.run_it("list", "codes", status=2).stderr)
         self.assertIn("accept none", self.run_it("list", "fields", "-d", "iso", status=2).stderr)
 

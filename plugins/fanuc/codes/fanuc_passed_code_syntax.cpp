@@ -1,11 +1,13 @@
 /// Records the last M code and the last sequence number that the program has passed, for #4113 and #4114. It reads the
 /// text without taking it, because a code that no syntax knows is recorded, too.
 #include <isogloss/cnc/scan.hpp>
+
 #include "macro/macro_environment.hpp"
 
 namespace fanuc {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct FanucPassedCode {

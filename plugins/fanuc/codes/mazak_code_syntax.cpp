@@ -1,14 +1,14 @@
 /// Functions of Mazak's EIA/ISO programs that are recognised but not executed. D of a canned cycle is among them: it is
 /// a distance there, not a tool radius number.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/cycle_codes.hpp>
 #include <isogloss/cnc/recognised_codes.hpp>
 #include <isogloss/cnc/repeat_count.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace fanuc {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct MazakCode {

@@ -1,13 +1,13 @@
 /// Functions of a Haas mill that are recognised but not executed. F of such a block becomes the feed in force all the
 /// same.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/recognised_codes.hpp>
 #include <isogloss/cnc/whole_number.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace fanuc {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct HaasCode {

@@ -3,14 +3,15 @@
 #include <cmath>
 
 #include <isogloss/cnc/units.hpp>
+#include <isogloss/cnc/whole_number.hpp>
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/whole_number.hpp>
 #include "haas/haas_cycle_target.hpp"
 
 namespace fanuc {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct HaasEngraving {

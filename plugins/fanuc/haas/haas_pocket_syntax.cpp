@@ -1,13 +1,14 @@
 /// G150 of a Haas: a pocket whose contour is in a subprogram. How the control clears it is not known exactly, so it is
 /// not milled here; the tool goes to the start of the pocket, and to R.
+#include <isogloss/cnc/whole_number.hpp>
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/whole_number.hpp>
 #include "haas/haas_cycle_target.hpp"
 
 namespace fanuc {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct HaasPocket {

@@ -2,15 +2,14 @@
 /// pass starts at the end of the one before.
 #include <cmath>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/whole_number.hpp>
-
 #include <isogloss/flow.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace fanuc {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct HaasRepeat {

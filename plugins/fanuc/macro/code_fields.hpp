@@ -6,9 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/scan.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace fanuc {
 

@@ -6,11 +6,13 @@
 #include <cstdint>
 
 #include <isogloss/cnc/units.hpp>
+
 #include "macro/expression_letters.hpp"
 
 namespace fanuc {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct FunctionName {

@@ -6,6 +6,7 @@
 namespace fanuc {
 
 using namespace ig::cnc;
+
 namespace detail {
 namespace {
 

@@ -12,6 +12,7 @@
 namespace fanuc {
 
 using namespace ig::cnc;
+
 namespace detail {
 
 class ExpressionReader {

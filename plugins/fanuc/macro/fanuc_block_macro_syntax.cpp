@@ -1,6 +1,7 @@
 // Under G66.1 the words of each block are not executed: they are the arguments of the macro, which is called for each
 // block. The syntax is asleep unless G66 or G66.1 is in force.
 #include <isogloss/cnc/scan.hpp>
+
 #include "macro/macro_arguments.hpp"
 #include "macro/macro_environment.hpp"
 #include "macro/macro_program_call.hpp"
@@ -8,6 +9,7 @@
 namespace fanuc {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct FanucBlockMacro {

@@ -9,6 +9,7 @@
 namespace fanuc {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class IjkSets { automatic, one };

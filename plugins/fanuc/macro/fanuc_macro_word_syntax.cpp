@@ -5,12 +5,14 @@
 #include <string>
 
 #include <isogloss/cnc/scan.hpp>
+
 #include "macro/code_fields.hpp"
 #include "macro/macro_environment.hpp"
 
 namespace fanuc {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct FanucMacroWord {

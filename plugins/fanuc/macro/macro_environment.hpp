@@ -10,9 +10,9 @@
 #include <vector>
 
 #include <isogloss/cnc/units.hpp>
+#include <isogloss/cnc/work_offset_id.hpp>
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/work_offset_id.hpp>
 #include "macro/expression.hpp"
 #include "macro/macro_frame.hpp"
 #include "macro/passed_code_mark.hpp"

@@ -1,10 +1,10 @@
 /// Which local variables are the present ones: those of the macro call that the block's frame belongs to.
 #pragma once
 
+#include <isogloss/cnc/frame_tag.hpp>
 #include <isogloss/flow.hpp>
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/frame_tag.hpp>
 #include "macro/macro_store.hpp"
 
 namespace fanuc {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <isogloss/cnc/scan.hpp>
+
 #include "macro/macro_environment.hpp"
 
 namespace fanuc {

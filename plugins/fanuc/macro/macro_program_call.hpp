@@ -1,11 +1,10 @@
 /// Requests the call of a program by its number or its name.
 #pragma once
 
+#include <isogloss/cnc/program_name.hpp>
 #include <isogloss/flow.hpp>
-
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/program_name.hpp>
 #include "macro/macro_store.hpp"
 
 namespace fanuc {

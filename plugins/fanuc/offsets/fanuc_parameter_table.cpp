@@ -7,6 +7,7 @@
 namespace fanuc {
 
 using namespace ig::cnc;
+
 namespace {
 
 constexpr std::string_view rotary_type = "1006", rollover_bits = "1008", increment_system = "1013", reset = "1202",

@@ -3,16 +3,16 @@
 #include <array>
 #include <cmath>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/motion_event.hpp>
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/whole_number.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace fanuc {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct FanucToolOffset {

@@ -5,6 +5,7 @@
 namespace fanuc {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct OkumaAssignment {

@@ -2,14 +2,14 @@
 /// right where the cycle begins at the level of G71.
 #include <cmath>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/cycle_codes.hpp>
 #include <isogloss/cnc/recognised_codes.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace fanuc {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct OkumaCode {

@@ -4,6 +4,7 @@
 namespace fanuc {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct OkumaFileHead {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <vector>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/peck_strokes.hpp>
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
+#include <isogloss/sdk.hpp>
+
 #include "cycles/cycle_parameters.hpp"
 #include "cycles/hole_pattern.hpp"
 

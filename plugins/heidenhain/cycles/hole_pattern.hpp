@@ -9,6 +9,7 @@
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
 #include <isogloss/cnc/units.hpp>
+
 #include "cycles/cycle_parameters.hpp"
 #include "language/q_store.hpp"
 

@@ -4,11 +4,13 @@
 
 #include <isogloss/cnc/arc.hpp>
 #include <isogloss/cnc/tool_steps.hpp>
+
 #include "cycles/hole_cycle.hpp"
 
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct KlartextBoreMilling {

@@ -5,6 +5,7 @@
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct KlartextBoringCycle {

@@ -5,11 +5,13 @@
 
 #include <isogloss/cnc/peck_strokes.hpp>
 #include <isogloss/cnc/units.hpp>
+
 #include "cycles/hole_cycle.hpp"
 
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class ReEntry { clearance, fixed };

@@ -1,11 +1,13 @@
 // Cycles 1, pecking, 2, tapping, and 17, rigid tapping, of older controls. They start at the tool's position at the
 // call, which is SET UP above the surface, and end there.
 #include <isogloss/cnc/units.hpp>
+
 #include "cycles/hole_cycle.hpp"
 
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct KlartextOldCycle {

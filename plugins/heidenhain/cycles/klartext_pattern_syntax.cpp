@@ -4,11 +4,13 @@
 
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/units.hpp>
+
 #include "language/klartext_values.hpp"
 
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct KlartextPattern {

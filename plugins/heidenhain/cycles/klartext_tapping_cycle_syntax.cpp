@@ -5,6 +5,7 @@
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class After { stop, as_before };

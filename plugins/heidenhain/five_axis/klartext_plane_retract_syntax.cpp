@@ -1,13 +1,13 @@
 // MB of PLANE … TURN: the tool retracts along Z of the machine, then the rotary axes turn. The block moves twice, so
 // its move becomes two steps.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/event_to_steps.hpp>
 #include <isogloss/cnc/rotary_words.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct KlartextPlaneRetract {

@@ -3,6 +3,7 @@
 // These angles also go to Q120 to Q122, for the block that positions the axes after STAY.
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
+
 #include "five_axis/plane_definition.hpp"
 #include "five_axis/plane_positioning.hpp"
 #include "motion/feed_words.hpp"
@@ -11,6 +12,7 @@
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct KlartextPlane {
@@ -149,7 +151,7 @@ struct KlartextPlane {
     if (command_.plane.kind == PlaneDefinition::kind_count) {
       const std::string_view whole = rest_of_line(text, command_.begin);
       b.report(ig::diag("HEI-0171"), where(), whole.substr(0, line_end(whole, 0)),
-               std::string_view("the plane stays as it was"));
+               std::string_view("the plane does not change"));
       return false;
     }
     i = letters;
@@ -304,7 +306,7 @@ struct KlartextPlane {
         if (std::isnan(store->get({QKind::q, q}, 0))) store->set({QKind::q, q}, 0, 0);
       b.report(ig::diag("HEI-0172"), where(), shown(),
                std::string_view(command_.move == Move::stay || command_.move == Move::none
-                                    ? "Q120 to Q122 are not known: 0 is taken where nothing else gave them a value"
+                                    ? "Q120 to Q122 are not known: those without a value are assumed to be 0"
                                     : "they do not turn, and Q120 to Q122 are not known"));
       retract(b);
       return;
@@ -349,7 +351,7 @@ struct KlartextPlane {
     }
     if (command_.move == Move::move)
       b.report(ig::diag("HEI-0171"), where(), std::string_view("MOVE of PLANE RESET"),
-               std::string_view("the axes turn as with TURN, and the tip of the tool is not led"));
+               std::string_view("the axes turn as with TURN, and the tool tip leaves its place"));
     retract(b);
     turn_axes(b, {});
   }

@@ -1,14 +1,14 @@
 // A, B, C and IA, IB, IC become angles of the machine before the frame follows the rotary axes. The preset in force
 // adds its offset between program and machine. Under M128, and in a plane to which PLANE has turned the axes, an
 // increment moves the frame as a position does.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct KlartextRotaryStep {

@@ -4,6 +4,7 @@
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct KlartextTcpm {

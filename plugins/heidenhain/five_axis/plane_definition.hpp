@@ -6,6 +6,7 @@
 
 #include <isogloss/cnc/tool_kinematics.hpp>
 #include <isogloss/cnc/units.hpp>
+
 #include "language/klartext_text.hpp"
 
 namespace heidenhain {

@@ -1,10 +1,9 @@
 // Cycle 7 together with other transformations: each acts in the system that the earlier ones have made.
 #pragma once
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/tilt_transform.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace heidenhain {
 

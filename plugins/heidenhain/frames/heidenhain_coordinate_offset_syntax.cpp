@@ -4,11 +4,13 @@
 
 #include <isogloss/cnc/coordinate_offset.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
+
 #include "frames/datum_shift.hpp"
 
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class Order { programmed, shift_first };

@@ -9,6 +9,7 @@
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct KlartextFrameCycle {

@@ -8,6 +8,7 @@
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 std::bitset<10> read_layers(std::string_view list) {

@@ -7,6 +7,7 @@
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct KlartextComment {

@@ -27,7 +27,7 @@ struct QParameters {
       std::uint32_t number = 0;
       const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
       if (error != std::errc{} || end != name.data() + name.size() || number >= QStore::q_count)
-        throw std::runtime_error("a Q has the number '" + name + "': numbers go from 0 to 1999");
+        throw std::runtime_error("'" + name + "' is not the number of a Q parameter: 0 to 1999");
       if (const auto given = table.value(name, value)) store.set({QKind::q, number}, 0, *given);
     }
   }

@@ -1,14 +1,14 @@
 // RND and CHF stand in a block of their own between two moves. The move before must end short of the corner, so each
 // feed move looks whether such a block follows, and gets the corner from which CornerBreakPathSyntax and cutter radius
 // compensation make the path.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/contour_approach.hpp>
 #include <isogloss/cnc/corner_break_state.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct KlartextCorner {

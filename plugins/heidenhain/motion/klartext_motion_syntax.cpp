@@ -3,19 +3,20 @@
 // the other languages.
 #include <numbers>
 
-#include <isogloss/cnc/units.hpp>
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/arc.hpp>
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
 #include <isogloss/cnc/tilt_transform.hpp>
+#include <isogloss/cnc/units.hpp>
+#include <isogloss/sdk.hpp>
+
 #include "motion/klartext_departure.hpp"
 
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct KlartextMotion {
@@ -159,7 +160,7 @@ struct KlartextMotion {
     const auto say = [&](std::string_view why) {
       b.report(ig::diag("HEI-0139"), ig::Where::block(), std::string_view("M140"), why);
     };
-    if (way.mask != 0) return say("the retract behind another move of the block is missing");
+    if (way.mask != 0) return say("the retract after the other move of the block is missing");
     ig::Vec3 out = way.from;
     if (distance) {
       out[way.plane.tool] += *distance;

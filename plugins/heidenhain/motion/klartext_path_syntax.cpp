@@ -3,6 +3,7 @@
 // an M function is read as L.
 #include <isogloss/cnc/contour_approach.hpp>
 #include <isogloss/cnc/units.hpp>
+
 #include "motion/feed_words.hpp"
 #include "motion/klartext_departure.hpp"
 #include "motion/m_functions.hpp"
@@ -10,6 +11,7 @@
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum Function : std::size_t { L, LP, LN, C, CC, CR, CT, CP, CTP, RND, CHF, APPR, DEP, function_count };

@@ -1,14 +1,14 @@
 // CC sets the pole of arcs and polar coordinates. The two axes that it names also select the plane: after CC Y Z with
 // the tool along Z, arcs stand upright.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct KlartextPole {

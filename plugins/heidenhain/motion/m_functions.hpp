@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <isogloss/cnc/rotary_axis.hpp>
+
 #include "language/klartext_values.hpp"
 
 namespace heidenhain {

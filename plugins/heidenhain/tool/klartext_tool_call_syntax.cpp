@@ -1,12 +1,14 @@
 // TOOL CALL: the tool, its axis, its speed and feed, its length and the allowance DL. TOOL DEF names a tool that the
 // magazine may fetch, or writes its length and radius into the tool table.
 #include <isogloss/cnc/units.hpp>
+
 #include "motion/feed_words.hpp"
 #include "motion/m_functions.hpp"
 
 namespace heidenhain {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct KlartextToolCall {

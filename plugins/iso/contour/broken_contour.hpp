@@ -2,9 +2,9 @@
 /// chamfer or a rounding. The next move must be known, so this is for syntaxes that look ahead.
 #pragma once
 
+#include <isogloss/cnc/rotary_words.hpp>
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/rotary_words.hpp>
 #include "contour/contour_ahead.hpp"
 
 namespace iso {
@@ -124,7 +124,7 @@ class BrokenContour {
   ContourMotionOf motion_;
   CornerBreakState state_{ig::read};
   ig::Fields words_{"corner-words", "Parsing.CornerBreak.?", ig::read,
-                    "The words of a corner: at the one that the block has stands what is said of it."};
+                    "The words of a corner: a diagnostic points to the one that the block has."};
   ig::Choice<Unfit> unfit_{"corner-does-not-fit", "alarm|said", "alarm",
                            "A corner that cannot be broken stops the control, or stays sharp."};
   ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};

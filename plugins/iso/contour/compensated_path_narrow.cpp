@@ -5,6 +5,7 @@
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 constexpr double least_turn = 0.996;   ///< 5 degrees

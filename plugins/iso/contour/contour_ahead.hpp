@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isogloss/cnc/corner_break_state.hpp>
+
 #include "contour/contour_motion.hpp"
 
 namespace iso {

@@ -3,11 +3,13 @@
 /// radius compensation RadiusCompensationPathSyntax does the same. Fanuc manual, "Optional chamfering and corner
 /// rounding".
 #include <isogloss/cnc/event_to_steps.hpp>
+
 #include "contour/broken_contour.hpp"
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct CornerBreakPath {

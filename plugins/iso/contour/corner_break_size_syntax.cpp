@@ -1,14 +1,14 @@
 /// The kind and the size of the chamfer or rounding that ,C and ,R put at the end of a block's move.
 /// CornerBreakPathSyntax and cutter radius compensation make the path from this state.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/corner_break_state.hpp>
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct CornerBreakSize {

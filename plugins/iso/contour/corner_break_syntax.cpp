@@ -1,12 +1,12 @@
 /// Reads ,C and ,R after a move: a chamfer or a rounding at the corner to the next move. CornerBreakSizeSyntax
 /// interprets the number.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/scan.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct CornerBreak {

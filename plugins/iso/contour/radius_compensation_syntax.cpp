@@ -1,15 +1,16 @@
 /// G40, G41, G42 and D: whether the tool runs beside the contour, on which side, and at what distance.
 /// RadiusCompensationPathSyntax makes the tool's path from this state. Fanuc manual, "Cutter compensation".
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/modal_group.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
 #include <isogloss/cnc/whole_number.hpp>
+#include <isogloss/sdk.hpp>
+
 #include "contour/contour_motion.hpp"
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class OffsetIs { radius, diameter };

@@ -8,6 +8,7 @@
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class Retract { feed_to_final, feed_to_r };

@@ -4,12 +4,14 @@
 /// A cycle is modal: it stays on, with its R, Z, Q, P, I and J, until G80 or a motion code of group 01, and drills in
 /// every block that names X, Y, Z, R or a rotary axis. Fanuc manual, "Canned cycle".
 #include <cmath>
+
 #include <isogloss/cnc/canned_cycle.hpp>
 #include <isogloss/cnc/modal_group.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 using Address = CycleWords::Address;

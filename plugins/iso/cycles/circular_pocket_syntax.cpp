@@ -1,17 +1,17 @@
 /// G12 and G13: a round pocket about the position of the tool, clockwise or counter-clockwise. The tool goes down, out
 /// on a half circle, round each circle, and back to the centre on a half circle.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/feed.hpp>
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
 #include <isogloss/cnc/tool_steps.hpp>
 #include <isogloss/cnc/whole_number.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct CircularPocket {

@@ -9,6 +9,7 @@
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct DrillingCycle {

@@ -4,11 +4,13 @@
 /// Carries out the call that CannedCycleResolveSyntax has resolved. Every step is an item of the motion, even one of
 /// length 0.
 #include <isogloss/cnc/restarted_spindle.hpp>
+
 #include "cycles/tool_shift.hpp"
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct FineBoring {

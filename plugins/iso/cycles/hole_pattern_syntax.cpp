@@ -4,14 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include <isogloss/cnc/canned_cycle.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
-
-#include <isogloss/cnc/canned_cycle.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct HolePattern {

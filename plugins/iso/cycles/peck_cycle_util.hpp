@@ -2,9 +2,8 @@
 /// Q that gives none.
 #pragma once
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/canned_cycle.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 

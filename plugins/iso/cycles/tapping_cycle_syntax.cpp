@@ -4,14 +4,15 @@
 ///
 /// Carries out the call that CannedCycleResolveSyntax has resolved. Every step is an item of the motion, even one of
 /// length 0.
+#include <isogloss/cnc/restarted_spindle.hpp>
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/restarted_spindle.hpp>
 #include "cycles/peck_tapping.hpp"
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct TappingCycle {

@@ -1,18 +1,19 @@
 /// G53.1 and G53.6: the rotary axes turn the tool square to the tilted work plane in force. Under G53.1 the machine's X
 /// Y Z do not move; under G53.6 the tip of the tool stays on the workpiece. Fanuc manual, "Tool axis direction
 /// control".
-#include <isogloss/cnc/units.hpp>
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/motion_event.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
+#include <isogloss/cnc/units.hpp>
+#include <isogloss/sdk.hpp>
+
 #include "reading/as_written.hpp"
 #include "tool/tool_length.hpp"
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class RotaryMotion { modal, rapid };

@@ -1,14 +1,14 @@
 // The sequence number N10: a name of the block for searches and jumps, never an order. It stands first in the block;
 // elsewhere some controls raise an alarm, so it is read with a warning. A second N of a block is an ordinary word that
 // nothing uses. Between G10 L50 and G11 N is the number of a parameter, and nothing jumps there.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/program_name.hpp>
 #include <isogloss/cnc/scan.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct HeadIndexSyntax {

@@ -8,6 +8,7 @@
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct IsoG68p2Tilt {

@@ -3,14 +3,14 @@
 /// Distances (G91) and machine positions (G53) get no offset.
 #include <bit>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct RotaryOffset {

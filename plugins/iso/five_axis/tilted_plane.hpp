@@ -8,11 +8,10 @@
 #include <string>
 #include <string_view>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/cycle_codes.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/tilt_transform.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 

@@ -10,6 +10,7 @@
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 constexpr double widest_from_square = 5;  // degrees, of the vectors of P3

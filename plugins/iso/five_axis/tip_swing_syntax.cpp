@@ -10,6 +10,7 @@
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct TipSwing {

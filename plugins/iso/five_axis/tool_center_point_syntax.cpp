@@ -2,17 +2,18 @@
 /// The tool length lies along the tool axis; the frame turns with the axes (PivotTransformationSyntax). A block of
 /// G43.4 gives the angles, a block of G43.5 the direction of the tool (I J K). Fanuc manual, "Tool center point
 /// control".
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/cycle_codes.hpp>
 #include <isogloss/cnc/motion_event.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
+#include <isogloss/sdk.hpp>
+
 #include "reading/as_written.hpp"
 #include "tool/tool_length.hpp"
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class RefusedCodes { said, executed };

@@ -1,16 +1,15 @@
 /// M02 and M30: the program ends after this block. An M99 that no syntax has executed as a return stands in the main
 /// program, where the control would start again: the run ends there too, and reports it. Some controls return from a
 /// called program at its M30. A main program that runs into the end of its file stops the control with an alarm.
-#include <isogloss/flow.hpp>
-
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/leftovers.hpp>
 #include <isogloss/cnc/modal_group.hpp>
+#include <isogloss/flow.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class InSubprogram { end, return_to_caller };

@@ -2,15 +2,15 @@
 // begins with the caller's modal state, and its changes stay after the return.
 #include <cmath>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/frame_tag.hpp>
 #include <isogloss/cnc/program_name.hpp>
 #include <isogloss/cnc/scan.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class Answered { no, yes };

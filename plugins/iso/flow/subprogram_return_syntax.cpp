@@ -2,14 +2,14 @@
 // starts the program again as long as passes are left; the last pass ends the run.
 #include <stdexcept>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/program_name.hpp>
 #include <isogloss/cnc/whole_number.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 std::uint64_t read_passes(std::string_view text, std::int64_t otherwise) {

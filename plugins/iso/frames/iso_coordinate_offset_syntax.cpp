@@ -1,16 +1,16 @@
 /// G54 to G59.9 and G54.1 P: which work offset of the table is the program's origin. The external offset of the table
 /// (EXT) is added to each, for rotary axes too. The table is read when a code selects an offset and after G10 has
 /// written into it.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/coordinate_offset.hpp>
 #include <isogloss/cnc/modal_group.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/work_offset_id.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class DecimalSets { available, absent };

@@ -7,6 +7,7 @@
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 constexpr const char* shipped_offsets[] = {"EXT|X=0|Y=0|Z=0", "G54|X=0|Y=0|Z=0", "G55|X=0|Y=0|Z=0", "G56|X=0|Y=0|Z=0",

@@ -6,17 +6,17 @@
 /// rotation until then, where the dialect keeps the programmed numbers (unnamed-axis="programmed").
 #include <algorithm>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/cycle_codes.hpp>
 #include <isogloss/cnc/modal_group.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
 #include <isogloss/cnc/tilt_transform.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class UnnamedAxis { rotated, programmed };

@@ -6,6 +6,7 @@
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class CancelledBy { program_end, never, parameter };

@@ -8,11 +8,13 @@
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
 #include <isogloss/cnc/units.hpp>
+
 #include "reading/geometry_words.hpp"
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class IncrementalRadius { from_pole, from_position };

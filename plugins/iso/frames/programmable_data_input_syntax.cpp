@@ -2,15 +2,15 @@
 /// words replace the values in the table, under G91 they are added. A signal tells the syntaxes that read the tables,
 /// and they read again in the same block. Between G10 L50 and G11 the words are parameters of the control, after G10 L3
 /// tool life data: they are taken, so that they are not executed as a motion or a tool change.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/whole_number.hpp>
 #include <isogloss/cnc/work_offset_id.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class ToolColumns { geometry_wear, wear_geometry };

@@ -3,11 +3,13 @@
 /// mirror image".
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
+
 #include "reading/geometry_words.hpp"
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class OtherCodes { warning, allowed };

@@ -6,11 +6,13 @@
 
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
+
 #include "reading/geometry_words.hpp"
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 constexpr double most_counts = 999999;  // of a factor, as on the control

@@ -8,6 +8,7 @@
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class AtReference { keep, cancel };

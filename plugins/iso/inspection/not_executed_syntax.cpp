@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/leftovers.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct NotExecuted {

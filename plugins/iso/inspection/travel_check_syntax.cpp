@@ -11,6 +11,7 @@
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct TravelCheck {

@@ -1,13 +1,13 @@
 /// No part of a program is ignored silently: what is left of a block after every syntax has run is reported here, each
 /// leftover with its columns. A leftover that can move the tool elsewhere is an error, plain text a note, any other one
 /// a warning.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/leftovers.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 /// Words whose loss moves the tool elsewhere: axes, arc centres, cycle depths, and all words that a code owns

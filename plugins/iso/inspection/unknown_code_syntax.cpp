@@ -1,12 +1,12 @@
 /// A G code that the dialect does not know may be a macro, a cycle or a tilted plane, so the axis words of its block
 /// are not executed as positions.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/leftovers.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct UnknownCode {

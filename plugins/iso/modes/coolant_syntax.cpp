@@ -4,6 +4,7 @@
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class InOneBlock { last, both };

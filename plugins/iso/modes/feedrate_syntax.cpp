@@ -6,6 +6,7 @@
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class ModeChange { keep, require_f };

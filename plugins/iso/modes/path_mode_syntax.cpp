@@ -5,6 +5,7 @@
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct PathMode {

@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include <isogloss/cnc/cycle_codes.hpp>
+#include <isogloss/cnc/repeat_count.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/cycle_codes.hpp>
-#include <isogloss/cnc/repeat_count.hpp>
 #include "reading/unit_codes.hpp"
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct UnitMode {

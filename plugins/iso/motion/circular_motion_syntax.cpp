@@ -1,16 +1,16 @@
 /// G02 and G03: an arc in the plane to the program point of the block, about a centre (I J K, from the start) or with a
 /// radius (R). A move along the third axis makes it a helix. Fanuc manual, "Circular interpolation".
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/arc.hpp>
 #include <isogloss/cnc/motion_event.hpp>
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class MissingCenter { linear, warning, error };

@@ -7,6 +7,7 @@
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct IncrementalResolve {

@@ -7,6 +7,7 @@
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class FeedCounts { linear_axes, all_axes };

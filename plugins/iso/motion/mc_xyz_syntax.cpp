@@ -1,12 +1,12 @@
 /// From program to machine coordinates: the point of the block and the steps of a compound motion, through all entries
 /// of the frame. Where only the frame changed, the tool rests: its machine point stays and its program point changes.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/program_xyz.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct McXyz {

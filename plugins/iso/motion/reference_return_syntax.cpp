@@ -2,11 +2,13 @@
 /// both with the named axes only. `G91 G28 Z0` goes straight up; `G90 G28 Z0` goes to program Z0 first, as on the
 /// control. Fanuc manual, "Reference position".
 #include <isogloss/cnc/tool_kinematics.hpp>
+
 #include "motion/reference_position.hpp"
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class WithoutAxes { nothing, all };

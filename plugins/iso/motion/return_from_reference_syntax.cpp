@@ -3,11 +3,13 @@
 /// ReferenceReturnSyntax, which takes the words of G28 and G30. Fanuc manual, "Reference position".
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
+
 #include "motion/reference_position.hpp"
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct ReturnFromReference {

@@ -1,12 +1,12 @@
 /// G60: a rapid whose last part always comes from the same side, so that backlash has no effect. The axes overrun the
 /// target by a distance that is set on the machine and come back to it. Fanuc manual, "Single direction positioning".
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/program_xyz.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct UnidirectionalPositioning {

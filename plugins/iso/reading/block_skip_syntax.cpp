@@ -3,13 +3,13 @@
 #include <bitset>
 #include <stdexcept>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/scan.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 /// "1,3": the layers that are on. Throws std::invalid_argument.

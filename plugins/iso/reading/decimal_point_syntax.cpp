@@ -4,15 +4,16 @@
 // both types, since the same program means two things.
 #include <cmath>
 
+#include <isogloss/cnc/repeat_count.hpp>
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/repeat_count.hpp>
 #include "reading/owned_words.hpp"
 #include "reading/unit_codes.hpp"
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class Rule { as_written, increment, calculator, parameter };

@@ -7,14 +7,15 @@
 #include <string>
 #include <vector>
 
+#include <isogloss/cnc/scan.hpp>
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/scan.hpp>
 #include "reading/split_numbers.hpp"
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 constexpr std::size_t no_code = static_cast<std::size_t>(-1);

@@ -2,10 +2,9 @@
 /// canned cycle.
 #pragma once
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/cycle_codes.hpp>
 #include <isogloss/cnc/repeat_count.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 

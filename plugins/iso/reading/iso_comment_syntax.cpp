@@ -5,13 +5,13 @@
 #include <array>
 #include <string>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/scan.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class Semicolon { comment, end_of_block };

@@ -2,13 +2,13 @@
 /// after the first one has no meaning without them, so the run stops there.
 #include <algorithm>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/scan.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct LinuxCncOWord {

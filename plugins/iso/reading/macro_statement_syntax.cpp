@@ -1,13 +1,13 @@
 // Statements of macro languages: assignments, conditions, loops, jumps, O-words, output commands. Each is recognised as
 // a whole, so that none of its parts is read as a word, and becomes a leftover for evaluation. Where no syntax
 // evaluates it, inspection reports that it is not executed.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/scan.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 constexpr std::string_view keywords[] = {"IF",    "THEN",  "ELSE",  "WHILE", "DO",    "END",    "GOTO", "ENDIF",

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <string>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/frame_tag.hpp>
 #include <isogloss/cnc/program_name.hpp>
 #include <isogloss/cnc/scan.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct ProgramNumberSyntax {

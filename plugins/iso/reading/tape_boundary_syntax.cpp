@@ -2,15 +2,14 @@
 // leader and is skipped; text after the second % is not program, but programs there can be called. A % directly after
 // the program number is the first one: some files have the number above it. Ctrl-Z ends a file like the second %. A
 // file without marks, or with the last mark only, is a program all the same.
-#include <isogloss/flow.hpp>
-
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/scan.hpp>
+#include <isogloss/flow.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct TapeBoundarySyntax {

@@ -3,14 +3,15 @@
 // error is a diagnostic that shows the text, and the word is not set.
 #include <string>
 
+#include <isogloss/cnc/scan.hpp>
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/scan.hpp>
 #include "reading/split_numbers.hpp"
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 /// Characters after a number that do not end a word.

@@ -9,6 +9,7 @@
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 /// A tool's number and the digits after its point: T12.03.

@@ -1,15 +1,16 @@
 /// G43, G44, G49 and H: tool length compensation, between the programmed point and the machine coordinates. G43 adds
 /// the length of row H (geometry and wear) along the tool axis, G44 subtracts it, G49 and H0 end it. H is modal: a new
 /// H under G43 is a new length.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/cycle_codes.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
+#include <isogloss/sdk.hpp>
+
 #include "tool/tool_length.hpp"
 
 namespace iso {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class RotatedAxis { follow, keep };

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/whole_number.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace iso {
 

@@ -6,6 +6,7 @@
 
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
+
 #include "cycles/hole_pattern.hpp"
 
 namespace siemens {

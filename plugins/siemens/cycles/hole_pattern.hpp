@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include <isogloss/cnc/plane.hpp>
+#include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/plane.hpp>
-#include <isogloss/cnc/program_xyz.hpp>
 #include "cycles/cycle_signatures.hpp"
 
 namespace siemens {
@@ -98,7 +98,7 @@ class HolePattern {
     if (call.fields->name() != "CYCLE802") return true;
     for (const std::string_view mask : {"XA", "YA"})
       for (double digits = call[mask]; digits >= 1; digits = std::floor(digits / 10))
-        if (std::fmod(digits, 10) != 1) return refuse("a position that counts from the one before is");
+        if (std::fmod(digits, 10) != 1) return refuse("a position relative to the previous one is");
     return true;
   }
 

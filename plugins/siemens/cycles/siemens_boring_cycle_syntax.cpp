@@ -1,11 +1,13 @@
 /// CYCLE86: bore to the depth, stop the spindle at its angle, move the tip off the wall, and retract by rapid. CYCLE87
 /// and CYCLE88: bore to the depth, stop spindle and program, and retract by rapid when the operator goes on.
 #include <isogloss/cnc/cycle_spindle.hpp>
+
 #include "cycles/drilling_cycle.hpp"
 
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensBoringCycle {

@@ -1,12 +1,14 @@
 /// CYCLE84: rigid tapping; spindle and axis are coupled, in one cut or in pecks. CYCLE840: tapping with a floating
 /// holder. The feed follows from the pitch and the spindle speed.
 #include <isogloss/cnc/cycle_spindle.hpp>
+
 #include "cycles/drilling_cycle.hpp"
 #include "motion/thread_pitch.hpp"
 
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensTappingCycle {

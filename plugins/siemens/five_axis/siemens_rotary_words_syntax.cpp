@@ -4,6 +4,7 @@
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
+
 #include "five_axis/rotary_position.hpp"
 #include "frames/settable_frames.hpp"
 #include "modes/axis_modes.hpp"
@@ -11,6 +12,7 @@
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensRotaryWords {

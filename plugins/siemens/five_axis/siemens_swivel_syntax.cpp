@@ -2,17 +2,18 @@
 /// IsoG68p2TiltSyntax (the plane) and G53p1RotaryPositionSyntax (the axes) execute.
 #include <algorithm>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/tilt_transform.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
 #include <isogloss/cnc/whole_number.hpp>
+#include <isogloss/sdk.hpp>
+
 #include "cycles/cycle_signatures.hpp"
 
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensSwivel {

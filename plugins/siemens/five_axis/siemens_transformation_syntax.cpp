@@ -1,16 +1,16 @@
 /// TRAORI: X Y Z are positions of the tool's tip in the workpiece, wherever the rotary axes have turned it. The call
 /// becomes a code that ToolCenterPointSyntax executes: G43.4, whose blocks give angles, or G43.5 where the block gives
 /// a direction (A3= B3= C3=). TRAFOOF ends it.
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensTransformation {

@@ -11,6 +11,7 @@
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 bool is_synchronized(std::string_view text, std::size_t position, std::string_view name) {

@@ -9,6 +9,7 @@
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 /// E_DR(…), E_MI_PL(…), E_PS_CIR(…): what a work step of ShopMill drills and mills, and where.
@@ -33,11 +34,11 @@ std::string_view not_executed(std::string_view name) {
   struct Known {
     std::string_view name, missing;
   };
-  static constexpr std::string_view origin = "the axis counts from its origin of before",
+  static constexpr std::string_view origin = "the axis keeps its previous origin",
                                     coupled = "the axis that follows another one stands still",
                                     values = "what it would answer is not known",
-                                    tools = "the table of tools stays as it is",
-                                    axes = "axes, frames and kinematics stay as they are",
+                                    tools = "the tool table does not change",
+                                    axes = "axes, frames and kinematics do not change",
                                     contour = "what the table of the contour is for is missing",
                                     head = "the unit, the plane and the work offset it sets are missing";
   static constexpr Known known[] = {{"PRESETON", origin},

@@ -1,13 +1,14 @@
 /// G54 to G57, G505 to G599 and G500: which settable work offset is the program's origin. The base frame of the table
 /// (BASE) is added to each of them, and under G500 it acts alone. SiemensRotaryWordsSyntax handles the rotary axes.
+#include <isogloss/cnc/coordinate_offset.hpp>
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/coordinate_offset.hpp>
 #include "frames/settable_frames.hpp"
 
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensCoordinateOffset {

@@ -7,6 +7,7 @@
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensCoordinateTable {

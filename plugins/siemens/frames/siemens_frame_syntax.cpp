@@ -1,14 +1,15 @@
 /// TRANS, ROT, SCALE, MIRROR and their additive forms: the programmable frame. TRANS, ROT, SCALE and MIRROR replace the
 /// whole frame, including what the others of them have set; ATRANS, AROT, ASCALE and AMIRROR act within the frame in
 /// force.
+#include <isogloss/cnc/tilt_transform.hpp>
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/tilt_transform.hpp>
 #include "frames/frame_shape.hpp"
 
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensFrame {

@@ -1,13 +1,14 @@
 /// G53, G153 and SUPA: for this block no frame acts on the axis words; only the tool length does, unless D0 has
 /// cancelled it. Group 1 decides how the block moves. Distances start at the present positions of the axes.
+#include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/program_xyz.hpp>
 #include "modes/axis_modes.hpp"
 
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensMachineCoordinates {

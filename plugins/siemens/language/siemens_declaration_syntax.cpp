@@ -4,6 +4,7 @@
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 using ig::cnc::at;

@@ -4,11 +4,10 @@
 #include <array>
 #include <string>
 
+#include <isogloss/cnc/scan.hpp>
 #include <isogloss/flow.hpp>
-
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/scan.hpp>
 #include "language/system_data.hpp"
 #include "language/variable_store.hpp"
 

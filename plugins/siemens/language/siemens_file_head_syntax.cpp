@@ -5,6 +5,7 @@
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensFileHead {

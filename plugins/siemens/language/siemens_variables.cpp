@@ -3,15 +3,16 @@
 #include <stdexcept>
 #include <string>
 
+#include <isogloss/cnc/scan.hpp>
 #include <isogloss/rows.hpp>
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/scan.hpp>
 #include "language/variable_store.hpp"
 
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensVariables {
@@ -46,7 +47,8 @@ struct SiemensVariables {
     const bool is_r = name.size() > 1 && name[0] == 'R' && skip_digits(name, 1) == name.size();
     if (!is_r) return store.give(std::move(name), given);
     VariableStore::RParameter* const r = name.size() < 8 ? store.r(std::stoul(name.substr(1))) : nullptr;
-    if (r == nullptr) throw std::runtime_error(name + " is none of the R parameters: see r-parameters");
+    if (r == nullptr)
+      throw std::runtime_error(name + " is not an R parameter: the option r-parameters says how many there are");
     *r = {given, true};
   }
 };

@@ -9,10 +9,9 @@
 #include <string>
 #include <string_view>
 
+#include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
-
-#include <isogloss/cnc/rotary_offset.hpp>
 
 namespace siemens {
 

@@ -6,6 +6,7 @@
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 /// Z of POS[Z] and POSA[Z].

@@ -4,6 +4,7 @@
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 constexpr bool is_number_part(char c) { return is_digit(c) || c == '.' || c == '+' || c == '-'; }

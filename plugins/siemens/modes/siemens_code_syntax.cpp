@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <vector>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/recognised_codes.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensCode {
@@ -18,7 +18,7 @@ struct SiemensCode {
           .after("ParameterizedFlagSyntax")
           .before("SiemensPositionSyntax", "ProgramXyzSyntax");
 
-  static constexpr std::string_view thread = "the thread is not cut; its blocks move as the motion code before it says",
+  static constexpr std::string_view thread = "the thread is not cut; its blocks move with the previous motion code",
                                     feed = "the feed and the speed that it sets are not known",
                                     contour = "the way back to the contour is missing";
 
@@ -29,7 +29,7 @@ struct SiemensCode {
            "the transformation is missing: machine coordinates are wrong up to TRAFOOF"},
           {ig::Call{{"G335", "G336"}, "I J K CR AR[deg]"}, thread},
           {ig::Call{{"CT", "POLY", "ASPLINE", "BSPLINE", "CSPLINE", "INVCW", "INVCCW"}, ""},
-           "the curve is missing; its blocks move as the motion code before it says"},
+           "the curve is missing; its blocks move with the previous motion code"},
           {ig::Call{{"ROTS", "AROTS", "CROTS"}, "X[deg] Y[deg] Z[deg]"}, "positions are not turned"},
           {ig::Call{{"G58", "G59"}, "X Y Z"}, "positions are not shifted"},
           {ig::Call{{"G25", "G26"}, "X Y Z S[]"},

@@ -9,6 +9,7 @@
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensUnit {

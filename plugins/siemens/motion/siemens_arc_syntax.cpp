@@ -3,16 +3,17 @@
 #include <cmath>
 #include <numbers>
 
+#include <isogloss/cnc/arc.hpp>
+#include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/arc.hpp>
-#include <isogloss/cnc/program_xyz.hpp>
 #include "frames/frame_shape.hpp"
 
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensArc {

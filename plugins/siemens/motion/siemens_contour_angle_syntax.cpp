@@ -2,15 +2,15 @@
 #include <cmath>
 #include <numbers>
 
-#include <isogloss/cnc/units.hpp>
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
+#include <isogloss/cnc/units.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensContourAngle {

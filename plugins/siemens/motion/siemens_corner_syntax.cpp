@@ -2,13 +2,13 @@
 /// to the next move. CornerBreakPathSyntax and cutter radius compensation make the path from this state.
 #include <cmath>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/corner_break_state.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensCorner {

@@ -3,14 +3,15 @@
 #include <cmath>
 #include <span>
 
+#include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/sdk.hpp>
 
-#include <isogloss/cnc/program_xyz.hpp>
 #include "modes/axis_modes.hpp"
 
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensPosition {

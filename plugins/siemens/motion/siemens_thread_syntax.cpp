@@ -3,11 +3,13 @@
 #include <cmath>
 
 #include <isogloss/cnc/cycle_spindle.hpp>
+
 #include "cycles/drilling_cycle.hpp"
 
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensThread {

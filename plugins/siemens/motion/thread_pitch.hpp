@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+
 #include <isogloss/cnc/units.hpp>
 #include <numbers>
 #include <optional>

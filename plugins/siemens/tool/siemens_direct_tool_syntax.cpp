@@ -53,10 +53,9 @@ struct SiemensDirectTool {
       return ig::Status::changed;
     const double edge = edge_of(b);
     if (edge == 0) return ig::Status::changed;
-    b.report(
-        ig::diag("SIE-0234"), ig::Where::block(), edge, static_cast<double>(b.get_or(named_, std::int64_t{0})),
-        std::string_view(without_m6_ == WithoutM6::changed ? "T is taken to have changed the tool, here and further on"
-                                                           : "length and radius count as 0"));
+    b.report(ig::diag("SIE-0234"), ig::Where::block(), edge, static_cast<double>(b.get_or(named_, std::int64_t{0})),
+             std::string_view(without_m6_ == WithoutM6::changed ? "T is assumed to change the tool, here and later"
+                                                                : "length and radius are assumed to be 0"));
     b.erase(waits_);
     if (without_m6_ == WithoutM6::waits) return ig::Status::changed;
     b.raise(by_t_);

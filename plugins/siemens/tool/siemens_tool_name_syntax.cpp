@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/whole_number.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 struct SiemensToolName {

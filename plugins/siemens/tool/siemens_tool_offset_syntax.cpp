@@ -2,15 +2,15 @@
 /// and the machine; its radius is used by G41 and G42. After a tool change D1 is in force.
 #include <string>
 
-#include <isogloss/sdk.hpp>
-
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
 #include <isogloss/cnc/whole_number.hpp>
+#include <isogloss/sdk.hpp>
 
 namespace siemens {
 
 using namespace ig::cnc;
+
 namespace {
 
 enum class AfterChange { d1, d0, kept };

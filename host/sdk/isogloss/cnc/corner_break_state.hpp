@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+
 #include "isogloss/sdk.hpp"
 
 #include "isogloss/cnc/corner_break.hpp"

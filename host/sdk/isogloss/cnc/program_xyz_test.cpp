@@ -5,6 +5,7 @@
 #include "../../tests/support/fake_block.hpp"
 
 using namespace ig::cnc;
+
 using isogloss_test::FakeBlock;
 using isogloss_test::FakeLink;
 
