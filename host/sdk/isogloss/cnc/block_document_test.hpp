@@ -6,7 +6,10 @@
 #include <charconv>
 #include <map>
 #include <memory>
+#include <optional>
+#include <ostream>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +26,11 @@ class BlockDocument {
     std::string word;  ///< path of the word or code that the diagnostic points at; empty: the block
     std::vector<std::string> arguments;
     friend bool operator==(const Report&, const Report&) = default;
+    friend std::ostream& operator<<(std::ostream& out, const Report& report) {
+      out << report.code << " severity " << report.severity << " at '" << report.word << "'";
+      for (const std::string& argument : report.arguments) out << " '" << argument << "'";
+      return out;
+    }
   };
 
   // For the members that are created afterwards.
@@ -34,6 +42,7 @@ class BlockDocument {
   ig::Vec3 frame;  ///< from program to machine coordinates, mm
 
   BlockDocument() {
+    diagnostics();
     fill_link();
     fill_values();
     fill_words();
@@ -223,8 +232,8 @@ class BlockDocument {
     host_.frame_changed = [](const ig_block*) { return std::int32_t{0}; };
     host_.report = [](ig_block* b, std::uint32_t diagnostic, ig_field field, std::uint32_t, std::uint32_t,
                       const ig_argument* arguments, std::uint32_t count) {
-      static const auto rows = ig::detail::diagnostic_table().complete({});
-      Report report{rows[diagnostic].code, rows[diagnostic].severity, {}, {}};
+      const ig_diagnostic_decl& declared = diagnostics()[diagnostic];
+      Report report{declared.code, declared.severity, {}, {}};
       if (field != IG_NO_FIELD) report.word = self(b).path_of(field);
       for (std::uint32_t i = 0; i < count; ++i) report.arguments.push_back(written(arguments[i]));
       self(b).reports.push_back(std::move(report));
@@ -232,6 +241,11 @@ class BlockDocument {
     host_.fault = [](ig_block* b, ig_text message) {
       self(b).reports.push_back({"fault", IG_ERROR, {}, {std::string(ig::to_view(message))}});
     };
+  }
+  /// The table answers for codes only after it is complete.
+  static std::span<const ig_diagnostic_decl> diagnostics() {
+    static const auto rows = ig::detail::diagnostic_table().complete({});
+    return rows;
   }
   static std::string written(const ig_argument& argument) {
     if (argument.is_text != 0) return std::string(ig::to_view(argument.text));
