@@ -859,8 +859,7 @@ class Listing(Command):
         self.assertEqual(len(text.splitlines()), len(rows))
         self.assertRegex(text, r"(?m)^G68\.2 +code +IsoG68p2TiltSyntax +iso/five_axis/iso_g68p2_tilt_syntax\.md$")
         for row in rows:
-            plugin, name = row["Page"].split("/")
-            self.assertEqual(len(list((pathlib.Path(__file__).parents[2] / "plugins" / plugin).rglob(name))), 1, row)
+            self.assertTrue((pathlib.Path(__file__).parents[2] / "plugins" / row["Page"]).is_file(), row)
         text = self.run_it("list", "codes", "-d", "siemens").stdout
         self.assertRegex(text, r"(?m)^CYCLE83 +code +SiemensDeepHoleCycleSyntax +"
                                r"siemens/cycles/siemens_deep_hole_cycle_syntax\.md$")
