@@ -36,6 +36,7 @@ class BlockDocument {
   // For the members that are created afterwards.
   std::map<std::string, std::string> options;  ///< by name; a choice that is not given is the first one
   std::map<std::string, const void*> services;
+  std::map<std::string, std::vector<std::string>> matches;  ///< the paths for which a pattern stands
   bool has_table = true;
 
   std::vector<Report> reports;
@@ -133,6 +134,7 @@ class BlockDocument {
     return ids_.try_emplace(path, static_cast<ig_field>(ids_.size() + 1)).first->second;
   }
   ig::Symbol symbol_of(std::string_view name) { return {symbol(name)}; }
+  std::string text_of(ig::Symbol name) const { return text(static_cast<ig_symbol>(name.id)); }
 
  private:
   static BlockDocument& self(ig_link* link) { return *reinterpret_cast<BlockDocument*>(link); }
@@ -172,10 +174,16 @@ class BlockDocument {
       const auto found = self(link).services.find(name);
       return found == self(link).services.end() ? nullptr : found->second;
     };
-    api_.expand = [](ig_link* link, std::uint32_t, const ig_field** ids) {
-      *ids = self(link).expanded_.data();
-      return std::uint32_t{0};
+    api_.expand = [](ig_link* link, std::uint32_t declaration, const ig_field** ids) {
+      const std::string pattern = self(link).declared_->fields.at(declaration).path;
+      std::vector<ig_field>& found = self(link).expanded_[pattern];
+      found.clear();
+      for (const std::string& path : self(link).matches[pattern]) found.push_back(self(link).id(path));
+      *ids = found.data();
+      return static_cast<std::uint32_t>(found.size());
     };
+    api_.field_path = [](ig_link* link, ig_field field) { return ig::to_text(self(link).path_of(field)); };
+    api_.field_unit = [](ig_link*, ig_field) { return ig::to_text(""); };
     api_.table = [](ig_link* link) -> ig_table* {
       return self(link).has_table ? reinterpret_cast<ig_table*>(link) : nullptr;
     };
@@ -349,7 +357,7 @@ class BlockDocument {
   std::map<std::string, ig_field> ids_;
   std::map<std::string, ig_symbol> symbols_;
   std::map<std::string, std::map<std::uint32_t, double>> table_;
-  std::vector<ig_field> expanded_;
+  std::map<std::string, std::vector<ig_field>> expanded_;
   Record values_;
   std::set<ig_field> fresh_, answered_;
   std::vector<ig_field> codes_;
