@@ -66,11 +66,12 @@ TEST_CASE("without scaling and mirror image a point is the programmed one") {
 
 TEST_CASE("programmed() takes mirror image and scaling off each axis") {
   MirroredProgram p;
-  p.scale_x(2, 0);
+  p.scale_x(2, 4);
   p.mirror("X", 10);
   p.mirror("Y", 0);
-  CHECK(p.maps.axis(p.block, 0).position(3) == 14);
-  CHECK(p.maps.programmed(p.block, {14, -2, 3}) == ig::Vec3{3, 2, 3});
+  CHECK(p.maps.axis(p.block, 0).position(4) == 16);  // the centre, mirrored
+  CHECK(p.maps.axis(p.block, 0).position(3) == 18);
+  CHECK(p.maps.programmed(p.block, {18, -2, 3}) == ig::Vec3{3, 2, 3});
 }
 
 TEST_CASE("arcs turn in the opposite sense where exactly one axis of the plane is mirrored") {

@@ -243,6 +243,17 @@ TEST_CASE("the words of a block are positions of the rotary axes, and distances 
   CHECK(p.turn().moves);  // a whole turn is a move
 }
 
+TEST_CASE("under G91 the control ignores G53, and the words of its block turn nothing") {
+  const HeadAndTable machine;
+  FiveAxisProgram p(machine);
+  p.document.put_code("Parsing.Flags.G53");
+  p.document.put_word("Parsing.B", 30);
+  CHECK(p.turn().to == Angles{0, 30, 0});
+  p.document.carry_name("PositioningMode.Term", "G91");
+  CHECK(p.turn().to == Angles{0, 0, 0});
+  CHECK_FALSE(p.turn().moves);
+}
+
 TEST_CASE("a turn starts at the angles of the frame, or at the present ones where another code has turned the axes") {
   const HeadAndTable machine;
   FiveAxisProgram p(machine);
