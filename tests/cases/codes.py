@@ -50,6 +50,19 @@ def codes_in_sources(source):
     return declared, raised
 
 
+def codes_without_table(source, rows):
+    """A plugin raises only codes of its own table, in which those of SDK headers stand that it includes."""
+    tables = collections.defaultdict(set)
+    for row in rows:
+        for plugin in row["Plugin"].split(", "):
+            tables[plugin].add(row["Code"])
+    for file in sorted(source.glob("plugins/*/**/*.[ch]pp")):
+        plugin = file.relative_to(source / "plugins").parts[0]
+        if not file.name.endswith("_test.cpp"):
+            for code in sorted(set(re.findall(r'diag\("([A-Z]{2,4}-\d{4})"\)', file.read_text())) - tables[plugin]):
+                yield f"{file.relative_to(source)} raises {code}, which no file of plugin {plugin} declares"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--isogloss", required=True)
@@ -65,6 +78,7 @@ def main():
     faults += [f"{code} is declared {n} times" for code, n in declared.items() if n > 1]
     faults += [f"{code} is declared and raised by nothing" for code in codes if code not in raised]
     faults += [f"{code} is raised and not declared" for code in sorted(raised - set(codes))]
+    faults += codes_without_table(options.source, rows)
     for fault in faults:
         print(fault)
     print(f"{len(codes)} codes, {len(faults)} faults")

@@ -83,6 +83,25 @@ class Checks:
         expect(held[:3] == [True, True, False], "a vendor's dialect runs the vendor's syntax", blocks)
 
         self.vendor_cycle(plugins)
+        self.build_beside_the_sources()
+
+    def build_beside_the_sources(self):
+        """`cmake -B build` in the plugin's own folder, as most do, and a second build tree beside the first."""
+        sources = self.folder / "own"
+        shutil.rmtree(sources, ignore_errors=True)
+        shutil.copytree(HERE / "vendor", sources)
+        for tree in ("build", "build-debug", "build"):
+            self.run("cmake", "-S", sources, "-B", sources / tree, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={self.prefix}",
+                     f"-DCMAKE_CXX_COMPILER={self.compiler}")
+            self.run("cmake", "--build", sources / tree)
+            expect((sources / tree / "plugins" / "acme.so").is_file(), f"the plugin is built in {tree}", tree)
+        shutil.copy(sources / "acme_vacuum_syntax.md", sources / "build-debug" / "acme_vacuum_syntax.md")
+        self.run("cmake", "--build", sources / "build")
+        (sources / "room").mkdir()
+        shutil.copy(sources / "acme_vacuum_syntax.md", sources / "room" / "acme_vacuum_syntax.md")
+        done = subprocess.run(["cmake", "--build", sources / "build"], capture_output=True, text=True)
+        expect(done.returncode != 0 and "two pages have one name" in done.stdout + done.stderr,
+               "two pages of one name are refused", done)
 
     def vendor_cycle(self, plugins):
         """G181 of the vendor is one of the canned cycles: without P it makes the moves of G85, wherever it stands."""

@@ -209,16 +209,19 @@ void Library::add(const ig_plugin* plugin) { parts_->admit("(built in)", plugin)
 std::vector<Diagnostic> Library::shared_codes() const {
   struct Owner {
     std::string_view name, text;
+    Severity severity;
   };
   std::map<std::string_view, Owner> owners;
-  for (const DiagnosticInfo& info : host_diagnostics()) owners.emplace(info.code, Owner{"the host", info.text});
+  for (const DiagnosticInfo& info : host_diagnostics())
+    owners.emplace(info.code, Owner{"the host", info.text, info.severity});
   std::vector<Diagnostic> out;
   for (const LoadedPlugin& p : plugins())
     for (std::uint32_t i = 0; i < p.plugin->diagnostic_count; ++i) {
       const ig_diagnostic_decl& row = p.plugin->diagnostics[i];
-      const auto [owner, added] = owners.emplace(row.code, Owner{p.plugin->name, row.text});
+      const auto [owner, added] =
+          owners.emplace(row.code, Owner{p.plugin->name, row.text, static_cast<Severity>(row.severity)});
       // The headers of the SDK put the same diagnostics into each plugin that includes them.
-      if (!added && owner->second.text != row.text)
+      if (!added && (owner->second.text != row.text || owner->second.severity != static_cast<Severity>(row.severity)))
         out.push_back(host_diagnostic("IG-0310", {}, {p.plugin->name, row.code, std::string(owner->second.name)}));
     }
   return out;

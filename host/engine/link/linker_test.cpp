@@ -155,13 +155,17 @@ TEST_CASE("the first of two providers of a plugin's name is kept") {
 TEST_CASE("a code that means two things in two plugins is told, and one that they share is not") {
   Plugin first("first"), second("second");
   first.diagnostics = {{sizeof(ig_diagnostic_decl), IG_ERROR, "ACME-0001", "text", "why", "example"},
-                       {sizeof(ig_diagnostic_decl), IG_ERROR, "ACME-0002", "shared", "why", "example"}};
+                       {sizeof(ig_diagnostic_decl), IG_ERROR, "ACME-0002", "shared", "why", "example"},
+                       {sizeof(ig_diagnostic_decl), IG_ERROR, "ACME-0003", "text", "why", "example"}};
   second.diagnostics = first.diagnostics;
   second.diagnostics[0].text = "another text";
+  second.diagnostics[2].severity = IG_WARNING;
   Library library({});
   library.add(first.get());
   library.add(second.get());
   const std::vector<Diagnostic> found = library.shared_codes();
-  REQUIRE(found.size() == 1);
+  REQUIRE(found.size() == 2);
   CHECK(found[0].code == "IG-0310");
+  CHECK(found[0].message.find("ACME-0001") != std::string::npos);
+  CHECK(found[1].message.find("ACME-0003") != std::string::npos);
 }

@@ -48,7 +48,7 @@ std::vector<std::string> path_segments(std::string_view path) {
 
 FieldPattern::FieldPattern(std::string_view text) {
   if (text.ends_with('}'))
-    if (const std::size_t open = text.find('{'); open != std::string_view::npos) {
+    if (const std::size_t open = text.rfind('{'); open != std::string_view::npos) {
       unit_ = text.substr(open + 1, text.size() - open - 2);
       any_unit_ = false;
       text = text.substr(0, open);

@@ -22,3 +22,10 @@ TEST_CASE("braces inside a pattern ask for the unit of what owns the field") {
   CHECK(pattern.owner("Parsing.G181.X") == "Parsing.G181");
   CHECK(pattern.owner("Parsing.G68.2.X") == "Parsing.G68.2");
 }
+
+TEST_CASE("a pattern may ask for both units") {
+  const FieldPattern pattern("Parsing.*{canned-cycle}.*{mm}");
+  CHECK(pattern.owner_unit() == "canned-cycle");
+  CHECK(pattern.matches("Parsing.G181.X", "mm"));
+  CHECK_FALSE(pattern.matches("Parsing.G181.P", "s"));
+}

@@ -1,7 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
 # cmake -D OUTPUT=pages.cpp -D ROOT=DIR -D "PAGES=a.md;b.md" -P EmbedPages.cmake: the pages as C++ data, looked up by
-# file stem, each with its folder below ROOT, and
-# what they say of diagnostics, looked up by code: items like
+# file stem, each with its folder below ROOT, and what they say about diagnostics, looked up by code: items like
 #
 #   * **ACME-0001** (error): in short.
 #     What it means, on any number of lines.
@@ -24,6 +23,9 @@ set(diagnostics "")
 set(stems "")
 foreach(page IN LISTS PAGES)
   cmake_path(GET page STEM LAST_ONLY stem)
+  if(DEFINED page_${stem})
+    message(FATAL_ERROR "two pages have one name: ${page} and ${page_${stem}}")
+  endif()
   list(APPEND stems ${stem})
   set(page_${stem} ${page})
 endforeach()

@@ -1,10 +1,35 @@
 # isogloss_add_plugin(<name> [SOURCES <file>...] [LIBRARIES <target>...])
 #
-# A plugin <name>.so that exports ig_plugin_v1 alone, from the sources given or from every *.cpp beside the CMakeLists and below it
-# (tests, *_test.cpp, excepted). Every *.md there is embedded, to be found by ig::embedded_page("file_name_stem").
-# The plugin goes to plugins/ in the build tree and to lib/isogloss/plugins when installed.
+# A plugin <name>.so that exports ig_plugin_v1 alone, from the sources given or from every *.cpp beside the CMakeLists
+# and below it, except tests (*_test.cpp) and whatever lies in a build tree. Every *.md there is embedded, to be found by
+# ig::embedded_page("file_name_stem"). The plugin goes to plugins/ in the build tree and to lib/isogloss/plugins when
+# installed.
 #
 # The objects are a target of their own, <name>_objects, so that unit tests can link them.
+
+# The files of a list that lie in no build tree: `cmake -B build` beside the sources puts generated ones below them.
+function(isogloss_without_build_trees variable)
+  set(trees ${CMAKE_BINARY_DIR})
+  file(GLOB_RECURSE caches ${CMAKE_CURRENT_SOURCE_DIR}/CMakeCache.txt)
+  foreach(cache IN LISTS caches)
+    cmake_path(GET cache PARENT_PATH tree)
+    list(APPEND trees ${tree})
+  endforeach()
+  set(kept "")
+  foreach(file IN LISTS ${variable})
+    set(is_built FALSE)
+    foreach(tree IN LISTS trees)
+      cmake_path(IS_PREFIX tree "${file}" NORMALIZE is_in_tree)
+      if(is_in_tree)
+        set(is_built TRUE)
+      endif()
+    endforeach()
+    if(NOT is_built)
+      list(APPEND kept ${file})
+    endif()
+  endforeach()
+  set(${variable} ${kept} PARENT_SCOPE)
+endfunction()
 
 function(isogloss_add_plugin name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
@@ -15,8 +40,10 @@ function(isogloss_add_plugin name)
   if(NOT arg_SOURCES)
     file(GLOB_RECURSE arg_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     list(FILTER arg_SOURCES EXCLUDE REGEX "_test\\.cpp$")
+    isogloss_without_build_trees(arg_SOURCES)
   endif()
   file(GLOB_RECURSE pages CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.md)
+  isogloss_without_build_trees(pages)
 
   set(embedded ${CMAKE_CURRENT_BINARY_DIR}/${name}_pages.cpp)
   add_custom_command(

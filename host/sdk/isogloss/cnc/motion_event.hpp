@@ -35,7 +35,7 @@ class MotionGroup {
   /// True when an earlier motion syntax has dealt with the block's code, or with the code in force.
   bool is_answered(const Block& b) const { return b.is_fresh(state_); }
 
-  /// The code in force; G00 where no block has set one.
+  /// The code in force; G00 where no block has set one, and the last of the group for a term that is not of it.
   std::size_t in_force(const Block& b) const {
     const Symbol term = b.get_or(state_, codes_.name(g00));
     if (term == codes_.name(g01)) return g01;

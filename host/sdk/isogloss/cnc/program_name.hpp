@@ -30,8 +30,9 @@ class NumberedName {
 };
 
 /// The name for digits as they stand in the text, without leading zeros; nothing where the text is not a whole number
-/// of at most 64 bits.
+/// of at most 64 bits, or has a sign.
 inline std::optional<NumberedName> numbered_name(char letter, std::string_view digits) {
+  if (digits.starts_with('-')) return std::nullopt;
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;

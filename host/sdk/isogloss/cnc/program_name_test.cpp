@@ -40,6 +40,11 @@ std::vector<std::string> file_names(std::int64_t number) {
 
 }  // namespace
 
+TEST_CASE("a number with a sign names nothing") {
+  CHECK_FALSE(numbered_name('O', "-5").has_value());
+  CHECK_FALSE(numbered_name('O', "+5").has_value());
+}
+
 TEST_CASE("the file of a program may carry the O, and zeros to 4, 5 or 8 digits; each name is listed once") {
   using Names = std::vector<std::string>;
   CHECK(file_names(3) == Names{"O0003", "0003", "O3", "3", "O00003", "00003", "O00000003", "00000003"});

@@ -52,8 +52,8 @@ class ToolKinematics {
     for (std::size_t i = 0; i < n; ++i) {
       axes_[i] = rotary_names.find(names[i]);
       if (axes_[i] > 2) return 0;
-      mask_ |= 1u << axes_[i];
     }
+    for (std::size_t i = 0; i < n; ++i) mask_ |= 1u << axes_[i];
     for (std::size_t i = 0; i < n; ++i) {
       Angles quarter{};
       quarter[axes_[i]] = 90;

@@ -101,6 +101,10 @@ TEST_CASE("a machine without the service, or with an unknown axis, has no kinema
   HeadAndTable machine;
   machine.names = "U";
   CHECK_FALSE(FiveAxisProgram(machine).kinematics);
+  machine.names = "BU";
+  const FiveAxisProgram half(machine);
+  CHECK_FALSE(half.kinematics);
+  CHECK(half.kinematics.mask() == 0);
 }
 
 TEST_CASE("the axes are those of the service, and an axis that turns the frame is a table") {
