@@ -54,30 +54,36 @@ std::string_view bytes(const char* s, const What& what, std::size_t longest) {
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
-/// Eight bytes at a time: the texts of all plugins are checked whenever one is loaded.
+/// Sixteen bytes at a time: the texts of all plugins are checked whenever one is loaded.
 bool may_hold_control(std::string_view s) {
-  constexpr std::uint64_t ones = 0x0101010101010101u, tops = ones * 0x80, blanks = ones * 0x20, deletes = ones * 0x7f;
-  const auto below = [](std::uint64_t x, std::uint64_t limit) { return (x - limit) & ~x & tops; };
-  std::uint64_t found = 0;
-  const auto look_at = [&](const char* eight) {
-    std::uint64_t x = 0;
-    std::memcpy(&x, eight, sizeof x);
-    found |= below(x, blanks) | below(x ^ deletes, ones);
+  using Bytes [[gnu::vector_size(16)]] = unsigned char;
+  using Halves [[gnu::vector_size(16)]] = std::uint64_t;
+  if (s.size() < sizeof(Bytes)) return std::any_of(s.begin(), s.end(), is_control);
+  Bytes found{};
+  const auto look_at = [&](const char* sixteen) {
+    Bytes x;
+    std::memcpy(&x, sixteen, sizeof x);
+    found |= reinterpret_cast<Bytes>((x < 0x20) | (x == 0x7f));
   };
-  if (s.size() < sizeof found) return std::any_of(s.begin(), s.end(), is_control);
   for (std::size_t i = 0; i + sizeof found <= s.size(); i += sizeof found) look_at(s.data() + i);
   look_at(s.data() + s.size() - sizeof found);
-  return found != 0;
+  const auto halves = reinterpret_cast<Halves>(found);
+  return (halves[0] | halves[1]) != 0;
 }
 
 /// `list`, `inspect` and diagnostics print it, so it must not hold control characters.
 template <class What>
-std::string_view text(const char* s, const What& what, std::size_t longest = longest_text) {
-  const std::string_view all = bytes(s, what, longest);
-  if (!may_hold_control(all)) return all;
-  for (const char c : all)
+void refuse_control_characters(std::string_view s, const What& what) {
+  if (!may_hold_control(s)) return;
+  for (const char c : s)
     if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f)
       fault("{} holds the control character 0x{:02X}", what(), static_cast<unsigned char>(c));
+}
+
+template <class What>
+std::string_view text(const char* s, const What& what, std::size_t longest = longest_text) {
+  const std::string_view all = bytes(s, what, longest);
+  refuse_control_characters(all, what);
   return all;
 }
 
@@ -103,9 +109,10 @@ bool is_name(std::string_view s) {
 
 template <class What>
 std::string_view name(const char* s, const What& what) {
-  const std::string_view id = text(s, what, longest_name);
-  if (!is_name(id)) fault("{} '{}' is not a name (a letter, then letters, digits, _ - .)", what(), id);
-  return id;
+  const std::string_view id = bytes(s, what, longest_name);
+  if (is_name(id)) return id;
+  refuse_control_characters(id, what);
+  fault("{} '{}' is not a name (a letter, then letters, digits, _ - .)", what(), id);
 }
 
 template <std::size_t N>
@@ -235,15 +242,17 @@ void check_fields(const ig_syntax& syntax, std::string_view owner) {
   array(syntax.fields, syntax.field_count, most_declarations, member(owner, "fields"));
   for (std::uint32_t i = 0; i < syntax.field_count; ++i) {
     const ig_field_decl& field = syntax.fields[i];
-    const std::string_view path = text(
-        field.path, [&] { return fmt::format("the path of {}'s field {}", owner, i); }, longest_name);
+    const auto where = [&] { return fmt::format("the path of {}'s field {}", owner, i); };
+    const std::string_view path = bytes(field.path, where, longest_name);
     const auto what = [&] { return fmt::format("field '{}' of {}", path, owner); };
     if ((field.access & IG_PATTERN) != 0) {
+      refuse_control_characters(path, where);
       if (path.starts_with('@'))
         check_pattern(syntax, path, what);
       else if (path.find_first_of("*?") == std::string_view::npos)
         fault("{} is a pattern, so its path is '@' and an option's name, or has a wildcard", what());
     } else if (!is_path(path)) {
+      refuse_control_characters(path, where);
       fault("{} has no path such as Section.Field", what());
     }
     if ((field.access & (IG_READ | IG_WRITE | IG_TAKE | IG_PREVIOUS | IG_WAKE | IG_WAKE_WHILE)) == 0)

@@ -66,6 +66,9 @@ FieldPattern::FieldPattern(std::string_view text) {
   prefix_size_ = std::min(text.find_first_of("*?"), text.size());
   if (segments_.size() > 1 && segments_.back().find_first_of("*?") == std::string::npos)
     suffix_ = "." + segments_.back();
+  if (!suffix_.empty()) last_ = suffix_.back();
+  ends_after_one_segment_ =
+      !suffix_.empty() && !digits(suffix_.substr(1)) && text.substr(prefix_size_) == "*" + suffix_;
 }
 
 std::string_view FieldPattern::owner(std::string_view path) const {
@@ -85,6 +88,13 @@ bool FieldPattern::matches(std::string_view path, std::string_view unit) const {
   if (wild == "**") return rest > 0;
   if (wild == "?") return rest == 1;
   if (wild == "*" && path.find('.', prefix_size_) == std::string_view::npos) return rest > 0;
+  if (ends_after_one_segment_) {
+    const std::string_view middle = path.substr(prefix_size_, rest - std::min(rest, suffix_.size()));
+    const std::size_t dot = middle.find('.');
+    if (dot == std::string_view::npos) return !middle.empty();
+    // Only the decimals of a code stand after a point of the same segment.
+    if (dot + 1 == middle.size() || !digits(middle.substr(dot + 1, 1))) return false;
+  }
   if (wild == "*.?") {
     const std::size_t dot = path.find('.', prefix_size_);
     if (dot == std::string_view::npos) return false;

@@ -29,3 +29,14 @@ TEST_CASE("a pattern may ask for both units") {
   CHECK(pattern.matches("Parsing.G181.X", "mm"));
   CHECK_FALSE(pattern.matches("Parsing.G181.P", "s"));
 }
+
+TEST_CASE("a star stands for one segment, with the decimals of a code") {
+  const FieldPattern pattern("Parsing.*.X");
+  CHECK(pattern.matches("Parsing.G81.X", ""));
+  CHECK(pattern.matches("Parsing.G68.2.X", ""));
+  CHECK(pattern.matches("Parsing.Flags.X", ""));
+  CHECK_FALSE(pattern.matches("Parsing.X", ""));
+  CHECK_FALSE(pattern.matches("Parsing.G81.R.X", ""));
+  CHECK_FALSE(pattern.matches("Parsing.G81.2.3.X", ""));
+  CHECK_FALSE(pattern.matches("Parsing.Flags.2.X", ""));
+}

@@ -44,7 +44,8 @@ std::vector<ig_field> expand(Linking& linking, FieldDrafts& drafts, const Linked
     bool is_met = false;
     for (ig_field f = 0; f < in.size(); ++f) {
       const FieldInfo& info = layout.fields[f];
-      if (info.hidden || info.type != decl.type || !pattern.matches(info.path, info.unit)) continue;
+      if (info.hidden || info.type != decl.type || !pattern.may_match(info.path)) continue;
+      if (!pattern.matches(info.path, info.unit)) continue;
       if (!pattern.owner_unit().empty() && unit_of(layout, drafts, pattern.owner(info.path)) != pattern.owner_unit())
         continue;
       add(f);

@@ -98,7 +98,7 @@ void Chain::begin_block(const BlockSource& source) {
   document_.begin(source);
   document_.changes |= passing_;
   if (document_.changes != 0) look_at_state();
-  std::copy(std::begin(awake_by_state_), std::end(awake_by_state_), std::begin(document_.active));
+  for (std::size_t k = 0; k < std::size(awake_by_state_); ++k) document_.active[k] = awake_by_state_[k];
   ++blocks;
   ends_program = ends_file = alarmed = skip_rest = false;
   split_at = 0;

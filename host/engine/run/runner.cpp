@@ -164,7 +164,18 @@ class Run {
       text_ended_ = !over_ && !chain_.ends_program && !flow_.has_request() && !flow_.request_end(d);
       over_ = over_ || chain_.ends_program || text_ended_;
     }
-    if (result_.blocks + chain_.records > options_.maximum_motions && !over_) {
+    if (result_.blocks + chain_.records >= next_look_) [[unlikely]]
+      look_at_limits(d);
+    if (waits) keep_in_window(d);
+    if (result_.blocks % progress_interval == 0) [[unlikely]]
+      show_progress();
+  }
+
+  /// Reports a limit that is reached, and sets the sum of blocks and records at which the next look is due: before it,
+  /// neither limit can be reached.
+  [[gnu::cold, gnu::noinline]] void look_at_limits(const Document& d) {
+    const std::uint64_t motions = result_.blocks + chain_.records;
+    if (motions > options_.maximum_motions && !over_) {
       over_ = true;
       chain_.report(d, Severity::error, "IG-0455",
                     host_diagnostic("IG-0455", {}, {std::to_string(options_.maximum_motions)}).message, 0, 0);
@@ -174,11 +185,15 @@ class Run {
       chain_.report(d, Severity::error, "IG-0407",
                     host_diagnostic("IG-0407", {}, {std::to_string(result_.blocks)}).message, 0, 0);
     }
-    if (waits) keep_in_window(d);
-    if (result_.blocks % progress_interval == 0) {
-      if (options_.progress) options_.progress(result_.blocks, flow_.bytes());
-      over_ = over_ || (options_.goes_on && !options_.goes_on());
-    }
+    std::uint64_t left = options_.maximum_motions - std::min(motions, options_.maximum_motions);
+    if (options_.maximum_blocks != 0)
+      left = std::min(left, options_.maximum_blocks - std::min(result_.blocks, options_.maximum_blocks));
+    next_look_ = motions + std::max<std::uint64_t>(left, 1);
+  }
+
+  [[gnu::cold, gnu::noinline]] void show_progress() {
+    if (options_.progress) options_.progress(result_.blocks, flow_.bytes());
+    over_ = over_ || (options_.goes_on && !options_.goes_on());
   }
 
   [[gnu::always_inline]] inline void export_block(Document& d) {
@@ -295,6 +310,7 @@ class Run {
   std::uint32_t length_;
   RunResult result_;
   std::uint64_t passes_ = 0;
+  std::uint64_t next_look_ = 0;
   bool is_line_done_ = false;
   ig_field stop_, end_;
   FiniteValues finite_;

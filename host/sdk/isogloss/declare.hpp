@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <initializer_list>
 #include <memory>
 #include <stdexcept>
@@ -101,12 +102,15 @@ struct Binding {
   void expect_field(const std::array<std::string_view, 4>& pieces) const {
     if (declared == nullptr) return;
     if (field >= declared->fields.size()) refuse("field", {pieces.begin(), pieces.end()}, {});
-    std::string_view rest = declared->fields[field].path;
+    const char* const known = declared->fields[field].path;
+    std::size_t at = 0;
     for (const std::string_view piece : pieces) {
-      if (!rest.starts_with(piece)) refuse("field", {pieces.begin(), pieces.end()}, declared->fields[field].path);
-      rest.remove_prefix(piece.size());
+      // Ends at the first difference, so it never reads beyond the end of `known`.
+      if (!piece.empty() && std::strncmp(known + at, piece.data(), piece.size()) != 0)
+        refuse("field", {pieces.begin(), pieces.end()}, known);
+      at += piece.size();
     }
-    if (!rest.empty()) refuse("field", {pieces.begin(), pieces.end()}, declared->fields[field].path);
+    if (known[at] != '\0') refuse("field", {pieces.begin(), pieces.end()}, known);
   }
   /// The same for options, services and columns; `all` is the recorder's list of them, `id` the member that names one.
   template <class D>

@@ -215,9 +215,10 @@ class SyntaxDescriptor {
     out_.look_ahead = T::spec.look_ahead;
     out_.id = T::spec.id;
     out_.summary = T::spec.summary;
-    out_.page = embedded_page(snake_case(T::spec.id).c_str());
-    out_.folder = embedded_folder(snake_case(T::spec.id).c_str());
-    out_.cases = embedded_page((snake_case(T::spec.id) + ".cases").c_str());
+    const std::string file = snake_case(T::spec.id);
+    out_.page = embedded_page(file.c_str());
+    out_.folder = embedded_folder(file.c_str());
+    out_.cases = embedded_page((file + ".cases").c_str());
     out_.fields = recorded_.fields.data();
     out_.options = recorded_.options.data();
     out_.services = recorded_.services.data();
