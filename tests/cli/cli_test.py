@@ -378,6 +378,28 @@ class OddFiles(Command):
         errors = self.write("errors.nc", "G21\n" + "G1 X1. Q1. F100.\n" * 200_000 + "M30\n")
         self.assertIn("[IG-0517]", self.run_it("run", errors, "-d", "fanuc", "--emit", "none", status=1).stderr)
 
+    def test_limits_stop_at_the_first_block_beyond_them(self):
+        holes = self.write("limits.nc", "G21 G90 F100\nG0 X0 Y0\nG81 X1. Y1. Z-1. R1.\nX2. K3\nX9.\nG80\nG0 X1.\n"
+                           "G83 X1. Z-9. R1. Q2.\nX3.\nX4.\nG80\nM30\n")
+        done = self.run_it("run", holes, "-d", "fanuc", "--emit", "blocks")
+        blocks = [json.loads(line) for line in done.stdout.splitlines()]
+        totals, total = [], 0
+        for block in blocks:
+            total += 1 + len(block.get("CompoundMotion", {}).get("Items", []))
+            totals.append(total)
+        self.assertGreater(total, 3 * len(blocks))
+
+        def check(expected, *limits):
+            done = self.run_it("run", holes, "-d", "fanuc", "--emit", "blocks", *limits,
+                               status=0 if expected == len(blocks) else 1)
+            self.assertEqual(len(done.stdout.splitlines()), expected, limits)
+
+        for motions in [*range(1, 12), totals[5], totals[5] - 1, totals[-2], total]:
+            by_motions = next((i + 1 for i, t in enumerate(totals) if t > motions), len(blocks))
+            check(by_motions, "--max-motions", motions)
+            for most in (1, 4, 7):
+                check(min(most, by_motions), "--max-motions", motions, "--max-blocks", most)
+
     def test_diagnostics_go_to_a_file(self):
         wrong = self.write("wrong.nc", "G21\nG200 X1.\nM30\n")
         done = self.run_it("run", wrong, "-d", "fanuc", "--summary", "--diagnostics", "sarif", "--diagnostics-output",

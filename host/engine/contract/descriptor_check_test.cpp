@@ -162,3 +162,32 @@ TEST_CASE("absurd counts and null arrays are refused before they are read") {
   out.syntax_count = 0xffffffffu;
   CHECK(*descriptor_fault(out) == "syntaxes counts 4294967295, more than 2048");
 }
+
+TEST_CASE("a control character is found wherever it stands in a text, and no other one is refused") {
+  Plugin plugin = good();
+  const auto fault_of = [&](const std::string& text) {
+    syntax(plugin).out.summary = text.c_str();
+    return descriptor_fault(*plugin.get()).value_or("");
+  };
+  for (std::size_t size = 1; size <= 40; ++size)
+    for (std::size_t at = 0; at < size; ++at)
+      for (const int c : {0x01, 0x1b, 0x1f, 0x7f}) {
+        std::string text(size, 'x');
+        text[at] = static_cast<char>(c);
+        CAPTURE(size, at, c);
+        CHECK(fault_of(text).find("holds the control character") != std::string::npos);
+      }
+  std::string all = "\t\n";
+  for (int c = 0x20; c < 0x100; ++c)
+    if (c != 0x7f) all += static_cast<char>(c);
+  CHECK(fault_of(all) == "");
+}
+
+TEST_CASE("a name or a path with a control character is refused as one, not shown") {
+  Plugin plugin = good();
+  syntax(plugin).out.id = "Good\x1b[31mSyntax";
+  CHECK(descriptor_fault(*plugin.get()).value_or("") == "syntaxes[0].id holds the control character 0x1B");
+  plugin = good();
+  syntax(plugin).fields[0].path = "Feedrate.\x07Value";
+  CHECK(descriptor_fault(*plugin.get()).value_or("").find("holds the control character 0x07") != std::string::npos);
+}

@@ -256,7 +256,7 @@ void Document::begin(const BlockSource& where) {
   const auto carry = [all](std::uint32_t first, std::uint32_t last) {
     for (Bits* bits = all + first; bits != all + last; ++bits) {
       bits->present &= bits->modal;
-      std::memset(&bits->fresh, 0, 3 * sizeof bits->fresh);  // fresh, taken, pointless: two stores instead of three
+      bits->fresh = bits->taken = bits->pointless = 0;
     }
   };
   carry(0, far_begin_);

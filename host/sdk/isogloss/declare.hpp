@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <initializer_list>
 #include <memory>
 #include <stdexcept>
@@ -102,15 +101,14 @@ struct Binding {
   void expect_field(const std::array<std::string_view, 4>& pieces) const {
     if (declared == nullptr) return;
     if (field >= declared->fields.size()) refuse("field", {pieces.begin(), pieces.end()}, {});
-    const char* const known = declared->fields[field].path;
-    std::size_t at = 0;
+    const std::string_view known = declared->fields[field].path;
+    std::string_view rest = known;
     for (const std::string_view piece : pieces) {
-      // Ends at the first difference, so it never reads beyond the end of `known`.
-      if (!piece.empty() && std::strncmp(known + at, piece.data(), piece.size()) != 0)
-        refuse("field", {pieces.begin(), pieces.end()}, known);
-      at += piece.size();
+      if (piece.empty()) continue;
+      if (!rest.starts_with(piece)) refuse("field", {pieces.begin(), pieces.end()}, known);
+      rest.remove_prefix(piece.size());
     }
-    if (known[at] != '\0') refuse("field", {pieces.begin(), pieces.end()}, known);
+    if (!rest.empty()) refuse("field", {pieces.begin(), pieces.end()}, known);
   }
   /// The same for options, services and columns; `all` is the recorder's list of them, `id` the member that names one.
   template <class D>
