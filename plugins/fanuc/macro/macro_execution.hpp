@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <isogloss_flow.h>
+#include <isogloss/cnc/scan.hpp>
 
 #include "macro/macro_environment.hpp"
 #include "macro/macro_loops.hpp"
