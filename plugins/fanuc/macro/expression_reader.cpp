@@ -90,9 +90,24 @@ bool ExpressionReader::bracket(MacroValue& out) {
   return open() && comparison(out) && close(opened);
 }
 
+bool ExpressionReader::plain_number(std::uint32_t& out) {
+  std::size_t i = position_;
+  std::uint32_t number = 0;
+  for (; i < text_.size() && i < position_ + longest_variable && text_[i] >= '0' && text_[i] <= '9'; ++i)
+    number = number * 10 + static_cast<std::uint32_t>(text_[i] - '0');
+  if (i == position_ || (i < text_.size() && is_number_start(text_[i]))) return false;
+  position_ = end_ = i;
+  out = number;
+  return true;
+}
+
 bool ExpressionReader::variable_number(MacroValue& out) {
   const std::size_t hash = position_++;
   skip_spaces();
+  if (std::uint32_t plain = 0; plain_number(plain)) {
+    out = {static_cast<double>(plain), Kind::number};
+    return true;
+  }
   const char c = peek();
   if (c == '[') {
     if (!bracket(out) || !as_number(out, hash)) return false;

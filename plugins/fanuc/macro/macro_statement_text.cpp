@@ -37,6 +37,29 @@ bool is_short_statement(std::string_view text, Word word, std::size_t end) {
   return false;
 }
 
+/// statement_end() for a block with parentheses.
+std::size_t end_with_comments(std::string_view block, std::size_t position, bool& inner) {
+  std::size_t end = position + 1;
+  bool behind_comment = false;
+  for (std::size_t i = position; i < block.size();) {
+    if (block[i] == '(') {
+      const std::size_t close = skip_bracketed(block, i);
+      if (!behind_comment && has_message(piece(block, position, i)))
+        end = close;
+      else
+        behind_comment = true;
+      i = close;
+      continue;
+    }
+    if (!is_blank(block[i])) {
+      end = i + 1;
+      inner |= behind_comment;
+    }
+    ++i;
+  }
+  return end;
+}
+
 }  // namespace
 
 Word keyword(std::string_view text, std::size_t position, std::size_t& end) {
@@ -80,26 +103,12 @@ bool has_message(std::string_view statement) {
 }
 
 std::size_t statement_end(std::string_view text, std::size_t position, bool& inner) {
-  const std::size_t block = skip_while(text, position, [](char c) { return c != ';' && c != '\r' && c != '\n'; });
-  const std::string_view statement = text.substr(0, block);
-  std::size_t end = position + 1;
-  bool behind_comment = false;
-  for (std::size_t i = position; i < block;) {
-    if (statement[i] == '(') {
-      const std::size_t close = skip_bracketed(statement, i);
-      if (!behind_comment && has_message(piece(statement, position, i)))
-        end = close;
-      else
-        behind_comment = true;
-      i = close;
-      continue;
-    }
-    if (!is_blank(statement[i])) {
-      end = i + 1;
-      inner |= behind_comment;
-    }
-    ++i;
+  std::size_t end = skip_while(text, position, [](char c) { return c != ';' && c != '\r' && c != '\n' && c != '('; });
+  if (at(text, end) == '(') {
+    const std::size_t block = skip_while(text, end, [](char c) { return c != ';' && c != '\r' && c != '\n'; });
+    return end_with_comments(text.substr(0, block), position, inner);
   }
+  while (end > position + 1 && is_blank(text[end - 1])) --end;
   return end;
 }
 
