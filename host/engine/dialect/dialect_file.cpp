@@ -8,10 +8,10 @@
 #include <optional>
 #include <type_traits>
 
+#include "dialect/dependency_reader.hpp"
+
 namespace isogloss {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::string_view dialect_namespace = "urn:isogloss:dialect:1";
 constexpr std::array stages{Stage::parsing, Stage::evaluation, Stage::logic, Stage::post_logic, Stage::inspection};
@@ -20,7 +20,8 @@ constexpr std::array edit_kinds{EditKind::replace, EditKind::insert_before, Edit
 
 class FileReader : XmlElements {
  public:
-  FileReader(const XmlSource& xml, XmlBudget& budget, Report& report) : XmlElements(xml, report), budget_(budget) {}
+  FileReader(const XmlSource& xml, XmlBudget& budget, Report& report)
+      : XmlElements(xml, report), dependencies_(xml, budget, report) {}
 
   DialectFile dialect() {
     if (!read_head()) return std::move(file_);
@@ -31,14 +32,6 @@ class FileReader : XmlElements {
   Dialect head() {
     if (const pugi::xml_node files = xml_.root().child("Files"); read_head() && files) read_files(files);
     return std::move(file_.own);
-  }
-
-  std::vector<DependencyElement> dependencies() {
-    const pugi::xml_node root = xml_.root();
-    if (std::string_view(root.name()) != "Dependencies") return {dependency(root)};
-    only_attributes(root, {});
-    for (const pugi::xml_node node : elements(root)) add_dependency(dependency(node));
-    return std::move(file_.own.dependencies);
   }
 
  private:
@@ -161,13 +154,13 @@ class FileReader : XmlElements {
     for (const pugi::xml_node child : elements(node)) {
       const std::optional<EditKind> kind = edit_kind(child);
       if (!kind) {
-        add_dependency(dependency(child));
+        dependencies_.read_into(file_.own.dependencies, child);
       } else if (*kind == EditKind::insert_before || *kind == EditKind::insert_after) {
         unknown(child, {"Replace", "Remove", "Configure"});
       } else if (const auto head = edit<DependencyElement>(child, *kind, "dependency", {"as", "src"})) {
         Edit<DependencyElement> edit = *head;
         for (const pugi::xml_node inserted : put_in<DependencyElement>(child, *kind))
-          edit.elements.push_back(dependency(inserted));
+          edit.elements.push_back(dependencies_.read(inserted));
         file_.dependency_edits.push_back(std::move(edit));
       }
     }
@@ -230,76 +223,6 @@ class FileReader : XmlElements {
     return element;
   }
 
-  DependencyElement dependency(pugi::xml_node node) {
-    DependencyElement element{node.name(), node.name(), {}, {}, {}, xml_.at(node)};
-    for (const pugi::xml_attribute a : node.attributes()) {
-      const std::string_view name = a.name();
-      if (name == "as") element.alias = alias(node);
-      if (name == "src") read_table(node, element);
-    }
-    for (Attribute& option : data_attributes(xml_, node, {"as", "src"})) set_option(element, std::move(option));
-    read_rows(xml_, node, element);
-    return element;
-  }
-
-  /// The file that src names: more options (those beside src win), and the first rows.
-  void read_table(pugi::xml_node node, DependencyElement& element) {
-    const std::string src = node.attribute("src").value();
-    const Location where = xml_.at(node, "src");
-    const fs::path path = below_folder_of(xml_.file(), src);
-    if (path.empty()) {
-      const fs::path folder = fs::path(xml_.file()).parent_path();
-      return report_("IG-0117", where, {shown(src), folder.empty() ? "the dialect's folder" : folder.string()});
-    }
-    const std::unique_ptr<XmlSource> table = XmlSource::open(path, where, budget_, report_.sink());
-    if (table == nullptr) {
-      report_.failed = true;
-      return;
-    }
-    const pugi::xml_node root = table->root();
-    if (element.id != root.name())
-      return report_("IG-0118", table->at(root), {table->file(), shown(root.name()), shown(element.id)});
-    element.source_file = path.string();
-    element.options = data_attributes(*table, root, {});
-    read_rows(*table, root, element);
-  }
-
-  void read_rows(const XmlSource& xml, pugi::xml_node node, DependencyElement& element) {
-    XmlElements inside(xml, report_);
-    for (const pugi::xml_node row : inside.elements(node)) {
-      inside.leaves(row, {});
-      element.rows.push_back({row.name(), data_attributes(xml, row, {}), xml.at(row)});
-    }
-  }
-
-  static void set_option(DependencyElement& element, Attribute option) {
-    for (Attribute& old : element.options) {
-      if (old.name != option.name) continue;
-      old = std::move(option);
-      return;
-    }
-    element.options.push_back(std::move(option));
-  }
-
-  static std::vector<Attribute> data_attributes(const XmlSource& xml, pugi::xml_node node,
-                                                std::initializer_list<std::string_view> kept) {
-    std::vector<Attribute> all;
-    for (const pugi::xml_attribute a : node.attributes()) {
-      const std::string_view name = a.name();
-      if (!is_markup(name) && std::find(kept.begin(), kept.end(), name) == kept.end())
-        all.push_back({a.name(), a.value(), xml.at(node, name)});
-    }
-    return all;
-  }
-
-  void add_dependency(DependencyElement element) {
-    const auto [same, is_new] = dependency_names_.emplace(element.alias, element.where);
-    if (!is_new)
-      return report_("IG-0113", element.where, {shown(element.alias), place(same->second)},
-                     fmt::format("give the second one a name of its own: <{} as=\"…\"/>", shown(element.id)));
-    file_.own.dependencies.push_back(std::move(element));
-  }
-
   // ---- Edits ----
 
   static std::optional<EditKind> edit_kind(pugi::xml_node node) {
@@ -358,12 +281,6 @@ class FileReader : XmlElements {
     return all;
   }
 
-  std::string alias(pugi::xml_node node) {
-    std::string as = node.attribute("as").value();
-    if (as.empty() || as.find_first_of(" \t\r\n") != std::string::npos) bad_value(node, "as", "a name without blanks");
-    return as.empty() ? node.name() : as;
-  }
-
   bool override_value(pugi::xml_node node) {
     const std::string_view value = node.attribute("override").value();
     if (value != "true" && value != "false") bad_value(node, "override", "true or false");
@@ -377,9 +294,8 @@ class FileReader : XmlElements {
     return names;
   }
 
-  XmlBudget& budget_;
   DialectFile file_;
-  std::map<std::string, Location> dependency_names_;
+  DependencyReader dependencies_;
 };
 
 }  // namespace
@@ -401,25 +317,6 @@ DialectFile read_dialect_file(const XmlSource& xml, XmlBudget& budget, Report& r
 Dialect read_dialect_head(const XmlSource& xml, Report& report) {
   XmlBudget budget;
   return FileReader(xml, budget, report).head();
-}
-
-std::vector<DependencyElement> read_dependency_file(const XmlSource& xml, XmlBudget& budget, Report& report) {
-  return FileReader(xml, budget, report).dependencies();
-}
-
-fs::path below_folder_of(const std::string& file, const std::string& path) {
-  const fs::path relative = fs::path(path).lexically_normal();
-  if (path.empty() || relative.is_absolute() || *relative.begin() == "..") return {};
-  const fs::path folder = fs::path(file).parent_path();
-  fs::path named = (folder / relative).lexically_normal();
-  std::error_code error;
-  const fs::path real = fs::canonical(named, error);
-  if (error) return named;  // the file does not exist, which its reader reports
-  const fs::path real_folder = fs::canonical(folder.empty() ? "." : folder, error);
-  return !error && std::mismatch(real_folder.begin(), real_folder.end(), real.begin(), real.end()).first ==
-                       real_folder.end()
-             ? named
-             : fs::path();
 }
 
 }  // namespace isogloss

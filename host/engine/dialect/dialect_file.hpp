@@ -35,10 +35,4 @@ DialectFile read_dialect_file(const XmlSource& xml, XmlBudget& budget, Report& r
 /// Name, title and how programs are recognised; nothing else is read.
 Dialect read_dialect_head(const XmlSource& xml, Report& report);
 
-/// A table file: one dependency, or <Dependencies> with several.
-std::vector<DependencyElement> read_dependency_file(const XmlSource& xml, XmlBudget& budget, Report& report);
-
-/// `path` below the folder of `file`; empty when it is absolute or leads out.
-std::filesystem::path below_folder_of(const std::string& file, const std::string& path);
-
 }  // namespace isogloss

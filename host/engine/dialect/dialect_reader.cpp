@@ -6,7 +6,9 @@
 #include <iterator>
 #include <set>
 
+#include "dialect/dependency_reader.hpp"
 #include "dialect/dialect_file.hpp"
+#include "dialect/dialect_path.hpp"
 
 namespace isogloss {
 namespace {

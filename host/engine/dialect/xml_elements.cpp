@@ -45,6 +45,12 @@ std::string XmlElements::required(pugi::xml_node node, const char* attribute) {
   return {};
 }
 
+std::string XmlElements::alias(pugi::xml_node node) {
+  std::string as = node.attribute("as").value();
+  if (as.empty() || as.find_first_of(" \t\r\n") != std::string::npos) bad_value(node, "as", "a name without blanks");
+  return as.empty() ? node.name() : as;
+}
+
 void XmlElements::bad_value(pugi::xml_node node, const char* attribute, const char* wanted) {
   report_("IG-0110", xml_.at(node, attribute),
           {node.name(), attribute, wanted, shown(node.attribute(attribute).value())});

@@ -32,6 +32,8 @@ class XmlElements {
   void only_attributes(pugi::xml_node node, const std::vector<std::string>& names);
   /// The attribute's value; empty, and reported, when it is missing or empty.
   std::string required(pugi::xml_node node, const char* attribute);
+  /// The name that `as` gives the element; without it, that of the element.
+  std::string alias(pugi::xml_node node);
   void bad_value(pugi::xml_node node, const char* attribute, const char* wanted);
   void unknown(pugi::xml_node node, const std::vector<std::string>& names);
   /// False, and reported, when the element has an elder sibling of its name.

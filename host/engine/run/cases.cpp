@@ -7,217 +7,15 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <pugixml.hpp>
-#include <stdexcept>
 
 #include "document/json_difference.hpp"
 #include "isogloss/engine/chain.hpp"
 #include "isogloss/engine/document_json.hpp"
+#include "run/case_dialect.hpp"
 
 namespace isogloss {
 
 namespace {
-
-std::string_view trimmed(std::string_view s) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!s.empty() && blank(s.front())) s.remove_prefix(1);
-  while (!s.empty() && blank(s.back())) s.remove_suffix(1);
-  return s;
-}
-
-class PageReader {
- public:
-  PageReader(const std::string& file, DiagnosticSink& sink) : file_(file), sink_(sink) {}
-
-  Page read(std::string_view text) {
-    while (!text.empty()) {
-      const std::size_t end = text.find('\n');
-      line(text.substr(0, end));
-      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    }
-    if (inside_) fault(fence_.line, "a fence is not closed");
-    close_case();
-    return std::move(page_);
-  }
-
- private:
-  void line(std::string_view raw) {
-    ++line_;
-    const std::string_view text = trimmed(raw);
-    if (inside_) {
-      if (text.starts_with("```"))
-        close_fence();
-      else
-        (fence_.text += raw) += '\n';
-    } else if (text.starts_with("```")) {
-      inside_ = true;
-      fence_ = {"", line_ + 1};
-    } else if (text.starts_with("## ")) {
-      close_case();
-      heading_ = text.substr(3);
-    } else if (text.starts_with("# ")) {
-      if (page_.syntax.empty()) page_.syntax = trimmed(text.substr(2));
-    } else if (text == "#Diagnostics: any") {
-      begin_case();
-      case_.says_anything = true;
-    } else if (std::optional<Fence>* const wanted = marker(text)) {
-      awaited_ = wanted;
-    }
-  }
-
-  /// The member that a marker line fills; a marker that was filled already begins the next case.
-  std::optional<Fence>* marker(std::string_view text) {
-    static constexpr std::pair<std::string_view, std::optional<Fence> Case::*> markers[] = {
-        {"#Previous:", &Case::previous},  {"#Ahead:", &Case::ahead},      {"#Dependencies:", &Case::dependencies},
-        {"#BeforeBuild:", &Case::before}, {"#AfterBuild:", &Case::after}, {"#Diagnostics:", &Case::diagnostics},
-    };
-    for (const auto& [name, member] : markers) {
-      if (text != name) continue;
-      if ((case_.*member).has_value()) close_case();
-      begin_case();
-      return &(case_.*member);
-    }
-    return nullptr;
-  }
-
-  void begin_case() {
-    if (case_.line == 0) case_.line = line_;
-  }
-
-  void close_fence() {
-    inside_ = false;
-    if (awaited_ != nullptr) *awaited_ = std::move(fence_);
-    awaited_ = nullptr;
-  }
-
-  void close_case() {
-    awaited_ = nullptr;
-    Case done = std::move(case_);
-    case_ = {};
-    if (done.line == 0) return;
-    if (!done.before) return fault(done.line, "a case without #BeforeBuild: and its fence");
-    if (!done.after) return fault(done.line, "a case without #AfterBuild: and its fence");
-    done.heading = heading_;
-    page_.cases.push_back(std::move(done));
-  }
-
-  void fault(std::uint32_t at, std::string what) {
-    sink_.add(host_diagnostic("IG-0501", {file_, at, 0}, {std::move(what)}));
-  }
-
-  const std::string& file_;
-  DiagnosticSink& sink_;
-  Page page_;
-  Case case_;
-  Fence fence_;
-  std::string heading_;
-  std::optional<Fence>* awaited_ = nullptr;
-  std::uint32_t line_ = 0;
-  bool inside_ = false;
-};
-
-/// The XML beside a case, as text.
-struct CaseDependencies {
-  std::vector<Attribute> options;
-  std::vector<DependencyElement> dependencies;
-  std::map<std::string, std::string, std::less<>> settings;
-};
-
-std::vector<Attribute> attributes(const pugi::xml_node& node, const Location& where) {
-  std::vector<Attribute> out;
-  for (const pugi::xml_attribute& a : node.attributes()) out.push_back({a.name(), a.value(), where});
-  return out;
-}
-
-/// Throws std::runtime_error when the text is not XML.
-CaseDependencies read_dependencies(const std::string& xml, const std::string& syntax, const Location& where) {
-  CaseDependencies out;
-  if (trimmed(xml).empty()) return out;
-  pugi::xml_document document;
-  const pugi::xml_parse_result parsed =
-      document.load_buffer(xml.data(), xml.size(), pugi::parse_default | pugi::parse_fragment);
-  if (!parsed) throw std::runtime_error(std::string("the dependencies are no XML: ") + parsed.description());
-  pugi::xml_node parent = document;
-  if (const pugi::xml_node wrapper = document.child("Dependencies")) parent = wrapper;
-  for (const pugi::xml_node& node : parent.children()) {
-    if (node.type() != pugi::node_element) continue;
-    const std::string name = node.name();
-    if (name == syntax) {
-      out.options = attributes(node, where);
-    } else if (name == "Settings") {
-      for (const pugi::xml_attribute& a : node.attributes()) out.settings[a.name()] = a.value();
-    } else {
-      DependencyElement element{name, name, attributes(node, where), {}, {}, where};
-      for (const pugi::xml_node& row : node.children())
-        if (row.type() == pugi::node_element) element.rows.push_back({row.name(), attributes(row, where), where});
-      out.dependencies.push_back(std::move(element));
-    }
-  }
-  return out;
-}
-
-Stage stage_of(const ig_syntax& syntax) {
-  if (syntax.inspects != 0) return Stage::inspection;
-  if (syntax.look_ahead != 0) return Stage::post_logic;
-  return syntax.scan != nullptr ? Stage::parsing : Stage::logic;
-}
-
-ChainElement element_of(const ig_syntax& syntax, const Location& where) {
-  return {stage_of(syntax), syntax.id, syntax.id, {}, true, where};
-}
-
-bool has_plugin(const Dialect& dialect, std::string_view name) {
-  return std::any_of(dialect.plugins.begin(), dialect.plugins.end(),
-                     [&](const PluginReference& p) { return p.name == name; });
-}
-
-/// The dialect around one syntax. `alias` becomes the place to look for it in the chain.
-Dialect surround(const ig_syntax& syntax, const ig_plugin& plugin, const Surroundings& around,
-                 const CaseDependencies& own, const Location& where, std::string& alias, Library& library) {
-  Dialect d;
-  if (around.dialect) {
-    d = *around.dialect;
-    d.initial.clear();
-    if (!around.is_named) {
-      // The default surroundings must not hinder a plugin that is being written.
-      std::erase_if(d.plugins, [&](const PluginReference& p) { return library.find(p.name) == nullptr; });
-      std::erase_if(d.chain, [&](const ChainElement& e) { return library.syntax(e.syntax) == nullptr; });
-      std::erase_if(d.dependencies, [&](const DependencyElement& e) { return library.dependency(e.id) == nullptr; });
-    }
-  } else {
-    d.name = plugin.name;
-    for (std::uint32_t i = 0; i < plugin.syntax_count; ++i) d.chain.push_back(element_of(*plugin.syntaxes[i], where));
-  }
-  if (!has_plugin(d, plugin.name)) d.plugins.push_back({plugin.name, where});
-
-  const auto named = [&](const ChainElement& e) { return e.alias == alias; };
-  const auto same = [&](const ChainElement& e) { return e.syntax == syntax.id; };
-  auto at = std::find_if(d.chain.begin(), d.chain.end(), named);
-  if (at == d.chain.end()) at = std::find_if(d.chain.begin(), d.chain.end(), same);
-  if (at == d.chain.end()) at = d.chain.insert(d.chain.end(), element_of(syntax, where));
-  if (!around.is_named) at->options.clear();
-  for (const Attribute& option : own.options) {
-    std::erase_if(at->options, [&](const Attribute& a) { return a.name == option.name; });
-    at->options.push_back(option);
-  }
-  alias = at->alias;
-  std::stable_sort(d.chain.begin(), d.chain.end(),
-                   [](const ChainElement& a, const ChainElement& b) { return a.stage < b.stage; });
-
-  std::vector<DependencyElement> dependencies = own.dependencies;
-  for (const DependencyElement& e : own.dependencies) {
-    const ig_plugin* owner = nullptr;
-    if (library.dependency(e.id, &owner) != nullptr && !has_plugin(d, owner->name))
-      d.plugins.push_back({owner->name, where});
-  }
-  for (const DependencyElement& inherited : d.dependencies) {
-    const bool replaced = std::any_of(own.dependencies.begin(), own.dependencies.end(),
-                                      [&](const DependencyElement& e) { return e.alias == inherited.alias; });
-    if (!replaced) dependencies.push_back(inherited);
-  }
-  d.dependencies = std::move(dependencies);
-  return d;
-}
 
 std::string id_of_alias(const std::string& name, const Surroundings& around) {
   if (around.dialect)
@@ -338,10 +136,6 @@ class Bench {
 
 }  // namespace
 
-Page read_page(std::string_view text, const std::string& file, DiagnosticSink& sink) {
-  return PageReader(file, sink).read(text);
-}
-
 std::optional<std::string> apply(const Application& application, const Surroundings& surroundings, Library& library,
                                  DiagnosticSink& sink) {
   const ig_plugin* plugin = nullptr;
@@ -361,7 +155,7 @@ std::optional<std::string> apply(const Application& application, const Surroundi
     return std::nullopt;
 
   try {
-    const CaseDependencies own = read_dependencies(application.dependencies, id, application.where);
+    const CaseDependencies own = read_case_dependencies(application.dependencies, id, application.where);
     std::string alias = application.syntax;
     const Dialect dialect = surround(*syntax, *plugin, surroundings, own, application.where, alias, library);
     const std::unique_ptr<LinkedDialect> linked = link(dialect, library, sink, LinkMode::parts);

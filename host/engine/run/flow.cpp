@@ -4,47 +4,14 @@
 
 namespace isogloss {
 
-namespace fs = std::filesystem;
-
-namespace {
-
-constexpr std::uintmax_t held_in_memory = 64 * 1024;  // files up to this size need no descriptor of their own
-
-std::string_view view(const ig_text& text) { return {text.data, text.size}; }
-
-/// A small file, read once.
-class HeldFile : public Source {
- public:
-  explicit HeldFile(Source& from) {
-    char buffer[4096];
-    while (const std::size_t n = from.read(buffer, sizeof buffer)) text_.append(buffer, n);
-    failure_ = from.failure();
-  }
-  std::string failure() const override { return failure_; }
-  std::size_t read(char*, std::size_t) override { return 0; }
-  bool has_places() const override { return true; }
-  std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t size) override {
-    return offset < text_.size() ? text_.copy(buffer, size, offset) : 0;
-  }
-
- private:
-  std::string text_, failure_;
-};
-
-}  // namespace
-
 Flow::Flow(const LinkedDialect& linked, Source& source, const std::string& name, const RunOptions& options,
            DiagnosticSink& sink)
-    : linked_(linked), options_(options), sink_(sink) {
-  if (!source.has_places()) spool_ = std::make_unique<Spool>(source);
-  ProgramFile& file = files_.emplace_back();
-  file.name = name;
-  file.source = spool_ != nullptr ? spool_.get() : &source;
+    : linked_(linked), options_(options), end_(sink), programs_(linked, options, sink, end_, source, name) {
   frame_ = frames_.emplace_back(std::make_unique<Frame>()).get();
-  frame_->file = &file;
+  frame_->file = &programs_.main();
   frame_->id = ++last_id_;
   cursor_ = &frame_->cursor;
-  cursor_->open(*file.source, options_.maximum_line_bytes, linked_.dialect.segmenter);
+  cursor_->open(*frame_->file->source, options_.maximum_line_bytes, linked_.dialect.segmenter);
 }
 
 std::uint64_t Flow::bytes() const {
@@ -55,8 +22,8 @@ std::uint64_t Flow::bytes() const {
 
 bool Flow::select_program(const std::string& name) {
   const Chain::Interlude interlude;
-  const std::string label = indexer().program_name(name);
-  const std::optional<Place> at = labels(files_[0]).program(label.empty() ? name : label);
+  const std::string label = programs_.indexer().program_name(name);
+  const std::optional<Place> at = labels(programs_.main()).program(label.empty() ? name : label);
   if (!at) return false;
   frame_->start = *at;
   reached_.insert(*at);
@@ -82,7 +49,7 @@ std::int32_t Flow::go(const Document& document, ig_go& request) {
 }
 
 std::int32_t Flow::ask_label(ig_go& request) {
-  const bool found = labels(*frame_->file).find(view(request.label), here_, request.search).has_value();
+  const bool found = labels(*frame_->file).find(view_of(request.label), here_, request.search).has_value();
   if (frame_->file->source->is_lost()) return IG_GO_REFUSED;
   return found ? std::int32_t{IG_GO_DONE} : not_found(request, "looked in this program, " + frame_->file->name);
 }
@@ -96,12 +63,12 @@ std::int32_t Flow::not_found(ig_go& request, std::string reason) {
 std::int32_t Flow::call(const Document& document, ig_go& request) {
   reason_.clear();
   if (request.scope == 0) request.scope = IG_IN_FILES | IG_IN_FOLDERS;
-  if (!find_program(request, target_)) return not_found(request, std::move(reason_));
-  called_.assign(view(request.label));
+  if (!programs_.find(request, {*frame_->file, here_}, target_, reason_)) return not_found(request, std::move(reason_));
+  called_.assign(view_of(request.label));
   if (depth_ >= options_.maximum_depth) {
     const Diagnostic text = host_diagnostic("IG-0416", {}, {std::to_string(options_.maximum_depth), chain_of_calls()});
     document.chain->report(document, text.severity, text.code, text.message, 0, 0);
-    if (++refused_ == most_refused && !over_) stop("IG-0422", here_, {std::to_string(most_refused), shown(here_)});
+    if (++refused_ == most_refused && !is_over()) stop("IG-0422", here_, {std::to_string(most_refused), shown(here_)});
     return IG_GO_REFUSED;
   }
   request_ = Request::call;
@@ -110,120 +77,9 @@ std::int32_t Flow::call(const Document& document, ig_go& request) {
   return IG_GO_DONE;
 }
 
-bool Flow::find_program(const ig_go& request, Target& out) {
-  const std::string_view label = view(request.label), start = view(request.start);
-  if ((request.scope & IG_IN_PROGRAM) != 0)
-    if (const auto at = labels(*frame_->file).find(label, here_, IG_SEARCH_AROUND)) {
-      out = {frame_->file, *at, true};
-      return true;
-    }
-  const std::string key =
-      std::to_string(request.scope) + ':' + frame_->file->name + ':' + std::string(start) + ':' + std::string(label);
-  if (const auto known = known_.find(key); known != known_.end()) {
-    out = known->second;
-    return true;
-  }
-  bool found = false;
-  const auto in_file = [&](ProgramFile& file) {
-    const auto at = labels(file).program(label);
-    if (at) out = {&file, *at, false};
-    return at.has_value();
-  };
-  if ((request.scope & IG_IN_FILES) != 0) {
-    found = in_file(*frame_->file);
-    for (std::size_t i = 0; !found && i < files_.size(); ++i) found = in_file(files_[i]);
-  }
-  if (!found && (request.scope & IG_IN_FOLDERS) != 0) found = find_in_folders(request, out);
-  if (!found) {
-    std::string where;
-    if ((request.scope & IG_IN_PROGRAM) != 0) where = "this program";
-    if ((request.scope & IG_IN_FILES) != 0) where = "the file " + frame_->file->name;
-    if ((request.scope & IG_IN_FOLDERS) != 0) {
-      const std::string folders = places().describe();
-      if (!folders.empty()) where += (where.empty() ? "" : ", ") + folders;
-    }
-    reason_ = reason_.empty() ? (where.empty() ? "no folder was given" : "looked in " + where) : reason_;
-    return false;
-  }
-  if (!start.empty()) {
-    const auto at = labels(*out.file).find(start, out.start, IG_SEARCH_TOP);
-    if (!at) {
-      reason_ = std::string(label) + " has no " + std::string(start);
-      return false;
-    }
-    out.start = *at;
-  }
-  known_.emplace(key, out);
-  return true;
-}
-
-bool Flow::find_in_folders(const ig_go& request, Target& out) {
-  const std::string_view label = view(request.label);
-  const auto take = [&](const ProgramPlaces::Found& found) {
-    ProgramFile* const file = open(found);
-    if (file == nullptr) return false;
-    const LabelIndex& names = labels(*file);
-    const auto at = names.program(label);
-    if (!at && found.is_library) return false;
-    if (!at && names.has_programs())
-      sink_.add(host_diagnostic("IG-0420", {frame_->file->name, here_.line, here_.column + 1},
-                                {file->name, std::string(label)}));
-    out = {file, at.value_or(Place{}), false};
-    return true;
-  };
-  if (places().find({request.files, request.file_count}, take, reason_)) return true;
-  return searched_.emplace(label).second && find_in_neighbours(label, out);
-}
-
-/// A file of another name may hold the program. Where several do, it is not known which one the control has.
-bool Flow::find_in_neighbours(std::string_view label, Target& out) {
-  std::optional<Target> only;
-  const bool are_several = places().find_inside([&](const ProgramPlaces::Found& found) {
-    const std::size_t known = files_.size();
-    ProgramFile* const file = open(found);
-    const auto at = file == nullptr ? std::nullopt : labels(*file).program(label);
-    if (at && !only) {
-      only = Target{file, *at, false};
-      return false;
-    }
-    if (at) reason_ = "it is in " + only->file->name + " and in " + file->name + ": name one file with --subprograms";
-    if (files_.size() > known) files_.pop_back();
-    return at.has_value();
-  });
-  if (are_several || !only) return false;
-  sink_.add(host_diagnostic("IG-0451", {frame_->file->name, here_.line, here_.column + 1},
-                            {std::string(label), only->file->name}));
-  out = *only;
-  return true;
-}
-
-ProgramFile* Flow::open(const ProgramPlaces::Found& found) {
-  std::error_code code;
-  if (files_[0].path.empty() && files_[0].name != "-") files_[0].path = fs::canonical(files_[0].name, code);
-  for (ProgramFile& file : files_)
-    if (file.path == found.file) return &file;
-  if (!fs::is_regular_file(found.file, code)) {
-    reason_ = found.name + " is not a regular file";
-    return nullptr;
-  }
-  std::string error;
-  std::unique_ptr<Source> source = open_file(found.file.string(), error);
-  if (source == nullptr) {
-    reason_ = found.name + " cannot be read: " + error;
-    return nullptr;
-  }
-  if (fs::file_size(found.file, code) <= held_in_memory) source = std::make_unique<HeldFile>(*source);
-  ProgramFile& file = files_.emplace_back();
-  file.name = found.name;
-  file.path = found.file;
-  file.source = source.get();
-  file.owned = std::move(source);
-  return &file;
-}
-
 std::int32_t Flow::leave(ig_go& request) {
   if (depth_ == 0) return not_found(request, "the main program has no caller");
-  const std::string_view label = view(request.label);
+  const std::string_view label = view_of(request.label);
   to_.reset();
   if (!label.empty()) {
     to_ = labels(*frames_[depth_ - 1]->file).find(label, frame_->called_at, IG_SEARCH_AROUND);
@@ -241,11 +97,11 @@ std::int32_t Flow::jump(ig_go& request) {
     if (request.place.frame != frame_->id) return not_found(request, "the place belongs to another call");
     to_ = Place{request.place.offset, request.place.column, request.place.line};
   } else {
-    to_ = labels(*frame_->file).find(view(request.label), here_, request.search);
+    to_ = labels(*frame_->file).find(view_of(request.label), here_, request.search);
     if (!to_) return not_found(request, "looked in this program, " + frame_->file->name);
   }
   if (frame_->file->source->is_lost()) {
-    say_lost(*frame_->file);
+    programs_.report_lost(*frame_->file, here_.line);
     return IG_GO_REFUSED;
   }
   request_ = Request::jump;
@@ -336,7 +192,7 @@ bool Flow::leave_at_end(Document& document) {
 }
 
 void Flow::seek(const Place& place) {
-  if (frame_->file == &files_[0] && place != last_reached_) {
+  if (frame_->file == &programs_.main() && place != last_reached_) {
     last_reached_ = place;
     reached_.insert(place);
   }
@@ -379,52 +235,15 @@ void Flow::count_repeat() {
 
 void Flow::stop(std::string_view code, const Place& at, std::initializer_list<std::string> arguments) {
   const Frame& frame = code == "IG-0418" ? *frames_[loop_.depth] : *frame_;
-  sink_.add(host_diagnostic(code, {frame.file->name, at.line, at.column + 1}, arguments));
-  over_ = true;
+  end_.report(host_diagnostic(code, {frame.file->name, at.line, at.column + 1}, arguments));
 }
 
 // ---- files
 
-LabelIndex& Flow::labels(ProgramFile& file) {
-  if (file.labels == nullptr) {
-    const Chain::Interlude interlude;
-    file.labels = indexer().index(file);
-    if (file.source->is_lost()) say_lost(file);
-    if (!file.source->failure().empty()) say_unreadable(file, 0);
-  }
-  return *file.labels;
-}
-
-/// A part of a source that can be read only once was lost: the run cannot continue there.
-void Flow::say_lost(const ProgramFile& file) {
-  if (!over_) sink_.add(host_diagnostic("IG-0421", {file.name, here_.line, 0}, {file.name}));
-  over_ = true;
-}
-
-/// The rest of the file is needed to know where a program continues.
-void Flow::say_unreadable(const ProgramFile& file, std::uint32_t line) {
-  if (!over_) sink_.add(host_diagnostic("IG-0431", {file.name, line, 0}, {file.source->failure()}));
-  over_ = true;
-}
-
-Indexer& Flow::indexer() {
-  if (indexer_ == nullptr) indexer_ = std::make_unique<Indexer>(linked_, options_.chain, options_.maximum_line_bytes);
-  return *indexer_;
-}
-
-ProgramPlaces& Flow::places() {
-  if (places_ == nullptr) {
-    std::vector<std::string> extensions = linked_.dialect.extensions;
-    extensions.push_back(fs::path(files_[0].name).extension().string());
-    places_ = std::make_unique<ProgramPlaces>(options_.program_places, extensions);
-  }
-  return *places_;
-}
-
 std::optional<Place> Flow::first_not_run() {
   if (depth_ != 0) return std::nullopt;
   const Place end = here_;
-  const LabelIndex* const names = files_[0].labels.get();
+  const LabelIndex* const names = programs_.main().labels.get();
   const std::vector<Place> programs = names != nullptr ? names->programs_behind(end) : std::vector<Place>{};
   const auto was_reached = [&](const Place& begin, std::size_t following) {
     const auto first = reached_.lower_bound(begin);
@@ -457,7 +276,7 @@ std::string Flow::chain_of_calls() const {
 }
 
 bool Flow::is_file(std::string_view name, std::string_view wanted) const {
-  if (wanted.empty()) return name == files_[0].name;
+  if (wanted.empty()) return name == programs_.main().name;
   return name == wanted || (name.ends_with(wanted) && name[name.size() - wanted.size() - 1] == '/');
 }
 

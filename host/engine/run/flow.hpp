@@ -2,10 +2,9 @@
 #pragma once
 
 #include <set>
-#include <unordered_map>
 #include <utility>
 
-#include "run/program_files.hpp"
+#include "run/program_search.hpp"
 
 namespace isogloss {
 
@@ -16,7 +15,7 @@ class Flow : public FlowHost {
 
   Cursor& cursor() { return *cursor_; }
   /// Reports that the running file cannot be read beyond this line, and ends the run.
-  void fail_to_read(std::uint32_t line) { say_unreadable(*frame_->file, line); }
+  void fail_to_read(std::uint32_t line) { programs_.report_unreadable(*frame_->file, line); }
   /// As long-lived as the run: blocks that wait in the look-ahead window keep it.
   const std::string& file_name() const { return frame_->file->name; }
   std::uint64_t bytes() const;
@@ -31,7 +30,7 @@ class Flow : public FlowHost {
     if (is_looping_) count_loop();
     if (repeats_at_ != 0) count_repeat();
   }
-  bool is_over() const { return over_; }  ///< a limit was reached and reported
+  bool is_over() const { return end_.is_over(); }  ///< a limit was reached and reported
   bool has_request() const { return request_ != Request::none; }
   /// Executes the request of the block; `next` is where the run would continue otherwise.
   void perform(Document& document, const Place& next);
@@ -45,7 +44,7 @@ class Flow : public FlowHost {
   bool take_passing() { return std::exchange(passing_, false); }
   std::size_t block_end(std::string_view text) {
     const Chain::Interlude interlude;
-    return indexer().block_end(text);
+    return programs_.indexer().block_end(text);
   }
 
   /// The first text after the end of the main program that this run did not execute.
@@ -56,7 +55,7 @@ class Flow : public FlowHost {
   bool frame(std::uint32_t level, ig_frame& out) const override;
   bool is_file(std::string_view name, std::string_view wanted) const override;
   std::size_t text(std::uint64_t offset, char* buffer, std::size_t size) const override {
-    return files_[0].source->read_at(offset, buffer, size);
+    return programs_.main().source->read_at(offset, buffer, size);
   }
   ig_place here() const override { return {frame_->id, here_.offset, here_.line, here_.column}; }
 
@@ -73,26 +72,13 @@ class Flow : public FlowHost {
     bool is_local = false;  // its text is a part of the calling program
     Document::FrameValues below{};
   };
-  struct Target {
-    ProgramFile* file;
-    Place start;
-    bool is_local = false;
-  };
 
   std::int32_t ask_label(ig_go& request);
   std::int32_t call(const Document& document, ig_go& request);
   std::int32_t leave(ig_go& request);
   std::int32_t jump(ig_go& request);
   std::int32_t not_found(ig_go& request, std::string reason);
-  bool find_program(const ig_go& request, Target& out);
-  bool find_in_folders(const ig_go& request, Target& out);
-  bool find_in_neighbours(std::string_view label, Target& out);
-  ProgramFile* open(const ProgramPlaces::Found& found);
-  LabelIndex& labels(ProgramFile& file);
-  void say_lost(const ProgramFile& file);
-  void say_unreadable(const ProgramFile& file, std::uint32_t line);
-  Indexer& indexer();
-  ProgramPlaces& places();
+  LabelIndex& labels(ProgramFile& file) { return programs_.labels(file, here_.line); }
   void enter(Document& document, const Place& next);
   void leave_frame(Document& document, std::optional<Place> to);
   void seek(const Place& place);
@@ -105,13 +91,8 @@ class Flow : public FlowHost {
 
   const LinkedDialect& linked_;
   const RunOptions& options_;
-  DiagnosticSink& sink_;
-  std::unique_ptr<Spool> spool_;
-  std::deque<ProgramFile> files_;  // the main program's first
-  std::unique_ptr<Indexer> indexer_;
-  std::unique_ptr<ProgramPlaces> places_;
-  std::unordered_map<std::string, Target> known_;
-  std::set<std::string, std::less<>> searched_;  // programs that were looked for in files of other names
+  RunEnd end_;
+  ProgramSearch programs_;
   std::vector<std::unique_ptr<Frame>> frames_;
   Frame* frame_ = nullptr;
   Cursor* cursor_ = nullptr;
@@ -119,11 +100,11 @@ class Flow : public FlowHost {
   std::uint64_t last_id_ = 0, jumps_ = 0, loop_blocks_ = 0, refused_ = 0;
   static constexpr std::uint64_t most_refused = 1'000;  // calls that were nested too deep
   Place here_;
-  bool passing_ = false, over_ = false;
+  bool passing_ = false;
 
   // The request of this block.
   Request request_ = Request::none;
-  Target target_{};
+  ProgramSearch::Target target_{};
   std::optional<Place> to_;
   std::string called_, reason_;
   std::uint64_t tag_ = 0;

@@ -13,6 +13,27 @@ namespace fanuc {
 
 using namespace ig::cnc;
 
+/// The name of a code, such as G04 and G54.1, from ten times its number.
+class CodeName {
+ public:
+  CodeName() = default;
+  CodeName(char letter, std::size_t tenths) {
+    text_[size_++] = letter;
+    if (tenths < 100) text_[size_++] = '0';
+    char* last = std::to_chars(text_.data() + size_, text_.data() + text_.size(), tenths / 10).ptr;
+    if (tenths % 10 != 0) {
+      *last++ = '.';
+      *last++ = static_cast<char>('0' + tenths % 10);
+    }
+    size_ = static_cast<std::size_t>(last - text_.data());
+  }
+  std::string_view text() const { return {text_.data(), size_}; }
+
+ private:
+  std::array<char, 16> text_{};
+  std::size_t size_ = 0;
+};
+
 class CodeFields {
  public:
   /// Ten times the number, for 0 to 9999 with at most one decimal; nothing for other numbers, which are not codes.
@@ -45,16 +66,7 @@ class CodeFields {
       b.set_word(word);
       return;
     }
-    std::array<char, 16> name{};
-    std::size_t size = 0;
-    name[size++] = letter;
-    if (index < 100) name[size++] = '0';
-    char* last = std::to_chars(name.data() + size, name.data() + name.size(), index / 10).ptr;
-    if (index % 10 != 0) {
-      *last++ = '.';
-      *last++ = static_cast<char>('0' + index % 10);
-    }
-    leave(b, IG_LEFT_UNKNOWN, {name.data(), static_cast<std::size_t>(last - name.data())}, begin, end);
+    leave(b, IG_LEFT_UNKNOWN, CodeName(letter, index).text(), begin, end);
   }
 
  private:

@@ -88,6 +88,10 @@ class ExpressionReader {
 
   bool bracket(MacroValue& out);
 
+  /// The digits of #101, as far as they can be a number of a variable. False where something else stands next.
+  bool plain_number(std::uint32_t& out);
+  static constexpr std::size_t longest_variable = 6;
+
   bool variable_number(MacroValue& out);
 
   bool variable(MacroValue& out);

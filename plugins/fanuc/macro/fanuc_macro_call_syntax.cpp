@@ -2,7 +2,7 @@
 // macros. The scanner reads the arguments itself, because words have another meaning in a call: I J K may be there ten
 // times.
 #include "macro/code_fields.hpp"
-#include "macro/macro_arguments.hpp"
+#include "macro/macro_call_words.hpp"
 #include "macro/macro_environment.hpp"
 #include "macro/macro_program_call.hpp"
 
@@ -12,7 +12,6 @@ using namespace ig::cnc;
 
 namespace {
 
-enum class IjkSets { automatic, one };
 enum class OwnBlock { calls, waits };
 
 constexpr std::uint32_t largest_number = 99'999'999;
@@ -59,36 +58,39 @@ struct FanucMacroCall {
     const char letter = to_upper(text[position]);
     begin_ = position;
     code_end_ = number.end;
-    code_.fill('\0');
-    const std::string_view code = name_of(letter, *index);
+    code_ = {letter, *index};
+    const std::string_view code = code_.text();
     const bool is_g65 = code == "G65", each_block = code == "G66.1", is_modal = code == "G66" || each_block;
     if (b.is_raised(call_)) {
       b.report(ig::diag("FAN-0170"), ig::Where::columns(position, number.end), code);
       return block_end(text, position);
     }
     is_modal_ = is_modal;
-    name_.clear();
     each_block_ = each_block;
+    tag_bits_ = 0;
+    words_ = {};
     if (!is_g65 && !is_modal) {
       const auto program = bound_.number(code);
       if (!program || environment_.is_in_bound_program(b)) {
         codes_.set(b, letter, *index, position, number.end);
         return number.end;
       }
-      program_ = std::fabs(*program);
+      words_.has_program = true;
+      words_.program = std::fabs(*program);
       is_modal_ = *program < 0;
       tag_bits_ = called_by_code;
-      if (program_ < first_macro) {
+      if (words_.program < first_macro) {
         tag_bits_ |= shares_locals;
         b.raise(call_);
         return number.end;
       }
-      has_program_ = true;
-    } else {
-      has_program_ = false;
-      tag_bits_ = 0;
     }
-    return arguments(b, text, number.end);
+    environment_.enter(b);
+    MacroCallReader reader(b, text, environment_, units_, ijk_sets_, words_);
+    using Names = MacroCallReader::Names;
+    end_ = reader.read(number.end, tag_bits_ == 0 ? Names::accepted : Names::refused);
+    b.raise(call_);
+    return end_;
   }
 
   ig::Status build(ig::Block& b) {
@@ -96,17 +98,18 @@ struct FanucMacroCall {
     environment_.enter(b);
     const auto where = ig::Where::columns(begin_, end_);
     if ((tag_bits_ & shares_locals) != 0) {
-      call_program(b, environment_.flow, called(), 1, tag_bits_, ig::Where::columns(begin_, code_end_));
+      call_program(b, environment_.flow, words_.called(), 1, tag_bits_, ig::Where::columns(begin_, code_end_));
       return ig::Status::changed;
     }
-    const std::string_view code(code_.data());
-    if (!has_program_) {
+    const std::string_view code = code_.text();
+    const double program = words_.program, repeats = words_.repeats;
+    if (!words_.has_program) {
       b.report(ig::diag("FAN-0161"), where, code);
-    } else if (name_.empty() && (program_ < 1 || program_ > largest_number || program_ != std::floor(program_))) {
-      b.report(ig::diag("FAN-0162"), where, code, program_);
-    } else if (repeats_ < 0 || repeats_ > largest_number || repeats_ != std::floor(repeats_)) {
-      b.report(ig::diag("FAN-0167"), where, code, repeats_);
-    } else if (repeats_ == 0) {
+    } else if (words_.name.empty() && (program < 1 || program > largest_number || program != std::floor(program))) {
+      b.report(ig::diag("FAN-0162"), where, code, program);
+    } else if (repeats < 0 || repeats > largest_number || repeats != std::floor(repeats)) {
+      b.report(ig::diag("FAN-0167"), where, code, repeats);
+    } else if (repeats == 0) {
       b.report(ig::diag("FAN-0172"), where, code);
     } else if (is_modal_) {
       keep_modal_call(b, where);
@@ -128,7 +131,7 @@ struct FanucMacroCall {
       b.alarm();
       return;
     }
-    calls.push_back({called(), static_cast<std::int64_t>(repeats_), arguments_, each_block_});
+    calls.push_back({words_.called(), static_cast<std::int64_t>(words_.repeats), words_.arguments, each_block_});
     b.raise(modal_);
     if (each_block_ && own_block_ == OwnBlock::calls) call_macro(b, where, true);
   }
@@ -136,148 +139,21 @@ struct FanucMacroCall {
   void call_macro(ig::Block& b, ig::Where where, bool is_modal) {
     MacroStore& store = environment_.store();
     say_deep_call(b, store, where);
-    const std::uint64_t tag = store.enter(arguments_, is_modal);
-    const ig::Flow::Answer answer =
-        ask_program(b, environment_.flow, called(), static_cast<std::int64_t>(repeats_), tag | tag_bits_, where);
+    const std::uint64_t tag = store.enter(words_.arguments, is_modal);
+    const ig::Flow::Answer answer = ask_program(b, environment_.flow, words_.called(),
+                                                static_cast<std::int64_t>(words_.repeats), tag | tag_bits_, where);
     if (is_modal)
       settle_modal(store, answer);
     else if (!answer.is_done())
       store.leave_last();
   }
 
-  CalledProgram called() const { return {name_.empty() ? static_cast<std::int64_t>(program_) : 0, name_}; }
-
-  std::string_view name_of(char letter, std::size_t index) {
-    std::size_t size = 0;
-    code_[size++] = letter;
-    if (index < 100) code_[size++] = '0';
-    char* last = std::to_chars(code_.data() + size, code_.data() + code_.size(), index / 10).ptr;
-    if (index % 10 != 0) {
-      *last++ = '.';
-      *last++ = static_cast<char>('0' + index % 10);
-    }
-    return {code_.data(), static_cast<std::size_t>(last - code_.data())};
-  }
-
-  std::size_t arguments(ig::Block& b, std::string_view text, std::size_t position) {
-    environment_.enter(b);
-    arguments_ = MacroStore::no_locals();
-    repeats_ = 1;
-    set_ = 0;
-    last_of_set_ = 0;
-    seen_ = 0;
-    end_ = position;
-    for (;;) {
-      const std::size_t begin = next_word(text, end_);
-      if (begin >= text.size()) break;
-      end_ = argument(b, text, begin);
-    }
-    b.raise(call_);
-    return end_;
-  }
-
-  /// The position after blanks and after comments that words follow; the end of the text where no word follows.
-  static std::size_t next_word(std::string_view text, std::size_t position) {
-    for (std::size_t i = position;;) {
-      i = skip_blanks(text, i);
-      const char c = at(text, i);
-      if (c != '(') return i >= text.size() || c == ';' || c == '\r' || c == '\n' ? text.size() : i;
-      i = skip_bracketed(text, i);
-    }
-  }
-
-  /// Reads one argument; returns its end.
-  std::size_t argument(ig::Block& b, std::string_view text, std::size_t begin) {
-    const char letter = to_upper(text[begin]);
-    const unsigned index = letter_index(letter);
-    const std::size_t at_value = skip_blanks(text, begin + 1);
-    const ig::Decimal literal = ig::read_decimal(text, at_value);
-    MacroValue value{literal.value, Kind::number};
-    std::size_t end = literal.end;
-    if (letter == '<' && tag_bits_ == 0) {
-      end = skip_bracketed(text, begin);
-      if (end > begin + 2 && text[end - 1] == '>') {
-        has_program_ = true;
-        name_ = piece(text, begin, end);
-        return end;
-      }
-    }
-    if (index >= 26) {
-      end = skip_while(text, begin + 1, [](char c) { return !is_letter(c) && c != '(' && c != ';'; });
-      return refuse(b, text, begin, end);
-    }
-    if (!literal.ok) {
-      const std::optional<MacroValue> computed = expression(b, text, begin, at_value, end);
-      if (!computed) return end;
-      value = *computed;
-    }
-    const bool comes_in_sets = letter >= 'I' && letter <= 'K' && ijk_sets_ != IjkSets::one;
-    if ((seen_ >> index & 1u) != 0 && !comes_in_sets)
-      b.report(ig::diag("FAN-0174"), ig::Where::columns(begin, end), std::string_view(&letter, 1));
-    seen_ |= 1u << index;
-    if (letter == 'P' || letter == 'L') {
-      if (value.is_null()) return end;
-      if (letter == 'L') {
-        repeats_ = value.number;
-      } else {
-        has_program_ = true;
-        program_ = value.number;
-        name_.clear();
-      }
-      return end;
-    }
-    if (variable_of[index] == 0) return refuse(b, text, begin, end);
-    const std::uint32_t variable = variable_for(letter);
-    if (variable > last_local) {
-      b.report(ig::diag("FAN-0164"), ig::Where::columns(begin, end), piece(text, begin, end));
-      return end;
-    }
-    if (literal.ok && !literal.has_point) value.number = units_.counted(b, letter, literal.value, begin, end);
-    arguments_[variable] = value.is_null() ? MacroStore::null : value.number + 0.0;
-    return end;
-  }
-
-  static std::size_t refuse(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) {
-    end = std::max(end, begin + 1);
-    b.report(ig::diag("FAN-0163"), ig::Where::columns(begin, end), piece(text, begin, end));
-    return end;
-  }
-
-  /// I, J and K come in this order; a letter out of order begins the next set.
-  std::uint32_t variable_for(char letter) {
-    const std::uint32_t first = variable_of[letter_index(letter)];
-    if (letter < 'I' || letter > 'K' || ijk_sets_ == IjkSets::one) return first;
-    if (letter <= last_of_set_) ++set_;
-    last_of_set_ = letter;
-    return first + 3 * set_;
-  }
-
-  std::optional<MacroValue> expression(ig::Block& b, std::string_view text, std::size_t begin, std::size_t position,
-                                       std::size_t& end) {
-    bool negative = false;
-    for (char c = at(text, position); c == '-' || c == '+' || is_blank(c); c = at(text, ++position))
-      negative ^= c == '-';
-    const Outcome o = evaluate_operand(text, position, environment_.rules(), environment_.reader(b));
-    if (!o.ok()) {
-      environment_.report(b, o, text);
-      end = std::max({skip_expression(text, position), o.end, o.fault_end, begin + 1});
-      return std::nullopt;
-    }
-    end = o.end;
-    if (o.value.is_null()) return o.value;
-    return MacroValue{negative ? -o.value.number : o.value.number, Kind::number};
-  }
-
   // What scan() has read, for build().
   std::size_t begin_ = 0, code_end_ = 0, end_ = 0;
-  std::array<char, 16> code_{};
-  std::string name_;  // <PART>; empty where the program has a number
-  bool is_modal_ = false, each_block_ = false, has_program_ = false;
-  double program_ = 0, repeats_ = 1;
+  CodeName code_;
+  bool is_modal_ = false, each_block_ = false;
   std::uint64_t tag_bits_ = 0;
-  MacroStore::Locals arguments_ = MacroStore::no_locals();
-  std::uint32_t set_ = 0, seen_ = 0;  // sets of I J K; letters read
-  char last_of_set_ = 0;
+  MacroCallWords words_;
 };
 
 const ig::Register<FanucMacroCall> fanuc_macro_call_syntax;

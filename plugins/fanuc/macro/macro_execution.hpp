@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <isogloss_flow.h>
+#include <isogloss/cnc/scan.hpp>
 
 #include "macro/macro_environment.hpp"
 #include "macro/macro_loops.hpp"
@@ -52,7 +53,7 @@ class MacroExecution {
   ig::Out<ig::Symbol> stop_{"ProgramStop.Term"};
   ig::Name message_stop_{"#3006"};
 
-  // ---- macro_execution.cpp: which statement it is, and IF
+  // ---- macro_execution.cpp: which statement it is
 
   /// M99 P in the main program is a jump.
   void end_of_program(ig::Block& b);
@@ -68,6 +69,22 @@ class MacroExecution {
   void say_label(ig::Block& b, std::string_view text, std::size_t position) const;
   Outcome evaluate_at(ig::Block& b, std::string_view text, std::size_t position) const;
 
+  void execute(ig::Block& b, std::string_view text, std::size_t position);
+
+  static ig::Where columns(std::string_view text, std::size_t position) {
+    return ig::Where::columns(position, std::max(text.size(), position + 1));
+  }
+  static void incomplete(ig::Block& b, std::string_view text, std::size_t position, std::string_view what,
+                         std::string_view missing);
+  /// False, and said, when something stands behind the statement.
+  static bool ends(ig::Block& b, std::string_view text, std::size_t position);
+
+  // ---- macro_condition.cpp: IF, and what it governs
+
+  /// Nothing where it has no answer, which is said. `after`: behind it.
+  std::optional<bool> condition(ig::Block& b, std::string_view text, std::size_t position, std::string_view what,
+                                std::size_t& after) const;
+
   /// IF […] THEN before words.
   std::size_t scan_words(ig::Block& b, std::string_view text, std::size_t position, std::size_t words, std::size_t end);
 
@@ -79,20 +96,6 @@ class MacroExecution {
   std::size_t scan_return(ig::Block& b, std::string_view text, std::size_t position);
 
   void execute_return_to(ig::Block& b, std::string_view text, std::size_t position);
-
-  void execute(ig::Block& b, std::string_view text, std::size_t position);
-
-  static ig::Where columns(std::string_view text, std::size_t position) {
-    return ig::Where::columns(position, std::max(text.size(), position + 1));
-  }
-  static void incomplete(ig::Block& b, std::string_view text, std::size_t position, std::string_view what,
-                         std::string_view missing);
-  /// False, and said, when something stands behind the statement.
-  static bool ends(ig::Block& b, std::string_view text, std::size_t position);
-
-  /// Nothing where it has no answer, which is said. `after`: behind it.
-  std::optional<bool> condition(ig::Block& b, std::string_view text, std::size_t position, std::string_view what,
-                                std::size_t& after) const;
 
   void execute_if(ig::Block& b, std::string_view text, std::size_t position);
 

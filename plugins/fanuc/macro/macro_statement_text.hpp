@@ -1,182 +1,46 @@
-/// How a macro statement is written in its block: its first word, its end, the text after THEN. Works on text only.
+/// How a macro statement is written in its block: its first word, its end, the text after THEN. Works on text only;
+/// positions are byte offsets into the text of the block.
 #pragma once
 
-#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string_view>
-
-#include <isogloss/cnc/scan.hpp>
 
 namespace fanuc {
 
-using namespace ig::cnc;
-
 enum class Word : std::uint8_t { none, if_, then, while_, do_, end, go_to, output, set_name, foreign };
 
-struct Keyword {
-  std::string_view name;
-  Word word;
-};
-inline constexpr std::array keywords{
-    Keyword{"IF", Word::if_},        Keyword{"THEN", Word::then},      Keyword{"WHILE", Word::while_},
-    Keyword{"DO", Word::do_},        Keyword{"END", Word::end},        Keyword{"GOTO", Word::go_to},
-    Keyword{"DPRNT", Word::output},  Keyword{"BPRNT", Word::output},   Keyword{"POPEN", Word::output},
-    Keyword{"PCLOS", Word::output},  Keyword{"SETVN", Word::set_name}, Keyword{"ELSE", Word::foreign},
-    Keyword{"ENDIF", Word::foreign}, Keyword{"RETURN", Word::foreign}, Keyword{"CALL", Word::foreign}};
-
-inline Word keyword(std::string_view text, std::size_t position, std::size_t& end) {
-  end = skip_while(text, position, ig::cnc::is_letter);
-  const std::string_view word = ig::cnc::piece(text, position, end);
-  for (const Keyword& k : keywords)
-    if (equals_ignoring_case(word, k.name)) return k.word;
-  return Word::none;
-}
-
-/// Words that may be shortened to two letters or more, like functions.
-inline constexpr std::array shortened{Keyword{"WHILE", Word::while_}, Keyword{"END", Word::end},
-                                      Keyword{"THEN", Word::then},    Keyword{"GOTO", Word::go_to},
-                                      Keyword{"DPRNT", Word::output}, Keyword{"BPRNT", Word::output},
-                                      Keyword{"POPEN", Word::output}, Keyword{"PCLOS", Word::output}};
+/// The word that begins at `position`; `end`: the position after its letters.
+Word keyword(std::string_view text, std::size_t position, std::size_t& end);
 
 /// Also accepts WH, EN, TH … where only a statement can be.
-inline Word keyword_or_short(std::string_view text, std::size_t position, std::size_t& end) {
-  const Word whole = keyword(text, position, end);
-  if (whole != Word::none || end < position + 2) return whole;
-  const std::string_view word = ig::cnc::piece(text, position, end);
-  for (const Keyword& k : shortened)
-    if (equals_ignoring_case(word, k.name.substr(0, word.size()))) return k.word;
-  return Word::none;
-}
-
-/// Whether the text after a shortened word at the beginning of a block fits it; more letters there are a typing error.
-/// GO1 is not such a word, but G01 with a letter for its zero.
-inline bool is_short_statement(std::string_view text, Word word, std::size_t end) {
-  const char next = ig::cnc::at(text, ig::cnc::skip_blanks(text, end));
-  if (word == Word::end) return is_digit(next);
-  if (word == Word::while_ || word == Word::output) return next == '[';
-  return false;
-}
+Word keyword_or_short(std::string_view text, std::size_t position, std::size_t& end);
 
 /// The statement that begins here; none where words begin.
-inline Word statement_at(std::string_view text, std::size_t position) {
-  const char c = text[position];
-  if (c == '#') return Word::set_name;  // any statement of its own
-  const char second = ig::cnc::at(text, position + 1);
-  if (to_upper(c) == 'O' && !ig::cnc::is_letter(second))
-    return begins_o_word(text, position) && stands_first(text, position) ? Word::foreign : Word::none;
-  if (!ig::cnc::is_letter(second)) return Word::none;
-  std::size_t end = 0;
-  const Word word = keyword(text, position, end);
-  if (word == Word::none) {
-    if (end < position + 2 || !stands_first(text, position)) return word;
-    const Word meant = keyword_or_short(text, position, end);
-    return is_short_statement(text, meant, end) ? meant : Word::none;
-  }
-  if (stands_first(text, position)) return word;
-  const char next =
-      ig::cnc::at(text, ig::cnc::skip_blanks(text, end));  // a name after words: a statement only with its value
-  return next == '[' || next == '#' || is_digit(next) ? word : Word::none;
-}
+Word statement_at(std::string_view text, std::size_t position);
 
-inline bool has_message(std::string_view statement) {
-  return statement.find("#3000") != std::string_view::npos || statement.find("#3006") != std::string_view::npos;
-}
+/// True when the statement assigns to #3000 or #3006, whose text stands in parentheses.
+bool has_message(std::string_view statement);
 
 /// The position of the semicolon after the statement, without comments before it; the parentheses of #3000=1(ALARM
 /// TEXT) belong to the statement. `inner` is set where a comment stands inside it.
-inline std::size_t statement_end(std::string_view text, std::size_t position, bool& inner) {
-  const std::size_t block = skip_while(text, position, [](char c) { return c != ';' && c != '\r' && c != '\n'; });
-  const std::string_view statement = text.substr(0, block);
-  std::size_t end = position + 1;
-  bool behind_comment = false;
-  for (std::size_t i = position; i < block;) {
-    if (statement[i] == '(') {
-      const std::size_t close = skip_bracketed(statement, i);
-      if (!behind_comment && has_message(ig::cnc::piece(statement, position, i)))
-        end = close;
-      else
-        behind_comment = true;
-      i = close;
-      continue;
-    }
-    if (!is_blank(statement[i])) {
-      end = i + 1;
-      inner |= behind_comment;
-    }
-    ++i;
-  }
-  return end;
-}
+std::size_t statement_end(std::string_view text, std::size_t position, bool& inner);
 
 /// The position where words begin after THEN; 0 where none do.
-inline std::size_t words_behind_then(std::string_view text, std::size_t position, std::size_t end) {
-  const std::string_view statement = text.substr(0, end);
-  for (std::size_t i = position + 2; i < end;) {
-    if (statement[i] == '[') {
-      i = skip_bracketed(statement, i);
-      continue;
-    }
-    std::size_t word_end = 0;
-    if (ig::cnc::is_letter(statement[i]) && keyword_or_short(statement, i, word_end) == Word::then) {
-      const std::size_t next = ig::cnc::skip_blanks(statement, word_end);
-      if (next >= end || statement[next] == '#') return 0;
-      std::size_t unused = 0;
-      return ig::cnc::is_letter(statement[next]) && keyword(statement, next, unused) == Word::none ? next : 0;
-    }
-    i = ig::cnc::is_letter(statement[i]) ? skip_while(statement, i, ig::cnc::is_letter) : i + 1;
-  }
-  return 0;
-}
+std::size_t words_behind_then(std::string_view text, std::size_t position, std::size_t end);
 
 /// The position of an assignment or of words that depend on the condition of an IF, with or without THEN; 0 where there
 /// is something else.
-inline std::size_t governed(std::string_view text, std::size_t position, std::size_t end) {
-  const std::string_view statement = text.substr(0, end);
-  const std::size_t bracket = ig::cnc::skip_blanks(statement, skip_while(statement, position, ig::cnc::is_letter));
-  if (ig::cnc::at(statement, bracket) != '[') return 0;
-  std::size_t rest = ig::cnc::skip_blanks(statement, skip_bracketed(statement, bracket));
-  std::size_t word_end = 0;
-  if (ig::cnc::is_letter(ig::cnc::at(statement, rest)) && keyword_or_short(statement, rest, word_end) == Word::then)
-    rest = ig::cnc::skip_blanks(statement, word_end);
-  if (ig::cnc::at(statement, rest) == '#') return rest;
-  const bool is_words =
-      ig::cnc::is_letter(ig::cnc::at(statement, rest)) && keyword_or_short(statement, rest, word_end) == Word::none;
-  return is_words ? rest : 0;
-}
+std::size_t governed(std::string_view text, std::size_t position, std::size_t end);
 
 /// The end of the assignment where words follow, as in "#101=0.0 M99": a single letter outside brackets. Functions and
 /// operators have two letters or more.
-inline std::size_t assignment_end(std::string_view text, std::size_t position, std::size_t end) {
-  const std::string_view statement = text.substr(0, end);
-  for (std::size_t i = position; i < end;) {
-    if (statement[i] == '[' || statement[i] == '(') {
-      i = skip_bracketed(statement, i);
-    } else if (ig::cnc::is_letter(statement[i])) {
-      const std::size_t letters = skip_while(statement, i, ig::cnc::is_letter);
-      if (letters == i + 1) return i;
-      i = letters;
-    } else {
-      ++i;
-    }
-  }
-  return end;
-}
+std::size_t assignment_end(std::string_view text, std::size_t position, std::size_t end);
 
 /// The position after an M99 that begins here; 0 where none does.
-inline std::size_t return_end(std::string_view text, std::size_t position) {
-  if (to_upper(ig::cnc::at(text, position)) != 'M') return 0;
-  const std::size_t digits = ig::cnc::skip_blanks(text, position + 1);
-  const std::size_t end = skip_digits(text, digits);
-  return ig::cnc::piece(text, digits, end) == "99" ? ig::cnc::skip_blanks(text, end) : 0;
-}
+std::size_t return_end(std::string_view text, std::size_t position);
 
 /// Reads the digits after DO and END.
-inline bool loop_number(std::string_view text, std::size_t position, std::int64_t& number) {
-  const std::size_t digits = ig::cnc::skip_blanks(text, position);
-  const std::size_t end = skip_digits(text, digits);
-  if (end == digits || end - digits > 9) return false;
-  number = 0;
-  for (std::size_t i = digits; i < end; ++i) number = number * 10 + (text[i] - '0');
-  return true;
-}
+bool loop_number(std::string_view text, std::size_t position, std::int64_t& number);
 
 }  // namespace fanuc

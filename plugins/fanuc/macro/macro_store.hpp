@@ -2,19 +2,16 @@
 /// dependency MacroVariables owns one store; the syntaxes of this plugin reach it through its service.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "macro/expression.hpp"
+#include "macro/macro_settings.hpp"
+#include "macro/number_ranges.hpp"
 
 namespace fanuc {
 
@@ -25,64 +22,6 @@ inline constexpr std::uint32_t last_local = 33;
 /// own.
 inline constexpr std::uint64_t called_by_code = std::uint64_t{1} << 63;
 inline constexpr std::uint64_t shares_locals = std::uint64_t{1} << 62;
-
-/// A list such as "100-199 500", in any order, as the dialect writes it.
-class NumberRanges {
- public:
-  struct Range {
-    std::uint32_t first, last;
-  };
-  /// Nothing where the text is not a list of ranges.
-  static std::optional<NumberRanges> read(std::string_view text) {
-    NumberRanges out;
-    while (true) {
-      while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-      if (text.empty()) return out;
-      Range range{};
-      if (!read_number(text, range.first)) return std::nullopt;
-      range.last = range.first;
-      if (!text.empty() && text.front() == '-') {
-        text.remove_prefix(1);
-        if (!read_number(text, range.last)) return std::nullopt;
-      }
-      if (range.last < range.first || range.last > 999'999 || (!text.empty() && text.front() != ' '))
-        return std::nullopt;
-      out.ranges_.push_back(range);
-    }
-  }
-  bool holds(std::uint32_t number) const {
-    return std::any_of(ranges_.begin(), ranges_.end(),
-                       [&](const Range& r) { return number >= r.first && number <= r.last; });
-  }
-  const std::vector<Range>& all() const { return ranges_; }
-
- private:
-  static bool read_number(std::string_view& text, std::uint32_t& out) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
-    if (error != std::errc{}) return false;
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-    return true;
-  }
-  std::vector<Range> ranges_;
-};
-
-/// The meaning of #2001 and #10001 and above: wear of lengths, then their geometry; the other way round (Series 15); or
-/// the geometry first, while #10001 and above are not tools (Haas).
-enum class ToolVariables { wear_first, series_15, geometry_first };
-
-/// What differs between controls.
-struct MacroSettings {
-  ExpressionRules rules;
-  std::uint32_t nesting = 5;       ///< levels of brackets that the control permits
-  std::uint32_t call_nesting = 5;  ///< levels of macro calls that the control permits
-  ToolVariables tools = ToolVariables::wear_first;
-  bool radii_from_2401 = false;  ///< #2401 to #2800 are tool radii; else #2500 and above are work offsets
-  bool local_in_5201 = false;    ///< #5201 and above are the shift of G52; else the external offset
-  std::uint32_t tool_variable = 0, speed_variable = 0;  ///< the tool in the spindle, and its speed; 0: no variable
-  bool offset_in_12 = false;                            ///< #4012 is the work offset; else the modal macro call
-  bool repeats_keep_locals = false;                     ///< G65 L: only the first pass begins with the arguments
-  double clock_step_ms = 100;                           ///< by how much the clocks advance each time they are read
-};
 
 /// The last M code and the last sequence number of earlier blocks, and those of the present block.
 class PassedCodes {
@@ -132,10 +71,7 @@ class MacroStore {
     ~Keeper() = default;
   };
 
-  void define(const NumberRanges& common, const NumberRanges& permanent) {
-    for (const auto& r : common.all()) add(r, false);
-    for (const auto& r : permanent.all()) add(r, true);
-  }
+  void define(const NumberRanges& common, const NumberRanges& permanent);
   /// With a distance of 10000, #10100 is another name of #100; 0: there are no such names.
   void alias(std::uint32_t distance) { alias_ = distance; }
   void assume(NumberRanges assumed) { assumed_ = std::move(assumed); }
@@ -162,18 +98,8 @@ class MacroStore {
   }
 
   /// Variables of the control to which the user or the program has given a value: signals, switches.
-  const double* given(std::uint32_t number) const {
-    const auto it = std::lower_bound(given_.begin(), given_.end(), number, before);
-    return it != given_.end() && it->first == number ? &it->second : nullptr;
-  }
-  void give(std::uint32_t number, double value) {
-    ++writes_;
-    const auto it = std::lower_bound(given_.begin(), given_.end(), number, before);
-    if (it != given_.end() && it->first == number)
-      it->second = value;
-    else
-      given_.insert(it, {number, value});
-  }
+  const double* given(std::uint32_t number) const;
+  void give(std::uint32_t number, double value);
   bool is_assumed(std::uint32_t number) const { return assumed_.holds(number); }
   /// The number of writes to variables so far.
   std::uint64_t writes() const { return writes_; }
@@ -181,17 +107,10 @@ class MacroStore {
   /// Begins a macro call with its local variables, identified by the tag that its frame will show. They wait for that
   /// frame, since the calling block goes on with the caller's variables. Modal calls stay active inside it; a macro
   /// that a modal call runs does not call itself.
-  std::uint64_t enter(const Locals& arguments, bool is_modal = false) {
-    frame_ = no_frame;
-    leave_last();
-    std::vector<ModalCall> inside = modal_calls();
-    if (is_modal && !inside.empty()) inside.pop_back();
-    levels_.push_back({++last_tag_, 1, arguments, arguments, std::move(inside)});
-    return last_tag_;
-  }
+  std::uint64_t enter(const Locals& arguments, bool is_modal = false);
   std::vector<ModalCall>& modal_calls() { return levels_[present_].modal_calls; }
   /// Undoes enter() where the call was not made.
-  void leave_last() { levels_.erase(levels_.begin() + static_cast<std::ptrdiff_t>(present_) + 1, levels_.end()); }
+  void leave_last();
   /// True once for each frame and pass: its level must be looked up.
   bool is_new_frame(std::uint64_t frame, std::uint32_t pass) {
     if (frame == frame_ && pass == pass_) return false;
@@ -200,19 +119,7 @@ class MacroStore {
     return true;
   }
   /// Makes the level of the macro call with this tag the present one; a new pass begins with its arguments.
-  void select(std::uint64_t tag, std::uint32_t pass) {
-    if (levels_[present_].tag != tag) {
-      if (present_ + 1 < levels_.size() && levels_[present_ + 1].tag == tag)
-        ++present_;
-      else
-        while (present_ > 0 && levels_[present_].tag != tag) --present_;
-      leave_last();
-    }
-    Level& level = levels_[present_];
-    if (level.tag != tag || level.pass == pass) return;
-    level.pass = pass;
-    if (!settings.repeats_keep_locals) level.values = level.arguments;
-  }
+  void select(std::uint64_t tag, std::uint32_t pass);
   std::size_t depth() const { return present_; }
 
  private:
@@ -227,9 +134,6 @@ class MacroStore {
     Locals values, arguments;
     std::vector<ModalCall> modal_calls;
   };
-  static bool before(const std::pair<std::uint32_t, double>& given, std::uint32_t number) {
-    return given.first < number;
-  }
   const Area* holding(std::uint32_t number) const {
     for (const Area& a : areas_)
       if (number - a.first < a.values.size()) return &a;
@@ -242,9 +146,7 @@ class MacroStore {
     number -= alias_;
     return holding(number);
   }
-  void add(const NumberRanges::Range& range, bool is_permanent) {
-    areas_.push_back({range.first, is_permanent, std::vector<double>(range.last - range.first + 1, null)});
-  }
+  void add(const NumberRanges::Range& range, bool is_permanent);
 
   std::vector<Level> levels_{{0, 1, no_locals(), no_locals(), {}}};
   std::size_t present_ = 0;  // the level in force; a requested call may wait above it

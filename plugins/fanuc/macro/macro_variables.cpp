@@ -1,5 +1,8 @@
 // The variables that macro programs write, and values that the user gives to variables of the control. The table holds
 // given and permanent values; the present values are in arrays, because loops read them millions of times.
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 

@@ -1,0 +1,97 @@
+#include "dialect/dependency_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dialect/dialect_path.hpp"
+
+namespace isogloss {
+namespace {
+
+namespace fs = std::filesystem;
+
+void set_option(DependencyElement& element, Attribute option) {
+  for (Attribute& old : element.options) {
+    if (old.name != option.name) continue;
+    old = std::move(option);
+    return;
+  }
+  element.options.push_back(std::move(option));
+}
+
+std::vector<Attribute> data_attributes(const XmlSource& xml, pugi::xml_node node,
+                                       std::initializer_list<std::string_view> kept) {
+  std::vector<Attribute> all;
+  for (const pugi::xml_attribute a : node.attributes()) {
+    const std::string_view name = a.name();
+    if (!is_markup(name) && std::find(kept.begin(), kept.end(), name) == kept.end())
+      all.push_back({a.name(), a.value(), xml.at(node, name)});
+  }
+  return all;
+}
+
+}  // namespace
+
+DependencyElement DependencyReader::read(pugi::xml_node node) {
+  DependencyElement element{node.name(), node.name(), {}, {}, {}, xml_.at(node)};
+  for (const pugi::xml_attribute a : node.attributes()) {
+    const std::string_view name = a.name();
+    if (name == "as") element.alias = alias(node);
+    if (name == "src") read_table(node, element);
+  }
+  for (Attribute& option : data_attributes(xml_, node, {"as", "src"})) set_option(element, std::move(option));
+  read_rows(xml_, node, element);
+  return element;
+}
+
+void DependencyReader::read_table(pugi::xml_node node, DependencyElement& element) {
+  const std::string src = node.attribute("src").value();
+  const Location where = xml_.at(node, "src");
+  const fs::path path = below_folder_of(xml_.file(), src);
+  if (path.empty()) {
+    const fs::path folder = fs::path(xml_.file()).parent_path();
+    return report_("IG-0117", where, {shown(src), folder.empty() ? "the dialect's folder" : folder.string()});
+  }
+  const std::unique_ptr<XmlSource> table = XmlSource::open(path, where, budget_, report_.sink());
+  if (table == nullptr) {
+    report_.failed = true;
+    return;
+  }
+  const pugi::xml_node root = table->root();
+  if (element.id != root.name())
+    return report_("IG-0118", table->at(root), {table->file(), shown(root.name()), shown(element.id)});
+  element.source_file = path.string();
+  element.options = data_attributes(*table, root, {});
+  read_rows(*table, root, element);
+}
+
+void DependencyReader::read_rows(const XmlSource& xml, pugi::xml_node node, DependencyElement& element) {
+  XmlElements inside(xml, report_);
+  for (const pugi::xml_node row : inside.elements(node)) {
+    inside.leaves(row, {});
+    element.rows.push_back({row.name(), data_attributes(xml, row, {}), xml.at(row)});
+  }
+}
+
+void DependencyReader::read_into(std::vector<DependencyElement>& all, pugi::xml_node node) {
+  DependencyElement element = read(node);
+  const auto [same, is_new] = names_.emplace(element.alias, element.where);
+  if (!is_new)
+    return report_("IG-0113", element.where, {shown(element.alias), place(same->second)},
+                   fmt::format("give the second one a name of its own: <{} as=\"…\"/>", shown(element.id)));
+  all.push_back(std::move(element));
+}
+
+std::vector<DependencyElement> read_dependency_file(const XmlSource& xml, XmlBudget& budget, Report& report) {
+  DependencyReader reader(xml, budget, report);
+  const pugi::xml_node root = xml.root();
+  if (std::string_view(root.name()) != "Dependencies") return {reader.read(root)};
+  XmlElements inside(xml, report);
+  inside.only_attributes(root, {});
+  std::vector<DependencyElement> all;
+  for (const pugi::xml_node node : inside.elements(root)) reader.read_into(all, node);
+  return all;
+}
+
+}  // namespace isogloss

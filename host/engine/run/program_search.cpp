@@ -1,0 +1,193 @@
+#include "run/program_search.hpp"
+
+namespace isogloss {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uintmax_t held_in_memory = 64 * 1024;  // files up to this size need no descriptor of their own
+
+/// A small file, read once.
+class HeldFile : public Source {
+ public:
+  explicit HeldFile(Source& from) {
+    char buffer[4096];
+    while (const std::size_t n = from.read(buffer, sizeof buffer)) text_.append(buffer, n);
+    failure_ = from.failure();
+  }
+  std::string failure() const override { return failure_; }
+  std::size_t read(char*, std::size_t) override { return 0; }
+  bool has_places() const override { return true; }
+  std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t size) override {
+    return offset < text_.size() ? text_.copy(buffer, size, offset) : 0;
+  }
+
+ private:
+  std::string text_, failure_;
+};
+
+}  // namespace
+
+ProgramSearch::ProgramSearch(const LinkedDialect& linked, const RunOptions& options, DiagnosticSink& sink, RunEnd& end,
+                             Source& source, const std::string& name)
+    : linked_(linked), options_(options), sink_(sink), end_(end) {
+  if (!source.has_places()) spool_ = std::make_unique<Spool>(source);
+  ProgramFile& file = files_.emplace_back();
+  file.name = name;
+  file.source = spool_ != nullptr ? spool_.get() : &source;
+}
+
+// ---- search
+
+bool ProgramSearch::find(const ig_go& request, const Caller& caller, Target& out, std::string& reason) {
+  const std::string_view label = view_of(request.label), start = view_of(request.start);
+  const std::uint32_t line = caller.here.line;
+  if ((request.scope & IG_IN_PROGRAM) != 0)
+    if (const auto at = labels(caller.from, line).find(label, caller.here, IG_SEARCH_AROUND)) {
+      out = {&caller.from, *at, true};
+      return true;
+    }
+  const std::string key =
+      std::to_string(request.scope) + ':' + caller.from.name + ':' + std::string(start) + ':' + std::string(label);
+  if (const auto known = known_.find(key); known != known_.end()) {
+    out = known->second;
+    return true;
+  }
+  bool found = false;
+  const auto in_file = [&](ProgramFile& file) {
+    const auto at = labels(file, line).program(label);
+    if (at) out = {&file, *at, false};
+    return at.has_value();
+  };
+  if ((request.scope & IG_IN_FILES) != 0) {
+    found = in_file(caller.from);
+    for (std::size_t i = 0; !found && i < files_.size(); ++i) found = in_file(files_[i]);
+  }
+  if (!found && (request.scope & IG_IN_FOLDERS) != 0) found = find_in_folders(request, caller, out, reason);
+  if (!found) {
+    if (reason.empty()) reason = searched_in(request.scope, caller.from);
+    return false;
+  }
+  if (!start.empty()) {
+    const auto at = labels(*out.file, line).find(start, out.start, IG_SEARCH_TOP);
+    if (!at) {
+      reason = std::string(label) + " has no " + std::string(start);
+      return false;
+    }
+    out.start = *at;
+  }
+  known_.emplace(key, out);
+  return true;
+}
+
+std::string ProgramSearch::searched_in(std::uint32_t scope, const ProgramFile& from) {
+  std::string where;
+  if ((scope & IG_IN_PROGRAM) != 0) where = "this program";
+  if ((scope & IG_IN_FILES) != 0) where = "the file " + from.name;
+  if ((scope & IG_IN_FOLDERS) != 0) {
+    const std::string folders = places().describe();
+    if (!folders.empty()) where += (where.empty() ? "" : ", ") + folders;
+  }
+  return where.empty() ? "no folder was given" : "looked in " + where;
+}
+
+bool ProgramSearch::find_in_folders(const ig_go& request, const Caller& caller, Target& out, std::string& reason) {
+  const std::string_view label = view_of(request.label);
+  const auto take = [&](const ProgramPlaces::Found& found) {
+    ProgramFile* const file = open(found, reason);
+    if (file == nullptr) return false;
+    const LabelIndex& names = labels(*file, caller.here.line);
+    const auto at = names.program(label);
+    if (!at && found.is_library) return false;
+    if (!at && names.has_programs())
+      sink_.add(host_diagnostic("IG-0420", {caller.from.name, caller.here.line, caller.here.column + 1},
+                                {file->name, std::string(label)}));
+    out = {file, at.value_or(Place{}), false};
+    return true;
+  };
+  if (places().find({request.files, request.file_count}, take, reason)) return true;
+  return searched_.emplace(label).second && find_in_neighbours(label, caller, out, reason);
+}
+
+/// A file of another name may hold the program. Where several do, it is not known which one the control has.
+bool ProgramSearch::find_in_neighbours(std::string_view label, const Caller& caller, Target& out, std::string& reason) {
+  std::optional<Target> only;
+  const bool are_several = places().find_inside([&](const ProgramPlaces::Found& found) {
+    const std::size_t known = files_.size();
+    ProgramFile* const file = open(found, reason);
+    const auto at = file == nullptr ? std::nullopt : labels(*file, caller.here.line).program(label);
+    if (at && !only) {
+      only = Target{file, *at, false};
+      return false;
+    }
+    if (at) reason = "it is in " + only->file->name + " and in " + file->name + ": name one file with --subprograms";
+    if (files_.size() > known) files_.pop_back();
+    return at.has_value();
+  });
+  if (are_several || !only) return false;
+  sink_.add(host_diagnostic("IG-0451", {caller.from.name, caller.here.line, caller.here.column + 1},
+                            {std::string(label), only->file->name}));
+  out = *only;
+  return true;
+}
+
+ProgramFile* ProgramSearch::open(const ProgramPlaces::Found& found, std::string& reason) {
+  std::error_code code;
+  if (files_[0].path.empty() && files_[0].name != "-") files_[0].path = fs::canonical(files_[0].name, code);
+  for (ProgramFile& file : files_)
+    if (file.path == found.file) return &file;
+  if (!fs::is_regular_file(found.file, code)) {
+    reason = found.name + " is not a regular file";
+    return nullptr;
+  }
+  std::string error;
+  std::unique_ptr<Source> source = open_file(found.file.string(), error);
+  if (source == nullptr) {
+    reason = found.name + " cannot be read: " + error;
+    return nullptr;
+  }
+  if (fs::file_size(found.file, code) <= held_in_memory) source = std::make_unique<HeldFile>(*source);
+  ProgramFile& file = files_.emplace_back();
+  file.name = found.name;
+  file.path = found.file;
+  file.source = source.get();
+  file.owned = std::move(source);
+  return &file;
+}
+
+// ---- what the search needs, made when it is first needed
+
+LabelIndex& ProgramSearch::labels(ProgramFile& file, std::uint32_t line) {
+  if (file.labels == nullptr) {
+    const Chain::Interlude interlude;
+    file.labels = indexer().index(file);
+    if (file.source->is_lost()) report_lost(file, line);
+    if (!file.source->failure().empty()) report_unreadable(file, 0);
+  }
+  return *file.labels;
+}
+
+void ProgramSearch::report_lost(const ProgramFile& file, std::uint32_t line) {
+  end_.report_first(host_diagnostic("IG-0421", {file.name, line, 0}, {file.name}));
+}
+
+void ProgramSearch::report_unreadable(const ProgramFile& file, std::uint32_t line) {
+  end_.report_first(host_diagnostic("IG-0431", {file.name, line, 0}, {file.source->failure()}));
+}
+
+Indexer& ProgramSearch::indexer() {
+  if (indexer_ == nullptr) indexer_ = std::make_unique<Indexer>(linked_, options_.chain, options_.maximum_line_bytes);
+  return *indexer_;
+}
+
+ProgramPlaces& ProgramSearch::places() {
+  if (places_ == nullptr) {
+    std::vector<std::string> extensions = linked_.dialect.extensions;
+    extensions.push_back(fs::path(files_[0].name).extension().string());
+    places_ = std::make_unique<ProgramPlaces>(options_.program_places, extensions);
+  }
+  return *places_;
+}
+
+}  // namespace isogloss
