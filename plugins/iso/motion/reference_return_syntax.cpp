@@ -1,7 +1,7 @@
 /// G28 and G30: a rapid to the intermediate point that the words name, then to a reference position of the machine,
 /// both with the named axes only. `G91 G28 Z0` goes straight up; `G90 G28 Z0` goes to program Z0 first, as on the
 /// control. Fanuc manual, "Reference position".
-#include <isogloss/cnc/tool_kinematics.hpp>
+#include <isogloss/cnc/rotary_turns.hpp>
 
 #include "motion/reference_position.hpp"
 
