@@ -34,13 +34,7 @@ struct SyntecParameterTable {
       "pr4002-unit", "blu|micron", "blu",
       "The unit of Pr4002: the basic length unit, which is a micron where Pr17 is 2, or always "
       "the micron."};
-  ig::Column value{"Value", nullptr, "", {}, "The parameter, where it has one value for the whole control."};
-  std::array<ig::Column, 6> axes{ig::Column{"X", nullptr, "", {}, "The parameter of the X axis."},
-                                 ig::Column{"Y", nullptr, "", {}, "The parameter of the Y axis."},
-                                 ig::Column{"Z", nullptr, "", {}, "The parameter of the Z axis."},
-                                 ig::Column{"A", nullptr, "", {}, "The parameter of the A axis."},
-                                 ig::Column{"B", nullptr, "", {}, "The parameter of the B axis."},
-                                 ig::Column{"C", nullptr, "", {}, "The parameter of the C axis."}};
+  ParameterColumns columns;
   ig::Table table;
   ig::RowNames rows;
 
@@ -48,13 +42,7 @@ struct SyntecParameterTable {
     for (const std::string& row : rows) check(row);
   }
 
-  const void* service(std::string_view id) const {
-    if (id == "isogloss.number-format/1") return &number_format;
-    if (id == "isogloss.canned-cycle/1") return &cycles;
-    if (id == "isogloss.motion/1") return &motion;
-    if (id == "isogloss.code-call/1") return &code_calls;
-    return id == "isogloss.machine-axis/1" ? &machine : nullptr;
-  }
+  const void* service(std::string_view id) const { return services.find(id); }
 
  private:
   using Answer = std::optional<double>;
@@ -68,8 +56,8 @@ struct SyntecParameterTable {
                          (row.size() == 4 && row.starts_with("124") && row[3] <= '3');
     const Answer one = number(row);
     if (of_axes && one) refuse("each axis has its own value: X, Y, Z, A, B, C, not Value");
-    for (std::size_t i = 0; i < axes.size(); ++i)
-      if (const Answer of_one = table.value(row, axes[i])) {
+    for (std::size_t i = 0; i < columns.axes.size(); ++i)
+      if (const Answer of_one = table.value(row, columns.axes[i])) {
         if (is_known(row))
           refuse("it has one value for the whole control: Value, not " + std::string(1, axis_letters[i]));
         if (row == rapid_rate && *of_one < 0) refuse("a rapid rate is 0 or more");
@@ -85,19 +73,19 @@ struct SyntecParameterTable {
     return registers || row == "3610" || row == "3710" || std::find(ones.begin(), ones.end(), row) != ones.end();
   }
 
-  Answer number(std::string_view parameter) const { return table.value(parameter, value); }
+  Answer number(std::string_view parameter) const { return table.value(parameter, columns.value); }
 
   /// The axis of a column: X, Y, Z, A, B, C, unless Pr1020 gives it another name.
   char name_of(std::size_t column) const {
-    const double code = table.value(axis_name, axes[column]).value_or(0);
+    const double code = table.value(axis_name, columns.axes[column]).value_or(0);
     for (std::size_t i = 0; i < axis_letters.size(); ++i)
       if (code == axis_letters[i] || code == 100.0 * static_cast<double>(i + 1)) return axis_letters[i];
     return axis_letters[column];
   }
   /// Where two columns name the same axis, the first one is used.
   Answer of_axis(std::string_view parameter, char axis) const {
-    for (std::size_t column = 0; column < axes.size(); ++column)
-      if (name_of(column) == axis) return table.value(parameter, axes[column]);
+    for (std::size_t column = 0; column < columns.axes.size(); ++column)
+      if (name_of(column) == axis) return table.value(parameter, columns.axes[column]);
     return std::nullopt;
   }
 
@@ -133,7 +121,7 @@ struct SyntecParameterTable {
   /// The number of the macro that a code calls: G200 to G999 directly; G codes by Pr3701 to Pr3710, M codes by Pr3601
   /// to Pr3610; T where Pr3215 is not 0. G codes of two or more decimals (G68.18) are not for milling; the answer 0
   /// passes them to the syntax that reports them.
-  Answer macro_of_code(std::string_view code) const {
+  Answer program_of_code(std::string_view code) const {
     if (code == "T") return number(t_macro).value_or(0) != 0 ? Answer(0) : std::nullopt;
     if (code.size() < 2) return std::nullopt;
     const ig::Decimal called = ig::read_decimal(code, 1);
@@ -171,13 +159,8 @@ struct SyntecParameterTable {
     return *type == 1 ? 1 : *type == 2 ? 2 : 0;
   }
 
-  using Services = ParameterServices<SyntecParameterTable>;
-  ig_config_1 number_format = Services::config<&SyntecParameterTable::number_format_of>(this);
-  ig_config_1 cycles = Services::config<&SyntecParameterTable::cycle_of>(this);
-  ig_config_1 motion = Services::config<&SyntecParameterTable::motion_of>(this);
-  ig_config_1 code_calls = Services::config<&SyntecParameterTable::macro_of_code>(this);
-  ig_machine_axis_1 machine = Services::machine_axes<&SyntecParameterTable::of_axis, &SyntecParameterTable::rapid_of,
-                                                     &SyntecParameterTable::rollover_of>(this);
+  friend class ig::cnc::MachineParameterServices<SyntecParameterTable>;
+  MachineParameterServices<SyntecParameterTable> services{this};
 };
 
 const ig::Register<SyntecParameterTable> syntec_parameter_table;

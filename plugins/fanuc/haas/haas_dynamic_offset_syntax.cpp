@@ -1,6 +1,7 @@
 /// G254 of a Haas: the work offset follows a table that has turned, so that programs for 3+2 axes fit wherever the part
 /// is clamped. It is a shift on the way to machine coordinates; the program's axes keep the machine's directions.
 #include <isogloss/cnc/coordinate_offset.hpp>
+#include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
 #include <isogloss/sdk.hpp>
 

@@ -1,9 +1,12 @@
 // The settings of a Haas control that change what a program means, by their numbers.
 #include <algorithm>
 
-#include <isogloss/sdk.hpp>
+#include <isogloss/cnc/parameter_services.hpp>
 
 namespace fanuc {
+
+using namespace ig::cnc;
+
 namespace {
 
 constexpr std::string_view scaling = "71", rotation = "72", rotation_adds = "73";
@@ -82,17 +85,11 @@ struct HaasSettings {
     return choice == 2 || choice == 4 ? -axis : axis;
   }
 
-  template <Answer (HaasSettings::*question)(std::string_view) const>
-  static std::int32_t ask(void* self, ig_text name, double* out) {
-    const Answer answer = (static_cast<const HaasSettings*>(self)->*question)(ig::to_view(name));
-    if (answer) *out = *answer;
-    return answer ? 1 : 0;
-  }
-
-  ig_config_1 number_format{sizeof(ig_config_1), 0, this, &ask<&HaasSettings::number_format_of>};
-  ig_config_1 motion{sizeof(ig_config_1), 0, this, &ask<&HaasSettings::motion_of>};
-  ig_config_1 coordinate_system{sizeof(ig_config_1), 0, this, &ask<&HaasSettings::coordinate_system_of>};
-  ig_config_1 cycles{sizeof(ig_config_1), 0, this, &ask<&HaasSettings::cycle_of>};
+  using Services = ParameterServices<HaasSettings>;
+  ig_config_1 number_format = Services::config<&HaasSettings::number_format_of>(this);
+  ig_config_1 motion = Services::config<&HaasSettings::motion_of>(this);
+  ig_config_1 coordinate_system = Services::config<&HaasSettings::coordinate_system_of>(this);
+  ig_config_1 cycles = Services::config<&HaasSettings::cycle_of>(this);
 };
 
 const ig::Register<HaasSettings> haas_settings;

@@ -32,13 +32,7 @@ struct FanucParameterTable {
                     "isogloss.control-parameter/1")
           .ships(shipped_parameters);
 
-  ig::Column value{"Value", nullptr, "", {}, "The parameter, where it has one value for the whole control."};
-  std::array<ig::Column, 6> axes{ig::Column{"X", nullptr, "", {}, "The parameter of the X axis."},
-                                 ig::Column{"Y", nullptr, "", {}, "The parameter of the Y axis."},
-                                 ig::Column{"Z", nullptr, "", {}, "The parameter of the Z axis."},
-                                 ig::Column{"A", nullptr, "", {}, "The parameter of the A axis."},
-                                 ig::Column{"B", nullptr, "", {}, "The parameter of the B axis."},
-                                 ig::Column{"C", nullptr, "", {}, "The parameter of the C axis."}};
+  ParameterColumns columns;
   ig::Table table;
 
   static std::string row_fault(std::string_view row) {
@@ -48,25 +42,21 @@ struct FanucParameterTable {
   }
 
   const void* service(std::string_view id) const {
-    if (id == "isogloss.number-format/1") return &number_format;
-    if (id == "isogloss.canned-cycle/1") return &cycles;
-    if (id == "isogloss.motion/1") return &motion;
     if (id == "isogloss.coordinate-system/1") return &coordinate_system;
-    if (id == "isogloss.code-call/1") return &code_calls;
     if (id == "isogloss.control-parameter/1") return &parameters;
-    return id == "isogloss.machine-axis/1" ? &machine : nullptr;
+    return services.find(id);
   }
 
  private:
   using Answer = std::optional<double>;
 
-  Answer number(std::string_view parameter) const { return table.value(parameter, value); }
+  Answer number(std::string_view parameter) const { return table.value(parameter, columns.value); }
   bool bit(std::string_view parameter, unsigned index) const {
     return (static_cast<std::uint32_t>(number(parameter).value_or(0)) >> index & 1u) != 0;
   }
   Answer of_axis(std::string_view parameter, char axis) const {
     const std::size_t column = std::string_view("XYZABC").find(axis);
-    return column == std::string_view::npos ? std::nullopt : table.value(parameter, axes[column]);
+    return column == std::string_view::npos ? std::nullopt : table.value(parameter, columns.axes[column]);
   }
 
   /// The least input increment in mm. Parameter 1013: bit 0 is IS-A, bit 1 IS-C, neither bit IS-B.
@@ -172,15 +162,11 @@ struct FanucParameterTable {
   /// mm or degrees per minute.
   Answer rapid_of(char axis) const { return of_axis(rapid_rate, axis); }
 
+  friend class ig::cnc::MachineParameterServices<FanucParameterTable>;
+  MachineParameterServices<FanucParameterTable> services{this};
   using Services = ParameterServices<FanucParameterTable>;
-  ig_config_1 number_format = Services::config<&FanucParameterTable::number_format_of>(this);
-  ig_config_1 cycles = Services::config<&FanucParameterTable::cycle_of>(this);
-  ig_config_1 motion = Services::config<&FanucParameterTable::motion_of>(this);
   ig_config_1 coordinate_system = Services::config<&FanucParameterTable::coordinate_system_of>(this);
-  ig_config_1 code_calls = Services::config<&FanucParameterTable::program_of_code>(this);
   ig_config_1 parameters = Services::config<&FanucParameterTable::parameter_of>(this);
-  ig_machine_axis_1 machine = Services::machine_axes<&FanucParameterTable::of_axis, &FanucParameterTable::rapid_of,
-                                                     &FanucParameterTable::rollover_of>(this);
 };
 
 const ig::Register<FanucParameterTable> fanuc_parameter_table;

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include <isogloss/cnc/program_xyz.hpp>
-#include <isogloss/cnc/tool_kinematics.hpp>
+#include <isogloss/cnc/rotary_solver.hpp>
 #include <isogloss/cnc/units.hpp>
 
 namespace heidenhain {

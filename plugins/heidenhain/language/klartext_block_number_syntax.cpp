@@ -1,7 +1,6 @@
 // The block number, and the skip sign / or /1 to /9 before or after it. The number is a name for people only: no jump
 // uses it. While the operator has the skip switched on, the block is not executed.
-#include <bitset>
-#include <stdexcept>
+#include <isogloss/cnc/block_skip.hpp>
 
 #include "language/klartext_text.hpp"
 
@@ -11,28 +10,12 @@ using namespace ig::cnc;
 
 namespace {
 
-std::bitset<10> read_layers(std::string_view list) {
-  std::bitset<10> layers;
-  for (const char c : list) {
-    if (c == ',' || is_blank(c)) continue;
-    if (c < '1' || c > '9') throw std::invalid_argument("block-skip: layers are 1 to 9, separated by commas");
-    layers.set(static_cast<std::size_t>(c - '0'));
-  }
-  return layers;
-}
-
 struct KlartextBlockNumber {
   static constexpr auto spec =
       ig::syntax("KlartextBlockNumberSyntax", "Reads the block number and the skip sign.").scans("0123456789/Nn");
 
-  ig::TextOption layers_{"block-skip", "", "Layers that are switched on, 1 to 9, separated by commas."};
-  ig::Setting setting_{"block-skip"};
+  BlockSkip skip_;
   ig::Out<std::int64_t> n_{"Source.N"};
-  ig::Out<ig::Symbol> symbol_{"BlockSkip.Symbol"};
-  ig::Out<std::int64_t> layer_{"BlockSkip.Layer"};
-  ig::TextField body_{"BlockSkip.Body", ig::write};
-  ig::Name slash_{"/"};
-  std::bitset<10> on_ = read_layers(setting_.text().empty() ? layers_.text() : setting_.text());
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     const std::size_t words = first_word(text);
@@ -58,11 +41,7 @@ struct KlartextBlockNumber {
     const std::size_t end = skip_sign_end(text, i, before_number);
     const std::size_t layer = end == i + 2 ? static_cast<std::size_t>(text[i + 1] - '0') : 1;
     i = end;
-    if (!on_.test(layer)) return false;
-    b.set(symbol_, slash_);
-    b.set(layer_, static_cast<std::int64_t>(layer));
-    if (const std::string_view rest = trim(text.substr(i)); !rest.empty()) b.set_text(body_, rest);
-    return true;
+    return skip_.skip(b, layer, text.substr(i));
   }
 };
 

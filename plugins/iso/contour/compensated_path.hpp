@@ -5,6 +5,7 @@
 #include <isogloss/cnc/contour_approach.hpp>
 #include <isogloss/cnc/event_to_steps.hpp>
 #include <isogloss/cnc/feed.hpp>
+#include <isogloss/cnc/radius_compensation.hpp>
 
 #include "contour/broken_contour.hpp"
 #include "contour/contour_ahead.hpp"

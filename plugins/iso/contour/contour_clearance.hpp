@@ -2,7 +2,7 @@
 /// lengths in mm.
 #pragma once
 
-#include <isogloss/cnc/radius_compensation.hpp>
+#include <isogloss/cnc/contour_move.hpp>
 
 namespace iso {
 

@@ -1,9 +1,9 @@
 /// The motion of an executed block in the plane, as a move of the contour for cutter radius compensation.
 #pragma once
 
+#include <isogloss/cnc/contour_move.hpp>
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
-#include <isogloss/cnc/radius_compensation.hpp>
 
 namespace iso {
 

@@ -56,30 +56,23 @@ struct BackBoring {
     const ig::CompoundMotion& motion = cycle_.motion;
     const auto start = spindle_.begin(b, motion, cycle_.where(*run), run->code);
 
-    const auto move_aside = [&](const ig::Vec3& to) {
-      shift.is_feed ? motion.feed_to(b, to, feed) : motion.rapid_to(b, to);
-    };
     for (int i = 0; i < run->count; ++i) {
       const CycleHole bore = run->hole(i);
       const CycleHole aside = shifted(bore, shift.vector);
       if (positioning_ == Positioning::centred) {
         motion.rapid_to(b, bore.at(bore.approach_level));
         motion.orient(b, shift_.angle());
-        move_aside(aside.at(bore.approach_level));
+        shift_.move_aside(b, motion, shift, aside.at(bore.approach_level), feed);
       } else {
         motion.orient(b, shift_.angle());
         motion.rapid_to(b, aside.at(bore.approach_level));
       }
       motion.rapid_to(b, aside.at(low));
-      move_aside(bore.at(low));
+      shift_.move_aside(b, motion, shift, bore.at(low), feed);
       motion.spindle(b, start);
       motion.feed_to(b, bore.at(high), feed);
       if (dwell > 0) motion.dwell(b, dwell);
-      motion.orient(b, shift_.angle());
-      move_aside(aside.at(high));
-      motion.rapid_to(b, aside.at(run->return_level));
-      move_aside(bore.at(run->return_level));
-      motion.spindle(b, start);
+      shift_.retract(b, motion, bore, shift, high, run->return_level, feed, start);
     }
     cycle_.end(b, *run);
     return ig::Status::changed;

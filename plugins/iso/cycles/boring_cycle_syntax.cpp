@@ -5,6 +5,8 @@
 /// length 0.
 #include <isogloss/cnc/restarted_spindle.hpp>
 
+#include "cycles/single_stroke.hpp"
+
 namespace iso {
 
 using namespace ig::cnc;
@@ -42,10 +44,7 @@ struct BoringCycle {
 
     for (int i = 0; i < run->count; ++i) {
       const CycleHole hole = run->hole(i);
-      motion.rapid_to(b, hole.at(hole.approach_level));
-      motion.rapid_to(b, hole.at(run->r_level));
-      motion.feed_to(b, hole.at(run->bottom), feed);
-      if (dwell > 0) motion.dwell(b, dwell);
+      feed_to_bottom(b, motion, *run, hole, {feed, dwell});
       if (is_g86) {
         motion.spindle(b, ig::Spindle::stop);
         motion.rapid_to(b, hole.at(run->return_level));

@@ -4,7 +4,7 @@
 /// length 0.
 #include <cmath>
 
-#include <isogloss/cnc/canned_cycle.hpp>
+#include "cycles/single_stroke.hpp"
 
 namespace iso {
 
@@ -31,10 +31,7 @@ struct DrillingCycle {
 
     for (int i = 0; i < run->count; ++i) {
       const CycleHole hole = run->hole(i);
-      motion.rapid_to(b, hole.at(hole.approach_level));
-      motion.rapid_to(b, hole.at(run->r_level));
-      motion.feed_to(b, hole.at(run->bottom), feed);
-      if (dwell > 0) motion.dwell(b, dwell);
+      feed_to_bottom(b, motion, *run, hole, {feed, dwell});
       motion.rapid_to(b, hole.at(run->return_level));
     }
     cycle_.end(b, *run);

@@ -5,6 +5,7 @@
 /// length 0.
 #include <isogloss/cnc/restarted_spindle.hpp>
 
+#include "cycles/single_stroke.hpp"
 #include "cycles/tool_shift.hpp"
 
 namespace iso {
@@ -38,21 +39,10 @@ struct FineBoring {
     const ig::CompoundMotion& motion = cycle_.motion;
     const auto start = spindle_.begin(b, motion, cycle_.where(*run), run->code);
 
-    const auto move_aside = [&](const ig::Vec3& to) {
-      shift.is_feed ? motion.feed_to(b, to, feed) : motion.rapid_to(b, to);
-    };
     for (int i = 0; i < run->count; ++i) {
       const CycleHole hole = run->hole(i);
-      const CycleHole aside = shifted(hole, shift.vector);
-      motion.rapid_to(b, hole.at(hole.approach_level));
-      motion.rapid_to(b, hole.at(run->r_level));
-      motion.feed_to(b, hole.at(run->bottom), feed);
-      if (dwell > 0) motion.dwell(b, dwell);
-      motion.orient(b, shift_.angle());
-      move_aside(aside.at(run->bottom));
-      motion.rapid_to(b, aside.at(run->return_level));
-      move_aside(hole.at(run->return_level));
-      motion.spindle(b, start);
+      feed_to_bottom(b, motion, *run, hole, {feed, dwell});
+      shift_.retract(b, motion, hole, shift, run->bottom, run->return_level, feed, start);
     }
     cycle_.end(b, *run);
     return ig::Status::changed;

@@ -5,6 +5,8 @@
 /// manual. Every step is an item of the motion, even one of length 0.
 #include <isogloss/cnc/restarted_spindle.hpp>
 
+#include "cycles/single_stroke.hpp"
+
 namespace iso {
 
 using namespace ig::cnc;
@@ -43,10 +45,7 @@ struct ManualBoringCycle {
 
     for (int i = 0; i < run->count; ++i) {
       const CycleHole hole = run->hole(i);
-      motion.rapid_to(b, hole.at(hole.approach_level));
-      motion.rapid_to(b, hole.at(run->r_level));
-      motion.feed_to(b, hole.at(run->bottom), feed);
-      if (dwell > 0) motion.dwell(b, dwell);
+      feed_to_bottom(b, motion, *run, hole, {feed, dwell});
       motion.spindle(b, ig::Spindle::stop);
       by_hand_.rapid_to(b, hole.at(run->r_level));
       motion.spindle(b, start);

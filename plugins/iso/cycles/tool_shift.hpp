@@ -59,6 +59,23 @@ class ToolShift {
                                                                                       : by_vector(b, run);
   }
 
+  /// Moves the bar sideways at `feed`, in mm/s, or by rapid, as the words of the shift say.
+  static void move_aside(ig::Block& b, const ig::CompoundMotion& motion, const Shift& shift, const ig::Vec3& to,
+                         double feed) {
+    shift.is_feed ? motion.feed_to(b, to, feed) : motion.rapid_to(b, to);
+  }
+  /// The way out of the bore from `level`: the spindle stops at its angle, the bar leaves the wall, retracts, comes
+  /// back to the centre above the bore, and the spindle turns again.
+  void retract(ig::Block& b, const ig::CompoundMotion& motion, const CycleHole& bore, const Shift& shift, double level,
+               double return_level, double feed, ig::Spindle start) const {
+    const CycleHole aside = shifted(bore, shift.vector);
+    motion.orient(b, angle_);
+    move_aside(b, motion, shift, aside.at(level), feed);
+    motion.rapid_to(b, aside.at(return_level));
+    move_aside(b, motion, shift, bore.at(return_level), feed);
+    motion.spindle(b, start);
+  }
+
   /// The angle at which the spindle stops, in degrees.
   double angle() const { return angle_; }
 

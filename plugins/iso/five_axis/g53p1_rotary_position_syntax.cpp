@@ -3,7 +3,8 @@
 /// control".
 #include <isogloss/cnc/motion_event.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
-#include <isogloss/cnc/tool_kinematics.hpp>
+#include <isogloss/cnc/rotary_solver.hpp>
+#include <isogloss/cnc/rotary_turns.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 

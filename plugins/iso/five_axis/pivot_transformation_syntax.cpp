@@ -3,7 +3,7 @@
 /// control, where the entry moves with the axes and takes the tip along, and after G53.1, where it is at rest with
 /// them. Otherwise rotary words only turn their axes, and X Y Z are machine directions.
 #include <isogloss/cnc/program_xyz.hpp>
-#include <isogloss/cnc/tool_kinematics.hpp>
+#include <isogloss/cnc/rotary_turns.hpp>
 
 namespace iso {
 

@@ -1,11 +1,11 @@
 /// Work offsets of rotary axes: adds up what G54, EXT, G52 and G92 put between the angle of the program and the angle
 /// of the machine, and adds the sum in place to the words of positions, so that all later syntaxes read machine angles.
 /// Distances (G91) and machine positions (G53) get no offset.
-#include <bit>
-
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
 #include <isogloss/sdk.hpp>
+
+#include "motion/words_of_axes.hpp"
 
 namespace iso {
 
@@ -46,7 +46,7 @@ struct RotaryOffset {
   DistanceMode distance_;
   RotaryAxes axes_;
 
-  std::vector<std::size_t> axis_of_ = axes_of(words_);
+  WordsOfAxes axis_words_{words_, rotary_names};
 
   ig::Status restart(ig::Block& b) { return of(sum_up(b)); }
 
@@ -82,26 +82,10 @@ struct RotaryOffset {
 
   bool resolve(ig::Block& b, const Angles& offset) const {
     if (offset == Angles{}) return false;
-    bool any = false;
-    for (std::size_t first = 0; first < words_.size(); first += 32) {
-      ig_value v[32];
-      const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(32, words_.size() - first));
-      for (std::uint32_t named = b.get_many(words_.ids() + first, count, v); named != 0; named &= named - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(named));
-        const std::size_t axis = axis_of_[first + i];
-        if (axis == std::string_view::npos || offset[axis] == 0) continue;
-        v[i].number = RotaryOffsets::to_machine(v[i].number, offset[axis], axes_.rollover(axis));
-        b.rewrite(words_.id(first + i), v[i]);
-        any = true;
-      }
-    }
-    return any;
-  }
-
-  static std::vector<std::size_t> axes_of(const ig::Fields& words) {
-    std::vector<std::size_t> out;
-    for (std::size_t i = 0; i < words.size(); ++i) out.push_back(rotary_names.find(words.path(i).back()));
-    return out;
+    return axis_words_.rewrite(b, [&](std::size_t axis, double angle) {
+      return offset[axis] == 0 ? std::nullopt
+                               : std::optional(RotaryOffsets::to_machine(angle, offset[axis], axes_.rollover(axis)));
+    });
   }
 };
 

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include <isogloss/cnc/event_to_steps.hpp>
+#include <isogloss/cnc/rotary_words.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
 #include <isogloss/cnc/units.hpp>
 

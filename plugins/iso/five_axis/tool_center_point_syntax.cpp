@@ -4,7 +4,8 @@
 /// control".
 #include <isogloss/cnc/cycle_codes.hpp>
 #include <isogloss/cnc/motion_event.hpp>
-#include <isogloss/cnc/tool_kinematics.hpp>
+#include <isogloss/cnc/rotary_solver.hpp>
+#include <isogloss/cnc/rotary_turns.hpp>
 #include <isogloss/sdk.hpp>
 
 #include "reading/as_written.hpp"

@@ -1,6 +1,6 @@
 // Answers of the last resort, where no controller's table gives any: retracts of the peck cycles, the shift of the
 // boring cycles, tapping, the tolerance of arcs. A dialect with a parameter table of its own lists that table first.
-#include <isogloss/sdk.hpp>
+#include <isogloss/cnc/parameter_services.hpp>
 
 namespace iso {
 namespace {
@@ -50,33 +50,28 @@ struct FallbackConfig {
   }
 
  private:
-  static std::int32_t cycle_number(void* self, ig_text name, double* out) {
-    const auto& config = *static_cast<const FallbackConfig*>(self);
-    const std::string_view wanted = ig::to_view(name);
-    if (wanted == "PeckRetractionDistance_mm") return answer(config.peck, out);
-    if (wanted == "HighSpeedPeckRetraction_mm")
-      return answer(config.high_speed_peck < 0 ? config.peck : config.high_speed_peck, out);
-    if (wanted == "ShiftDirectionX") return answer(whole(config.shift_x), out);
-    if (wanted == "ShiftDirectionY") return answer(whole(config.shift_y), out);
-    if (wanted == "ShiftDirectionZ") return answer(whole(config.shift_z), out);
-    if (wanted == "RigidTapping") return answer(config.rigid_tapping ? 1 : 0, out);
-    if (wanted == "TappingSpindleStop") return answer(config.tapping_stop ? 1 : 0, out);
-    if (wanted == "PeckTappingToR") return answer(config.peck_tapping_to_r ? 1 : 0, out);
-    if (wanted == "PeckTappingRetraction_mm") return answer(config.peck_tapping, out);
-    return wanted == "TappingExtractionOverride_percent" ? answer(config.extraction, out) : 0;
+  using Answer = std::optional<double>;
+
+  Answer cycle_of(std::string_view name) const {
+    if (name == "PeckRetractionDistance_mm") return peck;
+    if (name == "HighSpeedPeckRetraction_mm") return high_speed_peck < 0 ? peck : high_speed_peck;
+    if (name == "ShiftDirectionX") return whole(shift_x);
+    if (name == "ShiftDirectionY") return whole(shift_y);
+    if (name == "ShiftDirectionZ") return whole(shift_z);
+    if (name == "RigidTapping") return rigid_tapping ? 1 : 0;
+    if (name == "TappingSpindleStop") return tapping_stop ? 1 : 0;
+    if (name == "PeckTappingToR") return peck_tapping_to_r ? 1 : 0;
+    if (name == "PeckTappingRetraction_mm") return peck_tapping;
+    return name == "TappingExtractionOverride_percent" ? Answer(extraction) : std::nullopt;
   }
-  static std::int32_t motion_number(void* self, ig_text name, double* out) {
-    const auto& config = *static_cast<const FallbackConfig*>(self);
-    return ig::to_view(name) == "ArcRadiusTolerance_mm" ? answer(config.arc_tolerance, out) : 0;
+  Answer motion_of(std::string_view name) const {
+    return name == "ArcRadiusTolerance_mm" ? Answer(arc_tolerance) : std::nullopt;
   }
   static double whole(std::int64_t value) { return static_cast<double>(value); }
-  static std::int32_t answer(double value, double* out) {
-    *out = value;
-    return 1;
-  }
 
-  ig_config_1 cycles{sizeof(ig_config_1), 0, this, &cycle_number};
-  ig_config_1 motion{sizeof(ig_config_1), 0, this, &motion_number};
+  using Services = ig::cnc::ParameterServices<FallbackConfig>;
+  ig_config_1 cycles = Services::config<&FallbackConfig::cycle_of>(this);
+  ig_config_1 motion = Services::config<&FallbackConfig::motion_of>(this);
 };
 
 const ig::Register<FallbackConfig> fallback_config;

@@ -1,8 +1,8 @@
 /// G91: distances become positions, in place, so that no later syntax has to know of G91. The words of canned cycles
 /// are left alone: their R and Z start from other points, and CannedCycleResolveSyntax has resolved them.
-#include <bit>
-
 #include <isogloss/cnc/program_xyz.hpp>
+
+#include "motion/words_of_axes.hpp"
 
 namespace iso {
 
@@ -29,34 +29,16 @@ struct IncrementalResolve {
   LastProgramXyz last_;
   ig::Name g91_{"G91"};
 
-  static constexpr std::string_view names = "XYZABC";
-  std::vector<std::size_t> axes_ = axes_of(words_);  // of each word, in names
+  WordsOfAxes axis_words_{words_, "XYZABC"};
 
   ig::Status build(ig::Block& b) {
     if (!b.is(mode_, g91_) || b.find(machine_select_)) return ig::Status::unchanged;
-    ig::Status status = ig::Status::unchanged;
     std::optional<ig::Vec3> last;
-    for (std::size_t first = 0; first < words_.size(); first += 32) {
-      ig_value v[32];
-      const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(32, words_.size() - first));
-      for (std::uint32_t named = b.get_many(words_.ids() + first, count, v); named != 0; named &= named - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(named));
-        const std::size_t axis = axes_[first + i];
-        if (axis == std::string_view::npos) continue;
-        if (axis < 3 && !last) last = last_(b);
-        v[i].number += axis < 3 ? (*last)[axis] : b.get_or(angles_[axis - 3], 0.0);
-        b.rewrite(words_.id(first + i), v[i]);
-        status = ig::Status::changed;
-      }
-    }
-    return status;
-  }
-
- private:
-  static std::vector<std::size_t> axes_of(const ig::Fields& words) {
-    std::vector<std::size_t> axes;
-    for (std::size_t i = 0; i < words.size(); ++i) axes.push_back(names.find(words.path(i).back()));
-    return axes;
+    const bool any = axis_words_.rewrite(b, [&](std::size_t axis, double distance) {
+      if (axis < 3 && !last) last = last_(b);
+      return std::optional(distance + (axis < 3 ? (*last)[axis] : b.get_or(angles_[axis - 3], 0.0)));
+    });
+    return any ? ig::Status::changed : ig::Status::unchanged;
   }
 };
 

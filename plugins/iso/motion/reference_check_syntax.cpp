@@ -17,45 +17,34 @@ struct ReferenceCheck {
   };
 
   ig::Call g27_{{"G27"}, "X Y Z A B C"};
-  ig::Xyz program_{"ProgramXyz", ig::write};
-  ig::Xyz machine_{"MachineCoordinate", ig::write};
-  ig::CompoundMotion motion_;
+  ReferenceMove move_;
   LastProgramXyz last_;
   ReferencePositions reference_;
-  RotaryReturn rotary_;
   ig::NumberOption tolerance_{
       "tolerance", "0.001", {0, 1000}, "mm, deg", "How far from the reference position an axis may be."};
 
   ig::Status build(ig::Block& b) {
     const auto words = b.take(g27_);
     if (!words) return ig::Status::unchanged;
-    const ig::PartialVec3 named = axis_words(*words);
-    const PartialAngles turned = rotary_.named(b, *words, g27_);
-    if ((words->mask & axes) == 0) b.report(ig::diag("ISO-0340"), ig::Where::word(g27_.code(0)), b.text(words->code));
-    if (named.mask == 0 && turned.mask == 0) return ig::Status::changed;
-    const ig::Vec3 end = named.or_else(last_(b));
+    const auto named = move_.named(b, *words, g27_);
+    if (!named) return ig::Status::changed;
+    const ig::Vec3 end = named->linear.or_else(last_(b));
     const auto machine = b.to_machine(end);
     if (!machine) return not_invertible(b);
-    const PartialAngles turned_end = rotary_.approach(b, turned);
-    motion_.begin(b, words->code);
-    motion_.rapid_to(b, end, *machine);
-    rotary_.step(b, turned_end);
-    b.set(program_, end);
-    b.set(machine_, *machine);
-    rotary_.end(b, turned_end);
+    const PartialAngles turned = move_.rotary.approach(b, named->rotary);
+    move_.begin(b, words->code);
+    move_.arrive(b, end, *machine, turned);
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (named.has(axis)) check(b, axis, (*machine)[axis]);
+      if (named->linear.has(axis)) check(b, axis, (*machine)[axis]);
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (turned.has(axis)) check(b, axis + 3, turned_end.value[axis]);
+      if (turned.has(axis)) check(b, axis + 3, turned.value[axis]);
     return ig::Status::changed;
   }
 
  private:
-  static constexpr std::uint32_t axes = 63;  // X Y Z A B C of a call
-
   void check(ig::Block& b, std::size_t axis, double position) const {
     const double reference = reference_(b, axis, 1, g27_.code(0));
-    const double wanted = axis < 3 ? reference : rotary_.to_machine(axis - 3, position, reference);
+    const double wanted = axis < 3 ? reference : move_.rotary.to_machine(axis - 3, position, reference);
     if (std::fabs(position - wanted) <= tolerance_) return;
     const std::string_view name = std::string_view("XYZABC").substr(axis, 1);
     b.report(ig::diag("ISO-0382"), ig::Where::word(g27_.word(0, name.front())), name, position, reference);

@@ -85,6 +85,46 @@ class RotaryReturn {
   DistanceMode distance_;
 };
 
+/// The axes that a call names: X Y Z, and those of A B C that the machine has. Positions in mm and degrees.
+struct NamedAxes {
+  ig::PartialVec3 linear;
+  PartialAngles rotary;
+};
+
+/// A member of G27 to G30: reads the axes of the call, and moves all of them together by rapid.
+class ReferenceMove {
+ public:
+  static bool names_axes(const ig::Words& words) { return (words.mask & 63u) != 0; }  // X Y Z A B C, its first words
+
+  /// Reports (ISO-0340) a call without axes. Nothing where it names none that the machine has.
+  std::optional<NamedAxes> named(ig::Block& b, const ig::Words& words, const ig::Call& call) const {
+    const NamedAxes axes{axis_words(words), rotary.named(b, words, call)};
+    if (!names_axes(words)) b.report(ig::diag("ISO-0340"), ig::Where::word(call.code(0)), b.text(words.code));
+    return axes.linear.mask == 0 && axes.rotary.mask == 0 ? std::nullopt : std::optional(axes);
+  }
+
+  void begin(ig::Block& b, ig::Symbol code) const { motion_.begin(b, code); }
+  /// By rapid to a point of the program, which is `machine` in machine coordinates, and to the angles of the machine.
+  void pass(ig::Block& b, const ig::Vec3& point, const ig::Vec3& at_machine, const PartialAngles& angles) const {
+    motion_.rapid_to(b, point, at_machine);
+    rotary.step(b, angles);
+  }
+  /// The same, and the block ends there.
+  void arrive(ig::Block& b, const ig::Vec3& point, const ig::Vec3& at_machine, const PartialAngles& angles) const {
+    pass(b, point, at_machine, angles);
+    b.set(program, point);
+    b.set(machine, at_machine);
+    rotary.end(b, angles);
+  }
+
+  ig::Xyz program{"ProgramXyz", ig::write};
+  ig::Xyz machine{"MachineCoordinate", ig::write};
+  RotaryReturn rotary;
+
+ private:
+  ig::CompoundMotion motion_;
+};
+
 inline ig::Status not_invertible(ig::Block& b) {
   b.report(ig::diag("ISO-0332"), ig::Where::block());
   return ig::Status::changed;

@@ -1,7 +1,7 @@
 /// G28 and G30: a rapid to the intermediate point that the words name, then to a reference position of the machine,
 /// both with the named axes only. `G91 G28 Z0` goes straight up; `G90 G28 Z0` goes to program Z0 first, as on the
 /// control. Fanuc manual, "Reference position".
-#include <isogloss/cnc/tool_kinematics.hpp>
+#include <isogloss/cnc/rotary_turns.hpp>
 
 #include "motion/reference_position.hpp"
 
@@ -25,12 +25,9 @@ struct ReferenceReturn {
 
   ig::Call g28_{{"G28"}, "X Y Z A B C"};
   ig::Call g30_{{"G30"}, "X Y Z A B C P[]"};
-  ig::Xyz program_{"ProgramXyz", ig::write};
-  ig::Xyz machine_{"MachineCoordinate", ig::write};
-  ig::CompoundMotion motion_;
+  ReferenceMove move_;
   LastProgramXyz last_;
   ReferencePositions reference_;
-  RotaryReturn rotary_;
   ig::Choice<WithoutAxes> without_axes_{"without-axes", "nothing|all", "nothing",
                                         "Which axes a G28 or G30 without an axis word returns."};
 
@@ -62,25 +59,14 @@ struct ReferenceReturn {
   }
 
  private:
-  static constexpr std::uint32_t axes = 63;  // X Y Z A B C of a call
-
   /// True when the axes have reached the reference position.
   bool go(ig::Block& b, const ig::Words& words, const ig::Call& call, std::uint32_t which) const {
     const ig_field code = call.code(0);
     const ig::Vec3 from = last_(b);
-    ig::PartialVec3 returned = axis_words(words);
-    PartialAngles turned = rotary_.named(b, words, call);
-    if ((words.mask & axes) == 0) {
-      if (without_axes_ == WithoutAxes::nothing) {
-        b.report(ig::diag("ISO-0340"), ig::Where::word(code), b.text(words.code));
-        return false;
-      }
-      returned = {7, from};
-      turned = rotary_.all(b);
-    } else if (returned.mask == 0 && turned.mask == 0) {
-      return false;  // the machine has no such axis; that was reported
-    }
-    const ig::Vec3 intermediate = returned.or_else(from);
+    const bool returns_all = without_axes_ == WithoutAxes::all && !ReferenceMove::names_axes(words);
+    const auto axes = returns_all ? NamedAxes{{7, from}, move_.rotary.all(b)} : move_.named(b, words, call);
+    if (!axes) return false;
+    const ig::Vec3 intermediate = axes->linear.or_else(from);
     const auto over = b.to_machine(intermediate);
     if (!over) {
       not_invertible(b);
@@ -88,13 +74,13 @@ struct ReferenceReturn {
     }
     ig::Vec3 reference = *over;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (returned.has(axis)) reference[axis] = reference_(b, axis, which, code);
-    const PartialAngles turned_over = rotary_.approach(b, turned);
+      if (axes->linear.has(axis)) reference[axis] = reference_(b, axis, which, code);
+    const PartialAngles turned_over = move_.rotary.approach(b, axes->rotary);
     PartialAngles turned_home = turned_over;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (turned.has(axis))
+      if (turned_over.has(axis))
         turned_home.value[axis] =
-            rotary_.to_machine(axis, turned_over.value[axis], reference_(b, axis + 3, which, code));
+            move_.rotary.to_machine(axis, turned_over.value[axis], reference_(b, axis + 3, which, code));
     turn_frame(b, turned_home);
     const auto end = b.to_program(reference);
     if (!end) {
@@ -102,14 +88,9 @@ struct ReferenceReturn {
       return false;
     }
 
-    motion_.begin(b, words.code);
-    motion_.rapid_to(b, intermediate, *over);
-    rotary_.step(b, turned_over);
-    motion_.rapid_to(b, rounded(*end), reference);
-    rotary_.step(b, turned_home);
-    b.set(program_, rounded(*end));
-    b.set(machine_, reference);
-    rotary_.end(b, turned_home);
+    move_.begin(b, words.code);
+    move_.pass(b, intermediate, *over, turned_over);
+    move_.arrive(b, rounded(*end), reference, turned_home);
     return true;
   }
 
@@ -130,11 +111,11 @@ struct ReferenceReturn {
   /// The machine does not move; the program point changes by the tool length.
   void end_compensation(ig::Block& b) const {
     if (!b.is(compensation_, g43_) && !b.is(compensation_, g44_)) return;
-    const ig::PartialVec3 machine = b.get(machine_);
+    const ig::PartialVec3 machine = b.get(move_.machine);
     b.set(compensation_, g49_);
     b.set(offset_, 0.0);
     b.set_translation(frame_, {});
-    if (const auto here = b.to_program(machine.value)) b.set(program_, rounded(*here));
+    if (const auto here = b.to_program(machine.value)) b.set(move_.program, rounded(*here));
   }
 };
 

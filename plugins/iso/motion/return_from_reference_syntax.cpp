@@ -24,16 +24,13 @@ struct ReturnFromReference {
 
   ig::Call passed_{{"G28", "G30"}, "X Y Z A B C", ig::read | ig::wake};
   ig::Call g29_{{"G29"}, "X Y Z A B C"};
-  ig::Xyz program_{"ProgramXyz", ig::write};
-  ig::Xyz machine_{"MachineCoordinate", ig::write};
+  ReferenceMove move_;
   ig::Xyz intermediate_{"ReferenceReturn.Intermediate", ig::read | ig::write};
   std::array<ig::Out<double>, 3> turned_over_{ig::Out<double>{"ReferenceReturn.Intermediate.A", kept},
                                               ig::Out<double>{"ReferenceReturn.Intermediate.B", kept},
                                               ig::Out<double>{"ReferenceReturn.Intermediate.C", kept}};
-  ig::CompoundMotion motion_;
   DistanceMode distance_;
   LastProgramXyz last_;
-  RotaryReturn rotary_;
   RotaryOffsets offsets_{ig::read};
   RotaryAxes axes_;
 
@@ -47,7 +44,6 @@ struct ReturnFromReference {
 
  private:
   static constexpr ig::About kept{ig::Life::modal, "deg", "Where G28 or G30 sent the axis first, for G29."};
-  static constexpr std::uint32_t axes = 63;  // X Y Z A B C of a call
 
   bool keep_intermediate(ig::Block& b) const {
     const auto row = b.find(passed_);
@@ -72,10 +68,9 @@ struct ReturnFromReference {
   }
 
   void go(ig::Block& b, const ig::Words& words) const {
-    const ig::PartialVec3 named = axis_words(words);
-    const PartialAngles turned = rotary_.named(b, words, g29_);
-    if ((words.mask & axes) == 0) b.report(ig::diag("ISO-0340"), ig::Where::word(g29_.code(0)), b.text(words.code));
-    if (named.mask == 0 && turned.mask == 0) return;
+    const auto axes = move_.named(b, words, g29_);
+    if (!axes) return;
+    const auto& [named, turned] = *axes;
     const ig::Vec3 over = intermediate(b, named);
     ig::Vec3 end = over;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -87,14 +82,9 @@ struct ReturnFromReference {
     }
     const PartialAngles turned_over = intermediate(b, turned), turned_end = turn_on(b, turned, turned_over);
 
-    motion_.begin(b, words.code);
-    motion_.rapid_to(b, over, *machine_over);
-    rotary_.step(b, turned_over);
-    motion_.rapid_to(b, end, *machine_end);
-    rotary_.step(b, turned_end);
-    b.set(program_, end);
-    b.set(machine_, *machine_end);
-    rotary_.end(b, turned_end);
+    move_.begin(b, words.code);
+    move_.pass(b, over, *machine_over, turned_over);
+    move_.arrive(b, end, *machine_end, turned_end);
   }
 
   ig::Vec3 intermediate(ig::Block& b, const ig::PartialVec3& named) const {
@@ -110,12 +100,12 @@ struct ReturnFromReference {
     return over;
   }
   PartialAngles intermediate(ig::Block& b, const PartialAngles& named) const {
-    const Angles from = rotary_.present(b);
+    const Angles from = move_.rotary.present(b);
     PartialAngles over{named.mask, from};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!named.has(axis)) continue;
       if (const auto stored = b.get(turned_over_[axis]))
-        over.value[axis] = rotary_.to_machine(axis, from[axis], *stored + offsets_.get(b)[axis]);
+        over.value[axis] = move_.rotary.to_machine(axis, from[axis], *stored + offsets_.get(b)[axis]);
       else
         say_straight(b, rotary_names[axis]);
     }
@@ -125,8 +115,9 @@ struct ReturnFromReference {
     PartialAngles end = over;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (named.has(axis))
-        end.value[axis] = distance_.is_incremental(b) ? over.value[axis] + named.value[axis]
-                                                      : rotary_.approach(axis, over.value[axis], named.value[axis]);
+        end.value[axis] = distance_.is_incremental(b)
+                              ? over.value[axis] + named.value[axis]
+                              : move_.rotary.approach(axis, over.value[axis], named.value[axis]);
     return end;
   }
   void say_straight(ig::Block& b, char axis) const {

@@ -13,7 +13,7 @@
 #include "isogloss/sdk.hpp"
 
 #include "isogloss/cnc/arc.hpp"
-#include "isogloss/cnc/radius_compensation.hpp"
+#include "isogloss/cnc/contour_move.hpp"
 
 namespace ig::cnc {
 

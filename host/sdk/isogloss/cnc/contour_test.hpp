@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "isogloss/cnc/radius_compensation.hpp"
+#include "isogloss/cnc/contour_move.hpp"
 
 namespace ig::cnc {
 

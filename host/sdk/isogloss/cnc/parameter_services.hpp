@@ -1,11 +1,22 @@
-/// Services from a parameter table that keeps the axes under Fanuc's numbers: 1240 to 1243 are the reference positions,
-/// 1320 and 1321 the stored stroke limits (mm or degrees). The table itself answers for the rapid rate and the
-/// rollover.
+/// Services from a table of parameters: isogloss.config/1 from functions of the table, and the axes of a table that
+/// keeps them under Fanuc's numbers: 1240 to 1243 are the reference positions, 1320 and 1321 the stored stroke limits
+/// (mm or degrees). The table itself answers for the rapid rate and the rollover.
 #pragma once
 
 #include "isogloss/sdk.hpp"
 
 namespace ig::cnc {
+
+/// The columns of a table of machine parameters.
+struct ParameterColumns {
+  Column value{"Value", nullptr, "", {}, "The parameter, where it has one value for the whole control."};
+  std::array<Column, 6> axes{Column{"X", nullptr, "", {}, "The parameter of the X axis."},
+                             Column{"Y", nullptr, "", {}, "The parameter of the Y axis."},
+                             Column{"Z", nullptr, "", {}, "The parameter of the Z axis."},
+                             Column{"A", nullptr, "", {}, "The parameter of the A axis."},
+                             Column{"B", nullptr, "", {}, "The parameter of the B axis."},
+                             Column{"C", nullptr, "", {}, "The parameter of the C axis."}};
+};
 
 /// `Table` is the dependency that holds the parameters; the services keep a pointer to it and live as long as it does.
 template <class Table>
@@ -71,6 +82,34 @@ struct ParameterServices {
     if (answer) *out = *answer;
     return answer ? 1 : 0;
   }
+};
+
+/// The services that every table of machine parameters provides. The members of `Table`, which declares
+/// this class its friend: number_format_of, cycle_of, motion_of and program_of_code answer names; of_axis, rapid_of and
+/// rollover_of answer for the axes.
+template <class Table>
+class MachineParameterServices {
+ public:
+  explicit MachineParameterServices(Table* table)
+      : number_format_(Services::template config<&Table::number_format_of>(table)),
+        cycles_(Services::template config<&Table::cycle_of>(table)),
+        motion_(Services::template config<&Table::motion_of>(table)),
+        code_calls_(Services::template config<&Table::program_of_code>(table)),
+        axes_(Services::template machine_axes<&Table::of_axis, &Table::rapid_of, &Table::rollover_of>(table)) {}
+
+  /// The service with this id; null for any other.
+  const void* find(std::string_view id) const {
+    if (id == "isogloss.number-format/1") return &number_format_;
+    if (id == "isogloss.canned-cycle/1") return &cycles_;
+    if (id == "isogloss.motion/1") return &motion_;
+    if (id == "isogloss.code-call/1") return &code_calls_;
+    return id == "isogloss.machine-axis/1" ? &axes_ : nullptr;
+  }
+
+ private:
+  using Services = ParameterServices<Table>;
+  ig_config_1 number_format_, cycles_, motion_, code_calls_;
+  ig_machine_axis_1 axes_;
 };
 
 }  // namespace ig::cnc

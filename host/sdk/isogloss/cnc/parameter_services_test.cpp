@@ -92,3 +92,33 @@ TEST_CASE("the rollover of an axis is the mode that the table gives") {
   CHECK(service.rollover(service.self, 'X', &mode) == 1);
   CHECK(mode == 2);
 }
+
+TEST_CASE("a table of machine parameters provides five services from its members") {
+  struct Parameters {
+    double answer = 7;
+    std::optional<double> number_format_of(std::string_view) const { return 1; }
+    std::optional<double> cycle_of(std::string_view) const { return 2; }
+    std::optional<double> motion_of(std::string_view) const { return 3; }
+    std::optional<double> program_of_code(std::string_view) const { return 4; }
+    std::optional<double> of_axis(std::string_view, char) const { return answer; }
+    std::optional<double> rapid_of(char) const { return {}; }
+    std::optional<std::uint32_t> rollover_of(char) const { return {}; }
+  };
+  Parameters parameters;
+  const MachineParameterServices<Parameters> services(&parameters);
+  double wanted = 1;
+  for (const char* id :
+       {"isogloss.number-format/1", "isogloss.canned-cycle/1", "isogloss.motion/1", "isogloss.code-call/1"}) {
+    const auto* service = static_cast<const ig_config_1*>(services.find(id));
+    REQUIRE(service != nullptr);
+    double out = 0;
+    CHECK(service->number(service->self, ig::to_text("any"), &out) == 1);
+    CHECK(out == wanted++);
+  }
+  const auto* axes = static_cast<const ig_machine_axis_1*>(services.find("isogloss.machine-axis/1"));
+  REQUIRE(axes != nullptr);
+  double home = 0;
+  CHECK(axes->home(axes->self, 'X', &home) == 1);
+  CHECK(home == 7);
+  CHECK(services.find("isogloss.work-offset/1") == nullptr);
+}

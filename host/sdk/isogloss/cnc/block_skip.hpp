@@ -1,0 +1,46 @@
+/// Optional block skip: the layers 1 to 9 that the operator has switched on (the option or the setting `block-skip`),
+/// and the section BlockSkip of a block that is skipped.
+#pragma once
+
+#include <bitset>
+#include <stdexcept>
+
+#include "isogloss/cnc/scan.hpp"
+
+namespace ig::cnc {
+
+/// "1,3": the layers that are on. Throws std::invalid_argument.
+inline std::bitset<10> read_skip_layers(std::string_view list) {
+  std::bitset<10> layers;
+  for (const char c : list) {
+    if (c == ',' || is_blank(c)) continue;
+    if (c < '1' || c > '9') throw std::invalid_argument("block-skip: layers are 1 to 9, separated by commas");
+    layers.set(static_cast<std::size_t>(c - '0'));
+  }
+  return layers;
+}
+
+/// A member of the scanner that reads the skip sign.
+class BlockSkip {
+ public:
+  /// Skips the block from the sign on where the layer, 1 to 9, is on; `rest` is the text after the sign. False where
+  /// the layer is off: the sign has no effect.
+  bool skip(Block& b, std::size_t layer, std::string_view rest) const {
+    if (!on_.test(layer)) return false;
+    b.set(symbol_, slash_);
+    b.set(layer_, static_cast<std::int64_t>(layer));
+    if (const std::string_view skipped = trim(rest); !skipped.empty()) b.set_text(body_, skipped);
+    return true;
+  }
+
+ private:
+  TextOption layers_{"block-skip", "", "Layers that are switched on, 1 to 9, separated by commas."};
+  Setting setting_{"block-skip"};
+  Out<Symbol> symbol_{"BlockSkip.Symbol"};
+  Out<std::int64_t> layer_{"BlockSkip.Layer"};
+  TextField body_{"BlockSkip.Body", write};
+  Name slash_{"/"};
+  std::bitset<10> on_ = read_skip_layers(setting_.text().empty() ? layers_.text() : setting_.text());
+};
+
+}  // namespace ig::cnc
