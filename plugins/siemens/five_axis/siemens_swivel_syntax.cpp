@@ -51,28 +51,18 @@ struct SiemensSwivel {
   ig::Signal way_said_{"SiemensSwivel.~WaySaid", ig::read | ig::write, ig::Life::modal};
 
   ig::Status build(ig::Block& b) {
-    std::uint32_t found = 0;
-    if (b.take_code(call_.code().codes(), 1, &found) < 0) return ig::Status::unchanged;
-    const auto where = ig::Where::word(call_.code().code(0));
-    std::array<std::optional<double>, CycleFields::most> v;
-    std::size_t given = 0;
-    for (std::size_t i = 0; i < call_.size(); ++i) {
-      ig_value value;
-      if (!b.take(call_.field(i).id(), value)) continue;
-      v[i] = value.number;
-      ++given;
-    }
-    if (given == 0 || v[tc].value_or(1) == 0) {
+    const auto v = call_.take(b);
+    if (!v) return ig::Status::unchanged;
+    if (*v == Values{} || (*v)[tc].value_or(1) == 0)
       cancel(b);
-      return ig::Status::changed;
-    }
-    swivel(b, v, where);
+    else
+      swivel(b, *v, ig::Where::word(call_.code().code(0)));
     return ig::Status::changed;
   }
 
  private:
   enum Parameter : std::size_t { fr, tc, st, mode, x0, y0, z0, angle_a, angle_b, angle_c, x1, y1, z1, dir };
-  using Values = std::array<std::optional<double>, CycleFields::most>;
+  using Values = CycleFields::Values;
 
   bool is_tilted(const ig::Block& b) const { return b.is(term_, g68_2_) || b.is(term_, g68_4_); }
 
