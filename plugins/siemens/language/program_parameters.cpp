@@ -58,7 +58,10 @@ bool ProgramParameters::parameter(ig::Block& b, std::string_view text, std::size
   } else if (!has_default && !is_called) {
     b.report(ig::diag("SIE-0164"), ig::Where::columns(begin, end), std::string_view(name));
   }
-  environment_.store().define(name, std::move(value), is_array);
+  if (!environment_.store().define(name, std::move(value), is_array)) {
+    b.report(ig::diag("SIE-0114"), columns(text, begin), std::string_view(name));
+    return false;
+  }
   if (is_array) environment_.store().find(name)->sizes = argument.sizes;
   if (is_array)
     for (const auto& [element, own] : argument.elements)
