@@ -4,6 +4,7 @@
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
+#include <isogloss/cnc/work_origin.hpp>
 
 #include "five_axis/rotary_position.hpp"
 #include "frames/settable_frames.hpp"

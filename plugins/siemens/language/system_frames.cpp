@@ -2,6 +2,8 @@
 // work offsets, except the programmable frame, which is in the document.
 #include <cmath>
 
+#include <isogloss/cnc/work_origin.hpp>
+
 #include "frames/settable_frames.hpp"
 #include "language/system_data.hpp"
 
@@ -42,10 +44,9 @@ std::optional<double> SystemData::part_of_frame(const ig::Block& b, const Name& 
   if (i == std::string_view::npos || !offsets_) return std::nullopt;
   if (part == "SC") return 1;
   if (part == "FI" || part == "MI" || part == "RT") return 0;
-  double v[3] = {0, 0, 0};
   if (part != "TR") return std::nullopt;
-  if (i > 2) return offsets_->get_rotary(offsets_->self, ig::to_text(frame), v) != 0 ? std::optional(v[i - 3]) : 0.0;
-  return offsets_->get(offsets_->self, ig::to_text(frame), v) != 0 ? std::optional(v[i] / unit(b)) : 0.0;
+  const double origin = axis_origin(offsets_, frame, i).value_or(0);
+  return i > 2 ? origin : origin / unit(b);
 }
 
 Written SystemData::write_frame(const ig::Block& b, const Name& name, const std::string& frame, double value) const {
@@ -53,37 +54,33 @@ Written SystemData::write_frame(const ig::Block& b, const Name& name, const std:
   const std::size_t i = axis_of(axis);
   if (i == std::string_view::npos || !offsets_) return Written::no;
   if (part != "TR") return value == (part == "SC" ? 1 : 0) ? Written::without_effect : Written::no;
-  double v[3] = {0, 0, 0};
-  const ig_text id = ig::to_text(frame);
   const double own = i > 2 ? value : value * unit(b);
   if (!(std::fabs(own) < 1e9)) return Written::no;
-  (i > 2 ? offsets_->get_rotary : offsets_->get)(offsets_->self, id, v);
-  v[i % 3] = own;
-  const bool done = (i > 2 ? offsets_->set_rotary : offsets_->set)(offsets_->self, id, v) != 0;
-  return done ? Written::taken : Written::no;
+  return set_axis_origin(offsets_, frame, i, own) ? Written::taken : Written::no;
 }
 
 bool SystemData::write_shift(const ig::Block& b, std::string_view text, const Shift& shift) const {
   const Name name(text);
   const auto frame = frame_of(b, name);
   if (!frame || name.base == "$P_IFRAME" || name.count > (name.base == "$P_UBFR" ? 0u : 1u) || !offsets_) return false;
-  double mm[3], degrees[3];
+  ig::Vec3 mm;
+  Angles degrees{};
   for (std::size_t i = 0; i < 3; ++i) {
     mm[i] = shift[i] * unit(b);
     degrees[i] = shift[3 + i];
     if (!(std::fabs(mm[i]) < 1e9 && std::fabs(degrees[i]) < 1e9)) return false;
   }
-  offsets_->set_rotary(offsets_->self, ig::to_text(*frame), degrees);
-  return offsets_->set(offsets_->self, ig::to_text(*frame), mm) != 0;
+  set_rotary_origin(offsets_, *frame, degrees);
+  return set_linear_origin(offsets_, *frame, mm);
 }
 
 std::optional<SystemData::Shift> SystemData::shift_of(const ig::Block& b, std::string_view text) const {
-  double mm[3], degrees[3];
   const auto frame = frame_of(b, Name(text));
-  if (!frame || !offsets_ || offsets_->get(offsets_->self, ig::to_text(*frame), mm) == 0 ||
-      offsets_->get_rotary(offsets_->self, ig::to_text(*frame), degrees) == 0)
-    return std::nullopt;
-  return Shift{mm[0] / unit(b), mm[1] / unit(b), mm[2] / unit(b), degrees[0], degrees[1], degrees[2]};
+  if (!frame || !offsets_) return std::nullopt;
+  const auto mm = linear_origin(offsets_, *frame);
+  const auto degrees = rotary_origin(offsets_, *frame);
+  if (!mm || !degrees) return std::nullopt;
+  return Shift{mm->x / unit(b), mm->y / unit(b), mm->z / unit(b), (*degrees)[0], (*degrees)[1], (*degrees)[2]};
 }
 
 std::optional<double> SystemData::programmed(const ig::Block& b, const Name& name) const {
