@@ -142,10 +142,8 @@ struct SiemensSwivel {
   }
 
   void say_offset(ig::Block& b, ig::Where where) const {
-    const PartialAngles offset = rotary_offset_.get(b);
-    bool counts = false;
-    for (std::size_t axis = 0; axis < 3; ++axis) counts = counts || (machine_.has(axis) && offset.value[axis] != 0);
-    if (counts) b.report(ig::diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
+    if (rotary_offset_.acts_on(b, machine_))
+      b.report(ig::diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
   }
 
   /// Has the place of CYCLE800 in the block, so that diagnostics point there.

@@ -18,6 +18,14 @@ class RotaryOffsetSection {
              offset(section + ".Offset_C", access)} {}
 
   PartialAngles get(const Block& b) const { return angles_of(b, ids_); }
+  /// True when an axis that the machine has is offset; `machine` tells which there are, as ToolKinematics does.
+  template <class Machine>
+  bool acts_on(const Block& b, const Machine& machine) const {
+    const PartialAngles offset = get(b);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (machine.has(axis) && offset.value[axis] != 0) return true;
+    return false;
+  }
   /// Writes the axes whose offset changes; true when there was one.
   bool set(Block& b, const Angles& to) const {
     const PartialAngles old = get(b);
