@@ -77,15 +77,14 @@ class CycleFields {
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }
   }
-  /// Takes the call from the block: the values that it passes, in the order of the parameters. Nothing where the block
-  /// does not call the cycle.
-  std::optional<Values> take(ig::Block& b) const {
+  /// Takes the call from the block: `out`, which is empty, receives the values that it passes, in the order of the
+  /// parameters. False where the block does not call the cycle.
+  bool take(ig::Block& b, Values& out) const {
     std::uint32_t found = 0;
-    if (b.take_code(code_.codes(), 1, &found) < 0) return std::nullopt;
-    Values out;
+    if (b.take_code(code_.codes(), 1, &found) < 0) return false;
     for (std::size_t i = 0; i < fields_.size(); ++i)
       if (ig_value v; b.take(fields_[i].id(), v)) out[i] = v.number;
-    return out;
+    return true;
   }
 
   std::string_view name() const { return name_; }

@@ -5,26 +5,15 @@ namespace siemens {
 
 using namespace ig::cnc;
 
-double DrillingRun::mode(std::string_view parameter, int digit) const {
-  return std::fmod(std::floor((*this)[parameter].value_or(0) / std::pow(10, digit)), 10);
-}
-
-DwellUnit DrillingRun::dwell_unit(int digit) const {
-  const double unit = mode("AMODE", digit);
-  return unit == 1 ? DwellUnit::seconds : unit == 2 ? DwellUnit::turns : DwellUnit::by_sign;
-}
-
 DrillingCall::DrillingCall(std::initializer_list<std::string_view> names) {
   for (const std::string_view name : names) cycles_.emplace_back(drilling_signature(name), ig::take | ig::wake);
 }
 
 std::optional<DrillingRun> DrillingCall::take(ig::Block& b) const {
+  DrillingRun run;
   for (const CycleFields& cycle : cycles_) {
-    const auto values = cycle.take(b);
-    if (!values) continue;
-    DrillingRun run;
+    if (!cycle.take(b, run.values)) continue;
     run.cycle = &cycle;
-    run.values = *values;
     if (!resolve(b, run)) {
       pattern_.take(b, run.plane, last_(b));
       b.alarm();

@@ -34,8 +34,13 @@ struct DrillingRun {
     return i < values.size() ? values[i] : std::nullopt;
   }
   /// A digit of a mode parameter such as AMODE, counted from the right.
-  double mode(std::string_view parameter, int digit) const;
-  DwellUnit dwell_unit(int digit) const;
+  double mode(std::string_view parameter, int digit) const {
+    return std::fmod(std::floor((*this)[parameter].value_or(0) / std::pow(10, digit)), 10);
+  }
+  DwellUnit dwell_unit(int digit) const {
+    const double unit = mode("AMODE", digit);
+    return unit == 1 ? DwellUnit::seconds : unit == 2 ? DwellUnit::turns : DwellUnit::by_sign;
+  }
   ig::Vec3 at(double level) const { return plane.at_level(hole, level); }
 };
 

@@ -31,7 +31,8 @@ std::optional<std::vector<ig::Vec3>> HolePattern::take(ig::Block& b, const Plane
                                                        const ig::Vec3& from) const {
   const std::size_t i = find(b);
   if (i >= calls_.size()) return std::nullopt;
-  const Call call{&calls_[i], calls_[i].take(b).value_or(CycleFields::Values{})};
+  Call call{&calls_[i], {}};
+  calls_[i].take(b, call.values);
   std::vector<ig::Vec3> out;
   if (!is_executed(b, call)) return out;
   for (const Point2& p : points(b, call, {from[plane.first], from[plane.second]})) {
@@ -50,7 +51,8 @@ std::optional<std::vector<ig::Vec3>> HolePattern::take(ig::Block& b, const Plane
 void HolePattern::refuse(ig::Block& b) const {
   const CycleFields& fields = calls_[find(b)];
   b.report(ig::diag("SIE-0271"), ig::Where::word(fields.code().code(0)), fields.name());
-  fields.take(b);
+  CycleFields::Values unused;
+  fields.take(b, unused);
 }
 
 bool HolePattern::is_executed(ig::Block& b, const Call& call) {

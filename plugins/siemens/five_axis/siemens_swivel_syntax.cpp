@@ -51,12 +51,12 @@ struct SiemensSwivel {
   ig::Signal way_said_{"SiemensSwivel.~WaySaid", ig::read | ig::write, ig::Life::modal};
 
   ig::Status build(ig::Block& b) {
-    const auto v = call_.take(b);
-    if (!v) return ig::Status::unchanged;
-    if (*v == Values{} || (*v)[tc].value_or(1) == 0)
+    Values v;
+    if (!call_.take(b, v)) return ig::Status::unchanged;
+    if (v == Values{} || v[tc].value_or(1) == 0)
       cancel(b);
     else
-      swivel(b, *v, ig::Where::word(call_.code().code(0)));
+      swivel(b, v, ig::Where::word(call_.code().code(0)));
     return ig::Status::changed;
   }
 
