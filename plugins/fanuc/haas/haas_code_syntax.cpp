@@ -1,6 +1,7 @@
 /// Functions of a Haas mill that are recognised but not executed. F of such a block becomes the feed in force all the
 /// same.
 #include <isogloss/cnc/recognised_codes.hpp>
+#include <isogloss/cnc/tool_dimension.hpp>
 #include <isogloss/cnc/whole_number.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -62,7 +63,7 @@ struct HaasCode {
     const auto where = ig::Where::word(compensation_on_.code(0));
     const double d = (*words)['D'].value_or(static_cast<double>(b.get_or(offset_id_, std::int64_t{0})));
     const auto id = whole_number(d);
-    if (!id || offset(*id, radius) != 0)
+    if (!id || offset(*id, ToolDimension::radius) != 0)
       b.report(ig::diag("FAN-0201"), where, std::string_view("G141"),
                std::string_view(id ? "the path up to G40 is not compensated" : "D is no offset number"));
     else if (*id != 0)
@@ -77,7 +78,7 @@ struct HaasCode {
     const auto where = ig::Where::word(length_.code(0));
     const auto h = (*words)['H'];
     const auto id = h ? whole_number(*h) : std::nullopt;
-    if (!id || offset(*id, length) != 0)
+    if (!id || offset(*id, ToolDimension::length) != 0)
       b.report(ig::diag("FAN-0201"), where, std::string_view("G143"),
                std::string_view(id ? "up to G49 the length of H is not added along the turned tool"
                                    : "H is no offset number"));
@@ -86,13 +87,7 @@ struct HaasCode {
     return true;
   }
 
-  static constexpr std::uint32_t length = 0, radius = 2;  // columns; the next one is its wear
-  double offset(std::int64_t id, std::uint32_t column) const {
-    double geometry = 0, wear = 0;
-    if (table_ && table_->get(table_->self, id, column, &geometry) == 0) geometry = 0;
-    if (table_ && table_->get(table_->self, id, column + 1, &wear) == 0) wear = 0;
-    return geometry + wear;
-  }
+  double offset(std::int64_t id, ToolDimension which) const { return tool_dimension(table_, id, which).value_or(0); }
 
   bool take_contact(ig::Block& b) const {
     const bool was_on = b.is_raised(compensation_), begins = b.find(compensation_on_).has_value();

@@ -151,9 +151,8 @@ class MacroEnvironment : public MacroFrame {
 
   Fault read_offset(const ig::Block& b, const OffsetCell& cell, double& out) const;
 
-  /// X Y Z or A B C of the set: those of which `axis` is one.
-  bool get_offset(const OffsetCell& cell, std::size_t axis, double (&offset)[3]) const;
-  bool has_rotary_offsets() const;
+  /// The offset of one axis, 0 to 5; nothing where the table has none.
+  std::optional<double> offset_of(const OffsetCell& cell, std::size_t axis) const;
 
   struct ToolCell {
     std::uint32_t row = 0;  ///< 0: none

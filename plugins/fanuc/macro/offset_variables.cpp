@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <isogloss/cnc/work_origin.hpp>
+
 namespace fanuc {
 
 using namespace ig::cnc;
@@ -32,22 +34,14 @@ MacroEnvironment::OffsetCell MacroEnvironment::offset_cell(std::uint32_t n) cons
 
 Fault MacroEnvironment::read_offset(const ig::Block& b, const OffsetCell& cell, double& out) const {
   const std::size_t axis = axis_of(b, cell.axis);
-  double offset[3];
-  if (axis == no_axis || !get_offset(cell, axis, offset)) return Fault::unknown_variable;
-  out = axis > 2 ? offset[axis - 3] : in_program_unit(b, offset[axis]);
+  const auto offset = axis == no_axis ? std::nullopt : offset_of(cell, axis);
+  if (!offset) return Fault::unknown_variable;
+  out = axis > 2 ? *offset : in_program_unit(b, *offset);
   return Fault::none;
 }
 
-bool MacroEnvironment::get_offset(const OffsetCell& cell, std::size_t axis, double (&offset)[3]) const {
-  const ig_text id = ig::to_text(cell.id.text());
-  if (!offsets_ || (axis > 2 && !has_rotary_offsets())) return false;
-  return (axis > 2 ? offsets_->get_rotary : offsets_->get)(offsets_->self, id, offset) != 0;
-}
-
-bool MacroEnvironment::has_rotary_offsets() const {
-  const ig_work_offset_1& table = *offsets_.operator->();
-  constexpr std::size_t with_rotary = offsetof(ig_work_offset_1, set_rotary) + sizeof table.set_rotary;
-  return table.struct_size >= with_rotary && table.get_rotary != nullptr && table.set_rotary != nullptr;
+std::optional<double> MacroEnvironment::offset_of(const OffsetCell& cell, std::size_t axis) const {
+  return offsets_ ? axis_origin(offsets_, cell.id.text(), axis) : std::nullopt;
 }
 
 MacroEnvironment::ToolCell MacroEnvironment::tool_cell(std::uint32_t n) const {
@@ -70,13 +64,9 @@ Fault MacroEnvironment::read_tool(const ig::Block& b, const ToolCell& cell, doub
 MacroEnvironment::Written MacroEnvironment::write_offset(ig::Block& b, const OffsetCell& cell, double value) {
   const std::size_t axis = axis_of(b, cell.axis);
   if (axis == no_axis) return Written::no_variable;
-  const bool is_rotary = axis > 2;
-  const double to = !is_rotary && is_inch(b) ? value * mm_per_inch : value;
-  double offset[3];
-  if (!std::isfinite(to) || !get_offset(cell, axis, offset)) return Written::no_row;
-  offset[axis % 3] = to;
-  const ig_text id = ig::to_text(cell.id.text());
-  if ((is_rotary ? offsets_->set_rotary : offsets_->set)(offsets_->self, id, offset) == 0) return Written::no_row;
+  const double to = axis < 3 && is_inch(b) ? value * mm_per_inch : value;
+  if (!std::isfinite(to) || !offset_of(cell, axis) || !set_axis_origin(offsets_, cell.id.text(), axis, to))
+    return Written::no_row;
   b.raise(offsets_changed_);
   return Written::done;
 }

@@ -6,6 +6,7 @@
 #include <isogloss/cnc/motion_event.hpp>
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
+#include <isogloss/cnc/tool_dimension.hpp>
 #include <isogloss/cnc/whole_number.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -117,10 +118,7 @@ struct FanucToolOffset {
       return std::nullopt;
     }
     if (*id == 0) return 0;
-    double geometry = 0, wear = 0;
-    const bool has_geometry = table_->get(table_->self, *id, 2, &geometry) != 0;
-    const bool has_wear = table_->get(table_->self, *id, 3, &wear) != 0;
-    const double offset = (has_geometry ? geometry : 0) + (has_wear ? wear : 0);
+    const double offset = tool_dimension(table_, *id, ToolDimension::radius).value_or(0);
     if (offset == 0) b.report(ig::diag("FAN-0222"), where, name, static_cast<double>(*id));
     return offset;
   }

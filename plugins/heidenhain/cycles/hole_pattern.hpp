@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
+#include <isogloss/cnc/hole_layout.hpp>
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
@@ -38,6 +38,12 @@ inline constexpr std::array pattern_parameters{
     CycleParameter{301, "Q301", "", "1: from point to point at the second set-up clearance."},
     CycleParameter{365, "Q365", "", "1: from point to point along the circle."},
 };
+
+/// The direction of a row, and of a hole from the centre of its circle.
+inline Turn hole_direction(double degrees) {
+  const double angle = std::remainder(degrees, 360) * radians_per_degree;
+  return {std::cos(angle), std::sin(angle)};
+}
 
 /// A member of the syntaxes that write or read the pattern of a block.
 class HolePattern {
@@ -107,37 +113,27 @@ class HolePattern {
 
   /// Point `i`, at the tool axis position of `here`; rows run in alternating direction.
   ig::Vec3 point(const ig::Block& b, const Points& p, const PlaneAxes& plane, ig::Vec3 here, std::int64_t i) const {
-    double u = 0, v = 0;
-    if (p.list != nullptr) {
-      const PatternPoint& of_list = (*p.list)[static_cast<std::size_t>(i)];
-      u = of_list.first;
-      v = of_list.second;
-    } else if (b.get_or(number_, std::int64_t{0}) == 221) {
-      const std::int64_t row = i / p.in_row, place = i % p.in_row;
-      const std::int64_t column = row % 2 == 0 ? place : p.in_row - 1 - place;
-      const double along = get(b, 237).value_or(0) * static_cast<double>(column);
-      const double across = get(b, 238).value_or(0) * static_cast<double>(row);
-      const auto [cos, sin] = turn(get(b, 224).value_or(0));
-      u = get(b, 225).value_or(0) + cos * along - sin * across;
-      v = get(b, 226).value_or(0) + sin * along + cos * across;
-    } else {
-      const auto [cos, sin] = turn(p.angle + p.step * static_cast<double>(i));
-      const double radius = get(b, 244).value_or(0) / 2;
-      u = get(b, 216).value_or(0) + radius * cos;
-      v = get(b, 217).value_or(0) + radius * sin;
-    }
-    here[plane.first] = rounded(mirror_.axis(b, plane.first).position(u));
-    here[plane.second] = rounded(mirror_.axis(b, plane.second).position(v));
+    const Point2 hole = programmed(b, p, i);
+    here[plane.first] = rounded(mirror_.axis(b, plane.first).position(hole.u));
+    here[plane.second] = rounded(mirror_.axis(b, plane.second).position(hole.v));
     return here;
   }
 
  private:
-  struct Turn {
-    double cos, sin;
-  };
-  static Turn turn(double degrees) {
-    const double angle = std::remainder(degrees, 360) * radians_per_degree;
-    return {std::cos(angle), std::sin(angle)};
+  /// Point `i` as the program gives it, without a mirror image.
+  Point2 programmed(const ig::Block& b, const Points& p, std::int64_t i) const {
+    const auto value = [&](std::uint32_t q) { return get(b, q).value_or(0); };
+    if (p.list != nullptr) {
+      const PatternPoint& of_list = (*p.list)[static_cast<std::size_t>(i)];
+      return {of_list.first, of_list.second};
+    }
+    if (b.get_or(number_, std::int64_t{0}) != 221)
+      return hole_towards({value(216), value(217)}, value(244) / 2,
+                          hole_direction(p.angle + p.step * static_cast<double>(i)));
+    const auto row = static_cast<std::size_t>(i / p.in_row), place = static_cast<std::size_t>(i % p.in_row);
+    const Turn turn = hole_direction(value(224));
+    const HoleGrid grid{{value(225), value(226)}, turn, turn, value(237), value(238)};
+    return grid.at(alternating_column(row, place, static_cast<std::size_t>(p.in_row)), row);
   }
   static std::int64_t whole(double n) { return n >= 1 && n <= 1e6 ? static_cast<std::int64_t>(std::round(n)) : 0; }
 

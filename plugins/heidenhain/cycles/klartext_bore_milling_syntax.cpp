@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <isogloss/cnc/arc.hpp>
+#include <isogloss/cnc/tool_dimension.hpp>
 #include <isogloss/cnc/tool_steps.hpp>
 
 #include "cycles/hole_cycle.hpp"
@@ -74,12 +75,8 @@ struct KlartextBoreMilling {
 
   double radius_of_tool(ig::Block& b) const {
     const std::int64_t tool = b.get_or(tool_, std::int64_t{0});
-    double geometry = 0, wear = 0;
-    if (table_ && tool > 0) {
-      if (table_->get(table_->self, tool, 2, &geometry) == 0) geometry = 0;
-      if (table_->get(table_->self, tool, 3, &wear) == 0) wear = 0;
-    }
-    const double radius = geometry + wear + b.get_or(delta_, 0.0);
+    const auto known = tool > 0 ? tool_dimension(table_, tool, ToolDimension::radius) : std::nullopt;
+    const double radius = known.value_or(0) + b.get_or(delta_, 0.0);
     if (radius > 0 && std::isfinite(radius)) return radius;
     if (!b.is_raised(said_)) b.report(ig::diag("HEI-0184"), ig::Where::block(), 208.0, static_cast<double>(tool));
     b.raise(said_);

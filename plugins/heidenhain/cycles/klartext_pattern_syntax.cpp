@@ -1,10 +1,10 @@
 // PATTERN DEF: points, rows, grids, frames and circles of points, at which CYCL CALL PAT runs the cycle. They are kept
 // as a list of points. SEL PATTERN names a file of points, which is not read.
-#include <numbers>
-
+#include <isogloss/cnc/hole_layout.hpp>
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/units.hpp>
 
+#include "cycles/hole_pattern.hpp"
 #include "language/klartext_values.hpp"
 
 namespace heidenhain {
@@ -132,7 +132,7 @@ struct KlartextPattern {
     };
     const double unit = b.is(system_, inch_) ? mm_per_inch : 1;
     const double u = number(axes[plane.first]), v = number(axes[plane.second]), z = number(axes[plane.tool]);
-    const auto put = [&](double first, double second) { points.push_back({first * unit, second * unit, z * unit}); };
+    const auto put = [&](const Point2& p) { points.push_back({p.u * unit, p.v * unit, z * unit}); };
     const bool is_grid = kind == pat || kind == frame;
     const std::size_t columns = kind == pos ? 1 : is_grid ? count(NUMX) : count(NUM), rows = is_grid ? count(NUMY) : 1;
     if (columns == 0 || rows == 0 || columns * rows + points.size() > most_points) {
@@ -140,7 +140,7 @@ struct KlartextPattern {
       return;
     }
     switch (kind) {
-      case pos: return put(u, v);
+      case pos: return put({u, v});
       case circ:
       case pitch_circle: {
         const bool to_end = kind == pitch_circle && !w[STEP] && w[END];
@@ -150,30 +150,23 @@ struct KlartextPattern {
                             : to_end ? (*w[END] - number(START)) / static_cast<double>(columns > 1 ? columns - 1 : 1)
                                      : number(STEP);
         for (std::size_t i = 0; i < columns; ++i) {
-          const auto [cos, sin] = turn(number(START) + step * static_cast<double>(i));
-          put(u + number(D) / 2 * cos, v + number(D) / 2 * sin);
+          put(hole_towards({u, v}, number(D) / 2, hole_direction(number(START) + step * static_cast<double>(i))));
         }
         return;
       }
       default: break;
     }
-    const auto along = turn(number(ROT) + number(ROTX)), across = turn(number(ROT) + number(ROTY));
-    const double du = is_grid ? number(DX) : number(D), dv = number(DY);
+    const HoleGrid grid{{u, v},
+                        hole_direction(number(ROT) + number(ROTX)),
+                        hole_direction(number(ROT) + number(ROTY)),
+                        is_grid ? number(DX) : number(D),
+                        number(DY)};
     for (std::size_t r = 0; r < rows; ++r)
       for (std::size_t i = 0; i < columns; ++i) {
-        const std::size_t c = r % 2 == 0 ? i : columns - 1 - i;  // rows run in alternating direction
+        const std::size_t c = alternating_column(r, i, columns);
         if (kind == frame && r != 0 && r + 1 != rows && c != 0 && c + 1 != columns) continue;
-        const double x = du * static_cast<double>(c), y = dv * static_cast<double>(r);
-        put(u + along.cos * x - across.sin * y, v + along.sin * x + across.cos * y);
+        put(grid.at(c, r));
       }
-  }
-
-  struct Turn {
-    double cos, sin;
-  };
-  static Turn turn(double degrees) {
-    const double angle = std::remainder(degrees, 360) * radians_per_degree;
-    return {std::cos(angle), std::sin(angle)};
   }
 };
 

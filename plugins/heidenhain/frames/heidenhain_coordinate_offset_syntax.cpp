@@ -4,6 +4,7 @@
 
 #include <isogloss/cnc/coordinate_offset.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
+#include <isogloss/cnc/work_origin.hpp>
 
 #include "frames/datum_shift.hpp"
 
@@ -43,13 +44,10 @@ struct HeidenhainCoordinateOffset {
   ig::Name g68_{"G68"};
 
   ig::Status restart(ig::Block& b) {
-    double origin[3] = {};
     const std::string_view id = b.text(b.get_or(id_, ig::Symbol{}));
-    if (!id.empty()) {
-      table_->get(table_->self, ig::to_text(id), origin);
-      turn(b, id);
-    }
-    offset_.set(b, {origin[0], origin[1], origin[2]});
+    const auto origin = id.empty() ? std::nullopt : linear_origin(table_, id);
+    if (!id.empty()) turn(b, id);
+    offset_.set(b, origin.value_or(ig::Vec3{}));
     local_.restore(b);
     return ig::Status::changed;
   }
@@ -76,13 +74,12 @@ struct HeidenhainCoordinateOffset {
                                     is_number ? static_cast<std::int64_t>(number) : -1)
                           .ptr;
     const std::string_view id(name.data(), static_cast<std::size_t>(end - name.data()));
-    double origin[3] = {};
+    const auto origin = linear_origin(table_, id);
     const ig::Symbol preset = b.symbol(id);
-    if (table_->get(table_->self, ig::to_text(id), origin) == 0 && !b.is(id_, preset))
-      b.report(ig::diag("HEI-0174"), where, number);
+    if (!origin && !b.is(id_, preset)) b.report(ig::diag("HEI-0174"), where, number);
     turn(b, id);
     b.set(id_, preset);
-    offset_.set(b, {origin[0], origin[1], origin[2]});
+    offset_.set(b, origin.value_or(ig::Vec3{}));
     local_.set(b, {});  // a preset cancels the shift
     turned_.end(b);
   }

@@ -5,6 +5,7 @@
 #include <isogloss/cnc/modal_group.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/work_offset_id.hpp>
+#include <isogloss/cnc/work_origin.hpp>
 #include <isogloss/sdk.hpp>
 
 namespace iso {
@@ -114,17 +115,14 @@ struct IsoCoordinateOffset {
   }
 
   void select(ig::Block& b, std::string_view id, ig::Where where) const {
-    double offset[3], external[3];
-    if (id.empty() || table_->get(table_->self, ig::to_text(id), offset) == 0) {
+    const auto own = id.empty() ? std::nullopt : linear_origin(table_, id);
+    if (!own) {
       b.report(ig::diag("ISO-0226"), where, id.empty() ? std::string_view("of that number") : id, b.text(selected(b)));
       return;
     }
-    ig::Vec3 origin{offset[0], offset[1], offset[2]};
-    if (table_->get(table_->self, ig::to_text("EXT"), external) != 0)
-      origin = origin + ig::Vec3{external[0], external[1], external[2]};
     rotary_.set(b, rotary_sum(id));
     b.set(id_, b.symbol(id));
-    offset_.set(b, origin);
+    offset_.set(b, *own + linear_origin(table_, "EXT").value_or(ig::Vec3{}));
   }
 
   Angles rotary_sum(std::string_view id) const {

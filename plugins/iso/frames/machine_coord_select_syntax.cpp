@@ -1,5 +1,6 @@
 /// G53: for this block the axis words are positions of the gauge point in machine coordinates. No offset applies to
 /// them, tool length included; axes that are not named do not move. Under G91 most controls ignore G53.
+#include <isogloss/cnc/machine_target.hpp>
 #include <isogloss/cnc/motion_event.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 
@@ -52,14 +53,8 @@ struct MachineCoordSelect {
       b.raise(axis_words_void_);
       return ig::Status::changed;
     }
-    const ig::PartialVec3 carried = b.get(machine_);
-    const ig::Vec3 from = carried.complete() ? carried.value : b.to_machine(last_(b)).value_or(ig::Vec3{});
-    const ig::Vec3 to = named.or_else(from);
-    b.set(machine_, to);
-    if (const auto program = b.to_program(to))
-      b.set(program_, rounded(*program));
-    else
-      b.report(ig::diag("ISO-0332"), ig::Where::block());
+    const ig::Vec3 to = named.or_else(machine_position(b, machine_, last_));
+    if (!set_machine_target(b, machine_, program_, to)) b.report(ig::diag("ISO-0332"), ig::Where::block());
     if (motion_ == Motion::rapid) move_.rapid(b);
     return ig::Status::changed;
   }

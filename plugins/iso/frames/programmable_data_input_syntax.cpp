@@ -5,6 +5,7 @@
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/whole_number.hpp>
 #include <isogloss/cnc/work_offset_id.hpp>
+#include <isogloss/cnc/work_origin.hpp>
 #include <isogloss/sdk.hpp>
 
 namespace iso {
@@ -106,13 +107,13 @@ struct ProgrammableDataInput {
     const WorkOffsetId id = *words['L'] != 2               ? WorkOffsetId::additional(row)
                             : l2_rows_ == L2Rows::all_sets ? WorkOffsetId::of_all(row)
                                                            : WorkOffsetId::basic(row);
-    double offset[3];
-    if (id.text().empty() || offsets_->get(offsets_->self, ig::to_text(id.text()), offset) == 0) return false;
+    auto origin = id.text().empty() ? std::nullopt : linear_origin(offsets_, id.text());
+    if (!origin) return false;
     const bool adds = b.is(positioning_, g91_);
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (const auto word = words["XYZ"[axis]]) offset[axis] = adds ? offset[axis] + *word : *word;
+      if (const auto word = words["XYZ"[axis]]) (*origin)[axis] = adds ? (*origin)[axis] + *word : *word;
     b.raise(offsets_changed_);
-    return offsets_->set(offsets_->self, ig::to_text(id.text()), offset) != 0 && write_rotary(b, words, id.text());
+    return set_linear_origin(offsets_, id.text(), *origin) && write_rotary(b, words, id.text());
   }
 
   bool write_rotary(ig::Block& b, const ig::Words& words, std::string_view id) const {

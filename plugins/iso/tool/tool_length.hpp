@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include <isogloss/cnc/tool_dimension.hpp>
 #include <isogloss/cnc/whole_number.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -27,11 +28,8 @@ class ToolLengths {
   /// table does not have or whose sum no number can hold.
   double length(ig::Block& b, std::int64_t row, ig::Where where) const {
     if (row == 0) return 0;
-    double geometry = 0, wear = 0;
-    const bool has_geometry = table_ && table_->get(table_->self, row, 0, &geometry) != 0;
-    const bool has_wear = table_ && table_->get(table_->self, row, 1, &wear) != 0;
-    const double sum = (has_geometry ? geometry : 0) + (has_wear ? wear : 0);
-    if ((has_geometry || has_wear) && std::isfinite(sum)) return sum;
+    const auto length = tool_dimension(table_, row, ToolDimension::length);
+    if (length && std::isfinite(*length)) return *length;
     b.report(ig::diag("ISO-0223"), where, static_cast<double>(row));
     return 0;
   }

@@ -56,6 +56,7 @@ constexpr const CycleSignature& drilling_signature(std::string_view name) {
 class CycleFields {
  public:
   static constexpr std::size_t most = 24;
+  using Values = std::array<std::optional<double>, most>;
 
   CycleFields(const CycleSignature& signature, ig::Access access)
       : name_(signature.name), code_({signature.name}, "", access) {
@@ -76,6 +77,16 @@ class CycleFields {
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }
   }
+  /// Takes the call from the block: `out`, which is empty, receives the values that it passes, in the order of the
+  /// parameters. False where the block does not call the cycle.
+  bool take(ig::Block& b, Values& out) const {
+    std::uint32_t found = 0;
+    if (b.take_code(code_.codes(), 1, &found) < 0) return false;
+    for (std::size_t i = 0; i < fields_.size(); ++i)
+      if (ig_value v; b.take(fields_[i].id(), v)) out[i] = v.number;
+    return true;
+  }
+
   std::string_view name() const { return name_; }
   const ig::Call& code() const { return code_; }
   std::size_t size() const { return fields_.size(); }

@@ -63,12 +63,10 @@ struct SiemensCycle {
   }
 
   bool keep(ig::Block& b, std::size_t i) const {
-    std::uint32_t found = 0;
-    if (b.take_code(cycles_[i].code().codes(), 1, &found) < 0) return false;
-    for (std::size_t k = 0; k < cycles_[i].size(); ++k) {
-      ig_value v;
-      if (b.take(cycles_[i].field(k).id(), v)) b.set(kept_[i][k], v.number);
-    }
+    CycleFields::Values values;
+    if (!cycles_[i].take(b, values)) return false;
+    for (std::size_t k = 0; k < cycles_[i].size(); ++k)
+      if (const auto& v = values[k]) b.set(kept_[i][k], *v);
     b.erase(cycles_[i].code().code(0));  // no cycle drills in this block
     b.set(term_, cycles_[i].code().name(0));
     return true;

@@ -4,6 +4,7 @@
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
+#include <isogloss/cnc/work_origin.hpp>
 
 #include "five_axis/rotary_position.hpp"
 #include "frames/settable_frames.hpp"
@@ -52,7 +53,7 @@ struct SiemensRotaryWords {
     if (code || b.is_raised(table_changed_)) {
       const ig::Symbol id = code ? frames_.name(*code) : b.get_or(id_, static_cast<ig::Symbol>(g500_));
       any = select(b, id);
-      if (any && (tip_control_.is_on(b) || b.has(aligned_)) && turns_transformation(b))
+      if (any && (tip_control_.is_on(b) || b.has(aligned_)) && offset_.acts_on(b, machine_))
         b.report(ig::diag("SIE-0300"), code ? ig::Where::word(frames_.id(*code)) : ig::Where::block(), b.text(id));
     }
     if (!b.has(words_[0]) && !b.has(words_[1]) && !b.has(words_[2])) return of(any);
@@ -89,12 +90,6 @@ struct SiemensRotaryWords {
       for (std::size_t axis = 0; own && axis < 3; ++axis) sum[axis] += (*own)[axis];
     }
     return offset_.set(b, sum);
-  }
-  bool turns_transformation(const ig::Block& b) const {
-    const PartialAngles offset = offset_.get(b);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (machine_.has(axis) && offset.value[axis] != 0) return true;
-    return false;
   }
 
   /// Under G91 a word that is a position becomes a distance, because later syntaxes read it as one.

@@ -51,28 +51,18 @@ struct SiemensSwivel {
   ig::Signal way_said_{"SiemensSwivel.~WaySaid", ig::read | ig::write, ig::Life::modal};
 
   ig::Status build(ig::Block& b) {
-    std::uint32_t found = 0;
-    if (b.take_code(call_.code().codes(), 1, &found) < 0) return ig::Status::unchanged;
-    const auto where = ig::Where::word(call_.code().code(0));
-    std::array<std::optional<double>, CycleFields::most> v;
-    std::size_t given = 0;
-    for (std::size_t i = 0; i < call_.size(); ++i) {
-      ig_value value;
-      if (!b.take(call_.field(i).id(), value)) continue;
-      v[i] = value.number;
-      ++given;
-    }
-    if (given == 0 || v[tc].value_or(1) == 0) {
+    Values v;
+    if (!call_.take(b, v)) return ig::Status::unchanged;
+    if (v == Values{} || v[tc].value_or(1) == 0)
       cancel(b);
-      return ig::Status::changed;
-    }
-    swivel(b, v, where);
+    else
+      swivel(b, v, ig::Where::word(call_.code().code(0)));
     return ig::Status::changed;
   }
 
  private:
   enum Parameter : std::size_t { fr, tc, st, mode, x0, y0, z0, angle_a, angle_b, angle_c, x1, y1, z1, dir };
-  using Values = std::array<std::optional<double>, CycleFields::most>;
+  using Values = CycleFields::Values;
 
   bool is_tilted(const ig::Block& b) const { return b.is(term_, g68_2_) || b.is(term_, g68_4_); }
 
@@ -152,10 +142,8 @@ struct SiemensSwivel {
   }
 
   void say_offset(ig::Block& b, ig::Where where) const {
-    const PartialAngles offset = rotary_offset_.get(b);
-    bool counts = false;
-    for (std::size_t axis = 0; axis < 3; ++axis) counts = counts || (machine_.has(axis) && offset.value[axis] != 0);
-    if (counts) b.report(ig::diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
+    if (rotary_offset_.acts_on(b, machine_))
+      b.report(ig::diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
   }
 
   /// Has the place of CYCLE800 in the block, so that diagnostics point there.

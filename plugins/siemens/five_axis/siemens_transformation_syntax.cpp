@@ -87,12 +87,8 @@ struct SiemensTransformation {
   }
 
   void say_offset(ig::Block& b, ig::Where where) const {
-    const PartialAngles offset = rotary_offset_.get(b);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (machine_.has(axis) && offset.value[axis] != 0) {
-        b.report(ig::diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
-        return;
-      }
+    if (rotary_offset_.acts_on(b, machine_))
+      b.report(ig::diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
   }
 
   /// False where the block is an arc, whose I J K are its centre. ROT and MIRROR rotate the direction as they do X Y Z.

@@ -1,6 +1,7 @@
-/// The codes of the settable frames: G500, G54 to G57, G505 to G599.
+/// The settable frames and their codes: number 0 is G500, 1 to 4 are G54 to G57, 5 to 99 are G505 to G599.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -8,12 +9,21 @@
 
 namespace siemens {
 
+inline constexpr std::int64_t settable_frames = 100;
+
+/// The code of the settable frame $P_UIFR[number].
+constexpr std::int64_t settable_code(std::int64_t number) {
+  return number == 0 || number > 4 ? 500 + number : 53 + number;
+}
+/// The number of the settable frame with that code.
+constexpr std::int64_t settable_number(std::int64_t code) { return code >= 500 ? code - 500 : code - 53; }
+
 /// A member of each syntax that depends on the settable frame.
 class SettableFrames {
  public:
   explicit SettableFrames(ig::Access access) {
-    for (std::size_t i = 0; i < 5 + further; ++i) {
-      const std::string name = name_of(i);
+    for (std::int64_t n = 0; n < settable_frames; ++n) {
+      const std::string name = "G" + std::to_string(settable_code(n));
       ids_.push_back(ig::Codes({std::string_view(name)}, access).id(0));
       names_.push_back(ig::Name(name));
     }
@@ -31,11 +41,6 @@ class SettableFrames {
   ig_field id(std::size_t i) const { return ids_[i]; }
 
  private:
-  static constexpr std::size_t further = 95;  // G505 to G599
-  static std::string name_of(std::size_t i) {
-    static constexpr std::array<std::string_view, 5> first{"G500", "G54", "G55", "G56", "G57"};
-    return i < first.size() ? std::string(first[i]) : "G" + std::to_string(505 + i - first.size());
-  }
   static std::optional<std::size_t> some(std::int32_t code) {
     return code < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(code));
   }

@@ -1,6 +1,7 @@
 /// G54 to G57, G505 to G599 and G500: which settable work offset is the program's origin. The base frame of the table
 /// (BASE) is added to each of them, and under G500 it acts alone. SiemensRotaryWordsSyntax handles the rotary axes.
 #include <isogloss/cnc/coordinate_offset.hpp>
+#include <isogloss/cnc/work_origin.hpp>
 #include <isogloss/sdk.hpp>
 
 #include "frames/settable_frames.hpp"
@@ -45,14 +46,13 @@ struct SiemensCoordinateOffset {
 
  private:
   void select(ig::Block& b, ig::Symbol id, ig::Where where) const {
-    double own[3] = {0, 0, 0}, base[3] = {0, 0, 0};
-    if (id != g500_ && table_->get(table_->self, ig::to_text(b.text(id)), own) == 0) {
+    const auto own = id == g500_ ? ig::Vec3{} : linear_origin(table_, b.text(id));
+    if (!own) {
       b.report(ig::diag("SIE-0211"), where, b.text(id));
       return;
     }
-    if (table_->get(table_->self, ig::to_text("BASE"), base) == 0) base[0] = base[1] = base[2] = 0;
     b.set(id_, id);
-    offset_.set(b, {own[0] + base[0], own[1] + base[1], own[2] + base[2]});
+    offset_.set(b, *own + linear_origin(table_, "BASE").value_or(ig::Vec3{}));
   }
 };
 

@@ -1,5 +1,6 @@
 /// G53, G153 and SUPA: for this block no frame acts on the axis words; only the tool length does, unless D0 has
 /// cancelled it. Group 1 decides how the block moves. Distances start at the present positions of the axes.
+#include <isogloss/cnc/machine_target.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -31,8 +32,7 @@ struct SiemensMachineCoordinates {
     if (!b.take(codes_)) return ig::Status::unchanged;
     const ig::PartialVec3 named = b.take(words_);
     if (named.mask == 0) return ig::Status::changed;
-    const ig::PartialVec3 carried = b.get(machine_);
-    ig::Vec3 to = carried.complete() ? carried.value : b.to_machine(last_(b)).value_or(ig::Vec3{});
+    ig::Vec3 to = machine_position(b, machine_, last_);
     const ig::Vec3 length = tool_length(b);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!named.has(axis)) continue;
@@ -40,11 +40,7 @@ struct SiemensMachineCoordinates {
       const bool is_increment = mode ? *mode == ic_ : distance_.is_incremental(b);
       to[axis] = named.value[axis] + (is_increment ? to[axis] : length[axis]);
     }
-    b.set(machine_, to);
-    if (const auto program = b.to_program(to))
-      b.set(program_, rounded(*program));
-    else
-      b.report(ig::diag("SIE-0212"), ig::Where::block());
+    if (!set_machine_target(b, machine_, program_, to)) b.report(ig::diag("SIE-0212"), ig::Where::block());
     return ig::Status::changed;
   }
 

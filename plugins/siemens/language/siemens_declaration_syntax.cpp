@@ -1,5 +1,7 @@
 // DEF, DEFINE, PROC, EXTERN: variables of the program, names for texts, and the parameters that a call passes.
 #include "language/array_values.hpp"
+#include "language/declared_type.hpp"
+#include "language/program_parameters.hpp"
 
 namespace siemens {
 
@@ -73,30 +75,6 @@ struct SiemensDeclaration {
     if (equals_ignoring_case(name, "REDEF")) return Word::other;
     return Word::none;
   }
-  static ig::Where columns(std::string_view text, std::size_t begin) {
-    return ig::Where::columns(begin, std::max(text.size(), begin + 1));
-  }
-  static bool is_word(std::string_view text, std::size_t position, std::string_view word) {
-    return equals_ignoring_case(piece(text, position, skip_name(text, position)), word);
-  }
-
-  /// The type at `position`: REAL, INT, BOOL, CHAR, STRING[n]; AXIS is kept as a text. Nothing for FRAME and other
-  /// names.
-  static std::optional<Type> type_at(std::string_view text, std::size_t& position) {
-    const std::size_t end = skip_name(text, position);
-    const std::string name = upper(piece(text, position, end));
-    std::optional<Type> type;
-    if (name == "REAL") type = Type::real;
-    if (name == "INT" || name == "CHAR") type = Type::integer;
-    if (name == "BOOL") type = Type::boolean;
-    if (name == "STRING" || name == "AXIS") type = Type::text;
-    if (!type) return type;
-    position = skip_blanks(text, end);
-    if (at(text, position) == '[')
-      position = skip_blanks(text, std::min(text.find(']', position), text.size() - 1) + 1);
-    return type;
-  }
-  static Value empty(Type type) { return {0, type, {}}; }
 
   // ---- DEFINE NAME AS TEXT
 
@@ -137,7 +115,7 @@ struct SiemensDeclaration {
         b.report(ig::diag("SIE-0302"), ig::Where::columns(begin, end), std::string_view(name));
         return;
       }
-      if (!environment_.store().define(name, empty(*type), !sizes.empty())) {
+      if (!environment_.store().define(name, empty_value(*type), !sizes.empty())) {
         b.report(ig::diag("SIE-0114"), columns(text, begin), std::string_view(name));
         return;
       }
@@ -207,66 +185,12 @@ struct SiemensDeclaration {
   void begin_program(ig::Block& b, std::string_view text) {
     const std::size_t name = skip_blanks(text, behind_), end = skip_name(text, name);
     b.set_text(program_, piece(text, name, end));
-    std::size_t next = skip_blanks(text, end);
-    const ig_frame frame = environment_.flow.frame(b);
-    const std::vector<Argument>& passed = environment_.store().passed(frame.tag);
-    if (at(text, next) == '(') {
-      std::size_t index = 0;
-      next = skip_blanks(text, next + 1);
-      while (next < text.size() && text[next] != ')') {
-        if (!parameter(b, text, next, index < passed.size() ? passed[index] : Argument{}, frame.depth > 0)) return;
-        ++index;
-        next = skip_blanks(text, next);
-        if (at(text, next) == ',') next = skip_blanks(text, next + 1);
-      }
-    }
-    for (next = 0; next < text.size(); next = std::max(skip_name(text, next), next + 1))
+    if (!parameters_.define(b, text, skip_blanks(text, end))) return;
+    for (std::size_t next = 0; next < text.size(); next = std::max(skip_name(text, next), next + 1))
       if (is_word(text, next, "SAVE")) b.report(ig::diag("SIE-0163"), ig::Where::columns(next, next + 4));
   }
 
-  bool parameter(ig::Block& b, std::string_view text, std::size_t& next, const Argument& argument, bool is_called) {
-    const std::size_t begin = next;
-    const bool is_reference = is_word(text, next, "VAR");
-    if (is_reference) next = skip_blanks(text, skip_name(text, next));
-    const auto type = type_at(text, next);
-    const std::size_t end = skip_name(text, next);
-    const std::string name = upper(piece(text, next, end));
-    if (!type || name.empty()) {
-      b.report(ig::diag("SIE-0162"), columns(text, begin), text.substr(begin));
-      return false;
-    }
-    next = skip_blanks(text, end);
-    const bool is_array = at(text, next) == '[';
-    if (is_array) next = skip_blanks(text, std::min(text.find(']', next), text.size() - 1) + 1);
-    Value value = empty(*type);
-    bool has_default = false;
-    if (at(text, next) == '=') {
-      Expression e(b, environment_, text, next + 1);
-      const auto v = e.value();
-      if (!v) return false;
-      if (const auto fitting = v->as(*type)) value = *fitting;
-      has_default = true;
-      next = e.position();
-    }
-    if (argument.value) {
-      if (const auto fitting = argument.value->as(*type))
-        value = *fitting;
-      else
-        b.report(ig::diag("SIE-0130"), columns(text, begin), std::string_view(name));
-    } else if (const auto given = is_called ? std::nullopt : environment_.store().given(name)) {
-      value.number = *given;
-    } else if (!has_default && !is_called) {
-      b.report(ig::diag("SIE-0164"), ig::Where::columns(begin, end), std::string_view(name));
-    }
-    environment_.store().define(name, std::move(value), is_array);
-    if (is_array) environment_.store().find(name)->sizes = argument.sizes;
-    if (is_array)
-      for (const auto& [element, own] : argument.elements)
-        if (auto fitting = own.as(*type)) environment_.store().define(name + element, std::move(*fitting));
-    if (is_reference && !argument.name.empty()) environment_.store().refer(name, argument.name);
-    return true;
-  }
-
+  ProgramParameters parameters_{environment_};
   Word word_ = Word::none;  // the word that scan() has found
   std::size_t begin_ = 0, behind_ = 0, end_statement_ = 0;
 };

@@ -34,6 +34,7 @@ class Expression {
 
  private:
   static constexpr int deepest = 40;
+  static constexpr int join_priority = 9, loosest = 10;  // of operators; 1 binds first
 
   std::optional<Value> level(int priority);
   std::optional<Value> unary();
@@ -41,10 +42,21 @@ class Expression {
   std::optional<Value> as_text();
   std::optional<Value> literal();
   std::optional<Value> of_macro(std::size_t begin, const std::string& macro);
-  std::optional<Value> call(const std::string& name, std::size_t begin);
-  std::optional<Value> read(const Reference& r);
-  std::optional<Value> apply(std::string_view op, const Value& l, const Value& r, std::size_t begin);
   std::string_view take_operator(int priority);
+
+  // ---- expression_operators.cpp
+
+  std::optional<Value> apply(std::string_view op, const Value& l, const Value& r, std::size_t begin);
+
+  // ---- expression_functions.cpp
+
+  /// The value of the function whose arguments begin at the bracket at the present position.
+  std::optional<Value> call(const std::string& name, std::size_t begin);
+
+  // ---- expression_variables.cpp
+
+  std::optional<Value> read(const Reference& r);
+  /// Reads [2,X] and adds it to `name`, each index computed. False, with a diagnostic, where that is not possible.
   bool indices(std::string& name);
 
   char peek() const { return ig::cnc::at(text_, at_); }

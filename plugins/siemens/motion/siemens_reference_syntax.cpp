@@ -2,6 +2,7 @@
 /// whatever code of group 1 is in force, and do not change it; no frame and no tool length applies.
 #include <cmath>
 
+#include <isogloss/cnc/machine_target.hpp>
 #include <isogloss/cnc/motion_event.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/sdk.hpp>
@@ -63,8 +64,7 @@ struct SiemensReference {
   static constexpr std::string_view axis_names = "XYZABC";
 
   void go(ig::Block& b, std::uint32_t named, std::uint32_t which, ig::Where where) const {
-    const ig::PartialVec3 carried = b.get(machine_);
-    ig::Vec3 to = carried.complete() ? carried.value : b.to_machine(last_(b)).value_or(ig::Vec3{});
+    ig::Vec3 to = machine_position(b, machine_, last_);
     for (std::size_t axis = 0; axis < axis_names.size(); ++axis) {
       if ((named >> axis & 1u) == 0) continue;
       double position = 0;
@@ -78,11 +78,7 @@ struct SiemensReference {
     }
     move_.rapid(b);
     if ((named & 7u) == 0) return;  // McAbcSyntax turns the rotary axes
-    b.set(machine_, to);
-    if (const auto program = b.to_program(to))
-      b.set(program_, rounded(*program));
-    else
-      b.report(ig::diag("SIE-0212"), ig::Where::block());
+    if (!set_machine_target(b, machine_, program_, to)) b.report(ig::diag("SIE-0212"), ig::Where::block());
   }
 };
 

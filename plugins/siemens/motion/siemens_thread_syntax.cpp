@@ -4,7 +4,9 @@
 
 #include <isogloss/cnc/cycle_spindle.hpp>
 
-#include "cycles/drilling_cycle.hpp"
+#include <isogloss/cnc/program_xyz.hpp>
+
+#include "cycles/cycle_feed.hpp"
 
 namespace siemens {
 
@@ -38,7 +40,7 @@ struct SiemensThread {
   ig::Xyz program_{"ProgramXyz", ig::write};
   ig::CompoundMotion motion_;
   CycleSpindle spindle_;
-  FeedInForce feed_;
+  CycleFeed feed_;
   LastProgramXyz last_;
   ig::Field<double> axis_{"ThreadCutting.Axis",
                           ig::read | ig::write,

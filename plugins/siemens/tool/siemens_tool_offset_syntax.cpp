@@ -3,6 +3,7 @@
 #include <string>
 
 #include <isogloss/cnc/plane.hpp>
+#include <isogloss/cnc/tool_dimension.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
 #include <isogloss/cnc/whole_number.hpp>
 #include <isogloss/sdk.hpp>
@@ -90,16 +91,13 @@ struct SiemensToolOffset {
       return;
     }
     const std::int64_t row = tool.value_or(0) + (edge - 1) * step_;
-    double geometry = 0, wear = 0;
-    const bool is_known =
-        table_ && tool && *tool != 0 &&
-        (table_->get(table_->self, row, 0, &geometry) != 0) + (table_->get(table_->self, row, 1, &wear) != 0) > 0;
-    if (!is_known && tool.value_or(0) != 0)
+    const auto known = tool.value_or(0) != 0 ? tool_dimension(table_, row, ToolDimension::length) : std::nullopt;
+    if (!known && tool.value_or(0) != 0)
       b.report(ig::diag("SIE-0233"), where, static_cast<double>(*tool), static_cast<double>(edge),
                static_cast<double>(row));
-    const double length = is_known ? geometry + wear : 0;
+    const double length = known.value_or(0);
     b.set(radius_id_, row);
-    if (mode_.is_on(b)) return b.set(h_, static_cast<double>(is_known ? row : 0));
+    if (mode_.is_on(b)) return b.set(h_, static_cast<double>(known ? row : 0));
     b.set(term_, b.symbol("D" + std::to_string(edge)));
     b.set(offset_id_, row);
     b.set(offset_, length);

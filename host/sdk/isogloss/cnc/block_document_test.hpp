@@ -41,6 +41,7 @@ class BlockDocument {
 
   std::vector<Report> reports;
   ig::Vec3 frame;  ///< from program to machine coordinates, mm
+  bool frame_has_inverse = true;
 
   BlockDocument() {
     diagnostics();
@@ -235,7 +236,7 @@ class BlockDocument {
     host_.map_point = [](ig_block* b, ig_direction direction, const double in[3], double out[3]) {
       for (std::size_t i = 0; i < 3; ++i)
         out[i] = direction == IG_TO_MACHINE ? in[i] + self(b).frame[i] : in[i] - self(b).frame[i];
-      return std::int32_t{1};
+      return std::int32_t{direction == IG_TO_MACHINE || self(b).frame_has_inverse};
     };
     host_.frame_changed = [](const ig_block*) { return std::int32_t{0}; };
     host_.report = [](ig_block* b, std::uint32_t diagnostic, ig_field field, std::uint32_t, std::uint32_t,

@@ -18,6 +18,14 @@ class RotaryOffsetSection {
              offset(section + ".Offset_C", access)} {}
 
   PartialAngles get(const Block& b) const { return angles_of(b, ids_); }
+  /// True when an axis that the machine has is offset; `machine` tells which there are, as ToolKinematics does.
+  template <class Machine>
+  bool acts_on(const Block& b, const Machine& machine) const {
+    const PartialAngles offset = get(b);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (machine.has(axis) && offset.value[axis] != 0) return true;
+    return false;
+  }
   /// Writes the axes whose offset changes; true when there was one.
   bool set(Block& b, const Angles& to) const {
     const PartialAngles old = get(b);
@@ -69,29 +77,6 @@ class RotaryOffsets {
   }
   std::array<ig_field, 3> ids_;
 };
-
-namespace detail {
-
-inline bool has_rotary(const ig_work_offset_1& table) {
-  constexpr std::size_t with_rotary = offsetof(ig_work_offset_1, set_rotary) + sizeof table.set_rotary;
-  return table.struct_size >= with_rotary && table.get_rotary != nullptr && table.set_rotary != nullptr;
-}
-
-}  // namespace detail
-
-/// The rotary origin of the work offset `id`; nothing where the table has no such offset, or keeps none for rotary
-/// axes.
-inline std::optional<Angles> rotary_origin(const Service<ig_work_offset_1>& service, std::string_view id) {
-  const ig_work_offset_1& table = *service.operator->();
-  Angles out{};
-  if (!detail::has_rotary(table) || table.get_rotary(table.self, to_text(id), out.data()) == 0) return std::nullopt;
-  return out;
-}
-/// Writes the rotary origin of `id`; false where the table cannot keep it.
-inline bool set_rotary_origin(const Service<ig_work_offset_1>& service, std::string_view id, const Angles& to) {
-  const ig_work_offset_1& table = *service.operator->();
-  return detail::has_rotary(table) && table.set_rotary(table.self, to_text(id), to.data()) != 0;
-}
 
 /// A, B and C of a code that sets coordinates, for axes that the machine has. The other ones are reported at their
 /// words.

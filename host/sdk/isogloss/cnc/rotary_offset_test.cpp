@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "isogloss/cnc/block_document_test.hpp"
+
 using ig::cnc::Rollover;
 using ig::cnc::RotaryOffsets;
 
@@ -28,4 +30,18 @@ TEST_CASE("a sign that is a direction is kept, and the position is shifted by th
       CHECK((machine < 0) == (word < 0));
       CHECK(std::fabs(std::remainder(std::fabs(machine) - std::fabs(word) - offset, 360)) < 1e-9);
     }
+}
+
+TEST_CASE("an offset acts on the axes that the machine has") {
+  struct AxesBC {
+    bool has(std::size_t axis) const { return axis != 0; }
+  };
+  isogloss_test::BlockDocument document;
+  const auto section = document.member<ig::cnc::RotaryOffsetSection>("CoordinateOffset");
+  ig::Block block = document.block();
+  CHECK_FALSE(section.acts_on(block, AxesBC{}));
+  section.set(block, {30, 0, 0});
+  CHECK_FALSE(section.acts_on(block, AxesBC{}));
+  section.set(block, {30, 0, -90});
+  CHECK(section.acts_on(block, AxesBC{}));
 }

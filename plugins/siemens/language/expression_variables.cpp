@@ -1,0 +1,122 @@
+/// Variables in an expression: R1, NAME[2,3], $AA_IM[X] with their indices, and the value that each of them has.
+#include <cmath>
+#include <numbers>
+
+#include "language/siemens_expression.hpp"
+
+namespace siemens {
+
+using namespace ig::cnc;
+
+bool Expression::indices(std::string& name) {
+  const std::size_t open = at_;
+  ++at_;
+  name += '[';
+  for (;;) {
+    skip_blanks();
+    const std::size_t begin = at_, end = skip_name(text_, at_);
+    const char behind = ig::cnc::at(text_, ig::cnc::skip_blanks(text_, end));
+    const std::string word = upper(ig::cnc::piece(text_, begin, end));
+    const bool stands_alone = !word.empty() && word.size() <= 2 && (behind == ',' || behind == ']');
+    const bool names_axis = stands_alone && std::string_view("ABCUVWXYZ").find(word[0]) != std::string_view::npos &&
+                            environment_.store().find(word) == nullptr;
+    const bool is_axis =
+        names_axis || (stands_alone && name[0] == '$' && is_letter(word[0]) && (word[0] != 'R' || word == "RT"));
+    if (is_axis) {  // $AA_IM[X]
+      name += word;
+      at_ = end;
+    } else {
+      if (++depth_ > deepest) {
+        fail(ig::diag("SIE-0103"), begin, static_cast<double>(deepest));
+        return false;
+      }
+      const auto index = level(loosest);
+      --depth_;
+      if (!index) return false;
+      if (index->is_text()) {
+        name += index->text;
+      } else if (!(std::fabs(index->number) < 1e9)) {
+        fail(ig::diag("SIE-0104"), open, name);
+        return false;
+      } else {
+        name += std::to_string(static_cast<std::int64_t>(std::round(index->number)));
+      }
+    }
+    skip_blanks();
+    if (peek() == ',') {
+      name += ',';
+      ++at_;
+      continue;
+    }
+    if (peek() != ']') {
+      fail(ig::diag("SIE-0102"), open);
+      return false;
+    }
+    ++at_;
+    name += ']';
+    return true;
+  }
+}
+
+std::optional<Expression::Reference> Expression::reference() {
+  Reference out;
+  out.begin = at_;
+  if (peek() == '$') ++at_;
+  at_ = skip_name(text_, at_);
+  std::string name = upper(ig::cnc::piece(text_, out.begin, at_));
+  if (name.starts_with("$R") && (name.size() == 2 || is_digit(name[2]))) name.erase(0, 1);
+  const bool has_number = name.size() > 1 && name[0] == 'R' && skip_digits(name, 1) == name.size();
+  if (const std::size_t open = ig::cnc::skip_blanks(text_, at_); ig::cnc::at(text_, open) == '[') {
+    at_ = open;
+    if (!indices(name)) return std::nullopt;
+  }
+  out.end = at_;
+  out.is_r = has_number || name.starts_with("R[");
+  if (out.is_r) {
+    std::uint32_t number = 0;
+    const char* const first = name.data() + (has_number ? 1 : 2);
+    const auto [end, error] = std::from_chars(first, name.data() + name.size(), number);
+    if (error != std::errc{} || environment_.store().r(number) == nullptr)
+      return fail(ig::diag("SIE-0104"), out.begin, std::string_view(name));
+    out.r = number;
+    name = "R" + std::to_string(number);
+  }
+  out.name = std::move(name);
+  return out;
+}
+
+std::optional<Value> Expression::read(const Reference& r) {
+  VariableStore& store = environment_.store();
+  environment_.enter(b_);
+  if (r.is_r) {
+    VariableStore::RParameter& p = *store.r(r.r);
+    if (!p.is_given && store.say_once(r.name))
+      b_.report(ig::diag("SIE-0112"), ig::Where::columns(r.begin, r.end), std::string_view(r.name));
+    return Value::real(p.value);
+  }
+  if (const Variable* const v = store.find(r.name)) return v->value;
+  const std::size_t bracket = r.name.find('[');
+  if (bracket != std::string::npos) {
+    const std::string base = r.name.substr(0, bracket);
+    if (const Variable* const array = store.find(base); array != nullptr && array->is_array) {
+      at_ = r.end;
+      if (!array->sizes.empty() && !array->number_of(std::string_view(r.name).substr(bracket)))
+        return fail(ig::diag("SIE-0304"), r.begin, std::string_view(r.name), std::string_view(array->shown_as(base)));
+      return array->value;
+    }
+  }
+  if (const auto n = store.given(r.name)) return Value::real(*n);
+  if (r.name == "$PI") return Value::real(std::numbers::pi);
+  if (r.name[0] == '$')
+    if (const auto n = environment_.system.read(b_, r.name)) return Value::real(*n);
+  at_ = r.end;
+  const auto where = ig::Where::columns(r.begin, r.end);
+  if (!failed_ && r.name[0] == '$')
+    environment_.report_once(b_, ig::diag("SIE-0110"), where, r.begin, std::string_view(r.name));
+  else if (!failed_)
+    environment_.report_name(b_, ig::diag("SIE-0111"), where, r.name);
+  failed_ = true;
+  return std::nullopt;
+}
+
+}  // namespace siemens

@@ -1,0 +1,94 @@
+// Frames as system variables: $P_UIFR[1,X,TR], $P_CHBFR, $P_UBFR, $P_IFRAME, $P_PFRAME. They are rows of the table of
+// work offsets, except the programmable frame, which is in the document.
+#include <cmath>
+
+#include <isogloss/cnc/work_origin.hpp>
+
+#include "frames/settable_frames.hpp"
+#include "language/system_data.hpp"
+
+namespace siemens {
+
+using namespace ig::cnc;
+
+namespace {
+
+std::pair<std::string_view, std::string_view> axis_and_part(const SystemData::Name& name) {
+  const std::size_t first = name.base == "$P_UIFR" || name.base == "$P_CHBFR" ? 1 : 0;
+  if (name.count != first + 2) return {};
+  return {name.index[first], name.index[first + 1]};
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> SystemData::code_of(std::string_view text) {
+  const Name name(text);
+  const auto n = name.number(0);
+  if (name.base != "$P_UIFR" || name.count != 1 || !n || *n < 0 || *n > 99) return std::nullopt;
+  return static_cast<std::uint32_t>(settable_code(*n));
+}
+
+std::optional<std::string> SystemData::frame_of(const ig::Block& b, const Name& name) const {
+  const bool is_numbered = name.base == "$P_UIFR" || name.base == "$P_CHBFR";
+  const auto n = name.number(0);
+  if (is_numbered && (!n || *n < 0 || *n > 99)) return std::nullopt;
+  if (name.base == "$P_UIFR") return "G" + std::to_string(settable_code(*n));
+  if (name.base == "$P_IFRAME") return std::string(b.text(b.get_or(offset_id_, ig::Symbol{})));
+  if (name.base == "$P_UBFR" || (name.base == "$P_CHBFR" && *n == 0)) return "BASE";
+  return std::nullopt;
+}
+
+std::optional<double> SystemData::part_of_frame(const ig::Block& b, const Name& name, const std::string& frame) const {
+  const auto [axis, part] = axis_and_part(name);
+  const std::size_t i = axis_of(axis);
+  if (i == std::string_view::npos || !offsets_) return std::nullopt;
+  if (part == "SC") return 1;
+  if (part == "FI" || part == "MI" || part == "RT") return 0;
+  if (part != "TR") return std::nullopt;
+  const double origin = axis_origin(offsets_, frame, i).value_or(0);
+  return i > 2 ? origin : origin / unit(b);
+}
+
+Written SystemData::write_frame(const ig::Block& b, const Name& name, const std::string& frame, double value) const {
+  const auto [axis, part] = axis_and_part(name);
+  const std::size_t i = axis_of(axis);
+  if (i == std::string_view::npos || !offsets_) return Written::no;
+  if (part != "TR") return value == (part == "SC" ? 1 : 0) ? Written::without_effect : Written::no;
+  const double own = i > 2 ? value : value * unit(b);
+  if (!(std::fabs(own) < 1e9)) return Written::no;
+  return set_axis_origin(offsets_, frame, i, own) ? Written::taken : Written::no;
+}
+
+bool SystemData::write_shift(const ig::Block& b, std::string_view text, const Shift& shift) const {
+  const Name name(text);
+  const auto frame = frame_of(b, name);
+  if (!frame || name.base == "$P_IFRAME" || name.count > (name.base == "$P_UBFR" ? 0u : 1u) || !offsets_) return false;
+  ig::Vec3 mm;
+  Angles degrees{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    mm[i] = shift[i] * unit(b);
+    degrees[i] = shift[3 + i];
+    if (!(std::fabs(mm[i]) < 1e9 && std::fabs(degrees[i]) < 1e9)) return false;
+  }
+  set_rotary_origin(offsets_, *frame, degrees);
+  return set_linear_origin(offsets_, *frame, mm);
+}
+
+std::optional<SystemData::Shift> SystemData::shift_of(const ig::Block& b, std::string_view text) const {
+  const auto frame = frame_of(b, Name(text));
+  if (!frame || !offsets_) return std::nullopt;
+  const auto mm = linear_origin(offsets_, *frame);
+  const auto degrees = rotary_origin(offsets_, *frame);
+  if (!mm || !degrees) return std::nullopt;
+  return Shift{mm->x / unit(b), mm->y / unit(b), mm->z / unit(b), (*degrees)[0], (*degrees)[1], (*degrees)[2]};
+}
+
+std::optional<double> SystemData::programmed(const ig::Block& b, const Name& name) const {
+  const auto [axis, part] = axis_and_part(name);
+  const std::size_t i = axis_of(axis);
+  std::array<double, 16> m{};
+  if (i > 2 || part != "TR") return std::nullopt;
+  return b.get(frame_, m) ? m[12 + i] / unit(b) : 0.0;
+}
+
+}  // namespace siemens
