@@ -3,9 +3,8 @@
 
 #include <span>
 
-#include <isogloss/cnc/units.hpp>
-
 #include "cycles/cycle_parameters.hpp"
+#include "language/program_unit.hpp"
 #include "motion/feed_words.hpp"
 
 namespace heidenhain {
@@ -134,7 +133,7 @@ class CycleText {
           b.report(ig::diag("HEI-0105"), ig::Where::columns(i, next), piece(text, i, next),
                    std::string_view("a parameter of CYCL DEF"));
         is_said = is_said || done != position;
-        i = std::max(i + 1, skip_while(text, i, [](char c) { return !is_space(c) && c != ';'; }));
+        i = std::max(i + 1, word_end(text, i));
         continue;
       }
       const std::size_t first = is_feed_word ? equals : skip(text, equals + 1);
@@ -159,7 +158,7 @@ class CycleText {
   /// The value in mm or mm/min, according to `unit`; unchanged where it has another unit.
   double metric(const ig::Block& b, std::string_view unit, double value) const {
     const bool is_feed = feed_ && unit == "mm/min" && value < fastest;
-    if ((unit != "mm" && !is_feed) || !b.is(system_, inch_)) return value;
+    if ((unit != "mm" && !is_feed) || !unit_.is_inch(b)) return value;
     return mm_per_inch * (is_feed ? feed_->in_unit(b, value) : value);
   }
 
@@ -206,8 +205,7 @@ class CycleText {
 
   Values values_;
   std::optional<FeedWords> feed_;
-  ig::In<ig::Symbol> system_{"Unit.System"};
-  ig::Name inch_{"Inch"};
+  ProgramUnit unit_;
 };
 
 }  // namespace heidenhain

@@ -5,7 +5,9 @@
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/units.hpp>
 
+#include "language/block_words.hpp"
 #include "language/klartext_values.hpp"
+#include "language/program_unit.hpp"
 
 namespace heidenhain {
 
@@ -24,8 +26,7 @@ struct KlartextPattern {
 
   Values values_;
   PlaneInForce plane_;
-  ig::In<ig::Symbol> system_{"Unit.System"};
-  ig::Name inch_{"Inch"};
+  ProgramUnit unit_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (!stands_first(text, position)) return position;
@@ -37,7 +38,7 @@ struct KlartextPattern {
     if (values_.is_indexing() || store == nullptr) return end;
     store->pattern.clear();
     if (selection != position)
-      say(b, text, position, "the points are missing");
+      report_not_executed(b, text, position, "the points are missing");
     else
       read(b, text.substr(0, end), position, definition, store->pattern);
     return end;
@@ -54,11 +55,6 @@ struct KlartextPattern {
   using Words = std::array<std::optional<double>, name_count>;
   using Points = std::vector<PatternPoint>;
 
-  static void say(ig::Block& b, std::string_view text, std::size_t begin, std::string_view effect) {
-    const std::string_view whole = rest_of_line(text, begin);
-    b.report(ig::diag("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole, effect);
-  }
-
   /// Reads POS1 (X+25 Y+33.5 Z+0) POS2 (...)
   void read(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i, Points& points) const {
     bool any = false;
@@ -68,8 +64,7 @@ struct KlartextPattern {
       while (kind < kind_count && !equals_ignoring_case(piece(text, i, letters), kinds[kind])) ++kind;
       const std::size_t open = skip(text, skip_digits(text, letters));
       if (kind == kind_count || at(text, open) != '(') {
-        const std::string_view rest = rest_of_line(text, i);
-        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("PATTERN DEF"));
+        report_not_a_word(b, text, i, "PATTERN DEF");
         return;
       }
       Words words;
@@ -81,7 +76,7 @@ struct KlartextPattern {
       if (!words_at(b, text, i, words, is_complete)) return;
       if (is_complete) add(b, static_cast<Kind>(kind), words, shown, where, points);
     }
-    if (!any) say(b, text, begin, "it holds no point");
+    if (!any) report_not_executed(b, text, begin, "it holds no point");
   }
 
   /// Reads up to the closing bracket; false, with a diagnostic, where other text is there.
@@ -92,8 +87,7 @@ struct KlartextPattern {
       std::size_t name = 0;
       while (name < name_count && !equals_ignoring_case(piece(text, i, end), names[name])) ++name;
       if (name == name_count) {
-        const std::string_view rest = rest_of_line(text, i);
-        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("PATTERN DEF"));
+        report_not_a_word(b, text, i, "PATTERN DEF");
         return false;
       }
       const Value v = values_.read(b, text, end);
@@ -130,7 +124,7 @@ struct KlartextPattern {
       const double n = std::round(number(name));
       return n >= 1 && n <= most_points ? static_cast<std::size_t>(n) : 0;
     };
-    const double unit = b.is(system_, inch_) ? mm_per_inch : 1;
+    const double unit = unit_.in_mm(b);
     const double u = number(axes[plane.first]), v = number(axes[plane.second]), z = number(axes[plane.tool]);
     const auto put = [&](double first, double second) { points.push_back({first * unit, second * unit, z * unit}); };
     const bool is_grid = kind == pat || kind == frame;

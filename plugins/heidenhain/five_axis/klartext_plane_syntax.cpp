@@ -129,8 +129,7 @@ struct KlartextPlane {
       } else if (to_upper(text[i]) == 'F') {
         i = feed_.scan(b, values_, text, i, command_.is_rapid);
       } else {
-        const std::string_view rest = rest_of_line(text, i);
-        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("CYCL DEF 19"));
+        report_not_a_word(b, text, i, "CYCL DEF 19");
         break;
       }
     }
@@ -158,8 +157,7 @@ struct KlartextPlane {
     while ((i = skip(text, i)) < text.size()) {
       const std::size_t next = word_at(b, text, i);
       if (next == i) {
-        const std::string_view rest = rest_of_line(text, i);
-        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("PLANE"));
+        report_not_a_word(b, text, i, "PLANE");
         break;
       }
       i = next;

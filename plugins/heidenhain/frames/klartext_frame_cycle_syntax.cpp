@@ -91,10 +91,10 @@ struct KlartextFrameCycle {
       b.report(ig::diag("HEI-0163"), where, 247.0, std::string_view("Q339"));
       return;
     }
-    word(b, preset_number_.id(), where.begin, where.end, *preset);
+    put_word(b, preset_number_.id(), where.begin, where.end, *preset);
     // The manual: a preset resets shift, mirror image and rotation; a tilted plane stays in force.
-    if (b.is(tilt_, g68_)) code(b, rotation_end_.id(0), where.begin, where.end);
-    if (b.has(mirror_term_)) code(b, mirror_.code(0), where.begin, where.end);
+    if (b.is(tilt_, g68_)) put_code(b, rotation_end_.id(0), where.begin, where.end);
+    if (b.has(mirror_term_)) put_code(b, mirror_.code(0), where.begin, where.end);
   }
 
   /// The last defined cycle runs at the points of the pattern at once.
@@ -170,15 +170,6 @@ struct KlartextFrameCycle {
     }
   }
 
-  static void word(ig::Block& b, ig_field field, std::size_t begin, std::size_t end, double value) {
-    const ig_word w{field, column(begin), column(end), {.number = value}, 0, 0};
-    b.set_word(w);
-  }
-  static void code(ig::Block& b, ig_field field, std::size_t begin, std::size_t end) {
-    const ig_word w{field, column(begin), column(end), ig_value{}, 0, 0};
-    b.set_word(w);
-  }
-
   /// CYCL DEF 7.1 X+60, IX+5, #5
   void datum(ig::Block& b, std::string_view text, std::size_t i) const {
     while ((i = skip(text, i)) < text.size()) {
@@ -192,20 +183,19 @@ struct KlartextFrameCycle {
       }
       const Value v = axis < 6 ? text_.values().read(b, text, letter + 1) : Value{};
       if (!v.ok) {
-        const std::string_view rest = rest_of_line(text, i);
-        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("CYCL DEF 7"));
+        report_not_a_word(b, text, i, "CYCL DEF 7");
         return;
       }
       const std::size_t row = is_step ? 1 : 0;
-      code(b, datum_.code(row), i, v.end);
-      word(b, datum_.row(row)[axis], i, v.end, v.number);
+      put_code(b, datum_.code(row), i, v.end);
+      put_word(b, datum_.row(row)[axis], i, v.end, v.number);
       i = v.end;
     }
   }
 
   /// CYCL DEF 8.1 X Y: the axes that are mirrored about the datum; without axes the mirror image ends.
   void mirror(ig::Block& b, std::string_view text, std::size_t i, ig::Where where, bool is_anew) const {
-    if (is_anew && b.has(mirror_term_)) code(b, mirror_.code(0), where.begin, where.end);
+    if (is_anew && b.has(mirror_term_)) put_code(b, mirror_.code(0), where.begin, where.end);
     // A rotation that was defined in a mirror image has been turned in the opposite sense.
     if (b.is(tilt_, g68_) && b.has(mirrored_rotation_))
       b.report(ig::diag("HEI-0161"), where, 8.0, std::string_view("the rotation in force keeps its sense"));
@@ -216,8 +206,8 @@ struct KlartextFrameCycle {
         b.report(ig::diag("HEI-0161"), ig::Where::columns(i, i + 1), 8.0,
                  std::string_view(axis > 2 ? "only X, Y and Z can be mirrored here" : "the tool axis is not mirrored"));
       } else {
-        code(b, mirror_.code(1), i, i + 1);
-        word(b, mirror_.row(1)[axis], i, i + 1, 0);
+        put_code(b, mirror_.code(1), i, i + 1);
+        put_word(b, mirror_.row(1)[axis], i, i + 1, 0);
       }
       ++i;
     }
@@ -266,23 +256,24 @@ struct KlartextFrameCycle {
 
   void turn(ig::Block& b, ig::Where where, double angle) const {
     if (b.is(tilt_, g68_2_)) {
-      word(b, plane_rotation_.id(), where.begin, where.end, is_mirrored_in_plane(b) ? -angle : angle);
+      put_word(b, plane_rotation_.id(), where.begin, where.end, is_mirrored_in_plane(b) ? -angle : angle);
       return;
     }
-    if (b.has(turned_in_plane_)) word(b, plane_rotation_.id(), where.begin, where.end, 0);  // of a plane that has ended
+    if (b.has(turned_in_plane_))
+      put_word(b, plane_rotation_.id(), where.begin, where.end, 0);  // of a plane that has ended
     if (angle == 0) {
-      if (b.is(tilt_, g68_)) code(b, rotation_end_.id(0), where.begin, where.end);
+      if (b.is(tilt_, g68_)) put_code(b, rotation_end_.id(0), where.begin, where.end);
       return;
     }
     if (is_mirrored_in_plane(b))
       b.set(mirrored_rotation_, true);
     else if (b.has(mirrored_rotation_))
       b.erase(mirrored_rotation_);
-    code(b, rotation_.code(0), where.begin, where.end);
+    put_code(b, rotation_.code(0), where.begin, where.end);
     const bool is_zx = b.is(plane_, g18_), is_yz = b.is(plane_, g19_);
-    word(b, rotation_.word(0, is_zx ? 'Z' : is_yz ? 'Y' : 'X'), where.begin, where.end, 0);
-    word(b, rotation_.word(0, is_zx ? 'X' : is_yz ? 'Z' : 'Y'), where.begin, where.end, 0);
-    word(b, rotation_.word(0, 'R'), where.begin, where.end, angle);
+    put_word(b, rotation_.word(0, is_zx ? 'Z' : is_yz ? 'Y' : 'X'), where.begin, where.end, 0);
+    put_word(b, rotation_.word(0, is_zx ? 'X' : is_yz ? 'Z' : 'Y'), where.begin, where.end, 0);
+    put_word(b, rotation_.word(0, 'R'), where.begin, where.end, angle);
   }
 
   /// TRANS MIRROR AXIS X, TRANS ROTATION ROT+90, TRANS SCALE SCL1 and their RESET: like cycles 8, 10 and 11.
@@ -317,12 +308,10 @@ struct KlartextFrameCycle {
     if (axis != i) {
       datum(b, text, axis);
     } else if (reset != i) {
-      code(b, datum_.code(0), begin, reset);
-      for (std::size_t k = 0; k < 3; ++k) word(b, datum_.row(0)[k], begin, reset, 0);
+      put_code(b, datum_.code(0), begin, reset);
+      for (std::size_t k = 0; k < 3; ++k) put_word(b, datum_.row(0)[k], begin, reset, 0);
     } else {
-      const std::string_view whole = rest_of_line(text, begin);
-      b.report(ig::diag("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole,
-               std::string_view("the datum table is not known, the shift stays"));
+      report_not_executed(b, text, begin, "the datum table is not known, the shift stays");
     }
   }
 };
