@@ -3,12 +3,11 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
-#include <isogloss/cnc/units.hpp>
+#include <isogloss/cnc/tilt_transform.hpp>
 
 #include "cycles/cycle_parameters.hpp"
 #include "language/q_store.hpp"
@@ -39,18 +38,15 @@ inline constexpr std::array pattern_parameters{
     CycleParameter{365, "Q365", "", "1: from point to point along the circle."},
 };
 
+using PatternParameters = CycleParameters<pattern_parameters>;
+
 /// A member of the syntaxes that write or read the pattern of a block.
 class HolePattern {
  public:
   explicit HolePattern(ig::Access access)
       : number_("KlartextPattern.Number", access,
-                {ig::Life::block, "", "220 or 221: the pattern that runs here; 0: that of PATTERN DEF."}) {
-    for (std::size_t i = 0; i < fields_.size(); ++i) {
-      const CycleParameter& p = pattern_parameters[i];
-      fields_[i] = ig::detail::declare_field(
-          {{"KlartextPattern.", p.name}, IG_NUMBER, access, {ig::Life::block, p.unit, p.doc}});
-    }
-  }
+                {ig::Life::block, "", "220 or 221: the pattern that runs here; 0: that of PATTERN DEF."}),
+        parameters_("KlartextPattern.", access, ig::Life::block) {}
 
   struct Points {
     bool is_pattern = false;
@@ -61,23 +57,10 @@ class HolePattern {
     double angle = 0, step = 0;  ///< of a circle
   };
 
-  std::optional<double> get(const ig::Block& b, std::uint32_t q) const {
-    ig_value v;
-    const std::size_t i = index_of(q);
-    if (i >= fields_.size()) return std::nullopt;
-    return b.get(fields_[i], v) ? std::optional(v.number) : std::nullopt;
-  }
-  void set(ig::Block& b, std::uint32_t q, double value) const {
-    if (const std::size_t i = index_of(q); i < fields_.size()) b.set(fields_[i], value);
-  }
+  std::optional<double> get(const ig::Block& b, std::uint32_t q) const { return parameters_.get(b, q); }
+  const PatternParameters& parameters() const { return parameters_; }
   bool is_set(const ig::Block& b) const { return b.has(number_); }
   void set_number(ig::Block& b, std::int64_t number) const { b.set(number_, number); }
-
-  static constexpr std::size_t index_of(std::uint32_t q) {
-    for (std::size_t i = 0; i < pattern_parameters.size(); ++i)
-      if (pattern_parameters[i].q == q) return i;
-    return pattern_parameters.size();
-  }
 
   Points operator()(const ig::Block& b, const PlaneAxes&) const {
     Points p;
@@ -117,11 +100,11 @@ class HolePattern {
       const std::int64_t column = row % 2 == 0 ? place : p.in_row - 1 - place;
       const double along = get(b, 237).value_or(0) * static_cast<double>(column);
       const double across = get(b, 238).value_or(0) * static_cast<double>(row);
-      const auto [cos, sin] = turn(get(b, 224).value_or(0));
+      const auto [cos, sin] = Turn::by(get(b, 224).value_or(0));
       u = get(b, 225).value_or(0) + cos * along - sin * across;
       v = get(b, 226).value_or(0) + sin * along + cos * across;
     } else {
-      const auto [cos, sin] = turn(p.angle + p.step * static_cast<double>(i));
+      const auto [cos, sin] = Turn::by(p.angle + p.step * static_cast<double>(i));
       const double radius = get(b, 244).value_or(0) / 2;
       u = get(b, 216).value_or(0) + radius * cos;
       v = get(b, 217).value_or(0) + radius * sin;
@@ -132,17 +115,10 @@ class HolePattern {
   }
 
  private:
-  struct Turn {
-    double cos, sin;
-  };
-  static Turn turn(double degrees) {
-    const double angle = std::remainder(degrees, 360) * radians_per_degree;
-    return {std::cos(angle), std::sin(angle)};
-  }
   static std::int64_t whole(double n) { return n >= 1 && n <= 1e6 ? static_cast<std::int64_t>(std::round(n)) : 0; }
 
   ig::Field<std::int64_t> number_;
-  std::array<ig_field, pattern_parameters.size()> fields_{};
+  PatternParameters parameters_;
   ScaleAndMirror mirror_;
   ig::Service<QStore> store_{q_store_service, ig::Need::optional, "The points of PATTERN DEF."};
 };

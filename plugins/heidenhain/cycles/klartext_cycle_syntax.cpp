@@ -99,12 +99,8 @@ struct KlartextCycle {
   }
 
   std::size_t parameters(ig::Block& b, std::string_view text, std::size_t position) const {
-    return text_.parameters(b, text, position, b.get_or(number_, std::int64_t{0}), [&](std::uint32_t q, double value) {
-      const std::size_t i = index_of_parameter(q);
-      if (i >= cycle_parameters.size()) return;
-      const double metric = text_.metric(b, cycle_parameters[i].unit, value);
-      if (std::isfinite(metric)) definition_.set(b, q, metric);
-    });
+    return text_.parameters(b, text, position, b.get_or(number_, std::int64_t{0}),
+                            [&](std::uint32_t q, double value) { text_.set(b, definition_, q, value); });
   }
 
   /// True for Q200=2 with no text after it; any other line is a formula.

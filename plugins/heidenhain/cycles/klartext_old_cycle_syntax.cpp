@@ -1,6 +1,7 @@
 // Cycles 1, pecking, 2, tapping, and 17, rigid tapping, of older controls. They start at the tool's position at the
 // call, which is SET UP above the surface, and end there.
 #include "cycles/hole_cycle.hpp"
+#include "cycles/hole_spindle.hpp"
 #include "language/program_unit.hpp"
 
 namespace heidenhain {
@@ -14,7 +15,7 @@ struct KlartextOldCycle {
       hole_cycle("KlartextOldCycleSyntax", "Cycles 1, 2 and 17 of older controls where they are called.");
 
   HoleCycle cycle_{{1, "CYCL1"}, {2, "CYCL2"}, {17, "CYCL17"}};
-  CycleSpindle spindle_;
+  HoleSpindle spindle_;
   ProgramUnit unit_;
 
   ig::Status build(ig::Block& b) { return cycle_.run(b, *this); }
@@ -55,7 +56,7 @@ struct KlartextOldCycle {
     cycle_.motion.spindle(b, in_);
     cycle_.feed_to(b, c, c.bottom, c.feed);
     cycle_.dwell(b, c.dwell);
-    cycle_.motion.spindle(b, CycleSpindle::other(in_));
+    cycle_.motion.spindle(b, HoleSpindle::other(in_));
     cycle_.feed_to(b, c, c.safe, c.feed);
     cycle_.motion.spindle(b, c.number == 17 ? ig::Spindle::stop : in_);
   }

@@ -1,9 +1,7 @@
 // PATTERN DEF: points, rows, grids, frames and circles of points, at which CYCL CALL PAT runs the cycle. They are kept
 // as a list of points. SEL PATTERN names a file of points, which is not read.
-#include <numbers>
-
 #include <isogloss/cnc/plane.hpp>
-#include <isogloss/cnc/units.hpp>
+#include <isogloss/cnc/tilt_transform.hpp>
 
 #include "language/block_words.hpp"
 #include "language/klartext_values.hpp"
@@ -144,14 +142,14 @@ struct KlartextPattern {
                             : to_end ? (*w[END] - number(START)) / static_cast<double>(columns > 1 ? columns - 1 : 1)
                                      : number(STEP);
         for (std::size_t i = 0; i < columns; ++i) {
-          const auto [cos, sin] = turn(number(START) + step * static_cast<double>(i));
+          const auto [cos, sin] = Turn::by(number(START) + step * static_cast<double>(i));
           put(u + number(D) / 2 * cos, v + number(D) / 2 * sin);
         }
         return;
       }
       default: break;
     }
-    const auto along = turn(number(ROT) + number(ROTX)), across = turn(number(ROT) + number(ROTY));
+    const auto along = Turn::by(number(ROT) + number(ROTX)), across = Turn::by(number(ROT) + number(ROTY));
     const double du = is_grid ? number(DX) : number(D), dv = number(DY);
     for (std::size_t r = 0; r < rows; ++r)
       for (std::size_t i = 0; i < columns; ++i) {
@@ -160,14 +158,6 @@ struct KlartextPattern {
         const double x = du * static_cast<double>(c), y = dv * static_cast<double>(r);
         put(u + along.cos * x - across.sin * y, v + along.sin * x + across.cos * y);
       }
-  }
-
-  struct Turn {
-    double cos, sin;
-  };
-  static Turn turn(double degrees) {
-    const double angle = std::remainder(degrees, 360) * radians_per_degree;
-    return {std::cos(angle), std::sin(angle)};
   }
 };
 

@@ -84,10 +84,7 @@ struct KlartextParameter {
 
   /// A cycle reads its parameters when it is called: Q201 = -18 after CYCL DEF 200 changes the depth.
   void of_cycle(ig::Block& b, std::uint32_t q, double value) const {
-    const std::size_t i = index_of_parameter(q);
-    if (q < 200 || i >= cycle_parameters.size() || b.get_or(cycle_number_, std::int64_t{0}) < 200) return;
-    const double metric = cycle_.metric(b, cycle_parameters[i].unit, value);
-    if (std::isfinite(metric)) definition_.set(b, q, metric);
+    if (q >= 200 && b.get_or(cycle_number_, std::int64_t{0}) >= 200) cycle_.set(b, definition_, q, value);
   }
 
   void formula(ig::Block& b, std::string_view text) {
