@@ -80,11 +80,6 @@ class CycleParameters {
           ig::detail::declare_field({{section, table[i].name}, IG_NUMBER, access, {life, table[i].unit, table[i].doc}});
   }
 
-  static constexpr std::size_t index_of(std::uint32_t q) {
-    for (std::size_t i = 0; i < table.size(); ++i)
-      if (table[i].q == q) return i;
-    return table.size();
-  }
   static constexpr bool holds(std::uint32_t q) { return index_of(q) < table.size(); }
   static constexpr std::string_view name(std::uint32_t q) { return table[index_of(q)].name; }
   static constexpr std::string_view unit(std::uint32_t q) { return table[index_of(q)].unit; }
@@ -102,6 +97,16 @@ class CycleParameters {
   }
 
  private:
+  static constexpr std::size_t index_of(std::uint32_t q) { return q < indices.size() ? indices[q] : table.size(); }
+
+  /// A cycle reads a parameter for each step of each hole.
+  static constexpr std::array<std::uint8_t, 512> indices = [] {
+    std::array<std::uint8_t, 512> all{};
+    all.fill(table.size());
+    for (std::size_t i = 0; i < table.size(); ++i) all[table[i].q] = static_cast<std::uint8_t>(i);
+    return all;
+  }();
+
   std::array<ig_field, table.size()> fields_{};
 };
 
