@@ -10,6 +10,7 @@ namespace heidenhain {
 
 using namespace ig::cnc;
 
+/// Writes a word with its value, or a code, at the columns from `begin` to `end`.
 inline void put_word(ig::Block& b, ig_field field, std::size_t begin, std::size_t end, double value) {
   const ig_word word{field, column(begin), column(end), {.number = value}, 0, 0};
   b.set_word(word);

@@ -35,7 +35,7 @@ struct ParameterReader {
   ig::Where whole() const { return ig::Where::columns(begin, std::max(begin + 1, text.size())); }
 };
 
-/// Where QS, a string parameter, stands.
+/// True where QS, a string parameter, begins.
 constexpr bool is_string_parameter(std::string_view text, std::size_t position) {
   return to_upper(at(text, position)) == 'Q' && to_upper(at(text, position + 1)) == 'S';
 }
