@@ -66,35 +66,54 @@ inline constexpr std::array cycle_parameters{
     CycleParameter{435, "Q435", "mm", "Dwell depth, from the surface."},
 };
 
-constexpr std::size_t index_of_parameter(std::uint32_t q) {
-  for (std::size_t i = 0; i < cycle_parameters.size(); ++i)
-    if (cycle_parameters[i].q == q) return i;
-  return cycle_parameters.size();
-}
+/// FMAX as the value of a parameter that is a feed, in mm/min.
+inline constexpr double fmax_feed = 99'999;
 
-/// A member of the syntaxes that write or read the definition.
-class CycleDefinition {
+/// The fields of a section for the parameters of `table`. A parameter that the table lacks has no value.
+template <const auto& table>
+class CycleParameters {
  public:
-  explicit CycleDefinition(ig::Access access) {
+  /// `section` ends in a point.
+  CycleParameters(std::string_view section, ig::Access access, ig::Life life) {
     for (std::size_t i = 0; i < fields_.size(); ++i)
-      fields_[i] = ig::detail::declare_field({{"CycleDefinition.", cycle_parameters[i].name},
-                                              IG_NUMBER,
-                                              access,
-                                              {ig::Life::modal, cycle_parameters[i].unit, cycle_parameters[i].doc}});
+      fields_[i] =
+          ig::detail::declare_field({{section, table[i].name}, IG_NUMBER, access, {life, table[i].unit, table[i].doc}});
   }
+
+  static constexpr bool holds(std::uint32_t q) { return index_of(q) < table.size(); }
+  static constexpr std::string_view name(std::uint32_t q) { return table[index_of(q)].name; }
+  static constexpr std::string_view unit(std::uint32_t q) { return table[index_of(q)].unit; }
+
   std::optional<double> get(const ig::Block& b, std::uint32_t q) const {
     ig_value v;
-    const std::size_t i = index_of_parameter(q);
-    return b.get(fields_[i], v) ? std::optional(v.number) : std::nullopt;
+    const std::size_t i = index_of(q);
+    return i < fields_.size() && b.get(fields_[i], v) ? std::optional(v.number) : std::nullopt;
   }
-  double get_or(const ig::Block& b, std::uint32_t q, double fallback) const { return get(b, q).value_or(fallback); }
-  void set(ig::Block& b, std::uint32_t q, double value) const { b.set(fields_[index_of_parameter(q)], value); }
+  void set(ig::Block& b, std::uint32_t q, double value) const {
+    if (const std::size_t i = index_of(q); i < fields_.size()) b.set(fields_[i], value);
+  }
   void clear(ig::Block& b) const {
     for (const ig_field field : fields_) b.erase(field);
   }
 
  private:
-  std::array<ig_field, cycle_parameters.size()> fields_{};
+  static constexpr std::size_t index_of(std::uint32_t q) { return q < indices.size() ? indices[q] : table.size(); }
+
+  /// A cycle reads a parameter for each step of each hole.
+  static constexpr std::array<std::uint8_t, 512> indices = [] {
+    std::array<std::uint8_t, 512> all{};
+    all.fill(table.size());
+    for (std::size_t i = 0; i < table.size(); ++i) all[table[i].q] = static_cast<std::uint8_t>(i);
+    return all;
+  }();
+
+  std::array<ig_field, table.size()> fields_{};
+};
+
+/// A member of the syntaxes that write or read the definition.
+class CycleDefinition : public CycleParameters<cycle_parameters> {
+ public:
+  explicit CycleDefinition(ig::Access access) : CycleParameters("CycleDefinition.", access, ig::Life::modal) {}
 };
 
 }  // namespace heidenhain

@@ -1,7 +1,7 @@
 /// What the cycles for holes share: their call, the levels along the tool axis, and the way to each hole.
 #pragma once
 
-#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <isogloss/cnc/peck_strokes.hpp>
@@ -64,113 +64,42 @@ class HoleCycle {
   /// of Q203 and Q200; `run.level` is then the present level of the tool.
   template <class Self>
   ig::Status run(ig::Block& b, Self& self) const {
-    const bool is_called = b.has(call_);
-    const ig::PartialVec3 named = b.get(words_);
-    if (!is_called && (!b.has(modal_call_) || named.mask == 0)) return ig::Status::unchanged;
-    const std::int64_t number = b.get_or(number_, std::int64_t{0});
-    const auto cycle = std::find_if(cycles_.begin(), cycles_.end(), [&](const Term& t) { return t.number == number; });
-    if (cycle == cycles_.end() || b.find(others_)) return ig::Status::unchanged;
-    if (number < 100 && pattern_.is_set(b))
-      return ig::Status::unchanged;  // a pattern calls cycles with numbers from 200
-    b.raise(done_);
-    HoleRun c;
-    c.number = number;
-    c.plane = plane_(b);
-    c.hole = last_(b);
-    c.offset = b.has(at_position_) ? named.value[c.plane.tool] * (named.has(c.plane.tool) ? 1 : 0) : 0;
-    const HolePattern::Points points = pattern_(b, c.plane);
-    c.level = named.or_else(c.hole)[c.plane.tool];
+    std::optional<Call> call = called(b);
+    if (!call) return ig::Status::unchanged;
+    HoleRun& c = call->hole;
     bool has_surface = false;
     if constexpr (requires { self.find_surface(b, c); })
       has_surface = self.find_surface(b, c);
     else
       has_surface = find_surface(b, c);
     const std::optional<double> steps = has_surface ? self.prepare(b, c) : std::nullopt;
-    if (!steps) return ig::Status::changed;
-    if (points.count == 0) {
-      b.report(ig::diag("HEI-0183"), ig::Where::block());
-      return ig::Status::changed;
-    }
-    if (!(*steps * static_cast<double>(points.count) <= most_steps)) {
-      b.report(ig::diag("HEI-0177"), ig::Where::block(), static_cast<double>(number), most_steps);
-      return ig::Status::changed;
-    }
-    b.take(words_);
-    motion.begin(b, cycle->term);
+    if (!steps || !begin_steps(b, *call, *steps)) return ig::Status::changed;
     if constexpr (requires { self.begin(b, c); }) self.begin(b, c);
-    if (points.is_pattern) {
-      machine_all(b, self, c, points);
-    } else {
-      position(b, c, named);
-      rapid_to(b, c, c.safe);
-      self.machine(b, c);
-    }
+    for (std::int64_t i = 0; go_to(b, *call, i); ++i) self.machine(b, c);
     b.set(program_, c.at(c.level));
     return ig::Status::changed;
   }
 
   // ---- parameters
 
-  std::optional<double> get(const ig::Block& b, std::uint32_t q) const {
-    const auto of_pattern = pattern_.get(b, q);
-    return of_pattern ? of_pattern : definition_.get(b, q);
-  }
+  std::optional<double> get(const ig::Block& b, std::uint32_t q) const;
   double get_or(const ig::Block& b, std::uint32_t q, double fallback) const { return get(b, q).value_or(fallback); }
-  std::optional<double> needed(ig::Block& b, const HoleRun& c, std::uint32_t q) const {
-    const auto value = get(b, q);
-    if (!value) b.report(ig::diag("HEI-0163"), ig::Where::block(), static_cast<double>(c.number), name(q));
-    return value;
-  }
+  /// Nothing, with a diagnostic, where the definition lacks the parameter.
+  std::optional<double> needed(ig::Block& b, const HoleRun& c, std::uint32_t q) const;
   /// A feed in mm/s; 0, with a diagnostic, where there is none.
-  double feed(ig::Block& b, const HoleRun& c, std::uint32_t q) const {
-    const auto value = needed(b, c, q);
-    if (!value) return 0;
-    const double mmds = in_mmds(b, *value);
-    if (mmds > 0) return mmds;
-    b.report(ig::diag("HEI-0166"), ig::Where::block(), static_cast<double>(c.number), name(q), *value);
-    return 0;
-  }
-  double in_mmds(const ig::Block& b, double feed) const {
-    return b.is(feed_mode_, g95_) ? feed * speed(b) / 60 : feed / 60;
-  }
+  double feed(ig::Block& b, const HoleRun& c, std::uint32_t q) const;
+  double in_mmds(const ig::Block& b, double feed) const;
   double speed(const ig::Block& b) const { return b.get_or(speed_, 0.0); }
 
-  /// Q201, the feed Q206, Q208 and Q211: levels, feeds and dwell of most cycles.
-  bool drills(ig::Block& b, HoleRun& c) const {
-    const auto depth = needed(b, c, 201);
-    return depth && levels(b, c, *depth) && feeds(b, c);
-  }
-  /// `depth` is signed like Q201: negative is downwards.
-  bool levels(ig::Block& b, HoleRun& c, double depth) const {
-    if (depth == 0) {
-      b.report(ig::diag("HEI-0164"), ig::Where::block(), static_cast<double>(c.number));
-      return false;
-    }
-    if (depth > 0) b.report(ig::diag("HEI-0165"), ig::Where::block(), static_cast<double>(c.number));
-    const double out = depth > 0 ? -1 : 1;
-    c.safe = c.surface + out * c.clearance;
-    c.bottom = c.surface + depth;
-    const double second = get_or(b, 204, 0);
-    c.end = second > c.clearance ? c.surface + out * second : c.safe;
-    return true;
-  }
-  bool feeds(ig::Block& b, HoleRun& c) const {
-    c.feed = feed(b, c, 206);
-    const double retract = get_or(b, 208, 0);
-    c.retract = retract >= fastest ? 0 : retract > 0 ? in_mmds(b, retract) : c.feed;
-    c.dwell = get_or(b, 211, 0);
-    return c.feed > 0;
-  }
+  /// Q201, the feed Q206, Q208 and Q211: levels, feeds and dwell of most cycles. False, with a diagnostic, where one is
+  /// missing.
+  bool drills(ig::Block& b, HoleRun& c) const;
+  /// `depth` is signed like Q201: negative is downwards. False, with a diagnostic, where it is 0.
+  bool levels(ig::Block& b, HoleRun& c, double depth) const;
+  bool feeds(ig::Block& b, HoleRun& c) const;
 
   /// Strokes from the surface, each smaller than the one before by Q212, but not smaller than Q205.
-  PeckStrokes shrinking_strokes(const ig::Block& b, const HoleRun& c, double infeed) const {
-    const double less = std::fabs(get_or(b, 212, 0));
-    if (less == 0) return {c.surface, c.bottom, infeed};
-    const double least = std::fabs(get_or(b, 205, 0));
-    // Without a least infeed, the last positive infeed is repeated.
-    const double floor = least > 0 ? std::fmin(least, infeed) : infeed - less * std::floor((infeed - 1e-9) / less);
-    return {c.surface, c.bottom, infeed, less, floor > 0 ? floor : infeed};
-  }
+  PeckStrokes shrinking_strokes(const ig::Block& b, const HoleRun& c, double infeed) const;
 
   // ---- steps
 
@@ -195,7 +124,6 @@ class HoleCycle {
   }
 
   ig::CompoundMotion motion;
-  static constexpr double fastest = 99'999;
 
  private:
   struct Term {
@@ -203,75 +131,38 @@ class HoleCycle {
     ig::Name term;
   };
 
-  static std::string_view name(std::uint32_t q) { return cycle_parameters[index_of_parameter(q)].name; }
+  /// A call of one of the cycles, and what its holes have in common.
+  struct Call {
+    HoleRun hole;
+    ig::Symbol term;
+    ig::PartialVec3 named;  ///< the words X, Y and Z of the block
+    HolePattern::Points points;
+    // From hole to hole:
+    double at_call = 0;    ///< level of the tool before the first hole
+    double end = 0;        ///< level behind the last hole
+    double added = 0;      ///< height of the present point of PATTERN DEF
+    double feed_mmds = 0;  ///< feed between the points of PATTERN DEF; 0: a rapid
+  };
 
-  bool find_surface(ig::Block& b, HoleRun& c) const {
-    const auto clearance = needed(b, c, 200);
-    if (!clearance) return false;
-    c.clearance = std::fabs(*clearance);
-    c.surface = get_or(b, 203, 0) + c.offset;
-    return true;
-  }
+  /// Nothing where the block calls none of the cycles.
+  std::optional<Call> called(ig::Block& b) const;
+  bool find_surface(ig::Block& b, HoleRun& c) const;
+  /// Takes the words of the block and begins its steps; false, with a diagnostic, where there are no holes, or too
+  /// many.
+  bool begin_steps(ig::Block& b, const Call& call, double steps_of_hole) const;
 
+  // ---- hole_route.cpp
+
+  /// Moves to the safe level above hole `i`; false behind the last one.
+  bool go_to(ig::Block& b, Call& call, std::int64_t i) const;
   /// The block's own move, by rapid or by feed. CYCL CALL POS goes to its point by rapid, not below the safe level.
-  void position(ig::Block& b, HoleRun& c, const ig::PartialVec3& named) const {
-    const std::size_t tool = c.plane.tool;
-    c.level = c.hole[tool];
-    if (named.mask == 0) return;
-    ig::Vec3 to = named.or_else(c.hole);
-    if (b.has(at_position_)) {
-      const bool is_below = (c.safe - c.level) * (c.safe - c.bottom) > 0;
-      if (is_below) rapid_to(b, c, c.safe);
-      to[tool] = c.level;
-    }
-    c.hole = to;
-    c.level = to[tool];
-    const auto code = b.find(motions_);
-    if (b.has(at_position_) || (code && *code == 0))
-      motion.rapid_to(b, to);
-    else
-      motion.feed_to(b, to, in_mmds(b, b.get_or(feed_, 0.0)));
-  }
-
+  void position(ig::Block& b, Call& call) const;
   /// Cycles 220 and 221: to the first point at the second set-up clearance, and from hole to hole at the first or the
   /// second one.
-  template <class Self>
-  void machine_all(ig::Block& b, const Self& self, HoleRun& c, const HolePattern::Points& points) const {
-    if (points.list != nullptr) return machine_list(b, self, c, points);
-    const double end = c.end;
-    c.level = c.hole[c.plane.tool];
-    rapid_to(b, c, end);
-    for (std::int64_t i = 0; i < points.count; ++i) {
-      c.hole = pattern_.point(b, points, c.plane, c.hole, i);
-      motion.rapid_to(b, c.at(c.level));
-      rapid_to(b, c, c.safe);
-      c.end = points.is_high || i + 1 == points.count ? end : c.safe;
-      self.machine(b, c);
-    }
-  }
-
+  void go_along_pattern(ig::Block& b, Call& call, std::int64_t i) const;
   /// CYCL CALL PAT: between the points the tool stays at its level at the call, or at the second set-up clearance where
   /// that is higher. Each point adds its own height to the surface.
-  template <class Self>
-  void machine_list(ig::Block& b, const Self& self, HoleRun& c, const HolePattern::Points& points) const {
-    const double at_call = c.hole[c.plane.tool];
-    double end = c.end, added = 0;
-    c.level = at_call;
-    const auto code = b.find(motions_);
-    const double between = code && *code == 0 ? 0 : in_mmds(b, b.get_or(feed_, 0.0));
-    for (std::int64_t i = 0; i < points.count; ++i) {
-      const double more = (*points.list)[static_cast<std::size_t>(i)].surface - added;
-      added += more;
-      for (double* const level : {&c.surface, &c.safe, &c.bottom, &end}) *level += more;
-      const double high = c.out() > 0 ? std::fmax(at_call, end) : std::fmin(at_call, end);
-      if (c.level != high) rapid_to(b, c, high);
-      c.hole = pattern_.point(b, points, c.plane, c.hole, i);
-      feed_to(b, c, high, between);
-      rapid_to(b, c, c.safe);
-      c.end = high;
-      self.machine(b, c);
-    }
-  }
+  void go_along_list(ig::Block& b, Call& call, std::int64_t i) const;
 
   std::vector<Term> cycles_;
   ig::In<bool> call_{
@@ -296,36 +187,6 @@ class HoleCycle {
   PlaneInForce plane_;
   LastProgramXyz last_;
   ig::Name g95_{"G95"};
-};
-
-/// The spindle in a cycle that turns it itself.
-class CycleSpindle {
- public:
-  bool turns_ccw(const ig::Block& b) const { return b.is(direction_, ccw_); }
-  bool turns(const ig::Block& b) const { return b.is(direction_, ccw_) || b.is(direction_, cw_); }
-  static ig::Spindle other(ig::Spindle direction) {
-    return direction == ig::Spindle::cw ? ig::Spindle::ccw : ig::Spindle::cw;
-  }
-  bool is(const ig::Block& b, ig::Spindle direction) const { return b.is(direction_, name(direction)); }
-
-  /// Before the first step of a cycle that leaves the spindle turning as `last`: an M function of the block acts before
-  /// the cycle, so it becomes a step, unless the order of events within a block gives the same result.
-  void leave(ig::Block& b, const ig::CompoundMotion& motion, ig::Spindle last) const {
-    const auto now = b.get(direction_);
-    const bool stays = now && *now == name(last);
-    if (now && b.is_fresh(direction_) && (!stays || *now == stop_)) {
-      motion.spindle(b, *now == cw_ ? ig::Spindle::cw : *now == ccw_ ? ig::Spindle::ccw : ig::Spindle::stop);
-      if (!stays) b.erase(direction_);
-    }
-    if (!stays) b.amend(direction_, name(last));
-  }
-
- private:
-  ig::Symbol name(ig::Spindle direction) const {
-    return direction == ig::Spindle::cw ? cw_ : direction == ig::Spindle::ccw ? ccw_ : stop_;
-  }
-  ig::Out<ig::Symbol> direction_{"SpindleSpeed.Direction"};
-  ig::Name cw_{"CW"}, ccw_{"CCW"}, stop_{"STOP"};
 };
 
 }  // namespace heidenhain

@@ -8,7 +8,7 @@
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
-#include <isogloss/cnc/units.hpp>
+#include <isogloss/cnc/tilt_transform.hpp>
 
 #include "cycles/cycle_parameters.hpp"
 #include "language/q_store.hpp"
@@ -39,24 +39,15 @@ inline constexpr std::array pattern_parameters{
     CycleParameter{365, "Q365", "", "1: from point to point along the circle."},
 };
 
-/// The direction of a row, and of a hole from the centre of its circle.
-inline Turn hole_direction(double degrees) {
-  const double angle = std::remainder(degrees, 360) * radians_per_degree;
-  return {std::cos(angle), std::sin(angle)};
-}
+using PatternParameters = CycleParameters<pattern_parameters>;
 
 /// A member of the syntaxes that write or read the pattern of a block.
 class HolePattern {
  public:
   explicit HolePattern(ig::Access access)
       : number_("KlartextPattern.Number", access,
-                {ig::Life::block, "", "220 or 221: the pattern that runs here; 0: that of PATTERN DEF."}) {
-    for (std::size_t i = 0; i < fields_.size(); ++i) {
-      const CycleParameter& p = pattern_parameters[i];
-      fields_[i] = ig::detail::declare_field(
-          {{"KlartextPattern.", p.name}, IG_NUMBER, access, {ig::Life::block, p.unit, p.doc}});
-    }
-  }
+                {ig::Life::block, "", "220 or 221: the pattern that runs here; 0: that of PATTERN DEF."}),
+        parameters_("KlartextPattern.", access, ig::Life::block) {}
 
   struct Points {
     bool is_pattern = false;
@@ -67,23 +58,10 @@ class HolePattern {
     double angle = 0, step = 0;  ///< of a circle
   };
 
-  std::optional<double> get(const ig::Block& b, std::uint32_t q) const {
-    ig_value v;
-    const std::size_t i = index_of(q);
-    if (i >= fields_.size()) return std::nullopt;
-    return b.get(fields_[i], v) ? std::optional(v.number) : std::nullopt;
-  }
-  void set(ig::Block& b, std::uint32_t q, double value) const {
-    if (const std::size_t i = index_of(q); i < fields_.size()) b.set(fields_[i], value);
-  }
+  std::optional<double> get(const ig::Block& b, std::uint32_t q) const { return parameters_.get(b, q); }
+  const PatternParameters& parameters() const { return parameters_; }
   bool is_set(const ig::Block& b) const { return b.has(number_); }
   void set_number(ig::Block& b, std::int64_t number) const { b.set(number_, number); }
-
-  static constexpr std::size_t index_of(std::uint32_t q) {
-    for (std::size_t i = 0; i < pattern_parameters.size(); ++i)
-      if (pattern_parameters[i].q == q) return i;
-    return pattern_parameters.size();
-  }
 
   Points operator()(const ig::Block& b, const PlaneAxes&) const {
     Points p;
@@ -129,16 +107,16 @@ class HolePattern {
     }
     if (b.get_or(number_, std::int64_t{0}) != 221)
       return hole_towards({value(216), value(217)}, value(244) / 2,
-                          hole_direction(p.angle + p.step * static_cast<double>(i)));
+                          Turn::by(p.angle + p.step * static_cast<double>(i)));
     const auto row = static_cast<std::size_t>(i / p.in_row), place = static_cast<std::size_t>(i % p.in_row);
-    const Turn turn = hole_direction(value(224));
+    const Turn turn = Turn::by(value(224));
     const HoleGrid grid{{value(225), value(226)}, turn, turn, value(237), value(238)};
     return grid.at(alternating_column(row, place, static_cast<std::size_t>(p.in_row)), row);
   }
   static std::int64_t whole(double n) { return n >= 1 && n <= 1e6 ? static_cast<std::int64_t>(std::round(n)) : 0; }
 
   ig::Field<std::int64_t> number_;
-  std::array<ig_field, pattern_parameters.size()> fields_{};
+  PatternParameters parameters_;
   ScaleAndMirror mirror_;
   ig::Service<QStore> store_{q_store_service, ig::Need::optional, "The points of PATTERN DEF."};
 };

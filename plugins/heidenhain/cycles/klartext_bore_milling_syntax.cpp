@@ -7,6 +7,7 @@
 #include <isogloss/cnc/tool_steps.hpp>
 
 #include "cycles/hole_cycle.hpp"
+#include "cycles/hole_spindle.hpp"
 
 namespace heidenhain {
 
@@ -23,7 +24,7 @@ struct KlartextBoreMilling {
   };
 
   HoleCycle cycle_{{208, "CYCL208"}};
-  CycleSpindle spindle_;
+  HoleSpindle spindle_;
   ToolSteps steps_;
   ig::In<std::int64_t> tool_{"ToolHeightCompensation.OffsetId"};
   ig::In<double> delta_{"RadiusCompensation.Delta_mm"};

@@ -1,6 +1,7 @@
 // Cycles 202, boring, and 204, back boring: the spindle stops at an angle, and the tool leaves the wall before it moves
 // through the hole.
 #include "cycles/hole_cycle.hpp"
+#include "cycles/hole_spindle.hpp"
 
 namespace heidenhain {
 
@@ -13,7 +14,7 @@ struct KlartextBoringCycle {
       hole_cycle("KlartextBoringCycleSyntax", "Cycles 202 boring and 204 back boring where they are called.");
 
   HoleCycle cycle_{{202, "CYCL202"}, {204, "CYCL204"}};
-  CycleSpindle spindle_;
+  HoleSpindle spindle_;
   ig::NumberOption retraction_{"off-the-wall", "0.2", {0, 1000}, "mm", "How far cycle 202 moves off the wall."};
 
   ig::Status build(ig::Block& b) const { return cycle_.run(b, *this); }

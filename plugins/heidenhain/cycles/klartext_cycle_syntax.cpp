@@ -2,6 +2,7 @@
 // the language of the control. A definition is kept in CycleDefinition, and its Q parameters get their values.
 #include "cycles/cycle_text.hpp"
 #include "cycles/hole_pattern.hpp"
+#include "language/block_words.hpp"
 #include "motion/m_functions.hpp"
 
 namespace heidenhain {
@@ -63,8 +64,7 @@ struct KlartextCycle {
   std::size_t define(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
     const auto number = CycleNumber::at(text, skip(text, i));
     if (!number) {
-      const std::string_view whole = rest_of_line(text, begin);
-      b.report(ig::diag("HEI-0168"), ig::Where::columns(begin, begin + whole.size()), whole);
+      b.report(ig::diag("HEI-0168"), where_of_line(text, begin), rest_of_line(text, begin));
       return text.size();
     }
     if (acts_where_defined(number->cycle)) return begin;
@@ -74,11 +74,9 @@ struct KlartextCycle {
       b.erase(said_);
       b.erase(modal_call_);
       if (!number->part) b.raise(is_open_);
-      if (!waits_for_call(number->cycle)) {
-        const std::string_view whole = rest_of_line(text, begin);
-        b.report(ig::diag("HEI-0161"), ig::Where::columns(begin, begin + whole.size()),
-                 static_cast<double>(number->cycle), std::string_view("what it does is not known here"));
-      }
+      if (!waits_for_call(number->cycle))
+        b.report(ig::diag("HEI-0161"), where_of_line(text, begin), static_cast<double>(number->cycle),
+                 std::string_view("what it does is not known here"));
     }
     if (!number->part)
       parameters(b, text, number->end);
@@ -101,12 +99,8 @@ struct KlartextCycle {
   }
 
   std::size_t parameters(ig::Block& b, std::string_view text, std::size_t position) const {
-    return text_.parameters(b, text, position, b.get_or(number_, std::int64_t{0}), [&](std::uint32_t q, double value) {
-      const std::size_t i = index_of_parameter(q);
-      if (i >= cycle_parameters.size()) return;
-      const double metric = text_.metric(b, cycle_parameters[i].unit, value);
-      if (std::isfinite(metric)) definition_.set(b, q, metric);
-    });
+    return text_.parameters(b, text, position, b.get_or(number_, std::int64_t{0}),
+                            [&](std::uint32_t q, double value) { text_.set(b, definition_, q, value); });
   }
 
   /// True for Q200=2 with no text after it; any other line is a formula.
@@ -136,9 +130,7 @@ struct KlartextCycle {
     const std::size_t pattern = keyword(text, i, "PAT"), position = keyword(text, i, "POS");
     const QStore* const store = text_.values().store();
     if (pattern != i && (store == nullptr || store->pattern.empty())) {
-      const std::string_view whole = rest_of_line(text, begin);
-      b.report(ig::diag("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole,
-               std::string_view("the holes of the pattern are missing"));
+      report_not_executed(b, text, begin, "the holes of the pattern are missing");
       return;
     }
     b.set(call_, true);
@@ -151,13 +143,12 @@ struct KlartextCycle {
     while ((i = skip(text, i)) < text.size()) {
       const std::size_t next = call_word(b, text, i, is_rapid);
       if (next == i) {
-        const std::string_view rest = rest_of_line(text, i);
-        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("CYCL CALL"));
+        report_not_a_word(b, text, i, "CYCL CALL");
         break;
       }
       i = next;
     }
-    if (is_moving) code(b, motions_.id(is_rapid ? 0 : 1), begin, begin + 9);
+    if (is_moving) put_code(b, motions_.id(is_rapid ? 0 : 1), begin, begin + 9);
   }
 
   std::size_t call_word(ig::Block& b, std::string_view text, std::size_t i, bool& is_rapid) const {
@@ -168,17 +159,8 @@ struct KlartextCycle {
     if (axis > 2) return i;
     const Value v = text_.values().read(b, text, i + 1);
     if (!v.ok) return i;
-    word(b, axes_.id(axis), i, v.end, v.number);
+    put_word(b, axes_.id(axis), i, v.end, v.number);
     return v.end;
-  }
-
-  static void word(ig::Block& b, ig_field field, std::size_t begin, std::size_t end, double value) {
-    const ig_word w{field, column(begin), column(end), {.number = value}, 0, 0};
-    b.set_word(w);
-  }
-  static void code(ig::Block& b, ig_field field, std::size_t begin, std::size_t end) {
-    const ig_word w{field, column(begin), column(end), ig_value{}, 0, 0};
-    b.set_word(w);
   }
 };
 

@@ -1,8 +1,8 @@
 // Cycles 1, pecking, 2, tapping, and 17, rigid tapping, of older controls. They start at the tool's position at the
 // call, which is SET UP above the surface, and end there.
-#include <isogloss/cnc/units.hpp>
-
 #include "cycles/hole_cycle.hpp"
+#include "cycles/hole_spindle.hpp"
+#include "language/program_unit.hpp"
 
 namespace heidenhain {
 
@@ -15,32 +15,31 @@ struct KlartextOldCycle {
       hole_cycle("KlartextOldCycleSyntax", "Cycles 1, 2 and 17 of older controls where they are called.");
 
   HoleCycle cycle_{{1, "CYCL1"}, {2, "CYCL2"}, {17, "CYCL17"}};
-  CycleSpindle spindle_;
-  ig::In<ig::Symbol> system_{"Unit.System"};
-  ig::Name inch_{"Inch"};
+  HoleSpindle spindle_;
+  ProgramUnit unit_;
 
   ig::Status build(ig::Block& b) { return cycle_.run(b, *this); }
 
   bool find_surface(ig::Block& b, HoleRun& c) const {
     const auto clearance = needed(b, c, 1), depth = needed(b, c, 2);
     if (!clearance || !depth) return false;
-    c.clearance = std::fabs(*clearance) * unit(b);
+    c.clearance = std::fabs(*clearance) * unit_.in_mm(b);
     c.surface = c.level + (*depth > 0 ? 1 : -1) * c.clearance;
     return true;
   }
 
   std::optional<double> prepare(ig::Block& b, HoleRun& c) const {
-    if (!cycle_.levels(b, c, *cycle_.get(b, 2) * unit(b))) return std::nullopt;
+    if (!cycle_.levels(b, c, *cycle_.get(b, 2) * unit_.in_mm(b))) return std::nullopt;
     const auto third = needed(b, c, 3);
     if (!third) return std::nullopt;
     if (c.number == 17) {
-      c.feed = cycle_.speed(b) * std::fabs(*third) * unit(b) / 60;
+      c.feed = cycle_.speed(b) * std::fabs(*third) * unit_.in_mm(b) / 60;
       return has_feed(b, c, *third == 0 ? "PITCH" : "the speed S", *third == 0 ? *third : cycle_.speed(b), 8);
     }
     const std::uint32_t feed = c.number == 1 ? 5 : 4;
     const auto f = needed(b, c, feed);
     if (!f) return std::nullopt;
-    c.feed = cycle_.in_mmds(b, *f * unit(b));
+    c.feed = cycle_.in_mmds(b, *f * unit_.in_mm(b));
     c.dwell = c.number == 1 ? cycle_.get_or(b, 4, 0) : *third;
     return has_feed(b, c, "F", *f, c.number == 1 ? strokes_of(b, c).number() * 3 + 8 : 8);
   }
@@ -57,15 +56,13 @@ struct KlartextOldCycle {
     cycle_.motion.spindle(b, in_);
     cycle_.feed_to(b, c, c.bottom, c.feed);
     cycle_.dwell(b, c.dwell);
-    cycle_.motion.spindle(b, CycleSpindle::other(in_));
+    cycle_.motion.spindle(b, HoleSpindle::other(in_));
     cycle_.feed_to(b, c, c.safe, c.feed);
     cycle_.motion.spindle(b, c.number == 17 ? ig::Spindle::stop : in_);
   }
 
  private:
   ig::Spindle in_ = ig::Spindle::cw;  // of the block
-
-  double unit(const ig::Block& b) const { return b.is(system_, inch_) ? mm_per_inch : 1; }
 
   std::optional<double> needed(ig::Block& b, const HoleRun& c, std::uint32_t part) const {
     static constexpr std::array<std::array<std::string_view, 5>, 3> names{{{"SET UP", "DEPTH", "PECKING", "DWELL", "F"},
@@ -85,7 +82,7 @@ struct KlartextOldCycle {
   }
 
   PeckStrokes strokes_of(const ig::Block& b, const HoleRun& c) const {
-    const double whole = std::fabs(c.bottom - c.surface), infeed = std::fabs(cycle_.get_or(b, 3, 0)) * unit(b);
+    const double whole = std::fabs(c.bottom - c.surface), infeed = std::fabs(cycle_.get_or(b, 3, 0)) * unit_.in_mm(b);
     return {c.surface, c.bottom, infeed > 0 && infeed < whole ? infeed : whole};
   }
 

@@ -2,10 +2,11 @@
 // as a list of points. SEL PATTERN names a file of points, which is not read.
 #include <isogloss/cnc/hole_layout.hpp>
 #include <isogloss/cnc/plane.hpp>
-#include <isogloss/cnc/units.hpp>
+#include <isogloss/cnc/tilt_transform.hpp>
 
-#include "cycles/hole_pattern.hpp"
+#include "language/block_words.hpp"
 #include "language/klartext_values.hpp"
+#include "language/program_unit.hpp"
 
 namespace heidenhain {
 
@@ -24,8 +25,7 @@ struct KlartextPattern {
 
   Values values_;
   PlaneInForce plane_;
-  ig::In<ig::Symbol> system_{"Unit.System"};
-  ig::Name inch_{"Inch"};
+  ProgramUnit unit_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (!stands_first(text, position)) return position;
@@ -37,7 +37,7 @@ struct KlartextPattern {
     if (values_.is_indexing() || store == nullptr) return end;
     store->pattern.clear();
     if (selection != position)
-      say(b, text, position, "the points are missing");
+      report_not_executed(b, text, position, "the points are missing");
     else
       read(b, text.substr(0, end), position, definition, store->pattern);
     return end;
@@ -54,11 +54,6 @@ struct KlartextPattern {
   using Words = std::array<std::optional<double>, name_count>;
   using Points = std::vector<PatternPoint>;
 
-  static void say(ig::Block& b, std::string_view text, std::size_t begin, std::string_view effect) {
-    const std::string_view whole = rest_of_line(text, begin);
-    b.report(ig::diag("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole, effect);
-  }
-
   /// Reads POS1 (X+25 Y+33.5 Z+0) POS2 (...)
   void read(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i, Points& points) const {
     bool any = false;
@@ -68,8 +63,7 @@ struct KlartextPattern {
       while (kind < kind_count && !equals_ignoring_case(piece(text, i, letters), kinds[kind])) ++kind;
       const std::size_t open = skip(text, skip_digits(text, letters));
       if (kind == kind_count || at(text, open) != '(') {
-        const std::string_view rest = rest_of_line(text, i);
-        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("PATTERN DEF"));
+        report_not_a_word(b, text, i, "PATTERN DEF");
         return;
       }
       Words words;
@@ -81,7 +75,7 @@ struct KlartextPattern {
       if (!words_at(b, text, i, words, is_complete)) return;
       if (is_complete) add(b, static_cast<Kind>(kind), words, shown, where, points);
     }
-    if (!any) say(b, text, begin, "it holds no point");
+    if (!any) report_not_executed(b, text, begin, "it holds no point");
   }
 
   /// Reads up to the closing bracket; false, with a diagnostic, where other text is there.
@@ -92,8 +86,7 @@ struct KlartextPattern {
       std::size_t name = 0;
       while (name < name_count && !equals_ignoring_case(piece(text, i, end), names[name])) ++name;
       if (name == name_count) {
-        const std::string_view rest = rest_of_line(text, i);
-        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("PATTERN DEF"));
+        report_not_a_word(b, text, i, "PATTERN DEF");
         return false;
       }
       const Value v = values_.read(b, text, end);
@@ -130,7 +123,7 @@ struct KlartextPattern {
       const double n = std::round(number(name));
       return n >= 1 && n <= most_points ? static_cast<std::size_t>(n) : 0;
     };
-    const double unit = b.is(system_, inch_) ? mm_per_inch : 1;
+    const double unit = unit_.in_mm(b);
     const double u = number(axes[plane.first]), v = number(axes[plane.second]), z = number(axes[plane.tool]);
     const auto put = [&](const Point2& p) { points.push_back({p.u * unit, p.v * unit, z * unit}); };
     const bool is_grid = kind == pat || kind == frame;
@@ -150,15 +143,15 @@ struct KlartextPattern {
                             : to_end ? (*w[END] - number(START)) / static_cast<double>(columns > 1 ? columns - 1 : 1)
                                      : number(STEP);
         for (std::size_t i = 0; i < columns; ++i) {
-          put(hole_towards({u, v}, number(D) / 2, hole_direction(number(START) + step * static_cast<double>(i))));
+          put(hole_towards({u, v}, number(D) / 2, Turn::by(number(START) + step * static_cast<double>(i))));
         }
         return;
       }
       default: break;
     }
     const HoleGrid grid{{u, v},
-                        hole_direction(number(ROT) + number(ROTX)),
-                        hole_direction(number(ROT) + number(ROTY)),
+                        Turn::by(number(ROT) + number(ROTX)),
+                        Turn::by(number(ROT) + number(ROTY)),
                         is_grid ? number(DX) : number(D),
                         number(DY)};
     for (std::size_t r = 0; r < rows; ++r)

@@ -1,6 +1,7 @@
 // Cycles 206, tapping with a floating chuck, 207, rigid tapping, and 209, tapping with chip breaking: the spindle
 // reverses at the bottom, and the tool leaves the hole by feed.
 #include "cycles/hole_cycle.hpp"
+#include "cycles/hole_spindle.hpp"
 
 namespace heidenhain {
 
@@ -15,7 +16,7 @@ struct KlartextTappingCycle {
       hole_cycle("KlartextTappingCycleSyntax", "Cycles 206, 207 and 209, tapping, where they are called.");
 
   HoleCycle cycle_{{206, "CYCL206"}, {207, "CYCL207"}, {209, "CYCL209"}};
-  CycleSpindle spindle_;
+  HoleSpindle spindle_;
   ig::Choice<After> after_{"spindle-after", "stop|as-before", "stop",
                            "What the spindle does after 207 and 209: it stops, or turns again as before."};
 
@@ -67,7 +68,7 @@ struct KlartextTappingCycle {
     cycle_.motion.spindle(b, in);
     cycle_.feed_to(b, c, c.bottom, c.feed);
     cycle_.dwell(b, c.dwell);
-    cycle_.motion.spindle(b, CycleSpindle::other(in));
+    cycle_.motion.spindle(b, HoleSpindle::other(in));
     cycle_.feed_to(b, c, c.safe, c.feed);
     cycle_.motion.spindle(b, in);
     cycle_.leave(b, c);
@@ -75,7 +76,7 @@ struct KlartextTappingCycle {
 
   void tap_rigidly(ig::Block& b, HoleRun& c) const {
     const double pitch = cycle_.get_or(b, 239, 0);
-    const ig::Spindle in = pitch < 0 ? ig::Spindle::ccw : ig::Spindle::cw, out = CycleSpindle::other(in);
+    const ig::Spindle in = pitch < 0 ? ig::Spindle::ccw : ig::Spindle::cw, out = HoleSpindle::other(in);
     const PeckStrokes strokes = breaks_of(b, c);
     const int count = static_cast<int>(strokes.number());
     const double back = std::fabs(cycle_.get_or(b, 256, 0) * pitch);

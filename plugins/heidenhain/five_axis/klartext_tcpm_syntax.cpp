@@ -1,4 +1,5 @@
 // FUNCTION TCPM and FUNCTION RESET TCPM: the tip of the tool is led while the rotary axes turn, as under M128 and M129.
+#include "language/block_words.hpp"
 #include "language/klartext_values.hpp"
 
 namespace heidenhain {
@@ -32,13 +33,9 @@ struct KlartextTcpm {
 
  private:
   void lead_tip(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i, bool starts) const {
-    const auto word = [&](ig_field field) {
-      const ig_word w{field, column(begin), column(i), ig_value{}, 0, 0};
-      b.set_word(w);
-    };
-    if (starts || b.is(length_term_, g43_4_)) word(starts ? tip_.code(0) : length_.code(0));
+    if (starts || b.is(length_term_, g43_4_)) put_code(b, starts ? tip_.code(0) : length_.code(0), begin, i);
     // Without a TOOL CALL before it the tool in the spindle is used; its length is not known.
-    if (starts && !b.has(offset_id_)) word(tip_.word(0, 'H'));
+    if (starts && !b.has(offset_id_)) put_code(b, tip_.word(0, 'H'), begin, i);
     const std::size_t after = i;
     for (const std::string_view words : {"F TCP", "F CONT", "AXIS POS", "PATHCTRL AXIS", "REFPNT TIP-TIP"})
       if (const std::size_t next = skip(text, i), behind = keyword(text, next, words); behind != next) i = behind;
@@ -49,8 +46,7 @@ struct KlartextTcpm {
                  std::string_view("FUNCTION RESET TCPM"));
       return;
     }
-    const std::string_view rest = rest_of_line(text, i);
-    b.report(ig::diag("HEI-0171"), ig::Where::columns(i, i + rest.size()), rest,
+    b.report(ig::diag("HEI-0171"), where_of_line(text, i), rest_of_line(text, i),
              std::string_view("the words of rotary axes are positions of the axes, as after M128"));
   }
 };

@@ -1,5 +1,6 @@
 // LBL n marks a place, LBL 0 ends a subprogram. CALL LBL n runs the subprogram, CALL LBL n REP k repeats the part of
 // the program from the label to here k more times, CALL PGM runs another program.
+#include "language/block_words.hpp"
 #include "language/klartext_values.hpp"
 
 namespace heidenhain {
@@ -85,8 +86,7 @@ struct KlartextLabel {
   static void say_rest(ig::Block& b, std::string_view text, std::size_t i, std::string_view of) {
     i = skip(text, i);
     if (i >= text.size()) return;
-    const std::string_view rest = rest_of_line(text, i);
-    b.report(ig::diag("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, of);
+    report_without_meaning(b, text, i, of);
   }
 
   /// REP 3/3, REP Q3/Q3: the control shows the remaining repeats, and writes them into listings.
@@ -105,10 +105,9 @@ struct KlartextLabel {
     if (name.empty()) return;
     const auto where = ig::Where::columns(i, end);
     const std::size_t rep = skip(text, end);
-    std::size_t behind_rep = rep;
-    for (const char c : std::string_view("REP")) behind_rep = to_upper(at(text, behind_rep)) == c ? behind_rep + 1 : 0;
+    const std::size_t behind_rep = glued(text, rep, "REP");
     b.set(term_, call_label_);
-    if (rep < text.size() && behind_rep < rep + 3) {
+    if (rep < text.size() && behind_rep == rep) {
       say_rest(b, text, rep, "CALL LBL");
     } else if (rep < text.size()) {
       const Value times = values_.read(b, text, skip(text, behind_rep));

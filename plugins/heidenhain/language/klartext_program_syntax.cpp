@@ -1,5 +1,6 @@
 // The frame of a program: BEGIN PGM NAME MM or INCH, END PGM, BLK FORM, and STOP. BEGIN PGM names the program for CALL
 // PGM and sets the unit; END PGM ends the program, or returns to the caller. The blank form does not change the path.
+#include "language/block_words.hpp"
 #include "language/klartext_values.hpp"
 #include "motion/m_functions.hpp"
 
@@ -85,8 +86,7 @@ struct KlartextProgram {
       const bool is_name = i == first && is_unit(piece(text, next, skip_while(text, next, is_letter)));
       if (is_unit(word) && !is_name) {
         if (next < text.size() && !values_.is_indexing()) {
-          const std::string_view rest = rest_of_line(text, next);
-          b.report(ig::diag("HEI-0105"), ig::Where::columns(next, next + rest.size()), rest, of);
+          report_without_meaning(b, text, next, of);
         }
         return {trim(piece(text, first, i)), word};
       }
@@ -106,8 +106,7 @@ struct KlartextProgram {
       const std::size_t letter = to_upper(text[i]) == 'I' ? i + 1 : i;
       const bool is_axis = std::string_view("XYZUVW").find(to_upper(at(text, letter))) != std::string_view::npos;
       if (!is_axis || is_letter(at(text, letter + 1)) != (to_upper(at(text, letter + 1)) == 'Q')) {
-        const std::string_view rest = rest_of_line(text, i);
-        b.report(ig::diag("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("BLK FORM"));
+        report_without_meaning(b, text, i, "BLK FORM");
         return;
       }
       const Value v = values_.read(b, text, letter + 1);
@@ -130,8 +129,7 @@ struct KlartextProgram {
     if (found.unit.empty())
       b.report(ig::diag("HEI-0104"), ig::Where::columns(position, i), std::string_view("BEGIN PGM"),
                std::string_view("MM or INCH"));
-    const ig_word word{units_.id(is_inch ? 0 : 1), column(position), column(position + 1), ig_value{}, 0, 0};
-    b.set_word(word);
+    put_code(b, units_.id(is_inch ? 0 : 1), position, position + 1);
     return end;
   }
 
@@ -139,12 +137,10 @@ struct KlartextProgram {
   std::size_t stop(ig::Block& b, std::string_view text, std::size_t position, std::size_t i) const {
     const std::size_t end = statement_end(text, position);
     if (values_.is_indexing()) return end;
-    const ig_word word{stop_.id(0), column(position), column(i), ig_value{}, 0, 0};
-    b.set_word(word);
+    put_code(b, stop_.id(0), position, i);
     while ((i = skip(text, i)) < end) {
       if (to_upper(text[i]) != 'M') {
-        const std::string_view rest = rest_of_line(text, i);
-        b.report(ig::diag("HEI-0105"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("STOP"));
+        report_without_meaning(b, text, i, "STOP");
         break;
       }
       i = m_.scan(b, values_, text, i);

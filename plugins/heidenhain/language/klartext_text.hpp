@@ -109,9 +109,25 @@ constexpr std::size_t keyword(std::string_view text, std::size_t position, std::
   return i;
 }
 
+/// The position after the letters of `upper`, which a sign, a number or a letter may follow directly; `position` itself
+/// where they are not there.
+constexpr std::size_t glued(std::string_view text, std::size_t position, std::string_view upper) {
+  std::size_t end = position;
+  for (const char c : upper) {
+    if (to_upper(at(text, end)) != c) return position;
+    ++end;
+  }
+  return end;
+}
+
 /// The position after the letters at `position`.
 constexpr std::size_t letters_end(std::string_view text, std::size_t position) {
   return skip_while(text, position, is_letter);
+}
+
+/// The position after the text at `position` that no blank and no comment divides.
+constexpr std::size_t word_end(std::string_view text, std::size_t position) {
+  return skip_while(text, position, [](char c) { return !is_space(c) && c != ';'; });
 }
 
 /// The text without blanks and line ends at both ends.
@@ -157,7 +173,7 @@ inline std::string read_name(std::string_view text, std::size_t position, std::s
     name = trim(piece(text, position + 1, close));
     end = close < text.size() ? close + 1 : close;
   } else {
-    end = skip_while(text, position, [](char c) { return !is_space(c) && c != ';'; });
+    end = word_end(text, position);
     name = piece(text, position, end);
   }
   for (char& c : name) c = to_upper(c);

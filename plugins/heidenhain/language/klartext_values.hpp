@@ -2,10 +2,9 @@
 #pragma once
 
 #include <charconv>
-#include <numbers>
+#include <cmath>
 #include <optional>
 
-#include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
 #include "language/klartext_text.hpp"
@@ -92,23 +91,7 @@ class Values {
   }
 
   /// A formula to the end of its statement; nothing, with a diagnostic, where it has no result.
-  std::optional<double> formula(ig::Block& b, std::string_view text, std::size_t position, std::size_t end) const {
-    Parser parser{*this, b, text.substr(0, end), position, 0, false};
-    const double result = parser.sum();
-    if (parser.failed) return std::nullopt;
-    parser.position = skip(parser.text, parser.position);
-    if (parser.position < end) {
-      if (parser.text[parser.position] == ')')
-        b.report(ig::diag("HEI-0110"), ig::Where::columns(parser.position, parser.position + 1), std::string_view(")"));
-      else
-        parser.no_value();
-      return std::nullopt;
-    }
-    if (std::isfinite(result)) return result + 0.0;
-    b.report(ig::diag("HEI-0113"), ig::Where::columns(position, end), trim(piece(text, position, end)));
-    b.alarm();
-    return std::nullopt;
-  }
+  std::optional<double> formula(ig::Block& b, std::string_view text, std::size_t position, std::size_t end) const;
 
  private:
   /// The value without signs before it.
@@ -130,143 +113,6 @@ class Values {
     }
     return frame.id;
   }
-
-  static constexpr int deepest = 100;
-
-  struct Parser {
-    const Values& values;
-    ig::Block& b;
-    std::string_view text;
-    std::size_t position;
-    int depth;
-    bool failed;
-
-    double sum() {
-      double left = product();
-      while (!failed) {
-        position = skip(text, position);
-        const char c = at(text, position);
-        if (c != '+' && c != '-') break;
-        ++position;
-        const double right = product();
-        left = c == '+' ? left + right : left - right;
-      }
-      return left;
-    }
-    double product() {
-      double left = power();
-      while (!failed) {
-        position = skip(text, position);
-        const char c = at(text, position);
-        const std::size_t div = keyword(text, position, "DIV");
-        if (c == '*' || c == '/' || c == '%')
-          ++position;
-        else if (div != position)
-          position = div;
-        else
-          break;
-        const double right = power();
-        if (c == '*')
-          left *= right;
-        else if (c == '%')
-          left = std::fmod(left, right);
-        else
-          left /= right;
-      }
-      return left;
-    }
-    double power() {
-      double left = value();
-      while (!failed) {
-        position = skip(text, position);
-        if (at(text, position) != '^') break;
-        ++position;
-        const double right = value();
-        left = std::pow(left, right);
-      }
-      return left;
-    }
-    double value() {
-      position = skip(text, position);
-      if (++depth > deepest) {
-        if (!failed) b.report(ig::diag("HEI-0112"), ig::Where::columns(position, position + 1), double{deepest});
-        failed = true;
-      }
-      if (failed) return 0;
-      const double result = value_inside();
-      --depth;
-      return result;
-    }
-    double value_inside() {
-      const char c = at(text, position);
-      if (c == '+' || c == '-') {
-        ++position;
-        const double inner = value();
-        return c == '-' ? -inner : inner;
-      }
-      if (c == '(') {
-        const std::size_t open = position++;
-        const double inner = sum();
-        position = skip(text, position);
-        if (failed) return 0;
-        if (at(text, position) != ')') {
-          b.report(ig::diag("HEI-0111"), ig::Where::columns(open, open + 1));
-          failed = true;
-          return 0;
-        }
-        ++position;
-        return inner;
-      }
-      const Value v = values.operand(b, text, position);
-      if (v.ok) {
-        position = v.end;
-        return v.number;
-      }
-      return function();
-    }
-    double function() {
-      static constexpr std::array<std::string_view, 18> names{"SQRT", "SQ",   "SIN", "COS", "TAN",  "ASIN",
-                                                              "ACOS", "ATAN", "ABS", "INT", "FRAC", "NEG",
-                                                              "SGN",  "LN",   "LOG", "EXP", "PI",   "MOD"};
-      const std::size_t end = letters_end(text, position);
-      for (std::size_t i = 0; i < names.size() && end > position; ++i) {
-        if (!equals_ignoring_case(piece(text, position, end), names[i])) continue;
-        position = end;
-        if (i == 16) return std::numbers::pi;
-        return result_of(i, value());
-      }
-      no_value();
-      return 0;
-    }
-    static double result_of(std::size_t function, double x) {
-      switch (function) {
-        case 0: return std::sqrt(x);
-        case 1: return x * x;
-        case 2: return std::sin(x * radians_per_degree);
-        case 3: return std::cos(x * radians_per_degree);
-        case 4: return std::tan(x * radians_per_degree);
-        case 5: return std::asin(x) / radians_per_degree;
-        case 6: return std::acos(x) / radians_per_degree;
-        case 7: return std::atan(x) / radians_per_degree;
-        case 8: return std::fabs(x);
-        case 9: return std::trunc(x);
-        case 10: return x - std::trunc(x);
-        case 11: return -x;
-        case 12: return x > 0 ? 1 : x < 0 ? -1 : 0;
-        case 13: return std::log(x);
-        case 14: return std::log10(x);
-        case 15: return std::exp(x);
-        default: return std::numeric_limits<double>::quiet_NaN();
-      }
-    }
-    void no_value() {
-      if (failed) return;
-      failed = true;
-      const std::size_t end = std::max(position + 1, skip_while(text, position, [](char c) { return !is_space(c); }));
-      b.report(ig::diag("HEI-0110"), ig::Where::columns(position, end),
-               text.substr(std::min(position, text.size()), end - position));
-    }
-  };
 
   ig::Service<QStore> store_{q_store_service, ig::Need::required, "The Q parameters."};
   ig::Flow flow_;

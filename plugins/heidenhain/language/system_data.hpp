@@ -5,10 +5,12 @@
 #include <cmath>
 #include <optional>
 
+#include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
-#include <isogloss/cnc/units.hpp>
+
+#include "language/program_unit.hpp"
 
 namespace heidenhain {
 
@@ -28,7 +30,7 @@ class SystemData {
     const std::size_t axis = is_of_axis ? static_cast<std::size_t>(*r.index) - 1 : 0;
     const auto is = [&](double id, double number) { return r.id == id && r.number == number; };
     if (is(20, 1) || is(60, 1)) return static_cast<double>(b.get_or(tool_, std::int64_t{0}));
-    if (is(20, 3) || is(60, 2)) return b.is(plane_, g18_) ? 1.0 : b.is(plane_, g19_) ? 0.0 : 2.0;
+    if (is(20, 3) || is(60, 2)) return static_cast<double>(plane_(b).tool);
     if (is(20, 4) || is(60, 3)) return b.get_or(speed_, 0.0);
     if (is(60, 4)) return in_unit(b, b.get_or(length_delta_, 0.0));
     if (is(60, 5)) return in_unit(b, b.get_or(radius_delta_, 0.0));
@@ -51,7 +53,7 @@ class SystemData {
   }
 
  private:
-  double in_unit(const ig::Block& b, double mm) const { return b.is(system_, inch_) ? mm / mm_per_inch : mm; }
+  double in_unit(const ig::Block& b, double mm) const { return mm / unit_.in_mm(b); }
 
   std::optional<double> of_table(const ig::Block& b, const Request& r) const {
     const double tool = r.index.value_or(static_cast<double>(b.get_or(tool_, std::int64_t{0})));
@@ -86,10 +88,9 @@ class SystemData {
   std::array<ig::Previous<double>, 3> angles_{ig::Previous<double>{"MachineCoordinate.A"},
                                               ig::Previous<double>{"MachineCoordinate.B"},
                                               ig::Previous<double>{"MachineCoordinate.C"}};
-  ig::In<ig::Symbol> plane_{"PlaneSelect.Term"};
-  ig::In<ig::Symbol> system_{"Unit.System"};
+  PlaneInForce plane_;
+  ProgramUnit unit_;
   ig::In<ig::Symbol> mirror_term_{"MirrorImage.Term"};
-  ig::Name g18_{"G18"}, g19_{"G19"}, inch_{"Inch"};
   LastProgramXyz last_;
   ScaleAndMirror mirror_;
   ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional, "Length and radius of tools."};

@@ -1,7 +1,9 @@
 /// F of a path block or of TOOL CALL: a number, MAX, AUTO, or feed per revolution.
 #pragma once
 
+#include "language/block_words.hpp"
 #include "language/klartext_values.hpp"
+#include "language/program_unit.hpp"
 
 namespace heidenhain {
 
@@ -31,7 +33,7 @@ class FeedWords {
       if (is("MAX"))
         is_rapid = true;
       else if (const auto feed = b.get(tool_feed_))
-        put(b, *feed, position, end);
+        put_word(b, f_.id(), position, end, *feed);
       else
         b.report(ig::diag("HEI-0138"), ig::Where::columns(position, end));
       return end;
@@ -51,12 +53,12 @@ class FeedWords {
       return v.end;
     }
     const bool was_per_revolution = b.is(mode_, g95_);
-    if (is_per_revolution && !was_per_revolution) code(b, modes_.id(1), position, v.end);
+    if (is_per_revolution && !was_per_revolution) put_code(b, modes_.id(1), position, v.end);
     if (!is_per_revolution && was_per_revolution && !b.is_raised(per_revolution_))
-      code(b, modes_.id(0), position, v.end);
+      put_code(b, modes_.id(0), position, v.end);
     if (b.has(f_))
       b.report(ig::diag("HEI-0106"), ig::Where::columns(position, v.end), trim(piece(text, position, v.end)));
-    put(b, is_per_revolution ? v.number : in_unit(b, v.number), position, v.end);
+    put_word(b, f_.id(), position, v.end, is_per_revolution ? v.number : in_unit(b, v.number));
     return v.end;
   }
 
@@ -65,24 +67,15 @@ class FeedWords {
   std::optional<double> word(const ig::Block& b) const { return b.get(f_); }
   /// The feed in the unit of F in this program: inch/min in an inch program.
   double in_unit(const ig::Block& b, double feed) const {
-    return inch_feed_ == InchFeed::tenths && b.is(system_, inch_) ? feed / 10 : feed;
+    return inch_feed_ == InchFeed::tenths && unit_.is_inch(b) ? feed / 10 : feed;
   }
   double as_written(const ig::Block& b, double feed) const {
-    return inch_feed_ == InchFeed::tenths && b.is(system_, inch_) ? feed * 10 : feed;
+    return inch_feed_ == InchFeed::tenths && unit_.is_inch(b) ? feed * 10 : feed;
   }
   std::optional<double> of_tool_call(const ig::Block& b) const { return b.get(tool_feed_); }
 
  private:
   enum class InchFeed { tenths, inches };
-
-  void put(ig::Block& b, double feed, std::size_t begin, std::size_t end) const {
-    const ig_word word{f_.id(), column(begin), column(end), {.number = feed}, 0, 0};
-    b.set_word(word);
-  }
-  static void code(ig::Block& b, ig_field field, std::size_t begin, std::size_t end) {
-    const ig_word word{field, column(begin), column(end), ig_value{}, 0, 0};
-    b.set_word(word);
-  }
 
   ig::Field<double> f_{"Parsing.F", ig::read | ig::write, {ig::Life::standard, "mm/min", ""}};
   ig::Out<double> tool_feed_{
@@ -90,9 +83,9 @@ class FeedWords {
       {ig::Life::modal, "", "F of the last TOOL CALL, which F AUTO means; in the program's unit."}};
   ig::Codes modes_{{"G94", "G95"}, ig::write};
   ig::In<ig::Symbol> mode_{"Feedrate.Term"};
-  ig::In<ig::Symbol> system_{"Unit.System"};
+  ProgramUnit unit_;
   ig::Signal per_revolution_{"KlartextFeed.~PerRevolution", ig::read, ig::Life::modal};
-  ig::Name g95_{"G95"}, inch_{"Inch"};
+  ig::Name g95_{"G95"};
   ig::Choice<InchFeed> inch_feed_{"inch-feed", "tenths|inches", "tenths",
                                   "The unit of F in an inch program: tenths of an inch a minute, or inches a minute."};
 };

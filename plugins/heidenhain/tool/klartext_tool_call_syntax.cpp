@@ -1,7 +1,7 @@
 // TOOL CALL: the tool, its axis, its speed and feed, its length and the allowance DL. TOOL DEF names a tool that the
 // magazine may fetch, or writes its length and radius into the tool table.
-#include <isogloss/cnc/units.hpp>
-
+#include "language/block_words.hpp"
+#include "language/program_unit.hpp"
 #include "motion/feed_words.hpp"
 #include "motion/m_functions.hpp"
 
@@ -39,8 +39,7 @@ struct KlartextToolCall {
   ig::Signal delta_changed_{"ToolHeightCompensation.~TableChanged", ig::write};
   ig::Out<double> radius_delta_{"RadiusCompensation.Delta_mm",
                                 {ig::Life::modal, "mm", "What the tool call adds to the radius of the table."}};
-  ig::In<ig::Symbol> system_{"Unit.System"};
-  ig::Name inch_{"Inch"};
+  ProgramUnit unit_;
   ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional,
                                        "Radius for Q108, length for Q114; TOOL DEF writes it."};
 
@@ -60,15 +59,6 @@ struct KlartextToolCall {
  private:
   enum class Name { none, number, text };
 
-  static void word(ig::Block& b, ig_field field, std::size_t begin, std::size_t end, double value) {
-    const ig_word w{field, column(begin), column(end), {.number = value}, 0, 0};
-    b.set_word(w);
-  }
-  static void code(ig::Block& b, ig_field field, std::size_t begin, std::size_t end) {
-    const ig_word w{field, column(begin), column(end), ig_value{}, 0, 0};
-    b.set_word(w);
-  }
-
   void read_call(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
     i = skip(text, i);
     double tool = 0;
@@ -78,8 +68,7 @@ struct KlartextToolCall {
     while ((i = skip(text, i)) < text.size()) {
       const std::size_t next = call_word(b, text, i, length, radius, has_delta, is_rapid);
       if (next == i) {
-        const std::string_view rest = rest_of_line(text, i);
-        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("TOOL CALL"));
+        report_not_a_word(b, text, i, "TOOL CALL");
         break;
       }
       i = next;
@@ -87,10 +76,10 @@ struct KlartextToolCall {
     if (const auto feed = feed_.word(b)) feed_.keep(b, *feed);
     if (kind != Name::none || has_delta) set_deltas(b, length, radius);
     if (kind != Name::number) return;
-    word(b, t_.id(), begin, begin + 9, tool);
-    code(b, change_.id(0), begin, begin + 9);
-    code(b, length_.code(0), begin, begin + 9);
-    word(b, length_.word(0, 'H'), begin, begin + 9, tool);
+    put_word(b, t_.id(), begin, begin + 9, tool);
+    put_code(b, change_.id(0), begin, begin + 9);
+    put_code(b, length_.code(0), begin, begin + 9);
+    put_word(b, length_.word(0, 'H'), begin, begin + 9, tool);
     note_parameters(tool, radius);
   }
 
@@ -119,19 +108,19 @@ struct KlartextToolCall {
       const std::size_t value = to_upper(at(text, i + 2)) == '2' && d == 'R' ? i + 3 : i + 2;
       const Value v = read(b, text, value);
       has_delta = true;
-      if (v.ok && value == i + 2) (d == 'L' ? length : radius) = in_mm(b, v.number);
+      if (v.ok && value == i + 2) (d == 'L' ? length : radius) = v.number * unit_.in_mm(b);
       return v.ok ? v.end : value;
     }
     if (c == 'S') {
       const Value v = read(b, text, i + 1);
-      if (v.ok) word(b, s_.id(), i, v.end, v.number);
+      if (v.ok) put_word(b, s_.id(), i, v.end, v.number);
       return v.ok ? v.end : i + 1;
     }
     if (c == 'F') return feed_.scan(b, values_, text, i, is_rapid);
     if (c == 'M') return m_.scan(b, values_, text, i);
     if (!is_letter(c) || is_letter(d) || is_digit(d)) return i;
     const std::size_t axis = std::string_view("ZYX").find(c);
-    if (axis < 3) code(b, planes_.id(axis), i, i + 1);
+    if (axis < 3) put_code(b, planes_.id(axis), i, i + 1);
     if (axis == 1 || axis == 2) b.report(ig::diag("HEI-0153"), ig::Where::columns(i, i + 1), piece(text, i, i + 1));
     if (axis > 2) b.report(ig::diag("HEI-0151"), ig::Where::columns(i, i + 1), piece(text, i, i + 1));
     return i + 1;
@@ -140,8 +129,6 @@ struct KlartextToolCall {
   Value read(ig::Block& b, std::string_view text, std::size_t i) const {
     return values_.read(b, text, skip_blanks(text, i));
   }
-
-  double in_mm(const ig::Block& b, double length) const { return b.is(system_, inch_) ? length * mm_per_inch : length; }
 
   void set_deltas(ig::Block& b, double length, double radius) const {
     b.set(delta_, length);
@@ -171,13 +158,12 @@ struct KlartextToolCall {
     double tool = 0;
     if (tool_at(b, text, i, tool) != Name::number) return;
     const std::size_t words = skip(text, i);
-    if (words >= text.size()) return word(b, t_.id(), begin, i, tool);
+    if (words >= text.size()) return put_word(b, t_.id(), begin, i, tool);
     for (i = words; i < text.size(); i = skip(text, i)) {
       const char c = to_upper(text[i]);
       const bool is_word = (c == 'L' || c == 'R') && (!is_letter(at(text, i + 1)) || to_upper(at(text, i + 1)) == 'Q');
       if (!is_word) {
-        const std::string_view rest = rest_of_line(text, i);
-        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, std::string_view("TOOL DEF"));
+        report_not_a_word(b, text, i, "TOOL DEF");
         return;
       }
       const Value v = read(b, text, i + 1);
@@ -186,10 +172,8 @@ struct KlartextToolCall {
       const auto where = ig::Where::columns(i, end);
       if (!v.ok) {
         b.report(ig::diag("HEI-0104"), where, std::string_view("TOOL DEF"), piece(text, i, end));
-      } else if (!define(tool, c == 'L' ? 0 : 2, in_mm(b, v.number))) {
-        const std::string_view whole = rest_of_line(text, begin);
-        b.report(ig::diag("HEI-0122"), ig::Where::columns(begin, begin + whole.size()), whole,
-                 std::string_view("the table of tools has no such tool"));
+      } else if (!define(tool, c == 'L' ? 0 : 2, v.number * unit_.in_mm(b))) {
+        report_not_executed(b, text, begin, "the table of tools has no such tool");
         return;
       }
       i = end;

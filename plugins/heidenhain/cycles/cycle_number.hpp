@@ -1,0 +1,32 @@
+/// The number of a cycle in the text of CYCL DEF, and what the tables of the manuals say about a number.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace heidenhain {
+
+/// CYCL DEF 200, CYCL DEF 7.1. The number may follow without a blank, and blanks may separate its parts: CYCL DEF9 .0
+struct CycleNumber {
+  std::uint32_t cycle = 0;
+  std::optional<std::uint32_t> part;
+  std::size_t end = 0;
+  bool is_first() const { return !part || *part == 0; }
+
+  /// The number at position `i`; nothing where none is there.
+  static std::optional<CycleNumber> at(std::string_view text, std::size_t i);
+};
+
+/// Cycles that act where they are defined; all others wait for a call.
+bool acts_where_defined(std::uint32_t cycle);
+
+/// Cycles that wait for a call, from the tables of the manuals. For other cycles, those of machine builders among them,
+/// it is not known when they act.
+bool waits_for_call(std::uint32_t cycle);
+
+/// The Q parameters of a cycle; empty where they are not known here.
+std::span<const std::uint16_t> parameters_of(std::int64_t cycle);
+
+}  // namespace heidenhain

@@ -1,0 +1,71 @@
+// The way of a cycle from hole to hole.
+#include "cycles/hole_cycle.hpp"
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+
+bool HoleCycle::go_to(ig::Block& b, Call& call, std::int64_t i) const {
+  if (i >= (call.points.is_pattern ? call.points.count : 1)) return false;
+  HoleRun& c = call.hole;
+  if (!call.points.is_pattern)
+    position(b, call);
+  else if (call.points.list != nullptr)
+    go_along_list(b, call, i);
+  else
+    go_along_pattern(b, call, i);
+  rapid_to(b, c, c.safe);
+  return true;
+}
+
+void HoleCycle::position(ig::Block& b, Call& call) const {
+  HoleRun& c = call.hole;
+  const std::size_t tool = c.plane.tool;
+  c.level = c.hole[tool];
+  if (call.named.mask == 0) return;
+  ig::Vec3 to = call.named.or_else(c.hole);
+  if (b.has(at_position_)) {
+    const bool is_below = (c.safe - c.level) * (c.safe - c.bottom) > 0;
+    if (is_below) rapid_to(b, c, c.safe);
+    to[tool] = c.level;
+  }
+  c.hole = to;
+  c.level = to[tool];
+  const auto code = b.find(motions_);
+  if (b.has(at_position_) || (code && *code == 0))
+    motion.rapid_to(b, to);
+  else
+    motion.feed_to(b, to, in_mmds(b, b.get_or(feed_, 0.0)));
+}
+
+void HoleCycle::go_along_pattern(ig::Block& b, Call& call, std::int64_t i) const {
+  HoleRun& c = call.hole;
+  if (i == 0) {
+    call.end = c.end;
+    c.level = c.hole[c.plane.tool];
+    rapid_to(b, c, call.end);
+  }
+  c.hole = pattern_.point(b, call.points, c.plane, c.hole, i);
+  motion.rapid_to(b, c.at(c.level));
+  c.end = call.points.is_high || i + 1 == call.points.count ? call.end : c.safe;
+}
+
+void HoleCycle::go_along_list(ig::Block& b, Call& call, std::int64_t i) const {
+  HoleRun& c = call.hole;
+  if (i == 0) {
+    call.at_call = c.level = c.hole[c.plane.tool];
+    call.end = c.end;
+    const auto code = b.find(motions_);
+    call.feed_mmds = code && *code == 0 ? 0 : in_mmds(b, b.get_or(feed_, 0.0));
+  }
+  const double more = (*call.points.list)[static_cast<std::size_t>(i)].surface - call.added;
+  call.added += more;
+  for (double* const level : {&c.surface, &c.safe, &c.bottom, &call.end}) *level += more;
+  const double high = c.out() > 0 ? std::fmax(call.at_call, call.end) : std::fmin(call.at_call, call.end);
+  if (c.level != high) rapid_to(b, c, high);
+  c.hole = pattern_.point(b, call.points, c.plane, c.hole, i);
+  feed_to(b, c, high, call.feed_mmds);
+  c.end = high;
+}
+
+}  // namespace heidenhain

@@ -1,0 +1,68 @@
+#include "motion/approach_words.hpp"
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+
+bool ApproachShape::is_complete() const {
+  using Shape = ContourApproach::Shape;
+  if (!shape) return false;
+  if (*shape == Shape::line || *shape == Shape::normal) return length && *length >= 0;
+  return radius && *radius != 0 && (*shape != Shape::arc || (angle && *angle > 0));
+}
+
+std::size_t ApproachWords::scan(ig::Block& b, const Values& values, std::string_view text, std::size_t position,
+                                PathFunction function, ApproachShape& found) const {
+  const std::size_t end = letters_end(text, position);
+  const std::string_view letters = piece(text, position, end);
+  const auto is = [&](std::string_view name) { return equals_ignoring_case(letters, name); };
+  static constexpr std::array<std::string_view, 8> shapes{"LT", "LN", "CT", "LCT", "PLT", "PLN", "PCT", "PLCT"};
+  for (std::size_t k = 0; k < shapes.size(); ++k)
+    if (is(shapes[k])) {
+      found.shape = static_cast<ContourApproach::Shape>(k % 4);
+      return end;
+    }
+  const bool is_radius = is("R") && at(text, end) != '0';
+  if (!is("LEN") && !is("CCA") && !is_radius) return position;
+  const Value v = values.read(b, text, end);
+  if (!v.ok) b.report(ig::diag("HEI-0104"), ig::Where::columns(position, end), name_of(function), letters);
+  if (v.ok) (is("LEN") ? found.length : is("CCA") ? found.angle : found.radius) = v.number;
+  return v.ok ? v.end : end;
+}
+
+void ApproachWords::set(ig::Block& b, const ContourSide& side, PathFunction function, const ApproachShape& found,
+                        ig::Where where) const {
+  const bool is_approach = function == PathFunction::APPR;
+  if (is_approach ? approach(b, side, found) : depart(b, side, found)) return;
+  b.report(ig::diag("HEI-0130"), where, name_of(function),
+           std::string_view(is_approach ? "the tool goes straight to the first point of the contour"
+                                        : "the tool goes straight to the point that is named, if one is"));
+}
+
+ContourApproach::Way ApproachWords::way_of(const ig::Block& b, const ApproachShape& found) const {
+  const double unit = unit_.in_mm(b);
+  return {
+      *found.shape, found.length.value_or(0) * unit, found.radius.value_or(0) * unit, found.angle.value_or(0), false,
+      std::nullopt};
+}
+
+bool ApproachWords::approach(ig::Block& b, const ContourSide& side, const ApproachShape& found) const {
+  if (!found.is_complete() || !found.is_beside || side.is_in_force(b)) return false;
+  ContourApproach::Way way = way_of(b, found);
+  // Up to the start of the approach the tool moves as in the block before; LCT has one feed throughout.
+  if (way.shape != ContourApproach::Shape::line_and_arc) {
+    way.is_rapid = b.is(motion_in_force_, g00_);
+    if (const auto feed = b.get(feed_in_force_); feed && b.is(feed_term_, g94_)) way.feed_mmds = *feed / 60;
+  }
+  approach_.set(b, way);
+  return true;
+}
+
+bool ApproachWords::depart(ig::Block& b, const ContourSide& side, const ApproachShape& found) const {
+  if (!found.is_complete()) return false;
+  if (!side.is_in_force(b) && *found.shape != ContourApproach::Shape::line) return false;
+  departure_.set(b, way_of(b, found));
+  return true;
+}
+
+}  // namespace heidenhain

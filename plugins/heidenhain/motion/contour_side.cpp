@@ -1,0 +1,50 @@
+#include "motion/contour_side.hpp"
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+
+namespace {
+
+/// The second letter of an R word ends it.
+bool ends_with_second_letter(std::string_view text, std::size_t position) {
+  const char behind = at(text, position + 2);
+  return !is_digit(behind) && behind != '.' && behind != ',';
+}
+
+}  // namespace
+
+bool ContourSide::begins(std::string_view text, std::size_t position) {
+  const char d = to_upper(at(text, position + 1));
+  return (d == 'L' || d == 'R') && ends_with_second_letter(text, position);
+}
+
+std::size_t ContourSide::scan(ig::Block& b, std::string_view text, std::size_t position, bool& is_beside) const {
+  const char d = to_upper(at(text, position + 1));
+  if (begins(text, position)) {
+    is_beside = true;
+    set(b, d == 'L' ? left : right, position, position + 2);
+    return position + 2;
+  }
+  if (d == '0' && ends_with_second_letter(text, position)) {
+    end(b, position, position + 2);
+    return position + 2;
+  }
+  // R+ and R- lengthen or shorten a paraxial block by the radius
+  if (d == '+' || d == '-') {
+    b.report(ig::diag("HEI-0131"), ig::Where::columns(position, position + 2), piece(text, position, position + 2));
+    return position + 2;
+  }
+  return is_letter(d) || is_digit(d) ? position : position + 1;
+}
+
+void ContourSide::set(ig::Block& b, Side side, std::size_t begin, std::size_t end) const {
+  const std::int64_t tool = b.get_or(tool_, std::int64_t{0});
+  if (b.is(term_, side == left ? g41_ : g42_) && b.get_or(offset_in_force_, std::int64_t{0}) == tool) return;
+  const ig_word words[] = {
+      {codes_.id(side), column(begin), column(end), ig_value{}, 0, 0},
+      {offset_word_.id(), column(begin), column(end), {.number = static_cast<double>(tool)}, 0, 0}};
+  b.set_words(words, 2);
+}
+
+}  // namespace heidenhain

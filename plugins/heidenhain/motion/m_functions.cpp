@@ -1,0 +1,213 @@
+// What each M function of Klartext does here.
+#include "motion/m_functions.hpp"
+
+#include <charconv>
+
+#include "language/block_words.hpp"
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+
+namespace {
+
+constexpr std::uint32_t most_m = 999;
+
+/// An M function that is recognised and has no effect on the path here.
+struct NotExecuted {
+  std::uint32_t number;
+  ig_severity severity;  // a note: nothing is reported, because nothing changes
+  bool has_words;
+  const char* effect;
+};
+constexpr std::array not_executed{
+    NotExecuted{90, IG_NOTE, false, ""},
+    NotExecuted{101, IG_NOTE, true, ""},
+    NotExecuted{102, IG_NOTE, false, ""},
+    NotExecuted{105, IG_NOTE, false, ""},
+    NotExecuted{106, IG_NOTE, false, ""},
+    NotExecuted{112, IG_NOTE, true, ""},
+    NotExecuted{113, IG_NOTE, false, ""},
+    NotExecuted{150, IG_NOTE, false, ""},
+    NotExecuted{107, IG_NOTE, false, ""},
+    NotExecuted{108, IG_NOTE, false, ""},
+    NotExecuted{141, IG_NOTE, false, ""},
+    NotExecuted{148, IG_NOTE, false, ""},
+    NotExecuted{149, IG_NOTE, false, ""},
+    NotExecuted{97, IG_WARNING, false, "it has a meaning with RL and RR only"},
+    NotExecuted{98, IG_WARNING, false, "it has a meaning with RL and RR only"},
+    NotExecuted{103, IG_WARNING, true, "plunging has the feed in force"},
+    NotExecuted{109, IG_WARNING, false, "the feed on arcs is that of the tool's centre"},
+    NotExecuted{110, IG_WARNING, false, "the feed on arcs is that of the tool's centre"},
+    NotExecuted{111, IG_NOTE, false, ""},
+    NotExecuted{114, IG_ERROR, false, "X Y Z do not follow the rotary axes"},
+    NotExecuted{115, IG_NOTE, false, ""},
+    NotExecuted{116, IG_WARNING, false, "the feed of rotary axes counts degrees"},
+    NotExecuted{117, IG_NOTE, false, ""},
+    NotExecuted{118, IG_WARNING, true, "the handwheel moves nothing here"},
+    NotExecuted{120, IG_WARNING, true, "it has a meaning with RL and RR only"},
+    NotExecuted{124, IG_WARNING, true, "no point of the path is left out"},
+    NotExecuted{130, IG_ERROR, false, "the words of the block are positions in the tilted plane"},
+    NotExecuted{134, IG_NOTE, false, ""},
+    NotExecuted{135, IG_NOTE, false, ""},
+    NotExecuted{138, IG_ERROR, true, "all rotary axes take part in tilting"},
+    NotExecuted{144, IG_ERROR, false, "positions do not follow the rotary axes"},
+    NotExecuted{145, IG_NOTE, false, ""},
+};
+
+/// The position after the words of an M function, which end at the next M, R0, RL, RR or F (M103 has an F of its
+/// own).
+std::size_t behind_words(std::string_view text, std::size_t position, bool has_feed) {
+  const std::size_t last = statement_end(text, position);
+  for (std::size_t i = skip(text, position); i < last; i = skip(text, word_end(text, i))) {
+    const char c = to_upper(text[i]), d = to_upper(at(text, i + 1));
+    const bool is_side = c == 'R' && (d == '0' || d == 'L' || d == 'R');
+    if (is_side || (c == 'F' && !has_feed) || (c == 'M' && (is_digit(d) || d == 'Q'))) return i;
+  }
+  return last;
+}
+
+/// F of M128 limits the speed of the axes and changes no path. Its value is read nevertheless, because its parameter
+/// may have none, which is reported.
+std::size_t behind_m128_feed(ig::Block& b, const Values& values, std::string_view text, std::size_t end) {
+  const std::size_t feed = skip(text, end);
+  if (to_upper(at(text, feed)) != 'F') return end;
+  const std::size_t word = word_end(text, feed);
+  for (const std::string_view name : {"FMAX", "FAUTO"})
+    if (equals_ignoring_case(piece(text, feed, word), name)) return word;
+  const Value v = values.read(b, text, skip(text, feed + 1));
+  if (v.ok) return v.end;
+  b.report(ig::diag("HEI-0104"), ig::Where::columns(feed, word), std::string_view("M128"), piece(text, feed, word));
+  return word;
+}
+
+}  // namespace
+
+MFunctions::MFunctions() {
+  for (std::size_t i = 0; i < codes_.size(); ++i) {
+    std::string_view name = codes_.path(i);
+    for (const std::string_view prefix : {"Parsing.Flags.", "Parsing."})
+      if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
+    std::uint32_t number = 0;
+    if (name.size() < 3 || name[0] != 'M') continue;
+    const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
+    if (error != std::errc{} || end != name.data() + name.size() || number > most_m) continue;
+    if (table_.size() <= number) table_.resize(number + 1, IG_NO_FIELD);
+    table_[number] = codes_.id(i);
+  }
+}
+
+std::size_t MFunctions::scan(ig::Block& b, const Values& values, std::string_view text, std::size_t position) const {
+  const std::size_t digits = skip_blanks(text, position + 1);
+  const Value v = values.read(b, text, digits);
+  if (!v.ok) return position + 1;  // M alone: the prompt was not answered
+  const std::size_t end = at(text, v.end) == '.' ? v.end + 1 : v.end;
+  const double rounded = std::round(v.number);
+  if (values.is_indexing()) return end;
+  if (!(rounded >= 0 && rounded <= most_m) || rounded != v.number) {
+    leave(b, IG_LEFT_UNKNOWN, piece(text, position, end), position, end);
+    return end;
+  }
+  const Function m{static_cast<std::uint32_t>(rounded), position, end};
+  return m.number == 140 ? retract(b, values, text, m) : execute(b, values, text, m);
+}
+
+std::size_t MFunctions::retract(ig::Block& b, const Values& values, std::string_view text, const Function& m) const {
+  const std::size_t first = skip(text, m.end), by = keyword(text, first, "MB"), value = skip(text, by);
+  const std::size_t limit = by == first ? first : keyword(text, value, "MAX");
+  std::size_t behind = limit;
+  if (by != first && limit != value) {
+    b.set(to_limit_, true);
+  } else if (const Value v = by == first ? Value{} : values.read(b, text, value); v.ok) {
+    put_word(b, distance_.id(), m.begin, v.end, v.number);
+    behind = v.end;
+  } else {
+    b.report(ig::diag("HEI-0104"), ig::Where::columns(m.begin, m.end), std::string_view("M140"),
+             std::string_view("MB"));
+    return m.end;
+  }
+  const std::size_t feed = skip(text, behind);
+  if (to_upper(at(text, feed)) != 'F') return behind;
+  const std::size_t feed_end = word_end(text, feed);
+  if (!equals_ignoring_case(piece(text, feed, feed_end), "FMAX"))
+    b.report(ig::diag("HEI-0140"), ig::Where::columns(m.begin, feed_end), piece(text, feed, feed_end),
+             std::string_view("M140 retracts by rapid"));
+  return feed_end;
+}
+
+std::size_t MFunctions::execute(ig::Block& b, const Values& values, std::string_view text, const Function& m) const {
+  const auto where = ig::Where::columns(m.begin, m.end);
+  const std::string_view name = trim(piece(text, m.begin, m.end));
+  switch (m.number) {
+    case 13:
+    case 14:
+      code(b, {m.number == 13 ? 3u : 4u, m.begin, m.end});
+      code(b, {8, m.begin, m.end});
+      return m.end;
+    case 89:
+      b.set(modal_call_, true);
+      b.set(call_, true);
+      return m.end;
+    case 99:
+      b.erase(modal_call_);
+      b.set(call_, true);
+      return m.end;
+    case 91: put_code(b, g53_.id(0), m.begin, m.end); return m.end;
+    case 92:
+      if (QStore* const s = values.store(); s == nullptr || s->is_first_time(175, ""))
+        b.report(ig::diag("HEI-0175"), where);
+      put_code(b, g53_.id(0), m.begin, m.end);
+      return m.end;
+    case 94: return reduce(b, text, m);
+    case 126:
+    case 127: b.set(rotary_path_, b.symbol(m.number == 126 ? "M126" : "M127")); return m.end;
+    case 128: lead_tip(b, m); return behind_m128_feed(b, values, text, m.end);
+    case 129:  // without a preceding M128 the length stays as TOOL CALL set it
+      if (b.is(length_term_, led_)) put_code(b, length_.code(0), m.begin, m.end);
+      return m.end;
+    case 136:
+      b.raise(per_revolution_);
+      put_code(b, feed_modes_.id(1), m.begin, m.end);
+      return m.end;
+    case 137:
+      b.erase(per_revolution_);
+      put_code(b, feed_modes_.id(0), m.begin, m.end);
+      return m.end;
+    default: break;
+  }
+  for (const NotExecuted& known : not_executed)
+    if (known.number == m.number) {
+      if (known.severity != IG_NOTE)
+        b.report(known.severity == IG_ERROR ? ig::diag("HEI-0139") : ig::diag("HEI-0140"), where, name,
+                 std::string_view(known.effect));
+      return known.has_words ? behind_words(text, m.end, m.number == 103) : m.end;
+    }
+  code(b, m);
+  return m.end;
+}
+
+std::size_t MFunctions::reduce(ig::Block& b, std::string_view text, const Function& m) const {
+  const std::size_t rest = behind_words(text, m.end, false);
+  const std::size_t named = std::string_view("ABC").find(to_upper(at(text, skip(text, m.end))));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if ((named > 2 || named == axis) && axes_.has(axis) && axes_.rollover(axis) == Rollover::counts_on) {
+      b.report(ig::diag("HEI-0139"), ig::Where::columns(m.begin, m.end), std::string_view("M94"),
+               std::string_view("the rotary axes keep what they have counted beyond 360"));
+      break;
+    }
+  return rest;
+}
+
+void MFunctions::lead_tip(ig::Block& b, const Function& m) const {
+  put_code(b, tcp_.code(0), m.begin, m.end);
+  if (!b.has(offset_id_)) put_code(b, tcp_.word(0, 'H'), m.begin, m.end);
+}
+
+void MFunctions::code(ig::Block& b, const Function& m) const {
+  if (m.number < table_.size() && table_[m.number] != IG_NO_FIELD) return put_code(b, table_[m.number], m.begin, m.end);
+  std::array<char, 8> name{'M', '0'};
+  char* const last = std::to_chars(name.data() + (m.number < 10 ? 2 : 1), name.data() + name.size(), m.number).ptr;
+  leave(b, IG_LEFT_UNKNOWN, {name.data(), static_cast<std::size_t>(last - name.data())}, m.begin, m.end);
+}
+
+}  // namespace heidenhain
