@@ -24,7 +24,7 @@ int ApplyCommand::run() const {
   std::string error;
   const auto read = [&](const std::string& path) {
     std::optional<std::string> text = read_text(path, error);
-    if (!text) session.say("IG-0510", {path}, {error});
+    if (!text) session.report("IG-0510", {path}, {error});
     return text;
   };
   if (!previous.empty()) {

@@ -32,7 +32,7 @@ class Cases {
     // The page of a dependency need not hold one.
     const bool needs_none = session_.library().dependency(page.syntax) != nullptr;
     if (page.cases.empty() && !needs_none && session_.diagnostics().errors() == 0)
-      session_.say("IG-0501", {file}, {"the page holds no case"});
+      session_.report("IG-0501", {file}, {"the page holds no case"});
     for (const Case& one : page.cases) {
       const std::string difference = run_case(page, one, file, around_, session_.library());
       if (difference.empty()) {
@@ -40,7 +40,7 @@ class Cases {
         continue;
       }
       ++failed_;
-      session_.say("IG-0505", {file, one.line, 0}, {one.heading, page.syntax});
+      session_.report("IG-0505", {file, one.line, 0}, {one.heading, page.syntax});
       report_ += fmt::format("{}:{}: {}\n{}\n", file, one.line, one.heading, difference);
     }
   }
@@ -74,7 +74,7 @@ std::vector<std::string> with_other_cases(const std::vector<std::string>& files)
 int CaseCommand::run() const {
   Session session(common);
   if (files.empty() && !all) {
-    session.say("IG-0513", {}, {"name pages, or --all for those in the plugins"});
+    session.report("IG-0513", {}, {"name pages, or --all for those in the plugins"});
     return cannot_start;
   }
   const std::optional<Surroundings> surroundings = around.make(session);
@@ -86,7 +86,7 @@ int CaseCommand::run() const {
     if (const std::optional<std::string> text = read_text(file, error)) {
       cases.run_page(*text, file);
     } else {
-      session.say("IG-0510", {file}, {error});
+      session.report("IG-0510", {file}, {error});
       status = cannot_start;
     }
   }

@@ -86,7 +86,7 @@ class Line {
     return *this;
   }
   const char* text() const { return text_.data(); }
-  void say() const { [[maybe_unused]] const ssize_t n = write(STDERR_FILENO, text_.data(), used_); }
+  void show() const { [[maybe_unused]] const ssize_t n = write(STDERR_FILENO, text_.data(), used_); }
 
  private:
   std::array<char, 4096> text_{};
@@ -176,7 +176,7 @@ void handle(int number, void (*handler)(int), int flags) {
   // Written step by step: each step trusts more of the memory that the fault may have damaged.
   Line line;
   line << "isogloss: internal fault: " << what;
-  line.say();
+  line.show();
   const Breadcrumb crumb = Chain::breadcrumb();
   const bool is_block = crumb.syntax != nullptr && crumb.document != nullptr;
   Line place;
@@ -188,7 +188,7 @@ void handle(int number, void (*handler)(int), int flags) {
   } else {
     place << (is_ending ? " in a function of a plugin for the end of the process" : " outside any syntax");
   }
-  place.say();
+  place.show();
   Line block;
   if (is_block) {
     const BlockSource& source = crumb.document->source;
@@ -196,7 +196,7 @@ void handle(int number, void (*handler)(int), int flags) {
     block.show(source.text);
   }
   block << "\n";
-  block.say();
+  block.show();
   if (is_block && may_reproduce) {
     static Line file;
     file << "isogloss-crash-" << static_cast<std::uint64_t>(getpid()) << ".md";
@@ -205,7 +205,7 @@ void handle(int number, void (*handler)(int), int flags) {
       result << "  a case that shows it: " << file.text() << " (isogloss case " << file.text() << ")\n";
     else
       result << "  a case that shows it could not be written\n";
-    result.say();
+    result.show();
   }
   end_process(internal_fault);
 }

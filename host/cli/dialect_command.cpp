@@ -27,7 +27,7 @@ bool write_file(const std::string& path, const std::string& text, Session& sessi
     if (file->commit() || file->reader_is_gone()) return true;
     error = file->error();
   }
-  session.say("IG-0511", {path}, {error});
+  session.report("IG-0511", {path}, {error});
   return false;
 }
 

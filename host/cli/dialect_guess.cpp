@@ -168,7 +168,7 @@ std::optional<Guess> guess_dialect(const std::string& path, std::string_view hea
       next = candidate;
   }
   if (best.dialect == nullptr) {
-    session.say("IG-0512", {path}, {});
+    session.report("IG-0512", {path}, {});
     return std::nullopt;
   }
   Guess guess{best.key(), best.dialect->name, {}, {}, {}};
@@ -183,14 +183,14 @@ std::optional<Guess> guess_dialect(const std::string& path, std::string_view hea
   return guess;
 }
 
-void say_guess(const std::string& path, const Guess& guess, const std::string& parting, Session& session) {
-  session.say("IG-0514", {path}, {guess.name, guess.why + parting});
+void report_guess(const std::string& path, const Guess& guess, const std::string& parting, Session& session) {
+  session.report("IG-0514", {path}, {guess.name, guess.why + parting});
 }
 
 std::optional<std::string> guessed(const std::string& path, std::string_view head, Session& session) {
   const std::optional<Guess> guess = guess_dialect(path, head, session);
   if (!guess) return std::nullopt;
-  say_guess(path, *guess, {}, session);
+  report_guess(path, *guess, {}, session);
   return guess->dialect;
 }
 

@@ -20,7 +20,7 @@ struct Guess {
 std::optional<Guess> guess_dialect(const std::string& path, std::string_view head, Session& session);
 
 /// Reports which dialect was selected; `parting` tells how the next one differs, or is empty.
-void say_guess(const std::string& path, const Guess& guess, const std::string& parting, Session& session);
+void report_guess(const std::string& path, const Guess& guess, const std::string& parting, Session& session);
 
 /// Guesses the dialect and reports it; the result is a value for --dialect.
 std::optional<std::string> guessed(const std::string& path, std::string_view head, Session& session);

@@ -46,7 +46,7 @@ std::optional<KnownCode> find_code(const std::string& code, Library& library) {
 int ExplainCommand::explain_code(Session& session) const {
   const std::optional<KnownCode> found = find_code(what, session.library());
   if (!found) {
-    session.say("IG-0516", {}, {what}, "isogloss list diagnostics names them");
+    session.report("IG-0516", {}, {what}, "isogloss list diagnostics names them");
     return cannot_start;
   }
   if (json)
@@ -248,8 +248,8 @@ int ExplainCommand::explain_line(Session& session, const std::string& path) {
     if (d.where.line == target.line || d.where.line == 0 || ends_the_run) session.diagnostics().add(std::move(d));
   }
   if (blocks.empty()) {
-    session.say("IG-0515", {target.file.empty() ? path : target.file, target.line, 0}, {std::to_string(target.line)},
-                why_not(reach, target, path));
+    session.report("IG-0515", {target.file.empty() ? path : target.file, target.line, 0}, {std::to_string(target.line)},
+                   why_not(reach, target, path));
     return input_errors;
   }
   std::string out;
@@ -271,7 +271,7 @@ int ExplainCommand::run() {
   const bool is_line = !number.empty() && number.size() < 10 &&
                        std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
   if (!is_line || std::stoul(number) == 0) {
-    session.say("IG-0513", {}, {"explain needs PROGRAM:LINE or the code of a diagnostic, not '" + what + "'"});
+    session.report("IG-0513", {}, {"explain needs PROGRAM:LINE or the code of a diagnostic, not '" + what + "'"});
     return cannot_start;
   }
   target.line = static_cast<std::uint32_t>(std::stoul(number));

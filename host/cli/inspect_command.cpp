@@ -130,7 +130,7 @@ int InspectCommand::run() const {
   for (const Json& f : fields)
     if (f["Path"] == name) return show(f, nullptr, session);
   const std::string near = nearest_name(name, names(session, fields));
-  session.say("IG-0516", {}, {name}, near.empty() ? "" : "did you mean " + near + "?");
+  session.report("IG-0516", {}, {name}, near.empty() ? "" : "did you mean " + near + "?");
   return cannot_start;
 }
 

@@ -119,7 +119,7 @@ struct ListCommand {
   int run() const {
     Session session(common);
     if ((what == "codes") != !dialect.empty()) {
-      session.say("IG-0513", {}, {"list codes needs a dialect: -d NAME; the other lists accept none"});
+      session.report("IG-0513", {}, {"list codes needs a dialect: -d NAME; the other lists accept none"});
       return cannot_start;
     }
     if (what == "codes") {

@@ -40,8 +40,8 @@ std::optional<std::filesystem::path> machine_file(const std::string& named, Sess
   std::vector<std::string> names;
   for (const auto& [name, path] : shipped) names.push_back(name);
   const std::string near = nearest_name(named, names);
-  session.say("IG-0510", {named}, {"there is no such file, nor a machine of that name"},
-              near.empty() ? "" : "did you mean " + near + "?");
+  session.report("IG-0510", {named}, {"there is no such file, nor a machine of that name"},
+                 near.empty() ? "" : "did you mean " + near + "?");
   return std::nullopt;
 }
 
@@ -110,7 +110,7 @@ std::optional<RunOptions> ProgramOptions::make(Session& session) const {
   for (const std::string& assignment : set) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string::npos || equals == 0) {
-      session.say("IG-0513", {}, {"--set needs NAME=VALUE, not '" + assignment + "'"});
+      session.report("IG-0513", {}, {"--set needs NAME=VALUE, not '" + assignment + "'"});
       sound = false;
     } else {
       out.chain.assignments.emplace_back(assignment.substr(0, equals), assignment.substr(equals + 1));
@@ -118,7 +118,7 @@ std::optional<RunOptions> ProgramOptions::make(Session& session) const {
   }
   if (!block_skip.empty()) {
     if (!are_layers(block_skip)) {
-      session.say("IG-0513", {}, {"--block-skip needs layers from 1 to 9 such as 1,3, not '" + block_skip + "'"});
+      session.report("IG-0513", {}, {"--block-skip needs layers from 1 to 9 such as 1,3, not '" + block_skip + "'"});
       sound = false;
     }
     out.chain.settings["block-skip"] = block_skip;
@@ -126,7 +126,7 @@ std::optional<RunOptions> ProgramOptions::make(Session& session) const {
   for (const std::string& place : subprograms) {
     std::error_code error;
     const bool is_there = !place.empty() && std::filesystem::exists(place, error);
-    if (!is_there) session.say("IG-0510", {place}, {"--subprograms names a folder or a file that is not there"});
+    if (!is_there) session.report("IG-0510", {place}, {"--subprograms names a folder or a file that is not there"});
     sound = sound && is_there;
   }
   if (!main_passes.empty()) out.chain.settings["main-passes"] = main_passes;
@@ -158,7 +158,7 @@ std::unique_ptr<OpenedProgram> OpenedProgram::open(const std::string& path, Sess
   else
     rest = open_file(path, error);
   if (rest == nullptr) {
-    session.say("IG-0510", {path}, {error});
+    session.report("IG-0510", {path}, {error});
     return nullptr;
   }
   std::string head(guessed_head_bytes, '\0');
@@ -170,7 +170,7 @@ std::unique_ptr<OpenedProgram> OpenedProgram::open(const std::string& path, Sess
   }
   head.resize(size);
   if (error = rest->failure(); !error.empty()) {
-    session.say("IG-0510", {path}, {error});
+    session.report("IG-0510", {path}, {error});
     return nullptr;
   }
   return std::unique_ptr<OpenedProgram>(new OpenedProgram(std::move(rest), std::move(head)));

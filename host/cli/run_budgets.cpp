@@ -28,11 +28,11 @@ void RunBudgets::add_to(CommandLine& line) {
 bool RunBudgets::hold(const std::string& program, Session& session) const {
   if (session.diagnostics().limit_reached()) return false;  // which the end of the run reports
   if (session.diagnostics().number() > diagnostics) {
-    session.say("IG-0454", {program}, {std::to_string(session.diagnostics().number())});
+    session.report("IG-0454", {program}, {std::to_string(session.diagnostics().number())});
     return false;
   }
   if (resident_mib() > memory_mib) {
-    session.say("IG-0453", {program}, {std::to_string(memory_mib)});
+    session.report("IG-0453", {program}, {std::to_string(memory_mib)});
     return false;
   }
   return true;

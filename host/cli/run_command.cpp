@@ -157,7 +157,7 @@ class Runs {
       linked_ = session_.link(dialect, options_.chain.dependencies);
       linked_name_ = dialect;
     }
-    if (guess) say_guess(path, *guess, linked_ == nullptr ? "" : parting(path, *source, *guess), session_);
+    if (guess) report_guess(path, *guess, linked_ == nullptr ? "" : parting(path, *source, *guess), session_);
     if (linked_ == nullptr) return cannot_start;
     const int status = run_linked(path, *source);
     session_.diagnostics().finish_program();
@@ -213,16 +213,16 @@ class Runs {
       wrote_ = true;
       output_is_gone_ = output_->reader_is_gone() || output_->is_over_allowance();
       if (output_->is_over_allowance())
-        session_.say("IG-0452", {path, static_cast<std::uint32_t>(result.lines), 0},
-                     {std::to_string(command_.budgets.output_bytes)});
+        session_.report("IG-0452", {path, static_cast<std::uint32_t>(result.lines), 0},
+                        {std::to_string(command_.budgets.output_bytes)});
       if (session_.diagnostics().limit_reached())
-        session_.say("IG-0517", {path, static_cast<std::uint32_t>(result.lines), 0},
-                     {std::to_string(session_.diagnostics().errors())});
+        session_.report("IG-0517", {path, static_cast<std::uint32_t>(result.lines), 0},
+                        {std::to_string(session_.diagnostics().errors())});
       else
         doubt(path, session_.diagnostics().errors() - errors_before, result.blocks);
       if (command_.summary) write_summary(path, summary);
     } catch (const std::runtime_error& e) {
-      if (session_.diagnostics().errors() == 0) session_.say("IG-0513", {path}, {e.what()});
+      if (session_.diagnostics().errors() == 0) session_.report("IG-0513", {path}, {e.what()});
       return cannot_start;  // a syntax could not be created; what its exception said may be a fault inside
     }
     return success;
@@ -232,7 +232,7 @@ class Runs {
   void doubt(const std::string& path, std::uint64_t errors, std::uint64_t blocks) {
     constexpr std::uint64_t least = 5;
     if (errors >= least && errors * 4 >= blocks * 3)
-      session_.say("IG-0518", {path}, {std::to_string(errors), std::to_string(blocks)});
+      session_.report("IG-0518", {path}, {std::to_string(errors), std::to_string(blocks)});
   }
 
   void write_summary(const std::string& path, const Summary& summary) {
@@ -267,7 +267,7 @@ int RunCommand::run() {
   Session session(common);
   if (emit.empty()) emit = summary ? "none" : "motions";
   if (emit == "blocks" && format == "csv") {
-    session.say("IG-0513", {}, {"blocks have no CSV form; --format jsonl or text"});
+    session.report("IG-0513", {}, {"blocks have no CSV form; --format jsonl or text"});
     return cannot_start;
   }
   std::optional<RunOptions> options = program.make(session);
@@ -295,7 +295,7 @@ int RunCommand::run() {
   const std::unique_ptr<OutputFile> file =
       output.empty() ? OutputFile::standard_output() : OutputFile::open(output, error);
   if (file == nullptr) {
-    session.say("IG-0511", {output}, {error});
+    session.report("IG-0511", {output}, {error});
     return cannot_start;
   }
   file->allow(budgets.output_bytes);
@@ -312,7 +312,7 @@ int RunCommand::run() {
     return status;
   }
   if (file->commit() || file->reader_is_gone()) return status;
-  session.say("IG-0511", {output.empty() ? "standard output" : output}, {file->error()});
+  session.report("IG-0511", {output.empty() ? "standard output" : output}, {file->error()});
   return std::max<int>(status, cannot_start);
 }
 

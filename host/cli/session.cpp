@@ -101,7 +101,7 @@ Session::Session(const CommonOptions& options)
   if (diagnostics_output_.empty()) return;
   std::string error;
   diagnostics_file_ = OutputFile::open(diagnostics_output_, error);
-  if (diagnostics_file_ == nullptr) say("IG-0511", {diagnostics_output_}, {error});
+  if (diagnostics_file_ == nullptr) report("IG-0511", {diagnostics_output_}, {error});
 }
 
 Session::~Session() {
@@ -128,8 +128,8 @@ std::unique_ptr<LinkedDialect> Session::link(const std::string& name, const std:
   return isogloss::link(*dialect, library_, without_notes);
 }
 
-void Session::say(std::string_view code, Location where, std::initializer_list<std::string> arguments,
-                  std::string hint) {
+void Session::report(std::string_view code, Location where, std::initializer_list<std::string> arguments,
+                     std::string hint) {
   diagnostics_.add(host_diagnostic(code, std::move(where), arguments, std::move(hint)));
 }
 

@@ -57,9 +57,10 @@ class Session {
   std::unique_ptr<LinkedDialect> link(const std::string& dialect, const std::vector<DependencyElement>& own,
                                       DiagnosticSink& sink);
   /// Reports one of the host's diagnostics.
-  void say(std::string_view code, Location where, std::initializer_list<std::string> arguments, std::string hint = {});
+  void report(std::string_view code, Location where, std::initializer_list<std::string> arguments,
+              std::string hint = {});
   /// From now on, whatever --diagnostics-output names; diagnostics already written to that file are dropped.
-  void say_to_stderr() { diagnostics_file_.reset(); }
+  void report_to_stderr() { diagnostics_file_.reset(); }
   /// input_errors when there were errors, internal_fault when a plugin broke the contract, else success.
   int status() const;
 

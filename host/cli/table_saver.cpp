@@ -45,13 +45,13 @@ class TableSaver : public Exporter {
   void save(const std::string& name, const std::string& file) {
     const DependencyTable* const table = chain_->table(name);
     if (table == nullptr || table->dependency().row_element == nullptr) {
-      session_.say("IG-0513", {}, {"--save-table: the dialect has no table " + name});
+      session_.report("IG-0513", {}, {"--save-table: the dialect has no table " + name});
       return;
     }
     std::string error;
     const std::unique_ptr<OutputFile> out = OutputFile::open(file, error);
     if (out != nullptr && (!out->write(xml_of(*table, name)) || !out->commit())) error = out->error();
-    if (!error.empty()) session_.say("IG-0511", {file}, {error});
+    if (!error.empty()) session_.report("IG-0511", {file}, {error});
   }
 
   const std::vector<TableRequest>& requests_;
@@ -67,7 +67,7 @@ std::optional<std::vector<TableRequest>> read_table_requests(const std::vector<s
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
-      session.say("IG-0513", {}, {"--save-table needs NAME=FILE, not '" + text + "'"});
+      session.report("IG-0513", {}, {"--save-table needs NAME=FILE, not '" + text + "'"});
       sound = false;
     } else {
       out.emplace_back(text.substr(0, equals), text.substr(equals + 1));
@@ -92,14 +92,14 @@ bool are_apart(const std::vector<std::string>& inputs, const std::vector<std::st
     if (!is_replaced(outputs[i])) continue;
     for (const std::string& input : inputs)
       if (!input.empty() && input != "-" && are_one(input, outputs[i])) {
-        session.say_to_stderr();
-        session.say("IG-0530", {outputs[i]}, {input});
+        session.report_to_stderr();
+        session.report("IG-0530", {outputs[i]}, {input});
         return false;
       }
     for (std::size_t k = 0; k < i; ++k)
       if (is_replaced(outputs[k]) && have_one_name(outputs[k], outputs[i])) {
-        session.say_to_stderr();
-        session.say("IG-0531", {outputs[i]}, {outputs[k]});
+        session.report_to_stderr();
+        session.report("IG-0531", {outputs[i]}, {outputs[k]});
         return false;
       }
   }

@@ -77,13 +77,13 @@ struct MachineKinematics {
   /// The direction of an axis; by default that of its letter.
   Vector read_direction(std::size_t letter, std::string_view name) const {
     Vector out = Vector::Zero();
-    bool is_said = false;
+    bool is_given = false;
     for (std::size_t i = 0; i < direction.size(); ++i) {
       const std::optional<double> value = table.value(name, direction[i]);
-      is_said = is_said || value;
+      is_given = is_given || value;
       out[static_cast<int>(i)] = value.value_or(0);
     }
-    if (!is_said) return Vector::Unit(static_cast<int>(letter));
+    if (!is_given) return Vector::Unit(static_cast<int>(letter));
     const double longest = out.cwiseAbs().maxCoeff();
     if (longest < 1e-6) fail(name, "its direction X Y Z is zero");
     // Divided by the largest component first: the square of a small number would lose digits.

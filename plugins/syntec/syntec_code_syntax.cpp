@@ -25,7 +25,7 @@ struct SyntecCode {
        {ig::Call{{"G04.1"}, "X[] P[] Q[] R[]"}, "the program does not wait for the other one"},
        {ig::Call{{"M96", "M97"}, "P[] H[] Q[]"}, "no signal interrupts the program here"}}};
 
-  ig::Status build(ig::Block& b) const { return codes_.say(b) ? ig::Status::changed : ig::Status::unchanged; }
+  ig::Status build(ig::Block& b) const { return codes_.report(b) ? ig::Status::changed : ig::Status::unchanged; }
 };
 
 const ig::Register<SyntecCode> syntec_code_syntax;

@@ -47,7 +47,7 @@ struct SyntecFileHead {
     if (!b.is_raised(declined_)) return ig::Status::unchanged;
     const ig_frame frame = flow_.frame(b);
     const std::string_view head = b.text(text_);
-    if (said_.emplace(ig::to_view(frame.file), head).second) say(b, head);
+    if (said_.emplace(ig::to_view(frame.file), head).second) report(b, head);
     if (frame.depth > 0)
       flow_.leave(b);
     else
@@ -80,7 +80,7 @@ struct SyntecFileHead {
     return block_end(text, end);
   }
 
-  void say(ig::Block& b, std::string_view head) const {
+  void report(ig::Block& b, std::string_view head) const {
     const auto where = ig::Where::word(text_.id());
     if (head.starts_with('$'))
       b.report(ig::diag("SYN-0004"), where, head.substr(1));

@@ -6,18 +6,16 @@
 The model knows formulas, not frames: work offset, EXT, G52, G92 and tool length are added, G68 turns about its centre
 before them. Every move of `isogloss run`, in both dialects, must end where the model does, to 1e-6 mm.
 """
-import argparse
 import csv
 import math
 import pathlib
 import random
 import subprocess
 import sys
-import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
-from budget import budgeted  # noqa: E402: it lies in another folder
+import random_runs  # noqa: E402: it lies in another folder
 
 PLANES = {"G17": (0, 1), "G18": (2, 0), "G19": (1, 2)}  # first and second axis
 SETS = ["G54", "G55", "G56", "G57", "G58", "G59", "G54.1 P1", "G54.1 P2", "G54 P300", "G59.3"]
@@ -119,7 +117,7 @@ class Program:
 
     def __init__(self, seed, rules, blocks=150):
         self.random = random.Random(seed)
-        self.machine = Machine(rules)
+        self.rules, self.machine = rules, Machine(rules)
         self.lines, self.ends = [], {}
         self.incremental = False
         steps = [(30, self.move), (6, self.select), (4, self.table), (4, self.local), (4, self.position), (4, self.length),
@@ -227,11 +225,11 @@ class Program:
         self.write(self.machine.plane)
 
 
-def difference(isogloss, folder, rules, program):
+def difference(isogloss, folder, program):
     """(moves compared, how the first different one differs, or None)"""
     (folder / "in.nc").write_text("\n".join(program.lines) + "\n")
     settings = [w for row, mm in LENGTHS.items() if row for w in ("--set", f"ToolOffsetTable.{row}.H={mm}")]
-    run = subprocess.run([isogloss, "run", "in.nc", "-d", rules, "--emit", "motions", "--format", "csv", "--exact",
+    run = subprocess.run([isogloss, "run", "in.nc", "-d", program.rules, "--emit", "motions", "--format", "csv", "--exact",
                           "--zero-moves", *settings], cwd=folder, capture_output=True, text=True, timeout=60, check=False)
     if run.returncode != 0:
         return 0, f"isogloss ends with {run.returncode}: {run.stderr[:600]}"
@@ -286,34 +284,5 @@ def option_difference(isogloss, folder):
     return None
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--isogloss", required=True, type=pathlib.Path)
-    parser.add_argument("--programs", type=int, default=budgeted(25))
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--keep", type=pathlib.Path, help="write programs that differ there")
-    options = parser.parse_args()
-    compared = differing = 0
-    with tempfile.TemporaryDirectory(prefix="isogloss-frames-") as name:
-        report = option_difference(options.isogloss.resolve(), pathlib.Path(name))
-        if report:
-            differing += 1
-            print("other options: " + report)
-        for seed in range(options.seed, options.seed + options.programs):
-            for rules in ("iso", "fanuc"):
-                program = Program(seed, rules)
-                count, report = difference(options.isogloss.resolve(), pathlib.Path(name), rules, program)
-                compared += count
-                if report is None:
-                    continue
-                differing += 1
-                print(f"seed {seed}, {rules}: after {count} equal moves: {report}")
-                if options.keep:
-                    options.keep.mkdir(parents=True, exist_ok=True)
-                    (options.keep / f"{rules}{seed}.nc").write_text("\n".join(program.lines) + "\n")
-    print(f"{2 * options.programs + 1} programs, {compared} moves equal, {differing} programs differ")
-    return 1 if differing or compared == 0 else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(random_runs.run(__doc__, Program, difference, ".nc", ("iso", "fanuc"), 25, option_difference))

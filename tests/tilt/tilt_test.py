@@ -7,18 +7,16 @@ A point of the program lies at origin + R point in the work offset, R has X', Y'
 offset and the tool length are added to it. Every move of `isogloss run`, in both dialects, must end at the computed
 point, to 1e-9 mm; and the arcs must have their centre and their normal there.
 """
-import argparse
 import csv
 import math
 import pathlib
 import random
 import subprocess
 import sys
-import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
-from budget import budgeted  # noqa: E402: it lies in another folder
+import random_runs  # noqa: E402: it lies in another folder
 
 LENGTHS = {1: 100.0, 2: 57.3}
 WORK = {"G54": [10.5, -20.25, 30.125], "G55": [-200.0, 100.0, -50.0]}
@@ -116,9 +114,9 @@ def by_projections(origin, i, j, k):
 class Program:
     """Random blocks and, by line, the machine coordinates that they end at; of arcs their centre and normal too."""
 
-    def __init__(self, seed, rules, turns_along, blocks=120):
+    def __init__(self, seed, rules, blocks=120):
         self.random = random.Random(f"{seed} {rules}")
-        self.rules, self.turns_along = rules, turns_along
+        self.rules, self.turns_along = rules, rules == "turned.xml"
         self.lines, self.ends, self.arcs = [], {}, {}
         self.at = self.here = [0.0] * 3
         self.plane, self.tilts = Plane(), False
@@ -281,13 +279,14 @@ TURNED = """<?xml version="1.0" encoding="UTF-8"?>
 """
 
 
-def difference(isogloss, folder, dialect, program):
+def difference(isogloss, folder, program):
     """(moves compared, how the first different one differs, or None)"""
     (folder / "in.nc").write_text("\n".join(program.lines) + "\n")
+    (folder / "turned.xml").write_text(TURNED)
     settings = [w for row, mm in LENGTHS.items() for w in ("--set", f"ToolOffsetTable.{row}.H={mm}")]
     settings += [w for code, offset in WORK.items() for a, mm in zip(WORDS, offset)
                  for w in ("--set", f"IsoCoordinateTable.{code}.{a}={mm}")]
-    run = subprocess.run([*isogloss, "run", "in.nc", "-d", dialect, "--emit", "motions", "--format", "csv", "--exact",
+    run = subprocess.run([isogloss, "run", "in.nc", "-d", program.rules, "--emit", "motions", "--format", "csv", "--exact",
                           "--zero-moves", *settings], cwd=folder, capture_output=True, text=True, timeout=60, check=False)
     if run.returncode != 0:
         return 0, f"isogloss ends with {run.returncode}: {run.stderr[:600]}"
@@ -310,32 +309,5 @@ def difference(isogloss, folder, dialect, program):
     return len(rows), None
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--isogloss", required=True, type=pathlib.Path)
-    parser.add_argument("--programs", type=int, default=budgeted(20))
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--keep", type=pathlib.Path, help="write programs that differ there")
-    options = parser.parse_args()
-    compared = differing = 0
-    with tempfile.TemporaryDirectory(prefix="isogloss-tilt-") as name:
-        folder = pathlib.Path(name)
-        (folder / "turned.xml").write_text(TURNED)
-        for seed in range(options.seed, options.seed + options.programs):
-            for dialect in ("iso", "fanuc", "turned.xml"):
-                program = Program(seed, dialect, dialect == "turned.xml")
-                count, report = difference([options.isogloss.resolve()], folder, dialect, program)
-                compared += count
-                if report is None:
-                    continue
-                differing += 1
-                print(f"seed {seed}, {dialect}: after {count} equal moves: {report}")
-                if options.keep:
-                    options.keep.mkdir(parents=True, exist_ok=True)
-                    (options.keep / f"{dialect}{seed}.nc").write_text("\n".join(program.lines) + "\n")
-    print(f"{3 * options.programs} programs, {compared} moves equal, {differing} programs differ")
-    return 1 if differing or compared == 0 else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(random_runs.run(__doc__, Program, difference, ".nc", ("iso", "fanuc", "turned.xml"), 20))

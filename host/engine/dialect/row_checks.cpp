@@ -18,25 +18,25 @@ class RowCheck {
   void check(const TableRow& row) {
     if (dependency_.row_element == nullptr || row.element != dependency_.row_element) {
       const std::string wanted = dependency_.row_element == nullptr ? "(none)" : dependency_.row_element;
-      say("IG-0217", row.where, {owner_, row.element, wanted});
+      report("IG-0217", row.where, {owner_, row.element, wanted});
       return;
     }
     for (const Attribute& a : row.attributes)
       if (a.name != dependency_.row_key) check_cell(a);
     const std::string_view key = key_of(dependency_, row);
     if (key.empty())
-      say("IG-0218", row.where, {owner_, dependency_.row_key});
+      report("IG-0218", row.where, {owner_, dependency_.row_key});
     else if (const auto [first, added] =
                  first_.emplace(std::pair(std::string_view(row.where.file), key), row.where.line);
              !added)
-      say("IG-0433", row.where, {owner_, std::string(key), std::to_string(first->second)});
+      report("IG-0433", row.where, {owner_, std::string(key), std::to_string(first->second)});
   }
 
   std::vector<Diagnostic> take_faults() { return std::move(faults_); }
 
  private:
-  void say(std::string_view code, const Location& where, std::initializer_list<std::string> arguments,
-           std::string hint = {}) {
+  void report(std::string_view code, const Location& where, std::initializer_list<std::string> arguments,
+              std::string hint = {}) {
     faults_.push_back(host_diagnostic(code, where, arguments, std::move(hint)));
   }
 
@@ -47,14 +47,14 @@ class RowCheck {
       const std::string near = a.name.size() < telling ? std::string() : nearest_name(a.name, columns_);
       std::string all;
       for (const std::string& column : columns_) all += (all.empty() ? "its columns are " : ", ") + column;
-      say("IG-0219", a.where, {owner_, a.name}, near.empty() ? all : "did you mean " + near + "?");
+      report("IG-0219", a.where, {owner_, a.name}, near.empty() ? all : "did you mean " + near + "?");
       return;
     }
     const ig_column_decl& column = dependency_.columns[found - columns_.begin()];
     if (column.is_text != 0) return;
     const std::optional<double> v = parse_number(a.value);
     if (!v || *v < column.minimum || *v > column.maximum)
-      say("IG-0220", a.where, {a.name, a.value, v ? " within its range" : ""});
+      report("IG-0220", a.where, {a.name, a.value, v ? " within its range" : ""});
   }
 
   const ig_dependency& dependency_;

@@ -48,7 +48,8 @@ void FieldDrafts::collect_owners() {
       for (const FieldPattern& p : patterns(s, decl)) {
         if (!p.is_literal()) continue;
         add_owner(p.path());
-        if (!p.path().starts_with(words_section)) linking_.say("IG-0243", s.element.where, {s.element.alias, p.path()});
+        if (!p.path().starts_with(words_section))
+          linking_.report("IG-0243", s.element.where, {s.element.alias, p.path()});
       }
     }
 }
@@ -111,13 +112,13 @@ std::uint32_t FieldDrafts::declare(const LinkedSyntax& s, const ig_field_decl& d
                              s.element.alias});
   Draft& known = drafts_[number];
   if (decl.type == IG_TEXT && is_carried(decl.life))
-    linking_.say("IG-0222", s.element.where, {s.element.alias, std::string(path)});
+    linking_.report("IG-0222", s.element.where, {s.element.alias, std::string(path)});
   const bool same_life = decl.life == IG_LIFE_STANDARD || known.info.life == decl.life;
   if (known.info.type != decl.type || !same_life)
-    linking_.say("IG-0209", s.element.where,
-                 {s.element.alias, std::string(path), type_name(decl.type), std::string(known.declared_by),
-                  type_name(known.info.type)},
-                 same_life ? "" : "their lives differ");
+    linking_.report("IG-0209", s.element.where,
+                    {s.element.alias, std::string(path), type_name(decl.type), std::string(known.declared_by),
+                     type_name(known.info.type)},
+                    same_life ? "" : "their lives differ");
   if (known.info.unit.empty() && *decl.unit != '\0') known.info.unit = decl.unit;
   if (known.info.doc.empty() && *decl.doc != '\0') known.info.doc = decl.doc;
   known.has_previous |= (decl.access & IG_PREVIOUS) != 0;
@@ -137,9 +138,9 @@ ig_field FieldDrafts::declare_record(const LinkedSyntax& s, const ig_field_decl&
     l->fields.push_back({std::string(path), decl.type, IG_LIFE_BLOCK, decl.unit, decl.doc, false, IG_NO_FIELD});
     f = l->fields.end() - 1;
   } else if (f->type != decl.type) {
-    linking_.say("IG-0209", s.element.where,
-                 {s.element.alias, std::string(list) + "[]." + std::string(path), type_name(decl.type),
-                  "another syntax", type_name(f->type)});
+    linking_.report("IG-0209", s.element.where,
+                    {s.element.alias, std::string(list) + "[]." + std::string(path), type_name(decl.type),
+                     "another syntax", type_name(f->type)});
   }
   return record_field(static_cast<std::size_t>(l - lists.begin()), static_cast<std::size_t>(f - l->fields.begin()));
 }

@@ -15,7 +15,7 @@ void find_syntax(Linking& linking, const ChainElement& element) {
   s.element = element;
   s.syntax = linking.library.syntax(element.syntax, &s.plugin);
   if (s.syntax == nullptr || !is_named(linking.out.dialect, *s.plugin)) {
-    linking.say("IG-0202", element.where, {element.syntax}, cure(linking, element.syntax, syntax_names));
+    linking.report("IG-0202", element.where, {element.syntax}, cure(linking, element.syntax, syntax_names));
     return;
   }
   s.options =
@@ -23,10 +23,10 @@ void find_syntax(Linking& linking, const ChainElement& element) {
   if (s.syntax->look_ahead > 0) {
     linking.out.look_ahead = std::max(linking.out.look_ahead, s.syntax->look_ahead);
     if (element.stage != Stage::post_logic && linking.mode == LinkMode::whole)
-      linking.say("IG-0221", element.where, {element.alias});
+      linking.report("IG-0221", element.where, {element.alias});
   }
   if (s.syntax->inspects != 0 && element.stage != Stage::inspection && linking.mode == LinkMode::whole)
-    linking.say("IG-0223", element.where, {element.alias});
+    linking.report("IG-0223", element.where, {element.alias});
   linking.out.chain.push_back(std::move(s));
 }
 
@@ -35,7 +35,7 @@ void find_dependency(Linking& linking, const DependencyElement& element) {
   d.element = element;
   d.dependency = linking.library.dependency(element.id, &d.plugin);
   if (d.dependency == nullptr || !is_named(linking.out.dialect, *d.plugin)) {
-    linking.say("IG-0203", element.where, {element.id}, cure(linking, element.id, dependency_names));
+    linking.report("IG-0203", element.where, {element.id}, cure(linking, element.id, dependency_names));
     return;
   }
   d.options = read_options(linking, element.alias, element.where, {d.dependency->options, d.dependency->option_count},
@@ -50,8 +50,8 @@ void find_parts(Linking& linking) {
   for (const PluginReference& p : linking.out.dialect.plugins)
     if (!linking.library.load(p.name, p.where, linking.sink)) linking.has_failed = true;
   if (linking.out.dialect.chain.size() > maximum_chain)
-    linking.say("IG-0216", {linking.out.dialect.file.string(), 0, 0},
-                {std::to_string(linking.out.dialect.chain.size()), std::to_string(maximum_chain)});
+    linking.report("IG-0216", {linking.out.dialect.file.string(), 0, 0},
+                   {std::to_string(linking.out.dialect.chain.size()), std::to_string(maximum_chain)});
   for (const ChainElement& element : linking.out.dialect.chain) find_syntax(linking, element);
   for (const DependencyElement& element : linking.out.dialect.dependencies) find_dependency(linking, element);
   const auto count_before = [&](Stage stage) {

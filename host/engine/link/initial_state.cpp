@@ -12,7 +12,7 @@ void set_initial_state(Linking& linking, const FieldDrafts& drafts) {
     if (!f) {
       std::vector<std::string> names;
       for (const FieldInfo& info : linking.out.layout.fields) names.push_back(info.path);
-      linking.say("IG-0214", initial.where, {initial.path}, did_you_mean(nearest_name(initial.path, names)));
+      linking.report("IG-0214", initial.where, {initial.path}, did_you_mean(nearest_name(initial.path, names)));
       continue;
     }
     const FieldInfo& info = linking.out.layout.fields[*f];
@@ -37,7 +37,7 @@ void set_initial_state(Linking& linking, const FieldDrafts& drafts) {
     if (ok)
       linking.out.initial.emplace_back(*f, v);
     else
-      linking.say("IG-0215", initial.where, {initial.value, type_name(info.type), initial.path});
+      linking.report("IG-0215", initial.where, {initial.value, type_name(info.type), initial.path});
   }
 }
 

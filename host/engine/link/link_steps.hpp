@@ -18,8 +18,8 @@ struct Linking {
   LinkMode mode;
   bool has_failed = false;
 
-  void say(std::string_view code, const Location& where, std::initializer_list<std::string> arguments,
-           std::string hint = {});
+  void report(std::string_view code, const Location& where, std::initializer_list<std::string> arguments,
+              std::string hint = {});
   /// With the severity that the dialect gives its code; an error stays one.
   void add(Diagnostic d);
 };

@@ -9,7 +9,7 @@ namespace isogloss {
 
 namespace {
 
-void say_fault(Linking& linking, const LinkFault& fault) {
+void report_fault(Linking& linking, const LinkFault& fault) {
   Diagnostic d = host_diagnostic(fault.code, fault.where, {}, fault.hint);
   if (fault.code == "IG-0211") d.hint = providers(linking, fault.arguments[1]);
   if (fault.code == "IG-0208") d.hint = writers(linking, fault.arguments[1]);
@@ -21,13 +21,13 @@ void say_fault(Linking& linking, const LinkFault& fault) {
 void check(Linking& linking) {
   const bool is_whole = linking.mode == LinkMode::whole;
   for (const LinkFault& fault : is_whole ? check_links(linking.out) : check_services(linking.out))
-    say_fault(linking, fault);
+    report_fault(linking, fault);
 }
 
 }  // namespace
 
-void Linking::say(std::string_view code, const Location& where, std::initializer_list<std::string> arguments,
-                  std::string hint) {
+void Linking::report(std::string_view code, const Location& where, std::initializer_list<std::string> arguments,
+                     std::string hint) {
   add(host_diagnostic(code, where, arguments, std::move(hint)));
 }
 

@@ -88,8 +88,8 @@ FieldIds order_fields(Linking& linking, FieldDrafts& field_drafts) {
     for (const std::uint32_t number : same_rank)
       if (drafts[number].has_previous) previous.push_back(number);
   if (previous.size() > maximum_previous)
-    linking.say("IG-0224", {linking.out.dialect.file.string(), 0, 0},
-                {std::to_string(previous.size()), std::to_string(maximum_previous)});
+    linking.report("IG-0224", {linking.out.dialect.file.string(), 0, 0},
+                   {std::to_string(previous.size()), std::to_string(maximum_previous)});
 
   FieldIds ids{std::vector<ig_field>(drafts.size(), IG_NO_FIELD), std::vector<ig_field>(drafts.size(), IG_NO_FIELD)};
   ig_field next = 0;

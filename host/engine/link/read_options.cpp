@@ -16,7 +16,7 @@ std::vector<OptionValue> read_options(Linking& linking, const std::string& owner
     if (option == declared.end()) {
       std::vector<std::string> names;
       for (const ig_option_decl& o : declared) names.emplace_back(o.name);
-      linking.say("IG-0204", a.where, {owner, a.name}, did_you_mean(nearest_name(a.name, names)));
+      linking.report("IG-0204", a.where, {owner, a.name}, did_you_mean(nearest_name(a.name, names)));
       continue;
     }
     const auto number = static_cast<std::size_t>(option - declared.begin());
@@ -24,12 +24,12 @@ std::vector<OptionValue> read_options(Linking& linking, const std::string& owner
     if (std::optional<OptionValue> v = parse_option(*option, a.value))
       values[number] = std::move(*v);
     else
-      linking.say("IG-0205", a.where, {a.name, owner, describe_option(*option), a.value});
+      linking.report("IG-0205", a.where, {a.name, owner, describe_option(*option), a.value});
   }
   for (std::size_t i = 0; i < declared.size(); ++i) {
     if (is_given[i]) continue;
     if (declared[i].fallback == nullptr)
-      linking.say("IG-0213", where, {owner, declared[i].name});
+      linking.report("IG-0213", where, {owner, declared[i].name});
     else if (std::optional<OptionValue> v = parse_option(declared[i], declared[i].fallback))
       values[i] = std::move(*v);
   }

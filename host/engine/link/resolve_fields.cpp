@@ -19,9 +19,9 @@ std::string_view unit_of(const Layout& layout, const FieldDrafts& drafts, std::s
 }
 
 /// Only for options that the dialect writes: a default may be for other chains.
-void say_unmet(Linking& linking, const LinkedSyntax& s, std::string_view option, const std::string& pattern) {
+void report_unmet(Linking& linking, const LinkedSyntax& s, std::string_view option, const std::string& pattern) {
   for (const Attribute& given : s.element.options)
-    if (given.name == option) linking.say("IG-0244", given.where, {s.element.alias, given.name, pattern});
+    if (given.name == option) linking.report("IG-0244", given.where, {s.element.alias, given.name, pattern});
 }
 
 std::vector<ig_field> expand(Linking& linking, FieldDrafts& drafts, const LinkedSyntax& s, const ig_field_decl& decl) {
@@ -38,7 +38,7 @@ std::vector<ig_field> expand(Linking& linking, FieldDrafts& drafts, const Linked
       if (f && layout.fields[*f].type == decl.type)
         add(*f);
       else
-        linking.say("IG-0214", s.element.where, {pattern.path()});
+        linking.report("IG-0214", s.element.where, {pattern.path()});
       continue;
     }
     bool is_met = false;
@@ -52,7 +52,7 @@ std::vector<ig_field> expand(Linking& linking, FieldDrafts& drafts, const Linked
       is_met = true;
     }
     if (!is_met && linking.mode == LinkMode::whole && *decl.path == '@')
-      say_unmet(linking, s, std::string_view(decl.path).substr(1), pattern.path());
+      report_unmet(linking, s, std::string_view(decl.path).substr(1), pattern.path());
   }
   return out;
 }

@@ -48,7 +48,7 @@ class PageReader {
       if (page_.syntax.empty()) page_.syntax = without_blanks(text.substr(2));
     } else if (text == "#Diagnostics: any") {
       begin_case();
-      case_.says_anything = true;
+      case_.accepts_any_code = true;
     } else if (std::optional<Fence>* const wanted = marker(text)) {
       awaited_ = wanted;
     }

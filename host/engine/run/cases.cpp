@@ -203,7 +203,7 @@ std::string run_case(const Page& page, const Case& one, const std::string& file,
       rest.remove_prefix(end);
     }
   }
-  if (!one.says_anything && wanted != codes) {
+  if (!one.accepts_any_code && wanted != codes) {
     const auto list = [](const std::vector<std::string>& all) {
       return all.empty() ? std::string("none") : fmt::format("{}", fmt::join(all, " "));
     };

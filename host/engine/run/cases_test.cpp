@@ -43,10 +43,10 @@ TEST_CASE("A case without diagnostics expects none, and one that does not care s
   CHECK(said.all.empty());
   REQUIRE(page.cases.size() == 3);
   CHECK_FALSE(page.cases[0].diagnostics.has_value());
-  CHECK_FALSE(page.cases[0].says_anything);
-  CHECK(page.cases[1].says_anything);
+  CHECK_FALSE(page.cases[0].accepts_any_code);
+  CHECK(page.cases[1].accepts_any_code);
   CHECK(page.cases[2].diagnostics->text == "A-1 A-2\n");
-  CHECK_FALSE(page.cases[2].says_anything);
+  CHECK_FALSE(page.cases[2].accepts_any_code);
 }
 
 TEST_CASE("A page that is not whole says so") {

@@ -1,12 +1,6 @@
 #include "run/cursor.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstdlib>
 #include <cstring>
 
 namespace isogloss {
@@ -15,107 +9,7 @@ namespace {
 
 constexpr std::size_t window = 64 * 1024;  // more would only touch more pages: reading costs the same
 
-/// Bytes of a descriptor, read again after a signal; negative: the reason is in errno.
-template <class F>
-ssize_t try_again(F&& call) {
-  ssize_t n;
-  do n = call();
-  while (n < 0 && errno == EINTR);
-  return n;
-}
-
-template <class F>
-std::size_t retry(F&& call) {
-  const ssize_t n = try_again(std::forward<F>(call));
-  return n > 0 ? static_cast<std::size_t>(n) : 0;
-}
-
-class FileSource : public Source {
- public:
-  explicit FileSource(int descriptor) : descriptor_(descriptor) {
-    struct stat status {};
-    // Standard input may be a file of which a part has been read already.
-    const off_t place = ::lseek(descriptor, 0, SEEK_CUR);
-    has_places_ = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && place >= 0;
-    if (has_places_) base_ = static_cast<std::uint64_t>(place);
-    if (has_places_) size_ = status.st_size;
-  }
-  ~FileSource() override {
-    if (descriptor_ > 2) ::close(descriptor_);
-  }
-  FileSource(const FileSource&) = delete;
-  FileSource& operator=(const FileSource&) = delete;
-
-  std::size_t read(char* buffer, std::size_t size) override {
-    const ssize_t n = try_again([&] { return ::read(descriptor_, buffer, size); });
-    return count(n, ::lseek(descriptor_, 0, SEEK_CUR));
-  }
-  bool has_places() const override { return has_places_; }
-  std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t size) override {
-    const off_t place = static_cast<off_t>(base_ + offset);
-    return count(try_again([&] { return ::pread(descriptor_, buffer, size, place); }), place);
-  }
-  std::string failure() const override { return failure_; }
-
- private:
-  std::size_t count(ssize_t n, off_t place) {
-    failure_.clear();
-    if (n > 0) return static_cast<std::size_t>(n);
-    struct stat status {};
-    if (n < 0)
-      failure_ = std::strerror(errno);
-    else if (has_places_ && place < size_ && ::fstat(descriptor_, &status) == 0 && status.st_size < size_)
-      failure_ = "it became shorter during the run";
-    return 0;
-  }
-
-  std::string failure_;
-  off_t size_ = 0;  // when it was opened
-  int descriptor_;
-  bool has_places_ = false;
-  std::uint64_t base_ = 0;
-};
-
-class MemorySource : public Source {
- public:
-  explicit MemorySource(std::string_view text) : text_(text) {}
-  std::size_t read(char* buffer, std::size_t size) override {
-    const std::size_t n = read_at(given_, buffer, size);
-    given_ += n;
-    return n;
-  }
-  bool has_places() const override { return true; }
-  std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t size) override {
-    const std::string_view rest = text_.substr(std::min<std::uint64_t>(offset, text_.size()));
-    const std::size_t n = std::min(size, rest.size());
-    std::memcpy(buffer, rest.data(), n);
-    return n;
-  }
-
- private:
-  std::string_view text_;
-  std::size_t given_ = 0;
-};
-
 }  // namespace
-
-std::unique_ptr<Source> open_file(const std::string& path, std::string& error) {
-  if (path == "-") return std::make_unique<FileSource>(0);
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  struct stat status {};
-  if (descriptor < 0 || ::fstat(descriptor, &status) != 0) {
-    error = std::strerror(errno);
-    return nullptr;
-  }
-  if (S_ISDIR(status.st_mode)) {
-    ::close(descriptor);
-    error = "is a folder";
-    return nullptr;
-  }
-  return std::make_unique<FileSource>(descriptor);
-}
-
-std::unique_ptr<Source> memory_source(std::string_view text) { return std::make_unique<MemorySource>(text); }
 
 void Cursor::open(Source& source, std::size_t maximum_line_bytes, const Segmenter& segmenter) {
   source_ = &source;
@@ -299,69 +193,6 @@ LinePlace LinePlaces::at(std::string_view text, std::size_t position) {
   for (const std::size_t last = std::min(position, text.size()); looked_ < last; ++looked_)
     if (text[looked_] == end_) place_ = {place_.line + 1, looked_ + 1};
   return place_;
-}
-
-// ---- spool
-
-namespace {
-constexpr std::size_t kept_in_memory = 1u << 20;
-}
-
-Spool::~Spool() {
-  if (file_ >= 0) ::close(file_);
-}
-
-std::size_t Spool::read(char* buffer, std::size_t size) {
-  const std::size_t n = read_at(given_, buffer, size);
-  given_ += n;
-  return n;
-}
-
-std::size_t Spool::pull(char* buffer, std::size_t size) {
-  if (ended_) return 0;
-  const std::size_t n = from_.read(buffer, size);
-  ended_ = n == 0;
-  keep(buffer, n);
-  size_ += n;
-  return n;
-}
-
-void Spool::keep(const char* bytes, std::size_t size) {
-  const std::size_t in_memory = std::min(size, kept_in_memory - head_.size());
-  head_.append(bytes, in_memory);
-  bytes += in_memory;
-  size -= in_memory;
-  if (size == 0 || lost_) return;
-  if (file_ < 0) {
-    const char* const folder = std::getenv("TMPDIR");
-    std::string name = std::string(folder != nullptr && *folder != '\0' ? folder : "/tmp") + "/isogloss-XXXXXX";
-    file_ = ::mkostemp(name.data(), O_CLOEXEC);
-    if (file_ >= 0) ::unlink(name.c_str());
-  }
-  while (size > 0 && file_ >= 0) {
-    const std::size_t n = retry([&] { return ::write(file_, bytes, size); });
-    if (n == 0) break;
-    bytes += n;
-    size -= n;
-  }
-  lost_ = size > 0;
-}
-
-std::size_t Spool::read_at(std::uint64_t offset, char* buffer, std::size_t size) {
-  if (size == 0) return 0;
-  while (offset > size_) {
-    char passed[4096];
-    if (pull(passed, static_cast<std::size_t>(std::min<std::uint64_t>(sizeof passed, offset - size_))) == 0) return 0;
-  }
-  if (offset == size_) return pull(buffer, size);
-  const std::size_t wanted = static_cast<std::size_t>(std::min<std::uint64_t>(size, size_ - offset));
-  if (offset < head_.size()) {
-    const std::size_t n = std::min(wanted, head_.size() - static_cast<std::size_t>(offset));
-    std::memcpy(buffer, head_.data() + offset, n);
-    return n;
-  }
-  if (lost_) return 0;
-  return retry([&] { return ::pread(file_, buffer, wanted, static_cast<off_t>(offset - kept_in_memory)); });
 }
 
 }  // namespace isogloss

@@ -6,6 +6,7 @@
 
 #include "run/program_files.hpp"
 #include "run/run_end.hpp"
+#include "run/spool.hpp"
 
 namespace isogloss {
 

@@ -61,7 +61,7 @@ class Run {
     if (is_utf16_) return finish();
     if (text_ended_ && result_.blocks == 0) sink_.add(host_diagnostic("IG-0423", {flow_.file_name(), 0, 0}, {}));
     if (text_ended_) run_end();
-    if (program_ended_ || text_ended_) say_what_follows();
+    if (program_ended_ || text_ended_) report_what_follows();
     return finish();
   }
 
@@ -84,8 +84,8 @@ class Run {
       const auto limit = static_cast<std::uint32_t>(options_.maximum_line_bytes);
       sink_.add(host_diagnostic("IG-0403", {flow_.file_name(), line.number, limit + 1}, {std::to_string(limit)}));
     }
-    if (line.text.size() > widest_column && !said_wide_) {
-      said_wide_ = true;
+    if (line.text.size() > widest_column && !reported_wide_) {
+      reported_wide_ = true;
       sink_.add(
           host_diagnostic("IG-0404", {flow_.file_name(), line.number, widest_column}, {std::to_string(widest_column)}));
     }
@@ -288,7 +288,7 @@ class Run {
   }
 
   /// Text after the end of the program that no call or jump reached is reported once.
-  void say_what_follows() {
+  void report_what_follows() {
     if (const auto first = flow_.first_not_run())
       sink_.add(host_diagnostic("IG-0414", {flow_.file_name(), first->line, first->column + 1}, {}));
   }
@@ -315,7 +315,7 @@ class Run {
   ig_field stop_, end_;
   FiniteValues finite_;
   LookAheadWindow window_;
-  bool over_ = false, program_ended_ = false, text_ended_ = false, said_wide_ = false, is_utf16_ = false;
+  bool over_ = false, program_ended_ = false, text_ended_ = false, reported_wide_ = false, is_utf16_ = false;
 };
 
 }  // namespace

@@ -338,7 +338,7 @@ class Block {
   template <class... Args>
   void report(DiagnosticCode diagnostic, Where where, const Args&... args) {
     const std::uint32_t number = detail::diagnostic_table().find(diagnostic.code);
-    if (number == detail::DiagnosticTable::no_such_row) return say_undeclared(diagnostic);
+    if (number == detail::DiagnosticTable::no_such_row) return report_undeclared(diagnostic);
     report(number, where, args...);
   }
   /// Reports a diagnostic by its index in the array given to ISOGLOSS_PLUGIN().
@@ -359,7 +359,7 @@ class Block {
   ig_block* raw() const { return block_; }
 
  private:
-  [[gnu::cold, gnu::noinline]] void say_undeclared(DiagnosticCode diagnostic) const {
+  [[gnu::cold, gnu::noinline]] void report_undeclared(DiagnosticCode diagnostic) const {
     const std::string fault = "no file of the plugin declares the diagnostic " + std::string(diagnostic.code);
     host_->fault(block_, to_text(fault));
   }

@@ -35,7 +35,7 @@ struct MazakCode {
     const bool is_hole = b.find(cycles_) || modal_cycle_.is_k(b);
     const auto d = is_hole ? b.take(d_) : std::nullopt;
     if (d) b.report(ig::diag("FAN-0202"), ig::Where::word(d_.id()), *d);
-    return codes_.say(b) || d ? ig::Status::changed : ig::Status::unchanged;
+    return codes_.report(b) || d ? ig::Status::changed : ig::Status::unchanged;
   }
 };
 

@@ -49,15 +49,15 @@ struct HaasCode {
 
   ig::Status build(ig::Block& b) {
     bool changed = take_contact(b);
-    changed |= say_compensation(b);
-    changed |= say_length(b);
+    changed |= report_compensation(b);
+    changed |= report_length(b);
     changed |= b.take(plane_off_).has_value();  // nothing to end: G268 has been reported
-    return codes_.say(b) || changed ? ig::Status::changed : ig::Status::unchanged;
+    return codes_.report(b) || changed ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
   /// Reports missing compensation; without a radius the path is right without it.
-  bool say_compensation(ig::Block& b) const {
+  bool report_compensation(ig::Block& b) const {
     const auto words = b.take(compensation_on_);
     if (!words) return false;
     const auto where = ig::Where::word(compensation_on_.code(0));
@@ -72,7 +72,7 @@ struct HaasCode {
   }
 
   /// Reports a missing tool length; without a length the machine goes to the programmed positions as well.
-  bool say_length(ig::Block& b) const {
+  bool report_length(ig::Block& b) const {
     const auto words = b.take(length_);
     if (!words) return false;
     const auto where = ig::Where::word(length_.code(0));

@@ -36,7 +36,7 @@ struct HaasDynamicOffset {
   ToolKinematics machine_;
 
   Angles angles_{};  ///< of the machine, at G254
-  bool said_turned_ = false;
+  bool is_turn_reported_ = false;
 
   ig::Status build(ig::Block& b) {
     const auto code = b.take(codes_);
@@ -44,8 +44,8 @@ struct HaasDynamicOffset {
     if (code == 0) begin(b);
     if (!b.is_raised(on_)) return ig::Status::unchanged;
     const Angles now = rotary_.get(b).or_else({});
-    if (!said_turned_ && now != angles_) {
-      said_turned_ = true;
+    if (!is_turn_reported_ && now != angles_) {
+      is_turn_reported_ = true;
       b.report(ig::diag("FAN-0209"), ig::Where::block());
     }
     const ig::Vec3 to = shift(b);
@@ -65,16 +65,16 @@ struct HaasDynamicOffset {
   void begin(ig::Block& b) {
     if (!b.is_raised(on_)) b.raise(on_);
     angles_ = rotary_.get(b).or_else({});
-    said_turned_ = false;
+    is_turn_reported_ = false;
     if (!turns(b)) return;
     const auto where = ig::Where::word(codes_.id(0));
     if (!machine_)
-      say(b, where, "the rotary axes of the machine are not known, so positions do not follow them");
+      report(b, where, "the rotary axes of the machine are not known, so positions do not follow them");
     else if (!is_table())
-      say(b, where, "the machine turns the tool too, not only the workpiece");
+      report(b, where, "the machine turns the tool too, not only the workpiece");
   }
 
-  static void say(ig::Block& b, ig::Where where, std::string_view why) {
+  static void report(ig::Block& b, ig::Where where, std::string_view why) {
     b.report(ig::diag("FAN-0201"), where, std::string_view("G254"), why);
   }
 

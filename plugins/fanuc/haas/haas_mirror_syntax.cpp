@@ -33,7 +33,7 @@ struct HaasMirror {
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (words.mask == 0 || words["XYZ"[axis]]) b.erase(mirror_.id(axis));
     if (b.get(mirror_).mask == 0) b.erase(term_);
-    say_rotary(b, code, words);
+    report_rotary(b, code, words);
   }
 
   void begin(ig::Block& b, ig_field code, const ig::Words& words) const {
@@ -45,10 +45,10 @@ struct HaasMirror {
     }
     if (any) b.set(term_, words.code);
     if (words.mask == 0) b.report(ig::diag("FAN-0204"), ig::Where::word(code), b.text(words.code));
-    say_rotary(b, code, words);
+    report_rotary(b, code, words);
   }
 
-  void say_rotary(ig::Block& b, ig_field code, const ig::Words& words) const {
+  void report_rotary(ig::Block& b, ig_field code, const ig::Words& words) const {
     if (words['A'] || words['B'] || words['C'])
       b.report(ig::diag("FAN-0201"), ig::Where::word(code), b.text(words.code), "rotary axes are not mirrored");
   }

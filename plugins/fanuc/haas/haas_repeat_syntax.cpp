@@ -37,11 +37,11 @@ struct HaasRepeat {
     if (*l == 1) return ig::Status::changed;
     const auto count = whole_number(*l);
     if (!b.has(form_)) {
-      say(b, "its block has no G00 to G03 move");
+      report(b, "its block has no G00 to G03 move");
     } else if (!count || *count == 0) {
-      say(b, "it is not a whole number above 0; the block is executed once");
+      report(b, "it is not a whole number above 0; the block is executed once");
     } else if (*count > most_) {
-      say(b, "it exceeds max-repeats; the block is executed once");
+      report(b, "it exceeds max-repeats; the block is executed once");
     } else {
       again(b, *count);
     }
@@ -56,11 +56,11 @@ struct HaasRepeat {
     block_ = here;
     if (left_ > 0 && !flow_.go_to(b, here).is_done()) {
       left_ = 0;
-      say(b, "the remaining repeats are left out");
+      report(b, "the remaining repeats are left out");
     }
   }
 
-  void say(ig::Block& b, std::string_view why) const {
+  void report(ig::Block& b, std::string_view why) const {
     b.report(ig::diag("FAN-0201"), ig::Where::word(repeats_.id()), std::string_view("L"), why);
   }
 };

@@ -67,7 +67,7 @@ struct FanucBlockMacro {
 
     const MacroStore::ModalCall call = store.modal_calls().back();
     if (call.repeats == 0) return ig::Status::changed;
-    say_deep_call(b, store, ig::Where::block());
+    report_deep_call(b, store, ig::Where::block());
     const std::uint64_t tag = store.enter(arguments, true);
     settle_modal(store, ask_program(b, frame_.flow, call.program, call.repeats, tag, ig::Where::block()));
     return ig::Status::changed;

@@ -138,7 +138,7 @@ struct FanucMacroCall {
 
   void call_macro(ig::Block& b, ig::Where where, bool is_modal) {
     MacroStore& store = environment_.store();
-    say_deep_call(b, store, where);
+    report_deep_call(b, store, where);
     const std::uint64_t tag = store.enter(words_.arguments, is_modal);
     const ig::Flow::Answer answer = ask_program(b, environment_.flow, words_.called(),
                                                 static_cast<std::int64_t>(words_.repeats), tag | tag_bits_, where);

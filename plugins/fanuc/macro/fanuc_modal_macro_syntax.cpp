@@ -35,7 +35,7 @@ struct FanucModalMacro {
         !(b.is_fresh(move_) || b.is_fresh(steps_)))
       return ig::Status::unchanged;
     const MacroStore::ModalCall call = calls.back();
-    say_deep_call(b, store, ig::Where::block());
+    report_deep_call(b, store, ig::Where::block());
     const std::uint64_t tag = store.enter(call.arguments, true);
     settle_modal(store, ask_program(b, frame_.flow, call.program, call.repeats, tag, ig::Where::block()));
     return ig::Status::changed;

@@ -96,7 +96,7 @@ Fault MacroEnvironment::system_value(ig::Block& b, std::uint32_t n, double& out)
   if (const OffsetCell cell = offset_cell(n); cell.exists) return read_offset(b, cell, out);
   if (const ToolCell cell = tool_cell(n); cell.row != 0) return read_tool(b, cell, out);
   if (store().is_assumed(n)) {
-    say_assumed(b, n);
+    report_assumed(b, n);
     return Fault::none;
   }
   return within(n, 1000, 99'999) && is_of_control(n) ? Fault::not_known_here : Fault::unknown_variable;
@@ -124,7 +124,7 @@ Fault MacroEnvironment::calendar(std::uint32_t n, double& out) {
   return Fault::none;
 }
 
-void MacroEnvironment::say_assumed(ig::Block& b, std::uint32_t n) const {
+void MacroEnvironment::report_assumed(ig::Block& b, std::uint32_t n) const {
   const auto it = std::lower_bound(assumed_.begin(), assumed_.end(), n);
   if (it != assumed_.end() && *it == n) return;
   assumed_.insert(it, n);

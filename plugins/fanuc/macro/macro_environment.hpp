@@ -94,7 +94,7 @@ class MacroEnvironment : public MacroFrame {
 
   Written write_system(ig::Block& b, std::uint32_t n, double value);
 
-  void say_assumed(ig::Block& b, std::uint32_t n) const;
+  void report_assumed(ig::Block& b, std::uint32_t n) const;
 
   Fault clock(std::uint32_t n, double& out) const;
 

@@ -22,7 +22,7 @@ std::size_t MacroExecution::scan(ig::Block& b, std::string_view text, std::size_
     return end;
   }
   if (environment_.flow.is_indexing()) {
-    if (word == Word::end) say_label(b, text, position);
+    if (word == Word::end) report_label(b, text, position);
     return end;
   }
   begin_ = position;
@@ -40,7 +40,7 @@ std::size_t MacroExecution::scan(ig::Block& b, std::string_view text, std::size_
 ig::Status MacroExecution::restart() {
   loops_here_.clear();
   unbegun_.fill(false);
-  said_output_.clear();
+  reported_output_.clear();
   wait_ = {};
   waited_.clear();
   return ig::Status::unchanged;
@@ -83,7 +83,7 @@ void MacroExecution::blank_comments(std::string_view text) {
     }
 }
 
-void MacroExecution::say_label(ig::Block& b, std::string_view text, std::size_t position) const {
+void MacroExecution::report_label(ig::Block& b, std::string_view text, std::size_t position) const {
   std::int64_t number = 0;
   if (!fanuc::loop_number(text, skip_while(text, position, is_letter), number)) return;
   const std::string name = "END" + std::to_string(number);
@@ -110,9 +110,9 @@ void MacroExecution::execute(ig::Block& b, std::string_view text, std::size_t po
     case Word::do_: return execute_do(b, text, position, position);
     case Word::end: return execute_end(b, text, position);
     case Word::go_to: return execute_go_to(b, text, position, behind);
-    case Word::output: return put_out(b, environment_, said_output_, text, position, behind);
+    case Word::output: return put_out(b, environment_, reported_output_, text, position, behind);
     case Word::set_name:
-      if (said_output_.is_first("SETVN"))
+      if (reported_output_.is_first("SETVN"))
         b.report(ig::diag("FAN-0141"), columns(text, position), text.substr(position));
       return;
     default: incomplete(b, text, position, text.substr(position), "IF");

@@ -66,7 +66,7 @@ class MacroExecution {
 
   /// The statement with blanks for its comments, so that columns stay.
   void blank_comments(std::string_view text);
-  void say_label(ig::Block& b, std::string_view text, std::size_t position) const;
+  void report_label(ig::Block& b, std::string_view text, std::size_t position) const;
   Outcome evaluate_at(ig::Block& b, std::string_view text, std::size_t position) const;
 
   void execute(ig::Block& b, std::string_view text, std::size_t position);
@@ -144,7 +144,7 @@ class MacroExecution {
   std::size_t begin_ = 0, end_ = 0;  // of the statement that scan() found
   bool has_comment_ = false;         // inside it
   std::string blanked_;
-  SaidOutput said_output_;
+  ReportedOutput reported_output_;
   struct Wait {
     std::uint64_t frame = 0, offset = 0;
     std::uint32_t pass = 0;

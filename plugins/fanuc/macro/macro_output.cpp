@@ -35,7 +35,7 @@ std::size_t put_variable(ig::Block& b, const MacroEnvironment& environment, std:
 
 }  // namespace
 
-void put_out(ig::Block& b, const MacroEnvironment& environment, SaidOutput& said, std::string_view text,
+void put_out(ig::Block& b, const MacroEnvironment& environment, ReportedOutput& said, std::string_view text,
              std::size_t position, std::size_t behind) {
   const auto whole = ig::Where::columns(position, std::max(text.size(), position + 1));
   const std::string_view word = piece(text, position, behind);

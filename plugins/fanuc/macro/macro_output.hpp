@@ -13,7 +13,7 @@ namespace fanuc {
 using namespace ig::cnc;
 
 /// Which of POPEN, PCLOS, BPRNT and SETVN have been reported: each once in a run.
-class SaidOutput {
+class ReportedOutput {
  public:
   void clear() { said_ = 0; }
   /// True the first time. Two letters tell the words apart, whether shortened or not.
@@ -28,7 +28,7 @@ class SaidOutput {
 };
 
 /// Reports the text that DPRNT writes and, once in a run, each of the other words.
-void put_out(ig::Block& b, const MacroEnvironment& environment, SaidOutput& said, std::string_view text,
+void put_out(ig::Block& b, const MacroEnvironment& environment, ReportedOutput& said, std::string_view text,
              std::size_t position, std::size_t behind);
 
 }  // namespace fanuc

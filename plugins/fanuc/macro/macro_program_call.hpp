@@ -12,7 +12,7 @@ namespace fanuc {
 using namespace ig::cnc;
 
 /// Reports a macro call that is nested more deeply than the control permits.
-inline void say_deep_call(ig::Block& b, const MacroStore& store, ig::Where where) {
+inline void report_deep_call(ig::Block& b, const MacroStore& store, ig::Where where) {
   const std::uint32_t permitted = store.settings.call_nesting;
   if (store.depth() >= permitted)
     b.report(ig::diag("FAN-0168"), where, static_cast<double>(store.depth() + 1), static_cast<double>(permitted));

@@ -58,7 +58,7 @@ struct OkumaCode {
       any = true;
       return_to(b, *code);
     }
-    return codes_.say(b) || any ? ig::Status::changed : ig::Status::unchanged;
+    return codes_.report(b) || any ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:

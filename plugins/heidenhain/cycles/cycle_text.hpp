@@ -27,7 +27,7 @@ class CycleText {
   std::size_t parameters(ig::Block& b, std::string_view text, std::size_t position, std::int64_t cycle,
                          Note&& note) const {
     std::size_t done = position;
-    bool is_said = false;
+    bool is_reported = false;
     for (std::size_t i = skip(text, position); i < text.size(); i = skip(text, i)) {
       std::size_t end = i;
       const auto q = Values::q_at(text, i, end);
@@ -35,10 +35,10 @@ class CycleText {
       const bool is_feed_word = q && is_feed_word_at(text, equals);
       if (!q || (at(text, equals) != '=' && !is_feed_word)) {
         const std::size_t next = std::max(i + 1, skip_while(text, i, [](char c) { return !is_space(c); }));
-        if (done != position && !is_said)
+        if (done != position && !is_reported)
           b.report(ig::diag("HEI-0105"), ig::Where::columns(i, next), piece(text, i, next),
                    std::string_view("a parameter of CYCL DEF"));
-        is_said = is_said || done != position;
+        is_reported = is_reported || done != position;
         i = std::max(i + 1, word_end(text, i));
         continue;
       }

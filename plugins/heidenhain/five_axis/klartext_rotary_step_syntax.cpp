@@ -55,7 +55,7 @@ struct KlartextRotaryStep {
   /// PLANE has found machine angles already, and M91 programs them.
   void shift(ig::Block& b, const Angles& offset) const {
     const bool is_plane = b.is_raised(is_plane_);
-    if (b.find(plane_) || b.find(tip_) || (is_plane && has_words(b))) say(b, offset);
+    if (b.find(plane_) || b.find(tip_) || (is_plane && has_words(b))) report(b, offset);
     if (is_plane || b.find(of_machine_)) return;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (const auto word = b.get(words_[axis]); word && offset[axis] != 0)
@@ -63,7 +63,7 @@ struct KlartextRotaryStep {
   }
   bool has_words(const ig::Block& b) const { return b.has(words_[0]) || b.has(words_[1]) || b.has(words_[2]); }
 
-  void say(ig::Block& b, const Angles& offset) const {
+  void report(ig::Block& b, const Angles& offset) const {
     bool counts = false;
     for (std::size_t axis = 0; axis < 3; ++axis) counts = counts || (machine_.has(axis) && offset[axis] != 0);
     if (counts) b.report(ig::diag("HEI-0200"), ig::Where::block(), b.text(b.get_or(preset_, ig::Symbol{})));

@@ -79,11 +79,11 @@ struct KlartextLabel {
       return;
     }
     b.set_text(label_, name);
-    say_rest(b, text, end, "LBL");
+    report_rest(b, text, end, "LBL");
     if (name == "0" && values_.flow().frame(b).tag == called_label) values_.flow().leave(b);
   }
 
-  static void say_rest(ig::Block& b, std::string_view text, std::size_t i, std::string_view of) {
+  static void report_rest(ig::Block& b, std::string_view text, std::size_t i, std::string_view of) {
     i = skip(text, i);
     if (i >= text.size()) return;
     report_without_meaning(b, text, i, of);
@@ -108,14 +108,14 @@ struct KlartextLabel {
     const std::size_t behind_rep = glued(text, rep, "REP");
     b.set(term_, call_label_);
     if (rep < text.size() && behind_rep == rep) {
-      say_rest(b, text, rep, "CALL LBL");
+      report_rest(b, text, rep, "CALL LBL");
     } else if (rep < text.size()) {
       const Value times = values_.read(b, text, skip(text, behind_rep));
       if (times.ok) {
-        say_rest(b, text, behind_count_left(text, times.end), "CALL LBL");
+        report_rest(b, text, behind_count_left(text, times.end), "CALL LBL");
         return repeat(b, name, where, times.number);
       }
-      if (skip(text, behind_rep) < text.size()) say_rest(b, text, behind_rep, "CALL LBL");
+      if (skip(text, behind_rep) < text.size()) report_rest(b, text, behind_rep, "CALL LBL");
     }
     name.insert(0, 1, 'L');
     const ig::Flow::Answer answer =

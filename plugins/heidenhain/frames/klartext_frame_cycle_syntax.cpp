@@ -83,7 +83,7 @@ struct KlartextFrameCycle {
 
   void act(ig::Block& b, std::string_view text, const CycleNumber& number, ig::Where where) const {
     const auto part = number.part.value_or(1);
-    const auto say = [&](const char* effect) {
+    const auto report = [&](const char* effect) {
       b.report(ig::diag("HEI-0161"), where, static_cast<double>(number.cycle), std::string_view(effect));
     };
     switch (number.cycle) {
@@ -101,22 +101,22 @@ struct KlartextFrameCycle {
         return;
       case 11:
       case 26:
-        if (part > 0 && scales(b, text, number.end)) say("positions are not scaled");
+        if (part > 0 && scales(b, text, number.end)) report("positions are not scaled");
         return;
       case 13:
-        if (part > 0) say("the spindle is not oriented");
+        if (part > 0) report("the spindle is not oriented");
         return;
       case 30:
-        if (part > 0) say("the points of the file are not run");
+        if (part > 0) report("the points of the file are not run");
         return;
       case 220:
       case 221: return pattern_.define(b, text_, text, number, where);
-      case 224: return say("the pattern of holes is missing");
-      case 238: return say("the state of the machine is not measured");
-      case 239: return say("the load is not learned");
-      case 291: return say("the spindle does not follow the axes");
-      case 800: return say("coordinates are not those of turning");
-      case 892: return say("the unbalance is not measured");
+      case 224: return report("the pattern of holes is missing");
+      case 238: return report("the state of the machine is not measured");
+      case 239: return report("the load is not learned");
+      case 291: return report("the spindle does not follow the axes");
+      case 800: return report("coordinates are not those of turning");
+      case 892: return report("the unbalance is not measured");
       case 247: return preset(b, text, number, where);
       // 14, 20, 270, 271, 285: contours and gears, which are reported where they are machined; 32, 332, 392: accuracy
       // and speed of the path; 801: the end of 800

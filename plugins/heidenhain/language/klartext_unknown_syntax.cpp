@@ -37,7 +37,7 @@ struct KlartextUnknown {
       return text.size();
     }
     if (text[position] == '(') {
-      values_.say_brackets(b, where);
+      values_.report_brackets(b, where);
       return end;
     }
     if (is_part_of_probing(text, position) || is_mill_mode(text, position, end)) return end;

@@ -86,7 +86,7 @@ class Values {
   }
 
   /// Text in brackets is a comment on other controls and in simulators: it is reported once.
-  void say_brackets(ig::Block& b, ig::Where where) const {
+  void report_brackets(ig::Block& b, ig::Where where) const {
     if (QStore* const s = store(); s == nullptr || s->is_first_time(0, "(")) b.report(ig::diag("HEI-0189"), where);
   }
 

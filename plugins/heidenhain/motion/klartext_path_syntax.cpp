@@ -175,7 +175,7 @@ struct KlartextPath {
 
   void unknown(ig::Block& b, std::string_view text, std::size_t i, const Path& path) const {
     const std::string_view line = rest_of_line(text, i), rest = trim(line.substr(0, statement_end(line, 0)));
-    if (at(text, i) == '(') return values_.say_brackets(b, ig::Where::columns(i, i + rest.size()));
+    if (at(text, i) == '(') return values_.report_brackets(b, ig::Where::columns(i, i + rest.size()));
     b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, path.name());
   }
 

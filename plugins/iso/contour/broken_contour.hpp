@@ -54,7 +54,7 @@ class BrokenContour {
     return piece;
   }
 
-  void say(ig::Block& b, const Piece& piece) const {
+  void report(ig::Block& b, const Piece& piece) const {
     if (piece.unbroken.empty() || piece.is_expected) return;
     b.report(ig::diag("ISO-0480"), where(b), b.text(term(b)), piece.unbroken);
     if (unfit_ == Unfit::alarm) b.alarm();

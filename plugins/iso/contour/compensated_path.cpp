@@ -33,7 +33,7 @@ ig::Status CompensatedPath::build(ig::Block& b) {
   }
   const ig::Status status = follow(b, piece.motion, offset);
   if (!manner_) return status;
-  contour_.say(b, piece);
+  contour_.report(b, piece);
   inserted_.reset();
   if (piece.corner) go_round_corner(b, *piece.corner, offset);
   return status;
@@ -107,8 +107,8 @@ ig::Status CompensatedPath::go_on(ig::Block& b, const ContourMotion& now, double
     b.report(ig::diag("ISO-0475"), ig::Where::block());
   const ContourAhead::Next next = following(b, now, offset);
   const Corner corner = end_of(b, now, offset, next);
-  say_too_far(b, next);
-  if (may_be_narrow(now, next, corner)) say_neck(b, now, offset, corner);
+  report_too_far(b, next);
+  if (may_be_narrow(now, next, corner)) report_neck(b, now, offset, corner);
   const ig::Status status = move(b, now, offsetting, corner, offset);
   tool_.is_blind = next.kind == ContourAhead::Next::Kind::none;
   return status;

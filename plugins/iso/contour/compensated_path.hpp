@@ -126,7 +126,7 @@ class CompensatedPath {
   /// A chamfer or a rounding is a move of the contour like others. After the move that cancels compensation, the tool
   /// centre is on it.
   void go_round_corner(ig::Block& b, const ContourMotion& corner, double offset);
-  void say_too_far(ig::Block& b, const ContourAhead::Next& next) const;
+  void report_too_far(ig::Block& b, const ContourAhead::Next& next) const;
 
   /// The rest of the corner before, then the move up to where it is left for the next.
   ig::Status move(ig::Block& b, const ContourMotion& now, Phase phase, const Corner& corner, double offset);
@@ -193,7 +193,7 @@ class CompensatedPath {
   bool may_be_narrow(const ContourMotion& now, const ContourAhead::Next& next, const Corner& corner) const;
   /// A neck: two parts of the contour that are no neighbours are nearer to each other than the tool is wide. The two
   /// moves behind this one are neighbours, which their corners look after; the last one leads away.
-  void say_neck(ig::Block& b, const ContourMotion& now, double offset, const Corner& corner);
+  void report_neck(ig::Block& b, const ContourMotion& now, double offset, const Corner& corner);
 };
 
 }  // namespace iso

@@ -22,7 +22,7 @@ ig::Status CompensatedPath::start(ig::Block& b, const ContourMotion& now, double
     else
       corner.leave = next.move.offset_start(offset);
   }
-  say_too_far(b, next);
+  report_too_far(b, next);
   stand_at(now, now.from, offset);
   const auto way = approach_.get(b);
   const ig::Status status = way && next.kind == ContourAhead::Next::Kind::move
@@ -99,7 +99,7 @@ ig::Status CompensatedPath::suspend(ig::Block& b, const ContourMotion& now) {
   return ig::Status::unchanged;
 }
 
-void CompensatedPath::say_too_far(ig::Block& b, const ContourAhead::Next& next) const {
+void CompensatedPath::report_too_far(ig::Block& b, const ContourAhead::Next& next) const {
   if (next.kind == ContourAhead::Next::Kind::too_far)
     b.report(ig::diag("ISO-0469"), ig::Where::block(), static_cast<double>(rests_allowed_));
 }

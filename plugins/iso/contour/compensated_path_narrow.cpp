@@ -61,7 +61,7 @@ bool CompensatedPath::may_be_narrow(const ContourMotion& now, const ContourAhead
          dot(now.move.direction_at_end(), next.move.direction_at_start()) < least_turn;
 }
 
-void CompensatedPath::say_neck(ig::Block& b, const ContourMotion& now, double offset, const Corner& corner) {
+void CompensatedPath::report_neck(ig::Block& b, const ContourMotion& now, double offset, const Corner& corner) {
   const double height = now.to[now.plane.tool];
   if (b.get_or(is_rapid_, false) || std::fabs(now.from[now.plane.tool] - height) > same_point_mm) return;
   if (!now.move.fits(offset)) return;

@@ -46,7 +46,7 @@ struct CornerBreakPath {
     }
     const ContourMotion now = motion_(b);
     const BrokenContour::Piece piece = contour_.take(b, now);
-    contour_.say(b, piece);
+    contour_.report(b, piece);
     if (now.kind == ContourMotion::Kind::rest && !now.has_event && tool_) {
       if (const auto machine = b.to_machine(*tool_)) b.amend(machine_, *machine);
       return ig::Status::changed;

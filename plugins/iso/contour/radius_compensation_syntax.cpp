@@ -71,10 +71,10 @@ struct RadiusCompensation {
   ig::Choice<CornerCode> corner_code_{"corner-arc", "none|G39", "G39",
                                       "The code that makes the tool turn a corner on an arc."};
 
-  bool said_zero_ = false;
+  bool is_zero_reported_ = false;
 
   ig::Status restart(ig::Block& b) {
-    said_zero_ = false;
+    is_zero_reported_ = false;
     if (!is_on(b)) return ig::Status::unchanged;
     find_radius(b, ig::Where::block());
     b.raise(active_);
@@ -178,8 +178,8 @@ struct RadiusCompensation {
       if (!has_geometry && !has_wear) b.report(ig::diag("ISO-0462"), where, static_cast<double>(id));
       if (!has_geometry) geometry = 0;
       if (!has_wear) wear = 0;
-      if ((has_geometry || has_wear) && geometry + wear == 0 && !said_zero_) {
-        said_zero_ = true;
+      if ((has_geometry || has_wear) && geometry + wear == 0 && !is_zero_reported_) {
+        is_zero_reported_ = true;
         b.report(ig::diag("ISO-0464"), where, static_cast<double>(id));
       }
     }

@@ -52,7 +52,7 @@ struct BackBoring {
     const double feed = cycle_.stroke_feed(b, std::fabs(high - low));
     const double dwell = dwell_at_ == Dwell::end_of_cut ? dwell_.seconds(*run) : 0;
     const ToolShift::Shift shift = shift_.of(b, *run);
-    cycle_.say_unused(b, *run, dwell_at_ == Dwell::none ? "QIJ" : "PQIJ");
+    cycle_.report_unused(b, *run, dwell_at_ == Dwell::none ? "QIJ" : "PQIJ");
     const ig::CompoundMotion& motion = cycle_.motion;
     const auto start = spindle_.begin(b, motion, cycle_.where(*run), run->code);
 

@@ -38,7 +38,7 @@ struct BoringCycle {
     const bool is_g86 = run->code == g86_;
     const double feed = cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom));
     const double dwell = waits(run->code) ? dwell_.seconds(*run) : 0;
-    cycle_.say_unused(b, *run, waits(run->code) ? "P" : "");
+    cycle_.report_unused(b, *run, waits(run->code) ? "P" : "");
     const ig::CompoundMotion& motion = cycle_.motion;
     const auto start = is_g86 ? spindle_.begin(b, motion, cycle_.where(*run), run->code) : ig::Spindle::stop;
 

@@ -60,10 +60,10 @@ struct CircularPocket {
   LastProgramXyz last_;
   ScaleAndMirror scale_and_mirror_;
 
-  bool said_zero_ = false;
+  bool is_zero_reported_ = false;
 
   ig::Status restart(ig::Block&) {
-    said_zero_ = false;
+    is_zero_reported_ = false;
     return ig::Status::unchanged;
   }
 
@@ -153,8 +153,8 @@ struct CircularPocket {
     const bool has_wear = table_->get(table_->self, id, 3, &wear) != 0;
     if (!has_geometry && !has_wear) b.report(ig::diag("ISO-0462"), where, static_cast<double>(id));
     const double radius = ((has_geometry ? geometry : 0) + (has_wear ? wear : 0)) / (diameters_ ? 2 : 1);
-    if (radius == 0 && (has_geometry || has_wear) && !said_zero_) {
-      said_zero_ = true;
+    if (radius == 0 && (has_geometry || has_wear) && !is_zero_reported_) {
+      is_zero_reported_ = true;
       b.report(ig::diag("ISO-0464"), where, static_cast<double>(id));
     }
     return std::isfinite(radius) ? radius : 0;
@@ -162,7 +162,7 @@ struct CircularPocket {
 
   void mill(ig::Block& b, const ig::Words& words, Pocket& pocket) const {
     const double mmds = feed_.mmds(b, [&] { return way_of(pocket); });
-    if (mmds <= 0) feed_.say_missing(b);
+    if (mmds <= 0) feed_.report_missing(b);
     const ToolSteps::Manner feed{false, mmds > 0 ? std::optional(mmds) : std::nullopt, 0};
     for (std::int64_t pass = 0; pass < pocket.passes; ++pass) {
       const double depth = target(b, 2, pocket.center.z, words);

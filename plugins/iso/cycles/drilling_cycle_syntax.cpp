@@ -26,7 +26,7 @@ struct DrillingCycle {
     if (!run) return ig::Status::unchanged;
     const double feed = cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom));
     const double dwell = run->code == g82_ ? dwell_.seconds(*run) : 0;
-    cycle_.say_unused(b, *run, run->code == g82_ ? "P" : "");
+    cycle_.report_unused(b, *run, run->code == g82_ ? "P" : "");
     const ig::CompoundMotion& motion = cycle_.motion;
 
     for (int i = 0; i < run->count; ++i) {

@@ -35,7 +35,7 @@ struct FineBoring {
     const double feed = cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom));
     const double dwell = dwell_at_ == Dwell::bottom ? dwell_.seconds(*run) : 0;
     const ToolShift::Shift shift = shift_.of(b, *run);
-    cycle_.say_unused(b, *run, dwell_at_ == Dwell::none ? "QIJ" : "PQIJ");
+    cycle_.report_unused(b, *run, dwell_at_ == Dwell::none ? "QIJ" : "PQIJ");
     const ig::CompoundMotion& motion = cycle_.motion;
     const auto start = spindle_.begin(b, motion, cycle_.where(*run), run->code);
 

@@ -29,7 +29,7 @@ struct HighSpeedPeckCycle {
     const bool returns = pecks && pecks->full_return > 0;
     std::string_view used = pecks_.used(*run, returns ? "QKP" : "QP", "IJKP");
     if (!dwell_.is_used()) used.remove_suffix(1);
-    cycle_.say_unused(b, *run, used);
+    cycle_.report_unused(b, *run, used);
     const ig::CompoundMotion& motion = cycle_.motion;
 
     for (int i = 0; i < run->count; ++i) {

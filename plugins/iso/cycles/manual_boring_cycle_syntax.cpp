@@ -38,7 +38,7 @@ struct ManualBoringCycle {
     if (!run) return ig::Status::unchanged;
     const double feed = cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom));
     const double dwell = run->code == g88_ ? dwell_.seconds(*run) : 0;
-    cycle_.say_unused(b, *run, run->code == g88_ ? "P" : "");
+    cycle_.report_unused(b, *run, run->code == g88_ ? "P" : "");
     const ig::CompoundMotion& motion = cycle_.motion;
     if (!b.is(term_before_, run->code)) b.report(ig::diag("ISO-0335"), cycle_.where(*run), b.text(run->code));
     const auto start = spindle_.begin(b, motion, cycle_.where(*run), run->code);

@@ -27,7 +27,7 @@ struct PeckDrillingCycle {
     const auto pecks = pecks_.plan(b, cycle_, *run);
     const double feed = pecks ? cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom)) : 0;
     const bool waits = dwell_.is_used();
-    cycle_.say_unused(b, *run, pecks_.used(*run, waits ? "QP" : "Q", waits ? "IJKP" : "IJK"));
+    cycle_.report_unused(b, *run, pecks_.used(*run, waits ? "QP" : "Q", waits ? "IJKP" : "IJK"));
     const ig::CompoundMotion& motion = cycle_.motion;
 
     for (int i = 0; i < run->count; ++i) {

@@ -68,7 +68,7 @@ struct TappingCycle {
     std::string_view used = "PQJ";
     if (j_word_ == JWord::none || !tap.rigid) used.remove_suffix(1);
     if (dwell_at_ == Dwell::none) used.remove_prefix(1);
-    cycle_.say_unused(b, *run, used);
+    cycle_.report_unused(b, *run, used);
     limit_steps(b, *run, tap.steps());
     spindle_.begin(b, cycle_.motion, tap.rigid ? ig::Spindle::stop : tap.in);
     for (int i = 0; i < run->count; ++i) {

@@ -148,10 +148,8 @@ struct G53p1RotaryPosition {
 
   std::optional<Angles> target(ig::Block& b, const ig::Words& call, const ig::Vec3& normal, const Angles& present,
                                ig::Where where) const {
-    SolutionChoice choice = choice_;
     const double p = call['P'].value_or(0);
-    if (p == 1) choice = SolutionChoice::positive;
-    if (p == 2) choice = SolutionChoice::negative;
+    const SolutionChoice choice = p == 1 ? SolutionChoice::positive : p == 2 ? SolutionChoice::negative : choice_;
     if (p != 0 && p != 1 && p != 2) {
       b.report(ig::diag("ISO-0453"), where, b.text(call.code), p);
       return std::nullopt;

@@ -103,7 +103,7 @@ struct ToolCenterPoint {
       b.set(term_, codes_.name(*named));
       b.erase(untravelled_);
     }
-    if (was_on && refused_ == RefusedCodes::said) say_excluded(b);
+    if (was_on && refused_ == RefusedCodes::said) report_excluded(b);
     RotaryTurn turn = turn_.read(b, machine_);
     const bool takes = b.is(term_, g43_5_) && turn_to_direction(b, turn);
     return follow(b, turn, starts, h, where) || takes ? ig::Status::changed : ig::Status::unchanged;
@@ -123,12 +123,12 @@ struct ToolCenterPoint {
     return ig::Status::changed;
   }
 
-  void say_excluded(ig::Block& b) const {
-    const auto say = [&](ig_field code, ig::Symbol name) {
+  void report_excluded(ig::Block& b) const {
+    const auto report = [&](ig_field code, ig::Symbol name) {
       b.report(ig::diag("ISO-0445"), ig::Where::word(code), b.text(name), b.text(mode_.term(b)));
     };
-    if (const auto code = b.find(excluded_)) say(excluded_.id(*code), excluded_.name(*code));
-    if (const auto code = b.find(excluded_calls_)) say(excluded_calls_.code(*code), excluded_calls_.name(*code));
+    if (const auto code = b.find(excluded_)) report(excluded_.id(*code), excluded_.name(*code));
+    if (const auto code = b.find(excluded_calls_)) report(excluded_calls_.code(*code), excluded_calls_.name(*code));
   }
 
   /// Updates the length and the tool axis: at the block's end, and also at its start when something other than the axes

@@ -159,7 +159,7 @@ struct SubprogramCall {
       }
     }
     show(b, r);
-    if (may_call(b, r)) say(b, r, ask(b, r));
+    if (may_call(b, r)) report(b, r, ask(b, r));
   }
 
   /// M98 P51234 calls O1234 five times; where only a program O51234 exists, it calls that one.
@@ -176,7 +176,7 @@ struct SubprogramCall {
                NumberedName('\0', whole.program).text());
       return;
     }
-    say(b, r, answer.is_not_found() ? ask(b, r) : answer);
+    report(b, r, answer.is_not_found() ? ask(b, r) : answer);
   }
 
   void named(ig::Block& b, Request& r, std::string_view name) const {
@@ -188,14 +188,14 @@ struct SubprogramCall {
     if (answer.is_not_found())
       b.report(ig::diag("ISO-0485"), r.where, name, answer.reason);
     else
-      say(b, r, answer);
+      report(b, r, answer);
   }
 
   void of_same_program(ig::Block& b, Request& r) const {
     r.program = r.start;
     r.is_local = true;
     show(b, r);
-    if (may_call(b, r)) say(b, r, ask(b, r));
+    if (may_call(b, r)) report(b, r, ask(b, r));
   }
 
   void show(ig::Block& b, const Request& r) const {
@@ -230,7 +230,7 @@ struct SubprogramCall {
                           .start = r.start != 0 ? start.text() : std::string_view{}});
   }
 
-  static void say(ig::Block& b, const Request& r, const ig::Flow::Answer& answer) {
+  static void report(ig::Block& b, const Request& r, const ig::Flow::Answer& answer) {
     if (answer.is_not_found())
       b.report(ig::diag("ISO-0485"), r.where, NumberedName(r.is_local ? 'N' : 'O', r.program).text(), answer.reason);
     else if (answer.status == IG_GO_TAKEN)

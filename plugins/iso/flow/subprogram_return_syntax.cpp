@@ -80,7 +80,7 @@ struct SubprogramReturn {
       b.report(ig::diag("ISO-0494"), where, static_cast<double>(label));
       b.end_program();
     }
-    say(b, answer, where);
+    report(b, answer, where);
     return ig::Status::changed;
   }
 
@@ -101,7 +101,7 @@ struct SubprogramReturn {
       b.report(ig::diag("ISO-0487"), where, static_cast<double>(*label));
       answer = flow_.leave(b, {}, flags);
     }
-    say(b, answer, where);
+    report(b, answer, where);
     return ig::Status::changed;
   }
 
@@ -125,7 +125,7 @@ struct SubprogramReturn {
       b.report(ig::diag("ISO-0494"), where, static_cast<double>(number));
       b.end_program();
     }
-    say(b, answer, where);
+    report(b, answer, where);
     return ig::Status::changed;
   }
 
@@ -146,7 +146,7 @@ struct SubprogramReturn {
     return label;
   }
 
-  static void say(ig::Block& b, const ig::Flow::Answer& answer, const ig::Where& where) {
+  static void report(ig::Block& b, const ig::Flow::Answer& answer, const ig::Where& where) {
     if (answer.status == IG_GO_TAKEN) b.report(ig::diag("ISO-0493"), where, std::string_view("M99"));
   }
 };

@@ -70,14 +70,14 @@ struct ProgrammableDataInput {
     }
     const auto where = ig::Where::word(g10_.code(0));
     const auto table = (*words)['L'] == 1 ? std::optional(11.0) : (*words)['L'];  // L1: older programs
-    if (!is_work_offset(table)) say_not_executed(b, *words);
+    if (!is_work_offset(table)) report_not_executed(b, *words);
     if (table && (*table == 50 || *table == 52)) b.raise(parameters_);
     if (table && (*table == 3 || *table == 75 || *table == 76)) b.raise(tool_data_);
     const bool is_offset = is_work_offset(table);
-    if (is_offset && (*words)['R']) say_unused(b, 'R', *table);
+    if (is_offset && (*words)['R']) report_unused(b, 'R', *table);
     const bool is_tool = tools_ && table && *table >= 10 && *table <= 13 && whole_number(*table);
     for (const char axis : {'X', 'Y', 'Z'})
-      if (is_tool && (*words)[axis]) say_unused(b, axis, *table);
+      if (is_tool && (*words)[axis]) report_unused(b, axis, *table);
     if (table && !is_offset && !is_tool) {
       b.report(ig::diag("ISO-0220"), where, *table);
     } else if (!table || !(*words)['P'] || (is_tool && !(*words)['R'])) {
@@ -91,12 +91,12 @@ struct ProgrammableDataInput {
  private:
   static bool is_work_offset(std::optional<double> table) { return table && (*table == 2 || *table == 20); }
 
-  void say_unused(ig::Block& b, char word, double table) const {
+  void report_unused(ig::Block& b, char word, double table) const {
     b.report(ig::diag("ISO-0544"), ig::Where::word(g10_.word(0, word)), std::string_view(&word, 1), table);
   }
 
   /// A, B and C have no meaning beside a tool offset.
-  void say_not_executed(ig::Block& b, const ig::Words& words) const {
+  void report_not_executed(ig::Block& b, const ig::Words& words) const {
     for (const char axis : rotary_names)
       if (words[axis]) b.report(ig::diag("ISO-0266"), ig::Where::word(g10_.word(0, axis)), b.text(words.code));
   }
@@ -121,7 +121,7 @@ struct ProgrammableDataInput {
     if (named.mask == 0) return true;
     auto origin = rotary_origin(offsets_, id);
     if (!origin) {
-      say_not_executed(b, words);
+      report_not_executed(b, words);
       return true;
     }
     const bool adds = b.is(positioning_, g91_);

@@ -38,10 +38,10 @@ struct UnconsumedCheck {
   ig::Name arc_{"McArc"};
 
   ig::Status build(ig::Block& b) {
-    bool is_said = b.is_raised(said_);  // the first unknown G code was reported with its words
+    bool is_reported = b.is_raised(said_);  // the first unknown G code was reported with its words
     for (std::uint32_t i = 0; const auto left = leftover(b, i); ++i) {
-      if (is_said && left->kind == IG_LEFT_UNKNOWN && left->name.starts_with('G'))
-        is_said = false;
+      if (is_reported && left->kind == IG_LEFT_UNKNOWN && left->name.starts_with('G'))
+        is_reported = false;
       else if (!belongs_to_leftover_code(b, *left) && !(b.is(form_, arc_) && is_idle_center(b, *left)))
         report(b, *left);
     }

@@ -80,8 +80,8 @@ struct UnitMode {
   ig::Status build(ig::Block& b) {
     const auto mode = modes_.take(b);
     const bool waits_for_unit = b.is_raised(no_unit_yet_);
-    const bool is_said = waits_for_unit && (mode || say_unsaid(b));
-    if (is_said) b.erase(no_unit_yet_);
+    const bool is_reported = waits_for_unit && (mode || report_missing_unit(b));
+    if (is_reported) b.erase(no_unit_yet_);
     if (mode && effect_ == Effect::check && !waits_for_unit && b.is(system_, mode->is_inch ? metric_ : inch_)) {
       b.report(ig::diag("ISO-0560"), ig::Where::block(), b.text(mode->name),
                std::string_view(mode->is_inch ? "mm" : "inches"));
@@ -91,13 +91,13 @@ struct UnitMode {
       b.set(system_, mode->is_inch ? inch_ : metric_);
     }
     const bool converted = b.is(system_, inch_) && to_metric(b);
-    return mode || converted || is_said ? ig::Status::changed : ig::Status::unchanged;
+    return mode || converted || is_reported ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
   /// True at the first length other than 0 of a program that has not selected a unit, which is reported there by
   /// option: in the other unit the program would move 25.4 times as far, or as little.
-  bool say_unsaid(ig::Block& b) const {
+  bool report_missing_unit(ig::Block& b) const {
     for (std::size_t i = 0; i < lengths_.size(); ++i) {
       ig_value value;
       if (!b.get(lengths_.id(i), value) || value.number == 0) continue;

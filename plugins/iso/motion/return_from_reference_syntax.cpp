@@ -95,7 +95,7 @@ struct ReturnFromReference {
       if (stored.has(axis))
         over[axis] = stored.value[axis];
       else
-        say_straight(b, "XYZ"[axis]);
+        report_straight(b, "XYZ"[axis]);
     }
     return over;
   }
@@ -107,7 +107,7 @@ struct ReturnFromReference {
       if (const auto stored = b.get(turned_over_[axis]))
         over.value[axis] = move_.rotary.to_machine(axis, from[axis], *stored + offsets_.get(b)[axis]);
       else
-        say_straight(b, rotary_names[axis]);
+        report_straight(b, rotary_names[axis]);
     }
     return over;
   }
@@ -120,7 +120,7 @@ struct ReturnFromReference {
                               : move_.rotary.approach(axis, over.value[axis], named.value[axis]);
     return end;
   }
-  void say_straight(ig::Block& b, char axis) const {
+  void report_straight(ig::Block& b, char axis) const {
     b.report(ig::diag("ISO-0381"), ig::Where::word(g29_.word(0, axis)), std::string_view(&axis, 1));
   }
 };

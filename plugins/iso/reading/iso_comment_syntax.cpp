@@ -40,7 +40,7 @@ struct IsoCommentSyntax {
   ig::Name semicolon_name{";"};
   ig::Name slashes_name{"//"};
   ig::Signal several{"Comment.~Several", ig::read | ig::write | ig::wake};
-  ig::Signal said_remark{"Comment.~SaidRemark", ig::read | ig::write, ig::Life::modal};
+  ig::Signal remark_reported{"Comment.~SaidRemark", ig::read | ig::write, ig::Life::modal};
   std::string joined;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
@@ -88,8 +88,8 @@ struct IsoCommentSyntax {
 
   std::size_t remark(ig::Block& b, std::string_view text, std::size_t position, std::size_t begin) {
     const std::size_t end = block_end(text, begin);
-    if (!b.is_raised(said_remark)) b.report(ig::diag("ISO-0399"), ig::Where::columns(position, end));
-    b.raise(said_remark);
+    if (!b.is_raised(remark_reported)) b.report(ig::diag("ISO-0399"), ig::Where::columns(position, end));
+    b.raise(remark_reported);
     add(b, semicolon_name, trim(piece(text, begin, end)));
     return end;
   }

@@ -136,12 +136,12 @@ struct SiemensSwivel {
     const double direction = v[dir].value_or(1);
     const bool is_level = !is_additive && turns[0] == 0 && turns[1] == 0 && turns[2] == 0;
     if (direction == 0 || (is_level && !machine_ && is_at_zero(b))) return;
-    say_offset(b, where);
+    report_offset(b, where);
     align(b);
     b.set_word(align_, 0, 'P', direction > 0 ? 1 : 2);
   }
 
-  void say_offset(ig::Block& b, ig::Where where) const {
+  void report_offset(ig::Block& b, ig::Where where) const {
     if (rotary_offset_.acts_on(b, machine_))
       b.report(ig::diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
   }

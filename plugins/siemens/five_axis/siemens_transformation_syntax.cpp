@@ -66,7 +66,7 @@ struct SiemensTransformation {
       return ig::Status::changed;
     }
     if (!on && !was_on) return ig::Status::unchanged;
-    if (on) say_offset(b, ig::Where::word(on_.id(*on)));
+    if (on) report_offset(b, ig::Where::word(on_.id(*on)));
     if (was_on)
       if (const auto h = b.take(h_)) b.report(ig::diag("SIE-0126"), ig::Where::word(h_.id()), std::string_view("H"));
     if (!b.has(offset_id_)) b.set(offset_id_, std::int64_t{0});
@@ -86,7 +86,7 @@ struct SiemensTransformation {
     return b.find(arcs_) || (!b.find(straights_) && (in_force == g02_ || in_force == g03_));
   }
 
-  void say_offset(ig::Block& b, ig::Where where) const {
+  void report_offset(ig::Block& b, ig::Where where) const {
     if (rotary_offset_.acts_on(b, machine_))
       b.report(ig::diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
   }

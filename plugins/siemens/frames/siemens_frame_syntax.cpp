@@ -54,12 +54,12 @@ struct SiemensFrame {
         change(b, *call, *words);
         any = true;
       }
-    return say_uneven_compensation(b) || any ? ig::Status::changed : ig::Status::unchanged;
+    return report_uneven_compensation(b) || any ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
   /// Reports such a frame once each time that G41 or G42 becomes active in it.
-  bool say_uneven_compensation(ig::Block& b) const {
+  bool report_uneven_compensation(ig::Block& b) const {
     const bool is_wrong =
         b.is_raised(uneven_) && (b.is(left_, g41_) || b.is(right_, g42_)) && !keeps_circles(present(b), plane_(b));
     if (is_wrong == b.is_raised(compensation_said_)) return false;

@@ -90,7 +90,7 @@ std::optional<Value> Expression::read(const Reference& r) {
   environment_.enter(b_);
   if (r.is_r) {
     VariableStore::RParameter& p = *store.r(r.r);
-    if (!p.is_given && store.say_once(r.name))
+    if (!p.is_given && store.is_first_report(r.name))
       b_.report(ig::diag("SIE-0112"), ig::Where::columns(r.begin, r.end), std::string_view(r.name));
     return Value::real(p.value);
   }

@@ -25,7 +25,7 @@ class Environment {
   /// Reports a missing name once for the run, an array without its indices.
   void report_name(ig::Block& b, ig::DiagnosticCode diagnostic, const ig::Where& where, const std::string& name) const {
     const std::string base = name.substr(0, name.find('['));
-    if (store().say_once(std::string(diagnostic.code) + '\n' + base))
+    if (store().is_first_report(std::string(diagnostic.code) + '\n' + base))
       b.report(diagnostic, where, std::string_view(base));
   }
 
@@ -42,7 +42,7 @@ class Environment {
     place += ig::to_view(f.file);
     for (const std::uint64_t n : {here.offset, std::uint64_t{here.line}, static_cast<std::uint64_t>(column)})
       place.append(1, '\n').append(std::to_string(n));
-    if (store().say_once(place)) b.report(diagnostic, where, args...);
+    if (store().is_first_report(place)) b.report(diagnostic, where, args...);
   }
 
  private:

@@ -98,7 +98,7 @@ class VariableStore {
     return it == macros_.end() ? nullptr : &it->second;
   }
 
-  bool say_once(const std::string& what) { return said_.emplace(what, true).second; }
+  bool is_first_report(const std::string& what) { return said_.emplace(what, true).second; }
 
   /// Forgets what programs have defined; values that the user has given stay.
   void restart();

@@ -65,7 +65,7 @@ std::size_t WordReader::assignment(ig::Block& b, std::string_view text, std::siz
   if (reference->name.size() == 5 && reference->name.starts_with("AX["))  // AX[NAME], NAME of type AXIS
     return valued_as(b, text, begin, equals, reference->name.substr(3, 1), run);
   if (const char axis = positioning_axis(reference->name); axis != '\0') {
-    if (environment_.store().say_once("POS"))
+    if (environment_.store().is_first_report("POS"))
       b.report(ig::diag("SIE-0292"), columns(begin, target.position()), std::string_view(reference->name));
     return valued_as(b, text, begin, equals, std::string(1, axis), run);
   }

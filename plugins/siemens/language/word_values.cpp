@@ -149,7 +149,7 @@ std::size_t WordReader::tool(ig::Block& b, std::string_view text, std::size_t be
   if (defines_curve()) return line_end_of_fault(text, value_at);
   const std::size_t end_of_name = skip_name(text, value_at);
   Expression e(b, environment_, text, value_at);
-  // T=DRILL without quotes is written, too; the control reads a variable there [?].
+  // T=DRILL without quotes is written, too; the control reads a variable there.
   const bool is_bare_name =
       end_of_name > value_at && is_letter(text[value_at]) &&
       std::string_view("[(").find(at(text, skip_blanks(text, end_of_name))) == std::string_view::npos;

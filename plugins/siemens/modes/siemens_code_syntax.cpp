@@ -79,7 +79,7 @@ struct SiemensCode {
                                   ig::Word{"Parsing.PW"},     ig::Word{"Parsing.PL"}};
 
   ig::Status build(ig::Block& b) {
-    bool any = codes_.say(b);
+    bool any = codes_.report(b);
     for (const ig::Word& word : quiet_) any |= b.take(word).has_value();
     std::string_view said;  // of words that belong together the first one is reported
     for (const Word& word : words_) {

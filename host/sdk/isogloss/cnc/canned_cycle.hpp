@@ -156,13 +156,13 @@ class CannedCycle {
   double stroke_feed(Block& b, double length_mm) const {
     const double mmds = feed_.mmds(b, [length_mm] { return length_mm; });
     if (mmds > 0) return mmds;
-    if (!feed_.value(b) || !feed_.is_inverse_time(b)) feed_.say_missing(b);
+    if (!feed_.value(b) || !feed_.is_inverse_time(b)) feed_.report_missing(b);
     return mmds;
   }
 
   /// Reports (ISO-0354) each of P, Q, I, J and K that this block programs, that is not 0 and that is not one of the
   /// letters in `used`.
-  void say_unused(Block& b, const CycleRun& run, std::string_view used) const {
+  void report_unused(Block& b, const CycleRun& run, std::string_view used) const {
     constexpr std::string_view letters = "PQIJK";
     constexpr std::array addresses{CycleWords::P, CycleWords::Q, CycleWords::I, CycleWords::J, CycleWords::K};
     for (std::size_t i = 0; i < letters.size(); ++i) {

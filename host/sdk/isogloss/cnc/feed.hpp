@@ -68,7 +68,7 @@ class FeedInForce {
 
   /// Reports why a feed move has no feed: ISO-0303 where the feed is per revolution and the spindle has no speed,
   /// ISO-0211 where a change of mode ended the feed, else ISO-0302.
-  void say_missing(Block& b) const {
+  void report_missing(Block& b) const {
     if (value(b))
       b.report(diag("ISO-0303"), Where::block());
     else if (const auto unit = b.get(ended_unit_))

@@ -98,13 +98,13 @@ TEST_CASE("the length of the path is computed only under G93") {
 
 TEST_CASE("a feed move names the reason why it has no feed") {
   FeedProgram p;
-  p.feed.say_missing(p.block);
+  p.feed.report_missing(p.block);
   p.feed.resolve(p.block, 600);
   p.feed.end(p.block);
   p.set_mode("G95");
-  p.feed.say_missing(p.block);
+  p.feed.report_missing(p.block);
   p.feed.resolve(p.block, 0.2);
-  p.feed.say_missing(p.block);
+  p.feed.report_missing(p.block);
   CHECK(p.document.reports == std::vector{Report{"ISO-0302", IG_ERROR, "", {}},
                                           Report{"ISO-0211", IG_ERROR, "", {"G95", "mm/min"}},
                                           Report{"ISO-0303", IG_ERROR, "", {}}});
@@ -117,6 +117,6 @@ TEST_CASE("after a change of mode ended the feed, the next F ends that reason as
   CHECK_FALSE(p.feed.value(p.block).has_value());
   p.feed.resolve(p.block, 300);
   p.feed.forget(p.block);
-  p.feed.say_missing(p.block);
+  p.feed.report_missing(p.block);
   CHECK(p.document.reports == std::vector{Report{"ISO-0302", IG_ERROR, "", {}}});
 }

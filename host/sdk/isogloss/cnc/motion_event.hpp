@@ -72,7 +72,7 @@ class BlockMotion {
     const ig_field fields[] = {form_.id(), feedrate_.id()};
     const ig_value values[] = {symbol(straight_form(b)), {.number = mmds}};
     b.set_many(fields, mmds > 0 ? 2 : 1, values);
-    if (mmds <= 0) say_no_feed(b);
+    if (mmds <= 0) report_no_feed(b);
   }
   /// An arc by the feed in force, otherwise like feed().
   template <class Length>
@@ -82,7 +82,7 @@ class BlockMotion {
     const ig_field fields[] = {form_.id(), is_ccw_.id(), circles_.id(), feedrate_.id()};
     const ig_value values[] = {symbol(arc_), {.integer = is_ccw ? 1 : 0}, {.integer = 0}, {.number = mmds}};
     b.set_many(fields, mmds > 0 ? 4 : 3, values);
-    if (mmds <= 0) say_no_feed(b);
+    if (mmds <= 0) report_no_feed(b);
   }
   /// A straight move by a feed of the caller's, in mm/s; 0: no feed is in force, and the caller has reported it.
   void straight(Block& b, double feed_mmds) const {
@@ -98,9 +98,9 @@ class BlockMotion {
 
   /// Reports a missing feed. Not under G93, where a path without length needs none, and not under G96, where the
   /// missing spindle speed has been reported.
-  void say_no_feed(Block& b) const {
+  void report_no_feed(Block& b) const {
     if (feed_.value(b) && (feed_.is_inverse_time(b) || b.is(speed_mode_, surface_))) return;
-    feed_.say_missing(b);
+    feed_.report_missing(b);
   }
 
   In<Symbol> compound_{"CompoundMotion.Term"};

@@ -22,7 +22,7 @@ class RecognisedCodes {
       : diagnostic_(diagnostic), features_(std::move(features)) {}
 
   /// Takes and reports every such code that no syntax has answered; true when the block held one.
-  bool say(Block& b) const {
+  bool report(Block& b) const {
     bool any = false;
     for (const Feature& feature : features_)
       for (std::uint32_t row = 0; row < feature.codes.code_count(); ++row) any |= take(b, feature, row);

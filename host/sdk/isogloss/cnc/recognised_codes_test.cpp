@@ -28,11 +28,11 @@ TEST_CASE("a recognised code is reported once, with what is missing, and taken w
   RecognisingDialect d;
   d.document.put_code("Parsing.G08");
   d.document.put_word("Parsing.G08.P", 1);
-  CHECK(d.codes.say(d.block));
+  CHECK(d.codes.report(d.block));
   REQUIRE(d.document.reports.size() == 1);
   CHECK(d.document.reports[0] == BlockDocument::Report{"TEST-0001", IG_WARNING, "Parsing.G08", {"G08", "look-ahead"}});
   CHECK_FALSE(leftover(d.block, 0).has_value());
-  CHECK_FALSE(d.codes.say(d.block));
+  CHECK_FALSE(d.codes.report(d.block));
   CHECK(d.document.reports.size() == 1);
 }
 
@@ -40,7 +40,7 @@ TEST_CASE("each recognised code of a block has a diagnostic of its own") {
   RecognisingDialect d;
   d.document.put_code("Parsing.G07");
   d.document.put_code("Parsing.G05.1");
-  CHECK(d.codes.say(d.block));
+  CHECK(d.codes.report(d.block));
   REQUIRE(d.document.reports.size() == 2);
   CHECK(d.document.reports[0].arguments == std::vector<std::string>{"G05.1", "look-ahead"});
   CHECK(d.document.reports[1].arguments == std::vector<std::string>{"G07", "hypothetical axis"});
@@ -51,13 +51,13 @@ TEST_CASE("a recognised code that another syntax has answered is not reported") 
   d.document.put_code("Parsing.G08");
   const ig_field g08 = d.document.id("Parsing.G08");
   d.block.take_code(&g08, 1);
-  CHECK_FALSE(d.codes.say(d.block));
+  CHECK_FALSE(d.codes.report(d.block));
   CHECK(d.document.reports.empty());
 }
 
 TEST_CASE("a block without a recognised code keeps its words") {
   RecognisingDialect d;
   d.document.put_word("Parsing.P", 1);
-  CHECK_FALSE(d.codes.say(d.block));
+  CHECK_FALSE(d.codes.report(d.block));
   CHECK(leftover(d.block, 0)->name == "P");
 }

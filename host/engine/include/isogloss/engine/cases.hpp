@@ -26,7 +26,7 @@ struct Case {
   std::optional<Fence> ahead;          ///< JSON: executed blocks after it, a list
   std::optional<Fence> dependencies;   ///< XML: dependencies, the syntax's own element with options, <Settings …/>
   std::optional<Fence> diagnostics;    ///< the codes that the build must report, exactly; absent: none
-  bool says_anything = false;          ///< "#Diagnostics: any": any codes are accepted
+  bool accepts_any_code = false;       ///< "#Diagnostics: any": any codes are accepted
   std::optional<Fence> before, after;  ///< JSON; both are there in a case that was read without a fault
 };
 
