@@ -12,7 +12,7 @@ namespace {
 
 struct DialectCommand {
   CommonOptions common;
-  std::string name, base_directory, output;
+  std::string name, machine, base_directory, output;
   bool inline_tables = false;
 
   int run() const;
@@ -33,7 +33,13 @@ bool write_file(const std::string& path, const std::string& text, Session& sessi
 
 int DialectCommand::run() const {
   Session session(common);
-  const std::optional<Dialect> dialect = session.reader().read(name, session.diagnostics());
+  if (name.empty() && machine.empty()) {
+    session.report("IG-0513", {}, {"dialect needs --effective DIALECT, or a machine: -m NAME"});
+    return cannot_start;
+  }
+  const std::optional<std::string> named = session.dialect_or_machine(name, machine);
+  if (!named) return cannot_start;
+  const std::optional<Dialect> dialect = session.read(*named);
   if (!dialect) return session.status() == success ? static_cast<int>(cannot_start) : session.status();
   // Side files need a folder; without one everything stands in the one file.
   const bool is_inline = inline_tables || base_directory.empty();
@@ -50,7 +56,9 @@ int dialect_command(const Arguments& arguments) {
   CommandLine line("dialect", "Writes a dialect and everything that it extends as one file.",
                    "isogloss dialect --effective fanuc --inline -o effective.xml");
   DialectCommand command;
-  line.option("--effective", command.name, "The dialect, by name or file").required().type_name("DIALECT");
+  line.option("--effective", command.name, "The dialect, by name or file").type_name("DIALECT");
+  line.option("-m,--machine", command.machine, "The machine, by name, folder or file, as a dialect with its tables")
+      .type_name("MACHINE");
   line.option("--base-directory", command.base_directory,
               "Write the tables to files in this folder, named relative to it")
       .existing_folder()

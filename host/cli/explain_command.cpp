@@ -231,11 +231,11 @@ int ExplainCommand::explain_line(Session& session, const std::string& path) {
   std::optional<RunOptions> options = program.make(session);
   const std::unique_ptr<OpenedProgram> source = OpenedProgram::open(path, session);
   if (!options || source == nullptr) return cannot_start;
-  add_folder_of(path, *options);
   std::optional<std::string> dialect = program.dialect;
   if (dialect->empty()) dialect = guessed(path, source->head(), session);
   const std::unique_ptr<LinkedDialect> linked = dialect ? session.link(*dialect, options->chain.dependencies) : nullptr;
   if (linked == nullptr) return cannot_start;
+  add_program_places(path, linked->dialect, *options);
   watch_calls(program.watchdog);
 
   // Diagnostics of other lines were not asked for.

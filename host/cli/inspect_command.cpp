@@ -14,7 +14,7 @@ namespace {
 
 struct InspectCommand {
   CommonOptions common;
-  std::string name, dialect;
+  std::string name, dialect, machine;
   bool json = false;
 
   int run() const;
@@ -85,6 +85,7 @@ std::vector<std::string> InspectCommand::names(Session& session, const Json& fie
     for (std::uint32_t i = 0; i < p.plugin->dependency_count; ++i) out.emplace_back(p.plugin->dependencies[i]->id);
   }
   for (const Dialect& d : session.reader().list()) out.push_back(d.name);
+  for (const FoundMachine& m : session.machines()) out.push_back(m.name);
   for (const Json& f : fields) out.push_back(f["Path"].get<std::string>());
   return out;
 }
@@ -94,8 +95,10 @@ int InspectCommand::run() const {
   session.library().load_all();
   const ig_plugin* plugin = nullptr;
   std::unique_ptr<LinkedDialect> linked;
-  if (!dialect.empty()) {
-    linked = session.link(dialect);
+  const std::optional<std::string> named = session.dialect_or_machine(dialect, machine);
+  if (!named) return cannot_start;
+  if (!named->empty()) {
+    linked = session.link(*named);
     if (linked == nullptr) return cannot_start;
   }
   if (const ig_syntax* const syntax = session.library().syntax(name, &plugin)) {
@@ -115,16 +118,23 @@ int InspectCommand::run() const {
     return show(std::move(out), dependency->page, session);
   }
   const std::vector<Dialect> dialects = session.reader().list();
+  const std::vector<FoundMachine> machines = session.machines();
   const bool is_dialect =
       name.find('/') != std::string::npos || name.ends_with(".xml") ||
       std::any_of(dialects.begin(), dialects.end(), [&](const Dialect& d) { return d.name == name; });
   if (is_dialect) {
-    const std::optional<Dialect> found = session.reader().read(name, session.diagnostics());
+    const std::optional<Dialect> found = session.read(name);
     if (!found) return input_errors;
     Json out = describe(*found);
     DiagnosticList unheard;  // `lint` reports what keeps it from linking
     if (const auto whole = link(*found, session.library(), unheard)) out["Services"] = describe_services(*whole);
     return show(std::move(out), nullptr, session);
+  }
+  for (const FoundMachine& m : machines) {
+    if (m.name != name) continue;
+    if (m.is_tables) return show(describe(m), nullptr, session);
+    const auto whole = session.link(m.file.string());
+    return whole == nullptr ? static_cast<int>(input_errors) : show(describe_machine(*whole), nullptr, session);
   }
   const Json fields = describe_fields(session.library());
   for (const Json& f : fields)
@@ -137,13 +147,14 @@ int InspectCommand::run() const {
 }  // namespace
 
 int inspect_command(const Arguments& arguments) {
-  CommandLine line("inspect", "Shows the page and the declaration of a syntax, dependency, dialect or field.",
-                   "isogloss inspect DrillingCycleSyntax -d fanuc");
+  CommandLine line("inspect", "Shows the page and the declaration of a syntax, dependency, dialect, machine or field.",
+                   "isogloss inspect DrillingCycleSyntax -d fanuc\n  isogloss inspect dmu85");
   InspectCommand command;
-  line.option("NAME", command.name, "Id of a syntax or dependency, name or file of a dialect, path of a field")
+  line.option("NAME", command.name, "Id of a syntax or dependency, name or file of a dialect or machine, path of a field")
       .required();
   line.option("-d,--dialect", command.dialect, "Show the options and resolved patterns of this dialect too")
       .type_name("DIALECT");
+  line.option("-m,--machine", command.machine, "Show those of this machine").type_name("MACHINE");
   line.flag("--json", command.json, "Write JSON");
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;

@@ -14,7 +14,7 @@ namespace {
 
 struct LintCommand {
   CommonOptions common;
-  std::vector<std::string> dialects;
+  std::vector<std::string> dialects, machines;
   bool suggest = false;
 
   int run() const;
@@ -77,9 +77,19 @@ bool starts(const LinkedDialect& linked, DiagnosticSink& diagnostics) {
 
 int LintCommand::run() const {
   Session session(common);
+  if (dialects.empty() && machines.empty()) {
+    session.report("IG-0513", {}, {"lint needs a dialect, or a machine: -m NAME"});
+    return cannot_start;
+  }
+  std::vector<std::string> all = dialects;
+  for (const std::string& machine : machines) {
+    const std::optional<std::string> file = session.dialect_or_machine("", machine);
+    if (!file) return cannot_start;
+    all.push_back(*file);
+  }
   std::string out;
-  for (const std::string& name : dialects) {
-    const std::optional<Dialect> dialect = session.reader().read(name, session.diagnostics());
+  for (const std::string& name : all) {
+    const std::optional<Dialect> dialect = session.read(name);
     if (dialect) {
       const std::unique_ptr<LinkedDialect> linked = link(*dialect, session.library(), session.diagnostics());
       if (linked != nullptr && starts(*linked, session.diagnostics()))
@@ -97,10 +107,13 @@ int LintCommand::run() const {
 }  // namespace
 
 int lint_command(const Arguments& arguments) {
-  CommandLine line("lint", "Checks dialect files: reads them with what they extend, links and starts their chains.",
-                   "isogloss lint fanuc ./my-machine.xml --suggest");
+  CommandLine line("lint",
+                   "Checks files of dialects and machines: reads them with what they extend, links and starts their "
+                   "chains.",
+                   "isogloss lint fanuc ./my-dialect.xml --suggest\n  isogloss lint -m ./machines/dmu85");
   LintCommand command;
-  line.option("DIALECT", command.dialects, "Dialects, by name or file").required();
+  line.option("DIALECT", command.dialects, "Dialects, by name or file");
+  line.option("-m,--machine", command.machines, "A machine, by name, folder or file (repeatable)").type_name("MACHINE");
   line.flag("--suggest", command.suggest, "Print an order of the chain that satisfies every syntax, as a patch");
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;

@@ -64,6 +64,16 @@ Listing dialects(Session& session) {
   return out;
 }
 
+Listing machines(Session& session) {
+  Listing out{"machines", {"Name", "Dialect", "Title", "File"}, Json::array()};
+  for (const FoundMachine& m : session.machines())
+    out.rows.push_back({{"Name", m.name},
+                        {"Dialect", m.is_tables ? "(tables)" : m.dialect},
+                        {"Title", m.title},
+                        {"File", m.file.string()}});
+  return out;
+}
+
 Listing fields(Session& session) {
   return {"fields", {"Path", "Type", "Life", "Unit", "Doc"}, describe_fields(session.library())};
 }
@@ -86,8 +96,9 @@ Listing codes(const LinkedDialect& linked) {
 
 using Lister = Listing (*)(Session&);
 constexpr std::pair<std::string_view, Lister> listers[] = {{"plugins", plugins},   {"dialects", dialects},
-                                                           {"syntaxes", syntaxes}, {"dependencies", dependencies},
-                                                           {"fields", fields},     {"diagnostics", diagnostics}};
+                                                           {"machines", machines}, {"syntaxes", syntaxes},
+                                                           {"dependencies", dependencies}, {"fields", fields},
+                                                           {"diagnostics", diagnostics}};
 
 std::string cell(const Json& row, const char* column) {
   const auto found = row.find(column);
@@ -113,17 +124,18 @@ std::string table(const Listing& listing) {
 
 struct ListCommand {
   CommonOptions common;
-  std::string what, dialect;
+  std::string what, dialect, machine;
   bool json = false;
 
   int run() const {
     Session session(common);
-    if ((what == "codes") != !dialect.empty()) {
-      session.report("IG-0513", {}, {"list codes needs a dialect: -d NAME; the other lists accept none"});
+    if ((what == "codes") != (!dialect.empty() || !machine.empty())) {
+      session.report("IG-0513", {}, {"list codes needs a dialect: -d NAME, or a machine: -m NAME; the other lists accept none"});
       return cannot_start;
     }
     if (what == "codes") {
-      const auto linked = session.link(dialect);
+      const std::optional<std::string> named = session.dialect_or_machine(dialect, machine);
+      const auto linked = named ? session.link(*named) : nullptr;
       if (linked == nullptr) return cannot_start;
       const Listing listing = codes(*linked);
       return print(json ? listing.rows.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : table(listing),
@@ -155,10 +167,12 @@ int list_command(const Arguments& arguments) {
   std::vector<std::string> names;
   for (const auto& [name, lister] : listers) names.emplace_back(name);
   names.emplace_back("codes");
-  line.option("WHAT", command.what, "plugins, syntaxes, dialects, dependencies, fields, diagnostics or codes")
+  line.option("WHAT", command.what,
+              "plugins, syntaxes, dialects, machines, dependencies, fields, diagnostics or codes")
       .one_of(names);
   line.option("-d,--dialect", command.dialect, "Dialect of the codes, each listed with its syntaxes and their pages")
       .type_name("DIALECT");
+  line.option("-m,--machine", command.machine, "Machine of the codes").type_name("MACHINE");
   line.flag("--json", command.json, "Write JSON");
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;

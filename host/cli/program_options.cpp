@@ -18,41 +18,15 @@ bool are_layers(std::string_view text) {
   return true;
 }
 
-/// The files in `machines`, beside the dialects, by name.
-std::map<std::string, std::filesystem::path> shipped_machines(const Session& session) {
-  std::map<std::string, std::filesystem::path> out;
-  for (const Place& place : session.dialect_places()) {
-    std::error_code error;
-    std::filesystem::directory_iterator it(place.folder / "machines", error);
-    for (; !error && it != std::filesystem::directory_iterator(); it.increment(error))
-      if (it->path().extension() == ".xml") out.emplace(it->path().stem().string(), it->path());
-  }
-  return out;
-}
-
-/// The file that --machine names, or the one of a machine in `machines`. Empty, and reported, when it is neither.
-std::optional<std::filesystem::path> machine_file(const std::string& named, Session& session) {
-  std::error_code error;
-  const bool is_path = named.empty() || named.find('/') != std::string::npos || named.ends_with(".xml");
-  if (is_path || std::filesystem::exists(named, error)) return named;
-  const std::map<std::string, std::filesystem::path> shipped = shipped_machines(session);
-  if (const auto found = shipped.find(named); found != shipped.end()) return found->second;
-  std::vector<std::string> names;
-  for (const auto& [name, path] : shipped) names.push_back(name);
-  const std::string near = nearest_name(named, names);
-  session.report("IG-0510", {named}, {"there is no such file, nor a machine of that name"},
-                 near.empty() ? "" : "did you mean " + near + "?");
-  return std::nullopt;
-}
-
 }  // namespace
 
 void ProgramOptions::add_to(CommandLine& line) {
   line.option("-d,--dialect", dialect,
               "Dialect, by name or file (default: guessed from text and extension, and reported)")
       .type_name("DIALECT");
-  line.option("--machine", machine, "Tables of the machine: its axes and kinematics; a file, or a name in machines/")
-      .type_name("FILE");
+  line.option("-m,--machine", machine,
+              "Machine, by name, folder or file: it names its dialect; or tables of a machine's axes and kinematics")
+      .type_name("MACHINE");
   line.option("--offsets", offsets, "Table of work offsets").type_name("FILE");
   line.option("--tools", tools, "Table of tool offsets").type_name("FILE");
   line.option("--variables", variables, "Table of variables: kept from another run, or known only on the machine")
@@ -94,11 +68,21 @@ void ProgramOptions::add_to(CommandLine& line) {
       .shows_default();
 }
 
-std::optional<RunOptions> ProgramOptions::make(Session& session) const {
+std::optional<RunOptions> ProgramOptions::make(Session& session) {
   RunOptions out;
-  const std::optional<std::filesystem::path> of_machine = machine_file(machine, session);
-  bool sound = of_machine.has_value();
-  for (const std::filesystem::path& file : {of_machine.value_or(""), std::filesystem::path(offsets),
+  std::filesystem::path tables_of_machine;
+  bool sound = true;
+  if (!machine.empty()) {
+    const std::optional<FoundMachine> found = session.find_machine(machine);
+    if (found && found->is_tables) {
+      tables_of_machine = found->file;
+    } else {
+      const auto named = found ? session.dialect_or_machine(dialect, found->file.string()) : std::nullopt;
+      sound = named.has_value();
+      dialect = named.value_or(dialect);
+    }
+  }
+  for (const std::filesystem::path& file : {tables_of_machine, std::filesystem::path(offsets),
                                             std::filesystem::path(tools), std::filesystem::path(variables)}) {
     if (file.empty()) continue;
     DiagnosticList said;
@@ -144,9 +128,10 @@ std::optional<RunOptions> ProgramOptions::make(Session& session) const {
   return sound ? std::optional(std::move(out)) : std::nullopt;
 }
 
-void add_folder_of(const std::string& program, RunOptions& options) {
-  if (program == "-") return;
-  options.program_places.insert(options.program_places.begin(), std::filesystem::path(program).parent_path().string());
+void add_program_places(const std::string& program, const Dialect& dialect, RunOptions& options) {
+  if (program != "-")
+    options.program_places.insert(options.program_places.begin(), std::filesystem::path(program).parent_path().string());
+  for (const std::filesystem::path& place : dialect.program_places) options.program_places.push_back(place.string());
 }
 
 std::unique_ptr<OpenedProgram> OpenedProgram::open(const std::string& path, Session& session) {

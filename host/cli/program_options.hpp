@@ -25,12 +25,14 @@ struct ProgramOptions {
   unsigned watchdog = 10;
 
   void add_to(CommandLine& line);
-  /// Reads the tables and settings; empty, and reported, when something is wrong.
-  std::optional<RunOptions> make(Session& session) const;
+  /// Reads the tables and settings, and sets `dialect` where a machine names it; empty, and reported, when something
+  /// is wrong.
+  std::optional<RunOptions> make(Session& session);
 };
 
-/// Called programs may lie beside the program that calls them: its folder comes before those that the user named.
-void add_folder_of(const std::string& program, RunOptions& options);
+/// Called programs are looked for in the program's own folder, then in those that the user named, then in the
+/// machine's.
+void add_program_places(const std::string& program, const Dialect& dialect, RunOptions& options);
 
 /// A program that was opened, with its head read for guessing.
 class OpenedProgram : public Source {

@@ -97,7 +97,7 @@ int ReproducerRequest::write(Session& session, const ProgramOptions& program_opt
   writer = &cases;
   // A scanner that crashes does so again here; this process has nothing to lose, so its handler may write.
   on_crash([] { end_process(writer->write_after_crash() ? success : internal_fault); });
-  add_folder_of(program, options);
+  add_program_places(program, linked->dialect, options);
   options.chain.mode = Mode::traced;
   options.prepare = [&](Chain& chain) { cases.listen(chain); };
   isogloss::run(*linked, *source, program, options, {&cases}, session.diagnostics());

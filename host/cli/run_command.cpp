@@ -176,7 +176,7 @@ class Runs {
     if (next == nullptr) next = session_.link(guess.next, options_.chain.dependencies, ignored);
     if (next == nullptr) return {};
     RunOptions options = options_;
-    add_folder_of(path, options);
+    add_program_places(path, linked_->dialect, options);
     const std::string place = where_moves_part(*linked_, *next, path, source.head(), options);
     return place.empty() ? ""
                          : "; " + guess.next_name + ", the next candidate, moves differently from " + place + " on";
@@ -184,7 +184,7 @@ class Runs {
 
   int run_linked(const std::string& path, OpenedProgram& source) {
     RunOptions options = options_;
-    add_folder_of(path, options);
+    add_program_places(path, linked_->dialect, options);
     Progress progress;
     if (isatty(STDERR_FILENO) != 0)
       options.progress = [&](std::uint64_t blocks, std::uint64_t bytes) { progress.show(blocks, bytes); };

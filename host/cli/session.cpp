@@ -47,6 +47,25 @@ std::vector<Place> places(const std::vector<std::string>& named, const char* opt
   return out;
 }
 
+/// The user's folders, then the environment's, then those of the user's configuration, then those beside the dialects.
+std::vector<Place> places_of_machines(const std::vector<std::string>& named, const std::vector<Place>& dialects) {
+  std::vector<Place> out;
+  for (const std::string& folder : named) out.push_back({folder, "--machines"});
+  if (const char* const listed = std::getenv("ISOGLOSS_MACHINES")) {
+    std::stringstream list(listed);
+    for (std::string folder; std::getline(list, folder, ':');)
+      if (!folder.empty()) out.push_back({folder, "ISOGLOSS_MACHINES"});
+  }
+  const char* const configuration = std::getenv("XDG_CONFIG_HOME");
+  const char* const home = std::getenv("HOME");
+  if (configuration != nullptr && *configuration == '/')
+    out.push_back({fs::path(configuration) / "isogloss/machines", "the user's configuration"});
+  else if (home != nullptr && *home == '/')
+    out.push_back({fs::path(home) / ".config/isogloss/machines", "the user's configuration"});
+  for (const Place& place : dialects) out.push_back({place.folder / "machines", "beside the dialects"});
+  return out;
+}
+
 DiagnosticPolicy policy(const CommonOptions& options) {
   DiagnosticPolicy out;
   out.style = options.diagnostics == "json"    ? DiagnosticStyle::json
@@ -69,6 +88,7 @@ void write_to_stderr(std::string_view text) {
 void CommonOptions::add_to(CommandLine& line) {
   line.option("--plugins", plugins, "Look for plugins in this folder first").type_name("DIR").group("Common");
   line.option("--dialects", dialects, "Look for dialects in this folder first").type_name("DIR").group("Common");
+  line.option("--machines", machines, "Look for machines in this folder first").type_name("DIR").group("Common");
   line.option("--diagnostics", diagnostics, "Form of the diagnostics")
       .one_of({"text", "json", "sarif"})
       .type_name("text|json|sarif")
@@ -92,6 +112,7 @@ Session::Session(const CommonOptions& options)
     : plugin_places_(places(options.plugins, "--plugins", "ISOGLOSS_PLUGIN_PATH", "plugins", "lib/isogloss/plugins")),
       dialect_places_(
           places(options.dialects, "--dialects", "ISOGLOSS_DIALECT_PATH", "dialects", "share/isogloss/dialects")),
+      machine_places_(places_of_machines(options.machines, dialect_places_)),
       library_(folders(plugin_places_)),
       reader_(folders(dialect_places_)),
       diagnostics_output_(options.diagnostics_output),
@@ -110,9 +131,48 @@ Session::~Session() {
   write_to_stderr("isogloss: " + diagnostics_output_ + " cannot be written: " + diagnostics_file_->error() + "\n");
 }
 
+std::optional<Dialect> Session::read(const std::string& name, DiagnosticSink& sink) {
+  std::optional<Dialect> dialect = reader_.read(name, sink);
+  if (dialect && dialect->is_machine && !complete_machine(*dialect, library_, sink)) return std::nullopt;
+  return dialect;
+}
+
+std::vector<FoundMachine> Session::machines() const { return list_machines(folders(machine_places_)); }
+
+std::optional<FoundMachine> Session::find_machine(const std::string& named) {
+  const bool is_path = named.find('/') != std::string::npos || named.ends_with(".xml");
+  if (FoundMachine machine = machine_at(named); !machine.file.empty()) return machine;
+  std::vector<std::string> names;
+  for (FoundMachine& machine : machines()) {
+    if (!is_path && machine.name == named) return machine;
+    names.push_back(machine.name);
+  }
+  std::string searched;
+  for (const Place& place : machine_places_) searched += (searched.empty() ? "" : ", ") + place.folder.string();
+  const std::string near = nearest_name(named, names);
+  if (is_path)
+    report("IG-0510", {named}, {"it is no file, and no folder with machine.xml"});
+  else
+    report("IG-0123", {}, {named, searched}, near.empty() ? "" : "did you mean " + near + "?");
+  return std::nullopt;
+}
+
+std::optional<std::string> Session::dialect_or_machine(const std::string& dialect, const std::string& machine) {
+  if (machine.empty()) return dialect;
+  const std::optional<FoundMachine> found = find_machine(machine);
+  if (!found) return std::nullopt;
+  if (!dialect.empty())
+    report("IG-0513", {}, {"machine " + found->name + " stands on dialect " + found->dialect + "; leave out -d"});
+  else if (found->is_tables)
+    report("IG-0513", {}, {found->file.string() + " holds tables and names no dialect; this command needs a machine"});
+  else
+    return found->file.string();
+  return std::nullopt;
+}
+
 std::unique_ptr<LinkedDialect> Session::link(const std::string& name, const std::vector<DependencyElement>& own,
                                              DiagnosticSink& sink) {
-  std::optional<Dialect> dialect = reader_.read(name, sink);
+  std::optional<Dialect> dialect = read(name, sink);
   if (!dialect || !add_missing(own, *dialect, library_, sink)) return nullptr;
   // Notes on the dialect are for its author: `lint` reports them.
   class WithoutNotes : public DiagnosticSink {

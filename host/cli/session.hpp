@@ -12,6 +12,7 @@
 #include "isogloss/engine/dialect.hpp"
 #include "isogloss/engine/library.hpp"
 #include "isogloss/engine/linker.hpp"
+#include "isogloss/engine/machine.hpp"
 #include "output_file.hpp"
 
 namespace isogloss::cli {
@@ -23,7 +24,7 @@ struct Place {
 };
 
 struct CommonOptions {
-  std::vector<std::string> plugins, dialects;
+  std::vector<std::string> plugins, dialects, machines;
   std::string diagnostics = "text", diagnostics_output;
   std::uint64_t repeats = 5;
   static constexpr std::uint64_t many_errors = 100'000;
@@ -45,9 +46,22 @@ class Session {
 
   const std::vector<Place>& plugin_places() const { return plugin_places_; }
   const std::vector<Place>& dialect_places() const { return dialect_places_; }
+  const std::vector<Place>& machine_places() const { return machine_places_; }
   Library& library() { return library_; }
   const DialectReader& reader() const { return reader_; }
   DiagnosticWriter& diagnostics() { return diagnostics_; }
+
+  /// Reads a dialect, or a machine, which is completed with the plugins of its tables; empty, and reported, when
+  /// something is wrong.
+  std::optional<Dialect> read(const std::string& dialect) { return read(dialect, diagnostics_); }
+  std::optional<Dialect> read(const std::string& dialect, DiagnosticSink& sink);
+  /// Those in the machine folders.
+  std::vector<FoundMachine> machines() const;
+  /// The machine of this name in the machine folders, or at this path; empty, and reported, when there is none.
+  std::optional<FoundMachine> find_machine(const std::string& named);
+  /// Where a command takes a dialect or a machine: the name to read. Empty, and reported, when both are given, the
+  /// machine does not exist, or holds only tables.
+  std::optional<std::string> dialect_or_machine(const std::string& dialect, const std::string& machine);
 
   /// Reads and links, with the user's own dependencies where the dialect lacks them; null, and reported, when something
   /// is wrong.
@@ -65,7 +79,7 @@ class Session {
   int status() const;
 
  private:
-  std::vector<Place> plugin_places_, dialect_places_;
+  std::vector<Place> plugin_places_, dialect_places_, machine_places_;
   Library library_;
   DialectReader reader_;
   std::string diagnostics_output_;

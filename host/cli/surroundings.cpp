@@ -7,14 +7,17 @@ void SurroundingOptions::add_to(CommandLine& line) {
               "Take options and dependencies from this dialect (default: the options' defaults, dependencies of " +
                   std::string(default_dialect) + ")")
       .type_name("DIALECT");
+  line.option("-m,--machine", machine, "Take options and dependencies from this machine").type_name("MACHINE");
 }
 
 std::optional<Surroundings> SurroundingOptions::make(Session& session) const {
   session.library().load_all();
   Surroundings out;
-  out.is_named = !dialect.empty();
+  const std::optional<std::string> named = session.dialect_or_machine(dialect, machine);
+  if (!named) return std::nullopt;
+  out.is_named = !named->empty();
   if (out.is_named) {
-    out.dialect = session.reader().read(dialect, session.diagnostics());
+    out.dialect = session.read(*named);
     return out.dialect ? std::optional(std::move(out)) : std::nullopt;
   }
   // Where the default dialect is missing, the plugin's own syntaxes serve.

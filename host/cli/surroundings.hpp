@@ -7,7 +7,7 @@
 namespace isogloss::cli {
 
 struct SurroundingOptions {
-  std::string dialect;
+  std::string dialect, machine;
 
   void add_to(CommandLine& line);
   /// Loads every plugin; empty, and reported, when a dialect was named and cannot be read.

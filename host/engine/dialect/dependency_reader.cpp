@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "dialect/dialect_path.hpp"
-
 namespace isogloss {
 namespace {
 
@@ -46,13 +44,9 @@ DependencyElement DependencyReader::read(pugi::xml_node node) {
 }
 
 void DependencyReader::read_table(pugi::xml_node node, DependencyElement& element) {
-  const std::string src = node.attribute("src").value();
   const Location where = xml_.at(node, "src");
-  const fs::path path = below_folder_of(xml_.file(), src);
-  if (path.empty()) {
-    const fs::path folder = fs::path(xml_.file()).parent_path();
-    return report_("IG-0117", where, {shown(src), folder.empty() ? "the dialect's folder" : folder.string()});
-  }
+  const fs::path path = path_of_src(node);
+  if (path.empty()) return;
   const std::unique_ptr<XmlSource> table = XmlSource::open(path, where, budget_, report_.sink());
   if (table == nullptr) {
     report_.failed = true;
@@ -74,8 +68,7 @@ void DependencyReader::read_rows(const XmlSource& xml, pugi::xml_node node, Depe
   }
 }
 
-void DependencyReader::read_into(std::vector<DependencyElement>& all, pugi::xml_node node) {
-  DependencyElement element = read(node);
+void DependencyReader::add(std::vector<DependencyElement>& all, DependencyElement element) {
   const auto [same, is_new] = names_.emplace(element.alias, element.where);
   if (!is_new)
     return report_("IG-0113", element.where, {shown(element.alias), place(same->second)},
@@ -90,7 +83,7 @@ std::vector<DependencyElement> read_dependency_file(const XmlSource& xml, XmlBud
   XmlElements inside(xml, report);
   inside.only_attributes(root, {});
   std::vector<DependencyElement> all;
-  for (const pugi::xml_node node : inside.elements(root)) reader.read_into(all, node);
+  for (const pugi::xml_node node : inside.elements(root)) reader.add(all, reader.read(node));
   return all;
 }
 

@@ -15,7 +15,7 @@ class DependencyReader : XmlElements {
 
   DependencyElement read(pugi::xml_node node);
   /// Adds it to `all`; a second one of its name is reported instead.
-  void read_into(std::vector<DependencyElement>& all, pugi::xml_node node);
+  void add(std::vector<DependencyElement>& all, DependencyElement element);
 
  private:
   /// The file that src names: more options (those beside src win), and the first rows.
@@ -23,7 +23,7 @@ class DependencyReader : XmlElements {
   void read_rows(const XmlSource& xml, pugi::xml_node node, DependencyElement& element);
 
   XmlBudget& budget_;
-  std::map<std::string, Location> names_;  // of those that read_into() has added
+  std::map<std::string, Location> names_;  // of those that add() has added
 };
 
 /// A table file: one dependency, or <Dependencies> with several.

@@ -21,7 +21,7 @@ constexpr std::array edit_kinds{EditKind::replace, EditKind::insert_before, Edit
 class FileReader : XmlElements {
  public:
   FileReader(const XmlSource& xml, XmlBudget& budget, Report& report)
-      : XmlElements(xml, report), dependencies_(xml, budget, report) {}
+      : XmlElements(xml, report), budget_(budget), dependencies_(xml, budget, report) {}
 
   DialectFile dialect() {
     if (!read_head()) return std::move(file_);
@@ -31,7 +31,22 @@ class FileReader : XmlElements {
 
   Dialect head() {
     if (const pugi::xml_node files = xml_.root().child("Files"); read_head() && files) read_files(files);
+    if (file_.is_machine) file_.own.ancestors = {file_.extends};
     return std::move(file_.own);
+  }
+
+  DialectFile machine_part() {
+    file_.own.file = xml_.file();
+    file_.is_machine = is_part_ = true;
+    const pugi::xml_node root = xml_.root();
+    if (std::string_view(root.name()) != "Machine") {
+      file_.own.dependencies = read_dependency_file(xml_, budget_, report_);
+      return std::move(file_);
+    }
+    check_namespace("Machine");
+    only_attributes(root, {});
+    for (const pugi::xml_node section : elements(root)) read_section(section);
+    return std::move(file_);
   }
 
  private:
@@ -40,19 +55,25 @@ class FileReader : XmlElements {
     const pugi::xml_node root = xml_.root();
     file_.own.file = xml_.file();
     file_.own.segmenter = {};
-    const std::string_view space = root.attribute("xmlns").value();
-    if (std::string_view(root.name()) != "Dialect" || space != dialect_namespace) {
-      const std::string found = root.attribute("xmlns") ? fmt::format("<{} xmlns=\"{}\">", root.name(), space)
-                                                        : fmt::format("<{}>", root.name());
-      report_("IG-0106", xml_.at(root), {fmt::format("<Dialect xmlns=\"{}\">", dialect_namespace), shown(found)});
-      return false;
-    }
-    only_attributes(root, {"name", "title", "extends"});
+    file_.is_machine = file_.own.is_machine = std::string_view(root.name()) == "Machine";
+    if (!check_namespace(file_.is_machine ? "Machine" : "Dialect")) return false;
+    const char* const base = file_.is_machine ? "dialect" : "extends";
+    only_attributes(root, {"name", "title", base});
     file_.own.name = required(root, "name");
     file_.own.title = root.attribute("title").value();
-    file_.extends = root.attribute("extends").value();
-    file_.extends_where = xml_.at(root, "extends");
-    return true;
+    file_.extends = file_.is_machine ? required(root, base) : root.attribute(base).value();
+    file_.extends_where = xml_.at(root, base);
+    return !file_.is_machine || !file_.extends.empty();
+  }
+
+  bool check_namespace(const char* name) {
+    const pugi::xml_node root = xml_.root();
+    const std::string_view space = root.attribute("xmlns").value();
+    if (std::string_view(root.name()) == name && space == dialect_namespace) return true;
+    const std::string found = root.attribute("xmlns") ? fmt::format("<{} xmlns=\"{}\">", root.name(), space)
+                                                      : fmt::format("<{}>", root.name());
+    report_("IG-0106", xml_.at(root), {fmt::format("<{} xmlns=\"{}\">", name, dialect_namespace), shown(found)});
+    return false;
   }
 
   void read_section(pugi::xml_node section) {
@@ -62,11 +83,60 @@ class FileReader : XmlElements {
         {"Plugins", &FileReader::read_plugins}, {"Dependencies", &FileReader::read_dependencies},
         {"Initial", &FileReader::read_initial}, {"Severities", &FileReader::read_severities},
         {"Chain", &FileReader::read_chain}};
+    const bool is_include = file_.is_machine && section.name() == std::string_view("Include");
+    if (is_include || section.name() == std::string_view("Programs")) {
+      only_attributes(section, {"src"});
+      leaves(section, {});
+      if (!required(section, "src").empty()) is_include ? read_include(section) : read_programs(section);
+      return;
+    }
     const auto found = sections.find(section.name());
-    if (found == sections.end()) return unknown(section, names_of(sections));
+    const bool is_of_head = found != sections.end() && (found->first == "Files" || found->first == "Segmenter");
+    if (found == sections.end() || (is_part_ && is_of_head)) {
+      std::vector<std::string> names = names_of(sections);
+      names.emplace_back("Programs");
+      if (file_.is_machine) names.emplace_back("Include");
+      return unknown(section, names);
+    }
     if (!once(section)) return;
-    if (found->first != "Files" && found->first != "Segmenter") only_attributes(section, {});
+    if (!is_of_head) only_attributes(section, {});
     (this->*found->second)(section);
+  }
+
+  /// Where called programs are looked for: a folder below this file's, or a file of several programs.
+  void read_programs(pugi::xml_node node) {
+    const fs::path place = path_of_src(node);
+    std::error_code error;
+    if (place.empty()) return;
+    if (fs::exists(place, error))
+      file_.own.program_places.push_back(place);
+    else
+      report_("IG-0122", xml_.at(node, "src"), {place.string()});
+  }
+
+  /// Reads the parts of another file as if they stood here.
+  void read_include(pugi::xml_node node) {
+    if (is_part_) return report_("IG-0121", xml_.at(node), {});
+    const fs::path path = path_of_src(node);
+    if (path.empty()) return;
+    const std::unique_ptr<XmlSource> xml = XmlSource::open(path, xml_.at(node, "src"), budget_, report_.sink());
+    if (xml == nullptr) {
+      report_.failed = true;
+      return;
+    }
+    DialectFile part = read_machine_part(*xml, budget_, report_);
+    const auto append = [](auto& to, auto& from) {
+      to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+    };
+    for (DependencyElement& element : part.own.dependencies) dependencies_.add(file_.own.dependencies, std::move(element));
+    for (InitialField& field : part.own.initial) add_initial(std::move(field));
+    append(file_.own.plugins, part.own.plugins);
+    append(file_.own.program_places, part.own.program_places);
+    append(file_.chain_edits, part.chain_edits);
+    append(file_.dependency_edits, part.dependency_edits);
+    for (const auto& [code, severity] : part.own.severities)
+      if (!file_.own.severities.emplace(code, severity).second)
+        report_("IG-0113", xml->at(xml->root()), {code, "another file of the machine gives its severity"});
   }
 
   void read_files(pugi::xml_node node) {
@@ -122,17 +192,19 @@ class FileReader : XmlElements {
   }
 
   void read_initial(pugi::xml_node node) {
-    std::map<std::string, Location> paths;
     for (const pugi::xml_node child : leaves(node, {"Field"})) {
       only_attributes(child, {"path", "value"});
-      InitialField field{required(child, "path"), required(child, "value"), xml_.at(child)};
-      const auto [same, is_new] = paths.emplace(field.path, field.where);
-      if (is_new) {
-        file_.own.initial.push_back(std::move(field));
-      } else {
-        report_("IG-0113", xml_.at(child, "path"), {shown(field.path), place(same->second)});
-      }
+      add_initial({required(child, "path"), required(child, "value"), xml_.at(child, "path")});
     }
+  }
+
+  void add_initial(InitialField field) {
+    const auto same = std::find_if(file_.own.initial.begin(), file_.own.initial.end(),
+                                   [&](const InitialField& f) { return f.path == field.path; });
+    if (same == file_.own.initial.end())
+      file_.own.initial.push_back(std::move(field));
+    else
+      report_("IG-0113", field.where, {shown(field.path), place(same->where)});
   }
 
   void read_severities(pugi::xml_node node) {
@@ -154,7 +226,7 @@ class FileReader : XmlElements {
     for (const pugi::xml_node child : elements(node)) {
       const std::optional<EditKind> kind = edit_kind(child);
       if (!kind) {
-        dependencies_.read_into(file_.own.dependencies, child);
+        dependencies_.add(file_.own.dependencies, dependencies_.read(child));
       } else if (*kind == EditKind::insert_before || *kind == EditKind::insert_after) {
         unknown(child, {"Replace", "Remove", "Configure"});
       } else if (const auto head = edit<DependencyElement>(child, *kind, "dependency", {"as", "src"})) {
@@ -181,7 +253,7 @@ class FileReader : XmlElements {
         for (const Stage s : stages) names.emplace_back(to_string(s));
         for (const EditKind k : edit_kinds) names.emplace_back(to_string(k));
         unknown(child, names);
-      } else if (!file_.extends.empty()) {
+      } else if (edits()) {
         report_("IG-0116", xml_.at(child), {child.name(), "extends none"}, "edit the inherited chain instead");
       } else if (once(child)) {
         if (static_cast<int>(*stage) < last_stage)
@@ -225,6 +297,9 @@ class FileReader : XmlElements {
 
   // ---- Edits ----
 
+  /// Does the file change what it inherits, rather than list a chain of its own?
+  bool edits() const { return is_part_ || !file_.extends.empty(); }
+
   static std::optional<EditKind> edit_kind(pugi::xml_node node) {
     const auto kind =
         std::find_if(edit_kinds.begin(), edit_kinds.end(), [&](EditKind k) { return to_string(k) == node.name(); });
@@ -235,7 +310,7 @@ class FileReader : XmlElements {
   template <class Element>
   std::optional<Edit<Element>> edit(pugi::xml_node node, EditKind kind, const char* anchor,
                                     std::vector<std::string_view> refused) {
-    if (file_.extends.empty()) {
+    if (!edits()) {
       report_("IG-0116", xml_.at(node), {node.name(), "extends another"});
       return std::nullopt;
     }
@@ -294,8 +369,10 @@ class FileReader : XmlElements {
     return names;
   }
 
+  XmlBudget& budget_;
   DialectFile file_;
   DependencyReader dependencies_;
+  bool is_part_ = false;
 };
 
 }  // namespace
@@ -312,6 +389,10 @@ std::string_view to_string(EditKind kind) {
 
 DialectFile read_dialect_file(const XmlSource& xml, XmlBudget& budget, Report& report) {
   return FileReader(xml, budget, report).dialect();
+}
+
+DialectFile read_machine_part(const XmlSource& xml, XmlBudget& budget, Report& report) {
+  return FileReader(xml, budget, report).machine_part();
 }
 
 Dialect read_dialect_head(const XmlSource& xml, Report& report) {

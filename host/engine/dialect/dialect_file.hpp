@@ -25,12 +25,16 @@ struct DialectFile {
   std::string extends;
   Location extends_where;
   bool has_files = false;
+  bool is_machine = false;  ///< a <Machine>, or a part of one
   std::vector<Edit<ChainElement>> chain_edits;
   std::vector<Edit<DependencyElement>> dependency_edits;
 };
 
 /// Everything that is wrong is reported; what can be read is.
 DialectFile read_dialect_file(const XmlSource& xml, XmlBudget& budget, Report& report);
+
+/// A file that a machine includes: a <Machine> without attributes, or tables.
+DialectFile read_machine_part(const XmlSource& xml, XmlBudget& budget, Report& report);
 
 /// Name, title and how programs are recognised; nothing else is read.
 Dialect read_dialect_head(const XmlSource& xml, Report& report);

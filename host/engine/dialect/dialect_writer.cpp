@@ -56,6 +56,7 @@ class DialectWriter {
     add_files(root);
     add_segmenter(root);
     add_plugins(root);
+    add_programs(root);
     add_dependencies(root);
     add_initial(root);
     add_severities(root);
@@ -93,6 +94,14 @@ class DialectWriter {
     pugi::xml_node plugins = root.append_child("Plugins");
     for (const PluginReference& plugin : dialect_.plugins)
       set_attribute(plugins.append_child("Plugin"), "name", plugin.name);
+  }
+
+  void add_programs(pugi::xml_node root) const {
+    for (const fs::path& place : dialect_.program_places) {
+      const fs::path relative = place.lexically_normal().lexically_relative(base_.lexically_normal());
+      const bool is_below = !relative.empty() && *relative.begin() != "..";
+      set_attribute(root.append_child("Programs"), "src", (is_below ? relative : place).generic_string());
+    }
   }
 
   void add_dependencies(pugi::xml_node root) {

@@ -26,6 +26,19 @@ std::vector<std::string> names(const Dialect& dialect, const Library& library) {
 
 }  // namespace
 
+bool add_plugin_of(const DependencyElement& element, Dialect& dialect, Library& library, DiagnosticSink& sink) {
+  const ig_plugin* const owner = owner_of(element.id, library);
+  if (owner == nullptr) {
+    const std::string near = nearest_name(element.id, names(dialect, library));
+    sink.add(host_diagnostic("IG-0415", element.where, {element.id}, near.empty() ? "" : "did you mean " + near + "?"));
+    return false;
+  }
+  const auto is_owner = [&](const PluginReference& p) { return p.name == owner->name; };
+  if (std::none_of(dialect.plugins.begin(), dialect.plugins.end(), is_owner))
+    dialect.plugins.push_back({owner->name, element.where});
+  return true;
+}
+
 bool add_missing(const std::vector<DependencyElement>& own, Dialect& dialect, Library& library, DiagnosticSink& sink) {
   bool sound = true;
   for (const DependencyElement& element : own) {
@@ -33,17 +46,10 @@ bool add_missing(const std::vector<DependencyElement>& own, Dialect& dialect, Li
         std::any_of(dialect.dependencies.begin(), dialect.dependencies.end(),
                     [&](const DependencyElement& e) { return e.alias == element.alias || e.id == element.id; });
     if (has) continue;
-    const ig_plugin* const owner = owner_of(element.id, library);
-    if (owner == nullptr) {
-      const std::string near = nearest_name(element.id, names(dialect, library));
-      sink.add(
-          host_diagnostic("IG-0415", element.where, {element.id}, near.empty() ? "" : "did you mean " + near + "?"));
+    if (!add_plugin_of(element, dialect, library, sink)) {
       sound = false;
       continue;
     }
-    const auto is_owner = [&](const PluginReference& p) { return p.name == owner->name; };
-    if (std::none_of(dialect.plugins.begin(), dialect.plugins.end(), is_owner))
-      dialect.plugins.push_back({owner->name, element.where});
     dialect.dependencies.push_back(element);
   }
   return sound;

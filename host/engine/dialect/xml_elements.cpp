@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "dialect/dialect_path.hpp"
+
 namespace isogloss {
 
 std::vector<pugi::xml_node> XmlElements::elements(pugi::xml_node node) {
@@ -43,6 +45,16 @@ std::string XmlElements::required(pugi::xml_node node, const char* attribute) {
   if (a && *a.value() != '\0') return a.value();
   report_("IG-0109", xml_.at(node, attribute), {node.name(), attribute});
   return {};
+}
+
+std::filesystem::path XmlElements::path_of_src(pugi::xml_node node) {
+  const std::string src = node.attribute("src").value();
+  std::filesystem::path path = below_folder_of(xml_.file(), src);
+  if (path.empty()) {
+    const std::filesystem::path folder = std::filesystem::path(xml_.file()).parent_path();
+    report_("IG-0117", xml_.at(node, "src"), {shown(src), folder.empty() ? "the dialect's folder" : folder.string()});
+  }
+  return path;
 }
 
 std::string XmlElements::alias(pugi::xml_node node) {

@@ -32,6 +32,8 @@ class XmlElements {
   void only_attributes(pugi::xml_node node, const std::vector<std::string>& names);
   /// The attribute's value; empty, and reported, when it is missing or empty.
   std::string required(pugi::xml_node node, const char* attribute);
+  /// The path that src names, below the folder of this file; empty, and reported, when it leads out.
+  std::filesystem::path path_of_src(pugi::xml_node node);
   /// The name that `as` gives the element; without it, that of the element.
   std::string alias(pugi::xml_node node);
   void bad_value(pugi::xml_node node, const char* attribute, const char* wanted);

@@ -25,7 +25,8 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "and have 256 attributes; a file's chain may have 4096 elements.",
        "<A><A><A>…"},
       {error, "IG-0106", "the root element must be {0}, not {1}",
-       "A dialect file begins with <Dialect xmlns=\"urn:isogloss:dialect:1\" name=\"…\">; no prefixes.",
+       "A dialect file begins with <Dialect xmlns=\"urn:isogloss:dialect:1\" name=\"…\">, a machine's with <Machine>; no "
+       "prefixes.",
        R"(<Dialect name="acme">)"},
       {error, "IG-0107", "<{0}> does not belong in <{1}>",
        "`isogloss schema dialect` prints what may stand where, for editors and xmllint.", "<Chian/>"},
@@ -64,6 +65,18 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "<Chain>DwellSyntax</Chain>"},
       {error, "IG-0120", "<{0}> holds no element to insert", "To remove an element, write <Remove>.",
        R"(<Replace syntax="DwellSyntax"/>)"},
+      {error, "IG-0121", "an included file includes no other",
+       "A machine lists all its files in machine.xml, so that one page shows of what the machine consists.",
+       R"(axes.xml, which machine.xml includes: <Machine …> <Include src="tables.xml"/>)"},
+      {error, "IG-0122", "{0} does not exist",
+       "<Programs> names a folder, or a file of several programs, in which called programs are looked for. The path is "
+       "relative to the file that names it.",
+       R"(<Programs src="cycels"/>)"},
+      {error, "IG-0123", "no machine '{0}' in the folders searched: {1}",
+       "A machine is named by its folder, which holds machine.xml, in one of the machine folders (--machines, "
+       "ISOGLOSS_MACHINES, the user's configuration folder, beside the dialects), or by the path of the folder or file. "
+       "`isogloss list machines` shows what is there.",
+       "isogloss run part.h -m dmu58"},
       // links: 0200-0299
       {error, "IG-0201", "no plugin '{0}' in the folders searched",
        "The dialect names a plugin that no plugin folder holds, or that could not be loaded. `isogloss doctor` lists "

@@ -74,6 +74,7 @@ struct Signature {
 struct Dialect {
   std::string name;
   std::string title;
+  bool is_machine = false;  ///< its file is a <Machine>: ancestors[0] is the dialect that it stands on
   std::filesystem::path file;
   std::vector<std::string> ancestors;   ///< names, nearest first
   std::vector<std::string> extensions;  ///< ".nc"
@@ -85,6 +86,8 @@ struct Dialect {
   std::vector<InitialField> initial;
   std::vector<ChainElement> chain;             ///< by stage, in written order
   std::map<std::string, Severity> severities;  ///< by diagnostic code
+  /// Folders, or files of several programs, in which called programs are looked for, in this order.
+  std::vector<std::filesystem::path> program_places;
 };
 
 /// Finds and reads dialect files. Relative paths resolve against the file that holds them; nothing outside the
@@ -93,7 +96,8 @@ class DialectReader {
  public:
   explicit DialectReader(std::vector<std::filesystem::path> folders);
 
-  /// `name` is a dialect's name or, when it holds a '/' or ends in .xml, a file. Empty, and reported, on a fault.
+  /// `name` is a dialect's name or, when it holds a '/' or ends in .xml, a file: of a dialect or of a machine. Empty,
+  /// and reported, on a fault.
   std::optional<Dialect> read(const std::string& name, DiagnosticSink& sink) const;
 
   /// The dialect files in the folders: name, title, extensions, signatures; nothing resolved. Sorted by name.

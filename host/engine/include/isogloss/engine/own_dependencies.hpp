@@ -12,4 +12,7 @@ namespace isogloss {
 /// over those of the dialect. False, and reported, when no plugin has one.
 bool add_missing(const std::vector<DependencyElement>& own, Dialect& dialect, Library& library, DiagnosticSink& sink);
 
+/// Lists the plugin that has this dependency with the dialect's. False, and reported, when no plugin has it.
+bool add_plugin_of(const DependencyElement& element, Dialect& dialect, Library& library, DiagnosticSink& sink);
+
 }  // namespace isogloss
