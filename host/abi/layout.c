@@ -4,6 +4,7 @@
  * the end of a struct gets a new line at its end; the structs without struct_size cannot grow. */
 #include "isogloss.h"
 #include "isogloss_flow.h"
+#include "isogloss_import.h"
 #include "isogloss_view.h"
 
 #define AT(type, member, offset) _Static_assert(offsetof(type, member) == (offset), #type "." #member " has moved")
@@ -117,6 +118,9 @@ AT(ig_plugin, dependencies, 56);
 AT(ig_plugin, diagnostics, 64);
 AT(ig_plugin, dependency_count, 72);
 AT(ig_plugin, diagnostic_count, 76);
+AT(ig_plugin, importers, 80);
+AT(ig_plugin, importer_count, 88);
+AT(ig_plugin, reserved, 92);
 
 GROWS_FROM(ig_link_api, 136);
 AT(ig_link_api, host_minor, 4);
@@ -348,6 +352,54 @@ AT(ig_view, bits, 0);
 AT(ig_view, values, 8);
 AT(ig_view, field_count, 16);
 CONSTANT(IG_HOST_SHOWS_BLOCKS, 1);
+
+GROWS_FROM(ig_tool_name_1, 32);
+AT(ig_tool_name_1, reserved, 4);
+AT(ig_tool_name_1, self, 8);
+AT(ig_tool_name_1, find, 16);
+AT(ig_tool_name_1, name, 24);
+CONSTANT(IG_TOOL_INDEX_STEP, 100000);
+
+GROWS_FROM(ig_importer, 96);
+AT(ig_importer, option_count, 4);
+AT(ig_importer, id, 8);
+AT(ig_importer, summary, 16);
+AT(ig_importer, page, 24);
+AT(ig_importer, cases, 32);
+AT(ig_importer, folder, 40);
+AT(ig_importer, files, 48);
+AT(ig_importer, dependencies, 56);
+AT(ig_importer, options, 64);
+AT(ig_importer, recognise, 72);
+AT(ig_importer, read, 80);
+AT(ig_importer, write, 88);
+
+GROWS_FROM(ig_import_api, 104);
+AT(ig_import_api, host_minor, 4);
+AT(ig_import_api, text, 8);
+AT(ig_import_api, file_name, 16);
+AT(ig_import_api, option_number, 24);
+AT(ig_import_api, option_integer, 32);
+AT(ig_import_api, option_text, 40);
+AT(ig_import_api, row, 48);
+AT(ig_import_api, text_cell, 56);
+AT(ig_import_api, number_cell, 64);
+AT(ig_import_api, option, 72);
+AT(ig_import_api, unused, 80);
+AT(ig_import_api, report, 88);
+AT(ig_import_api, fail, 96);
+
+GROWS_FROM(ig_export_api, 80);
+AT(ig_export_api, host_minor, 4);
+AT(ig_export_api, option_number, 8);
+AT(ig_export_api, option_integer, 16);
+AT(ig_export_api, option_text, 24);
+AT(ig_export_api, row_count, 32);
+AT(ig_export_api, row_key, 40);
+AT(ig_export_api, cell, 48);
+AT(ig_export_api, write, 56);
+AT(ig_export_api, unused, 64);
+AT(ig_export_api, fail, 72);
 
 #else
 #error "no layout is written down for this machine"

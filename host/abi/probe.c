@@ -1,6 +1,7 @@
 /* Reaches every type of the contract, so that one library describes all of it to abidw. */
 #include "isogloss.h"
 #include "isogloss_flow.h"
+#include "isogloss_import.h"
 #include "isogloss_view.h"
 
 typedef struct ig_contract {
@@ -26,3 +27,11 @@ void ig_probe_kinematics(const ig_machine_kinematics_1* kinematics) { (void)kine
 
 IG_EXPORT void ig_probe_view(const ig_view* view);
 void ig_probe_view(const ig_view* view) { (void)view; }
+
+IG_EXPORT void ig_probe_import(const ig_importer* importer, const ig_import_api* reading, const ig_export_api* writing);
+void ig_probe_import(const ig_importer* importer, const ig_import_api* reading, const ig_export_api* writing) {
+  (void)importer, (void)reading, (void)writing;
+}
+
+IG_EXPORT void ig_probe_tool_name(const ig_tool_name_1* names);
+void ig_probe_tool_name(const ig_tool_name_1* names) { (void)names; }

@@ -98,6 +98,14 @@ int CaseCommand::run() const {
         if (syntax.page != nullptr) cases.run_page(syntax.page, name);
         if (syntax.cases != nullptr) cases.run_page(syntax.cases, name + ".cases");
       }
+  if (all)
+    for (const LoadedPlugin& loaded : session.library().plugins())
+      for (std::uint32_t i = 0; i < loaded.plugin->importer_count; ++i) {
+        const ig_importer& importer = *loaded.plugin->importers[i];
+        const std::string name = fmt::format("{}:{}", loaded.plugin->name, importer.id);
+        if (importer.page != nullptr) cases.run_page(importer.page, name);
+        if (importer.cases != nullptr) cases.run_page(importer.cases, name + ".cases");
+      }
   return print(cases.report(), std::max(status, session.status()));
 }
 

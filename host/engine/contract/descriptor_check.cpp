@@ -10,140 +10,23 @@
 #include <string_view>
 #include <vector>
 
+#include "contract/descriptor_parts.hpp"
 #include "dialect/options.hpp"
+#include "isogloss_import.h"
 
 namespace isogloss {
 namespace {
 
-// More than any real plugin has: a larger count is garbage, and reading that far would leave the array.
-constexpr std::uint32_t most_parts = 2048;
-constexpr std::uint32_t most_declarations = 8192;
-constexpr std::uint32_t most_names = 256;
-constexpr std::uint32_t most_look_ahead = 1000;
-constexpr std::size_t longest_name = 200;
-constexpr std::size_t longest_text = std::size_t{1} << 16;
+using namespace checks;
 
 // The elements of a dialect file: no syntax and no dependency can be named so.
 constexpr std::array reserved_names{"Dialect",      "Files",       "Signature", "Segmenter", "Plugins", "Plugin",
                                     "Dependencies", "Initial",     "Field",     "Chain",     "Parsing", "Evaluation",
                                     "Severities",   "Severity",    "Logic",     "PostLogic", "Replace", "Inspection",
-                                    "InsertBefore", "InsertAfter", "Remove",    "Configure"};
+                                    "InsertBefore", "InsertAfter", "Remove",    "Configure", "Machine", "Include",
+                                    "Programs",     "Backup"};
 // The attributes that the dialect reader keeps for itself.
-constexpr std::array reserved_attributes{"as", "override", "src", "syntax", "dependency"};
-
-struct Fault {
-  std::string reason;
-};
-
-template <class... A>
-[[noreturn]] void fault(fmt::format_string<A...> text, A&&... arguments) {
-  throw Fault{fmt::format(text, std::forward<A>(arguments)...)};
-}
-
-// `what` below is a function that makes the text: thousands of parts are checked when a plugin is loaded, and hardly
-// ever is one of them shown.
-
-template <class What>
-std::string_view bytes(const char* s, const What& what, std::size_t longest) {
-  if (s == nullptr) fault("{} is null", what());
-  if (*s == '\0') return {};  // most units and docs
-  const std::size_t size = strnlen(s, longest + 1);
-  if (size > longest) fault("{} is longer than {} bytes", what(), longest);
-  return {s, size};
-}
-
-bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
-
-/// Sixteen bytes at a time: the texts of all plugins are checked whenever one is loaded.
-bool may_hold_control(std::string_view s) {
-  using Bytes [[gnu::vector_size(16)]] = unsigned char;
-  using Halves [[gnu::vector_size(16)]] = std::uint64_t;
-  if (s.size() < sizeof(Bytes)) return std::any_of(s.begin(), s.end(), is_control);
-  Bytes found{};
-  const auto look_at = [&](const char* sixteen) {
-    Bytes x;
-    std::memcpy(&x, sixteen, sizeof x);
-    found |= reinterpret_cast<Bytes>((x < 0x20) | (x == 0x7f));
-  };
-  for (std::size_t i = 0; i + sizeof found <= s.size(); i += sizeof found) look_at(s.data() + i);
-  look_at(s.data() + s.size() - sizeof found);
-  const auto halves = reinterpret_cast<Halves>(found);
-  return (halves[0] | halves[1]) != 0;
-}
-
-/// `list`, `inspect` and diagnostics print it, so it must not hold control characters.
-template <class What>
-void refuse_control_characters(std::string_view s, const What& what) {
-  if (!may_hold_control(s)) return;
-  for (const char c : s)
-    if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f)
-      fault("{} holds the control character 0x{:02X}", what(), static_cast<unsigned char>(c));
-}
-
-template <class What>
-std::string_view text(const char* s, const What& what, std::size_t longest = longest_text) {
-  const std::string_view all = bytes(s, what, longest);
-  refuse_control_characters(all, what);
-  return all;
-}
-
-/// "Owner.member", as a function.
-auto member(std::string_view owner, const char* name) {
-  return [owner, name] { return fmt::format("{}.{}", owner, name); };
-}
-/// "the doc of option 'x' of Owner", as a function.
-template <class What>
-auto of(const char* part, const What& what) {
-  return [part, what] { return fmt::format("{} {}", part, what()); };
-}
-
-constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// An XML name in ASCII, without colon.
-bool is_name(std::string_view s) {
-  return !s.empty() && (is_letter(s[0]) || s[0] == '_') && std::all_of(s.begin(), s.end(), [](char c) {
-    return is_letter(c) || is_digit(c) || c == '_' || c == '-' || c == '.';
-  });
-}
-
-template <class What>
-std::string_view name(const char* s, const What& what) {
-  const std::string_view id = bytes(s, what, longest_name);
-  if (is_name(id)) return id;
-  refuse_control_characters(id, what);
-  fault("{} '{}' is not a name (a letter, then letters, digits, _ - .)", what(), id);
-}
-
-template <std::size_t N>
-bool contains(const std::array<const char*, N>& names, std::string_view s) {
-  return std::find(names.begin(), names.end(), s) != names.end();
-}
-
-template <class What>
-void unique(std::set<std::string_view>& seen, std::string_view id, const What& what) {
-  if (!seen.insert(id).second) fault("{} '{}' is declared twice", what(), id);
-}
-
-/// An array of structs has the stride of this host's struct: one that has grown needs a newer host.
-template <class T, class What>
-void array(const T* first, std::uint32_t count, std::uint32_t most, const What& what) {
-  if (count > most) fault("{} counts {}, more than {}", what(), count, most);
-  if (count > 0 && first == nullptr) fault("{} counts {} and is null", what(), count);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (first[i].struct_size != sizeof(T))
-      fault("{}[{}] has struct_size {}, this host's is {}", what(), i, first[i].struct_size, sizeof(T));
-  }
-}
-
-template <class What>
-void name_list(const char* const* names, const What& what) {
-  if (names == nullptr) return;
-  for (std::uint32_t i = 0; names[i] != nullptr; ++i) {
-    if (i == most_names) fault("{} has no null at its end", what());
-    if (text(names[i], what, longest_name).empty()) fault("{} holds an empty name", what());
-  }
-}
+constexpr std::array reserved_attributes{"as", "override", "src", "format", "syntax", "dependency"};
 
 std::vector<std::string_view> split(std::string_view s, char separator) {
   std::vector<std::string_view> parts;
@@ -348,6 +231,18 @@ void check_dependency(const ig_dependency& dependency, std::string_view owner) {
     fault("{} provides services, and its service function is null", owner);
 }
 
+void check_importer(const ig_importer& importer, std::string_view owner) {
+  text(importer.summary, member(owner, "summary"));
+  text(importer.files, member(owner, "files"));
+  if (importer.folder != nullptr) text(importer.folder, member(owner, "folder"), longest_name);
+  check_options(importer.options, importer.option_count, owner);
+  name_list(importer.dependencies, member(owner, "dependencies"));
+  if (importer.dependencies == nullptr || importer.dependencies[0] == nullptr)
+    fault("{} names no dependency that it gives rows for", owner);
+  if (importer.recognise == nullptr) fault("{}.recognise is null", owner);
+  if (importer.read == nullptr) fault("{}.read is null", owner);
+}
+
 /// A prefix in capitals, a hyphen, a number.
 bool is_code(std::string_view code) {
   const std::size_t hyphen = code.rfind('-');
@@ -398,6 +293,8 @@ void check_plugin(const ig_plugin& plugin) {
   if (plugin.syntax_count > most_parts) fault("syntaxes counts {}, more than {}", plugin.syntax_count, most_parts);
   if (plugin.dependency_count > most_parts)
     fault("dependencies counts {}, more than {}", plugin.dependency_count, most_parts);
+  if (plugin.importer_count > most_parts) fault("importers counts {}, more than {}", plugin.importer_count, most_parts);
+  if (plugin.importer_count > 0 && plugin.importers == nullptr) fault("importers is null");
   if (plugin.syntax_count > 0 && plugin.syntaxes == nullptr) fault("syntaxes is null");
   if (plugin.dependency_count > 0 && plugin.dependencies == nullptr) fault("dependencies is null");
   std::set<std::string_view> ids;
@@ -410,6 +307,11 @@ void check_plugin(const ig_plugin& plugin) {
     const std::string_view dependency = part(plugin.dependencies, i, "dependencies");
     unique(ids, dependency, [] { return "the id"; });
     check_dependency(*plugin.dependencies[i], dependency);
+  }
+  for (std::uint32_t i = 0; i < plugin.importer_count; ++i) {
+    const std::string_view importer = part(plugin.importers, i, "importers");
+    unique(ids, importer, [] { return "the id"; });
+    check_importer(*plugin.importers[i], importer);
   }
   check_diagnostics(plugin);
 }

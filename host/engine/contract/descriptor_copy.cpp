@@ -17,6 +17,8 @@ constexpr std::size_t first_size = sizeof(T);
 template <>
 constexpr std::size_t first_size<ig_syntax> = offsetof(ig_syntax, cases);
 template <>
+constexpr std::size_t first_size<ig_plugin> = offsetof(ig_plugin, importers);
+template <>
 constexpr std::size_t first_size<ig_dependency> = offsetof(ig_dependency, row_fault);
 
 /// False when the struct's size cannot be right; then it is left alone.
@@ -80,6 +82,19 @@ PluginCopy::PluginCopy(const ig_plugin& original) {
       dependency_list_.push_back(&dependencies_.emplace_back(copy));
     }
     plugin_.dependencies = dependency_list_.data();
+  }
+  if (plugin_.importers != nullptr && plugin_.importer_count <= most_elements) {
+    for (std::uint32_t i = 0; i < plugin_.importer_count; ++i) {
+      const ig_importer* const from = plugin_.importers[i];
+      ig_importer copy{};
+      if (from == nullptr || !copy_struct(copy, from)) {
+        importer_list_.push_back(from);
+        continue;
+      }
+      copy.options = array(copy.options, copy.option_count, options_);
+      importer_list_.push_back(&importers_.emplace_back(copy));
+    }
+    plugin_.importers = importer_list_.data();
   }
   plugin_.diagnostics = array(plugin_.diagnostics, plugin_.diagnostic_count, diagnostics_);
 }

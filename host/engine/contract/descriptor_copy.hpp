@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "isogloss.h"
+#include "isogloss_import.h"
 
 namespace isogloss {
 
@@ -24,6 +24,8 @@ class PluginCopy {
   ig_plugin plugin_{};
   std::deque<ig_syntax> syntaxes_;
   std::deque<ig_dependency> dependencies_;
+  std::deque<ig_importer> importers_;
+  std::vector<const ig_importer*> importer_list_;
   std::vector<const ig_syntax*> syntax_list_;
   std::vector<const ig_dependency*> dependency_list_;
   std::deque<std::vector<ig_field_decl>> fields_;

@@ -2,6 +2,7 @@
 // one checks every access against the declarations; the traced one also keeps the line that set each field.
 #include "contract/host_table.hpp"
 
+#include "contract/argument_text.hpp"
 #include "contract/host_records.hpp"
 #include "contract/host_values.hpp"
 
@@ -26,18 +27,6 @@ ig_text symbol_text(const ig_block* block, ig_symbol symbol) {
   return {t.data(), t.size()};
 }
 
-std::string shown(const ig_argument& a) {
-  // A program's text may be a megabyte long; a message shows its beginning.
-  constexpr std::size_t longest = 120;
-  if (a.is_text != 0) {
-    if (a.text.size <= longest) return std::string(a.text.data, a.text.size);
-    return std::string(a.text.data, longest) + " …";
-  }
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.6g", a.number);
-  return buffer;
-}
-
 void report(ig_block* block, std::uint32_t diagnostic, ig_field f, std::uint32_t begin, std::uint32_t end,
             const ig_argument* arguments, std::uint32_t count) {
   Document& d = doc(block);
@@ -48,13 +37,12 @@ void report(ig_block* block, std::uint32_t diagnostic, ig_field f, std::uint32_t
     return;
   }
   const ig_diagnostic_decl& row = plugin.diagnostics[diagnostic];
-  std::vector<std::string> texts;
-  for (std::uint32_t i = 0; i < count; ++i) texts.push_back(shown(arguments[i]));
   if (f < d.size() && d.word_end(f) != 0) {
     begin = d.word_begin(f);
     end = d.word_end(f);
   }
-  d.chain->report(d, static_cast<Severity>(row.severity), row.code, fill_in(row.text, texts), begin, end);
+  d.chain->report(d, static_cast<Severity>(row.severity), row.code, fill_in(row.text, argument_texts(arguments, count)),
+                  begin, end);
 }
 
 void fault(ig_block* block, ig_text message) {

@@ -52,6 +52,29 @@ class Loading {
   Loading& operator=(const Loading&) = delete;
 };
 
+/// The part of this id in one of the plugins' lists.
+template <class T>
+const T* find_part(const std::vector<LoadedPlugin>& plugins, std::string_view id, const T* const* ig_plugin::*list,
+                   std::uint32_t ig_plugin::*count, const ig_plugin** owner) {
+  for (const LoadedPlugin& p : plugins)
+    for (std::uint32_t i = 0; i < p.plugin->*count; ++i)
+      if (id == (p.plugin->*list)[i]->id) {
+        if (owner != nullptr) *owner = p.plugin;
+        return (p.plugin->*list)[i];
+      }
+  return nullptr;
+}
+
+/// An id that two plugins declare, or nothing.
+template <class T>
+const char* shared_id(const ig_plugin& a, const ig_plugin& b, const T* const* ig_plugin::*list,
+                      std::uint32_t ig_plugin::*count) {
+  for (std::uint32_t i = 0; i < a.*count; ++i)
+    for (std::uint32_t j = 0; j < b.*count; ++j)
+      if (std::string_view((a.*list)[i]->id) == (b.*list)[j]->id) return (a.*list)[i]->id;
+  return nullptr;
+}
+
 }  // namespace
 
 const char* Library::loading() { return file_being_loaded; }
@@ -79,14 +102,10 @@ bool Library::Parts::admit(const fs::path& file, const ig_plugin* original) {
   for (const LoadedPlugin& other : plugins) {
     if (std::string_view(other.plugin->name) == plugin->name)
       return refuse(file, "IG-0306", {name, plugin->name, other.file.string()});
-    for (std::uint32_t i = 0; i < plugin->syntax_count; ++i)
-      for (std::uint32_t j = 0; j < other.plugin->syntax_count; ++j)
-        if (std::string_view(plugin->syntaxes[i]->id) == other.plugin->syntaxes[j]->id)
-          return refuse(file, "IG-0307", {name, plugin->syntaxes[i]->id, other.file.string()});
-    for (std::uint32_t i = 0; i < plugin->dependency_count; ++i)
-      for (std::uint32_t j = 0; j < other.plugin->dependency_count; ++j)
-        if (std::string_view(plugin->dependencies[i]->id) == other.plugin->dependencies[j]->id)
-          return refuse(file, "IG-0307", {name, plugin->dependencies[i]->id, other.file.string()});
+    const char* id = shared_id(*plugin, *other.plugin, &ig_plugin::syntaxes, &ig_plugin::syntax_count);
+    if (id == nullptr) id = shared_id(*plugin, *other.plugin, &ig_plugin::dependencies, &ig_plugin::dependency_count);
+    if (id == nullptr) id = shared_id(*plugin, *other.plugin, &ig_plugin::importers, &ig_plugin::importer_count);
+    if (id != nullptr) return refuse(file, "IG-0307", {name, id, other.file.string()});
   }
   plugins.push_back({file, plugin, {}});
   copies.push_back(std::move(copy));
@@ -185,23 +204,15 @@ const ig_plugin* Library::find(std::string_view name) const {
 }
 
 const ig_syntax* Library::syntax(std::string_view id, const ig_plugin** owner) const {
-  for (const LoadedPlugin& p : parts_->plugins)
-    for (std::uint32_t i = 0; i < p.plugin->syntax_count; ++i)
-      if (id == p.plugin->syntaxes[i]->id) {
-        if (owner != nullptr) *owner = p.plugin;
-        return p.plugin->syntaxes[i];
-      }
-  return nullptr;
+  return find_part(parts_->plugins, id, &ig_plugin::syntaxes, &ig_plugin::syntax_count, owner);
 }
 
 const ig_dependency* Library::dependency(std::string_view id, const ig_plugin** owner) const {
-  for (const LoadedPlugin& p : parts_->plugins)
-    for (std::uint32_t i = 0; i < p.plugin->dependency_count; ++i)
-      if (id == p.plugin->dependencies[i]->id) {
-        if (owner != nullptr) *owner = p.plugin;
-        return p.plugin->dependencies[i];
-      }
-  return nullptr;
+  return find_part(parts_->plugins, id, &ig_plugin::dependencies, &ig_plugin::dependency_count, owner);
+}
+
+const ig_importer* Library::importer(std::string_view id, const ig_plugin** owner) const {
+  return find_part(parts_->plugins, id, &ig_plugin::importers, &ig_plugin::importer_count, owner);
 }
 
 void Library::add(const ig_plugin* plugin) { parts_->admit("(built in)", plugin); }

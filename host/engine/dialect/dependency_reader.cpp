@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 
 namespace isogloss {
 namespace {
@@ -29,6 +31,17 @@ std::vector<Attribute> data_attributes(const XmlSource& xml, pugi::xml_node node
   return all;
 }
 
+/// A file that begins with another byte than '<' is no XML; importers read it. One that is not there counts as XML.
+bool is_of_control(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 512> head{};
+  file.read(head.data(), head.size());
+  std::string_view text(head.data(), static_cast<std::size_t>(file.gcount()));
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] != '<';
+}
+
 }  // namespace
 
 DependencyElement DependencyReader::read(pugi::xml_node node) {
@@ -37,8 +50,11 @@ DependencyElement DependencyReader::read(pugi::xml_node node) {
     const std::string_view name = a.name();
     if (name == "as") element.alias = alias(node);
     if (name == "src") read_table(node, element);
+    if (name == "format" && !node.attribute("src"))
+      report_("IG-0108", xml_.at(node, "format"), {shown(element.id), "format"},
+              "format says what the file is that src names");
   }
-  for (Attribute& option : data_attributes(xml_, node, {"as", "src"})) set_option(element, std::move(option));
+  for (Attribute& option : data_attributes(xml_, node, {"as", "src", "format"})) set_option(element, std::move(option));
   read_rows(xml_, node, element);
   return element;
 }
@@ -47,6 +63,11 @@ void DependencyReader::read_table(pugi::xml_node node, DependencyElement& elemen
   const Location where = xml_.at(node, "src");
   const fs::path path = path_of_src(node);
   if (path.empty()) return;
+  const std::string format = node.attribute("format").value();
+  if (!format.empty() || is_of_control(path)) {
+    element.control_file = Import{path, format, {}, where};
+    return;
+  }
   const std::unique_ptr<XmlSource> table = XmlSource::open(path, where, budget_, report_.sink());
   if (table == nullptr) {
     report_.failed = true;

@@ -90,12 +90,13 @@ class FileReader : XmlElements {
       if (!required(section, "src").empty()) is_include ? read_include(section) : read_programs(section);
       return;
     }
+    if (file_.is_machine && section.name() == std::string_view("Backup")) return read_backup(section);
     const auto found = sections.find(section.name());
     const bool is_of_head = found != sections.end() && (found->first == "Files" || found->first == "Segmenter");
     if (found == sections.end() || (is_part_ && is_of_head)) {
       std::vector<std::string> names = names_of(sections);
       names.emplace_back("Programs");
-      if (file_.is_machine) names.emplace_back("Include");
+      if (file_.is_machine) names.insert(names.end(), {"Include", "Backup"});
       return unknown(section, names);
     }
     if (!once(section)) return;
@@ -114,6 +115,19 @@ class FileReader : XmlElements {
       report_("IG-0122", xml_.at(node, "src"), {place.string()});
   }
 
+  /// A file of the control, or a folder of such files; other attributes are options of the importer.
+  void read_backup(pugi::xml_node node) {
+    leaves(node, {});
+    if (required(node, "src").empty()) return;
+    Import import{path_of_src(node), node.attribute("format").value(), {}, xml_.at(node, "src")};
+    for (const pugi::xml_attribute a : node.attributes()) {
+      const std::string_view name = a.name();
+      if (name != "src" && name != "format" && !is_markup(name))
+        import.options.push_back({a.name(), a.value(), xml_.at(node, name)});
+    }
+    if (!import.file.empty()) file_.own.imports.push_back(std::move(import));
+  }
+
   /// Reads the parts of another file as if they stood here.
   void read_include(pugi::xml_node node) {
     if (is_part_) return report_("IG-0121", xml_.at(node), {});
@@ -128,10 +142,12 @@ class FileReader : XmlElements {
     const auto append = [](auto& to, auto& from) {
       to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
     };
-    for (DependencyElement& element : part.own.dependencies) dependencies_.add(file_.own.dependencies, std::move(element));
+    for (DependencyElement& element : part.own.dependencies)
+      dependencies_.add(file_.own.dependencies, std::move(element));
     for (InitialField& field : part.own.initial) add_initial(std::move(field));
     append(file_.own.plugins, part.own.plugins);
     append(file_.own.program_places, part.own.program_places);
+    append(file_.own.imports, part.own.imports);
     append(file_.chain_edits, part.chain_edits);
     append(file_.dependency_edits, part.dependency_edits);
     for (const auto& [code, severity] : part.own.severities)

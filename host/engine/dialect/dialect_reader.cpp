@@ -213,28 +213,18 @@ class Reading {
     for (const auto& [code, severity] : own.severities) base.severities[code] = severity;
     base.program_places.insert(base.program_places.begin(), own.program_places.begin(), own.program_places.end());
     base.is_machine = own.is_machine;
-    if (own.is_machine) own.dependencies = fill(base.dependencies, std::move(own.dependencies));
+    const auto append = [](auto& to, auto& from) {
+      to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+    };
+    append(base.imports, own.imports);
+    if (own.is_machine) {
+      append(base.own_tables, own.dependencies);
+      own.dependencies.clear();
+    }
     fold_dependencies(base.dependencies, std::move(own.dependencies), file.dependency_edits);
     Editor chain(base.chain, report_);
     for (const Edit<ChainElement>& edit : file.chain_edits) chain.apply(edit);
     return base;
-  }
-
-  /// A machine's tables fill those of its dialect: the machine's options and rows win, the dialect's others stay.
-  static std::vector<DependencyElement> fill(const std::vector<DependencyElement>& inherited,
-                                             std::vector<DependencyElement> own) {
-    for (DependencyElement& element : own) {
-      const auto base = std::find_if(inherited.begin(), inherited.end(), [&](const DependencyElement& e) {
-        return e.alias == element.alias && e.id == element.id;
-      });
-      if (base == inherited.end()) continue;
-      for (const Attribute& option : base->options)
-        if (std::none_of(element.options.begin(), element.options.end(),
-                         [&](const Attribute& a) { return a.name == option.name; }))
-          element.options.push_back(option);
-      element.rows.insert(element.rows.begin(), base->rows.begin(), base->rows.end());
-    }
-    return own;
   }
 
   /// The file's own stand before the inherited ones. An inherited one of the same name never answers: it is removed.

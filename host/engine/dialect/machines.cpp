@@ -6,6 +6,7 @@
 
 #include "dialect/dialect_file.hpp"
 #include "dialect/row_checks.hpp"
+#include "isogloss/engine/import.hpp"
 #include "isogloss/engine/own_dependencies.hpp"
 
 namespace isogloss {
@@ -45,6 +46,108 @@ void merge_rows(const ig_dependency& dependency, std::vector<TableRow>& rows) {
   rows = std::move(merged);
 }
 
+/// The table's options and rows go over those of the same table in `all`; a new one comes last.
+void lay_over(std::vector<DependencyElement>& all, DependencyElement element) {
+  const auto old =
+      std::find_if(all.begin(), all.end(), [&](const DependencyElement& e) { return e.alias == element.alias; });
+  if (old == all.end() || old->id != element.id) {
+    if (old != all.end()) all.erase(old);
+    all.push_back(std::move(element));
+    return;
+  }
+  for (Attribute& option : element.options) {
+    std::erase_if(old->options, [&](const Attribute& a) { return a.name == option.name; });
+    old->options.push_back(std::move(option));
+  }
+  old->rows.insert(old->rows.end(), std::make_move_iterator(element.rows.begin()),
+                   std::make_move_iterator(element.rows.end()));
+  old->where = element.where;
+}
+
+/// The machine's own tables over those of its dialect; they stand first, so that they answer.
+void fill(std::vector<DependencyElement>& inherited, std::vector<DependencyElement> own) {
+  std::vector<DependencyElement> out;
+  for (DependencyElement& element : own) {
+    std::vector<DependencyElement> one;
+    const auto base = std::find_if(inherited.begin(), inherited.end(),
+                                   [&](const DependencyElement& e) { return e.alias == element.alias; });
+    if (base != inherited.end()) {
+      one.push_back(std::move(*base));
+      one.back().source_file.clear();
+      inherited.erase(base);
+    }
+    lay_over(one, std::move(element));
+    out.push_back(std::move(one.back()));
+  }
+  out.insert(out.end(), std::make_move_iterator(inherited.begin()), std::make_move_iterator(inherited.end()));
+  inherited = std::move(out);
+}
+
+/// Reads the files of a control into tables.
+class Importing {
+ public:
+  Importing(Library& library, DiagnosticSink& sink) : library_(library), sink_(sink) {}
+
+  /// The rows of the file that the element's src names, before its own.
+  bool fill_from_file(DependencyElement& element) const {
+    if (!element.control_file) return true;
+    const std::optional<ImportedFile> file = read(*element.control_file);
+    if (!file) return false;
+    for (const DependencyElement& table : file->tables) {
+      if (table.id != element.id) {
+        sink_.add(
+            host_diagnostic("IG-0128", element.control_file->where, {element.control_file->file.string(), table.id}));
+        continue;
+      }
+      element.rows.insert(element.rows.begin(), table.rows.begin(), table.rows.end());
+      for (const Attribute& option : table.options)
+        if (std::none_of(element.options.begin(), element.options.end(),
+                         [&](const Attribute& a) { return a.name == option.name; }))
+          element.options.push_back(option);
+    }
+    element.control_file.reset();
+    return true;
+  }
+
+  /// All tables of a file, or of the files of a folder.
+  bool add_tables(const Import& asked, std::vector<DependencyElement>& all) const {
+    std::error_code error;
+    const bool is_folder = fs::is_directory(asked.file, error);
+    bool is_sound = true;
+    for (const fs::path& path : files_of(asked)) {
+      Import one = asked;
+      one.file = path;
+      if (is_folder && asked.format.empty() && !is_recognised(one)) {
+        sink_.add(host_diagnostic("IG-0132", asked.where, {path.string()}));
+        continue;
+      }
+      std::optional<ImportedFile> file = read(one);
+      is_sound = file.has_value() && is_sound;
+      if (!file) continue;
+      for (DependencyElement& table : file->tables) lay_over(all, std::move(table));
+    }
+    return is_sound;
+  }
+
+ private:
+  std::optional<ImportedFile> read(const Import& asked) const {
+    std::optional<ImportedFile> file = import_file(asked, library_, sink_);
+    if (file)
+      for (const UnusedPart& part : file->unused)
+        sink_.add(host_diagnostic("IG-0125", part.first, {part.what, part.why, std::to_string(part.count)}));
+    return file;
+  }
+
+  bool is_recognised(const Import& one) const {
+    library_.load_all();
+    const std::optional<std::string> head = head_of_control_file(one.file);
+    return head && !recognise(*head, one.file.filename().string(), library_).empty();
+  }
+
+  Library& library_;
+  DiagnosticSink& sink_;
+};
+
 }  // namespace
 
 FoundMachine machine_at(const fs::path& path) {
@@ -82,10 +185,28 @@ std::vector<FoundMachine> list_machines(const std::vector<fs::path>& folders) {
   return out;
 }
 
+bool is_incomplete(const Dialect& dialect) {
+  return !dialect.imports.empty() || !dialect.own_tables.empty() ||
+         std::any_of(dialect.dependencies.begin(), dialect.dependencies.end(),
+                     [](const DependencyElement& e) { return e.control_file.has_value(); });
+}
+
 bool complete_machine(Dialect& machine, Library& library, DiagnosticSink& sink) {
+  if (!is_incomplete(machine)) return true;
   for (const PluginReference& plugin : machine.plugins)
     if (!library.load(plugin.name, plugin.where, sink)) return false;
+  const Importing importing(library, sink);
   bool is_sound = true;
+  for (DependencyElement& element : machine.dependencies) is_sound = importing.fill_from_file(element) && is_sound;
+  std::vector<DependencyElement> own;
+  for (const Import& import : machine.imports) is_sound = importing.add_tables(import, own) && is_sound;
+  for (DependencyElement& element : machine.own_tables) {
+    is_sound = importing.fill_from_file(element) && is_sound;
+    lay_over(own, std::move(element));
+  }
+  machine.imports.clear();
+  machine.own_tables.clear();
+  fill(machine.dependencies, std::move(own));
   for (DependencyElement& element : machine.dependencies) {
     is_sound = add_plugin_of(element, machine, library, sink) && is_sound;
     if (const ig_dependency* const dependency = library.dependency(element.id)) merge_rows(*dependency, element.rows);

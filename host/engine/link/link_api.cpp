@@ -1,12 +1,10 @@
 // What create() may ask: options, patterns, services, settings, the dependency's own table.
+#include "contract/c_text.hpp"
 #include "contract/host_table.hpp"
 
 namespace isogloss {
 
 namespace {
-
-ig_text to_text(std::string_view s) { return {s.data(), s.size()}; }
-std::string_view to_view(ig_text t) { return {t.data, t.size}; }
 
 const OptionValue& option(const ig_link* link, std::uint32_t i) {
   static const OptionValue none;

@@ -2,6 +2,7 @@
 // step stands in a file of its own; link_steps.hpp lists them.
 #include "isogloss/engine/linker.hpp"
 
+#include "isogloss/engine/machine.hpp"
 #include "link/link_checks.hpp"
 #include "link/link_steps.hpp"
 
@@ -49,6 +50,7 @@ std::optional<std::uint32_t> LinkedDialect::position(std::string_view alias) con
 std::unique_ptr<LinkedDialect> link(const Dialect& dialect, Library& library, DiagnosticSink& sink, LinkMode mode) {
   auto out = std::make_unique<LinkedDialect>();
   out->dialect = dialect;
+  if (is_incomplete(dialect) && !complete_machine(out->dialect, library, sink)) return nullptr;
   Linking linking{*out, library, sink, mode};
   find_parts(linking);
   if (linking.has_failed) return nullptr;

@@ -6,7 +6,7 @@
 
 namespace isogloss {
 
-std::vector<OptionValue> read_options(Linking& linking, const std::string& owner, const Location& where,
+std::vector<OptionValue> read_options(const OptionFault& report, const std::string& owner, const Location& where,
                                       std::span<const ig_option_decl> declared, const std::vector<Attribute>& given) {
   std::vector<OptionValue> values(declared.size());
   std::vector<bool> is_given(declared.size());
@@ -16,7 +16,7 @@ std::vector<OptionValue> read_options(Linking& linking, const std::string& owner
     if (option == declared.end()) {
       std::vector<std::string> names;
       for (const ig_option_decl& o : declared) names.emplace_back(o.name);
-      linking.report("IG-0204", a.where, {owner, a.name}, did_you_mean(nearest_name(a.name, names)));
+      report("IG-0204", a.where, {owner, a.name}, did_you_mean(nearest_name(a.name, names)));
       continue;
     }
     const auto number = static_cast<std::size_t>(option - declared.begin());
@@ -24,16 +24,23 @@ std::vector<OptionValue> read_options(Linking& linking, const std::string& owner
     if (std::optional<OptionValue> v = parse_option(*option, a.value))
       values[number] = std::move(*v);
     else
-      linking.report("IG-0205", a.where, {a.name, owner, describe_option(*option), a.value});
+      report("IG-0205", a.where, {a.name, owner, describe_option(*option), a.value}, {});
   }
   for (std::size_t i = 0; i < declared.size(); ++i) {
     if (is_given[i]) continue;
     if (declared[i].fallback == nullptr)
-      linking.report("IG-0213", where, {owner, declared[i].name});
+      report("IG-0213", where, {owner, declared[i].name}, {});
     else if (std::optional<OptionValue> v = parse_option(declared[i], declared[i].fallback))
       values[i] = std::move(*v);
   }
   return values;
+}
+
+std::vector<OptionValue> read_options(Linking& linking, const std::string& owner, const Location& where,
+                                      std::span<const ig_option_decl> declared, const std::vector<Attribute>& given) {
+  const auto report = [&](std::string_view code, const Location& at, std::initializer_list<std::string> arguments,
+                          const std::string& hint) { linking.report(code, at, arguments, hint); };
+  return read_options(report, owner, where, declared, given);
 }
 
 }  // namespace isogloss

@@ -25,7 +25,8 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "and have 256 attributes; a file's chain may have 4096 elements.",
        "<A><A><A>…"},
       {error, "IG-0106", "the root element must be {0}, not {1}",
-       "A dialect file begins with <Dialect xmlns=\"urn:isogloss:dialect:1\" name=\"…\">, a machine's with <Machine>; no "
+       "A dialect file begins with <Dialect xmlns=\"urn:isogloss:dialect:1\" name=\"…\">, a machine's with <Machine>; "
+       "no "
        "prefixes.",
        R"(<Dialect name="acme">)"},
       {error, "IG-0107", "<{0}> does not belong in <{1}>",
@@ -74,9 +75,40 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        R"(<Programs src="cycels"/>)"},
       {error, "IG-0123", "no machine '{0}' in the folders searched: {1}",
        "A machine is named by its folder, which holds machine.xml, in one of the machine folders (--machines, "
-       "ISOGLOSS_MACHINES, the user's configuration folder, beside the dialects), or by the path of the folder or file. "
+       "ISOGLOSS_MACHINES, the user's configuration folder, beside the dialects), or by the path of the folder or "
+       "file. "
        "`isogloss list machines` shows what is there.",
        "isogloss run part.h -m dmu58"},
+      {error, "IG-0124", "no importer recognises {0}",
+       "An importer recognises a file by its content, and sometimes by its name. `isogloss list importers` shows the "
+       "formats; format=\"…\" names one. A file that the machine does not need is named by no <Backup>.",
+       R"(<ToolOffsetTable src="notes.txt"/>)"},
+      {note, "IG-0125", "{0} is not read: {1} ({2} times)",
+       "The importer names what it does not use of a file, so that nothing is lost in silence. The place is the first "
+       "one.",
+       "TOOL.T with the column LAST_USE"},
+      {error, "IG-0126", "{0} cannot be imported: {1}",
+       "The file that <Backup> or src names cannot be read, is too large, or is no text.",
+       R"(<Backup src="backup/tool.t"/>, and the file is a folder without files)"},
+      {error, "IG-0127", "{0}: the importer {1} failed: {2}",
+       "The importer broke the contract, or threw. It is a fault of its plugin; the file gives nothing.",
+       "an importer that gives a value which is not finite"},
+      {warning, "IG-0128", "{0} also holds rows for {1}, which have no effect here",
+       "src of an element takes the rows of that element's dependency alone. <Backup src=\"…\"/> takes them all.",
+       R"(<ToolOffsetTable src="archive.ini"/>, and the archive holds frames, too)"},
+      {error, "IG-0129", "no importer is called {0}",
+       "format=\"…\" names an importer. `isogloss list importers` shows them.",
+       R"(<Backup src="tool.t" format="HeidenhainTools"/>)"},
+      {warning, "IG-0130", "{0} may be of two formats, {1} or {2}: it is read as {1}",
+       "Two importers are equally sure of the file. format=\"…\" decides.", R"(<Backup src="offsets.txt"/>)"},
+      {note, "IG-0132", "{0} is not read: no importer recognises it",
+       "A folder named by <Backup> may hold files that tell nothing of the machine, such as programs and pictures. "
+       "Where "
+       "the file matters, name it and its format.",
+       R"(<Backup src="backup"/>, and backup/readme.txt)"},
+      {error, "IG-0131", "{0} writes no files: the format is only read",
+       "`isogloss list importers` shows which formats can be written.",
+       "isogloss export -m dmu58 --format SinumerikArchive"},
       // links: 0200-0299
       {error, "IG-0201", "no plugin '{0}' in the folders searched",
        "The dialect names a plugin that no plugin folder holds, or that could not be loaded. `isogloss doctor` lists "

@@ -49,6 +49,11 @@ class PageReader {
     } else if (text == "#Diagnostics: any") {
       begin_case();
       case_.accepts_any_code = true;
+    } else if (text.starts_with("#File: ")) {
+      if (case_.file || case_.before) close_case();
+      begin_case();
+      case_.file_name = without_blanks(text.substr(7));
+      awaited_ = &case_.file;
     } else if (std::optional<Fence>* const wanted = marker(text)) {
       awaited_ = wanted;
     }
@@ -59,6 +64,8 @@ class PageReader {
     static constexpr std::pair<std::string_view, std::optional<Fence> Case::*> markers[] = {
         {"#Previous:", &Case::previous},  {"#Ahead:", &Case::ahead},      {"#Dependencies:", &Case::dependencies},
         {"#BeforeBuild:", &Case::before}, {"#AfterBuild:", &Case::after}, {"#Diagnostics:", &Case::diagnostics},
+        {"#Options:", &Case::options},    {"#Tables:", &Case::tables},    {"#Unused:", &Case::unused},
+        {"#Written:", &Case::written},
     };
     for (const auto& [name, member] : markers) {
       if (text != name) continue;
@@ -84,9 +91,15 @@ class PageReader {
     Case done = std::move(case_);
     case_ = {};
     if (done.line == 0) return;
+    done.heading = heading_;
+    if (!done.file_name.empty()) {
+      if (!done.file) return fault(done.line, "a case without the fence of its #File:");
+      if (!done.tables) return fault(done.line, "a case without #Tables: and its fence");
+      page_.cases.push_back(std::move(done));
+      return;
+    }
     if (!done.before) return fault(done.line, "a case without #BeforeBuild: and its fence");
     if (!done.after) return fault(done.line, "a case without #AfterBuild: and its fence");
-    done.heading = heading_;
     page_.cases.push_back(std::move(done));
   }
 

@@ -12,6 +12,7 @@
 #include "isogloss/engine/chain.hpp"
 #include "isogloss/engine/document_json.hpp"
 #include "run/case_dialect.hpp"
+#include "run/import_case.hpp"
 
 namespace isogloss {
 
@@ -174,6 +175,7 @@ std::optional<std::string> apply(const Application& application, const Surroundi
 
 std::string run_case(const Page& page, const Case& one, const std::string& file, const Surroundings& surroundings,
                      Library& library) {
+  if (one.file) return run_import_case(page, one, file, library);
   DiagnosticList said;
   Application application{page.syntax, one.before->text, {}, {}, {file, one.before->line, 0}};
   if (one.previous) application.previous = one.previous->text;

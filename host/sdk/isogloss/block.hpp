@@ -344,7 +344,7 @@ class Block {
   /// Reports a diagnostic by its index in the array given to ISOGLOSS_PLUGIN().
   template <class... Args>
   void report(std::uint32_t diagnostic, Where where, const Args&... args) {
-    const std::array<ig_argument, sizeof...(Args)> list{argument(args)...};
+    const std::array<ig_argument, sizeof...(Args)> list{detail::argument(args)...};
     host_->report(block_, diagnostic, where.field, where.begin, where.end, list.data(), sizeof...(Args));
   }
 
@@ -400,9 +400,6 @@ class Block {
     if (host_->map_point(block_, direction, in, out) == 0) return std::nullopt;
     return Vec3{out[0], out[1], out[2]};
   }
-  static ig_argument argument(double number) { return {0, 0, number, {nullptr, 0}}; }
-  static ig_argument argument(std::string_view text) { return {1, 0, 0, to_text(text)}; }
-
   const ig_host* host_;
   ig_block* block_;
 };

@@ -1,5 +1,5 @@
-/// Makes a plugin of structs: SyntaxSpec and DependencySpec, Register, and the entry function ISOGLOSS_PLUGIN. No
-/// exception leaves the functions that cross the boundary: the host reports its text.
+/// Makes a plugin of structs: SyntaxSpec, DependencySpec and ImporterSpec, Register, and the entry function
+/// ISOGLOSS_PLUGIN. No exception leaves the functions that cross the boundary: the host reports its text.
 #pragma once
 
 #include <algorithm>
@@ -9,18 +9,12 @@
 
 #include "isogloss/dependency.hpp"
 #include "isogloss/diagnostics.hpp"
+#include "isogloss/importer.hpp"
 #include "isogloss/motion.hpp"
 #include "isogloss/pages.hpp"
+#include "isogloss/spec.hpp"
 
 namespace ig {
-
-/// A list of at most 12 names of syntaxes or services. It is a literal type, so that a spec can be a constant.
-struct NameList {
-  std::array<const char*, 12> names{};
-  std::size_t count = 0;
-  constexpr void add(const char* name) { names[count++] = name; }  // a 13th does not compile: specs are constexpr
-  const char* const* data() const { return count == 0 ? nullptr : names.data(); }
-};
 
 /// What a syntax declares besides its members; a static member `spec` of the struct. Make it with ig::syntax().
 struct SyntaxSpec {
@@ -116,24 +110,7 @@ constexpr DependencySpec dependency(const char* id, const char* summary) { retur
 
 namespace detail {
 
-/// "drilling_cycle_syntax" for "DrillingCycleSyntax"; a run of capitals or digits stays together.
-inline std::string snake_case(std::string_view id) {
-  std::string out;
-  for (std::size_t i = 0; i < id.size(); ++i) {
-    const char c = id[i];
-    const bool upper = c >= 'A' && c <= 'Z';
-    const bool after_upper = i > 0 && id[i - 1] >= 'A' && id[i - 1] <= 'Z';
-    if (upper && i > 0 && !after_upper) out += '_';
-    out += upper ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return out;
-}
-
 inline void report_failure(const ig_link_api* api, ig_link* link, const char* what) { api->fail(link, to_text(what)); }
-
-/// What the constructor of T declares, recorded once.
-template <class T>
-const Recorder& recorded_of();
 
 template <class T>
 ig_status create(const ig_link_api* api, ig_link* link, const ig_field* ids, void** self) noexcept {
@@ -302,8 +279,13 @@ template <class T>
 constexpr bool is_syntax = std::is_same_v<std::remove_cv_t<decltype(T::spec)>, SyntaxSpec>;
 
 template <class T>
+constexpr bool is_importer = std::is_same_v<std::remove_cv_t<decltype(T::spec)>, ImporterSpec>;
+
+template <class T>
 const auto& descriptor_of() {
-  static const std::conditional_t<is_syntax<T>, SyntaxDescriptor<T>, DependencyDescriptor<T>> descriptor;
+  static const std::conditional_t<is_syntax<T>, SyntaxDescriptor<T>,
+                                  std::conditional_t<is_importer<T>, ImporterDescriptor<T>, DependencyDescriptor<T>>>
+      descriptor;
   return descriptor;
 }
 
@@ -312,10 +294,11 @@ const Recorder& recorded_of() {
   return descriptor_of<T>().recorded();
 }
 
-/// The syntaxes and dependencies of the plugin's files, complete before the entry function can be called.
+/// The syntaxes, dependencies and importers of the plugin's files, complete before the entry function can be called.
 struct Contributions {
   std::vector<const ig_syntax* (*)()> syntaxes;
   std::vector<const ig_dependency* (*)()> dependencies;
+  std::vector<const ig_importer* (*)()> importers;
 };
 inline Contributions& contributions() {
   static Contributions all;
@@ -328,9 +311,11 @@ class PluginDescriptor {
                    std::span<const ig_diagnostic_decl> leading = {}) {
     for (const auto describe : contributions().syntaxes) syntaxes_.push_back(describe());
     for (const auto describe : contributions().dependencies) dependencies_.push_back(describe());
+    for (const auto describe : contributions().importers) importers_.push_back(describe());
     const auto by_id = [](const auto* a, const auto* b) { return std::string_view(a->id) < b->id; };
     std::sort(syntaxes_.begin(), syntaxes_.end(), by_id);
     std::sort(dependencies_.begin(), dependencies_.end(), by_id);
+    std::sort(importers_.begin(), importers_.end(), by_id);
     const std::span<const ig_diagnostic_decl> diagnostics = diagnostic_table().complete(leading);
     out_.struct_size = sizeof out_;
     out_.abi_major = IG_ABI_MAJOR;
@@ -345,18 +330,21 @@ class PluginDescriptor {
     out_.diagnostics = diagnostics.data();
     out_.dependency_count = count(dependencies_);
     out_.diagnostic_count = static_cast<std::uint32_t>(diagnostics.size());
+    out_.importers = importers_.data();
+    out_.importer_count = count(importers_);
   }
   const ig_plugin* get() const { return &out_; }
 
  private:
   std::vector<const ig_syntax*> syntaxes_;
   std::vector<const ig_dependency*> dependencies_;
+  std::vector<const ig_importer*> importers_;
   ig_plugin out_{};
 };
 
 }  // namespace detail
 
-/// Puts a syntax or a dependency into the plugin, with its diagnostics: `const ig::Register<DrillingCycle>
+/// Puts a syntax, a dependency or an importer into the plugin, with its diagnostics: `const ig::Register<DrillingCycle>
 /// drilling_cycle_syntax;` at the end of its file, under any name that is unique in the plugin.
 template <class T>
 struct Register {
@@ -364,6 +352,8 @@ struct Register {
     if constexpr (requires { T::diagnostics; }) detail::diagnostic_table().add(T::diagnostics);
     if constexpr (detail::is_syntax<T>)
       detail::contributions().syntaxes.push_back([] { return detail::descriptor_of<T>().get(); });
+    else if constexpr (detail::is_importer<T>)
+      detail::contributions().importers.push_back([] { return detail::descriptor_of<T>().get(); });
     else
       detail::contributions().dependencies.push_back([] { return detail::descriptor_of<T>().get(); });
   }

@@ -86,6 +86,9 @@ struct ValueOf<Symbol> {
   }
 };
 
+inline ig_argument argument(double number) { return {0, 0, number, {nullptr, 0}}; }
+inline ig_argument argument(std::string_view text) { return {1, 0, 0, to_text(text)}; }
+
 }  // namespace detail
 
 /// The value of a code that is present in a block.

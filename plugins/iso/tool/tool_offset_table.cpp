@@ -1,7 +1,9 @@
 // The tool offsets: length (H) and radius (D) of each offset number, as geometry and wear. H and D share one row; the
-// row is the offset number that a program gives with H and D, not the number of the tool in the magazine.
+// row is the offset number that a program gives with H and D, not the number of the tool in the magazine. A row 5.1 has
+// the further length and radius that tool 5 has with index 1.
 #include <charconv>
 
+#include <isogloss/rows.hpp>
 #include <isogloss/sdk.hpp>
 
 namespace iso {
@@ -12,7 +14,7 @@ enum class Unlisted { zero, missing };
 struct ToolOffsetTable {
   static constexpr auto spec = ig::dependency("ToolOffsetTable", "Tool lengths and radii by offset number.")
                                    .rows("Tool", "id")
-                                   .provides("isogloss.tool-offset/1");
+                                   .provides("isogloss.tool-offset/1", "isogloss.tool-name/1");
 
   ig::IntegerOption size{"size", "400", {1, 99'999}, "The highest offset number of the control; the lowest is 1."};
   ig::Choice<Unlisted> unlisted{
@@ -22,40 +24,70 @@ struct ToolOffsetTable {
   ig::Column length_wear{"HWear", "0", "mm", {}, "Length, wear; added to H."};
   ig::Column radius{"D", "0", "mm", {}, "Radius, geometry."};
   ig::Column radius_wear{"DWear", "0", "mm", {}, "Radius, wear; added to D."};
+  ig::Column name{"Name", nullptr, "", {}, "What a program calls the tool; sister tools have one name.", true};
   ig::Table table;
+  ig::RowNames rows;
 
-  const void* service(std::string_view id) const { return id == "isogloss.tool-offset/1" ? &offsets : nullptr; }
+  const void* service(std::string_view id) const {
+    if (id == "isogloss.tool-offset/1") return &offsets;
+    return id == "isogloss.tool-name/1" ? &names : nullptr;
+  }
 
   std::string row_fault(std::string_view row) const {
-    std::int64_t id = 0;
-    const auto [end, error] = std::from_chars(row.data(), row.data() + row.size(), id);
-    const bool is_number = error == std::errc{} && end == row.data() + row.size();
-    if (!is_number || RowName(id).text() != row) return "a row is an offset number: 1, 2, 3 and so on, without zeros";
-    return has(id) ? "" : "the control has the numbers 1 to " + std::to_string(size) + " (option size)";
+    const std::optional<std::int64_t> id = number_of(row);
+    if (!id)
+      return "a row is an offset number, 1, 2, 3 and so on without zeros, or such a number with an index from 1 to 99, "
+             "as 5.1";
+    return has(*id) ? "" : "the control has the numbers 1 to " + std::to_string(size) + " (option size)";
   }
 
  private:
+  static constexpr std::int64_t most_indices = 99;
+
+  /// "5" of number 5, "5.1" of index 1 of tool 5.
   struct RowName {
-    std::array<char, 20> digits{};
+    std::array<char, 24> digits{};
     std::size_t count;
-    explicit RowName(std::int64_t id)
-        : count(static_cast<std::size_t>(std::to_chars(digits.data(), digits.data() + digits.size(), id).ptr -
-                                         digits.data())) {}
+    explicit RowName(std::int64_t id) {
+      char* const end = digits.data() + digits.size();
+      char* p = std::to_chars(digits.data(), end, id % IG_TOOL_INDEX_STEP).ptr;
+      if (id >= IG_TOOL_INDEX_STEP) {
+        *p++ = '.';
+        p = std::to_chars(p, end, id / IG_TOOL_INDEX_STEP).ptr;
+      }
+      count = static_cast<std::size_t>(p - digits.data());
+    }
     std::string_view text() const { return {digits.data(), count}; }
   };
+
+  static std::optional<std::int64_t> number_of(std::string_view row) {
+    const char* const end = row.data() + row.size();
+    std::int64_t tool = 0, index = 0;
+    auto read = std::from_chars(row.data(), end, tool);
+    if (read.ec == std::errc{} && read.ptr != end && *read.ptr == '.') read = std::from_chars(read.ptr + 1, end, index);
+    if (read.ec != std::errc{} || read.ptr != end || tool < 0 || tool >= IG_TOOL_INDEX_STEP || index < 0 ||
+        index > most_indices)
+      return std::nullopt;
+    const std::int64_t id = tool + index * IG_TOOL_INDEX_STEP;
+    return RowName(id).text() == row ? std::optional(id) : std::nullopt;
+  }
 
   const ig::Column* column(std::uint32_t index) const {
     const ig::Column* const columns[] = {&length, &length_wear, &radius, &radius_wear};
     return index < 4 ? columns[index] : nullptr;
   }
-  bool has(std::int64_t id) const { return id >= 1 && id <= size; }
+  bool has(std::int64_t id) const {
+    const std::int64_t tool = id % IG_TOOL_INDEX_STEP;
+    return id >= 1 && tool >= 1 && tool <= size && id / IG_TOOL_INDEX_STEP <= most_indices;
+  }
 
   static std::int32_t get(void* self, std::int64_t id, std::uint32_t index, double* mm) {
     const auto& t = *static_cast<const ToolOffsetTable*>(self);
     const ig::Column* const column = t.column(index);
     if (column == nullptr || !t.has(id)) return 0;
     const auto value = t.table.value(RowName(id).text(), *column);
-    if (!value && t.unlisted == Unlisted::missing) return 0;
+    // An index that no row has is no edge of the tool.
+    if (!value && (t.unlisted == Unlisted::missing || id >= IG_TOOL_INDEX_STEP)) return 0;
     *mm = value.value_or(0);
     return 1;
   }
@@ -66,6 +98,29 @@ struct ToolOffsetTable {
     return t.table.set_value(RowName(id).text(), *column, mm) ? 1 : 0;
   }
 
+  static std::int64_t find(void* self, ig_text name, std::int64_t after) {
+    const auto& t = *static_cast<const ToolOffsetTable*>(self);
+    bool is_behind = after == 0;
+    for (const std::string& row : t.rows) {
+      const std::optional<std::int64_t> id = number_of(row);
+      if (!id || !t.has(*id)) continue;
+      if (is_behind && same_name(t.table.text(row, t.name), ig::to_view(name))) return *id;
+      is_behind = is_behind || *id == after;
+    }
+    return 0;
+  }
+  static ig_text name_of(void* self, std::int64_t id) {
+    const auto& t = *static_cast<const ToolOffsetTable*>(self);
+    return ig::to_text(t.has(id) ? t.table.text(RowName(id).text(), t.name) : std::string_view());
+  }
+  /// Controls do not tell small letters from capitals in the names of tools.
+  static bool same_name(std::string_view a, std::string_view b) {
+    const auto capital = [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; };
+    return !a.empty() &&
+           std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return capital(x) == capital(y); });
+  }
+
+  ig_tool_name_1 names{sizeof(ig_tool_name_1), 0, this, &find, &name_of};
   ig_tool_offset_1 offsets{sizeof(ig_tool_offset_1), 0, this, &get, &set};
 };
 

@@ -1,4 +1,4 @@
-/// One syntax by itself: `apply`, and the cases of a page, which are documentation that runs.
+/// One syntax or importer by itself: `apply`, and the cases of a page, which are documentation that runs.
 #pragma once
 
 #include <map>
@@ -18,16 +18,24 @@ struct Fence {
   std::uint32_t line = 0;
 };
 
-/// A case: one build of the syntax must turn `before` into `after`.
+/// A case: one build of the syntax must turn `before` into `after`; or the importer must make `tables` of `file`.
 struct Case {
   std::string heading;
   std::uint32_t line = 0;
-  std::optional<Fence> previous;       ///< JSON: the whole block before
-  std::optional<Fence> ahead;          ///< JSON: executed blocks after it, a list
-  std::optional<Fence> dependencies;   ///< XML: dependencies, the syntax's own element with options, <Settings …/>
-  std::optional<Fence> diagnostics;    ///< the codes that the build must report, exactly; absent: none
+  std::optional<Fence> previous;      ///< JSON: the whole block before
+  std::optional<Fence> ahead;         ///< JSON: executed blocks after it, a list
+  std::optional<Fence> dependencies;  ///< XML: dependencies, the syntax's own element with options, <Settings …/>
+  std::optional<Fence>
+      diagnostics;  ///< the codes that must be reported, exactly; absent: none. Of an importer each with line:column
   bool accepts_any_code = false;       ///< "#Diagnostics: any": any codes are accepted
-  std::optional<Fence> before, after;  ///< JSON; both are there in a case that was read without a fault
+  std::optional<Fence> before, after;  ///< JSON; both are there in a syntax's case that was read without a fault
+
+  std::string file_name;         ///< of an importer's case: "#File: TOOL.T"
+  std::optional<Fence> file;     ///< its text
+  std::optional<Fence> options;  ///< name=value of the importer, one a line
+  std::optional<Fence> tables;   ///< XML: the elements of the dependencies that it must make
+  std::optional<Fence> unused;   ///< a line for each part that it does not read, "3:20 column LAST_USE"; absent: none
+  std::optional<Fence> written;  ///< the file that is written from those tables; absent: not tried
 };
 
 struct Page {

@@ -35,6 +35,14 @@ struct TableRow {
   Location where;
 };
 
+/// A file of a control, or a folder of such files, that importers read.
+struct Import {
+  std::filesystem::path file;
+  std::string format;              ///< id of the importer; empty: the one that recognises the file
+  std::vector<Attribute> options;  ///< of the importer
+  Location where;
+};
+
 struct DependencyElement {
   std::string id;
   std::string alias;
@@ -42,6 +50,7 @@ struct DependencyElement {
   std::vector<TableRow> rows;      ///< those of src, too
   std::string source_file;         ///< what src named, resolved; empty when inline
   Location where;
+  std::optional<Import> control_file = std::nullopt;  ///< src names a file of a control, which has not been read yet
 };
 
 struct InitialField {
@@ -75,6 +84,9 @@ struct Dialect {
   std::string name;
   std::string title;
   bool is_machine = false;  ///< its file is a <Machine>: ancestors[0] is the dialect that it stands on
+  /// Of a machine: what complete_machine() has still to read and to put into `dependencies`. link() does it too.
+  std::vector<Import> imports;
+  std::vector<DependencyElement> own_tables;
   std::filesystem::path file;
   std::vector<std::string> ancestors;   ///< names, nearest first
   std::vector<std::string> extensions;  ///< ".nc"

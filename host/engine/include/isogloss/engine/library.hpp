@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "isogloss.h"
 #include "isogloss/engine/diagnostic.hpp"
+#include "isogloss_import.h"
 
 namespace isogloss {
 
@@ -45,6 +45,7 @@ class Library {
   const ig_plugin* find(std::string_view name) const;
   const ig_syntax* syntax(std::string_view id, const ig_plugin** owner = nullptr) const;
   const ig_dependency* dependency(std::string_view id, const ig_plugin** owner = nullptr) const;
+  const ig_importer* importer(std::string_view id, const ig_plugin** owner = nullptr) const;
   /// A plugin that is part of the program (tests, static builds).
   void add(const ig_plugin* plugin);
   /// The file that is being loaded, for a crash report that a signal handler writes; null when none is.

@@ -25,8 +25,12 @@ std::vector<FoundMachine> list_machines(const std::vector<std::filesystem::path>
 /// The machine at a path: a folder with machine.xml, or a file. An empty `file` where there is none.
 FoundMachine machine_at(const std::filesystem::path& path);
 
-/// Completes a machine that was read, which needs the plugins: each table gets the plugin that has it, and a row of the
-/// machine becomes one with the row of its dialect that has the same key. False, and reported, when no plugin has one.
+/// Is a part of it still to be read by complete_machine()?
+bool is_incomplete(const Dialect& dialect);
+
+/// Completes a dialect or machine that was read, which needs the plugins. Files of controls are imported; the tables of
+/// a machine fill those of its dialect: its rows and options win, others stay; each table gets the plugin that has it.
+/// False, and reported, on a fault. A complete dialect stays as it is. link() calls this.
 bool complete_machine(Dialect& machine, Library& library, DiagnosticSink& sink);
 
 }  // namespace isogloss

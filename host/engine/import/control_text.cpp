@@ -1,0 +1,70 @@
+#include "import/control_text.hpp"
+
+#include <cstdint>
+#include <string_view>
+
+#include "export/text_buffer.hpp"
+
+namespace isogloss {
+
+namespace {
+
+void append_utf8(std::string& out, std::uint32_t c) {
+  const auto put = [&](std::uint32_t byte) { out += static_cast<char>(byte); };
+  if (c < 0x80) return put(c);
+  if (c < 0x800) {
+    put(0xc0 | c >> 6);
+  } else if (c < 0x10000) {
+    put(0xe0 | c >> 12);
+    put(0x80 | (c >> 6 & 0x3f));
+  } else {
+    put(0xf0 | c >> 18);
+    put(0x80 | (c >> 12 & 0x3f));
+    put(0x80 | (c >> 6 & 0x3f));
+  }
+  put(0x80 | (c & 0x3f));
+}
+
+std::string from_utf16(std::string_view bytes, bool is_little) {
+  constexpr std::uint32_t unknown = 0xfffd;
+  const auto unit = [&](std::size_t i) -> std::uint32_t {
+    const auto first = static_cast<unsigned char>(bytes[i]), second = static_cast<unsigned char>(bytes[i + 1]);
+    return is_little ? first | second << 8 : first << 8 | second;
+  };
+  std::string out;
+  for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
+    const std::uint32_t c = unit(i);
+    const bool is_high = c >= 0xd800 && c < 0xdc00;
+    const std::uint32_t next = is_high && i + 3 < bytes.size() ? unit(i + 2) : 0;
+    if (next >= 0xdc00 && next < 0xe000) {
+      append_utf8(out, 0x10000 + ((c - 0xd800) << 10) + (next - 0xdc00));
+      i += 2;
+    } else {
+      append_utf8(out, c >= 0xd800 && c < 0xe000 ? unknown : c);
+    }
+  }
+  return out;
+}
+
+std::string from_latin1(std::string_view bytes) {
+  std::string out;
+  for (const char c : bytes) append_utf8(out, static_cast<unsigned char>(c));
+  return out;
+}
+
+}  // namespace
+
+std::optional<std::string> text_of_control(std::string bytes, std::string& reason) {
+  const std::string_view all = bytes;
+  if (all.starts_with("\xff\xfe") || all.starts_with("\xfe\xff")) bytes = from_utf16(all, all[0] == '\xff');
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.erase(0, 3);
+  while (!bytes.empty() && bytes.back() == '\0') bytes.pop_back();
+  if (bytes.find('\0') != std::string::npos) {
+    reason = "it is no text: it holds NUL bytes";
+    return std::nullopt;
+  }
+  if (valid_utf8(bytes) != bytes) bytes = from_latin1(bytes);
+  return bytes;
+}
+
+}  // namespace isogloss

@@ -1,0 +1,165 @@
+// Finds the importer of a file and lets it read.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "contract/c_text.hpp"
+#include "dialect/options.hpp"
+#include "import/control_text.hpp"
+#include "import/import_host.hpp"
+#include "isogloss/engine/runner.hpp"
+
+namespace isogloss {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t most_bytes = std::size_t{64} << 20;
+constexpr std::size_t most_files = 10'000;
+constexpr std::size_t looked_at = std::size_t{64} << 10;
+
+std::vector<std::string> importer_names(const Library& library) {
+  std::vector<std::string> out;
+  for (const LoadedPlugin& p : library.plugins())
+    for (std::uint32_t i = 0; i < p.plugin->importer_count; ++i) out.emplace_back(p.plugin->importers[i]->id);
+  return out;
+}
+
+/// The importer that `asked` names, or the surest one. Null, and reported, when there is none.
+const ig_importer* choose(const Import& asked, const std::string& text, const Library& library, DiagnosticSink& sink) {
+  if (!asked.format.empty()) {
+    if (const ig_importer* const named = library.importer(asked.format)) return named;
+    const std::string near = nearest_name(asked.format, importer_names(library));
+    sink.add(host_diagnostic("IG-0129", asked.where, {asked.format}, near.empty() ? "" : "did you mean " + near + "?"));
+    return nullptr;
+  }
+  const std::vector<RecognisedFormat> found = recognise(text, asked.file.filename().string(), library);
+  if (found.empty()) {
+    sink.add(host_diagnostic("IG-0124", asked.where, {asked.file.string()},
+                             "`isogloss list importers` shows the formats; format=\"…\" names one"));
+    return nullptr;
+  }
+  if (found.size() > 1 && found[0].confidence == found[1].confidence)
+    sink.add(
+        host_diagnostic("IG-0130", asked.where, {asked.file.string(), found[0].importer->id, found[1].importer->id}));
+  return found[0].importer;
+}
+
+/// Empty, with the reason, when the file cannot be read as a whole.
+std::optional<std::string> bytes_of(const fs::path& file, std::string& reason) {
+  const std::unique_ptr<Source> source = open_file(file.string(), reason);
+  if (source == nullptr) return std::nullopt;
+  std::string out;
+  char buffer[16384];
+  while (const std::size_t n = source->read(buffer, sizeof buffer)) {
+    out.append(buffer, n);
+    if (out.size() <= most_bytes) continue;
+    reason = fmt::format("it is larger than {} MiB", most_bytes >> 20);
+    return std::nullopt;
+  }
+  reason = source->failure();
+  return reason.empty() ? std::optional(std::move(out)) : std::nullopt;
+}
+
+bool read_import_options(const ig_importer& importer, const Import& asked, std::vector<OptionValue>& values,
+                         DiagnosticSink& sink) {
+  bool is_sound = true;
+  const auto report = [&](std::string_view code, const Location& where, std::initializer_list<std::string> arguments,
+                          const std::string& hint) {
+    sink.add(host_diagnostic(code, where, arguments, hint));
+    is_sound = false;
+  };
+  values = read_options(report, importer.id, asked.where, {importer.options, importer.option_count}, asked.options);
+  return is_sound;
+}
+
+}  // namespace
+
+std::vector<RecognisedFormat> recognise(const std::string& text, const std::string& file_name, const Library& library) {
+  std::vector<RecognisedFormat> out;
+  const std::string_view head = std::string_view(text).substr(0, looked_at);
+  for (const LoadedPlugin& p : library.plugins())
+    for (std::uint32_t i = 0; i < p.plugin->importer_count; ++i) {
+      const ig_importer& importer = *p.plugin->importers[i];
+      const std::uint32_t sure = importer.recognise(to_text(head), to_text(file_name));
+      if (sure > 0) out.push_back({&importer, std::min(sure, 100u)});
+    }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const RecognisedFormat& a, const RecognisedFormat& b) { return a.confidence > b.confidence; });
+  return out;
+}
+
+std::optional<std::string> head_of_control_file(const fs::path& file) {
+  std::string reason;
+  std::optional<std::string> bytes = bytes_of(file, reason);
+  if (!bytes) return std::nullopt;
+  std::optional<std::string> text = text_of_control(std::move(*bytes), reason);
+  if (text && text->size() > looked_at) text->resize(looked_at);
+  return text;
+}
+
+std::vector<fs::path> files_of(const Import& asked) {
+  std::error_code error;
+  if (!fs::is_directory(asked.file, error)) return {asked.file};
+  std::vector<fs::path> out;
+  for (fs::recursive_directory_iterator it(asked.file, error), end; !error && it != end; it.increment(error)) {
+    std::error_code ignored;
+    if (it->is_regular_file(ignored) && out.size() < most_files) out.push_back(it->path());
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+std::optional<ImportedFile> import_bytes(const Import& asked, std::string bytes, Library& library,
+                                         DiagnosticSink& sink) {
+  library.load_all();
+  std::string reason;
+  const std::optional<std::string> text = text_of_control(std::move(bytes), reason);
+  if (!text) {
+    sink.add(host_diagnostic("IG-0126", asked.where, {asked.file.string(), reason}));
+    return std::nullopt;
+  }
+  const ig_importer* const importer = choose(asked, *text, library, sink);
+  if (importer == nullptr) return std::nullopt;
+  const ig_plugin* plugin = nullptr;
+  library.importer(importer->id, &plugin);
+  std::vector<OptionValue> options;
+  if (!read_import_options(*importer, asked, options, sink)) return std::nullopt;
+  const std::string name = asked.file.filename().string();
+  ig_import in{asked, *importer, *plugin, library, sink, *text, name, options, {}, {}, {}, {}, nullptr, {}};
+  in.out.importer = importer;
+  if (importer->read(&import_api(), &in) == IG_FAILED && in.is_sound) {
+    sink.add(host_diagnostic("IG-0127", asked.where, {asked.file.string(), importer->id, in.failure}));
+    return std::nullopt;
+  }
+  if (!in.is_sound) return std::nullopt;
+  return std::move(in.out);
+}
+
+std::optional<ImportedFile> import_file(const Import& asked, Library& library, DiagnosticSink& sink) {
+  std::string reason;
+  std::optional<std::string> bytes = bytes_of(asked.file, reason);
+  if (bytes) return import_bytes(asked, std::move(*bytes), library, sink);
+  sink.add(host_diagnostic("IG-0126", asked.where, {asked.file.string(), reason}));
+  return std::nullopt;
+}
+
+std::optional<std::string> export_tables(const Import& asked, const std::vector<DependencyElement>& tables,
+                                         Library& library, std::vector<UnusedPart>& unused, DiagnosticSink& sink) {
+  library.load_all();
+  const ig_importer* const importer = choose(asked, {}, library, sink);
+  if (importer == nullptr) return std::nullopt;
+  if (importer->write == nullptr) {
+    sink.add(host_diagnostic("IG-0131", asked.where, {importer->id}));
+    return std::nullopt;
+  }
+  std::vector<OptionValue> options;
+  if (!read_import_options(*importer, asked, options, sink)) return std::nullopt;
+  ig_export out{tables, library, options, unused, {}, {}};
+  if (importer->write(&export_api(), &out) != IG_FAILED) return std::move(out.out);
+  sink.add(host_diagnostic("IG-0127", asked.where, {asked.file.string(), importer->id, out.failure}));
+  return std::nullopt;
+}
+
+}  // namespace isogloss

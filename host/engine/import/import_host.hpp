@@ -1,0 +1,48 @@
+/// What the host does for an importer while it reads or writes a file.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "isogloss/engine/import.hpp"
+#include "isogloss/engine/linker.hpp"
+
+/// The opaque types of the contract.
+struct ig_import {
+  const isogloss::Import& asked;
+  const ig_importer& importer;
+  const ig_plugin& plugin;
+  isogloss::Library& library;
+  isogloss::DiagnosticSink& sink;
+  const std::string& text;  // UTF-8
+  const std::string& name;
+  const std::vector<isogloss::OptionValue>& options;
+  isogloss::ImportedFile out;
+  std::map<std::string, std::size_t> tables;                          // by dependency: place in out.tables
+  std::vector<std::map<std::string, std::size_t>> rows;               // by table and key: place in its rows
+  std::map<std::pair<std::string, std::string>, std::size_t> unused;  // by its two texts: place in out.unused
+  isogloss::TableRow* row = nullptr;                                  // that cells belong to
+  std::string failure;
+  bool is_sound = true;
+  std::size_t cells = 0;
+  // Places come mostly in order: the last one that was looked up.
+  std::size_t looked = 0, line_begin = 0;
+  std::uint32_t line = 1;
+};
+
+struct ig_export {
+  const std::vector<isogloss::DependencyElement>& tables;
+  isogloss::Library& library;
+  const std::vector<isogloss::OptionValue>& options;
+  std::vector<isogloss::UnusedPart>& unused;
+  std::string out;
+  std::string failure;
+};
+
+namespace isogloss {
+
+const ig_import_api& import_api();
+const ig_export_api& export_api();
+
+}  // namespace isogloss

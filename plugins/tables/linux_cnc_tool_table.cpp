@@ -1,0 +1,98 @@
+// tool.tbl of LinuxCNC: a tool a line, words in any order, a comment behind ';'. LinuxCNC manual, "Tool table format".
+#include <isogloss/cnc/units.hpp>
+#include <isogloss/sdk.hpp>
+
+namespace tables {
+
+using namespace ig::cnc;
+
+namespace {
+
+enum class Unit { mm, inch };
+
+constexpr std::string_view blanks = " \t";
+
+struct LinuxCncToolTable {
+  static constexpr auto spec =
+      ig::importer("LinuxCncToolTable", "The tool table of LinuxCNC.").files("*.tbl").fills("ToolOffsetTable");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "TAB-0101", "'{0}' is not a word of a tool, so it is left out"),
+      ig::diagnostic(IG_WARNING, "TAB-0102", "this line has no T, so it is left out"),
+  };
+
+  ig::Choice<Unit> unit{"unit", "mm|inch", "mm", "The unit of the machine, LINEAR_UNITS in its INI file."};
+
+  static unsigned recognise(std::string_view text, std::string_view) {
+    unsigned tools = 0;
+    for (const ig::TextLine& line : ig::TextLines(text)) {
+      const std::string_view code = before_comment(line.text);
+      if (code.empty()) continue;
+      if (code[0] != 'T' || code.find(" P") == std::string_view::npos) return 0;
+      if (++tools == 10) break;
+    }
+    return tools > 0 ? 80 : 0;
+  }
+
+  void read(ig::Import& file) const {
+    for (const ig::TextLine& line : file.lines())
+      if (const std::string_view code = before_comment(line.text); !code.empty()) read_tool(file, line, code);
+  }
+
+ private:
+  struct Word {
+    char letter;
+    double value;
+    std::size_t begin, end;  // in the file
+  };
+
+  static std::string_view before_comment(std::string_view line) {
+    line = line.substr(0, line.find(';'));
+    const std::size_t first = line.find_first_not_of(blanks);
+    return first == std::string_view::npos ? std::string_view() : line.substr(first);
+  }
+
+  void read_tool(ig::Import& file, const ig::TextLine& line, std::string_view code) const {
+    const std::size_t offset = line.begin + static_cast<std::size_t>(code.data() - line.text.data());
+    std::vector<Word> words;
+    const Word* tool = nullptr;
+    for (std::size_t i = 0; (i = code.find_first_not_of(blanks, i)) != std::string_view::npos;) {
+      const std::size_t end = std::min(code.find_first_of(blanks, i), code.size());
+      const ig::Decimal n = ig::read_decimal(code, i + 1);
+      if (n.ok && n.end == end)
+        words.push_back({code[i], n.value, offset + i, offset + end});
+      else
+        file.report(ig::diag("TAB-0101"), offset + i, offset + end, code.substr(i, end - i));
+      i = end;
+    }
+    for (const Word& w : words)
+      if (w.letter == 'T') tool = &w;
+    if (tool == nullptr) return file.report(ig::diag("TAB-0102"), offset, offset + code.size());
+    if (tool->value == 0) return file.unused("tool T0", "it stands for no tool", tool->begin, tool->end);
+    file.row("ToolOffsetTable", static_cast<std::int64_t>(tool->value), tool->begin);
+    for (const Word& w : words) read_word(file, w);
+    read_comment(file, line);
+  }
+
+  void read_word(ig::Import& file, const Word& w) const {
+    const double mm = unit == Unit::inch ? mm_per_inch : 1;
+    switch (w.letter) {
+      case 'T': return;
+      case 'Z': return file.cell("H", w.value * mm, w.begin);
+      case 'D': return file.cell("D", w.value * mm / 2, w.begin);
+      default: file.unused(std::string("word ") + w.letter, "no table has a place for it", w.begin, w.end);
+    }
+  }
+
+  static void read_comment(ig::Import& file, const ig::TextLine& line) {
+    const std::size_t semicolon = line.text.find(';');
+    if (semicolon == std::string_view::npos) return;
+    const std::size_t begin = line.text.find_first_not_of(blanks, semicolon + 1);
+    if (begin == std::string_view::npos) return;
+    file.cell("Name", line.text.substr(begin, line.text.find_last_not_of(blanks) + 1 - begin), line.begin + begin);
+  }
+};
+
+const ig::Register<LinuxCncToolTable> linux_cnc_tool_table;
+
+}  // namespace
+}  // namespace tables
