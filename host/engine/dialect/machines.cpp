@@ -161,8 +161,9 @@ FoundMachine machine_at(const fs::path& path) {
   DiagnosticList unheard;
   XmlBudget budget;
   const std::unique_ptr<XmlSource> xml = XmlSource::open(file, {}, budget, unheard, Pipes::read);
-  if (xml == nullptr || std::string_view(xml->root().name()) != "Machine") return out;
-  out.is_tables = false;
+  if (xml == nullptr) return out;
+  out.is_tables = std::string_view(xml->root().name()) != "Machine";
+  if (out.is_tables) return out;
   out.title = xml->root().attribute("title").value();
   out.dialect = xml->root().attribute("dialect").value();
   return out;

@@ -16,7 +16,7 @@ namespace {
 struct NotExecuted {
   static constexpr auto spec =
       ig::syntax("NotExecutedSyntax", "Functions that are recognised but not executed: one error each.")
-          .after("ParameterizedFlagSyntax");
+          .after("ParameterizedFlagSyntax", "ProgrammableMirrorSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "ISO-0265", "{0} is not executed: the previous tool length stays in force"),
       ig::diagnostic(IG_ERROR, "ISO-0267", "{0} is not executed: the tool does not move"),

@@ -8,9 +8,10 @@ using namespace ig::cnc;
 namespace {
 
 struct ThreadCutting {
-  static constexpr auto spec = ig::syntax("ThreadCuttingSyntax", "G33 thread cutting with a constant lead.")
-                                   .after("FeedrateSyntax", "SpindleSpeedSyntax", "McXyzSyntax", "LinearMotionSyntax")
-                                   .first_writer("Motion");
+  static constexpr auto spec =
+      ig::syntax("ThreadCuttingSyntax", "G33 thread cutting with a constant lead.")
+          .after("FeedrateSyntax", "SpindleSpeedSyntax", "McXyzSyntax", "CircularMotionSyntax", "LinearMotionSyntax")
+          .first_writer("Motion");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "ISO-0391",
                      "G33 F{0}: the lead must be greater than zero, so the previous lead stays in force"),

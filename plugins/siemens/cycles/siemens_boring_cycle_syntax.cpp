@@ -13,7 +13,8 @@ namespace {
 struct SiemensBoringCycle {
   static constexpr auto spec =
       ig::syntax("SiemensBoringCycleSyntax", "CYCLE86/CYCLE87/CYCLE88 boring: the spindle stops before the retract.")
-          .after("SiemensCycleSyntax", "SiemensReamingCycleSyntax", "FeedrateSyntax", "SpindleSpeedSyntax",
+          .after("SiemensCycleSyntax", "SiemensPatternCallSyntax", "SiemensDrillingCycleSyntax",
+                 "SiemensDeepHoleCycleSyntax", "SiemensReamingCycleSyntax", "FeedrateSyntax", "SpindleSpeedSyntax",
                  "SiemensSpindlePositionSyntax")
           .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{

@@ -6,9 +6,10 @@ namespace siemens {
 namespace {
 
 struct SiemensDeepHoleCycle {
-  static constexpr auto spec = ig::syntax("SiemensDeepHoleCycleSyntax", "CYCLE83 deep hole drilling in strokes.")
-                                   .after("SiemensCycleSyntax", "SiemensDrillingCycleSyntax", "FeedrateSyntax")
-                                   .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
+  static constexpr auto spec =
+      ig::syntax("SiemensDeepHoleCycleSyntax", "CYCLE83 deep hole drilling in strokes.")
+          .after("SiemensCycleSyntax", "SiemensPatternCallSyntax", "SiemensDrillingCycleSyntax", "FeedrateSyntax")
+          .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "SIE-0193",
                      "{0} is not executed: the first depth {1} mm does not lie within the depth {2} mm (alarm 61107)"),

@@ -8,7 +8,8 @@ namespace {
 struct SiemensReamingCycle {
   static constexpr auto spec =
       ig::syntax("SiemensReamingCycleSyntax", "CYCLE85/CYCLE89 reaming and boring: feed in, feed out.")
-          .after("SiemensCycleSyntax", "SiemensDeepHoleCycleSyntax", "FeedrateSyntax")
+          .after("SiemensCycleSyntax", "SiemensPatternCallSyntax", "SiemensDrillingCycleSyntax",
+                 "SiemensDeepHoleCycleSyntax", "FeedrateSyntax")
           .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
 
   DrillingCall cycle_{"CYCLE85", "CYCLE89"};

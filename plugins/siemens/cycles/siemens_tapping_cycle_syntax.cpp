@@ -14,8 +14,9 @@ namespace {
 struct SiemensTappingCycle {
   static constexpr auto spec =
       ig::syntax("SiemensTappingCycleSyntax", "CYCLE84 rigid tapping, CYCLE840 tapping with a floating holder.")
-          .after("SiemensCycleSyntax", "SiemensBoringCycleSyntax", "FeedrateSyntax", "SpindleSpeedSyntax",
-                 "SiemensSpindlePositionSyntax")
+          .after("SiemensCycleSyntax", "SiemensPatternCallSyntax", "SiemensDrillingCycleSyntax",
+                 "SiemensDeepHoleCycleSyntax", "SiemensReamingCycleSyntax", "SiemensBoringCycleSyntax",
+                 "FeedrateSyntax", "SpindleSpeedSyntax", "SiemensSpindlePositionSyntax")
           .before("ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "SIE-0198", "{0} is not executed: MPIT={1} and PIT={2} give no pitch (alarm 61001)"),

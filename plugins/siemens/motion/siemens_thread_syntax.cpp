@@ -17,8 +17,10 @@ namespace {
 struct SiemensThread {
   static constexpr auto spec =
       ig::syntax("SiemensThreadSyntax", "G33 thread, G331/G332 rigid tapping, G63 tapping by feed.")
-          .after("SiemensPositionSyntax", "FeedrateSyntax", "SpindleSpeedSyntax", "SiemensSpindlePositionSyntax")
-          .before("SiemensCycleSyntax", "ProgramXyzSyntax", "McXyzSyntax", "LinearMotionSyntax");
+          .after("SiemensPositionSyntax", "G53p1RotaryPositionSyntax", "ToolCenterPointSyntax", "FeedrateSyntax",
+                 "SpindleSpeedSyntax", "SiemensSpindlePositionSyntax")
+          .before("SiemensCycleSyntax", "ProgramXyzSyntax", "McXyzSyntax", "CircularMotionSyntax",
+                  "LinearMotionSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "SIE-0284", "{0} with a pitch of {1} cuts no thread: program the pitch with I, J or K"),
       ig::diagnostic(IG_ERROR, "SIE-0285",

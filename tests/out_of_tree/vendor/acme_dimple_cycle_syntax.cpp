@@ -20,7 +20,7 @@ struct AcmeDimpleCycle {
     if (!run) return ig::Status::unchanged;
     const double feed = cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom));
     const double dwell = dwell_.seconds(*run);
-    cycle_.say_unused(b, *run, "P");
+    cycle_.report_unused(b, *run, "P");
     const ig::CompoundMotion& motion = cycle_.motion;
 
     for (int i = 0; i < run->count; ++i) {
