@@ -444,7 +444,7 @@ typedef struct ig_tool_name_1 {
   uint32_t reserved;
   void* self;
   /* The first tool of this name behind the tool `after` in the table (0: from its beginning), for sister tools have one
-   * name; 0: there is none. */
+   * name; an empty name stands for any. 0: there is none. */
   int64_t (*find)(void* self, ig_text name, int64_t after);
   /* size 0: the tool has no name. Alive as long as the chain. */
   ig_text (*name)(void* self, int64_t id);

@@ -158,6 +158,18 @@ Json describe(const ig_dependency& d, const ig_plugin& plugin) {
   return out;
 }
 
+Json describe(const ig_importer& importer, const ig_plugin& plugin) {
+  Json out{{"Id", importer.id},
+           {"Plugin", plugin.name},
+           {"Summary", text(importer.summary)},
+           {"HasPage", importer.page != nullptr}};
+  add_text(out, "Files", importer.files);
+  out["Tables"] = names(importer.dependencies);
+  out["Writes"] = importer.write != nullptr;
+  out["Options"] = options(importer.options, importer.option_count);
+  return out;
+}
+
 Json describe(const Dialect& d) {
   Json out{{"Name", d.name}, {"Title", d.title}, {"File", d.file.string()}};
   out["Extends"] = d.ancestors;

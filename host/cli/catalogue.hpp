@@ -14,10 +14,11 @@ using Json = nlohmann::ordered_json;
 
 Json describe(const ig_syntax& syntax, const ig_plugin& plugin);
 Json describe(const ig_dependency& dependency, const ig_plugin& plugin);
+Json describe(const ig_importer& importer, const ig_plugin& plugin);
 Json describe(const Dialect& dialect);
 Json describe(const FoundMachine& machine);
-/// What the machine has, by table and file, and the services that its dialect asks for and no table answers.
-Json describe_machine(const LinkedDialect& linked);
+/// What the machine has, by table and file; and what it lacks: services that its dialect asks for and no table answers.
+Json describe_machine(const LinkedDialect& linked, const Library& library);
 /// Which dependency answers for each service, and which others offer it.
 Json describe_services(const LinkedDialect& linked);
 /// Every field that the standard sections or a syntax declare, by path, with who reads, writes and takes it.

@@ -17,10 +17,13 @@ int apply_command(const Arguments& arguments);
 int case_command(const Arguments& arguments);
 int dialect_command(const Arguments& arguments);
 int doctor_command(const Arguments& arguments);
+int export_command(const Arguments& arguments);
 int explain_command(const Arguments& arguments);
+int import_command(const Arguments& arguments);
 int inspect_command(const Arguments& arguments);
 int lint_command(const Arguments& arguments);
 int list_command(const Arguments& arguments);
+int new_command(const Arguments& arguments);
 int run_command(const Arguments& arguments);
 int schema_command(const Arguments& arguments);
 int version_command(const Arguments& arguments);
@@ -37,8 +40,11 @@ inline constexpr Command commands[] = {
     {"lint", "check dialect files", lint_command},
     {"dialect", "write a dialect and everything that it extends as one file", dialect_command},
     {"schema", "print the schema of dialect files or of the block document", schema_command},
-    {"list", "list plugins, syntaxes, dialects, dependencies, fields, diagnostics", list_command},
+    {"list", "list plugins, dialects, machines, importers, codes, diagnostics and more", list_command},
     {"inspect", "show the page and declaration of one of them", inspect_command},
+    {"new", "make the folder of a machine", new_command},
+    {"import", "read files of controls as tables of a machine", import_command},
+    {"export", "write tables of a machine as a file of its control", export_command},
     {"doctor", "report what was found where, and what was not loaded and why", doctor_command},
     {"apply", "run one syntax on one block", apply_command},
     {"case", "run the cases of documentation pages", case_command},

@@ -39,24 +39,30 @@ Json describe_warnings(const Library& library) {
   return out;
 }
 
-/// Each dialect, with the reason why it does not link; of several with one name the first found is used.
+/// A dialect or machine with the reason why it does not link.
+Json describe_linking(const std::string& name, const std::string& source, Session& session) {
+  DiagnosticList said;
+  if (const std::optional<Dialect> dialect = session.read(source, said)) link(*dialect, session.library(), said);
+  Json faults = Json::array(), warnings = Json::array();
+  for (const Diagnostic& d : said.all)
+    if (d.severity != Severity::note)
+      (d.severity == Severity::error ? faults : warnings)
+          .push_back(fmt::format("{}:{}:{}: {} [{}]", d.where.file, d.where.line, d.where.column, d.message, d.code));
+  return {{"Name", name}, {"File", source}, {"Faults", std::move(faults)}, {"Warnings", std::move(warnings)}};
+}
+
+/// Of several dialects with one name the first found is used.
 Json describe_dialects(Session& session) {
   Json out = Json::array();
-  for (const Dialect& listed : session.reader().list()) {
-    DiagnosticList said;
-    const std::string source = listed.file.empty() ? listed.name : listed.file.string();
-    const std::optional<Dialect> dialect = session.reader().read(source, said);
-    if (dialect) link(*dialect, session.library(), said);
-    Json faults = Json::array(), warnings = Json::array();
-    for (const Diagnostic& d : said.all)
-      if (d.severity != Severity::note)
-        (d.severity == Severity::error ? faults : warnings)
-            .push_back(fmt::format("{}:{}:{}: {} [{}]", d.where.file, d.where.line, d.where.column, d.message, d.code));
-    out.push_back({{"Name", listed.name},
-                   {"File", listed.file.string()},
-                   {"Faults", std::move(faults)},
-                   {"Warnings", std::move(warnings)}});
-  }
+  for (const Dialect& d : session.reader().list())
+    out.push_back(describe_linking(d.name, d.file.empty() ? d.name : d.file.string(), session));
+  return out;
+}
+
+Json describe_machines(Session& session) {
+  Json out = Json::array();
+  for (const FoundMachine& m : session.machines())
+    if (!m.is_tables) out.push_back(describe_linking(m.name, m.file.string(), session));
   return out;
 }
 
@@ -71,23 +77,28 @@ std::string as_text(const Json& all) {
   places("Plugin folders, in order", "PluginFolders");
   out += "Plugins\n";
   for (const Json& p : all["Plugins"])
-    out += fmt::format("  {} {}: {} syntaxes, {} dependencies, {}\n", p["Name"].get<std::string>(),
+    out += fmt::format("  {} {}: {} syntaxes, {} dependencies, {} importers, {}\n", p["Name"].get<std::string>(),
                        p["Version"].get<std::string>(), p["Syntaxes"].get<int>(), p["Dependencies"].get<int>(),
-                       p["File"].get<std::string>());
+                       p["Importers"].get<int>(), p["File"].get<std::string>());
   if (!all["Warnings"].empty()) out += "Warnings\n";
   for (const Json& w : all["Warnings"])
     out += fmt::format("  {} [{}]\n", w["Message"].get<std::string>(), w["Code"].get<std::string>());
   if (!all["Refused"].empty()) out += "Not loaded\n";
   for (const Json& r : all["Refused"])
     out += fmt::format("  {} [{}]\n", r["Reason"].get<std::string>(), r["Code"].get<std::string>());
+  const auto linking = [&](const char* title, const char* key) {
+    out += fmt::format("{}\n", title);
+    for (const Json& d : all[key]) {
+      out += fmt::format("  {}: {}, {}\n", d["Name"].get<std::string>(), d["File"].get<std::string>(),
+                         d["Faults"].empty() ? "links" : "does not link:");
+      for (const Json& fault : d["Faults"]) out += fmt::format("    {}\n", fault.get<std::string>());
+      for (const Json& warning : d["Warnings"]) out += fmt::format("    warning: {}\n", warning.get<std::string>());
+    }
+  };
   places("Dialect folders, in order", "DialectFolders");
-  out += "Dialects\n";
-  for (const Json& d : all["Dialects"]) {
-    out += fmt::format("  {}: {}, {}\n", d["Name"].get<std::string>(), d["File"].get<std::string>(),
-                       d["Faults"].empty() ? "links" : "does not link:");
-    for (const Json& fault : d["Faults"]) out += fmt::format("    {}\n", fault.get<std::string>());
-    for (const Json& warning : d["Warnings"]) out += fmt::format("    warning: {}\n", warning.get<std::string>());
-  }
+  linking("Dialects", "Dialects");
+  places("Machine folders, in order", "MachineFolders");
+  if (!all["Machines"].empty()) linking("Machines", "Machines");
   return out;
 }
 
@@ -102,6 +113,7 @@ int DoctorCommand::run() const {
                        {"Version", p.plugin->version == nullptr ? "" : p.plugin->version},
                        {"Syntaxes", p.plugin->syntax_count},
                        {"Dependencies", p.plugin->dependency_count},
+                       {"Importers", p.plugin->importer_count},
                        {"File", p.file.string()}});
   all["Warnings"] = describe_warnings(session.library());
   Json& refused = all["Refused"] = Json::array();
@@ -109,12 +121,15 @@ int DoctorCommand::run() const {
     refused.push_back({{"File", r.file.string()}, {"Code", r.code}, {"Reason", r.reason}});
   all["DialectFolders"] = describe_places(session.dialect_places());
   all["Dialects"] = describe_dialects(session);
+  all["MachineFolders"] = describe_places(session.machine_places());
+  all["Machines"] = describe_machines(session);
   bool is_well = all["Refused"].empty();
   std::size_t warnings = all["Warnings"].size();
-  for (const Json& d : all["Dialects"]) {
-    is_well = is_well && d["Faults"].empty();
-    warnings += d["Warnings"].size();
-  }
+  for (const char* const key : {"Dialects", "Machines"})
+    for (const Json& d : all[key]) {
+      is_well = is_well && d["Faults"].empty();
+      warnings += d["Warnings"].size();
+    }
   const std::string verdict = !is_well        ? "Something was not loaded.\n"
                               : warnings == 0 ? "All is well.\n"
                                               : fmt::format("All is loaded; warnings: {}.\n", warnings);

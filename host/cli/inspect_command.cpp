@@ -83,6 +83,7 @@ std::vector<std::string> InspectCommand::names(Session& session, const Json& fie
   for (const LoadedPlugin& p : session.library().plugins()) {
     for (std::uint32_t i = 0; i < p.plugin->syntax_count; ++i) out.emplace_back(p.plugin->syntaxes[i]->id);
     for (std::uint32_t i = 0; i < p.plugin->dependency_count; ++i) out.emplace_back(p.plugin->dependencies[i]->id);
+    for (std::uint32_t i = 0; i < p.plugin->importer_count; ++i) out.emplace_back(p.plugin->importers[i]->id);
   }
   for (const Dialect& d : session.reader().list()) out.push_back(d.name);
   for (const FoundMachine& m : session.machines()) out.push_back(m.name);
@@ -117,6 +118,8 @@ int InspectCommand::run() const {
         if (d["Id"] == name) out["In " + linked->dialect.name] = d;
     return show(std::move(out), dependency->page, session);
   }
+  if (const ig_importer* const importer = session.library().importer(name, &plugin))
+    return show(describe(*importer, *plugin), importer->page, session);
   const std::vector<Dialect> dialects = session.reader().list();
   const std::vector<FoundMachine> machines = session.machines();
   const bool is_dialect =
@@ -134,7 +137,8 @@ int InspectCommand::run() const {
     if (m.name != name) continue;
     if (m.is_tables) return show(describe(m), nullptr, session);
     const auto whole = session.link(m.file.string());
-    return whole == nullptr ? static_cast<int>(input_errors) : show(describe_machine(*whole), nullptr, session);
+    return whole == nullptr ? static_cast<int>(input_errors)
+                            : show(describe_machine(*whole, session.library()), nullptr, session);
   }
   const Json fields = describe_fields(session.library());
   for (const Json& f : fields)
@@ -150,7 +154,8 @@ int inspect_command(const Arguments& arguments) {
   CommandLine line("inspect", "Shows the page and the declaration of a syntax, dependency, dialect, machine or field.",
                    "isogloss inspect DrillingCycleSyntax -d fanuc\n  isogloss inspect dmu85");
   InspectCommand command;
-  line.option("NAME", command.name, "Id of a syntax or dependency, name or file of a dialect or machine, path of a field")
+  line.option("NAME", command.name,
+              "Id of a syntax or dependency, name or file of a dialect or machine, path of a field")
       .required();
   line.option("-d,--dialect", command.dialect, "Show the options and resolved patterns of this dialect too")
       .type_name("DIALECT");

@@ -64,6 +64,14 @@ Listing dialects(Session& session) {
   return out;
 }
 
+Listing importers(Session& session) {
+  Listing out{"importers", {"Id", "Plugin", "Files", "Summary"}, Json::array()};
+  for (const LoadedPlugin& p : session.library().plugins())
+    for (std::uint32_t i = 0; i < p.plugin->importer_count; ++i)
+      out.rows.push_back(describe(*p.plugin->importers[i], *p.plugin));
+  return out;
+}
+
 Listing machines(Session& session) {
   Listing out{"machines", {"Name", "Dialect", "Title", "File"}, Json::array()};
   for (const FoundMachine& m : session.machines())
@@ -95,10 +103,9 @@ Listing codes(const LinkedDialect& linked) {
 }
 
 using Lister = Listing (*)(Session&);
-constexpr std::pair<std::string_view, Lister> listers[] = {{"plugins", plugins},   {"dialects", dialects},
-                                                           {"machines", machines}, {"syntaxes", syntaxes},
-                                                           {"dependencies", dependencies}, {"fields", fields},
-                                                           {"diagnostics", diagnostics}};
+constexpr std::pair<std::string_view, Lister> listers[] = {
+    {"plugins", plugins},   {"dialects", dialects},         {"machines", machines}, {"importers", importers},
+    {"syntaxes", syntaxes}, {"dependencies", dependencies}, {"fields", fields},     {"diagnostics", diagnostics}};
 
 std::string cell(const Json& row, const char* column) {
   const auto found = row.find(column);
@@ -130,7 +137,8 @@ struct ListCommand {
   int run() const {
     Session session(common);
     if ((what == "codes") != (!dialect.empty() || !machine.empty())) {
-      session.report("IG-0513", {}, {"list codes needs a dialect: -d NAME, or a machine: -m NAME; the other lists accept none"});
+      session.report("IG-0513", {},
+                     {"list codes needs a dialect: -d NAME, or a machine: -m NAME; the other lists accept none"});
       return cannot_start;
     }
     if (what == "codes") {
@@ -167,8 +175,7 @@ int list_command(const Arguments& arguments) {
   std::vector<std::string> names;
   for (const auto& [name, lister] : listers) names.emplace_back(name);
   names.emplace_back("codes");
-  line.option("WHAT", command.what,
-              "plugins, syntaxes, dialects, machines, dependencies, fields, diagnostics or codes")
+  line.option("WHAT", command.what, "plugins, syntaxes, dialects, machines, dependencies, fields, diagnostics or codes")
       .one_of(names);
   line.option("-d,--dialect", command.dialect, "Dialect of the codes, each listed with its syntaxes and their pages")
       .type_name("DIALECT");

@@ -20,22 +20,26 @@ Json sources(const DependencyElement& element) {
   if (element.rows.empty()) add(element.where.file, 0);
   for (const TableRow& row : element.rows) add(row.where.file, 1);
   Json out = Json::array();
-  for (const std::string& file : files)
-    out.push_back({{"Table", element.alias}, {"Rows", rows[file]}, {"File", file}});
+  for (const std::string& file : files) out.push_back({{"Table", element.alias}, {"Rows", rows[file]}, {"File", file}});
   return out;
 }
 
-/// Services that syntaxes ask for and no dependency offers, each with those syntaxes.
-Json unanswered(const LinkedDialect& linked) {
-  std::set<std::string, std::less<>> answered;
+/// Services that syntaxes ask for, that no table of the machine answers and that some dependency could.
+Json lacking(const LinkedDialect& linked, const Library& library) {
+  std::set<std::string, std::less<>> answered, asked;
   for (const Provision& p : provisions(linked)) answered.insert(p.service);
-  std::map<std::string, Json> asking;
   for (const LinkedSyntax& s : linked.chain)
-    for (std::uint32_t i = 0; i < s.syntax->service_count; ++i)
-      if (const char* const id = s.syntax->services[i].id; !answered.contains(id))
-        asking.emplace(id, Json::array()).first->second.push_back(s.element.alias);
+    for (std::uint32_t i = 0; i < s.syntax->service_count; ++i) asked.insert(s.syntax->services[i].id);
+  std::map<std::string, Json> offered;
+  for (const LoadedPlugin& p : library.plugins())
+    for (std::uint32_t i = 0; i < p.plugin->dependency_count; ++i) {
+      const ig_dependency& d = *p.plugin->dependencies[i];
+      for (const char* const* id = d.provides; id != nullptr && *id != nullptr; ++id)
+        if (asked.contains(*id) && !answered.contains(*id))
+          offered.emplace(*id, Json::array()).first->second.push_back(d.id);
+    }
   Json out = Json::array();
-  for (auto& [service, syntaxes] : asking) out.push_back({{"Service", service}, {"Asked by", std::move(syntaxes)}});
+  for (auto& [service, tables] : offered) out.push_back({{"Service", service}, {"Offered by", std::move(tables)}});
   return out;
 }
 
@@ -47,7 +51,7 @@ Json describe(const FoundMachine& m) {
   return out;
 }
 
-Json describe_machine(const LinkedDialect& linked) {
+Json describe_machine(const LinkedDialect& linked, const Library& library) {
   const Dialect& d = linked.dialect;
   Json out{{"Name", d.name}, {"Title", d.title}, {"File", d.file.string()}, {"Dialect", d.ancestors}};
   Json tables = Json::array(), programs = Json::array();
@@ -57,7 +61,7 @@ Json describe_machine(const LinkedDialect& linked) {
   out["Tables"] = std::move(tables);
   out["Programs"] = std::move(programs);
   out["Services"] = describe_services(linked);
-  out["Not answered"] = unanswered(linked);
+  out["Lacks"] = lacking(linked, library);
   return out;
 }
 

@@ -130,7 +130,8 @@ std::optional<RunOptions> ProgramOptions::make(Session& session) {
 
 void add_program_places(const std::string& program, const Dialect& dialect, RunOptions& options) {
   if (program != "-")
-    options.program_places.insert(options.program_places.begin(), std::filesystem::path(program).parent_path().string());
+    options.program_places.insert(options.program_places.begin(),
+                                  std::filesystem::path(program).parent_path().string());
   for (const std::filesystem::path& place : dialect.program_places) options.program_places.push_back(place.string());
 }
 

@@ -23,12 +23,17 @@ std::string usage() {
          "installation)\n"
          "  --dialects DIR  look for dialects there first (repeatable; then ISOGLOSS_DIALECT_PATH, then the "
          "installation)\n"
+         "  --machines DIR  look for machines there first (repeatable; then ISOGLOSS_MACHINES, the user's "
+         "configuration "
+         "and beside the dialects)\n"
          "  --version       version of the host, of the contract and of the plugins\n\n"
          "Exit status: 0 at most warnings, 1 errors in the input, 2 cannot start, 3 internal fault.\n\n"
          "Example:\n  isogloss run part.nc --emit motions --format text\n";
 }
 
-bool takes_value(std::string_view option) { return option == "--plugins" || option == "--dialects"; }
+bool takes_value(std::string_view option) {
+  return option == "--plugins" || option == "--dialects" || option == "--machines";
+}
 
 int dispatch(Arguments arguments) {
   std::size_t at = 0;

@@ -133,7 +133,7 @@ Session::~Session() {
 
 std::optional<Dialect> Session::read(const std::string& name, DiagnosticSink& sink) {
   std::optional<Dialect> dialect = reader_.read(name, sink);
-  if (dialect && dialect->is_machine && !complete_machine(*dialect, library_, sink)) return std::nullopt;
+  if (dialect && is_incomplete(*dialect) && !complete_machine(*dialect, library_, sink)) return std::nullopt;
   return dialect;
 }
 
@@ -172,8 +172,6 @@ std::optional<std::string> Session::dialect_or_machine(const std::string& dialec
 
 std::unique_ptr<LinkedDialect> Session::link(const std::string& name, const std::vector<DependencyElement>& own,
                                              DiagnosticSink& sink) {
-  std::optional<Dialect> dialect = read(name, sink);
-  if (!dialect || !add_missing(own, *dialect, library_, sink)) return nullptr;
   // Notes on the dialect are for its author: `lint` reports them.
   class WithoutNotes : public DiagnosticSink {
    public:
@@ -185,6 +183,8 @@ std::unique_ptr<LinkedDialect> Session::link(const std::string& name, const std:
    private:
     DiagnosticSink& sink_;
   } without_notes(sink);
+  std::optional<Dialect> dialect = read(name, without_notes);
+  if (!dialect || !add_missing(own, *dialect, library_, without_notes)) return nullptr;
   return isogloss::link(*dialect, library_, without_notes);
 }
 

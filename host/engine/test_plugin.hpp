@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "isogloss.h"
+#include "isogloss_import.h"
 
 namespace isogloss::test {
 
@@ -95,6 +95,27 @@ struct Dependency {
   }
 };
 
+struct Importer {
+  explicit Importer(const char* id) {
+    out.struct_size = sizeof out;
+    out.id = id;
+    out.summary = "An importer.";
+    out.files = "";
+    out.recognise = [](ig_text, ig_text) { return 0u; };
+    out.read = [](const ig_import_api*, ig_import*) -> ig_status { return IG_UNCHANGED; };
+  }
+  std::vector<ig_option_decl> options;
+  Names dependencies;
+  ig_importer out{};
+
+  const ig_importer* get() {
+    out.options = options.data();
+    out.option_count = static_cast<std::uint32_t>(options.size());
+    out.dependencies = Syntax::ended(dependencies);
+    return &out;
+  }
+};
+
 struct Plugin {
   explicit Plugin(const char* name) {
     out.struct_size = sizeof out;
@@ -107,15 +128,21 @@ struct Plugin {
   }
   std::deque<Syntax> syntaxes;
   std::deque<Dependency> dependencies;
+  std::deque<Importer> importers;
   std::vector<ig_diagnostic_decl> diagnostics;
   ig_plugin out{};
 
   Syntax& syntax(const char* id) { return syntaxes.emplace_back(id); }
   Dependency& dependency(const char* id) { return dependencies.emplace_back(id); }
+  Importer& importer(const char* id) { return importers.emplace_back(id); }
 
   const ig_plugin* get() {
     syntax_list_.clear();
     dependency_list_.clear();
+    importer_list_.clear();
+    for (Importer& i : importers) importer_list_.push_back(i.get());
+    out.importers = importer_list_.data();
+    out.importer_count = static_cast<std::uint32_t>(importer_list_.size());
     for (Syntax& s : syntaxes) syntax_list_.push_back(s.get());
     for (Dependency& d : dependencies) dependency_list_.push_back(d.get());
     out.syntaxes = syntax_list_.data();
@@ -130,6 +157,7 @@ struct Plugin {
  private:
   std::vector<const ig_syntax*> syntax_list_;
   std::vector<const ig_dependency*> dependency_list_;
+  std::vector<const ig_importer*> importer_list_;
 };
 
 }  // namespace isogloss::test

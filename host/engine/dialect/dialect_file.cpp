@@ -87,6 +87,7 @@ class FileReader : XmlElements {
     if (is_include || section.name() == std::string_view("Programs")) {
       only_attributes(section, {"src"});
       leaves(section, {});
+      if (!file_.is_machine && !once(section)) return;
       if (!required(section, "src").empty()) is_include ? read_include(section) : read_programs(section);
       return;
     }

@@ -28,6 +28,7 @@ constexpr const char* schema_frame = R"(
         <xs:element name="Files" type="dialect.Files" minOccurs="0"/>
         <xs:element name="Segmenter" type="dialect.Segmenter" minOccurs="0"/>
         <xs:element name="Plugins" type="dialect.Plugins" minOccurs="0"/>
+        <xs:element name="Programs" type="dialect.Programs" minOccurs="0"/>
         <xs:element ref="Dependencies" minOccurs="0"/>
         <xs:element name="Initial" type="dialect.Initial" minOccurs="0"/>
         <xs:element name="Severities" type="dialect.Severities" minOccurs="0"/>
@@ -38,6 +39,40 @@ constexpr const char* schema_frame = R"(
       <xs:attribute name="extends" type="dialect.Text"><xs:annotation><xs:documentation>The dialect that this one inherits chain, plugins, dependencies and initial state from: a name, or a file.</xs:documentation></xs:annotation></xs:attribute>
     </xs:complexType>
   </xs:element>
+  <xs:element name="Machine">
+    <xs:annotation><xs:documentation>What one machine has on top of its dialect, in machine.xml of its folder; or, without attributes, a part of it that machine.xml includes. Paths are relative to the file and stay in its folder.</xs:documentation></xs:annotation>
+    <xs:complexType>
+      <xs:choice minOccurs="0" maxOccurs="unbounded">
+        <xs:element name="Files" type="dialect.Files"/>
+        <xs:element name="Segmenter" type="dialect.Segmenter"/>
+        <xs:element name="Plugins" type="dialect.Plugins"/>
+        <xs:element name="Programs" type="dialect.Programs"/>
+        <xs:element name="Include" type="dialect.Include"/>
+        <xs:element name="Backup" type="dialect.Backup"/>
+        <xs:element ref="Dependencies"/>
+        <xs:element name="Initial" type="dialect.Initial"/>
+        <xs:element name="Severities" type="dialect.Severities"/>
+        <xs:element name="Chain" type="dialect.Chain"/>
+      </xs:choice>
+      <xs:attribute name="name" type="dialect.Text"/>
+      <xs:attribute name="title" type="xs:string"/>
+      <xs:attribute name="dialect" type="dialect.Text"><xs:annotation><xs:documentation>The dialect that the machine stands on: a name, or a file.</xs:documentation></xs:annotation></xs:attribute>
+    </xs:complexType>
+  </xs:element>
+  <xs:complexType name="dialect.Programs">
+    <xs:annotation><xs:documentation>Where called programs are looked for: a folder, or a file of several programs.</xs:documentation></xs:annotation>
+    <xs:attribute name="src" type="dialect.Text" use="required"/>
+  </xs:complexType>
+  <xs:complexType name="dialect.Include">
+    <xs:annotation><xs:documentation>A file with a part of the machine, or with tables alone.</xs:documentation></xs:annotation>
+    <xs:attribute name="src" type="dialect.Text" use="required"/>
+  </xs:complexType>
+  <xs:complexType name="dialect.Backup">
+    <xs:annotation><xs:documentation>A file of the control, or a folder of such files, whose tables the machine takes. Other attributes are options of the importer.</xs:documentation></xs:annotation>
+    <xs:attribute name="src" type="dialect.Text" use="required"/>
+    <xs:attribute name="format" type="dialect.Text"><xs:annotation><xs:documentation>The importer; without it the content decides.</xs:documentation></xs:annotation></xs:attribute>
+    <xs:anyAttribute namespace="##local" processContents="skip"/>
+  </xs:complexType>
   <xs:element name="Dependencies">
     <xs:annotation><xs:documentation>Named parts that answer questions. The nearest provider of a service wins: one's own before inherited ones, in written order.</xs:documentation></xs:annotation>
     <xs:complexType>
@@ -142,7 +177,8 @@ constexpr const char* schema_frame = R"(
     <xs:attribute name="override" type="dialect.Boolean"><xs:annotation><xs:documentation>true: may claim an exclusive slot that another syntax holds, or take a code that another one takes.</xs:documentation></xs:annotation></xs:attribute>
   </xs:attributeGroup>
   <xs:attributeGroup name="dialect.Table">
-    <xs:attribute name="src" type="dialect.Text"><xs:annotation><xs:documentation>A file beside or below this one whose root element has this element's name and holds the rows.</xs:documentation></xs:annotation></xs:attribute>
+    <xs:attribute name="src" type="dialect.Text"><xs:annotation><xs:documentation>A file beside or below this one with the rows: XML whose root element has this element's name, or a file of a control that an importer reads.</xs:documentation></xs:annotation></xs:attribute>
+    <xs:attribute name="format" type="dialect.Text"><xs:annotation><xs:documentation>The importer of the file that src names; without it the content decides.</xs:documentation></xs:annotation></xs:attribute>
   </xs:attributeGroup>
   <xs:simpleType name="dialect.Text"><xs:restriction base="xs:string"><xs:minLength value="1"/></xs:restriction></xs:simpleType>
   <xs:simpleType name="dialect.Alias"><xs:restriction base="xs:string"><xs:pattern value="\S+"/></xs:restriction></xs:simpleType>

@@ -106,6 +106,9 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "Where "
        "the file matters, name it and its format.",
        R"(<Backup src="backup"/>, and backup/readme.txt)"},
+      {note, "IG-0133", "{0} has no place in the file: {1} ({2} times)",
+       "The control's format has no column for it, so the file that is written lacks it.",
+       "isogloss export of a table with a column that TOOL.T does not have"},
       {error, "IG-0131", "{0} writes no files: the format is only read",
        "`isogloss list importers` shows which formats can be written.",
        "isogloss export -m dmu58 --format SinumerikArchive"},

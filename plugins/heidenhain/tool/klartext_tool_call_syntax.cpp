@@ -1,5 +1,8 @@
 // TOOL CALL: the tool, its axis, its speed and feed, its length and the allowance DL. TOOL DEF names a tool that the
 // magazine may fetch, or writes its length and radius into the tool table.
+#include <isogloss/cnc/tool_dimension.hpp>
+#include <isogloss/cnc/tool_names.hpp>
+
 #include "language/block_words.hpp"
 #include "language/program_unit.hpp"
 #include "motion/feed_words.hpp"
@@ -18,11 +21,11 @@ struct KlartextToolCall {
                                    .scans("Tt");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "HEI-0150",
-                     "the tool {0} has a name, which is not supported: the previous number and length stay in force"),
+                     "the tool table has no tool {0}, so the tool and its length stay in force: add its name"),
       ig::diagnostic(IG_ERROR, "HEI-0151",
                      "tool axis {0} is not supported, so the plane stays the same: program X, Y or Z"),
       ig::diagnostic(IG_WARNING, "HEI-0152",
-                     "tool {0} has a step index, which is not supported: the tool itself is used"),
+                     "the tool table has no row {0}, so the length and radius of the tool itself are used"),
       ig::diagnostic(IG_ERROR, "HEI-0153", "tool axis {0}: the tool length is compensated along Z, not along {0}"),
   };
 
@@ -40,6 +43,7 @@ struct KlartextToolCall {
   ig::Out<double> radius_delta_{"RadiusCompensation.Delta_mm",
                                 {ig::Life::modal, "mm", "What the tool call adds to the radius of the table."}};
   ProgramUnit unit_;
+  ToolNames names_;
   ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional,
                                        "Radius for Q108, length for Q114; TOOL DEF writes it."};
 
@@ -57,12 +61,16 @@ struct KlartextToolCall {
   }
 
  private:
-  enum class Name { none, number, text };
+  /// The tool of a statement: its number, and its row in the table, which differs where it has a step index.
+  struct Tool {
+    double number = 0, row = 0;
+    bool is_given = false;  // a number, or a name that the table may lack
+    bool is_known = false;
+  };
 
   void read_call(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
     i = skip(text, i);
-    double tool = 0;
-    const Name kind = tool_at(b, text, i, tool);
+    const Tool tool = tool_at(b, text, i);
     double length = 0, radius = 0;
     bool is_rapid = false, has_delta = false;
     while ((i = skip(text, i)) < text.size()) {
@@ -74,31 +82,48 @@ struct KlartextToolCall {
       i = next;
     }
     if (const auto feed = feed_.word(b)) feed_.keep(b, *feed);
-    if (kind != Name::none || has_delta) set_deltas(b, length, radius);
-    if (kind != Name::number) return;
-    put_word(b, t_.id(), begin, begin + 9, tool);
+    if (tool.is_given || has_delta) set_deltas(b, length, radius);
+    if (!tool.is_known) return;
+    put_word(b, t_.id(), begin, begin + 9, tool.number);
     put_code(b, change_.id(0), begin, begin + 9);
     put_code(b, length_.code(0), begin, begin + 9);
-    put_word(b, length_.word(0, 'H'), begin, begin + 9, tool);
-    note_parameters(tool, radius);
+    put_word(b, length_.word(0, 'H'), begin, begin + 9, tool.row);
+    note_parameters(tool.row, radius);
   }
 
-  /// The tool at `i`: a number, a Q parameter, or a name.
-  Name tool_at(ig::Block& b, std::string_view text, std::size_t& i, double& tool) const {
-    if (at(text, i) == '"' || at(text, i) == '\'') {
-      std::size_t end = skip_while(text, i + 1, [&](char c) { return c != text[i]; });
-      end = std::min(end + 1, text.size());
-      b.report(ig::diag("HEI-0150"), ig::Where::columns(i, end), piece(text, i, end));
-      i = end;
-      return Name::text;
-    }
+  /// The tool at `i`: a number, a Q parameter, or a name of the tool table.
+  Tool tool_at(ig::Block& b, std::string_view text, std::size_t& i) const {
+    if (at(text, i) == '"' || at(text, i) == '\'') return named_tool(b, text, i);
     std::size_t q_end = i;
-    if (!is_digit(at(text, i)) && !Values::q_at(text, i, q_end)) return Name::none;
+    if (!is_digit(at(text, i)) && !Values::q_at(text, i, q_end)) return {};
     const Value v = values_.read(b, text, i);
-    tool = std::floor(v.number);
-    if (tool != v.number) b.report(ig::diag("HEI-0152"), ig::Where::columns(i, v.end), trim(piece(text, i, v.end)));
+    const double number = std::floor(v.number);
+    Tool tool{number, number, true, true};
+    if (number != v.number) tool.row = row_of_step(b, text, i, v);
     i = v.end;
-    return Name::number;
+    return tool;
+  }
+
+  Tool named_tool(ig::Block& b, std::string_view text, std::size_t& i) const {
+    const std::size_t begin = i, close = skip_while(text, i + 1, [&](char c) { return c != text[begin]; });
+    i = std::min(close + 1, text.size());
+    if (const auto id = names_.number(trim(piece(text, begin + 1, close)))) {
+      const auto row = static_cast<double>(*id);
+      return {static_cast<double>(*id % IG_TOOL_INDEX_STEP), row, true, true};
+    }
+    b.report(ig::diag("HEI-0150"), ig::Where::columns(begin, i), piece(text, begin, i));
+    return {0, 0, true, false};
+  }
+
+  /// The row of 5.1, or that of tool 5 where the table has no such row.
+  double row_of_step(ig::Block& b, std::string_view text, std::size_t i, const Value& v) const {
+    const double tool = std::floor(v.number), index = std::round((v.number - tool) * 10);
+    if (tool >= 0 && tool < IG_TOOL_INDEX_STEP && index >= 1 && index <= 9) {
+      const std::int64_t row = indexed_tool(static_cast<std::int64_t>(tool), static_cast<std::int64_t>(index));
+      if (tool_dimension(table_, row, ToolDimension::length)) return static_cast<double>(row);
+    }
+    b.report(ig::diag("HEI-0152"), ig::Where::columns(i, v.end), trim(piece(text, i, v.end)));
+    return tool;
   }
 
   std::size_t call_word(ig::Block& b, std::string_view text, std::size_t i, double& length, double& radius,
@@ -155,10 +180,10 @@ struct KlartextToolCall {
   /// TOOL DEF 5 names a tool that the magazine may fetch; TOOL DEF 5 L+100 R+5 defines it.
   void read_definition(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
     i = skip(text, i);
-    double tool = 0;
-    if (tool_at(b, text, i, tool) != Name::number) return;
+    const Tool tool = tool_at(b, text, i);
+    if (!tool.is_known) return;
     const std::size_t words = skip(text, i);
-    if (words >= text.size()) return put_word(b, t_.id(), begin, i, tool);
+    if (words >= text.size()) return put_word(b, t_.id(), begin, i, tool.number);
     for (i = words; i < text.size(); i = skip(text, i)) {
       const char c = to_upper(text[i]);
       const bool is_word = (c == 'L' || c == 'R') && (!is_letter(at(text, i + 1)) || to_upper(at(text, i + 1)) == 'Q');
@@ -172,7 +197,7 @@ struct KlartextToolCall {
       const auto where = ig::Where::columns(i, end);
       if (!v.ok) {
         b.report(ig::diag("HEI-0104"), where, std::string_view("TOOL DEF"), piece(text, i, end));
-      } else if (!define(tool, c == 'L' ? 0 : 2, v.number * unit_.in_mm(b))) {
+      } else if (!define(tool.row, c == 'L' ? 0 : 2, v.number * unit_.in_mm(b))) {
         report_not_executed(b, text, begin, "the table of tools has no such tool");
         return;
       }

@@ -113,11 +113,12 @@ struct ToolOffsetTable {
     const auto& t = *static_cast<const ToolOffsetTable*>(self);
     return ig::to_text(t.has(id) ? t.table.text(RowName(id).text(), t.name) : std::string_view());
   }
-  /// Controls do not tell small letters from capitals in the names of tools.
-  static bool same_name(std::string_view a, std::string_view b) {
+  /// Controls do not tell small letters from capitals in the names of tools. An empty name stands for any.
+  static bool same_name(std::string_view own, std::string_view sought) {
     const auto capital = [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; };
-    return !a.empty() &&
-           std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return capital(x) == capital(y); });
+    const auto is_same = [&](char x, char y) { return capital(x) == capital(y); };
+    return !own.empty() &&
+           (sought.empty() || std::equal(own.begin(), own.end(), sought.begin(), sought.end(), is_same));
   }
 
   ig_tool_name_1 names{sizeof(ig_tool_name_1), 0, this, &find, &name_of};

@@ -1,0 +1,136 @@
+// Files of controls as tables of a machine, and tables as such files.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "crash_guard.hpp"
+#include "isogloss/engine/import.hpp"
+#include "isogloss/engine/machine.hpp"
+#include "output_file.hpp"
+#include "session.hpp"
+
+namespace isogloss::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// NAME=VALUE of the importer; false, and reported, when it is not of that form.
+bool read_settings(const std::vector<std::string>& texts, std::vector<Attribute>& out, Session& session) {
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      session.report("IG-0513", {}, {"--set needs NAME=VALUE, not '" + text + "'"});
+      return false;
+    }
+    out.push_back({text.substr(0, equals), text.substr(equals + 1), {}});
+  }
+  return true;
+}
+
+int write_output(const std::string& text, const std::string& path, Session& session) {
+  if (path.empty()) return print(text, session.status());
+  std::string error;
+  const std::unique_ptr<OutputFile> file = OutputFile::open(path, error);
+  if (file != nullptr) {
+    file->write(text);
+    if (file->commit() || file->reader_is_gone()) return session.status();
+    error = file->error();
+  }
+  session.report("IG-0511", {path}, {error});
+  return cannot_start;
+}
+
+struct ImportCommand {
+  CommonOptions common;
+  std::vector<std::string> files, settings;
+  std::string format, output;
+
+  int run() const;
+};
+
+int ImportCommand::run() const {
+  Session session(common);
+  Dialect machine;
+  for (const std::string& file : files) {
+    Import import{file, format, {}, {}};
+    if (!read_settings(settings, import.options, session)) return cannot_start;
+    machine.imports.push_back(std::move(import));
+  }
+  if (!complete_machine(machine, session.library(), session.diagnostics())) return input_errors;
+  std::size_t rows = 0;
+  for (const DependencyElement& table : machine.dependencies) rows += table.rows.size();
+  std::error_code ignored;
+  const bool is_folder = output.ends_with('/') || fs::is_directory(output, ignored);
+  if (is_folder) fs::create_directories(output, ignored);
+  const std::string path = is_folder ? (fs::path(output) / "imported.xml").string() : output;
+  const int status = write_output(write_tables(machine.dependencies, true), path, session);
+  const Writing writing;
+  fmt::print(stderr, "{} rows of {} tables{}\n", rows, machine.dependencies.size(),
+             path.empty() ? ""
+                          : fmt::format(" in {}; a machine has them by <Include src=\"{}\"/>", path,
+                                        fs::path(path).filename().string()));
+  return status;
+}
+
+struct ExportCommand {
+  CommonOptions common;
+  std::vector<std::string> settings;
+  std::string machine, format, output;
+
+  int run() const;
+};
+
+int ExportCommand::run() const {
+  Session session(common);
+  Import asked{output.empty() ? "standard output" : output, format, {}, {}};
+  if (!read_settings(settings, asked.options, session)) return cannot_start;
+  const std::optional<std::string> named = session.dialect_or_machine({}, machine);
+  const std::optional<Dialect> dialect = named ? session.read(*named) : std::nullopt;
+  if (!dialect) return session.status() == success ? static_cast<int>(cannot_start) : session.status();
+  std::vector<UnusedPart> unused;
+  const std::optional<std::string> text =
+      export_tables(asked, dialect->dependencies, session.library(), unused, session.diagnostics());
+  if (!text) return cannot_start;
+  for (const UnusedPart& part : unused)
+    session.report("IG-0133", {}, {part.what, part.why, std::to_string(part.count)});
+  return write_output(*text, output, session);
+}
+
+}  // namespace
+
+int import_command(const Arguments& arguments) {
+  CommandLine line(
+      "import",
+      "Reads files of controls (tool tables, presets, parameters, archives, CAM tool libraries) and writes "
+      "their rows as tables of a machine, each with its source. What is not read is listed.",
+      "isogloss import TOOL.T PRESET.PR -o machines/dmu58/");
+  ImportCommand command;
+  command.common.repeats = 0;  // what is not read is listed as a whole
+  line.option("FILE", command.files, "Files, or folders of files").required();
+  line.option("--format", command.format, "The importer; otherwise the content decides (isogloss list importers)")
+      .type_name("NAME");
+  line.option("--set", command.settings, "An option of the importer, such as unit=inch (repeatable)")
+      .type_name("NAME=VALUE");
+  line.option("-o,--output", command.output, "Write to this file, or to imported.xml in this folder")
+      .type_name("FILE|DIR");
+  command.common.add_to(line);
+  if (const auto done = line.parse(arguments)) return *done;
+  return command.run();
+}
+
+int export_command(const Arguments& arguments) {
+  CommandLine line("export", "Writes tables of a machine as a file of its control, where the format is documented.",
+                   "isogloss export -m dmu58 --format HeidenhainToolTable -o TOOL.T");
+  ExportCommand command;
+  line.option("-m,--machine", command.machine, "The machine, by name, folder or file").required().type_name("MACHINE");
+  line.option("--format", command.format, "The format (isogloss list importers)").required().type_name("NAME");
+  line.option("--set", command.settings, "An option of the format, such as unit=inch (repeatable)")
+      .type_name("NAME=VALUE");
+  line.option("-o,--output", command.output, "Write to a file").type_name("FILE");
+  command.common.add_to(line);
+  if (const auto done = line.parse(arguments)) return *done;
+  return command.run();
+}
+
+}  // namespace isogloss::cli

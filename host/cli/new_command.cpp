@@ -1,0 +1,141 @@
+// Makes the folder of a machine, commented.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "isogloss/engine/machine.hpp"
+#include "output_file.hpp"
+#include "session.hpp"
+
+namespace isogloss::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct NewCommand {
+  CommonOptions common;
+  std::string what, name, dialect, title, folder;
+  std::vector<std::string> backups;
+
+  int run() const;
+};
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+/// machine.xml with every kind of part, as comments where there is nothing to say yet.
+std::string machine_text(const NewCommand& command, const Dialect& dialect, bool has_backup) {
+  std::string tables;
+  for (const DependencyElement& e : dialect.dependencies) tables += (tables.empty() ? "" : ", ") + e.alias;
+  std::string out = fmt::format(
+      R"(<?xml version="1.0" encoding="UTF-8"?>
+<!-- What this machine has on top of its dialect. isogloss run PROGRAM -m {0} uses it; isogloss inspect {0} shows what it
+     has and what it lacks, and isogloss lint -m {0} checks it. Paths are relative to this folder and stay inside it. -->
+<Machine xmlns="urn:isogloss:dialect:1" name="{0}" title="{1}" dialect="{2}">
+)",
+      escaped(command.name), escaped(command.title.empty() ? command.name : command.title), escaped(command.dialect));
+  out += has_backup
+             ? "  <!-- The control's own files. What is not read of them: isogloss lint -m " + command.name +
+                   " -->\n  <Backup src=\"backup\"/>\n\n"
+             : "  <!-- The control's own files, in a folder or one by one; isogloss list importers shows the formats.\n"
+               "  <Backup src=\"backup\"/>\n  -->\n\n";
+  out += fmt::format(R"(  <!-- Folders in which called programs are looked for, in this order.
+  <Programs src="programs"/>
+  -->
+
+  <!-- Tables in files of their own.
+  <Include src="tables.xml"/>
+  -->
+
+  <!-- Rows here go over those of the files above, which go over those of the dialect. The dialect has the tables
+       {}. -->
+  <Dependencies>
+    <!-- Travel and rapid rate in machine coordinates: mm, degrees, mm/min.
+    <MachineAxes>
+      <Axis name="X" Minimum="0" Maximum="800" RapidRate="30000"/>
+    </MachineAxes>
+    -->
+    <!-- Rotary axes; isogloss inspect MachineKinematics explains the columns.
+    <MachineKinematics>
+      <Axis name="C" Place="table" Order="1" PivotX="0" PivotY="0" PivotZ="0"/>
+    </MachineKinematics>
+    -->
+  </Dependencies>
+</Machine>
+)",
+                     tables);
+  return out;
+}
+
+bool is_folder_name(const std::string& name) {
+  return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos;
+}
+
+int NewCommand::run() const {
+  Session session(common);
+  if (!is_folder_name(name)) {
+    session.report("IG-0513", {}, {"the name of a machine is that of its folder, without '/'"});
+    return cannot_start;
+  }
+  const std::optional<Dialect> base = session.read(dialect);
+  if (!base) return cannot_start;
+  const fs::path place = fs::path(folder.empty() ? "." : folder) / name;
+  std::error_code error;
+  if (fs::exists(place / "machine.xml", error)) {
+    session.report("IG-0511", {(place / "machine.xml").string()}, {"the machine is there already"});
+    return cannot_start;
+  }
+  fs::create_directories(backups.empty() ? place : place / "backup", error);
+  for (const std::string& backup : backups) {
+    const fs::path from = fs::path(backup).lexically_normal();
+    const fs::path to = place / "backup" / (from.has_filename() ? from.filename() : from.parent_path().filename());
+    if (!error) fs::copy(from, to, fs::copy_options::recursive, error);
+    if (!error) continue;
+    session.report("IG-0510", {backup}, {error.message()});
+    return cannot_start;
+  }
+  std::string reason = error ? error.message() : "";
+  const std::string path = (place / "machine.xml").string();
+  const std::unique_ptr<OutputFile> file = error ? nullptr : OutputFile::open(path, reason);
+  const bool is_written = file != nullptr && file->write(machine_text(*this, *base, !backups.empty()));
+  if (!is_written || !file->commit()) {
+    session.report("IG-0511", {path}, {reason.empty() && file != nullptr ? file->error() : reason});
+    return cannot_start;
+  }
+  return print(path + "\n", session.status());
+}
+
+}  // namespace
+
+int new_command(const Arguments& arguments) {
+  CommandLine line("new",
+                   "Makes the folder of a machine with a commented machine.xml, and prints the path of that file.",
+                   "isogloss new machine dmu58 --dialect heidenhain --backup TOOL.T --backup PRESET.PR");
+  NewCommand command;
+  line.option("WHAT", command.what, "machine").required().one_of({"machine"});
+  line.option("NAME", command.name, "Name of the machine and of its folder").required();
+  line.option("-d,--dialect", command.dialect, "The dialect that it stands on").required().type_name("DIALECT");
+  line.option("--title", command.title, "What people call it").type_name("TEXT");
+  line.option("--backup", command.backups, "Copy this file or folder of the control into the machine (repeatable)")
+      .type_name("PATH");
+  line.option("--in", command.folder, "The folder in which the machine's own folder is made; otherwise this one")
+      .type_name("DIR");
+  command.common.add_to(line);
+  if (const auto done = line.parse(arguments)) return *done;
+  return command.run();
+}
+
+}  // namespace isogloss::cli

@@ -1,0 +1,42 @@
+#include "isogloss/cnc/tool_names.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "isogloss/cnc/block_document_test.hpp"
+
+using namespace ig::cnc;
+using isogloss_test::BlockDocument;
+
+namespace {
+
+struct NamedTools {
+  ig_tool_name_1 provided{sizeof(ig_tool_name_1), 0, this, &find, nullptr};
+  BlockDocument document;
+
+  static std::int64_t find(void*, ig_text name, std::int64_t) {
+    return name.size == 0 || ig::to_view(name) == "EM10" ? 7 : 0;
+  }
+  ToolNames names() {
+    document.services["isogloss.tool-name/1"] = &provided;
+    return document.create([] { return ToolNames(); });
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a tool is found by its name, and a table with names is told from one without") {
+  NamedTools tools;
+  const ToolNames names = tools.names();
+  CHECK(names.number("EM10") == 7);
+  CHECK_FALSE(names.number("EM11").has_value());
+  CHECK(names.has_names());
+  BlockDocument document;
+  const auto none = document.create([] { return ToolNames(); });
+  CHECK_FALSE(none.number("EM10").has_value());
+  CHECK_FALSE(none.has_names());
+}
+
+TEST_CASE("an index of a tool has a number of its own") {
+  CHECK(indexed_tool(5, 1) == 100005);
+  CHECK(indexed_tool(99'999, 9) == 999'999);
+}

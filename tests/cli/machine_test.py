@@ -1,0 +1,176 @@
+#!/usr/bin/env python3
+"""Machines as users set them up: folders that commands find by name, files of controls, import, export and new.
+
+  machine_test.py --isogloss PATH
+"""
+import argparse
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+OPTIONS = None
+
+HEAD = '<Machine xmlns="urn:isogloss:dialect:1" name="mill" title="Mill in hall 2" dialect="fanuc">'
+TOOLS = "T1 P1 Z98.2 D10 ;EM10\nT2 P2 Z80 D6\n"
+
+
+class Machines(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = pathlib.Path(self.folder.name)
+
+    def write(self, name, text):
+        path = self.path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        return path
+
+    def machine(self, content, folder="machines/mill"):
+        return self.write(f"{folder}/machine.xml", f"{HEAD}\n{content}\n</Machine>\n")
+
+    def run_it(self, *arguments, status=0, **more):
+        environment = {k: v for k, v in os.environ.items() if not k.startswith(("ISOGLOSS_", "XDG_"))}
+        environment |= {"HOME": str(self.path / "home")} | more.pop("env", {})
+        done = subprocess.run([OPTIONS.isogloss, *map(str, arguments)], capture_output=True, text=True, timeout=60,
+                              check=False, cwd=self.path, env=environment, **more)
+        self.assertEqual(done.returncode, status, f"{arguments}\n{done.stdout}\n{done.stderr}")
+        return done
+
+    def test_a_machine_brings_tables_and_programs(self):
+        self.machine('<Dependencies><ToolOffsetTable src="tools.xml"/></Dependencies><Programs src="programs"/>')
+        self.write("machines/mill/tools.xml", '<ToolOffsetTable><Tool id="1" H="100"/></ToolOffsetTable>')
+        self.write("machines/mill/programs/O9001.nc", "O9001\nG0 Z20.\nM99\n")
+        part = self.write("part.nc", "G21 G90 G54 G43 H1 Z10.\nM98 P9001\nM30\n")
+        for named in (["-m", "mill", "--machines", "machines"], ["-m", "machines/mill"],
+                      ["-m", "machines/mill/machine.xml"]):
+            done = self.run_it("run", part, *named, "--emit", "motions", "--format", "csv")
+            ends = [line.split(",")[8] for line in done.stdout.splitlines() if ",rapid," in line]
+            self.assertEqual(ends, ["110", "120"], named)
+
+    def test_machines_are_found_in_four_places(self):
+        part = self.write("part.nc", "G21 G90 G0 X1.\nM30\n")
+        self.machine("", "there/mill")
+        self.run_it("run", part, "-m", "mill", "--emit", "none", env={"ISOGLOSS_MACHINES": str(self.path / "there")})
+        self.machine("", "home/.config/isogloss/machines/mill")
+        self.run_it("run", part, "-m", "mill", "--emit", "none")
+        self.machine("", "config/isogloss/machines/mill")
+        self.run_it("run", part, "-m", "mill", "--emit", "none", env={"XDG_CONFIG_HOME": str(self.path / "config")})
+        listed = self.run_it("list", "machines").stdout
+        self.assertRegex(listed, r"mill +fanuc +Mill in hall 2")
+        self.assertIn("ac-table", listed)
+        done = self.run_it("run", part, "-m", "mil", "--emit", "none", status=2)
+        self.assertIn("did you mean mill?", done.stderr)
+        self.assertIn("[IG-0123]", done.stderr)
+        done = self.run_it("run", part, "-m", "no/where", "--emit", "none", status=2)
+        self.assertIn("[IG-0510]", done.stderr)
+
+    def test_all_commands_that_take_a_dialect_take_a_machine(self):
+        self.machine("")
+        part = self.write("part.nc", "G21 G90 G0 X1.\nM30\n")
+        here = ["-m", "mill", "--machines", "machines"]
+        self.run_it("explain", f"{part}:1", *here)
+        self.run_it("lint", *here)
+        self.assertIn("G81", self.run_it("list", "codes", *here).stdout)
+        self.assertIn('name="mill"', self.run_it("dialect", *here).stdout)
+        self.run_it("inspect", "DwellSyntax", *here)
+        told = json.loads(self.run_it("inspect", "mill", "--json", "--machines", "machines").stdout)
+        self.assertEqual(told["Dialect"], ["fanuc", "iso"])
+        self.assertIn({"Service": "isogloss.machine-kinematics/1", "Offered by": ["MachineKinematics"]}, told["Lacks"])
+        well = json.loads(self.run_it("doctor", "--json", "--machines", "machines").stdout)
+        self.assertEqual([m["Name"] for m in well["Machines"]], ["mill"])
+        done = self.run_it("run", part, "-d", "fanuc", *here, "--emit", "none", status=2)
+        self.assertIn("leave out -d", done.stderr)
+
+    def test_parts_of_a_machine_and_their_faults(self):
+        self.write("machines/mill/axes.xml",
+                   '<Machine xmlns="urn:isogloss:dialect:1"><Dependencies><MachineAxes><Axis name="X" Maximum="5"/>'
+                   '</MachineAxes></Dependencies></Machine>')
+        self.machine('<Include src="axes.xml"/>')
+        part = self.write("part.nc", "G21 G90 G0 X9.\nM30\n")
+        done = self.run_it("run", part, "-m", "machines/mill", "--emit", "none", status=1)
+        self.assertIn("[ISO-0403]", done.stderr)
+        self.write("machines/mill/axes.xml",
+                   '<Machine xmlns="urn:isogloss:dialect:1"><Include src="machine.xml"/></Machine>')
+        for content, code in (('<Include src="axes.xml"/>', "IG-0121"), ('<Programs src="cycels"/>', "IG-0122"),
+                              ('<Include src="../axes.xml"/>', "IG-0117"), ("<Tools/>", "IG-0107"),
+                              ('<Backup src="none.t"/>', "IG-0126"),
+                              ('<Dependencies><ToolOffsetTable format="Csv"/></Dependencies>', "IG-0108")):
+            self.machine(content)
+            done = self.run_it("run", part, "-m", "machines/mill", "--emit", "none", status=2)
+            self.assertIn(f"[{code}]", done.stderr, content)
+            self.assertIn("machine", done.stderr.splitlines()[0])
+
+    def test_files_of_a_control_are_read_as_they_are(self):
+        self.write("machines/mill/backup/tool.tbl", TOOLS)
+        part = self.write("part.nc", "G21 G90 G54 G43 H2 Z10.\nM30\n")
+        for content in ('<Backup src="backup"/>', '<Backup src="backup/tool.tbl" format="LinuxCncToolTable"/>',
+                        '<Dependencies><ToolOffsetTable src="backup/tool.tbl"/></Dependencies>'):
+            self.machine(content)
+            done = self.run_it("run", part, "-m", "machines/mill", "--emit", "motions", "--format", "csv")
+            self.assertEqual([line.split(",")[8] for line in done.stdout.splitlines() if ",rapid," in line], ["90"])
+            self.assertEqual(done.stderr, "")
+        self.assertIn("word P is not read: no table has a place for it (2 times) [IG-0125]",
+                      self.run_it("lint", "-m", "machines/mill").stderr)
+        # The machine's own row goes over that of the file, cell by cell.
+        self.machine('<Backup src="backup"/><Dependencies><ToolOffsetTable><Tool id="2" HWear="0.5"/></ToolOffsetTable>'
+                     "</Dependencies>")
+        done = self.run_it("run", part, "-m", "machines/mill", "--emit", "motions", "--format", "csv")
+        self.assertIn("90.5", done.stdout)
+        self.write("machines/mill/backup/readme.txt", "Call Ann before you change anything.\n")
+        self.assertIn("readme.txt is not read: no importer recognises it [IG-0132]",
+                      self.run_it("lint", "-m", "machines/mill").stderr)
+        self.machine('<Backup src="backup/readme.txt"/>')
+        self.assertIn("[IG-0124]", self.run_it("lint", "-m", "machines/mill", status=1).stderr)
+        self.machine('<Dependencies><MachineAxes src="backup/tool.tbl"/></Dependencies>')
+        self.assertIn("[IG-0128]", self.run_it("lint", "-m", "machines/mill").stderr)
+
+    def test_import_writes_tables_with_their_sources(self):
+        table = self.write("tool.tbl", TOOLS)
+        done = self.run_it("import", table)
+        self.assertIn("<!-- tool.tbl:1 -->", done.stdout)
+        self.assertIn('<Tool id="1" H="98.2" D="5" Name="EM10" />', done.stdout)
+        self.assertIn("[IG-0125]", done.stderr)
+        self.assertIn("2 rows of 1 table", done.stderr)
+        self.run_it("import", table, "--set", "unit=inch", "-o", "machines/mill/")
+        self.machine('<Include src="imported.xml"/>')
+        part = self.write("part.nc", "G21 G90 G54 G43 H1 Z0\nM30\n")
+        self.assertIn(",2494.28,", self.run_it("run", part, "-m", "machines/mill", "--emit", "motions", "--format",
+                                               "csv").stdout)
+        for arguments, code in ((["nothing.tbl"], "IG-0126"), ([table, "--format", "Csv"], "IG-0129"),
+                                ([table, "--set", "unit=foot"], "IG-0205")):
+            self.assertIn(f"[{code}]", self.run_it("import", *arguments, status=1).stderr)
+        self.run_it("import", status=2)
+
+    def test_new_machine_runs_from_a_backup(self):
+        self.write("tool.tbl", TOOLS)
+        done = self.run_it("new", "machine", "mill", "--dialect", "heidenhain", "--backup", "tool.tbl", "--in", "machines")
+        self.assertEqual(done.stdout.strip(), "machines/mill/machine.xml")
+        part = self.write("part.h", '0 BEGIN PGM A MM\n1 TOOL CALL "em10" Z S100\n2 L Z+5 R0 FMAX\n3 END PGM A MM\n')
+        done = self.run_it("run", part, "-m", "mill", "--machines", "machines", "--emit", "motions", "--format", "csv")
+        self.assertIn("103.2", done.stdout)
+        self.run_it("lint", "-m", "mill", "--machines", "machines")
+        done = self.run_it("new", "machine", "mill", "--dialect", "heidenhain", "--in", "machines", status=2)
+        self.assertIn("there already", done.stderr)
+        self.run_it("new", "machine", "a/b", "--dialect", "heidenhain", status=2)
+        self.assertIn("[IG-0101]", self.run_it("new", "machine", "c", "--dialect", "heidenhein", status=2).stderr)
+        self.run_it("new", "dialect", "c", "--dialect", "heidenhain", status=2)
+
+    def test_a_machine_is_written_as_a_file_of_its_control(self):
+        self.machine('<Dependencies><ToolOffsetTable><Tool id="1" H="1" Name="A"/></ToolOffsetTable></Dependencies>')
+        formats = json.loads(self.run_it("list", "importers", "--json").stdout)
+        self.assertIn("[IG-0131]", self.run_it("export", "-m", "machines/mill", "--format", "LinuxCncToolTable",
+                                               status=2).stderr)
+        self.assertTrue(all(f["HasPage"] for f in formats))
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--isogloss", required=True, type=pathlib.Path)
+    OPTIONS, rest = parser.parse_known_args()
+    OPTIONS.isogloss = OPTIONS.isogloss.resolve()
+    unittest.main(argv=[sys.argv[0], *rest])
