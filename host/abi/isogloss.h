@@ -80,6 +80,7 @@ typedef struct ig_block ig_block;       /* the block document; opaque but for is
 typedef struct ig_link ig_link;         /* one element of a dialect while it is created, opaque */
 typedef struct ig_link_api ig_link_api; /* the functions that create() calls */
 typedef struct ig_table ig_table;       /* the rows of a dependency, held by the host, opaque */
+typedef struct ig_importer ig_importer; /* see isogloss_import.h */
 
 /* ---- Descriptors -------------------------------------------------------------------------------------------- */
 
@@ -225,8 +226,6 @@ typedef struct ig_dependency {
   ig_text (*row_fault)(void* self, ig_text row); /* since 1.4 */
 } ig_dependency;
 
-typedef struct ig_importer ig_importer; /* isogloss_import.h */
-
 typedef struct ig_plugin {
   uint32_t struct_size;
   uint32_t abi_major;
@@ -241,9 +240,8 @@ typedef struct ig_plugin {
   const ig_diagnostic_decl* diagnostics;
   uint32_t dependency_count;
   uint32_t diagnostic_count;
-  const ig_importer* const* importers; /* since 1.7 */
-  uint32_t importer_count;
-  uint32_t reserved;
+  const ig_importer* const* importers; /* since 1.7, as importer_count */
+  uint32_t importer_count, reserved;
 } ig_plugin;
 
 typedef const ig_plugin* (*ig_plugin_fn)(void);
@@ -436,20 +434,6 @@ typedef struct ig_tool_offset_1 {
   int32_t (*get)(void* self, int64_t id, uint32_t column, double* mm);
   int32_t (*set)(void* self, int64_t id, uint32_t column, double mm);
 } ig_tool_offset_1;
-
-/* isogloss.tool-name/1: the names of tools; since 1.7. Numbers are those of isogloss.tool-offset/1. A tool with several
- * lengths has an index for each: index i of tool t, "5.1", is the number t + 100000 i. */
-typedef struct ig_tool_name_1 {
-  uint32_t struct_size;
-  uint32_t reserved;
-  void* self;
-  /* The first tool of this name behind the tool `after` in the table (0: from its beginning), for sister tools have one
-   * name; an empty name stands for any. 0: there is none. */
-  int64_t (*find)(void* self, ig_text name, int64_t after);
-  /* size 0: the tool has no name. Alive as long as the chain. */
-  ig_text (*name)(void* self, int64_t id);
-} ig_tool_name_1;
-#define IG_TOOL_INDEX_STEP 100000
 
 /* isogloss.machine-axis/1: name 'X' 'Y' 'Z' 'A' 'B' 'C'; mm and degrees in machine coordinates, mm/s and deg/s.
  * Each returns 1, or 0 when the machine has no such axis or the value is not known. which: 1 first reference point. */

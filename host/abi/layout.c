@@ -5,6 +5,7 @@
 #include "isogloss.h"
 #include "isogloss_flow.h"
 #include "isogloss_import.h"
+#include "isogloss_tool.h"
 #include "isogloss_view.h"
 
 #define AT(type, member, offset) _Static_assert(offsetof(type, member) == (offset), #type "." #member " has moved")

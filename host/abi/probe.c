@@ -2,6 +2,7 @@
 #include "isogloss.h"
 #include "isogloss_flow.h"
 #include "isogloss_import.h"
+#include "isogloss_tool.h"
 #include "isogloss_view.h"
 
 typedef struct ig_contract {

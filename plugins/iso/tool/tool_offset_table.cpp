@@ -3,6 +3,8 @@
 // the further length and radius that tool 5 has with index 1.
 #include <charconv>
 
+#include <isogloss_tool.h>
+
 #include <isogloss/rows.hpp>
 #include <isogloss/sdk.hpp>
 

@@ -1,6 +1,8 @@
 /// Tools that are called by name, and tools with several lengths: the numbers of both in a table of tool offsets.
 #pragma once
 
+#include <isogloss_tool.h>
+
 #include <cstdint>
 #include <optional>
 

@@ -1,0 +1,28 @@
+/* isogloss_tool.h - tools that are called by name, and tools with several lengths; since 1.7. */
+#ifndef ISOGLOSS_TOOL_H
+#define ISOGLOSS_TOOL_H
+
+#include "isogloss.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* isogloss.tool-name/1: the names of tools; since 1.7. Numbers are those of isogloss.tool-offset/1. A tool with several
+ * lengths has an index for each: index i of tool t, "5.1", is the number t + 100000 i. */
+typedef struct ig_tool_name_1 {
+  uint32_t struct_size;
+  uint32_t reserved;
+  void* self;
+  /* The first tool of this name behind the tool `after` in the table (0: from its beginning), for sister tools have one
+   * name; an empty name stands for any. 0: there is none. */
+  int64_t (*find)(void* self, ig_text name, int64_t after);
+  /* size 0: the tool has no name. Alive as long as the chain. */
+  ig_text (*name)(void* self, int64_t id);
+} ig_tool_name_1;
+#define IG_TOOL_INDEX_STEP 100000
+
+#ifdef __cplusplus
+}
+#endif
+#endif
