@@ -118,16 +118,8 @@ struct SiemensArchive {
     const double mm = unit == ArchiveUnit::inch ? mm_per_inch : 1;
     write_tools(out, mm);
     write_frames(out, mm);
-    WrittenFile parameters(out, "CH1_RPA"), data(out, "CH1_GUD");
-    for (std::uint32_t i = 0; i < out.rows("SiemensVariables"); ++i) {
-      const std::string name = upper(out.key("SiemensVariables", i));
-      std::string value = written(out.cell("SiemensVariables", i, "Value"), 1);
-      if (value.empty()) value = "0";
-      if (name.starts_with('$'))
-        out.unused("system variables", "the archive holds R parameters and user data only");
-      else
-        (is_r_name(name) ? parameters : data).line(name + '=' + value);
-    }
+    write_variables(out, "CH1_RPA", true);
+    write_variables(out, "CH1_GUD", false);
   }
 
  private:
@@ -142,6 +134,10 @@ struct SiemensArchive {
       if (point != std::string_view::npos)
         edge = static_cast<std::int64_t>(number_of(row.substr(point + 1)).value_or(1));
       if (edge_step > 0) tool = (id - 1) % edge_step + 1, edge = (id - 1) / edge_step + 1;
+      if (edge > most_edges) {
+        out.unused("edges above 99", "the control has no such edges: check the option edge-step");
+        continue;
+      }
       const std::string t = std::to_string(tool), place = '[' + t + ',' + std::to_string(edge) + "]=";
       if (const std::string_view name = out.cell(table, i, "Name"); !name.empty() && edge == 1) {
         if (name.find('"') == std::string_view::npos)
@@ -162,6 +158,20 @@ struct SiemensArchive {
     }
   }
 
+  static void write_variables(ig::Export& out, std::string_view file, bool wants_r) {
+    static constexpr const char* table = "SiemensVariables";
+    WrittenFile lines(out, file);
+    for (std::uint32_t i = 0; i < out.rows(table); ++i) {
+      const std::string name = upper(out.key(table, i));
+      if (is_r_name(name) != wants_r) continue;
+      const std::string value = written(out.cell(table, i, "Value"), 1);
+      if (name.starts_with('$'))
+        out.unused("system variables", "the archive holds R parameters and user data only");
+      else
+        lines.line(name + '=' + (value.empty() ? "0" : value));
+    }
+  }
+
   static void write_frames(ig::Export& out, double mm) {
     static constexpr const char* table = "SiemensCoordinateTable";
     WrittenFile frames(out, "CH1_UFR");
@@ -172,7 +182,7 @@ struct SiemensArchive {
         if (const std::string value = written(out.cell(table, i, axis), *axis < 'X' ? 1 : mm); !value.empty())
           shift += (shift.empty() ? "" : ",") + std::string(axis) + ',' + value;
       std::string frame = "$P_CHBFR[0]";
-      if (const std::optional<double> code = number_of(row.substr(1)); code && row != "BASE")
+      if (const std::optional<double> code = number_of(row.substr(!row.empty())); code && row != "BASE")
         frame = "$P_UIFR[" + std::to_string(settable_number(static_cast<std::int64_t>(*code))) + ']';
       frames.line(frame + "=CTRANS(" + shift + ')');
     }

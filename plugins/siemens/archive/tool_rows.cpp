@@ -9,7 +9,7 @@ namespace siemens {
 
 namespace {
 
-constexpr std::int64_t most_tools = 32'000, most_edges = 99, most_rows = 99'999;
+constexpr std::int64_t most_tools = 32'000, most_rows = 99'999;
 
 const char* kind_of(std::string_view name) {
   if (name.starts_with("$TC_SCP") || name.starts_with("$TC_ECP")) return "sum offsets and setup offsets";

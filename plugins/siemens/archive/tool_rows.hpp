@@ -11,6 +11,8 @@
 
 namespace siemens {
 
+inline constexpr std::int64_t most_edges = 99;
+
 class ToolRows {
  public:
   /// An assignment whose name begins with $TC_.
