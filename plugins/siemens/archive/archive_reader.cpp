@@ -52,6 +52,11 @@ void ArchiveReader::read_line(std::string_view code) {
     present_channel_ = static_cast<std::int64_t>(*n);
     return;
   }
+  for (const char* const unit : {"METRIC", "INCH"})
+    if (equals_ignoring_case(code, unit)) {
+      is_inch_ = *unit == 'I';
+      return;
+    }
   if (present_channel_ != 0 && present_channel_ != channel_)
     return file_.unused("data of channel " + std::to_string(present_channel_),
                         "the option channel names another channel", begin, begin + code.size());

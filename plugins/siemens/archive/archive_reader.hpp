@@ -19,7 +19,7 @@ class ArchiveReader {
   void read();
   /// Gives the rows to the file. `mm` is a unit of the file in mm; `edge_step` is 0 where edges are indices.
   void give(double mm, std::int64_t edge_step) const;
-  /// As machine data of the file tell it.
+  /// As the file tells it: by METRIC, INCH or machine data.
   bool is_inch() const { return is_inch_; }
 
  private:

@@ -67,7 +67,9 @@ bool VariableRows::define(ig::Import& file, std::string_view code) {
   if (!read_attributes(cursor, d, name, is_global)) {
     file.report(ig::diag("SIE-0352"), begin, end, shown(code));
   } else if (!is_global) {
-    file.unused("definition without NCK or CHAN", "such a variable belongs to one program", begin, end);
+    file.unused("variable of one program", no_place, begin, end);
+    for (const std::string_view one : split(code.substr(static_cast<std::size_t>(name.data() - code.data()))))
+      local_.insert(upper(Cursor(one).word()));
   } else if (is_one_of(d.type, "STRING", "AXIS", "FRAME")) {
     file.unused("definition of a STRING, AXIS or FRAME", "SiemensVariables holds numbers only", begin, end);
   } else if (!read_names(file, cursor, d, name)) {
@@ -140,7 +142,7 @@ void VariableRows::define_one(ig::Import& file, const Definition& d, std::string
     if (given.size() > count) file.report(ig::diag("SIE-0349"), begin, end, base);
   }
   for (std::size_t i = 0; i < count; ++i)
-    if (values[i]) put(element(base, sizes, i), *values[i], begin, false);
+    if (values[i]) put(element(base, sizes, i), *values[i] != 0 ? values[i] : std::nullopt, begin, false);
 }
 
 }  // namespace siemens

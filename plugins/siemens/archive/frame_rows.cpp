@@ -17,9 +17,9 @@ constexpr const char* base_frames = "$P_CHBFR";
 }  // namespace
 
 FrameRows::FrameRows(const std::string& axes) {
-  for (const char* letter : {"X", "Y", "Z", "A", "B", "C"}) letters_[letter] = letter;
-  if (trim(axes).empty()) return;
+  std::string own = "XYZABC";
   for (const std::string_view pair : split(axes)) {
+    if (pair.empty()) continue;
     Cursor cursor(pair);
     const std::string machine = upper(cursor.word());
     const bool has_sign = cursor.accept('=');
@@ -28,7 +28,9 @@ FrameRows::FrameRows(const std::string& axes) {
         !cursor.is_at_end())
       throw std::runtime_error("the option axes has the form X1=X, Z1=Z, with X, Y, Z, A, B or C on the right side");
     letters_[machine] = letter;
+    std::erase(own, letter[0]);
   }
+  for (const char letter : own) letters_.try_emplace(std::string(1, letter), 1, letter);
 }
 
 bool FrameRows::Frame::has_shape() const {
@@ -83,6 +85,7 @@ bool FrameRows::assign(ig::Import& file, const Assignment& a) {
 
 std::optional<FrameRows::Frame> FrameRows::read_chain(std::string_view value) {
   Frame out;
+  out.is_whole = true;
   Cursor cursor(value);
   do {
     const std::string link = upper(cursor.word());
@@ -140,6 +143,7 @@ void FrameRows::give(ig::Import& file, double mm) const {
     }
     if (frame.is_shifted() && ++shifted_base_frames == 2)
       file.report(ig::diag("SIE-0346"), frame.begin, frame.end, name + '[' + std::to_string(number) + ']');
+    base.is_whole = base.is_whole || frame.is_whole;
     if (base.end == 0) base.begin = frame.begin, base.end = frame.end;
     for (const auto& [axis, part] : frame.axes) {
       base.axes[axis].coarse += part.shift();
@@ -150,18 +154,19 @@ void FrameRows::give(ig::Import& file, double mm) const {
 }
 
 void FrameRows::give_row(ig::Import& file, const std::string& row, const Frame& frame, double mm) const {
-  file.row("SiemensCoordinateTable", row, frame.begin);
+  std::map<std::string, double> shifts;
+  if (frame.is_whole) shifts = {{"X", 0}, {"Y", 0}, {"Z", 0}};
   for (const auto& [axis, part] : frame.axes) {
     if (!part.is_shift_given) continue;
-    const auto letter = letters_.find(axis);
-    if (letter == letters_.end()) {
-      if (part.shift() != 0)
-        file.unused("shift of axis " + axis, "the table has the axes X, Y, Z, A, B and C: see the option axes",
-                    frame.begin, frame.end);
-    } else {
-      file.cell(letter->second, part.shift() * (letter->second < "X" ? 1 : mm), frame.begin);
-    }
+    if (const auto letter = letters_.find(axis); letter != letters_.end())
+      shifts[letter->second] = part.shift() * (letter->second < "X" ? 1 : mm);
+    else if (part.shift() != 0)
+      file.unused("shift of axis " + axis, "the table has the axes X, Y, Z, A, B and C: see the option axes",
+                  frame.begin, frame.end);
   }
+  file.row("SiemensCoordinateTable", row, frame.begin);
+  for (const char* letter : {"X", "Y", "Z", "A", "B", "C"})
+    if (const auto shift = shifts.find(letter); shift != shifts.end()) file.cell(letter, shift->second, frame.begin);
 }
 
 }  // namespace siemens

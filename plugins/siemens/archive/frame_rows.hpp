@@ -31,6 +31,7 @@ class FrameRows {
   struct Frame {
     std::map<std::string, Part> axes;
     bool is_turned = false;  ///< by CROTS or CRPL
+    bool is_whole = false;   ///< axes that are not named have the shift 0
     std::size_t begin = 0, end = 0;
     bool has_shape() const;
     bool is_shifted() const;

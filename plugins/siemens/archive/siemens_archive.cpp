@@ -57,7 +57,8 @@ struct SiemensArchive {
           .fills("ToolOffsetTable", "SiemensCoordinateTable", "SiemensVariables");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "SIE-0343", "'{0}' is not read as a frame, so {1} stays as it was before this line"),
-      ig::diagnostic(IG_WARNING, "SIE-0344", "{0} has a number that the table does not have, so the line is left out"),
+      ig::diagnostic(IG_WARNING, "SIE-0344",
+                     "{0} has an index that is not a number of the table, so the line is left out"),
       ig::diagnostic(IG_WARNING, "SIE-0345",
                      "{0} is rotated, scaled or mirrored, which is not executed: only its shift is read"),
       ig::diagnostic(IG_WARNING, "SIE-0346",
@@ -73,7 +74,7 @@ struct SiemensArchive {
   };
 
   ig::Choice<ArchiveUnit> unit{"unit", "file|mm|inch", "file",
-                               "The basic system of the machine; file: as machine data in the file tell it, else mm."};
+                               "The basic system of the machine; file: as the file tells it, else mm."};
   ig::IntegerOption channel{"channel", "1", {1, 99}, "The channel whose data are read."};
   ig::TextOption axes{"axes", "", "The table's letters of other axes of the machine: X1=X, Z1=Z."};
   ig::IntegerOption edge_step{
@@ -99,7 +100,7 @@ struct SiemensArchive {
       has_mark = has_mark || word == "CHANDATA";
       system += a && a->name[0] == '$';
       r += a && cursor.is_at_end() && is_r_name(a->name) && number_of(a->value);
-      ++(word == "CHANDATA" || word == "DEF" || a ? good : bad);
+      ++(word == "CHANDATA" || word == "DEF" || word == "METRIC" || word == "INCH" || a ? good : bad);
     }
     if (has_mark) return bad <= good ? 95 : 0;
     if (system > 0) return bad * 10 <= good ? 90 : 0;

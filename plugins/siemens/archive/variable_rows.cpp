@@ -65,7 +65,7 @@ bool VariableRows::has_room_for(double elements) {
   return true;
 }
 
-void VariableRows::put(std::string key, double value, std::size_t place, bool is_assigned) {
+void VariableRows::put(std::string key, std::optional<double> value, std::size_t place, bool is_assigned) {
   const auto [it, is_new] = known_.try_emplace(key, rows_.size());
   if (is_new) return rows_.push_back({std::move(key), value, place, is_assigned});
   if (Row& row = rows_[it->second]; is_assigned || !row.is_assigned) row = {std::move(key), value, place, is_assigned};
@@ -83,6 +83,7 @@ void VariableRows::assign(ig::Import& file, const Assignment& a) {
     highest_r_ = std::max(highest_r_, n);
     return put("R" + std::to_string(n), *value, begin, true);
   }
+  if (local_.contains(own.name)) return file.unused("variable of one program", no_place, begin, end);
   if (value) return put(own.full_name(), *value, begin, true);
   if (quoted_text(a.value)) return file.unused("text of a variable", "SiemensVariables holds numbers only", begin, end);
   if (read_list(a.value)) return assign_list(file, own);
@@ -128,7 +129,7 @@ void VariableRows::assign_list(ig::Import& file, const Assignment& a) {
 void VariableRows::give(ig::Import& file) const {
   for (const Row& row : rows_) {
     file.row("SiemensVariables", row.key, row.place);
-    file.cell("Value", row.value, row.place);
+    if (row.value) file.cell("Value", *row.value, row.place);
   }
   if (highest_r_ >= delivered_r) file.option("SiemensVariables", "r-parameters", std::to_string(highest_r_ + 1), 0);
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "archive/data_line.hpp"
@@ -26,7 +27,7 @@ class VariableRows {
  private:
   struct Row {
     std::string key;
-    double value;
+    std::optional<double> value;  ///< none: the 0 of a definition, which leaves the value of another file as it is
     std::size_t place;
     bool is_assigned;
   };
@@ -45,11 +46,12 @@ class VariableRows {
   static double element_count(const Sizes& sizes);
   /// A short line can fill many elements: those of one array and of a file are limited.
   bool has_room_for(double elements);
-  void put(std::string key, double value, std::size_t place, bool is_assigned);
+  void put(std::string key, std::optional<double> value, std::size_t place, bool is_assigned);
 
   std::vector<Row> rows_;
   std::unordered_map<std::string, std::size_t> known_;
   std::unordered_map<std::string, Sizes> sizes_;
+  std::unordered_set<std::string> local_;  // variables of one program
   std::size_t repeated_ = 0;
   std::int64_t highest_r_ = 0;
 };
