@@ -143,12 +143,12 @@ struct SiemensArchive {
         continue;
       }
       const std::string t = std::to_string(tool), place = '[' + t + ',' + std::to_string(edge) + "]=";
-      if (const std::string_view name = out.cell(table, i, "Name"); !name.empty() && edge == 1) {
-        if (name.find('"') == std::string_view::npos)
-          tools.line("$TC_TP2[" + t + "]=\"" + std::string(name) + '"');
-        else
-          out.unused("names with a quotation mark", "a text of the archive cannot hold it");
-      }
+      const std::string_view name = out.cell(table, i, "Name");
+      if (!name.empty() && (edge != 1 || name.find('"') != std::string_view::npos))
+        out.unused("names of further edges, and with a quotation mark",
+                   "a tool has one name, as a text in quotation marks");
+      else if (!name.empty())
+        tools.line("$TC_TP2[" + t + "]=\"" + std::string(name) + '"');
       const auto line = [&](const char* variable, const char* column) {
         const std::string value = written(out.cell(table, i, column), mm);
         if (!value.empty()) tools.line(variable + place + value);

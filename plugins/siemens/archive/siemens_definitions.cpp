@@ -29,6 +29,7 @@ struct SiemensDefinitions {
       }
       Cursor cursor(code);
       const std::string first = upper(cursor.word()), second = upper(cursor.word());
+      if (first == "CHANDATA") return 0;  // values stand beside the definitions: SiemensArchive reads both
       if (first == "DEF" && (second == "NCK" || second == "CHAN"))
         ++definitions;
       else if (first == "DEFINE")
