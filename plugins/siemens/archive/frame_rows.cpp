@@ -1,0 +1,172 @@
+// The shift of each frame: coarse and fine offset by axis. Other parts of a frame have no column.
+#include "archive/frame_rows.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "frames/settable_frames.hpp"
+
+namespace siemens {
+
+namespace {
+
+constexpr double largest_shift = 1e7;  // mm or degrees; sums of them stay inside the table's range
+constexpr std::int64_t most_base_frames = 16;
+constexpr const char* base_frames = "$P_CHBFR";
+
+}  // namespace
+
+FrameRows::FrameRows(const std::string& axes) {
+  std::string own = "XYZABC";
+  for (const std::string_view pair : split(axes)) {
+    if (pair.empty()) continue;
+    Cursor cursor(pair);
+    const std::string machine = upper(cursor.word());
+    const bool has_sign = cursor.accept('=');
+    const std::string letter = upper(cursor.word());
+    if (machine.empty() || !has_sign || letter.size() != 1 || std::string_view("XYZABC").find(letter[0]) > 5 ||
+        !cursor.is_at_end())
+      throw std::runtime_error("the option axes has the form X1=X, Z1=Z, with X, Y, Z, A, B or C on the right side");
+    letters_[machine] = letter;
+    std::erase(own, letter[0]);
+  }
+  for (const char letter : own) letters_.try_emplace(std::string(1, letter), 1, letter);
+}
+
+bool FrameRows::Frame::has_shape() const {
+  bool out = is_turned;
+  for (const auto& [axis, part] : axes) out = out || part.has_shape();
+  return out;
+}
+
+bool FrameRows::Frame::is_shifted() const {
+  bool out = false;
+  for (const auto& [axis, part] : axes) out = out || part.shift() != 0;
+  return out;
+}
+
+bool FrameRows::set_component(Part& part, std::string_view component, double value) {
+  if (component == "TR") part.coarse = value;
+  if (component == "FI") part.fine = value;
+  if (component == "RT") part.rotation = value;
+  if (component == "SC") part.scale = value;
+  if (component == "MI") part.is_mirrored = value != 0;
+  const bool is_shift = component == "TR" || component == "FI";
+  part.is_shift_given = part.is_shift_given || is_shift;
+  return is_shift || component == "RT" || component == "SC" || component == "MI";
+}
+
+bool FrameRows::assign(ig::Import& file, const Assignment& a) {
+  if (!a.name.starts_with("$P_") || !a.name.ends_with("FR")) return false;
+  const std::size_t begin = place_in(file, a.written), end = begin + a.written.size();
+  const bool is_numbered = a.name == "$P_UIFR" || a.name == base_frames || a.name == "$P_NCBFR";
+  const std::size_t first = is_numbered ? 1 : 0;
+  const Id id(a.name == "$P_UBFR" ? base_frames : a.name, is_numbered ? a.number(0) : 0);
+  if (id.second < 0 || id.second >= (a.name == "$P_UIFR" ? settable_frames : most_base_frames))
+    return file.report(ig::diag("SIE-0344"), begin, end, shown(a.full_name())), true;
+  if (a.index.size() == first) {
+    std::optional<Frame> frame = read_chain(a.value);
+    if (!frame) return file.report(ig::diag("SIE-0343"), begin, end, shown(a.value), shown(a.full_name())), true;
+    frame->begin = begin;
+    frame->end = end;
+    frames_[id] = *std::move(frame);
+    return true;
+  }
+  const std::optional<double> value = number_of(a.value);
+  if (a.index.size() != first + 2 || !value || !(std::fabs(*value) < largest_shift))
+    return file.report(ig::diag("SIE-0342"), begin, end, shown(a.full_name()), shown(a.value)), true;
+  Part part;
+  if (!set_component(part, a.index[first + 1], *value))
+    return file.report(ig::diag("SIE-0343"), begin, end, shown(a.index[first + 1]), shown(a.full_name())), true;
+  Frame& frame = frames_[id];
+  if (frame.end == 0) frame.begin = begin, frame.end = end;
+  return set_component(frame.axes[a.index[first]], a.index[first + 1], *value);
+}
+
+std::optional<FrameRows::Frame> FrameRows::read_chain(std::string_view value) {
+  Frame out;
+  out.is_whole = true;
+  Cursor cursor(value);
+  do {
+    const std::string link = upper(cursor.word());
+    if (!cursor.accept('(')) return std::nullopt;
+    const std::string_view arguments = cursor.until(")");
+    if (!cursor.accept(')') || !read_link(out, link, arguments)) return std::nullopt;
+  } while (cursor.accept(':'));
+  return cursor.is_at_end() ? std::optional(std::move(out)) : std::nullopt;
+}
+
+bool FrameRows::read_link(Frame& frame, const std::string& link, std::string_view arguments) {
+  const std::string_view component = link == "CTRANS"    ? "TR"
+                                     : link == "CFINE"   ? "FI"
+                                     : link == "CROT"    ? "RT"
+                                     : link == "CSCALE"  ? "SC"
+                                     : link == "CMIRROR" ? "MI"
+                                                         : "";
+  const bool turns = link == "CROTS" || link == "CRPL";
+  if (component.empty() && !turns) return false;
+  if (trim(arguments).empty()) return true;
+  const std::vector<std::string_view> parts = split(arguments);
+  const std::size_t step = component == "MI" ? 1 : 2;
+  if (parts.size() % step != 0) return false;
+  for (std::size_t i = 0; i < parts.size(); i += step) {
+    Cursor cursor(parts[i]);
+    const std::string axis = upper(cursor.word());
+    const std::optional<double> value = step == 1 ? 1.0 : number_of(parts[i + 1]);
+    if ((axis.empty() && !turns) || (!axis.empty() && !cursor.is_at_end()) || !value ||
+        !(std::fabs(*value) < largest_shift))
+      return false;
+    if (turns)
+      frame.is_turned = frame.is_turned || *value != 0;
+    else
+      set_component(frame.axes[axis], component, *value);
+  }
+  return true;
+}
+
+void FrameRows::give(ig::Import& file, double mm) const {
+  std::size_t shifted_base_frames = 0;
+  Frame base;
+  for (const auto& [id, frame] : frames_) {
+    const auto& [name, number] = id;
+    const bool is_base = name == base_frames || name == "$P_NCBFR";
+    const bool is_settable = name == "$P_UIFR";
+    if (!is_base && !is_settable) {
+      if (frame.has_shape() || frame.is_shifted()) file.report(ig::diag("SIE-0347"), frame.begin, frame.end, name);
+      continue;
+    }
+    const std::string row = is_base ? "BASE" : "G" + std::to_string(settable_code(number));
+    if (frame.has_shape()) file.report(ig::diag("SIE-0345"), frame.begin, frame.end, row);
+    if (is_settable) {
+      give_row(file, row, frame, mm);
+      continue;
+    }
+    if (frame.is_shifted() && ++shifted_base_frames == 2)
+      file.report(ig::diag("SIE-0346"), frame.begin, frame.end, name + '[' + std::to_string(number) + ']');
+    base.is_whole = base.is_whole || frame.is_whole;
+    if (base.end == 0) base.begin = frame.begin, base.end = frame.end;
+    for (const auto& [axis, part] : frame.axes) {
+      base.axes[axis].coarse += part.shift();
+      base.axes[axis].is_shift_given = base.axes[axis].is_shift_given || part.is_shift_given;
+    }
+  }
+  if (base.end > 0) give_row(file, "BASE", base, mm);
+}
+
+void FrameRows::give_row(ig::Import& file, const std::string& row, const Frame& frame, double mm) const {
+  std::map<std::string, double> shifts;
+  if (frame.is_whole) shifts = {{"X", 0}, {"Y", 0}, {"Z", 0}};
+  for (const auto& [axis, part] : frame.axes) {
+    if (!part.is_shift_given) continue;
+    if (const auto letter = letters_.find(axis); letter != letters_.end())
+      shifts[letter->second] = part.shift() * (letter->second < "X" ? 1 : mm);
+    else if (part.shift() != 0)
+      file.unused("shift of axis " + axis, "the table has the axes X, Y, Z, A, B and C: see the option axes",
+                  frame.begin, frame.end);
+  }
+  file.row("SiemensCoordinateTable", row, frame.begin);
+  for (const char* letter : {"X", "Y", "Z", "A", "B", "C"})
+    if (const auto shift = shifts.find(letter); shift != shifts.end()) file.cell(letter, shift->second, frame.begin);
+}
+
+}  // namespace siemens

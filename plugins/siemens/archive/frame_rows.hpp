@@ -1,0 +1,50 @@
+/// Rows of SiemensCoordinateTable from frames: $P_UIFR, base frames and system frames. Manual Job planning, "Frames".
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "archive/data_line.hpp"
+
+namespace siemens {
+
+class FrameRows {
+ public:
+  /// `axes` gives the table's letters to axes of the machine: "X1=X, Z1=Z". Throws where it has another form.
+  explicit FrameRows(const std::string& axes);
+
+  /// False where the assignment is not to a frame.
+  bool assign(ig::Import& file, const Assignment& a);
+  /// Gives the rows to the file. `mm` is a unit of the file in mm.
+  void give(ig::Import& file, double mm) const;
+
+ private:
+  struct Part {
+    double coarse = 0, fine = 0, rotation = 0, scale = 1;
+    bool is_mirrored = false, is_shift_given = false;
+    double shift() const { return coarse + fine; }
+    bool has_shape() const { return rotation != 0 || scale != 1 || is_mirrored; }
+  };
+  struct Frame {
+    std::map<std::string, Part> axes;
+    bool is_turned = false;  ///< by CROTS or CRPL
+    bool is_whole = false;   ///< axes that are not named have the shift 0
+    std::size_t begin = 0, end = 0;
+    bool has_shape() const;
+    bool is_shifted() const;
+  };
+  using Id = std::pair<std::string, std::int64_t>;
+
+  static std::optional<Frame> read_chain(std::string_view value);
+  static bool read_link(Frame& frame, const std::string& link, std::string_view arguments);
+  static bool set_component(Part& part, std::string_view component, double value);
+  void give_row(ig::Import& file, const std::string& row, const Frame& frame, double mm) const;
+
+  std::map<std::string, std::string> letters_;
+  std::map<Id, Frame> frames_;
+};
+
+}  // namespace siemens
