@@ -130,11 +130,12 @@ const ig::Diagnostics shared_diagnostics{
     ig::diagnostic(IG_WARNING, "HEI-0308", "row {0} comes again: the first one is used, and this one is left out",
                    "A control has each number once. Find out which of the two rows is right.",
                    "a second row with the number 5"),
-    ig::diagnostic(IG_WARNING, "HEI-0309",
-                   "a number of row {1} crosses the edge of column {0}, so it is left out: align it below the name",
-                   "A column begins at the first character of its name. A value that begins before it, or is too long, "
-                   "would be cut into two wrong ones.",
-                   "a row in which one blank is missing"),
+    ig::diagnostic(
+        IG_WARNING, "HEI-0309",
+        "a number is not below the name of column {0}, so row {1} is left out: align its values",
+        "A column begins at the first character of its name. A number that begins before it, or is too long, "
+        "would be read as two, and the values beside it may stand in a wrong column.",
+        "a row in which one blank is missing"),
     ig::diagnostic(IG_WARNING, "HEI-0310",
                    "'{0}' in column {1} of row {2} is not a number, so the value is left out: correct it",
                    "Numbers have a point or a comma before the decimals, and perhaps a sign. The rest of the row is "

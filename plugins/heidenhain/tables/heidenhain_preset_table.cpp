@@ -12,6 +12,15 @@ constexpr std::int64_t highest_preset = 99'999;
 constexpr const char* turns_of_preset[] = {"SPA", "SPB", "SPC", "ROT"};
 constexpr const char* no_place = "no table has a place for it";
 
+bool is_turn(std::string_view name) {
+  return std::find(std::begin(turns_of_preset), std::end(turns_of_preset), name) != std::end(turns_of_preset);
+}
+bool is_shift(std::string_view name) { return name.ends_with("_OFFS"); }
+bool holds_number(std::string_view name) {
+  constexpr std::string_view axes = "XYZABC";
+  return is_turn(name) || is_shift(name) || (name.size() == 1 && axes.find(name[0]) != std::string_view::npos);
+}
+
 struct HeidenhainPresetTable {
   static constexpr auto spec = ig::importer("HeidenhainPresetTable", "The preset table of a TNC, PRESET.PR.")
                                    .files("PRESET.PR *.pr")
@@ -33,7 +42,7 @@ struct HeidenhainPresetTable {
   }
 
   void read(ig::Import& file) const {
-    TableReader table(file, TableKind::presets, unit);
+    TableReader table(file, TableKind::presets, unit, holds_number);
     table.rows([&](const std::vector<TableCell>& cells) {
       const std::optional<std::string> number = table.row_number(cells, highest_preset, 0);
       if (!number) return;
@@ -71,16 +80,15 @@ struct HeidenhainPresetTable {
 
   static void read_cell(ig::Import& file, const TableReader& table, const TableCell& cell, const std::string& preset) {
     const std::string& name = table.column(cell).name;
-    if (!cell.is_given() && !cell.crosses_edge) return;
+    if (!cell.is_given()) return;
     if (const char axis = origin_of(table, cell); axis != 0) {
       const double factor = axis >= 'X' ? table.mm() : 1;
       if (const std::optional<double> value = table.number(cell, preset))
         file.cell(std::string_view(&axis, 1), *value * factor, cell.begin);
       return;
     }
-    const bool turns =
-        std::find(std::begin(turns_of_preset), std::end(turns_of_preset), name) != std::end(turns_of_preset);
-    if (!turns && !name.ends_with("_OFFS")) return table.unused(cell, no_place);
+    const bool turns = is_turn(name);
+    if (!turns && !is_shift(name)) return table.unused(cell, no_place);
     const std::optional<double> value = table.number(cell, preset);
     if (!value || *value == 0) return;
     file.report(turns ? ig::diag("HEI-0320") : ig::diag("HEI-0321"), cell.begin, cell.end(), preset, name, cell.text);

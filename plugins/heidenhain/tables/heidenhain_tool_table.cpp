@@ -27,6 +27,12 @@ struct LengthColumn {
 };
 constexpr LengthColumn lengths[] = {{"H", "L"}, {"D", "R"}, {"HWear", "DL"}, {"DWear", "DR"}};
 
+const LengthColumn* length_of(std::string_view name) {
+  for (const LengthColumn& column : lengths)
+    if (column.name == name) return &column;
+  return nullptr;
+}
+
 struct HeidenhainToolTable {
   static constexpr auto spec = ig::importer("HeidenhainToolTable", "The tool table of a TNC, TOOL.T.")
                                    .files("TOOL.T *.t")
@@ -40,7 +46,7 @@ struct HeidenhainToolTable {
   }
 
   void read(ig::Import& file) const {
-    TableReader table(file, TableKind::tools, unit);
+    TableReader table(file, TableKind::tools, unit, [](std::string_view name) { return length_of(name) != nullptr; });
     table.rows([&](const std::vector<TableCell>& cells) {
       const std::optional<std::string> number = table.row_number(cells, highest_tool, highest_index);
       if (!number) return;
@@ -92,10 +98,9 @@ struct HeidenhainToolTable {
       if (cell.is_given()) file.cell("Name", cell.text, cell.begin);
       return;
     }
-    const auto length =
-        std::find_if(std::begin(lengths), std::end(lengths), [&](const LengthColumn& c) { return c.name == name; });
-    if (length == std::end(lengths)) return table.unused(cell, "no table has a place for it");
-    if (!cell.is_given() && !cell.crosses_edge) return;
+    const LengthColumn* const length = length_of(name);
+    if (length == nullptr) return table.unused(cell, "no table has a place for it");
+    if (!cell.is_given()) return;
     if (const std::optional<double> value = table.number(cell, tool))
       file.cell(length->ours, *value * table.mm(), cell.begin);
   }

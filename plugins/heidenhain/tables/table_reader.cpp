@@ -21,7 +21,7 @@ bool continues_number(char c) { return is_digit(c) || c == '.' || c == ','; }
 
 }  // namespace
 
-TableReader::TableReader(ig::Import& file, TableKind kind, TableUnit unit)
+TableReader::TableReader(ig::Import& file, TableKind kind, TableUnit unit, IsName holds_number)
     : file_(file), head_(read_table_head(file.text(), false)), end_(file.lines().end()) {
   const bool is_wrong = head_.kind != kind;
   if (is_wrong || head_.columns.empty()) {
@@ -30,6 +30,8 @@ TableReader::TableReader(ig::Import& file, TableKind kind, TableUnit unit)
     has_end_ = true;
     return;
   }
+  for (const TableColumn& column : head_.columns) holds_number_.push_back(holds_number(column.name));
+  holds_number_[0] = true;
   if (head_.unit == TableUnit::as_written) head_.unit = unit;
   if (head_.unit == TableUnit::as_written) file.report(ig::diag("HEI-0303"), 0, head_.names_begin);
   mm_ = head_.unit == TableUnit::inch ? mm_per_inch : 1;
@@ -71,6 +73,8 @@ bool TableReader::split(const ig::TextLine& line) {
         is_last ? line.text.size()
                 : after_characters(line.text, begin, head_.columns[i + 1].begin - head_.columns[i].begin);
     add_cell(line, i, begin, end);
+    if (!cells_.empty() && cells_.back().column == i)
+      cells_.back().is_shifted = is_shifted(line.text, begin, end, cells_.back().text);
     begin = end;
   }
   return true;
@@ -99,11 +103,26 @@ bool TableReader::split_at_tabs(const ig::TextLine& line) {
 void TableReader::add_cell(const ig::TextLine& line, std::size_t column, std::size_t begin, std::size_t end) {
   const std::string_view all = line.text, text = without_blanks(all.substr(begin, end - begin));
   if (text.empty()) return;
+  const auto at = static_cast<std::size_t>(text.data() - all.data());
+  cells_.push_back({column, text, line.begin + at, false});
+}
+
+/// True for a number that runs over an edge of its column, for two of them, and for a digit that the column has only
+/// because it stands one character before the next one. Between tabs nothing is shifted.
+bool TableReader::is_shifted(std::string_view line, std::size_t begin, std::size_t end, std::string_view text) {
   const auto crosses = [&](std::size_t edge) {
-    return edge > 0 && edge < all.size() && begins_number(all[edge - 1]) && continues_number(all[edge]);
+    return edge > 0 && edge < line.size() && begins_number(line[edge - 1]) && continues_number(line[edge]);
   };
-  const std::size_t at = static_cast<std::size_t>(text.data() - all.data());
-  cells_.push_back({column, text, line.begin + at, crosses(begin) || crosses(end)});
+  const bool is_last = text.size() == 1 && end - begin > 2 && end < line.size() && text.data() + 1 == line.data() + end;
+  return crosses(begin) || crosses(end) || is_last || text.find(' ') != std::string_view::npos;
+}
+
+bool TableReader::reports_shift() const {
+  const auto shifted = std::find_if(cells_.begin(), cells_.end(),
+                                    [&](const TableCell& c) { return c.is_shifted && holds_number_[c.column]; });
+  if (shifted == cells_.end()) return false;
+  file_.report(ig::diag("HEI-0309"), shifted->begin, shifted->end(), column(*shifted).name, cells_.front().text);
+  return true;
 }
 
 std::optional<std::string> TableReader::row_number(const std::vector<TableCell>& cells, std::int64_t maximum,
@@ -124,7 +143,7 @@ std::optional<std::string> TableReader::row_number(const std::vector<TableCell>&
   // 5.10 is index 10 and 5.1 is index 1; what 5.01 would be is not known.
   const bool is_index = index_text.size() == 1 || !index_text.starts_with('0');
   const std::int64_t index = is_index ? whole(index_text) : -1;
-  if (cell.crosses_edge || number < 0 || number > maximum || index < 0 || index > maximum_index) {
+  if (number < 0 || number > maximum || index < 0 || index > maximum_index) {
     file_.report(ig::diag("HEI-0307"), cell.begin, cell.end(), cell.text, name, maximum);
     return std::nullopt;
   }
@@ -137,10 +156,6 @@ std::optional<std::string> TableReader::row_number(const std::vector<TableCell>&
 
 std::optional<double> TableReader::number(const TableCell& cell, std::string_view row) const {
   const std::string& name = column(cell).name;
-  if (cell.crosses_edge) {
-    file_.report(ig::diag("HEI-0309"), cell.begin, cell.end(), name, row);
-    return std::nullopt;
-  }
   std::string digits(cell.text.substr(0, longest_number));
   // The decimal sign is a setting of the control; no table has another comma in a number.
   if (const std::size_t comma = digits.find(','); comma != std::string::npos) digits[comma] = '.';

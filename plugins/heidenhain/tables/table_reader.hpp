@@ -20,8 +20,8 @@ namespace heidenhain {
 struct TableCell {
   std::size_t column = 0;
   std::string_view text;
-  std::size_t begin = 0;      ///< in the file
-  bool crosses_edge = false;  ///< a number runs on into the next column, or from the one before
+  std::size_t begin = 0;    ///< in the file
+  bool is_shifted = false;  ///< as a number it does not stand in its column alone
 
   std::size_t end() const { return begin + text.size(); }
   /// "-" stands for no value.
@@ -31,18 +31,21 @@ struct TableCell {
 /// Reads the rows of one table, and reports what is wrong with them.
 class TableReader {
  public:
+  using IsName = bool (*)(std::string_view column);
+
   /// Reports the head where it names no unit. Without a table of this kind there are no rows, which is reported, too.
-  TableReader(ig::Import& file, TableKind kind, TableUnit unit);
+  TableReader(ig::Import& file, TableKind kind, TableUnit unit, IsName holds_number);
 
   const TableColumn& column(const TableCell& cell) const { return head_.columns[cell.column]; }
   const TableHead& head() const { return head_; }
   double mm() const { return mm_; }
 
-  /// Calls read(cells) for each row that has a cell; the cells stand in the order of the columns.
+  /// Calls read(cells) for each row that has a cell; the cells stand in the order of the columns. Leaves out, and
+  /// reports, a row in which a number does not stand in its column: others may stand in a wrong one unnoticed.
   template <class Read>
   void rows(Read&& read) {
     for (auto line = first_row(); line != end_ && !ends(*line); ++line)
-      if (split(*line)) read(std::as_const(cells_));
+      if (split(*line) && !reports_shift()) read(std::as_const(cells_));
     finish();
   }
 
@@ -59,11 +62,14 @@ class TableReader {
   bool ends(const ig::TextLine& line);
   void finish();
   bool split(const ig::TextLine& line);
+  bool reports_shift() const;
+  static bool is_shifted(std::string_view line, std::size_t begin, std::size_t end, std::string_view text);
   bool split_at_tabs(const ig::TextLine& line);
   void add_cell(const ig::TextLine& line, std::size_t column, std::size_t begin, std::size_t end);
 
   ig::Import& file_;
   TableHead head_;
+  std::vector<bool> holds_number_;  // by column; the first one does
   double mm_ = 1;
   ig::TextLines::Iterator end_;
   std::vector<TableCell> cells_;
