@@ -31,7 +31,7 @@ struct HeidenhainPresetTable {
       ig::diagnostic(IG_WARNING, "HEI-0321",
                      "preset {0} has {1} {2}, a shift that is not executed: positions under it will be wrong"),
       ig::diagnostic(IG_WARNING, "HEI-0322",
-                     "preset {0} has no {1}: the control keeps the previous datum of that axis, here it becomes 0"),
+                     "preset {0} has no {1}: a control keeps the previous datum there, and here it becomes 0"),
   };
 
   ig::Choice<TableUnit> unit{"unit", "as-written|mm|inch", "as-written",
@@ -69,12 +69,14 @@ struct HeidenhainPresetTable {
 
   static void begin_row(ig::Import& file, const TableReader& table, const std::vector<TableCell>& cells,
                         const std::string& number) {
+    std::string missing;
     for (const char axis : {'X', 'Y', 'Z'}) {
       const bool has_axis = std::any_of(
           cells.begin(), cells.end(), [&](const TableCell& c) { return c.is_given() && origin_of(table, c) == axis; });
-      if (!has_axis)
-        file.report(ig::diag("HEI-0322"), cells[0].begin, cells[0].end(), number, std::string_view(&axis, 1));
+      if (!has_axis) (missing += missing.empty() ? "" : ", ") += axis;
     }
+    if (!missing.empty())
+      file.report(ig::diag("HEI-0322"), cells[0].begin, cells[0].end(), number, std::string_view(missing));
     file.row("IsoCoordinateTable", "DATUM_PRESET_" + number, cells[0].begin);
   }
 
