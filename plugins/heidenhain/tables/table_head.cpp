@@ -70,12 +70,12 @@ class Preamble {
 /// False where the tabs do not stand one between each two names.
 bool read_names(std::string_view line, TableHead& head) {
   head.has_tabs = line.find('\t') != std::string_view::npos;
-  std::size_t characters = 0;
-  for (std::size_t i = 0; i < line.size(); ++characters) {
-    const bool is_first = !is_space_or_control(line[i]) && (i == 0 || is_space_or_control(line[i - 1]));
+  bool is_between = true;
+  for (std::size_t i = 0, characters = 0; i < line.size(); ++characters) {
     const std::size_t end = after_characters(line, i, 1);
-    if (is_first) head.columns.push_back({"", characters});
-    if (!is_space_or_control(line[i])) head.columns.back().name += capitals(line.substr(i, end - i));
+    const bool was_between = std::exchange(is_between, is_space_or_control(line[i]));
+    if (was_between && !is_between) head.columns.push_back({"", characters});
+    if (!is_between) head.columns.back().name += capitals(line.substr(i, end - i));
     i = end;
   }
   const std::string_view inner = without_blanks(line);

@@ -77,7 +77,7 @@ bool TableReader::split(const ig::TextLine& line) {
       cells_.back().is_shifted = is_shifted(line.text, begin, end, cells_.back().text);
     begin = end;
   }
-  return true;
+  return !cells_.empty();
 }
 
 /// A row with tabs has a cell for each column, or the alignment is lost. At the end cells may be missing where the
@@ -97,7 +97,7 @@ bool TableReader::split_at_tabs(const ig::TextLine& line) {
     add_cell(line, i, begin, end);
     begin = end + 1;
   }
-  return true;
+  return !cells_.empty();
 }
 
 void TableReader::add_cell(const ig::TextLine& line, std::size_t column, std::size_t begin, std::size_t end) {
