@@ -84,9 +84,8 @@ struct HeidenhainPresetTable {
     const std::string& name = table.column(cell).name;
     if (!cell.is_given()) return;
     if (const char axis = origin_of(table, cell); axis != 0) {
-      const double factor = axis >= 'X' ? table.mm() : 1;
       if (const std::optional<double> value = table.number(cell, preset))
-        file.cell(std::string_view(&axis, 1), *value * factor, cell.begin);
+        file.cell(std::string_view(&axis, 1), axis >= 'X' ? table.in_mm(*value) : *value, cell.begin);
       return;
     }
     const bool turns = is_turn(name);

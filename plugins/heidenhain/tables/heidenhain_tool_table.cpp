@@ -102,7 +102,7 @@ struct HeidenhainToolTable {
     if (length == nullptr) return table.unused(cell, "no table has a place for it");
     if (!cell.is_given()) return;
     if (const std::optional<double> value = table.number(cell, tool))
-      file.cell(length->ours, *value * table.mm(), cell.begin);
+      file.cell(length->ours, table.in_mm(*value), cell.begin);
   }
 
   void write_tool(ig::Export& out, const Tool& tool) const {

@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t longest_number = 64;
 // Far beyond any machine, and within what the columns of all tables take.
 constexpr double largest_number = 1e8;
+constexpr double smallest_parts = 1e9;
 
 bool begins_number(char c) { return is_digit(c) || c == '.' || c == ',' || c == '+' || c == '-'; }
 bool continues_number(char c) { return is_digit(c) || c == '.' || c == ','; }
@@ -163,6 +164,11 @@ std::optional<double> TableReader::number(const TableCell& cell, std::string_vie
   if (read.ok && read.end == cell.text.size() && std::abs(read.value) <= largest_number) return read.value;
   file_.report(ig::diag("HEI-0310"), cell.begin, cell.end(), cell.text, name, row);
   return std::nullopt;
+}
+
+double TableReader::in_mm(double length) const {
+  // Three inches are 76.2 mm and not 76.19999999999999.
+  return mm_ == 1 ? length : std::round(length * mm_ * smallest_parts) / smallest_parts;
 }
 
 void TableReader::unused(const TableCell& cell, std::string_view why) const {

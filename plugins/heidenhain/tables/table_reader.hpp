@@ -38,7 +38,8 @@ class TableReader {
 
   const TableColumn& column(const TableCell& cell) const { return head_.columns[cell.column]; }
   const TableHead& head() const { return head_; }
-  double mm() const { return mm_; }
+  /// A length of the table in mm.
+  double in_mm(double length) const;
 
   /// Calls read(cells) for each row that has a cell; the cells stand in the order of the columns. Leaves out, and
   /// reports, a row in which a number does not stand in its column: others may stand in a wrong one unnoticed.
