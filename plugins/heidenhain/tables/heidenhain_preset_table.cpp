@@ -50,21 +50,20 @@ struct HeidenhainPresetTable {
       if (std::any_of(cells.begin(), cells.end(),
                       [&](const TableCell& c) { return c.is_given() && origin_of(table, c) != 0; }))
         begin_row(file, table, cells, *number);
-      for (const TableCell& cell : std::span(cells).subspan(1)) read_cell(file, table, cell, *number);
+      std::string axes;  // that have a value
+      for (const TableCell& cell : std::span(cells).subspan(1)) read_cell(file, table, cell, *number, axes);
     });
   }
 
  private:
-  /// The axis whose origin the cell holds, 'X' to 'Z' and 'A' to 'C'; 0 for other cells.
+  /// The axis whose origin the cell holds, 'X' to 'Z' and 'A' to 'C'; 0 for other cells. Older controls have A, newer
+  /// ones A_OFFS.
   static char origin_of(const TableReader& table, const TableCell& cell) {
     const std::string& name = table.column(cell).name;
     const bool is_rotary = name[0] >= 'A' && name[0] <= 'C';
     const bool is_linear = name[0] >= 'X' && name[0] <= 'Z';
     if (name.size() == 1 && is_linear) return name[0];
-    // Older controls have A, newer ones A_OFFS; nobody has seen both.
-    if (is_rotary && (name.substr(1) == "_OFFS" || (name.size() == 1 && table.head().find(name + "_OFFS") == nullptr)))
-      return name[0];
-    return 0;
+    return is_rotary && (name.size() == 1 || name.substr(1) == "_OFFS") ? name[0] : 0;
   }
 
   static void begin_row(ig::Import& file, const TableReader& table, const std::vector<TableCell>& cells,
@@ -80,10 +79,14 @@ struct HeidenhainPresetTable {
     file.row("IsoCoordinateTable", "DATUM_PRESET_" + number, cells[0].begin);
   }
 
-  static void read_cell(ig::Import& file, const TableReader& table, const TableCell& cell, const std::string& preset) {
+  static void read_cell(ig::Import& file, const TableReader& table, const TableCell& cell, const std::string& preset,
+                        std::string& axes) {
     const std::string& name = table.column(cell).name;
     if (!cell.is_given()) return;
     if (const char axis = origin_of(table, cell); axis != 0) {
+      if (axes.find(axis) != std::string::npos)
+        return table.unused(cell, "a column before it gives the value of its axis");
+      axes += axis;
       if (const std::optional<double> value = table.number(cell, preset))
         file.cell(std::string_view(&axis, 1), axis >= 'X' ? table.in_mm(*value) : *value, cell.begin);
       return;

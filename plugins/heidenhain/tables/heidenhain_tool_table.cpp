@@ -15,7 +15,7 @@ using namespace ig::cnc;
 namespace {
 
 constexpr std::int64_t highest_tool = 32'767, highest_index = 99;
-constexpr std::size_t longest_name = 32;
+constexpr std::size_t longest_tool_name = 32;
 // Room for a sign, nine digits, a point and as many decimals, and a blank.
 constexpr std::size_t width_of_number = 21, width_of_t = 8;
 constexpr int most_decimals = 9;
@@ -68,9 +68,9 @@ struct HeidenhainToolTable {
       return std::pair(a.number, a.index) < std::pair(b.number, b.index);
     });
     out.write(unit == TableUnit::inch ? "BEGIN TOOL.T INCH\n" : "BEGIN TOOL.T MM\n");
-    std::string names = padded("T", width_of_t) + padded("NAME", longest_name + 1);
+    std::string names = padded("T", width_of_t) + padded("NAME", longest_tool_name + 1);
     for (const LengthColumn& column : lengths) names += padded(column.name, width_of_number);
-    out.write(names + "\n" + padded("0", width_of_t + longest_name + 1));
+    out.write(names + "\n" + padded("0", width_of_t + longest_tool_name + 1));
     for (std::size_t i = 0; i < std::size(lengths); ++i) out.write(padded("+0", width_of_number));
     for (const Tool& tool : tools) write_tool(out, tool);
     out.write("\n[END]\n");
@@ -107,7 +107,7 @@ struct HeidenhainToolTable {
 
   void write_tool(ig::Export& out, const Tool& tool) const {
     const std::string key(out.key("ToolOffsetTable", tool.row));
-    out.write("\n" + padded(key, width_of_t) + padded(name_of(out, tool.row), longest_name + 1));
+    out.write("\n" + padded(key, width_of_t) + padded(name_of(out, tool.row), longest_tool_name + 1));
     for (const LengthColumn& column : lengths) {
       const std::string_view text = out.cell("ToolOffsetTable", tool.row, column.ours);
       const ig::Decimal value = ig::read_decimal(text, 0);
@@ -119,7 +119,7 @@ struct HeidenhainToolTable {
 
   static std::string_view name_of(ig::Export& out, std::uint32_t row) {
     const std::string_view name = out.cell("ToolOffsetTable", row, "Name");
-    const std::size_t end = after_characters(name, 0, longest_name);
+    const std::size_t end = after_characters(name, 0, longest_tool_name);
     if (end < name.size()) out.unused("the end of a name", "the control's names have 32 characters at most");
     return name.substr(0, end);
   }

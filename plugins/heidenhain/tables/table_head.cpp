@@ -1,6 +1,7 @@
 #include "tables/table_head.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 #include <isogloss/sdk.hpp>
@@ -8,6 +9,8 @@
 namespace heidenhain {
 
 namespace {
+
+constexpr std::size_t longest_name = 64;
 
 bool is_space_or_control(char c) { return static_cast<unsigned char>(c) <= ' '; }
 bool is_in_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
@@ -75,9 +78,13 @@ bool read_names(std::string_view line, TableHead& head) {
     const std::size_t end = after_characters(line, i, 1);
     const bool was_between = std::exchange(is_between, is_space_or_control(line[i]));
     if (was_between && !is_between) head.columns.push_back({"", characters});
-    if (!is_between) head.columns.back().name += capitals(line.substr(i, end - i));
+    if (!is_between && head.columns.back().name.size() < longest_name)
+      head.columns.back().name += capitals(line.substr(i, end - i));
     i = end;
   }
+  std::unordered_set<std::string> known;
+  for (TableColumn& column : head.columns)
+    if (!known.insert(column.name).second) column.name += " (again)";
   const std::string_view inner = without_blanks(line);
   const auto tabs = static_cast<std::size_t>(std::count(inner.begin(), inner.end(), '\t'));
   return !head.has_tabs || tabs + 1 == head.columns.size();

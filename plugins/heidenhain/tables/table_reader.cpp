@@ -12,13 +12,16 @@ using namespace ig::cnc;
 
 namespace {
 
-constexpr std::size_t longest_number = 64;
+constexpr std::size_t longest_number = 64, longest_shown = 40;
 // Far beyond any machine, and within what the columns of all tables take.
 constexpr double largest_number = 1e8;
 constexpr double smallest_parts = 1e9;
 
 bool begins_number(char c) { return is_digit(c) || c == '.' || c == ',' || c == '+' || c == '-'; }
 bool continues_number(char c) { return is_digit(c) || c == '.' || c == ','; }
+
+/// A value as a diagnostic shows it.
+std::string_view shown(std::string_view text) { return text.substr(0, after_characters(text, 0, longest_shown)); }
 
 }  // namespace
 
@@ -122,7 +125,7 @@ bool TableReader::reports_shift() const {
   const auto shifted = std::find_if(cells_.begin(), cells_.end(),
                                     [&](const TableCell& c) { return c.is_shifted && holds_number_[c.column]; });
   if (shifted == cells_.end()) return false;
-  file_.report(ig::diag("HEI-0309"), shifted->begin, shifted->end(), column(*shifted).name, cells_.front().text);
+  file_.report(ig::diag("HEI-0309"), shifted->begin, shifted->end(), column(*shifted).name, shown(cells_.front().text));
   return true;
 }
 
@@ -145,7 +148,7 @@ std::optional<std::string> TableReader::row_number(const std::vector<TableCell>&
   const bool is_index = index_text.size() == 1 || !index_text.starts_with('0');
   const std::int64_t index = is_index ? whole(index_text) : -1;
   if (number < 0 || number > maximum || index < 0 || index > maximum_index) {
-    file_.report(ig::diag("HEI-0307"), cell.begin, cell.end(), cell.text, name, maximum);
+    file_.report(ig::diag("HEI-0307"), cell.begin, cell.end(), shown(cell.text), name, maximum);
     return std::nullopt;
   }
   std::string key = std::to_string(number);
@@ -162,7 +165,7 @@ std::optional<double> TableReader::number(const TableCell& cell, std::string_vie
   if (const std::size_t comma = digits.find(','); comma != std::string::npos) digits[comma] = '.';
   const ig::Decimal read = ig::read_decimal(digits, 0);
   if (read.ok && read.end == cell.text.size() && std::abs(read.value) <= largest_number) return read.value;
-  file_.report(ig::diag("HEI-0310"), cell.begin, cell.end(), cell.text, name, row);
+  file_.report(ig::diag("HEI-0310"), cell.begin, cell.end(), shown(cell.text), name, row);
   return std::nullopt;
 }
 
