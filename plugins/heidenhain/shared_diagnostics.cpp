@@ -96,6 +96,51 @@ const ig::Diagnostics shared_diagnostics{
         "text in brackets is not a comment in Klartext and is ignored: begin comments with a semicolon",
         "Simulators and other controls write comments in brackets. Reported once, for this text and all later ones.",
         "( SETUP SHEET"),
+    // Tables of the control, which importers read.
+    ig::diagnostic(IG_ERROR, "HEI-0301",
+                   "this file is not a table of that format, so nothing is read: name another format",
+                   "The first line that is no comment and does not begin with BEGIN names the columns, and these tell "
+                   "one table from another.",
+                   "0 BEGIN PGM MILL MM, in a file named TOOL.T"),
+    ig::diagnostic(
+        IG_ERROR, "HEI-0302",
+        "tabs have shifted the names of the columns, so nothing is read: copy the table from the control again",
+        "A column is as wide as its name and the blanks after it. With tabs one tab has to stand between two "
+        "names.",
+        "T, a tab, NAME, three tabs, L, a tab, R"),
+    ig::diagnostic(IG_WARNING, "HEI-0303",
+                   "the first line names neither MM nor INCH, so millimetres are assumed: set the option unit",
+                   "A control writes the unit behind the name of the table.", "BEGIN TOOL.T"),
+    ig::diagnostic(IG_WARNING, "HEI-0304",
+                   "the table does not end with [END], so rows may be missing: compare its last row with the control",
+                   "A control writes [END] behind the last row. Programs of a PC leave it out, and so does a transfer "
+                   "that was interrupted.",
+                   "a table without its last line"),
+    ig::diagnostic(
+        IG_WARNING, "HEI-0305",
+        "tabs have shifted the columns of this row, so it is left out: copy the table from the control again",
+        "A row with tabs is read where it has as many fields as the table has columns.",
+        "5, a tab, +98.125, in a table of six columns"),
+    ig::diagnostic(IG_WARNING, "HEI-0306", "this row has no number in column {0}, so it is left out: add the number",
+                   "The number of the row is the number of the tool or of the preset.", "        MILL_D10   +98.125"),
+    ig::diagnostic(IG_WARNING, "HEI-0307",
+                   "'{0}' in column {1} is not a number from 0 to {2}, so the row is left out: correct it",
+                   "The number of a tool may have an index from 1 to 99, as 5.1; that of a preset has none.",
+                   "5.A     MILL_D10   +98.125"),
+    ig::diagnostic(IG_WARNING, "HEI-0308", "row {0} comes again: the first one is used, and this one is left out",
+                   "A control has each number once. Find out which of the two rows is right.",
+                   "a second row with the number 5"),
+    ig::diagnostic(
+        IG_WARNING, "HEI-0309",
+        "a number is not below the name of column {0}, so row {1} is left out: align its values",
+        "A column begins at the first character of its name. A number that begins before it, or is too long, "
+        "would be read as two, and the values beside it may stand in a wrong column.",
+        "a row in which one blank is missing"),
+    ig::diagnostic(IG_WARNING, "HEI-0310",
+                   "'{0}' in column {1} of row {2} is not a number, so the value is left out: correct it",
+                   "Numbers have a point or a comma before the decimals, and perhaps a sign. The rest of the row is "
+                   "read.",
+                   "9x.125 in column L"),
 };
 
 }  // namespace

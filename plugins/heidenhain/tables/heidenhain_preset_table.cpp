@@ -1,0 +1,106 @@
+// PRESET.PR: a preset a row. iTNC 530 and TNC 640 user's manuals, "Datum management with the preset table".
+#include <algorithm>
+#include <cstdint>
+
+#include "tables/table_reader.hpp"
+
+namespace heidenhain {
+
+namespace {
+
+constexpr std::int64_t highest_preset = 99'999;
+constexpr const char* turns_of_preset[] = {"SPA", "SPB", "SPC", "ROT"};
+constexpr const char* no_place = "no table has a place for it";
+
+bool is_turn(std::string_view name) {
+  return std::find(std::begin(turns_of_preset), std::end(turns_of_preset), name) != std::end(turns_of_preset);
+}
+bool is_shift(std::string_view name) { return name.ends_with("_OFFS"); }
+bool holds_number(std::string_view name) {
+  constexpr std::string_view axes = "XYZABC";
+  return is_turn(name) || is_shift(name) || (name.size() == 1 && axes.find(name[0]) != std::string_view::npos);
+}
+
+struct HeidenhainPresetTable {
+  static constexpr auto spec = ig::importer("HeidenhainPresetTable", "The preset table of a TNC, PRESET.PR.")
+                                   .files("PRESET.PR *.pr")
+                                   .fills("IsoCoordinateTable");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "HEI-0320",
+                     "preset {0} has a rotation, {1} {2} deg, which is not executed: positions under it will be wrong"),
+      ig::diagnostic(IG_WARNING, "HEI-0321",
+                     "preset {0} has {1} {2}, a shift that is not executed: positions under it will be wrong"),
+      ig::diagnostic(IG_WARNING, "HEI-0322",
+                     "preset {0} has no {1}: a control keeps the previous datum there, and here it becomes 0"),
+  };
+
+  ig::Choice<TableUnit> unit{"unit", "as-written|mm|inch", "as-written",
+                             "The unit of a table whose first line names none."};
+
+  static unsigned recognise(std::string_view text, std::string_view) {
+    return read_table_head(text, true).kind == TableKind::presets ? 95 : 0;
+  }
+
+  void read(ig::Import& file) const {
+    TableReader table(file, TableKind::presets, unit, holds_number);
+    table.rows([&](const std::vector<TableCell>& cells) {
+      const std::optional<std::string> number = table.row_number(cells, highest_preset, 0);
+      if (!number) return;
+      // Most rows of a table were never set.
+      if (std::any_of(cells.begin(), cells.end(),
+                      [&](const TableCell& c) { return c.is_given() && origin_of(table, c) != 0; }))
+        begin_row(file, table, cells, *number);
+      std::string axes;  // that have a value
+      for (const TableCell& cell : std::span(cells).subspan(1)) read_cell(file, table, cell, *number, axes);
+    });
+  }
+
+ private:
+  /// The axis whose origin the cell holds, 'X' to 'Z' and 'A' to 'C'; 0 for other cells. Older controls have A, newer
+  /// ones A_OFFS.
+  static char origin_of(const TableReader& table, const TableCell& cell) {
+    const std::string& name = table.column(cell).name;
+    const bool is_rotary = name[0] >= 'A' && name[0] <= 'C';
+    const bool is_linear = name[0] >= 'X' && name[0] <= 'Z';
+    if (name.size() == 1 && is_linear) return name[0];
+    return is_rotary && (name.size() == 1 || name.substr(1) == "_OFFS") ? name[0] : 0;
+  }
+
+  static void begin_row(ig::Import& file, const TableReader& table, const std::vector<TableCell>& cells,
+                        const std::string& number) {
+    std::string missing;
+    for (const char axis : {'X', 'Y', 'Z'}) {
+      const bool has_axis = std::any_of(
+          cells.begin(), cells.end(), [&](const TableCell& c) { return c.is_given() && origin_of(table, c) == axis; });
+      if (!has_axis) (missing += missing.empty() ? "" : ", ") += axis;
+    }
+    if (!missing.empty())
+      file.report(ig::diag("HEI-0322"), cells[0].begin, cells[0].end(), number, std::string_view(missing));
+    file.row("IsoCoordinateTable", "DATUM_PRESET_" + number, cells[0].begin);
+  }
+
+  static void read_cell(ig::Import& file, const TableReader& table, const TableCell& cell, const std::string& preset,
+                        std::string& axes) {
+    const std::string& name = table.column(cell).name;
+    if (!cell.is_given()) return;
+    if (const char axis = origin_of(table, cell); axis != 0) {
+      if (axes.find(axis) != std::string::npos)
+        return table.unused(cell, "a column before it gives the value of its axis");
+      axes += axis;
+      if (const std::optional<double> value = table.number(cell, preset))
+        file.cell(std::string_view(&axis, 1), axis >= 'X' ? table.in_mm(*value) : *value, cell.begin);
+      return;
+    }
+    const bool turns = is_turn(name);
+    if (!turns && !is_shift(name)) return table.unused(cell, no_place);
+    const std::optional<double> value = table.number(cell, preset);
+    if (!value || *value == 0) return;
+    file.report(turns ? ig::diag("HEI-0320") : ig::diag("HEI-0321"), cell.begin, cell.end(), preset, name, cell.text);
+    table.unused(cell, turns ? "no table has a place for the rotation of a preset" : no_place);
+  }
+};
+
+const ig::Register<HeidenhainPresetTable> heidenhain_preset_table;
+
+}  // namespace
+}  // namespace heidenhain

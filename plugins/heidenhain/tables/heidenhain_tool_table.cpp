@@ -1,0 +1,150 @@
+// TOOL.T: a tool a row. iTNC 530 and TNC 640 user's manuals, "Entering tool data in tables".
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include <isogloss/cnc/units.hpp>
+
+#include "tables/table_reader.hpp"
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+
+namespace {
+
+constexpr std::int64_t highest_tool = 32'767, highest_index = 99;
+constexpr std::size_t longest_tool_name = 32;
+// Room for a sign, nine digits, a point and as many decimals, and a blank.
+constexpr std::size_t width_of_number = 21, width_of_t = 8;
+constexpr int most_decimals = 9;
+constexpr double largest_length = 1e8;
+
+struct LengthColumn {
+  const char* ours;
+  const char* name;
+};
+constexpr LengthColumn lengths[] = {{"H", "L"}, {"D", "R"}, {"HWear", "DL"}, {"DWear", "DR"}};
+
+const LengthColumn* length_of(std::string_view name) {
+  for (const LengthColumn& column : lengths)
+    if (column.name == name) return &column;
+  return nullptr;
+}
+
+struct HeidenhainToolTable {
+  static constexpr auto spec = ig::importer("HeidenhainToolTable", "The tool table of a TNC, TOOL.T.")
+                                   .files("TOOL.T *.t")
+                                   .fills("ToolOffsetTable");
+
+  ig::Choice<TableUnit> unit{"unit", "as-written|mm|inch", "as-written",
+                             "The unit of a table whose first line names none; of a table that is written."};
+
+  static unsigned recognise(std::string_view text, std::string_view) {
+    return read_table_head(text, true).kind == TableKind::tools ? 95 : 0;
+  }
+
+  void read(ig::Import& file) const {
+    TableReader table(file, TableKind::tools, unit, [](std::string_view name) { return length_of(name) != nullptr; });
+    table.rows([&](const std::vector<TableCell>& cells) {
+      const std::optional<std::string> number = table.row_number(cells, highest_tool, highest_index);
+      if (!number) return;
+      if (*number == "0" || number->starts_with("0."))
+        return file.unused("tool 0", "it stands for no tool", cells[0].begin, cells[0].end());
+      file.row("ToolOffsetTable", *number, cells[0].begin);
+      for (const TableCell& cell : std::span(cells).subspan(1)) read_cell(file, table, cell, *number);
+    });
+  }
+
+  void write(ig::Export& out) const {
+    std::vector<Tool> tools;
+    for (std::uint32_t i = 0; i < out.rows("ToolOffsetTable"); ++i)
+      if (const Tool tool(out, i); tool.is_of_control)
+        tools.push_back(tool);
+      else
+        out.unused("tool " + std::string(out.key("ToolOffsetTable", i)), "the control has tools 1 to 32767");
+    std::stable_sort(tools.begin(), tools.end(), [](const Tool& a, const Tool& b) {
+      return std::pair(a.number, a.index) < std::pair(b.number, b.index);
+    });
+    out.write(unit == TableUnit::inch ? "BEGIN TOOL.T INCH\n" : "BEGIN TOOL.T MM\n");
+    std::string names = padded("T", width_of_t) + padded("NAME", longest_tool_name + 1);
+    for (const LengthColumn& column : lengths) names += padded(column.name, width_of_number);
+    out.write(names + "\n" + padded("0", width_of_t + longest_tool_name + 1));
+    for (std::size_t i = 0; i < std::size(lengths); ++i) out.write(padded("+0", width_of_number));
+    for (const Tool& tool : tools) write_tool(out, tool);
+    out.write("\n[END]\n");
+  }
+
+ private:
+  struct Tool {
+    std::uint32_t row;
+    std::int64_t number = 0, index = 0;
+    bool is_of_control = false;
+
+    Tool(const ig::Export& out, std::uint32_t i) : row(i) {
+      const std::string_view key = out.key("ToolOffsetTable", i);
+      const char* const end = key.data() + key.size();
+      auto read = std::from_chars(key.data(), end, number);
+      if (read.ec == std::errc{} && read.ptr != end && *read.ptr == '.')
+        read = std::from_chars(read.ptr + 1, end, index);
+      is_of_control = read.ec == std::errc{} && read.ptr == end && number >= 1 && number <= highest_tool;
+    }
+  };
+
+  static void read_cell(ig::Import& file, const TableReader& table, const TableCell& cell, const std::string& tool) {
+    const std::string& name = table.column(cell).name;
+    if (name == "NAME") {
+      if (cell.is_given()) file.cell("Name", cell.text, cell.begin);
+      return;
+    }
+    const LengthColumn* const length = length_of(name);
+    if (length == nullptr) return table.unused(cell, "no table has a place for it");
+    if (!cell.is_given()) return;
+    if (const std::optional<double> value = table.number(cell, tool))
+      file.cell(length->ours, table.in_mm(*value), cell.begin);
+  }
+
+  void write_tool(ig::Export& out, const Tool& tool) const {
+    const std::string key(out.key("ToolOffsetTable", tool.row));
+    out.write("\n" + padded(key, width_of_t) + padded(name_of(out, tool.row), longest_tool_name + 1));
+    for (const LengthColumn& column : lengths) {
+      const std::string_view text = out.cell("ToolOffsetTable", tool.row, column.ours);
+      const ig::Decimal value = ig::read_decimal(text, 0);
+      const bool is_number = value.ok && value.end == text.size() && std::abs(value.value) <= largest_length;
+      if (!is_number && !text.empty()) out.unused(std::string("column ") + column.ours, "it holds no length");
+      out.write(padded(is_number ? number_text(value.value) : "", width_of_number));
+    }
+  }
+
+  static std::string_view name_of(ig::Export& out, std::uint32_t row) {
+    const std::string_view name = out.cell("ToolOffsetTable", row, "Name");
+    const std::size_t end = after_characters(name, 0, longest_tool_name);
+    if (end < name.size()) out.unused("the end of a name", "the control's names have 32 characters at most");
+    return name.substr(0, end);
+  }
+
+  std::string number_text(double mm) const {
+    std::array<char, 40> digits{};
+    const double value = unit == TableUnit::inch ? mm / mm_per_inch : mm;
+    char* const end = digits.data() + digits.size();
+    const auto last = std::to_chars(digits.data(), end, value, std::chars_format::fixed, most_decimals).ptr;
+    std::string text(digits.data(), last);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.')) text.pop_back();
+    return text.starts_with('-') ? text : "+" + text;
+  }
+
+  static std::string padded(std::string_view text, std::size_t width) {
+    std::string out(text);
+    std::size_t characters = 0;
+    for (std::size_t i = 0; i < text.size(); ++characters) i = after_characters(text, i, 1);
+    out.append(width - std::min(width, characters), ' ');
+    return out;
+  }
+};
+
+const ig::Register<HeidenhainToolTable> heidenhain_tool_table;
+
+}  // namespace
+}  // namespace heidenhain
