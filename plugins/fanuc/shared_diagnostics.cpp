@@ -100,6 +100,9 @@ const ig::Diagnostics shared_diagnostics{
                    "A file that a control puts out holds letters with numbers. Statements, jumps and expressions of a "
                    "program are not executed when it is imported.",
                    "G10L2P1X#100"),
+    ig::diagnostic(IG_WARNING, "FAN-0239", "'{0}' is too large for a work offset, so this value of {1} is left out",
+                   "The table of work offsets holds up to 1e9 mm and degrees. The file may be damaged at this place.",
+                   "G10L2P1B99999999999."),
 };
 
 }  // namespace

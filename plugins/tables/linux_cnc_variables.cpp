@@ -1,5 +1,7 @@
 // The parameter file of LinuxCNC (linuxcnc.var): the number and the value of a variable in each line. LinuxCNC manual,
 // "Numbered parameters".
+#include <cmath>
+
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/cnc/whole_number.hpp>
 #include <isogloss/sdk.hpp>
@@ -16,6 +18,7 @@ struct LinuxCncVariables {
                                    .fills("IsoCoordinateTable", "MacroVariables");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "TAB-0103", "'{0}' is no number of a variable with its value, so it is left out"),
+      ig::diagnostic(IG_WARNING, "TAB-0111", "variable {0} is too large for a work offset, so this value is left out"),
   };
 
   ig::Choice<LengthUnit> unit{"unit", "mm|inch", "mm", "The unit of the machine, LINEAR_UNITS in its INI file."};
@@ -47,6 +50,8 @@ struct LinuxCncVariables {
  private:
   static constexpr std::int64_t last_local = 33, last_own = 5000, g28 = 5161, g92 = 5210, offset_in_force = 5220,
                                 first_offset = 5221, offset_step = 20, rotation = 9;
+  static constexpr double largest = 1e9;  // that of the table
+
   struct Entry {
     std::int64_t number;
     double value;
@@ -94,8 +99,11 @@ struct LinuxCncVariables {
     if (place > rotation) return unused("state of the control");
     if (place >= columns.size()) return unused("work offset of U, V or W");
     const bool is_length = place < 3;
+    const double value = e.value * (is_length && unit == LengthUnit::inch ? ig::cnc::mm_per_inch : 1);
+    if (std::abs(value) > largest)
+      return file.report(ig::diag("TAB-0111"), e.begin, e.end, static_cast<double>(e.number));
     file.row("IsoCoordinateTable", ids[id], e.begin);
-    file.cell(columns[place], e.value * (is_length && unit == LengthUnit::inch ? ig::cnc::mm_per_inch : 1), e.begin);
+    file.cell(columns[place], value, e.begin);
   }
 };
 

@@ -158,7 +158,6 @@ struct FanucOffsets {
                                          : WorkOffsetId::additional(p->number.value);
     if (id.text().empty() || (l == 20 && p->number.value > most_offsets))
       return state.file.report(ig::diag("FAN-0231"), block.begin(), block.end());
-    state.file.row(work, id.text(), block.begin());
     for (const PunchedWord& w : block.words()) {
       if (std::string_view("GLPN").find(w.letter) != std::string_view::npos) continue;
       if (std::string_view("XYZABC").find(w.letter) == std::string_view::npos) {
@@ -166,7 +165,7 @@ struct FanucOffsets {
         continue;
       }
       const double value = is_rotary(w.letter) ? state.unit.degrees(w.number) : state.unit.mm(w.number);
-      state.file.cell({&w.letter, 1}, value, w.begin);
+      put_offset(state.file, id.text(), w.letter, value, w);
     }
   }
 

@@ -19,10 +19,10 @@ namespace {
 enum class ParameterUnit { parameters, mm, inch };
 
 struct FanucParameters {
-  static constexpr const char *parameter_rows = "FanucParameterTable", *offset_rows = "IsoCoordinateTable";
+  static constexpr const char* parameter_rows = "FanucParameterTable";
   static constexpr auto spec = ig::importer("FanucParameters", "Parameters that a Fanuc control puts out.")
                                    .files("CNC-PARA.* *.prm *.par")
-                                   .fills(parameter_rows, offset_rows);
+                                   .fills(parameter_rows, "IsoCoordinateTable");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "FAN-0236", "this block begins with no number of a parameter, so it is left out"),
       ig::diagnostic(IG_WARNING, "FAN-0237",
@@ -182,9 +182,9 @@ struct FanucParameters {
       const std::optional<double> value = value_of(machine, *known, v, letter);
       if (!value) return file.report(ig::diag("FAN-0237"), begin, end, std::to_string(number), v.word->digits);
       if (known->kind == ParameterKind::work_offset)
-        file.row(offset_rows, WorkOffsetId::basic(static_cast<double>(number - 1220)).text(), begin);
-      else
-        file.row(parameter_rows, number, begin);
+        return put_offset(file, WorkOffsetId::basic(static_cast<double>(number - 1220)).text(), letter, *value,
+                          *v.word);
+      file.row(parameter_rows, number, begin);
       if (known->has_axes) return file.cell({&letter, 1}, *value, begin);
       const auto [first, is_first] = values.emplace(number, *value);
       if (is_first) return file.cell("Value", *value, begin);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -121,6 +123,16 @@ struct PunchedUnit {
     return n.has_point || !counts_increments ? n.value : n.value / counts_per_mm;
   }
 };
+
+/// Gives the value of an axis to the row of a work offset.
+inline void put_offset(ig::Import& file, std::string_view id, char axis, double value, const PunchedWord& word) {
+  constexpr double largest = 1e9;  // that of the table
+  const std::string_view column(&axis, 1);
+  if (std::abs(value) > largest)
+    return file.report(ig::diag("FAN-0239"), word.begin, word.end, shown_part(word.digits), column);
+  file.row("IsoCoordinateTable", id, word.begin);
+  file.cell(column, value, word.begin);
+}
 
 inline bool is_rotary(char axis) { return axis >= 'A' && axis <= 'C'; }
 
