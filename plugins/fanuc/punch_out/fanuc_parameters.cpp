@@ -187,8 +187,8 @@ struct FanucParameters {
       file.row(parameter_rows, number, begin);
       if (known->has_axes) return file.cell({&letter, 1}, *value, begin);
       const auto [first, is_first] = values.emplace(number, *value);
-      if (is_first) return file.cell("Value", *value, begin);
-      if (v.axis != 0 && first->second != *value) file.report(ig::diag("FAN-0238"), begin, end, std::to_string(number));
+      if (is_first || v.axis == 0) return file.cell("Value", *value, begin);
+      if (first->second != *value) file.report(ig::diag("FAN-0238"), begin, end, std::to_string(number));
     });
   }
   /// Parameters that tell how the others are read.
