@@ -118,7 +118,8 @@ struct CsvTools {
     std::string digits = field.text;
     if (digits.find('.') == std::string::npos) std::replace(digits.begin(), digits.end(), ',', '.');
     const ig::Decimal n = ig::read_decimal(digits, 0);
-    if (!n.ok || n.end != digits.size())
+    constexpr double largest = 1e15;  // a damaged file has longer numbers; their products may not be finite
+    if (!n.ok || n.end != digits.size() || std::abs(n.value) > largest)
       return file.report(ig::diag("TAB-0106"), field.begin, field.end, field.text, head.title);
     const bool is_diameter = head.target == CsvTarget::diameter || head.target == CsvTarget::diameter_wear;
     const bool is_inch = head.is_inch.value_or(unit == LengthUnit::inch);

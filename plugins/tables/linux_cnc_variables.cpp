@@ -42,8 +42,7 @@ struct LinuxCncVariables {
       if (const std::optional<Entry> entry = read_line(line))
         read_entry(file, *entry);
       else
-        file.report(ig::diag("TAB-0103"), line.begin + first, line.begin + line.text.size(),
-                    line.text.substr(first, 40));
+        file.report(ig::diag("TAB-0103"), line.begin + first, line.begin + line.text.size(), line.text.substr(first));
     }
   }
 

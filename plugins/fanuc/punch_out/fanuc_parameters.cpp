@@ -165,9 +165,8 @@ struct FanucParameters {
     const std::int64_t number = *block.words()[0].whole();
     const KnownParameter* const known = known_parameter(number);
     if (block.has('Q', 0)) return file.unused("pitch error data (Q0)", no_place, block.begin(), block.end());
-    if (known == nullptr)
-      return is_settled_here(number) ? void()
-                                     : file.unused("parameter", "no syntax uses it", block.begin(), block.end());
+    if (is_settled_here(number)) return;
+    if (known == nullptr) return file.unused("parameter", "no syntax uses it", block.begin(), block.end());
     for_values(block, [&](const Value& v) {
       const std::size_t begin = v.word->begin, end = v.word->end;
       if (!is_of_path(v)) return file.unused("value of another path", "option path names the path", begin, end);
@@ -180,7 +179,8 @@ struct FanucParameters {
       if (known->has_axes && std::string_view("XYZABC").find(letter) == std::string_view::npos)
         return file.unused(std::string("value of axis ") + letter, no_place, begin, end);
       const std::optional<double> value = value_of(machine, *known, v, letter);
-      if (!value) return file.report(ig::diag("FAN-0237"), begin, end, std::to_string(number), v.word->digits);
+      if (!value)
+        return file.report(ig::diag("FAN-0237"), begin, end, std::to_string(number), shown_part(v.word->digits));
       if (known->kind == ParameterKind::work_offset)
         return put_offset(file, WorkOffsetId::basic(static_cast<double>(number - 1220)).text(), letter, *value,
                           *v.word);

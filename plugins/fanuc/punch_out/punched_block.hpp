@@ -97,11 +97,13 @@ class PunchedBlock {
     if (letter < 'A' || letter > 'Z') return false;
     const std::size_t first = std::min(text.find_first_not_of(' ', i + 1), text.size());
     const ig::Decimal number = ig::read_decimal(text, first);
-    if (!number.ok) return false;
+    if (!number.ok || std::abs(number.value) > largest) return false;
     end = number.end;
     words_.push_back({letter, number, text.substr(first, end - first), line.begin + i, line.begin + end});
     return true;
   }
+
+  static constexpr double largest = 1e15;  // a damaged file has longer numbers; their products may not be finite
 
   std::vector<PunchedWord> words_;
   std::string_view comment_, fault_;
@@ -126,9 +128,9 @@ struct PunchedUnit {
 
 /// Gives the value of an axis to the row of a work offset.
 inline void put_offset(ig::Import& file, std::string_view id, char axis, double value, const PunchedWord& word) {
-  constexpr double largest = 1e9;  // that of the table
+  constexpr double most = 1e9;  // that of the table
   const std::string_view column(&axis, 1);
-  if (std::abs(value) > largest)
+  if (std::abs(value) > most)
     return file.report(ig::diag("FAN-0239"), word.begin, word.end, shown_part(word.digits), column);
   file.row("IsoCoordinateTable", id, word.begin);
   file.cell(column, value, word.begin);
