@@ -96,6 +96,13 @@ const ig::Diagnostics shared_diagnostics{
                    "The control has this function; this dialect only recognises it. The words of the function are "
                    "removed with it, so that they do not act as a move.",
                    "G13 I5. D1 F200"),
+    ig::diagnostic(IG_WARNING, "FAN-0230", "'{0}' is no word with a number, so this block of the file is left out",
+                   "A file that a control puts out holds letters with numbers. Statements, jumps and expressions of a "
+                   "program are not executed when it is imported.",
+                   "G10L2P1X#100"),
+    ig::diagnostic(IG_WARNING, "FAN-0239", "'{0}' is too large for a work offset, so this value of {1} is left out",
+                   "The table of work offsets holds up to 1e9 mm and degrees. The file may be damaged at this place.",
+                   "G10L2P1B99999999999."),
 };
 
 }  // namespace

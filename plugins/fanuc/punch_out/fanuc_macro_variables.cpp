@@ -1,0 +1,183 @@
+// The variables of custom macro that a control puts out (MACRO.TXT). A current control writes each value as the bits of
+// a double inside a comment, `G10L85P500(4014000000000000)`, and the names with SETVN; older files and those of Haas
+// list `#500=12.5` or `N500=12.5`.
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include <isogloss/sdk.hpp>
+
+#include "punch_out/punched_block.hpp"
+
+namespace fanuc {
+
+using namespace ig::cnc;
+
+namespace {
+
+struct FanucMacroVariables {
+  static constexpr const char* variables = "MacroVariables";
+  static constexpr auto spec =
+      ig::importer("FanucMacroVariables", "Macro variables that a Fanuc or Haas control puts out.")
+          .files("MACRO.TXT *.var")
+          .fills(variables);
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "FAN-0234", "'{0}' is no variable with a value, so this line is left out"),
+      ig::diagnostic(IG_WARNING, "FAN-0235", "the value '{0}' of #{1} is no number, so the variable gets no value"),
+  };
+
+  static unsigned recognise(std::string_view text, std::string_view) {
+    unsigned values = 0, sure = 0;
+    for (const ig::TextLine& line : ig::TextLines(whole_lines(text))) {
+      const Entry entry = read_line(line);
+      if (entry.kind == Kind::other) return 0;
+      if (entry.kind != Kind::variable) continue;
+      if (++values == 1) sure = entry.is_listed ? (line.text.find('#') < 4 ? 70 : 50) : 90;
+      if (entry.is_listed && !is_vacant(entry.value) && !number_in(entry.value)) return 0;
+    }
+    return sure;
+  }
+
+  void read(ig::Import& file) const {
+    std::set<std::int64_t> vacant;
+    for (const ig::TextLine& line : file.lines()) {
+      const Entry entry = read_line(line);
+      const std::size_t end = line.begin + line.text.size();
+      switch (entry.kind) {
+        case Kind::frame: break;
+        case Kind::other: file.report(ig::diag("FAN-0234"), entry.begin, end, shown_part(entry.value)); break;
+        case Kind::offset:
+          file.unused("G10 that writes no variable", "the importer FanucOffsets reads it", entry.begin, end);
+          break;
+        case Kind::name:
+          if (!entry.value.empty()) file.unused("name of a variable", "no table has a place for it", entry.begin, end);
+          break;
+        case Kind::variable: read_value(file, entry, end, vacant);
+      }
+    }
+  }
+
+  void write(ig::Export& out) const {
+    out.write("%\n");
+    for (std::uint32_t row = 0; row < out.rows(variables); ++row) {
+      const std::string_view cell = out.cell(variables, row, "Value"), null = out.cell(variables, row, "Null");
+      const ig::Decimal value = ig::read_decimal(cell, 0);
+      if (!value.ok || value.end != cell.size() || (!null.empty() && null != "0")) {
+        out.unused("empty variables", "how a control writes them is not documented");
+        continue;
+      }
+      std::array<char, 17> bits{};
+      std::snprintf(bits.data(), bits.size(), "%016llX",
+                    static_cast<unsigned long long>(std::bit_cast<std::uint64_t>(value.value)));
+      out.write("G10L85P" + std::string(out.key(variables, row)) + "(" + bits.data() + ")\n");
+    }
+    out.write("M02\n%\n");
+  }
+
+ private:
+  enum class Kind { frame, variable, name, offset, other };
+  struct Entry {
+    Kind kind = Kind::frame;
+    std::size_t begin = 0;
+    std::int64_t number = -1;
+    std::string_view value;  // of `other`: the line
+    bool is_listed = false;  // as a decimal number, not as the bits of a double
+  };
+
+  static std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(PunchedBlock::padding);
+    return first == std::string_view::npos
+               ? std::string_view()
+               : text.substr(first, text.find_last_not_of(PunchedBlock::padding) + 1 - first);
+  }
+
+  static Entry read_line(const ig::TextLine& line) {
+    const std::string_view text = trimmed(line.text);
+    Entry entry{.value = text};
+    if (text.empty()) return entry;
+    entry.begin = line.begin + static_cast<std::size_t>(text.data() - line.text.data());
+    if (text.starts_with("SETVN")) return read_name(entry, text.substr(5));
+    if (text[0] == '#' || text[0] == 'N') return read_listed(entry, text.substr(1));
+    PunchedBlock block;
+    block.read(line);
+    entry.kind = Kind::other;
+    if (!block.is_sound()) return entry;
+    if (!block.has('G', 10)) {
+      const auto is_frame = [](const PunchedWord& w) {
+        return w.letter == 'O' || w.letter == 'M' || (w.letter == 'G' && w.number.value >= 90);
+      };
+      if (std::all_of(block.words().begin(), block.words().end(), is_frame)) entry.kind = Kind::frame;
+      return entry;
+    }
+    if (!block.has('L', 85)) {
+      entry.kind = Kind::offset;
+      return entry;
+    }
+    const PunchedWord *const p = block.find('P'), *const r = block.find('R');
+    if (p == nullptr || !p->whole()) return entry;
+    return {Kind::variable, entry.begin, *p->whole(), r != nullptr ? r->digits : trimmed(block.comment()),
+            r != nullptr};
+  }
+
+  /// "500[DEPTH]"
+  static Entry read_name(Entry entry, std::string_view text) {
+    const std::size_t open = text.find('['), close = text.find(']');
+    entry.kind = close == std::string_view::npos || close < open ? Kind::other : Kind::name;
+    if (entry.kind == Kind::name) entry.value = trimmed(text.substr(open + 1, close - open - 1));
+    return entry;
+  }
+
+  /// "500=12.5", "500 12.5" or "500" for one that is vacant.
+  static Entry read_listed(Entry entry, std::string_view text) {
+    std::int64_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    entry.kind = Kind::other;
+    if (error != std::errc{} || number < 0 ||
+        (stop != end && std::string_view(" \t=(").find(*stop) == std::string_view::npos))
+      return entry;
+    std::string_view value = trimmed(text.substr(static_cast<std::size_t>(stop - text.data())));
+    if (value.starts_with('=')) value.remove_prefix(1);
+    return {Kind::variable, entry.begin, number, trimmed(value.substr(0, value.find('('))), true};
+  }
+
+  static bool is_vacant(std::string_view value) { return value.empty() || value == "#0"; }
+  static std::optional<double> number_in(std::string_view value) {
+    const ig::Decimal n = ig::read_decimal(value, 0);
+    return n.ok && n.end == value.size() ? std::optional(n.value) : std::nullopt;
+  }
+  /// A value that is not finite stands for a variable without one.
+  static std::optional<double> double_of(std::string_view hex) {
+    std::uint64_t bits = 0;
+    const auto [stop, error] = std::from_chars(hex.data(), hex.data() + hex.size(), bits, 16);
+    const bool is_whole = error == std::errc{} && hex.size() == 16 && stop == hex.data() + hex.size();
+    return is_whole ? std::optional(std::bit_cast<double>(bits)) : std::nullopt;
+  }
+
+  static void read_value(ig::Import& file, const Entry& entry, std::size_t end, std::set<std::int64_t>& vacant) {
+    // Haas lists #100 to #999 as #10100 to #10999 too; to a Fanuc, these are tool offsets, which it does not list.
+    const bool is_alias = entry.number >= 10'100 && entry.number <= 10'999;
+    const std::int64_t number = is_alias ? entry.number - 10'000 : entry.number;
+    if (number < 100) return file.unused("local variables", "each call of a program has its own", entry.begin, end);
+    if (number > 999 && (number < 98'000 || number > 999'999))
+      return file.unused("system variables", "the control sets them itself", entry.begin, end);
+    const bool is_empty = is_vacant(entry.value);
+    const std::optional<double> value = entry.is_listed ? number_in(entry.value) : double_of(entry.value);
+    if (!is_empty && !value)
+      return file.report(ig::diag("FAN-0235"), entry.begin, end, shown_part(entry.value), std::to_string(number));
+    file.row(variables, number, entry.begin);
+    if (is_empty || !std::isfinite(*value)) {
+      vacant.insert(number);
+      return file.cell("Null", 1., entry.begin);
+    }
+    file.cell("Value", *value, entry.begin);
+    if (vacant.erase(number) != 0) file.cell("Null", 0., entry.begin);
+  }
+};
+
+const ig::Register<FanucMacroVariables> fanuc_macro_variables;
+
+}  // namespace
+}  // namespace fanuc

@@ -1,0 +1,153 @@
+// A table of tools as comma-separated values, as spreadsheets and CAM systems write it: the first line names the
+// columns.
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include <isogloss/cnc/units.hpp>
+#include <isogloss/sdk.hpp>
+
+#include "csv_text.hpp"
+#include "tool_rows.hpp"
+
+namespace tables {
+
+namespace {
+
+struct CsvTools {
+  enum class LengthUnit { mm, inch };
+
+  static constexpr auto spec =
+      ig::importer("CsvTools", "A table of tools as comma-separated values.").files("*.csv").fills("ToolOffsetTable");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "TAB-0106", "'{0}' is no number, so column {1} of this tool is left out"),
+      ig::diagnostic(IG_ERROR, "TAB-0107",
+                     "the first line names no column for the number of the tool, so the file is not read"),
+      ig::diagnostic(IG_WARNING, "TAB-0108",
+                     "this row has more fields than the first line has columns, so it is left out: check its commas"),
+  };
+
+  ig::Choice<LengthUnit> unit{"unit", "mm|inch", "mm", "The unit of columns whose head names none, as 'Length (mm)'."};
+
+  static unsigned recognise(std::string_view text, std::string_view name) {
+    for (const ig::TextLine& line : ig::TextLines(text)) {
+      if (is_blank_csv(line.text)) continue;
+      bool has_number = false, has_size = false;
+      const char separator = csv_separator(line.text);
+      for (const CsvField& field : csv_fields(line, separator)) {
+        const CsvTarget target = csv_head(field.text).target;
+        has_number = has_number || target == CsvTarget::number;
+        has_size = has_size || (target >= CsvTarget::length && target <= CsvTarget::diameter_wear);
+      }
+      const bool is_named = name.ends_with(".csv") || name.ends_with(".CSV");
+      return separator == '\0' || !has_number || !has_size ? 0 : is_named ? 60 : 40;
+    }
+    return 0;
+  }
+
+  void read(ig::Import& file) const {
+    std::vector<CsvHead> heads;
+    ToolRows rows(file);
+    char separator = '\0';
+    for (const ig::TextLine& line : file.lines()) {
+      if (is_blank_csv(line.text)) continue;
+      if (!heads.empty()) {
+        read_row(file, rows, heads, line, separator);
+        continue;
+      }
+      separator = csv_separator(line.text);
+      heads = read_heads(file, line, separator);
+      const auto is_number = [](const CsvHead& head) { return head.target == CsvTarget::number; };
+      if (std::none_of(heads.begin(), heads.end(), is_number))
+        return file.report(ig::diag("TAB-0107"), line.begin, line.begin + line.text.size());
+    }
+    rows.finish();
+  }
+
+  void write(ig::Export& out) const {
+    static constexpr std::array columns{"H", "HWear", "D", "DWear"};
+    const std::string_view suffix = unit == LengthUnit::inch ? " (inch)" : " (mm)";
+    out.write("number");
+    for (const std::string_view name : {",length", ",length wear", ",radius", ",radius wear"})
+      out.write(std::string(name) + std::string(suffix));
+    out.write(",name\n");
+    for (std::uint32_t row = 0; row < out.rows("ToolOffsetTable"); ++row) {
+      std::string line(out.key("ToolOffsetTable", row));
+      for (const char* const column : columns) line += "," + value_of(out.cell("ToolOffsetTable", row, column));
+      line += "," + quoted(out.cell("ToolOffsetTable", row, "Name"));
+      out.write(line + "\n");
+    }
+  }
+
+ private:
+  static std::vector<CsvHead> read_heads(ig::Import& file, const ig::TextLine& line, char separator) {
+    std::vector<CsvHead> out;
+    std::vector<std::string_view> known;
+    for (const CsvField& field : csv_fields(line, separator)) {
+      CsvHead head = csv_head(field.text);
+      const std::string_view column = csv_column(head.target);
+      const bool is_repeated = !column.empty() && std::find(known.begin(), known.end(), column) != known.end();
+      if (!is_repeated && !column.empty()) known.push_back(column);
+      if (is_repeated) head.target = CsvTarget::none;
+      if (head.target == CsvTarget::none && !field.text.empty())
+        file.unused("column " + field.text, is_repeated ? "an earlier column is read" : "no table has a place for it",
+                    field.begin, field.end);
+      out.push_back(std::move(head));
+    }
+    return out;
+  }
+
+  void read_row(ig::Import& file, ToolRows& rows, const std::vector<CsvHead>& heads, const ig::TextLine& line,
+                char separator) const {
+    const std::vector<CsvField> fields = csv_fields(line, separator);
+    const std::size_t count = std::min(heads.size(), fields.size()), end = line.begin + line.text.size();
+    for (std::size_t i = count; i < fields.size(); ++i)
+      if (!fields[i].text.empty()) return file.report(ig::diag("TAB-0108"), line.begin, end);
+    std::string key, number;
+    for (std::size_t i = 0; i < count; ++i)
+      if (heads[i].target == CsvTarget::number) key = ToolRows::key_of(number = fields[i].text);
+    if (key.empty()) return file.report(ig::diag("TAB-0104"), line.begin, end, number);
+    rows.begin(key, line.begin, end);
+    for (std::size_t i = 0; i < count; ++i) read_cell(file, heads[i], fields[i]);
+  }
+
+  void read_cell(ig::Import& file, const CsvHead& head, const CsvField& field) const {
+    if (field.text.empty() || head.target == CsvTarget::none || head.target == CsvTarget::number) return;
+    if (head.target == CsvTarget::name) return file.cell("Name", field.text, field.begin);
+    std::string digits = field.text;
+    if (digits.find('.') == std::string::npos) std::replace(digits.begin(), digits.end(), ',', '.');
+    const ig::Decimal n = ig::read_decimal(digits, 0);
+    constexpr double largest = 1e15;  // a damaged file has longer numbers; their products may not be finite
+    if (!n.ok || n.end != digits.size() || std::abs(n.value) > largest)
+      return file.report(ig::diag("TAB-0106"), field.begin, field.end, field.text, head.title);
+    const bool is_diameter = head.target == CsvTarget::diameter || head.target == CsvTarget::diameter_wear;
+    const bool is_inch = head.is_inch.value_or(unit == LengthUnit::inch);
+    file.cell(csv_column(head.target), n.value * (is_inch ? ig::cnc::mm_per_inch : 1) / (is_diameter ? 2 : 1),
+              field.begin);
+  }
+
+  // ---- writing
+
+  std::string value_of(std::string_view cell) const {
+    const ig::Decimal n = ig::read_decimal(cell, 0);
+    if (!n.ok || n.end != cell.size()) return {};
+    if (unit == LengthUnit::mm) return std::string(cell);
+    constexpr double steps = 1e9;
+    const double inches = std::round(n.value / ig::cnc::mm_per_inch * steps) / steps;
+    std::array<char, 400> digits;
+    return {digits.data(),
+            std::to_chars(digits.data(), digits.data() + digits.size(), inches, std::chars_format::fixed).ptr};
+  }
+  static std::string quoted(std::string_view name) {
+    if (name.find_first_of(",;\"\t") == std::string_view::npos) return std::string(name);
+    std::string out = "\"";
+    for (const char c : name) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return out + '"';
+  }
+};
+
+const ig::Register<CsvTools> csv_tools;
+
+}  // namespace
+}  // namespace tables
