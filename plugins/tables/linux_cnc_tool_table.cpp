@@ -1,6 +1,10 @@
 // tool.tbl of LinuxCNC: a tool a line, words in any order, a comment behind ';'. LinuxCNC manual, "Tool table format".
+#include <cmath>
+
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
+
+#include "tool_rows.hpp"
 
 namespace tables {
 
@@ -11,6 +15,7 @@ namespace {
 enum class Unit { mm, inch };
 
 constexpr std::string_view blanks = " \t";
+constexpr double largest = 1e9;  // no machine has such a tool
 
 struct LinuxCncToolTable {
   static constexpr auto spec =
@@ -34,8 +39,10 @@ struct LinuxCncToolTable {
   }
 
   void read(ig::Import& file) const {
+    ToolRows rows(file);
     for (const ig::TextLine& line : file.lines())
-      if (const std::string_view code = before_comment(line.text); !code.empty()) read_tool(file, line, code);
+      if (const std::string_view code = before_comment(line.text); !code.empty()) read_tool(file, rows, line, code);
+    rows.finish();
   }
 
  private:
@@ -51,14 +58,14 @@ struct LinuxCncToolTable {
     return first == std::string_view::npos ? std::string_view() : line.substr(first);
   }
 
-  void read_tool(ig::Import& file, const ig::TextLine& line, std::string_view code) const {
+  void read_tool(ig::Import& file, ToolRows& rows, const ig::TextLine& line, std::string_view code) const {
     const std::size_t offset = line.begin + static_cast<std::size_t>(code.data() - line.text.data());
     std::vector<Word> words;
     const Word* tool = nullptr;
     for (std::size_t i = 0; (i = code.find_first_not_of(blanks, i)) != std::string_view::npos;) {
       const std::size_t end = std::min(code.find_first_of(blanks, i), code.size());
       const ig::Decimal n = ig::read_decimal(code, i + 1);
-      if (n.ok && n.end == end)
+      if (n.ok && n.end == end && std::fabs(n.value) < largest)
         words.push_back({code[i], n.value, offset + i, offset + end});
       else
         file.report(ig::diag("TAB-0101"), offset + i, offset + end, code.substr(i, end - i));
@@ -68,7 +75,11 @@ struct LinuxCncToolTable {
       if (w.letter == 'T') tool = &w;
     if (tool == nullptr) return file.report(ig::diag("TAB-0102"), offset, offset + code.size());
     if (tool->value == 0) return file.unused("tool T0", "it stands for no tool", tool->begin, tool->end);
-    file.row("ToolOffsetTable", static_cast<std::int64_t>(tool->value), tool->begin);
+    const std::string key = ToolRows::key_of(code.substr(tool->begin - offset, tool->end - tool->begin));
+    if (key.empty())
+      return file.report(ig::diag("TAB-0104"), tool->begin, tool->end,
+                         code.substr(tool->begin - offset + 1, tool->end - tool->begin - 1));
+    rows.begin(key, tool->begin, tool->end);
     for (const Word& w : words) read_word(file, w);
     read_comment(file, line);
   }

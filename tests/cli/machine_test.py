@@ -160,12 +160,35 @@ class Machines(unittest.TestCase):
         self.assertIn("[IG-0101]", self.run_it("new", "machine", "c", "--dialect", "heidenhein", status=2).stderr)
         self.run_it("new", "dialect", "c", "--dialect", "heidenhain", status=2)
 
+    def test_options_of_a_folder_are_for_the_files_that_have_them(self):
+        self.write("machines/mill/backup/tool.tbl", TOOLS)
+        self.write("machines/mill/backup/mill.var", "5161\t0.0\n5221\t1.0\n5222\t0.0\n5223\t0.0\n")
+        part = self.write("part.nc", "G21 G90 G54 G43 H1 Z0\nM30\n")
+        self.machine('<Backup src="backup" unit="inch"/>')
+        self.assertIn(",2494.28,", self.run_it("run", part, "-m", "machines/mill", "--emit", "motions", "--format",
+                                               "csv").stdout)
+        self.machine('<Backup src="backup" units="inch"/>')
+        self.assertIn("has no option 'units' [IG-0204]",
+                      self.run_it("lint", "-m", "machines/mill", status=1).stderr)
+
     def test_a_machine_is_written_as_a_file_of_its_control(self):
-        self.machine('<Dependencies><ToolOffsetTable><Tool id="1" H="1" Name="A"/></ToolOffsetTable></Dependencies>')
-        formats = json.loads(self.run_it("list", "importers", "--json").stdout)
-        self.assertIn("[IG-0131]", self.run_it("export", "-m", "machines/mill", "--format", "LinuxCncToolTable",
-                                               status=2).stderr)
-        self.assertTrue(all(f["HasPage"] for f in formats))
+        self.machine('<Dependencies><ToolOffsetTable><Tool id="1" H="98.2" D="5" Name="EM10"/></ToolOffsetTable>'
+                     '<IsoCoordinateTable><Offset id="G54" X="1"/></IsoCoordinateTable></Dependencies>')
+        here = ["-m", "machines/mill"]
+        self.assertIn("[IG-0131]", self.run_it("export", *here, "--format", "LinuxCncToolTable", status=2).stderr)
+        written = []
+        for one in json.loads(self.run_it("list", "importers", "--json").stdout):
+            self.assertTrue(one["HasPage"], one["Id"])
+            if not one["Writes"]:
+                continue
+            self.run_it("export", *here, "--format", one["Id"], "-o", "table.txt")
+            back = self.run_it("import", "table.txt", "--format", one["Id"]).stdout
+            if "ToolOffsetTable" in one["Tables"]:
+                self.assertIn('H="98.2"', back, one["Id"])
+                written.append(one["Id"])
+        self.assertGreaterEqual(len(written), 3, "formats of tools that are written")
+        done = self.run_it("export", *here, "--format", "FanucOffsets")
+        self.assertIn("[IG-0133]", done.stderr)  # a punch-out has no names
 
 
 if __name__ == "__main__":

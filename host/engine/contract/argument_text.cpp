@@ -11,7 +11,9 @@ std::string text_of(const ig_argument& a) {
   constexpr std::size_t longest = 120;
   if (a.is_text != 0) {
     if (a.text.size <= longest) return std::string(a.text.data, a.text.size);
-    return std::string(a.text.data, longest) + " …";
+    std::size_t end = longest;  // of a character, not inside it
+    while (end > 0 && (static_cast<unsigned char>(a.text.data[end]) & 0xc0) == 0x80) --end;
+    return std::string(a.text.data, end) + " …";
   }
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.6g", a.number);

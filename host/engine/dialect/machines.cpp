@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "dialect/dialect_file.hpp"
 #include "dialect/row_checks.hpp"
@@ -114,9 +115,11 @@ class Importing {
     std::error_code error;
     const bool is_folder = fs::is_directory(asked.file, error);
     bool is_sound = true;
+    std::set<std::string> options;  // that an importer of the folder has
     for (const fs::path& path : files_of(asked)) {
       Import one = asked;
       one.file = path;
+      one.is_of_folder = is_folder;
       if (is_folder && asked.format.empty() && !is_recognised(one)) {
         sink_.add(host_diagnostic("IG-0132", asked.where, {path.string()}));
         continue;
@@ -124,7 +127,13 @@ class Importing {
       std::optional<ImportedFile> file = read(one);
       is_sound = file.has_value() && is_sound;
       if (!file) continue;
+      for (std::uint32_t i = 0; i < file->importer->option_count; ++i) options.insert(file->importer->options[i].name);
       for (DependencyElement& table : file->tables) lay_over(all, std::move(table));
+    }
+    for (const Attribute& a : asked.options) {
+      if (!is_folder || options.contains(a.name)) continue;
+      sink_.add(host_diagnostic("IG-0204", a.where, {"no importer of " + asked.file.string(), a.name}));
+      is_sound = false;
     }
     return is_sound;
   }

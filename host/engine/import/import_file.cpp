@@ -70,7 +70,13 @@ bool read_import_options(const ig_importer& importer, const Import& asked, std::
     sink.add(host_diagnostic(code, where, arguments, hint));
     is_sound = false;
   };
-  values = read_options(report, importer.id, asked.where, {importer.options, importer.option_count}, asked.options);
+  const std::span<const ig_option_decl> declared(importer.options, importer.option_count);
+  std::vector<Attribute> given = asked.options;
+  if (asked.is_of_folder)
+    std::erase_if(given, [&](const Attribute& a) {
+      return std::none_of(declared.begin(), declared.end(), [&](const ig_option_decl& o) { return a.name == o.name; });
+    });
+  values = read_options(report, importer.id, asked.where, declared, given);
   return is_sound;
 }
 

@@ -30,6 +30,7 @@ const OptionValue& option_of(const std::vector<OptionValue>& options, std::uint3
 /// Line and column, from 1, of a byte of the text. Lines end in LF, CR LF or CR.
 Location place_of(ig_import& in, std::size_t position) {
   position = std::min(position, in.text.size());
+  if (position < in.looked && position >= in.line_begin) in.looked = in.line_begin;
   if (position < in.looked) {
     in.looked = in.line_begin = 0;
     in.line = 1;

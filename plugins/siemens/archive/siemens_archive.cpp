@@ -69,9 +69,6 @@ struct SiemensArchive {
                      "tool {0} is a turning tool (type {1}), so the lengths of all such tools are left out"),
       ig::diagnostic(IG_ERROR, "SIE-0353",
                      "this is a binary archive, which is not read: save the data as a text archive (punched tape)"),
-      ig::diagnostic(
-          IG_WARNING, "SIE-0355",
-          "row {0} is edge D{1} of tool {2}, but D selects rows with a step: set the option edge-step to 100"),
       ig::diagnostic(IG_WARNING, "SIE-0356",
                      "row {0} belongs to another tool, so tool {1}, edge {2} is left out: check the option edge-step"),
   };

@@ -86,7 +86,7 @@ void ToolRows::assign_edge_data(ig::Import& file, const Assignment& a, std::int6
 }
 
 void ToolRows::give(ig::Import& file, double mm, std::int64_t edge_step) const {
-  bool is_turning_reported = false, is_index_reported = false;
+  bool is_turning_reported = false;
   std::set<std::string> rows;
   for (const auto& [id, e] : edges_) {
     const auto [tool, number] = id;
@@ -100,10 +100,6 @@ void ToolRows::give(ig::Import& file, double mm, std::int64_t edge_step) const {
     if (!rows.insert(row).second) {
       file.report(ig::diag("SIE-0356"), e.begin, e.end, row, static_cast<double>(tool), static_cast<double>(number));
       continue;
-    }
-    if (edge_step == 0 && number > 1 && !is_index_reported) {
-      is_index_reported = true;
-      file.report(ig::diag("SIE-0355"), e.begin, e.end, row, static_cast<double>(number), static_cast<double>(tool));
     }
     file.row("ToolOffsetTable", row, e.begin);
     if (!e.is_turning_tool()) {
