@@ -83,6 +83,7 @@ class Checks:
         expect(held[:3] == [True, True, False], "a vendor's dialect runs the vendor's syntax", blocks)
 
         self.vendor_cycle(plugins)
+        self.vendor_importer(plugins)
         self.build_beside_the_sources()
 
     def build_beside_the_sources(self):
@@ -133,6 +134,13 @@ class Checks:
             plain = [(status, re.sub(r":(\d+):\d+:", r":\1:", text)) for status, text in answers]
             expect(plain[0] == plain[1], f"a vendor's cycle: {name}", answers)
             expect(("error: " if "reported" in name else ",feed,") in plain[0][1], "and something came of it", answers)
+
+    def vendor_importer(self, plugins):
+        self.run(self.command, "case", HERE / "vendor" / "acme_tool_file.md", "--plugins", plugins)
+        table = self.folder / "mill.acmetools"
+        table.write_text("ACME TOOLS\n12 98.2 5\n")
+        tables = self.run(self.command, "import", table, "--plugins", plugins).stdout
+        expect('<Tool id="12" H="98.2" D="5" />' in tables, "a vendor's importer reads the vendor's file", tables)
 
     def without_entry(self):
         _, done = self.build_project("without_entry", status=1)
