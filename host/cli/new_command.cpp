@@ -92,7 +92,7 @@ int NewCommand::run() const {
   }
   const std::optional<Dialect> base = session.read(dialect);
   if (!base) return cannot_start;
-  const fs::path place = fs::path(folder.empty() ? "." : folder) / name;
+  const fs::path place = fs::path(folder) / name;
   std::error_code error;
   if (fs::exists(place / "machine.xml", error)) {
     session.report("IG-0511", {(place / "machine.xml").string()}, {"the machine is there already"});

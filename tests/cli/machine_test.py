@@ -82,7 +82,7 @@ class Machines(unittest.TestCase):
         self.assertEqual(told["Dialect"], ["fanuc", "iso"])
         self.assertIn({"Service": "isogloss.machine-kinematics/1", "Offered by": ["MachineKinematics"]}, told["Lacks"])
         well = json.loads(self.run_it("doctor", "--json", "--machines", "machines").stdout)
-        self.assertEqual([m["Name"] for m in well["Machines"]], ["mill"])
+        self.assertIn("mill", [m["Name"] for m in well["Machines"]])
         done = self.run_it("run", part, "-d", "fanuc", *here, "--emit", "none", status=2)
         self.assertIn("leave out -d", done.stderr)
 

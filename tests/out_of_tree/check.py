@@ -55,6 +55,9 @@ class Checks:
         motions = self.run(self.command, "run", program, "-d", "fanuc", "--machine", "ac-table", "--emit", "motions",
                            "--format", "csv").stdout
         expect(",1,rapid,1," in motions, "and its machines", motions)
+        program.write_text("G21 G90 G54 G43 H2 Z0\nM60\nM30\n")  # M60 calls a program of the machine
+        motions = self.run(self.command, "run", program, "-m", "fanuc-mill", "--emit", "motions", "--format", "csv").stdout
+        expect(",-380,-60,0," in motions, "and the files of a machine", motions)
         documents = self.prefix / "share" / "doc" / "isogloss"
         missing = [name for name in ("README.md", "LICENSE", "examples/vendor/plugin.cpp", "examples/embed/main.cpp")
                    if not (documents / name).is_file()]

@@ -95,6 +95,15 @@ class Schemas(unittest.TestCase):
                 self.assertTrue(accepted, why)
 
     @unittest.skipUnless(shutil.which("xmllint"), "no xmllint")
+    def test_machines_are_valid(self):
+        files = list((OPTIONS.source / "dialects" / "machines").rglob("*.xml"))
+        self.assertGreaterEqual(len(files), 6)
+        for file in files:
+            with self.subTest(file.name):
+                accepted, why = self.accepts(file)
+                self.assertTrue(accepted, why)
+
+    @unittest.skipUnless(shutil.which("xmllint"), "no xmllint")
     def test_effective_dialects_are_valid(self):
         for name in ("iso", "fanuc"):
             file = self.path / f"{name}.xml"
