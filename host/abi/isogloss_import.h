@@ -77,6 +77,10 @@ struct ig_importer {
   ig_status (*read)(const ig_import_api*, ig_import*);
   /* NULL: the format is only read. */
   ig_status (*write)(const ig_export_api*, ig_export*);
+  /* 1: the file gives values that the control begins with, as definitions do. Of the files in a folder such are read
+   * before the others, whose values replace theirs. */
+  uint32_t is_initial;
+  uint32_t reserved;
 };
 
 #ifdef __cplusplus

@@ -361,7 +361,7 @@ AT(ig_tool_name_1, find, 16);
 AT(ig_tool_name_1, name, 24);
 CONSTANT(IG_TOOL_INDEX_STEP, 100000);
 
-GROWS_FROM(ig_importer, 96);
+GROWS_FROM(ig_importer, 104);
 AT(ig_importer, option_count, 4);
 AT(ig_importer, id, 8);
 AT(ig_importer, summary, 16);
@@ -374,6 +374,8 @@ AT(ig_importer, options, 64);
 AT(ig_importer, recognise, 72);
 AT(ig_importer, read, 80);
 AT(ig_importer, write, 88);
+AT(ig_importer, is_initial, 96);
+AT(ig_importer, reserved, 100);
 
 GROWS_FROM(ig_import_api, 104);
 AT(ig_import_api, host_minor, 4);

@@ -75,6 +75,23 @@ bool starts(const LinkedDialect& linked, DiagnosticSink& diagnostics) {
   }
 }
 
+/// Notes on a shipped dialect are not for those who set up a machine that stands on it.
+class OwnNotes : public DiagnosticSink {
+ public:
+  OwnNotes(DiagnosticSink& sink, const Dialect& dialect) : sink_(sink), dialect_(dialect) {}
+  void add(Diagnostic d) override {
+    if (dialect_.is_machine && d.severity == Severity::note && !is_of_machine(d.where.file)) return;
+    sink_.add(std::move(d));
+  }
+
+ private:
+  bool is_of_machine(const std::string& file) const {
+    return file.empty() || file.starts_with(dialect_.file.parent_path().string());
+  }
+  DiagnosticSink& sink_;
+  const Dialect& dialect_;
+};
+
 int LintCommand::run() const {
   Session session(common);
   if (dialects.empty() && machines.empty()) {
@@ -91,7 +108,8 @@ int LintCommand::run() const {
   for (const std::string& name : all) {
     const std::optional<Dialect> dialect = session.read(name);
     if (dialect) {
-      const std::unique_ptr<LinkedDialect> linked = link(*dialect, session.library(), session.diagnostics());
+      OwnNotes notes(session.diagnostics(), *dialect);
+      const std::unique_ptr<LinkedDialect> linked = link(*dialect, session.library(), notes);
       if (linked != nullptr && starts(*linked, session.diagnostics()))
         out += fmt::format("{}: {} syntaxes, {} dependencies, {} fields\n", dialect->name, linked->chain.size(),
                            linked->dependencies.size(), linked->layout.fields.size()) +
@@ -112,6 +130,7 @@ int lint_command(const Arguments& arguments) {
                    "chains.",
                    "isogloss lint fanuc ./my-dialect.xml --suggest\n  isogloss lint -m ./machines/dmu85");
   LintCommand command;
+  command.common.repeats = 0;  // what is wrong is listed as a whole
   line.option("DIALECT", command.dialects, "Dialects, by name or file");
   line.option("-m,--machine", command.machines, "A machine, by name, folder or file (repeatable)").type_name("MACHINE");
   line.flag("--suggest", command.suggest, "Print an order of the chain that satisfies every syntax, as a patch");

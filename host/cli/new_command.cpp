@@ -101,8 +101,10 @@ int NewCommand::run() const {
   fs::create_directories(backups.empty() ? place : place / "backup", error);
   for (const std::string& backup : backups) {
     const fs::path from = fs::path(backup).lexically_normal();
-    const fs::path to = place / "backup" / (from.has_filename() ? from.filename() : from.parent_path().filename());
-    if (!error) fs::copy(from, to, fs::copy_options::recursive, error);
+    const fs::path to = place / "backup";
+    // The files of a folder lie in backup themselves.
+    const bool is_folder = fs::is_directory(from, error);
+    if (!error) fs::copy(from, is_folder ? to : to / from.filename(), fs::copy_options::recursive, error);
     if (!error) continue;
     session.report("IG-0510", {backup}, {error.message()});
     return cannot_start;
@@ -129,7 +131,7 @@ int new_command(const Arguments& arguments) {
   line.option("NAME", command.name, "Name of the machine and of its folder").required();
   line.option("-d,--dialect", command.dialect, "The dialect that it stands on").required().type_name("DIALECT");
   line.option("--title", command.title, "What people call it").type_name("TEXT");
-  line.option("--backup", command.backups, "Copy this file or folder of the control into the machine (repeatable)")
+  line.option("--backup", command.backups, "Copy this file, or the files of this folder, into the machine (repeatable)")
       .type_name("PATH");
   line.option("--in", command.folder, "The folder in which the machine's own folder is made; otherwise this one")
       .type_name("DIR");

@@ -114,7 +114,7 @@ class Machines(unittest.TestCase):
             done = self.run_it("run", part, "-m", "machines/mill", "--emit", "motions", "--format", "csv")
             self.assertEqual([line.split(",")[8] for line in done.stdout.splitlines() if ",rapid," in line], ["90"])
             self.assertEqual(done.stderr, "")
-        self.assertIn("word P is not read: no table has a place for it (2 times) [IG-0125]",
+        self.assertIn("word P is not read: no table has a place for it (count: 2) [IG-0125]",
                       self.run_it("lint", "-m", "machines/mill").stderr)
         # The machine's own row goes over that of the file, cell by cell.
         self.machine('<Backup src="backup"/><Dependencies><ToolOffsetTable><Tool id="2" HWear="0.5"/></ToolOffsetTable>'

@@ -42,7 +42,7 @@ void merge_rows(const ig_dependency& dependency, std::vector<TableRow>& rows) {
       else
         *old = std::move(cell);
     }
-    older.where = row.where;
+    if (row.attributes.size() > 1) older.where = row.where;
   }
   rows = std::move(merged);
 }
@@ -116,14 +116,10 @@ class Importing {
     const bool is_folder = fs::is_directory(asked.file, error);
     bool is_sound = true;
     std::set<std::string> options;  // that an importer of the folder has
-    for (const fs::path& path : files_of(asked)) {
+    for (const fs::path& path : is_folder ? in_order(asked) : std::vector{asked.file}) {
       Import one = asked;
       one.file = path;
       one.is_of_folder = is_folder;
-      if (is_folder && asked.format.empty() && !is_recognised(one)) {
-        sink_.add(host_diagnostic("IG-0132", asked.where, {path.string()}));
-        continue;
-      }
       std::optional<ImportedFile> file = read(one);
       is_sound = file.has_value() && is_sound;
       if (!file) continue;
@@ -147,10 +143,28 @@ class Importing {
     return file;
   }
 
-  bool is_recognised(const Import& one) const {
+  /// The files of the folder that an importer reads: those with initial values first, so that saved values, which
+  /// other files hold, replace them.
+  std::vector<fs::path> in_order(const Import& folder) const {
+    std::vector<fs::path> initial, others;
+    for (const fs::path& path : files_of(folder)) {
+      const ig_importer* const importer = importer_of(path, folder.format);
+      if (importer == nullptr && folder.format.empty())
+        sink_.add(host_diagnostic("IG-0132", folder.where, {path.string()}));
+      else
+        (importer != nullptr && importer->is_initial != 0 ? initial : others).push_back(path);
+    }
+    initial.insert(initial.end(), others.begin(), others.end());
+    return initial;
+  }
+
+  const ig_importer* importer_of(const fs::path& path, const std::string& format) const {
     library_.load_all();
-    const std::optional<std::string> head = head_of_control_file(one.file);
-    return head && !recognise(*head, one.file.filename().string(), library_).empty();
+    if (!format.empty()) return library_.importer(format);
+    const std::optional<std::string> head = head_of_control_file(path);
+    if (!head) return nullptr;
+    const std::vector<RecognisedFormat> found = recognise(*head, path.filename().string(), library_);
+    return found.empty() ? nullptr : found[0].importer;
   }
 
   Library& library_;

@@ -83,7 +83,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "An importer recognises a file by its content, and sometimes by its name. `isogloss list importers` shows the "
        "formats; format=\"…\" names one. A file that the machine does not need is named by no <Backup>.",
        R"(<ToolOffsetTable src="notes.txt"/>)"},
-      {note, "IG-0125", "{0} is not read: {1} ({2} times)",
+      {note, "IG-0125", "{0} is not read: {1} (count: {2})",
        "The importer names what it does not use of a file, so that nothing is lost in silence. The place is the first "
        "one.",
        "TOOL.T with the column LAST_USE"},
@@ -106,7 +106,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "Where "
        "the file matters, name it and its format.",
        R"(<Backup src="backup"/>, and backup/readme.txt)"},
-      {note, "IG-0133", "{0} has no place in the file: {1} ({2} times)",
+      {note, "IG-0133", "{0} has no place in the file: {1} (count: {2})",
        "The control's format has no column for it, so the file that is written lacks it.",
        "isogloss export of a table with a column that TOOL.T does not have"},
       {error, "IG-0131", "{0} writes no files: the format is only read",

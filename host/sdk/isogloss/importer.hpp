@@ -2,13 +2,12 @@
 /// a struct with a `spec`, a static recognise(), read(), and write() where the format is written too:
 ///
 ///   struct AcmeToolFile {
-///     static constexpr auto spec = ig::importer("AcmeToolFile", "Tool table of an Acme control.")
-///                                      .files("*.tls").fills("ToolOffsetTable");
-///     static unsigned recognise(std::string_view text, std::string_view) { return text.starts_with("ACME") ? 100 : 0;
-///     } void read(ig::Import& file) const {
-///       for (const ig::TextLine& line : file.lines()) …
-///         file.row("ToolOffsetTable", "12", line.begin); file.cell("H", 120.5, line.begin);
-///     }
+///     static constexpr auto spec =
+///         ig::importer("AcmeToolFile", "Tool table of an Acme control.").files("*.tls").fills("ToolOffsetTable");
+///
+///     static unsigned recognise(std::string_view text, std::string_view file_name);  // 0 to 100
+///
+///     void read(ig::Import& file) const;  // file.row("ToolOffsetTable", "12", place); file.cell("H", 120.5, place);
 ///   };
 ///   const ig::Register<AcmeToolFile> acme_tool_file;
 ///
@@ -29,6 +28,7 @@ struct ImporterSpec {
   const char* summary;
   const char* patterns = "";
   NameList tables{};
+  bool is_initial = false;
 
   /// The usual names of such files, as shell patterns separated by blanks.
   constexpr ImporterSpec files(const char* names) const {
@@ -41,6 +41,12 @@ struct ImporterSpec {
   constexpr ImporterSpec fills(S... ids) const {
     ImporterSpec s = *this;
     (s.tables.add(ids), ...);
+    return s;
+  }
+  /// The file gives values that the control begins with: of the files in a folder it is read before the others.
+  constexpr ImporterSpec initial_values() const {
+    ImporterSpec s = *this;
+    s.is_initial = true;
     return s;
   }
 };
@@ -219,6 +225,7 @@ class ImporterDescriptor {
     out_.files = T::spec.patterns;
     out_.dependencies = T::spec.tables.data();
     out_.options = recorded_.options.data();
+    out_.is_initial = T::spec.is_initial ? 1 : 0;
     out_.recognise = [](ig_text text, ig_text name) noexcept -> std::uint32_t {
       try {
         return static_cast<std::uint32_t>(T::recognise(to_view(text), to_view(name)));

@@ -14,7 +14,8 @@ struct SiemensDefinitions {
   static constexpr auto spec =
       ig::importer("SiemensDefinitions", "Definition files of a SINUMERIK: global user data (GUD) and macros.")
           .files("*.def *.gud")
-          .fills("SiemensVariables");
+          .fills("SiemensVariables")
+          .initial_values();
 
   static unsigned recognise(std::string_view text, std::string_view) {
     constexpr std::size_t looked_at = std::size_t{64} << 10;

@@ -95,7 +95,7 @@ struct SiemensToolOffset {
     const auto known = tool.value_or(0) != 0 ? tool_dimension(table_, row, ToolDimension::length) : std::nullopt;
     if (!known && tool.value_or(0) != 0)
       b.report(ig::diag("SIE-0233"), where, static_cast<double>(*tool), static_cast<double>(edge),
-               static_cast<double>(row));
+               edge == 1 ? std::to_string(row) : std::to_string(*tool) + "." + std::to_string(edge));
     const double length = known.value_or(0);
     b.set(radius_id_, row);
     if (mode_.is_on(b)) return b.set(h_, static_cast<double>(known ? row : 0));
