@@ -1,0 +1,58 @@
+// The basic rotation of a preset: WorkOffsetFrame, an entry of its own on the way to machine coordinates. The tool
+// length, the datum shift and the origin of the preset (HeidenhainCoordinateOffsetSyntax) come after it.
+#include <charconv>
+
+#include "frames/basic_rotation.hpp"
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+
+namespace {
+
+struct KlartextBasicRotation {
+  static constexpr auto spec =
+      ig::syntax("KlartextBasicRotationSyntax", "The basic rotation of the preset in force.")
+          .after("KlartextCycleSyntax", "KlartextPlaneFrameSyntax", "IsoG68RotationSyntax", "IsoG68p2TiltSyntax")
+          .before("G53p1RotaryPositionSyntax", "ToolCenterPointSyntax", "ToolHeightOffsetSyntax",
+                  "HeidenhainCoordinateOffsetSyntax");
+
+  ig::Field<double> number_{"Parsing.DATUM_PRESET", ig::read | ig::wake, {ig::Life::word, "", ""}};
+  ig::In<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
+  ig::Transform frame_{"WorkOffsetFrame", ig::read | ig::write};
+  std::array<ig::Out<double>, 3> angles_{
+      ig::Out<double>{"BasicRotation.SPA", {ig::Life::modal, "deg", "Basic rotation of the preset about X."}},
+      ig::Out<double>{"BasicRotation.SPB", {ig::Life::modal, "deg", "Basic rotation of the preset about Y."}},
+      ig::Out<double>{"BasicRotation.SPC", {ig::Life::modal, "deg", "Basic rotation of the preset about Z."}}};
+  BasicRotations table_;
+
+  ig::Status restart(ig::Block& b) { return turn(b, table_.angles_of(b.text(b.get_or(id_, ig::Symbol{})))); }
+
+  ig::Status build(ig::Block& b) {
+    const auto number = b.get(number_);
+    if (!number) return ig::Status::unchanged;
+    const bool is_number = *number >= 0 && *number < 1e9 && *number == std::floor(*number);
+    return turn(b, is_number ? table_.angles(static_cast<std::int64_t>(*number)) : ig::Vec3{});
+  }
+
+ private:
+  ig::Status turn(ig::Block& b, const ig::Vec3& angles) const {
+    const ig::Vec3 present{b.get_or(angles_[0], 0.0), b.get_or(angles_[1], 0.0), b.get_or(angles_[2], 0.0)};
+    const Mat4 m = BasicRotations::matrix(angles);
+    Mat4 frame = identity_frame;
+    b.get(frame_, frame);
+    if (angles == present && m == frame) return ig::Status::unchanged;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (angles == ig::Vec3{})
+        b.erase(angles_[i]);
+      else
+        b.set(angles_[i], angles[i]);
+    b.set_transform(frame_, m);
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<KlartextBasicRotation> klartext_basic_rotation_syntax;
+
+}  // namespace
+}  // namespace heidenhain
