@@ -17,6 +17,11 @@ struct KlartextBasicRotation {
           .before("G53p1RotaryPositionSyntax", "ToolCenterPointSyntax", "ToolHeightOffsetSyntax",
                   "HeidenhainCoordinateOffsetSyntax");
 
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "HEI-0351",
+                     "preset {0} turns the tilted plane, and the tool is not square to it: program PLANE after it"),
+  };
+
   ig::Field<double> number_{"Parsing.DATUM_PRESET", ig::read | ig::wake, {ig::Life::word, "", ""}};
   ig::In<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
   ig::Transform frame_{"WorkOffsetFrame", ig::read | ig::write};
@@ -24,6 +29,9 @@ struct KlartextBasicRotation {
       ig::Out<double>{"BasicRotation.SPA", {ig::Life::modal, "deg", "Basic rotation of the preset about X."}},
       ig::Out<double>{"BasicRotation.SPB", {ig::Life::modal, "deg", "Basic rotation of the preset about Y."}},
       ig::Out<double>{"BasicRotation.SPC", {ig::Life::modal, "deg", "Basic rotation of the preset about Z."}}};
+  ig::Field<bool> aligned_{"TiltTransform.IsAligned",
+                           ig::read,
+                           {ig::Life::modal, "", "G53.1 or G53.6 has put the tool upright on the plane."}};
   BasicRotations table_;
 
   ig::Status restart(ig::Block& b) { return turn(b, table_.angles_of(b.text(b.get_or(id_, ig::Symbol{})))); }
@@ -32,7 +40,10 @@ struct KlartextBasicRotation {
     const auto number = b.get(number_);
     if (!number) return ig::Status::unchanged;
     const bool is_number = *number >= 0 && *number < 1e9 && *number == std::floor(*number);
-    return turn(b, is_number ? table_.angles(static_cast<std::int64_t>(*number)) : ig::Vec3{});
+    const ig::Status status = turn(b, is_number ? table_.angles(static_cast<std::int64_t>(*number)) : ig::Vec3{});
+    if (status == ig::Status::changed && b.has(aligned_))
+      b.report(ig::diag("HEI-0351"), ig::Where::word(number_.id()), *number);
+    return status;
   }
 
  private:

@@ -22,6 +22,8 @@ struct SiemensFrameShape {
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "SIE-0391",
                      "{0} under G41 or G42 has unequal scales, so the tool is not beside the contour: make them equal"),
+      ig::diagnostic(IG_WARNING, "SIE-0392",
+                     "{0} turns the swivelled plane, and the tool is not square to it: program CYCLE800 after {0}"),
   };
 
   SettableFrames frames_{ig::read | ig::wake};
@@ -32,6 +34,10 @@ struct SiemensFrameShape {
   ig::InWhile<ig::Symbol> left_{"RadiusCompensation.Term", "G41"}, right_{"RadiusCompensation.Term", "G42"};
   ig::Signal compensation_said_{"WorkOffsetFrame.~CompensationSaid", ig::read | ig::write, ig::Life::modal};
   ig::Transform programmable_{"ProgrammableFrame", ig::read}, tilt_{"TiltTransform", ig::read};
+  ig::Field<bool> aligned_{"TiltTransform.IsAligned",
+                           ig::read,
+                           {ig::Life::modal, "", "G53.1 or G53.6 has put the tool upright on the plane."}};
+  ig::Call align_{{"G53.1"}, "", ig::read};
   ShapeTable shapes_;
   PlaneInForce plane_;
   ig::Name g500_{"G500"}, g41_{"G41"}, g42_{"G42"};
@@ -43,8 +49,12 @@ struct SiemensFrameShape {
   ig::Status build(ig::Block& b) {
     bool any = false;
     const auto code = frames_.find(b);
-    if (code || b.is_raised(table_changed_))
-      any = select(b, code ? frames_.name(*code) : b.get_or(id_, static_cast<ig::Symbol>(g500_)));
+    if (code || b.is_raised(table_changed_)) {
+      const ig::Symbol id = code ? frames_.name(*code) : b.get_or(id_, static_cast<ig::Symbol>(g500_));
+      any = select(b, id);
+      if (any && b.has(aligned_) && !b.find(align_))
+        b.report(ig::diag("SIE-0392"), code ? ig::Where::word(frames_.id(*code)) : ig::Where::block(), b.text(id));
+    }
     return report_uneven_compensation(b) || any ? ig::Status::changed : ig::Status::unchanged;
   }
 
