@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Random chains of cycles 7, 8, 10 and 247 and of tilted planes against plain matrices.
+"""Random chains of cycles 7, 8, 10 and 247 and of tilted planes against plain matrices; presets are rotated, too.
 
   frames_test.py --isogloss PATH [--programs N] [--seed S]
 
@@ -20,7 +20,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
 import random_runs  # noqa: E402: it lies in another folder
 
-PRESETS = {1: (10.0, -20.0, 30.5), 2: (-7.25, 3.0, -100.0)}
+PRESETS = {1: (10.0, -20.0, 30.5), 2: (-7.25, 3.0, -100.0), 3: (4.0, 5.0, -6.5), 4: (0.0, -1.0, 2.0)}
+ROTATIONS = {3: (0.0, 0.0, 33.0), 4: (7.0, -12.0, 80.5)}  # SPA, SPB, SPC
 LENGTH = 57.3
 PIVOT_A, PIVOT_C = (0.0, 0.5, -90.0), (0.25, -0.75, -150.0)
 UNIT = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
@@ -73,6 +74,7 @@ class Program:
         self.random = random.Random(seed)
         self.lines, self.checks = [], {}
         self.preset, self.shift = [0.0] * 3, [0.0] * 3
+        self.basic = UNIT
         self.mirrored, self.angle, self.rotated_after_mirror = (False, False), 0.0, False
         self.turned_before, self.mirrored_before = False, False  # the shift came after them
         self.plane = None  # a matrix
@@ -115,11 +117,11 @@ class Program:
         return turned(about(2, -self.angle if is_reversed else self.angle), v)
 
     def frame(self):
-        origin = plus(self.preset, self.way())
+        origin = self.way()
         if self.plane is not None:
             v = turned(about(2, self.inner_angle), self.inner_shift) if self.inner_turned_before else self.inner_shift
             origin = plus(origin, turned(self.plane, v))
-        return self.matrix(), origin
+        return times(self.basic, self.matrix()), plus(self.preset, turned(self.basic, origin))
 
     # ---- steps
 
@@ -172,6 +174,8 @@ class Program:
         row = self.random.choice(list(PRESETS))
         self.write(f"CYCL DEF 247 DATUM SETTING Q339={row:+d}")
         self.preset, self.shift = list(PRESETS[row]), [0.0] * 3
+        a, b, c = ROTATIONS.get(row, (0.0, 0.0, 0.0))
+        self.basic = times(times(about(2, c), about(1, b)), about(0, a))
         self.turned_before, self.mirrored_before = False, False
 
     def rotation(self):
@@ -339,6 +343,8 @@ def difference(isogloss, folder, program):
     (folder / "machine.xml").write_text(MACHINE)
     settings = [w for n, xyz in PRESETS.items() for a, v in zip("XYZ", xyz)
                 for w in ("--set", f"IsoCoordinateTable.DATUM_PRESET_{n}.{a}={v}")]
+    settings += [w for n, angles in ROTATIONS.items() for a, v in zip("ABC", angles)
+                 for w in ("--set", f"HeidenhainBasicRotations.{n}.SP{a}={v}")]
     run = subprocess.run([isogloss, "run", "in.h", "-d", "heidenhain", "--checked", "--machine", "machine.xml",
                           "--emit", "motions", "--format", "csv", "--exact", "--set", f"ToolOffsetTable.1.H={LENGTH}", *settings],
                          cwd=folder, capture_output=True, text=True, timeout=60, check=False)

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Random chains of TRANS, ATRANS, ROT, AROT, SCALE, ASCALE, MIRROR, AMIRROR, CYCLE800, G54 to G505, G53 and D against
-plain matrices.
+plain matrices. Settable frames and the base frame shift, rotate, scale and mirror, too.
 
   frames_test.py --isogloss PATH [--programs N] [--seed S]
 
-The model follows the manual's description of frames: machine = settable offset + tool + swivelled plane (programmable
-frame (words)). Every move, arcs and helices included, must end where the model does, to 1e-6 mm, and each arc must
+The model follows the manual's description of frames: machine = tool + base frame (settable frame (swivelled plane
+(programmable frame (words)))), each of them shift, rotation (scale (mirror)). Every move, arcs and helices included, must end where the model does, to 1e-6 mm, and each arc must
 have the centre and the sense that result from the frame.
 """
 import csv
@@ -20,7 +20,12 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import random_runs  # noqa: E402: it lies in another folder
 
 NORMAL = {"G17": 2, "G18": 1, "G19": 0}
-OFFSETS = {"G54": (10.0, -20.0, 30.5), "G57": (-7.25, 3.0, -100.0), "G505": (1.0, 2.0, 3.0), "G500": (0.0, 0.0, 0.0)}
+# Columns of the table; G54 and G57 only shift, and the programs with an odd seed have a base frame.
+OFFSETS = {"G54": {"X": 10.0, "Y": -20.0, "Z": 30.5}, "G57": {"X": -7.25, "Y": 3.0, "Z": -100.0, "FX": 0.02, "FZ": -0.3},
+           "G505": {"X": 1.0, "Y": 2.0, "Z": 3.0, "RZ": 33.0}, "G506": {"X": -5.5, "RX": 20.0, "RY": -35.5, "RZ": 110.0},
+           "G507": {"Y": 4.0, "FY": 0.5, "RX": -15.0, "SX": 1.5, "SY": 1.5, "SZ": 1.5, "MX": 1},
+           "G508": {"RZ": -12.5, "MY": 1, "MZ": 1, "SZ": 0.75}, "G509": {}, "G500": {}}
+BASE = {"X": 3.0, "Z": -1.5, "FX": 0.125, "RX": 5.0, "RZ": -20.0}
 LENGTH = 57.3
 IDENTITY = ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0, 0.0, 0.0])
 ORDERS = {57: "XYZ", 27: "ZYX", 39: "ZXY", 45: "XZY", 30: "YZX", 54: "YXZ"}
@@ -72,18 +77,29 @@ def inverse(frame):
     return back, [-x for x in turned(back, t)]
 
 
+def frame_of(row):
+    """The frame of a row of the table."""
+    v = lambda kind, unnamed: [float(row.get(kind + a, unnamed)) for a in "XYZ"]
+    r = v("R", 0)
+    factors = [-s if m else s for s, m in zip(v("S", 1), v("M", 0))]
+    m = times(times(about(2, r[2]), about(1, r[1])), about(0, r[0]))
+    return [[m[i][k] * factors[k] for k in range(3)] for i in range(3)], plus(v("", 0), v("F", 0))
+
+
 class Program:
     def __init__(self, seed, blocks=120):
         self.random = random.Random(seed)
+        self.table = {name: dict(row) for name, row in OFFSETS.items()}
+        self.base = BASE if seed % 2 else {}
         self.lines, self.ends, self.arcs = [], {}, {}
         self.at = [0.0, 0.0, 0.0]  # machine coordinates
-        self.offset, self.plane, self.length = "G500", "G17", 0.0
+        self.in_force, self.plane, self.length = {}, "G17", 0.0
         self.programmable, self.swivel = IDENTITY, IDENTITY
         self.is_incremental, self.is_swivelled = False, False
         self.write("G17 G90 G94 F500 G500 T1 M6 D0")
-        self.write("G0 X0 Y0 Z0")
+        self.write("SUPA G0 X0 Y0 Z0")
         self.ends[2] = [0.0, 0.0, 0.0]
-        steps = [(30, self.move), (9, self.frame), (3, self.swivelled), (3, self.settable), (3, self.machine_block),
+        steps = [(30, self.move), (9, self.frame), (3, self.swivelled), (3, self.settable), (1, self.written), (3, self.machine_block),
                  (2, self.distance), (2, self.plane_code), (2, self.edge), (9, self.arc)]
         for step in self.random.choices([s for _, s in steps], [w for w, _ in steps], k=blocks):
             step()
@@ -108,7 +124,7 @@ class Program:
         return [self.length if a == NORMAL[self.tool_plane] else 0.0 for a in range(3)] if self.length else [0.0] * 3
 
     def way(self):
-        outside = (IDENTITY[0], plus(list(OFFSETS[self.offset]), self.tool()))
+        outside = after((IDENTITY[0], self.tool()), after(frame_of(self.base), frame_of(self.in_force)))
         return after(outside, after(self.swivel, self.programmable))
 
     def position(self):
@@ -133,7 +149,7 @@ class Program:
 
     def keeps_circles(self):
         """In the plane in force."""
-        u, v = ([row[a] for row in self.programmable[0]] for a in range(3) if a != NORMAL[self.plane])
+        u, v = ([row[a] for row in self.way()[0]] for a in range(3) if a != NORMAL[self.plane])
         return abs(math.hypot(*u) - math.hypot(*v)) < 1e-9 and abs(sum(a * b for a, b in zip(u, v))) < 1e-9
 
     def arc(self):
@@ -232,8 +248,32 @@ class Program:
         self.write("CYCLE800(" + ",".join(str(v) for v in values) + ")")
 
     def settable(self):
-        self.offset = self.random.choice(list(OFFSETS))
-        self.write(self.offset)
+        code = self.random.choice(list(OFFSETS))
+        self.in_force = dict(self.table[code]) if code != "G500" else {}
+        self.write(code)
+
+    def written(self):
+        """A frame that the program writes; the next code selects it."""
+        row = self.table["G509"]
+        kind = self.random.choice(("part", "part", "part", "whole", "copy"))
+        if kind == "whole":
+            row.clear()
+            row.update({"X": self.value(), "Y": self.value()})
+            self.write(f"$P_UIFR[9]=CTRANS(X,{row['X']:.3f},Y,{row['Y']:.3f})")
+        elif kind == "copy":
+            row.clear()
+            row.update(self.table["G506"])
+            self.write("$P_UIFR[9]=$P_UIFR[6]")
+        else:
+            axis, part = self.random.choice("XYZ"), self.random.choice(("TR", "FI", "RT", "SC", "MI"))
+            v = {"SC": 1.25, "MI": self.random.randint(0, 1)}.get(part, self.value())
+            if part == "SC":  # one factor for all axes, so that circles remain
+                for a in "XYZ":
+                    row["S" + a] = v
+                    self.write(f"$P_UIFR[9,{a},SC]={v}")
+                return
+            row[{"TR": "", "FI": "F", "RT": "R", "MI": "M"}[part] + axis] = v
+            self.write(f"$P_UIFR[9,{axis},{part}]={v}")
 
     def machine_block(self):
         words = self.words()
@@ -265,8 +305,8 @@ class Program:
 
 def difference(isogloss, folder, program):
     (folder / "in.mpf").write_text("\n".join(program.lines) + "\n")
-    settings = [w for g, xyz in OFFSETS.items() if g != "G500" for a, v in zip("XYZ", xyz)
-                for w in ("--set", f"SiemensCoordinateTable.{g}.{a}={v}")]
+    settings = [w for row, cells in (OFFSETS | {"BASE": program.base}).items() for column, v in cells.items()
+                for w in ("--set", f"SiemensCoordinateTable.{row}.{column}={v}")]
     settings += ["--set", f"ToolOffsetTable.1.H={LENGTH}"]
     run = subprocess.run([isogloss, "run", "in.mpf", "-d", "siemens", "--checked", "--emit", "motions", "--format",
                           "csv", "--exact", "--zero-moves", *settings], cwd=folder, capture_output=True, text=True, timeout=60, check=False)

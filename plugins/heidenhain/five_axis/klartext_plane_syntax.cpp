@@ -7,6 +7,7 @@
 #include "five_axis/plane_definition.hpp"
 #include "five_axis/plane_positioning.hpp"
 #include "five_axis/plane_statement.hpp"
+#include "frames/basic_rotation.hpp"
 
 namespace heidenhain {
 
@@ -48,6 +49,8 @@ struct KlartextPlane {
   ig::Out<bool> to_limit_{"KlartextPlane.RetractsToLimit",
                           {ig::Life::block, "", "MB MAX: the tool goes out to the end of the travel."}};
   RotaryOffsetSection rotary_offset_{"CoordinateOffset", ig::read};
+  std::array<ig::In<double>, 3> rotation_{rotation("BasicRotation.SPA"), rotation("BasicRotation.SPB"),
+                                          rotation("BasicRotation.SPC")};
   PlanePositioning axes_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
@@ -80,6 +83,10 @@ struct KlartextPlane {
     return ig::Field<double>(path, ig::read | ig::write, {ig::Life::standard, "deg", ""}).id();
   }
 
+  static ig::In<double> rotation(const char* path) {
+    return ig::In<double>{path, ig::read, {ig::Life::modal, "deg", ""}};
+  }
+
   /// The spatial angles of the plane in force.
   std::optional<ig::Vec3> angles_in_force(const ig::Block& b) const {
     if (!b.is(term_, g68_2_)) return std::nullopt;
@@ -88,6 +95,13 @@ struct KlartextPlane {
   Mat4 plane_in_force(const ig::Block& b) const {
     const auto angles = angles_in_force(b);
     return angles ? PlaneDefinition::spatial_plane(*angles) : identity_frame;
+  }
+
+  /// The basic rotation of the preset. The entry of the frame is not read here: a syntax of this stage would decide
+  /// its place among the entries.
+  std::optional<Mat4> basic_rotation(const ig::Block& b) const {
+    const ig::Vec3 angles{b.get_or(rotation_[0], 0.0), b.get_or(rotation_[1], 0.0), b.get_or(rotation_[2], 0.0)};
+    return angles != ig::Vec3{} ? std::optional(BasicRotations::matrix(angles)) : std::nullopt;
   }
 
   void tilt(ig::Block& b) {
@@ -103,7 +117,10 @@ struct KlartextPlane {
       if (command_.plane.words[axis] && !axes_.machine().has(axis))
         b.report(ig::diag("HEI-0171"), command_.where(), std::string_view("ABC").substr(axis, 1),
                  std::string_view("the machine has no such axis"));
-    const auto m = command_.plane.frame(plane_in_force(b), axial, axes_.machine());
+    auto m = command_.plane.frame(plane_in_force(b), axial, axes_.machine());
+    const auto rotation = basic_rotation(b);
+    // Angles of axes give the plane in the machine; the other words give it in the rotated workpiece.
+    if (m && rotation && command_.plane.kind == PlaneDefinition::axial) m = product(*m, inverse(*rotation));
     if (!m && command_.plane.kind == PlaneDefinition::axial) {
       b.report(
           ig::diag("HEI-0171"), command_.where(), command_.plane.shown(),
@@ -130,8 +147,9 @@ struct KlartextPlane {
     b.set_word(plane_, 0, 'Q', 123);
     if (command_.plane.kind == PlaneDefinition::axial)
       return position(b, axes_.are_inside(axial) ? std::optional(axial) : std::nullopt);
-    auto upright = axes_ ? axes_.choose({(*m)[8], (*m)[9], (*m)[10]}, now, command_.sequence) : std::nullopt;
-    if (upright) upright = axes_.with_free_axis(*upright, *m, now, command_.turns_table);
+    const Mat4 lies = rotation ? product(*m, *rotation) : *m;  // in the machine
+    auto upright = axes_ ? axes_.choose({lies[8], lies[9], lies[10]}, now, command_.sequence) : std::nullopt;
+    if (upright) upright = axes_.with_free_axis(*upright, lies, now, command_.turns_table);
     position(b, upright);
   }
 

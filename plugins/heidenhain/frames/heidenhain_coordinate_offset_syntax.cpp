@@ -6,6 +6,7 @@
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/work_origin.hpp>
 
+#include "frames/basic_rotation.hpp"
 #include "frames/datum_shift.hpp"
 
 namespace heidenhain {
@@ -24,12 +25,17 @@ struct HeidenhainCoordinateOffset {
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "HEI-0174",
                      "preset {0} is not in the table, so it is assumed at machine zero: add it to the table"),
+      ig::diagnostic(IG_ERROR, "HEI-0350",
+                     "{0} has a basic rotation, which is not executed: add KlartextBasicRotationSyntax to the dialect"),
   };
 
   ig::Word number_{"Parsing.DATUM_PRESET", ig::wake, ""};
   DatumWords words_;
   ig::Out<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
+  ig::Transform rotation_{"WorkOffsetFrame", ig::read};
   OffsetSection local_{"LocalCoordinateOffset"};
+  ig::Transform local_frame_{"LocalCoordinateOffset"};
+  BasicRotations rotations_;
   OffsetSection offset_{"CoordinateOffset"};
   RotaryOffsetSection rotary_{"CoordinateOffset"};
   TurnedShift turned_{"DatumShift"};
@@ -49,6 +55,8 @@ struct HeidenhainCoordinateOffset {
     if (!id.empty()) turn(b, id);
     offset_.set(b, origin.value_or(ig::Vec3{}));
     local_.restore(b);
+    turn_shift(b);
+    check_rotation(b, id, ig::Where::block());
     return ig::Status::changed;
   }
 
@@ -80,8 +88,29 @@ struct HeidenhainCoordinateOffset {
     turn(b, id);
     b.set(id_, preset);
     offset_.set(b, origin.value_or(ig::Vec3{}));
-    local_.set(b, {});  // a preset cancels the shift
+    lay(b, {});  // a preset cancels the shift
     turned_.end(b);
+    check_rotation(b, id, where);
+  }
+
+  void check_rotation(ig::Block& b, std::string_view id, ig::Where where) const {
+    const ig::Vec3 angles = rotations_.angles_of(id);
+    if (angles != ig::Vec3{} && rotation(b) != BasicRotations::matrix(angles))
+      b.report(ig::diag("HEI-0350"), where, id);
+  }
+
+  Mat4 rotation(const ig::Block& b) const {
+    Mat4 m;
+    return b.get(rotation_, m) ? m : identity_frame;
+  }
+
+  /// Shows the shift along the axes of the preset, and executes it along those of the machine.
+  void lay(ig::Block& b, const ig::Vec3& shift) const {
+    local_.set(b, shift);
+    turn_shift(b);
+  }
+  void turn_shift(ig::Block& b) const {
+    if (const Mat4 m = rotation(b); m != identity_frame) b.set_translation(local_frame_, mapped(m, local_.get(b)));
   }
 
   /// KlartextRotaryStepSyntax adds the preset's angles to the words of the rotary axes.
@@ -95,7 +124,7 @@ struct HeidenhainCoordinateOffset {
     if (turned_.is_here(b))
       turned_.set(b, now);
     else
-      local_.set(b, now);
+      lay(b, now);
   }
 
   /// Cycles 8 and 10 that precede the shift also turn the shift.
@@ -103,7 +132,7 @@ struct HeidenhainCoordinateOffset {
     const Mat4 rotation = turn_about(plane_(b).tool, b.get_or(angle_, 0.0));
     const ig::Vec3 to = turned_.around(b, b.is(tilt_, g68_) ? &rotation : nullptr);
     if (!turned_.is_here(b)) turned_.end(b);
-    if (to != local_.get(b)) local_.set(b, to);
+    if (to != local_.get(b)) lay(b, to);
   }
 };
 

@@ -1,5 +1,6 @@
 // PRESET.PR: a preset a row. iTNC 530 and TNC 640 user's manuals, "Datum management with the preset table".
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include "tables/table_reader.hpp"
@@ -24,10 +25,8 @@ bool holds_number(std::string_view name) {
 struct HeidenhainPresetTable {
   static constexpr auto spec = ig::importer("HeidenhainPresetTable", "The preset table of a TNC, PRESET.PR.")
                                    .files("PRESET.PR *.pr")
-                                   .fills("IsoCoordinateTable");
+                                   .fills("IsoCoordinateTable", "HeidenhainBasicRotations");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "HEI-0320",
-                     "preset {0} has a rotation, {1} {2} deg, which is not executed: positions under it will be wrong"),
       ig::diagnostic(IG_WARNING, "HEI-0321",
                      "preset {0} has {1} {2}, a shift that is not executed: positions under it will be wrong"),
       ig::diagnostic(IG_WARNING, "HEI-0322",
@@ -50,12 +49,18 @@ struct HeidenhainPresetTable {
       if (std::any_of(cells.begin(), cells.end(),
                       [&](const TableCell& c) { return c.is_given() && origin_of(table, c) != 0; }))
         begin_row(file, table, cells, *number);
-      std::string axes;  // that have a value
-      for (const TableCell& cell : std::span(cells).subspan(1)) read_cell(file, table, cell, *number, axes);
+      Found found;
+      for (const TableCell& cell : std::span(cells).subspan(1)) read_cell(file, table, cell, *number, found);
+      give_rotation(file, found, *number, cells[0].begin);
     });
   }
 
  private:
+  struct Found {
+    std::string axes, turns;         ///< those that have a value
+    std::array<double, 3> angles{};  ///< SPA, SPB, SPC; ROT of older controls is SPC
+  };
+
   /// The axis whose origin the cell holds, 'X' to 'Z' and 'A' to 'C'; 0 for other cells. Older controls have A, newer
   /// ones A_OFFS.
   static char origin_of(const TableReader& table, const TableCell& cell) {
@@ -80,23 +85,39 @@ struct HeidenhainPresetTable {
   }
 
   static void read_cell(ig::Import& file, const TableReader& table, const TableCell& cell, const std::string& preset,
-                        std::string& axes) {
+                        Found& found) {
     const std::string& name = table.column(cell).name;
     if (!cell.is_given()) return;
     if (const char axis = origin_of(table, cell); axis != 0) {
-      if (axes.find(axis) != std::string::npos)
+      if (found.axes.find(axis) != std::string::npos)
         return table.unused(cell, "a column before it gives the value of its axis");
-      axes += axis;
+      found.axes += axis;
       if (const std::optional<double> value = table.number(cell, preset))
         file.cell(std::string_view(&axis, 1), axis >= 'X' ? table.in_mm(*value) : *value, cell.begin);
       return;
     }
-    const bool turns = is_turn(name);
-    if (!turns && !is_shift(name)) return table.unused(cell, no_place);
+    if (is_turn(name)) return read_rotation(table, cell, preset, name, found);
+    if (!is_shift(name)) return table.unused(cell, no_place);
     const std::optional<double> value = table.number(cell, preset);
     if (!value || *value == 0) return;
-    file.report(turns ? ig::diag("HEI-0320") : ig::diag("HEI-0321"), cell.begin, cell.end(), preset, name, cell.text);
-    table.unused(cell, turns ? "no table has a place for the rotation of a preset" : no_place);
+    file.report(ig::diag("HEI-0321"), cell.begin, cell.end(), preset, name, cell.text);
+    table.unused(cell, no_place);
+  }
+
+  static void read_rotation(const TableReader& table, const TableCell& cell, const std::string& preset,
+                            std::string_view name, Found& found) {
+    const char axis = name == "ROT" ? 'C' : name[2];
+    if (found.turns.find(axis) != std::string::npos)
+      return table.unused(cell, "a column before it gives the same rotation");
+    found.turns += axis;
+    found.angles[static_cast<std::size_t>(axis - 'A')] = table.number(cell, preset).value_or(0);
+  }
+
+  static void give_rotation(ig::Import& file, const Found& found, const std::string& preset, std::size_t begin) {
+    if (found.angles == std::array<double, 3>{}) return;
+    file.row("HeidenhainBasicRotations", preset, begin);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (found.angles[i] != 0) file.cell(turns_of_preset[i], found.angles[i], begin);
   }
 };
 

@@ -8,6 +8,7 @@
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
+#include "five_axis/work_offset_frame.hpp"
 #include "reading/as_written.hpp"
 #include "tool/tool_length.hpp"
 
@@ -45,7 +46,7 @@ struct G53p1RotaryPosition {
                            ig::read | ig::write | ig::wake_while,
                            {ig::Life::modal, "", "G53.1 or G53.6 has put the tool upright on the plane."}};
   ig::In<ig::Symbol> tilt_term_{"TiltTransform.Term"};
-  TiltFrame tilt_{ig::read};
+  PlaneInMachine tilt_;
   ig::Xyz orientation_{"ToolOrientation", ig::write};
   ig::Xyz machine_xyz_{"MachineCoordinate", ig::read | ig::write};
   std::array<ig::Out<double>, 3> axes_{ig::Out<double>{"MachineCoordinate.A"}, ig::Out<double>{"MachineCoordinate.B"},

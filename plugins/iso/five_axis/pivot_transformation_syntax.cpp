@@ -5,6 +5,8 @@
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/rotary_turns.hpp>
 
+#include "five_axis/work_offset_frame.hpp"
+
 namespace iso {
 
 using namespace ig::cnc;
@@ -30,7 +32,7 @@ struct PivotTransformation {
                            {ig::Life::block, "mm", "How far beyond the tip the point lies that rests under G53.6."}};
   ig::In<double> length_{"ToolHeightCompensation.Offset_mm"};
 
-  ig::Transform tilt_{"TiltTransform", ig::read};
+  PlaneInMachine tilt_;
   ig::Transform tool_{"ToolHeightCompensation", ig::read | ig::write};
   ig::Transform frame_{"PivotTransform", ig::read | ig::write};
   ig::Xyz program_{"ProgramXyz", ig::write};
@@ -115,8 +117,7 @@ struct PivotTransformation {
 
   /// A vector of the workpiece in coordinates of the tilted plane.
   ig::Vec3 unturned(const ig::Block& b, const ig::Vec3& way) const {
-    Mat4 m;
-    if (!b.get(tilt_, m)) return way;
+    const Mat4 m = tilt_.get(b);
     ig::Vec3 out;
     for (std::size_t i = 0; i < 3; ++i) out[i] = dot(way, {m[4 * i], m[4 * i + 1], m[4 * i + 2]});
     return out;

@@ -8,6 +8,7 @@
 #include <isogloss/cnc/rotary_turns.hpp>
 #include <isogloss/sdk.hpp>
 
+#include "five_axis/work_offset_frame.hpp"
 #include "reading/as_written.hpp"
 #include "tool/tool_length.hpp"
 
@@ -68,7 +69,7 @@ struct ToolCenterPoint {
       "", ig::read, {"G27", "G28", "G29", "G30", "G52", "G54.1", "G68", "G68.2", "G68.3", "G68.4", "G92", "G92.1"}};
   ig::Signal said_{"ToolCenterPoint.~Said", ig::read | ig::write, ig::Life::modal};
   MotionGroup group_;
-  TiltFrame tilt_{ig::read};
+  PlaneInMachine tilt_;
   ToolLengths lengths_{ig::Need::optional};
   ToolCenterMode mode_;
   RotaryTurns turn_{ig::read | ig::write, RotaryWordsAre::of_program};

@@ -1,4 +1,4 @@
-// The shift of each frame: coarse and fine offset by axis. Other parts of a frame have no column.
+// Each frame by axis: coarse and fine offset, rotation, scale, mirror.
 #include "archive/frame_rows.hpp"
 
 #include <cmath>
@@ -39,6 +39,19 @@ bool FrameRows::Frame::has_shape() const {
   return out;
 }
 
+bool FrameRows::Frame::has_shape_of(std::string_view component) const {
+  for (const auto& [axis, part] : axes)
+    if ((component == "RT" && part.rotation != 0) || (component == "SC" && part.scale != 1) ||
+        (component == "MI" && part.is_mirrored))
+      return true;
+  return false;
+}
+
+void FrameRows::Frame::drop_shape() {
+  is_turned = false;
+  for (auto& [axis, part] : axes) part.rotation = 0, part.scale = 1, part.is_mirrored = false;
+}
+
 bool FrameRows::Frame::is_shifted() const {
   bool out = false;
   for (const auto& [axis, part] : axes) out = out || part.shift() != 0;
@@ -51,9 +64,12 @@ bool FrameRows::set_component(Part& part, std::string_view component, double val
   if (component == "RT") part.rotation = value;
   if (component == "SC") part.scale = value;
   if (component == "MI") part.is_mirrored = value != 0;
-  const bool is_shift = component == "TR" || component == "FI";
-  part.is_shift_given = part.is_shift_given || is_shift;
-  return is_shift || component == "RT" || component == "SC" || component == "MI";
+  part.is_coarse_given = part.is_coarse_given || component == "TR";
+  return component == "TR" || component == "FI" || component == "RT" || component == "SC" || component == "MI";
+}
+
+bool FrameRows::is_within(std::string_view component, double value) {
+  return std::fabs(value) < largest_shift && (component != "SC" || (value >= 1e-6 && value <= 1e6));
 }
 
 bool FrameRows::assign(ig::Import& file, const Assignment& a) {
@@ -73,7 +89,7 @@ bool FrameRows::assign(ig::Import& file, const Assignment& a) {
     return true;
   }
   const std::optional<double> value = number_of(a.value);
-  if (a.index.size() != first + 2 || !value || !(std::fabs(*value) < largest_shift))
+  if (a.index.size() != first + 2 || !value || !is_within(a.index[first + 1], *value))
     return file.report(ig::diag("SIE-0342"), begin, end, shown(a.full_name()), shown(a.value)), true;
   Part part;
   if (!set_component(part, a.index[first + 1], *value))
@@ -106,6 +122,11 @@ bool FrameRows::read_link(Frame& frame, const std::string& link, std::string_vie
   const bool turns = link == "CROTS" || link == "CRPL";
   if (component.empty() && !turns) return false;
   if (trim(arguments).empty()) return true;
+  // The control chains the links; a row holds the order shift, rotation, scale and mirror, each of them once.
+  const bool is_shift = component == "TR" || component == "FI", scales = component == "SC" || component == "MI";
+  const bool is_late = frame.has_shape_of(component) ||
+                       (!scales && (frame.has_shape_of("SC") || frame.has_shape_of("MI"))) ||
+                       (is_shift && frame.has_shape_of("RT"));
   const std::vector<std::string_view> parts = split(arguments);
   const std::size_t step = component == "MI" ? 1 : 2;
   if (parts.size() % step != 0) return false;
@@ -113,19 +134,29 @@ bool FrameRows::read_link(Frame& frame, const std::string& link, std::string_vie
     Cursor cursor(parts[i]);
     const std::string axis = upper(cursor.word());
     const std::optional<double> value = step == 1 ? 1.0 : number_of(parts[i + 1]);
-    if ((axis.empty() && !turns) || (!axis.empty() && !cursor.is_at_end()) || !value ||
-        !(std::fabs(*value) < largest_shift))
+    if ((axis.empty() && !turns) || (!axis.empty() && !cursor.is_at_end()) || !value || !is_within(component, *value))
       return false;
-    if (turns)
-      frame.is_turned = frame.is_turned || *value != 0;
-    else
-      set_component(frame.axes[axis], component, *value);
+    if (turns || is_late) frame.is_turned = frame.is_turned || *value != (component == "SC" ? 1 : 0);
+    if (is_shift || !(turns || is_late)) set_component(frame.axes[axis], component, *value);
+  }
+  return true;
+}
+
+bool FrameRows::is_expressible(const Frame& frame) const {
+  if (frame.is_turned) return false;
+  for (const auto& [axis, part] : frame.axes) {
+    const auto letter = letters_.find(axis);
+    if (part.has_shape() && (letter == letters_.end() || letter->second < "X")) return false;
   }
   return true;
 }
 
 void FrameRows::give(ig::Import& file, double mm) const {
-  std::size_t shifted_base_frames = 0;
+  std::size_t shifted_base_frames = 0, base_frames_in_use = 0;
+  for (const auto& [id, frame] : frames_) {
+    if (id.first != base_frames && id.first != "$P_NCBFR") continue;
+    base_frames_in_use += frame.has_shape() || frame.is_shifted() ? 1 : 0;
+  }
   Frame base;
   for (const auto& [id, frame] : frames_) {
     const auto& [name, number] = id;
@@ -136,37 +167,60 @@ void FrameRows::give(ig::Import& file, double mm) const {
       continue;
     }
     const std::string row = is_base ? "BASE" : "G" + std::to_string(settable_code(number));
-    if (frame.has_shape()) file.report(ig::diag("SIE-0345"), frame.begin, frame.end, row);
+    Frame own = frame;
+    // The sum of base frames has no shape of its own: their order would decide where it acts.
+    if (!is_expressible(frame) || (is_base && frame.has_shape() && base_frames_in_use > 1)) {
+      file.report(ig::diag("SIE-0345"), frame.begin, frame.end, row);
+      own.drop_shape();
+    }
     if (is_settable) {
-      give_row(file, row, frame, mm);
+      give_row(file, row, own, mm);
       continue;
     }
     if (frame.is_shifted() && ++shifted_base_frames == 2)
       file.report(ig::diag("SIE-0346"), frame.begin, frame.end, name + '[' + std::to_string(number) + ']');
     base.is_whole = base.is_whole || frame.is_whole;
     if (base.end == 0) base.begin = frame.begin, base.end = frame.end;
-    for (const auto& [axis, part] : frame.axes) {
-      base.axes[axis].coarse += part.shift();
-      base.axes[axis].is_shift_given = base.axes[axis].is_shift_given || part.is_shift_given;
+    for (const auto& [axis, part] : own.axes) {
+      Part& sum = base.axes[axis];
+      sum.coarse += part.coarse;
+      sum.fine += part.fine;
+      sum.is_coarse_given = sum.is_coarse_given || part.is_coarse_given;
+      if (!part.has_shape()) continue;
+      sum.rotation = part.rotation;
+      sum.scale = part.scale;
+      sum.is_mirrored = part.is_mirrored;
     }
   }
   if (base.end > 0) give_row(file, "BASE", base, mm);
 }
 
 void FrameRows::give_row(ig::Import& file, const std::string& row, const Frame& frame, double mm) const {
-  std::map<std::string, double> shifts;
-  if (frame.is_whole) shifts = {{"X", 0}, {"Y", 0}, {"Z", 0}};
+  std::map<std::string, double> cells;
+  if (frame.is_whole) cells = {{"X", 0}, {"Y", 0}, {"Z", 0}};
   for (const auto& [axis, part] : frame.axes) {
-    if (!part.is_shift_given) continue;
-    if (const auto letter = letters_.find(axis); letter != letters_.end())
-      shifts[letter->second] = part.shift() * (letter->second < "X" ? 1 : mm);
-    else if (part.shift() != 0)
-      file.unused("shift of axis " + axis, "the table has the axes X, Y, Z, A, B and C: see the option axes",
-                  frame.begin, frame.end);
+    const auto found = letters_.find(axis);
+    if (found == letters_.end()) {
+      if (part.shift() != 0)
+        file.unused("shift of axis " + axis, "the table has the axes X, Y, Z, A, B and C: see the option axes",
+                    frame.begin, frame.end);
+      continue;
+    }
+    const std::string& letter = found->second;
+    if (letter < "X") {  // a rotary axis has one column
+      if (part.is_coarse_given || part.fine != 0) cells[letter] = part.shift();
+      continue;
+    }
+    if (part.is_coarse_given) cells[letter] = part.coarse * mm;
+    if (part.fine != 0) cells["F" + letter] = part.fine * mm;
+    if (part.rotation != 0) cells["R" + letter] = part.rotation;
+    if (part.scale != 1) cells["S" + letter] = part.scale;
+    if (part.is_mirrored) cells["M" + letter] = 1;
   }
   file.row("SiemensCoordinateTable", row, frame.begin);
-  for (const char* letter : {"X", "Y", "Z", "A", "B", "C"})
-    if (const auto shift = shifts.find(letter); shift != shifts.end()) file.cell(letter, shift->second, frame.begin);
+  for (const char* column :
+       {"X", "Y", "Z", "A", "B", "C", "FX", "FY", "FZ", "RX", "RY", "RZ", "SX", "SY", "SZ", "MX", "MY", "MZ"})
+    if (const auto cell = cells.find(column); cell != cells.end()) file.cell(column, cell->second, frame.begin);
 }
 
 }  // namespace siemens

@@ -60,7 +60,7 @@ struct SiemensArchive {
       ig::diagnostic(IG_WARNING, "SIE-0344",
                      "{0} has an index that is not a number of the table, so the line is left out"),
       ig::diagnostic(IG_WARNING, "SIE-0345",
-                     "{0} is rotated, scaled or mirrored, which is not executed: only its shift is read"),
+                     "{0} is rotated, scaled or mirrored in a form that no row can hold, so only its shift is read"),
       ig::diagnostic(IG_WARNING, "SIE-0346",
                      "{0} is a further base frame with a shift, so BASE is the sum of all: check that all are active"),
       ig::diagnostic(IG_WARNING, "SIE-0347",
@@ -178,15 +178,35 @@ struct SiemensArchive {
     WrittenFile frames(out, "CH1_UFR");
     for (std::uint32_t i = 0; i < out.rows(table); ++i) {
       const std::string_view row = out.key(table, i);
-      std::string shift;
+      std::string shift, value = "CTRANS(";
       for (const char* axis : {"X", "Y", "Z", "A", "B", "C"})
-        if (const std::string value = written(out.cell(table, i, axis), *axis < 'X' ? 1 : mm); !value.empty())
-          shift += (shift.empty() ? "" : ",") + std::string(axis) + ',' + value;
+        if (const std::string cell = written(out.cell(table, i, axis), *axis < 'X' ? 1 : mm); !cell.empty())
+          shift += (shift.empty() ? "" : ",") + std::string(axis) + ',' + cell;
+      value += shift + ')' + written_links(out, i, mm);
       std::string frame = "$P_CHBFR[0]";
       if (const std::optional<double> code = number_of(row.substr(!row.empty())); code && row != "BASE")
         frame = "$P_UIFR[" + std::to_string(settable_number(static_cast<std::int64_t>(*code))) + ']';
-      frames.line(frame + "=CTRANS(" + shift + ')');
+      frames.line(frame + '=' + value);
     }
+  }
+
+  /// The links after CTRANS, for columns that the row names.
+  static std::string written_links(ig::Export& out, std::uint32_t row, double mm) {
+    std::string links;
+    const auto link = [&](const char* name, char column, double unit, bool names_axes_only) {
+      std::string arguments;
+      for (const char axis : {'X', 'Y', 'Z'}) {
+        const std::string cell = written(out.cell("SiemensCoordinateTable", row, std::string{column, axis}), unit);
+        if (cell.empty() || (names_axes_only && cell == "0")) continue;
+        arguments += (arguments.empty() ? "" : ",") + std::string(1, axis) + (names_axes_only ? "" : ',' + cell);
+      }
+      if (!arguments.empty()) links += std::string(":") + name + '(' + arguments + ')';
+    };
+    link("CFINE", 'F', mm, false);
+    link("CROT", 'R', 1, false);
+    link("CSCALE", 'S', 1, false);
+    link("CMIRROR", 'M', 1, true);
+    return links;
   }
 };
 

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 #include <span>
 
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
+#include <isogloss/cnc/tilt_transform.hpp>
 
 namespace siemens {
 
@@ -22,6 +24,14 @@ inline bool keeps_circles(std::span<const double, 16> m, const PlaneAxes& plane)
   const double size = length(u);
   const double skew = u.x * v.x + u.y * v.y + u.z * v.z;
   return std::fabs(length(v) - size) <= 1e-9 * size && std::fabs(skew) <= 1e-9 * size * size;
+}
+
+/// The entries of the frame one after the other; those that are not set change nothing.
+inline Mat4 chained(const ig::Block& b, std::initializer_list<const ig::Transform*> entries) {
+  Mat4 m = identity_frame, next;
+  for (const ig::Transform* entry : entries)
+    if (b.get(*entry, next)) m = product(m, next);
+  return m;
 }
 
 }  // namespace siemens

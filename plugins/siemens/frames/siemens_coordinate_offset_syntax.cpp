@@ -1,10 +1,12 @@
 /// G54 to G57, G505 to G599 and G500: which settable work offset is the program's origin. The base frame of the table
-/// (BASE) is added to each of them, and under G500 it acts alone. SiemensRotaryWordsSyntax handles the rotary axes.
+/// (BASE) acts after each of them, and under G500 alone. SiemensFrameShapeSyntax handles rotation, scale and mirror,
+/// SiemensRotaryWordsSyntax the rotary axes.
 #include <isogloss/cnc/coordinate_offset.hpp>
 #include <isogloss/cnc/work_origin.hpp>
 #include <isogloss/sdk.hpp>
 
 #include "frames/settable_frames.hpp"
+#include "frames/settable_shape.hpp"
 
 namespace siemens {
 
@@ -20,13 +22,18 @@ struct SiemensCoordinateOffset {
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "SIE-0211",
                      "the table has no work offset {0}, so the previous one stays in force: add it to the table"),
+      ig::diagnostic(IG_ERROR, "SIE-0390",
+                     "{0} is rotated, scaled or mirrored, which is not executed: add SiemensFrameShapeSyntax to the "
+                     "dialect"),
   };
 
   SettableFrames frames_{ig::take | ig::wake};
   ig::Out<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
   OffsetSection offset_{"CoordinateOffset"};
+  ig::Transform shape_{"WorkOffsetFrame", ig::read};
   ig::Signal table_changed_{"CoordinateOffset.~TableChanged", ig::read | ig::wake};
   ig::Service<ig_work_offset_1> table_{"isogloss.work-offset/1", ig::Need::required, "The origins."};
+  ShapeTable shapes_;
   ig::Name g500_{"G500"};
 
   ig::Status restart(ig::Block& b) {
@@ -51,8 +58,17 @@ struct SiemensCoordinateOffset {
       b.report(ig::diag("SIE-0211"), where, b.text(id));
       return;
     }
+    const SettableShape base = shapes_.get("BASE");
+    const SettableShape shape = id == g500_ ? SettableShape{} : shapes_.get(b.text(id));
+    const Mat4 turn = base.matrix();
+    Mat4 executed;
+    if (!b.get(shape_, executed)) executed = identity_frame;
+    if (product(shape.matrix(), turn) != executed) b.report(ig::diag("SIE-0390"), where, b.text(id));
+    // The base frame turns the whole shift of the settable one.
+    const ig::Vec3 shift = *own + shape[ShapePart::fine];
     b.set(id_, id);
-    offset_.set(b, *own + linear_origin(table_, "BASE").value_or(ig::Vec3{}));
+    offset_.set(b, (turn == identity_frame ? shift : mapped(turn, shift)) +
+                       linear_origin(table_, "BASE").value_or(ig::Vec3{}) + base[ShapePart::fine]);
   }
 };
 

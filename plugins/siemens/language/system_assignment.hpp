@@ -42,7 +42,9 @@ class SystemAssignment {
       }
       const auto shift =
           reference && other.position() == last ? environment_.system.shift_of(b, reference->name) : std::nullopt;
-      if (shift && environment_.system.write_shift(b, name, *shift)) return {last};
+      if (shift && environment_.system.write_shift(
+                       b, name, *shift, environment_.system.shape_of(b, reference->name).value_or(SettableShape{})))
+        return {last};
     }
     if (name.starts_with("$A_OUT") || name.starts_with("$A_DB")) {  // signals of the machine, like M codes
       b.report(ig::diag("SIE-0126"), ig::Where::columns(begin, last), ig::cnc::piece(text, begin, last));

@@ -12,6 +12,8 @@
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
+#include "frames/settable_shape.hpp"
+
 namespace siemens {
 
 using namespace ig::cnc;
@@ -43,7 +45,10 @@ class SystemData {
 
   /// $P_UIFR[n] and similar frames as a whole: X Y Z A B C.
   using Shift = std::array<double, 6>;
-  bool write_shift(const ig::Block& b, std::string_view text, const Shift& shift) const;
+  /// Writes the whole frame: what `shape` does not name goes back to its default.
+  bool write_shift(const ig::Block& b, std::string_view text, const Shift& shift,
+                   const SettableShape& shape = {}) const;
+  std::optional<SettableShape> shape_of(const ig::Block& b, std::string_view text) const;
   std::optional<Shift> shift_of(const ig::Block& b, std::string_view text) const;
 
  private:
@@ -64,6 +69,8 @@ class SystemData {
   std::optional<std::string> frame_of(const ig::Block& b, const Name& name) const;
   std::optional<double> part_of_frame(const ig::Block& b, const Name& name, const std::string& frame) const;
   Written write_frame(const ig::Block& b, const Name& name, const std::string& frame, double value) const;
+  Written write_shape(const ig::Block& b, const std::string& frame, ShapePart part, std::size_t axis,
+                      double value) const;
   std::optional<double> programmed(const ig::Block& b, const Name& name) const;
 
   // ---- Tools
@@ -105,6 +112,7 @@ class SystemData {
   ig::Transform frame_{"ProgrammableFrame", ig::read};
   ig::Name g700_{"G700"}, cw_{"CW"}, ccw_{"CCW"};
   ig::Service<ig_work_offset_1> offsets_{"isogloss.work-offset/1", ig::Need::optional, "Read and written as frames."};
+  ShapeTable shapes_;
   ig::Service<ig_tool_offset_1> tools_{"isogloss.tool-offset/1", ig::Need::optional, "Read and written as $TC_DP."};
 };
 

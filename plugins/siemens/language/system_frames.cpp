@@ -19,6 +19,14 @@ std::pair<std::string_view, std::string_view> axis_and_part(const SystemData::Na
   return {name.index[first], name.index[first + 1]};
 }
 
+std::optional<ShapePart> shape_part(std::string_view part) {
+  if (part == "FI") return ShapePart::fine;
+  if (part == "RT") return ShapePart::rotation;
+  if (part == "SC") return ShapePart::scale;
+  if (part == "MI") return ShapePart::mirror;
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::uint32_t> SystemData::code_of(std::string_view text) {
@@ -42,8 +50,10 @@ std::optional<double> SystemData::part_of_frame(const ig::Block& b, const Name& 
   const auto [axis, part] = axis_and_part(name);
   const std::size_t i = axis_of(axis);
   if (i == std::string_view::npos || !offsets_) return std::nullopt;
-  if (part == "SC") return 1;
-  if (part == "FI" || part == "MI" || part == "RT") return 0;
+  if (const auto shape = shape_part(part)) {
+    if (i > 2) return default_of(*shape);
+    return shapes_.get(frame)[*shape][i] / (*shape == ShapePart::fine ? unit(b) : 1);
+  }
   if (part != "TR") return std::nullopt;
   const double origin = axis_origin(offsets_, frame, i).value_or(0);
   return i > 2 ? origin : origin / unit(b);
@@ -53,13 +63,30 @@ Written SystemData::write_frame(const ig::Block& b, const Name& name, const std:
   const auto [axis, part] = axis_and_part(name);
   const std::size_t i = axis_of(axis);
   if (i == std::string_view::npos || !offsets_) return Written::no;
-  if (part != "TR") return value == (part == "SC" ? 1 : 0) ? Written::without_effect : Written::no;
+  if (const auto shape = shape_part(part)) return write_shape(b, frame, *shape, i, value);
+  if (part != "TR") return value == 0 ? Written::without_effect : Written::no;
   const double own = i > 2 ? value : value * unit(b);
   if (!(std::fabs(own) < 1e9)) return Written::no;
   return set_axis_origin(offsets_, frame, i, own) ? Written::taken : Written::no;
 }
 
-bool SystemData::write_shift(const ig::Block& b, std::string_view text, const Shift& shift) const {
+Written SystemData::write_shape(const ig::Block& b, const std::string& frame, ShapePart part, std::size_t axis,
+                                double value) const {
+  const double own = part == ShapePart::fine     ? value * unit(b)
+                     : part == ShapePart::mirror ? (value != 0 ? 1 : 0)
+                                                 : value;
+  if (axis > 2 || !(std::fabs(own) < 1e9)) return own == default_of(part) ? Written::without_effect : Written::no;
+  if (shapes_.set(frame, part, axis, own)) return Written::taken;
+  return own == default_of(part) ? Written::without_effect : Written::no;
+}
+
+std::optional<SettableShape> SystemData::shape_of(const ig::Block& b, std::string_view text) const {
+  const auto frame = frame_of(b, Name(text));
+  return frame ? std::optional(shapes_.get(*frame)) : std::nullopt;
+}
+
+bool SystemData::write_shift(const ig::Block& b, std::string_view text, const Shift& shift,
+                             const SettableShape& shape) const {
   const Name name(text);
   const auto frame = frame_of(b, name);
   if (!frame || name.base == "$P_IFRAME" || name.count > (name.base == "$P_UBFR" ? 0u : 1u) || !offsets_) return false;
@@ -71,6 +98,9 @@ bool SystemData::write_shift(const ig::Block& b, std::string_view text, const Sh
     if (!(std::fabs(mm[i]) < 1e9 && std::fabs(degrees[i]) < 1e9)) return false;
   }
   set_rotary_origin(offsets_, *frame, degrees);
+  for (std::uint32_t part = 0; part < shape_parts; ++part)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      shapes_.set(*frame, ShapePart{part}, axis, shape[ShapePart{part}][axis]);
   return set_linear_origin(offsets_, *frame, mm);
 }
 

@@ -50,7 +50,9 @@ struct SiemensArc {
                                   ig::Word{"Parsing.K", ig::take | ig::write}};
   ig::Xyz words_{"Parsing", ig::read | ig::write};
   ig::Signal uneven_{"ProgrammableFrame.~Uneven", ig::read, ig::Life::modal};
-  ig::Transform frame_{"ProgrammableFrame", ig::read};
+  ig::Signal settable_uneven_{"WorkOffsetFrame.~Uneven", ig::read, ig::Life::modal};
+  ig::Transform programmable_{"ProgrammableFrame", ig::read}, tilt_{"TiltTransform", ig::read},
+      settable_{"WorkOffsetFrame", ig::read};
   PlaneInForce plane_;
   LastProgramXyz last_;
   ig::Name g02_{"G02"}, g03_{"G03"};
@@ -86,8 +88,8 @@ struct SiemensArc {
  private:
   /// True where the frame distorts circles in the plane in force.
   bool is_bent(const ig::Block& b) const {
-    std::array<double, 16> m;
-    return b.is_raised(uneven_) && b.get(frame_, m) && !keeps_circles(m, plane_(b));
+    if (!b.is_raised(uneven_) && !b.is_raised(settable_uneven_)) return false;
+    return !keeps_circles(chained(b, {&programmable_, &tilt_, &settable_}), plane_(b));
   }
 
   void set(ig::Block& b, const PlaneAxes& plane, const Point2& from_start) const {
