@@ -27,7 +27,7 @@ typedef struct ig_machine_code {
   ig_text text;       /* why the code is refused */
   ig_text title;      /* what the builder calls it; size 0: it has no title */
   uint32_t axes;      /* a bit for each of X Y Z A B C that has a position */
-  uint32_t reserved;
+  uint32_t when;      /* of cycles: 1 acts where it is defined, 2 where it is called; 0: as its number says */
   double position[6]; /* mm and degrees, machine coordinates */
 } ig_machine_code;
 
@@ -36,8 +36,8 @@ typedef struct ig_machine_code_1 {
   uint32_t struct_size;
   uint32_t reserved;
   void* self;
-  /* The code of this name, in any case of letters; leading zeros of a number do not count. An empty name stands for any.
-   * NULL: the user has said nothing about it. Alive as long as the chain. */
+  /* The code of this name, in any case of letters; leading zeros of a number do not count. An empty name stands for
+   * any. NULL: the user has said nothing about it. Alive as long as the chain. */
   const ig_machine_code* (*find)(void* self, ig_text name);
 } ig_machine_code_1;
 

@@ -415,7 +415,7 @@ AT(ig_machine_code, program, 40);
 AT(ig_machine_code, text, 56);
 AT(ig_machine_code, title, 72);
 AT(ig_machine_code, axes, 88);
-AT(ig_machine_code, reserved, 92);
+AT(ig_machine_code, when, 92);
 AT(ig_machine_code, position, 96);
 GROWS_FROM(ig_machine_code_1, 24);
 AT(ig_machine_code_1, reserved, 4);

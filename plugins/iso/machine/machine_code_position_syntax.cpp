@@ -31,25 +31,29 @@ struct MachineCodePosition {
   ig::Xyz machine_{"MachineCoordinate", ig::read};
 
   ig::Status build(ig::Block& b) const {
-    const ig_machine_code* const row = recorded_.find(b, IG_CODE_MOVES);
-    if (row == nullptr) return ig::Status::unchanged;
-    if (motion_.is_moving(b)) {
-      b.report(ig::diag("ISO-0572"), ig::Where::block(), ig::to_view(row->name));
-      return ig::Status::changed;
-    }
-    const PartialAngles angles = rotary(b, *row);
-    ig::PartialVec3 named{row->axes & 7u, {row->position[0], row->position[1], row->position[2]}};
-    if (named.mask == 0 && angles.mask == 0) return ig::Status::changed;
-    const ig::Vec3 to = named.or_else(machine_position(b, machine_, last_));
-    turned_frame_.turn(b, angles);
-    const auto point = b.to_program(to);
-    if (!point) return not_invertible(b);
-    move_.begin(b, b.symbol(ig::to_view(row->name)));
-    move_.arrive(b, rounded(*point), to, angles);
-    return ig::Status::changed;
+    const bool any = recorded_.for_each(b, IG_CODE_MOVES, [&](const ig_machine_code& row) { move(b, row); });
+    return any ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
+  void move(ig::Block& b, const ig_machine_code& row) const {
+    if (motion_.is_moving(b)) {
+      b.report(ig::diag("ISO-0572"), ig::Where::block(), ig::to_view(row.name));
+      return;
+    }
+    const PartialAngles angles = rotary(b, row);
+    const ig::PartialVec3 named{row.axes & 7u, {row.position[0], row.position[1], row.position[2]}};
+    if (named.mask == 0 && angles.mask == 0) return;
+    const ig::Vec3 to = named.or_else(machine_position(b, machine_, last_));
+    turned_frame_.turn(b, angles);
+    if (const auto point = b.to_program(to)) {
+      move_.begin(b, b.symbol(ig::to_view(row.name)));
+      move_.arrive(b, rounded(*point), to, angles);
+    } else {
+      not_invertible(b);
+    }
+  }
+
   /// The angles to which the rotary axes of the row turn.
   PartialAngles rotary(ig::Block& b, const ig_machine_code& row) const {
     PartialAngles out;

@@ -18,8 +18,7 @@ struct MachineCodeSyntax {
                                    .before("FlagSyntax")
                                    .scans("GMgm");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0571",
-                     "the program {1} that {0} calls is not found, so it is not called: {2}"),
+      ig::diagnostic(IG_ERROR, "ISO-0571", "the program {1} that {0} calls is not found, so it is not called: {2}"),
   };
 
   MachineCodes machine_;
@@ -52,9 +51,13 @@ struct MachineCodeSyntax {
   }
 
   ig::Status build(ig::Block& b) const {
-    const ig_machine_code* const row = recorded_.find(b, IG_CODE_CALLS);
-    if (row == nullptr) return ig::Status::unchanged;
-    const std::string_view code = ig::to_view(row->name), program = ig::to_view(row->program);
+    const bool any = recorded_.for_each(b, IG_CODE_CALLS, [&](const ig_machine_code& row) { call(b, row); });
+    return any ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  void call(ig::Block& b, const ig_machine_code& row) const {
+    const std::string_view code = ig::to_view(row.name), program = ig::to_view(row.program);
     b.set(term_, b.symbol(code));
     const auto number = numbered_name('O', program.substr(program[0] == 'O' || program[0] == 'o' ? 1 : 0));
     const ig::Flow::Answer answer = number ? numbered(b, number->text()) : named(b, program);
@@ -62,10 +65,8 @@ struct MachineCodeSyntax {
       b.report(ig::diag("ISO-0571"), ig::Where::block(), code, program, answer.reason);
     else if (answer.status == IG_GO_TAKEN)
       b.report(ig::diag("ISO-0493"), ig::Where::block(), code);
-    return ig::Status::changed;
   }
 
- private:
   /// The end of 92 and of 54.1.
   static std::size_t number_end(std::string_view text, std::size_t number) {
     const std::size_t end = skip_digits(text, number);

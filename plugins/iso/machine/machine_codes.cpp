@@ -81,6 +81,7 @@ struct MachineCodeTable {
   ig::Column position{
       "position", nullptr, "", {}, "Where the axes go by rapid, in machine coordinates, mm and degrees: Z0 X10.", true};
   ig::Column text{"text", nullptr, "", {}, "Why the code is refused.", true};
+  ig::Column when{"when", nullptr, "", {}, "When a cycle acts: defined or called; else as its number says.", true};
   ig::Column title{"title", nullptr, "", {}, "What the builder calls it; explain shows it.", true};
   ig::Table table;
   ig::RowNames names;
@@ -99,6 +100,8 @@ struct MachineCodeTable {
     const std::string name = canonical(row);
     for (const std::string& other : names)
       if (other != row && canonical(other) == name) return "the row " + other + " is the same code";
+    if (const std::string_view time = table.text(row, when); !time.empty() && time != "defined" && time != "called")
+      return "when=\"" + std::string(time) + "\" is none of defined, called";
     if (kind == "nothing") return "";
     if (kind == "call") return lacks(program, "program=\"9001\"");
     if (kind == "refused") return lacks(text, "text=\"why it is refused\"");
@@ -133,6 +136,7 @@ struct MachineCodeTable {
     if (row.shown.does == IG_CODE_CALLS) row.program = trim(table.text(written, program));
     if (row.shown.does == IG_CODE_IS_REFUSED) row.text = table.text(written, text);
     row.title = table.text(written, title);
+    row.shown.when = table.text(written, when) == "defined" ? 1 : table.text(written, when) == "called" ? 2 : 0;
     row.shown.name = ig::to_text(place->first);
     row.shown.codes = ig::to_text(row.codes);
     row.shown.program = ig::to_text(row.program);

@@ -89,15 +89,22 @@ std::size_t CallReader::scan(ig::Block& b, std::string_view text, std::size_t po
 }
 
 ig::Status CallReader::build(ig::Block& b) {
-  if (!b.is_raised(call_)) {
-    const ig_machine_code* const row = recorded_.find(b, IG_CODE_CALLS);
-    const bool is_code = row != nullptr && row->name.data[0] == 'M' && skip_digits(ig::to_view(row->name), 1) > 1;
-    if (!is_code) return ig::Status::unchanged;  // the call of a name has been refused
+  bool calls = b.is_raised(call_);
+  recorded_.for_each(b, IG_CODE_CALLS, [&](const ig_machine_code& row) {
+    const std::string_view name = ig::to_view(row.name);
+    const bool is_code = name.size() > 1 && (name[0] == 'M' || name[0] == 'G') && is_digit(name[1]);
+    if (!is_code) return;  // a name, whose call scan() has requested or refused
+    if (calls) {
+      b.report(ig::diag("SIE-0167"), ig::Where::block(), name);
+      return;
+    }
     begin_ = end_ = 0;
     arguments_.clear();
-    program_ = program_of(ig::to_view(row->program));
+    program_ = program_of(ig::to_view(row.program));
     repeats_ = 1;
-  }
+    calls = true;
+  });
+  if (!calls) return ig::Status::unchanged;
   const auto where = ig::Where::columns(begin_, std::max(end_, begin_));
   b.set(term_, b.symbol(program_));
   if (b.find(modal_)) {

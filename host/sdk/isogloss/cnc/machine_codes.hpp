@@ -59,16 +59,21 @@ class MachineCodeRecord {
 /// A member of the syntaxes that execute what scanners have recorded.
 class RecordedMachineCodes {
  public:
-  /// The first row of the block that does this; nullptr where there is none.
-  const ig_machine_code* find(const Block& b, ig_machine_code_kind does) const {
-    std::string_view rest = b.text(name_);
-    while (!rest.empty()) {
+  /// Calls each(row) for the rows of the block that do this, in the order of their codes. Returns whether there are
+  /// any.
+  template <class Each>
+  bool for_each(const Block& b, ig_machine_code_kind does, Each&& each) const {
+    bool any = false;
+    const std::string all(b.text(name_));
+    for (std::string_view rest = all; !rest.empty();) {
       const std::size_t end = std::min(rest.find(", "), rest.size());
       const ig_machine_code* const row = codes_.find(rest.substr(0, end));
-      if (row != nullptr && row->does == does) return row;
       rest.remove_prefix(std::min(end + 2, rest.size()));
+      if (row == nullptr || row->does != does) continue;
+      each(*row);
+      any = true;
     }
-    return nullptr;
+    return any;
   }
 
  private:
