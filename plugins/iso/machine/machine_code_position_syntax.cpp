@@ -19,8 +19,6 @@ struct MachineCodePosition {
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "ISO-0572",
                      "{0} stands in a block that moves, so its position is not approached: write it alone"),
-      ig::diagnostic(IG_ERROR, "ISO-0573",
-                     "{0} has a position for {1} in MachineCodes, but the machine has no axis {1}: it stays"),
   };
 
   RecordedMachineCodes recorded_;
@@ -60,11 +58,7 @@ struct MachineCodePosition {
     const Angles from = move_.rotary.present(b);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if ((row.axes >> (axis + 3) & 1u) == 0) continue;
-      const char name = rotary_names[axis];
-      if (!move_.rotary.has(axis)) {
-        b.report(ig::diag("ISO-0573"), ig::Where::block(), ig::to_view(row.name), std::string_view(&name, 1));
-        continue;
-      }
+      if (!move_.rotary.accept(b, axis, row.position[axis + 3])) continue;
       out.mask |= 1u << axis;
       out.value[axis] = move_.rotary.to_machine(axis, from[axis], row.position[axis + 3]);
     }

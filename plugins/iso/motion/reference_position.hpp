@@ -57,7 +57,8 @@ class RotaryReturn {
       if (words_.axes().has(axis)) all.mask |= 1u << axis;
     return all;
   }
-  bool has(std::size_t axis) const { return words_.axes().has(axis); }
+  /// False, with a diagnostic, where the axis cannot go to the angle.
+  bool accept(ig::Block& b, std::size_t axis, double angle) const { return words_.accept(b, axis, angle, IG_NO_FIELD); }
   Angles present(const ig::Block& b) const { return before_.get(b).or_else({}); }
 
   /// The angles to which the axes go for the words of the block: positions, or distances under G91.
