@@ -5,6 +5,7 @@
 #include "isogloss.h"
 #include "isogloss_flow.h"
 #include "isogloss_import.h"
+#include "isogloss_machine_code.h"
 #include "isogloss_tool.h"
 #include "isogloss_view.h"
 
@@ -407,3 +408,23 @@ AT(ig_export_api, fail, 72);
 #else
 #error "no layout is written down for this machine"
 #endif
+
+GROWS_FROM(ig_machine_code, 144);
+AT(ig_machine_code, does, 4);
+AT(ig_machine_code, name, 8);
+AT(ig_machine_code, codes, 24);
+AT(ig_machine_code, program, 40);
+AT(ig_machine_code, text, 56);
+AT(ig_machine_code, title, 72);
+AT(ig_machine_code, axes, 88);
+AT(ig_machine_code, when, 92);
+AT(ig_machine_code, position, 96);
+GROWS_FROM(ig_machine_code_1, 24);
+AT(ig_machine_code_1, reserved, 4);
+AT(ig_machine_code_1, self, 8);
+AT(ig_machine_code_1, find, 16);
+CONSTANT(IG_CODE_DOES_NOTHING, 1);
+CONSTANT(IG_CODE_ACTS, 2);
+CONSTANT(IG_CODE_CALLS, 3);
+CONSTANT(IG_CODE_MOVES, 4);
+CONSTANT(IG_CODE_IS_REFUSED, 5);

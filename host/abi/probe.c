@@ -2,6 +2,7 @@
 #include "isogloss.h"
 #include "isogloss_flow.h"
 #include "isogloss_import.h"
+#include "isogloss_machine_code.h"
 #include "isogloss_tool.h"
 #include "isogloss_view.h"
 
@@ -36,3 +37,6 @@ void ig_probe_import(const ig_importer* importer, const ig_import_api* reading, 
 
 IG_EXPORT void ig_probe_tool_name(const ig_tool_name_1* names);
 void ig_probe_tool_name(const ig_tool_name_1* names) { (void)names; }
+
+IG_EXPORT void ig_probe_machine_code(const ig_machine_code_1* codes);
+void ig_probe_machine_code(const ig_machine_code_1* codes) { (void)codes; }

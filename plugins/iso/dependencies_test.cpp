@@ -1,3 +1,5 @@
+#include <isogloss_machine_code.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -177,4 +179,50 @@ TEST_CASE("machine axes: a row that names no axis is refused, not ignored") {
     CHECK_THROWS_WITH(FakeDependency(*ig_plugin_v1(), "MachineAxes", {{name, {{"Home", 5}}}}),
                       Catch::Contains("its name is X, Y, Z, A, B or C"));
   }
+}
+
+TEST_CASE("machine codes: a code is found in any spelling, and its row says what it does") {
+  const FakeDependency table(*ig_plugin_v1(), "MachineCodes",
+                             {{"m8", {{"does", "codes"}, {"codes", "m9  G5.1"}}},
+                              {"M92", {{"does", "position"}, {"position", "Z0 x-10.5"}, {"title", "park"}}},
+                              {"cycl  def 392", {{"does", "call"}, {"program", "A"}, {"when", "called"}}}});
+  const auto* s = table.service<ig_machine_code_1>("isogloss.machine-code/1");
+  const auto find = [&](std::string_view name) { return s->find(s->self, text(name)); };
+  const auto is = [](ig_text t, std::string_view expected) { return std::string_view(t.data, t.size) == expected; };
+  for (const char* name : {"M8", "M08", "m008"}) {
+    CAPTURE(name);
+    REQUIRE(find(name) != nullptr);
+    CHECK(find(name)->does == IG_CODE_ACTS);
+    CHECK(is(find(name)->name, "M08"));
+    CHECK(is(find(name)->codes, "M09 G05.1"));
+  }
+  REQUIRE(find("M92") != nullptr);
+  CHECK(is(find("M92")->title, "park"));
+  CHECK(find("M92")->axes == 5);
+  CHECK((find("M92")->position[0] == -10.5 && find("M92")->position[2] == 0));
+  REQUIRE(find("CYCL DEF 392") != nullptr);
+  CHECK(is(find("CYCL DEF 392")->program, "A"));
+  CHECK(find("CYCL DEF 392")->when == 2);
+  CHECK(find("M80") == nullptr);
+  CHECK(find("") != nullptr);
+  for (const char* name : {"m8", "M92", "cycl  def 392"}) CHECK(table.row_fault(name).empty());
+  const FakeDependency none(*ig_plugin_v1(), "MachineCodes");
+  const auto* n = none.service<ig_machine_code_1>("isogloss.machine-code/1");
+  CHECK(n->find(n->self, text("")) == nullptr);
+}
+
+TEST_CASE("machine codes: a row that says nothing, or only half of it, is refused") {
+  const auto refusal = [](const FakeDependency::Rows& rows, const char* reason) {
+    CHECK_THAT(FakeDependency(*ig_plugin_v1(), "MachineCodes", rows).row_fault("M92"), Catch::Contains(reason));
+  };
+  refusal({{"M92", {{"title", "park"}}}}, "does is missing");
+  refusal({{"M92", {{"does", "park"}}}}, "is none of nothing");
+  refusal({{"M92", {{"does", "codes"}}}}, "needs codes");
+  refusal({{"M92", {{"does", "codes"}, {"codes", "M8 X10"}}}}, "a list of G and M codes");
+  refusal({{"M92", {{"does", "call"}}}}, "needs program");
+  refusal({{"M92", {{"does", "refused"}}}}, "needs text");
+  refusal({{"M92", {{"does", "nothing"}, {"when", "later"}}}}, "is none of defined");
+  refusal({{"M92", {{"does", "nothing"}}}, {"M092", {{"does", "nothing"}}}}, "is the same code");
+  for (const char* position : {"U5", "X", "X1 X2", "X1Y2", "Z-", "5"})
+    refusal({{"M92", {{"does", "position"}, {"position", position}}}}, "position is each axis");
 }

@@ -67,6 +67,11 @@ class FakeDependency {
   const Service* service(const char* id) const {
     return static_cast<const Service*>(descriptor_.service(instance_, id));
   }
+  /// Why a row means nothing; empty when it means something.
+  std::string row_fault(std::string_view row) const {
+    const ig_text fault = descriptor_.row_fault(instance_, {row.data(), row.size()});
+    return {fault.data, fault.size};
+  }
 
  private:
   static const FakeDependency& self(const void* p) { return *static_cast<const FakeDependency*>(p); }

@@ -180,6 +180,8 @@ std::vector<FieldInfo> make_fields() {
       field("SubProgramCall.P", integer, block, "", "Number of the program that is called."),
       field("SubProgramCall.L", integer, block, "", "How many times it is called."),
       field("SubProgramCall.FileName", text, block, "", "Name of the program that is called."),
+      field("MachineCode.Name", text, block, "", "The builder's codes that the table MachineCodes has answered."),
+      field("MachineCode.Title", text, block, "", "What the builder of the machine calls them."),
       field("SubProgramReturn.Term", name, block, "", "The code that returns."),
       field("SubProgramReturn.P", integer, block, "", "The sequence number that it returns to."),
       field("Vars.Variable", integer, block, "", "Number of the variable that was assigned."),

@@ -1,5 +1,6 @@
 // Calls of cycles that no earlier syntax has executed: each is reported, and the block moves as without the call.
 
+#include <isogloss/cnc/machine_codes.hpp>
 #include <isogloss/sdk.hpp>
 
 namespace heidenhain {
@@ -24,6 +25,7 @@ struct KlartextCycleCheck {
   ig::In<std::int64_t> number_{"CycleDefinition.Number", ig::read, {ig::Life::modal, "", ""}};
   ig::In<std::int64_t> pattern_{"KlartextPattern.Number", ig::read, {ig::Life::block, "", ""}};
   ig::Xyz words_{"Parsing", ig::read};
+  ig::cnc::MachineCodes machine_;
   ig::Codes others_{{"G02", "G03", "G53"}, ig::read};
 
   ig::Status build(ig::Block& b) const {
@@ -33,6 +35,9 @@ struct KlartextCycleCheck {
     const bool is_pattern = b.has(pattern_);
     const std::string_view call = is_pattern ? "the pattern" : is_called ? "CYCL CALL or M99" : "M89";
     const std::int64_t number = b.get_or(number_, std::int64_t{0});
+    // KlartextMachineCodeSyntax has executed what M89 calls.
+    if (machine_.holds_any() && machine_.find("CYCL DEF " + std::to_string(number)) != nullptr)
+      return ig::Status::unchanged;
     if (number == 0) {
       b.report(ig::diag("HEI-0162"), ig::Where::block(), call);
     } else if (b.find(others_) && is_known(number)) {

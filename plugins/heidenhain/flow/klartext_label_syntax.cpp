@@ -1,5 +1,6 @@
 // LBL n marks a place, LBL 0 ends a subprogram. CALL LBL n runs the subprogram, CALL LBL n REP k repeats the part of
 // the program from the label to here k more times, CALL PGM runs another program.
+#include "flow/called_program.hpp"
 #include "language/block_words.hpp"
 #include "language/klartext_values.hpp"
 
@@ -155,12 +156,7 @@ struct KlartextLabel {
     }
     b.set(term_, call_program_);
     b.set_text(file_name_, path);
-    const std::size_t slash = path.find_last_of("\\/:");
-    const std::string_view file = slash == std::string_view::npos ? path : path.substr(slash + 1);
-    std::string name(file.substr(0, file.rfind('.')));
-    for (char& c : name) c = to_upper(c);
-    const std::array<ig_text, 2> files{ig::to_text(file), ig::to_text(name)};
-    const ig::Flow::Answer answer = values_.flow().call(b, {.program = name, .files = files, .tag = called_program});
+    const ig::Flow::Answer answer = ask_program(b, values_.flow(), path);
     if (!answer.is_not_found()) return;
     if (QStore* const s = values_.store(); s == nullptr || s->is_first_time(121, path))
       b.report(ig::diag("HEI-0121"), ig::Where::columns(i, text.size()), path, answer.reason);

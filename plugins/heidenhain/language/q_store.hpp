@@ -16,7 +16,7 @@ namespace heidenhain {
 inline constexpr const char* q_store_service = "heidenhain.q-parameters/1";
 
 /// Part of a frame's tag: what called the text.
-enum CallTag : std::uint64_t { called_label = 1, called_program = 2 };
+enum CallTag : std::uint64_t { called_label = 1, called_program = 2, called_by_cycle = 3 };
 
 /// Q, QL (local to one program) and QR (kept when the power is off).
 enum class QKind : std::uint8_t { q, local, retained };

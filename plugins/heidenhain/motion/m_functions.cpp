@@ -3,6 +3,8 @@
 
 #include <charconv>
 
+#include <isogloss/cnc/program_name.hpp>
+
 #include "language/block_words.hpp"
 
 namespace heidenhain {
@@ -109,7 +111,25 @@ std::size_t MFunctions::scan(ig::Block& b, const Values& values, std::string_vie
     return end;
   }
   const Function m{static_cast<std::uint32_t>(rounded), position, end};
-  return m.number == 140 ? retract(b, values, text, m) : execute(b, values, text, m);
+  const ig_machine_code* const row = machine_.find(NumberedName('M', m.number).text());
+  return row != nullptr ? of_builder(b, values, text, m, *row) : act(b, values, text, m);
+}
+
+std::size_t MFunctions::of_builder(ig::Block& b, const Values& values, std::string_view text, const Function& m,
+                                   const ig_machine_code& row) const {
+  record_.add(b, row, ig::Where::columns(m.begin, m.end));
+  std::size_t end = m.end;
+  for_each_code(row, [&](std::string_view code) { end = std::max(end, put(b, values, text, code, m.begin, m.end)); });
+  return end;
+}
+
+std::size_t MFunctions::put(ig::Block& b, const Values& values, std::string_view text, std::string_view code,
+                            std::size_t begin, std::size_t end) const {
+  Function m{0, begin, end};
+  const auto read = std::from_chars(code.data() + 1, code.data() + code.size(), m.number);
+  if (code[0] == 'M' && read.ptr == code.data() + code.size() && m.number <= most_m) return act(b, values, text, m);
+  leave(b, IG_LEFT_UNKNOWN, code, begin, end);
+  return end;
 }
 
 std::size_t MFunctions::retract(ig::Block& b, const Values& values, std::string_view text, const Function& m) const {

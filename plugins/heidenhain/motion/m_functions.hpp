@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include <isogloss/cnc/machine_codes.hpp>
 #include <isogloss/cnc/rotary_axis.hpp>
 
 #include "language/klartext_values.hpp"
@@ -20,6 +21,11 @@ class MFunctions {
   /// Reads the M at `position`; returns the position after it and after the words that belong to it.
   std::size_t scan(ig::Block& b, const Values& values, std::string_view text, std::size_t position) const;
 
+  /// Executes a code for which other text stands, that from `begin` to `end`: one that is no M function is a leftover.
+  /// Returns the position after the words that belong to it.
+  std::size_t put(ig::Block& b, const Values& values, std::string_view text, std::string_view code, std::size_t begin,
+                  std::size_t end) const;
+
   /// The block holds M140 MB.
   bool retracts(const ig::Block& b) const { return b.has(to_limit_) || b.has(distance_); }
 
@@ -30,6 +36,12 @@ class MFunctions {
     std::size_t begin, end;
   };
 
+  std::size_t act(ig::Block& b, const Values& values, std::string_view text, const Function& m) const {
+    return m.number == 140 ? retract(b, values, text, m) : execute(b, values, text, m);
+  }
+  /// An M function of the machine's builder: `row` of MachineCodes.
+  std::size_t of_builder(ig::Block& b, const Values& values, std::string_view text, const Function& m,
+                         const ig_machine_code& row) const;
   std::size_t execute(ig::Block& b, const Values& values, std::string_view text, const Function& m) const;
   /// M140 MB 50, M140 MB MAX: a retract along the tool axis. An F of its own may follow.
   std::size_t retract(ig::Block& b, const Values& values, std::string_view text, const Function& m) const;
@@ -40,6 +52,8 @@ class MFunctions {
   /// The code of the same number that a syntax of the chain knows; a leftover where none does.
   void code(ig::Block& b, const Function& m) const;
 
+  MachineCodes machine_;
+  MachineCodeRecord record_;
   ig::Fields codes_{"codes", "Parsing.Flags.* Parsing.*", ig::write, "The codes that syntaxes of this chain know.",
                     IG_CODE};
   std::vector<ig_field> table_;

@@ -1,6 +1,7 @@
 /// Reference positions of the machine's axes, and what G27 to G30 do with the rotary axes.
 #pragma once
 
+#include <isogloss/cnc/rotary_turns.hpp>
 #include <isogloss/cnc/rotary_words.hpp>
 
 namespace iso {
@@ -56,6 +57,8 @@ class RotaryReturn {
       if (words_.axes().has(axis)) all.mask |= 1u << axis;
     return all;
   }
+  /// False, with a diagnostic, where the axis cannot go to the angle.
+  bool accept(ig::Block& b, std::size_t axis, double angle) const { return words_.accept(b, axis, angle, IG_NO_FIELD); }
   Angles present(const ig::Block& b) const { return before_.get(b).or_else({}); }
 
   /// The angles to which the axes go for the words of the block: positions, or distances under G91.
@@ -123,6 +126,31 @@ class ReferenceMove {
 
  private:
   ig::CompoundMotion motion_;
+};
+
+/// A frame that depends on the rotary axes (a tilted plane after G53.1, tool centre point control). A member of each
+/// syntax that turns them to positions of the machine.
+class TurnedFrame {
+ public:
+  /// The frame for the new angles.
+  void turn(ig::Block& b, const PartialAngles& to) const {
+    const PartialAngles before = pivot_.get(b);
+    if (before.mask == 0 || to.mask == 0 || !kinematics_) return;
+    const Angles angles = to.or_else(before.value);
+    const auto pivot = kinematics_.pivot(angles);
+    if (!pivot || !is_finite(*pivot)) return;
+    const double length = b.get_or(offset_, 0.0);
+    if (const auto tool = kinematics_.tool_axis(angles); tool && length != 0) b.set_translation(frame_, length * *tool);
+    b.set_transform(turned_, *pivot);
+    pivot_.set(b, kinematics_, angles);
+  }
+
+ private:
+  ig::Field<double> offset_{"ToolHeightCompensation.Offset_mm", ig::read};
+  ig::Transform frame_{"ToolHeightCompensation", ig::read | ig::write};
+  ig::Transform turned_{"PivotTransform", ig::read | ig::write};
+  PivotState pivot_{ig::read | ig::write};
+  ToolKinematics kinematics_;
 };
 
 inline ig::Status not_invertible(ig::Block& b) {

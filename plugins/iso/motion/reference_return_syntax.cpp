@@ -1,8 +1,6 @@
 /// G28 and G30: a rapid to the intermediate point that the words name, then to a reference position of the machine,
 /// both with the named axes only. `G91 G28 Z0` goes straight up; `G90 G28 Z0` goes to program Z0 first, as on the
 /// control. Fanuc manual, "Reference position".
-#include <isogloss/cnc/rotary_turns.hpp>
-
 #include "motion/reference_position.hpp"
 
 namespace iso {
@@ -37,9 +35,7 @@ struct ReferenceReturn {
   ig::Field<double> offset_{"ToolHeightCompensation.Offset_mm", ig::read | ig::write};
   ig::Transform frame_{"ToolHeightCompensation", ig::read | ig::write};
   ig::Name g43_{"G43"}, g44_{"G44"}, g49_{"G49"};
-  ig::Transform turned_frame_{"PivotTransform", ig::read | ig::write};
-  PivotState pivot_{ig::read | ig::write};
-  ToolKinematics kinematics_;
+  TurnedFrame turned_frame_;
 
   ig::Status build(ig::Block& b) {
     bool any = false;
@@ -81,7 +77,7 @@ struct ReferenceReturn {
       if (turned_over.has(axis))
         turned_home.value[axis] =
             move_.rotary.to_machine(axis, turned_over.value[axis], reference_(b, axis + 3, which, code));
-    turn_frame(b, turned_home);
+    turned_frame_.turn(b, turned_home);
     const auto end = b.to_program(reference);
     if (!end) {
       not_invertible(b);
@@ -92,20 +88,6 @@ struct ReferenceReturn {
     move_.pass(b, intermediate, *over, turned_over);
     move_.arrive(b, rounded(*end), reference, turned_home);
     return true;
-  }
-
-  /// A frame that depends on the rotary axes (a tilted plane after G53.1, tool centre point control) gets their new
-  /// angles.
-  void turn_frame(ig::Block& b, const PartialAngles& home) const {
-    const PartialAngles before = pivot_.get(b);
-    if (before.mask == 0 || home.mask == 0 || !kinematics_) return;
-    const Angles angles = home.or_else(before.value);
-    const auto pivot = kinematics_.pivot(angles);
-    if (!pivot || !is_finite(*pivot)) return;
-    const double length = b.get_or(offset_, 0.0);
-    if (const auto tool = kinematics_.tool_axis(angles); tool && length != 0) b.set_translation(frame_, length * *tool);
-    b.set_transform(turned_frame_, *pivot);
-    pivot_.set(b, kinematics_, angles);
   }
 
   /// The machine does not move; the program point changes by the tool length.

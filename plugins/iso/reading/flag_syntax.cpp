@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <isogloss/cnc/machine_codes.hpp>
 #include <isogloss/cnc/scan.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -67,6 +68,7 @@ struct FlagSyntax {
   ig::Signal unknown_code{"Source.~UnknownCode", ig::write};
   ig::Config code_calls{"isogloss.code-call/1", ig::Need::optional,
                         "Codes that call a program on this control are passed on, too."};
+  MachineCodes machine_codes;  // codes with a row are for MachineCodeSyntax
   std::array<std::vector<ig_field>, 2> table;
 
   FlagSyntax() {
@@ -74,7 +76,7 @@ struct FlagSyntax {
       std::string_view name = codes.path(i);
       for (const std::string_view prefix : {"Parsing.Flags.", "Parsing."})
         if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
-      enter(name, code_calls.number(name) ? passed_on : codes.id(i));
+      enter(name, is_for_another_syntax(name) ? passed_on : codes.id(i));
     }
     std::string_view rest = passed_codes.text();
     while (!(rest = trim(rest)).empty()) {
@@ -186,12 +188,16 @@ struct FlagSyntax {
     return true;
   }
 
+  bool is_for_another_syntax(std::string_view code) const {
+    return code_calls.number(code).has_value() || machine_codes.find(code) != nullptr;
+  }
+
   /// A table is searched only once for each code, because a loop may ask for the same code a million times.
   bool calls_program(std::string_view code) const {
     std::size_t hash = 0;
     for (const char c : code) hash = hash * 31 + static_cast<unsigned char>(c);
     Asked& asked = asked_[hash % asked_.size()];
-    if (asked.code != code) asked = {std::string(code), code_calls.number(code).has_value()};
+    if (asked.code != code) asked = {std::string(code), is_for_another_syntax(code)};
     return asked.calls;
   }
 

@@ -61,6 +61,7 @@ std::size_t CallReader::scan(ig::Block& b, std::string_view text, std::size_t po
   if (const auto behind = curve(b, name, text, position, next)) return *behind;
   environment_.enter(b);
   arguments_.clear();
+  if (const ig_machine_code* const row = machine_.find(name)) return of_builder(b, text, end, next, *row);
   if (name == "CALL" || name == "PCALL" || name == "EXTCALL" || name == "ISOCALL")
     return indirect(b, text.substr(0, statement_text_end(text, position)), next, name);
   const bool has_bracket = at(text, next) == '(';
@@ -88,7 +89,22 @@ std::size_t CallReader::scan(ig::Block& b, std::string_view text, std::size_t po
 }
 
 ig::Status CallReader::build(ig::Block& b) {
-  if (!b.is_raised(call_)) return ig::Status::unchanged;
+  bool calls = b.is_raised(call_);
+  recorded_.for_each(b, IG_CODE_CALLS, [&](const ig_machine_code& row) {
+    const std::string_view name = ig::to_view(row.name);
+    const bool is_code = name.size() > 1 && (name[0] == 'M' || name[0] == 'G') && is_digit(name[1]);
+    if (!is_code) return;  // a name, whose call scan() has requested or refused
+    if (calls) {
+      b.report(ig::diag("SIE-0167"), ig::Where::block(), name);
+      return;
+    }
+    begin_ = end_ = 0;
+    arguments_.clear();
+    program_ = program_of(ig::to_view(row.program));
+    repeats_ = 1;
+    calls = true;
+  });
+  if (!calls) return ig::Status::unchanged;
   const auto where = ig::Where::columns(begin_, std::max(end_, begin_));
   b.set(term_, b.symbol(program_));
   if (b.find(modal_)) {
@@ -109,6 +125,20 @@ ig::Status CallReader::build(ig::Block& b) {
   else if (answer.status == IG_GO_TAKEN)
     b.report(ig::diag("SIE-0167"), where, std::string_view(program_));
   return ig::Status::changed;
+}
+
+std::size_t CallReader::of_builder(ig::Block& b, std::string_view text, std::size_t end, std::size_t next,
+                                   const ig_machine_code& row) {
+  const bool has_bracket = at(text, next) == '(';
+  const std::size_t close = has_bracket ? skip_call(text, next) : end;
+  record_.add(b, row, ig::Where::columns(begin_, close));
+  if (row.does == IG_CODE_CALLS) {
+    if (has_bracket && !read_arguments(b, text.substr(0, close), next)) return close;
+    return request(b, text, has_bracket ? skip_blanks(text, close) : next, program_of(ig::to_view(row.program)), close);
+  }
+  codes_.put(b, row, begin_, close);
+  const bool is_counted = to_upper(at(text, skip_blanks(text, close))) == 'P';
+  return is_counted ? statement_text_end(text, close) : close;
 }
 
 std::optional<std::size_t> CallReader::curve(ig::Block& b, std::string_view name, std::string_view text,

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include <isogloss/cnc/machine_codes.hpp>
+
 #include "cycles/cycle_signatures.hpp"
 #include "language/siemens_expression.hpp"
 
@@ -59,6 +61,10 @@ class CallReader {
   ig::Signal call_{"Parsing.~Call", ig::read | ig::write | ig::wake};
   ig::Out<ig::Symbol> term_{"SubProgramCall.Term"};
   ig::TextField file_{"SubProgramCall.FileName", ig::write};
+  MachineCodes machine_;
+  MachineCodeRecord record_;
+  RecordedMachineCodes recorded_;
+  CodesOfMachineCodes codes_{machine_};
   Environment environment_;
   NameSet silent_{silent_list_.text()};
 
@@ -75,6 +81,11 @@ class CallReader {
   /// A name for a call (DEFINE).
   std::size_t expand(ig::Block& b, std::string_view text, std::size_t position, std::size_t end,
                      const std::string& macro);
+
+  /// A program or a cycle of the machine's builder, of which the table MachineCodes has a row. `next` is where its
+  /// parameters may begin.
+  std::size_t of_builder(ig::Block& b, std::string_view text, std::size_t end, std::size_t next,
+                         const ig_machine_code& row);
 
   static std::vector<CycleFields> all_cycles();
   const CycleFields* cycle_of(std::string_view name) const;

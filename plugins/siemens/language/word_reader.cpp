@@ -1,6 +1,8 @@
 /// Words one after the other: which kind each is, and the words and codes that carry their number with them.
 #include "language/word_reader.hpp"
 
+#include <isogloss/cnc/program_name.hpp>
+
 namespace siemens {
 
 using namespace ig::cnc;
@@ -132,6 +134,18 @@ std::size_t WordReader::code(ig::Block& b, std::string_view text, std::size_t be
 
 void WordReader::set_code(ig::Block& b, Run& run, char letter, std::uint32_t n, std::size_t begin,
                           std::size_t end) const {
+  const ig_machine_code* const row = machine_.find(NumberedName(letter, n).text());
+  if (row == nullptr) return set_known(b, run, letter, n, begin, end);
+  if (!environment_.flow.is_indexing()) record_.add(b, *row, columns(begin, end));
+  for_each_code(*row, [&](std::string_view code) {
+    std::uint32_t number = 0;
+    std::from_chars(code.data() + 1, code.data() + code.size(), number);
+    set_known(b, run, code[0], number, begin, end);
+  });
+}
+
+void WordReader::set_known(ig::Block& b, Run& run, char letter, std::uint32_t n, std::size_t begin,
+                           std::size_t end) const {
   const ig_field field = fields_.code(letter, n);
   if (field != IG_NO_FIELD) {
     if (run.count == run.words.size()) give(b, run);

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include <isogloss/cnc/machine_codes.hpp>
+
 #include "language/siemens_expression.hpp"
 #include "language/word_fields.hpp"
 #include "modes/axis_modes.hpp"
@@ -26,6 +28,8 @@ class WordReader {
   AxisModes modes_{ig::write};
   ig::TextField tool_name_{"ToolName.Text", ig::write, {ig::Life::block, "", "T=\"…\" of this block."}};
   Environment environment_;
+  MachineCodes machine_;
+  MachineCodeRecord record_;
   ig::IntegerOption master_{"master-spindle", "1", {1, 31}, "The spindle of S and M3; S1= and M1= name one."};
 
   /// Words that follow each other, until one host call takes them.
@@ -41,6 +45,8 @@ class WordReader {
             double value) const;
   std::size_t code(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number, Run& run);
   void set_code(ig::Block& b, Run& run, char letter, std::uint32_t n, std::size_t begin, std::size_t end) const;
+  /// The same of a code that the table MachineCodes does not change.
+  void set_known(ig::Block& b, Run& run, char letter, std::uint32_t n, std::size_t begin, std::size_t end) const;
   /// A name of two characters and more, or one with an index.
   std::size_t named(ig::Block& b, std::string_view text, std::size_t begin, Run& run);
   /// The words for which a name stands (DEFINE); a name for a call is SiemensCallSyntax's. What an address opens is

@@ -1,0 +1,47 @@
+/* isogloss_machine_code.h - codes, cycles and programs that the builder of one machine has added; since 1.7. */
+#ifndef ISOGLOSS_MACHINE_CODE_H
+#define ISOGLOSS_MACHINE_CODE_H
+
+#include "isogloss.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef uint32_t ig_machine_code_kind;
+enum {
+  IG_CODE_DOES_NOTHING = 1, /* nothing that a program of moves shows */
+  IG_CODE_ACTS = 2,         /* as the codes in `codes` */
+  IG_CODE_CALLS = 3,        /* it calls `program` */
+  IG_CODE_MOVES = 4,        /* the axes go to `position` by rapid */
+  IG_CODE_IS_REFUSED = 5    /* it is an error, for the reason in `text` */
+};
+
+/* What one of them does. Texts that its kind does not use have size 0. */
+typedef struct ig_machine_code {
+  uint32_t struct_size;
+  ig_machine_code_kind does;
+  ig_text name;       /* canonical: "M08", "G05.1", "CYCL DEF 392", "CYCLE996" */
+  ig_text codes;      /* canonical, with one blank between two codes: "M08 M50" */
+  ig_text program;    /* as the user wrote it */
+  ig_text text;       /* why the code is refused */
+  ig_text title;      /* what the builder calls it; size 0: it has no title */
+  uint32_t axes;      /* a bit for each of X Y Z A B C that has a position */
+  uint32_t when;      /* of cycles: 1 acts where it is defined, 2 where it is called; 0: as its number says */
+  double position[6]; /* mm and degrees, machine coordinates */
+} ig_machine_code;
+
+/* isogloss.machine-code/1 */
+typedef struct ig_machine_code_1 {
+  uint32_t struct_size;
+  uint32_t reserved;
+  void* self;
+  /* The code of this name, in any case of letters; leading zeros of a number do not count. An empty name stands for
+   * any. NULL: the user has said nothing about it. Alive as long as the chain. */
+  const ig_machine_code* (*find)(void* self, ig_text name);
+} ig_machine_code_1;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

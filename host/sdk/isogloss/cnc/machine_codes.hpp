@@ -1,0 +1,129 @@
+/// Codes, cycles and programs that the builder of one machine has added, as the user has declared them.
+#pragma once
+
+#include <isogloss_machine_code.h>
+
+#include <map>
+#include <string>
+
+#include "isogloss/cnc/scan.hpp"
+#include "isogloss/sdk.hpp"
+
+namespace ig::cnc {
+
+inline const Diagnostics machine_code_diagnostics{
+    diagnostic(IG_ERROR, "ISO-0570", "{0} is not executed, because MachineCodes refuses it: {1}",
+               "The row of this code says does=\"refused\", for the reason that the message repeats.",
+               "M131 (and a row M131 that refuses it)"),
+};
+
+/// A member of each syntax that reads codes: what the service isogloss.machine-code/1 says of them.
+class MachineCodes {
+ public:
+  MachineCodes() : holds_any_(table_ && table_->find(table_->self, {nullptr, 0}) != nullptr) {}
+
+  /// nullptr: the user has said nothing about the code.
+  const ig_machine_code* find(std::string_view name) const {
+    return holds_any_ ? table_->find(table_->self, to_text(name)) : nullptr;
+  }
+  bool holds_any() const { return holds_any_; }
+
+ private:
+  Service<ig_machine_code_1> table_{"isogloss.machine-code/1", Need::optional, "The codes of the machine's builder."};
+  bool holds_any_;
+};
+
+/// A member of the scanners that read codes: records in the block which rows of MachineCodes have answered.
+class MachineCodeRecord {
+ public:
+  /// A row that refuses its code is reported at `where`.
+  void add(Block& b, const ig_machine_code& row, Where where) const {
+    append(b, name_, to_view(row.name));
+    if (row.title.size > 0) append(b, title_, to_view(row.title));
+    if (row.does == IG_CODE_IS_REFUSED) b.report(diag("ISO-0570"), where, to_view(row.name), to_view(row.text));
+  }
+
+ private:
+  static void append(Block& b, const TextField& field, std::string_view text) {
+    std::string all(b.text(field));
+    if (!all.empty()) all += ", ";
+    b.set_text(field, all += text);
+  }
+
+  TextField name_{"MachineCode.Name",
+                  read | write,
+                  {Life::block, "", "The codes of the machine's builder that the table MachineCodes has answered."}};
+  TextField title_{"MachineCode.Title", read | write, {Life::block, "", "What the builder calls them."}};
+};
+
+/// A member of the syntaxes that execute what scanners have recorded.
+class RecordedMachineCodes {
+ public:
+  /// Calls each(row) for the rows of the block that do this, in the order of their codes. Returns whether there are
+  /// any.
+  template <class Each>
+  bool for_each(const Block& b, ig_machine_code_kind does, Each&& each) const {
+    bool any = false;
+    const std::string all(b.text(name_));
+    for (std::string_view rest = all; !rest.empty();) {
+      const std::size_t end = std::min(rest.find(", "), rest.size());
+      const ig_machine_code* const row = codes_.find(rest.substr(0, end));
+      rest.remove_prefix(std::min(end + 2, rest.size()));
+      if (row == nullptr || row->does != does) continue;
+      each(*row);
+      any = true;
+    }
+    return any;
+  }
+
+ private:
+  MachineCodes codes_;
+  TextField name_{"MachineCode.Name",
+                  read | wake,
+                  {Life::block, "", "The codes of the machine's builder that the table MachineCodes has answered."}};
+};
+
+/// The codes that a row stands for, one after the other.
+template <class Each>
+void for_each_code(const ig_machine_code& row, Each&& each) {
+  std::string_view rest = to_view(row.codes);
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(' '), rest.size());
+    each(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+}
+
+/// A member of the scanners that put the codes of a row into the block.
+class CodesOfMachineCodes {
+ public:
+  explicit CodesOfMachineCodes(const MachineCodes& machine) {
+    for (std::size_t i = 0; machine.holds_any() && i < codes_.size(); ++i) {
+      std::string_view name = codes_.path(i);
+      for (const std::string_view prefix : {"Parsing.Flags.", "Parsing."})
+        if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
+      known_.emplace(name, codes_.id(i));
+    }
+  }
+
+  /// Puts the codes of the row at these columns; one that no syntax of the chain knows is a leftover. Returns whether
+  /// an unknown one is a G code.
+  bool put(Block& b, const ig_machine_code& row, std::size_t begin, std::size_t end) const {
+    bool is_unknown = false;
+    for_each_code(row, [&](std::string_view code) {
+      if (const auto known = known_.find(code); known != known_.end()) {
+        b.set_word({known->second, column(begin), column(end), ig_value{}, 0, 0});
+        return;
+      }
+      leave(b, IG_LEFT_UNKNOWN, code, begin, end);
+      is_unknown = is_unknown || code.starts_with('G');
+    });
+    return is_unknown;
+  }
+
+ private:
+  Fields codes_{"codes", "Parsing.Flags.* Parsing.*", write, "The codes that syntaxes of this chain know.", IG_CODE};
+  std::map<std::string, ig_field, std::less<>> known_;
+};
+
+}  // namespace ig::cnc

@@ -1,0 +1,46 @@
+#include "isogloss/cnc/machine_codes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "isogloss/cnc/block_document_test.hpp"
+
+using namespace ig::cnc;
+using isogloss_test::BlockDocument;
+
+namespace {
+
+struct OneCode {
+  ig_machine_code row{
+      sizeof(ig_machine_code), IG_CODE_ACTS, ig::to_text("M92"), ig::to_text("M08 M50"), {}, {}, {}, 0, 0, {}};
+  ig_machine_code_1 provided{sizeof(ig_machine_code_1), 0, this, &find};
+  BlockDocument document;
+
+  static const ig_machine_code* find(void* self, ig_text name) {
+    return name.size == 0 || ig::to_view(name) == "M92" ? &static_cast<OneCode*>(self)->row : nullptr;
+  }
+  MachineCodes codes() {
+    document.services["isogloss.machine-code/1"] = &provided;
+    return document.create([] { return MachineCodes(); });
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a code of the builder is found by its name, and a chain without a table finds none") {
+  OneCode one;
+  const MachineCodes codes = one.codes();
+  REQUIRE(codes.find("M92") != nullptr);
+  CHECK(codes.find("M93") == nullptr);
+  CHECK(codes.holds_any());
+  BlockDocument document;
+  const auto none = document.create([] { return MachineCodes(); });
+  CHECK(none.find("M92") == nullptr);
+  CHECK_FALSE(none.holds_any());
+}
+
+TEST_CASE("a row that acts as several codes names each of them") {
+  const OneCode one;
+  std::string seen;
+  for_each_code(one.row, [&](std::string_view code) { seen.append(code).append("/"); });
+  CHECK(seen == "M08/M50/");
+}

@@ -1,0 +1,107 @@
+// G and M codes for which the table MachineCodes has a row: the row goes before what the dialect knows of the code. The
+// words directly behind an M code are its own; the words of a G code are those that UnknownCodeSyntax removes.
+#include <string>
+
+#include <isogloss/cnc/machine_codes.hpp>
+#include <isogloss/cnc/program_name.hpp>
+#include <isogloss/flow.hpp>
+
+namespace iso {
+
+using namespace ig::cnc;
+
+namespace {
+
+struct MachineCodeSyntax {
+  static constexpr auto spec = ig::syntax("MachineCodeSyntax", "Codes of the machine's builder, as MachineCodes says.")
+                                   .after("HeadIndexSyntax")
+                                   .before("FlagSyntax")
+                                   .scans("GMgm");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "ISO-0571", "the program {1} that {0} calls is not found, so it is not called: {2}"),
+  };
+
+  MachineCodes machine_;
+  MachineCodeRecord record_;
+  RecordedMachineCodes recorded_;
+  CodesOfMachineCodes codes_{machine_};
+  ig::Signal unknown_code_{"Source.~UnknownCode", ig::write};
+  ig::Out<ig::Symbol> term_{"SubProgramCall.Term"};
+  ig::Flow flow_;
+
+  MachineCodeSyntax() {
+    if (!machine_.holds_any()) ig::stay_idle();
+  }
+
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    if (!machine_.holds_any()) return position;
+    const std::size_t number = skip_blanks(text, position + 1), end = number_end(text, number);
+    if (end == number || std::string_view("=Oo.").find(at(text, end)) != std::string_view::npos) return position;
+    std::string name(1, text[position]);
+    const ig_machine_code* const row = machine_.find(name.append(piece(text, number, end)));
+    if (row == nullptr) return position;
+    const bool is_g = to_upper(text[position]) == 'G';
+    if (!flow_.is_indexing()) record_.add(b, *row, ig::Where::columns(position, end));
+    if (row->does == IG_CODE_ACTS) {
+      if (codes_.put(b, *row, position, end)) b.raise(unknown_code_);
+      return end;
+    }
+    if (is_g) b.raise(unknown_code_);
+    return is_g ? end : own_words_end(text, end);
+  }
+
+  ig::Status build(ig::Block& b) const {
+    const bool any = recorded_.for_each(b, IG_CODE_CALLS, [&](const ig_machine_code& row) { call(b, row); });
+    return any ? ig::Status::changed : ig::Status::unchanged;
+  }
+
+ private:
+  void call(ig::Block& b, const ig_machine_code& row) const {
+    const std::string_view code = ig::to_view(row.name), program = ig::to_view(row.program);
+    b.set(term_, b.symbol(code));
+    const auto number = numbered_name('O', program.substr(program[0] == 'O' || program[0] == 'o' ? 1 : 0));
+    const ig::Flow::Answer answer = number ? numbered(b, number->text()) : named(b, program);
+    if (answer.is_not_found())
+      b.report(ig::diag("ISO-0571"), ig::Where::block(), code, program, answer.reason);
+    else if (answer.status == IG_GO_TAKEN)
+      b.report(ig::diag("ISO-0493"), ig::Where::block(), code);
+  }
+
+  /// The end of 92 and of 54.1.
+  static std::size_t number_end(std::string_view text, std::size_t number) {
+    const std::size_t end = skip_digits(text, number);
+    const bool has_decimal = end > number && at(text, end) == '.' && is_digit(at(text, end + 1));
+    return has_decimal ? skip_digits(text, end + 1) : end;
+  }
+
+  /// M92 P5 Q3: the position after the words that can only be arguments of an M code.
+  static std::size_t own_words_end(std::string_view text, std::size_t end) {
+    for (;;) {
+      const std::size_t word = skip_blanks(text, end);
+      if (std::string_view("PQLE").find(to_upper(at(text, word))) == std::string_view::npos || word >= text.size())
+        return end;
+      const std::size_t digits = skip_while(text, word + 1, [](char c) { return c == '-' || c == '+' || is_blank(c); });
+      const ig::Decimal number = ig::read_decimal(text, digits);
+      if (!number.ok || number.end == digits) return end;
+      end = number.end;
+    }
+  }
+
+  ig::Flow::Answer numbered(ig::Block& b, std::string_view name) const {
+    std::int64_t number = 0;
+    std::from_chars(name.data() + 1, name.data() + name.size(), number);
+    const ProgramFileNames files(number);
+    return flow_.call(b, {.program = name, .files = files.list()});
+  }
+  /// <NAME>, as O<NAME> and M98 <NAME> have it.
+  ig::Flow::Answer named(ig::Block& b, std::string_view name) const {
+    const std::string label = "<" + std::string(name) + ">";
+    const ig_text file = ig::to_text(name);
+    return flow_.call(b, {.program = label, .files = {&file, 1}});
+  }
+};
+
+const ig::Register<MachineCodeSyntax> machine_code_syntax;
+
+}  // namespace
+}  // namespace iso

@@ -1,0 +1,161 @@
+// Codes that the builder of the machine has added: what each of them does here, by its name. A control hands such codes
+// to the builder's logic, which no program shows, so only the user can know.
+#include <isogloss_machine_code.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+
+#include <isogloss/cnc/scan.hpp>
+#include <isogloss/rows.hpp>
+#include <isogloss/sdk.hpp>
+
+namespace iso {
+
+using namespace ig::cnc;
+
+namespace {
+
+constexpr std::array<std::string_view, 6> kinds{"", "nothing", "codes", "call", "position", "refused"};
+
+/// Capital letters, one blank between two words, and codes as scanners name them: M8 is M08, G054.1 is G54.1.
+std::string canonical(std::string_view written) {
+  std::string out;
+  for (const char c : trim(written)) {
+    if (!is_blank(c))
+      out += to_upper(c);
+    else if (!out.ends_with(' '))
+      out += ' ';
+  }
+  const bool is_code = out.size() > 1 && (out[0] == 'G' || out[0] == 'M') && is_digit(out[1]);
+  while (is_code && out[1] == '0' && out.size() > 2 && is_digit(out[2])) out.erase(1, 1);
+  if (is_code && skip_digits(out, 1) == 2) out.insert(1, 1, '0');
+  return out;
+}
+
+/// G or M with a number that may have one decimal.
+bool is_code(std::string_view name) {
+  if (name.size() < 2 || (name[0] != 'G' && name[0] != 'M')) return false;
+  const std::size_t end = skip_digits(name, 1);
+  return end > 1 && (end == name.size() || (name[end] == '.' && end + 2 == name.size() && is_digit(name[end + 1])));
+}
+
+/// "M8  m50" becomes "M08 M50"; empty where a word is not a code.
+std::string codes_of(std::string_view written) {
+  std::string out;
+  for (std::string_view rest = trim(written); !rest.empty(); rest = trim(rest)) {
+    const std::size_t end = std::min(rest.find(' '), rest.size());
+    const std::string code = canonical(rest.substr(0, end));
+    if (!is_code(code)) return {};
+    out.append(out.empty() ? "" : " ").append(code);
+    rest.remove_prefix(end);
+  }
+  return out;
+}
+
+/// "Z0 X10.5" in `row`; false where a word is not an axis with a number, or names an axis again.
+bool read_position(std::string_view written, ig_machine_code& row) {
+  for (std::string_view rest = trim(written); !rest.empty(); rest = trim(rest)) {
+    const std::size_t axis = std::string_view("XYZABC").find(to_upper(rest[0]));
+    const bool is_negative = at(rest, 1) == '-';
+    const std::size_t digits = is_negative || at(rest, 1) == '+' ? 2 : 1;
+    const ig::Decimal number = ig::read_decimal(rest, digits);
+    if (axis > 5 || (row.axes >> axis & 1u) != 0 || !number.ok || number.end == digits) return false;
+    if (number.end < rest.size() && rest[number.end] != ' ') return false;
+    row.axes |= 1u << axis;
+    row.position[axis] = is_negative ? -number.value : number.value;
+    rest.remove_prefix(number.end);
+  }
+  return row.axes != 0;
+}
+
+struct MachineCodeTable {
+  static constexpr auto spec = ig::dependency("MachineCodes", "Codes, cycles and programs of the machine's builder.")
+                                   .rows("Code", "name")
+                                   .provides("isogloss.machine-code/1");
+
+  ig::Column does{"does", nullptr, "", {}, "What the code does: nothing, codes, call, position or refused.", true};
+  ig::Column codes{"codes", nullptr, "", {}, "The codes as which it acts: M8 M50.", true};
+  ig::Column program{"program", nullptr, "", {}, "The program that it calls: its number, or its name.", true};
+  ig::Column position{
+      "position", nullptr, "", {}, "Where the axes go by rapid, in machine coordinates, mm and degrees: Z0 X10.", true};
+  ig::Column text{"text", nullptr, "", {}, "Why the code is refused.", true};
+  ig::Column when{"when", nullptr, "", {}, "When a cycle acts: defined or called; else as its number says.", true};
+  ig::Column title{"title", nullptr, "", {}, "What the builder calls it; explain shows it.", true};
+  ig::Table table;
+  ig::RowNames names;
+
+  MachineCodeTable() {
+    for (const std::string& name : names) load(name);
+  }
+
+  const void* service(std::string_view id) const { return id == "isogloss.machine-code/1" ? &answers : nullptr; }
+
+  std::string row_fault(std::string_view row) const {
+    const std::string_view kind = table.text(row, does);
+    const auto lacks = [&](const ig::Column& column, const char* example) {
+      return table.text(row, column).empty() ? "does=\"" + std::string(kind) + "\" needs " + example : std::string();
+    };
+    const std::string name = canonical(row);
+    for (const std::string& other : names)
+      if (other != row && canonical(other) == name) return "the row " + other + " is the same code";
+    if (const std::string_view time = table.text(row, when); !time.empty() && time != "defined" && time != "called")
+      return "when=\"" + std::string(time) + "\" is none of defined, called";
+    if (kind == "nothing") return "";
+    if (kind == "call") return lacks(program, "program=\"9001\"");
+    if (kind == "refused") return lacks(text, "text=\"why it is refused\"");
+    if (kind == "codes") {
+      const bool is_read = table.text(row, codes).empty() || !codes_of(table.text(row, codes)).empty();
+      return is_read ? lacks(codes, "codes=\"M8 M50\"") : "codes is a list of G and M codes, as codes=\"M8 M50\"";
+    }
+    if (kind == "position") {
+      ig_machine_code unused{};
+      const bool is_read = table.text(row, position).empty() || read_position(table.text(row, position), unused);
+      return is_read ? lacks(position, "position=\"Z0 X10\"")
+                     : "position is each axis of X Y Z A B C once, with a number, as position=\"Z0 X10\"";
+    }
+    return kind.empty() ? "does is missing: nothing, codes, call, position or refused"
+                        : "does=\"" + std::string(kind) + "\" is none of nothing, codes, call, position, refused";
+  }
+
+ private:
+  struct Row {
+    std::string codes, program, text, title;
+    ig_machine_code shown{};
+  };
+
+  void load(const std::string& written) {
+    const auto kind = std::find(kinds.begin() + 1, kinds.end(), table.text(written, does));
+    if (kind == kinds.end() || !row_fault(written).empty()) return;
+    const auto [place, is_new] = rows.try_emplace(canonical(written));
+    Row& row = place->second;
+    row.shown.struct_size = sizeof row.shown;
+    row.shown.does = static_cast<ig_machine_code_kind>(kind - kinds.begin());
+    if (row.shown.does == IG_CODE_ACTS) row.codes = codes_of(table.text(written, codes));
+    if (row.shown.does == IG_CODE_CALLS) row.program = trim(table.text(written, program));
+    if (row.shown.does == IG_CODE_IS_REFUSED) row.text = table.text(written, text);
+    row.title = table.text(written, title);
+    row.shown.when = table.text(written, when) == "defined" ? 1 : table.text(written, when) == "called" ? 2 : 0;
+    row.shown.name = ig::to_text(place->first);
+    row.shown.codes = ig::to_text(row.codes);
+    row.shown.program = ig::to_text(row.program);
+    row.shown.text = ig::to_text(row.text);
+    row.shown.title = ig::to_text(row.title);
+    if (row.shown.does == IG_CODE_MOVES) read_position(table.text(written, position), row.shown);
+  }
+
+  static const ig_machine_code* find(void* self, ig_text name) {
+    const auto& rows = static_cast<const MachineCodeTable*>(self)->rows;
+    const auto row = name.size == 0 ? rows.begin() : rows.find(canonical(ig::to_view(name)));
+    return row == rows.end() ? nullptr : &row->second.shown;
+  }
+
+  std::map<std::string, Row> rows;
+  ig_machine_code_1 answers{sizeof(ig_machine_code_1), 0, this, &find};
+};
+
+const ig::Register<MachineCodeTable> machine_codes;
+
+}  // namespace
+}  // namespace iso
