@@ -112,10 +112,10 @@ struct FusionToolLibrary {
     }
     const auto own_row = [&](const char* name) {
       const std::string row = row_of(name);
-      if (rows == Rows::offsets) return row.empty() ? number : row;
-      if (!row.empty() && row != number)
+      const bool is_other = !row.empty() && row != number;
+      if (is_other && rows != Rows::offsets)
         file.unused(std::string("another number as ") + name, "option rows=offsets reads it", tool.begin, tool.end);
-      return number;
+      return is_other && rows == Rows::offsets ? row : number;
     };
     const std::string length_row = own_row("length-offset"), radius_row = own_row("diameter-offset");
     const std::optional<LengthUnit> known_unit = unit_of(tool, of_library);

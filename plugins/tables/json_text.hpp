@@ -13,22 +13,31 @@
 
 namespace tables {
 
+struct JsonMember;
+
 struct JsonValue {
   enum class Kind { nothing, number, text, list, object };
 
   Kind kind = Kind::nothing;  // of null, true and false too
   double number = 0;
   std::string text;
-  std::vector<std::pair<std::string, JsonValue>> members;  // of a list without names
-  std::size_t begin = 0, end = 0;                          // bytes of the file
+  std::vector<JsonMember> members;
+  std::size_t begin = 0, end = 0;  // bytes of the file
 
-  const JsonValue* find(std::string_view name) const {
-    for (const auto& [key, value] : members)
-      if (kind == Kind::object && key == name) return &value;
-    return nullptr;
-  }
+  inline const JsonValue* find(std::string_view name) const;
   bool is(Kind k) const { return kind == k; }
 };
+
+struct JsonMember {
+  std::string name;  // empty in a list
+  JsonValue value;
+};
+
+const JsonValue* JsonValue::find(std::string_view name) const {
+  for (const JsonMember& member : members)
+    if (kind == Kind::object && member.name == name) return &member.value;
+  return nullptr;
+}
 
 class JsonReader {
  public:
@@ -80,7 +89,7 @@ class JsonReader {
       JsonValue name, value;
       if (is_object && !(read_value(name, depth + 1) && name.is(JsonValue::Kind::text) && skip(':'))) return false;
       if (!read_value(value, depth + 1)) return false;
-      out.members.emplace_back(std::move(name.text), std::move(value));
+      out.members.push_back({std::move(name.text), std::move(value)});
     } while (skip(','));
     return skip(close);
   }

@@ -151,7 +151,7 @@ std::optional<ImportedFile> import_file(const Import& asked, Library& library, D
   return std::nullopt;
 }
 
-std::optional<std::string> export_tables(const Import& asked, const std::vector<DependencyElement>& tables,
+std::optional<std::string> export_tables(const Import& asked, const std::vector<DependencyElement>& given,
                                          Library& library, std::vector<UnusedPart>& unused, DiagnosticSink& sink) {
   library.load_all();
   const ig_importer* const importer = choose(asked, {}, library, sink);
@@ -162,7 +162,7 @@ std::optional<std::string> export_tables(const Import& asked, const std::vector<
   }
   std::vector<OptionValue> options;
   if (!read_import_options(*importer, asked, options, sink)) return std::nullopt;
-  ig_export out{tables, library, options, unused, {}, {}};
+  ig_export out{given, library, options, unused, {}, {}};
   if (importer->write(&export_api(), &out) != IG_FAILED) return std::move(out.out);
   sink.add(host_diagnostic("IG-0127", asked.where, {asked.file.string(), importer->id, out.failure}));
   return std::nullopt;

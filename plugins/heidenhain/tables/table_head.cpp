@@ -133,19 +133,19 @@ TableHead read_table_head(std::string_view text, bool needs_begin) {
   Preamble preamble;
   const ig::TextLines lines(text);
   bool is_first = true;
-  for (auto line = lines.begin(); line != lines.end(); ++line) {
-    const std::string_view content = without_blanks(line->text);
+  for (const ig::TextLine& line : lines) {
+    const std::string_view content = without_blanks(line.text);
     if (content.empty()) continue;
     if (std::exchange(is_first, false)) {
       begin = BeginLine(content);
       if (begin.stands) continue;
       if (needs_begin) return {};
     }
-    if (preamble.holds(line->text)) continue;
+    if (preamble.holds(line.text)) continue;
     head.unit = begin.unit;
-    head.names_begin = line->begin;
-    head.names_end = line->begin + line->text.size();
-    const bool is_sound = read_names(line->text, head);
+    head.names_begin = line.begin;
+    head.names_end = line.begin + line.text.size();
+    const bool is_sound = read_names(line.text, head);
     head.kind = kind_of(head, begin.suffix);
     // The name of the first column may be indented; its cells are not always.
     if (!head.columns.empty()) head.columns[0].begin = 0;

@@ -62,13 +62,13 @@ struct BackBoring {
       if (positioning_ == Positioning::centred) {
         motion.rapid_to(b, bore.at(bore.approach_level));
         motion.orient(b, shift_.angle());
-        shift_.move_aside(b, motion, shift, aside.at(bore.approach_level), feed);
+        ToolShift::move_aside(b, motion, shift, aside.at(bore.approach_level), feed);
       } else {
         motion.orient(b, shift_.angle());
         motion.rapid_to(b, aside.at(bore.approach_level));
       }
       motion.rapid_to(b, aside.at(low));
-      shift_.move_aside(b, motion, shift, bore.at(low), feed);
+      ToolShift::move_aside(b, motion, shift, bore.at(low), feed);
       motion.spindle(b, start);
       motion.feed_to(b, bore.at(high), feed);
       if (dwell > 0) motion.dwell(b, dwell);

@@ -64,15 +64,14 @@ bool VariableRows::define(ig::Import& file, std::string_view code) {
   Definition d;
   std::string_view name;
   bool is_global = false;
-  if (!read_attributes(cursor, d, name, is_global)) {
-    file.report(ig::diag("SIE-0352"), begin, end, shown(code));
-  } else if (!is_global) {
+  const bool is_sound = read_attributes(cursor, d, name, is_global);
+  if (is_sound && !is_global) {
     file.unused("variable of one program", no_place, begin, end);
     for (const std::string_view one : split(code.substr(static_cast<std::size_t>(name.data() - code.data()))))
       local_.insert(upper(Cursor(one).word()));
-  } else if (is_one_of(d.type, "STRING", "AXIS", "FRAME")) {
+  } else if (is_sound && is_one_of(d.type, "STRING", "AXIS", "FRAME")) {
     file.unused("definition of a STRING, AXIS or FRAME", "SiemensVariables holds numbers only", begin, end);
-  } else if (!read_names(file, cursor, d, name)) {
+  } else if (!is_sound || !read_names(file, cursor, d, name)) {
     file.report(ig::diag("SIE-0352"), begin, end, shown(code));
   }
   return true;

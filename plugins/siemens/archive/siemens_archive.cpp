@@ -193,10 +193,10 @@ struct SiemensArchive {
   /// The links after CTRANS, for columns that the row names.
   static std::string written_links(ig::Export& out, std::uint32_t row, double mm) {
     std::string links;
-    const auto link = [&](const char* name, char column, double unit, bool names_axes_only) {
+    const auto link = [&](const char* name, char column, double step, bool names_axes_only) {
       std::string arguments;
       for (const char axis : {'X', 'Y', 'Z'}) {
-        const std::string cell = written(out.cell("SiemensCoordinateTable", row, std::string{column, axis}), unit);
+        const std::string cell = written(out.cell("SiemensCoordinateTable", row, std::string{column, axis}), step);
         if (cell.empty() || (names_axes_only && cell == "0")) continue;
         arguments += (arguments.empty() ? "" : ",") + std::string(1, axis) + (names_axes_only ? "" : ',' + cell);
       }

@@ -53,7 +53,7 @@ std::string write_tables(const std::vector<DependencyElement>& tables, bool sour
 
 /// A file of this format with the rows of these tables. Empty, and reported, when the importer cannot write. What has
 /// no place in the file is added to `unused`.
-std::optional<std::string> export_tables(const Import& asked, const std::vector<DependencyElement>& tables,
+std::optional<std::string> export_tables(const Import& asked, const std::vector<DependencyElement>& given,
                                          Library& library, std::vector<UnusedPart>& unused, DiagnosticSink& sink);
 
 }  // namespace isogloss
