@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <type_traits>
@@ -12,6 +13,8 @@
 
 namespace isogloss {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::string_view dialect_namespace = "urn:isogloss:dialect:1";
 constexpr std::array stages{Stage::parsing, Stage::evaluation, Stage::logic, Stage::post_logic, Stage::inspection};
