@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "output_file.hpp"
+#include "outputs.hpp"
 #include "session.hpp"
 
 namespace isogloss::cli {
@@ -17,19 +18,6 @@ struct DialectCommand {
 
   int run() const;
 };
-
-/// False, and reported, when a file cannot be written.
-bool write_file(const std::string& path, const std::string& text, Session& session) {
-  std::string error;
-  const std::unique_ptr<OutputFile> file = OutputFile::open(path, error);
-  if (file != nullptr) {
-    file->write(text);
-    if (file->commit() || file->reader_is_gone()) return true;
-    error = file->error();
-  }
-  session.report("IG-0511", {path}, {error});
-  return false;
-}
 
 int DialectCommand::run() const {
   Session session(common);

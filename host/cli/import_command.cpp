@@ -7,6 +7,7 @@
 #include "isogloss/engine/import.hpp"
 #include "isogloss/engine/machine.hpp"
 #include "output_file.hpp"
+#include "outputs.hpp"
 #include "session.hpp"
 
 namespace isogloss::cli {
@@ -30,15 +31,7 @@ bool read_settings(const std::vector<std::string>& texts, std::vector<Attribute>
 
 int write_output(const std::string& text, const std::string& path, Session& session) {
   if (path.empty()) return print(text, session.status());
-  std::string error;
-  const std::unique_ptr<OutputFile> file = OutputFile::open(path, error);
-  if (file != nullptr) {
-    file->write(text);
-    if (file->commit() || file->reader_is_gone()) return session.status();
-    error = file->error();
-  }
-  session.report("IG-0511", {path}, {error});
-  return cannot_start;
+  return write_file(path, text, session) ? session.status() : static_cast<int>(cannot_start);
 }
 
 struct ImportCommand {
@@ -51,6 +44,11 @@ struct ImportCommand {
 
 int ImportCommand::run() const {
   Session session(common);
+  std::error_code ignored;
+  const bool is_folder = output.ends_with('/') || fs::is_directory(output, ignored);
+  if (is_folder) fs::create_directories(output, ignored);
+  const std::string path = is_folder ? (fs::path(output) / "imported.xml").string() : output;
+  if (!are_apart(files, {path, common.diagnostics_output}, session)) return cannot_start;
   Dialect machine;
   for (const std::string& file : files) {
     Import import{file, format, {}, {}};
@@ -60,10 +58,6 @@ int ImportCommand::run() const {
   if (!complete_machine(machine, session.library(), session.diagnostics())) return input_errors;
   std::size_t rows = 0;
   for (const DependencyElement& table : machine.dependencies) rows += table.rows.size();
-  std::error_code ignored;
-  const bool is_folder = output.ends_with('/') || fs::is_directory(output, ignored);
-  if (is_folder) fs::create_directories(output, ignored);
-  const std::string path = is_folder ? (fs::path(output) / "imported.xml").string() : output;
   const int status = write_output(write_tables(machine.dependencies, true), path, session);
   const Writing writing;
   fmt::print(stderr, "{} rows of {} tables{}\n", rows, machine.dependencies.size(),
@@ -88,6 +82,8 @@ int ExportCommand::run() const {
   const std::optional<std::string> named = session.dialect_or_machine({}, machine);
   const std::optional<Dialect> dialect = named ? session.read(*named) : std::nullopt;
   if (!dialect) return session.status() == success ? static_cast<int>(cannot_start) : session.status();
+  if (!are_apart(files_of_machine(dialect->file.string()), {output, common.diagnostics_output}, session))
+    return cannot_start;
   std::vector<UnusedPart> unused;
   const std::optional<std::string> text =
       export_tables(asked, dialect->dependencies, session.library(), unused, session.diagnostics());

@@ -86,7 +86,8 @@ class OwnNotes : public DiagnosticSink {
 
  private:
   bool is_of_machine(const std::string& file) const {
-    return file.empty() || file.starts_with(dialect_.file.parent_path().string());
+    const std::filesystem::path folder = dialect_.file.parent_path();
+    return file.empty() || folder.empty() || file.starts_with((folder / "").string());
   }
   DiagnosticSink& sink_;
   const Dialect& dialect_;

@@ -1,10 +1,12 @@
 // Makes the folder of a machine, commented.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "isogloss/engine/machine.hpp"
 #include "output_file.hpp"
+#include "outputs.hpp"
 #include "session.hpp"
 
 namespace isogloss::cli {
@@ -42,14 +44,14 @@ std::string machine_text(const NewCommand& command, const Dialect& dialect, bool
   for (const DependencyElement& e : dialect.dependencies) tables += (tables.empty() ? "" : ", ") + e.alias;
   std::string out = fmt::format(
       R"(<?xml version="1.0" encoding="UTF-8"?>
-<!-- What this machine has on top of its dialect. isogloss run PROGRAM -m {0} uses it; isogloss inspect {0} shows what it
-     has and what it lacks, and isogloss lint -m {0} checks it. Paths are relative to this folder and stay inside it. -->
+<!-- What this machine has on top of its dialect. isogloss run PROGRAM -m NAME uses it; isogloss inspect NAME shows what
+     it has and what it lacks, and isogloss lint -m NAME checks it. Paths are relative to this folder and stay in it. -->
 <Machine xmlns="urn:isogloss:dialect:1" name="{0}" title="{1}" dialect="{2}">
 )",
       escaped(command.name), escaped(command.title.empty() ? command.name : command.title), escaped(command.dialect));
   out += has_backup
-             ? "  <!-- The control's own files. What is not read of them: isogloss lint -m " + command.name +
-                   " -->\n  <Backup src=\"backup\"/>\n\n"
+             ? "  <!-- The control's own files. What is not read of them: isogloss lint -m NAME -->\n"
+               "  <Backup src=\"backup\"/>\n\n"
              : "  <!-- The control's own files, in a folder or one by one; isogloss list importers shows the formats.\n"
                "  <Backup src=\"backup\"/>\n  -->\n\n";
   out += fmt::format(R"(  <!-- Folders in which called programs are looked for, in this order.
@@ -80,14 +82,19 @@ std::string machine_text(const NewCommand& command, const Dialect& dialect, bool
   return out;
 }
 
+bool is_line(const std::string& text) {
+  return std::none_of(text.begin(), text.end(),
+                      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+}
+
 bool is_folder_name(const std::string& name) {
-  return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos;
+  return !name.empty() && name[0] != '.' && name.find('/') == std::string::npos && is_line(name);
 }
 
 int NewCommand::run() const {
   Session session(common);
-  if (!is_folder_name(name)) {
-    session.report("IG-0513", {}, {"the name of a machine is that of its folder, without '/'"});
+  if (!is_folder_name(name) || !is_line(title)) {
+    session.report("IG-0513", {}, {"the name of a machine is that of its folder: without '/', one line as the title"});
     return cannot_start;
   }
   const std::optional<Dialect> base = session.read(dialect);
@@ -109,14 +116,13 @@ int NewCommand::run() const {
     session.report("IG-0510", {backup}, {error.message()});
     return cannot_start;
   }
-  std::string reason = error ? error.message() : "";
   const std::string path = (place / "machine.xml").string();
-  const std::unique_ptr<OutputFile> file = error ? nullptr : OutputFile::open(path, reason);
-  const bool is_written = file != nullptr && file->write(machine_text(*this, *base, !backups.empty()));
-  if (!is_written || !file->commit()) {
-    session.report("IG-0511", {path}, {reason.empty() && file != nullptr ? file->error() : reason});
+  if (error) {
+    session.report("IG-0511", {path}, {error.message()});
     return cannot_start;
   }
+  if (!write_file(path, machine_text(*this, *base, !backups.empty()), session)) return cannot_start;
+  session.link(path);  // what it lacks to be a machine is reported now
   return print(path + "\n", session.status());
 }
 

@@ -9,6 +9,7 @@
 #include "crash_guard.hpp"
 #include "dialect_guess.hpp"
 #include "output_file.hpp"
+#include "outputs.hpp"
 #include "program_options.hpp"
 #include "reproducer.hpp"
 #include "run_budgets.hpp"
@@ -277,7 +278,9 @@ int RunCommand::run() {
   std::vector<std::string> sources = programs, saved;
   sources.push_back(program.dialect);
   sources.insert(sources.end(), program.subprograms.begin(), program.subprograms.end());
-  const std::vector<std::string> given = {program.machine, program.offsets, program.tools, program.variables};
+  std::vector<std::string> given = {program.machine, program.offsets, program.tools, program.variables};
+  if (!program.machine.empty() && !(output.empty() && common.diagnostics_output.empty()))
+    for (std::string& file : files_of_machine(program.dialect)) given.push_back(std::move(file));
   for (const auto& [name, file] : tables_to_save) saved.push_back(file);
   // A table may be saved to the file it came from: the next run reads it again.
   std::vector<std::string> outputs = saved;

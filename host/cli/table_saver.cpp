@@ -1,11 +1,10 @@
 #include "table_saver.hpp"
 
-#include <filesystem>
 #include <pugixml.hpp>
 #include <sstream>
 
 #include "isogloss/engine/chain.hpp"
-#include "output_file.hpp"
+#include "outputs.hpp"
 
 namespace isogloss::cli {
 
@@ -48,10 +47,7 @@ class TableSaver : public Exporter {
       session_.report("IG-0513", {}, {"--save-table: the dialect has no table " + name});
       return;
     }
-    std::string error;
-    const std::unique_ptr<OutputFile> out = OutputFile::open(file, error);
-    if (out != nullptr && (!out->write(xml_of(*table, name)) || !out->commit())) error = out->error();
-    if (!error.empty()) session_.report("IG-0511", {file}, {error});
+    write_file(file, xml_of(*table, name), session_);
   }
 
   const std::vector<TableRequest>& requests_;
@@ -74,36 +70,6 @@ std::optional<std::vector<TableRequest>> read_table_requests(const std::vector<s
     }
   }
   return sound ? std::optional(std::move(out)) : std::nullopt;
-}
-
-bool are_apart(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs, Session& session) {
-  namespace fs = std::filesystem;
-  std::error_code code;
-  const auto is_replaced = [&](const std::string& file) {
-    const fs::file_status status = fs::status(file, code);
-    return !file.empty() && file != "-" && (!fs::exists(status) || fs::is_regular_file(status));
-  };
-  const auto are_one = [&](const std::string& a, const std::string& b) { return fs::equivalent(a, b, code); };
-  // Both outputs may not exist yet.
-  const auto have_one_name = [&](const std::string& a, const std::string& b) {
-    return are_one(a, b) || fs::weakly_canonical(fs::absolute(a), code) == fs::weakly_canonical(fs::absolute(b), code);
-  };
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    if (!is_replaced(outputs[i])) continue;
-    for (const std::string& input : inputs)
-      if (!input.empty() && input != "-" && are_one(input, outputs[i])) {
-        session.report_to_stderr();
-        session.report("IG-0530", {outputs[i]}, {input});
-        return false;
-      }
-    for (std::size_t k = 0; k < i; ++k)
-      if (is_replaced(outputs[k]) && have_one_name(outputs[k], outputs[i])) {
-        session.report_to_stderr();
-        session.report("IG-0531", {outputs[i]}, {outputs[k]});
-        return false;
-      }
-  }
-  return true;
 }
 
 std::unique_ptr<Exporter> make_table_saver(const std::vector<TableRequest>& requests, Session& session) {

@@ -16,9 +16,6 @@ using TableRequest = std::pair<std::string, std::string>;
 /// Empty, and reported, where a text is not such a request.
 std::optional<std::vector<TableRequest>> read_table_requests(const std::vector<std::string>& texts, Session& session);
 
-/// No output replaces a file that the run reads, nor another output; otherwise false, and reported.
-bool are_apart(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs, Session& session);
-
 /// Writes the tables at the end of a run; failures are reported.
 std::unique_ptr<Exporter> make_table_saver(const std::vector<TableRequest>& requests, Session& session);
 

@@ -129,6 +129,47 @@ class Machines(unittest.TestCase):
         self.machine('<Dependencies><MachineAxes src="backup/tool.tbl"/></Dependencies>')
         self.assertIn("[IG-0128]", self.run_it("lint", "-m", "machines/mill").stderr)
 
+    def test_rows_of_one_table_may_stand_in_several_files(self):
+        """Later ones go over earlier ones, in the order in which machine.xml names them."""
+        self.write("machines/mill/a.xml", '<Dependencies><ToolOffsetTable size="50"><Tool id="1" H="100"/>'
+                                          '<Tool id="2" H="20"/></ToolOffsetTable></Dependencies>')
+        self.write("machines/mill/b.xml", '<ToolOffsetTable><Tool id="2" H="30"/></ToolOffsetTable>')
+        self.machine('<Include src="a.xml"/><Dependencies><ToolOffsetTable><Tool id="1" HWear="1"/><Tool id="2" H="25"/>'
+                     '</ToolOffsetTable></Dependencies><Include src="b.xml"/>')
+        part = self.write("part.nc", "G21 G90 G54 G43 H1 Z0\nG43 H2 Z0\nM30\n")
+        done = self.run_it("run", part, "-m", "machines/mill", "--emit", "motions", "--format", "csv")
+        self.assertEqual([line.split(",")[8] for line in done.stdout.splitlines() if ",rapid," in line], ["101", "30"])
+        self.write("machines/mill/b.xml", '<Dependencies><MachineAxes as="ToolOffsetTable"/></Dependencies>')
+        self.assertIn("[IG-0113]", self.run_it("lint", "-m", "machines/mill", status=1).stderr)
+
+    def test_no_output_replaces_what_is_read(self):
+        table = self.write("machines/mill/backup/tool.tbl", TOOLS)
+        self.machine('<Backup src="backup"/>')
+        part = self.write("part.nc", "G21 G90 G0 X1.\nM30\n")
+        here = ["-m", "machines/mill"]
+        for command in (["run", part, *here, "-o", table], ["import", table, "-o", table],
+                        ["export", *here, "--format", "CsvTools", "-o", table],
+                        ["run", part, *here, "--diagnostics-output", table]):
+            self.assertIn("[IG-0530]", self.run_it(*command, status=2).stderr)
+        self.assertEqual(table.read_text(), TOOLS)
+
+    def test_a_machine_reads_neither_pipes_nor_files_outside_its_folder(self):
+        self.write("outside.tbl", TOOLS)
+        (self.path / "machines/mill/backup").mkdir(parents=True)
+        os.symlink(self.path / "outside.tbl", self.path / "machines/mill/backup/tool.tbl")
+        self.machine('<Backup src="backup"/>')
+        self.assertIn("[IG-0117]", self.run_it("lint", "-m", "machines/mill", status=1).stderr)
+        os.remove(self.path / "machines/mill/backup/tool.tbl")
+        os.mkfifo(self.path / "machines/mill/tool.tbl")
+        for content in ('<Backup src="tool.tbl"/>', '<Dependencies><ToolOffsetTable src="tool.tbl"/></Dependencies>'):
+            self.machine(content)
+            self.run_it("lint", "-m", "machines/mill", status=1)
+
+    def test_a_file_without_rows_is_reported(self):
+        self.write("machines/mill/TOOL.T", "BEGIN TOOL.T MM\nT    NAME    L     R\n[END]\n")
+        self.machine('<Backup src="TOOL.T"/>')
+        self.assertIn("[IG-0134]", self.run_it("lint", "-m", "machines/mill").stderr)
+
     def test_import_writes_tables_with_their_sources(self):
         table = self.write("tool.tbl", TOOLS)
         done = self.run_it("import", table)
@@ -156,7 +197,10 @@ class Machines(unittest.TestCase):
         self.run_it("lint", "-m", "mill", "--machines", "machines")
         done = self.run_it("new", "machine", "mill", "--dialect", "heidenhain", "--in", "machines", status=2)
         self.assertIn("there already", done.stderr)
-        self.run_it("new", "machine", "a/b", "--dialect", "heidenhain", status=2)
+        for name in ("a/b", ".", "..", "a\nb", ""):
+            self.run_it("new", "machine", name, "--dialect", "heidenhain", status=2)
+        self.run_it("new", "machine", "a--b <&>", "--dialect", "heidenhain", "--title", 'The "old" <one> & more -- here')
+        self.run_it("lint", "-m", "a--b <&>")
         self.assertIn("[IG-0101]", self.run_it("new", "machine", "c", "--dialect", "heidenhein", status=2).stderr)
         self.run_it("new", "dialect", "c", "--dialect", "heidenhain", status=2)
 

@@ -33,6 +33,8 @@ std::vector<Attribute> data_attributes(const XmlSource& xml, pugi::xml_node node
 
 /// A file that begins with another byte than '<' is no XML; importers read it. One that is not there counts as XML.
 bool is_of_control(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return false;  // to look into a pipe would block
   std::ifstream file(path, std::ios::binary);
   std::array<char, 512> head{};
   file.read(head.data(), head.size());

@@ -146,8 +146,7 @@ class FileReader : XmlElements {
     const auto append = [](auto& to, auto& from) {
       to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
     };
-    for (DependencyElement& element : part.own.dependencies)
-      dependencies_.add(file_.own.dependencies, std::move(element));
+    append(file_.own.dependencies, part.own.dependencies);  // rows of one table may stand in several files
     for (InitialField& field : part.own.initial) add_initial(std::move(field));
     append(file_.own.plugins, part.own.plugins);
     append(file_.own.program_places, part.own.program_places);

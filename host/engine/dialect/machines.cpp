@@ -51,7 +51,7 @@ void merge_rows(const ig_dependency& dependency, std::vector<TableRow>& rows) {
 void lay_over(std::vector<DependencyElement>& all, DependencyElement element) {
   const auto old =
       std::find_if(all.begin(), all.end(), [&](const DependencyElement& e) { return e.alias == element.alias; });
-  if (old == all.end() || old->id != element.id) {
+  if (old == all.end() || old->id != element.id) {  // another dependency of the same name takes its place
     if (old != all.end()) all.erase(old);
     all.push_back(std::move(element));
     return;
@@ -84,16 +84,30 @@ void fill(std::vector<DependencyElement>& inherited, std::vector<DependencyEleme
   inherited = std::move(out);
 }
 
-/// Reads the files of a control into tables.
+/// Passes diagnostics on and remembers whether one was an error.
+class ErrorWatch : public DiagnosticSink {
+ public:
+  explicit ErrorWatch(DiagnosticSink& sink) : sink_(sink) {}
+  void add(Diagnostic d) override {
+    has_error = has_error || d.severity == Severity::error;
+    sink_.add(std::move(d));
+  }
+  bool has_error = false;
+
+ private:
+  DiagnosticSink& sink_;
+};
+
+/// Reads the files of a control into tables. What fails is reported as an error.
 class Importing {
  public:
   Importing(Library& library, DiagnosticSink& sink) : library_(library), sink_(sink) {}
 
   /// The rows of the file that the element's src names, before its own.
-  bool fill_from_file(DependencyElement& element) const {
-    if (!element.control_file) return true;
+  void fill_from_file(DependencyElement& element) const {
+    if (!element.control_file) return;
     const std::optional<ImportedFile> file = read(*element.control_file);
-    if (!file) return false;
+    if (!file) return;
     for (const DependencyElement& table : file->tables) {
       if (table.id != element.id) {
         sink_.add(
@@ -107,39 +121,35 @@ class Importing {
           element.options.push_back(option);
     }
     element.control_file.reset();
-    return true;
   }
 
   /// All tables of a file, or of the files of a folder.
-  bool add_tables(const Import& asked, std::vector<DependencyElement>& all) const {
+  void add_tables(const Import& asked, std::vector<DependencyElement>& all) const {
     std::error_code error;
     const bool is_folder = fs::is_directory(asked.file, error);
-    bool is_sound = true;
     std::set<std::string> options;  // that an importer of the folder has
     for (const fs::path& path : is_folder ? in_order(asked) : std::vector{asked.file}) {
       Import one = asked;
       one.file = path;
       one.is_of_folder = is_folder;
       std::optional<ImportedFile> file = read(one);
-      is_sound = file.has_value() && is_sound;
       if (!file) continue;
       for (std::uint32_t i = 0; i < file->importer->option_count; ++i) options.insert(file->importer->options[i].name);
       for (DependencyElement& table : file->tables) lay_over(all, std::move(table));
     }
-    for (const Attribute& a : asked.options) {
-      if (!is_folder || options.contains(a.name)) continue;
-      sink_.add(host_diagnostic("IG-0204", a.where, {"no importer of " + asked.file.string(), a.name}));
-      is_sound = false;
-    }
-    return is_sound;
+    for (const Attribute& a : asked.options)
+      if (is_folder && !options.contains(a.name))
+        sink_.add(host_diagnostic("IG-0204", a.where, {"no importer of " + asked.file.string(), a.name}));
   }
 
  private:
   std::optional<ImportedFile> read(const Import& asked) const {
     std::optional<ImportedFile> file = import_file(asked, library_, sink_);
-    if (file)
-      for (const UnusedPart& part : file->unused)
-        sink_.add(host_diagnostic("IG-0125", part.first, {part.what, part.why, std::to_string(part.count)}));
+    if (!file) return file;
+    for (const UnusedPart& part : file->unused)
+      sink_.add(host_diagnostic("IG-0125", part.first, {part.what, part.why, std::to_string(part.count)}));
+    if (file->tables.empty() && file->unused.empty())
+      sink_.add(host_diagnostic("IG-0134", asked.where, {asked.file.string(), file->importer->id}));
     return file;
   }
 
@@ -147,7 +157,7 @@ class Importing {
   /// other files hold, replace them.
   std::vector<fs::path> in_order(const Import& folder) const {
     std::vector<fs::path> initial, others;
-    for (const fs::path& path : files_of(folder)) {
+    for (const fs::path& path : files_of(folder, sink_)) {
       const ig_importer* const importer = importer_of(path, folder.format);
       if (importer == nullptr && folder.format.empty())
         sink_.add(host_diagnostic("IG-0132", folder.where, {path.string()}));
@@ -215,27 +225,31 @@ bool is_incomplete(const Dialect& dialect) {
                      [](const DependencyElement& e) { return e.control_file.has_value(); });
 }
 
-bool complete_machine(Dialect& machine, Library& library, DiagnosticSink& sink) {
+bool complete_machine(Dialect& machine, Library& library, DiagnosticSink& given) {
+  ErrorWatch sink(given);
   if (!is_incomplete(machine)) return true;
   for (const PluginReference& plugin : machine.plugins)
     if (!library.load(plugin.name, plugin.where, sink)) return false;
   const Importing importing(library, sink);
-  bool is_sound = true;
-  for (DependencyElement& element : machine.dependencies) is_sound = importing.fill_from_file(element) && is_sound;
+  for (DependencyElement& element : machine.dependencies) importing.fill_from_file(element);
   std::vector<DependencyElement> own;
-  for (const Import& import : machine.imports) is_sound = importing.add_tables(import, own) && is_sound;
+  for (const Import& import : machine.imports) importing.add_tables(import, own);
   for (DependencyElement& element : machine.own_tables) {
-    is_sound = importing.fill_from_file(element) && is_sound;
+    importing.fill_from_file(element);
+    for (const DependencyElement& other : own)
+      if (other.alias == element.alias && other.id != element.id)
+        sink.add(host_diagnostic("IG-0113", element.where,
+                                 {element.alias, other.where.file + ":" + std::to_string(other.where.line)}));
     lay_over(own, std::move(element));
   }
   machine.imports.clear();
   machine.own_tables.clear();
   fill(machine.dependencies, std::move(own));
   for (DependencyElement& element : machine.dependencies) {
-    is_sound = add_plugin_of(element, machine, library, sink) && is_sound;
+    add_plugin_of(element, machine, library, sink);
     if (const ig_dependency* const dependency = library.dependency(element.id)) merge_rows(*dependency, element.rows);
   }
-  return is_sound;
+  return !sink.has_error;
 }
 
 }  // namespace isogloss

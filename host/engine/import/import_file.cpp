@@ -46,20 +46,27 @@ const ig_importer* choose(const Import& asked, const std::string& text, const Li
   return found[0].importer;
 }
 
-/// Empty, with the reason, when the file cannot be read as a whole.
-std::optional<std::string> bytes_of(const fs::path& file, std::string& reason) {
+/// At most `most` bytes of a file; empty, with the reason, when it cannot be read.
+std::optional<std::string> beginning_of(const fs::path& file, std::size_t most, std::string& reason) {
   const std::unique_ptr<Source> source = open_file(file.string(), reason);
   if (source == nullptr) return std::nullopt;
   std::string out;
   char buffer[16384];
-  while (const std::size_t n = source->read(buffer, sizeof buffer)) {
+  while (out.size() < most) {
+    const std::size_t n = source->read(buffer, std::min(sizeof buffer, most - out.size()));
+    if (n == 0) break;
     out.append(buffer, n);
-    if (out.size() <= most_bytes) continue;
-    reason = fmt::format("it is larger than {} MiB", most_bytes >> 20);
-    return std::nullopt;
   }
   reason = source->failure();
   return reason.empty() ? std::optional(std::move(out)) : std::nullopt;
+}
+
+/// The whole file; empty, with the reason, when it cannot be read or is too large.
+std::optional<std::string> bytes_of(const fs::path& file, std::string& reason) {
+  std::optional<std::string> out = beginning_of(file, most_bytes + 1, reason);
+  if (!out || out->size() <= most_bytes) return out;
+  reason = fmt::format("it is larger than {} MiB", most_bytes >> 20);
+  return std::nullopt;
 }
 
 bool read_import_options(const ig_importer& importer, const Import& asked, std::vector<OptionValue>& values,
@@ -98,21 +105,31 @@ std::vector<RecognisedFormat> recognise(const std::string& text, const std::stri
 
 std::optional<std::string> head_of_control_file(const fs::path& file) {
   std::string reason;
-  std::optional<std::string> bytes = bytes_of(file, reason);
-  if (!bytes) return std::nullopt;
-  std::optional<std::string> text = text_of_control(std::move(*bytes), reason);
-  if (text && text->size() > looked_at) text->resize(looked_at);
-  return text;
+  std::optional<std::string> bytes = beginning_of(file, 2 * looked_at, reason);  // a character may have two bytes
+  return bytes ? text_of_control(std::move(*bytes), reason) : std::nullopt;
 }
 
-std::vector<fs::path> files_of(const Import& asked) {
+std::vector<fs::path> files_of(const Import& asked, DiagnosticSink& sink) {
   std::error_code error;
   if (!fs::is_directory(asked.file, error)) return {asked.file};
+  const fs::path folder = fs::canonical(asked.file, error);
   std::vector<fs::path> out;
-  for (fs::recursive_directory_iterator it(asked.file, error), end; !error && it != end; it.increment(error)) {
+  fs::recursive_directory_iterator it(asked.file, error);
+  for (; !error && it != fs::recursive_directory_iterator(); it.increment(error)) {
     std::error_code ignored;
-    if (it->is_regular_file(ignored) && out.size() < most_files) out.push_back(it->path());
+    if (!it->is_regular_file(ignored)) continue;
+    const fs::path real = it->is_symlink(ignored) ? fs::canonical(it->path(), ignored) : folder;
+    if (std::mismatch(folder.begin(), folder.end(), real.begin(), real.end()).first != folder.end()) {
+      sink.add(host_diagnostic("IG-0117", asked.where, {it->path().string(), asked.file.string()}));
+    } else if (out.size() == most_files) {
+      sink.add(host_diagnostic("IG-0126", asked.where,
+                               {asked.file.string(), fmt::format("it holds more than {} files", most_files)}));
+      break;
+    } else {
+      out.push_back(it->path());
+    }
   }
+  if (error) sink.add(host_diagnostic("IG-0126", asked.where, {asked.file.string(), error.message()}));
   std::sort(out.begin(), out.end());
   return out;
 }
@@ -145,7 +162,12 @@ std::optional<ImportedFile> import_bytes(const Import& asked, std::string bytes,
 
 std::optional<ImportedFile> import_file(const Import& asked, Library& library, DiagnosticSink& sink) {
   std::string reason;
-  std::optional<std::string> bytes = bytes_of(asked.file, reason);
+  std::error_code ignored;
+  // A pipe that a user names is read; one that a machine's file names would block each run.
+  const bool may_block = !asked.where.file.empty() && fs::exists(asked.file, ignored) &&
+                         !fs::is_regular_file(asked.file, ignored) && !fs::is_directory(asked.file, ignored);
+  if (may_block) reason = "it is no regular file";
+  std::optional<std::string> bytes = may_block ? std::nullopt : bytes_of(asked.file, reason);
   if (bytes) return import_bytes(asked, std::move(*bytes), library, sink);
   sink.add(host_diagnostic("IG-0126", asked.where, {asked.file.string(), reason}));
   return std::nullopt;

@@ -109,6 +109,10 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {note, "IG-0133", "{0} has no place in the file: {1} (count: {2})",
        "The control's format has no column for it, so the file that is written lacks it.",
        "isogloss export of a table with a column that TOOL.T does not have"},
+      {note, "IG-0134", "{0} gives nothing: {1} finds no row in it",
+       "The file is of a format that is read, and holds no row of a table: it may be cut, or a table that is empty on the "
+       "control.",
+       "a TOOL.T that ends after its heading"},
       {error, "IG-0131", "{0} writes no files: the format is only read",
        "`isogloss list importers` shows which formats can be written.",
        "isogloss export -m dmu58 --format SinumerikArchive"},

@@ -41,11 +41,12 @@ std::optional<ImportedFile> import_file(const Import& asked, Library& library, D
 std::optional<ImportedFile> import_bytes(const Import& asked, std::string bytes, Library& library,
                                          DiagnosticSink& sink);
 
-/// The beginning of a file as importers see it when they are asked; nothing for one that is no text.
+/// The beginning of a file, as importers see it when they are asked; nothing for one that is no text.
 std::optional<std::string> head_of_control_file(const std::filesystem::path& file);
 
-/// The files that an import names: the file itself, or all files below the folder, sorted.
-std::vector<std::filesystem::path> files_of(const Import& asked);
+/// The files that an import names: the file itself, or all files below the folder, sorted. A file outside it, to which
+/// a link leads, and what cannot be listed are reported and left out.
+std::vector<std::filesystem::path> files_of(const Import& asked, DiagnosticSink& sink);
 
 /// The tables as XML: one <Dependencies> that a machine includes. With `sources` a comment says of each file and line
 /// what it gave.

@@ -31,6 +31,6 @@ bool is_incomplete(const Dialect& dialect);
 /// Completes a dialect or machine that was read, which needs the plugins. Files of controls are imported; the tables of
 /// a machine fill those of its dialect: its rows and options win, others stay; each table gets the plugin that has it.
 /// False, and reported, on a fault. A complete dialect stays as it is. link() calls this.
-bool complete_machine(Dialect& machine, Library& library, DiagnosticSink& sink);
+bool complete_machine(Dialect& machine, Library& library, DiagnosticSink& given);
 
 }  // namespace isogloss
