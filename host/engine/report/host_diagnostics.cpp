@@ -110,7 +110,8 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "The control's format has no column for it, so the file that is written lacks it.",
        "isogloss export of a table with a column that TOOL.T does not have"},
       {note, "IG-0134", "{0} gives nothing: {1} finds no row in it",
-       "The file is of a format that is read, and holds no row of a table: it may be cut, or a table that is empty on the "
+       "The file is of a format that is read, and holds no row of a table: it may be cut, or a table that is empty on "
+       "the "
        "control.",
        "a TOOL.T that ends after its heading"},
       {error, "IG-0131", "{0} writes no files: the format is only read",
