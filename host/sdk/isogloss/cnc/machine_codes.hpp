@@ -3,7 +3,9 @@
 
 #include <isogloss_machine_code.h>
 
+#include <charconv>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "isogloss/cnc/scan.hpp"
@@ -110,6 +112,15 @@ void for_each_code(const ig_machine_code& row, Each&& each) {
     each(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
+}
+
+/// The number of M08, for controls whose codes have no decimals: nothing of G54.1, and of a number beyond 32 bits.
+inline std::optional<std::uint32_t> whole_number_of_code(std::string_view code) {
+  std::uint32_t number = 0;
+  const char* const last = code.data() + code.size();
+  const auto read = code.size() < 2 ? std::from_chars_result{last, std::errc::invalid_argument}
+                                    : std::from_chars(code.data() + 1, last, number);
+  return read.ec == std::errc{} && read.ptr == last ? std::optional(number) : std::nullopt;
 }
 
 /// A member of the scanners that put the codes of a row into the block.
