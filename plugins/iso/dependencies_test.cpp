@@ -211,6 +211,34 @@ TEST_CASE("machine codes: a code is found in any spelling, and its row says what
   CHECK(n->find(n->self, text("")) == nullptr);
 }
 
+TEST_CASE("machine codes: a point, zeros behind it and zeros of a cycle's number do not count") {
+  const FakeDependency table(*ig_plugin_v1(), "MachineCodes",
+                             {{"M92.", {{"does", "nothing"}}}, {"CYCL DEF 0392", {{"does", "nothing"}}}});
+  const auto* s = table.service<ig_machine_code_1>("isogloss.machine-code/1");
+  for (const char* name : {"M92", "M92.", "M92.0", "CYCL DEF 392"}) CHECK(s->find(s->self, text(name)) != nullptr);
+  CHECK(s->find(s->self, text("M92.5")) == nullptr);
+}
+
+TEST_CASE("machine codes: a name that no program holds, and a column without effect, are refused") {
+  for (const char* name : {"92", "X5", "FOO BAR", "CYCL DEF", "CYCL DEF X", "M", "M-1", "G54.10", "M92 P5", ""}) {
+    CAPTURE(name);
+    CHECK_THAT(FakeDependency(*ig_plugin_v1(), "MachineCodes", {{name, {{"does", "nothing"}}}}).row_fault(name),
+               Catch::Contains("its name is a code"));
+  }
+  for (const char* name : {"M92", "G54.1", "CYCL DEF 392", "CYCLE996", "L9000", "_N_PARK", "OEM_PARK"}) {
+    CAPTURE(name);
+    CHECK(FakeDependency(*ig_plugin_v1(), "MachineCodes", {{name, {{"does", "nothing"}}}}).row_fault(name).empty());
+  }
+  for (const char* column : {"codes", "program", "position", "text"}) {
+    CAPTURE(column);
+    CHECK(FakeDependency(*ig_plugin_v1(), "MachineCodes", {{"M92", {{"does", "nothing"}, {column, "M8"}}}})
+              .row_fault("M92") == column + std::string(" has no effect with does=\"nothing\": remove it"));
+  }
+  CHECK_THAT(FakeDependency(*ig_plugin_v1(), "MachineCodes", {{"M92", {{"does", "nothing"}, {"when", "called"}}}})
+                 .row_fault("M92"),
+             Catch::Contains("only CYCL DEF"));
+}
+
 TEST_CASE("machine codes: a row that says nothing, or only half of it, is refused") {
   const auto refusal = [](const FakeDependency::Rows& rows, const char* reason) {
     CHECK_THAT(FakeDependency(*ig_plugin_v1(), "MachineCodes", rows).row_fault("M92"), Catch::Contains(reason));
@@ -223,6 +251,7 @@ TEST_CASE("machine codes: a row that says nothing, or only half of it, is refuse
   refusal({{"M92", {{"does", "refused"}}}}, "needs text");
   refusal({{"M92", {{"does", "nothing"}, {"when", "later"}}}}, "is none of defined");
   refusal({{"M92", {{"does", "nothing"}}}, {"M092", {{"does", "nothing"}}}}, "is the same code");
-  for (const char* position : {"U5", "X", "X1 X2", "X1Y2", "Z-", "5"})
+  refusal({{"M92", {{"does", "call"}, {"program", "  "}}}}, "needs program");
+  for (const char* position : {"U5", "X", "X1 X2", "X1Y2", "Z-", "Z--5", "5"})
     refusal({{"M92", {{"does", "position"}, {"position", position}}}}, "position is each axis");
 }

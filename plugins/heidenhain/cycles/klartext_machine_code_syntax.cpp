@@ -58,7 +58,7 @@ struct KlartextMachineCode {
     text_.parameters(b, text, number->end, number->cycle, [](std::uint32_t, double) {});
     if (!number->is_first()) return end;
     const auto where = where_of_line(text, position);
-    if (row->when == 2 || (row->when == 0 && waits_for_call(number->cycle)))
+    if (row->when == 2 || (row->when == 0 && waits(number->cycle)))
       wait(b, number->cycle);
     else
       answer(b, *row, text, where);
@@ -72,6 +72,8 @@ struct KlartextMachineCode {
   }
 
  private:
+  static bool waits(std::uint32_t cycle) { return waits_for_call(cycle) && !acts_where_defined(cycle); }
+
   void wait(ig::Block& b, std::uint32_t cycle) const {
     definition_.clear(b);
     b.set(number_, static_cast<std::int64_t>(cycle));
@@ -87,8 +89,7 @@ struct KlartextMachineCode {
     if (row == nullptr) return false;
     if (is_called) b.erase(call_);
     answer(b, *row, {}, ig::Where::block());
-    if (b.has(pattern_) && row->does != IG_CODE_DOES_NOTHING)
-      b.report(ig::diag("HEI-0342"), ig::Where::block(), ig::to_view(row->name));
+    if (b.has(pattern_)) b.report(ig::diag("HEI-0342"), ig::Where::block(), ig::to_view(row->name));
     return true;
   }
 

@@ -13,7 +13,7 @@ using namespace ig::cnc;
 
 namespace {
 
-constexpr std::uint32_t most_m = 999;
+constexpr std::uint32_t most_m = 999, most_m_of_builder = 99'999;
 
 /// An M function that is recognised and has no effect on the path here.
 struct NotExecuted {
@@ -106,13 +106,13 @@ std::size_t MFunctions::scan(ig::Block& b, const Values& values, std::string_vie
   const std::size_t end = at(text, v.end) == '.' ? v.end + 1 : v.end;
   const double rounded = std::round(v.number);
   if (values.is_indexing()) return end;
-  if (!(rounded >= 0 && rounded <= most_m) || rounded != v.number) {
-    leave(b, IG_LEFT_UNKNOWN, piece(text, position, end), position, end);
-    return end;
-  }
-  const Function m{static_cast<std::uint32_t>(rounded), position, end};
-  const ig_machine_code* const row = machine_.find(NumberedName('M', m.number).text());
-  return row != nullptr ? of_builder(b, values, text, m, *row) : act(b, values, text, m);
+  const bool is_code = rounded >= 0 && rounded <= most_m_of_builder && rounded == v.number;
+  const Function m{is_code ? static_cast<std::uint32_t>(rounded) : 0, position, end};
+  const ig_machine_code* const row = is_code ? machine_.find(NumberedName('M', m.number).text()) : nullptr;
+  if (row != nullptr) return of_builder(b, values, text, m, *row);
+  if (is_code && m.number <= most_m) return act(b, values, text, m);
+  leave(b, IG_LEFT_UNKNOWN, piece(text, position, end), position, end);
+  return end;
 }
 
 std::size_t MFunctions::of_builder(ig::Block& b, const Values& values, std::string_view text, const Function& m,
@@ -125,9 +125,8 @@ std::size_t MFunctions::of_builder(ig::Block& b, const Values& values, std::stri
 
 std::size_t MFunctions::put(ig::Block& b, const Values& values, std::string_view text, std::string_view code,
                             std::size_t begin, std::size_t end) const {
-  Function m{0, begin, end};
-  const auto read = std::from_chars(code.data() + 1, code.data() + code.size(), m.number);
-  if (code[0] == 'M' && read.ptr == code.data() + code.size() && m.number <= most_m) return act(b, values, text, m);
+  const auto number = whole_number_of_code(code);
+  if (code[0] == 'M' && number && *number <= most_m) return act(b, values, text, {*number, begin, end});
   leave(b, IG_LEFT_UNKNOWN, code, begin, end);
   return end;
 }

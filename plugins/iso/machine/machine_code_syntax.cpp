@@ -67,11 +67,12 @@ struct MachineCodeSyntax {
       b.report(ig::diag("ISO-0493"), ig::Where::block(), code);
   }
 
-  /// The end of 92 and of 54.1.
+  /// The end of 92, 54.1 and 92. with its point. Of "54. 1", which FlagSyntax may join, the end is before the point.
   static std::size_t number_end(std::string_view text, std::size_t number) {
     const std::size_t end = skip_digits(text, number);
-    const bool has_decimal = end > number && at(text, end) == '.' && is_digit(at(text, end + 1));
-    return has_decimal ? skip_digits(text, end + 1) : end;
+    if (end == number || at(text, end) != '.') return end;
+    const std::size_t decimals = skip_digits(text, end + 1);
+    return decimals == end + 1 && is_digit(at(text, skip_blanks(text, decimals))) ? end : decimals;
   }
 
   /// M92 P5 Q3: the position after the words that can only be arguments of an M code.

@@ -17,9 +17,11 @@ using namespace ig::cnc;
 
 namespace {
 
+constexpr std::string_view klartext_cycle = "CYCL DEF ";
 constexpr std::array<std::string_view, 6> kinds{"", "nothing", "codes", "call", "position", "refused"};
 
-/// Capital letters, one blank between two words, and codes as scanners name them: M8 is M08, G054.1 is G54.1.
+/// Capital letters, one blank between two words, and codes as scanners name them: M8 is M08, M8.0 too, and G054.1 is
+/// G54.1; a cycle's number has no leading zeros.
 std::string canonical(std::string_view written) {
   std::string out;
   for (const char c : trim(written)) {
@@ -29,8 +31,12 @@ std::string canonical(std::string_view written) {
       out += ' ';
   }
   const bool is_code = out.size() > 1 && (out[0] == 'G' || out[0] == 'M') && is_digit(out[1]);
+  if (is_code && out.ends_with(".0")) out.resize(out.size() - 2);
+  if (is_code && out.ends_with('.')) out.pop_back();
   while (is_code && out[1] == '0' && out.size() > 2 && is_digit(out[2])) out.erase(1, 1);
   if (is_code && skip_digits(out, 1) == 2) out.insert(1, 1, '0');
+  while (out.starts_with(klartext_cycle) && out.size() > klartext_cycle.size() + 1 && out[klartext_cycle.size()] == '0')
+    out.erase(klartext_cycle.size(), 1);
   return out;
 }
 
@@ -39,6 +45,15 @@ bool is_code(std::string_view name) {
   if (name.size() < 2 || (name[0] != 'G' && name[0] != 'M')) return false;
   const std::size_t end = skip_digits(name, 1);
   return end > 1 && (end == name.size() || (name[end] == '.' && end + 2 == name.size() && is_digit(name[end + 1])));
+}
+
+/// A cycle, or what may call a program: two letters or more, or L and a number.
+bool is_found_by_name(std::string_view name) {
+  if (name.starts_with(klartext_cycle))
+    return name.size() > klartext_cycle.size() && skip_digits(name, klartext_cycle.size()) == name.size();
+  const auto is_part = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
+  if (name.size() < 2 || is_digit(name[0]) || skip_while(name, 0, is_part) != name.size()) return false;
+  return !is_digit(name[1]) || (name[0] == 'L' && skip_digits(name, 1) == name.size());
 }
 
 /// "M8  m50" becomes "M08 M50"; empty where a word is not a code.
@@ -58,13 +73,11 @@ std::string codes_of(std::string_view written) {
 bool read_position(std::string_view written, ig_machine_code& row) {
   for (std::string_view rest = trim(written); !rest.empty(); rest = trim(rest)) {
     const std::size_t axis = std::string_view("XYZABC").find(to_upper(rest[0]));
-    const bool is_negative = at(rest, 1) == '-';
-    const std::size_t digits = is_negative || at(rest, 1) == '+' ? 2 : 1;
-    const ig::Decimal number = ig::read_decimal(rest, digits);
-    if (axis > 5 || (row.axes >> axis & 1u) != 0 || !number.ok || number.end == digits) return false;
+    const ig::Decimal number = ig::read_decimal(rest, 1);
+    if (axis > 5 || (row.axes >> axis & 1u) != 0 || !number.ok || number.end == 1) return false;
     if (number.end < rest.size() && rest[number.end] != ' ') return false;
     row.axes |= 1u << axis;
-    row.position[axis] = is_negative ? -number.value : number.value;
+    row.position[axis] = number.value + 0.0;
     rest.remove_prefix(number.end);
   }
   return row.axes != 0;
@@ -87,6 +100,7 @@ struct MachineCodeTable {
   ig::RowNames names;
 
   MachineCodeTable() {
+    for (const std::string& name : names) spellings.emplace(canonical(name), name);
     for (const std::string& name : names) load(name);
   }
 
@@ -95,13 +109,20 @@ struct MachineCodeTable {
   std::string row_fault(std::string_view row) const {
     const std::string_view kind = table.text(row, does);
     const auto lacks = [&](const ig::Column& column, const char* example) {
-      return table.text(row, column).empty() ? "does=\"" + std::string(kind) + "\" needs " + example : std::string();
+      return trim(table.text(row, column)).empty() ? "does=\"" + std::string(kind) + "\" needs " + example
+                                                   : std::string();
     };
     const std::string name = canonical(row);
-    for (const std::string& other : names)
-      if (other != row && canonical(other) == name) return "the row " + other + " is the same code";
+    for (auto [other, last] = spellings.equal_range(name); other != last; ++other)
+      if (other->second != row) return "the row " + other->second + " is the same code";
     if (const std::string_view time = table.text(row, when); !time.empty() && time != "defined" && time != "called")
       return "when=\"" + std::string(time) + "\" is none of defined, called";
+    if (!is_code(name) && !is_found_by_name(name))
+      return "its name is a code, as M92, a cycle, as CYCL DEF 392 or CYCLE996, or a program, as L9000";
+    if (!table.text(row, when).empty() && !name.starts_with(klartext_cycle))
+      return "when has no effect here: only CYCL DEF may wait for its call";
+    if (const std::string_view unused = unused_column(row, kind); !unused.empty())
+      return std::string(unused) + " has no effect with does=\"" + std::string(kind) + "\": remove it";
     if (kind == "nothing") return "";
     if (kind == "call") return lacks(program, "program=\"9001\"");
     if (kind == "refused") return lacks(text, "text=\"why it is refused\"");
@@ -120,6 +141,19 @@ struct MachineCodeTable {
   }
 
  private:
+  /// The name of a column that has a text and no effect with this kind; empty where there is none.
+  std::string_view unused_column(std::string_view row, std::string_view kind) const {
+    struct Use {
+      const ig::Column& column;
+      std::string_view name, kind;
+    };
+    if (kind.empty() || std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) return {};
+    for (const Use& use : {Use{codes, "codes", "codes"}, Use{program, "program", "call"},
+                           Use{position, "position", "position"}, Use{text, "text", "refused"}})
+      if (kind != use.kind && !table.text(row, use.column).empty()) return use.name;
+    return {};
+  }
+
   struct Row {
     std::string codes, program, text, title;
     ig_machine_code shown{};
@@ -151,6 +185,7 @@ struct MachineCodeTable {
     return row == rows.end() ? nullptr : &row->second.shown;
   }
 
+  std::multimap<std::string, std::string> spellings;  // the rows as the user named them, by their canonical names
   std::map<std::string, Row> rows;
   ig_machine_code_1 answers{sizeof(ig_machine_code_1), 0, this, &find};
 };

@@ -131,14 +131,28 @@ std::size_t CallReader::of_builder(ig::Block& b, std::string_view text, std::siz
                                    const ig_machine_code& row) {
   const bool has_bracket = at(text, next) == '(';
   const std::size_t close = has_bracket ? skip_call(text, next) : end;
-  record_.add(b, row, ig::Where::columns(begin_, close));
+  const auto where = ig::Where::columns(begin_, close);
+  if ((row.does == IG_CODE_ACTS || row.does == IG_CODE_MOVES) && b.find(modal_)) {
+    b.report(ig::diag("SIE-0174"), where, ig::to_view(row.name),
+             std::string_view("its row in MachineCodes calls no program, so MCALL cannot repeat it"));
+    return close;
+  }
+  record_.add(b, row, where);
   if (row.does == IG_CODE_CALLS) {
     if (has_bracket && !read_arguments(b, text.substr(0, close), next)) return close;
     return request(b, text, has_bracket ? skip_blanks(text, close) : next, program_of(ig::to_view(row.program)), close);
   }
   codes_.put(b, row, begin_, close);
-  const bool is_counted = to_upper(at(text, skip_blanks(text, close))) == 'P';
-  return is_counted ? statement_text_end(text, close) : close;
+  return count_end(b, text, close);
+}
+
+std::size_t CallReader::count_end(ig::Block& b, std::string_view text, std::size_t end) {
+  const std::size_t count = skip_blanks(text, end);
+  if (to_upper(at(text, count)) != 'P' || is_name_start(at(text, count + 1))) return end;
+  std::size_t value = skip_blanks(text, count + 1);
+  if (at(text, value) == '=') value = skip_blanks(text, value + 1);
+  Expression e(b, environment_, text, value);
+  return e.number() ? e.position() : std::max(e.position(), value);
 }
 
 std::optional<std::size_t> CallReader::curve(ig::Block& b, std::string_view name, std::string_view text,

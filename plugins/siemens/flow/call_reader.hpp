@@ -86,6 +86,8 @@ class CallReader {
   /// parameters may begin.
   std::size_t of_builder(ig::Block& b, std::string_view text, std::size_t end, std::size_t next,
                          const ig_machine_code& row);
+  /// The end of P3 behind a name that calls nothing; `end` where no P stands there.
+  std::size_t count_end(ig::Block& b, std::string_view text, std::size_t end);
 
   static std::vector<CycleFields> all_cycles();
   const CycleFields* cycle_of(std::string_view name) const;

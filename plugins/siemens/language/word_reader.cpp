@@ -136,11 +136,12 @@ void WordReader::set_code(ig::Block& b, Run& run, char letter, std::uint32_t n, 
                           std::size_t end) const {
   const ig_machine_code* const row = machine_.find(NumberedName(letter, n).text());
   if (row == nullptr) return set_known(b, run, letter, n, begin, end);
-  if (!environment_.flow.is_indexing()) record_.add(b, *row, columns(begin, end));
+  if (!environment_.flow.is_indexing() && !defines_curve()) record_.add(b, *row, columns(begin, end));
   for_each_code(*row, [&](std::string_view code) {
-    std::uint32_t number = 0;
-    std::from_chars(code.data() + 1, code.data() + code.size(), number);
-    set_known(b, run, code[0], number, begin, end);
+    if (const auto number = whole_number_of_code(code))
+      set_known(b, run, code[0], *number, begin, end);
+    else if (!defines_curve())
+      leave(b, IG_LEFT_UNKNOWN, code, begin, end);
   });
 }
 

@@ -3,7 +3,9 @@
 
 #include <isogloss_machine_code.h>
 
+#include <charconv>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "isogloss/cnc/scan.hpp"
@@ -33,17 +35,37 @@ class MachineCodes {
   bool holds_any_;
 };
 
+/// Calls each(name) for the names of MachineCode.Name.
+template <class Each>
+void for_each_recorded(std::string_view names, Each&& each) {
+  while (!names.empty()) {
+    const std::size_t end = std::min(names.find(", "), names.size());
+    each(names.substr(0, end));
+    names.remove_prefix(std::min(end + 2, names.size()));
+  }
+}
+
 /// A member of the scanners that read codes: records in the block which rows of MachineCodes have answered.
 class MachineCodeRecord {
  public:
-  /// A row that refuses its code is reported at `where`.
+  /// A row that refuses its code is reported at `where`. A code that stands again is recorded again where a second call
+  /// or move of the block is to be reported, but not a third time, so the record of a long block stays short.
   void add(Block& b, const ig_machine_code& row, Where where) const {
-    append(b, name_, to_view(row.name));
-    if (row.title.size > 0) append(b, title_, to_view(row.title));
+    const bool is_counted = row.does == IG_CODE_CALLS || row.does == IG_CODE_MOVES;
+    if (times_recorded(b, to_view(row.name)) < (is_counted ? 2 : 1)) {
+      append(b, name_, to_view(row.name));
+      if (row.title.size > 0) append(b, title_, to_view(row.title));
+    }
     if (row.does == IG_CODE_IS_REFUSED) b.report(diag("ISO-0570"), where, to_view(row.name), to_view(row.text));
   }
 
  private:
+  int times_recorded(const Block& b, std::string_view name) const {
+    int times = 0;
+    for_each_recorded(b.text(name_), [&](std::string_view recorded) { times += recorded == name ? 1 : 0; });
+    return times;
+  }
+
   static void append(Block& b, const TextField& field, std::string_view text) {
     std::string all(b.text(field));
     if (!all.empty()) all += ", ";
@@ -65,14 +87,12 @@ class RecordedMachineCodes {
   bool for_each(const Block& b, ig_machine_code_kind does, Each&& each) const {
     bool any = false;
     const std::string all(b.text(name_));
-    for (std::string_view rest = all; !rest.empty();) {
-      const std::size_t end = std::min(rest.find(", "), rest.size());
-      const ig_machine_code* const row = codes_.find(rest.substr(0, end));
-      rest.remove_prefix(std::min(end + 2, rest.size()));
-      if (row == nullptr || row->does != does) continue;
+    for_each_recorded(all, [&](std::string_view name) {
+      const ig_machine_code* const row = codes_.find(name);
+      if (row == nullptr || row->does != does) return;
       each(*row);
       any = true;
-    }
+    });
     return any;
   }
 
@@ -92,6 +112,15 @@ void for_each_code(const ig_machine_code& row, Each&& each) {
     each(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
+}
+
+/// The number of M08, for controls whose codes have no decimals: nothing of G54.1, and of a number beyond 32 bits.
+inline std::optional<std::uint32_t> whole_number_of_code(std::string_view code) {
+  std::uint32_t number = 0;
+  const char* const last = code.data() + code.size();
+  const auto read = code.size() < 2 ? std::from_chars_result{last, std::errc::invalid_argument}
+                                    : std::from_chars(code.data() + 1, last, number);
+  return read.ec == std::errc{} && read.ptr == last ? std::optional(number) : std::nullopt;
 }
 
 /// A member of the scanners that put the codes of a row into the block.

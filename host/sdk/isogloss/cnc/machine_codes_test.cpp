@@ -38,6 +38,12 @@ TEST_CASE("a code of the builder is found by its name, and a chain without a tab
   CHECK_FALSE(none.holds_any());
 }
 
+TEST_CASE("a code has a whole number, or none") {
+  CHECK(whole_number_of_code("M08") == 8u);
+  CHECK(whole_number_of_code("G4294967295") == 4294967295u);
+  for (const char* code : {"", "M", "G54.1", "G54.", "M99999999999", "M-1"}) CHECK_FALSE(whole_number_of_code(code));
+}
+
 TEST_CASE("a row that acts as several codes names each of them") {
   const OneCode one;
   std::string seen;
