@@ -20,11 +20,13 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import random_runs  # noqa: E402: it lies in another folder
 
 NORMAL = {"G17": 2, "G18": 1, "G19": 0}
-# Columns of the table; G54 and G57 only shift, and the programs with an odd seed have a base frame.
+# Columns of the table; G54 and G57 only shift. Programs with an odd seed have a base frame, and those with a seed that
+# 3 divides have a frame for G500.
 OFFSETS = {"G54": {"X": 10.0, "Y": -20.0, "Z": 30.5}, "G57": {"X": -7.25, "Y": 3.0, "Z": -100.0, "FX": 0.02, "FZ": -0.3},
            "G505": {"X": 1.0, "Y": 2.0, "Z": 3.0, "RZ": 33.0}, "G506": {"X": -5.5, "RX": 20.0, "RY": -35.5, "RZ": 110.0},
            "G507": {"Y": 4.0, "FY": 0.5, "RX": -15.0, "SX": 1.5, "SY": 1.5, "SZ": 1.5, "MX": 1},
            "G508": {"RZ": -12.5, "MY": 1, "MZ": 1, "SZ": 0.75}, "G509": {}, "G500": {}}
+ROTATED_G500 = {"X": 2.5, "FY": -0.75, "RZ": 15.0, "MX": 1}
 BASE = {"X": 3.0, "Z": -1.5, "FX": 0.125, "RX": 5.0, "RZ": -20.0}
 LENGTH = 57.3
 IDENTITY = ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0, 0.0, 0.0])
@@ -90,10 +92,11 @@ class Program:
     def __init__(self, seed, blocks=120):
         self.random = random.Random(seed)
         self.table = {name: dict(row) for name, row in OFFSETS.items()}
+        self.table["G500"] = self.g500 = dict(ROTATED_G500) if seed % 3 == 0 else {}
         self.base = BASE if seed % 2 else {}
         self.lines, self.ends, self.arcs = [], {}, {}
         self.at = [0.0, 0.0, 0.0]  # machine coordinates
-        self.in_force, self.plane, self.length = {}, "G17", 0.0
+        self.in_force, self.plane, self.length = self.g500, "G17", 0.0
         self.programmable, self.swivel = IDENTITY, IDENTITY
         self.is_incremental, self.is_swivelled = False, False
         self.write("G17 G90 G94 F500 G500 T1 M6 D0")
@@ -249,7 +252,7 @@ class Program:
 
     def settable(self):
         code = self.random.choice(list(OFFSETS))
-        self.in_force = dict(self.table[code]) if code != "G500" else {}
+        self.in_force = dict(self.table[code])
         self.write(code)
 
     def written(self):
@@ -277,9 +280,13 @@ class Program:
 
     def machine_block(self):
         words = self.words()
-        self.write(f"{self.random.choice(('G53', 'G153', 'SUPA'))} G0 {self.text(words)}")
+        code = self.random.choice(("G53", "G153", "SUPA"))
+        self.write(f"{code} G0 {self.text(words)}")
+        base = frame_of(self.base) if code == "G53" else IDENTITY
+        target = apply(inverse(base), minus(self.at, self.tool()))
         for axis, v in words.items():
-            self.at[axis] = self.at[axis] + v if self.is_incremental else v + self.tool()[axis]
+            target[axis] = target[axis] + v if self.is_incremental else v
+        self.at = plus(apply(base, target), self.tool())
         self.ends[len(self.lines)] = list(self.at)
 
     def distance(self):
@@ -305,7 +312,7 @@ class Program:
 
 def difference(isogloss, folder, program):
     (folder / "in.mpf").write_text("\n".join(program.lines) + "\n")
-    settings = [w for row, cells in (OFFSETS | {"BASE": program.base}).items() for column, v in cells.items()
+    settings = [w for row, cells in (OFFSETS | {"BASE": program.base, "G500": program.g500}).items() for column, v in cells.items()
                 for w in ("--set", f"SiemensCoordinateTable.{row}.{column}={v}")]
     settings += ["--set", f"ToolOffsetTable.1.H={LENGTH}"]
     run = subprocess.run([isogloss, "run", "in.mpf", "-d", "siemens", "--checked", "--emit", "motions", "--format",

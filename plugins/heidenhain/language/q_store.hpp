@@ -55,6 +55,16 @@ class QStore {
       locals(program).values[q.number] = value;
   }
 
+  static constexpr std::uint32_t radius_of_tool = 108, length_of_tool = 114;
+  /// What a tool call leaves in a parameter. `undefined` ends the value of the tool before, but not a value that a
+  /// table of parameters has given.
+  void set_of_tool(std::uint32_t number, double value) {
+    const auto written = std::find(of_tool_.begin(), of_tool_.end(), number);
+    if (std::isnan(value) && written == of_tool_.end()) return;
+    if (written == of_tool_.end()) of_tool_.push_back(number);
+    q_[number] = value;
+  }
+
   /// CALL LBL … REP: counts one repeat of the part down from `total`. False: none is left.
   bool repeat(std::uint64_t frame, std::uint64_t offset, double total) {
     const auto same = [&](const Repeat& r) { return r.frame == frame && r.offset == offset; };
@@ -109,6 +119,7 @@ class QStore {
   std::vector<double> retained_ = std::vector<double>(other_count, undefined);
   std::vector<Locals> locals_;
   std::vector<Repeat> repeats_;
+  std::vector<std::uint32_t> of_tool_;
   std::vector<std::uint64_t> said_;
 };
 

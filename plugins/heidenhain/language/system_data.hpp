@@ -9,8 +9,10 @@
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
+#include <isogloss/cnc/whole_number.hpp>
 
 #include "language/program_unit.hpp"
+#include "tool/step_row.hpp"
 
 namespace heidenhain {
 
@@ -29,7 +31,7 @@ class SystemData {
     const bool is_of_axis = r.index && *r.index >= 1 && *r.index <= 6 && *r.index == std::floor(*r.index);
     const std::size_t axis = is_of_axis ? static_cast<std::size_t>(*r.index) - 1 : 0;
     const auto is = [&](double id, double number) { return r.id == id && r.number == number; };
-    if (is(20, 1) || is(60, 1)) return static_cast<double>(b.get_or(tool_, std::int64_t{0}));
+    if (is(20, 1) || is(60, 1)) return static_cast<double>(b.get_or(tool_, std::int64_t{0}) % IG_TOOL_INDEX_STEP);
     if (is(20, 3) || is(60, 2)) return static_cast<double>(plane_(b).tool);
     if (is(20, 4) || is(60, 3)) return b.get_or(speed_, 0.0);
     if (is(60, 4)) return in_unit(b, b.get_or(length_delta_, 0.0));
@@ -57,11 +59,10 @@ class SystemData {
 
   std::optional<double> of_table(const ig::Block& b, const Request& r) const {
     const double tool = r.index.value_or(static_cast<double>(b.get_or(tool_, std::int64_t{0})));
+    const auto row = tool == std::floor(tool) ? whole_number(tool) : step_row(tool);
     double geometry = 0;
-    const bool is_number = table_ && tool >= 0 && tool < 1e9;
     const std::uint32_t column = r.number == 1 ? 0 : 2;
-    if (!is_number || table_->get(table_->self, static_cast<std::int64_t>(tool), column, &geometry) == 0)
-      return std::nullopt;
+    if (!table_ || !row || table_->get(table_->self, *row, column, &geometry) == 0) return std::nullopt;
     return in_unit(b, geometry);
   }
 

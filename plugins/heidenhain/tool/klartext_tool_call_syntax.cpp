@@ -1,12 +1,12 @@
 // TOOL CALL: the tool, its axis, its speed and feed, its length and the allowance DL. TOOL DEF names a tool that the
 // magazine may fetch, or writes its length and radius into the tool table.
 #include <isogloss/cnc/tool_dimension.hpp>
-#include <isogloss/cnc/tool_names.hpp>
 
 #include "language/block_words.hpp"
 #include "language/program_unit.hpp"
 #include "motion/feed_words.hpp"
 #include "motion/m_functions.hpp"
+#include "tool/step_row.hpp"
 
 namespace heidenhain {
 
@@ -61,16 +61,20 @@ struct KlartextToolCall {
   }
 
  private:
-  /// The tool of a statement: its number, and its row in the table, which differs where it has a step index.
+  /// The tool of a statement: its number, and its row in the table, which differs where it has a step index. No row:
+  /// the fraction of the number is no index.
   struct Tool {
-    double number = 0, row = 0;
+    double number = 0;
+    std::optional<double> row = 0;
     bool is_given = false;  // a number, or a name that the table may lack
     bool is_known = false;
   };
 
   void read_call(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
     i = skip(text, i);
+    const std::size_t tool_begin = i;
     const Tool tool = tool_at(b, text, i);
+    const double row = present_row(b, tool, text, tool_begin, i);
     double length = 0, radius = 0;
     bool is_rapid = false, has_delta = false;
     while ((i = skip(text, i)) < text.size()) {
@@ -87,8 +91,8 @@ struct KlartextToolCall {
     put_word(b, t_.id(), begin, begin + 9, tool.number);
     put_code(b, change_.id(0), begin, begin + 9);
     put_code(b, length_.code(0), begin, begin + 9);
-    put_word(b, length_.word(0, 'H'), begin, begin + 9, tool.row);
-    note_parameters(tool.row, radius);
+    put_word(b, length_.word(0, 'H'), begin, begin + 9, row);
+    note_parameters(row, radius);
   }
 
   /// The tool at `i`: a number, a Q parameter, or a name of the tool table.
@@ -99,7 +103,10 @@ struct KlartextToolCall {
     const Value v = values_.read(b, text, i);
     const double number = std::floor(v.number);
     Tool tool{number, number, true, true};
-    if (number != v.number) tool.row = row_of_step(b, text, i, v);
+    if (number != v.number) {
+      const auto row = step_row(v.number);
+      tool.row = row ? std::optional(static_cast<double>(*row)) : std::nullopt;
+    }
     i = v.end;
     return tool;
   }
@@ -116,14 +123,12 @@ struct KlartextToolCall {
   }
 
   /// The row of 5.1, or that of tool 5 where the table has no such row.
-  double row_of_step(ig::Block& b, std::string_view text, std::size_t i, const Value& v) const {
-    const double tool = std::floor(v.number), index = std::round((v.number - tool) * 10);
-    if (tool >= 0 && tool < IG_TOOL_INDEX_STEP && index >= 1 && index <= 9) {
-      const std::int64_t row = indexed_tool(static_cast<std::int64_t>(tool), static_cast<std::int64_t>(index));
-      if (tool_dimension(table_, row, ToolDimension::length)) return static_cast<double>(row);
-    }
-    b.report(ig::diag("HEI-0152"), ig::Where::columns(i, v.end), trim(piece(text, i, v.end)));
-    return tool;
+  double present_row(ig::Block& b, const Tool& tool, std::string_view text, std::size_t begin, std::size_t end) const {
+    if (tool.row == tool.number) return tool.number;
+    if (tool.row && tool_dimension(table_, static_cast<std::int64_t>(*tool.row), ToolDimension::length))
+      return *tool.row;
+    b.report(ig::diag("HEI-0152"), ig::Where::columns(begin, end), trim(piece(text, begin, end)));
+    return tool.number;
   }
 
   std::size_t call_word(ig::Block& b, std::string_view text, std::size_t i, double& length, double& radius,
@@ -161,20 +166,16 @@ struct KlartextToolCall {
     b.raise(delta_changed_);
   }
 
-  /// Q108 and Q114, where the table knows the tool; a tool that was never measured is 0 there.
+  /// Q108 and Q114. A tool that was never measured is 0 in the table: its parameters have no value.
   void note_parameters(double tool, double delta) const {
     QStore* const store = values_.store();
     if (store == nullptr || !table_ || !(tool >= 0 && tool < 1e9)) return;
-    const auto row = static_cast<std::int64_t>(tool);
-    const auto sum = [&](std::uint32_t column) {
-      double geometry = 0, wear = 0;
-      const bool known = table_->get(table_->self, row, column, &geometry) != 0;
-      if (table_->get(table_->self, row, column + 1, &wear) == 0) wear = 0;
-      return known && geometry + wear != 0 && std::isfinite(geometry + wear) ? std::optional(geometry + wear)
-                                                                             : std::nullopt;
+    const auto sum = [&](ToolDimension which) {
+      const double mm = tool_dimension(table_, static_cast<std::int64_t>(tool), which).value_or(0);
+      return mm != 0 && std::isfinite(mm) ? mm : QStore::undefined;
     };
-    if (const auto radius = sum(2)) store->set({QKind::q, 108}, 0, *radius + delta);
-    if (const auto length = sum(0)) store->set({QKind::q, 114}, 0, *length);
+    store->set_of_tool(QStore::radius_of_tool, sum(ToolDimension::radius) + delta);
+    store->set_of_tool(QStore::length_of_tool, sum(ToolDimension::length));
   }
 
   /// TOOL DEF 5 names a tool that the magazine may fetch; TOOL DEF 5 L+100 R+5 defines it.
@@ -197,7 +198,7 @@ struct KlartextToolCall {
       const auto where = ig::Where::columns(i, end);
       if (!v.ok) {
         b.report(ig::diag("HEI-0104"), where, std::string_view("TOOL DEF"), piece(text, i, end));
-      } else if (!define(tool.row, c == 'L' ? 0 : 2, v.number * unit_.in_mm(b))) {
+      } else if (!tool.row || !define(*tool.row, c == 'L' ? 0 : 2, v.number * unit_.in_mm(b))) {
         report_not_executed(b, text, begin, "the table of tools has no such tool");
         return;
       }

@@ -1,12 +1,13 @@
 /// A, B and C become angles of the machine before any other syntax reads them. The settable frame in force adds its
-/// offset; IC is a distance from the present angle; DC, ACP and ACN give the direction of rotation. Under G53, G153 and
-/// SUPA no offset applies; under G91 a bare word remains a distance.
+/// offset; IC is a distance from the present angle; DC, ACP and ACN give the direction of rotation. Under G153 and SUPA
+/// no offset applies, and under G53 only that of the base frame; under G91 a bare word remains a distance.
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
 #include <isogloss/cnc/work_origin.hpp>
 
 #include "five_axis/rotary_position.hpp"
+#include "frames/base_frame.hpp"
 #include "frames/settable_frames.hpp"
 #include "modes/axis_modes.hpp"
 
@@ -35,6 +36,7 @@ struct SiemensRotaryWords {
   std::array<ig::In<double>, 3> angles_{ig::In<double>{"MachineCoordinate.A"}, ig::In<double>{"MachineCoordinate.B"},
                                         ig::In<double>{"MachineCoordinate.C"}};
   ig::Codes frameless_{{"SUPA", "G53", "G153"}, ig::read | ig::write};
+  ig::Signal keeps_base_{keeps_base_signal, ig::write};
   AxisModes modes_{ig::read | ig::write};
   ig::Field<bool> aligned_{"TiltTransform.IsAligned",
                            ig::read,
@@ -57,9 +59,10 @@ struct SiemensRotaryWords {
         b.report(ig::diag("SIE-0300"), code ? ig::Where::word(frames_.id(*code)) : ig::Where::block(), b.text(id));
     }
     if (!b.has(words_[0]) && !b.has(words_[1]) && !b.has(words_[2])) return of(any);
-    const bool has_frame = !b.find(frameless_), g91 = distance_.is_incremental(b);
-    if (!has_frame) any |= name_supa(b);
-    const Angles offset = has_frame ? offset_.get(b).value : Angles{};
+    const auto frameless = b.find(frameless_);
+    const bool g91 = distance_.is_incremental(b);
+    const Angles offset = frameless ? frameless_offset(*frameless) : offset_.get(b).value;
+    if (frameless) any |= name_supa(b);
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (const auto word = b.get(words_[axis])) any |= resolve(b, axis, *word, offset[axis], g91);
     return of(any);
@@ -68,15 +71,23 @@ struct SiemensRotaryWords {
  private:
   static ig::Status of(bool changed) { return changed ? ig::Status::changed : ig::Status::unchanged; }
 
+  static constexpr std::size_t g53 = 1;
+
+  Angles frameless_offset(std::size_t code) const {
+    const auto base = code == g53 && table_ ? rotary_origin(table_, "BASE") : std::nullopt;
+    return base.value_or(Angles{});
+  }
+
   /// For the syntaxes that follow the rotary axes, G53 is the code of a Fanuc, which ends tool centre point control for
-  /// its block and has no effect under G91. Here G53 suppresses frames, as SUPA does.
+  /// its block and has no effect under G91. Here G53 suppresses frames, as SUPA does, but not the base frame.
   bool name_supa(ig::Block& b) const {
     ig_value code;
     bool is_renamed = false;
-    for (const std::size_t i : {1u, 2u}) {
+    for (const std::size_t i : {g53, std::size_t{2}}) {
       if (!b.get(frameless_.id(i), code)) continue;
       b.erase(frameless_.id(i));
       b.set(frameless_.id(0), code);
+      if (i == g53) b.raise(keeps_base_);
       is_renamed = true;
     }
     return is_renamed;
@@ -85,8 +96,8 @@ struct SiemensRotaryWords {
   /// Selects the frame; true where the offset changes.
   bool select(ig::Block& b, ig::Symbol id) const {
     Angles sum{};
-    for (const std::string_view row : {id == g500_ ? std::string_view() : b.text(id), std::string_view("BASE")}) {
-      const auto own = table_ && !row.empty() ? rotary_origin(table_, row) : std::nullopt;
+    for (const std::string_view row : {b.text(id), std::string_view("BASE")}) {
+      const auto own = table_ ? rotary_origin(table_, row) : std::nullopt;
       for (std::size_t axis = 0; own && axis < 3; ++axis) sum[axis] += (*own)[axis];
     }
     return offset_.set(b, sum);

@@ -1,6 +1,6 @@
 /// G54 to G57, G505 to G599 and G500: which settable work offset is the program's origin. The base frame of the table
-/// (BASE) acts after each of them, and under G500 alone. SiemensFrameShapeSyntax handles rotation, scale and mirror,
-/// SiemensRotaryWordsSyntax the rotary axes.
+/// (BASE) acts after each of them. The row of G500 is usually empty. SiemensFrameShapeSyntax handles rotation, scale
+/// and mirror, SiemensRotaryWordsSyntax the rotary axes.
 #include <isogloss/cnc/coordinate_offset.hpp>
 #include <isogloss/cnc/work_origin.hpp>
 #include <isogloss/sdk.hpp>
@@ -53,19 +53,19 @@ struct SiemensCoordinateOffset {
 
  private:
   void select(ig::Block& b, ig::Symbol id, ig::Where where) const {
-    const auto own = id == g500_ ? ig::Vec3{} : linear_origin(table_, b.text(id));
-    if (!own) {
+    const auto own = linear_origin(table_, b.text(id));
+    if (!own && id != g500_) {
       b.report(ig::diag("SIE-0211"), where, b.text(id));
       return;
     }
     const SettableShape base = shapes_.get("BASE");
-    const SettableShape shape = id == g500_ ? SettableShape{} : shapes_.get(b.text(id));
+    const SettableShape shape = shapes_.get(b.text(id));
     const Mat4 turn = base.matrix();
     Mat4 executed;
     if (!b.get(shape_, executed)) executed = identity_frame;
     if (product(shape.matrix(), turn) != executed) b.report(ig::diag("SIE-0390"), where, b.text(id));
     // The base frame turns the whole shift of the settable one.
-    const ig::Vec3 shift = *own + shape[ShapePart::fine];
+    const ig::Vec3 shift = own.value_or(ig::Vec3{}) + shape[ShapePart::fine];
     b.set(id_, id);
     offset_.set(b, (turn == identity_frame ? shift : mapped(turn, shift)) +
                        linear_origin(table_, "BASE").value_or(ig::Vec3{}) + base[ShapePart::fine]);

@@ -61,8 +61,7 @@ struct SiemensFrameShape {
  private:
   /// The base frame acts after the frame's own shape. True where the entry changes; a frame that only shifts has none.
   bool select(ig::Block& b, ig::Symbol id) const {
-    Mat4 m = shapes_.get("BASE").matrix();
-    if (id != g500_) m = product(shapes_.get(b.text(id)).matrix(), m);
+    const Mat4 m = product(shapes_.get(b.text(id)).matrix(), shapes_.get("BASE").matrix());
     Mat4 present = identity_frame;
     const bool is_there = b.get(frame_, present);
     if (m == present || (!is_there && m == identity_frame)) return false;

@@ -1,9 +1,11 @@
-/// G53, G153 and SUPA: for this block no frame acts on the axis words; only the tool length does, unless D0 has
-/// cancelled it. Group 1 decides how the block moves. Distances start at the present positions of the axes.
+/// G53, G153 and SUPA: for this block no frame acts on the axis words, under G53 only the base frame; the tool length
+/// does, unless D0 has cancelled it. Group 1 decides how the block moves. Distances start at the present positions of
+/// the axes.
 #include <isogloss/cnc/machine_target.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/sdk.hpp>
 
+#include "frames/base_frame.hpp"
 #include "modes/axis_modes.hpp"
 
 namespace siemens {
@@ -19,6 +21,7 @@ struct SiemensMachineCoordinates {
                                    .before("SiemensPositionSyntax", "ProgramXyzSyntax", "McXyzSyntax");
 
   ig::Codes codes_{"G53", "G153", "SUPA"};
+  ig::Signal keeps_base_{keeps_base_signal, ig::read};
   ig::Xyz words_{"Parsing", ig::take};
   AxisModes modes_{ig::read};
   ig::Xyz program_{"ProgramXyz", ig::write};
@@ -26,20 +29,27 @@ struct SiemensMachineCoordinates {
   ig::Transform tool_{"ToolHeightCompensation", ig::read}, pivot_{"PivotTransform", ig::read};
   DistanceMode distance_;
   LastProgramXyz last_;
+  BaseFrame base_;
   ig::Name ac_{"AC"}, ic_{"IC"};
 
   ig::Status build(ig::Block& b) {
-    if (!b.take(codes_)) return ig::Status::unchanged;
+    const auto code = b.take(codes_);
+    if (!code) return ig::Status::unchanged;
     const ig::PartialVec3 named = b.take(words_);
     if (named.mask == 0) return ig::Status::changed;
+    const bool keeps_base = *code == 0 || b.is_raised(keeps_base_);
+    const Mat4 base = keeps_base ? base_.get() : identity_frame;
+    const bool is_plain = base == identity_frame;
     ig::Vec3 to = machine_position(b, machine_, last_);
-    const ig::Vec3 length = tool_length(b);
+    if (!is_plain) to = unmapped(base, to);
+    const ig::Vec3 length = is_plain ? tool_length(b) : unmapped(at_origin(base, {}), tool_length(b));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!named.has(axis)) continue;
       const auto mode = modes_.get(b, axis);
       const bool is_increment = mode ? *mode == ic_ : distance_.is_incremental(b);
       to[axis] = named.value[axis] + (is_increment ? to[axis] : length[axis]);
     }
+    if (!is_plain) to = rounded(mapped(base, to));
     if (!set_machine_target(b, machine_, program_, to)) b.report(ig::diag("SIE-0212"), ig::Where::block());
     return ig::Status::changed;
   }

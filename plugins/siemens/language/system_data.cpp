@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "frames/settable_frames.hpp"
+#include "tool/edge_row.hpp"
 
 namespace siemens {
 
@@ -102,8 +103,9 @@ std::optional<std::int64_t> SystemData::offset_row(const ig::Block& b, const Nam
   if (!column_of(name)) return std::nullopt;
   if (name.base == "$P_AD") return b.get_or(row_, std::int64_t{0});
   const auto tool = name.number(0), edge = name.number(1);
-  if (name.count != 2 || !tool || !edge || *tool < 1 || *edge < 1 || *edge > 99) return std::nullopt;
-  return *tool + (*edge - 1) * edge_step;  // the numbering of SiemensToolOffsetSyntax
+  if (name.count != 2 || !tool || !edge || *tool < 1 || *edge < 1 || *edge > 99 || *tool >= IG_TOOL_INDEX_STEP)
+    return std::nullopt;
+  return edge_row(tools_, *tool, *edge, edge_step);
 }
 
 std::optional<double> SystemData::offset(const ig::Block& b, std::int64_t row,

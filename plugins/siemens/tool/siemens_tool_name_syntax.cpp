@@ -1,5 +1,5 @@
-/// T="NAME": the tool of that name in the tool table. A name that is a number is that tool's number. Where the table
-/// has no names, they are numbered in the order in which the program uses them.
+/// T="NAME": the tool of that name in the tool table. A number that no tool has as its name is a tool's number. Where
+/// the table has no names, they are numbered in the order in which the program uses them.
 #include <string>
 #include <vector>
 
@@ -35,13 +35,13 @@ struct SiemensToolName {
   ig::Status build(ig::Block& b) {
     if (!b.has(name_)) return ig::Status::unchanged;
     const std::string_view name = b.text(name_);
+    if (const auto id = table_.number(name)) {
+      b.set(t_, static_cast<double>(*id % IG_TOOL_INDEX_STEP));
+      return ig::Status::changed;
+    }
     const ig::Decimal n = ig::read_decimal(name, 0);
     if (const auto id = n.ok && n.end == name.size() ? whole_number(n.value) : std::nullopt) {
       b.set(t_, static_cast<double>(*id));
-      return ig::Status::changed;
-    }
-    if (const auto id = table_.number(name)) {
-      b.set(t_, static_cast<double>(*id % IG_TOOL_INDEX_STEP));
       return ig::Status::changed;
     }
     if (table_.has_names()) {

@@ -3,11 +3,11 @@
 #include <string>
 
 #include <isogloss/cnc/plane.hpp>
-#include <isogloss/cnc/tool_dimension.hpp>
 #include <isogloss/cnc/tool_kinematics.hpp>
-#include <isogloss/cnc/tool_names.hpp>
 #include <isogloss/cnc/whole_number.hpp>
 #include <isogloss/sdk.hpp>
+
+#include "tool/edge_row.hpp"
 
 namespace siemens {
 
@@ -91,7 +91,7 @@ struct SiemensToolOffset {
       apply(b, 0);
       return;
     }
-    const std::int64_t row = row_of(tool.value_or(0), edge);
+    const std::int64_t row = edge_row(table_, tool.value_or(0), edge, step_);
     const auto known = tool.value_or(0) != 0 ? tool_dimension(table_, row, ToolDimension::length) : std::nullopt;
     if (!known && tool.value_or(0) != 0)
       b.report(ig::diag("SIE-0233"), where, static_cast<double>(*tool), static_cast<double>(edge),
@@ -103,13 +103,6 @@ struct SiemensToolOffset {
     b.set(offset_id_, row);
     b.set(offset_, length);
     apply(b, length);
-  }
-
-  /// Row "5.2" of the table for D2 of tool 5, where there is one.
-  std::int64_t row_of(std::int64_t tool, std::int64_t edge) const {
-    const std::int64_t indexed = edge > 1 ? indexed_tool(tool, edge) : tool;
-    const bool is_there = edge > 1 && tool_dimension(table_, indexed, ToolDimension::length);
-    return is_there ? indexed : tool + (edge - 1) * step_;
   }
 
   void apply(ig::Block& b, double length) const {

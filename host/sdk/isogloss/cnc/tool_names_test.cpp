@@ -29,6 +29,7 @@ TEST_CASE("a tool is found by its name, and a table with names is told from one 
   const ToolNames names = tools.names();
   CHECK(names.number("EM10") == 7);
   CHECK_FALSE(names.number("EM11").has_value());
+  CHECK_FALSE(names.number("").has_value());
   CHECK(names.has_names());
   BlockDocument document;
   const auto none = document.create([] { return ToolNames(); });
