@@ -4,7 +4,7 @@
  * the file is of its format, and lets the surest one read it. An importer gives rows of the tables of any plugin's
  * dependencies, in their units; whatever it does not read it names, so that nothing is lost in silence.
  *
- *   Text      UTF-8. Of a file in another code the host makes UTF-8 (a byte order mark tells UTF-16; else Latin-1).
+ *   Text      UTF-8, also of a file in UTF-16 or Latin-1, and without the NUL, DC1 to DC4 and 1A of a serial line.
  *   Places    Byte offsets into that text. The host shows line and column.
  *   Threads   Importers have no state: their functions may be called on any thread.
  */

@@ -1,10 +1,10 @@
 // A table of tools as comma-separated values, as spreadsheets and CAM systems write it: the first line names the
 // columns.
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <vector>
 
+#include <isogloss/cnc/file_length.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -123,8 +123,8 @@ struct CsvTools {
       return file.report(ig::diag("TAB-0106"), field.begin, field.end, field.text, head.title);
     const bool is_diameter = head.target == CsvTarget::diameter || head.target == CsvTarget::diameter_wear;
     const bool is_inch = head.is_inch.value_or(unit == LengthUnit::inch);
-    file.cell(csv_column(head.target), n.value * (is_inch ? ig::cnc::mm_per_inch : 1) / (is_diameter ? 2 : 1),
-              field.begin);
+    file.cell(csv_column(head.target),
+              ig::cnc::length_in_mm(n.value, is_inch ? ig::cnc::mm_per_inch : 1) / (is_diameter ? 2 : 1), field.begin);
   }
 
   // ---- writing
@@ -133,11 +133,7 @@ struct CsvTools {
     const ig::Decimal n = ig::read_decimal(cell, 0);
     if (!n.ok || n.end != cell.size()) return {};
     if (unit == LengthUnit::mm) return std::string(cell);
-    constexpr double steps = 1e9;
-    const double inches = std::round(n.value / ig::cnc::mm_per_inch * steps) / steps;
-    std::array<char, 400> digits;
-    return {digits.data(),
-            std::to_chars(digits.data(), digits.data() + digits.size(), inches, std::chars_format::fixed).ptr};
+    return ig::cnc::fixed_text(ig::cnc::length_in_unit(n.value, ig::cnc::mm_per_inch));
   }
   static std::string quoted(std::string_view name) {
     if (name.find_first_of(",;\"\t") == std::string_view::npos) return std::string(name);

@@ -1,9 +1,12 @@
 // A tool library that Fusion exports as JSON. The lengths are those of the CAM system: a library that was not measured
 // holds stick-outs, which are no tool lengths.
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
 
+#include <isogloss/cnc/file_length.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/cnc/whole_number.hpp>
 #include <isogloss/sdk.hpp>
@@ -129,9 +132,11 @@ struct FusionToolLibrary {
     if (length == nullptr)
       file.unused("tool without assemblyGaugeLength", "its length is not known", tool.begin, tool.end);
     else
-      put(file, table, {length_row, "H", length->number * mm, &tool});
+      put(file, table, {length_row, "H", ig::cnc::length_in_mm(length->number, mm), &tool});
     if (const std::optional<double> diameter = diameter_of(tool, mm))
       put(file, table, {radius_row, "D", *diameter / 2, &tool});
+    else
+      file.unused("tool without DC", "its radius is not known", tool.begin, tool.end);
     read_rest(file, tool);
   }
   static void put(ig::Import& file, ToolRows& table, const Cell& cell) {
@@ -142,16 +147,17 @@ struct FusionToolLibrary {
 
   /// In mm. The number of the geometry, else the text of an expression such as "10 mm".
   static std::optional<double> diameter_of(const JsonValue& tool, double mm) {
-    if (const JsonValue* const diameter = number_of(tool.find("geometry"), "DC")) return diameter->number * mm;
+    if (const JsonValue* const diameter = number_of(tool.find("geometry"), "DC"))
+      return ig::cnc::length_in_mm(diameter->number, mm);
     const JsonValue* const expressions = tool.find("expressions");
     const std::string text = expressions == nullptr ? std::string() : text_of(*expressions, "tool_diameter");
     const ig::Decimal n = ig::read_decimal(text, 0);
     const std::size_t behind = n.ok ? text.find_first_not_of(' ', n.end) : 0;
     if (!n.ok) return std::nullopt;
-    if (behind == std::string::npos) return n.value * mm;
+    if (behind == std::string::npos) return ig::cnc::length_in_mm(n.value, mm);
     const std::string_view written = std::string_view(text).substr(behind);
     if (written == "mm") return n.value;
-    return written == "in" ? std::optional(n.value * ig::cnc::mm_per_inch) : std::nullopt;
+    return written == "in" ? std::optional(ig::cnc::length_in_mm(n.value, ig::cnc::mm_per_inch)) : std::nullopt;
   }
 
   static std::string short_text(double value) {
@@ -160,13 +166,13 @@ struct FusionToolLibrary {
   }
 
   static void read_rest(ig::Import& file, const JsonValue& tool) {
+    static constexpr std::array read{"DC", "assemblyGaugeLength", "number", "length-offset", "diameter-offset"};
     for (const auto& [name, value] : tool.members) {
-      if (name == "geometry")
+      if (name == "geometry" || name == "post-process")
         for (const auto& [key, inner] : value.members) {
-          if (key != "DC" && key != "assemblyGaugeLength") unused(file, "geometry " + key, inner);
+          if (std::find(read.begin(), read.end(), key) == read.end()) unused(file, name + ' ' + key, inner);
         }
-      else if (name != "post-process" && name != "description" && name != "unit" && name != "expressions" &&
-               name != "assemblyGaugeLength")
+      else if (name != "description" && name != "unit" && name != "expressions" && name != "assemblyGaugeLength")
         unused(file, "key " + name, value);
     }
   }

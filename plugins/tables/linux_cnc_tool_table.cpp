@@ -1,6 +1,8 @@
 // tool.tbl of LinuxCNC: a tool a line, words in any order, a comment behind ';'. LinuxCNC manual, "Tool table format".
+#include <array>
 #include <cmath>
 
+#include <isogloss/cnc/file_length.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -32,7 +34,8 @@ struct LinuxCncToolTable {
     for (const ig::TextLine& line : ig::TextLines(text)) {
       const std::string_view code = before_comment(line.text);
       if (code.empty()) continue;
-      if (code[0] != 'T' || code.find(" P") == std::string_view::npos) return 0;
+      if (code[0] != 'T' && code[0] != 'P') return 0;
+      if (code.find(code[0] == 'T' ? " P" : " T") == std::string_view::npos) return 0;
       if (++tools == 10) break;
     }
     return tools > 0 ? 80 : 0;
@@ -61,7 +64,6 @@ struct LinuxCncToolTable {
   void read_tool(ig::Import& file, ToolRows& rows, const ig::TextLine& line, std::string_view code) const {
     const std::size_t offset = line.begin + static_cast<std::size_t>(code.data() - line.text.data());
     std::vector<Word> words;
-    const Word* tool = nullptr;
     for (std::size_t i = 0; (i = code.find_first_not_of(blanks, i)) != std::string_view::npos;) {
       const std::size_t end = std::min(code.find_first_of(blanks, i), code.size());
       const ig::Decimal n = ig::read_decimal(code, i + 1);
@@ -71,8 +73,9 @@ struct LinuxCncToolTable {
         file.report(ig::diag("TAB-0101"), offset + i, offset + end, code.substr(i, end - i));
       i = end;
     }
-    for (const Word& w : words)
-      if (w.letter == 'T') tool = &w;
+    std::array<const Word*, 256> last{};
+    for (const Word& w : words) last[static_cast<unsigned char>(w.letter)] = &w;
+    const Word* const tool = last['T'];
     if (tool == nullptr) return file.report(ig::diag("TAB-0102"), offset, offset + code.size());
     if (tool->value == 0) return file.unused("tool T0", "it stands for no tool", tool->begin, tool->end);
     const std::string key = ToolRows::key_of(code.substr(tool->begin - offset, tool->end - tool->begin));
@@ -80,16 +83,20 @@ struct LinuxCncToolTable {
       return file.report(ig::diag("TAB-0104"), tool->begin, tool->end,
                          code.substr(tool->begin - offset + 1, tool->end - tool->begin - 1));
     rows.begin(key, tool->begin, tool->end);
-    for (const Word& w : words) read_word(file, w);
+    for (const Word& w : words)
+      if (last[static_cast<unsigned char>(w.letter)] == &w)
+        read_word(file, w);
+      else
+        file.unused(std::string("word ") + w.letter, "the line has a later one, which is read", w.begin, w.end);
     read_comment(file, line);
   }
 
   void read_word(ig::Import& file, const Word& w) const {
-    const double mm = unit == Unit::inch ? mm_per_inch : 1;
+    const double mm = length_in_mm(w.value, unit == Unit::inch ? mm_per_inch : 1);
     switch (w.letter) {
       case 'T': return;
-      case 'Z': return file.cell("H", w.value * mm, w.begin);
-      case 'D': return file.cell("D", w.value * mm / 2, w.begin);
+      case 'Z': return file.cell("H", mm, w.begin);
+      case 'D': return file.cell("D", mm / 2, w.begin);
       default: file.unused(std::string("word ") + w.letter, "no table has a place for it", w.begin, w.end);
     }
   }

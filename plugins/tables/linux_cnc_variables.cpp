@@ -2,6 +2,7 @@
 // "Numbered parameters".
 #include <cmath>
 
+#include <isogloss/cnc/file_length.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/cnc/whole_number.hpp>
 #include <isogloss/sdk.hpp>
@@ -24,14 +25,18 @@ struct LinuxCncVariables {
   ig::Choice<LengthUnit> unit{"unit", "mm|inch", "mm", "The unit of the machine, LINEAR_UNITS in its INI file."};
 
   static unsigned recognise(std::string_view text, std::string_view) {
-    unsigned entries = 0, offsets = 0;
+    unsigned entries = 0, offsets = 0, damaged = 0;
     for (const ig::TextLine& line : ig::TextLines(text)) {
       if (line.text.find_first_not_of(" \t") == std::string_view::npos) continue;
       const std::optional<Entry> entry = read_line(line);
-      if (!entry) return 0;
+      if (!entry) {
+        ++damaged;
+        continue;
+      }
       offsets += entry->number >= g28 && entry->number < first_offset + 9 * offset_step ? 1 : 0;
       if (++entries == 100) break;
     }
+    if (damaged * 10 > entries) return 0;
     return offsets > 4 ? 90 : offsets > 0 ? 50 : 0;
   }
 
@@ -98,7 +103,8 @@ struct LinuxCncVariables {
     if (place > rotation) return unused("state of the control");
     if (place >= columns.size()) return unused("work offset of U, V or W");
     const bool is_length = place < 3;
-    const double value = e.value * (is_length && unit == LengthUnit::inch ? ig::cnc::mm_per_inch : 1);
+    const double value =
+        ig::cnc::length_in_mm(e.value, is_length && unit == LengthUnit::inch ? ig::cnc::mm_per_inch : 1);
     if (std::abs(value) > largest)
       return file.report(ig::diag("TAB-0111"), e.begin, e.end, static_cast<double>(e.number));
     file.row("IsoCoordinateTable", ids[id], e.begin);

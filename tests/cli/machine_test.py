@@ -7,6 +7,7 @@ import argparse
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -195,6 +196,43 @@ class Machines(unittest.TestCase):
                                 ([table, "--set", "unit=foot"], "IG-0205")):
             self.assertIn(f"[{code}]", self.run_it("import", *arguments, status=1).stderr)
         self.run_it("import", status=2)
+
+    def test_the_content_of_a_file_tells_its_format(self):
+        source = pathlib.Path(__file__).parents[2]
+        pages = [(page, page.read_text()) for page in sorted((source / "plugins").rglob("*.md"))]
+        examples = [(page, example) for page, text in pages
+                    if (example := re.search(r"^#File: (\S+)\n+```\n(.*?)^```", text, re.S | re.M))
+                    and not page.name.endswith(".cases.md")]
+        self.assertGreaterEqual(len(examples), 13)
+        for page, example in examples:
+            name = "".join(part.capitalize() for part in page.stem.split("_"))
+            file = self.write(f"{page.stem}/{example[1]}", example[2])
+            known, named = self.run_it("import", file), self.run_it("import", file, "--format", name)
+            self.assertEqual((known.stdout, known.stderr), (named.stdout, named.stderr), page)
+
+    def test_no_program_is_taken_for_a_table(self):
+        for name, program in {
+                "calls": "%\nN0010 M98 P1000\nN0020 M5\nN0030 M30\n%\n", "speed": "N0010 S100 M3\nN0020 M5\n",
+                "numbers": "%\nO1000\nN10\nN20\nM30\n%\n", "macro": "O9000\n#500=1\nM6\nM30\n",
+                "tool": "T1 P1 M6\nG0 X1\n", "offset": "G10 L2 P1 X0\nG0 X1\nM30\n",
+                "tool.t": "0 BEGIN PGM A MM\n1 L X+0\n", "local.mpf": "DEF REAL X=5\nR1=5\nG0 X1\nM30\n",
+                "edge.mpf": "$TC_DP3[1,1]=5\nT1 D1\nG0 X0\nM30\n"}.items():
+            self.write(f"programs/{name}", program)
+        for folder in ("programs", pathlib.Path(__file__).parents[1] / "programs"):
+            done = self.run_it("import", folder)
+            self.assertIn("0 rows of 0 tables", done.stderr)
+            self.assertEqual([line for line in done.stderr.splitlines() if "IG-0125" in line], [])
+
+    def test_codes_of_a_serial_line_change_nothing(self):
+        def rows(data):
+            (self.path / "offsets.txt").write_bytes(data)
+            done = self.run_it("import", "offsets.txt")
+            return done.stdout, done.stderr
+
+        plain = b"%\nG10L10P1R98.2\nG10L12P1R5.Y1.\n%\n"
+        for data in (b"\0\0\x12" + plain + b"\x14\0\x1a", plain.replace(b"\n", b"\r\r\n"),
+                     plain.replace(b"\n", b"\x13\x11\n\0\0")):
+            self.assertEqual(rows(data), rows(plain))
 
     def test_new_machine_runs_from_a_backup(self):
         self.write("tool.tbl", TOOLS)

@@ -1,7 +1,9 @@
 #include "import/control_text.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <string_view>
+#include <utility>
 
 #include "export/text_buffer.hpp"
 
@@ -52,15 +54,35 @@ std::string from_latin1(std::string_view bytes) {
   return out;
 }
 
+/// Without the codes of tape punches and serial lines: DC1 to DC4 and DEL, NUL and a doubled CR at the ends of lines,
+/// and the byte 1A at the end of the file.
+std::string without_line_codes(std::string bytes) {
+  std::erase_if(bytes, [](char c) { return (c >= '\x11' && c <= '\x14') || c == '\x7f'; });
+  const auto is_line_end = [](char c) { return c == '\r' || c == '\n'; };
+  std::string out;
+  out.reserve(bytes.size());
+  for (std::size_t i = 0, next = 0; i < bytes.size(); i = next) {
+    const char c = bytes[i];
+    next = c == '\0' || c == '\r' ? std::min(bytes.find_first_not_of(c, i), bytes.size()) : i + 1;
+    const bool is_at_end = next == bytes.size() || is_line_end(bytes[next]);
+    if (c == '\0' && (out.empty() || is_line_end(out.back()) || is_at_end)) continue;
+    const bool is_doubled = c == '\r' && next < bytes.size() && bytes[next] == '\n';
+    out.append(is_doubled ? 1 : next - i, c);
+  }
+  const std::size_t end_of_data = out.find_last_not_of("\x1a\r\n \t") + 1;
+  out.resize(std::min(out.find('\x1a', end_of_data), out.size()));
+  return out;
+}
+
 }  // namespace
 
 std::optional<std::string> text_of_control(std::string bytes, std::string& reason) {
   const std::string_view all = bytes;
   if (all.starts_with("\xff\xfe") || all.starts_with("\xfe\xff")) bytes = from_utf16(all, all[0] == '\xff');
+  bytes = without_line_codes(std::move(bytes));
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.erase(0, 3);
-  while (!bytes.empty() && bytes.back() == '\0') bytes.pop_back();
   if (bytes.find('\0') != std::string::npos) {
-    reason = "it is no text: it holds NUL bytes";
+    reason = "it is no text, since it holds NUL bytes: let the control write it as text";
     return std::nullopt;
   }
   if (valid_utf8(bytes) != bytes) bytes = from_latin1(bytes);

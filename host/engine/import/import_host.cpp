@@ -27,22 +27,23 @@ const OptionValue& option_of(const std::vector<OptionValue>& options, std::uint3
 
 // ---- places
 
-/// Line and column, from 1, of a byte of the text. Lines end in LF, CR LF or CR.
+/// Where each line begins. Lines end in LF, CR LF or CR.
+std::vector<std::size_t> line_begins(std::string_view text) {
+  std::vector<std::size_t> out{0};
+  for (std::size_t i = 0; (i = text.find_first_of("\r\n", i)) != std::string_view::npos;) {
+    i += text.substr(i).starts_with("\r\n") ? 2 : 1;
+    out.push_back(i);
+  }
+  return out;
+}
+
+/// Line and column, from 1, of a byte of the text. An importer may sort its rows, so places come in any order.
 Location place_of(ig_import& in, std::size_t position) {
   position = std::min(position, in.text.size());
-  if (position < in.looked && position >= in.line_begin) in.looked = in.line_begin;
-  if (position < in.looked) {
-    in.looked = in.line_begin = 0;
-    in.line = 1;
-  }
-  for (; in.looked < position; ++in.looked) {
-    const char c = in.text[in.looked];
-    const bool is_end = c == '\n' || (c == '\r' && (in.looked + 1 == in.text.size() || in.text[in.looked + 1] != '\n'));
-    if (!is_end) continue;
-    ++in.line;
-    in.line_begin = in.looked + 1;
-  }
-  return {in.asked.file.string(), in.line, static_cast<std::uint32_t>(position - in.line_begin) + 1};
+  if (in.line_begins.empty()) in.line_begins = line_begins(in.text);
+  const auto next = std::upper_bound(in.line_begins.begin(), in.line_begins.end(), position);
+  return {in.asked.file.string(), static_cast<std::uint32_t>(next - in.line_begins.begin()),
+          static_cast<std::uint32_t>(position - *(next - 1)) + 1};
 }
 
 void violate(ig_import& in, std::string what) {

@@ -26,9 +26,7 @@ struct ig_import {
   std::string failure;
   bool is_sound = true;
   std::size_t cells = 0;
-  // Places come mostly in order: the last one that was looked up.
-  std::size_t looked = 0, line_begin = 0;
-  std::uint32_t line = 1;
+  std::vector<std::size_t> line_begins{};  // of all lines, found with the first place
 };
 
 struct ig_export {

@@ -33,7 +33,10 @@ struct FanucMacroVariables {
     for (const ig::TextLine& line : ig::TextLines(whole_lines(text))) {
       const Entry entry = read_line(line);
       if (entry.kind == Kind::other) return 0;
-      if (entry.kind != Kind::variable) continue;
+      // N10 alone is a vacant variable, or a sequence number.
+      const bool is_open =
+          entry.is_listed && entry.value.empty() && line.text.find_first_of("#=") == std::string_view::npos;
+      if (entry.kind != Kind::variable || is_open) continue;
       if (++values == 1) sure = entry.is_listed ? (line.text.find('#') < 4 ? 70 : 50) : 90;
       if (entry.is_listed && !is_vacant(entry.value) && !number_in(entry.value)) return 0;
     }
@@ -105,10 +108,7 @@ struct FanucMacroVariables {
     entry.kind = Kind::other;
     if (!block.is_sound()) return entry;
     if (!block.has('G', 10)) {
-      const auto is_frame = [](const PunchedWord& w) {
-        return w.letter == 'O' || w.letter == 'M' || (w.letter == 'G' && w.number.value >= 90);
-      };
-      if (std::all_of(block.words().begin(), block.words().end(), is_frame)) entry.kind = Kind::frame;
+      if (block.is_frame()) entry.kind = Kind::frame;
       return entry;
     }
     if (!block.has('L', 85)) {

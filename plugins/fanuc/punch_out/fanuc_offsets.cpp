@@ -54,7 +54,7 @@ struct FanucOffsets {
       if (block.is_empty()) continue;
       if (!block.is_sound()) return 0;
       const bool is_offset = block.has('G', 10) && (l_of(block) == 0 ? block.find('R') != nullptr : l_of(block) != 85);
-      if (!is_offset && !is_frame(block)) return 0;
+      if (!is_offset && !block.is_frame()) return 0;
       offsets += is_offset ? 1 : 0;
     }
     return offsets > 0 ? 80 : 0;
@@ -103,14 +103,6 @@ struct FanucOffsets {
     const PunchedWord* const l = block.find('L');
     return l == nullptr ? 0 : l->whole().value_or(0);
   }
-  /// Blocks beside the G10 of a file that a control puts out.
-  static bool is_frame(const PunchedBlock& block) {
-    return std::all_of(block.words().begin(), block.words().end(), [](const PunchedWord& w) {
-      const double n = w.number.value;
-      return w.letter == 'O' || w.letter == 'N' || (w.letter == 'M' && (n == 2 || n == 30 || n == 99)) ||
-             (w.letter == 'G' && (n == 10 || n == 11 || n == 20 || n == 21 || n == 90 || n == 91));
-    });
-  }
 
   /// A control with memory A writes neither lengths nor radii of their own; one with B writes no radii.
   void find_memory(State& state) const {
@@ -139,7 +131,7 @@ struct FanucOffsets {
     };
     if (!block.has('G', 10)) {
       if (state.is_block_list) return unused("block of a list up to G11", "no table has a place for it");
-      if (!is_frame(block)) unused("block without G10", "blocks of a program are not executed");
+      if (!block.is_frame()) unused("block without G10", "blocks of a program are not executed");
       return;
     }
     const std::int64_t l = l_of(block);
@@ -173,6 +165,9 @@ struct FanucOffsets {
     const PunchedWord *const p = block.find('P'), *const r = block.find('R');
     if (r == nullptr || block.find('X') != nullptr || block.find('Z') != nullptr)
       return state.file.unused("tool offset of a lathe", "no table has a place for it", block.begin(), block.end());
+    for (const PunchedWord& w : block.words())
+      if (std::string_view("GLPRN").find(w.letter) == std::string_view::npos || (w.letter == 'R' && &w != r))
+        state.file.unused(std::string("word ") + w.letter, "no table has a place for it", w.begin, w.end);
     const std::int64_t row = p == nullptr ? 0 : p->whole().value_or(0);
     if (row < 1 || row > most_offsets) return state.file.report(ig::diag("FAN-0231"), block.begin(), block.end());
     state.highest = std::max(state.highest, row);

@@ -77,18 +77,17 @@ struct FanucParameters {
   };
   struct Value {
     char kind = 'P';
-    std::int64_t axis = 0, path = 0, spindle = 0;  // 0: of none
+    std::int64_t axis = 0, path = 0, spindle = 0, group = 0;  // 0: of none
     const PunchedWord* word = nullptr;
   };
 
-  /// N with four or five digits, perhaps Q, then values.
+  /// N with four or five digits, perhaps Q, then values. Without Q only P is a value: N0010 M5 is a block of a program.
   static bool is_parameter(const PunchedBlock& block) {
     const std::vector<PunchedWord>& words = block.words();
     if (!block.is_sound() || words.size() < 2 || words[0].letter != 'N') return false;
     if (words[0].digits.size() < 4 || words[0].digits.size() > 5 || words[0].number.has_point) return false;
-    const auto is_value = [](const PunchedWord& w) {
-      return std::string_view("PMI").find(w.letter) != std::string_view::npos;
-    };
+    const std::string_view values = words[1].letter == 'Q' ? "PMI" : "P";
+    const auto is_value = [&](const PunchedWord& w) { return values.find(w.letter) != std::string_view::npos; };
     const auto is_known = [&](const PunchedWord& w) {
       return is_value(w) || std::string_view("QALST").find(w.letter) != std::string_view::npos;
     };
@@ -105,6 +104,7 @@ struct FanucParameters {
         case 'A': value.axis = n; break;
         case 'L': value.path = n; break;
         case 'S': value.spindle = n; break;
+        case 'T': value.group = n; break;
         case 'P':
         case 'M':
         case 'I':
@@ -135,7 +135,7 @@ struct FanucParameters {
       const std::int64_t number = block.words()[0].whole().value_or(-1);
       if (number != 0 && number != 1001 && number != 1013 && number != 1020) continue;
       for_values(block, [&](const Value& v) {
-        if (!is_of_path(v) && number != 1020) return;
+        if ((!is_of_path(v) || v.group > 1) && number != 1020) return;
         const unsigned bits = bits_of(v.word->digits).value_or(0);
         if (number == 0) out.input_is_inch = (bits & 4u) != 0;
         if (number == 1001) out.machine_is_inch = (bits & 1u) != 0;
@@ -167,10 +167,14 @@ struct FanucParameters {
     if (block.has('Q', 0)) return file.unused("pitch error data (Q0)", no_place, block.begin(), block.end());
     if (is_settled_here(number)) return;
     if (known == nullptr) return file.unused("parameter", "no syntax uses it", block.begin(), block.end());
+    for (const PunchedWord& w : block.words())
+      if (std::string_view("NQALSTPMI").find(w.letter) == std::string_view::npos)
+        file.unused(std::string("word ") + w.letter, no_place, w.begin, w.end);
     for_values(block, [&](const Value& v) {
       const std::size_t begin = v.word->begin, end = v.word->end;
       if (!is_of_path(v)) return file.unused("value of another path", "option path names the path", begin, end);
       if (v.spindle > 1) return file.unused("value of another spindle", no_place, begin, end);
+      if (v.group > 1) return file.unused("value of another machine group", no_place, begin, end);
       const auto axis = machine.letters.find(v.axis);
       const char letter = axis == machine.letters.end() ? '?' : axis->second;
       if (known->has_axes && v.axis == 0) return file.unused("value without an axis", no_place, begin, end);
@@ -215,7 +219,8 @@ struct FanucParameters {
       // Without a point 1 mm/min, 0.1 inch/min or 1 degree/min.
       case ParameterKind::rate:
         if (is_rotary(letter)) return n.value;
-        return n.value * (is_inch ? mm_per_inch : 1) / (is_inch && value.kind == 'P' && !n.has_point ? 10 : 1);
+        return length_in_mm(n.value, is_inch ? mm_per_inch : 1) /
+               (is_inch && value.kind == 'P' && !n.has_point ? 10 : 1);
     }
     return std::nullopt;
   }

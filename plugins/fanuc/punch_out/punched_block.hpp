@@ -3,14 +3,13 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <isogloss/cnc/file_length.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/cnc/whole_number.hpp>
 #include <isogloss/sdk.hpp>
@@ -82,12 +81,19 @@ class PunchedBlock {
   bool has(char letter, double value) const {
     return std::any_of(words_.begin(), words_.end(), [&](const PunchedWord& w) { return w.is(letter, value); });
   }
+  /// True for blocks beside the data of a file that a control puts out.
+  bool is_frame() const {
+    return std::all_of(words_.begin(), words_.end(), [](const PunchedWord& w) {
+      const double n = w.number.value;
+      return w.letter == 'O' || w.letter == 'N' || (w.letter == 'M' && (n == 2 || n == 30 || n == 99)) ||
+             (w.letter == 'G' && (n == 10 || n == 11 || n == 20 || n == 21 || n == 90 || n == 91));
+    });
+  }
   void report_fault(ig::Import& file) const {
     file.report(ig::diag("FAN-0230"), fault_begin_, fault_begin_ + fault_.size(), fault_);
   }
 
-  /// Line ends of serial receivers, codes of the punch and the mark of the end of the tape are padding.
-  static constexpr std::string_view padding = " \t;$%\x11\x12\x13\x14\x1a\x7f";
+  static constexpr std::string_view padding = " \t;$%";
   static bool is_padding(char c) { return padding.find(c) != std::string_view::npos; }
 
  private:
@@ -119,7 +125,7 @@ struct PunchedUnit {
 
   double mm(const ig::Decimal& n) const {
     const double in_unit = n.has_point || !counts_increments ? n.value : n.value / counts_per_mm / (is_inch ? 10 : 1);
-    return in_unit * (is_inch ? ig::cnc::mm_per_inch : 1);
+    return ig::cnc::length_in_mm(in_unit, is_inch ? ig::cnc::mm_per_inch : 1);
   }
   double degrees(const ig::Decimal& n) const {
     return n.has_point || !counts_increments ? n.value : n.value / counts_per_mm;
@@ -140,9 +146,7 @@ inline bool is_rotary(char axis) { return axis >= 'A' && axis <= 'C'; }
 
 /// A number as a control writes it: "12.5", "-3.".
 inline std::string punched_number(double value) {
-  std::array<char, 400> digits;
-  std::string out(digits.data(),
-                  std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed).ptr);
+  std::string out = ig::cnc::fixed_text(value);
   if (out.find('.') == std::string::npos) out += '.';
   return out;
 }

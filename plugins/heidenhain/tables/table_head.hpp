@@ -15,7 +15,7 @@ enum class TableKind { unknown, tools, presets, datums, points, pockets, pallets
 /// Of option `unit`, and of a table's first line.
 enum class TableUnit { as_written, mm, inch };
 
-/// Without blanks at its ends, and without what serial lines leave there: DC1 to DC4, and the byte 1A.
+/// Without blanks and control characters at its ends.
 std::string_view without_blanks(std::string_view text);
 /// The position in the line that `count` characters of UTF-8 follow from another one.
 std::size_t after_characters(std::string_view line, std::size_t position, std::size_t count);

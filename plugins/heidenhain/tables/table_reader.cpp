@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <isogloss/cnc/file_length.hpp>
 #include <isogloss/cnc/scan.hpp>
 #include <isogloss/cnc/units.hpp>
 
@@ -15,7 +16,6 @@ namespace {
 constexpr std::size_t longest_number = 64, longest_shown = 40;
 // Far beyond any machine, and within what the columns of all tables take.
 constexpr double largest_number = 1e8;
-constexpr double smallest_parts = 1e9;
 
 bool begins_number(char c) { return is_digit(c) || c == '.' || c == ',' || c == '+' || c == '-'; }
 bool continues_number(char c) { return is_digit(c) || c == '.' || c == ','; }
@@ -169,10 +169,7 @@ std::optional<double> TableReader::number(const TableCell& cell, std::string_vie
   return std::nullopt;
 }
 
-double TableReader::in_mm(double length) const {
-  // Three inches are 76.2 mm and not 76.19999999999999.
-  return mm_ == 1 ? length : std::round(length * mm_ * smallest_parts) / smallest_parts;
-}
+double TableReader::in_mm(double length) const { return length_in_mm(length, mm_); }
 
 void TableReader::unused(const TableCell& cell, std::string_view why) const {
   const auto is_filling = [](char c) { return c == '0' || c == '+' || c == '-' || c == '.' || c == ',' || c == '%'; };

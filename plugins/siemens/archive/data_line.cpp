@@ -21,11 +21,11 @@ std::string_view without_control_characters(std::string_view t) {
   return t;
 }
 
-/// A checksum is an apostrophe and hexadecimal digits at the end, behind a blank.
+/// A checksum is an apostrophe and hexadecimal digits at the end. That of a text such as 'H2F' ends it, and is none.
 std::string_view without_checksum(std::string_view t) {
   std::size_t i = t.size();
   while (i > 0 && is_hex(t[i - 1])) --i;
-  if (i == t.size() || t.size() - i > 8 || i < 2 || t[i - 1] != '\'' || !is_blank(t[i - 2])) return t;
+  if (i == t.size() || t.size() - i > 8 || i < 2 || t[i - 1] != '\'') return t;
   return trim(t.substr(0, i - 1));
 }
 

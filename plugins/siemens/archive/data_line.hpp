@@ -21,7 +21,7 @@ inline std::size_t place_in(const ig::Import& file, std::string_view part) {
   return static_cast<std::size_t>(part.data() - file.text().data());
 }
 
-/// A line without block number, comment and checksum. Transmission leaves NUL and other control characters at its ends.
+/// A line without block number, comment and checksum, nor control characters at its ends.
 std::string_view code_of(std::string_view line);
 
 /// For messages: short, without control characters.

@@ -4,9 +4,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <isogloss/cnc/file_length.hpp>
+
 #include "frames/settable_frames.hpp"
 
 namespace siemens {
+
+using namespace ig::cnc;
 
 namespace {
 
@@ -211,8 +215,8 @@ void FrameRows::give_row(ig::Import& file, const std::string& row, const Frame& 
       if (part.is_coarse_given || part.fine != 0) cells[letter] = part.shift();
       continue;
     }
-    if (part.is_coarse_given) cells[letter] = part.coarse * mm;
-    if (part.fine != 0) cells["F" + letter] = part.fine * mm;
+    if (part.is_coarse_given) cells[letter] = length_in_mm(part.coarse, mm);
+    if (part.fine != 0) cells["F" + letter] = length_in_mm(part.fine, mm);
     if (part.rotation != 0) cells["R" + letter] = part.rotation;
     if (part.scale != 1) cells["S" + letter] = part.scale;
     if (part.is_mirrored) cells["M" + letter] = 1;

@@ -1,7 +1,7 @@
 // Text archives of active data: tool offsets (TOA), settable frames (UFR), R parameters (RPA), values of global user
 // data (GUD), alone or together. Binary archives (.ARC that begin with @@MMC) have no published form.
-#include <charconv>
 
+#include <isogloss/cnc/file_length.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -16,10 +16,7 @@ namespace {
 
 enum class ArchiveUnit { file, mm, inch };
 
-bool is_binary(std::string_view text) {
-  const std::size_t first = text.find_first_not_of('\0');
-  return first != std::string_view::npos && text.substr(first).starts_with("@@MMC");
-}
+bool is_binary(std::string_view text) { return text.starts_with("@@MMC"); }
 
 /// A file of the archive that write() makes; its head is written with the first line.
 class WrittenFile {
@@ -45,9 +42,7 @@ class WrittenFile {
 /// The number of a cell, in `unit`; empty where there is none.
 std::string written(std::string_view cell, double unit) {
   const std::optional<double> n = number_of(cell);
-  if (!n) return "";
-  std::array<char, 400> out;  // the longest double without an exponent
-  return {out.data(), std::to_chars(out.data(), out.data() + out.size(), *n / unit, std::chars_format::fixed).ptr};
+  return n ? fixed_text(length_in_unit(*n, unit)) : "";
 }
 
 struct SiemensArchive {

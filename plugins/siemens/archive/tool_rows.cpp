@@ -5,7 +5,11 @@
 #include <cmath>
 #include <set>
 
+#include <isogloss/cnc/file_length.hpp>
+
 namespace siemens {
+
+using namespace ig::cnc;
 
 namespace {
 
@@ -103,14 +107,15 @@ void ToolRows::give(ig::Import& file, double mm, std::int64_t edge_step) const {
     }
     file.row("ToolOffsetTable", row, e.begin);
     if (!e.is_turning_tool()) {
-      if (e.length || e.adapter) file.cell("H", (e.length.value_or(0) + e.adapter.value_or(0)) * mm, e.begin);
-      if (e.length_wear) file.cell("HWear", *e.length_wear * mm, e.begin);
+      if (e.length || e.adapter)
+        file.cell("H", length_in_mm(e.length.value_or(0) + e.adapter.value_or(0), mm), e.begin);
+      if (e.length_wear) file.cell("HWear", length_in_mm(*e.length_wear, mm), e.begin);
     } else if (!is_turning_reported) {
       is_turning_reported = true;
       file.report(ig::diag("SIE-0348"), e.begin, e.end, static_cast<double>(tool), e.type);
     }
-    if (e.radius) file.cell("D", *e.radius * e.radius_of_entry() * mm, e.begin);
-    if (e.radius_wear) file.cell("DWear", *e.radius_wear * e.radius_of_entry() * mm, e.begin);
+    if (e.radius) file.cell("D", length_in_mm(*e.radius, mm) * e.radius_of_entry(), e.begin);
+    if (e.radius_wear) file.cell("DWear", length_in_mm(*e.radius_wear, mm) * e.radius_of_entry(), e.begin);
     if (!e.name.empty()) file.cell("Name", e.name, e.begin);
   }
 }
