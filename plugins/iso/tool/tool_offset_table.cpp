@@ -1,10 +1,15 @@
 // The tool offsets: length (H) and radius (D) of each offset number, as geometry and wear. H and D share one row; the
 // row is the offset number that a program gives with H and D, not the number of the tool in the magazine. A row 5.1 has
 // the further length and radius that tool 5 has with index 1.
-#include <charconv>
-
 #include <isogloss_tool.h>
 
+#include <algorithm>
+#include <charconv>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <isogloss/cnc/scan.hpp>
 #include <isogloss/rows.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -29,6 +34,18 @@ struct ToolOffsetTable {
   ig::Column name{"Name", nullptr, "", {}, "What a program calls the tool; sister tools have one name.", true};
   ig::Table table;
   ig::RowNames rows;
+
+  ToolOffsetTable() {
+    for (const std::string& row : rows) {
+      const std::optional<std::int64_t> id = number_of(row);
+      if (!id || !has(*id)) continue;
+      place.emplace(*id, place.size());
+      const std::string_view written = table.text(row, name);
+      if (written.empty()) continue;
+      by_name[capitals(written)].push_back(*id);
+      by_name[""].push_back(*id);
+    }
+  }
 
   const void* service(std::string_view id) const {
     if (id == "isogloss.tool-offset/1") return &offsets;
@@ -100,29 +117,32 @@ struct ToolOffsetTable {
     return t.table.set_value(RowName(id).text(), *column, mm) ? 1 : 0;
   }
 
+  static std::string capitals(std::string_view text) {
+    std::string out(text);
+    std::transform(out.begin(), out.end(), out.begin(), ig::cnc::to_upper);
+    return out;
+  }
   static std::int64_t find(void* self, ig_text name, std::int64_t after) {
     const auto& t = *static_cast<const ToolOffsetTable*>(self);
-    bool is_behind = after == 0;
-    for (const std::string& row : t.rows) {
-      const std::optional<std::int64_t> id = number_of(row);
-      if (!id || !t.has(*id)) continue;
-      if (is_behind && same_name(t.table.text(row, t.name), ig::to_view(name))) return *id;
-      is_behind = is_behind || *id == after;
-    }
-    return 0;
+    const auto sisters = t.by_name.find(capitals(ig::to_view(name)));
+    if (sisters == t.by_name.end()) return 0;
+    const std::vector<std::int64_t>& ids = sisters->second;
+    if (after == 0) return ids.front();
+    const auto last = t.place.find(after);
+    if (last == t.place.end()) return 0;
+    const auto next =
+        std::partition_point(ids.begin(), ids.end(), [&](std::int64_t id) { return t.place.at(id) <= last->second; });
+    return next == ids.end() ? 0 : *next;
   }
   static ig_text name_of(void* self, std::int64_t id) {
     const auto& t = *static_cast<const ToolOffsetTable*>(self);
     return ig::to_text(t.has(id) ? t.table.text(RowName(id).text(), t.name) : std::string_view());
   }
-  /// Controls do not tell small letters from capitals in the names of tools. An empty name stands for any.
-  static bool same_name(std::string_view own, std::string_view sought) {
-    const auto capital = [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; };
-    const auto is_same = [&](char x, char y) { return capital(x) == capital(y); };
-    return !own.empty() &&
-           (sought.empty() || std::equal(own.begin(), own.end(), sought.begin(), sought.end(), is_same));
-  }
 
+  /// By name in capitals, for controls do not tell them from small letters; the empty name has all tools with a name.
+  std::unordered_map<std::string, std::vector<std::int64_t>> by_name;
+  /// By number: which row of the table it is.
+  std::unordered_map<std::int64_t, std::size_t> place;
   ig_tool_name_1 names{sizeof(ig_tool_name_1), 0, this, &find, &name_of};
   ig_tool_offset_1 offsets{sizeof(ig_tool_offset_1), 0, this, &get, &set};
 };
