@@ -81,11 +81,37 @@ class Machines(unittest.TestCase):
         self.run_it("inspect", "DwellSyntax", *here)
         told = json.loads(self.run_it("inspect", "mill", "--json", "--machines", "machines").stdout)
         self.assertEqual(told["Dialect"], ["fanuc", "iso"])
-        self.assertIn({"Service": "isogloss.machine-kinematics/1", "Offered by": ["MachineKinematics"]}, told["Lacks"])
+        lacks = {one["Service"]: one for one in told["Lacks"]}["isogloss.machine-kinematics/1"]
+        self.assertEqual((lacks["Need"], lacks["Offered by"]), ("optional", ["MachineKinematics"]))
+        self.assertIn("ToolCenterPointSyntax", lacks["Asked by"])
         well = json.loads(self.run_it("doctor", "--json", "--machines", "machines").stdout)
         self.assertIn("mill", [m["Name"] for m in well["Machines"]])
         done = self.run_it("run", part, "-d", "fanuc", *here, "--emit", "none", status=2)
         self.assertIn("leave out -d", done.stderr)
+
+    def test_inspect_shows_which_needs_of_a_program_a_machine_answers(self):
+        self.machine('<Backup src="tool.tbl"/><Programs src="programs"/>'
+                     '<Dependencies><ToolOffsetTable unlisted="missing"/></Dependencies>')
+        self.write("machines/mill/tool.tbl", TOOLS)
+        self.write("machines/mill/programs/O9001.nc", "O9001\nG0 Z20.\nM99\n")
+        part = self.write("part.nc", "G21 G90 G55 G0 G43 H1 Z10.\nG43 H7 Z5.\nM98 P9001\nM98 P9001\nM98 P77\nM30\n")
+        done = self.run_it("inspect", "machines/mill", "--for", part, "--json", status=1)
+        needs, = json.loads(done.stdout)["Needs"]
+        rows = {(row["Table"], row["Row"]): row["Answers"] for row in needs["Rows"]}
+        self.assertEqual(rows["ToolOffsetTable", "1"], "tool.tbl:1")
+        self.assertTrue(rows["ToolOffsetTable", "7"].startswith("no row"))
+        self.assertNotIn(("ToolOffsetTable", "2"), rows)
+        self.assertEqual(rows["IsoCoordinateTable", "G55"], "the table as it is delivered")
+        self.assertEqual(needs["Programs called"], [{"Program": "O9001", "File": "programs/O9001.nc"}])
+        codes = {one["Code"]: one["First"] for one in needs["Not answered"]}
+        self.assertEqual(codes["ISO-0223"], f"{part}:2")
+        self.assertTrue([place for place in codes.values() if place == f"{part}:5"])
+        fit = self.write("fit.nc", "G21 G90 G0 G43 H1 Z10.\nM30\n")
+        shown = self.run_it("inspect", "mill", "--machines", "machines", "--for", fit, "--for", fit).stdout
+        self.assertEqual(shown.count("      ToolOffsetTable  Row 1  Answers tool.tbl:1\n"), 2)
+        self.assertNotIn("Not answered", shown)
+        done = self.run_it("inspect", "fanuc", "--for", fit, status=2)
+        self.assertIn("--for needs a machine", done.stderr)
 
     def test_parts_of_a_machine_and_their_faults(self):
         self.write("machines/mill/axes.xml",

@@ -78,6 +78,7 @@ bool ProgramSearch::find(const ig_go& request, const Caller& caller, Target& out
     out.start = *at;
   }
   known_.emplace(key, out);
+  if (options_.called) options_.called(label, out.file->name);
   return true;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <set>
 
 #include "isogloss/engine/document.hpp"
 #include "isogloss/engine/linker.hpp"
@@ -31,6 +32,9 @@ class DependencyTable {
   void add_row(std::string_view name) { row(name); }
   const ig_dependency& dependency() const { return *dependency_; }
   const std::vector<std::string>& rows() const { return names_; }
+  /// From now on the names of the rows whose values are asked for, whether the table has them or not; `reads` outlives
+  /// the table.
+  void record_reads(std::set<std::string, std::less<>>* reads) { reads_ = reads; }
 
  private:
   struct Cell {
@@ -43,6 +47,7 @@ class DependencyTable {
   std::vector<std::string> names_;
   std::map<std::string, std::size_t, std::less<>> index_;
   std::vector<std::vector<Cell>> cells_;
+  std::set<std::string, std::less<>>* reads_ = nullptr;
 };
 
 struct ChainSettings {
