@@ -91,6 +91,8 @@ inline CsvHead csv_head(std::string_view title) {
       Name{"length", CsvTarget::length},
       Name{"toollength", CsvTarget::length},
       Name{"gaugelength", CsvTarget::length},
+      Name{"z", CsvTarget::length},
+      Name{"zoffset", CsvTarget::length},
       Name{"hwear", CsvTarget::length_wear},
       Name{"lwear", CsvTarget::length_wear},
       Name{"lengthwear", CsvTarget::length_wear},

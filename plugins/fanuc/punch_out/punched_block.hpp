@@ -122,10 +122,19 @@ struct PunchedUnit {
   bool is_inch = false;
   bool counts_increments = true;
   double counts_per_mm = 1000;  // an inch has a tenth of them for each mm of 10
+  bool is_assumed = false;      // neither the file nor the user names it
 
   double mm(const ig::Decimal& n) const {
     const double in_unit = n.has_point || !counts_increments ? n.value : n.value / counts_per_mm / (is_inch ? 10 : 1);
     return ig::cnc::length_in_mm(in_unit, is_inch ? ig::cnc::mm_per_inch : 1);
+  }
+  /// The same; the first length of an assumed unit is reported.
+  double mm(ig::Import& file, const PunchedWord& word) {
+    if (is_assumed && word.number.value != 0) {
+      file.report(ig::diag("FAN-0241"), word.begin, word.end);
+      is_assumed = false;
+    }
+    return mm(word.number);
   }
   double degrees(const ig::Decimal& n) const {
     return n.has_point || !counts_increments ? n.value : n.value / counts_per_mm;
