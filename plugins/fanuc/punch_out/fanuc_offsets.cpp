@@ -15,8 +15,6 @@ using namespace ig::cnc;
 
 namespace {
 
-enum class OffsetUnit { unknown, mm, inch };
-enum class ToolRadius { radius, diameter };
 enum class Memory { file, a, b, c };
 enum class WithoutPoint { increments, units };
 enum class Increment { is_a, is_b, is_c };
