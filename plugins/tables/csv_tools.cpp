@@ -20,7 +20,7 @@ struct CsvTools {
   static constexpr auto spec =
       ig::importer("CsvTools", "A table of tools as comma-separated values.").files("*.csv").fills("ToolOffsetTable");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "TAB-0106", "'{0}' is no number, so column {1} of this tool is left out"),
+      ig::diagnostic(IG_WARNING, "TAB-0106", "'{0}' is no number that column {1} can hold, so it is left out"),
       ig::diagnostic(IG_ERROR, "TAB-0107",
                      "the first line names no column for the number of the tool, so the file is not read"),
       ig::diagnostic(IG_WARNING, "TAB-0108",
@@ -68,15 +68,33 @@ struct CsvTools {
   }
 
   void write(ig::Export& out) const {
-    static constexpr std::array columns{"H", "HWear", "D", "DWear"};
+    struct Column {
+      const char *name, *title;
+      bool is_length;
+    };
+    static constexpr std::array columns{Column{"H", "length", true},
+                                        Column{"HWear", "length wear", true},
+                                        Column{"D", "radius", true},
+                                        Column{"DWear", "radius wear", true},
+                                        Column{"CornerRadius", "corner radius", true},
+                                        Column{"TipAngle", "tip angle", false},
+                                        Column{"Teeth", "teeth", false},
+                                        Column{"MaximumSpeed", "maximum speed", false}};
     const std::string_view suffix = unit == FileUnit::inch ? " (inch)" : " (mm)";
     out.write("number");
-    for (const std::string_view name : {",length", ",length wear", ",radius", ",radius wear"})
-      out.write(std::string(name) + std::string(suffix));
+    for (const Column& c : columns) {
+      out.write(std::string(",") + c.title);
+      if (c.is_length) out.write(suffix);
+    }
     out.write(",name\n");
     for (std::uint32_t row = 0; row < out.rows("ToolOffsetTable"); ++row) {
       std::string line(out.key("ToolOffsetTable", row));
-      for (const char* const column : columns) line += "," + value_of(out.cell("ToolOffsetTable", row, column));
+      for (const Column& c : columns) {
+        const std::string_view cell = out.cell("ToolOffsetTable", row, c.name);
+        line += "," + (c.is_length ? value_of(cell) : std::string(cell));
+      }
+      if (!out.cell("ToolOffsetTable", row, "CornerRadiusWear").empty())
+        out.unused("column CornerRadiusWear", "the format has no column for it");
       line += "," + quoted(out.cell("ToolOffsetTable", row, "Name"));
       out.write(line + "\n");
     }
@@ -123,6 +141,10 @@ struct CsvTools {
     constexpr double largest = 1e15;  // a damaged file has longer numbers; their products may not be finite
     if (!n.ok || n.end != digits.size() || std::abs(n.value) > largest)
       return file.report(ig::diag("TAB-0106"), field.begin, field.end, field.text, head.title);
+    if (!(n.value >= csv_least(head.target) && n.value <= csv_most(head.target)))
+      return file.report(ig::diag("TAB-0106"), field.begin, field.end, field.text, head.title);
+    const bool is_length = head.target < CsvTarget::tip_angle;
+    if (!is_length) return file.cell(csv_column(head.target), n.value, field.begin);
     const bool is_diameter = head.target == CsvTarget::diameter || head.target == CsvTarget::diameter_wear;
     const double mm = head.is_inch ? ig::cnc::length_in_mm(n.value, *head.is_inch ? ig::cnc::mm_per_inch : 1)
                                    : lengths.mm(n.value, field.begin, field.end);

@@ -31,6 +31,11 @@ struct ToolOffsetTable {
   ig::Column length_wear{"HWear", "0", "mm", {}, "Length, wear; added to H."};
   ig::Column radius{"D", "0", "mm", {}, "Radius, geometry."};
   ig::Column radius_wear{"DWear", "0", "mm", {}, "Radius, wear; added to D."};
+  ig::Column corner{"CornerRadius", nullptr, "mm", {0, 1e9}, "Radius of the corner, geometry; that of a ball is D."};
+  ig::Column corner_wear{"CornerRadiusWear", nullptr, "mm", {}, "Radius of the corner, wear; added to CornerRadius."};
+  ig::Column tip_angle{"TipAngle", nullptr, "deg", {0, 180}, "The whole angle at the tip of a drill."};
+  ig::Column teeth{"Teeth", nullptr, "", {0, 1000}, "How many teeth or cutting edges the tool has."};
+  ig::Column speed{"MaximumSpeed", nullptr, "rpm", {0, 1e9}, "The highest speed that the tool may turn with."};
   ig::Column name{"Name", nullptr, "", {}, "What a program calls the tool; sister tools have one name.", true};
   ig::Table table;
   ig::RowNames rows;
@@ -92,8 +97,9 @@ struct ToolOffsetTable {
   }
 
   const ig::Column* column(std::uint32_t index) const {
-    const ig::Column* const columns[] = {&length, &length_wear, &radius, &radius_wear};
-    return index < 4 ? columns[index] : nullptr;
+    const std::array columns{&length,      &length_wear, &radius, &radius_wear, &corner,
+                             &corner_wear, &tip_angle,   &teeth,  &speed};
+    return index < columns.size() ? columns[index] : nullptr;
   }
   bool has(std::int64_t id) const {
     const std::int64_t tool = id % IG_TOOL_INDEX_STEP;
@@ -106,7 +112,8 @@ struct ToolOffsetTable {
     if (column == nullptr || !t.has(id)) return 0;
     const auto value = t.table.value(RowName(id).text(), *column);
     // An index that no row has is no edge of the tool.
-    if (!value && (t.unlisted == Unlisted::missing || id >= IG_TOOL_INDEX_STEP)) return 0;
+    const bool is_zero_without = t.unlisted == Unlisted::zero && index <= IG_TOOL_RADIUS_WEAR;
+    if (!value && (!is_zero_without || id >= IG_TOOL_INDEX_STEP)) return 0;
     *mm = value.value_or(0);
     return 1;
   }

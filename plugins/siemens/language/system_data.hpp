@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include <isogloss_tool.h>
+
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
