@@ -41,7 +41,7 @@ const ig::Diagnostics shared_diagnostics{
                    "The run continues with the next block.", "5 CALL LBL 77"),
     ig::diagnostic(IG_ERROR, "HEI-0122", "'{0}' is not executed: {1}",
                    "The whole statement is recognised, so that no part of it is executed as a move.",
-                   "5 SEL TABLE \"ZERO.D\""),
+                   "5 SEL PGM \"PART.H\""),
     ig::diagnostic(IG_ERROR, "HEI-0130", "{0} is not executed: {1}",
                    "The path differs from that of the control, up to the point that the text names.", "5 DEP LN LEN20"),
     ig::diagnostic(IG_ERROR, "HEI-0136", "{0} is not executed, so the previous feed rate stays in force: program F",

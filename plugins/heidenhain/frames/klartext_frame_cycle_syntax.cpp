@@ -5,6 +5,7 @@
 
 #include "cycles/cycle_text.hpp"
 #include "cycles/pattern_cycle.hpp"
+#include "frames/datum_selection.hpp"
 #include "frames/mirror_and_rotation.hpp"
 #include "language/block_words.hpp"
 
@@ -18,10 +19,8 @@ struct KlartextFrameCycle {
   static constexpr auto spec = ig::syntax("KlartextFrameCycleSyntax", "Cycles that act where they are defined.")
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax", "KlartextCycleSyntax")
                                    .before("HeidenhainCoordinateOffsetSyntax", "KlartextDrillingCycleSyntax")
-                                   .scans("CFTcft");
+                                   .scans("CFSTcfst");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "HEI-0173",
-                     "datum {0} is not set, because the datum table is not known: the previous shift stays in force"),
       ig::diagnostic(IG_WARNING, "HEI-0180",
                      "cycle 220 with Q365=1 goes from hole to hole in straight lines, not along the pitch circle"),
   };
@@ -32,10 +31,12 @@ struct KlartextFrameCycle {
   ig::Call datum_{{"DATUM", "IDATUM"}, "X Y Z A B C", ig::write};
   ig::Out<double> dwell_{"Dwell.Time"};
   MirrorAndRotation frame_;
+  DatumSelection tables_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (!stands_first(text, position)) return position;
     if (const std::size_t end = trans(b, text, position); end != position) return end;
+    if (const std::size_t end = select_table(b, text, position); end != position) return end;
     const std::size_t definition = keyword(text, position, "CYCL DEF"), datum = keyword(text, position, "TRANS DATUM");
     const std::size_t pause = keyword(text, position, "FUNCTION DWELL TIME");
     if (definition == position && datum == position && pause == position) return position;
@@ -131,9 +132,8 @@ struct KlartextFrameCycle {
       const std::size_t letter = is_step ? i + 1 : i;
       const std::size_t axis = std::string_view("XYZABC").find(to_upper(at(text, letter)));
       if (text[i] == '#') {
-        const Value n = text_.values().read(b, text, i + 1);
-        b.report(ig::diag("HEI-0173"), ig::Where::columns(i, std::max(n.end, i + 1)), n.number);
-        return;
+        i = table_row(b, text, i, i + 1, {});
+        continue;
       }
       const Value v = axis < 6 ? text_.values().read(b, text, letter + 1) : Value{};
       if (!v.ok) {
@@ -145,6 +145,44 @@ struct KlartextFrameCycle {
       put_word(b, datum_.row(row)[axis], i, v.end, v.number);
       i = v.end;
     }
+  }
+
+  /// SEL TABLE "TNC:\TABLES\ZERO.D"
+  std::size_t select_table(ig::Block& b, std::string_view text, std::size_t begin) const {
+    const std::size_t i = keyword(text, begin, "SEL TABLE");
+    if (i == begin) return begin;
+    const std::size_t end = statement_end(text, begin);
+    if (text_.values().is_indexing()) return end;
+    const std::string_view path = file_at(text, skip(text, i), end);
+    if (path.empty())
+      b.report(ig::diag("HEI-0104"), where_of_line(text, begin), std::string_view("SEL TABLE"),
+               std::string_view("the name of the table"));
+    else
+      tables_.select(b, path, where_of_line(text, begin));
+    return end;
+  }
+
+  static std::string_view file_at(std::string_view text, std::size_t i, std::size_t end) {
+    const std::string_view rest = trim(piece(text, i, end));
+    return trim(rest.starts_with('"') ? rest.substr(1, rest.find('"', 1) - 1) : rest);
+  }
+
+  /// The row whose number stands at `i`: its values are those of CYCL DEF 7.1 X+60 and so on. Returns the position
+  /// after the number.
+  std::size_t table_row(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i,
+                        std::string_view table) const {
+    const Value n = text_.values().read(b, text, skip(text, i));
+    if (!n.ok) {
+      b.report(ig::diag("HEI-0104"), where_of_line(text, begin), std::string_view("CYCL DEF 7"),
+               std::string_view("the row of the datum table"));
+      return text.size();
+    }
+    const DatumRow* const row = tables_.row(b, n.number, table, ig::Where::columns(begin, n.end));
+    if (row == nullptr) return n.end;
+    put_code(b, datum_.code(0), begin, n.end);
+    for (std::size_t axis = 0; axis < 6; ++axis)
+      if ((row->mask >> axis & 1u) != 0) put_word(b, datum_.row(0)[axis], begin, n.end, tables_.value(b, *row, axis));
+    return n.end;
   }
 
   void dwell(ig::Block& b, const Value& seconds, std::size_t begin, std::size_t end, std::string_view of) const {
@@ -195,18 +233,33 @@ struct KlartextFrameCycle {
     return end;
   }
 
-  /// TRANS DATUM AXIS X+10, TABLE TABLINE 5, RESET: like cycle 7.
+  /// TRANS DATUM AXIS X+10, TABLE TABLINE 5, TABLE "ZERO.D" TABLINE 5, RESET: like cycle 7.
   void trans_datum(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
     i = skip(text, i);
     const std::size_t axis = keyword(text, i, "AXIS"), reset = keyword(text, i, "RESET");
+    const std::size_t table = keyword(text, i, "TABLE");
     if (axis != i) {
       datum(b, text, axis);
+    } else if (table != i) {
+      trans_table(b, text, begin, skip(text, table));
     } else if (reset != i) {
       put_code(b, datum_.code(0), begin, reset);
-      for (std::size_t k = 0; k < 3; ++k) put_word(b, datum_.row(0)[k], begin, reset, 0);
+      for (std::size_t k = 0; k < 6; ++k) put_word(b, datum_.row(0)[k], begin, reset, 0);
     } else {
-      report_not_executed(b, text, begin, "the datum table is not known, the shift stays");
+      report_not_executed(b, text, begin, "AXIS, TABLE or RESET is missing, the shift stays");
     }
+  }
+
+  void trans_table(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
+    std::string_view file;
+    if (at(text, i) == '"') {
+      file = file_at(text, i, text.size());
+      i = skip(text, std::min(text.find('"', i + 1), text.size() - 1) + 1);
+    }
+    const std::size_t line = glued(text, i, "TABLINE");
+    if (line == i) return report_not_a_word(b, text, i, "TRANS DATUM TABLE");
+    const std::size_t rest = skip(text, table_row(b, text, begin, line, file));
+    if (rest < text.size()) report_not_a_word(b, text, rest, "TRANS DATUM TABLE");
   }
 };
 

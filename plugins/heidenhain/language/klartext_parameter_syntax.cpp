@@ -4,6 +4,7 @@
 #include "language/block_words.hpp"
 #include "language/fn_arithmetic.hpp"
 #include "language/fn_jump.hpp"
+#include "language/system_answers.hpp"
 #include "language/system_data.hpp"
 
 namespace heidenhain {
@@ -18,12 +19,15 @@ struct KlartextParameter {
                                    .scans("FQfq");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "HEI-0116", "'{0}' is not executed: string parameters are not supported"),
-      ig::diagnostic(IG_ERROR, "HEI-0117", "FN {0} is not executed: a parameter that it would write keeps its value"),
+      ig::diagnostic(IG_ERROR, "HEI-0117", "FN {0} is not executed: {1}"),
       ig::diagnostic(IG_ERROR, "HEI-0118", "the program stops the control here with error {0} (FN 14)"),
   };
 
   CycleText cycle_;
   SystemData system_;
+  ig::Service<SystemAnswers> answers_{system_answer_service, ig::Need::optional, "What FN 18 reads on this machine."};
+  ig::TextField row_{"SystemData.Row", ig::write, {ig::Life::block, "", "The row that has answered FN 18."}};
+  ig::TextField title_{"SystemData.Title", ig::write, {ig::Life::block, "", "What this row means."}};
   CycleDefinition definition_{ig::read | ig::write};
   ig::Field<std::int64_t> cycle_number_{
       "CycleDefinition.Number", ig::read, {ig::Life::modal, "", "The cycle that CYCL CALL runs."}};
@@ -113,13 +117,29 @@ struct KlartextParameter {
     if (number == 14) return error(b, text, i);
     const std::string_view whole = rest_of_line(text, begin_);
     if (number == 15 || number == 16 || number == 38) return;  // output: no position depends on it
+    // The run reads ahead of nothing, so that there is nothing to wait for.
+    if (number == 20 && is_end(text, keyword(text, i, "WAIT FOR SYNC"))) return;
     if (number == 18 && read_system(b, text, i)) return;
     // Reported once for each datum that FN 18 reads, and once for each of the other functions.
     QStore* const store = cycle_.values().store();
     const std::size_t equals = number == 18 ? whole.find('=') : std::string_view::npos;
     const std::string_view kind = equals == std::string_view::npos ? whole.substr(0, i - begin_) : whole.substr(equals);
     if (store != nullptr && !store->is_first_time(117, kind)) return;
-    b.report(ig::diag("HEI-0117"), where_of_line(text, begin_), double(number));
+    b.report(ig::diag("HEI-0117"), where_of_line(text, begin_), double(number), effect_of(number));
+  }
+
+  /// What is missing where the function is not executed.
+  static std::string_view effect_of(unsigned number) {
+    switch (number) {
+      case 19:
+      case 29: return "the machine's logic does not get its values, and what it would do is missing";
+      case 20: return "the run does not wait, and the state of the machine is not simulated";
+      case 26: return "no table is opened, so FN 27 and FN 28 have none";
+      case 27: return "the table of the control keeps its values";
+      case 28: return "it reads no table, so its parameters keep their values";
+      case 37: return "parameters of the calling program keep their values";
+      default: return "a parameter that it would write keeps its value";
+    }
   }
 
   /// SYSREAD Q1 = ID270 NR1 IDX3; false where the datum is not known here.
@@ -143,7 +163,10 @@ struct KlartextParameter {
     if (!id || !nr || skip(text, next) < text.size()) return false;
     request.id = *id;
     request.number = *nr;
-    const auto value = system_.read(b, request);
+    const SystemAnswer* const answer = answers_ ? answers_->find({*id, *nr, request.index.value_or(0)}) : nullptr;
+    const auto value = answer != nullptr ? std::optional(answer->value) : system_.read(b, request);
+    if (answer != nullptr) b.set_text(row_, answer->row);
+    if (answer != nullptr && !answer->title.empty()) b.set_text(title_, answer->title);
     if (value) assign(b, {*q, piece(text, i, end), i, equals + 1}, *value);
     return value.has_value();
   }

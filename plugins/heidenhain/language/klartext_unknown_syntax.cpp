@@ -74,7 +74,6 @@ struct KlartextUnknown {
       Known{"AFC", "the feed stays as programmed"},
       Known{"SEL CORR-TABLE", "offsets of the table do not count"},
       Known{"CALL TABLE", "offsets of the table do not count"},
-      Known{"SEL TABLE", "the datum table is not read"},
       Known{"SEL CONTOUR", contour},
       Known{"SEL PGM", program},
       Known{"SEL CYCLE", program},
