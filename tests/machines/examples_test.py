@@ -18,8 +18,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 # Of each machine: what its tables come from, and what lint names as not read.
 EXAMPLES = {
     "klartext-5axis": ({"ToolOffsetTable": {"TOOL.T", "machine.xml"}, "IsoCoordinateTable": {"PRESET.PR"},
-                        "MachineAxes": {"axes.xml"}, "MachineKinematics": {"axes.xml"}},
-                       {"column SHOP_RACK", "column SHOP_CHECKED", "column TL", "column RT", "column LOCKED", "tool 0"}),
+                        "HeidenhainDatums": {"VICES.D"}, "HeidenhainSystemData": {"machine.xml"}, "MachineAxes": {"axes.xml"}, "MachineKinematics": {"axes.xml"}},
+                       {"column DOC", "column SHOP_RACK", "column SHOP_CHECKED", "column TL", "column RT", "column LOCKED", "tool 0"}),
     "siemens-mill": ({"ToolOffsetTable": {"TO1_TOA.INI"}, "SiemensCoordinateTable": {"CH1_UFR.INI"},
                       "SiemensVariables": {"CH1_GUD.INI"}, "MachineAxes": {"machine.xml"}},
                      {"tool management data", "magazine data", "definition of a STRING, AXIS or FRAME"}),
@@ -107,6 +107,8 @@ class Examples(unittest.TestCase):
         self.assert_at(at[main, 25][0], Z=45.25)
         self.assert_at(at["RETRACT.H", 3][-1], Z=420)
         self.assertEqual(len(at["RETRACT.H", 3]), 5)
+        # Row 2 of VICES.D on top of preset 1: X = 12.5 + 120 + 10, Y = -20 + 12.5, and C counts from 90.
+        self.assert_at(at[main, 33][0], X=142.5, Y=-7.5, Z=420, C=90)
 
     def test_siemens_mill(self):
         at, main = self.places("siemens-mill.mpf", "siemens-mill"), "siemens-mill.mpf"
