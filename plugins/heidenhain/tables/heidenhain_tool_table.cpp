@@ -95,6 +95,8 @@ struct HeidenhainToolTable {
       return;
     }
     const LengthColumn* const length = length_of(name);
+    if (name == "TL") return table.unused(cell, "a tool that the control has locked is called as any other");
+    if (name == "RT") return table.unused(cell, "no tool wears out here, so that no sister tool replaces it");
     if (length == nullptr) return table.unused(cell, "no table has a place for it");
     if (!cell.is_given()) return;
     if (const std::optional<double> value = table.number(cell, tool))

@@ -26,8 +26,13 @@ struct KlartextToolCall {
                      "tool axis {0} is not supported, so the plane stays the same: program X, Y or Z"),
       ig::diagnostic(IG_WARNING, "HEI-0152",
                      "the tool table has no row {0}, so the length and radius of the tool itself are used"),
+      ig::diagnostic(
+          IG_NOTE, "HEI-0368",
+          "{0} tools are named {1}: tool {2}, the first of them, is called, because their life is not known"),
       ig::diagnostic(IG_ERROR, "HEI-0153", "tool axis {0}: the tool length is compensated along Z, not along {0}"),
   };
+
+  static constexpr std::int64_t most_sisters = 100;
 
   Values values_;
   FeedWords feed_;
@@ -106,6 +111,8 @@ struct KlartextToolCall {
     if (number != v.number) {
       const auto row = step_row(v.number);
       tool.row = row ? std::optional(static_cast<double>(*row)) : std::nullopt;
+      const auto written = written_step_row(piece(text, i, v.end));
+      if (written && tool_dimension(table_, *written, ToolDimension::length)) tool.row = static_cast<double>(*written);
     }
     i = v.end;
     return tool;
@@ -114,12 +121,30 @@ struct KlartextToolCall {
   Tool named_tool(ig::Block& b, std::string_view text, std::size_t& i) const {
     const std::size_t begin = i, close = skip_while(text, i + 1, [&](char c) { return c != text[begin]; });
     i = std::min(close + 1, text.size());
-    if (const auto id = names_.number(trim(piece(text, begin + 1, close)))) {
+    const std::string_view name = trim(piece(text, begin + 1, close));
+    if (const auto id = names_.number(name)) {
       const auto row = static_cast<double>(*id);
+      report_sisters(b, *id, ig::Where::columns(begin, i), name);
       return {static_cast<double>(*id % IG_TOOL_INDEX_STEP), row, true, true};
     }
     b.report(ig::diag("HEI-0150"), ig::Where::columns(begin, i), piece(text, begin, i));
     return {0, 0, true, false};
+  }
+
+  /// A control takes the sister tool whose life is not used up; here the first one is called.
+  void report_sisters(ig::Block& b, std::int64_t first, ig::Where where, std::string_view name) const {
+    QStore* const store = values_.store();
+    if (store != nullptr && !store->is_first_time(368, name)) return;
+    // Further indices of one tool may have its name, too.
+    std::int64_t tools = 1, of_tool = first % IG_TOOL_INDEX_STEP;
+    for (auto id = names_.number(name, first); id && tools < most_sisters; id = names_.number(name, *id))
+      if (*id % IG_TOOL_INDEX_STEP != of_tool) {
+        ++tools;
+        of_tool = *id % IG_TOOL_INDEX_STEP;
+      }
+    if (tools > 1)
+      b.report(ig::diag("HEI-0368"), where, static_cast<double>(tools), name,
+               static_cast<double>(first % IG_TOOL_INDEX_STEP));
   }
 
   /// The row of 5.1, or that of tool 5 where the table has no such row.

@@ -13,10 +13,10 @@ namespace ig::cnc {
 /// A member of a syntax: the names in the table of tools, through the service isogloss.tool-name/1.
 class ToolNames {
  public:
-  /// The offset number of the first tool of this name; nothing where no tool has it, no table has names, or the name is
-  /// empty, which stands for any in the service.
-  std::optional<std::int64_t> number(std::string_view name) const {
-    const std::int64_t id = table_ && !name.empty() ? table_->find(table_->self, to_text(name), 0) : 0;
+  /// The offset number of the first tool of this name, or of the next one `after` such a number; nothing where no tool
+  /// has it, no table has names, or the name is empty, which stands for any in the service.
+  std::optional<std::int64_t> number(std::string_view name, std::int64_t after = 0) const {
+    const std::int64_t id = table_ && !name.empty() ? table_->find(table_->self, to_text(name), after) : 0;
     return id != 0 ? std::optional(id) : std::nullopt;
   }
   /// Does the table give any tool a name? Then a name that it lacks is a mistake.

@@ -13,8 +13,9 @@ struct NamedTools {
   ig_tool_name_1 provided{sizeof(ig_tool_name_1), 0, this, &find, nullptr};
   BlockDocument document;
 
-  static std::int64_t find(void*, ig_text name, std::int64_t) {
-    return name.size == 0 || ig::to_view(name) == "EM10" ? 7 : 0;
+  static std::int64_t find(void*, ig_text name, std::int64_t after) {
+    if (name.size != 0 && ig::to_view(name) != "EM10") return 0;
+    return after == 0 ? 7 : after == 7 ? 12 : 0;
   }
   ToolNames names() {
     document.services["isogloss.tool-name/1"] = &provided;
@@ -28,6 +29,8 @@ TEST_CASE("a tool is found by its name, and a table with names is told from one 
   NamedTools tools;
   const ToolNames names = tools.names();
   CHECK(names.number("EM10") == 7);
+  CHECK(names.number("EM10", 7) == 12);
+  CHECK_FALSE(names.number("EM10", 12).has_value());
   CHECK_FALSE(names.number("EM11").has_value());
   CHECK_FALSE(names.number("").has_value());
   CHECK(names.has_names());
