@@ -28,14 +28,14 @@ const ig::Diagnostics datum_table_diagnostics{
 }  // namespace
 
 void DatumSelection::select(ig::Block& b, std::string_view path, ig::Where where) const {
-  const DatumTable* const table = tables_ ? tables_->find(path) : nullptr;
+  const DatumTables::Table* const table = tables_ ? tables_->find(path) : nullptr;
   b.set(selected_, b.symbol(table != nullptr ? std::string_view(table->name) : path));
   if (table == nullptr) b.report(ig::diag("HEI-0365"), where, path);
 }
 
 const DatumRow* DatumSelection::row(ig::Block& b, double number, std::string_view path, ig::Where where) const {
   const std::string_view name = path.empty() ? b.text(b.get_or(selected_, ig::Symbol{})) : path;
-  const DatumTable* const table = !tables_ ? nullptr : name.empty() ? tables_->standard() : tables_->find(name);
+  const DatumTables::Table* const table = !tables_ ? nullptr : name.empty() ? tables_->standard() : tables_->find(name);
   if (table == nullptr) {
     const bool is_open = tables_ && tables_->size() > 1 && name.empty();
     if (is_open)

@@ -26,9 +26,12 @@ struct QNumber {
   std::uint32_t number = 0;
 };
 
-/// A position of PATTERN DEF in the plane across the tool, and its height above the surface; mm, as programmed.
+/// A position of PATTERN DEF or of a point table in the plane across the tool, and its height above the surface; mm, as
+/// programmed.
 struct PatternPoint {
   double first, second, surface;
+  double clearance =
+      std::numeric_limits<double>::quiet_NaN();  ///< where the tool comes to the point; NaN: nowhere else
 };
 
 class QStore {
@@ -93,7 +96,7 @@ class QStore {
     return true;
   }
 
-  /// The points of the last PATTERN DEF, for CYCL CALL PAT.
+  /// The points of the last PATTERN DEF or SEL PATTERN, for CYCL CALL PAT.
   std::vector<PatternPoint> pattern;
 
  private:

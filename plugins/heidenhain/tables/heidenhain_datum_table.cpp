@@ -5,7 +5,7 @@
 
 #include <isogloss/cnc/units.hpp>
 
-#include "frames/datum_tables.hpp"
+#include "tables/named_tables.hpp"
 #include "tables/table_reader.hpp"
 #include "tables/table_text.hpp"
 
@@ -50,7 +50,7 @@ struct HeidenhainDatumTable {
     std::string name(table.text());
     std::map<std::int64_t, std::uint32_t> rows;
     for (std::uint32_t i = 0; i < out.rows(datums); ++i) {
-      const auto key = DatumKey::read(out.key(datums, i));
+      const auto key = TableKey::read(out.key(datums, i));
       if (!key) continue;
       if (name.empty()) name = key->table;
       if (key->table == name)

@@ -1,5 +1,5 @@
-// Tables of a TNC of which the machine takes nothing: point tables, pocket tables and pallet tables. They are
-// recognised so that a folder of them is explained.
+// Tables of a TNC of which the machine takes nothing: pocket tables and pallet tables. They are recognised so that a
+// folder of them is explained.
 #include <isogloss/sdk.hpp>
 
 #include "tables/table_head.hpp"
@@ -14,16 +14,14 @@ struct OtherTable {
   const char* why;
 };
 constexpr OtherTable other_tables[] = {
-    {TableKind::points, "row of a point table",
-     "a program selects its point table, and cycles at its points are not executed"},
     {TableKind::pockets, "pocket of the magazine", "where a tool is kept has no effect on its path"},
     {TableKind::pallets, "row of a pallet table", "the programs of pallets are run one at a time"},
 };
 
 struct HeidenhainOtherTable {
   static constexpr auto spec =
-      ig::importer("HeidenhainOtherTable", "Point, pocket and pallet tables of a TNC, of which nothing is read.")
-          .files("*.pnt *.tch *.p")
+      ig::importer("HeidenhainOtherTable", "Pocket and pallet tables of a TNC, of which nothing is read.")
+          .files("*.tch *.p")
           .fills("IsoCoordinateTable");
 
   static unsigned recognise(std::string_view text, std::string_view) {
