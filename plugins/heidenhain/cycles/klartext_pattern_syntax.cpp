@@ -6,6 +6,7 @@
 
 #include "cycles/point_tables.hpp"
 #include "language/block_words.hpp"
+#include "language/file_name.hpp"
 #include "language/klartext_values.hpp"
 #include "language/program_unit.hpp"
 
@@ -62,8 +63,9 @@ struct KlartextPattern {
 
   /// SEL PATTERN "TNC:\HOLES.PNT"
   void select(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i, Points& points) const {
-    const std::string_view rest = trim(text.substr(skip(text, i)));
-    const std::string_view path = trim(rest.starts_with('"') ? rest.substr(1, rest.find('"', 1) - 1) : rest);
+    const auto name = file_name_at(b, values_, text, skip(text, i));
+    if (!name) return;
+    const std::string_view path = *name;
     const auto where = where_of_line(text, begin);
     if (path.empty())
       return b.report(ig::diag("HEI-0104"), where, std::string_view("SEL PATTERN"),

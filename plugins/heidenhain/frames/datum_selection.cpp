@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "language/block_words.hpp"
+#include "language/file_name.hpp"
+
 namespace heidenhain {
 
 namespace {
@@ -52,6 +55,52 @@ const DatumRow* DatumSelection::row(ig::Block& b, double number, std::string_vie
   }
   b.set_text(row_, table->name + "#" + std::to_string(found->first));
   return &found->second;
+}
+
+std::size_t DatumSelection::select_table(ig::Block& b, const Values& values, std::string_view text,
+                                         std::size_t begin) const {
+  const std::size_t i = keyword(text, begin, "SEL TABLE");
+  if (i == begin) return begin;
+  const std::size_t end = statement_end(text, begin);
+  if (values.is_indexing()) return end;
+  const auto path = file_name_at(b, values, text.substr(0, end), skip(text, i));
+  const auto where = where_of_line(text, begin);
+  if (path && path->empty())
+    b.report(ig::diag("HEI-0104"), where, std::string_view("SEL TABLE"), std::string_view("the name of the table"));
+  else if (path)
+    select(b, *path, where);
+  return end;
+}
+
+std::size_t DatumSelection::put_row(ig::Block& b, const Values& values, std::string_view text, std::size_t begin,
+                                    std::size_t i, std::string_view table, const ig::Call& datum) const {
+  const Value number = values.read(b, text, skip(text, i));
+  if (!number.ok) {
+    b.report(ig::diag("HEI-0104"), where_of_line(text, begin), std::string_view("CYCL DEF 7"),
+             std::string_view("the row of the datum table"));
+    return text.size();
+  }
+  const DatumRow* const found = row(b, number.number, table, ig::Where::columns(begin, number.end));
+  if (found == nullptr) return number.end;
+  put_code(b, datum.code(0), begin, number.end);
+  for (std::size_t axis = 0; axis < found->value.size(); ++axis)
+    if ((found->mask >> axis & 1u) != 0)
+      put_word(b, datum.row(0)[axis], begin, number.end, found->value[axis] / (axis < 3 ? unit_.in_mm(b) : 1));
+  return number.end;
+}
+
+void DatumSelection::put_named_row(ig::Block& b, const Values& values, std::string_view text, std::size_t begin,
+                                   std::size_t i, const ig::Call& datum) const {
+  std::string_view file;
+  if (at(text, i) == '"') {
+    const std::size_t close = std::min(text.find('"', i + 1), text.size());
+    file = trim(piece(text, i + 1, close));
+    i = skip(text, close + 1);
+  }
+  const std::size_t line = glued(text, i, "TABLINE");
+  if (line == i) return report_not_a_word(b, text, i, "TRANS DATUM TABLE");
+  const std::size_t rest = skip(text, put_row(b, values, text, begin, line, file, datum));
+  if (rest < text.size()) report_not_a_word(b, text, rest, "TRANS DATUM TABLE");
 }
 
 }  // namespace heidenhain

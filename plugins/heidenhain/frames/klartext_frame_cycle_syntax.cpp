@@ -36,7 +36,7 @@ struct KlartextFrameCycle {
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (!stands_first(text, position)) return position;
     if (const std::size_t end = trans(b, text, position); end != position) return end;
-    if (const std::size_t end = select_table(b, text, position); end != position) return end;
+    if (const std::size_t end = tables_.select_table(b, text_.values(), text, position); end != position) return end;
     const std::size_t definition = keyword(text, position, "CYCL DEF"), datum = keyword(text, position, "TRANS DATUM");
     const std::size_t pause = keyword(text, position, "FUNCTION DWELL TIME");
     if (definition == position && datum == position && pause == position) return position;
@@ -132,7 +132,7 @@ struct KlartextFrameCycle {
       const std::size_t letter = is_step ? i + 1 : i;
       const std::size_t axis = std::string_view("XYZABC").find(to_upper(at(text, letter)));
       if (text[i] == '#') {
-        i = table_row(b, text, i, i + 1, {});
+        i = tables_.put_row(b, text_.values(), text, i, i + 1, {}, datum_);
         continue;
       }
       const Value v = axis < 6 ? text_.values().read(b, text, letter + 1) : Value{};
@@ -145,44 +145,6 @@ struct KlartextFrameCycle {
       put_word(b, datum_.row(row)[axis], i, v.end, v.number);
       i = v.end;
     }
-  }
-
-  /// SEL TABLE "TNC:\TABLES\ZERO.D"
-  std::size_t select_table(ig::Block& b, std::string_view text, std::size_t begin) const {
-    const std::size_t i = keyword(text, begin, "SEL TABLE");
-    if (i == begin) return begin;
-    const std::size_t end = statement_end(text, begin);
-    if (text_.values().is_indexing()) return end;
-    const std::string_view path = file_at(text, skip(text, i), end);
-    if (path.empty())
-      b.report(ig::diag("HEI-0104"), where_of_line(text, begin), std::string_view("SEL TABLE"),
-               std::string_view("the name of the table"));
-    else
-      tables_.select(b, path, where_of_line(text, begin));
-    return end;
-  }
-
-  static std::string_view file_at(std::string_view text, std::size_t i, std::size_t end) {
-    const std::string_view rest = trim(piece(text, i, end));
-    return trim(rest.starts_with('"') ? rest.substr(1, rest.find('"', 1) - 1) : rest);
-  }
-
-  /// The row whose number stands at `i`: its values are those of CYCL DEF 7.1 X+60 and so on. Returns the position
-  /// after the number.
-  std::size_t table_row(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i,
-                        std::string_view table) const {
-    const Value n = text_.values().read(b, text, skip(text, i));
-    if (!n.ok) {
-      b.report(ig::diag("HEI-0104"), where_of_line(text, begin), std::string_view("CYCL DEF 7"),
-               std::string_view("the row of the datum table"));
-      return text.size();
-    }
-    const DatumRow* const row = tables_.row(b, n.number, table, ig::Where::columns(begin, n.end));
-    if (row == nullptr) return n.end;
-    put_code(b, datum_.code(0), begin, n.end);
-    for (std::size_t axis = 0; axis < 6; ++axis)
-      if ((row->mask >> axis & 1u) != 0) put_word(b, datum_.row(0)[axis], begin, n.end, tables_.value(b, *row, axis));
-    return n.end;
   }
 
   void dwell(ig::Block& b, const Value& seconds, std::size_t begin, std::size_t end, std::string_view of) const {
@@ -241,25 +203,13 @@ struct KlartextFrameCycle {
     if (axis != i) {
       datum(b, text, axis);
     } else if (table != i) {
-      trans_table(b, text, begin, skip(text, table));
+      tables_.put_named_row(b, text_.values(), text, begin, skip(text, table), datum_);
     } else if (reset != i) {
       put_code(b, datum_.code(0), begin, reset);
       for (std::size_t k = 0; k < 6; ++k) put_word(b, datum_.row(0)[k], begin, reset, 0);
     } else {
       report_not_executed(b, text, begin, "AXIS, TABLE or RESET is missing, the shift stays");
     }
-  }
-
-  void trans_table(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
-    std::string_view file;
-    if (at(text, i) == '"') {
-      file = file_at(text, i, text.size());
-      i = skip(text, std::min(text.find('"', i + 1), text.size() - 1) + 1);
-    }
-    const std::size_t line = glued(text, i, "TABLINE");
-    if (line == i) return report_not_a_word(b, text, i, "TRANS DATUM TABLE");
-    const std::size_t rest = skip(text, table_row(b, text, begin, line, file));
-    if (rest < text.size()) report_not_a_word(b, text, rest, "TRANS DATUM TABLE");
   }
 };
 

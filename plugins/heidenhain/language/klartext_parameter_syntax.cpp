@@ -4,6 +4,7 @@
 #include "language/block_words.hpp"
 #include "language/fn_arithmetic.hpp"
 #include "language/fn_jump.hpp"
+#include "language/string_formula.hpp"
 #include "language/system_answers.hpp"
 #include "language/system_data.hpp"
 
@@ -16,10 +17,10 @@ namespace {
 struct KlartextParameter {
   static constexpr auto spec = ig::syntax("KlartextParameterSyntax", "FN functions and formulas with Q parameters.")
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
-                                   .scans("FQfq");
+                                   .scans("DFQdfq");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "HEI-0116", "'{0}' is not executed: string parameters are not supported"),
       ig::diagnostic(IG_ERROR, "HEI-0117", "FN {0} is not executed: {1}"),
+      ig::diagnostic(IG_ERROR, "HEI-0372", "{0} cannot hold {1} characters, so it keeps its text: the control has {2}"),
       ig::diagnostic(IG_ERROR, "HEI-0118", "the program stops the control here with error {0} (FN 14)"),
   };
 
@@ -49,10 +50,7 @@ struct KlartextParameter {
     switch (kind_at(text, begin_)) {
       case Kind::function: function(b, text); break;
       case Kind::formula: formula(b, text); break;
-      default: {
-        const std::string_view whole = trim(piece(text, begin_, end_));
-        b.report(ig::diag("HEI-0116"), ig::Where::columns(begin_, begin_ + whole.size()), whole);
-      }
+      default: string(b, text);
     }
     return ig::Status::changed;
   }
@@ -65,8 +63,9 @@ struct KlartextParameter {
       const std::size_t digits = skip_blanks(text, position + 2);
       return to_upper(at(text, position + 1)) == 'N' && is_digit(at(text, digits)) ? Kind::function : Kind::none;
     }
-    if (to_upper(at(text, position + 1)) == 'S' && is_digit(at(text, position + 2))) return Kind::text;
     std::size_t end = position;
+    if (keyword(text, position, "DECLARE STRING") != position) return Kind::text;
+    if (Values::text_parameter_at(text, position, end)) return Kind::text;
     return Values::q_at(text, position, end) ? Kind::formula : Kind::none;
   }
 
@@ -98,6 +97,28 @@ struct KlartextParameter {
     const std::size_t first = skip(text, t->after);
     if (at(text, first) == '"' || is_string_parameter(text, first)) return read.refuse_text();
     if (const auto value = cycle_.values().formula(b, text, t->after, end_)) assign(b, *t, *value);
+  }
+
+  /// QS10 = QS1 || "A", DECLARE STRING QS10 = "A"
+  void string(ig::Block& b, std::string_view text) const {
+    const ParameterReader read = reader(b, text);
+    const std::size_t name = skip(text, keyword(text, begin_, "DECLARE STRING"));
+    std::size_t end = name;
+    const auto number = Values::text_parameter_at(text, name, end);
+    if (!number) return read.missing("the string parameter");
+    const std::size_t equals = skip(text, end);
+    if (at(text, equals) != '=') return read.missing("=");
+    const std::string_view shown = piece(text, name, end);
+    const auto where = ig::Where::columns(name, end);
+    QStore* const store = cycle_.values().store();
+    if (store == nullptr || *number >= QStore::q_count) return b.report(ig::diag("HEI-0114"), where, shown);
+    StringFormula formula(b, cycle_.values(), text, equals + 1);
+    auto value = formula.text();
+    if (!value || !read.ends(formula.position())) return;
+    if (value->size() > QStore::longest_text)
+      return b.report(ig::diag("HEI-0372"), where, shown, static_cast<double>(value->size()),
+                      static_cast<double>(QStore::longest_text));
+    store->set_text(*number, std::move(*value));
   }
 
   // ---- FN

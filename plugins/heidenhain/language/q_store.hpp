@@ -7,6 +7,9 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -57,6 +60,14 @@ class QStore {
     else
       locals(program).values[q.number] = value;
   }
+
+  /// A text of QS0 to QS1999; nothing where it has none.
+  std::optional<std::string_view> text(std::uint32_t number) const {
+    const auto found = texts_.find(number);
+    return found != texts_.end() ? std::optional<std::string_view>(found->second) : std::nullopt;
+  }
+  void set_text(std::uint32_t number, std::string text) { texts_[number] = std::move(text); }
+  static constexpr std::size_t longest_text = 255;
 
   static constexpr std::uint32_t radius_of_tool = 108, length_of_tool = 114;
   /// What a tool call leaves in a parameter. `undefined` ends the value of the tool before, but not a value that a
@@ -119,6 +130,7 @@ class QStore {
   }
 
   std::vector<double> q_ = std::vector<double>(q_count, undefined);
+  std::map<std::uint32_t, std::string> texts_;
   std::vector<double> retained_ = std::vector<double>(other_count, undefined);
   std::vector<Locals> locals_;
   std::vector<Repeat> repeats_;
