@@ -21,7 +21,7 @@ constexpr std::string_view klartext_cycle = "CYCL DEF ";
 constexpr std::array<std::string_view, 6> kinds{"", "nothing", "codes", "call", "position", "refused"};
 
 /// Capital letters, one blank between two words, and codes as scanners name them: M8 is M08, M8.0 too, and G054.1 is
-/// G54.1; a cycle's number has no leading zeros.
+/// G54.1; a cycle's number has no leading zeros, and FN 19 no blank.
 std::string canonical(std::string_view written) {
   std::string out;
   for (const char c : trim(written)) {
@@ -35,6 +35,7 @@ std::string canonical(std::string_view written) {
   if (is_code && out.ends_with('.')) out.pop_back();
   while (is_code && out[1] == '0' && out.size() > 2 && is_digit(out[2])) out.erase(1, 1);
   if (is_code && skip_digits(out, 1) == 2) out.insert(1, 1, '0');
+  if (out.starts_with("FN ") && out.size() > 3 && is_digit(out[3])) out.erase(2, 1);
   while (out.starts_with(klartext_cycle) && out.size() > klartext_cycle.size() + 1 && out[klartext_cycle.size()] == '0')
     out.erase(klartext_cycle.size(), 1);
   return out;
