@@ -9,6 +9,7 @@
 #include <isogloss/sdk.hpp>
 
 #include "cycles/cycle_signatures.hpp"
+#include "five_axis/swivel_retract.hpp"
 
 namespace siemens {
 
@@ -47,6 +48,7 @@ struct SiemensSwivel {
   RotaryOffsetSection rotary_offset_{"CoordinateOffset", ig::read};
   ig::In<ig::Symbol> frame_in_force_{"CoordinateOffset.CoordinateId"};
   ToolKinematics machine_;
+  SwivelRetract retract_;
   ig::Name g68_2_{"G68.2"}, g68_4_{"G68.4"};
   ig::Signal way_said_{"SiemensSwivel.~WaySaid", ig::read | ig::write, ig::Life::modal};
 
@@ -61,7 +63,7 @@ struct SiemensSwivel {
   }
 
  private:
-  enum Parameter : std::size_t { fr, tc, st, mode, x0, y0, z0, angle_a, angle_b, angle_c, x1, y1, z1, dir };
+  enum Parameter : std::size_t { fr, tc, st, mode, x0, y0, z0, angle_a, angle_b, angle_c, x1, y1, z1, dir, fr_i };
   using Values = CycleFields::Values;
 
   bool is_tilted(const ig::Block& b) const { return b.is(term_, g68_2_) || b.is(term_, g68_4_); }
@@ -88,10 +90,7 @@ struct SiemensSwivel {
       cancel(b);
       return;
     }
-    if (v[fr].value_or(0) != 0 && !b.is_raised(way_said_)) {
-      b.report(ig::diag("SIE-0253"), where);
-      b.raise(way_said_);
-    }
+    retract(b, v, where);
     const std::int64_t way = *whole_mode / 64;
     std::array<std::size_t, 3> axes{static_cast<std::size_t>(*whole_mode % 4),
                                     static_cast<std::size_t>(*whole_mode / 4 % 4),
@@ -139,6 +138,14 @@ struct SiemensSwivel {
     report_offset(b, where);
     align(b);
     b.set_word(align_, 0, 'P', direction > 0 ? 1 : 2);
+  }
+
+  /// SiemensSwivelRetractSyntax executes it. Reported once where the machine does not tell where to.
+  void retract(ig::Block& b, const Values& v, ig::Where where) const {
+    const double way = v[fr].value_or(0);
+    if (way == 0 || retract_.prepare(b, way, v[fr_i].value_or(0)) || b.is_raised(way_said_)) return;
+    b.report(ig::diag("SIE-0253"), where);
+    b.raise(way_said_);
   }
 
   void report_offset(ig::Block& b, ig::Where where) const {

@@ -194,9 +194,11 @@ std::size_t WordReader::axis_name_end(std::string_view text, std::size_t equals,
   if (target == nullptr || !target->value.is_text() || target->is_array) return 0;
   const std::size_t value_at = skip_blanks(text, equals + 1), end = skip_name(text, value_at);
   const char behind = at(text, skip_blanks(text, end));
-  if (!is_name_start(at(text, value_at)) || end > value_at + 3 || behind == '(' || behind == '[' || behind == '<')
+  const std::string axis = upper(piece(text, value_at, end));
+  if (!is_name_start(at(text, value_at)) || behind == '(' || behind == '[' || behind == '<' ||
+      (axis.size() > 3 && !environment_.axes.find(axis)))
     return 0;
-  return environment_.store().find(upper(piece(text, value_at, end))) == nullptr ? end : 0;
+  return environment_.store().find(axis) == nullptr ? end : 0;
 }
 
 Variable* WordReader::array_of(const std::string& element) const {

@@ -55,6 +55,9 @@ class WordReader {
                      Run& run);
   /// EXECSTRING("R1="<<NR): the words that the text holds.
   std::size_t execute_string(ig::Block& b, std::string_view text, std::size_t begin, std::size_t open, Run& run);
+  /// Where the name ends by which the machine calls an axis, as C1 of C1=45; `begin` where none stands there, or the
+  /// program has a variable of this name.
+  std::size_t machine_name_end(ig::Block& b, std::string_view text, std::size_t begin) const;
   /// X1=, where the program has defined X1.
   bool is_assigned_variable(ig::Block& b, std::string_view text, std::size_t begin) const;
   void add(ig::Block& b, Run& run, ig_field field, std::size_t begin, std::size_t end, double value,

@@ -22,7 +22,8 @@ bool is_r(std::string_view text, std::size_t begin, std::size_t end) {
 std::size_t WordReader::valued(ig::Block& b, std::string_view text, std::size_t begin, std::size_t name_end,
                                std::size_t equals, Run& run) {
   if (environment_.flow.is_indexing()) return block_end(text, begin);
-  std::string name = upper(trim(piece(text, begin, name_end)));
+  const std::string called = upper(trim(piece(text, begin, name_end)));
+  const std::string name(environment_.axes.letter_of(called));
   const bool has_number = name.size() > 1 && skip_digits(name, 1) == name.size();
   const std::size_t value_at = skip_blanks(text, equals);
   if (name == "T" || name == "D") return tool(b, text, begin, value_at, run, name);
@@ -42,7 +43,7 @@ std::size_t WordReader::valued(ig::Block& b, std::string_view text, std::size_t 
     else if (!(name == "SPOS" || name == "SPOSA") || b.text(mode) == "IC")  // an angle, whichever way it is reached
       b.report(ig::diag("SIE-0128"), columns(begin, end), std::string_view(name), b.text(mode));
   }
-  word(b, run, name, field, begin, end, *value);
+  word(b, run, called, field, begin, end, *value);
   return end;
 }
 
