@@ -27,6 +27,8 @@ typedef struct ig_axis_name_1 {
   int32_t (*find)(void* self, ig_text name);
   /* The axis's own name, "X" or "U"; size 0: the machine has no such axis. */
   ig_text (*name)(void* self, uint32_t axis);
+  /* What programs call it besides, with one blank between two names: "C1 ROTC". */
+  ig_text (*further_names)(void* self, uint32_t axis);
   int32_t (*is_rotary)(void* self, uint32_t axis);
   /* These return 1, or 0 when the machine has no such axis or the value is not known. */
   int32_t (*position)(void* self, uint32_t axis, ig_axis_position which, double* position);

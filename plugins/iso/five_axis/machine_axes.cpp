@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include <isogloss/cnc/further_axes.hpp>
 #include <isogloss/cnc/scan.hpp>
 #include <isogloss/rows.hpp>
 #include <isogloss/sdk.hpp>
@@ -73,10 +74,19 @@ struct MachineAxes {
                                  "': its name is X, Y, Z, A, B or C; of a further axis U, V, W or, as Q1, longer");
       names.push_back(name);
     }
-    for (const std::string& name : rows)
-      for_each_name(name, [&](const std::string& called) { claims.emplace(called, name); });
-    for (std::uint32_t axis = 0; axis < names.size(); ++axis)
-      for_each_name(names[axis], [&](const std::string& called) { axis_of.emplace(called, axis); });
+    for (const std::string& row : rows)
+      for_each_name(row, [&](const std::string& name) {
+        if (name == row || is_long_name(name)) claims.emplace(name, row);
+      });
+    if (names.size() > first_further_axis + most_further_axes)
+      throw std::runtime_error("more than six axes beside X, Y, Z, A, B and C");
+    for (std::uint32_t axis = 0; axis < names.size(); ++axis) {
+      std::string& list = lists.emplace_back();
+      for_each_name(names[axis], [&](const std::string& name) {
+        axis_of.emplace(name, axis);
+        if (name != names[axis]) list.append(list.empty() ? "" : " ").append(name);
+      });
+    }
   }
 
   const void* service(std::string_view id) const {
@@ -86,12 +96,14 @@ struct MachineAxes {
 
   std::string row_fault(std::string_view row) const {
     std::string fault;
-    for_each_name(row, [&](const std::string& called) {
-      if (called != row && !is_long_name(called))
-        fault = "Names=\"" + called + "\" is no name of an axis: write letters and digits, as C1 or SP1";
-      for (auto [claim, last] = claims.equal_range(called); claim != last; ++claim)
+    for_each_name(row, [&](const std::string& name) {
+      if (name != row && !is_long_name(name)) {
+        fault = "Names=\"" + name + "\" is no name of an axis: write letters and digits, as C1 or SP1";
+        return;
+      }
+      for (auto [claim, last] = claims.equal_range(name); claim != last; ++claim)
         if (claim->second != row)
-          fault = "the rows " + std::string(row) + " and " + claim->second + " both name " + called;
+          fault = "the rows " + std::string(row) + " and " + claim->second + " both name " + name;
     });
     const std::string_view type = table.text(row, kind);
     if (is_one_of(row, letters)) return !type.empty() ? "Type has no effect on an axis X Y Z A B C: remove it" : fault;
@@ -117,6 +129,7 @@ struct MachineAxes {
 
   /// A further axis only goes to the positions of its words: what else the row says would be lost.
   std::string_view unused_column(std::string_view row) const {
+    if (table.value(row, references[0]).value_or(0) != 0) return "Reference1";
     struct Use {
       const ig::Column& column;
       std::string_view name;
@@ -183,6 +196,10 @@ struct MachineAxes {
     const auto& names = of(self).names;
     return ig::to_text(axis < names.size() && of(self).exists(names[axis]) ? std::string_view(names[axis]) : "");
   }
+  static ig_text further_names_of(void* self, std::uint32_t axis) {
+    const auto& names = of(self).names;
+    return ig::to_text(axis < names.size() ? std::string_view(of(self).lists[axis]) : "");
+  }
   static std::int32_t is_rotary(void* self, std::uint32_t axis) {
     const auto& names = of(self).names;
     if (axis >= names.size()) return 0;
@@ -207,11 +224,13 @@ struct MachineAxes {
     return axis < of(self).names.size() ? of(self).travel_of(of(self).names[axis], low, high) : 0;
   }
 
+  std::vector<std::string> lists;                  // by number: the further names
   std::vector<std::string> names;                  // by number
   std::multimap<std::string, std::string> claims;  // the rows by each of their names
   std::map<std::string, std::uint32_t> axis_of;    // the first that claims the name
   ig_machine_axis_1 axes{sizeof(ig_machine_axis_1), 0, this, &home, &reference, &travel, &rapid, &rollover};
-  ig_axis_name_1 axis_names{sizeof(ig_axis_name_1), 0, this, &find, &name_of, &is_rotary, &position, &travel_at};
+  ig_axis_name_1 axis_names{sizeof(ig_axis_name_1), 0,          this,      &find,     &name_of,
+                            &further_names_of,      &is_rotary, &position, &travel_at};
 };
 
 const ig::Register<MachineAxes> machine_axes;

@@ -21,15 +21,15 @@ bool Expression::indices(std::string& name, std::string& called) {
     const std::size_t begin = at_, end = skip_name(text_, at_);
     const char behind = ig::cnc::at(text_, ig::cnc::skip_blanks(text_, end));
     const std::string word = upper(ig::cnc::piece(text_, begin, end));
-    const bool stands_alone = !word.empty() && word.size() <= 2 && (behind == ',' || behind == ']');
-    const std::string_view letter = environment_.axes.letter_of(word);
-    const bool names_axis = (stands_alone && std::string_view("ABCUVWXYZ").find(word[0]) != std::string_view::npos &&
-                             environment_.store().find(word) == nullptr) ||
-                            (letter != word && (behind == ',' || behind == ']') && !environment_.store().find(word));
+    const bool is_whole_index = !word.empty() && (behind == ',' || behind == ']');
+    const bool stands_alone = is_whole_index && word.size() <= 2;
+    const bool names_axis = is_whole_index && environment_.store().find(word) == nullptr &&
+                            (environment_.axes.find(word) ||
+                             (stands_alone && std::string_view("ABCUVWXYZ").find(word[0]) != std::string_view::npos));
     const bool is_axis =
         names_axis || (stands_alone && name[0] == '$' && is_letter(word[0]) && (word[0] != 'R' || word == "RT"));
     if (is_axis) {  // $AA_IM[X]
-      add(letter, word);
+      add(environment_.axes.letter_of(word), word);
       at_ = end;
     } else {
       if (++depth_ > deepest) {
@@ -120,6 +120,7 @@ std::optional<Value> Expression::read(const Reference& r) {
   if (r.name == "$PI") return Value::real(std::numbers::pi);
   if (r.name[0] == '$')
     if (const auto n = environment_.system.read(b_, r.name)) return Value::real(*n);
+  if (environment_.axes.find(r.name)) return Value::string(r.name);  // DEF AXIS NAME=X
   at_ = r.end;
   const auto where = ig::Where::columns(r.begin, r.end);
   if (!failed_ && r.name[0] == '$')

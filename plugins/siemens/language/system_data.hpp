@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include <isogloss/cnc/further_axes.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
@@ -93,6 +94,8 @@ class SystemData {
                                          ig::In<double>{"MachineCoordinate.B"}, ig::In<double>{"MachineCoordinate.C"}};
   std::array<ig::In<double>, 3> program_{ig::In<double>{"ProgramXyz.X"}, ig::In<double>{"ProgramXyz.Y"},
                                          ig::In<double>{"ProgramXyz.Z"}};
+  FurtherAxisPositions further_axes_{ig::read};
+  AxisNames axes_;
   ig::In<std::int64_t> tool_{"ToolChange.SpindleToolId"};
   ig::In<std::int64_t> next_tool_{"ToolChange.ToolId"};
   ig::In<std::int64_t> row_{"ToolHeightCompensation.OffsetId"};

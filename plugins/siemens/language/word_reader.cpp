@@ -115,11 +115,17 @@ std::size_t WordReader::item(ig::Block& b, std::string_view text, std::size_t be
 
 void WordReader::word(ig::Block& b, Run& run, std::string_view name, ig_field field, std::size_t begin, std::size_t end,
                       double value) const {
+  if (const auto axis = further_axis(name)) field = further_axes_.word(*axis).id();
   if (field == IG_NO_FIELD) {
     if (!defines_curve()) leave(b, IG_LEFT_WORD, name, begin, end);
   } else {
     add(b, run, field, begin, end, value, name);
   }
+}
+
+std::optional<std::uint32_t> WordReader::further_axis(std::string_view name) const {
+  const auto axis = environment_.axes.find(name);
+  return axis && is_further_axis(*axis) ? axis : std::nullopt;
 }
 
 std::size_t WordReader::code(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number, Run& run) {

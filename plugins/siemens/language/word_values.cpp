@@ -38,7 +38,9 @@ std::size_t WordReader::valued(ig::Block& b, std::string_view text, std::size_t 
   const ig_field field = fields_.address(name);
   if (mode != ig::Symbol{}) {
     const std::size_t word_index = AxisModes::index_of(name);
-    if (word_index < AxisModes::words.size())
+    if (const auto further = further_axis(name); further && !defines_curve())
+      b.set(further_axes_.mode(*further), mode);
+    else if (word_index < AxisModes::words.size())
       set_mode(b, word_index, mode);
     else if (!(name == "SPOS" || name == "SPOSA") || b.text(mode) == "IC")  // an angle, whichever way it is reached
       b.report(ig::diag("SIE-0128"), columns(begin, end), std::string_view(name), b.text(mode));
@@ -51,7 +53,9 @@ std::size_t WordReader::valued_as(ig::Block& b, std::string_view text, std::size
                                   const std::string& name, Run& run) {
   const Assigned a = assigned(b, text, equals);
   if (!a.value) return a.end;
-  if (a.mode != ig::Symbol{} && AxisModes::index_of(name) < AxisModes::words.size())
+  if (const auto further = further_axis(name); further && a.mode != ig::Symbol{} && !defines_curve())
+    b.set(further_axes_.mode(*further), a.mode);
+  else if (a.mode != ig::Symbol{} && AxisModes::index_of(name) < AxisModes::words.size())
     set_mode(b, AxisModes::index_of(name), a.mode);
   word(b, run, name, fields_.address(name), begin, a.end, *a.value);
   return a.end;

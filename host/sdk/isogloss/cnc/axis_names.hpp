@@ -34,6 +34,10 @@ class AxisNames {
   std::string_view name(std::uint32_t axis) const {
     return table_ ? to_view(table_->name(table_->self, axis)) : std::string_view{};
   }
+  /// What programs call it besides, with one blank between two names.
+  std::string_view further_names(std::uint32_t axis) const {
+    return table_ ? to_view(table_->further_names(table_->self, axis)) : std::string_view{};
+  }
   bool is_rotary(std::uint32_t axis) const { return table_ && table_->is_rotary(table_->self, axis) != 0; }
   /// In mm or degrees, in machine coordinates; nothing where the machine does not define it.
   std::optional<double> position(std::uint32_t axis, ig_axis_position which) const {

@@ -11,13 +11,14 @@ namespace {
 
 /// C is called C1, too, and the machine has a further axis U.
 struct NamedAxes {
-  ig_axis_name_1 provided{sizeof(ig_axis_name_1), 0, this, &find, &name, &is_rotary, &position, &travel};
+  ig_axis_name_1 provided{sizeof(ig_axis_name_1), 0, this, &find, &name, &further, &is_rotary, &position, &travel};
   BlockDocument document;
 
   static std::int32_t find(void*, ig_text name) {
     return ig::to_view(name) == "C1" ? 5 : ig::to_view(name) == "U" ? 6 : -1;
   }
   static ig_text name(void*, std::uint32_t axis) { return ig::to_text(axis == 6 ? std::string_view("U") : ""); }
+  static ig_text further(void*, std::uint32_t axis) { return ig::to_text(axis == 5 ? std::string_view("C1") : ""); }
   static std::int32_t is_rotary(void*, std::uint32_t axis) { return axis == 5 ? 1 : 0; }
   static std::int32_t position(void*, std::uint32_t axis, ig_axis_position which, double* out) {
     *out = 12.5;
@@ -48,6 +49,7 @@ TEST_CASE("an axis is found by its letter and by the name that the machine gives
   CHECK(names.letter_of("U") == "U");
   CHECK(names.letter_of("B1") == "B1");
   CHECK(names.name(6) == "U");
+  CHECK(names.further_names(5) == "C1");
   CHECK(names.is_rotary(5));
 }
 
@@ -68,6 +70,6 @@ TEST_CASE("without a table of axes each is called by its letter") {
   CHECK_FALSE(names.find("C1").has_value());
   CHECK_FALSE(names.position(0, IG_AXIS_HOME).has_value());
   CHECK_FALSE(names.travel(0).has_value());
-  CHECK(names.name(0).empty());
+  CHECK((names.name(0).empty() && names.further_names(5).empty()));
   CHECK_FALSE(names.is_rotary(5));
 }
