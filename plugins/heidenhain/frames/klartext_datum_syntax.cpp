@@ -29,6 +29,7 @@ struct KlartextDatum {
   AxisNames axes_;
 
   ig::Status build(ig::Block& b) const {
+    if (!b.get_or(from_datum_, false)) return ig::Status::unchanged;
     bool any = false;
     for (std::uint32_t axis = 0; axis < words_.size(); ++axis) {
       const auto word = b.get(words_[axis]);

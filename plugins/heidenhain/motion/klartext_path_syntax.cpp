@@ -146,8 +146,7 @@ struct KlartextPath {
     }
   }
 
-  /// U, V and W move an axis where the machine's table has one; the other words of the block are executed, above all
-  /// M91 and FMAX.
+  /// U, V and W move an axis that the machine's table has. The other words of the block are executed in any case.
   std::size_t parallel_axis(ig::Block& b, std::string_view text, std::size_t i) const {
     const std::size_t letter = to_upper(text[i]) == 'I' ? i + 1 : i;
     const char c = to_upper(at(text, letter));

@@ -43,12 +43,15 @@ struct FurtherAxes {
   }
 
   ig::Status build(ig::Block& b) const {
+    bool any = false;
     for (std::uint32_t axis = first_further_axis; is_further_axis(axis); ++axis) {
       ig_value word;
       const ig_field field = words_.word(axis).id();
-      if (b.take_many(&field, 1, &word) != 0) go(b, axis, word.number);
+      if (b.take_many(&field, 1, &word) == 0) continue;
+      go(b, axis, word.number);
+      any = true;
     }
-    return ig::Status::changed;
+    return any ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
