@@ -45,7 +45,7 @@ struct SiemensSwivel {
   ig::Field<ig::Symbol> term_{"TiltTransform.Term", ig::read | ig::write, {ig::Life::modal, "", "The code in force."}};
   std::array<ig::In<double>, 3> angles_{ig::In<double>{"MachineCoordinate.A"}, ig::In<double>{"MachineCoordinate.B"},
                                         ig::In<double>{"MachineCoordinate.C"}};
-  RotaryOffsetSection rotary_offset_{"CoordinateOffset", ig::read};
+  RotaryOffsetSection rotary_offset_{"CoordinateOffset", ig::read}, programmable_offset_{"ProgrammableFrame"};
   ig::In<ig::Symbol> frame_in_force_{"CoordinateOffset.CoordinateId"};
   ToolKinematics machine_;
   SwivelRetract retract_;
@@ -75,7 +75,9 @@ struct SiemensSwivel {
 
   void end_programmable_frame(ig::Block& b) const {
     ig::cnc::Mat4 m;
-    if (old_frame_ == OldFrame::kept || !b.get(programmable_, m)) return;
+    if (old_frame_ == OldFrame::kept) return;
+    programmable_offset_.set(b, {});
+    if (!b.get(programmable_, m)) return;
     m = identity_frame;
     b.set_transform(programmable_, m);
     b.erase(programmable_term_);
@@ -149,6 +151,7 @@ struct SiemensSwivel {
   }
 
   void report_offset(ig::Block& b, ig::Where where) const {
+    if (programmable_offset_.acts_on(b, machine_)) b.report(ig::diag("SIE-0300"), where, std::string_view("TRANS"));
     if (rotary_offset_.acts_on(b, machine_))
       b.report(ig::diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
   }

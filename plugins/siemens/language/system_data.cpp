@@ -89,7 +89,8 @@ std::optional<double> SystemData::position(const ig::Block& b, const Name& name)
   const std::size_t axis = name.count == 1 ? axis_of(name.index[0]) : std::string_view::npos;
   if (axis == std::string_view::npos) return std::nullopt;
   const auto at = b.get(of_machine || axis > 2 ? machine_[axis] : program_[axis]);
-  return of_machine || axis < 3 || !at ? at : *at - turned_.get(b).value[axis - 3];
+  if (of_machine || axis < 3 || !at) return at;
+  return *at - (turned_.get(b).value[axis - 3] + programmable_.get(b).value[axis - 3]);
 }
 
 // ---- Tools

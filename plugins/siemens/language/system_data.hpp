@@ -88,7 +88,7 @@ class SystemData {
   /// $P_GG[n]: the number of the code in its group, from the list of G groups.
   std::optional<double> group(const ig::Block& b, std::int64_t group) const;
 
-  RotaryOffsetSection turned_{"CoordinateOffset", ig::read};
+  RotaryOffsetSection turned_{"CoordinateOffset", ig::read}, programmable_{"ProgrammableFrame", ig::read};
   std::array<ig::In<double>, 6> machine_{ig::In<double>{"MachineCoordinate.X"}, ig::In<double>{"MachineCoordinate.Y"},
                                          ig::In<double>{"MachineCoordinate.Z"}, ig::In<double>{"MachineCoordinate.A"},
                                          ig::In<double>{"MachineCoordinate.B"}, ig::In<double>{"MachineCoordinate.C"}};
