@@ -3,6 +3,7 @@
  * Plugins that are in the field were built with these numbers: a line here is never changed. A member that is added at
  * the end of a struct gets a new line at its end; the structs without struct_size cannot grow. */
 #include "isogloss.h"
+#include "isogloss_axis.h"
 #include "isogloss_flow.h"
 #include "isogloss_import.h"
 #include "isogloss_machine_code.h"
@@ -433,3 +434,18 @@ CONSTANT(IG_CODE_ACTS, 2);
 CONSTANT(IG_CODE_CALLS, 3);
 CONSTANT(IG_CODE_MOVES, 4);
 CONSTANT(IG_CODE_IS_REFUSED, 5);
+
+GROWS_FROM(ig_axis_name_1, 64);
+AT(ig_axis_name_1, reserved, 4);
+AT(ig_axis_name_1, self, 8);
+AT(ig_axis_name_1, find, 16);
+AT(ig_axis_name_1, name, 24);
+AT(ig_axis_name_1, further_names, 32);
+AT(ig_axis_name_1, is_rotary, 40);
+AT(ig_axis_name_1, position, 48);
+AT(ig_axis_name_1, travel, 56);
+CONSTANT(IG_AXIS_HOME, 1);
+CONSTANT(IG_AXIS_DATUM, 2);
+CONSTANT(IG_AXIS_RETRACT, 3);
+CONSTANT(IG_AXIS_FIXED_POINT_1, 4);
+CONSTANT(IG_AXIS_FIXED_POINT_4, 7);

@@ -1,6 +1,7 @@
 // What a machine has, and what it lacks for its dialect.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -23,6 +24,34 @@ Json sources(const DependencyElement& element) {
   for (const TableRow& row : element.rows) add(row.where.file, 1);
   Json out = Json::array();
   for (const std::string& file : files) out.push_back({{"Table", element.alias}, {"Rows", rows[file]}, {"File", file}});
+  return out;
+}
+
+bool is_provided(const ig_dependency& d, std::string_view service) {
+  bool out = false;
+  for (const char* const* id = d.provides; id != nullptr && *id != nullptr; ++id) out = out || *id == service;
+  return out;
+}
+
+/// The rows of the table that names the axes, cell by cell: names, positions and travel. A later row goes over an
+/// earlier one of the same axis.
+Json axes(const LinkedDialect& linked) {
+  Json out = Json::array();
+  for (const Provision& p : provisions(linked)) {
+    if (p.service != "isogloss.machine-axis/1") continue;
+    const LinkedDependency& d = linked.dependencies[p.dependencies[0]];
+    if (!is_provided(*d.dependency, "isogloss.axis-name/1")) continue;  // parameters of a control answer
+    const std::string key = d.dependency->row_key != nullptr ? d.dependency->row_key : "";
+    for (const TableRow& row : d.element.rows) {
+      const auto name =
+          std::find_if(row.attributes.begin(), row.attributes.end(), [&](const Attribute& a) { return a.name == key; });
+      if (name == row.attributes.end()) continue;
+      auto shown = std::find_if(out.begin(), out.end(), [&](const Json& axis) { return axis["Axis"] == name->value; });
+      if (shown == out.end()) shown = out.insert(out.end(), Json{{"Axis", name->value}});
+      for (const Attribute& a : row.attributes)
+        if (a.name != key) (*shown)[a.name] = a.value;
+    }
+  }
   return out;
 }
 
@@ -97,6 +126,7 @@ Json describe_machine(const LinkedDialect& linked, const Library& library) {
     for (Json& source : sources(e)) tables.push_back(std::move(source));
   for (const std::filesystem::path& place : d.program_places) programs.push_back(place.string());
   out["Tables"] = std::move(tables);
+  out["Axes"] = axes(linked);
   out["Programs"] = std::move(programs);
   out["Services"] = describe_services(linked);
   out["Lacks"] = lacking(linked, library);

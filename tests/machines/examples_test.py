@@ -75,6 +75,14 @@ class Examples(unittest.TestCase):
                 self.assertEqual(files[table], wanted, f"{name}: {table}")
             self.assertEqual([pathlib.Path(p).parts[-2:] for p in told["Programs"]], [(name, "programs")])
 
+    def test_inspect_shows_names_and_positions_of_axes(self):
+        axes = {name: {row["Axis"]: row for row in json.loads(self.command("inspect", name, "--json")[0])["Axes"]}
+                for name in EXAMPLES}
+        self.assertEqual({a: row["Names"] for a, row in axes["siemens-mill"].items()}, {"X": "X1", "Y": "Y1", "Z": "Z1"})
+        self.assertEqual(axes["siemens-mill"]["X"]["FixedPoint2"], "-350")
+        self.assertEqual(axes["klartext-5axis"]["Z"]["Datum"], "420")
+        self.assertEqual(axes["fanuc-mill"], {})  # parameters of the control hold its positions
+
     def test_lint_names_what_is_not_read(self):
         for name, (_, wanted) in EXAMPLES.items():
             notes = self.command("lint", "-m", name)[1]
@@ -89,7 +97,7 @@ class Examples(unittest.TestCase):
         self.assert_at(at[main, 6][0], X=42.5, Y=-10, Z=420, A=0, C=0)
         self.assert_at(at[main, 7][0], X=42.5, Y=-10, Z=33.57)
         self.assert_at(at[main, 8][0], Z=26.57)
-        # RETRACT.H of the folder programs: Z420 by M91.
+        # RETRACT.H of the folder programs: Z0 from the builder's datum of Z (M92), which lies at 420.
         self.assert_at(at["RETRACT.H", 3][0], X=42.5, Y=-10, Z=420)
         # SPA-30 inclines the plane to the back: A-30, C0. Table A turns the part by +30 degrees about the line Y0.02 Z-80.
         # The preset lies (Y-20.02, Z10) from that line; turned: Y = -20.02 cos 30 - 10 sin 30 = -17.3378 - 5 = -22.3378,
@@ -127,6 +135,7 @@ class Examples(unittest.TestCase):
         # Z65: -438.23 + 65 + 118.25 = -254.98. Z-6 with D2: -438.23 - 6 + 104.75 = -339.48.
         self.assert_at(at[main, 12][0], X=-437.385, Y=-226.75, Z=-254.98)
         self.assert_at(at[main, 13][0], Z=-339.48)
+        # PARK.SPF: Z1 is Z by its name in machine.xml, and D0 leaves no tool length. Fixed point 2 is X-350 Y0.
         self.assert_at(at["PARK.SPF", 4][0], Z=0)
         self.assert_at(at["PARK.SPF", 5][0], X=-350, Y=0, Z=0)
 

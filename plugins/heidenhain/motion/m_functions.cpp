@@ -172,11 +172,7 @@ std::size_t MFunctions::execute(ig::Block& b, const Values& values, std::string_
       b.set(call_, true);
       return m.end;
     case 91: put_code(b, g53_.id(0), m.begin, m.end); return m.end;
-    case 92:
-      if (QStore* const s = values.store(); s == nullptr || s->is_first_time(175, ""))
-        b.report(ig::diag("HEI-0175"), where);
-      put_code(b, g53_.id(0), m.begin, m.end);
-      return m.end;
+    case 92: name_datum(b, values, m); return m.end;
     case 94: return reduce(b, text, m);
     case 126:
     case 127: b.set(rotary_path_, b.symbol(m.number == 126 ? "M126" : "M127")); return m.end;
@@ -215,6 +211,18 @@ std::size_t MFunctions::reduce(ig::Block& b, std::string_view text, const Functi
       break;
     }
   return rest;
+}
+
+void MFunctions::name_datum(ig::Block& b, const Values& values, const Function& m) const {
+  bool is_known = false;
+  for (std::uint32_t axis = 0; axis < axis_letters.size(); ++axis)
+    is_known = is_known || axis_names_.position(axis, IG_AXIS_DATUM);
+  QStore* const store = values.store();
+  if (is_known)
+    b.set(from_datum_, true);
+  else if (store == nullptr || store->is_first_time(175, ""))
+    b.report(ig::diag("HEI-0175"), ig::Where::columns(m.begin, m.end));
+  put_code(b, g53_.id(0), m.begin, m.end);
 }
 
 void MFunctions::lead_tip(ig::Block& b, const Function& m) const {

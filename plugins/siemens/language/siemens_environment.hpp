@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include <isogloss/cnc/axis_names.hpp>
 #include <isogloss/cnc/scan.hpp>
 #include <isogloss/flow.hpp>
 #include <isogloss/sdk.hpp>
@@ -19,6 +20,7 @@ class Environment {
  public:
   ig::Flow flow;
   SystemData system;
+  AxisNames axes;  ///< the names by which this machine calls X Y Z A B C and others
 
   VariableStore& store() const { return const_cast<VariableStore&>(*store_.operator->()); }
 

@@ -96,7 +96,7 @@ class SystemAssignment {
     do {
       next = ig::cnc::skip_blanks(text, next + 1);
       const std::size_t end = skip_name(text, next), comma = ig::cnc::skip_blanks(text, end);
-      const std::size_t axis = end == next + 1 ? std::string_view("XYZABC").find(to_upper(text[next])) : 6;
+      const std::size_t axis = environment_.axes.find(upper(ig::cnc::piece(text, next, end))).value_or(6);
       if (axis > 5 || ig::cnc::at(text, comma) != ',') return std::nullopt;
       Expression e(b, environment_, text, comma + 1);
       const auto value = e.number();

@@ -10,10 +10,13 @@ using namespace ig::cnc;
 namespace {
 
 /// Z of POS[Z] and POSA[Z].
-char positioning_axis(std::string_view name) {
+std::string positioning_axis(std::string_view name, const AxisNames& axes) {
   for (const std::string_view known : {"POS[", "POSA["})
-    if (name.starts_with(known) && name.size() == known.size() + 2) return name[known.size()];
-  return '\0';
+    if (name.starts_with(known) && name.ends_with(']')) {
+      const std::string_view axis = name.substr(known.size(), name.size() - known.size() - 1);
+      if (axis.size() == 1 || axes.find(axis)) return std::string(axis);
+    }
+  return {};
 }
 
 /// Axes, spindles and codes by index: no variable of a machine has such a name.
@@ -62,12 +65,14 @@ std::size_t WordReader::assignment(ig::Block& b, std::string_view text, std::siz
     return target.position();
   }
   environment_.enter(b);
-  if (reference->name.size() == 5 && reference->name.starts_with("AX["))  // AX[NAME], NAME of type AXIS
-    return valued_as(b, text, begin, equals, reference->name.substr(3, 1), run);
-  if (const char axis = positioning_axis(reference->name); axis != '\0') {
+  if (reference->name.starts_with("AX[") && reference->name.ends_with(']'))  // AX[NAME], NAME of type AXIS
+    if (const std::string axis = reference->name.substr(3, reference->name.size() - 4);
+        axis.size() == 1 || environment_.axes.find(axis))
+      return valued_as(b, text, begin, equals, axis, run);
+  if (const std::string axis = positioning_axis(reference->name, environment_.axes); !axis.empty()) {
     if (environment_.store().is_first_report("POS"))
       b.report(ig::diag("SIE-0292"), columns(begin, target.position()), std::string_view(reference->name));
-    return valued_as(b, text, begin, equals, std::string(1, axis), run);
+    return valued_as(b, text, begin, equals, axis, run);
   }
   if (const std::size_t name_end = axis_name_end(text, equals, reference->name); name_end != 0) {
     const std::size_t value_at = skip_blanks(text, equals + 1);
@@ -194,9 +199,11 @@ std::size_t WordReader::axis_name_end(std::string_view text, std::size_t equals,
   if (target == nullptr || !target->value.is_text() || target->is_array) return 0;
   const std::size_t value_at = skip_blanks(text, equals + 1), end = skip_name(text, value_at);
   const char behind = at(text, skip_blanks(text, end));
-  if (!is_name_start(at(text, value_at)) || end > value_at + 3 || behind == '(' || behind == '[' || behind == '<')
+  const std::string axis = upper(piece(text, value_at, end));
+  if (!is_name_start(at(text, value_at)) || behind == '(' || behind == '[' || behind == '<' ||
+      (axis.size() > 3 && !environment_.axes.find(axis)))
     return 0;
-  return environment_.store().find(upper(piece(text, value_at, end))) == nullptr ? end : 0;
+  return environment_.store().find(axis) == nullptr ? end : 0;
 }
 
 Variable* WordReader::array_of(const std::string& element) const {
