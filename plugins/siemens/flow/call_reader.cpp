@@ -20,16 +20,6 @@ bool is_synchronized(std::string_view text, std::size_t position, std::string_vi
   return (name == "ID" || name == "IDS") && at(text, skip_blanks(text, skip_name(text, position))) == '=';
 }
 
-/// NAME of /_N_SPF_DIR/_N_NAME_SPF, FOLDER\NAME.SPF and NAME.
-std::string program_of(std::string_view path) {
-  path.remove_prefix(std::min(path.find_last_of("/\\:") + 1, path.size()));
-  std::string name = upper(trim(path.substr(0, path.find('.'))));
-  if (name.starts_with("_N_")) name.erase(0, 3);
-  for (const std::string_view kind : {"_SPF", "_MPF"})
-    if (name.size() > 4 && name.ends_with(kind)) name.erase(name.size() - 4);
-  return name;
-}
-
 /// Behind a call: nothing, or a word, which stands wrong, but is read. Else the line is no statement at all.
 bool is_alone(std::string_view text, std::size_t rest) {
   if (rest >= text.size() || std::string_view(";\r\n").find(text[rest]) != std::string_view::npos) return true;
@@ -81,11 +71,14 @@ std::size_t CallReader::scan(ig::Block& b, std::string_view text, std::size_t po
   } else if (const std::string_view missing = not_executed(name); !missing.empty()) {
     b.report(ig::diag("SIE-0174"), ig::Where::columns(position, end), std::string_view(name), missing);
     return end;
+  } else if (name == "CALLPATH") {
+    environment_.store().call_path.clear();
+    return end;
   } else if (silent_.holds(name)) {
     if (name == "SETMS") environment_.store().master_spindle.reset();
     return end;
   }
-  return request(b, text, next, std::move(name), has_bracket ? next : end);
+  return request(b, text, next, CalledProgram{std::move(name)}, has_bracket ? next : end);
 }
 
 ig::Status CallReader::build(ig::Block& b) {
@@ -100,30 +93,30 @@ ig::Status CallReader::build(ig::Block& b) {
     }
     begin_ = end_ = 0;
     arguments_.clear();
-    program_ = program_of(ig::to_view(row.program));
+    program_ = CalledProgram::at(ig::to_view(row.program));
     repeats_ = 1;
     calls = true;
   });
   if (!calls) return ig::Status::unchanged;
   const auto where = ig::Where::columns(begin_, std::max(end_, begin_));
-  b.set(term_, b.symbol(program_));
+  b.set(term_, b.symbol(program_.name));
   if (b.find(modal_)) {
     environment_.store().modal = {program_, std::move(arguments_), environment_.flow.frame(b).id};
     b.raise(modal_call_);
     return ig::Status::changed;
   }
   if (repeats_ < 1) return ig::Status::changed;
-  const ig_text file = ig::to_text(program_);
+  const CalledFiles files(program_, environment_.store().call_path);
   ig::Flow::Call call;
-  call.program = program_;
-  call.files = {&file, 1};
+  call.program = program_.name;
+  call.files = files.list();
   call.repeats = static_cast<std::uint32_t>(repeats_);
   call.tag = environment_.store().pass(std::move(arguments_));
   const ig::Flow::Answer answer = environment_.flow.call(b, call);
   if (answer.is_not_found())
-    environment_.report_once(b, ig::diag("SIE-0165"), where, begin_, std::string_view(program_), answer.reason);
+    environment_.report_once(b, ig::diag("SIE-0165"), where, begin_, std::string_view(program_.name), answer.reason);
   else if (answer.status == IG_GO_TAKEN)
-    b.report(ig::diag("SIE-0167"), where, std::string_view(program_));
+    b.report(ig::diag("SIE-0167"), where, std::string_view(program_.name));
   return ig::Status::changed;
 }
 
@@ -140,7 +133,7 @@ std::size_t CallReader::of_builder(ig::Block& b, std::string_view text, std::siz
   record_.add(b, row, where);
   if (row.does == IG_CODE_CALLS) {
     if (has_bracket && !read_arguments(b, text.substr(0, close), next)) return close;
-    return request(b, text, has_bracket ? skip_blanks(text, close) : next, program_of(ig::to_view(row.program)), close);
+    return request(b, text, has_bracket ? skip_blanks(text, close) : next, CalledProgram::at(ig::to_view(row.program)), close);
   }
   codes_.put(b, row, begin_, close);
   return count_end(b, text, close);
@@ -190,6 +183,7 @@ std::size_t CallReader::indirect(ig::Block& b, std::string_view text, std::size_
   const std::size_t name_end = skip_name(text, next);
   std::string name = upper(piece(text, next, name_end));
   const Variable* const variable = is_name ? environment_.store().find(name) : nullptr;
+  CalledProgram program{name};
   if (name == "BLOCK") {
     b.report(ig::diag("SIE-0171"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
     return text.size();
@@ -202,7 +196,7 @@ std::size_t CallReader::indirect(ig::Block& b, std::string_view text, std::size_
         b.report(ig::diag("SIE-0169"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
       return text.size();
     }
-    name = program_of(path->text);
+    program = CalledProgram::at(path->text);
     next = e.position();
   } else {
     next = skip_blanks(text, name_end);
@@ -217,10 +211,10 @@ std::size_t CallReader::indirect(ig::Block& b, std::string_view text, std::size_
     b.report(ig::diag("SIE-0171"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
     return text.size();
   }
-  return request(b, text, next, std::move(name), next);
+  return request(b, text, next, std::move(program), next);
 }
 
-std::size_t CallReader::request(ig::Block& b, std::string_view text, std::size_t next, std::string name,
+std::size_t CallReader::request(ig::Block& b, std::string_view text, std::size_t next, CalledProgram program,
                                 std::size_t end) {
   repeats_ = 1;
   end_ = end;
@@ -234,22 +228,22 @@ std::size_t CallReader::request(ig::Block& b, std::string_view text, std::size_t
     end_ = e.position();
     repeats_ = *times;
     if (!(repeats_ >= 0 && repeats_ <= 9999) || repeats_ != std::floor(repeats_)) {
-      b.report(ig::diag("SIE-0172"), ig::Where::columns(next, end_), std::string_view(name), *times);
+      b.report(ig::diag("SIE-0172"), ig::Where::columns(next, end_), std::string_view(program.name), *times);
       repeats_ = 0;
       return end_;
     }
   }
   if (const std::size_t rest = skip_blanks(text, end_); !is_alone(text, rest)) {
     const std::size_t last = statement_text_end(text, rest);
-    environment_.report_once(b, ig::diag("SIE-0173"), ig::Where::columns(begin_, last), begin_, std::string_view(name),
+    environment_.report_once(b, ig::diag("SIE-0173"), ig::Where::columns(begin_, last), begin_, std::string_view(program.name),
                              piece(text, rest, last));
     return statement_end(text, rest);
   }
   if (b.is_raised(call_)) {
-    b.report(ig::diag("SIE-0167"), ig::Where::columns(begin_, end_), std::string_view(name));
+    b.report(ig::diag("SIE-0167"), ig::Where::columns(begin_, end_), std::string_view(program.name));
     return statement_end(text, end_);
   }
-  program_ = std::move(name);
+  program_ = std::move(program);
   b.raise(call_);
   return end_;
 }

@@ -12,6 +12,8 @@ using namespace ig::cnc;
 
 namespace {
 
+constexpr std::size_t most_call_paths = 32;  // so that a loop of CALLPATH does not slow down each call
+
 /// E_DR(…), E_MI_PL(…), E_PS_CIR(…): what a work step of ShopMill drills and mills, and where.
 bool is_shopmill_step(std::string_view name) {
   if (name == "E_CON" || name == "E_DR") return true;
@@ -122,6 +124,10 @@ bool CallReader::is_known(ig::Block& b, std::string_view text, const std::string
     b.alarm();
     return true;
   }
+  if (name == "CALLPATH") {
+    add_call_path(b, text.substr(0, close), open, where);
+    return true;
+  }
   if (name == "GETEXET" || name == "GETSELT") {
     give_tool(b, text.substr(0, close), open, name == "GETEXET" ? "$P_TOOLNO" : "$P_TOOLP", where);
     return true;
@@ -149,6 +155,22 @@ bool CallReader::is_known(ig::Block& b, std::string_view text, const std::string
     b.set_text(message_, piece(text, first, std::min(text.find('"', first), close)));
   }
   return true;
+}
+
+void CallReader::add_call_path(ig::Block& b, std::string_view text, std::size_t open, ig::Where where) {
+  if (!read_arguments(b, text, open)) return;
+  std::vector<std::string>& path = environment_.store().call_path;
+  const bool is_empty = arguments_.empty() || !arguments_[0].value;
+  if (is_empty || (arguments_[0].value->is_text() && arguments_[0].value->text.empty())) {
+    path.clear();
+  } else if (!arguments_[0].value->is_text() || arguments_.size() > 1) {
+    b.report(ig::diag("SIE-0169"), where, text.substr(begin_));
+  } else if (path.size() == most_call_paths) {
+    b.report(ig::diag("SIE-0370"), where, arguments_[0].value->text, static_cast<double>(most_call_paths));
+  } else if (std::string folder = folder_of(arguments_[0].value->text);
+             std::find(path.begin(), path.end(), folder) == path.end()) {
+    path.push_back(std::move(folder));
+  }
 }
 
 void CallReader::name_master(ig::Block& b, std::string_view text, std::size_t open) {

@@ -33,22 +33,22 @@ struct SiemensModalCall {
 
  private:
   void call(ig::Block& b, const ModalCall& modal) const {
-    const ig_text file = ig::to_text(modal.program);
+    const CalledFiles files(modal.program, environment_.store().call_path);
     ig::Flow::Call call;
-    call.program = modal.program;
-    call.files = {&file, 1};
+    call.program = modal.program.name;
+    call.files = files.list();
     call.tag = environment_.store().pass(modal.arguments);
     const ig_place here = environment_.flow.here(b);
     if (auto& patterns = environment_.store().patterns;
         !patterns.empty() && patterns.back().is_at(here.frame, here.offset))
       patterns.back().tag = call.tag;
-    b.set(term_, b.symbol(modal.program));
+    b.set(term_, b.symbol(modal.program.name));
     const ig::Flow::Answer answer = environment_.flow.call(b, call);
     if (answer.is_not_found())
-      environment_.report_once(b, ig::diag("SIE-0165"), ig::Where::block(), 0, std::string_view(modal.program),
+      environment_.report_once(b, ig::diag("SIE-0165"), ig::Where::block(), 0, std::string_view(modal.program.name),
                                answer.reason);
     else if (answer.status == IG_GO_TAKEN)
-      b.report(ig::diag("SIE-0167"), ig::Where::block(), std::string_view(modal.program));
+      b.report(ig::diag("SIE-0167"), ig::Where::block(), std::string_view(modal.program.name));
   }
 };
 
