@@ -61,13 +61,12 @@ std::size_t CallReader::scan(ig::Block& b, std::string_view text, std::size_t po
       pass(b, *cycle, text, next, close);
       return close;
     }
+    if (is_foreign_cycle(name) && !silent_.holds(name)) return of_control(b, text, name, next, close);
     if (is_known(b, text, name, next, close)) return name == "SETINT" ? statement_end(text, close) : close;
     if (!read_arguments(b, text.substr(0, close), next)) return close;
     next = skip_blanks(text, close);
   } else if (is_foreign_cycle(name) && !silent_.holds(name)) {
-    environment_.report_once(b, ig::diag("SIE-0181"), ig::Where::columns(position, end), position,
-                             std::string_view(name));
-    return end;
+    return of_control(b, text, name, end, end);
   } else if (const std::string_view missing = not_executed(name); !missing.empty()) {
     b.report(ig::diag("SIE-0174"), ig::Where::columns(position, end), std::string_view(name), missing);
     return end;
@@ -85,13 +84,15 @@ ig::Status CallReader::build(ig::Block& b) {
   bool calls = b.is_raised(call_);
   recorded_.for_each(b, IG_CODE_CALLS, [&](const ig_machine_code& row) {
     const std::string_view name = ig::to_view(row.name);
-    const bool is_code = name.size() > 1 && (name[0] == 'M' || name[0] == 'G') && is_digit(name[1]);
+    const bool is_code = name.size() > 1 && (name[0] == 'M' || name[0] == 'G') && (is_digit(name[1]) || name[1] == '*');
     if (!is_code) return;  // a name, whose call scan() has requested or refused
+    report_lost_arguments(b, row, ig::Where::block());
     if (calls) {
       b.report(ig::diag("SIE-0167"), ig::Where::block(), name);
       return;
     }
     begin_ = end_ = 0;
+    is_of_control_ = false;
     arguments_.clear();
     program_ = CalledProgram::at(ig::to_view(row.program));
     repeats_ = 1;
@@ -106,18 +107,65 @@ ig::Status CallReader::build(ig::Block& b) {
     return ig::Status::changed;
   }
   if (repeats_ < 1) return ig::Status::changed;
-  const CalledFiles files(program_, environment_.store().call_path);
-  ig::Flow::Call call;
-  call.program = program_.name;
-  call.files = files.list();
-  call.repeats = static_cast<std::uint32_t>(repeats_);
-  call.tag = environment_.store().pass(std::move(arguments_));
-  const ig::Flow::Answer answer = environment_.flow.call(b, call);
+  call_program(b, where);
+  return ig::Status::changed;
+}
+
+void CallReader::call_program(ig::Block& b, ig::Where where) {
+  const auto ask = [&](const CalledProgram& program) {
+    const CalledFiles files(program, environment_.store().call_path);
+    ig::Flow::Call call;
+    call.program = program.name;
+    call.files = files.list();
+    call.repeats = static_cast<std::uint32_t>(repeats_);
+    call.tag = environment_.store().pass(arguments_);
+    return environment_.flow.call(b, call);
+  };
+  ig::Flow::Answer answer = ask(program_);
+  const bool is_of_control = std::exchange(is_of_control_, false);
+  if (answer.is_done() && is_of_control) {
+    // Only now is it worth to compute the parameters: those of a cycle that is not executed may be anything.
+    const std::string_view text = b.source().substr(0, end_);
+    if (at(text, open_) == '(' && !read_arguments(b, text, open_)) arguments_.clear();
+    environment_.store().pass_again(arguments_);
+  }
+  if (answer.is_not_found()) {
+    if (const ig_machine_code* const row = machine_.family(program_.name)) {
+      record_.add(b, *row, where, piece(b.source(), begin_, std::max(end_, begin_)));
+      codes_.put(b, *row, begin_, end_);
+      if (row->does != IG_CODE_CALLS) return;
+      if (is_of_control) read_arguments(b, b.source().substr(0, end_), open_);
+      program_ = CalledProgram::at(ig::to_view(row->program));
+      answer = ask(program_);
+    } else if (is_of_control) {
+      environment_.report_once(b, ig::diag("SIE-0181"), where, begin_, std::string_view(program_.name));
+      return;
+    } else if (machine_.ignores_unknown_programs()) {
+      environment_.report_once(b, ig::diag("ISO-0573"), where, begin_, std::string_view(program_.name));
+      return;
+    }
+  }
   if (answer.is_not_found())
     environment_.report_once(b, ig::diag("SIE-0165"), where, begin_, std::string_view(program_.name), answer.reason);
   else if (answer.status == IG_GO_TAKEN)
     b.report(ig::diag("SIE-0167"), where, std::string_view(program_.name));
-  return ig::Status::changed;
+}
+
+std::size_t CallReader::of_control(ig::Block& b, std::string_view text, const std::string& name, std::size_t open,
+                                   std::size_t close) {
+  const auto where = ig::Where::columns(begin_, close);
+  if (is_expanded_ || b.find(modal_) || b.is_raised(call_)) {
+    if (const ig_machine_code* const row = machine_.family(name)) return of_builder(b, text, close, open, *row);
+    environment_.report_once(b, ig::diag("SIE-0181"), where, begin_, std::string_view(name));
+    return close;
+  }
+  program_ = CalledProgram{name};
+  repeats_ = 1;
+  open_ = open;
+  end_ = close;
+  is_of_control_ = true;
+  b.raise(call_);
+  return close;
 }
 
 std::size_t CallReader::of_builder(ig::Block& b, std::string_view text, std::size_t end, std::size_t next,
@@ -130,7 +178,7 @@ std::size_t CallReader::of_builder(ig::Block& b, std::string_view text, std::siz
              std::string_view("its row in MachineCodes calls no program, so MCALL cannot repeat it"));
     return close;
   }
-  record_.add(b, row, where);
+  record_.add(b, row, where, piece(text, begin_, close));
   if (row.does == IG_CODE_CALLS) {
     if (has_bracket && !read_arguments(b, text.substr(0, close), next)) return close;
     return request(b, text, has_bracket ? skip_blanks(text, close) : next, CalledProgram::at(ig::to_view(row.program)), close);
@@ -244,6 +292,7 @@ std::size_t CallReader::request(ig::Block& b, std::string_view text, std::size_t
     return statement_end(text, end_);
   }
   program_ = std::move(program);
+  is_of_control_ = false;
   b.raise(call_);
   return end_;
 }

@@ -87,6 +87,11 @@ class CallReader {
   /// parameters may begin.
   std::size_t of_builder(ig::Block& b, std::string_view text, std::size_t end, std::size_t next,
                          const ig_machine_code& row);
+  /// Requests the call in build(). A program that is not found may be one of the builder's.
+  void call_program(ig::Block& b, ig::Where where);
+  /// A cycle of the control that is not executed here: where the machine has a program of that name, it is called.
+  std::size_t of_control(ig::Block& b, std::string_view text, const std::string& name, std::size_t open,
+                         std::size_t close);
   /// The end of P3 behind a name that calls nothing; `end` where no P stands there.
   std::size_t count_end(ig::Block& b, std::string_view text, std::size_t end);
 
@@ -123,7 +128,8 @@ class CallReader {
   void pass(ig::Block& b, const CycleFields& cycle, std::string_view text, std::size_t open, std::size_t close);
 
   // What scan() has found.
-  std::size_t begin_ = 0, end_ = 0;
+  std::size_t begin_ = 0, open_ = 0, end_ = 0;
+  bool is_of_control_ = false;
   CalledProgram program_;
   std::vector<Argument> arguments_;
   double repeats_ = 1;

@@ -113,10 +113,6 @@ std::string_view not_executed(std::string_view name) {
 bool CallReader::is_known(ig::Block& b, std::string_view text, const std::string& name, std::size_t open,
                           std::size_t close) {
   const auto where = ig::Where::columns(begin_, close);
-  if (is_foreign_cycle(name) && !silent_.holds(name)) {
-    environment_.report_once(b, ig::diag("SIE-0181"), where, begin_, std::string_view(name));
-    return true;
-  }
   if (name == "SETAL") {
     if (read_arguments(b, text.substr(0, close), open))
       b.report(ig::diag("SIE-0170"), where,

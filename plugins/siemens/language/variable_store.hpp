@@ -86,6 +86,8 @@ class VariableStore {
     passed_ = std::move(arguments);
     return ++tag_;
   }
+  /// Other arguments for the call that pass() has answered last.
+  void pass_again(std::vector<Argument> arguments) { passed_ = std::move(arguments); }
   /// The arguments of the present program's call, for the first statement that asks.
   const std::vector<Argument>& passed(std::uint64_t tag) {
     if (tag != 0 && tag == tag_) scopes_.back().arguments = passed_;
