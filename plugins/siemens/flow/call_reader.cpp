@@ -100,7 +100,7 @@ ig::Status CallReader::build(ig::Block& b) {
   });
   if (!calls) return ig::Status::unchanged;
   const auto where = ig::Where::columns(begin_, std::max(end_, begin_));
-  b.set(term_, b.symbol(program_.name));
+  if (!is_of_control_) b.set(term_, b.symbol(program_.name));
   if (b.find(modal_)) {
     environment_.store().modal = {program_, std::move(arguments_), environment_.flow.frame(b).id};
     b.raise(modal_call_);
@@ -124,6 +124,7 @@ void CallReader::call_program(ig::Block& b, ig::Where where) {
   ig::Flow::Answer answer = ask(program_);
   const bool is_of_control = std::exchange(is_of_control_, false);
   if (answer.is_done() && is_of_control) {
+    b.set(term_, b.symbol(program_.name));
     // Only now is it worth to compute the parameters: those of a cycle that is not executed may be anything.
     const std::string_view text = b.source().substr(0, end_);
     if (at(text, open_) == '(' && !read_arguments(b, text, open_)) arguments_.clear();
@@ -154,7 +155,7 @@ void CallReader::call_program(ig::Block& b, ig::Where where) {
 std::size_t CallReader::of_control(ig::Block& b, std::string_view text, const std::string& name, std::size_t open,
                                    std::size_t close) {
   const auto where = ig::Where::columns(begin_, close);
-  if (is_expanded_ || b.find(modal_) || b.is_raised(call_)) {
+  if (is_shopmill_step(name) || is_expanded_ || b.find(modal_) || b.is_raised(call_)) {
     if (const ig_machine_code* const row = machine_.family(name)) return of_builder(b, text, close, open, *row);
     environment_.report_once(b, ig::diag("SIE-0181"), where, begin_, std::string_view(name));
     return close;

@@ -14,15 +14,14 @@ namespace {
 
 constexpr std::size_t most_call_paths = 32;  // so that a loop of CALLPATH does not slow down each call
 
-/// E_DR(…), E_MI_PL(…), E_PS_CIR(…): what a work step of ShopMill drills and mills, and where.
+}  // namespace
+
 bool is_shopmill_step(std::string_view name) {
   if (name == "E_CON" || name == "E_DR") return true;
   for (const std::string_view family : {"E_CP_", "E_DR_", "E_MI_", "E_PI_", "E_PO_", "E_PS_", "E_SL_"})
     if (name.starts_with(family)) return true;
   return false;
 }
-
-}  // namespace
 
 bool is_foreign_cycle(std::string_view name) {
   for (const std::string_view family : {"CYCLE", "POCKET", "SLOT", "HOLES", "LONGHOLE"})
