@@ -53,6 +53,71 @@ class Machines(unittest.TestCase):
             ends = [line.split(",")[8] for line in done.stdout.splitlines() if ",rapid," in line]
             self.assertEqual(ends, ["110", "120"], named)
 
+    def siemens_machine(self, files, more="", programs="backup"):
+        """A machine whose backup has these programs, and where the calls of a main program go: the X of their moves."""
+        self.write("mill/machine.xml", '<Machine xmlns="urn:isogloss:dialect:1" name="mill" dialect="siemens">'
+                   f'<Programs src="{programs}"/>{more}</Machine>')
+        for name, text in files.items():
+            self.write(f"mill/backup/{name}", text)
+
+    def moves(self, main, text, status=0):
+        program = self.write(main, text)
+        done = self.run_it("run", program, "-m", "mill", "--emit", "motions", "--format", "csv", status=status)
+        return [line.split(",")[3] for line in done.stdout.splitlines() if ",rapid," in line], done.stderr
+
+    def test_programs_are_searched_in_the_folders_of_the_control(self):
+        self.siemens_machine({"CUS.DIR/cycle_a.spf": "G0 X1\n", "cma.dir/CYCLE_A.SPF": "G0 X2\n",
+                              "Cst.dir/_N_CYCLE_B_SPF": "%_N_CYCLE_B_SPF\n;$PATH=/_N_CST_DIR\nG0 X3\n",
+                              "SPF.DIR/L123.SPF": "G0 X4\n", "WKS.DIR/X.WPD/SHAPE.SPF": "G0 X5\n",
+                              "cma.dir/SHAPE.SPF": "G0 X7\n", "SPF.DIR/HOLE.SPF": "G0 X8\n",
+                              "CUS.DIR/HOLE.SPF": "G0 X9\n", "MPF.DIR/NEAR.MPF": "G0 X10\n",
+                              "CUS.DIR/NEAR.SPF": "G0 X11\n", "SPF.DIR/CYCLE71.SPF": "PROC CYCLE71(REAL A)\nG0 X=A\n"})
+        main = "mill/backup/MPF.DIR/MAIN.MPF"
+        for call, x in (("CYCLE_A", "1"), ("Cycle_B", "3"), ("L123", "4"), ("SHAPE", "7"), ("HOLE", "8"), ("NEAR", "10"),
+                        ('CALLPATH("/_N_WKS_DIR/_N_X_WPD")\nSHAPE', "5"),
+                        ('CALLPATH("/_N_WKS_DIR/_N_X_WPD")\nCALLPATH()\nSHAPE', "7"),
+                        ('CALL "/_N_CUS_DIR/_N_HOLE_SPF"', "9"), ("PCALL HOLE", "8"),
+                        ('EXTCALL("WKS.DIR/X.WPD/SHAPE.SPF")', "5"), ('EXTCALL("ELSEWHERE/HOLE.SPF")', "8"),
+                        ("CYCLE71(71)", "71")):
+            self.assertEqual(self.moves(main, call + "\nM30\n")[0], [x], call)
+        # A main program in a workpiece finds what stands beside it.
+        self.assertEqual(self.moves("mill/backup/WKS.DIR/X.WPD/MAIN.MPF", "SHAPE\nM30\n")[0], ["5"])
+        notes = self.moves(main, "CYCLE_A\nCYCLE_A\nL123\nM30\n")[1]
+        self.assertEqual(notes.count("IG-0135"), 1, notes)
+        self.assertIn("cma.dir/CYCLE_A.SPF", notes)
+        # No folder of a workpiece is searched without a path, and no other folder with one.
+        error = self.moves(main, 'CALL "/_N_SPF_DIR/_N_CYCLE_A_SPF"\nM30\n', status=1)[1]
+        self.assertIn("SIE-0165", error)
+
+    def test_the_tree_of_a_backup_may_stand_one_folder_further_down(self):
+        self.siemens_machine({"nc/CUS.DIR/CYCLE_A.SPF": "G0 X1\n", "nc/CMA.DIR/CYCLE_A.SPF": "G0 X2\n"})
+        self.assertEqual(self.moves("part.mpf", "CYCLE_A\nM30\n")[0], ["1"])
+        order = '<SearchOrder><Folder name="CMA.DIR"/><ProgramPath/><Folder name="CUS.DIR"/></SearchOrder>'
+        self.siemens_machine({}, order)
+        self.assertEqual(self.moves("part.mpf", "CYCLE_A\nM30\n")[0], ["2"])
+        for wrong in ("<Folder/>", '<Folder name="a/b"/>', "<Place/>", "<ProgramPath/><ProgramPath/>"):
+            self.siemens_machine({}, f"<SearchOrder>{wrong}</SearchOrder>")
+            self.run_it("lint", "-m", "mill", status=1)
+
+    def test_a_file_of_several_programs_names_the_folder_of_each(self):
+        archive = ("%_N_MAIN_MPF\n;$PATH=/_N_MPF_DIR\nHOLE\nCALL \"/_N_CMA_DIR/_N_HOLE_SPF\"\nNEAR\nM30\n"
+                   "%_N_HOLE_SPF\n;$PATH=/_N_CMA_DIR\nG0 X1\nM17\n%_N_HOLE_SPF\n;$PATH=/_N_CUS_DIR\nG0 X2\nM17\n"
+                   "%_N_NEAR_SPF\n;$PATH=/_N_CUS_DIR\nG0 X3\nM17\n%_N_NEAR_SPF\n;$PATH=/_N_MPF_DIR\nG0 X4\nM17\n")
+        self.siemens_machine({"A.SPF": ""})
+        self.assertEqual(self.moves("all.arc", archive)[0], ["2", "1", "4"])
+
+    def test_explain_names_the_line_of_the_row_that_answered(self):
+        self.machine('<Dependencies>\n<MachineCodes>\n<Code name="M92" does="nothing"/>\n<Code name="m2*" '
+                     'does="nothing"/>\n</MachineCodes></Dependencies>')
+        part = self.write("part.nc", "G0 X1. M92\nM215 P1\nM30\n")
+        one = self.run_it("explain", f"{part}:1", "-m", "machines/mill").stdout
+        self.assertRegex(one, r"row M92 of MachineCodes, \S*machine.xml:4")
+        two = json.loads(self.run_it("explain", f"{part}:2", "-m", "machines/mill", "--json").stdout)
+        rows = [row for block in two for step in block["Steps"] for row in step.get("Rows", [])]
+        self.assertEqual([(r["Dependency"], r["Row"], r["Line"]) for r in rows], [("MachineCodes", "m2*", 5)])
+        given = self.run_it("explain", f"{part}:2", "-m", "machines/mill", "--set", "MachineCodes.M215.does=nothing").stdout
+        self.assertIn("row M215 of MachineCodes, given by --set", given)
+
     def test_machines_are_found_in_four_places(self):
         part = self.write("part.nc", "G21 G90 G0 X1.\nM30\n")
         self.machine("", "there/mill")

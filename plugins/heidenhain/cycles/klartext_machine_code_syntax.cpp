@@ -62,7 +62,7 @@ struct KlartextMachineCode {
     if (row->when == 2 || (row->when == 0 && waits(number->cycle)))
       wait(b, number->cycle);
     else
-      answer(b, *row, text, where);
+      answer(b, *row, text, where, position);
     return end;
   }
 
@@ -119,6 +119,7 @@ struct KlartextMachineCode {
 
   void call(ig::Block& b, const ig_machine_code& row) const {
     const std::string_view code = ig::to_view(row.name), program = ig::to_view(row.program);
+    report_lost_arguments(b, row, ig::Where::block());
     b.set(term_, b.symbol(code));
     b.set_text(file_name_, program);
     const ig::Flow::Answer answer = ask_program(b, text_.values().flow(), program, called_by_cycle);
@@ -129,11 +130,13 @@ struct KlartextMachineCode {
   }
 
   const ig_machine_code* of_cycle(std::int64_t number) const {
-    return number > 0 && machine_.holds_any() ? machine_.find("CYCL DEF " + std::to_string(number)) : nullptr;
+    return number > 0 && machine_.holds_any() ? row_of_cycle(machine_, static_cast<std::uint32_t>(number)) : nullptr;
   }
 
-  void answer(ig::Block& b, const ig_machine_code& row, std::string_view text, ig::Where where) const {
-    record_.add(b, row, where);
+  /// `begin` is where the cycle begins in the text.
+  void answer(ig::Block& b, const ig_machine_code& row, std::string_view text, ig::Where where,
+              std::size_t begin = 0) const {
+    record_.add(b, row, where, text.substr(begin));
     for_each_code(row, [&](std::string_view code) { m_.put(b, text_.values(), text, code, where.begin, where.end); });
   }
 };

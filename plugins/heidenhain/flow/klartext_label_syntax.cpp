@@ -1,5 +1,7 @@
 // LBL n marks a place, LBL 0 ends a subprogram. CALL LBL n runs the subprogram, CALL LBL n REP k repeats the part of
 // the program from the label to here k more times, CALL PGM runs another program.
+#include <isogloss/cnc/machine_codes.hpp>
+
 #include "flow/called_program.hpp"
 #include "language/block_words.hpp"
 #include "language/file_name.hpp"
@@ -21,6 +23,7 @@ struct KlartextLabel {
   };
 
   Values values_;
+  ProgramsOfBuilder builder_;
   ig::Signal statement_{"Parsing.~KlartextLabel", ig::read | ig::write | ig::wake};
   ig::TextField label_{"KlartextLabel.Name", ig::write, {ig::Life::block, "", "The label that the block defines."}};
   ig::Out<ig::Symbol> term_{"SubProgramCall.Term"};
@@ -173,8 +176,13 @@ struct KlartextLabel {
 
   void call(ig::Block& b, std::string_view path, ig::Where where) const {
     b.set_text(file_name_, path);
+    const std::string name = program_name(path);
+    const auto where = ig::Where::columns(i, text.size());
+    if (const ig_machine_code* const row = builder_.row(name)) return execute(b, *row, path, where);
     const ig::Flow::Answer answer = ask_program(b, values_.flow(), path);
     if (!answer.is_not_found()) return;
+    if (const ig_machine_code* const row = builder_.family(name)) return execute(b, *row, path, where);
+    if (builder_.ignores(b, path, where)) return;
     if (QStore* const s = values_.store(); s == nullptr || s->is_first_time(121, path))
       b.report(ig::diag("HEI-0121"), where, path, answer.reason);
   }
@@ -195,6 +203,14 @@ struct KlartextLabel {
     b.set(term_, call_selected_);
     if (path.empty()) return b.report(ig::diag("HEI-0373"), whole());
     call(b, path, whole());
+  }
+
+  /// A row of MachineCodes in place of the program.
+  void execute(ig::Block& b, const ig_machine_code& row, std::string_view path, ig::Where where) {
+    builder_.execute(b, row, path, where, [&](std::string_view program) {
+      const ig::Flow::Answer answer = ask_program(b, values_.flow(), program);
+      if (answer.is_not_found()) b.report(ig::diag("HEI-0121"), where, program, answer.reason);
+    });
   }
 
   struct {

@@ -9,6 +9,7 @@
 #include "isogloss/engine/document.hpp"
 #include "isogloss/engine/linker.hpp"
 #include "isogloss_flow.h"
+#include "isogloss_provenance.h"
 
 namespace isogloss {
 
@@ -124,6 +125,16 @@ class Chain {
   std::uint64_t blocks = 0;   ///< blocks begun so far
   std::uint64_t records = 0;  ///< records added to lists so far: steps of cycles
 
+  /// A row of a table that has answered for this block.
+  struct AnsweredRow {
+    std::uint16_t syntax;  ///< chain position + 1
+    std::string service, row;
+  };
+  /// Those of this block, in their order, at most most_answered_rows; empty unless listen_to_rows() was called.
+  std::vector<AnsweredRow> answered_rows;
+  static constexpr std::size_t most_answered_rows = 1000;
+  void listen_to_rows() { provenance_.is_listening = 1; }
+
   /// Executes calls and jumps, set by the runner; null where no program runs.
   FlowHost* flow = nullptr;
   /// From now on scanners report the names of lines.
@@ -187,6 +198,7 @@ class Chain {
   std::uint64_t reports_ = 0;  // diagnostics of this chain so far
   const ig_host* host_;
   ig_flow_1 flow_service_;
+  ig_provenance_1 provenance_;
   struct Step {
     ig_run_fn build = nullptr;  // of a syntax that looks ahead this is null ...
     ig_scan_fn scan = nullptr;
