@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include <isogloss_tool.h>
+
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
@@ -67,16 +69,17 @@ class SystemData {
     return axis < 3 ? in_unit(b, end) : end;
   }
 
-  /// NR1 L, NR2 R, NR4 DL, NR5 DR.
+  /// NR1 L, NR2 R, NR3 R2, NR4 DL, NR5 DR, NR6 DR2.
   std::optional<double> of_table(const ig::Block& b, const Request& r) const {
-    static constexpr std::array<int, 6> columns{-1, 0, 2, -1, 1, 3};
-    const bool is_column = r.number >= 1 && r.number <= 5 && r.number == std::floor(r.number);
-    const int of_number = is_column ? columns[static_cast<std::size_t>(r.number)] : -1;
-    if (of_number < 0) return std::nullopt;
+    static constexpr std::array<std::uint32_t, 6> columns{IG_TOOL_LENGTH,        IG_TOOL_RADIUS,
+                                                          IG_TOOL_CORNER_RADIUS, IG_TOOL_LENGTH_WEAR,
+                                                          IG_TOOL_RADIUS_WEAR,   IG_TOOL_CORNER_RADIUS_WEAR};
+    const bool is_column = r.number >= 1 && r.number <= columns.size() && r.number == std::floor(r.number);
+    if (!is_column) return std::nullopt;
     const double tool = r.index.value_or(static_cast<double>(b.get_or(tool_, std::int64_t{0})));
     const auto row = tool == std::floor(tool) ? whole_number(tool) : step_row(tool);
     double geometry = 0;
-    const auto column = static_cast<std::uint32_t>(of_number);
+    const std::uint32_t column = columns[static_cast<std::size_t>(r.number) - 1];
     if (!table_ || !row || table_->get(table_->self, *row, column, &geometry) == 0) return std::nullopt;
     return in_unit(b, geometry);
   }
