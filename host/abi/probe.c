@@ -41,3 +41,6 @@ void ig_probe_tool_name(const ig_tool_name_1* names) { (void)names; }
 
 IG_EXPORT void ig_probe_machine_code(const ig_machine_code_1* codes);
 void ig_probe_machine_code(const ig_machine_code_1* codes) { (void)codes; }
+
+IG_EXPORT void ig_probe_provenance(const ig_provenance_1* provenance);
+void ig_probe_provenance(const ig_provenance_1* provenance) { (void)provenance; }

@@ -85,8 +85,7 @@ class FileReader : XmlElements {
         {"Files", &FileReader::read_files},     {"Segmenter", &FileReader::read_segmenter},
         {"Plugins", &FileReader::read_plugins}, {"Dependencies", &FileReader::read_dependencies},
         {"Initial", &FileReader::read_initial}, {"Severities", &FileReader::read_severities},
-        {"Chain", &FileReader::read_chain},
-        {"SearchOrder", &FileReader::read_search_order}};
+        {"Chain", &FileReader::read_chain},     {"SearchOrder", &FileReader::read_search_order}};
     const bool is_include = file_.is_machine && section.name() == std::string_view("Include");
     if (is_include || section.name() == std::string_view("Programs")) {
       only_attributes(section, {"src"});

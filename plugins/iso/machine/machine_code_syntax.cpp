@@ -48,9 +48,9 @@ struct MachineCodeSyntax {
     if (calls_ == Calls::passed_on && arguments_of(*row) != CodeArguments::none) return position;
     const bool is_g = to_upper(text[position]) == 'G';
     const std::size_t words_end = is_g ? block_end(text, position) : own_words_end(text, end);
-    if (!flow_.is_indexing())
-      record_.add(b, *row, ig::Where::columns(position, end), piece(text, position, words_end));
-    if (calls_ == Calls::here && !flow_.is_indexing()) report_lost_arguments(b, *row, ig::Where::columns(position, end));
+    if (!flow_.is_indexing()) record_.add(b, *row, ig::Where::columns(position, end), piece(text, position, words_end));
+    if (calls_ == Calls::here && !flow_.is_indexing())
+      report_lost_arguments(b, *row, ig::Where::columns(position, end));
     if (row->does == IG_CODE_ACTS) {
       if (codes_.put(b, *row, position, end)) b.raise(unknown_code_);
       return end;

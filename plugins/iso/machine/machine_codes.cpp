@@ -128,8 +128,8 @@ struct MachineCodeTable {
       "position", nullptr, "", {}, "Where the axes go by rapid, in machine coordinates, mm and degrees: Z0 X10.", true};
   ig::Column text{"text", nullptr, "", {}, "Why the code is refused.", true};
   ig::Column when{"when", nullptr, "", {}, "When a cycle acts: defined or called; else as its number says.", true};
-  ig::Column arguments{"arguments", nullptr, "", {},
-                       "Of a G or M code that calls: passed or none; else passed for G codes.", true};
+  ig::Column arguments{
+      "arguments", nullptr, "", {}, "Of a G or M code that calls: passed or none; else passed for G codes.", true};
   ig::Column title{"title", nullptr, "", {}, "What the builder calls it; explain shows it.", true};
   ig::Choice<UnknownPrograms> unknown_programs{
       "unknown-programs", "error|nothing", "error",
@@ -157,12 +157,15 @@ struct MachineCodeTable {
     if (const std::string_view time = table.text(row, when); !time.empty() && time != "defined" && time != "called")
       return "when=\"" + std::string(time) + "\" is none of defined, called";
     if (!is_code(name) && !is_found_by_name(name) && !is_family(name))
-      return "its name is a code, as M92, a cycle, as CYCL DEF 392 or CYCLE996, a program, as L9000, or a family, as CYCLE9*";
+      return "its name is a code, as M92, a cycle, as CYCL DEF 392 or CYCLE996, a program, as L9000, or a family, as "
+             "CYCLE9*";
     if (!table.text(row, when).empty() && !name.starts_with(klartext_cycle))
       return "when has no effect here: only CYCL DEF may wait for its call";
     if (const std::string_view passed = table.text(row, arguments); !passed.empty()) {
-      if (passed != "passed" && passed != "none") return "arguments=\"" + std::string(passed) + "\" is none of passed, none";
-      if (kind != "call" || !names_codes(name)) return "arguments has no effect here: only G and M codes that call have it";
+      if (passed != "passed" && passed != "none")
+        return "arguments=\"" + std::string(passed) + "\" is none of passed, none";
+      if (kind != "call" || !names_codes(name))
+        return "arguments has no effect here: only G and M codes that call have it";
     }
     if (const std::string_view unused = unused_column(row, kind); !unused.empty())
       return std::string(unused) + " has no effect with does=\"" + std::string(kind) + "\": remove it";
@@ -214,7 +217,9 @@ struct MachineCodeTable {
     if (row.shown.does == IG_CODE_IS_REFUSED) row.text = table.text(written, text);
     row.title = table.text(written, title);
     const std::string_view passed = table.text(written, arguments);
-    row.shown.arguments = passed == "passed" ? 2 : passed.empty() && place->first[0] == 'G' && names_codes(place->first) ? 1 : 0;
+    row.shown.arguments = passed == "passed"                                                      ? 2
+                          : passed.empty() && place->first[0] == 'G' && names_codes(place->first) ? 1
+                                                                                                  : 0;
     row.shown.when = table.text(written, when) == "defined" ? 1 : table.text(written, when) == "called" ? 2 : 0;
     row.shown.name = ig::to_text(place->first);
     row.name = written;
@@ -239,7 +244,9 @@ struct MachineCodeTable {
     for (std::size_t size = std::min<std::size_t>(name.size(), most_name); size-- > 1;) {
       const auto row = rows.find(name.substr(0, size) + "*");
       if (row == rows.end()) continue;
-      if (!begins_codes(name.substr(0, size)) || is_code(canonical_name)) return &row->second.shown;
+      const bool is_cycle = name.starts_with(klartext_cycle), is_of_cycles = size >= klartext_cycle.size();
+      if (is_cycle ? is_of_cycles : !begins_codes(name.substr(0, size)) || is_code(canonical_name))
+        return &row->second.shown;
     }
     return nullptr;
   }

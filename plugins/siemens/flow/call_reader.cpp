@@ -182,7 +182,8 @@ std::size_t CallReader::of_builder(ig::Block& b, std::string_view text, std::siz
   record_.add(b, row, where, piece(text, begin_, close));
   if (row.does == IG_CODE_CALLS) {
     if (has_bracket && !read_arguments(b, text.substr(0, close), next)) return close;
-    return request(b, text, has_bracket ? skip_blanks(text, close) : next, CalledProgram::at(ig::to_view(row.program)), close);
+    return request(b, text, has_bracket ? skip_blanks(text, close) : next, CalledProgram::at(ig::to_view(row.program)),
+                   close);
   }
   codes_.put(b, row, begin_, close);
   return count_end(b, text, close);
@@ -284,8 +285,8 @@ std::size_t CallReader::request(ig::Block& b, std::string_view text, std::size_t
   }
   if (const std::size_t rest = skip_blanks(text, end_); !is_alone(text, rest)) {
     const std::size_t last = statement_text_end(text, rest);
-    environment_.report_once(b, ig::diag("SIE-0173"), ig::Where::columns(begin_, last), begin_, std::string_view(program.name),
-                             piece(text, rest, last));
+    environment_.report_once(b, ig::diag("SIE-0173"), ig::Where::columns(begin_, last), begin_,
+                             std::string_view(program.name), piece(text, rest, last));
     return statement_end(text, rest);
   }
   if (b.is_raised(call_)) {
