@@ -121,6 +121,7 @@ class FileReader : XmlElements {
 
   /// The folders in which the control searches called programs, below those that the user gives.
   void read_search_order(pugi::xml_node node) {
+    file_.has_search_order = true;
     file_.own.search_order.clear();
     bool has_path = false;
     for (const pugi::xml_node child : leaves(node, {"Folder", "ProgramPath"})) {
@@ -172,6 +173,12 @@ class FileReader : XmlElements {
     append(file_.own.plugins, part.own.plugins);
     append(file_.own.program_places, part.own.program_places);
     append(file_.own.imports, part.own.imports);
+    if (part.has_search_order) {
+      if (file_.has_search_order)
+        report_("IG-0113", xml->at(xml->root()), {"SearchOrder", "another file of the machine has it already"});
+      file_.has_search_order = true;
+      file_.own.search_order = std::move(part.own.search_order);
+    }
     append(file_.chain_edits, part.chain_edits);
     append(file_.dependency_edits, part.dependency_edits);
     for (const auto& [code, severity] : part.own.severities)
