@@ -177,7 +177,6 @@ struct KlartextLabel {
   void call(ig::Block& b, std::string_view path, ig::Where where) const {
     b.set_text(file_name_, path);
     const std::string name = program_name(path);
-    const auto where = ig::Where::columns(i, text.size());
     if (const ig_machine_code* const row = builder_.row(name)) return execute(b, *row, path, where);
     const ig::Flow::Answer answer = ask_program(b, values_.flow(), path);
     if (!answer.is_not_found()) return;
