@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 #define IG_ABI_MAJOR 1u
-#define IG_ABI_MINOR 7u
+#define IG_ABI_MINOR 8u
 
 #if defined(_WIN32)
 #define IG_EXPORT __declspec(dllexport)

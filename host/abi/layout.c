@@ -7,6 +7,7 @@
 #include "isogloss_flow.h"
 #include "isogloss_import.h"
 #include "isogloss_machine_code.h"
+#include "isogloss_provenance.h"
 #include "isogloss_tool.h"
 #include "isogloss_view.h"
 
@@ -362,6 +363,11 @@ AT(ig_tool_name_1, self, 8);
 AT(ig_tool_name_1, find, 16);
 AT(ig_tool_name_1, name, 24);
 CONSTANT(IG_TOOL_INDEX_STEP, 100000);
+CONSTANT(IG_TOOL_CORNER_RADIUS, 4);
+CONSTANT(IG_TOOL_CORNER_RADIUS_WEAR, 5);
+CONSTANT(IG_TOOL_TIP_ANGLE, 6);
+CONSTANT(IG_TOOL_TEETH, 7);
+CONSTANT(IG_TOOL_MAXIMUM_SPEED, 8);
 
 GROWS_FROM(ig_importer, 104);
 AT(ig_importer, option_count, 4);

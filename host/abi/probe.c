@@ -4,6 +4,7 @@
 #include "isogloss_flow.h"
 #include "isogloss_import.h"
 #include "isogloss_machine_code.h"
+#include "isogloss_provenance.h"
 #include "isogloss_tool.h"
 #include "isogloss_view.h"
 

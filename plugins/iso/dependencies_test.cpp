@@ -1,5 +1,6 @@
 #include <isogloss_axis.h>
 #include <isogloss_machine_code.h>
+#include <isogloss_tool.h>
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -93,6 +94,32 @@ TEST_CASE("tool offsets: a number without a row is zero, or missing where the ta
   CHECK(s->set(s->self, 2, 0, 50) == 1);
   CHECK(get(missing, 2, 0) == 50);
   CHECK(s->set(s->self, 401, 0, 50) == 0);
+}
+
+TEST_CASE("tool names: the tools of a name in the order of the rows, in any case of letters") {
+  const FakeDependency table(*ig_plugin_v1(), "ToolOffsetTable",
+                             {{"12", {{"H", 1}, {"Name", "Mill"}}},
+                              {"3", {{"H", 2}}},
+                              {"12.1", {{"H", 3}, {"Name", "MILL"}}},
+                              {"5", {{"H", 4}, {"Name", "DRILL"}}},
+                              {"8", {{"H", 5}, {"Name", "mill"}}}});
+  const auto* s = table.service<ig_tool_name_1>("isogloss.tool-name/1");
+  const auto all = [&](std::string_view name) {
+    std::vector<std::int64_t> ids;
+    for (std::int64_t id = s->find(s->self, text(name), 0); id != 0; id = s->find(s->self, text(name), id))
+      ids.push_back(id);
+    return ids;
+  };
+  const std::int64_t indexed = 12 + IG_TOOL_INDEX_STEP;
+  CHECK(all("mILL") == std::vector<std::int64_t>{12, indexed, 8});
+  CHECK(all("DRILL") == std::vector<std::int64_t>{5});
+  CHECK(all("") == std::vector<std::int64_t>{12, indexed, 5, 8});
+  CHECK(all("SAW").empty());
+  CHECK(s->find(s->self, text("MILL"), 5) == 8);
+  CHECK(s->find(s->self, text("MILL"), 77) == 0);
+  const FakeDependency none(*ig_plugin_v1(), "ToolOffsetTable", {{"3", {{"H", 2}}}});
+  const auto* n = none.service<ig_tool_name_1>("isogloss.tool-name/1");
+  CHECK(n->find(n->self, text(""), 0) == 0);
 }
 
 TEST_CASE("fallback settings: a distance that is not set follows the other one") {

@@ -18,8 +18,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 # Of each machine: what its tables come from, and what lint names as not read.
 EXAMPLES = {
     "klartext-5axis": ({"ToolOffsetTable": {"TOOL.T", "machine.xml"}, "IsoCoordinateTable": {"PRESET.PR"},
-                        "MachineAxes": {"axes.xml"}, "MachineKinematics": {"axes.xml"}},
-                       {"column SHOP_RACK", "column SHOP_CHECKED", "column TL", "column RT", "column LOCKED", "tool 0"}),
+                        "HeidenhainDatums": {"VICES.D"}, "HeidenhainSystemData": {"machine.xml"}, "MachineAxes": {"axes.xml"}, "MachineKinematics": {"axes.xml"}},
+                       {"column DOC", "column SHOP_RACK", "column SHOP_CHECKED", "column TL", "column RT", "column LOCKED", "tool 0"}),
     "siemens-mill": ({"ToolOffsetTable": {"TO1_TOA.INI"}, "SiemensCoordinateTable": {"CH1_UFR.INI"},
                       "SiemensVariables": {"CH1_GUD.INI"}, "MachineAxes": {"machine.xml"}},
                      {"tool management data", "magazine data", "definition of a STRING, AXIS or FRAME"}),
@@ -45,11 +45,11 @@ class Examples(unittest.TestCase):
         self.assertEqual([n for n in notes if n["Severity"] != "note"], [], arguments)
         return done.stdout, notes
 
-    def places(self, program, machine):
+    def places(self, program, machine, wanted_notes=()):
         """Where each move ends, in machine coordinates: {(file, line): [place of the first pass, of the second, …]}."""
         out = {}
         motions, notes = self.command("run", HERE / program, "-m", machine, "--exact")
-        self.assertEqual(notes, [])
+        self.assertEqual([n["Code"] for n in notes], list(wanted_notes))
         for event in map(json.loads, motions.splitlines()):
             at = event.get("MachineCoordinate")
             if at is not None:
@@ -90,7 +90,8 @@ class Examples(unittest.TestCase):
             self.assertEqual(wanted - unread, set(), f"{name}: {unread}")
 
     def test_klartext_5axis(self):
-        at, main = self.places("klartext-5axis.H", "klartext-5axis"), "klartext-5axis.H"
+        # Tools 7 and 12 are sisters: both are named CHAMFER_D8.
+        at, main = self.places("klartext-5axis.H", "klartext-5axis", ["HEI-0368"]), "klartext-5axis.H"
         # Preset 1 lies at X12.5 Y-20 Z-70. MILL_D12 is tool 2 of TOOL.T: L 98.6 with DL -0.03 makes 98.57.
         # Block 4: X = 12.5 + 30, Y = -20 + 10, and Z rests at its home 420. Z5: -70 + 5 + 98.57 = 33.57.
         self.assert_at(at[main, 6][0], X=42.5, Y=-10, Z=420, A=0, C=0)
@@ -115,6 +116,8 @@ class Examples(unittest.TestCase):
         self.assert_at(at[main, 25][0], Z=45.25)
         self.assert_at(at["RETRACT.H", 3][-1], Z=420)
         self.assertEqual(len(at["RETRACT.H", 3]), 5)
+        # Row 2 of VICES.D on top of preset 1: X = 12.5 + 120 + 10, Y = -20 + 12.5, and C counts from 90.
+        self.assert_at(at[main, 33][0], X=142.5, Y=-7.5, Z=420, C=90)
 
     def test_siemens_mill(self):
         at, main = self.places("siemens-mill.mpf", "siemens-mill"), "siemens-mill.mpf"

@@ -228,6 +228,7 @@ void Chain::assign(const std::string& path, const std::string& value) {
 
 const void* Chain::service(std::string_view id) const {
   if (id == IG_FLOW_SERVICE) return &flow_service_;
+  if (id == IG_PROVENANCE_SERVICE) return &provenance_;
   const std::optional<std::size_t> who = answering(id);
   return who ? service_of(*linked_.dependencies[*who].dependency, dependencies_[*who], id) : nullptr;
 }

@@ -108,16 +108,26 @@ std::size_t MFunctions::scan(ig::Block& b, const Values& values, std::string_vie
   if (values.is_indexing()) return end;
   const bool is_code = rounded >= 0 && rounded <= most_m_of_builder && rounded == v.number;
   const Function m{is_code ? static_cast<std::uint32_t>(rounded) : 0, position, end};
-  const ig_machine_code* const row = is_code ? machine_.find(NumberedName('M', m.number).text()) : nullptr;
+  const NumberedName name('M', m.number);
+  const ig_machine_code* row = is_code ? machine_.find(name.text()) : nullptr;
+  if (row == nullptr && is_code && !knows(m.number)) row = machine_.family(name.text());
   if (row != nullptr) return of_builder(b, values, text, m, *row);
   if (is_code && m.number <= most_m) return act(b, values, text, m);
   leave(b, IG_LEFT_UNKNOWN, piece(text, position, end), position, end);
   return end;
 }
 
+bool MFunctions::knows(std::uint32_t m) const {
+  for (const std::uint32_t own : {13u, 14u, 89u, 91u, 92u, 94u, 99u, 126u, 127u, 128u, 129u, 136u, 137u, 140u})
+    if (m == own) return true;
+  for (const NotExecuted& known : not_executed)
+    if (m == known.number) return true;
+  return m < table_.size() && table_[m] != IG_NO_FIELD;
+}
+
 std::size_t MFunctions::of_builder(ig::Block& b, const Values& values, std::string_view text, const Function& m,
                                    const ig_machine_code& row) const {
-  record_.add(b, row, ig::Where::columns(m.begin, m.end));
+  record_.add(b, row, ig::Where::columns(m.begin, m.end), piece(text, m.begin, m.end));
   std::size_t end = m.end;
   for_each_code(row, [&](std::string_view code) { end = std::max(end, put(b, values, text, code, m.begin, m.end)); });
   return end;

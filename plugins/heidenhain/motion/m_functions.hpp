@@ -40,6 +40,8 @@ class MFunctions {
   std::size_t act(ig::Block& b, const Values& values, std::string_view text, const Function& m) const {
     return m.number == 140 ? retract(b, values, text, m) : execute(b, values, text, m);
   }
+  /// An M function of the control, executed or not.
+  bool knows(std::uint32_t m) const;
   /// An M function of the machine's builder: `row` of MachineCodes.
   std::size_t of_builder(ig::Block& b, const Values& values, std::string_view text, const Function& m,
                          const ig_machine_code& row) const;

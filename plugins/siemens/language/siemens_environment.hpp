@@ -10,6 +10,7 @@
 #include <isogloss/sdk.hpp>
 
 #include "language/system_data.hpp"
+#include "language/upper.hpp"
 #include "language/variable_store.hpp"
 
 namespace siemens {
@@ -50,17 +51,6 @@ class Environment {
  private:
   ig::Service<VariableStore> store_{variable_service, ig::Need::required, "The variables."};
 };
-
-constexpr bool is_name_start(char c) { return is_letter(c) || c == '_'; }
-constexpr bool is_name_part(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
-constexpr std::size_t skip_name(std::string_view text, std::size_t position) {
-  return skip_while(text, position, is_name_part);
-}
-inline std::string upper(std::string_view name) {
-  std::string out(name);
-  for (char& c : out) c = to_upper(c);
-  return out;
-}
 
 /// A block in which the name from `begin` to `end` is replaced by its DEFINE text. Columns before `begin` do not
 /// change.

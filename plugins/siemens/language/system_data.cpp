@@ -98,10 +98,12 @@ std::optional<double> SystemData::position(const ig::Block& b, const Name& name)
 std::optional<std::uint32_t> SystemData::column_of(const Name& name) {
   std::string_view number = name.base.starts_with("$TC_DP") ? name.base.substr(6) : std::string_view();
   if (name.base == "$P_AD" && name.count == 1) number = name.index[0];
-  if (number == "3") return 0;
-  if (number == "12") return 1;
-  if (number == "6") return 2;
-  if (number == "15") return 3;
+  if (number == "3") return IG_TOOL_LENGTH;
+  if (number == "12") return IG_TOOL_LENGTH_WEAR;
+  if (number == "6") return IG_TOOL_RADIUS;
+  if (number == "15") return IG_TOOL_RADIUS_WEAR;
+  if (number == "7") return IG_TOOL_CORNER_RADIUS;
+  if (number == "16") return IG_TOOL_CORNER_RADIUS_WEAR;
   return std::nullopt;
 }
 

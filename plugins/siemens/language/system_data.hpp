@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include <isogloss_tool.h>
+
 #include <isogloss/cnc/further_axes.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/units.hpp>

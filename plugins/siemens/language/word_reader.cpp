@@ -142,9 +142,11 @@ std::size_t WordReader::code(ig::Block& b, std::string_view text, std::size_t be
 
 void WordReader::set_code(ig::Block& b, Run& run, char letter, std::uint32_t n, std::size_t begin,
                           std::size_t end) const {
-  const ig_machine_code* const row = machine_.find(NumberedName(letter, n).text());
+  const NumberedName name(letter, n);
+  const ig_machine_code* row = machine_.find(name.text());
+  if (row == nullptr && fields_.code(letter, n) == IG_NO_FIELD) row = machine_.family(name.text());
   if (row == nullptr) return set_known(b, run, letter, n, begin, end);
-  if (!environment_.flow.is_indexing() && !defines_curve()) record_.add(b, *row, columns(begin, end));
+  if (!environment_.flow.is_indexing() && !defines_curve()) record_.add(b, *row, columns(begin, end), name.text());
   for_each_code(*row, [&](std::string_view code) {
     if (const auto number = whole_number_of_code(code))
       set_known(b, run, code[0], *number, begin, end);
