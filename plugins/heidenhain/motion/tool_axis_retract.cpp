@@ -13,7 +13,7 @@ bool ToolAxisRetract::follow(ig::Block& b, KlartextWay& way, const ig::Vec3& her
     return false;
   };
   if (way.mask != 0) return refuse("the retract after the other move of the block is missing");
-  if (tip_control_.is_on(b) && length(way.from - here_in_program) > 1e-6)
+  if (tip_control_.is_on(b) && ig::cnc::length(way.from - here_in_program) > 1e-6)
     return refuse("the retract is missing, because a mirror image would turn its direction");
   const auto step = unit_way(b, way, here_in_program);
   auto size = distance;
