@@ -174,7 +174,7 @@ struct KlartextLabel {
     call(b, *path, ig::Where::columns(i, text.size()));
   }
 
-  void call(ig::Block& b, std::string_view path, ig::Where where) const {
+  void call(ig::Block& b, std::string_view path, ig::Where where) {
     b.set_text(file_name_, path);
     const std::string name = program_name(path);
     if (const ig_machine_code* const row = builder_.row(name)) return execute(b, *row, path, where);
@@ -196,7 +196,7 @@ struct KlartextLabel {
       b.erase(selected_);
   }
 
-  void call_selected(ig::Block& b, std::string_view text, std::size_t i) const {
+  void call_selected(ig::Block& b, std::string_view text, std::size_t i) {
     const std::string path(b.text(b.get_or(selected_, ig::Symbol{})));
     report_rest(b, text, i, "CALL SELECTED PGM");
     b.set(term_, call_selected_);

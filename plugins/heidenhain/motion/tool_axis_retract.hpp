@@ -1,6 +1,8 @@
 /// M140: a retract along the tool axis, by a distance in mm or to the end of the travel.
 #pragma once
 
+#include <isogloss/cnc/rotary_words.hpp>
+#include <isogloss/cnc/tool_direction.hpp>
 #include <isogloss/cnc/travel_end.hpp>
 
 #include "motion/klartext_way.hpp"
@@ -22,7 +24,13 @@ class ToolAxisRetract {
                          ig::read,
                          {ig::Life::block, "", "M140 MB MAX: along the tool axis to the end of the travel."}};
   ig::Word distance_{"Parsing.MB", ig::take, "mm", "M140 MB: how far along the tool axis."};
+  /// The way of 1 mm along the tool, in coordinates of the program: under M128 the rotary axes have turned it.
+  std::optional<ig::Vec3> unit_way(ig::Block& b, const KlartextWay& way, const ig::Vec3& here_in_program) const;
+
   TravelEnd travel_;
+  ToolCenterMode tip_control_;
+  ToolKinematics kinematics_;
+  RotaryPosition rotary_{ig::read};
 };
 
 }  // namespace heidenhain

@@ -4,7 +4,7 @@
 #include <isogloss/cnc/axis_names.hpp>
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/rotary_words.hpp>
-#include <isogloss/cnc/tool_kinematics.hpp>
+#include <isogloss/cnc/tool_direction.hpp>
 #include <isogloss/cnc/travel_end.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -59,12 +59,7 @@ class SwivelRetract {
     ig::Vec3 out;
     out[plane_(b).tool] = 1;
     if (!kinematics_) return out;
-    const Angles angles = rotary_.get(b).or_else({});
-    const auto axis = kinematics_.tool_axis(angles);
-    const auto turned = kinematics_.pivot(angles);
-    if (!axis || !turned) return std::nullopt;
-    const Mat4& m = *turned;
-    return mapped(m, *axis) - ig::Vec3{m[12], m[13], m[14]};
+    return ig::cnc::tool_direction(kinematics_, rotary_.get(b).or_else({}));
   }
 
   SwivelRetractFields fields_{ig::write};
