@@ -1,4 +1,5 @@
 /// Variables in an expression: R1, NAME[2,3], $AA_IM[X] with their indices, and the value that each of them has.
+#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -117,6 +118,12 @@ std::optional<Value> Expression::read(const Reference& r) {
     }
   }
   if (const auto n = store.given(r.name)) return Value::real(*n);
+  constexpr std::string_view passed = "$P_SUBPAR[";
+  if (r.name.starts_with(passed)) {
+    std::size_t number = 0;
+    std::from_chars(r.name.data() + passed.size(), r.name.data() + r.name.size(), number);
+    return Value::truth(store.is_passed(number));
+  }
   if (r.name == "$PI") return Value::real(std::numbers::pi);
   if (r.name[0] == '$')
     if (const auto n = environment_.system.read(b_, r.name)) return Value::real(*n);

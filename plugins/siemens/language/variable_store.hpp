@@ -94,6 +94,12 @@ class VariableStore {
     return scopes_.back().arguments;
   }
 
+  /// The call of the present program gives a value to its parameter n, counted from 1.
+  bool is_passed(std::size_t n) const {
+    const std::vector<Argument>& arguments = scopes_.back().arguments;
+    return n > 0 && n <= arguments.size() && arguments[n - 1].value.has_value();
+  }
+
   /// DEFINE NAME AS TEXT.
   void define_macro(const std::string& name, std::string text) { macros_[name] = std::move(text); }
   bool has_macros() const { return !macros_.empty(); }
