@@ -45,3 +45,6 @@ void ig_probe_machine_code(const ig_machine_code_1* codes) { (void)codes; }
 
 IG_EXPORT void ig_probe_axis_name(const ig_axis_name_1* names);
 void ig_probe_axis_name(const ig_axis_name_1* names) { (void)names; }
+
+IG_EXPORT void ig_probe_provenance(const ig_provenance_1* provenance);
+void ig_probe_provenance(const ig_provenance_1* provenance) { (void)provenance; }

@@ -299,6 +299,46 @@ TEST_CASE("machine codes: a code is found in any spelling, and its row says what
   CHECK(n->find(n->self, text("")) == nullptr);
 }
 
+TEST_CASE("machine codes: the longest family answers, and none for a name of another kind") {
+  FakeDependency::Rows rows;
+  for (const char* name : {"m02*", "M21*", "M*", "G5*", "CYCLE9*", "CYCLE99*", "C*", "CYCL DEF 3*", "O95*", "L9*"})
+    rows[name] = {{"does", "nothing"}};
+  const FakeDependency table(*ig_plugin_v1(), "MachineCodes", rows);
+  const auto* s = table.service<ig_machine_code_1>("isogloss.machine-code/1");
+  const auto family = [&](std::string_view name) {
+    const ig_machine_code* const row = s->find_family(s->self, text(name));
+    return row == nullptr ? std::string() : std::string(row->row.data, row->row.size);
+  };
+  for (const auto& [name, row] :
+       std::initializer_list<std::pair<std::string_view, std::string_view>>{{"M20", "m02*"},
+                                                                            {"M215", "M21*"},
+                                                                            {"M21", "m02*"},
+                                                                            {"M2", "M*"},
+                                                                            {"M02", "M*"},
+                                                                            {"M8", "M*"},
+                                                                            {"G54.1", "G5*"},
+                                                                            {"G500", "G5*"},
+                                                                            {"G5", ""},
+                                                                            {"G05", ""},
+                                                                            {"CYCLE995", "CYCLE99*"},
+                                                                            {"CYCLE99", "CYCLE9*"},
+                                                                            {"CYCLE9", "C*"},
+                                                                            {"CYCL DEF 39", "CYCL DEF 3*"},
+                                                                            {"CYCL DEF 3", ""},
+                                                                            {"CYCL DEF 4", ""},
+                                                                            {"O9501", "O95*"},
+                                                                            {"O95", ""},
+                                                                            {"L9", ""},
+                                                                            {"l9000", "L9*"},
+                                                                            {"MILL", ""},
+                                                                            {"M1X", ""}}) {
+    CAPTURE(name);
+    CHECK(family(name) == row);
+  }
+  CHECK(s->find(s->self, text("M215")) == nullptr);
+  CHECK(s->unknown_programs == 0);
+}
+
 TEST_CASE("machine codes: a point, zeros behind it and zeros of a cycle's number do not count") {
   const FakeDependency table(*ig_plugin_v1(), "MachineCodes",
                              {{"M92.", {{"does", "nothing"}}}, {"CYCL DEF 0392", {{"does", "nothing"}}}});
@@ -308,12 +348,14 @@ TEST_CASE("machine codes: a point, zeros behind it and zeros of a cycle's number
 }
 
 TEST_CASE("machine codes: a name that no program holds, and a column without effect, are refused") {
-  for (const char* name : {"92", "X5", "FOO BAR", "CYCL DEF", "CYCL DEF X", "M", "M-1", "G54.10", "M92 P5", ""}) {
+  for (const char* name : {"92", "X5", "FOO BAR", "CYCL DEF", "CYCL DEF X", "M", "M-1", "G54.10", "M92 P5", "", "*",
+                           "9*", "M9*9", "CYCL DEF *5", "FOO BAR*"}) {
     CAPTURE(name);
     CHECK_THAT(FakeDependency(*ig_plugin_v1(), "MachineCodes", {{name, {{"does", "nothing"}}}}).row_fault(name),
                Catch::Contains("its name is a code"));
   }
-  for (const char* name : {"M92", "G54.1", "CYCL DEF 392", "CYCLE996", "L9000", "_N_PARK", "OEM_PARK"}) {
+  for (const char* name : {"M92", "G54.1", "CYCL DEF 392", "CYCLE996", "L9000", "_N_PARK", "OEM_PARK", "O9010", "M2*",
+                           "CYCLE9*", "CYCL DEF *"}) {
     CAPTURE(name);
     CHECK(FakeDependency(*ig_plugin_v1(), "MachineCodes", {{name, {{"does", "nothing"}}}}).row_fault(name).empty());
   }
@@ -322,6 +364,13 @@ TEST_CASE("machine codes: a name that no program holds, and a column without eff
     CHECK(FakeDependency(*ig_plugin_v1(), "MachineCodes", {{"M92", {{"does", "nothing"}, {column, "M8"}}}})
               .row_fault("M92") == column + std::string(" has no effect with does=\"nothing\": remove it"));
   }
+  CHECK_THAT(FakeDependency(*ig_plugin_v1(), "MachineCodes", {{"M92", {{"does", "nothing"}, {"arguments", "none"}}}})
+                 .row_fault("M92"),
+             Catch::Contains("only G and M codes that call"));
+  CHECK_THAT(FakeDependency(*ig_plugin_v1(), "MachineCodes",
+                            {{"M92", {{"does", "call"}, {"program", "1"}, {"arguments", "some"}}}})
+                 .row_fault("M92"),
+             Catch::Contains("none of passed, none"));
   CHECK_THAT(FakeDependency(*ig_plugin_v1(), "MachineCodes", {{"M92", {{"does", "nothing"}, {"when", "called"}}}})
                  .row_fault("M92"),
              Catch::Contains("only CYCL DEF"));

@@ -20,11 +20,11 @@ namespace {
 using namespace checks;
 
 // The elements of a dialect file: no syntax and no dependency can be named so.
-constexpr std::array reserved_names{"Dialect",      "Files",       "Signature", "Segmenter", "Plugins", "Plugin",
-                                    "Dependencies", "Initial",     "Field",     "Chain",     "Parsing", "Evaluation",
-                                    "Severities",   "Severity",    "Logic",     "PostLogic", "Replace", "Inspection",
-                                    "InsertBefore", "InsertAfter", "Remove",    "Configure", "Machine", "Include",
-                                    "Programs",     "Backup",      "Folder",    "SearchOrder", "ProgramPath"};
+constexpr std::array reserved_names{
+    "Dialect",  "Files",      "Signature",    "Segmenter",   "Plugins",    "Plugin",    "Dependencies", "Initial",
+    "Field",    "Chain",      "Parsing",      "Evaluation",  "Severities", "Severity",  "Logic",        "PostLogic",
+    "Replace",  "Inspection", "InsertBefore", "InsertAfter", "Remove",     "Configure", "Machine",      "Include",
+    "Programs", "Backup",     "Folder",       "SearchOrder", "ProgramPath"};
 // The attributes that the dialect reader keeps for itself.
 constexpr std::array reserved_attributes{"as", "override", "src", "format", "syntax", "dependency"};
 

@@ -85,8 +85,7 @@ class FileReader : XmlElements {
         {"Files", &FileReader::read_files},     {"Segmenter", &FileReader::read_segmenter},
         {"Plugins", &FileReader::read_plugins}, {"Dependencies", &FileReader::read_dependencies},
         {"Initial", &FileReader::read_initial}, {"Severities", &FileReader::read_severities},
-        {"Chain", &FileReader::read_chain},
-        {"SearchOrder", &FileReader::read_search_order}};
+        {"Chain", &FileReader::read_chain},     {"SearchOrder", &FileReader::read_search_order}};
     const bool is_include = file_.is_machine && section.name() == std::string_view("Include");
     if (is_include || section.name() == std::string_view("Programs")) {
       only_attributes(section, {"src"});
@@ -122,6 +121,7 @@ class FileReader : XmlElements {
 
   /// The folders in which the control searches called programs, below those that the user gives.
   void read_search_order(pugi::xml_node node) {
+    file_.has_search_order = true;
     file_.own.search_order.clear();
     bool has_path = false;
     for (const pugi::xml_node child : leaves(node, {"Folder", "ProgramPath"})) {
@@ -173,6 +173,12 @@ class FileReader : XmlElements {
     append(file_.own.plugins, part.own.plugins);
     append(file_.own.program_places, part.own.program_places);
     append(file_.own.imports, part.own.imports);
+    if (part.has_search_order) {
+      if (file_.has_search_order)
+        report_("IG-0113", xml->at(xml->root()), {"SearchOrder", "another file of the machine has it already"});
+      file_.has_search_order = true;
+      file_.own.search_order = std::move(part.own.search_order);
+    }
     append(file_.chain_edits, part.chain_edits);
     append(file_.dependency_edits, part.dependency_edits);
     for (const auto& [code, severity] : part.own.severities)

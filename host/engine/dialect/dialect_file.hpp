@@ -25,6 +25,7 @@ struct DialectFile {
   std::string extends;
   Location extends_where;
   bool has_files = false;
+  bool has_search_order = false;
   bool is_machine = false;  ///< a <Machine>, or a part of one
   std::vector<Edit<ChainElement>> chain_edits;
   std::vector<Edit<DependencyElement>> dependency_edits;

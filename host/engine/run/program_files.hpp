@@ -33,8 +33,7 @@ class LabelIndex {
 
   std::optional<Place> program(std::string_view name) const;
   /// Of several programs of that name, the one whose folder has the lowest rank; a rank below 0 excludes it.
-  std::optional<Place> program(std::string_view name,
-                               const std::function<int(const std::string& folder)>& rank) const;
+  std::optional<Place> program(std::string_view name, const std::function<int(const std::string& folder)>& rank) const;
   /// The folder of the program that stands at a place; empty where the file names none.
   const std::string& folder_at(const Place& place) const;
   bool has_programs() const { return !programs_.empty(); }
@@ -49,8 +48,8 @@ class LabelIndex {
     Place at;
     friend bool operator<(const Entry& a, const Entry& b) { return a.name != b.name ? a.name < b.name : a.at < b.at; }
   };
-  std::vector<Entry> labels_;    // by name, then place
-  std::vector<Entry> programs_;  // by place
+  std::vector<Entry> labels_;                     // by name, then place
+  std::vector<Entry> programs_;                   // by place
   std::map<std::uint64_t, std::string> folders_;  // by the index of the program; in small letters
 };
 
@@ -58,7 +57,7 @@ struct ProgramFile {
   std::string name;  ///< as diagnostics and events show it
   std::filesystem::path path;
   std::unique_ptr<Source> owned;
-  Source* source = nullptr;  ///< has places
+  Source* source = nullptr;   ///< has places
   bool is_of_folder = false;  ///< found by its name in a folder
   std::unique_ptr<LabelIndex> labels{};
 };

@@ -75,14 +75,29 @@ ProgramPlaces::ProgramPlaces(const std::vector<std::string>& places, const std::
         }
     return any;
   };
+  // A folder is listed only where one of these is there: the folder of a main program may have any neighbours.
+  const auto may_hold_levels = [&](const fs::path& folder) {
+    for (const SearchFolder& level : order_)
+      for (const std::string& name : level.names) {
+        std::error_code code;
+        std::string capitals = in_small_letters(name);
+        for (char& c : capitals)
+          if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+        for (const std::string& spelling : {name, in_small_letters(name), capitals})
+          if (fs::is_directory(folder / spelling, code)) return true;
+      }
+    return false;
+  };
   if (order_.empty()) return;
   for (Folder* const given : std::vector(roots_)) {
     if (place_levels(*given)) continue;
     if (given->folders.size() > most_subfolders) continue;
     const auto subfolders = given->folders;
     for (const auto& [name, spellings] : subfolders)
-      for (Folder* const subfolder : below(*given, name))
-        if (place_levels(*subfolder)) add_once(roots_, subfolder);
+      for (const std::string& spelling : spellings)
+        if (may_hold_levels(given->resolved / spelling))
+          for (Folder* const subfolder : below(*given, name))
+            if (place_levels(*subfolder)) add_once(roots_, subfolder);
   }
 }
 

@@ -85,7 +85,8 @@ bool ProgramSearch::find_in_files(const ig_go& request, const Caller& caller, co
   const bool has_order = !linked_.dialect.search_order.empty();
   const auto rank = [&](const std::string& folder) {
     if (!names.own_folders.empty()) {
-      const bool is_own = std::find(names.own_folders.begin(), names.own_folders.end(), folder) != names.own_folders.end();
+      const bool is_own =
+          std::find(names.own_folders.begin(), names.own_folders.end(), folder) != names.own_folders.end();
       return is_own ? 0 : folder.empty() && !places().has_own_folder(names) ? 1 : -1;
     }
     if (folder.empty() || folder == labels(main(), caller.here.line).folder_at(main_start_)) return 0;
@@ -148,9 +149,9 @@ void ProgramSearch::report_hidden(const ig_go& request, const Caller& caller, co
   if (found.file == nullptr || !hiding_.emplace(view_of(request.label)).second) return;
   const std::vector<std::string> hidden = places().hidden(names);
   if (!hidden.empty())
-    sink_.add(host_diagnostic("IG-0135", {caller.from.name, caller.here.line, caller.here.column + 1},
-                              {std::string(view_of(request.label)), found.file->name, hidden.front(),
-                               std::to_string(hidden.size())}));
+    sink_.add(host_diagnostic(
+        "IG-0135", {caller.from.name, caller.here.line, caller.here.column + 1},
+        {std::string(view_of(request.label)), found.file->name, hidden.front(), std::to_string(hidden.size())}));
 }
 
 /// A file of another name may hold the program. Where several do, it is not known which one the control has.

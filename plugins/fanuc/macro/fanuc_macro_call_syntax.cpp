@@ -104,8 +104,7 @@ struct FanucMacroCall {
     MacroCallReader reader(b, text, environment_, units_, ijk_sets_, words_);
     using Names = MacroCallReader::Names;
     end_ = reader.read(number.end, tag_bits_ == 0 ? Names::accepted : Names::refused);
-    if (row_ != nullptr)
-      record_.add(b, *row_, ig::Where::columns(position, end_), piece(text, position, end_));
+    if (row_ != nullptr) record_.add(b, *row_, ig::Where::columns(position, end_), piece(text, position, end_));
     b.raise(call_);
     return end_;
   }
@@ -115,7 +114,8 @@ struct FanucMacroCall {
     environment_.enter(b);
     const auto where = ig::Where::columns(begin_, end_);
     if ((tag_bits_ & shares_locals) != 0) {
-      call_program(b, builder_, environment_.flow, words_.called(), 1, tag_bits_, ig::Where::columns(begin_, code_end_));
+      call_program(b, builder_, environment_.flow, words_.called(), 1, tag_bits_,
+                   ig::Where::columns(begin_, code_end_));
       return ig::Status::changed;
     }
     const std::string_view code = code_.text();

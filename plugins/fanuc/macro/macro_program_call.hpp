@@ -49,9 +49,11 @@ inline CalledProgram program_of_row(const ig_machine_code& row) {
   return out;
 }
 
-/// Requests the call. MachineCodes may have a row in place of the program. An answer other than done, which is reported, means that nothing is called.
-inline ig::Flow::Answer ask_program(ig::Block& b, const ProgramsOfBuilder& builder, const ig::Flow& flow, const CalledProgram& program,
-                                    std::int64_t repeats, std::uint64_t tag, ig::Where where) {
+/// Requests the call. MachineCodes may have a row in place of the program. An answer other than done, which is
+/// reported, means that nothing is called.
+inline ig::Flow::Answer ask_program(ig::Block& b, const ProgramsOfBuilder& builder, const ig::Flow& flow,
+                                    const CalledProgram& program, std::int64_t repeats, std::uint64_t tag,
+                                    ig::Where where) {
   const NumberedName number('O', program.number);
   const std::string name = program.name.empty() ? std::string(number.text()) : program.name;
   const std::string bare = program.name.empty() ? name : name.substr(1, name.size() - 2);
@@ -79,8 +81,8 @@ inline ig::Flow::Answer ask_program(ig::Block& b, const ProgramsOfBuilder& build
     b.report(ig::diag("FAN-0165"), where, name, answer.reason);
   return answer;
 }
-inline bool call_program(ig::Block& b, const ProgramsOfBuilder& builder, const ig::Flow& flow, const CalledProgram& program, std::int64_t repeats,
-                         std::uint64_t tag, ig::Where where) {
+inline bool call_program(ig::Block& b, const ProgramsOfBuilder& builder, const ig::Flow& flow,
+                         const CalledProgram& program, std::int64_t repeats, std::uint64_t tag, ig::Where where) {
   return ask_program(b, builder, flow, program, repeats, tag, where).is_done();
 }
 

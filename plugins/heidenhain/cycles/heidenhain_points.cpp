@@ -18,11 +18,12 @@ struct HeidenhainPoints {
                                    .rows("Point", "id")
                                    .provides(point_table_service);
 
-  std::array<ig::Column, 3> axes{ig::Column{"X", nullptr, "mm", {}, "Position."},
-                                 ig::Column{"Y", nullptr, "mm", {}, "Position."},
-                                 ig::Column{"Z", nullptr, "mm", {}, "Added to the surface of the cycle; none: 0."}};
+  std::array<ig::Column, 3> axes{
+      ig::Column{"X", nullptr, "mm", {-1e9, 1e9}, "Position."},
+      ig::Column{"Y", nullptr, "mm", {-1e9, 1e9}, "Position."},
+      ig::Column{"Z", nullptr, "mm", {-1e9, 1e9}, "Added to the surface of the cycle; none: 0."}};
   ig::Column fade{"Fade", "0", "", {0, 1}, "1: the point is not run."};
-  ig::Column clearance{"Clearance", nullptr, "mm", {}, "Height at which the tool comes to the point."};
+  ig::Column clearance{"Clearance", nullptr, "mm", {-1e9, 1e9}, "Height at which the tool comes to the point."};
   ig::Table table;
   ig::RowNames names;
   PointTables tables;

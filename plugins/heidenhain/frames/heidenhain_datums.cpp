@@ -26,10 +26,12 @@ struct HeidenhainDatums {
   ig::Choice<EmptyCell> empty_cell{
       "empty-cell", "keep|zero", "keep",
       "What a row without a value does to the axis: its shift stays in force, or it becomes 0."};
-  std::array<ig::Column, datum_axis_count> axes{
-      ig::Column{"X", nullptr, "mm", {}, "Shift of X."},  ig::Column{"Y", nullptr, "mm", {}, "Shift of Y."},
-      ig::Column{"Z", nullptr, "mm", {}, "Shift of Z."},  ig::Column{"A", nullptr, "deg", {}, "Shift of A."},
-      ig::Column{"B", nullptr, "deg", {}, "Shift of B."}, ig::Column{"C", nullptr, "deg", {}, "Shift of C."}};
+  std::array<ig::Column, datum_axis_count> axes{ig::Column{"X", nullptr, "mm", {-1e9, 1e9}, "Shift of X."},
+                                                ig::Column{"Y", nullptr, "mm", {}, "Shift of Y."},
+                                                ig::Column{"Z", nullptr, "mm", {-1e9, 1e9}, "Shift of Z."},
+                                                ig::Column{"A", nullptr, "deg", {-1e9, 1e9}, "Shift of A."},
+                                                ig::Column{"B", nullptr, "deg", {-1e9, 1e9}, "Shift of B."},
+                                                ig::Column{"C", nullptr, "deg", {}, "Shift of C."}};
   ig::Table table;
   ig::RowNames names;
   DatumTables tables;

@@ -56,10 +56,10 @@ std::optional<SystemKey> SystemKey::read(std::string_view text) {
     std::size_t digits = i;
     for (const char c : letters)
       if (to_upper(at(text, digits++)) != c) return false;
-    const ig::Decimal number = is_digit(at(text, digits)) ? ig::read_decimal(text, digits) : ig::Decimal{};
-    if (!number.ok || number.end <= digits) return false;
-    out = number.value;
-    i = skip_blanks(text, number.end);
+    const ig::Decimal read = is_digit(at(text, digits)) ? ig::read_decimal(text, digits) : ig::Decimal{};
+    if (!read.ok || read.end <= digits) return false;
+    out = read.value;
+    i = skip_blanks(text, read.end);
     return true;
   };
   if (!word("ID", key.id)) return std::nullopt;

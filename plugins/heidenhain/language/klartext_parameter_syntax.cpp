@@ -140,6 +140,7 @@ struct KlartextParameter {
     if (number == 15 || number == 16 || number == 38) return;  // output: no position depends on it
     // The run reads ahead of nothing, so that there is nothing to wait for.
     if (number == 20 && is_end(text, keyword(text, i, "WAIT FOR SYNC"))) return;
+    if (number == 17 && write_system(b, text, i)) return;
     if (number == 18 && read_system(b, text, i)) return;
     // Reported once for each datum that FN 18 reads, and once for each of the other functions.
     QStore* const store = cycle_.values().store();
@@ -152,6 +153,8 @@ struct KlartextParameter {
   /// What is missing where the function is not executed.
   static std::string_view effect_of(unsigned number) {
     switch (number) {
+      case 17: return "only L, R, DL and DR of a tool can be written here, by a number";
+      case 18: return "no row of HeidenhainSystemData answers it, so the parameter keeps its value";
       case 19:
       case 29: return "the machine's logic does not get its values, and what it would do is missing";
       case 20: return "the run does not wait, and the state of the machine is not simulated";
@@ -170,8 +173,30 @@ struct KlartextParameter {
     const auto q = Values::q_at(text, i, end);
     const std::size_t equals = q ? skip(text, end) : i;
     if (!q || at(text, equals) != '=') return false;
-    SystemData::Request request;
     std::size_t next = equals + 1;
+    const auto request = request_at(b, text, next);
+    if (!request || skip(text, next) < text.size()) return false;
+    const SystemAnswer* const answer =
+        answers_ ? answers_->find({request->id, request->number, request->index.value_or(0)}) : nullptr;
+    const auto value = answer != nullptr ? std::optional(answer->value) : system_.read(b, *request);
+    if (answer != nullptr) b.set_text(row_, answer->row);
+    if (answer != nullptr && !answer->title.empty()) b.set_text(title_, answer->title);
+    if (value) assign(b, {*q, piece(text, i, end), i, equals + 1}, *value);
+    return value.has_value();
+  }
+
+  /// SYSWRITE ID50 NR1 IDX5 = +98.5; false where the datum is not known here.
+  bool write_system(ig::Block& b, std::string_view text, std::size_t i) const {
+    std::size_t next = skip(text, glued(text, i, "SYSWRITE"));
+    const auto request = request_at(b, text, next);
+    const std::size_t equals = skip(text, next);
+    if (!request || at(text, equals) != '=') return false;
+    const Value v = cycle_.values().read(b, text, skip(text, equals + 1));
+    return v.ok && skip(text, v.end) >= text.size() && system_.write(b, *request, v.number);
+  }
+
+  /// ID50 NR1 IDX5; IDX may be left out.
+  std::optional<SystemData::Request> request_at(ig::Block& b, std::string_view text, std::size_t& next) const {
     const auto number = [&](std::string_view word) -> std::optional<double> {
       const std::size_t first = skip(text, next), behind = glued(text, first, word);
       const Value v = behind == first ? Value{} : cycle_.values().read(b, text, behind);
@@ -179,17 +204,9 @@ struct KlartextParameter {
       next = v.end;
       return v.number;
     };
-    const auto id = number("ID"), nr = number("NR");
-    request.index = number("IDX");
-    if (!id || !nr || skip(text, next) < text.size()) return false;
-    request.id = *id;
-    request.number = *nr;
-    const SystemAnswer* const answer = answers_ ? answers_->find({*id, *nr, request.index.value_or(0)}) : nullptr;
-    const auto value = answer != nullptr ? std::optional(answer->value) : system_.read(b, request);
-    if (answer != nullptr) b.set_text(row_, answer->row);
-    if (answer != nullptr && !answer->title.empty()) b.set_text(title_, answer->title);
-    if (value) assign(b, {*q, piece(text, i, end), i, equals + 1}, *value);
-    return value.has_value();
+    const auto id = number("ID"), nr = number("NR"), index = number("IDX");
+    if (!id || !nr) return std::nullopt;
+    return SystemData::Request{*id, *nr, index};
   }
 
   void error(ig::Block& b, std::string_view text, std::size_t i) const {

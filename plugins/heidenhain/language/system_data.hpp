@@ -1,9 +1,11 @@
-/// Data of the control that FN 18 reads: the tool, its table, datum and positions. mm and degrees.
+/// Data of the control that FN 18 reads and FN 17 writes: the tool, its table, datum and positions. mm and degrees.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+
+#include <isogloss_tool.h>
 
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
@@ -55,6 +57,14 @@ class SystemData {
     return in_unit(b, here[axis]);
   }
 
+  /// Writes a length of the table of tools, in the program's unit; false where it is not known here. It counts from the
+  /// next tool call on.
+  bool write(const ig::Block& b, const Request& r, double value) const {
+    const auto of_tool = cell(b, r);
+    const double mm = value * unit_.in_mm(b);
+    return of_tool && std::isfinite(mm) && table_->set(table_->self, of_tool->row, of_tool->column, mm) != 0;
+  }
+
  private:
   double in_unit(const ig::Block& b, double mm) const { return mm / unit_.in_mm(b); }
 
@@ -67,18 +77,28 @@ class SystemData {
     return axis < 3 ? in_unit(b, end) : end;
   }
 
-  /// NR1 L, NR2 R, NR4 DL, NR5 DR.
-  std::optional<double> of_table(const ig::Block& b, const Request& r) const {
-    static constexpr std::array<int, 6> columns{-1, 0, 2, -1, 1, 3};
-    const bool is_column = r.number >= 1 && r.number <= 5 && r.number == std::floor(r.number);
-    const int of_number = is_column ? columns[static_cast<std::size_t>(r.number)] : -1;
-    if (of_number < 0) return std::nullopt;
+  struct Cell {
+    std::int64_t row;
+    std::uint32_t column;
+  };
+  /// The column of the table of tools that NR names, NR1 L, NR2 R, NR3 R2, NR4 DL, NR5 DR, NR6 DR2, of tool IDX or of
+  /// the present one.
+  std::optional<Cell> cell(const ig::Block& b, const Request& r) const {
+    static constexpr std::array<std::uint32_t, 6> columns{IG_TOOL_LENGTH,        IG_TOOL_RADIUS,
+                                                          IG_TOOL_CORNER_RADIUS, IG_TOOL_LENGTH_WEAR,
+                                                          IG_TOOL_RADIUS_WEAR,   IG_TOOL_CORNER_RADIUS_WEAR};
+    const bool is_column =
+        r.id == 50 && r.number >= 1 && r.number <= columns.size() && r.number == std::floor(r.number);
+    if (!is_column || !table_) return std::nullopt;
     const double tool = r.index.value_or(static_cast<double>(b.get_or(tool_, std::int64_t{0})));
     const auto row = tool == std::floor(tool) ? whole_number(tool) : step_row(tool);
-    double geometry = 0;
-    const auto column = static_cast<std::uint32_t>(of_number);
-    if (!table_ || !row || table_->get(table_->self, *row, column, &geometry) == 0) return std::nullopt;
-    return in_unit(b, geometry);
+    return row ? std::optional(Cell{*row, columns[static_cast<std::size_t>(r.number) - 1]}) : std::nullopt;
+  }
+  std::optional<double> of_table(const ig::Block& b, const Request& r) const {
+    const auto of_tool = cell(b, r);
+    double mm = 0;
+    if (!of_tool || table_->get(table_->self, of_tool->row, of_tool->column, &mm) == 0) return std::nullopt;
+    return in_unit(b, mm);
   }
 
   ig::Previous<std::int64_t> tool_{"ToolHeightCompensation.OffsetId"};

@@ -17,14 +17,26 @@ namespace {
 constexpr std::int64_t highest_tool = 32'767, highest_index = 99;
 constexpr std::size_t longest_tool_name = 32;
 
-struct LengthColumn {
+struct ToolColumn {
   const char* ours;
   const char* name;
+  bool is_length = true;
+  bool is_written_always = true;
+  double least = -1e9, most = 1e9;
+  bool is_none_at_zero = false;
 };
-constexpr LengthColumn lengths[] = {{"H", "L"}, {"D", "R"}, {"HWear", "DL"}, {"DWear", "DR"}};
+constexpr ToolColumn columns[] = {{"H", "L"},
+                                  {"D", "R"},
+                                  {"HWear", "DL"},
+                                  {"DWear", "DR"},
+                                  {"CornerRadius", "R2", true, false, 0},
+                                  {"CornerRadiusWear", "DR2", true, false},
+                                  {"TipAngle", "T-ANGLE", false, false, 0, 180, true},
+                                  {"Teeth", "CUT", false, false, 0, 1000, true},
+                                  {"MaximumSpeed", "NMAX", false, false, 0, 1e9, true}};
 
-const LengthColumn* length_of(std::string_view name) {
-  for (const LengthColumn& column : lengths)
+const ToolColumn* column_of(std::string_view name) {
+  for (const ToolColumn& column : columns)
     if (column.name == name) return &column;
   return nullptr;
 }
@@ -42,7 +54,7 @@ struct HeidenhainToolTable {
   }
 
   void read(ig::Import& file) const {
-    TableReader table(file, TableKind::tools, unit, [](std::string_view name) { return length_of(name) != nullptr; });
+    TableReader table(file, TableKind::tools, unit, [](std::string_view name) { return column_of(name) != nullptr; });
     table.rows([&](const std::vector<TableCell>& cells) {
       const std::optional<std::string> number = table.row_number(cells, highest_tool, highest_index);
       if (!number) return;
@@ -65,10 +77,13 @@ struct HeidenhainToolTable {
     });
     out.write(unit == TableUnit::inch ? "BEGIN TOOL.T INCH\n" : "BEGIN TOOL.T MM\n");
     std::string names = padded("T", width_of_row_number) + padded("NAME", longest_tool_name + 1);
-    for (const LengthColumn& column : lengths) names += padded(column.name, width_of_value);
+    std::vector<ToolColumn> used;
+    for (const ToolColumn& column : columns)
+      if (column.is_written_always || is_used(out, tools, column)) used.push_back(column);
+    for (const ToolColumn& column : used) names += padded(column.name, width_of_value);
     out.write(names + "\n" + padded("0", width_of_row_number + longest_tool_name + 1));
-    for (std::size_t i = 0; i < std::size(lengths); ++i) out.write(padded("+0", width_of_value));
-    for (const Tool& tool : tools) write_tool(out, tool);
+    for (std::size_t i = 0; i < used.size(); ++i) out.write(padded("+0", width_of_value));
+    for (const Tool& tool : tools) write_tool(out, tool, used);
     out.write("\n[END]\n");
   }
 
@@ -94,23 +109,30 @@ struct HeidenhainToolTable {
       if (cell.is_given()) file.cell("Name", cell.text, cell.begin);
       return;
     }
-    const LengthColumn* const length = length_of(name);
+    const ToolColumn* const column = column_of(name);
     if (name == "TL") return table.unused(cell, "a tool that the control has locked is called as any other");
     if (name == "RT") return table.unused(cell, "no tool wears out here, so that no sister tool replaces it");
-    if (length == nullptr) return table.unused(cell, "no table has a place for it");
+    if (column == nullptr) return table.unused(cell, "no table has a place for it");
     if (!cell.is_given()) return;
-    if (const std::optional<double> value = table.number(cell, tool))
-      file.cell(length->ours, table.in_mm(*value), cell.begin);
+    const std::optional<double> value = table.number(cell, tool);
+    if (!value || (*value == 0 && column->is_none_at_zero)) return;
+    if (!(*value >= column->least && *value <= column->most)) return table.unused(cell, "no tool has such a value");
+    file.cell(column->ours, column->is_length ? table.in_mm(*value) : *value, cell.begin);
   }
 
-  void write_tool(ig::Export& out, const Tool& tool) const {
+  static bool is_used(ig::Export& out, const std::vector<Tool>& tools, const ToolColumn& column) {
+    return std::any_of(tools.begin(), tools.end(),
+                       [&](const Tool& tool) { return !out.cell("ToolOffsetTable", tool.row, column.ours).empty(); });
+  }
+
+  void write_tool(ig::Export& out, const Tool& tool, const std::vector<ToolColumn>& used) const {
     const std::string key(out.key("ToolOffsetTable", tool.row));
     out.write("\n" + padded(key, width_of_row_number) + padded(name_of(out, tool.row), longest_tool_name + 1));
-    for (const LengthColumn& column : lengths) {
+    for (const ToolColumn& column : used) {
       const std::string_view text = out.cell("ToolOffsetTable", tool.row, column.ours);
       const std::optional<double> value = number_of_cell(text);
-      if (!value && !text.empty()) out.unused(std::string("column ") + column.ours, "it holds no length");
-      const double scale = unit == TableUnit::inch ? mm_per_inch : 1;
+      if (!value && !text.empty()) out.unused(std::string("column ") + column.ours, "it holds no number");
+      const double scale = column.is_length && unit == TableUnit::inch ? mm_per_inch : 1;
       out.write(padded(value ? number_text(*value / scale) : "", width_of_value));
     }
   }

@@ -3,10 +3,11 @@
 #include <cmath>
 
 #include <isogloss/cnc/frame_tag.hpp>
-#include <isogloss/cnc/machine_codes.hpp>
 #include <isogloss/cnc/program_name.hpp>
 #include <isogloss/cnc/scan.hpp>
 #include <isogloss/sdk.hpp>
+
+#include "flow/program_of_row.hpp"
 
 namespace iso {
 
@@ -64,7 +65,7 @@ struct SubprogramCall {
   ig::Out<std::int64_t> p_{"SubProgramCall.P"};
   ig::Out<std::int64_t> l_{"SubProgramCall.L"};
   ig::Flow flow_;
-  ProgramsOfBuilder builder_;
+  RowsOfPrograms builder_;
 
   /// The name of M98 <PART>. A name that stands first in the block begins a program and is not read here.
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
@@ -115,12 +116,6 @@ struct SubprogramCall {
     std::uint32_t repeats;
     std::int64_t start;
     bool is_local;  ///< `program` is a sequence number of the calling program
-
-    static std::int64_t program_number(std::string_view name) {
-      std::int64_t number = 0;
-      std::from_chars(name.data() + 1, name.data() + name.size(), number);
-      return number;
-    }
   };
   static constexpr std::size_t m97 = 2;  // of call_
 
@@ -167,34 +162,11 @@ struct SubprogramCall {
       }
     }
     show(b, r);
-    if (!may_call(b, r)) return;
-    if (r.is_local || !has_own_row(b, r)) report(b, r, ask(b, r));
+    if (may_call(b, r) && !has_own_row(b, r)) report(b, r, ask(b, r));
   }
 
-  /// A row of MachineCodes goes before the program that it is named after.
   bool has_own_row(ig::Block& b, const Request& r) const {
-    const NumberedName name('O', r.program);
-    const ig_machine_code* const row = builder_.row(name.text());
-    if (row != nullptr) execute(b, r, *row, name.text());
-    return row != nullptr;
-  }
-  void execute(ig::Block& b, const Request& r, const ig_machine_code& row, std::string_view name) const {
-    builder_.execute(b, row, name, r.where, [&](std::string_view program) {
-      const auto number = numbered_name('O', program.substr(to_upper(program[0]) == 'O' ? 1 : 0));
-      const std::string label = number ? std::string(number->text()) : "<" + std::string(program) + ">";
-      const ProgramFileNames numbers(number ? r.program_number(number->text()) : 0);
-      const ig_text file = ig::to_text(program);
-      const auto files = number ? numbers.list() : std::span<const ig_text>(&file, 1);
-      const ig::Flow::Answer answer = flow_.call(b, {.program = label, .files = files, .repeats = r.repeats});
-      if (answer.is_not_found()) b.report(ig::diag("ISO-0485"), r.where, label, answer.reason);
-    });
-  }
-  /// What MachineCodes says of a program that is not found.
-  bool is_of_builder(ig::Block& b, const Request& r) const {
-    const NumberedName name('O', r.program);
-    const ig_machine_code* const row = r.is_local ? nullptr : builder_.family(name.text());
-    if (row != nullptr) execute(b, r, *row, name.text());
-    return row != nullptr || (!r.is_local && builder_.ignores(b, name.text(), r.where));
+    return !r.is_local && builder_.goes_before(b, flow_, {NumberedName('O', r.program).text(), r.repeats, r.where});
   }
 
   /// M98 P51234 calls O1234 five times; where only a program O51234 exists, it calls that one.
@@ -218,8 +190,11 @@ struct SubprogramCall {
     b.set(l_, static_cast<std::int64_t>(r.repeats));
     if (!may_call(b, r)) return;
     const std::string_view inner = name.substr(1, name.size() - 2);
+    const RowsOfPrograms::Called called{inner, r.repeats, r.where};
+    if (builder_.goes_before(b, flow_, called)) return;
     const ig_text file = ig::to_text(inner);
     const ig::Flow::Answer answer = flow_.call(b, {.program = name, .files = {&file, 1}, .repeats = r.repeats});
+    if (answer.is_not_found() && builder_.replaces(b, flow_, called)) return;
     if (answer.is_not_found())
       b.report(ig::diag("ISO-0485"), r.where, name, answer.reason);
     else
@@ -266,7 +241,9 @@ struct SubprogramCall {
   }
 
   void report(ig::Block& b, const Request& r, const ig::Flow::Answer& answer) const {
-    if (answer.is_not_found() && is_of_builder(b, r)) return;
+    if (answer.is_not_found() && !r.is_local &&
+        builder_.replaces(b, flow_, {NumberedName('O', r.program).text(), r.repeats, r.where}))
+      return;
     if (answer.is_not_found())
       b.report(ig::diag("ISO-0485"), r.where, NumberedName(r.is_local ? 'N' : 'O', r.program).text(), answer.reason);
     else if (answer.status == IG_GO_TAKEN)

@@ -3,8 +3,9 @@
 #include <string>
 
 #include <isogloss/cnc/machine_codes.hpp>
-#include <isogloss/cnc/program_name.hpp>
 #include <isogloss/flow.hpp>
+
+#include "flow/program_of_row.hpp"
 
 namespace iso {
 
@@ -48,9 +49,9 @@ struct MachineCodeSyntax {
     if (calls_ == Calls::passed_on && arguments_of(*row) != CodeArguments::none) return position;
     const bool is_g = to_upper(text[position]) == 'G';
     const std::size_t words_end = is_g ? block_end(text, position) : own_words_end(text, end);
-    if (!flow_.is_indexing())
-      record_.add(b, *row, ig::Where::columns(position, end), piece(text, position, words_end));
-    if (calls_ == Calls::here && !flow_.is_indexing()) report_lost_arguments(b, *row, ig::Where::columns(position, end));
+    if (!flow_.is_indexing()) record_.add(b, *row, ig::Where::columns(position, end), piece(text, position, words_end));
+    if (calls_ == Calls::here && !flow_.is_indexing())
+      report_lost_arguments(b, *row, ig::Where::columns(position, end));
     if (row->does == IG_CODE_ACTS) {
       if (codes_.put(b, *row, position, end)) b.raise(unknown_code_);
       return end;
@@ -76,8 +77,7 @@ struct MachineCodeSyntax {
     if (calls_ == Calls::passed_on && arguments_of(row) != CodeArguments::none) return;
     const std::string_view code = ig::to_view(row.name), program = ig::to_view(row.program);
     b.set(term_, b.symbol(code));
-    const auto number = numbered_name('O', program.substr(program[0] == 'O' || program[0] == 'o' ? 1 : 0));
-    const ig::Flow::Answer answer = number ? numbered(b, number->text()) : named(b, program);
+    const ig::Flow::Answer answer = call_program_of_row(b, flow_, program);
     if (answer.is_not_found())
       b.report(ig::diag("ISO-0571"), ig::Where::block(), code, program, answer.reason);
     else if (answer.status == IG_GO_TAKEN)
@@ -103,19 +103,6 @@ struct MachineCodeSyntax {
       if (!number.ok || number.end == digits) return end;
       end = number.end;
     }
-  }
-
-  ig::Flow::Answer numbered(ig::Block& b, std::string_view name) const {
-    std::int64_t number = 0;
-    std::from_chars(name.data() + 1, name.data() + name.size(), number);
-    const ProgramFileNames files(number);
-    return flow_.call(b, {.program = name, .files = files.list()});
-  }
-  /// <NAME>, as O<NAME> and M98 <NAME> have it.
-  ig::Flow::Answer named(ig::Block& b, std::string_view name) const {
-    const std::string label = "<" + std::string(name) + ">";
-    const ig_text file = ig::to_text(name);
-    return flow_.call(b, {.program = label, .files = {&file, 1}});
   }
 };
 

@@ -87,6 +87,8 @@ class CallReader {
   /// parameters may begin.
   std::size_t of_builder(ig::Block& b, std::string_view text, std::size_t end, std::size_t next,
                          const ig_machine_code& row);
+  // ---- program_calls.cpp: the call itself
+
   /// Requests the call in build(). A program that is not found may be one of the builder's.
   void call_program(ig::Block& b, ig::Where where);
   /// A cycle of the control that is not executed here: where the machine has a program of that name, it is called.

@@ -158,7 +158,7 @@ void CallReader::add_call_path(ig::Block& b, std::string_view text, std::size_t 
   const bool is_empty = arguments_.empty() || !arguments_[0].value;
   if (is_empty || (arguments_[0].value->is_text() && arguments_[0].value->text.empty())) {
     path.clear();
-  } else if (!arguments_[0].value->is_text() || arguments_.size() > 1) {
+  } else if (!arguments_[0].value->is_text() || arguments_.size() > 1 || folder_of(arguments_[0].value->text).empty()) {
     b.report(ig::diag("SIE-0169"), where, text.substr(begin_));
   } else if (path.size() == most_call_paths) {
     b.report(ig::diag("SIE-0370"), where, arguments_[0].value->text, static_cast<double>(most_call_paths));

@@ -43,7 +43,8 @@ struct SiemensModalCall {
   }
 
  private:
-  /// What MachineCodes does in place of a program that is not found: nothing, or an error, because a row acts only once.
+  /// What MachineCodes does in place of a program that is not found: nothing, or an error, because a row acts only
+  /// once.
   bool is_of_builder(ig::Block& b, const std::string& name) const {
     const ig_machine_code* const row = machine_.family(name);
     if (row == nullptr) {

@@ -8,6 +8,8 @@
 
 namespace siemens {
 
+using namespace ig::cnc;
+
 constexpr bool is_name_start(char c) { return is_letter(c) || c == '_'; }
 constexpr bool is_name_part(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 constexpr std::size_t skip_name(std::string_view text, std::size_t position) {
@@ -15,7 +17,7 @@ constexpr std::size_t skip_name(std::string_view text, std::size_t position) {
 }
 inline std::string upper(std::string_view name) {
   std::string out(name);
-  for (char& c : out) c = ig::cnc::to_upper(c);
+  for (char& c : out) c = to_upper(c);
   return out;
 }
 

@@ -23,13 +23,15 @@ inline const Diagnostics machine_code_diagnostics{
     diagnostic(IG_NOTE, "ISO-0573", "the program {0} is not found and does nothing, as MachineCodes wants it",
                "The table says unknown-programs=\"nothing\". What the program would do is missing from the path.",
                "L9810 (and no such program)"),
-    diagnostic(IG_ERROR, "ISO-0575", "the words of {0} are not passed to its program: this dialect has no arguments of codes",
+    diagnostic(IG_ERROR, "ISO-0575",
+               "the words of {0} are not passed to its program: this dialect has no arguments of codes",
                "The row says arguments=\"passed\". Only controls with macro calls like G65 pass the words of a code.",
                "M310 A5 (on a control without macros, and a row M310 that demands arguments)"),
-    diagnostic(IG_ERROR, "ISO-0574", "the row {0} of MachineCodes acts as codes, so the call of {1} does nothing",
-               "A row of a program that is called like this does nothing, calls another program, goes to a position, or "
-               "is refused.",
-               "M98 P9020 (and a row O9020 with does=\"codes\")"),
+    diagnostic(
+        IG_ERROR, "ISO-0574", "the row {0} of MachineCodes acts as codes, so the call of {1} does nothing",
+        "A row of a program that is called like this does nothing, calls another program, goes to a position, or "
+        "is refused.",
+        "M98 P9020 (and a row O9020 with does=\"codes\")"),
 };
 
 /// How the words of a G or M code that calls a program are passed to it.

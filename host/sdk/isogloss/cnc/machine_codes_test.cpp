@@ -10,8 +10,19 @@ using isogloss_test::BlockDocument;
 namespace {
 
 struct OneCode {
-  ig_machine_code row{
-      sizeof(ig_machine_code), IG_CODE_ACTS, ig::to_text("M92"), ig::to_text("M08 M50"), {}, {}, {}, 0, 0, {}, ig::to_text("M92"), 0, 0};
+  ig_machine_code row{sizeof(ig_machine_code),
+                      IG_CODE_ACTS,
+                      ig::to_text("M92"),
+                      ig::to_text("M08 M50"),
+                      {},
+                      {},
+                      {},
+                      0,
+                      0,
+                      {},
+                      ig::to_text("M92"),
+                      0,
+                      0};
   ig_machine_code_1 provided{sizeof(ig_machine_code_1), 0, this, &find, &family};
   BlockDocument document;
 

@@ -1,0 +1,99 @@
+/// Calls of programs, and what happens where none is found: MachineCodes, or the report of a cycle of the control.
+#include <algorithm>
+#include <utility>
+
+#include "flow/call_reader.hpp"
+#include "flow/control_procedures.hpp"
+
+namespace siemens {
+
+using namespace ig::cnc;
+
+void CallReader::call_program(ig::Block& b, ig::Where where) {
+  const auto ask = [&](const CalledProgram& program) {
+    const CalledFiles files(program, environment_.store().call_path);
+    ig::Flow::Call call;
+    call.program = program.name;
+    call.files = files.list();
+    call.repeats = static_cast<std::uint32_t>(repeats_);
+    call.tag = environment_.store().pass(arguments_);
+    return environment_.flow.call(b, call);
+  };
+  ig::Flow::Answer answer = ask(program_);
+  const bool is_of_control = std::exchange(is_of_control_, false);
+  if (answer.is_done() && is_of_control) {
+    b.set(term_, b.symbol(program_.name));
+    // Only now is it worth to compute the parameters: those of a cycle that is not executed may be anything.
+    const std::string_view text = b.source().substr(0, end_);
+    if (at(text, open_) == '(' && !read_arguments(b, text, open_)) arguments_.clear();
+    environment_.store().pass_again(arguments_);
+  }
+  if (answer.is_not_found()) {
+    if (const ig_machine_code* const row = machine_.family(program_.name)) {
+      record_.add(b, *row, where, piece(b.source(), begin_, std::max(end_, begin_)));
+      codes_.put(b, *row, begin_, end_);
+      if (row->does != IG_CODE_CALLS) return;
+      if (is_of_control) read_arguments(b, b.source().substr(0, end_), open_);
+      program_ = CalledProgram::at(ig::to_view(row->program));
+      answer = ask(program_);
+    } else if (is_of_control) {
+      environment_.report_once(b, ig::diag("SIE-0181"), where, begin_, std::string_view(program_.name));
+      return;
+    } else if (machine_.ignores_unknown_programs()) {
+      environment_.report_once(b, ig::diag("ISO-0573"), where, begin_, std::string_view(program_.name));
+      return;
+    }
+  }
+  if (answer.is_not_found())
+    environment_.report_once(b, ig::diag("SIE-0165"), where, begin_, std::string_view(program_.name), answer.reason);
+  else if (answer.status == IG_GO_TAKEN)
+    b.report(ig::diag("SIE-0167"), where, std::string_view(program_.name));
+}
+
+std::size_t CallReader::of_control(ig::Block& b, std::string_view text, const std::string& name, std::size_t open,
+                                   std::size_t close) {
+  const auto where = ig::Where::columns(begin_, close);
+  if (is_shopmill_step(name) || is_expanded_ || b.find(modal_) || b.is_raised(call_)) {
+    if (const ig_machine_code* const row = machine_.family(name)) return of_builder(b, text, close, open, *row);
+    environment_.report_once(b, ig::diag("SIE-0181"), where, begin_, std::string_view(name));
+    return close;
+  }
+  program_ = CalledProgram{name};
+  repeats_ = 1;
+  open_ = open;
+  end_ = close;
+  is_of_control_ = true;
+  b.raise(call_);
+  return close;
+}
+
+std::size_t CallReader::of_builder(ig::Block& b, std::string_view text, std::size_t end, std::size_t next,
+                                   const ig_machine_code& row) {
+  const bool has_bracket = at(text, next) == '(';
+  const std::size_t close = has_bracket ? skip_call(text, next) : end;
+  const auto where = ig::Where::columns(begin_, close);
+  if ((row.does == IG_CODE_ACTS || row.does == IG_CODE_MOVES) && b.find(modal_)) {
+    b.report(ig::diag("SIE-0174"), where, ig::to_view(row.name),
+             std::string_view("its row in MachineCodes calls no program, so MCALL cannot repeat it"));
+    return close;
+  }
+  record_.add(b, row, where, piece(text, begin_, close));
+  if (row.does == IG_CODE_CALLS) {
+    if (has_bracket && !read_arguments(b, text.substr(0, close), next)) return close;
+    return request(b, text, has_bracket ? skip_blanks(text, close) : next, CalledProgram::at(ig::to_view(row.program)),
+                   close);
+  }
+  codes_.put(b, row, begin_, close);
+  return count_end(b, text, close);
+}
+
+std::size_t CallReader::count_end(ig::Block& b, std::string_view text, std::size_t end) {
+  const std::size_t count = skip_blanks(text, end);
+  if (to_upper(at(text, count)) != 'P' || is_name_start(at(text, count + 1))) return end;
+  std::size_t value = skip_blanks(text, count + 1);
+  if (at(text, value) == '=') value = skip_blanks(text, value + 1);
+  Expression e(b, environment_, text, value);
+  return e.number() ? e.position() : std::max(e.position(), value);
+}
+
+}  // namespace siemens
