@@ -1,4 +1,4 @@
-/* isogloss_axis.h - names and positions that one machine gives its axes, and axes beside X Y Z A B C; since 1.7. */
+/* isogloss_axis.h - names and positions that one machine gives its axes, and axes beside X Y Z A B C; since 1.8. */
 #ifndef ISOGLOSS_AXIS_H
 #define ISOGLOSS_AXIS_H
 
