@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "language/frame_component.hpp"
 #include "language/siemens_expression.hpp"
 
 namespace siemens {
@@ -11,6 +12,8 @@ using namespace ig::cnc;
 bool Expression::indices(std::string& name) {
   const std::size_t open = at_;
   ++at_;
+  const Variable* const base = environment_.store().find(name);
+  const bool has_components = name[0] == '$' || (base != nullptr && base->value.type == Type::frame);
   name += '[';
   for (;;) {
     skip_blanks();
@@ -18,10 +21,11 @@ bool Expression::indices(std::string& name) {
     const char behind = ig::cnc::at(text_, ig::cnc::skip_blanks(text_, end));
     const std::string word = upper(ig::cnc::piece(text_, begin, end));
     const bool stands_alone = !word.empty() && word.size() <= 2 && (behind == ',' || behind == ']');
-    const bool names_axis = stands_alone && std::string_view("ABCUVWXYZ").find(word[0]) != std::string_view::npos &&
-                            environment_.store().find(word) == nullptr;
-    const bool is_axis =
-        names_axis || (stands_alone && name[0] == '$' && is_letter(word[0]) && (word[0] != 'R' || word == "RT"));
+    const bool is_variable = environment_.store().find(word) != nullptr;
+    const bool names_axis =
+        stands_alone && std::string_view("ABCUVWXYZ").find(word[0]) != std::string_view::npos && !is_variable;
+    const bool is_axis = names_axis || (stands_alone && has_components && !is_variable && is_letter(word[0]) &&
+                                        (word[0] != 'R' || word == "RT"));
     if (is_axis) {  // $AA_IM[X]
       name += word;
       at_ = end;
@@ -95,6 +99,8 @@ std::optional<Value> Expression::read(const Reference& r) {
     return Value::real(p.value);
   }
   if (const Variable* const v = store.find(r.name)) return v->value;
+  if (const auto component = FrameComponent::of(store, r.name))
+    return Value::real(component->frame.get(component->link, component->axis));
   const std::size_t bracket = r.name.find('[');
   if (bracket != std::string::npos) {
     const std::string base = r.name.substr(0, bracket);
