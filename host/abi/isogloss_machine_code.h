@@ -29,16 +29,23 @@ typedef struct ig_machine_code {
   uint32_t axes;      /* a bit for each of X Y Z A B C that has a position */
   uint32_t when;      /* of cycles: 1 acts where it is defined, 2 where it is called; 0: as its number says */
   double position[6]; /* mm and degrees, machine coordinates */
+  /* Since 1.8. */
+  ig_text row;        /* the name of the row as the user wrote it */
+  uint32_t arguments; /* of a G or M code that calls: 1 its words are arguments, 2 the user asks for it; 0: they are not */
+  uint32_t reserved;
 } ig_machine_code;
 
 /* isogloss.machine-code/1 */
 typedef struct ig_machine_code_1 {
   uint32_t struct_size;
-  uint32_t reserved;
+  uint32_t unknown_programs; /* since 1.8; 1: a call of a program that is not found does nothing, 0: it is an error */
   void* self;
   /* The code of this name, in any case of letters; leading zeros of a number do not count. An empty name stands for
    * any. NULL: the user has said nothing about it. Alive as long as the chain. */
   const ig_machine_code* (*find)(void* self, ig_text name);
+  /* Since 1.8: the row of the longest family (its name ends in '*') that the name belongs to; NULL where there is none.
+   * Whoever asks does it only for names that have no row of their own and no meaning on the control. */
+  const ig_machine_code* (*find_family)(void* self, ig_text name);
 } ig_machine_code_1;
 
 #ifdef __cplusplus

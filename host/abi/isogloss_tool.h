@@ -22,6 +22,21 @@ typedef struct ig_tool_name_1 {
 } ig_tool_name_1;
 #define IG_TOOL_INDEX_STEP 100000
 
+/* Columns of isogloss.tool-offset/1; those from IG_TOOL_CORNER_RADIUS on since 1.7. A table gives 0 for a column that
+ * it does not have, and for a value that is not known. mm; the tip angle of a drill in degrees, its whole angle; the
+ * highest speed of the spindle in rpm. */
+enum {
+  IG_TOOL_LENGTH = 0,
+  IG_TOOL_LENGTH_WEAR = 1,
+  IG_TOOL_RADIUS = 2,
+  IG_TOOL_RADIUS_WEAR = 3,
+  IG_TOOL_CORNER_RADIUS = 4,
+  IG_TOOL_CORNER_RADIUS_WEAR = 5,
+  IG_TOOL_TIP_ANGLE = 6,
+  IG_TOOL_TEETH = 7,
+  IG_TOOL_MAXIMUM_SPEED = 8
+};
+
 #ifdef __cplusplus
 }
 #endif

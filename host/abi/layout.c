@@ -3,9 +3,11 @@
  * Plugins that are in the field were built with these numbers: a line here is never changed. A member that is added at
  * the end of a struct gets a new line at its end; the structs without struct_size cannot grow. */
 #include "isogloss.h"
+#include "isogloss_axis.h"
 #include "isogloss_flow.h"
 #include "isogloss_import.h"
 #include "isogloss_machine_code.h"
+#include "isogloss_provenance.h"
 #include "isogloss_tool.h"
 #include "isogloss_view.h"
 
@@ -362,6 +364,11 @@ AT(ig_tool_name_1, self, 8);
 AT(ig_tool_name_1, find, 16);
 AT(ig_tool_name_1, name, 24);
 CONSTANT(IG_TOOL_INDEX_STEP, 100000);
+CONSTANT(IG_TOOL_CORNER_RADIUS, 4);
+CONSTANT(IG_TOOL_CORNER_RADIUS_WEAR, 5);
+CONSTANT(IG_TOOL_TIP_ANGLE, 6);
+CONSTANT(IG_TOOL_TEETH, 7);
+CONSTANT(IG_TOOL_MAXIMUM_SPEED, 8);
 
 GROWS_FROM(ig_importer, 104);
 AT(ig_importer, option_count, 4);
@@ -429,3 +436,18 @@ CONSTANT(IG_CODE_ACTS, 2);
 CONSTANT(IG_CODE_CALLS, 3);
 CONSTANT(IG_CODE_MOVES, 4);
 CONSTANT(IG_CODE_IS_REFUSED, 5);
+
+GROWS_FROM(ig_axis_name_1, 64);
+AT(ig_axis_name_1, reserved, 4);
+AT(ig_axis_name_1, self, 8);
+AT(ig_axis_name_1, find, 16);
+AT(ig_axis_name_1, name, 24);
+AT(ig_axis_name_1, further_names, 32);
+AT(ig_axis_name_1, is_rotary, 40);
+AT(ig_axis_name_1, position, 48);
+AT(ig_axis_name_1, travel, 56);
+CONSTANT(IG_AXIS_HOME, 1);
+CONSTANT(IG_AXIS_DATUM, 2);
+CONSTANT(IG_AXIS_RETRACT, 3);
+CONSTANT(IG_AXIS_FIXED_POINT_1, 4);
+CONSTANT(IG_AXIS_FIXED_POINT_4, 7);

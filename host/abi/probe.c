@@ -1,8 +1,10 @@
 /* Reaches every type of the contract, so that one library describes all of it to abidw. */
 #include "isogloss.h"
+#include "isogloss_axis.h"
 #include "isogloss_flow.h"
 #include "isogloss_import.h"
 #include "isogloss_machine_code.h"
+#include "isogloss_provenance.h"
 #include "isogloss_tool.h"
 #include "isogloss_view.h"
 
@@ -40,3 +42,6 @@ void ig_probe_tool_name(const ig_tool_name_1* names) { (void)names; }
 
 IG_EXPORT void ig_probe_machine_code(const ig_machine_code_1* codes);
 void ig_probe_machine_code(const ig_machine_code_1* codes) { (void)codes; }
+
+IG_EXPORT void ig_probe_axis_name(const ig_axis_name_1* names);
+void ig_probe_axis_name(const ig_axis_name_1* names) { (void)names; }

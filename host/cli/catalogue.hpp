@@ -7,6 +7,7 @@
 #include "isogloss/engine/library.hpp"
 #include "isogloss/engine/linker.hpp"
 #include "isogloss/engine/machine.hpp"
+#include "isogloss/engine/needs.hpp"
 
 namespace isogloss::cli {
 
@@ -19,6 +20,10 @@ Json describe(const Dialect& dialect);
 Json describe(const FoundMachine& machine);
 /// What the machine has, by table and file; and what it lacks: services that its dialect asks for and no table answers.
 Json describe_machine(const LinkedDialect& linked, const Library& library);
+/// Which of a program's needs a machine answers, by row of a table and by program; and what it does not: the errors and
+/// warnings of its run. Files in the machine's folder are named from there.
+Json describe_needs(const std::string& program, const Dialect& machine, const ProgramNeeds& needs,
+                    const std::vector<Diagnostic>& diagnostics);
 /// Which dependency answers for each service, and which others offer it.
 Json describe_services(const LinkedDialect& linked);
 /// Every field that the standard sections or a syntax declare, by path, with who reads, writes and takes it.

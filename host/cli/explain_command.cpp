@@ -113,6 +113,11 @@ std::string asked(const ExplainedStep& step) {
   return out;
 }
 
+std::string place_of(const ExplainedRow& r) {
+  return r.where.file.empty() ? "given by --set, or by the table itself"
+                              : fmt::format("{}:{}", r.where.file, r.where.line);
+}
+
 std::string text_of(const ExplainedBlock& b) {
   std::string out = fmt::format("{}:{}: {}\n", b.where.file, b.where.line, printable(b.text, "\t"));
   out += where_the_run_is(b);
@@ -123,6 +128,8 @@ std::string text_of(const ExplainedBlock& b) {
     out += fmt::format("  {:<{}}  {}\n", v.path + " = " + v.value, std::min<std::size_t>(width, 60), origin(v));
   for (const ExplainedStep& step : b.steps) {
     out += fmt::format("\n{}{}{}\n", step.syntax, step.plugin.empty() ? "" : " (" + step.plugin + ")", asked(step));
+    for (const ExplainedRow& r : step.rows)
+      out += fmt::format("  row {} of {}, {}\n", r.row, r.dependency, place_of(r));
     if (step.changes.empty()) out += "  was called, changed nothing\n";
     for (const ExplainedChange& c : step.changes) {
       if (c.before.empty())
@@ -162,6 +169,11 @@ Json json_of(const ExplainedBlock& b) {
     if (!s.plugin.empty()) step["Plugin"] = s.plugin;
     for (const ExplainedAnswer& a : s.answers)
       step["Asks"].push_back({{"Service", a.service}, {"Dependency", a.dependency}});
+    for (const ExplainedRow& r : s.rows) {
+      Json one{{"Dependency", r.dependency}, {"Row", r.row}};
+      if (!r.where.file.empty()) one.update({{"File", r.where.file}, {"Line", r.where.line}});
+      step["Rows"].push_back(std::move(one));
+    }
     step["Changes"] = std::move(changes);
     steps.push_back(std::move(step));
   }

@@ -4,9 +4,10 @@
 #include <cstring>
 
 #include "catalogue.hpp"
+#include "crash_guard.hpp"
 #include "isogloss/engine/printable.hpp"
 #include "output_file.hpp"
-#include "session.hpp"
+#include "program_options.hpp"
 
 namespace isogloss::cli {
 
@@ -15,9 +16,12 @@ namespace {
 struct InspectCommand {
   CommonOptions common;
   std::string name, dialect, machine;
+  std::vector<std::string> programs;
   bool json = false;
 
   int run() const;
+  std::optional<FoundMachine> find_machine(Session& session) const;
+  int show_machine(const FoundMachine& found, Session& session) const;
   int show(Json declaration, const char* page, Session& session) const;
   std::vector<std::string> names(Session& session, const Json& fields) const;
 };
@@ -35,27 +39,38 @@ std::string plain(const Json& value) {
   return out;
 }
 
-/// "name: value" lines; a list of records is one line a record.
+std::string as_text(const Json& object, const std::string& indentation);
+
+/// One line a record; what it holds besides plain values stands below.
+std::string records_as_text(const Json& records, const std::string& indentation) {
+  std::string out;
+  for (const Json& record : records) {
+    std::string line;
+    Json below = Json::object();
+    for (const auto& [name, cell] : record.items()) {
+      if (cell.is_structured() && cell.empty()) continue;
+      if (cell.is_structured() && !is_plain_list(cell)) {
+        below[name] = cell;
+        continue;
+      }
+      line += line.empty() ? plain(cell) : fmt::format("  {} {}", name, plain(cell));
+    }
+    out += indentation + line + "\n" + as_text(below, indentation + "  ");
+  }
+  return out;
+}
+
+/// "name: value" lines.
 std::string as_text(const Json& object, const std::string& indentation) {
   std::string out;
   for (const auto& [key, value] : object.items()) {
     if (value.is_structured() && value.empty()) continue;
-    if (value.is_object()) {
+    if (value.is_object())
       out += indentation + key + ":\n" + as_text(value, indentation + "  ");
-    } else if (value.is_array() && !is_plain_list(value)) {
-      out += indentation + key + ":\n";
-      for (const Json& row : value) {
-        std::string line;
-        for (const auto& [name, cell] : row.items()) {
-          if (cell.is_structured() && cell.empty()) continue;
-          const bool is_title = line.empty();
-          line += is_title ? plain(cell) : fmt::format("  {} {}", name, plain(cell));
-        }
-        out += indentation + "  " + line + "\n";
-      }
-    } else {
+    else if (value.is_array() && !is_plain_list(value))
+      out += indentation + key + ":\n" + records_as_text(value, indentation + "  ");
+    else
       out += fmt::format("{}{}: {}\n", indentation, key, plain(value));
-    }
   }
   return out;
 }
@@ -78,6 +93,39 @@ int InspectCommand::show(Json declaration, const char* page, Session& session) c
   return print(out + as_text(declaration, ""), session.status());
 }
 
+std::optional<FoundMachine> InspectCommand::find_machine(Session& session) const {
+  std::error_code code;
+  const std::filesystem::path path(name);
+  if (path.filename() == "machine.xml" || std::filesystem::exists(path / "machine.xml", code))
+    return session.find_machine(name);
+  for (FoundMachine& m : session.machines())
+    if (m.name == name) return std::move(m);
+  return std::nullopt;
+}
+
+int InspectCommand::show_machine(const FoundMachine& found, Session& session) const {
+  if (found.is_tables) return show(describe(found), nullptr, session);
+  const auto whole = session.link(found.file.string());
+  if (whole == nullptr) return input_errors;
+  Json out = describe_machine(*whole, session.library());
+  bool has_errors = false;
+  for (const std::string& program : programs) {
+    ProgramOptions run;
+    run.machine = found.file.string();
+    std::optional<RunOptions> options = run.make(session);
+    const std::unique_ptr<OpenedProgram> source = OpenedProgram::open(program, session);
+    if (!options || source == nullptr) return cannot_start;
+    add_program_places(program, whole->dialect, *options);
+    watch_calls(run.watchdog);
+    DiagnosticList reported;
+    const ProgramNeeds needs = find_needs(*whole, *source, program, *options, reported);
+    has_errors = has_errors || reported.has_errors();
+    out["Needs"].push_back(describe_needs(program, whole->dialect, needs, reported.all));
+  }
+  const int shown = show(std::move(out), nullptr, session);
+  return shown == success && has_errors ? static_cast<int>(input_errors) : shown;
+}
+
 std::vector<std::string> InspectCommand::names(Session& session, const Json& fields) const {
   std::vector<std::string> out;
   for (const LoadedPlugin& p : session.library().plugins()) {
@@ -94,6 +142,12 @@ std::vector<std::string> InspectCommand::names(Session& session, const Json& fie
 int InspectCommand::run() const {
   Session session(common);
   session.library().load_all();
+  const std::optional<FoundMachine> found = find_machine(session);
+  if (!programs.empty() && (!found || found->is_tables)) {
+    session.report("IG-0513", {}, {"--for needs a machine, and '" + name + "' is none with a dialect"},
+                   "isogloss list machines names them");
+    return cannot_start;
+  }
   const ig_plugin* plugin = nullptr;
   std::unique_ptr<LinkedDialect> linked;
   const std::optional<std::string> named = session.dialect_or_machine(dialect, machine);
@@ -120,25 +174,18 @@ int InspectCommand::run() const {
   }
   if (const ig_importer* const importer = session.library().importer(name, &plugin))
     return show(describe(*importer, *plugin), importer->page, session);
+  if (found) return show_machine(*found, session);
   const std::vector<Dialect> dialects = session.reader().list();
-  const std::vector<FoundMachine> machines = session.machines();
   const bool is_dialect =
       name.find('/') != std::string::npos || name.ends_with(".xml") ||
       std::any_of(dialects.begin(), dialects.end(), [&](const Dialect& d) { return d.name == name; });
   if (is_dialect) {
-    const std::optional<Dialect> found = session.read(name);
-    if (!found) return input_errors;
-    Json out = describe(*found);
+    const std::optional<Dialect> read = session.read(name);
+    if (!read) return input_errors;
+    Json out = describe(*read);
     DiagnosticList unheard;  // `lint` reports what keeps it from linking
-    if (const auto whole = link(*found, session.library(), unheard)) out["Services"] = describe_services(*whole);
+    if (const auto whole = link(*read, session.library(), unheard)) out["Services"] = describe_services(*whole);
     return show(std::move(out), nullptr, session);
-  }
-  for (const FoundMachine& m : machines) {
-    if (m.name != name) continue;
-    if (m.is_tables) return show(describe(m), nullptr, session);
-    const auto whole = session.link(m.file.string());
-    return whole == nullptr ? static_cast<int>(input_errors)
-                            : show(describe_machine(*whole, session.library()), nullptr, session);
   }
   const Json fields = describe_fields(session.library());
   for (const Json& f : fields)
@@ -152,7 +199,7 @@ int InspectCommand::run() const {
 
 int inspect_command(const Arguments& arguments) {
   CommandLine line("inspect", "Shows the page and the declaration of a syntax, dependency, dialect, machine or field.",
-                   "isogloss inspect DrillingCycleSyntax -d fanuc\n  isogloss inspect dmu85");
+                   "isogloss inspect DrillingCycleSyntax -d fanuc\n  isogloss inspect dmu85 --for part.h");
   InspectCommand command;
   line.option("NAME", command.name,
               "Id of a syntax or dependency, name or file of a dialect or machine, path of a field")
@@ -160,6 +207,9 @@ int inspect_command(const Arguments& arguments) {
   line.option("-d,--dialect", command.dialect, "Show the options and resolved patterns of this dialect too")
       .type_name("DIALECT");
   line.option("-m,--machine", command.machine, "Show those of this machine").type_name("MACHINE");
+  line.option("--for", command.programs,
+              "Of a machine: run this program, and show which of its needs the machine answers (repeatable)")
+      .type_name("PROGRAM");
   line.flag("--json", command.json, "Write JSON");
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;

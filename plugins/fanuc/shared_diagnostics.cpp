@@ -103,6 +103,11 @@ const ig::Diagnostics shared_diagnostics{
     ig::diagnostic(IG_WARNING, "FAN-0239", "'{0}' is too large for a work offset, so this value of {1} is left out",
                    "The table of work offsets holds up to 1e9 mm and degrees. The file may be damaged at this place.",
                    "G10L2P1B99999999999."),
+    ig::diagnostic(IG_WARNING, "FAN-0241",
+                   "the file does not tell its unit, so its lengths are read as mm: give the option unit",
+                   "A Fanuc writes offsets in the unit of its input, and lengths of parameters in that of parameters "
+                   "0000 and 1001. In a machine, write <Backup src=\"TOOLOFST.TXT\" unit=\"mm\"/>, or \"inch\".",
+                   "G10L2P1X-12.5, from a control in inches"),
 };
 
 }  // namespace

@@ -1,4 +1,6 @@
+#include <isogloss_axis.h>
 #include <isogloss_machine_code.h>
+#include <isogloss_tool.h>
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -94,6 +96,32 @@ TEST_CASE("tool offsets: a number without a row is zero, or missing where the ta
   CHECK(s->set(s->self, 401, 0, 50) == 0);
 }
 
+TEST_CASE("tool names: the tools of a name in the order of the rows, in any case of letters") {
+  const FakeDependency table(*ig_plugin_v1(), "ToolOffsetTable",
+                             {{"12", {{"H", 1}, {"Name", "Mill"}}},
+                              {"3", {{"H", 2}}},
+                              {"12.1", {{"H", 3}, {"Name", "MILL"}}},
+                              {"5", {{"H", 4}, {"Name", "DRILL"}}},
+                              {"8", {{"H", 5}, {"Name", "mill"}}}});
+  const auto* s = table.service<ig_tool_name_1>("isogloss.tool-name/1");
+  const auto all = [&](std::string_view name) {
+    std::vector<std::int64_t> ids;
+    for (std::int64_t id = s->find(s->self, text(name), 0); id != 0; id = s->find(s->self, text(name), id))
+      ids.push_back(id);
+    return ids;
+  };
+  const std::int64_t indexed = 12 + IG_TOOL_INDEX_STEP;
+  CHECK(all("mILL") == std::vector<std::int64_t>{12, indexed, 8});
+  CHECK(all("DRILL") == std::vector<std::int64_t>{5});
+  CHECK(all("") == std::vector<std::int64_t>{12, indexed, 5, 8});
+  CHECK(all("SAW").empty());
+  CHECK(s->find(s->self, text("MILL"), 5) == 8);
+  CHECK(s->find(s->self, text("MILL"), 77) == 0);
+  const FakeDependency none(*ig_plugin_v1(), "ToolOffsetTable", {{"3", {{"H", 2}}}});
+  const auto* n = none.service<ig_tool_name_1>("isogloss.tool-name/1");
+  CHECK(n->find(n->self, text(""), 0) == 0);
+}
+
 TEST_CASE("fallback settings: a distance that is not set follows the other one") {
   const FakeDependency config(*ig_plugin_v1(), "FallbackConfig", {}, {{"HighSpeedPeckRetraction_mm", "0.5"}});
   CHECK(number(config, "isogloss.canned-cycle/1", "PeckRetractionDistance_mm") == 5);
@@ -174,10 +202,70 @@ TEST_CASE("machine axes: rotary axes tell how they turn, and a travel may have o
 }
 
 TEST_CASE("machine axes: a row that names no axis is refused, not ignored") {
-  for (const char* name : {"", "x", "W", "AB", "1"}) {
+  for (const char* name : {"", "x", "Q", "1", "sp1", "1A", "M1", "S2", "T1", "I1", "R5", "A B"}) {
     CAPTURE(name);
     CHECK_THROWS_WITH(FakeDependency(*ig_plugin_v1(), "MachineAxes", {{name, {{"Home", 5}}}}),
                       Catch::Contains("its name is X, Y, Z, A, B or C"));
+  }
+  CHECK_THROWS_WITH(
+      FakeDependency(*ig_plugin_v1(), "MachineAxes",
+                     {{"Q1", {}}, {"Q2", {}}, {"Q3", {}}, {"Q4", {}}, {"Q5", {}}, {"Q6", {}}, {"Q7", {}}}),
+      Catch::Contains("more than six axes"));
+}
+
+TEST_CASE("machine axes: programs may call an axis by further names, and further axes have numbers of their own") {
+  const FakeDependency machine(*ig_plugin_v1(), "MachineAxes",
+                               {{"X", {{"Names", "X1 mx1"}, {"Datum", -20.5}, {"FixedPoint2", 7}}},
+                                {"C", {{"Names", "C1"}}},
+                                {"U", {{"Home", 3}, {"Maximum", 50}}},
+                                {"VSP1", {{"Type", "rotary"}}}});
+  const auto* s = machine.service<ig_axis_name_1>("isogloss.axis-name/1");
+  const auto find = [&](std::string_view name) { return s->find(s->self, text(name)); };
+  const auto shown = [](ig_text t) { return std::string(t.data, t.size); };
+  for (const char* name : {"X", "x1", "MX1"}) {
+    CAPTURE(name);
+    CHECK(find(name) == 0);
+  }
+  CHECK(find("C1") == 5);
+  CHECK(find("B") == -1);
+  CHECK(find("U") == 6);
+  CHECK(find("vsp1") == 7);
+  CHECK((shown(s->name(s->self, 0)) == "X" && shown(s->name(s->self, 4)).empty() &&
+         shown(s->name(s->self, 7)) == "VSP1"));
+  CHECK(shown(s->name(s->self, 8)).empty());
+  CHECK((shown(s->further_names(s->self, 0)) == "X1 MX1" && shown(s->further_names(s->self, 6)).empty()));
+  CHECK((s->is_rotary(s->self, 7) == 1 && s->is_rotary(s->self, 6) == 0 && s->is_rotary(s->self, 5) == 1));
+  double a = 0, b = 0;
+  CHECK((s->position(s->self, 0, IG_AXIS_DATUM, &a) == 1 && a == -20.5));
+  CHECK((s->position(s->self, 0, IG_AXIS_FIXED_POINT_1 + 1, &a) == 1 && a == 7));
+  CHECK((s->position(s->self, 6, IG_AXIS_HOME, &a) == 1 && a == 3));
+  for (const ig_axis_position which : {0u, 3u, 4u, 7u, 8u}) CHECK(s->position(s->self, 0, which, &a) == 0);
+  CHECK(s->position(s->self, 99, IG_AXIS_HOME, &a) == 0);
+  CHECK((s->travel(s->self, 6, &a, &b) == 1 && a == -HUGE_VAL && b == 50));
+  CHECK((s->travel(s->self, 7, &a, &b) == 0 && s->travel(s->self, 99, &a, &b) == 0));
+}
+
+TEST_CASE("machine axes: a row whose names or columns have no effect is refused") {
+  const FakeDependency two(*ig_plugin_v1(), "MachineAxes",
+                           {{"A", {{"Names", "C1"}}}, {"C", {{"Names", "C1"}}}, {"B", {{"Names", "U"}}}, {"U", {}}});
+  CHECK_THAT(two.row_fault("A"), Catch::Contains("the rows A and C both name C1"));
+  CHECK_THAT(two.row_fault("C"), Catch::Contains("the rows C and A both name C1"));
+  CHECK_THAT(two.row_fault("B"), Catch::Contains("is no name of an axis"));
+  CHECK(two.row_fault("U").empty());
+  for (const char* name : {"M1", "C", "C-1", "S3"}) {
+    CAPTURE(name);
+    const FakeDependency one(*ig_plugin_v1(), "MachineAxes", {{"X", {{"Names", name}}}});
+    CHECK_THAT(one.row_fault("X"), Catch::Contains("is no name of an axis"));
+  }
+  CHECK_THAT(FakeDependency(*ig_plugin_v1(), "MachineAxes", {{"X", {{"Type", "linear"}}}}).row_fault("X"),
+             Catch::Contains("Type has no effect"));
+  CHECK_THAT(FakeDependency(*ig_plugin_v1(), "MachineAxes", {{"U", {{"Type", "round"}}}}).row_fault("U"),
+             Catch::Contains("linear or rotary"));
+  for (const char* column : {"Reference1", "Reference2", "Reference3", "Reference4", "RapidRate", "Datum", "Rollover",
+                             "Retract", "FixedPoint1", "FixedPoint2", "FixedPoint3", "FixedPoint4"}) {
+    CAPTURE(column);
+    const FakeDependency further(*ig_plugin_v1(), "MachineAxes", {{"U", {{column, 1}}}});
+    CHECK(further.row_fault("U") == column + std::string(" has no effect on a further axis: remove it"));
   }
 }
 

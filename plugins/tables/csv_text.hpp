@@ -12,7 +12,22 @@
 
 namespace tables {
 
-enum class CsvTarget { none, number, length, length_wear, radius, diameter, radius_wear, diameter_wear, name };
+enum class CsvTarget {
+  none,
+  number,
+  length,
+  length_wear,
+  radius,
+  diameter,
+  radius_wear,
+  diameter_wear,
+  corner,
+  tip_angle,
+  teeth,
+  speed,
+  name
+};
+
 /// A column. Without a unit it has that of the option.
 struct CsvHead {
   CsvTarget target = CsvTarget::none;
@@ -91,6 +106,8 @@ inline CsvHead csv_head(std::string_view title) {
       Name{"length", CsvTarget::length},
       Name{"toollength", CsvTarget::length},
       Name{"gaugelength", CsvTarget::length},
+      Name{"z", CsvTarget::length},
+      Name{"zoffset", CsvTarget::length},
       Name{"hwear", CsvTarget::length_wear},
       Name{"lwear", CsvTarget::length_wear},
       Name{"lengthwear", CsvTarget::length_wear},
@@ -108,6 +125,17 @@ inline CsvHead csv_head(std::string_view title) {
       Name{"dwear", CsvTarget::diameter_wear},
       Name{"diameterwear", CsvTarget::diameter_wear},
       Name{"weardiameter", CsvTarget::diameter_wear},
+      Name{"r2", CsvTarget::corner},
+      Name{"cornerradius", CsvTarget::corner},
+      Name{"tipangle", CsvTarget::tip_angle},
+      Name{"pointangle", CsvTarget::tip_angle},
+      Name{"teeth", CsvTarget::teeth},
+      Name{"flutes", CsvTarget::teeth},
+      Name{"numberofteeth", CsvTarget::teeth},
+      Name{"numberofflutes", CsvTarget::teeth},
+      Name{"nmax", CsvTarget::speed},
+      Name{"maximumspeed", CsvTarget::speed},
+      Name{"maxspeed", CsvTarget::speed},
       Name{"name", CsvTarget::name},
       Name{"toolname", CsvTarget::name},
       Name{"description", CsvTarget::name},
@@ -127,6 +155,12 @@ inline CsvHead csv_head(std::string_view title) {
   return out;
 }
 
+/// The numbers that a column of the table can hold.
+constexpr double csv_least(CsvTarget target) { return target < CsvTarget::corner ? -1e9 : 0; }
+constexpr double csv_most(CsvTarget target) {
+  return target == CsvTarget::tip_angle ? 180 : target == CsvTarget::teeth ? 1000 : 1e9;
+}
+
 inline std::string_view csv_column(CsvTarget target) {
   switch (target) {
     case CsvTarget::length: return "H";
@@ -135,6 +169,10 @@ inline std::string_view csv_column(CsvTarget target) {
     case CsvTarget::diameter: return "D";
     case CsvTarget::radius_wear:
     case CsvTarget::diameter_wear: return "DWear";
+    case CsvTarget::corner: return "CornerRadius";
+    case CsvTarget::tip_angle: return "TipAngle";
+    case CsvTarget::teeth: return "Teeth";
+    case CsvTarget::speed: return "MaximumSpeed";
     case CsvTarget::name: return "Name";
     default: return target == CsvTarget::number ? "id" : "";
   }

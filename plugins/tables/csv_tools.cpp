@@ -9,6 +9,7 @@
 #include <isogloss/sdk.hpp>
 
 #include "csv_text.hpp"
+#include "file_unit.hpp"
 #include "tool_rows.hpp"
 
 namespace tables {
@@ -16,19 +17,19 @@ namespace tables {
 namespace {
 
 struct CsvTools {
-  enum class LengthUnit { mm, inch };
-
   static constexpr auto spec =
       ig::importer("CsvTools", "A table of tools as comma-separated values.").files("*.csv").fills("ToolOffsetTable");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "TAB-0106", "'{0}' is no number, so column {1} of this tool is left out"),
+      ig::diagnostic(IG_WARNING, "TAB-0106", "'{0}' is no number that column {1} can hold, so it is left out"),
       ig::diagnostic(IG_ERROR, "TAB-0107",
                      "the first line names no column for the number of the tool, so the file is not read"),
       ig::diagnostic(IG_WARNING, "TAB-0108",
                      "this row has more fields than the first line has columns, so it is left out: check its commas"),
   };
 
-  ig::Choice<LengthUnit> unit{"unit", "mm|inch", "mm", "The unit of columns whose head names none, as 'Length (mm)'."};
+  ig::Choice<FileUnit> unit{
+      "unit", "unknown|mm|inch", "unknown",
+      "The unit of columns whose head names none, as 'Length (mm)' does; unknown: mm is assumed."};
 
   static unsigned recognise(std::string_view text, std::string_view name) {
     for (const ig::TextLine& line : ig::TextLines(text)) {
@@ -49,11 +50,12 @@ struct CsvTools {
   void read(ig::Import& file) const {
     std::vector<CsvHead> heads;
     ToolRows rows(file);
+    FileLengths lengths(file, unit);
     char separator = '\0';
     for (const ig::TextLine& line : file.lines()) {
       if (is_blank_csv(line.text)) continue;
       if (!heads.empty()) {
-        read_row(file, rows, heads, line, separator);
+        read_row(file, rows, lengths, heads, line, separator);
         continue;
       }
       separator = csv_separator(line.text);
@@ -66,15 +68,33 @@ struct CsvTools {
   }
 
   void write(ig::Export& out) const {
-    static constexpr std::array columns{"H", "HWear", "D", "DWear"};
-    const std::string_view suffix = unit == LengthUnit::inch ? " (inch)" : " (mm)";
+    struct Column {
+      const char *name, *title;
+      bool is_length;
+    };
+    static constexpr std::array columns{Column{"H", "length", true},
+                                        Column{"HWear", "length wear", true},
+                                        Column{"D", "radius", true},
+                                        Column{"DWear", "radius wear", true},
+                                        Column{"CornerRadius", "corner radius", true},
+                                        Column{"TipAngle", "tip angle", false},
+                                        Column{"Teeth", "teeth", false},
+                                        Column{"MaximumSpeed", "maximum speed", false}};
+    const std::string_view suffix = unit == FileUnit::inch ? " (inch)" : " (mm)";
     out.write("number");
-    for (const std::string_view name : {",length", ",length wear", ",radius", ",radius wear"})
-      out.write(std::string(name) + std::string(suffix));
+    for (const Column& c : columns) {
+      out.write(std::string(",") + c.title);
+      if (c.is_length) out.write(suffix);
+    }
     out.write(",name\n");
     for (std::uint32_t row = 0; row < out.rows("ToolOffsetTable"); ++row) {
       std::string line(out.key("ToolOffsetTable", row));
-      for (const char* const column : columns) line += "," + value_of(out.cell("ToolOffsetTable", row, column));
+      for (const Column& c : columns) {
+        const std::string_view cell = out.cell("ToolOffsetTable", row, c.name);
+        line += "," + (c.is_length ? value_of(cell) : std::string(cell));
+      }
+      if (!out.cell("ToolOffsetTable", row, "CornerRadiusWear").empty())
+        out.unused("column CornerRadiusWear", "the format has no column for it");
       line += "," + quoted(out.cell("ToolOffsetTable", row, "Name"));
       out.write(line + "\n");
     }
@@ -98,8 +118,8 @@ struct CsvTools {
     return out;
   }
 
-  void read_row(ig::Import& file, ToolRows& rows, const std::vector<CsvHead>& heads, const ig::TextLine& line,
-                char separator) const {
+  static void read_row(ig::Import& file, ToolRows& rows, FileLengths& lengths, const std::vector<CsvHead>& heads,
+                       const ig::TextLine& line, char separator) {
     const std::vector<CsvField> fields = csv_fields(line, separator);
     const std::size_t count = std::min(heads.size(), fields.size()), end = line.begin + line.text.size();
     for (std::size_t i = count; i < fields.size(); ++i)
@@ -109,10 +129,10 @@ struct CsvTools {
       if (heads[i].target == CsvTarget::number) key = ToolRows::key_of(number = fields[i].text);
     if (key.empty()) return file.report(ig::diag("TAB-0104"), line.begin, end, number);
     rows.begin(key, line.begin, end);
-    for (std::size_t i = 0; i < count; ++i) read_cell(file, heads[i], fields[i]);
+    for (std::size_t i = 0; i < count; ++i) read_cell(file, lengths, heads[i], fields[i]);
   }
 
-  void read_cell(ig::Import& file, const CsvHead& head, const CsvField& field) const {
+  static void read_cell(ig::Import& file, FileLengths& lengths, const CsvHead& head, const CsvField& field) {
     if (field.text.empty() || head.target == CsvTarget::none || head.target == CsvTarget::number) return;
     if (head.target == CsvTarget::name) return file.cell("Name", field.text, field.begin);
     std::string digits = field.text;
@@ -121,10 +141,14 @@ struct CsvTools {
     constexpr double largest = 1e15;  // a damaged file has longer numbers; their products may not be finite
     if (!n.ok || n.end != digits.size() || std::abs(n.value) > largest)
       return file.report(ig::diag("TAB-0106"), field.begin, field.end, field.text, head.title);
+    if (!(n.value >= csv_least(head.target) && n.value <= csv_most(head.target)))
+      return file.report(ig::diag("TAB-0106"), field.begin, field.end, field.text, head.title);
+    const bool is_length = head.target < CsvTarget::tip_angle;
+    if (!is_length) return file.cell(csv_column(head.target), n.value, field.begin);
     const bool is_diameter = head.target == CsvTarget::diameter || head.target == CsvTarget::diameter_wear;
-    const bool is_inch = head.is_inch.value_or(unit == LengthUnit::inch);
-    file.cell(csv_column(head.target),
-              ig::cnc::length_in_mm(n.value, is_inch ? ig::cnc::mm_per_inch : 1) / (is_diameter ? 2 : 1), field.begin);
+    const double mm = head.is_inch ? ig::cnc::length_in_mm(n.value, *head.is_inch ? ig::cnc::mm_per_inch : 1)
+                                   : lengths.mm(n.value, field.begin, field.end);
+    file.cell(csv_column(head.target), mm / (is_diameter ? 2 : 1), field.begin);
   }
 
   // ---- writing
@@ -132,7 +156,7 @@ struct CsvTools {
   std::string value_of(std::string_view cell) const {
     const ig::Decimal n = ig::read_decimal(cell, 0);
     if (!n.ok || n.end != cell.size()) return {};
-    if (unit == LengthUnit::mm) return std::string(cell);
+    if (unit != FileUnit::inch) return std::string(cell);
     return ig::cnc::fixed_text(ig::cnc::length_in_unit(n.value, ig::cnc::mm_per_inch));
   }
   static std::string quoted(std::string_view name) {

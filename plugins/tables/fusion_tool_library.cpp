@@ -137,7 +137,21 @@ struct FusionToolLibrary {
       put(file, table, {radius_row, "D", *diameter / 2, &tool});
     else
       file.unused("tool without DC", "its radius is not known", tool.begin, tool.end);
+    read_numbers(file, tool, mm);
     read_rest(file, tool);
+  }
+  /// Corner radius, angle at the tip, flutes.
+  static void read_numbers(ig::Import& file, const JsonValue& tool, double mm) {
+    const JsonValue* const geometry = tool.find("geometry");
+    const auto give = [&](const char* key, const char* column, double factor, double most) {
+      const JsonValue* const n = number_of(geometry, key);
+      if (n == nullptr) return;
+      if (!(n->number >= 0 && n->number * factor <= most)) return unused(file, std::string("geometry ") + key, *n);
+      file.cell(column, factor == 1 ? n->number : ig::cnc::length_in_mm(n->number, factor), tool.begin);
+    };
+    give("RE", "CornerRadius", mm, 1e9);
+    give("SIG", "TipAngle", 1, 180);
+    give("NOF", "Teeth", 1, 1000);
   }
   static void put(ig::Import& file, ToolRows& table, const Cell& cell) {
     if (!std::isfinite(cell.mm)) return;
@@ -166,7 +180,8 @@ struct FusionToolLibrary {
   }
 
   static void read_rest(ig::Import& file, const JsonValue& tool) {
-    static constexpr std::array read{"DC", "assemblyGaugeLength", "number", "length-offset", "diameter-offset"};
+    static constexpr std::array read{
+        "DC", "RE", "SIG", "NOF", "assemblyGaugeLength", "number", "length-offset", "diameter-offset"};
     for (const auto& [name, value] : tool.members) {
       if (name == "geometry" || name == "post-process")
         for (const auto& [key, inner] : value.members) {

@@ -2,10 +2,9 @@
 #include <array>
 #include <cmath>
 
-#include <isogloss/cnc/file_length.hpp>
-#include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
+#include "file_unit.hpp"
 #include "tool_rows.hpp"
 
 namespace tables {
@@ -13,8 +12,6 @@ namespace tables {
 using namespace ig::cnc;
 
 namespace {
-
-enum class Unit { mm, inch };
 
 constexpr std::string_view blanks = " \t";
 constexpr double largest = 1e9;  // no machine has such a tool
@@ -27,7 +24,8 @@ struct LinuxCncToolTable {
       ig::diagnostic(IG_WARNING, "TAB-0102", "this line has no T, so it is left out"),
   };
 
-  ig::Choice<Unit> unit{"unit", "mm|inch", "mm", "The unit of the machine, LINEAR_UNITS in its INI file."};
+  ig::Choice<FileUnit> unit{"unit", "unknown|mm|inch", "unknown",
+                            "The unit of the machine, LINEAR_UNITS in its INI file; unknown: mm is assumed."};
 
   static unsigned recognise(std::string_view text, std::string_view) {
     unsigned tools = 0;
@@ -43,8 +41,10 @@ struct LinuxCncToolTable {
 
   void read(ig::Import& file) const {
     ToolRows rows(file);
+    FileLengths lengths(file, unit);
     for (const ig::TextLine& line : file.lines())
-      if (const std::string_view code = before_comment(line.text); !code.empty()) read_tool(file, rows, line, code);
+      if (const std::string_view code = before_comment(line.text); !code.empty())
+        read_tool(file, rows, lengths, line, code);
     rows.finish();
   }
 
@@ -61,7 +61,8 @@ struct LinuxCncToolTable {
     return first == std::string_view::npos ? std::string_view() : line.substr(first);
   }
 
-  void read_tool(ig::Import& file, ToolRows& rows, const ig::TextLine& line, std::string_view code) const {
+  static void read_tool(ig::Import& file, ToolRows& rows, FileLengths& lengths, const ig::TextLine& line,
+                        std::string_view code) {
     const std::size_t offset = line.begin + static_cast<std::size_t>(code.data() - line.text.data());
     std::vector<Word> words;
     for (std::size_t i = 0; (i = code.find_first_not_of(blanks, i)) != std::string_view::npos;) {
@@ -85,18 +86,17 @@ struct LinuxCncToolTable {
     rows.begin(key, tool->begin, tool->end);
     for (const Word& w : words)
       if (last[static_cast<unsigned char>(w.letter)] == &w)
-        read_word(file, w);
+        read_word(file, lengths, w);
       else
         file.unused(std::string("word ") + w.letter, "the line has a later one, which is read", w.begin, w.end);
     read_comment(file, line);
   }
 
-  void read_word(ig::Import& file, const Word& w) const {
-    const double mm = length_in_mm(w.value, unit == Unit::inch ? mm_per_inch : 1);
+  static void read_word(ig::Import& file, FileLengths& lengths, const Word& w) {
     switch (w.letter) {
       case 'T': return;
-      case 'Z': return file.cell("H", mm, w.begin);
-      case 'D': return file.cell("D", mm / 2, w.begin);
+      case 'Z': return file.cell("H", lengths.mm(w.value, w.begin, w.end), w.begin);
+      case 'D': return file.cell("D", lengths.mm(w.value, w.begin, w.end) / 2, w.begin);
       default: file.unused(std::string("word ") + w.letter, "no table has a place for it", w.begin, w.end);
     }
   }

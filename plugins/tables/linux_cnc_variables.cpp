@@ -2,18 +2,16 @@
 // "Numbered parameters".
 #include <cmath>
 
-#include <isogloss/cnc/file_length.hpp>
-#include <isogloss/cnc/units.hpp>
 #include <isogloss/cnc/whole_number.hpp>
 #include <isogloss/sdk.hpp>
+
+#include "file_unit.hpp"
 
 namespace tables {
 
 namespace {
 
 struct LinuxCncVariables {
-  enum class LengthUnit { mm, inch };
-
   static constexpr auto spec = ig::importer("LinuxCncVariables", "Work offsets and variables of LinuxCNC.")
                                    .files("*.var")
                                    .fills("IsoCoordinateTable", "MacroVariables");
@@ -22,7 +20,8 @@ struct LinuxCncVariables {
       ig::diagnostic(IG_WARNING, "TAB-0111", "variable {0} is too large for a work offset, so this value is left out"),
   };
 
-  ig::Choice<LengthUnit> unit{"unit", "mm|inch", "mm", "The unit of the machine, LINEAR_UNITS in its INI file."};
+  ig::Choice<FileUnit> unit{"unit", "unknown|mm|inch", "unknown",
+                            "The unit of the machine, LINEAR_UNITS in its INI file; unknown: mm is assumed."};
 
   static unsigned recognise(std::string_view text, std::string_view) {
     unsigned entries = 0, offsets = 0, damaged = 0;
@@ -41,11 +40,12 @@ struct LinuxCncVariables {
   }
 
   void read(ig::Import& file) const {
+    FileLengths lengths(file, unit);
     for (const ig::TextLine& line : file.lines()) {
       const std::size_t first = line.text.find_first_not_of(" \t");
       if (first == std::string_view::npos) continue;
       if (const std::optional<Entry> entry = read_line(line))
-        read_entry(file, *entry);
+        read_entry(file, lengths, *entry);
       else
         file.report(ig::diag("TAB-0103"), line.begin + first, line.begin + line.text.size(), line.text.substr(first));
     }
@@ -75,7 +75,7 @@ struct LinuxCncVariables {
     return Entry{*whole, value.value, line.begin + first, line.begin + value.end};
   }
 
-  void read_entry(ig::Import& file, const Entry& e) const {
+  static void read_entry(ig::Import& file, FileLengths& lengths, const Entry& e) {
     const auto unused = [&](std::string_view what, std::string_view why = "no table has a place for it") {
       if (e.value != 0) file.unused(what, why, e.begin, e.end);  // a shift of 0 has no effect anyway
     };
@@ -84,7 +84,8 @@ struct LinuxCncVariables {
       file.row("MacroVariables", e.number, e.begin);
       return file.cell("Value", e.value, e.begin);
     }
-    if (e.number >= first_offset && e.number < first_offset + 9 * offset_step) return read_offset(file, e, unused);
+    if (e.number >= first_offset && e.number < first_offset + 9 * offset_step)
+      return read_offset(file, lengths, e, unused);
     if (e.number == offset_in_force) return unused("the work offset in force", "a program begins with its own");
     if (e.number >= g92 && e.number < offset_in_force) return unused("shift of G92");
     if (e.number >= g28 && e.number < g92) return unused("position of G28 or G30");
@@ -93,7 +94,7 @@ struct LinuxCncVariables {
 
   /// Nine offsets G54 to G59.3, each with X Y Z A B C U V W and a rotation about Z.
   template <class Unused>
-  void read_offset(ig::Import& file, const Entry& e, Unused&& unused) const {
+  static void read_offset(ig::Import& file, FileLengths& lengths, const Entry& e, Unused&& unused) {
     static constexpr std::array<const char*, 9> ids{"G54", "G55",   "G56",   "G57",  "G58",
                                                     "G59", "G59.1", "G59.2", "G59.3"};
     static constexpr std::array<const char*, 6> columns{"X", "Y", "Z", "A", "B", "C"};
@@ -103,8 +104,7 @@ struct LinuxCncVariables {
     if (place > rotation) return unused("state of the control");
     if (place >= columns.size()) return unused("work offset of U, V or W");
     const bool is_length = place < 3;
-    const double value =
-        ig::cnc::length_in_mm(e.value, is_length && unit == LengthUnit::inch ? ig::cnc::mm_per_inch : 1);
+    const double value = is_length ? lengths.mm(e.value, e.begin, e.end) : e.value;
     if (std::abs(value) > largest)
       return file.report(ig::diag("TAB-0111"), e.begin, e.end, static_cast<double>(e.number));
     file.row("IsoCoordinateTable", ids[id], e.begin);

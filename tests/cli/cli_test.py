@@ -1251,7 +1251,7 @@ class Cases(Command):
         self.assertIn(" 0 fail", self.run_it("case", "--all", timeout=300).stdout)  # sanitizers take their time
 
 
-class Tables(Command):
+class KeptTables(Command):
     def test_variables_are_kept_from_run_to_run(self):
         program = self.write("count.nc", "O1\n#500=#500+1\n#501=#0\n#502=2\nX#500\nM30\n")
         given = self.write("given.xml", '<MacroVariables>\n  <Variable number="500" Value="6.5"/>\n'

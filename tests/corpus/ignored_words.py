@@ -102,6 +102,11 @@ class Program:
         return self.is_run(before, number)
 
 
+def choice(seed, path):
+    """The random numbers of one program: a further program in the tree changes none of the others."""
+    return random.Random(f"{seed} {path.relative_to(PROGRAMS)}")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
@@ -114,10 +119,9 @@ def main():
     isogloss = options.isogloss.resolve()
     known = inert()
     wanted = options.dialects.split(",") if options.dialects else None
-    rnd = random.Random(options.seed)
     programs = [p for p in golden_files() if p.suffix in SUFFIXES and p.stat().st_size < 6000
                 and (wanted is None or dialect_of(p) in wanted)]
-    rnd.shuffle(programs)
+    programs.sort(key=lambda p: choice(options.seed, p).random())
     found, tried = collections.defaultdict(list), 0
     with tempfile.TemporaryDirectory(prefix="isogloss-words-") as name:
         for path in programs[:options.programs]:
@@ -126,7 +130,7 @@ def main():
             if any(code in before[1] for code in (b"ISO-0540", b"ISO-0541", b"SYN-0001")):
                 continue  # the text is refused as a whole
             words = list(program.words())
-            for number, m in rnd.sample(words, min(options.words, len(words))):
+            for number, m in choice(options.seed, path).sample(words, min(options.words, len(words))):
                 tried += 1
                 kind = (str(path.relative_to(PROGRAMS)), m[1].upper())
                 if not program.is_ignored(before, number, m):

@@ -20,8 +20,8 @@ ROOT = HERE.parents[1]
 # Of each machine: what its tables come from, and what lint names as not read.
 EXAMPLES = {
     "klartext-5axis": ({"ToolOffsetTable": {"TOOL.T", "machine.xml"}, "IsoCoordinateTable": {"PRESET.PR"},
-                        "MachineAxes": {"axes.xml"}, "MachineKinematics": {"axes.xml"}},
-                       {"column SHOP_RACK", "column SHOP_CHECKED", "column TL", "column RT", "column LOCKED", "tool 0"}),
+                        "HeidenhainDatums": {"VICES.D"}, "HeidenhainSystemData": {"machine.xml"}, "MachineAxes": {"axes.xml"}, "MachineKinematics": {"axes.xml"}},
+                       {"column DOC", "column SHOP_RACK", "column SHOP_CHECKED", "column TL", "column RT", "column LOCKED", "tool 0"}),
     "siemens-mill": ({"ToolOffsetTable": {"TO1_TOA.INI"}, "SiemensCoordinateTable": {"CH1_UFR.INI"},
                       "SiemensVariables": {"UGUD.DEF", "CH1_GUD.INI"}, "SiemensMacros": {"MMAC.DEF"},
                       "MachineAxes": {"machine.xml"}},
@@ -48,11 +48,11 @@ class Examples(unittest.TestCase):
         self.assertEqual([n for n in notes if n["Severity"] != "note"], [], arguments)
         return done.stdout, notes
 
-    def places(self, program, machine):
+    def places(self, program, machine, wanted_notes=()):
         """Where each move ends, in machine coordinates: {(file, line): [place of the first pass, of the second, …]}."""
         out = {}
         motions, notes = self.command("run", HERE / program, "-m", machine, "--exact")
-        self.assertEqual(notes, [])
+        self.assertEqual([n["Code"] for n in notes], list(wanted_notes))
         for event in map(json.loads, motions.splitlines()):
             at = event.get("MachineCoordinate")
             if at is not None:
@@ -78,6 +78,14 @@ class Examples(unittest.TestCase):
                 self.assertEqual(files[table], wanted, f"{name}: {table}")
             self.assertEqual([pathlib.Path(p).parts[-2:] for p in told["Programs"]], [(name, "programs")])
 
+    def test_inspect_shows_names_and_positions_of_axes(self):
+        axes = {name: {row["Axis"]: row for row in json.loads(self.command("inspect", name, "--json")[0])["Axes"]}
+                for name in EXAMPLES}
+        self.assertEqual({a: row["Names"] for a, row in axes["siemens-mill"].items()}, {"X": "X1", "Y": "Y1", "Z": "Z1"})
+        self.assertEqual(axes["siemens-mill"]["X"]["FixedPoint2"], "-350")
+        self.assertEqual(axes["klartext-5axis"]["Z"]["Datum"], "420")
+        self.assertEqual(axes["fanuc-mill"], {})  # parameters of the control hold its positions
+
     def test_lint_names_what_is_not_read(self):
         for name, (_, wanted) in EXAMPLES.items():
             notes = self.command("lint", "-m", name)[1]
@@ -85,13 +93,14 @@ class Examples(unittest.TestCase):
             self.assertEqual(wanted - unread, set(), f"{name}: {unread}")
 
     def test_klartext_5axis(self):
-        at, main = self.places("klartext-5axis.H", "klartext-5axis"), "klartext-5axis.H"
+        # Tools 7 and 12 are sisters: both are named CHAMFER_D8.
+        at, main = self.places("klartext-5axis.H", "klartext-5axis", ["HEI-0368"]), "klartext-5axis.H"
         # Preset 1 lies at X12.5 Y-20 Z-70. MILL_D12 is tool 2 of TOOL.T: L 98.6 with DL -0.03 makes 98.57.
         # Block 4: X = 12.5 + 30, Y = -20 + 10, and Z rests at its home 420. Z5: -70 + 5 + 98.57 = 33.57.
         self.assert_at(at[main, 6][0], X=42.5, Y=-10, Z=420, A=0, C=0)
         self.assert_at(at[main, 7][0], X=42.5, Y=-10, Z=33.57)
         self.assert_at(at[main, 8][0], Z=26.57)
-        # RETRACT.H of the folder programs: Z420 by M91.
+        # RETRACT.H of the folder programs: Z0 from the builder's datum of Z (M92), which lies at 420.
         self.assert_at(at["RETRACT.H", 3][0], X=42.5, Y=-10, Z=420)
         # SPA-30 inclines the plane to the back: A-30, C0. Table A turns the part by +30 degrees about the line Y0.02 Z-80.
         # The preset lies (Y-20.02, Z10) from that line; turned: Y = -20.02 cos 30 - 10 sin 30 = -17.3378 - 5 = -22.3378,
@@ -110,6 +119,8 @@ class Examples(unittest.TestCase):
         self.assert_at(at[main, 25][0], Z=45.25)
         self.assert_at(at["RETRACT.H", 3][-1], Z=420)
         self.assertEqual(len(at["RETRACT.H", 3]), 5)
+        # Row 2 of VICES.D on top of preset 1: X = 12.5 + 120 + 10, Y = -20 + 12.5, and C counts from 90.
+        self.assert_at(at[main, 33][0], X=142.5, Y=-7.5, Z=420, C=90)
 
     def test_siemens_mill(self):
         at, main = self.places("siemens-mill.mpf", "siemens-mill"), "siemens-mill.mpf"
@@ -127,6 +138,7 @@ class Examples(unittest.TestCase):
         # Z65: -438.23 + 65 + 118.25 = -254.98. Z-6 with D2: -438.23 - 6 + 104.75 = -339.48.
         self.assert_at(at[main, 12][0], X=-437.385, Y=-226.75, Z=-254.98)
         self.assert_at(at[main, 13][0], Z=-339.48)
+        # PARK.SPF: Z1 is Z by its name in machine.xml, and D0 leaves no tool length. Fixed point 2 is X-350 Y0.
         self.assert_at(at["PARK.SPF", 4][0], Z=0)
         self.assert_at(at["PARK.SPF", 5][0], X=-350, Y=0, Z=0)
 

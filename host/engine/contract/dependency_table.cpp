@@ -31,6 +31,7 @@ std::vector<DependencyTable::Cell>& DependencyTable::row(std::string_view name) 
 }
 
 std::optional<double> DependencyTable::value(std::string_view name, std::uint32_t column) const {
+  if (reads_ != nullptr && !reads_->contains(name)) reads_->emplace(name);
   const auto found = index_.find(name);
   if (found == index_.end() || column >= dependency_->column_count) return std::nullopt;
   const Cell& cell = cells_[found->second][column];
@@ -38,6 +39,7 @@ std::optional<double> DependencyTable::value(std::string_view name, std::uint32_
 }
 
 std::string_view DependencyTable::text(std::string_view name, std::uint32_t column) const {
+  if (reads_ != nullptr && !reads_->contains(name)) reads_->emplace(name);
   const auto found = index_.find(name);
   return found == index_.end() || column >= dependency_->column_count ? std::string_view{}
                                                                       : cells_[found->second][column].text;

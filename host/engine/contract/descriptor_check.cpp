@@ -24,7 +24,7 @@ constexpr std::array reserved_names{"Dialect",      "Files",       "Signature", 
                                     "Dependencies", "Initial",     "Field",     "Chain",     "Parsing", "Evaluation",
                                     "Severities",   "Severity",    "Logic",     "PostLogic", "Replace", "Inspection",
                                     "InsertBefore", "InsertAfter", "Remove",    "Configure", "Machine", "Include",
-                                    "Programs",     "Backup"};
+                                    "Programs",     "Backup",      "Folder",    "SearchOrder", "ProgramPath"};
 // The attributes that the dialect reader keeps for itself.
 constexpr std::array reserved_attributes{"as", "override", "src", "format", "syntax", "dependency"};
 

@@ -55,7 +55,16 @@ std::size_t copy_text(const ig_block* block, std::uint64_t offset, char* buffer,
   return host != nullptr ? host->text(offset, buffer, size) : 0;
 }
 
+void note_row(ig_block* block, ig_text service, ig_text row) {
+  const Document& document = *reinterpret_cast<const Document*>(block);
+  std::vector<Chain::AnsweredRow>& rows = document.chain->answered_rows;
+  if (rows.size() < Chain::most_answered_rows)
+    rows.push_back({document.current, {service.data, service.size}, {row.data, row.size}});
+}
+
 }  // namespace
+
+ig_provenance_1 provenance_service() { return {sizeof(ig_provenance_1), 0, note_row}; }
 
 ig_flow_1 flow_service() {
   return {.struct_size = sizeof(ig_flow_1),

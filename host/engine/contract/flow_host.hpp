@@ -3,6 +3,7 @@
 
 #include "isogloss/engine/document.hpp"
 #include "isogloss_flow.h"
+#include "isogloss_provenance.h"
 
 namespace isogloss {
 
@@ -25,5 +26,7 @@ class FlowHost {
 
 /// The service's functions, for a chain that runs.
 ig_flow_1 flow_service();
+/// Rows that answer are kept in Chain::answered_rows.
+ig_provenance_1 provenance_service();
 
 }  // namespace isogloss

@@ -85,7 +85,8 @@ class FileReader : XmlElements {
         {"Files", &FileReader::read_files},     {"Segmenter", &FileReader::read_segmenter},
         {"Plugins", &FileReader::read_plugins}, {"Dependencies", &FileReader::read_dependencies},
         {"Initial", &FileReader::read_initial}, {"Severities", &FileReader::read_severities},
-        {"Chain", &FileReader::read_chain}};
+        {"Chain", &FileReader::read_chain},
+        {"SearchOrder", &FileReader::read_search_order}};
     const bool is_include = file_.is_machine && section.name() == std::string_view("Include");
     if (is_include || section.name() == std::string_view("Programs")) {
       only_attributes(section, {"src"});
@@ -117,6 +118,27 @@ class FileReader : XmlElements {
       file_.own.program_places.push_back(place);
     else
       report_("IG-0122", xml_.at(node, "src"), {place.string()});
+  }
+
+  /// The folders in which the control searches called programs, below those that the user gives.
+  void read_search_order(pugi::xml_node node) {
+    file_.own.search_order.clear();
+    bool has_path = false;
+    for (const pugi::xml_node child : leaves(node, {"Folder", "ProgramPath"})) {
+      SearchFolder folder;
+      if (child.name() == std::string_view("Folder")) {
+        only_attributes(child, {"name"});
+        folder.names = words(required(child, "name"));
+        if (folder.names.empty()) continue;
+        for (const std::string& name : folder.names)
+          if (name.find('/') != std::string::npos) bad_value(child, "name", "names of one folder, without a path");
+      } else {
+        only_attributes(child, {});
+        if (has_path) report_("IG-0113", xml_.at(child), {"ProgramPath", "the search order has it already"});
+        has_path = true;
+      }
+      file_.own.search_order.push_back(std::move(folder));
+    }
   }
 
   /// A file of the control, or a folder of such files; other attributes are options of the importer.

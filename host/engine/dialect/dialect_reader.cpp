@@ -212,6 +212,7 @@ class Reading {
     }
     for (const auto& [code, severity] : own.severities) base.severities[code] = severity;
     base.program_places.insert(base.program_places.begin(), own.program_places.begin(), own.program_places.end());
+    if (!own.search_order.empty()) base.search_order = own.search_order;
     base.is_machine = own.is_machine;
     const auto append = [](auto& to, auto& from) {
       to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));

@@ -29,6 +29,7 @@ constexpr const char* schema_frame = R"(
         <xs:element name="Segmenter" type="dialect.Segmenter" minOccurs="0"/>
         <xs:element name="Plugins" type="dialect.Plugins" minOccurs="0"/>
         <xs:element name="Programs" type="dialect.Programs" minOccurs="0"/>
+        <xs:element name="SearchOrder" type="dialect.SearchOrder" minOccurs="0"/>
         <xs:element ref="Dependencies" minOccurs="0"/>
         <xs:element name="Initial" type="dialect.Initial" minOccurs="0"/>
         <xs:element name="Severities" type="dialect.Severities" minOccurs="0"/>
@@ -47,6 +48,7 @@ constexpr const char* schema_frame = R"(
         <xs:element name="Segmenter" type="dialect.Segmenter"/>
         <xs:element name="Plugins" type="dialect.Plugins"/>
         <xs:element name="Programs" type="dialect.Programs"/>
+        <xs:element name="SearchOrder" type="dialect.SearchOrder"/>
         <xs:element name="Include" type="dialect.Include"/>
         <xs:element name="Backup" type="dialect.Backup"/>
         <xs:element ref="Dependencies"/>
@@ -62,6 +64,15 @@ constexpr const char* schema_frame = R"(
   <xs:complexType name="dialect.Programs">
     <xs:annotation><xs:documentation>Where called programs are looked for: a folder, or a file of several programs.</xs:documentation></xs:annotation>
     <xs:attribute name="src" type="dialect.Text" use="required"/>
+  </xs:complexType>
+  <xs:complexType name="dialect.SearchOrder">
+    <xs:annotation><xs:documentation>The folders in which the control searches a called program, in this order, after the folder of the main program and those of Programs. They stand below these, or one folder further down; letters match in any case.</xs:documentation></xs:annotation>
+    <xs:choice minOccurs="0" maxOccurs="unbounded">
+      <xs:element name="Folder"><xs:complexType>
+        <xs:attribute name="name" type="dialect.Text" use="required"><xs:annotation><xs:documentation>The folder's name; several spellings of it are separated by blanks.</xs:documentation></xs:annotation></xs:attribute>
+      </xs:complexType></xs:element>
+      <xs:element name="ProgramPath"><xs:annotation><xs:documentation>The folders that the program itself adds to the search.</xs:documentation></xs:annotation><xs:complexType/></xs:element>
+    </xs:choice>
   </xs:complexType>
   <xs:complexType name="dialect.Include">
     <xs:annotation><xs:documentation>A file with a part of the machine, or with tables alone.</xs:documentation></xs:annotation>

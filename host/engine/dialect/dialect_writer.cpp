@@ -57,6 +57,7 @@ class DialectWriter {
     add_segmenter(root);
     add_plugins(root);
     add_programs(root);
+    add_search_order(root);
     add_dependencies(root);
     add_initial(root);
     add_severities(root);
@@ -101,6 +102,19 @@ class DialectWriter {
       const fs::path relative = place.lexically_normal().lexically_relative(base_.lexically_normal());
       const bool is_below = !relative.empty() && *relative.begin() != "..";
       set_attribute(root.append_child("Programs"), "src", (is_below ? relative : place).generic_string());
+    }
+  }
+
+  void add_search_order(pugi::xml_node root) const {
+    if (dialect_.search_order.empty()) return;
+    pugi::xml_node order = root.append_child("SearchOrder");
+    for (const SearchFolder& folder : dialect_.search_order) {
+      std::string names;
+      for (const std::string& name : folder.names) names += (names.empty() ? "" : " ") + name;
+      if (names.empty())
+        order.append_child("ProgramPath");
+      else
+        set_attribute(order.append_child("Folder"), "name", names);
     }
   }
 

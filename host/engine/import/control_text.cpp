@@ -81,6 +81,10 @@ std::optional<std::string> text_of_control(std::string bytes, std::string& reaso
   if (all.starts_with("\xff\xfe") || all.starts_with("\xfe\xff")) bytes = from_utf16(all, all[0] == '\xff');
   bytes = without_line_codes(std::move(bytes));
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.erase(0, 3);
+  if (bytes.starts_with("PK\x03\x04")) {
+    reason = "it is a zip archive, which is not read: unpack it, and import the files in it";
+    return std::nullopt;
+  }
   if (bytes.find('\0') != std::string::npos) {
     reason = "it is no text, since it holds NUL bytes: let the control write it as text";
     return std::nullopt;

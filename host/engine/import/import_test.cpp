@@ -202,6 +202,7 @@ TEST_CASE("text of any code becomes UTF-8, and bytes that are no text are refuse
         "a");
   CHECK(of(std::string("a\0\0", 3)) == "a");
   CHECK(of(std::string("a\0b", 3)).starts_with("refused: it is no text"));
+  CHECK(of("PK\x03\x04").starts_with("refused: it is a zip archive"));
 }
 
 TEST_CASE("codes of tape punches and serial lines are no part of a text, and cost no line") {

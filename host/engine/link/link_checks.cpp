@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "isogloss_flow.h"
+#include "isogloss_provenance.h"
 
 namespace isogloss {
 
@@ -216,7 +217,7 @@ std::vector<Provision> provisions(const LinkedDialect& linked) {
 std::vector<LinkFault> check_services(const LinkedDialect& linked) {
   std::vector<LinkFault> faults;
   const auto is_provided = [&](std::string_view id) {
-    if (id == IG_FLOW_SERVICE) return true;  // the host itself
+    if (id == IG_FLOW_SERVICE || id == IG_PROVENANCE_SERVICE) return true;  // the host itself
     return std::any_of(linked.dependencies.begin(), linked.dependencies.end(), [&](const LinkedDependency& d) {
       for (const char* const* p = d.dependency->provides; p != nullptr && *p != nullptr; ++p)
         if (id == *p) return true;

@@ -114,6 +114,10 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "the "
        "control.",
        "a TOOL.T that ends after its heading"},
+      {note, "IG-0135", "{0} is called from {1}, which hides {2} later in the search order (hidden files: {3})",
+       "Several folders of the control's search order hold a file of that name. The first one is called, as on the "
+       "control.",
+       "CYCLE_A, which stands in CUS.DIR and in CMA.DIR"},
       {error, "IG-0131", "{0} writes no files: the format is only read",
        "`isogloss list importers` shows which formats can be written.",
        "isogloss export -m dmu58 --format SinumerikArchive"},

@@ -27,6 +27,7 @@ Chain::Chain(const LinkedDialect& linked, ChainSettings settings, DiagnosticSink
       document_(linked.layout, linked.wake, linked.wake_words),
       host_(&host_table(settings_.mode)),
       flow_service_(flow_service()),
+      provenance_(provenance_service()),
       is_plain_(settings_.mode == Mode::fast && !settings_.call_all) {
   document_.chain = this;
   if (settings_.mode == Mode::traced) document_.set_line.resize(document_.size());
@@ -103,6 +104,7 @@ void Chain::begin_block(const BlockSource& source) {
   ends_program = ends_file = alarmed = skip_rest = false;
   split_at = 0;
   failure_said_by = 0;
+  answered_rows.clear();
 }
 
 /// Re-evaluates only the watches whose fields changed, or whose value ended with the previous block; caches the union

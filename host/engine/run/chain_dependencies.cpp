@@ -134,8 +134,15 @@ void Chain::refuse_rows(std::size_t dependency) {
   if (!is_sound) throw std::runtime_error(d.element.alias + " has no such row");
 }
 
-/// Reports a dependency that was given values although another one answers in its place.
+/// Reports a dependency that was given values although another one answers in its place, and no syntax asks it for
+/// anything else.
 void Chain::check_answers() {
+  const auto is_asked = [&](std::string_view id) {
+    for (const LinkedSyntax& s : linked_.chain)
+      for (std::uint32_t k = 0; k < s.syntax->service_count; ++k)
+        if (id == s.syntax->services[k].id) return true;
+    return false;
+  };
   for (std::size_t i = 0; i < dependencies_.size(); ++i) {
     const LinkedDependency& d = linked_.dependencies[i];
     if (d.dependency->provides == nullptr || d.dependency->provides[0] == nullptr) continue;
@@ -147,10 +154,11 @@ void Chain::check_answers() {
     bool answers = false;
     for (const char* const* id = d.dependency->provides; *id != nullptr && !answers; ++id) {
       const std::optional<std::size_t> who = answering(*id);
-      answers = !who || *who == i;
-      if (!answers) other = linked_.dependencies[*who].element.alias;
+      const bool is_own = !who || *who == i;
+      answers = is_own && is_asked(*id);
+      if (!is_own) other = linked_.dependencies[*who].element.alias;
     }
-    if (!answers)
+    if (!answers && !other.empty())
       sink_.add(
           host_diagnostic("IG-0434", is_assigned ? Location{"--set"} : d.element.where, {d.element.alias, other}));
   }
@@ -220,6 +228,7 @@ void Chain::assign(const std::string& path, const std::string& value) {
 
 const void* Chain::service(std::string_view id) const {
   if (id == IG_FLOW_SERVICE) return &flow_service_;
+  if (id == IG_PROVENANCE_SERVICE) return &provenance_;
   const std::optional<std::size_t> who = answering(id);
   return who ? service_of(*linked_.dependencies[*who].dependency, dependencies_[*who], id) : nullptr;
 }

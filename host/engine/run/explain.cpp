@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "contract/flow_host.hpp"
+#include "dialect/row_checks.hpp"
 #include "document/json_difference.hpp"
 #include "isogloss/engine/document_json.hpp"
 #include "run/cursor.hpp"
@@ -35,10 +36,12 @@ std::vector<ExplainedChange> changes(const Leaves& before, const Leaves& after) 
 
 class Explainer : public Exporter {
  public:
-  Explainer(const LinkedDialect& linked, const ExplainTarget& target) : linked_(linked), target_(target) {}
+  Explainer(const LinkedDialect& linked, const ExplainTarget& target, const std::vector<DependencyElement>& given)
+      : linked_(linked), target_(target), given_(given) {}
 
   void listen(Chain& chain) {
     chain_ = &chain;
+    chain.listen_to_rows();
     chain.trace = [this](std::uint32_t position, bool before) { build(position, before); };
   }
 
@@ -99,13 +102,14 @@ class Explainer : public Exporter {
     Open& o = open(*document, chain_->symbols());
     if (before && o.block.pass != target_.pass) return;
     if (before) {
+      rows_before_ = chain_->answered_rows.size();
       o.before = json_leaves(show_json(*document, chain_->symbols()));
       return;
     }
     o.called[position] = true;
     if (o.block.pass != target_.pass) return;
     const LinkedSyntax& s = linked_.chain[position];
-    o.block.steps.push_back({s.element.alias, s.plugin->name, answers(s),
+    o.block.steps.push_back({s.element.alias, s.plugin->name, answers(s), rows_from(rows_before_, std::nullopt),
                              changes(o.before, json_leaves(show_json(*document, chain_->symbols())))});
   }
 
@@ -115,6 +119,34 @@ class Explainer : public Exporter {
       for (const Provision& p : provisions_)
         if (p.service == s.syntax->services[i].id)
           out.push_back({p.service, linked_.dependencies[p.dependencies.front()].element.alias});
+    return out;
+  }
+
+  /// The rows that have answered since there were `first` of them; only those that this syntax has asked.
+  std::vector<ExplainedRow> rows_from(std::size_t first, std::optional<std::uint16_t> syntax) const {
+    std::vector<ExplainedRow> out;
+    for (std::size_t i = first; i < chain_->answered_rows.size(); ++i) {
+      const Chain::AnsweredRow& row = chain_->answered_rows[i];
+      if (syntax && row.syntax != *syntax) continue;
+      const std::optional<std::size_t> who = chain_->answering(row.service);
+      if (!who) continue;
+      const LinkedDependency& dependency = linked_.dependencies[*who];
+      ExplainedRow one{dependency.element.alias, row.row, place_of(dependency, row.row)};
+      if (std::find(out.begin(), out.end(), one) == out.end()) out.push_back(std::move(one));
+    }
+    return out;
+  }
+
+  /// Where the row stands: in a file of this run, or in the dialect or machine.
+  Location place_of(const LinkedDependency& dependency, const std::string& row) const {
+    Location out;
+    const auto look = [&](const DependencyElement& element) {
+      for (const TableRow& one : element.rows)
+        if (key_of(*dependency.dependency, one) == row) out = one.where;
+    };
+    look(dependency.element);
+    for (const DependencyElement& given : given_)
+      if (given.alias == dependency.element.alias) look(given);
     return out;
   }
 
@@ -147,6 +179,7 @@ class Explainer : public Exporter {
     for (auto& [writer, step] : scanned) {
       step.syntax = writer == 0 ? "(text)" : linked_.chain[writer - 1u].element.alias;
       if (writer != 0) step.plugin = linked_.chain[writer - 1u].plugin->name;
+      if (writer != 0) step.rows = rows_from(0, writer);
       o.block.steps.push_back(std::move(step));
     }
     open_.push_back(std::move(o));
@@ -207,6 +240,8 @@ class Explainer : public Exporter {
 
   const LinkedDialect& linked_;
   const ExplainTarget& target_;
+  const std::vector<DependencyElement>& given_;  // tables of this run
+  std::size_t rows_before_ = 0;
   const std::vector<Provision> provisions_ = provisions(linked_);
   std::uint32_t last_column_ = 0;
   std::uint32_t before_ = 0;  // the last line of the target's file that was run
@@ -219,7 +254,8 @@ class Explainer : public Exporter {
 std::vector<ExplainedBlock> explain(const LinkedDialect& linked, Source& source, const std::string& name,
                                     const ExplainTarget& target, RunOptions options, DiagnosticSink& sink,
                                     ExplainReach* reach) {
-  Explainer explainer(linked, target);
+  const std::vector<DependencyElement> given = options.chain.dependencies;
+  Explainer explainer(linked, target, given);
   options.chain.mode = Mode::traced;
   options.stop_after_line = target.line;
   options.stop_in_file = target.file;

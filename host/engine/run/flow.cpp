@@ -26,6 +26,7 @@ bool Flow::select_program(const std::string& name) {
   const std::optional<Place> at = labels(programs_.main()).program(label.empty() ? name : label);
   if (!at) return false;
   frame_->start = *at;
+  programs_.begin_at(*at);
   reached_.insert(*at);
   seek(*at);
   return true;

@@ -1,22 +1,14 @@
 #include "run/program_files.hpp"
 
 #include <algorithm>
-#include <set>
+
+#include "run/program_places.hpp"
 
 namespace isogloss {
-
-namespace fs = std::filesystem;
 
 namespace {
 
 std::uint64_t hash_of(std::string_view name) { return std::hash<std::string_view>{}(name); }
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return out;
-}
 
 bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
 
@@ -26,6 +18,10 @@ bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") 
 
 void LabelIndex::add(std::string_view name, ig_label_kind kind, const Place& at) {
   (kind == IG_LABEL_PROGRAM ? programs_ : labels_).push_back({hash_of(name), at});
+}
+
+void LabelIndex::add_folder(std::string_view folder) {
+  if (!programs_.empty()) folders_[programs_.size() - 1] = in_small_letters(folder);
 }
 
 void LabelIndex::close() {
@@ -38,6 +34,32 @@ std::optional<Place> LabelIndex::program(std::string_view name) const {
   for (const Entry& e : programs_)
     if (e.name == wanted) return e.at;
   return std::nullopt;
+}
+
+std::optional<Place> LabelIndex::program(std::string_view name,
+                                         const std::function<int(const std::string&)>& rank) const {
+  static const std::string none;
+  const std::uint64_t wanted = hash_of(name);
+  std::optional<Place> best;
+  int best_rank = 0;
+  for (std::size_t i = 0; i < programs_.size(); ++i) {
+    if (programs_[i].name != wanted) continue;
+    const auto folder = folders_.find(i);
+    const int its_rank = rank(folder == folders_.end() ? none : folder->second);
+    if (its_rank < 0 || (best && its_rank >= best_rank)) continue;
+    best = programs_[i].at;
+    best_rank = its_rank;
+  }
+  return best;
+}
+
+const std::string& LabelIndex::folder_at(const Place& place) const {
+  static const std::string none;
+  const auto next = std::upper_bound(programs_.begin(), programs_.end(), place,
+                                     [](const Place& at, const Entry& e) { return at < e.at; });
+  const auto index = next == programs_.begin() ? 0 : std::distance(programs_.begin(), next) - 1;
+  const auto folder = folders_.find(static_cast<std::size_t>(index));
+  return folder == folders_.end() ? none : folder->second;
 }
 
 std::optional<Place> LabelIndex::find(std::string_view name, const Place& from, ig_search search) const {
@@ -84,6 +106,10 @@ Indexer::Indexer(const LinkedDialect& linked, const ChainSettings& settings, std
 }
 
 void Indexer::label(std::string_view name, ig_label_kind kind) {
+  if (kind == IG_LABEL_PROGRAM && name.ends_with('/')) {
+    if (labels_ != nullptr) labels_->add_folder(name.substr(0, name.size() - 1));
+    return;
+  }
   if (labels_ != nullptr) labels_->add(name, kind, at_);
   if (kind == IG_LABEL_PROGRAM) program_.assign(name);
 }
@@ -130,105 +156,6 @@ std::string Indexer::program_name(const std::string& text) {
   start();
   block_end(text);
   return program_;
-}
-
-// ---- places
-
-ProgramPlaces::ProgramPlaces(const std::vector<std::string>& places, const std::vector<std::string>& extensions) {
-  for (const std::string& place : places) {
-    std::error_code code;
-    Folder folder;
-    folder.shown = place.empty() ? "." : place;
-    folder.resolved = fs::canonical(folder.shown, code);
-    if (code) continue;
-    folder.is_library = !fs::is_directory(folder.resolved, code);
-    folders_.push_back(std::move(folder));
-  }
-  extensions_.emplace_back();
-  for (const std::string& e : extensions) extensions_.push_back(lower(e));
-}
-
-void ProgramPlaces::list(Folder& folder) const {
-  folder.is_listed = true;
-  std::error_code code;
-  for (fs::directory_iterator i(folder.resolved, code), end; !code && i != end; i.increment(code)) {
-    const std::string name = i->path().filename().string();
-    const std::string extension = lower(i->path().extension().string());
-    if (std::find(extensions_.begin(), extensions_.end(), extension) != extensions_.end())
-      folder.files[lower(i->path().stem().string())].push_back(name);
-    if (!extension.empty()) folder.files[lower(name)].push_back(name);
-  }
-  const auto rank = [&](const std::string& name) {
-    const std::string extension = lower(fs::path(name).extension().string());
-    return std::find(extensions_.begin(), extensions_.end(), extension) - extensions_.begin();
-  };
-  for (auto& [stem, names] : folder.files)
-    std::sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
-      return std::pair(rank(a), a) < std::pair(rank(b), b);
-    });
-}
-
-bool ProgramPlaces::find(std::span<const ig_text> stems, const std::function<bool(const Found&)>& take,
-                         std::string& reason) {
-  for (Folder& folder : folders_) {
-    if (folder.is_library) {
-      if (take({folder.resolved, folder.shown, true})) return true;
-      continue;
-    }
-    if (!folder.is_listed) list(folder);
-    for (const ig_text& stem : stems) {
-      const auto named = folder.files.find(lower({stem.data, stem.size}));
-      if (named == folder.files.end()) continue;
-      for (const std::string& name : named->second) {
-        std::error_code code;
-        const fs::path resolved = fs::canonical(folder.resolved / name, code);
-        const std::string shown = folder.shown == "." ? name : (fs::path(folder.shown) / name).string();
-        if (code)
-          reason = shown + " cannot be read: " + code.message();
-        else if (resolved.parent_path() != folder.resolved)
-          reason = shown + " is a link that leads out of its folder";
-        else if (fs::is_directory(resolved, code))
-          reason = shown + " is a folder";
-        else if (take({resolved, shown, false}))
-          return true;
-      }
-    }
-  }
-  return false;
-}
-
-bool ProgramPlaces::find_inside(const std::function<bool(const Found&)>& take) {
-  constexpr std::size_t most_files = 256;
-  for (Folder& folder : folders_) {
-    if (folder.is_library) continue;
-    if (!folder.is_listed) list(folder);
-    std::set<std::string> names;
-    for (const auto& [stem, files] : folder.files)
-      for (const std::string& name : files)
-        if (const std::string e = lower(fs::path(name).extension().string());
-            std::find(extensions_.begin(), extensions_.end(), e) != extensions_.end())
-          names.insert(name);
-    if (names.size() > most_files) continue;
-    for (const std::string& name : names) {
-      std::error_code code;
-      const fs::path resolved = fs::canonical(folder.resolved / name, code);
-      if (code || resolved.parent_path() != folder.resolved || !fs::is_regular_file(resolved, code)) continue;
-      const std::uintmax_t size = fs::file_size(resolved, code);
-      if (code || size > inside_bytes_left_ || inside_files_left_ == 0) continue;
-      inside_bytes_left_ -= size;
-      --inside_files_left_;
-      const std::string shown = folder.shown == "." ? name : (fs::path(folder.shown) / name).string();
-      if (take({resolved, shown, true})) return true;
-    }
-  }
-  return false;
-}
-
-std::string ProgramPlaces::describe() const {
-  std::string out;
-  for (const Folder& folder : folders_)
-    out += (out.empty() ? "" : ", ") + std::string(folder.is_library ? "file " : "folder ") + folder.shown;
-  return out;
 }
 
 }  // namespace isogloss

@@ -1,10 +1,10 @@
-/// The files that a run goes through: the names of their lines, and where a called program may be.
+/// The files that a run goes through, and the names of their lines.
 #pragma once
 
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <map>
-#include <span>
 
 #include "contract/flow_host.hpp"
 #include "run/cursor.hpp"
@@ -27,9 +27,16 @@ class LabelIndex {
  public:
   /// Labels come in the order of their places.
   void add(std::string_view name, ig_label_kind kind, const Place& at);
+  /// The folder of the program that was added last.
+  void add_folder(std::string_view folder);
   void close();
 
   std::optional<Place> program(std::string_view name) const;
+  /// Of several programs of that name, the one whose folder has the lowest rank; a rank below 0 excludes it.
+  std::optional<Place> program(std::string_view name,
+                               const std::function<int(const std::string& folder)>& rank) const;
+  /// The folder of the program that stands at a place; empty where the file names none.
+  const std::string& folder_at(const Place& place) const;
   bool has_programs() const { return !programs_.empty(); }
   /// The label of the program that `from` stands in.
   std::optional<Place> find(std::string_view name, const Place& from, ig_search search) const;
@@ -44,6 +51,7 @@ class LabelIndex {
   };
   std::vector<Entry> labels_;    // by name, then place
   std::vector<Entry> programs_;  // by place
+  std::map<std::uint64_t, std::string> folders_;  // by the index of the program; in small letters
 };
 
 struct ProgramFile {
@@ -51,6 +59,7 @@ struct ProgramFile {
   std::filesystem::path path;
   std::unique_ptr<Source> owned;
   Source* source = nullptr;  ///< has places
+  bool is_of_folder = false;  ///< found by its name in a folder
   std::unique_ptr<LabelIndex> labels{};
 };
 
@@ -80,38 +89,6 @@ class Indexer : public FlowHost {
   Place at_;
   LabelIndex* labels_ = nullptr;
   std::string program_;
-};
-
-/// Finds files of programs by name. Only what lies in the given folders itself is found: no path, no link that leads
-/// elsewhere.
-class ProgramPlaces {
- public:
-  ProgramPlaces(const std::vector<std::string>& places, const std::vector<std::string>& extensions);
-  struct Found {
-    std::filesystem::path file;  ///< resolved
-    std::string name;            ///< as it is shown
-    bool is_library = false;     ///< a file of several programs: used only when it holds the label
-  };
-  /// Calls `take` with each file that may hold the program, the best first, until it returns true. An obstacle is
-  /// written to `reason`.
-  bool find(std::span<const ig_text> stems, const std::function<bool(const Found&)>& take, std::string& reason);
-  /// Every file of the folders that may hold programs, whatever its name; of a folder of more than 256 none. All calls
-  /// together read 64 MiB of 4096 files at most: a program may ask for any number of others.
-  bool find_inside(const std::function<bool(const Found&)>& take);
-  std::string describe() const;  ///< "folder a, file b"
-
- private:
-  struct Folder {
-    std::string shown;
-    std::filesystem::path resolved;
-    bool is_listed = false, is_library = false;
-    std::map<std::string, std::vector<std::string>, std::less<>> files;  // by stem in lower case
-  };
-  void list(Folder& folder) const;
-  std::uintmax_t inside_bytes_left_ = std::uintmax_t{64} << 20;
-  std::size_t inside_files_left_ = 4096;
-  std::vector<Folder> folders_;
-  std::vector<std::string> extensions_;
 };
 
 }  // namespace isogloss

@@ -1,5 +1,8 @@
 #include "run/program_search.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace isogloss {
 
 namespace fs = std::filesystem;
@@ -48,23 +51,16 @@ bool ProgramSearch::find(const ig_go& request, const Caller& caller, Target& out
       out = {&caller.from, *at, true};
       return true;
     }
-  const std::string key =
+  std::string key =
       std::to_string(request.scope) + ':' + caller.from.name + ':' + std::string(start) + ':' + std::string(label);
+  for (std::uint32_t i = 0; i < request.file_count; ++i) key.append(1, ':').append(view_of(request.files[i]));
   if (const auto known = known_.find(key); known != known_.end()) {
     out = known->second;
     return true;
   }
-  bool found = false;
-  const auto in_file = [&](ProgramFile& file) {
-    const auto at = labels(file, line).program(label);
-    if (at) out = {&file, *at, false};
-    return at.has_value();
-  };
-  if ((request.scope & IG_IN_FILES) != 0) {
-    found = in_file(caller.from);
-    for (std::size_t i = 0; !found && i < files_.size(); ++i) found = in_file(files_[i]);
-  }
-  if (!found && (request.scope & IG_IN_FOLDERS) != 0) found = find_in_folders(request, caller, out, reason);
+  const SearchedNames names({request.files, request.file_count});
+  bool found = (request.scope & IG_IN_FILES) != 0 && find_in_files(request, caller, names, out);
+  if (!found && (request.scope & IG_IN_FOLDERS) != 0) found = find_in_folders(request, caller, names, out, reason);
   if (!found) {
     if (reason.empty()) reason = searched_in(request.scope, caller.from);
     return false;
@@ -78,7 +74,34 @@ bool ProgramSearch::find(const ig_go& request, const Caller& caller, Target& out
     out.start = *at;
   }
   known_.emplace(key, out);
+  if (options_.called) options_.called(label, out.file->name);
   return true;
+}
+
+/// In a file of several programs the one that the search order of the folders names first; of a dialect without such
+/// an order, the first.
+bool ProgramSearch::find_in_files(const ig_go& request, const Caller& caller, const SearchedNames& names, Target& out) {
+  const std::string_view label = view_of(request.label);
+  const bool has_order = !linked_.dialect.search_order.empty();
+  const auto rank = [&](const std::string& folder) {
+    if (!names.own_folders.empty()) {
+      const bool is_own = std::find(names.own_folders.begin(), names.own_folders.end(), folder) != names.own_folders.end();
+      return is_own ? 0 : folder.empty() && !places().has_own_folder(names) ? 1 : -1;
+    }
+    if (folder.empty() || folder == labels(main(), caller.here.line).folder_at(main_start_)) return 0;
+    const int place = places().rank_of(folder, names);
+    return place > 0 ? place : std::numeric_limits<int>::max();
+  };
+  const auto in_file = [&](ProgramFile& file) {
+    if (has_order && file.is_of_folder) return false;  // a file of a folder has the folder's place in the order
+    const LabelIndex& index = labels(file, caller.here.line);
+    const auto at = has_order ? index.program(label, rank) : index.program(label);
+    if (at) out = {&file, *at, false};
+    return at.has_value();
+  };
+  bool found = in_file(caller.from);
+  for (std::size_t i = 0; !found && i < files_.size(); ++i) found = in_file(files_[i]);
+  return found;
 }
 
 std::string ProgramSearch::searched_in(std::uint32_t scope, const ProgramFile& from) {
@@ -92,22 +115,42 @@ std::string ProgramSearch::searched_in(std::uint32_t scope, const ProgramFile& f
   return where.empty() ? "no folder was given" : "looked in " + where;
 }
 
-bool ProgramSearch::find_in_folders(const ig_go& request, const Caller& caller, Target& out, std::string& reason) {
+bool ProgramSearch::find_in_folders(const ig_go& request, const Caller& caller, const SearchedNames& names, Target& out,
+                                    std::string& reason) {
   const std::string_view label = view_of(request.label);
   const auto take = [&](const ProgramPlaces::Found& found) {
     ProgramFile* const file = open(found, reason);
     if (file == nullptr) return false;
-    const LabelIndex& names = labels(*file, caller.here.line);
-    const auto at = names.program(label);
+    const LabelIndex& index = labels(*file, caller.here.line);
+    const auto at = index.program(label);
     if (!at && found.is_library) return false;
-    if (!at && names.has_programs())
+    if (!at && index.has_programs())
       sink_.add(host_diagnostic("IG-0420", {caller.from.name, caller.here.line, caller.here.column + 1},
                                 {file->name, std::string(label)}));
     out = {file, at.value_or(Place{}), false};
     return true;
   };
-  if (places().find({request.files, request.file_count}, take, reason)) return true;
+  if (places().find(names, take, reason)) {
+    report_hidden(request, caller, names, out);
+    return true;
+  }
+  if (places().has_own_folder(names)) return false;
+  for (ProgramFile& file : files_)  // one file of a folder may hold helpers beside the program it is named after
+    if (const auto at = file.is_of_folder ? labels(file, caller.here.line).program(label) : std::nullopt) {
+      out = {&file, *at, false};
+      return true;
+    }
   return searched_.emplace(label).second && find_in_neighbours(label, caller, out, reason);
+}
+
+void ProgramSearch::report_hidden(const ig_go& request, const Caller& caller, const SearchedNames& names,
+                                  const Target& found) {
+  if (found.file == nullptr || !hiding_.emplace(view_of(request.label)).second) return;
+  const std::vector<std::string> hidden = places().hidden(names);
+  if (!hidden.empty())
+    sink_.add(host_diagnostic("IG-0135", {caller.from.name, caller.here.line, caller.here.column + 1},
+                              {std::string(view_of(request.label)), found.file->name, hidden.front(),
+                               std::to_string(hidden.size())}));
 }
 
 /// A file of another name may hold the program. Where several do, it is not known which one the control has.
@@ -151,6 +194,7 @@ ProgramFile* ProgramSearch::open(const ProgramPlaces::Found& found, std::string&
   ProgramFile& file = files_.emplace_back();
   file.name = found.name;
   file.path = found.file;
+  file.is_of_folder = !found.is_library;
   file.source = source.get();
   file.owned = std::move(source);
   return &file;
@@ -185,7 +229,7 @@ ProgramPlaces& ProgramSearch::places() {
   if (places_ == nullptr) {
     std::vector<std::string> extensions = linked_.dialect.extensions;
     extensions.push_back(fs::path(files_[0].name).extension().string());
-    places_ = std::make_unique<ProgramPlaces>(options_.program_places, extensions);
+    places_ = std::make_unique<ProgramPlaces>(options_.program_places, extensions, linked_.dialect.search_order);
   }
   return *places_;
 }

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "run/program_files.hpp"
+#include "run/program_places.hpp"
 #include "run/run_end.hpp"
 #include "run/spool.hpp"
 
@@ -36,6 +37,9 @@ class ProgramSearch {
   /// obstacle.
   bool find(const ig_go& request, const Caller& caller, Target& out, std::string& reason);
 
+  /// The main program begins there, so its folder is searched first.
+  void begin_at(const Place& place) { main_start_ = place; }
+
   /// The names of the file's lines. Reading them may end the run; `line` is the one that the run is at.
   LabelIndex& labels(ProgramFile& file, std::uint32_t line);
   /// A part of a source that can be read only once was lost: the run cannot continue there.
@@ -46,7 +50,10 @@ class ProgramSearch {
   Indexer& indexer();
 
  private:
-  bool find_in_folders(const ig_go& request, const Caller& caller, Target& out, std::string& reason);
+  bool find_in_files(const ig_go& request, const Caller& caller, const SearchedNames& names, Target& out);
+  bool find_in_folders(const ig_go& request, const Caller& caller, const SearchedNames& names, Target& out,
+                       std::string& reason);
+  void report_hidden(const ig_go& request, const Caller& caller, const SearchedNames& names, const Target& found);
   bool find_in_neighbours(std::string_view label, const Caller& caller, Target& out, std::string& reason);
   std::string searched_in(std::uint32_t scope, const ProgramFile& from);
   ProgramFile* open(const ProgramPlaces::Found& found, std::string& reason);
@@ -61,6 +68,8 @@ class ProgramSearch {
   std::unique_ptr<Indexer> indexer_;
   std::unique_ptr<ProgramPlaces> places_;
   std::unordered_map<std::string, Target> known_;
+  Place main_start_;
+  std::set<std::string, std::less<>> hiding_;    // programs that were reported to hide others
   std::set<std::string, std::less<>> searched_;  // programs that were looked for in files of other names
 };
 

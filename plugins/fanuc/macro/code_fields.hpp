@@ -58,6 +58,13 @@ class CodeFields {
     }
   }
 
+  bool knows(std::string_view code) const {
+    const ig::Decimal d = ig::read_decimal(code, 1);
+    const auto index = d.ok ? index_of(d.value) : std::nullopt;
+    const std::vector<ig_field>& row = table_[code[0] == 'G' ? 0 : 1];
+    return index && *index < row.size() && row[*index] != IG_NO_FIELD;
+  }
+
   /// Puts the code into the block at these columns; a code that no syntax knows becomes a leftover with its name.
   void set(ig::Block& b, char letter, std::size_t index, std::size_t begin, std::size_t end) const {
     const std::vector<ig_field>& row = table_[letter == 'G' ? 0 : 1];

@@ -22,6 +22,7 @@ struct FanucBlockMacro {
   ig::Fields codes_{"codes", "Parsing.Flags.* Parsing.*", ig::read | ig::write, "The codes that are arguments.",
                     IG_CODE};
   MacroFrame frame_;
+  ProgramsOfBuilder builder_;
   ArgumentUnits units_;
   ig::Signal modal_{"MacroCall.~Modal", ig::read | ig::wake_while, ig::Life::modal};
   ig::Signal statement_{"Parsing.~MacroStatement", ig::read}, call_{"Parsing.~MacroCall", ig::read};
@@ -69,7 +70,7 @@ struct FanucBlockMacro {
     if (call.repeats == 0) return ig::Status::changed;
     report_deep_call(b, store, ig::Where::block());
     const std::uint64_t tag = store.enter(arguments, true);
-    settle_modal(store, ask_program(b, frame_.flow, call.program, call.repeats, tag, ig::Where::block()));
+    settle_modal(store, ask_program(b, builder_, frame_.flow, call.program, call.repeats, tag, ig::Where::block()));
     return ig::Status::changed;
   }
 

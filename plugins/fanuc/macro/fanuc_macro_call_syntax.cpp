@@ -43,6 +43,9 @@ struct FanucMacroCall {
                                   "Whether the block of G66.1 itself calls the macro, with its arguments."};
   CodeFields codes_;
   MacroEnvironment environment_;
+  ProgramsOfBuilder builder_;
+  MachineCodes machine_;
+  MachineCodeRecord record_;
   ig::Config bound_{"isogloss.code-call/1", ig::Need::optional, "The programs that codes call."};
   ArgumentUnits units_;
   ig::Signal call_{"Parsing.~MacroCall", ig::read | ig::write | ig::wake};
@@ -69,17 +72,29 @@ struct FanucMacroCall {
     each_block_ = each_block;
     tag_bits_ = 0;
     words_ = {};
+    row_ = nullptr;
     if (!is_g65 && !is_modal) {
-      const auto program = bound_.number(code);
-      if (!program || environment_.is_in_bound_program(b)) {
+      const bool is_in_bound = environment_.is_in_bound_program(b);
+      const ig_machine_code* const row = is_in_bound ? nullptr : row_of(code);
+      const auto program = row == nullptr ? bound_.number(code) : std::nullopt;
+      if (row != nullptr) {
+        const CalledProgram called = program_of_row(*row);
+        words_.has_program = true;
+        words_.program = static_cast<double>(called.number);
+        words_.name = called.name;
+        tag_bits_ = called_by_code;
+        row_ = row;
+      } else if (!program || is_in_bound) {
         codes_.set(b, letter, *index, position, number.end);
         return number.end;
       }
-      words_.has_program = true;
-      words_.program = std::fabs(*program);
-      is_modal_ = *program < 0;
-      tag_bits_ = called_by_code;
-      if (words_.program < first_macro) {
+      if (program) {
+        words_.has_program = true;
+        words_.program = std::fabs(*program);
+        is_modal_ = *program < 0;
+        tag_bits_ = called_by_code;
+      }
+      if (program && words_.program < first_macro) {
         tag_bits_ |= shares_locals;
         b.raise(call_);
         return number.end;
@@ -89,6 +104,8 @@ struct FanucMacroCall {
     MacroCallReader reader(b, text, environment_, units_, ijk_sets_, words_);
     using Names = MacroCallReader::Names;
     end_ = reader.read(number.end, tag_bits_ == 0 ? Names::accepted : Names::refused);
+    if (row_ != nullptr)
+      record_.add(b, *row_, ig::Where::columns(position, end_), piece(text, position, end_));
     b.raise(call_);
     return end_;
   }
@@ -98,7 +115,7 @@ struct FanucMacroCall {
     environment_.enter(b);
     const auto where = ig::Where::columns(begin_, end_);
     if ((tag_bits_ & shares_locals) != 0) {
-      call_program(b, environment_.flow, words_.called(), 1, tag_bits_, ig::Where::columns(begin_, code_end_));
+      call_program(b, builder_, environment_.flow, words_.called(), 1, tag_bits_, ig::Where::columns(begin_, code_end_));
       return ig::Status::changed;
     }
     const std::string_view code = code_.text();
@@ -122,6 +139,13 @@ struct FanucMacroCall {
  private:
   static constexpr double first_macro = 9010;  ///< M codes call O9001 to O9009 like subprograms
 
+  /// The row that calls a program for the code, with arguments. A family answers for no code that has a meaning here.
+  const ig_machine_code* row_of(std::string_view code) const {
+    const ig_machine_code* row = machine_.find(code);
+    if (row == nullptr && !bound_.number(code) && !codes_.knows(code)) row = machine_.family(code);
+    return row != nullptr && arguments_of(*row) != CodeArguments::none ? row : nullptr;
+  }
+
   /// Each modal call in force adds one level for the macros of the calls before it.
   void keep_modal_call(ig::Block& b, ig::Where where) {
     MacroStore& store = environment_.store();
@@ -140,7 +164,7 @@ struct FanucMacroCall {
     MacroStore& store = environment_.store();
     report_deep_call(b, store, where);
     const std::uint64_t tag = store.enter(words_.arguments, is_modal);
-    const ig::Flow::Answer answer = ask_program(b, environment_.flow, words_.called(),
+    const ig::Flow::Answer answer = ask_program(b, builder_, environment_.flow, words_.called(),
                                                 static_cast<std::int64_t>(words_.repeats), tag | tag_bits_, where);
     if (is_modal)
       settle_modal(store, answer);
@@ -154,6 +178,7 @@ struct FanucMacroCall {
   bool is_modal_ = false, each_block_ = false;
   std::uint64_t tag_bits_ = 0;
   MacroCallWords words_;
+  const ig_machine_code* row_ = nullptr;  // of MachineCodes, for a code that calls with arguments
 };
 
 const ig::Register<FanucMacroCall> fanuc_macro_call_syntax;

@@ -15,6 +15,7 @@ struct FanucModalMacro {
   };
 
   MacroFrame frame_;
+  ProgramsOfBuilder builder_;
   ig::Codes end_{"G67"};
   ig::Signal modal_{"MacroCall.~Modal", ig::read | ig::write | ig::wake_while, ig::Life::modal};
   ig::In<ig::Symbol> move_{"MotionEvent.Form"}, steps_{"CompoundMotion.Term"};
@@ -37,7 +38,7 @@ struct FanucModalMacro {
     const MacroStore::ModalCall call = calls.back();
     report_deep_call(b, store, ig::Where::block());
     const std::uint64_t tag = store.enter(call.arguments, true);
-    settle_modal(store, ask_program(b, frame_.flow, call.program, call.repeats, tag, ig::Where::block()));
+    settle_modal(store, ask_program(b, builder_, frame_.flow, call.program, call.repeats, tag, ig::Where::block()));
     return ig::Status::changed;
   }
 };

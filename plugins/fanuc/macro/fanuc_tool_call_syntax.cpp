@@ -13,6 +13,7 @@ struct FanucToolCall {
 
   ig::Word t_{"Parsing.T", ig::wake, ""};
   MacroFrame frame_;
+  ProgramsOfBuilder builder_;
   ig::Config bound_{"isogloss.code-call/1", ig::Need::optional, "The program that T calls, if any."};
   std::optional<double> program_ = bound_.number("T");
 
@@ -23,7 +24,7 @@ struct FanucToolCall {
     if (!number) return ig::Status::unchanged;
     frame_.enter(b);
     if (!frame_.store().set(tool_variable, *number)) b.report(ig::diag("FAN-0109"), where, std::string_view("#149"));
-    call_program(b, frame_.flow, {static_cast<std::int64_t>(*program_)}, 1, called_by_code | shares_locals, where);
+    call_program(b, builder_, frame_.flow, {static_cast<std::int64_t>(*program_)}, 1, called_by_code | shares_locals, where);
     return ig::Status::changed;
   }
 

@@ -9,6 +9,7 @@
 
 #include <isogloss/sdk.hpp>
 
+#include "punch_out/haas_registers.hpp"
 #include "punch_out/punched_block.hpp"
 
 namespace fanuc {
@@ -17,16 +18,25 @@ using namespace ig::cnc;
 
 namespace {
 
+enum class Registers { unread, haas };
+
 struct FanucMacroVariables {
   static constexpr const char* variables = "MacroVariables";
   static constexpr auto spec =
       ig::importer("FanucMacroVariables", "Macro variables that a Fanuc or Haas control puts out.")
           .files("MACRO.TXT *.var")
-          .fills(variables);
+          .fills(variables, "ToolOffsetTable", "IsoCoordinateTable");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "FAN-0234", "'{0}' is no variable with a value, so this line is left out"),
       ig::diagnostic(IG_WARNING, "FAN-0235", "the value '{0}' of #{1} is no number, so the variable gets no value"),
   };
+
+  ig::Choice<Registers> registers{"registers", "unread|haas", "unread",
+                                  "Variables of offsets: not read, or read as those of a Haas (#2001, #5221 …)."};
+  ig::Choice<OffsetUnit> unit{"unit", "unknown|mm|inch", "unknown",
+                              "The unit of offsets (Haas setting 9); unknown: mm is assumed."};
+  ig::Choice<ToolRadius> tool_radius{"tool-radius", "radius|diameter", "radius",
+                                     "What cutter offsets are on this Haas: setting 40."};
 
   static unsigned recognise(std::string_view text, std::string_view) {
     unsigned values = 0, sure = 0;
@@ -44,7 +54,7 @@ struct FanucMacroVariables {
   }
 
   void read(ig::Import& file) const {
-    std::set<std::int64_t> vacant;
+    Values values{file, {unit == OffsetUnit::inch, false, 1, unit == OffsetUnit::unknown}, {}};
     for (const ig::TextLine& line : file.lines()) {
       const Entry entry = read_line(line);
       const std::size_t end = line.begin + line.text.size();
@@ -57,7 +67,7 @@ struct FanucMacroVariables {
         case Kind::name:
           if (!entry.value.empty()) file.unused("name of a variable", "no table has a place for it", entry.begin, end);
           break;
-        case Kind::variable: read_value(file, entry, end, vacant);
+        case Kind::variable: read_value(values, entry, end);
       }
     }
   }
@@ -76,10 +86,13 @@ struct FanucMacroVariables {
                     static_cast<unsigned long long>(std::bit_cast<std::uint64_t>(value.value)));
       out.write("G10L85P" + std::string(out.key(variables, row)) + "(" + bits.data() + ")\n");
     }
+    for (const char* const table : {"ToolOffsetTable", "IsoCoordinateTable"})
+      if (out.rows(table) > 0) out.unused(std::string("rows of ") + table, "the format FanucOffsets has them");
     out.write("M02\n%\n");
   }
 
  private:
+  static constexpr double largest_offset = 1e9 / mm_per_inch;  // that of the table
   enum class Kind { frame, variable, name, offset, other };
   struct Entry {
     Kind kind = Kind::frame;
@@ -87,6 +100,12 @@ struct FanucMacroVariables {
     std::int64_t number = -1;
     std::string_view value;  // of `other`: the line
     bool is_listed = false;  // as a decimal number, not as the bits of a double
+  };
+
+  struct Values {
+    ig::Import& file;
+    PunchedUnit unit;
+    std::set<std::int64_t> vacant;
   };
 
   static std::string_view trimmed(std::string_view text) {
@@ -156,11 +175,13 @@ struct FanucMacroVariables {
     return is_whole ? std::optional(std::bit_cast<double>(bits)) : std::nullopt;
   }
 
-  static void read_value(ig::Import& file, const Entry& entry, std::size_t end, std::set<std::int64_t>& vacant) {
+  void read_value(Values& values, const Entry& entry, std::size_t end) const {
+    ig::Import& file = values.file;
     // Haas lists #100 to #999 as #10100 to #10999 too; to a Fanuc, these are tool offsets, which it does not list.
     const bool is_alias = entry.number >= 10'100 && entry.number <= 10'999;
     const std::int64_t number = is_alias ? entry.number - 10'000 : entry.number;
     if (number < 100) return file.unused("local variables", "each call of a program has its own", entry.begin, end);
+    if (const auto offset = haas_register(number)) return read_offset(values, entry, end, *offset);
     if (number > 999 && (number < 98'000 || number > 999'999))
       return file.unused("system variables", "the control sets them itself", entry.begin, end);
     const bool is_empty = is_vacant(entry.value);
@@ -169,11 +190,23 @@ struct FanucMacroVariables {
       return file.report(ig::diag("FAN-0235"), entry.begin, end, shown_part(entry.value), std::to_string(number));
     file.row(variables, number, entry.begin);
     if (is_empty || !std::isfinite(*value)) {
-      vacant.insert(number);
+      values.vacant.insert(number);
       return file.cell("Null", 1., entry.begin);
     }
     file.cell("Value", *value, entry.begin);
-    if (vacant.erase(number) != 0) file.cell("Null", 0., entry.begin);
+    if (values.vacant.erase(number) != 0) file.cell("Null", 0., entry.begin);
+  }
+
+  void read_offset(Values& values, const Entry& entry, std::size_t end, const HaasRegister& offset) const {
+    ig::Import& file = values.file;
+    if (registers == Registers::unread)
+      return file.unused("variables of offsets", "option registers tells what they are", entry.begin, end);
+    const std::optional<double> value = entry.is_listed ? number_in(entry.value) : double_of(entry.value);
+    if (!value || !(std::abs(*value) <= largest_offset))
+      return file.report(ig::diag("FAN-0235"), entry.begin, end, shown_part(entry.value), std::to_string(entry.number));
+    file.row(offset.table, offset.row, entry.begin);
+    const double mm = offset.is_length ? values.unit.mm(file, *value, entry.begin, end) : *value;
+    file.cell(offset.column, offset.is_radius && tool_radius == ToolRadius::diameter ? mm / 2 : mm, entry.begin);
   }
 };
 

@@ -15,8 +15,6 @@ using namespace ig::cnc;
 
 namespace {
 
-enum class LengthUnit { mm, inch };
-enum class ToolRadius { radius, diameter };
 enum class Memory { file, a, b, c };
 enum class WithoutPoint { increments, units };
 enum class Increment { is_a, is_b, is_c };
@@ -36,8 +34,9 @@ struct FanucOffsets {
                      "the file has lengths (L10) but no radii (L12): with offset memory B give the option memory=B"),
   };
 
-  ig::Choice<LengthUnit> unit{"unit", "mm|inch", "mm",
-                              "The unit of the control when it wrote the file without G20, G21."};
+  ig::Choice<OffsetUnit> unit{
+      "unit", "unknown|mm|inch", "unknown",
+      "The unit of the control when it wrote the file without G20, G21; unknown: mm is assumed."};
   ig::Choice<ToolRadius> tool_radius{"tool-radius", "radius|diameter", "radius",
                                      "What cutter offsets are on this control: parameter 5004 bit 2."};
   ig::Choice<Memory> memory{"memory", "file|A|B|C", "file",
@@ -61,7 +60,7 @@ struct FanucOffsets {
   }
 
   void read(ig::Import& file) const {
-    State state{file, Memory::c, unit_of(unit == LengthUnit::inch)};
+    State state{file, Memory::c, unit_of_file()};
     find_memory(state);
     PunchedBlock block;
     for (const ig::TextLine& line : file.lines()) {
@@ -74,7 +73,7 @@ struct FanucOffsets {
   }
 
   void write(ig::Export& out) const {
-    out.write(unit == LengthUnit::inch ? "%\nG90\nG20\n" : "%\nG90\nG21\n");
+    out.write(unit == OffsetUnit::inch ? "%\nG90\nG20\n" : "%\nG90\nG21\n");
     write_work_offsets(out);
     write_tool_offsets(out);
     out.write("%\n");
@@ -91,11 +90,12 @@ struct FanucOffsets {
     std::int64_t highest = 0;
   };
 
-  PunchedUnit unit_of(bool is_inch) const {
-    return {is_inch, without_point == WithoutPoint::increments,
+  PunchedUnit unit_of_file() const {
+    return {unit == OffsetUnit::inch, without_point == WithoutPoint::increments,
             increment == Increment::is_a   ? 100.
             : increment == Increment::is_b ? 1000.
-                                           : 10000.};
+                                           : 10000.,
+            unit == OffsetUnit::unknown};
   }
 
   /// L of a G10; 0 where it has none.
@@ -123,8 +123,10 @@ struct FanucOffsets {
     for (const PunchedWord& w : block.words()) {
       if (w.letter != 'G') continue;
       if (w.is('G', 90) || w.is('G', 91)) state.is_absolute = w.is('G', 90);
-      if (w.is('G', 20) || w.is('G', 21)) state.unit.is_inch = w.is('G', 20);
       if (w.is('G', 11)) state.is_block_list = false;
+      if (!w.is('G', 20) && !w.is('G', 21)) continue;
+      state.unit.is_inch = w.is('G', 20);
+      state.unit.is_assumed = false;
     }
     const auto unused = [&](std::string_view what, std::string_view why) {
       state.file.unused(what, why, block.begin(), block.end());
@@ -156,7 +158,7 @@ struct FanucOffsets {
         state.file.unused(std::string("word ") + w.letter, "no table has a place for it", w.begin, w.end);
         continue;
       }
-      const double value = is_rotary(w.letter) ? state.unit.degrees(w.number) : state.unit.mm(w.number);
+      const double value = is_rotary(w.letter) ? state.unit.degrees(w.number) : state.unit.mm(state.file, w);
       put_offset(state.file, id.text(), w.letter, value, w);
     }
   }
@@ -173,7 +175,7 @@ struct FanucOffsets {
     state.highest = std::max(state.highest, row);
     if (l == 10 && std::exchange(state.may_be_b, false))
       state.file.report(ig::diag("FAN-0233"), block.begin(), block.end());
-    const double mm = state.unit.mm(r->number), radius = mm / (tool_radius == ToolRadius::diameter ? 2 : 1);
+    const double mm = state.unit.mm(state.file, *r), radius = mm / (tool_radius == ToolRadius::diameter ? 2 : 1);
     state.file.row(tools, row, block.begin());
     const bool is_wear = state.memory != Memory::a && (l == 11 || l == 13);
     const bool is_length = l <= 11, is_radius = l >= 12 || state.memory != Memory::c;
@@ -189,7 +191,7 @@ struct FanucOffsets {
     constexpr double steps = 1e6;  // finer than any control
     return punched_number(std::round(n.value / per_unit * steps) / steps);
   }
-  double per_unit() const { return unit == LengthUnit::inch ? mm_per_inch : 1; }
+  double per_unit() const { return unit == OffsetUnit::inch ? mm_per_inch : 1; }
 
   /// "L2P1" of G54, "L20P7" of G54.1P7; empty where G10 has no such offset.
   static std::string place_of(std::string_view id) {
@@ -233,7 +235,8 @@ struct FanucOffsets {
         if (const std::string value = value_of(out.cell(tools, row, c.name), c.is_radius ? per_radius : per_unit());
             !value.empty())
           out.write(std::string("G10") + c.l + "P" + std::string(id) + "R" + value + "\n");
-      if (!out.cell(tools, row, "Name").empty()) out.unused("column Name", "offsets have no names");
+      for (const char* const c : {"Name", "CornerRadius", "CornerRadiusWear", "TipAngle", "Teeth", "MaximumSpeed"})
+        if (!out.cell(tools, row, c).empty()) out.unused(std::string("column ") + c, "offsets hold lengths and radii");
     }
   }
 };

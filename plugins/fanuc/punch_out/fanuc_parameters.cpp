@@ -72,6 +72,7 @@ struct FanucParameters {
   /// What the file itself tells about the machine.
   struct Machine {
     bool machine_is_inch = false, input_is_inch = false;
+    bool knows_machine_unit = false, knows_input_unit = false, is_unit_reported = false;
     double counts_per_mm = 1000;
     std::map<std::int64_t, char> letters;  // of the controlled axes
   };
@@ -117,12 +118,6 @@ struct FanucParameters {
       }
     }
   }
-  static std::optional<unsigned> bits_of(std::string_view digits) {
-    if (digits.size() != 8 || digits.find_first_not_of("01") != std::string_view::npos) return std::nullopt;
-    unsigned bits = 0;
-    for (const char c : digits) bits = bits << 1 | (c == '1' ? 1u : 0u);
-    return bits;
-  }
   bool is_of_path(const Value& value) const { return value.path == 0 || value.path == path; }
 
   Machine machine_of(ig::Import& file) const {
@@ -137,14 +132,23 @@ struct FanucParameters {
       for_values(block, [&](const Value& v) {
         if ((!is_of_path(v) || v.group > 1) && number != 1020) return;
         const unsigned bits = bits_of(v.word->digits).value_or(0);
-        if (number == 0) out.input_is_inch = (bits & 4u) != 0;
-        if (number == 1001) out.machine_is_inch = (bits & 1u) != 0;
+        if (number == 0) {
+          out.input_is_inch = (bits & 4u) != 0;
+          out.knows_input_unit = true;
+        }
+        if (number == 1001) {
+          out.machine_is_inch = (bits & 1u) != 0;
+          out.knows_machine_unit = true;
+        }
         if (number == 1013 && !std::exchange(has_increment, true))
           out.counts_per_mm = (bits & 1u) != 0 ? 100 : (bits & 2u) != 0 ? 10000 : 1000;
         if (number == 1020) add_letter(out, v);
       });
     }
-    if (unit != ParameterUnit::parameters) out.input_is_inch = out.machine_is_inch = unit == ParameterUnit::inch;
+    if (unit != ParameterUnit::parameters) {
+      out.input_is_inch = out.machine_is_inch = unit == ParameterUnit::inch;
+      out.knows_input_unit = out.knows_machine_unit = true;
+    }
     if (out.letters.empty())
       for (const char letter : axes.text())
         out.letters.emplace(static_cast<std::int64_t>(out.letters.size()) + 1, letter);
@@ -160,7 +164,7 @@ struct FanucParameters {
     if (!is_taken) machine.letters.emplace(value.axis, letter);
   }
 
-  void read_parameter(ig::Import& file, const Machine& machine, const PunchedBlock& block,
+  void read_parameter(ig::Import& file, Machine& machine, const PunchedBlock& block,
                       std::map<std::int64_t, double>& values) const {
     const std::int64_t number = *block.words()[0].whole();
     const KnownParameter* const known = known_parameter(number);
@@ -183,6 +187,8 @@ struct FanucParameters {
       if (known->has_axes && std::string_view("XYZABC").find(letter) == std::string_view::npos)
         return file.unused(std::string("value of axis ") + letter, no_place, begin, end);
       const std::optional<double> value = value_of(machine, *known, v, letter);
+      if (value && assumes_unit(machine, *known, v, letter) && !std::exchange(machine.is_unit_reported, true))
+        file.report(ig::diag("FAN-0241"), begin, end);
       if (!value)
         return file.report(ig::diag("FAN-0237"), begin, end, std::to_string(number), shown_part(v.word->digits));
       if (known->kind == ParameterKind::work_offset)
@@ -197,6 +203,13 @@ struct FanucParameters {
   }
   /// Parameters that tell how the others are read.
   static bool is_settled_here(std::int64_t number) { return number == 0 || number == 1001 || number == 1020; }
+
+  /// A length without M or I, in a file without the parameter that names its unit.
+  static bool assumes_unit(const Machine& machine, const KnownParameter& known, const Value& value, char letter) {
+    const bool is_known = known.system == LengthSystem::input ? machine.knows_input_unit : machine.knows_machine_unit;
+    if (is_known || value.kind != 'P' || value.word->number.value == 0) return false;
+    return known.is_length(is_rotary(letter), value.word->number.has_point);
+  }
 
   static std::optional<double> value_of(const Machine& machine, const KnownParameter& known, const Value& value,
                                         char letter) {

@@ -117,18 +117,39 @@ class PunchedBlock {
   bool is_sound_ = true;
 };
 
+/// How the offsets of a file are measured. A unit that the file does not name is assumed to be mm, with a warning.
+enum class OffsetUnit { unknown, mm, inch };
+enum class ToolRadius { radius, diameter };
+
 /// A value in mm (of a linear axis) or degrees. Without a decimal point it counts increments.
 struct PunchedUnit {
   bool is_inch = false;
   bool counts_increments = true;
   double counts_per_mm = 1000;  // an inch has a tenth of them for each mm of 10
+  bool is_assumed = false;      // neither the file nor the user names it
 
   double mm(const ig::Decimal& n) const {
     const double in_unit = n.has_point || !counts_increments ? n.value : n.value / counts_per_mm / (is_inch ? 10 : 1);
     return ig::cnc::length_in_mm(in_unit, is_inch ? ig::cnc::mm_per_inch : 1);
   }
+  /// The same; the first length of an assumed unit is reported.
+  double mm(ig::Import& file, const PunchedWord& word) {
+    report_assumption(file, word.number.value, word.begin, word.end);
+    return mm(word.number);
+  }
+  double mm(ig::Import& file, double value, std::size_t begin, std::size_t end) {
+    report_assumption(file, value, begin, end);
+    return ig::cnc::length_in_mm(value, is_inch ? ig::cnc::mm_per_inch : 1);
+  }
   double degrees(const ig::Decimal& n) const {
     return n.has_point || !counts_increments ? n.value : n.value / counts_per_mm;
+  }
+
+ private:
+  void report_assumption(ig::Import& file, double value, std::size_t begin, std::size_t end) {
+    if (!is_assumed || value == 0) return;
+    file.report(ig::diag("FAN-0241"), begin, end);
+    is_assumed = false;
   }
 };
 

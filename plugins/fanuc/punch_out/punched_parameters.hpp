@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 namespace fanuc {
 
@@ -26,6 +28,13 @@ struct KnownParameter {
   ParameterKind kind;
   bool has_axes;
   LengthSystem system = LengthSystem::machine;
+
+  /// A count without a decimal point has the same number in each unit.
+  constexpr bool is_length(bool is_rotary, bool has_point) const {
+    const bool is_measured =
+        kind == ParameterKind::position || kind == ParameterKind::rate || kind == ParameterKind::work_offset;
+    return kind == ParameterKind::counted ? has_point : is_measured && !is_rotary;
+  }
 };
 
 inline constexpr std::array known_parameters{
@@ -60,6 +69,14 @@ inline const KnownParameter* known_parameter(std::int64_t number) {
   const auto found = std::find_if(known_parameters.begin(), known_parameters.end(),
                                   [&](const KnownParameter& k) { return number >= k.first && number <= k.last; });
   return found == known_parameters.end() ? nullptr : &*found;
+}
+
+/// Eight digits, the leftmost is bit 7; nothing for other texts.
+inline std::optional<unsigned> bits_of(std::string_view digits) {
+  if (digits.size() != 8 || digits.find_first_not_of("01") != std::string_view::npos) return std::nullopt;
+  unsigned bits = 0;
+  for (const char c : digits) bits = bits << 1 | (c == '1' ? 1u : 0u);
+  return bits;
 }
 
 }  // namespace fanuc

@@ -4,7 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+
+#include <isogloss/cnc/machine_codes.hpp>
 
 namespace heidenhain {
 
@@ -28,5 +31,12 @@ bool waits_for_call(std::uint32_t cycle);
 
 /// The Q parameters of a cycle; empty where they are not known here.
 std::span<const std::uint16_t> parameters_of(std::int64_t cycle);
+
+/// What MachineCodes has for a cycle: a family answers only for cycles of the builder, not for those of the control.
+inline const ig_machine_code* row_of_cycle(const ig::cnc::MachineCodes& machine, std::uint32_t cycle) {
+  const std::string name = "CYCL DEF " + std::to_string(cycle);
+  if (const ig_machine_code* const row = machine.find(name)) return row;
+  return acts_where_defined(cycle) || waits_for_call(cycle) ? nullptr : machine.family(name);
+}
 
 }  // namespace heidenhain

@@ -138,9 +138,10 @@ class HoleCycle {
     ig::PartialVec3 named;  ///< the words X, Y and Z of the block
     HolePattern::Points points;
     // From hole to hole:
-    double at_call = 0;    ///< level of the tool before the first hole
-    double end = 0;        ///< level behind the last hole
-    double added = 0;      ///< height of the present point of PATTERN DEF
+    double at_call = 0;                                                  ///< level of the tool before the first hole
+    double end = 0;                                                      ///< level behind the last hole
+    double added = 0;                                                    ///< height of the present point of PATTERN DEF
+    double clearance_before = std::numeric_limits<double>::quiet_NaN();  ///< CLEARANCE of the point before; NaN: none
     double feed_mmds = 0;  ///< feed between the points of PATTERN DEF; 0: a rapid
   };
 

@@ -58,13 +58,18 @@ void HoleCycle::go_along_list(ig::Block& b, Call& call, std::int64_t i) const {
     const auto code = b.find(motions_);
     call.feed_mmds = code && *code == 0 ? 0 : in_mmds(b, b.get_or(feed_, 0.0));
   }
-  const double more = (*call.points.list)[static_cast<std::size_t>(i)].surface - call.added;
+  const PatternPoint& point = (*call.points.list)[static_cast<std::size_t>(i)];
+  const double more = point.surface - call.added;
   call.added += more;
   for (double* const level : {&c.surface, &c.safe, &c.bottom, &call.end}) *level += more;
-  const double high = c.out() > 0 ? std::fmax(call.at_call, call.end) : std::fmin(call.at_call, call.end);
-  if (c.level != high) rapid_to(b, c, high);
+  // fmax and fmin pass over a clearance of NaN.
+  const auto higher = [&](double x, double y) { return c.out() > 0 ? std::fmax(x, y) : std::fmin(x, y); };
+  const double high = higher(higher(call.at_call, call.end), point.clearance);
+  const double way = higher(high, call.clearance_before);
+  call.clearance_before = point.clearance;
+  if (c.level != way) rapid_to(b, c, way);
   c.hole = pattern_.point(b, call.points, c.plane, c.hole, i);
-  feed_to(b, c, high, call.feed_mmds);
+  feed_to(b, c, way, call.feed_mmds);
   c.end = high;
 }
 

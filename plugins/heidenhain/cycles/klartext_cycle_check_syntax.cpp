@@ -3,6 +3,8 @@
 #include <isogloss/cnc/machine_codes.hpp>
 #include <isogloss/sdk.hpp>
 
+#include "cycles/cycle_number.hpp"
+
 namespace heidenhain {
 namespace {
 
@@ -36,7 +38,7 @@ struct KlartextCycleCheck {
     const std::string_view call = is_pattern ? "the pattern" : is_called ? "CYCL CALL or M99" : "M89";
     const std::int64_t number = b.get_or(number_, std::int64_t{0});
     // KlartextMachineCodeSyntax has executed what M89 calls.
-    if (machine_.holds_any() && machine_.find("CYCL DEF " + std::to_string(number)) != nullptr)
+    if (number > 0 && machine_.holds_any() && row_of_cycle(machine_, static_cast<std::uint32_t>(number)) != nullptr)
       return ig::Status::unchanged;
     if (number == 0) {
       b.report(ig::diag("HEI-0162"), ig::Where::block(), call);

@@ -18,8 +18,8 @@ struct KlartextMachineCode {
   static constexpr auto spec =
       ig::syntax("KlartextMachineCodeSyntax", "Cycles of the machine's builder, as MachineCodes says.")
           .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
-          .before("KlartextCycleSyntax", "KlartextFrameCycleSyntax")
-          .scans("Cc");
+          .before("KlartextCycleSyntax", "KlartextFrameCycleSyntax", "KlartextParameterSyntax")
+          .scans("CFcf");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "HEI-0340", "the program {1} that {0} calls is not found, so it is not called: {2}"),
       ig::diagnostic(IG_ERROR, "HEI-0341",
@@ -46,6 +46,7 @@ struct KlartextMachineCode {
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (!machine_.holds_any() || !stands_first(text, position)) return position;
+    if (to_upper(text[position]) == 'F') return function(b, text, position);
     const std::size_t definition = keyword(text, position, "CYCL DEF");
     const auto number = definition == position ? std::nullopt : CycleNumber::at(text, skip(text, definition));
     if (!number) return position;
@@ -61,7 +62,7 @@ struct KlartextMachineCode {
     if (row->when == 2 || (row->when == 0 && waits(number->cycle)))
       wait(b, number->cycle);
     else
-      answer(b, *row, text, where);
+      answer(b, *row, text, where, position);
     return end;
   }
 
@@ -72,6 +73,20 @@ struct KlartextMachineCode {
   }
 
  private:
+  /// FN 19: PLC=+10/+1 and other functions that reach outside the program.
+  std::size_t function(ig::Block& b, std::string_view text, std::size_t position) const {
+    const std::size_t digits = skip(text, glued(text, position, "FN")), last = skip_digits(text, digits);
+    unsigned number = 0;
+    std::from_chars(text.data() + digits, text.data() + last, number);
+    static constexpr std::array outside{14u, 15u, 16u, 17u, 19u, 20u, 26u, 27u, 28u, 29u, 37u, 38u};
+    if (std::find(outside.begin(), outside.end(), number) == outside.end()) return position;
+    const ig_machine_code* const row = machine_.find("FN" + std::to_string(number));
+    if (row == nullptr) return position;
+    const std::size_t end = statement_end(text, position);
+    if (!text_.values().is_indexing()) answer(b, *row, text.substr(0, end), where_of_line(text, position));
+    return end;
+  }
+
   static bool waits(std::uint32_t cycle) { return waits_for_call(cycle) && !acts_where_defined(cycle); }
 
   void wait(ig::Block& b, std::uint32_t cycle) const {
@@ -104,6 +119,7 @@ struct KlartextMachineCode {
 
   void call(ig::Block& b, const ig_machine_code& row) const {
     const std::string_view code = ig::to_view(row.name), program = ig::to_view(row.program);
+    report_lost_arguments(b, row, ig::Where::block());
     b.set(term_, b.symbol(code));
     b.set_text(file_name_, program);
     const ig::Flow::Answer answer = ask_program(b, text_.values().flow(), program, called_by_cycle);
@@ -114,11 +130,13 @@ struct KlartextMachineCode {
   }
 
   const ig_machine_code* of_cycle(std::int64_t number) const {
-    return number > 0 && machine_.holds_any() ? machine_.find("CYCL DEF " + std::to_string(number)) : nullptr;
+    return number > 0 && machine_.holds_any() ? row_of_cycle(machine_, static_cast<std::uint32_t>(number)) : nullptr;
   }
 
-  void answer(ig::Block& b, const ig_machine_code& row, std::string_view text, ig::Where where) const {
-    record_.add(b, row, where);
+  /// `begin` is where the cycle begins in the text.
+  void answer(ig::Block& b, const ig_machine_code& row, std::string_view text, ig::Where where,
+              std::size_t begin = 0) const {
+    record_.add(b, row, where, text.substr(begin));
     for_each_code(row, [&](std::string_view code) { m_.put(b, text_.values(), text, code, where.begin, where.end); });
   }
 };

@@ -1,10 +1,12 @@
 // PATTERN DEF: points, rows, grids, frames and circles of points, at which CYCL CALL PAT runs the cycle. They are kept
-// as a list of points. SEL PATTERN names a file of points, which is not read.
+// as a list of points. SEL PATTERN takes the points of a table instead.
 #include <isogloss/cnc/hole_layout.hpp>
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/tilt_transform.hpp>
 
+#include "cycles/point_tables.hpp"
 #include "language/block_words.hpp"
+#include "language/file_name.hpp"
 #include "language/klartext_values.hpp"
 #include "language/program_unit.hpp"
 
@@ -20,12 +22,17 @@ struct KlartextPattern {
                                    .before("KlartextUnknownSyntax")
                                    .scans("PSps");
   static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "HEI-0369",
+                     "the machine has no point table {0}, so its points are missing: import the file of the control"),
+      ig::diagnostic(IG_ERROR, "HEI-0370",
+                     "row {0} of {1} has no value for an axis of the plane, so its point is missing: complete the row"),
       ig::diagnostic(IG_ERROR, "HEI-0187", "{0} has no point or more than {1} points: its points are missing"),
   };
 
   Values values_;
   PlaneInForce plane_;
   ProgramUnit unit_;
+  ig::Service<PointTables> tables_{point_table_service, ig::Need::optional, "The point tables of the machine."};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (!stands_first(text, position)) return position;
@@ -37,7 +44,7 @@ struct KlartextPattern {
     if (values_.is_indexing() || store == nullptr) return end;
     store->pattern.clear();
     if (selection != position)
-      report_not_executed(b, text, position, "the points are missing");
+      select(b, text.substr(0, end), position, selection, store->pattern);
     else
       read(b, text.substr(0, end), position, definition, store->pattern);
     return end;
@@ -53,6 +60,34 @@ struct KlartextPattern {
 
   using Words = std::array<std::optional<double>, name_count>;
   using Points = std::vector<PatternPoint>;
+
+  /// SEL PATTERN "TNC:\HOLES.PNT"
+  void select(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i, Points& points) const {
+    const auto name = file_name_at(b, values_, text, skip(text, i));
+    if (!name) return;
+    const std::string_view path = *name;
+    const auto where = where_of_line(text, begin);
+    if (path.empty())
+      return b.report(ig::diag("HEI-0104"), where, std::string_view("SEL PATTERN"),
+                      std::string_view("the name of the table"));
+    const PointTables::Table* const table = tables_ ? tables_->find(path) : nullptr;
+    if (table == nullptr) return b.report(ig::diag("HEI-0369"), where, path);
+    const PlaneAxes plane = plane_(b);
+    for (const auto& [number, point] : table->rows) {
+      if (point.is_faded) continue;
+      const auto first = point.position[plane.first], second = point.position[plane.second];
+      if (!first || !second) {
+        b.report(ig::diag("HEI-0370"), where, static_cast<double>(number), std::string_view(table->name));
+        continue;
+      }
+      if (points.size() >= most_points) {
+        b.report(ig::diag("HEI-0187"), where, path, static_cast<double>(most_points));
+        return points.clear();
+      }
+      points.push_back({*first, *second, point.position[plane.tool].value_or(0),
+                        point.clearance.value_or(std::numeric_limits<double>::quiet_NaN())});
+    }
+  }
 
   /// Reads POS1 (X+25 Y+33.5 Z+0) POS2 (...)
   void read(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i, Points& points) const {

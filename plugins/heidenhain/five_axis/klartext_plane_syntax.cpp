@@ -2,12 +2,12 @@
 // with three spatial angles, its positioning a G53.1 (TURN) or a G53.6 (MOVE) with the angles that are found here.
 // These angles also go to Q120 to Q122, for the block that positions the axes after STAY.
 #include <isogloss/cnc/program_xyz.hpp>
-#include <isogloss/cnc/rotary_offset.hpp>
 
 #include "five_axis/plane_definition.hpp"
 #include "five_axis/plane_positioning.hpp"
 #include "five_axis/plane_statement.hpp"
 #include "frames/basic_rotation.hpp"
+#include "frames/rotary_datum.hpp"
 
 namespace heidenhain {
 
@@ -48,7 +48,7 @@ struct KlartextPlane {
                            {ig::Life::block, "mm", "MB: how far the tool goes out before the axes turn."}};
   ig::Out<bool> to_limit_{"KlartextPlane.RetractsToLimit",
                           {ig::Life::block, "", "MB MAX: the tool goes out to the end of the travel."}};
-  RotaryOffsetSection rotary_offset_{"CoordinateOffset", ig::read};
+  RotaryDatum rotary_offset_{ig::read};
   std::array<ig::In<double>, 3> rotation_{rotation("BasicRotation.SPA"), rotation("BasicRotation.SPB"),
                                           rotation("BasicRotation.SPC")};
   PlanePositioning axes_;
@@ -108,7 +108,7 @@ struct KlartextPlane {
     const Angles now = axes_.present(b);
     Angles axial = now;
     for (std::size_t axis = 0; axis < 3 && command_.plane.kind == PlaneDefinition::axial; ++axis)
-      if (const auto word = command_.plane.words[axis]) axial[axis] = *word + rotary_offset_.get(b).value[axis];
+      if (const auto word = command_.plane.words[axis]) axial[axis] = *word + rotary_offset_.get(b)[axis];
     if (command_.plane.kind == PlaneDefinition::axial && !axes_) {
       b.report(ig::diag("HEI-0172"), command_.where(), command_.plane.shown(), std::string_view("the plane stays"));
       return;
@@ -179,7 +179,7 @@ struct KlartextPlane {
     if (QStore* const store = text_.values().store())
       for (std::size_t axis = 0; axis < 3; ++axis)
         store->set({QKind::q, static_cast<std::uint32_t>(120 + axis)}, 0,
-                   axes_.machine().has(axis) ? rounded((*angles)[axis] - rotary_offset_.get(b).value[axis]) : 0);
+                   axes_.machine().has(axis) ? rounded((*angles)[axis] - rotary_offset_.get(b)[axis]) : 0);
     if (!command_.turns_axes()) {
       b.set(stay_, true);
       return;

@@ -1,9 +1,10 @@
-// A, B, C and IA, IB, IC become angles of the machine before the frame follows the rotary axes. The preset in force
-// adds its offset between program and machine. Under M128, and in a plane to which PLANE has turned the axes, an
-// increment moves the frame as a position does.
-#include <isogloss/cnc/rotary_offset.hpp>
+// A, B, C and IA, IB, IC become angles of the machine before the frame follows the rotary axes. The preset and the
+// datum shift in force add their offsets between program and machine. Under M128, and in a plane to which PLANE has
+// turned the axes, an increment moves the frame as a position does.
 #include <isogloss/cnc/tool_kinematics.hpp>
 #include <isogloss/sdk.hpp>
+
+#include "frames/rotary_datum.hpp"
 
 namespace heidenhain {
 
@@ -29,7 +30,7 @@ struct KlartextRotaryStep {
                                  ig::Word{"Parsing.C", ig::read | ig::write | ig::wake, "deg"}};
   std::array<ig::In<double>, 3> angles_{ig::In<double>{"MachineCoordinate.A"}, ig::In<double>{"MachineCoordinate.B"},
                                         ig::In<double>{"MachineCoordinate.C"}};
-  RotaryOffsetSection offset_{"CoordinateOffset", ig::read};
+  RotaryDatum offset_{ig::read};
   ig::In<ig::Symbol> preset_{"CoordinateOffset.CoordinateId"};
   RotaryIncrements increments_{ig::write};
   ig::Codes of_machine_{{"G53"}, ig::read};
@@ -39,7 +40,7 @@ struct KlartextRotaryStep {
   ToolKinematics machine_;
 
   ig::Status build(ig::Block& b) const {
-    const Angles offset = offset_.get(b).value;
+    const Angles offset = offset_.get(b);
     if (offset != Angles{}) shift(b, offset);
     ig_value steps[3];
     const std::uint32_t named = b.take_many(steps_.data(), 3, steps);
@@ -66,7 +67,9 @@ struct KlartextRotaryStep {
   void report(ig::Block& b, const Angles& offset) const {
     bool counts = false;
     for (std::size_t axis = 0; axis < 3; ++axis) counts = counts || (machine_.has(axis) && offset[axis] != 0);
-    if (counts) b.report(ig::diag("HEI-0200"), ig::Where::block(), b.text(b.get_or(preset_, ig::Symbol{})));
+    const bool is_shift = offset_.shift(b) != Angles{};
+    const std::string_view cause = is_shift ? "the datum shift" : b.text(b.get_or(preset_, ig::Symbol{}));
+    if (counts) b.report(ig::diag("HEI-0200"), ig::Where::block(), cause);
   }
 
   static ig_field step(const char* path) {

@@ -1,7 +1,10 @@
 // LBL n marks a place, LBL 0 ends a subprogram. CALL LBL n runs the subprogram, CALL LBL n REP k repeats the part of
 // the program from the label to here k more times, CALL PGM runs another program.
+#include <isogloss/cnc/machine_codes.hpp>
+
 #include "flow/called_program.hpp"
 #include "language/block_words.hpp"
+#include "language/file_name.hpp"
 #include "language/klartext_values.hpp"
 
 namespace heidenhain {
@@ -11,19 +14,23 @@ using namespace ig::cnc;
 namespace {
 
 struct KlartextLabel {
-  static constexpr auto spec = ig::syntax("KlartextLabelSyntax", "LBL, CALL LBL with REP, and CALL PGM.")
+  static constexpr auto spec = ig::syntax("KlartextLabelSyntax", "LBL, CALL LBL with REP, CALL PGM and SEL PGM.")
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
-                                   .scans("CLcl");
+                                   .scans("CLScls");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "HEI-0121", "the program {0} is not found, so it is not called: {1}"),
+      ig::diagnostic(IG_ERROR, "HEI-0373", "no program is selected, so none is called: program SEL PGM before it"),
   };
 
   Values values_;
+  ProgramsOfBuilder builder_;
   ig::Signal statement_{"Parsing.~KlartextLabel", ig::read | ig::write | ig::wake};
   ig::TextField label_{"KlartextLabel.Name", ig::write, {ig::Life::block, "", "The label that the block defines."}};
   ig::Out<ig::Symbol> term_{"SubProgramCall.Term"};
   ig::TextField file_name_{"SubProgramCall.FileName", ig::write};
-  ig::Name call_label_{"CALL LBL"}, call_program_{"CALL PGM"};
+  ig::Out<ig::Symbol> selected_{"SelectedProgram.Name",
+                                {ig::Life::modal, "", "The program that SEL PGM has selected."}};
+  ig::Name call_label_{"CALL LBL"}, call_program_{"CALL PGM"}, call_selected_{"CALL SELECTED PGM"};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     if (!stands_first(text, position)) return position;
@@ -47,12 +54,14 @@ struct KlartextLabel {
       case Kind::label: label(b, text, i); break;
       case Kind::call: call(b, text, i); break;
       case Kind::program: call_program(b, text, i); break;
+      case Kind::selection: select(b, text, i); break;
+      case Kind::selected: call_selected(b, text, i); break;
     }
     return ig::Status::changed;
   }
 
  private:
-  enum class Kind { label, call, program };
+  enum class Kind { label, call, program, selection, selected };
   struct Found {
     Kind kind;
     std::size_t after;
@@ -61,6 +70,9 @@ struct KlartextLabel {
   static std::optional<Found> statement_at(std::string_view text, std::size_t position) {
     if (const std::size_t i = keyword(text, position, "CALL LBL"); i != position) return Found{Kind::call, i};
     if (const std::size_t i = keyword(text, position, "CALL PGM"); i != position) return Found{Kind::program, i};
+    if (const std::size_t i = keyword(text, position, "CALL SELECTED PGM"); i != position)
+      return Found{Kind::selected, i};
+    if (const std::size_t i = keyword(text, position, "SEL PGM"); i != position) return Found{Kind::selection, i};
     if (const std::size_t i = keyword(text, position, "LBL"); i != position) return Found{Kind::label, i};
     return std::nullopt;
   }
@@ -127,6 +139,13 @@ struct KlartextLabel {
   /// A number, a name in quotes, or the value of a Q parameter.
   std::string called_name(ig::Block& b, std::string_view text, std::size_t i, std::size_t& end) const {
     std::size_t q_end = i;
+    if (Values::text_parameter_at(text, i, q_end)) {
+      end = q_end;
+      const auto held = values_.text(b, text, i, end);
+      std::string name(held ? trim(*held) : std::string_view());
+      for (char& c : name) c = to_upper(c);
+      return name;
+    }
     if (Values::q_at(text, i, q_end)) {
       const Value v = values_.read(b, text, i);
       end = v.end;
@@ -148,18 +167,50 @@ struct KlartextLabel {
 
   /// TNC:\FOLDER\NAME.H, in quotes or not: only the name is used.
   void call_program(ig::Block& b, std::string_view text, std::size_t i) {
-    std::string_view path = trim(text.substr(std::min(i, text.size())));
-    if (path.size() >= 2 && path.front() == '"' && path.back() == '"') path = path.substr(1, path.size() - 2);
-    if (path.empty()) {
-      b.report(ig::diag("HEI-0119"), whole(), std::string_view("the program"));
-      return;
-    }
+    const auto path = file_name_at(b, values_, text, i);
+    if (!path) return;
+    if (path->empty()) return b.report(ig::diag("HEI-0119"), whole(), std::string_view("the program"));
     b.set(term_, call_program_);
+    call(b, *path, ig::Where::columns(i, text.size()));
+  }
+
+  void call(ig::Block& b, std::string_view path, ig::Where where) const {
     b.set_text(file_name_, path);
+    const std::string name = program_name(path);
+    const auto where = ig::Where::columns(i, text.size());
+    if (const ig_machine_code* const row = builder_.row(name)) return execute(b, *row, path, where);
     const ig::Flow::Answer answer = ask_program(b, values_.flow(), path);
     if (!answer.is_not_found()) return;
+    if (const ig_machine_code* const row = builder_.family(name)) return execute(b, *row, path, where);
+    if (builder_.ignores(b, path, where)) return;
     if (QStore* const s = values_.store(); s == nullptr || s->is_first_time(121, path))
-      b.report(ig::diag("HEI-0121"), ig::Where::columns(i, text.size()), path, answer.reason);
+      b.report(ig::diag("HEI-0121"), where, path, answer.reason);
+  }
+
+  /// SEL PGM "TNC:\NAME.H"
+  void select(ig::Block& b, std::string_view text, std::size_t i) const {
+    const auto path = file_name_at(b, values_, text, i);
+    if (path && path->empty()) b.report(ig::diag("HEI-0119"), whole(), std::string_view("the program"));
+    if (path && !path->empty())
+      b.set(selected_, b.symbol(*path));
+    else
+      b.erase(selected_);
+  }
+
+  void call_selected(ig::Block& b, std::string_view text, std::size_t i) const {
+    const std::string path(b.text(b.get_or(selected_, ig::Symbol{})));
+    report_rest(b, text, i, "CALL SELECTED PGM");
+    b.set(term_, call_selected_);
+    if (path.empty()) return b.report(ig::diag("HEI-0373"), whole());
+    call(b, path, whole());
+  }
+
+  /// A row of MachineCodes in place of the program.
+  void execute(ig::Block& b, const ig_machine_code& row, std::string_view path, ig::Where where) {
+    builder_.execute(b, row, path, where, [&](std::string_view program) {
+      const ig::Flow::Answer answer = ask_program(b, values_.flow(), program);
+      if (answer.is_not_found()) b.report(ig::diag("HEI-0121"), where, program, answer.reason);
+    });
   }
 
   struct {

@@ -5,6 +5,8 @@
 #include <isogloss/cnc/tilt_transform.hpp>
 #include <isogloss/sdk.hpp>
 
+#include "frames/rotary_datum.hpp"
+
 namespace heidenhain {
 
 using namespace ig::cnc;
@@ -14,7 +16,7 @@ class DatumWords {
  public:
   bool stand_in(const ig::Block& b) const { return b.find(call_).has_value(); }
 
-  /// Takes the words; axes that are not named keep `old`.
+  /// Takes the words; axes that are not named keep `old`. The shift of rotary axes is kept in DatumShift.
   ig::Vec3 take(ig::Block& b, const ig::Vec3& old) const {
     ig::Vec3 shift = old;
     for (std::size_t row = 0; row < 2; ++row) {
@@ -22,17 +24,21 @@ class DatumWords {
       const std::uint32_t named = b.take_many(call_.row(row), 6, v);
       for (std::size_t axis = 0; axis < 3; ++axis)
         if ((named >> axis & 1u) != 0) shift[axis] = v[axis].number + (row == 1 ? old[axis] : 0);
-      const bool turns = (named >> 3) != 0 && (v[3].number != 0 || v[4].number != 0 || v[5].number != 0);
-      if (turns)
-        b.report(ig::diag("HEI-0161"), ig::Where::word(call_.code(row)), 7.0,
-                 std::string_view("the datum of a rotary axis stays"));
+      Angles angles = rotary_.get(b).or_else({});
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if ((named >> (axis + 3) & 1u) != 0) angles[axis] = v[axis + 3].number + (row == 1 ? angles[axis] : 0);
+      rotary_.set(b, angles);
     }
     std::uint32_t found = 0;
     b.take_code(call_.codes(), call_.code_count(), &found);
     return shift;
   }
 
+  /// A preset cancels the shift of rotary axes, too.
+  void end_rotary(ig::Block& b) const { rotary_.set(b, Angles{}); }
+
  private:
+  RotaryOffsetSection rotary_{rotary_shift};
   ig::Call call_{{"DATUM", "IDATUM"}, "X Y Z A B C"};
 };
 

@@ -89,6 +89,7 @@ struct HeidenhainCoordinateOffset {
     b.set(id_, preset);
     offset_.set(b, origin.value_or(ig::Vec3{}));
     lay(b, {});  // a preset cancels the shift
+    words_.end_rotary(b);
     turned_.end(b);
     check_rotation(b, id, where);
   }

@@ -5,6 +5,7 @@
 
 #include "cycles/cycle_text.hpp"
 #include "cycles/pattern_cycle.hpp"
+#include "frames/datum_selection.hpp"
 #include "frames/mirror_and_rotation.hpp"
 #include "language/block_words.hpp"
 
@@ -18,10 +19,8 @@ struct KlartextFrameCycle {
   static constexpr auto spec = ig::syntax("KlartextFrameCycleSyntax", "Cycles that act where they are defined.")
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax", "KlartextCycleSyntax")
                                    .before("HeidenhainCoordinateOffsetSyntax", "KlartextDrillingCycleSyntax")
-                                   .scans("CFTcft");
+                                   .scans("CFSTcfst");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "HEI-0173",
-                     "datum {0} is not set, because the datum table is not known: the previous shift stays in force"),
       ig::diagnostic(IG_WARNING, "HEI-0180",
                      "cycle 220 with Q365=1 goes from hole to hole in straight lines, not along the pitch circle"),
   };
@@ -32,10 +31,12 @@ struct KlartextFrameCycle {
   ig::Call datum_{{"DATUM", "IDATUM"}, "X Y Z A B C", ig::write};
   ig::Out<double> dwell_{"Dwell.Time"};
   MirrorAndRotation frame_;
+  DatumSelection tables_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (!stands_first(text, position)) return position;
     if (const std::size_t end = trans(b, text, position); end != position) return end;
+    if (const std::size_t end = tables_.select_table(b, text_.values(), text, position); end != position) return end;
     const std::size_t definition = keyword(text, position, "CYCL DEF"), datum = keyword(text, position, "TRANS DATUM");
     const std::size_t pause = keyword(text, position, "FUNCTION DWELL TIME");
     if (definition == position && datum == position && pause == position) return position;
@@ -131,9 +132,8 @@ struct KlartextFrameCycle {
       const std::size_t letter = is_step ? i + 1 : i;
       const std::size_t axis = std::string_view("XYZABC").find(to_upper(at(text, letter)));
       if (text[i] == '#') {
-        const Value n = text_.values().read(b, text, i + 1);
-        b.report(ig::diag("HEI-0173"), ig::Where::columns(i, std::max(n.end, i + 1)), n.number);
-        return;
+        i = tables_.put_row(b, text_.values(), text, i, i + 1, {}, datum_);
+        continue;
       }
       const Value v = axis < 6 ? text_.values().read(b, text, letter + 1) : Value{};
       if (!v.ok) {
@@ -195,17 +195,20 @@ struct KlartextFrameCycle {
     return end;
   }
 
-  /// TRANS DATUM AXIS X+10, TABLE TABLINE 5, RESET: like cycle 7.
+  /// TRANS DATUM AXIS X+10, TABLE TABLINE 5, TABLE "ZERO.D" TABLINE 5, RESET: like cycle 7.
   void trans_datum(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
     i = skip(text, i);
     const std::size_t axis = keyword(text, i, "AXIS"), reset = keyword(text, i, "RESET");
+    const std::size_t table = keyword(text, i, "TABLE");
     if (axis != i) {
       datum(b, text, axis);
+    } else if (table != i) {
+      tables_.put_named_row(b, text_.values(), text, begin, skip(text, table), datum_);
     } else if (reset != i) {
       put_code(b, datum_.code(0), begin, reset);
-      for (std::size_t k = 0; k < 3; ++k) put_word(b, datum_.row(0)[k], begin, reset, 0);
+      for (std::size_t k = 0; k < 6; ++k) put_word(b, datum_.row(0)[k], begin, reset, 0);
     } else {
-      report_not_executed(b, text, begin, "the datum table is not known, the shift stays");
+      report_not_executed(b, text, begin, "AXIS, TABLE or RESET is missing, the shift stays");
     }
   }
 };

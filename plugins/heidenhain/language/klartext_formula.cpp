@@ -7,6 +7,7 @@
 #include <isogloss/cnc/units.hpp>
 
 #include "language/klartext_values.hpp"
+#include "language/string_formula.hpp"
 
 namespace heidenhain {
 
@@ -111,6 +112,7 @@ struct FormulaParser {
     static constexpr std::array<std::string_view, 18> names{"SQRT", "SQ",   "SIN", "COS", "TAN",  "ASIN",
                                                             "ACOS", "ATAN", "ABS", "INT", "FRAC", "NEG",
                                                             "SGN",  "LN",   "LOG", "EXP", "PI",   "MOD"};
+    if (StringFormula::is_number_function(text, position)) return of_text();
     const std::size_t end = letters_end(text, position);
     for (std::size_t i = 0; i < names.size() && end > position; ++i) {
       if (!equals_ignoring_case(piece(text, position, end), names[i])) continue;
@@ -120,6 +122,13 @@ struct FormulaParser {
     }
     no_value();
     return 0;
+  }
+  double of_text() {
+    StringFormula formula(b, values, text, position);
+    const auto result = formula.number();
+    failed = failed || !result;
+    position = formula.position();
+    return result.value_or(0);
   }
   static double result_of(std::size_t function, double x) {
     switch (function) {

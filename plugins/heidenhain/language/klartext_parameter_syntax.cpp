@@ -4,6 +4,8 @@
 #include "language/block_words.hpp"
 #include "language/fn_arithmetic.hpp"
 #include "language/fn_jump.hpp"
+#include "language/string_formula.hpp"
+#include "language/system_answers.hpp"
 #include "language/system_data.hpp"
 
 namespace heidenhain {
@@ -15,15 +17,18 @@ namespace {
 struct KlartextParameter {
   static constexpr auto spec = ig::syntax("KlartextParameterSyntax", "FN functions and formulas with Q parameters.")
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
-                                   .scans("FQfq");
+                                   .scans("DFQdfq");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "HEI-0116", "'{0}' is not executed: string parameters are not supported"),
-      ig::diagnostic(IG_ERROR, "HEI-0117", "FN {0} is not executed: a parameter that it would write keeps its value"),
+      ig::diagnostic(IG_ERROR, "HEI-0117", "FN {0} is not executed: {1}"),
+      ig::diagnostic(IG_ERROR, "HEI-0372", "{0} cannot hold {1} characters, so it keeps its text: the control has {2}"),
       ig::diagnostic(IG_ERROR, "HEI-0118", "the program stops the control here with error {0} (FN 14)"),
   };
 
   CycleText cycle_;
   SystemData system_;
+  ig::Service<SystemAnswers> answers_{system_answer_service, ig::Need::optional, "What FN 18 reads on this machine."};
+  ig::TextField row_{"SystemData.Row", ig::write, {ig::Life::block, "", "The row that has answered FN 18."}};
+  ig::TextField title_{"SystemData.Title", ig::write, {ig::Life::block, "", "What this row means."}};
   CycleDefinition definition_{ig::read | ig::write};
   ig::Field<std::int64_t> cycle_number_{
       "CycleDefinition.Number", ig::read, {ig::Life::modal, "", "The cycle that CYCL CALL runs."}};
@@ -45,10 +50,7 @@ struct KlartextParameter {
     switch (kind_at(text, begin_)) {
       case Kind::function: function(b, text); break;
       case Kind::formula: formula(b, text); break;
-      default: {
-        const std::string_view whole = trim(piece(text, begin_, end_));
-        b.report(ig::diag("HEI-0116"), ig::Where::columns(begin_, begin_ + whole.size()), whole);
-      }
+      default: string(b, text);
     }
     return ig::Status::changed;
   }
@@ -61,8 +63,9 @@ struct KlartextParameter {
       const std::size_t digits = skip_blanks(text, position + 2);
       return to_upper(at(text, position + 1)) == 'N' && is_digit(at(text, digits)) ? Kind::function : Kind::none;
     }
-    if (to_upper(at(text, position + 1)) == 'S' && is_digit(at(text, position + 2))) return Kind::text;
     std::size_t end = position;
+    if (keyword(text, position, "DECLARE STRING") != position) return Kind::text;
+    if (Values::text_parameter_at(text, position, end)) return Kind::text;
     return Values::q_at(text, position, end) ? Kind::formula : Kind::none;
   }
 
@@ -96,6 +99,28 @@ struct KlartextParameter {
     if (const auto value = cycle_.values().formula(b, text, t->after, end_)) assign(b, *t, *value);
   }
 
+  /// QS10 = QS1 || "A", DECLARE STRING QS10 = "A"
+  void string(ig::Block& b, std::string_view text) const {
+    const ParameterReader read = reader(b, text);
+    const std::size_t name = skip(text, keyword(text, begin_, "DECLARE STRING"));
+    std::size_t end = name;
+    const auto number = Values::text_parameter_at(text, name, end);
+    if (!number) return read.missing("the string parameter");
+    const std::size_t equals = skip(text, end);
+    if (at(text, equals) != '=') return read.missing("=");
+    const std::string_view shown = piece(text, name, end);
+    const auto where = ig::Where::columns(name, end);
+    QStore* const store = cycle_.values().store();
+    if (store == nullptr || *number >= QStore::q_count) return b.report(ig::diag("HEI-0114"), where, shown);
+    StringFormula formula(b, cycle_.values(), text, equals + 1);
+    auto value = formula.text();
+    if (!value || !read.ends(formula.position())) return;
+    if (value->size() > QStore::longest_text)
+      return b.report(ig::diag("HEI-0372"), where, shown, static_cast<double>(value->size()),
+                      static_cast<double>(QStore::longest_text));
+    store->set_text(*number, std::move(*value));
+  }
+
   // ---- FN
 
   void function(ig::Block& b, std::string_view text) {
@@ -113,13 +138,29 @@ struct KlartextParameter {
     if (number == 14) return error(b, text, i);
     const std::string_view whole = rest_of_line(text, begin_);
     if (number == 15 || number == 16 || number == 38) return;  // output: no position depends on it
+    // The run reads ahead of nothing, so that there is nothing to wait for.
+    if (number == 20 && is_end(text, keyword(text, i, "WAIT FOR SYNC"))) return;
     if (number == 18 && read_system(b, text, i)) return;
     // Reported once for each datum that FN 18 reads, and once for each of the other functions.
     QStore* const store = cycle_.values().store();
     const std::size_t equals = number == 18 ? whole.find('=') : std::string_view::npos;
     const std::string_view kind = equals == std::string_view::npos ? whole.substr(0, i - begin_) : whole.substr(equals);
     if (store != nullptr && !store->is_first_time(117, kind)) return;
-    b.report(ig::diag("HEI-0117"), where_of_line(text, begin_), double(number));
+    b.report(ig::diag("HEI-0117"), where_of_line(text, begin_), double(number), effect_of(number));
+  }
+
+  /// What is missing where the function is not executed.
+  static std::string_view effect_of(unsigned number) {
+    switch (number) {
+      case 19:
+      case 29: return "the machine's logic does not get its values, and what it would do is missing";
+      case 20: return "the run does not wait, and the state of the machine is not simulated";
+      case 26: return "no table is opened, so FN 27 and FN 28 have none";
+      case 27: return "the table of the control keeps its values";
+      case 28: return "it reads no table, so its parameters keep their values";
+      case 37: return "parameters of the calling program keep their values";
+      default: return "a parameter that it would write keeps its value";
+    }
   }
 
   /// SYSREAD Q1 = ID270 NR1 IDX3; false where the datum is not known here.
@@ -143,7 +184,10 @@ struct KlartextParameter {
     if (!id || !nr || skip(text, next) < text.size()) return false;
     request.id = *id;
     request.number = *nr;
-    const auto value = system_.read(b, request);
+    const SystemAnswer* const answer = answers_ ? answers_->find({*id, *nr, request.index.value_or(0)}) : nullptr;
+    const auto value = answer != nullptr ? std::optional(answer->value) : system_.read(b, request);
+    if (answer != nullptr) b.set_text(row_, answer->row);
+    if (answer != nullptr && !answer->title.empty()) b.set_text(title_, answer->title);
     if (value) assign(b, {*q, piece(text, i, end), i, equals + 1}, *value);
     return value.has_value();
   }

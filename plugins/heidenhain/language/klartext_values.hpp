@@ -45,6 +45,25 @@ class Values {
     return q;
   }
 
+  /// QS5 at a position; ~0 stands for a number that is too large.
+  static std::optional<std::uint32_t> text_parameter_at(std::string_view text, std::size_t position, std::size_t& end) {
+    if (to_upper(at(text, position)) != 'Q' || to_upper(at(text, position + 1)) != 'S') return std::nullopt;
+    const std::size_t digits = skip_blanks(text, position + 2), last = skip_digits(text, digits);
+    if (last == digits) return std::nullopt;
+    end = last;
+    std::uint32_t number = 0;
+    const bool is_number = std::from_chars(text.data() + digits, text.data() + last, number).ec == std::errc{};
+    return is_number ? number : ~0u;
+  }
+  /// The text of the string parameter at a position, alive until it is set; nothing, and reported, where it has none.
+  std::optional<std::string_view> text(ig::Block& b, std::string_view text, std::size_t position,
+                                       std::size_t& end) const {
+    const auto number = text_parameter_at(text, position, end);
+    const auto held = number && store() != nullptr ? store()->text(*number) : std::nullopt;
+    if (!held) b.report(ig::diag("HEI-0371"), ig::Where::columns(position, end), piece(text, position, end));
+    return held;
+  }
+
   /// A number or a Q parameter, with any number of signs before it.
   Value read(ig::Block& b, std::string_view text, std::size_t position) const {
     bool negative = false;

@@ -31,7 +31,10 @@ struct ParameterReader {
   /// Reports that `what` is missing.
   void missing(std::string_view what) const { block.report(ig::diag("HEI-0119"), whole(), what); }
   /// Reports a string parameter: the statement is not executed.
-  void refuse_text() const { block.report(ig::diag("HEI-0116"), whole(), rest_of_line(text, begin)); }
+  void refuse_text() const {
+    block.report(ig::diag("HEI-0116"), whole(), rest_of_line(text, begin),
+                 std::string_view("a number is expected, and a string parameter holds a text"));
+  }
   ig::Where whole() const { return ig::Where::columns(begin, std::max(begin + 1, text.size())); }
 };
 

@@ -7,6 +7,9 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -26,9 +29,12 @@ struct QNumber {
   std::uint32_t number = 0;
 };
 
-/// A position of PATTERN DEF in the plane across the tool, and its height above the surface; mm, as programmed.
+/// A position of PATTERN DEF or of a point table in the plane across the tool, and its height above the surface; mm, as
+/// programmed.
 struct PatternPoint {
   double first, second, surface;
+  double clearance =
+      std::numeric_limits<double>::quiet_NaN();  ///< where the tool comes to the point; NaN: nowhere else
 };
 
 class QStore {
@@ -54,6 +60,14 @@ class QStore {
     else
       locals(program).values[q.number] = value;
   }
+
+  /// A text of QS0 to QS1999; nothing where it has none.
+  std::optional<std::string_view> text(std::uint32_t number) const {
+    const auto found = texts_.find(number);
+    return found != texts_.end() ? std::optional<std::string_view>(found->second) : std::nullopt;
+  }
+  void set_text(std::uint32_t number, std::string text) { texts_[number] = std::move(text); }
+  static constexpr std::size_t longest_text = 255;
 
   static constexpr std::uint32_t radius_of_tool = 108, length_of_tool = 114;
   /// What a tool call leaves in a parameter. `undefined` ends the value of the tool before, but not a value that a
@@ -93,7 +107,7 @@ class QStore {
     return true;
   }
 
-  /// The points of the last PATTERN DEF, for CYCL CALL PAT.
+  /// The points of the last PATTERN DEF or SEL PATTERN, for CYCL CALL PAT.
   std::vector<PatternPoint> pattern;
 
  private:
@@ -116,6 +130,7 @@ class QStore {
   }
 
   std::vector<double> q_ = std::vector<double>(q_count, undefined);
+  std::map<std::uint32_t, std::string> texts_;
   std::vector<double> retained_ = std::vector<double>(other_count, undefined);
   std::vector<Locals> locals_;
   std::vector<Repeat> repeats_;

@@ -7,10 +7,10 @@
 
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
-#include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
 #include <isogloss/cnc/whole_number.hpp>
 
+#include "frames/rotary_datum.hpp"
 #include "language/program_unit.hpp"
 #include "tool/step_row.hpp"
 
@@ -36,13 +36,14 @@ class SystemData {
     if (is(20, 4) || is(60, 3)) return b.get_or(speed_, 0.0);
     if (is(60, 4)) return in_unit(b, b.get_or(length_delta_, 0.0));
     if (is(60, 5)) return in_unit(b, b.get_or(radius_delta_, 0.0));
-    if (r.id == 50 && (r.number == 1 || r.number == 2)) return of_table(b, r);
+    if (r.id == 50) return of_table(b, r);
     if (!is_of_axis) return std::nullopt;
-    if (is(220, 2)) return axis < 3 ? std::optional(in_unit(b, shift(b, axis))) : std::nullopt;
+    if (is(220, 2)) return axis < 3 ? in_unit(b, shift(b, axis)) : turned_.shift(b)[axis - 3];
+    if (is(230, 2) || is(230, 3)) return end_of_travel(b, axis, r.number == 3);
     if (axis > 2 && is(240, 1)) return b.get(angles_[axis - 3]);
     if (axis > 2 && is(270, 1)) {
       const auto angle = b.get(angles_[axis - 3]);
-      return angle ? std::optional(*angle - turned_.get(b).value[axis - 3]) : std::nullopt;
+      return angle ? std::optional(*angle - turned_.get(b)[axis - 3]) : std::nullopt;
     }
     if (is(240, 1)) {
       const auto position = b.get(machine_[axis]);
@@ -57,11 +58,25 @@ class SystemData {
  private:
   double in_unit(const ig::Block& b, double mm) const { return mm / unit_.in_mm(b); }
 
+  /// A software limit, which the machine has where its axes have a travel.
+  std::optional<double> end_of_travel(const ig::Block& b, std::size_t axis, bool is_upper) const {
+    double low = 0, high = 0;
+    if (!axes_ || axes_->travel(axes_->self, "XYZABC"[axis], &low, &high) == 0) return std::nullopt;
+    const double end = is_upper ? high : low;
+    if (!std::isfinite(end)) return std::nullopt;
+    return axis < 3 ? in_unit(b, end) : end;
+  }
+
+  /// NR1 L, NR2 R, NR4 DL, NR5 DR.
   std::optional<double> of_table(const ig::Block& b, const Request& r) const {
+    static constexpr std::array<int, 6> columns{-1, 0, 2, -1, 1, 3};
+    const bool is_column = r.number >= 1 && r.number <= 5 && r.number == std::floor(r.number);
+    const int of_number = is_column ? columns[static_cast<std::size_t>(r.number)] : -1;
+    if (of_number < 0) return std::nullopt;
     const double tool = r.index.value_or(static_cast<double>(b.get_or(tool_, std::int64_t{0})));
     const auto row = tool == std::floor(tool) ? whole_number(tool) : step_row(tool);
     double geometry = 0;
-    const std::uint32_t column = r.number == 1 ? 0 : 2;
+    const auto column = static_cast<std::uint32_t>(of_number);
     if (!table_ || !row || table_->get(table_->self, *row, column, &geometry) == 0) return std::nullopt;
     return in_unit(b, geometry);
   }
@@ -85,7 +100,7 @@ class SystemData {
   std::array<ig::Previous<double>, 3> machine_{ig::Previous<double>{"MachineCoordinate.X"},
                                                ig::Previous<double>{"MachineCoordinate.Y"},
                                                ig::Previous<double>{"MachineCoordinate.Z"}};
-  RotaryOffsetSection turned_{"CoordinateOffset", ig::previous};
+  RotaryDatum turned_{ig::previous};
   std::array<ig::Previous<double>, 3> angles_{ig::Previous<double>{"MachineCoordinate.A"},
                                               ig::Previous<double>{"MachineCoordinate.B"},
                                               ig::Previous<double>{"MachineCoordinate.C"}};
@@ -94,6 +109,7 @@ class SystemData {
   ig::In<ig::Symbol> mirror_term_{"MirrorImage.Term"};
   LastProgramXyz last_;
   ScaleAndMirror mirror_;
+  ig::Service<ig_machine_axis_1> axes_{"isogloss.machine-axis/1", ig::Need::optional, "The ends of the travel."};
   ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional, "Length and radius of tools."};
 };
 

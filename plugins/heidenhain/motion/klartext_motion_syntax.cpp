@@ -48,6 +48,8 @@ struct KlartextMotion {
                    {ig::Life::modal, "", "Where the path before goes on to: a unit vector."}};
   PlaneInForce plane_;
   LastProgramXyz last_;
+  ig::Xyz machine_{"MachineCoordinate", ig::read};
+  ig::Codes of_machine_{{"G53"}, ig::read};
   ToolAxisRetract retract_;
   DeparturePath departure_;
   ScaleAndMirror mirror_;
@@ -65,8 +67,9 @@ struct KlartextMotion {
 
     KlartextWay way{plane_(b), start(b), {}, named.mask | has_steps, function};
     way.to = named.or_else(way.from);
+    const ig::Vec3 base = b.find(of_machine_) ? b.get(machine_).or_else(way.from) : way.from;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if ((has_steps >> axis & 1u) != 0) way.to[axis] = way.from[axis] + steps[axis].number;
+      if ((has_steps >> axis & 1u) != 0) way.to[axis] = base[axis] + steps[axis].number;
     const bool is_polar = function == lp_ || function == cp_ || function == ctp_;
     if (is_polar && !polar_.resolve(b, way)) return drop(b);
     if (retract_.is_programmed(b) && retract_.follow(b, way, last_(b))) put(b, way);

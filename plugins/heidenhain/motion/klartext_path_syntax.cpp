@@ -1,6 +1,8 @@
 // Path functions: L, LP, LN, CC, C, CR, CT, CP, CTP, and RND, CHF, APPR and DEP beside them. The scanner reads the
 // block as a whole and writes its words; KlartextMotionSyntax makes a path of them. A block that begins with an axis or
 // an M function is read as L.
+#include <isogloss/cnc/further_axes.hpp>
+
 #include "language/block_words.hpp"
 #include "motion/approach_words.hpp"
 #include "motion/contour_side.hpp"
@@ -43,6 +45,8 @@ struct KlartextPath {
   std::array<ig_field, 2> polar_{word("PR", "mm"), word("PA", "deg")};
   std::array<ig_field, 2> polar_steps_{word("IPR", "mm"), word("IPA", "deg")};
   ig_field radius_ = word("R", "mm");
+  FurtherAxisWords further_axes_{ig::write, ig::write};
+  AxisNames axis_names_;
   ig::Codes motions_{{"G00", "G01", "G02", "G03"}, ig::write};
   ContourSide side_;
   CornerWords corner_;
@@ -142,13 +146,18 @@ struct KlartextPath {
     }
   }
 
-  /// U, V and W move no axis here; the other words of the block are executed, above all M91 and FMAX.
+  /// U, V and W move an axis that the machine's table has. The other words of the block are executed in any case.
   std::size_t parallel_axis(ig::Block& b, std::string_view text, std::size_t i) const {
     const std::size_t letter = to_upper(text[i]) == 'I' ? i + 1 : i;
     const char c = to_upper(at(text, letter));
     if (c != 'U' && c != 'V' && c != 'W') return i;
     const Value v = values_.read(b, text, letter + 1);
     if (!v.ok) return i;
+    if (const auto axis = axis_names_.find(std::string_view(&c, 1)); axis && is_further_axis(*axis)) {
+      put_word(b, further_axes_.word(*axis).id(), i, v.end, v.number + 0.0);
+      b.set(further_axes_.mode(*axis), b.symbol(letter == i ? "AC" : "IC"));
+      return v.end;
+    }
     b.report(ig::diag("HEI-0122"), ig::Where::columns(i, v.end), trim(piece(text, i, v.end)),
              std::string_view("parallel axes are not known"));
     return v.end;

@@ -108,16 +108,26 @@ std::size_t MFunctions::scan(ig::Block& b, const Values& values, std::string_vie
   if (values.is_indexing()) return end;
   const bool is_code = rounded >= 0 && rounded <= most_m_of_builder && rounded == v.number;
   const Function m{is_code ? static_cast<std::uint32_t>(rounded) : 0, position, end};
-  const ig_machine_code* const row = is_code ? machine_.find(NumberedName('M', m.number).text()) : nullptr;
+  const NumberedName name('M', m.number);
+  const ig_machine_code* row = is_code ? machine_.find(name.text()) : nullptr;
+  if (row == nullptr && is_code && !knows(m.number)) row = machine_.family(name.text());
   if (row != nullptr) return of_builder(b, values, text, m, *row);
   if (is_code && m.number <= most_m) return act(b, values, text, m);
   leave(b, IG_LEFT_UNKNOWN, piece(text, position, end), position, end);
   return end;
 }
 
+bool MFunctions::knows(std::uint32_t m) const {
+  for (const std::uint32_t own : {13u, 14u, 89u, 91u, 92u, 94u, 99u, 126u, 127u, 128u, 129u, 136u, 137u, 140u})
+    if (m == own) return true;
+  for (const NotExecuted& known : not_executed)
+    if (m == known.number) return true;
+  return m < table_.size() && table_[m] != IG_NO_FIELD;
+}
+
 std::size_t MFunctions::of_builder(ig::Block& b, const Values& values, std::string_view text, const Function& m,
                                    const ig_machine_code& row) const {
-  record_.add(b, row, ig::Where::columns(m.begin, m.end));
+  record_.add(b, row, ig::Where::columns(m.begin, m.end), piece(text, m.begin, m.end));
   std::size_t end = m.end;
   for_each_code(row, [&](std::string_view code) { end = std::max(end, put(b, values, text, code, m.begin, m.end)); });
   return end;
@@ -172,11 +182,7 @@ std::size_t MFunctions::execute(ig::Block& b, const Values& values, std::string_
       b.set(call_, true);
       return m.end;
     case 91: put_code(b, g53_.id(0), m.begin, m.end); return m.end;
-    case 92:
-      if (QStore* const s = values.store(); s == nullptr || s->is_first_time(175, ""))
-        b.report(ig::diag("HEI-0175"), where);
-      put_code(b, g53_.id(0), m.begin, m.end);
-      return m.end;
+    case 92: name_datum(b, values, m); return m.end;
     case 94: return reduce(b, text, m);
     case 126:
     case 127: b.set(rotary_path_, b.symbol(m.number == 126 ? "M126" : "M127")); return m.end;
@@ -215,6 +221,18 @@ std::size_t MFunctions::reduce(ig::Block& b, std::string_view text, const Functi
       break;
     }
   return rest;
+}
+
+void MFunctions::name_datum(ig::Block& b, const Values& values, const Function& m) const {
+  bool is_known = false;
+  for (std::uint32_t axis = 0; axis < axis_letters.size(); ++axis)
+    is_known = is_known || axis_names_.position(axis, IG_AXIS_DATUM);
+  QStore* const store = values.store();
+  if (is_known)
+    b.set(from_datum_, true);
+  else if (store == nullptr || store->is_first_time(175, ""))
+    b.report(ig::diag("HEI-0175"), ig::Where::columns(m.begin, m.end));
+  put_code(b, g53_.id(0), m.begin, m.end);
 }
 
 void MFunctions::lead_tip(ig::Block& b, const Function& m) const {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include <isogloss/cnc/axis_names.hpp>
 #include <isogloss/cnc/machine_codes.hpp>
 #include <isogloss/cnc/rotary_axis.hpp>
 
@@ -39,12 +40,16 @@ class MFunctions {
   std::size_t act(ig::Block& b, const Values& values, std::string_view text, const Function& m) const {
     return m.number == 140 ? retract(b, values, text, m) : execute(b, values, text, m);
   }
+  /// An M function of the control, executed or not.
+  bool knows(std::uint32_t m) const;
   /// An M function of the machine's builder: `row` of MachineCodes.
   std::size_t of_builder(ig::Block& b, const Values& values, std::string_view text, const Function& m,
                          const ig_machine_code& row) const;
   std::size_t execute(ig::Block& b, const Values& values, std::string_view text, const Function& m) const;
   /// M140 MB 50, M140 MB MAX: a retract along the tool axis. An F of its own may follow.
   std::size_t retract(ig::Block& b, const Values& values, std::string_view text, const Function& m) const;
+  /// M92: positions from the builder's datum, or from machine zero where the table of axes gives no axis a datum.
+  void name_datum(ig::Block& b, const Values& values, const Function& m) const;
   /// M94 and M94 C: removes whole turns from the display of the axes. Axes without limits do not move.
   std::size_t reduce(ig::Block& b, std::string_view text, const Function& m) const;
   /// M128. Without a TOOL CALL before it the tool in the spindle is used; its length is not known.
@@ -58,6 +63,9 @@ class MFunctions {
                     IG_CODE};
   std::vector<ig_field> table_;
   ig::Codes g53_{{"G53"}, ig::write};
+  ig::Out<bool> from_datum_{"KlartextPath.IsFromDatum",
+                            {ig::Life::block, "", "M92: positions are measured from the builder's datum."}};
+  AxisNames axis_names_;
   ig::Out<bool> to_limit_{"KlartextPath.RetractsToLimit",
                           {ig::Life::block, "", "M140 MB MAX: along the tool axis to the end of the travel."}};
   ig::Field<double> distance_{

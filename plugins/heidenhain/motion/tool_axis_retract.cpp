@@ -18,11 +18,9 @@ bool ToolAxisRetract::follow(ig::Block& b, KlartextWay& way, const ig::Vec3& her
     ig::Vec3 beyond = way.from;
     beyond[way.plane.tool] += 1;
     const auto here = b.to_machine(here_in_program), there = b.to_machine(beyond);
-    double minimum = 0, maximum = 0;
-    const bool known = machine_ && machine_->travel(machine_->self, 'Z', &minimum, &maximum) != 0;
-    if (!known || !here || !there || std::fabs(there->z - here->z - 1) > 1e-9)
-      return refuse("the retract is missing: where the travel of the tool axis ends is not known");
-    out[way.plane.tool] += std::fmax(0, maximum - here->z);
+    const auto rest = here && there ? travel_.way(*here, *there - *here) : std::nullopt;
+    if (!rest) return refuse("the retract is missing: where the travel of the tool axis ends is not known");
+    out[way.plane.tool] += *rest;
   }
   way.to = out;
   way.mask = 1u << way.plane.tool;

@@ -1,6 +1,8 @@
 /// M140: a retract along the tool axis, by a distance in mm or to the end of the travel.
 #pragma once
 
+#include <isogloss/cnc/travel_end.hpp>
+
 #include "motion/klartext_way.hpp"
 
 namespace heidenhain {
@@ -11,8 +13,8 @@ class ToolAxisRetract {
   bool is_programmed(const ig::Block& b) const { return b.has(to_limit_) || b.has(distance_); }
 
   /// Makes the retract the move of the block; `here_in_program` is the point before it, in the frame in force. False,
-  /// with a diagnostic, where the block moves otherwise, or where the end of the travel is not known: the axis of the
-  /// travel is Z of the machine.
+  /// with a diagnostic, where the block moves otherwise, or where the end of the travel is not known. In a tilted plane
+  /// the first axis that reaches its end stops the retract.
   bool follow(ig::Block& b, KlartextWay& way, const ig::Vec3& here_in_program) const;
 
  private:
@@ -20,7 +22,7 @@ class ToolAxisRetract {
                          ig::read,
                          {ig::Life::block, "", "M140 MB MAX: along the tool axis to the end of the travel."}};
   ig::Word distance_{"Parsing.MB", ig::take, "mm", "M140 MB: how far along the tool axis."};
-  ig::Service<ig_machine_axis_1> machine_{"isogloss.machine-axis/1", ig::Need::optional, "The travel of Z, for M140."};
+  TravelEnd travel_;
 };
 
 }  // namespace heidenhain

@@ -1,5 +1,5 @@
-// Tables of a TNC of which the machine takes nothing: datum tables, point tables, pocket tables and pallet tables. They
-// are recognised so that a folder of them is explained.
+// Tables of a TNC of which the machine takes nothing: pocket tables and pallet tables. They are recognised so that a
+// folder of them is explained.
 #include <isogloss/sdk.hpp>
 
 #include "tables/table_head.hpp"
@@ -14,18 +14,14 @@ struct OtherTable {
   const char* why;
 };
 constexpr OtherTable other_tables[] = {
-    {TableKind::datums, "row of a datum table",
-     "a program selects its datum table and a row of it, and these shifts are not executed"},
-    {TableKind::points, "row of a point table",
-     "a program selects its point table, and cycles at its points are not executed"},
     {TableKind::pockets, "pocket of the magazine", "where a tool is kept has no effect on its path"},
     {TableKind::pallets, "row of a pallet table", "the programs of pallets are run one at a time"},
 };
 
 struct HeidenhainOtherTable {
   static constexpr auto spec =
-      ig::importer("HeidenhainOtherTable", "Datum, point, pocket and pallet tables of a TNC, of which nothing is read.")
-          .files("*.d *.pnt *.tch *.p")
+      ig::importer("HeidenhainOtherTable", "Pocket and pallet tables of a TNC, of which nothing is read.")
+          .files("*.tch *.p")
           .fills("IsoCoordinateTable");
 
   static unsigned recognise(std::string_view text, std::string_view) {

@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 
 #include <isogloss/cnc/units.hpp>
 
 #include "tables/table_reader.hpp"
+#include "tables/table_text.hpp"
 
 namespace heidenhain {
 
@@ -16,10 +16,6 @@ namespace {
 
 constexpr std::int64_t highest_tool = 32'767, highest_index = 99;
 constexpr std::size_t longest_tool_name = 32;
-// Room for a sign, nine digits, a point and as many decimals, and a blank.
-constexpr std::size_t width_of_number = 21, width_of_t = 8;
-constexpr int most_decimals = 9;
-constexpr double largest_length = 1e8;
 
 struct LengthColumn {
   const char* ours;
@@ -68,10 +64,10 @@ struct HeidenhainToolTable {
       return std::pair(a.number, a.index) < std::pair(b.number, b.index);
     });
     out.write(unit == TableUnit::inch ? "BEGIN TOOL.T INCH\n" : "BEGIN TOOL.T MM\n");
-    std::string names = padded("T", width_of_t) + padded("NAME", longest_tool_name + 1);
-    for (const LengthColumn& column : lengths) names += padded(column.name, width_of_number);
-    out.write(names + "\n" + padded("0", width_of_t + longest_tool_name + 1));
-    for (std::size_t i = 0; i < std::size(lengths); ++i) out.write(padded("+0", width_of_number));
+    std::string names = padded("T", width_of_row_number) + padded("NAME", longest_tool_name + 1);
+    for (const LengthColumn& column : lengths) names += padded(column.name, width_of_value);
+    out.write(names + "\n" + padded("0", width_of_row_number + longest_tool_name + 1));
+    for (std::size_t i = 0; i < std::size(lengths); ++i) out.write(padded("+0", width_of_value));
     for (const Tool& tool : tools) write_tool(out, tool);
     out.write("\n[END]\n");
   }
@@ -99,6 +95,8 @@ struct HeidenhainToolTable {
       return;
     }
     const LengthColumn* const length = length_of(name);
+    if (name == "TL") return table.unused(cell, "a tool that the control has locked is called as any other");
+    if (name == "RT") return table.unused(cell, "no tool wears out here, so that no sister tool replaces it");
     if (length == nullptr) return table.unused(cell, "no table has a place for it");
     if (!cell.is_given()) return;
     if (const std::optional<double> value = table.number(cell, tool))
@@ -107,13 +105,13 @@ struct HeidenhainToolTable {
 
   void write_tool(ig::Export& out, const Tool& tool) const {
     const std::string key(out.key("ToolOffsetTable", tool.row));
-    out.write("\n" + padded(key, width_of_t) + padded(name_of(out, tool.row), longest_tool_name + 1));
+    out.write("\n" + padded(key, width_of_row_number) + padded(name_of(out, tool.row), longest_tool_name + 1));
     for (const LengthColumn& column : lengths) {
       const std::string_view text = out.cell("ToolOffsetTable", tool.row, column.ours);
-      const ig::Decimal value = ig::read_decimal(text, 0);
-      const bool is_number = value.ok && value.end == text.size() && std::abs(value.value) <= largest_length;
-      if (!is_number && !text.empty()) out.unused(std::string("column ") + column.ours, "it holds no length");
-      out.write(padded(is_number ? number_text(value.value) : "", width_of_number));
+      const std::optional<double> value = number_of_cell(text);
+      if (!value && !text.empty()) out.unused(std::string("column ") + column.ours, "it holds no length");
+      const double scale = unit == TableUnit::inch ? mm_per_inch : 1;
+      out.write(padded(value ? number_text(*value / scale) : "", width_of_value));
     }
   }
 
@@ -122,25 +120,6 @@ struct HeidenhainToolTable {
     const std::size_t end = after_characters(name, 0, longest_tool_name);
     if (end < name.size()) out.unused("the end of a name", "the control's names have 32 characters at most");
     return name.substr(0, end);
-  }
-
-  std::string number_text(double mm) const {
-    std::array<char, 40> digits{};
-    const double value = unit == TableUnit::inch ? mm / mm_per_inch : mm;
-    char* const end = digits.data() + digits.size();
-    const auto last = std::to_chars(digits.data(), end, value, std::chars_format::fixed, most_decimals).ptr;
-    std::string text(digits.data(), last);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.ends_with('.')) text.pop_back();
-    return text.starts_with('-') ? text : "+" + text;
-  }
-
-  static std::string padded(std::string_view text, std::size_t width) {
-    std::string out(text);
-    std::size_t characters = 0;
-    for (std::size_t i = 0; i < text.size(); ++characters) i = after_characters(text, i, 1);
-    out.append(width - std::min(width, characters), ' ');
-    return out;
   }
 };
 

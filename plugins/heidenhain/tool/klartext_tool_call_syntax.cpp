@@ -6,7 +6,7 @@
 #include "language/program_unit.hpp"
 #include "motion/feed_words.hpp"
 #include "motion/m_functions.hpp"
-#include "tool/step_row.hpp"
+#include "tool/called_tool.hpp"
 
 namespace heidenhain {
 
@@ -20,12 +20,8 @@ struct KlartextToolCall {
                                    .before("ToolChangeSyntax", "ToolHeightOffsetSyntax")
                                    .scans("Tt");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "HEI-0150",
-                     "the tool table has no tool {0}, so the tool and its length stay in force: add its name"),
       ig::diagnostic(IG_ERROR, "HEI-0151",
                      "tool axis {0} is not supported, so the plane stays the same: program X, Y or Z"),
-      ig::diagnostic(IG_WARNING, "HEI-0152",
-                     "the tool table has no row {0}, so the length and radius of the tool itself are used"),
       ig::diagnostic(IG_ERROR, "HEI-0153", "tool axis {0}: the tool length is compensated along Z, not along {0}"),
   };
 
@@ -43,7 +39,7 @@ struct KlartextToolCall {
   ig::Out<double> radius_delta_{"RadiusCompensation.Delta_mm",
                                 {ig::Life::modal, "mm", "What the tool call adds to the radius of the table."}};
   ProgramUnit unit_;
-  ToolNames names_;
+  CalledTools tools_;
   ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional,
                                        "Radius for Q108, length for Q114; TOOL DEF writes it."};
 
@@ -61,20 +57,11 @@ struct KlartextToolCall {
   }
 
  private:
-  /// The tool of a statement: its number, and its row in the table, which differs where it has a step index. No row:
-  /// the fraction of the number is no index.
-  struct Tool {
-    double number = 0;
-    std::optional<double> row = 0;
-    bool is_given = false;  // a number, or a name that the table may lack
-    bool is_known = false;
-  };
-
   void read_call(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
     i = skip(text, i);
     const std::size_t tool_begin = i;
-    const Tool tool = tool_at(b, text, i);
-    const double row = present_row(b, tool, text, tool_begin, i);
+    const CalledTool tool = tools_.read(b, values_, text, i);
+    const double row = tools_.present_row(b, tool, text, tool_begin, i);
     double length = 0, radius = 0;
     bool is_rapid = false, has_delta = false;
     while ((i = skip(text, i)) < text.size()) {
@@ -93,42 +80,6 @@ struct KlartextToolCall {
     put_code(b, length_.code(0), begin, begin + 9);
     put_word(b, length_.word(0, 'H'), begin, begin + 9, row);
     note_parameters(row, radius);
-  }
-
-  /// The tool at `i`: a number, a Q parameter, or a name of the tool table.
-  Tool tool_at(ig::Block& b, std::string_view text, std::size_t& i) const {
-    if (at(text, i) == '"' || at(text, i) == '\'') return named_tool(b, text, i);
-    std::size_t q_end = i;
-    if (!is_digit(at(text, i)) && !Values::q_at(text, i, q_end)) return {};
-    const Value v = values_.read(b, text, i);
-    const double number = std::floor(v.number);
-    Tool tool{number, number, true, true};
-    if (number != v.number) {
-      const auto row = step_row(v.number);
-      tool.row = row ? std::optional(static_cast<double>(*row)) : std::nullopt;
-    }
-    i = v.end;
-    return tool;
-  }
-
-  Tool named_tool(ig::Block& b, std::string_view text, std::size_t& i) const {
-    const std::size_t begin = i, close = skip_while(text, i + 1, [&](char c) { return c != text[begin]; });
-    i = std::min(close + 1, text.size());
-    if (const auto id = names_.number(trim(piece(text, begin + 1, close)))) {
-      const auto row = static_cast<double>(*id);
-      return {static_cast<double>(*id % IG_TOOL_INDEX_STEP), row, true, true};
-    }
-    b.report(ig::diag("HEI-0150"), ig::Where::columns(begin, i), piece(text, begin, i));
-    return {0, 0, true, false};
-  }
-
-  /// The row of 5.1, or that of tool 5 where the table has no such row.
-  double present_row(ig::Block& b, const Tool& tool, std::string_view text, std::size_t begin, std::size_t end) const {
-    if (tool.row == tool.number) return tool.number;
-    if (tool.row && tool_dimension(table_, static_cast<std::int64_t>(*tool.row), ToolDimension::length))
-      return *tool.row;
-    b.report(ig::diag("HEI-0152"), ig::Where::columns(begin, end), trim(piece(text, begin, end)));
-    return tool.number;
   }
 
   std::size_t call_word(ig::Block& b, std::string_view text, std::size_t i, double& length, double& radius,
@@ -181,7 +132,7 @@ struct KlartextToolCall {
   /// TOOL DEF 5 names a tool that the magazine may fetch; TOOL DEF 5 L+100 R+5 defines it.
   void read_definition(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
     i = skip(text, i);
-    const Tool tool = tool_at(b, text, i);
+    const CalledTool tool = tools_.read(b, values_, text, i);
     if (!tool.is_known) return;
     const std::size_t words = skip(text, i);
     if (words >= text.size()) return put_word(b, t_.id(), begin, i, tool.number);

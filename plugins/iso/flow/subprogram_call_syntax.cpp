@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <isogloss/cnc/frame_tag.hpp>
+#include <isogloss/cnc/machine_codes.hpp>
 #include <isogloss/cnc/program_name.hpp>
 #include <isogloss/cnc/scan.hpp>
 #include <isogloss/sdk.hpp>
@@ -63,6 +64,7 @@ struct SubprogramCall {
   ig::Out<std::int64_t> p_{"SubProgramCall.P"};
   ig::Out<std::int64_t> l_{"SubProgramCall.L"};
   ig::Flow flow_;
+  ProgramsOfBuilder builder_;
 
   /// The name of M98 <PART>. A name that stands first in the block begins a program and is not read here.
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
@@ -113,6 +115,12 @@ struct SubprogramCall {
     std::uint32_t repeats;
     std::int64_t start;
     bool is_local;  ///< `program` is a sequence number of the calling program
+
+    static std::int64_t program_number(std::string_view name) {
+      std::int64_t number = 0;
+      std::from_chars(name.data() + 1, name.data() + name.size(), number);
+      return number;
+    }
   };
   static constexpr std::size_t m97 = 2;  // of call_
 
@@ -159,7 +167,34 @@ struct SubprogramCall {
       }
     }
     show(b, r);
-    if (may_call(b, r)) report(b, r, ask(b, r));
+    if (!may_call(b, r)) return;
+    if (r.is_local || !has_own_row(b, r)) report(b, r, ask(b, r));
+  }
+
+  /// A row of MachineCodes goes before the program that it is named after.
+  bool has_own_row(ig::Block& b, const Request& r) const {
+    const NumberedName name('O', r.program);
+    const ig_machine_code* const row = builder_.row(name.text());
+    if (row != nullptr) execute(b, r, *row, name.text());
+    return row != nullptr;
+  }
+  void execute(ig::Block& b, const Request& r, const ig_machine_code& row, std::string_view name) const {
+    builder_.execute(b, row, name, r.where, [&](std::string_view program) {
+      const auto number = numbered_name('O', program.substr(to_upper(program[0]) == 'O' ? 1 : 0));
+      const std::string label = number ? std::string(number->text()) : "<" + std::string(program) + ">";
+      const ProgramFileNames numbers(number ? r.program_number(number->text()) : 0);
+      const ig_text file = ig::to_text(program);
+      const auto files = number ? numbers.list() : std::span<const ig_text>(&file, 1);
+      const ig::Flow::Answer answer = flow_.call(b, {.program = label, .files = files, .repeats = r.repeats});
+      if (answer.is_not_found()) b.report(ig::diag("ISO-0485"), r.where, label, answer.reason);
+    });
+  }
+  /// What MachineCodes says of a program that is not found.
+  bool is_of_builder(ig::Block& b, const Request& r) const {
+    const NumberedName name('O', r.program);
+    const ig_machine_code* const row = r.is_local ? nullptr : builder_.family(name.text());
+    if (row != nullptr) execute(b, r, *row, name.text());
+    return row != nullptr || (!r.is_local && builder_.ignores(b, name.text(), r.where));
   }
 
   /// M98 P51234 calls O1234 five times; where only a program O51234 exists, it calls that one.
@@ -168,7 +203,7 @@ struct SubprogramCall {
     r.repeats = static_cast<std::uint32_t>(r.program / limit);
     r.program %= limit;
     show(b, r);
-    if (!may_call(b, r)) return;
+    if (!may_call(b, r) || has_own_row(b, r)) return;
     const ig::Flow::Answer answer = ask(b, r);
     if (answer.is_not_found() && ask(b, whole).is_done()) {
       show(b, whole);
@@ -230,7 +265,8 @@ struct SubprogramCall {
                           .start = r.start != 0 ? start.text() : std::string_view{}});
   }
 
-  static void report(ig::Block& b, const Request& r, const ig::Flow::Answer& answer) {
+  void report(ig::Block& b, const Request& r, const ig::Flow::Answer& answer) const {
+    if (answer.is_not_found() && is_of_builder(b, r)) return;
     if (answer.is_not_found())
       b.report(ig::diag("ISO-0485"), r.where, NumberedName(r.is_local ? 'N' : 'O', r.program).text(), answer.reason);
     else if (answer.status == IG_GO_TAKEN)

@@ -12,6 +12,8 @@ using namespace ig::cnc;
 
 namespace {
 
+enum class Calls { here, passed_on };
+
 struct MachineCodeSyntax {
   static constexpr auto spec = ig::syntax("MachineCodeSyntax", "Codes of the machine's builder, as MachineCodes says.")
                                    .after("HeadIndexSyntax")
@@ -25,6 +27,9 @@ struct MachineCodeSyntax {
   MachineCodeRecord record_;
   RecordedMachineCodes recorded_;
   CodesOfMachineCodes codes_{machine_};
+  ig::Choice<Calls> calls_{"calls", "here|passed-on", "here",
+                           "Codes whose rows call a program: called here, or passed on to a syntax of macro calls."};
+  ig::Config bound_{"isogloss.code-call/1", ig::Need::optional, "Codes that parameters bind to programs."};
   ig::Signal unknown_code_{"Source.~UnknownCode", ig::write};
   ig::Out<ig::Symbol> term_{"SubProgramCall.Term"};
   ig::Flow flow_;
@@ -38,16 +43,20 @@ struct MachineCodeSyntax {
     const std::size_t number = skip_blanks(text, position + 1), end = number_end(text, number);
     if (end == number || std::string_view("=Oo.").find(at(text, end)) != std::string_view::npos) return position;
     std::string name(1, text[position]);
-    const ig_machine_code* const row = machine_.find(name.append(piece(text, number, end)));
+    const ig_machine_code* const row = row_of(name.append(piece(text, number, end)));
     if (row == nullptr) return position;
+    if (calls_ == Calls::passed_on && arguments_of(*row) != CodeArguments::none) return position;
     const bool is_g = to_upper(text[position]) == 'G';
-    if (!flow_.is_indexing()) record_.add(b, *row, ig::Where::columns(position, end));
+    const std::size_t words_end = is_g ? block_end(text, position) : own_words_end(text, end);
+    if (!flow_.is_indexing())
+      record_.add(b, *row, ig::Where::columns(position, end), piece(text, position, words_end));
+    if (calls_ == Calls::here && !flow_.is_indexing()) report_lost_arguments(b, *row, ig::Where::columns(position, end));
     if (row->does == IG_CODE_ACTS) {
       if (codes_.put(b, *row, position, end)) b.raise(unknown_code_);
       return end;
     }
     if (is_g) b.raise(unknown_code_);
-    return is_g ? end : own_words_end(text, end);
+    return is_g ? end : words_end;
   }
 
   ig::Status build(ig::Block& b) const {
@@ -56,7 +65,15 @@ struct MachineCodeSyntax {
   }
 
  private:
+  /// A family answers only for codes that nothing else in this chain knows.
+  const ig_machine_code* row_of(const std::string& name) const {
+    if (const ig_machine_code* const row = machine_.find(name)) return row;
+    const bool is_known = codes_.knows(to_upper(name[0]), std::string_view(name).substr(1)) || bound_.number(name);
+    return is_known ? nullptr : machine_.family(name);
+  }
+
   void call(ig::Block& b, const ig_machine_code& row) const {
+    if (calls_ == Calls::passed_on && arguments_of(row) != CodeArguments::none) return;
     const std::string_view code = ig::to_view(row.name), program = ig::to_view(row.program);
     b.set(term_, b.symbol(code));
     const auto number = numbered_name('O', program.substr(program[0] == 'O' || program[0] == 'o' ? 1 : 0));

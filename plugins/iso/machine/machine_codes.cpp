@@ -20,8 +20,10 @@ namespace {
 constexpr std::string_view klartext_cycle = "CYCL DEF ";
 constexpr std::array<std::string_view, 6> kinds{"", "nothing", "codes", "call", "position", "refused"};
 
+enum class UnknownPrograms { error, nothing };
+
 /// Capital letters, one blank between two words, and codes as scanners name them: M8 is M08, M8.0 too, and G054.1 is
-/// G54.1; a cycle's number has no leading zeros.
+/// G54.1; a cycle's number has no leading zeros, and FN 19 no blank.
 std::string canonical(std::string_view written) {
   std::string out;
   for (const char c : trim(written)) {
@@ -30,13 +32,16 @@ std::string canonical(std::string_view written) {
     else if (!out.ends_with(' '))
       out += ' ';
   }
+  const bool is_family = out.ends_with('*');
   const bool is_code = out.size() > 1 && (out[0] == 'G' || out[0] == 'M') && is_digit(out[1]);
   if (is_code && out.ends_with(".0")) out.resize(out.size() - 2);
   if (is_code && out.ends_with('.')) out.pop_back();
   while (is_code && out[1] == '0' && out.size() > 2 && is_digit(out[2])) out.erase(1, 1);
-  if (is_code && skip_digits(out, 1) == 2) out.insert(1, 1, '0');
+  if (is_code && !is_family && skip_digits(out, 1) == 2) out.insert(1, 1, '0');
+  if (out.starts_with("FN ") && out.size() > 3 && is_digit(out[3])) out.erase(2, 1);
   while (out.starts_with(klartext_cycle) && out.size() > klartext_cycle.size() + 1 && out[klartext_cycle.size()] == '0')
     out.erase(klartext_cycle.size(), 1);
+  while (out.size() > 2 && out[0] == 'O' && out[1] == '0' && is_digit(out[2])) out.erase(1, 1);
   return out;
 }
 
@@ -53,7 +58,36 @@ bool is_found_by_name(std::string_view name) {
     return name.size() > klartext_cycle.size() && skip_digits(name, klartext_cycle.size()) == name.size();
   const auto is_part = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
   if (name.size() < 2 || is_digit(name[0]) || skip_while(name, 0, is_part) != name.size()) return false;
-  return !is_digit(name[1]) || (name[0] == 'L' && skip_digits(name, 1) == name.size());
+  return !is_digit(name[1]) || ((name[0] == 'L' || name[0] == 'O') && skip_digits(name, 1) == name.size());
+}
+
+/// The beginning that the names of a family have in common; empty where the name is none of a family.
+std::string_view beginning_of_family(std::string_view name) {
+  return name.ends_with('*') ? name.substr(0, name.size() - 1) : std::string_view{};
+}
+
+/// G and M with digits or none: a family of codes, to which no program belongs.
+bool begins_codes(std::string_view beginning) {
+  return (beginning[0] == 'G' || beginning[0] == 'M') && skip_digits(beginning, 1) == beginning.size();
+}
+
+/// CYCLE9*, L9*, M2*, CYCL DEF 3*: the beginning of what a name may be.
+bool is_family(std::string_view name) {
+  const std::string_view beginning = beginning_of_family(name);
+  if (beginning.empty()) return false;
+  if (name.starts_with(klartext_cycle)) return skip_digits(beginning, klartext_cycle.size()) == beginning.size();
+  const auto is_part = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
+  return !is_digit(name[0]) && skip_while(beginning, 0, is_part) == beginning.size();
+}
+
+bool names_codes(std::string_view name) {
+  return is_code(name) || (is_family(name) && begins_codes(beginning_of_family(name)));
+}
+
+/// The name as families compare it: M08 is M8.
+std::string without_zeros(std::string name) {
+  if (is_code(name) && name[1] == '0' && name.size() > 2 && is_digit(name[2])) name.erase(1, 1);
+  return name;
 }
 
 /// "M8  m50" becomes "M08 M50"; empty where a word is not a code.
@@ -95,13 +129,19 @@ struct MachineCodeTable {
       "position", nullptr, "", {}, "Where the axes go by rapid, in machine coordinates, mm and degrees: Z0 X10.", true};
   ig::Column text{"text", nullptr, "", {}, "Why the code is refused.", true};
   ig::Column when{"when", nullptr, "", {}, "When a cycle acts: defined or called; else as its number says.", true};
+  ig::Column arguments{"arguments", nullptr, "", {},
+                       "Of a G or M code that calls: passed or none; else passed for G codes.", true};
   ig::Column title{"title", nullptr, "", {}, "What the builder calls it; explain shows it.", true};
+  ig::Choice<UnknownPrograms> unknown_programs{
+      "unknown-programs", "error|nothing", "error",
+      "A call of a program that is not found and has no row: an error, or it does nothing, with a note."};
   ig::Table table;
   ig::RowNames names;
 
   MachineCodeTable() {
     for (const std::string& name : names) spellings.emplace(canonical(name), name);
     for (const std::string& name : names) load(name);
+    answers.unknown_programs = unknown_programs == UnknownPrograms::nothing ? 1 : 0;
   }
 
   const void* service(std::string_view id) const { return id == "isogloss.machine-code/1" ? &answers : nullptr; }
@@ -117,10 +157,14 @@ struct MachineCodeTable {
       if (other->second != row) return "the row " + other->second + " is the same code";
     if (const std::string_view time = table.text(row, when); !time.empty() && time != "defined" && time != "called")
       return "when=\"" + std::string(time) + "\" is none of defined, called";
-    if (!is_code(name) && !is_found_by_name(name))
-      return "its name is a code, as M92, a cycle, as CYCL DEF 392 or CYCLE996, or a program, as L9000";
+    if (!is_code(name) && !is_found_by_name(name) && !is_family(name))
+      return "its name is a code, as M92, a cycle, as CYCL DEF 392 or CYCLE996, a program, as L9000, or a family, as CYCLE9*";
     if (!table.text(row, when).empty() && !name.starts_with(klartext_cycle))
       return "when has no effect here: only CYCL DEF may wait for its call";
+    if (const std::string_view passed = table.text(row, arguments); !passed.empty()) {
+      if (passed != "passed" && passed != "none") return "arguments=\"" + std::string(passed) + "\" is none of passed, none";
+      if (kind != "call" || !names_codes(name)) return "arguments has no effect here: only G and M codes that call have it";
+    }
     if (const std::string_view unused = unused_column(row, kind); !unused.empty())
       return std::string(unused) + " has no effect with does=\"" + std::string(kind) + "\": remove it";
     if (kind == "nothing") return "";
@@ -155,7 +199,7 @@ struct MachineCodeTable {
   }
 
   struct Row {
-    std::string codes, program, text, title;
+    std::string name, codes, program, text, title;
     ig_machine_code shown{};
   };
 
@@ -170,8 +214,12 @@ struct MachineCodeTable {
     if (row.shown.does == IG_CODE_CALLS) row.program = trim(table.text(written, program));
     if (row.shown.does == IG_CODE_IS_REFUSED) row.text = table.text(written, text);
     row.title = table.text(written, title);
+    const std::string_view passed = table.text(written, arguments);
+    row.shown.arguments = passed == "passed" ? 2 : passed.empty() && place->first[0] == 'G' && names_codes(place->first) ? 1 : 0;
     row.shown.when = table.text(written, when) == "defined" ? 1 : table.text(written, when) == "called" ? 2 : 0;
     row.shown.name = ig::to_text(place->first);
+    row.name = written;
+    row.shown.row = ig::to_text(row.name);
     row.shown.codes = ig::to_text(row.codes);
     row.shown.program = ig::to_text(row.program);
     row.shown.text = ig::to_text(row.text);
@@ -185,9 +233,22 @@ struct MachineCodeTable {
     return row == rows.end() ? nullptr : &row->second.shown;
   }
 
+  /// The longest beginning wins, so the search shortens the name.
+  static const ig_machine_code* find_family(void* self, ig_text asked) {
+    const auto& rows = static_cast<const MachineCodeTable*>(self)->rows;
+    const std::string canonical_name = canonical(ig::to_view(asked)), name = without_zeros(canonical_name);
+    for (std::size_t size = std::min<std::size_t>(name.size(), most_name); size-- > 1;) {
+      const auto row = rows.find(name.substr(0, size) + "*");
+      if (row == rows.end()) continue;
+      if (!begins_codes(name.substr(0, size)) || is_code(canonical_name)) return &row->second.shown;
+    }
+    return nullptr;
+  }
+  static constexpr std::size_t most_name = 100;  // of a family; a name of any length costs no more
+
   std::multimap<std::string, std::string> spellings;  // the rows as the user named them, by their canonical names
   std::map<std::string, Row> rows;
-  ig_machine_code_1 answers{sizeof(ig_machine_code_1), 0, this, &find};
+  ig_machine_code_1 answers{sizeof(ig_machine_code_1), 0, this, &find, &find_family};
 };
 
 const ig::Register<MachineCodeTable> machine_codes;

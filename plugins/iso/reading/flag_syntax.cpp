@@ -197,7 +197,8 @@ struct FlagSyntax {
     std::size_t hash = 0;
     for (const char c : code) hash = hash * 31 + static_cast<unsigned char>(c);
     Asked& asked = asked_[hash % asked_.size()];
-    if (asked.code != code) asked = {std::string(code), is_for_another_syntax(code)};
+    if (asked.code != code)
+      asked = {std::string(code), is_for_another_syntax(code) || machine_codes.family(code) != nullptr};
     return asked.calls;
   }
 

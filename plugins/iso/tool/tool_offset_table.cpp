@@ -1,10 +1,15 @@
 // The tool offsets: length (H) and radius (D) of each offset number, as geometry and wear. H and D share one row; the
 // row is the offset number that a program gives with H and D, not the number of the tool in the magazine. A row 5.1 has
 // the further length and radius that tool 5 has with index 1.
-#include <charconv>
-
 #include <isogloss_tool.h>
 
+#include <algorithm>
+#include <charconv>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <isogloss/cnc/scan.hpp>
 #include <isogloss/rows.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -26,9 +31,26 @@ struct ToolOffsetTable {
   ig::Column length_wear{"HWear", "0", "mm", {}, "Length, wear; added to H."};
   ig::Column radius{"D", "0", "mm", {}, "Radius, geometry."};
   ig::Column radius_wear{"DWear", "0", "mm", {}, "Radius, wear; added to D."};
+  ig::Column corner{"CornerRadius", nullptr, "mm", {0, 1e9}, "Radius of the corner, geometry; that of a ball is D."};
+  ig::Column corner_wear{"CornerRadiusWear", nullptr, "mm", {}, "Radius of the corner, wear; added to CornerRadius."};
+  ig::Column tip_angle{"TipAngle", nullptr, "deg", {0, 180}, "The whole angle at the tip of a drill."};
+  ig::Column teeth{"Teeth", nullptr, "", {0, 1000}, "How many teeth or cutting edges the tool has."};
+  ig::Column speed{"MaximumSpeed", nullptr, "rpm", {0, 1e9}, "The highest speed that the tool may turn with."};
   ig::Column name{"Name", nullptr, "", {}, "What a program calls the tool; sister tools have one name.", true};
   ig::Table table;
   ig::RowNames rows;
+
+  ToolOffsetTable() {
+    for (const std::string& row : rows) {
+      const std::optional<std::int64_t> id = number_of(row);
+      if (!id || !has(*id)) continue;
+      place.emplace(*id, place.size());
+      const std::string_view written = table.text(row, name);
+      if (written.empty()) continue;
+      by_name[capitals(written)].push_back(*id);
+      by_name[""].push_back(*id);
+    }
+  }
 
   const void* service(std::string_view id) const {
     if (id == "isogloss.tool-offset/1") return &offsets;
@@ -75,8 +97,9 @@ struct ToolOffsetTable {
   }
 
   const ig::Column* column(std::uint32_t index) const {
-    const ig::Column* const columns[] = {&length, &length_wear, &radius, &radius_wear};
-    return index < 4 ? columns[index] : nullptr;
+    const std::array columns{&length,      &length_wear, &radius, &radius_wear, &corner,
+                             &corner_wear, &tip_angle,   &teeth,  &speed};
+    return index < columns.size() ? columns[index] : nullptr;
   }
   bool has(std::int64_t id) const {
     const std::int64_t tool = id % IG_TOOL_INDEX_STEP;
@@ -89,7 +112,8 @@ struct ToolOffsetTable {
     if (column == nullptr || !t.has(id)) return 0;
     const auto value = t.table.value(RowName(id).text(), *column);
     // An index that no row has is no edge of the tool.
-    if (!value && (t.unlisted == Unlisted::missing || id >= IG_TOOL_INDEX_STEP)) return 0;
+    const bool is_zero_without = t.unlisted == Unlisted::zero && index <= IG_TOOL_RADIUS_WEAR;
+    if (!value && (!is_zero_without || id >= IG_TOOL_INDEX_STEP)) return 0;
     *mm = value.value_or(0);
     return 1;
   }
@@ -100,29 +124,32 @@ struct ToolOffsetTable {
     return t.table.set_value(RowName(id).text(), *column, mm) ? 1 : 0;
   }
 
+  static std::string capitals(std::string_view text) {
+    std::string out(text);
+    std::transform(out.begin(), out.end(), out.begin(), ig::cnc::to_upper);
+    return out;
+  }
   static std::int64_t find(void* self, ig_text name, std::int64_t after) {
     const auto& t = *static_cast<const ToolOffsetTable*>(self);
-    bool is_behind = after == 0;
-    for (const std::string& row : t.rows) {
-      const std::optional<std::int64_t> id = number_of(row);
-      if (!id || !t.has(*id)) continue;
-      if (is_behind && same_name(t.table.text(row, t.name), ig::to_view(name))) return *id;
-      is_behind = is_behind || *id == after;
-    }
-    return 0;
+    const auto sisters = t.by_name.find(capitals(ig::to_view(name)));
+    if (sisters == t.by_name.end()) return 0;
+    const std::vector<std::int64_t>& ids = sisters->second;
+    if (after == 0) return ids.front();
+    const auto last = t.place.find(after);
+    if (last == t.place.end()) return 0;
+    const auto next =
+        std::partition_point(ids.begin(), ids.end(), [&](std::int64_t id) { return t.place.at(id) <= last->second; });
+    return next == ids.end() ? 0 : *next;
   }
   static ig_text name_of(void* self, std::int64_t id) {
     const auto& t = *static_cast<const ToolOffsetTable*>(self);
     return ig::to_text(t.has(id) ? t.table.text(RowName(id).text(), t.name) : std::string_view());
   }
-  /// Controls do not tell small letters from capitals in the names of tools. An empty name stands for any.
-  static bool same_name(std::string_view own, std::string_view sought) {
-    const auto capital = [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; };
-    const auto is_same = [&](char x, char y) { return capital(x) == capital(y); };
-    return !own.empty() &&
-           (sought.empty() || std::equal(own.begin(), own.end(), sought.begin(), sought.end(), is_same));
-  }
 
+  /// By name in capitals, for controls do not tell them from small letters; the empty name has all tools with a name.
+  std::unordered_map<std::string, std::vector<std::int64_t>> by_name;
+  /// By number: which row of the table it is.
+  std::unordered_map<std::int64_t, std::size_t> place;
   ig_tool_name_1 names{sizeof(ig_tool_name_1), 0, this, &find, &name_of};
   ig_tool_offset_1 offsets{sizeof(ig_tool_offset_1), 0, this, &get, &set};
 };

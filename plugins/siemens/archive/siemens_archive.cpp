@@ -125,6 +125,11 @@ struct SiemensArchive {
       line("$TC_DP6", "D");
       line("$TC_DP12", "HWear");
       line("$TC_DP15", "DWear");
+      line("$TC_DP7", "CornerRadius");
+      line("$TC_DP16", "CornerRadiusWear");
+      for (const char* const column : {"TipAngle", "Teeth", "MaximumSpeed"})
+        if (!out.cell(table, i, column).empty())
+          out.unused(std::string("column ") + column, "which $TC_DP holds it depends on the version of the control");
     }
   }
 

@@ -31,8 +31,6 @@ const char* kind_of_edge_data(std::int64_t number) {
     case 14:
     case 22:
     case 23: return "lengths 2 and 3 of an edge";
-    case 7:
-    case 16: return "corner radius of an edge";
     default: return "other data of an edge";
   }
 }
@@ -81,12 +79,27 @@ void ToolRows::assign_edge_data(ig::Import& file, const Assignment& a, std::int6
     case 1: e->type = *value; return;
     case 3: e->length = value; return;
     case 6: e->radius = value; return;
+    case 7: e->corner = Placed{*value, begin, end}; return;
     case 12: e->length_wear = value; return;
     case 15: e->radius_wear = value; return;
+    case 16: e->corner_wear = Placed{*value, begin, end}; return;
     case 21: e->adapter = value; return;
     default:
       if (*value != 0) file.unused(kind_of_edge_data(number), no_place, begin, end);
   }
+}
+
+/// Of mills: $TC_DP7 of a slotting saw is the width of its slot.
+void ToolRows::give_corner(ig::Import& file, const Edge& e, double mm) {
+  const bool may_be_mill = e.type == 0 || (e.type >= 100 && e.type < 200);
+  const auto give = [&](const std::optional<Placed>& corner, const char* column, double least) {
+    if (!corner || (corner->value == 0 && !may_be_mill)) return;
+    if (!may_be_mill || corner->value < least)
+      return file.unused("corner radius of an edge", no_place, corner->begin, corner->end);
+    file.cell(column, length_in_mm(corner->value, mm), corner->begin);
+  };
+  give(e.corner, "CornerRadius", 0);
+  give(e.corner_wear, "CornerRadiusWear", -1e9);
 }
 
 void ToolRows::give(ig::Import& file, double mm, std::int64_t edge_step) const {
@@ -116,6 +129,7 @@ void ToolRows::give(ig::Import& file, double mm, std::int64_t edge_step) const {
     }
     if (e.radius) file.cell("D", length_in_mm(*e.radius, mm) * e.radius_of_entry(), e.begin);
     if (e.radius_wear) file.cell("DWear", length_in_mm(*e.radius_wear, mm) * e.radius_of_entry(), e.begin);
+    give_corner(file, e, mm);
     if (!e.name.empty()) file.cell("Name", e.name, e.begin);
   }
 }

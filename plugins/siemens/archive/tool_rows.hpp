@@ -21,8 +21,13 @@ class ToolRows {
   void give(ig::Import& file, double mm, std::int64_t edge_step) const;
 
  private:
+  struct Placed {
+    double value;
+    std::size_t begin, end;
+  };
   struct Edge {
     std::optional<double> length, adapter, length_wear, radius, radius_wear;
+    std::optional<Placed> corner, corner_wear;
     double type = 0;
     std::string name;
     std::size_t begin = 0, end = 0;
@@ -31,6 +36,7 @@ class ToolRows {
     /// Of slotting saws the control keeps the diameter.
     double radius_of_entry() const { return type >= 700 && type < 710 ? 0.5 : 1; }
   };
+  static void give_corner(ig::Import& file, const Edge& e, double mm);
   void assign_edge_data(ig::Import& file, const Assignment& a, std::int64_t number);
   Edge* edge(ig::Import& file, const Assignment& a, std::int64_t tool, std::int64_t number);
 

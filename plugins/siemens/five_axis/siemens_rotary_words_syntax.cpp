@@ -26,9 +26,8 @@ struct SiemensRotaryWords {
                   "SiemensMachineCoordinatesSyntax", "SiemensPositionSyntax", "McAbcSyntax");
 
   SettableFrames frames_{ig::read | ig::wake};
-  ig::In<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
   RotaryOffsetSection offset_{"CoordinateOffset"};
-  ig::Signal table_changed_{"CoordinateOffset.~TableChanged", ig::read | ig::wake};
+  RotaryOffsetSection programmable_{"ProgrammableFrame", ig::read};
   ig::Service<ig_work_offset_1> table_{"isogloss.work-offset/1", ig::Need::optional, "Offsets of rotary axes."};
   std::array<ig::Word, 3> words_{ig::Word{"Parsing.A", ig::read | ig::write | ig::wake, "deg"},
                                  ig::Word{"Parsing.B", ig::read | ig::write | ig::wake, "deg"},
@@ -45,23 +44,20 @@ struct SiemensRotaryWords {
   DistanceMode distance_;
   ToolKinematics machine_;
   RotaryModes rotary_;
-  ig::Name g500_{"G500"};
 
-  ig::Status restart(ig::Block& b) { return of(select(b, b.get_or(id_, static_cast<ig::Symbol>(g500_)))); }
+  ig::Status restart(ig::Block& b) { return of(select(b, frames_.in_force(b).id)); }
 
   ig::Status build(ig::Block& b) {
     bool any = false;
-    const auto code = frames_.find(b);
-    if (code || b.is_raised(table_changed_)) {
-      const ig::Symbol id = code ? frames_.name(*code) : b.get_or(id_, static_cast<ig::Symbol>(g500_));
-      any = select(b, id);
+    if (const auto frame = frames_.changed(b)) {
+      any = select(b, frame->id);
       if (any && (tip_control_.is_on(b) || b.has(aligned_)) && offset_.acts_on(b, machine_))
-        b.report(ig::diag("SIE-0300"), code ? ig::Where::word(frames_.id(*code)) : ig::Where::block(), b.text(id));
+        b.report(ig::diag("SIE-0300"), frame->where, b.text(frame->id));
     }
     if (!b.has(words_[0]) && !b.has(words_[1]) && !b.has(words_[2])) return of(any);
     const auto frameless = b.find(frameless_);
     const bool g91 = distance_.is_incremental(b);
-    const Angles offset = frameless ? frameless_offset(*frameless) : offset_.get(b).value;
+    const Angles offset = frameless ? frameless_offset(*frameless) : offset_in_force(b);
     if (frameless) any |= name_supa(b);
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (const auto word = b.get(words_[axis])) any |= resolve(b, axis, *word, offset[axis], g91);
@@ -72,6 +68,14 @@ struct SiemensRotaryWords {
   static ig::Status of(bool changed) { return changed ? ig::Status::changed : ig::Status::unchanged; }
 
   static constexpr std::size_t g53 = 1;
+
+  /// Of the settable, the base and the programmable frame (TRANS C30).
+  Angles offset_in_force(const ig::Block& b) const {
+    Angles sum = offset_.get(b).value;
+    const Angles more = programmable_.get(b).value;
+    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += more[axis];
+    return sum;
+  }
 
   Angles frameless_offset(std::size_t code) const {
     const auto base = code == g53 && table_ ? rotary_origin(table_, "BASE") : std::nullopt;

@@ -9,6 +9,7 @@
 #include <isogloss/sdk.hpp>
 
 #include "cycles/cycle_signatures.hpp"
+#include "five_axis/swivel_retract.hpp"
 
 namespace siemens {
 
@@ -44,9 +45,10 @@ struct SiemensSwivel {
   ig::Field<ig::Symbol> term_{"TiltTransform.Term", ig::read | ig::write, {ig::Life::modal, "", "The code in force."}};
   std::array<ig::In<double>, 3> angles_{ig::In<double>{"MachineCoordinate.A"}, ig::In<double>{"MachineCoordinate.B"},
                                         ig::In<double>{"MachineCoordinate.C"}};
-  RotaryOffsetSection rotary_offset_{"CoordinateOffset", ig::read};
+  RotaryOffsetSection rotary_offset_{"CoordinateOffset", ig::read}, programmable_offset_{"ProgrammableFrame"};
   ig::In<ig::Symbol> frame_in_force_{"CoordinateOffset.CoordinateId"};
   ToolKinematics machine_;
+  SwivelRetract retract_;
   ig::Name g68_2_{"G68.2"}, g68_4_{"G68.4"};
   ig::Signal way_said_{"SiemensSwivel.~WaySaid", ig::read | ig::write, ig::Life::modal};
 
@@ -61,7 +63,7 @@ struct SiemensSwivel {
   }
 
  private:
-  enum Parameter : std::size_t { fr, tc, st, mode, x0, y0, z0, angle_a, angle_b, angle_c, x1, y1, z1, dir };
+  enum Parameter : std::size_t { fr, tc, st, mode, x0, y0, z0, angle_a, angle_b, angle_c, x1, y1, z1, dir, fr_i };
   using Values = CycleFields::Values;
 
   bool is_tilted(const ig::Block& b) const { return b.is(term_, g68_2_) || b.is(term_, g68_4_); }
@@ -73,7 +75,9 @@ struct SiemensSwivel {
 
   void end_programmable_frame(ig::Block& b) const {
     ig::cnc::Mat4 m;
-    if (old_frame_ == OldFrame::kept || !b.get(programmable_, m)) return;
+    if (old_frame_ == OldFrame::kept) return;
+    programmable_offset_.set(b, {});
+    if (!b.get(programmable_, m)) return;
     m = identity_frame;
     b.set_transform(programmable_, m);
     b.erase(programmable_term_);
@@ -88,10 +92,7 @@ struct SiemensSwivel {
       cancel(b);
       return;
     }
-    if (v[fr].value_or(0) != 0 && !b.is_raised(way_said_)) {
-      b.report(ig::diag("SIE-0253"), where);
-      b.raise(way_said_);
-    }
+    retract(b, v, where);
     const std::int64_t way = *whole_mode / 64;
     std::array<std::size_t, 3> axes{static_cast<std::size_t>(*whole_mode % 4),
                                     static_cast<std::size_t>(*whole_mode / 4 % 4),
@@ -141,7 +142,16 @@ struct SiemensSwivel {
     b.set_word(align_, 0, 'P', direction > 0 ? 1 : 2);
   }
 
+  /// SiemensSwivelRetractSyntax executes it. Reported once where the machine does not tell where to.
+  void retract(ig::Block& b, const Values& v, ig::Where where) const {
+    const double way = v[fr].value_or(0);
+    if (way == 0 || retract_.prepare(b, way, v[fr_i].value_or(0)) || b.is_raised(way_said_)) return;
+    b.report(ig::diag("SIE-0253"), where);
+    b.raise(way_said_);
+  }
+
   void report_offset(ig::Block& b, ig::Where where) const {
+    if (programmable_offset_.acts_on(b, machine_)) b.report(ig::diag("SIE-0300"), where, std::string_view("TRANS"));
     if (rotary_offset_.acts_on(b, machine_))
       b.report(ig::diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
   }

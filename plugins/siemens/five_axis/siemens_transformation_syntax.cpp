@@ -36,7 +36,7 @@ struct SiemensTransformation {
                                      ig::Word{"Parsing.K", ig::write}};
   std::array<ig::Word, 3> rotary_{ig::Word{"Parsing.A", ig::read, "deg"}, ig::Word{"Parsing.B", ig::read, "deg"},
                                   ig::Word{"Parsing.C", ig::read, "deg"}};
-  RotaryOffsetSection rotary_offset_{"CoordinateOffset", ig::read};
+  RotaryOffsetSection rotary_offset_{"CoordinateOffset", ig::read}, programmable_offset_{"ProgrammableFrame", ig::read};
   ig::In<ig::Symbol> frame_in_force_{"CoordinateOffset.CoordinateId"};
   ig::Out<std::int64_t> offset_id_{"ToolHeightCompensation.OffsetId"};
   ig::Field<std::int64_t> edge_{
@@ -87,6 +87,7 @@ struct SiemensTransformation {
   }
 
   void report_offset(ig::Block& b, ig::Where where) const {
+    if (programmable_offset_.acts_on(b, machine_)) b.report(ig::diag("SIE-0300"), where, std::string_view("TRANS"));
     if (rotary_offset_.acts_on(b, machine_))
       b.report(ig::diag("SIE-0300"), where, b.text(b.get_or(frame_in_force_, ig::Symbol{})));
   }

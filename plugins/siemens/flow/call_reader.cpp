@@ -20,16 +20,6 @@ bool is_synchronized(std::string_view text, std::size_t position, std::string_vi
   return (name == "ID" || name == "IDS") && at(text, skip_blanks(text, skip_name(text, position))) == '=';
 }
 
-/// NAME of /_N_SPF_DIR/_N_NAME_SPF, FOLDER\NAME.SPF and NAME.
-std::string program_of(std::string_view path) {
-  path.remove_prefix(std::min(path.find_last_of("/\\:") + 1, path.size()));
-  std::string name = upper(trim(path.substr(0, path.find('.'))));
-  if (name.starts_with("_N_")) name.erase(0, 3);
-  for (const std::string_view kind : {"_SPF", "_MPF"})
-    if (name.size() > 4 && name.ends_with(kind)) name.erase(name.size() - 4);
-  return name;
-}
-
 /// Behind a call: nothing, or a word, which stands wrong, but is read. Else the line is no statement at all.
 bool is_alone(std::string_view text, std::size_t rest) {
   if (rest >= text.size() || std::string_view(";\r\n").find(text[rest]) != std::string_view::npos) return true;
@@ -71,60 +61,112 @@ std::size_t CallReader::scan(ig::Block& b, std::string_view text, std::size_t po
       pass(b, *cycle, text, next, close);
       return close;
     }
+    if (is_foreign_cycle(name) && !silent_.holds(name)) return of_control(b, text, name, next, close);
     if (is_known(b, text, name, next, close)) return name == "SETINT" ? statement_end(text, close) : close;
     if (!read_arguments(b, text.substr(0, close), next)) return close;
     next = skip_blanks(text, close);
   } else if (is_foreign_cycle(name) && !silent_.holds(name)) {
-    environment_.report_once(b, ig::diag("SIE-0181"), ig::Where::columns(position, end), position,
-                             std::string_view(name));
-    return end;
+    return of_control(b, text, name, end, end);
   } else if (const std::string_view missing = not_executed(name); !missing.empty()) {
     b.report(ig::diag("SIE-0174"), ig::Where::columns(position, end), std::string_view(name), missing);
+    return end;
+  } else if (name == "CALLPATH") {
+    environment_.store().call_path.clear();
     return end;
   } else if (silent_.holds(name)) {
     if (name == "SETMS") environment_.store().master_spindle.reset();
     return end;
   }
-  return request(b, text, next, std::move(name), has_bracket ? next : end);
+  return request(b, text, next, CalledProgram{std::move(name)}, has_bracket ? next : end);
 }
 
 ig::Status CallReader::build(ig::Block& b) {
   bool calls = b.is_raised(call_);
   recorded_.for_each(b, IG_CODE_CALLS, [&](const ig_machine_code& row) {
     const std::string_view name = ig::to_view(row.name);
-    const bool is_code = name.size() > 1 && (name[0] == 'M' || name[0] == 'G') && is_digit(name[1]);
+    const bool is_code = name.size() > 1 && (name[0] == 'M' || name[0] == 'G') && (is_digit(name[1]) || name[1] == '*');
     if (!is_code) return;  // a name, whose call scan() has requested or refused
+    report_lost_arguments(b, row, ig::Where::block());
     if (calls) {
       b.report(ig::diag("SIE-0167"), ig::Where::block(), name);
       return;
     }
     begin_ = end_ = 0;
+    is_of_control_ = false;
     arguments_.clear();
-    program_ = program_of(ig::to_view(row.program));
+    program_ = CalledProgram::at(ig::to_view(row.program));
     repeats_ = 1;
     calls = true;
   });
   if (!calls) return ig::Status::unchanged;
   const auto where = ig::Where::columns(begin_, std::max(end_, begin_));
-  b.set(term_, b.symbol(program_));
+  if (!is_of_control_) b.set(term_, b.symbol(program_.name));
   if (b.find(modal_)) {
     environment_.store().modal = {program_, std::move(arguments_), environment_.flow.frame(b).id};
     b.raise(modal_call_);
     return ig::Status::changed;
   }
   if (repeats_ < 1) return ig::Status::changed;
-  const ig_text file = ig::to_text(program_);
-  ig::Flow::Call call;
-  call.program = program_;
-  call.files = {&file, 1};
-  call.repeats = static_cast<std::uint32_t>(repeats_);
-  call.tag = environment_.store().pass(std::move(arguments_));
-  const ig::Flow::Answer answer = environment_.flow.call(b, call);
-  if (answer.is_not_found())
-    environment_.report_once(b, ig::diag("SIE-0165"), where, begin_, std::string_view(program_), answer.reason);
-  else if (answer.status == IG_GO_TAKEN)
-    b.report(ig::diag("SIE-0167"), where, std::string_view(program_));
+  call_program(b, where);
   return ig::Status::changed;
+}
+
+void CallReader::call_program(ig::Block& b, ig::Where where) {
+  const auto ask = [&](const CalledProgram& program) {
+    const CalledFiles files(program, environment_.store().call_path);
+    ig::Flow::Call call;
+    call.program = program.name;
+    call.files = files.list();
+    call.repeats = static_cast<std::uint32_t>(repeats_);
+    call.tag = environment_.store().pass(arguments_);
+    return environment_.flow.call(b, call);
+  };
+  ig::Flow::Answer answer = ask(program_);
+  const bool is_of_control = std::exchange(is_of_control_, false);
+  if (answer.is_done() && is_of_control) {
+    b.set(term_, b.symbol(program_.name));
+    // Only now is it worth to compute the parameters: those of a cycle that is not executed may be anything.
+    const std::string_view text = b.source().substr(0, end_);
+    if (at(text, open_) == '(' && !read_arguments(b, text, open_)) arguments_.clear();
+    environment_.store().pass_again(arguments_);
+  }
+  if (answer.is_not_found()) {
+    if (const ig_machine_code* const row = machine_.family(program_.name)) {
+      record_.add(b, *row, where, piece(b.source(), begin_, std::max(end_, begin_)));
+      codes_.put(b, *row, begin_, end_);
+      if (row->does != IG_CODE_CALLS) return;
+      if (is_of_control) read_arguments(b, b.source().substr(0, end_), open_);
+      program_ = CalledProgram::at(ig::to_view(row->program));
+      answer = ask(program_);
+    } else if (is_of_control) {
+      environment_.report_once(b, ig::diag("SIE-0181"), where, begin_, std::string_view(program_.name));
+      return;
+    } else if (machine_.ignores_unknown_programs()) {
+      environment_.report_once(b, ig::diag("ISO-0573"), where, begin_, std::string_view(program_.name));
+      return;
+    }
+  }
+  if (answer.is_not_found())
+    environment_.report_once(b, ig::diag("SIE-0165"), where, begin_, std::string_view(program_.name), answer.reason);
+  else if (answer.status == IG_GO_TAKEN)
+    b.report(ig::diag("SIE-0167"), where, std::string_view(program_.name));
+}
+
+std::size_t CallReader::of_control(ig::Block& b, std::string_view text, const std::string& name, std::size_t open,
+                                   std::size_t close) {
+  const auto where = ig::Where::columns(begin_, close);
+  if (is_shopmill_step(name) || is_expanded_ || b.find(modal_) || b.is_raised(call_)) {
+    if (const ig_machine_code* const row = machine_.family(name)) return of_builder(b, text, close, open, *row);
+    environment_.report_once(b, ig::diag("SIE-0181"), where, begin_, std::string_view(name));
+    return close;
+  }
+  program_ = CalledProgram{name};
+  repeats_ = 1;
+  open_ = open;
+  end_ = close;
+  is_of_control_ = true;
+  b.raise(call_);
+  return close;
 }
 
 std::size_t CallReader::of_builder(ig::Block& b, std::string_view text, std::size_t end, std::size_t next,
@@ -137,10 +179,10 @@ std::size_t CallReader::of_builder(ig::Block& b, std::string_view text, std::siz
              std::string_view("its row in MachineCodes calls no program, so MCALL cannot repeat it"));
     return close;
   }
-  record_.add(b, row, where);
+  record_.add(b, row, where, piece(text, begin_, close));
   if (row.does == IG_CODE_CALLS) {
     if (has_bracket && !read_arguments(b, text.substr(0, close), next)) return close;
-    return request(b, text, has_bracket ? skip_blanks(text, close) : next, program_of(ig::to_view(row.program)), close);
+    return request(b, text, has_bracket ? skip_blanks(text, close) : next, CalledProgram::at(ig::to_view(row.program)), close);
   }
   codes_.put(b, row, begin_, close);
   return count_end(b, text, close);
@@ -190,6 +232,7 @@ std::size_t CallReader::indirect(ig::Block& b, std::string_view text, std::size_
   const std::size_t name_end = skip_name(text, next);
   std::string name = upper(piece(text, next, name_end));
   const Variable* const variable = is_name ? environment_.store().find(name) : nullptr;
+  CalledProgram program{name};
   if (name == "BLOCK") {
     b.report(ig::diag("SIE-0171"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
     return text.size();
@@ -202,7 +245,7 @@ std::size_t CallReader::indirect(ig::Block& b, std::string_view text, std::size_
         b.report(ig::diag("SIE-0169"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
       return text.size();
     }
-    name = program_of(path->text);
+    program = CalledProgram::at(path->text);
     next = e.position();
   } else {
     next = skip_blanks(text, name_end);
@@ -217,10 +260,10 @@ std::size_t CallReader::indirect(ig::Block& b, std::string_view text, std::size_
     b.report(ig::diag("SIE-0171"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
     return text.size();
   }
-  return request(b, text, next, std::move(name), next);
+  return request(b, text, next, std::move(program), next);
 }
 
-std::size_t CallReader::request(ig::Block& b, std::string_view text, std::size_t next, std::string name,
+std::size_t CallReader::request(ig::Block& b, std::string_view text, std::size_t next, CalledProgram program,
                                 std::size_t end) {
   repeats_ = 1;
   end_ = end;
@@ -234,22 +277,23 @@ std::size_t CallReader::request(ig::Block& b, std::string_view text, std::size_t
     end_ = e.position();
     repeats_ = *times;
     if (!(repeats_ >= 0 && repeats_ <= 9999) || repeats_ != std::floor(repeats_)) {
-      b.report(ig::diag("SIE-0172"), ig::Where::columns(next, end_), std::string_view(name), *times);
+      b.report(ig::diag("SIE-0172"), ig::Where::columns(next, end_), std::string_view(program.name), *times);
       repeats_ = 0;
       return end_;
     }
   }
   if (const std::size_t rest = skip_blanks(text, end_); !is_alone(text, rest)) {
     const std::size_t last = statement_text_end(text, rest);
-    environment_.report_once(b, ig::diag("SIE-0173"), ig::Where::columns(begin_, last), begin_, std::string_view(name),
+    environment_.report_once(b, ig::diag("SIE-0173"), ig::Where::columns(begin_, last), begin_, std::string_view(program.name),
                              piece(text, rest, last));
     return statement_end(text, rest);
   }
   if (b.is_raised(call_)) {
-    b.report(ig::diag("SIE-0167"), ig::Where::columns(begin_, end_), std::string_view(name));
+    b.report(ig::diag("SIE-0167"), ig::Where::columns(begin_, end_), std::string_view(program.name));
     return statement_end(text, end_);
   }
-  program_ = std::move(name);
+  program_ = std::move(program);
+  is_of_control_ = false;
   b.raise(call_);
   return end_;
 }

@@ -10,6 +10,7 @@
 #include <isogloss/cnc/machine_codes.hpp>
 
 #include "cycles/cycle_signatures.hpp"
+#include "flow/program_path.hpp"
 #include "language/siemens_expression.hpp"
 
 namespace siemens {
@@ -49,7 +50,7 @@ class CallReader {
       "CLEARM WAITS WAITP WAITE COUPDEF COUPDEL COUPON COUPONC COUPOF COUPOFS COUPRES WRITE DELETE BRISKA SOFTA "
       "DRIVEA JERKA IPOBRKA ADISPOSA NEWCONF TMON TMOF RESETMON SETPIECE CHKDNO CHKDM GWPSON GWPSOF TANGOF TANGDEL "
       "TLIFT TRAILOF LEADOF EGOFS EGOFC EGDEL MASLOF MASLOFS MASLDEL CTABDEL CTABLOCK CTABUNLOCK TOFFOF SPCON SPCOF "
-      "WAITENC GET GETD RELEASE AXTOCHAN INIT CANCEL LOCK UNLOCK RESET CLRINT ENABLE DISABLE CALLPATH PROTA PROTS "
+      "WAITENC GET GETD RELEASE AXTOCHAN INIT CANCEL LOCK UNLOCK RESET CLRINT ENABLE DISABLE PROTA PROTS "
       "PROTD "
       "CPROT CPROTDEF NPROT NPROTDEF FCTDEF CORROF DRFOF IPTRLOCK IPTRUNLOCK POLFMASK POLFMLIN BLSYNC",
       "Procedures of the control that move nothing and change nothing here."};
@@ -86,6 +87,11 @@ class CallReader {
   /// parameters may begin.
   std::size_t of_builder(ig::Block& b, std::string_view text, std::size_t end, std::size_t next,
                          const ig_machine_code& row);
+  /// Requests the call in build(). A program that is not found may be one of the builder's.
+  void call_program(ig::Block& b, ig::Where where);
+  /// A cycle of the control that is not executed here: where the machine has a program of that name, it is called.
+  std::size_t of_control(ig::Block& b, std::string_view text, const std::string& name, std::size_t open,
+                         std::size_t close);
   /// The end of P3 behind a name that calls nothing; `end` where no P stands there.
   std::size_t count_end(ig::Block& b, std::string_view text, std::size_t end);
 
@@ -96,9 +102,12 @@ class CallReader {
   std::size_t indirect(ig::Block& b, std::string_view text, std::size_t next, const std::string& how);
 
   /// P3 or P=R1 behind the name; `next` is where it may stand.
-  std::size_t request(ig::Block& b, std::string_view text, std::size_t next, std::string name, std::size_t end);
+  std::size_t request(ig::Block& b, std::string_view text, std::size_t next, CalledProgram program, std::size_t end);
 
   // ---- control_procedures.cpp: what the control knows by name
+
+  /// CALLPATH("/_N_WKS_DIR/_N_PART_WPD"): one more folder in which programs are searched.
+  void add_call_path(ig::Block& b, std::string_view text, std::size_t open, ig::Where where);
 
   /// SETMS(2): what S and M3 mean from here on.
   void name_master(ig::Block& b, std::string_view text, std::size_t open);
@@ -119,8 +128,9 @@ class CallReader {
   void pass(ig::Block& b, const CycleFields& cycle, std::string_view text, std::size_t open, std::size_t close);
 
   // What scan() has found.
-  std::size_t begin_ = 0, end_ = 0;
-  std::string program_;
+  std::size_t begin_ = 0, open_ = 0, end_ = 0;
+  bool is_of_control_ = false;
+  CalledProgram program_;
   std::vector<Argument> arguments_;
   double repeats_ = 1;
   bool is_expanded_ = false;  // the text is what DEFINE says

@@ -12,15 +12,16 @@ using namespace ig::cnc;
 
 namespace {
 
-/// E_DR(…), E_MI_PL(…), E_PS_CIR(…): what a work step of ShopMill drills and mills, and where.
+constexpr std::size_t most_call_paths = 32;  // so that a loop of CALLPATH does not slow down each call
+
+}  // namespace
+
 bool is_shopmill_step(std::string_view name) {
   if (name == "E_CON" || name == "E_DR") return true;
   for (const std::string_view family : {"E_CP_", "E_DR_", "E_MI_", "E_PI_", "E_PO_", "E_PS_", "E_SL_"})
     if (name.starts_with(family)) return true;
   return false;
 }
-
-}  // namespace
 
 bool is_foreign_cycle(std::string_view name) {
   for (const std::string_view family : {"CYCLE", "POCKET", "SLOT", "HOLES", "LONGHOLE"})
@@ -111,15 +112,15 @@ std::string_view not_executed(std::string_view name) {
 bool CallReader::is_known(ig::Block& b, std::string_view text, const std::string& name, std::size_t open,
                           std::size_t close) {
   const auto where = ig::Where::columns(begin_, close);
-  if (is_foreign_cycle(name) && !silent_.holds(name)) {
-    environment_.report_once(b, ig::diag("SIE-0181"), where, begin_, std::string_view(name));
-    return true;
-  }
   if (name == "SETAL") {
     if (read_arguments(b, text.substr(0, close), open))
       b.report(ig::diag("SIE-0170"), where,
                arguments_.empty() || !arguments_[0].value ? 0.0 : arguments_[0].value->number);
     b.alarm();
+    return true;
+  }
+  if (name == "CALLPATH") {
+    add_call_path(b, text.substr(0, close), open, where);
     return true;
   }
   if (name == "GETEXET" || name == "GETSELT") {
@@ -149,6 +150,22 @@ bool CallReader::is_known(ig::Block& b, std::string_view text, const std::string
     b.set_text(message_, piece(text, first, std::min(text.find('"', first), close)));
   }
   return true;
+}
+
+void CallReader::add_call_path(ig::Block& b, std::string_view text, std::size_t open, ig::Where where) {
+  if (!read_arguments(b, text, open)) return;
+  std::vector<std::string>& path = environment_.store().call_path;
+  const bool is_empty = arguments_.empty() || !arguments_[0].value;
+  if (is_empty || (arguments_[0].value->is_text() && arguments_[0].value->text.empty())) {
+    path.clear();
+  } else if (!arguments_[0].value->is_text() || arguments_.size() > 1) {
+    b.report(ig::diag("SIE-0169"), where, text.substr(begin_));
+  } else if (path.size() == most_call_paths) {
+    b.report(ig::diag("SIE-0370"), where, arguments_[0].value->text, static_cast<double>(most_call_paths));
+  } else if (std::string folder = folder_of(arguments_[0].value->text);
+             std::find(path.begin(), path.end(), folder) == path.end()) {
+    path.push_back(std::move(folder));
+  }
 }
 
 void CallReader::name_master(ig::Block& b, std::string_view text, std::size_t open) {

@@ -28,6 +28,8 @@ struct SiemensCall {
       ig::diagnostic(IG_ERROR, "SIE-0181", "{0} is not executed: its moves are missing from the path"),
       ig::diagnostic(IG_ERROR, "SIE-0182",
                      "{0} is not executed, because a parameter has no value: see the diagnostic before this one"),
+      ig::diagnostic(IG_ERROR, "SIE-0370",
+                     "the folder '{0}' is not added to the search path: CALLPATH has added {1} already"),
       ig::diagnostic(IG_WARNING, "SIE-0184",
                      "{0} has {1} parameters, but only the first {2} are used: check the commas of the call"),
   };

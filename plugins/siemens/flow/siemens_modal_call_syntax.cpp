@@ -1,12 +1,21 @@
 /// MCALL NAME: the subprogram is called after each block that moves, up to MCALL alone.
+#include <isogloss/cnc/machine_codes.hpp>
+
 #include "language/siemens_environment.hpp"
 
 namespace siemens {
+
+using namespace ig::cnc;
+
 namespace {
 
 struct SiemensModalCall {
   static constexpr auto spec = ig::syntax("SiemensModalCallSyntax", "MCALL of a subprogram, after each move.")
                                    .after("SiemensCallSyntax", "SiemensCycleSyntax", "LinearMotionSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SIE-0371",
+                     "the row {0} of MachineCodes is not executed at each move of MCALL {1}: write a row of its name"),
+  };
 
   ig::Codes mcall_{{"MCALL"}, ig::read | ig::wake};
   ig::Signal begins_{"ModalCall.~Begins", ig::read};
@@ -15,6 +24,8 @@ struct SiemensModalCall {
   ig::In<ig::Symbol> steps_{"CompoundMotion.Term"};
   ig::Out<ig::Symbol> term_{"SubProgramCall.Term"};
   Environment environment_;
+  MachineCodes machine_;
+  MachineCodeRecord record_;
 
   ig::Status build(ig::Block& b) {
     if (b.find(mcall_)) {
@@ -32,23 +43,40 @@ struct SiemensModalCall {
   }
 
  private:
+  /// What MachineCodes does in place of a program that is not found: nothing, or an error, because a row acts only once.
+  bool is_of_builder(ig::Block& b, const std::string& name) const {
+    const ig_machine_code* const row = machine_.family(name);
+    if (row == nullptr) {
+      if (machine_.ignores_unknown_programs())
+        environment_.report_once(b, ig::diag("ISO-0573"), ig::Where::block(), 0, std::string_view(name));
+      return machine_.ignores_unknown_programs();
+    }
+    if (row->does == IG_CODE_DOES_NOTHING || row->does == IG_CODE_IS_REFUSED)
+      record_.add(b, *row, ig::Where::block(), name);
+    else
+      environment_.report_once(b, ig::diag("SIE-0371"), ig::Where::block(), 0, ig::to_view(row->name),
+                               std::string_view(name));
+    return true;
+  }
+
   void call(ig::Block& b, const ModalCall& modal) const {
-    const ig_text file = ig::to_text(modal.program);
+    const CalledFiles files(modal.program, environment_.store().call_path);
     ig::Flow::Call call;
-    call.program = modal.program;
-    call.files = {&file, 1};
+    call.program = modal.program.name;
+    call.files = files.list();
     call.tag = environment_.store().pass(modal.arguments);
     const ig_place here = environment_.flow.here(b);
     if (auto& patterns = environment_.store().patterns;
         !patterns.empty() && patterns.back().is_at(here.frame, here.offset))
       patterns.back().tag = call.tag;
-    b.set(term_, b.symbol(modal.program));
+    b.set(term_, b.symbol(modal.program.name));
     const ig::Flow::Answer answer = environment_.flow.call(b, call);
+    if (answer.is_not_found() && is_of_builder(b, modal.program.name)) return;
     if (answer.is_not_found())
-      environment_.report_once(b, ig::diag("SIE-0165"), ig::Where::block(), 0, std::string_view(modal.program),
+      environment_.report_once(b, ig::diag("SIE-0165"), ig::Where::block(), 0, std::string_view(modal.program.name),
                                answer.reason);
     else if (answer.status == IG_GO_TAKEN)
-      b.report(ig::diag("SIE-0167"), ig::Where::block(), std::string_view(modal.program));
+      b.report(ig::diag("SIE-0167"), ig::Where::block(), std::string_view(modal.program.name));
   }
 };
 

@@ -18,7 +18,7 @@ constexpr std::int64_t settable_code(std::int64_t number) {
 /// The number of the settable frame with that code.
 constexpr std::int64_t settable_number(std::int64_t code) { return code >= 500 ? code - 500 : code - 53; }
 
-/// A member of each syntax that depends on the settable frame.
+/// A member of each syntax that depends on the settable frame: which one is selected, and whether it may have changed.
 class SettableFrames {
  public:
   explicit SettableFrames(ig::Access access) {
@@ -40,6 +40,23 @@ class SettableFrames {
   ig::Symbol name(std::size_t i) const { return names_[i]; }
   ig_field id(std::size_t i) const { return ids_[i]; }
 
+  /// The frame in force after the codes of the block, and where a diagnostic about it belongs.
+  struct Selected {
+    ig::Symbol id;
+    ig::Where where;
+  };
+  Selected in_force(const ig::Block& b) const {
+    return {b.get_or(id_, static_cast<ig::Symbol>(g500_)), ig::Where::block()};
+  }
+  Selected selected(const ig::Block& b) const {
+    const auto code = find(b);
+    return code ? Selected{names_[*code], ig::Where::word(ids_[*code])} : in_force(b);
+  }
+  /// The same where a code of the block selects a frame, or the table of frames has changed.
+  std::optional<Selected> changed(const ig::Block& b) const {
+    return find(b) || b.is_raised(table_changed_) ? std::optional(selected(b)) : std::nullopt;
+  }
+
  private:
   static std::optional<std::size_t> some(std::int32_t code) {
     return code < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(code));
@@ -47,6 +64,9 @@ class SettableFrames {
 
   std::vector<ig_field> ids_;
   std::vector<ig::Symbol> names_;
+  ig::In<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
+  ig::Signal table_changed_{"CoordinateOffset.~TableChanged", ig::read | ig::wake};
+  ig::Name g500_{"G500"};
 };
 
 }  // namespace siemens

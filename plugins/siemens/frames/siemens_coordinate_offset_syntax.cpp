@@ -31,28 +31,26 @@ struct SiemensCoordinateOffset {
   ig::Out<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
   OffsetSection offset_{"CoordinateOffset"};
   ig::Transform shape_{"WorkOffsetFrame", ig::read};
-  ig::Signal table_changed_{"CoordinateOffset.~TableChanged", ig::read | ig::wake};
   ig::Service<ig_work_offset_1> table_{"isogloss.work-offset/1", ig::Need::required, "The origins."};
   ShapeTable shapes_;
   ig::Name g500_{"G500"};
 
   ig::Status restart(ig::Block& b) {
-    select(b, b.get_or(id_, static_cast<ig::Symbol>(g500_)), ig::Where::block());
+    select(b, frames_.in_force(b));
     return ig::Status::changed;
   }
 
   ig::Status build(ig::Block& b) {
-    if (const auto code = frames_.take(b)) {
-      select(b, frames_.name(*code), ig::Where::word(frames_.id(*code)));
-      return ig::Status::changed;
-    }
-    if (!b.is_raised(table_changed_)) return ig::Status::unchanged;
-    select(b, b.get_or(id_, static_cast<ig::Symbol>(g500_)), ig::Where::block());
+    const auto frame = frames_.changed(b);
+    if (!frame) return ig::Status::unchanged;
+    frames_.take(b);
+    select(b, *frame);
     return ig::Status::changed;
   }
 
  private:
-  void select(ig::Block& b, ig::Symbol id, ig::Where where) const {
+  void select(ig::Block& b, const SettableFrames::Selected& frame) const {
+    const auto [id, where] = frame;
     const auto own = linear_origin(table_, b.text(id));
     if (!own && id != g500_) {
       b.report(ig::diag("SIE-0211"), where, b.text(id));

@@ -27,8 +27,6 @@ struct SiemensFrameShape {
   };
 
   SettableFrames frames_{ig::read | ig::wake};
-  ig::In<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
-  ig::Signal table_changed_{"CoordinateOffset.~TableChanged", ig::read | ig::wake};
   ig::Transform frame_{"WorkOffsetFrame", ig::read | ig::write};
   ig::Signal uneven_{"WorkOffsetFrame.~Uneven", ig::read | ig::write, ig::Life::modal};
   ig::InWhile<ig::Symbol> left_{"RadiusCompensation.Term", "G41"}, right_{"RadiusCompensation.Term", "G42"};
@@ -40,20 +38,17 @@ struct SiemensFrameShape {
   ig::Call align_{{"G53.1"}, "", ig::read};
   ShapeTable shapes_;
   PlaneInForce plane_;
-  ig::Name g500_{"G500"}, g41_{"G41"}, g42_{"G42"};
+  ig::Name g41_{"G41"}, g42_{"G42"};
 
   ig::Status restart(ig::Block& b) {
-    return select(b, b.get_or(id_, static_cast<ig::Symbol>(g500_))) ? ig::Status::changed : ig::Status::unchanged;
+    return select(b, frames_.in_force(b).id) ? ig::Status::changed : ig::Status::unchanged;
   }
 
   ig::Status build(ig::Block& b) {
     bool any = false;
-    const auto code = frames_.find(b);
-    if (code || b.is_raised(table_changed_)) {
-      const ig::Symbol id = code ? frames_.name(*code) : b.get_or(id_, static_cast<ig::Symbol>(g500_));
-      any = select(b, id);
-      if (any && b.has(aligned_) && !b.find(align_))
-        b.report(ig::diag("SIE-0392"), code ? ig::Where::word(frames_.id(*code)) : ig::Where::block(), b.text(id));
+    if (const auto frame = frames_.changed(b)) {
+      any = select(b, frame->id);
+      if (any && b.has(aligned_) && !b.find(align_)) b.report(ig::diag("SIE-0392"), frame->where, b.text(frame->id));
     }
     return report_uneven_compensation(b) || any ? ig::Status::changed : ig::Status::unchanged;
   }
@@ -79,9 +74,8 @@ struct SiemensFrameShape {
                           !keeps_circles(chained(b, {&programmable_, &tilt_, &frame_}), plane_(b));
     if (is_wrong == b.is_raised(compensation_said_)) return false;
     if (is_wrong) {
-      const auto code = frames_.find(b);
-      const ig::Symbol id = code ? frames_.name(*code) : b.get_or(id_, static_cast<ig::Symbol>(g500_));
-      b.report(ig::diag("SIE-0391"), code ? ig::Where::word(frames_.id(*code)) : ig::Where::block(), b.text(id));
+      const SettableFrames::Selected frame = frames_.selected(b);
+      b.report(ig::diag("SIE-0391"), frame.where, b.text(frame.id));
       b.raise(compensation_said_);
     } else {
       b.erase(compensation_said_);

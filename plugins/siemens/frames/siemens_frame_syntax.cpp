@@ -1,7 +1,9 @@
 /// TRANS, ROT, SCALE, MIRROR and their additive forms: the programmable frame. TRANS, ROT, SCALE and MIRROR replace the
 /// whole frame, including what the others of them have set; ATRANS, AROT, ASCALE and AMIRROR act within the frame in
 /// force.
+#include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/tilt_transform.hpp>
+#include <isogloss/cnc/tool_kinematics.hpp>
 #include <isogloss/sdk.hpp>
 
 #include "frames/frame_shape.hpp"
@@ -42,6 +44,12 @@ struct SiemensFrame {
   ig::InWhile<ig::Symbol> left_{"RadiusCompensation.Term", "G41"}, right_{"RadiusCompensation.Term", "G42"};
   ig::Signal compensation_said_{"ProgrammableFrame.~CompensationSaid", ig::read | ig::write, ig::Life::modal};
   ig::Transform frame_{"ProgrammableFrame", ig::read | ig::write};
+  RotaryOffsetSection rotary_{"ProgrammableFrame"};
+  ToolCenterMode tip_control_;
+  ig::Field<bool> aligned_{"TiltTransform.IsAligned",
+                           ig::read,
+                           {ig::Life::modal, "", "G53.1 or G53.6 has put the tool upright on the plane."}};
+  ToolKinematics machine_;
   PlaneInForce plane_;
   ig::Name g41_{"G41"}, g42_{"G42"};
 
@@ -74,8 +82,9 @@ struct SiemensFrame {
 
   void change(ig::Block& b, const ig::Call& call, const ig::Words& words) const {
     const auto where = ig::Where::word(call.code(words.row));
-    if (words['A'] || words['B'] || words['C'])
-      b.report(ig::diag("SIE-0261"), where, b.text(words.code), std::string_view("the origin of a rotary axis stays"));
+    if (&call != &trans_ && (words['A'] || words['B'] || words['C']))
+      b.report(ig::diag("SIE-0261"), where, b.text(words.code),
+               std::string_view("rotary axes are only shifted, by TRANS"));
     Mat4 m = identity_frame;
     if (&call == &trans_) m = at_origin(m, {words['X'].value_or(0), words['Y'].value_or(0), words['Z'].value_or(0)});
     if (&call == &rot_) m = rotation(b, words, where);
@@ -96,12 +105,25 @@ struct SiemensFrame {
       b.report(ig::diag("SIE-0242"), where, b.text(words.code));
       return;
     }
+    shift_rotary(b, call, words, where);
     b.set_transform(frame_, m);
     b.set(term_, words.code);
     if (keeps_circles(m, xy_plane) && keeps_circles(m, zx_plane))
       b.erase(uneven_);
     else
       b.raise(uneven_);
+  }
+
+  /// The part of the frame that SiemensRotaryWordsSyntax adds to A, B and C.
+  void shift_rotary(ig::Block& b, const ig::Call& call, const ig::Words& words, ig::Where where) const {
+    Angles shift = words.row == 1 ? rotary_.get(b).or_else({}) : Angles{};
+    for (std::size_t axis = 0; &call == &trans_ && axis < 3; ++axis)
+      shift[axis] += words[rotary_names[axis]].value_or(0);
+    for (const double degrees : shift)
+      if (!(std::fabs(degrees) < 1e9)) return b.report(ig::diag("SIE-0242"), where, b.text(words.code));
+    const bool is_changed = rotary_.set(b, shift);
+    if (is_changed && (tip_control_.is_on(b) || b.has(aligned_)) && rotary_.acts_on(b, machine_))
+      b.report(ig::diag("SIE-0300"), where, b.text(words.code));
   }
 
   Mat4 present(const ig::Block& b) const {

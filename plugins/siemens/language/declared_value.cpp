@@ -11,9 +11,10 @@ std::size_t axis_name_end(const Environment& environment, std::string_view text,
   constexpr std::size_t longest_name = 3;
   const std::size_t end = skip_name(text, position);
   const char behind = at(text, skip_blanks(text, end));
-  if (!is_name_start(at(text, position)) || end > position + longest_name) return 0;
-  if (behind == '(' || behind == '[' || behind == '<') return 0;
-  return environment.store().find(upper(piece(text, position, end))) == nullptr ? end : 0;
+  const std::string axis = upper(piece(text, position, end));
+  if (!is_name_start(at(text, position)) || behind == '(' || behind == '[' || behind == '<') return 0;
+  if (axis.size() > longest_name && !environment.axes.find(axis)) return 0;
+  return environment.store().find(axis) == nullptr ? end : 0;
 }
 
 }  // namespace

@@ -9,25 +9,31 @@ namespace siemens {
 
 using namespace ig::cnc;
 
-bool Expression::indices(std::string& name) {
+bool Expression::indices(std::string& name, std::string& called) {
   const std::size_t open = at_;
   ++at_;
   const Variable* const base = environment_.store().find(name);
   const bool has_components = name[0] == '$' || (base != nullptr && base->value.type == Type::frame);
-  name += '[';
+  const auto add = [&](std::string_view own, std::string_view written) {
+    name += own;
+    called += written;
+  };
+  add("[", "[");
   for (;;) {
     skip_blanks();
     const std::size_t begin = at_, end = skip_name(text_, at_);
     const char behind = ig::cnc::at(text_, ig::cnc::skip_blanks(text_, end));
     const std::string word = upper(ig::cnc::piece(text_, begin, end));
-    const bool stands_alone = !word.empty() && word.size() <= 2 && (behind == ',' || behind == ']');
+    const bool is_whole_index = !word.empty() && (behind == ',' || behind == ']');
+    const bool stands_alone = is_whole_index && word.size() <= 2;
     const bool is_variable = environment_.store().find(word) != nullptr;
-    const bool names_axis =
-        stands_alone && std::string_view("ABCUVWXYZ").find(word[0]) != std::string_view::npos && !is_variable;
+    const bool names_axis = is_whole_index && !is_variable &&
+                            (environment_.axes.find(word) ||
+                             (stands_alone && std::string_view("ABCUVWXYZ").find(word[0]) != std::string_view::npos));
     const bool is_axis = names_axis || (stands_alone && has_components && !is_variable && is_letter(word[0]) &&
                                         (word[0] != 'R' || word == "RT"));
     if (is_axis) {  // $AA_IM[X]
-      name += word;
+      add(environment_.axes.letter_of(word), word);
       at_ = end;
     } else {
       if (++depth_ > deepest) {
@@ -38,17 +44,20 @@ bool Expression::indices(std::string& name) {
       --depth_;
       if (!index) return false;
       if (index->is_text()) {
-        name += index->text;
+        const std::string axis = upper(index->text);
+        const std::string_view own = environment_.axes.letter_of(axis);
+        add(own == axis ? std::string_view(index->text) : own, index->text);
       } else if (!(std::fabs(index->number) < 1e9)) {
         fail(ig::diag("SIE-0104"), open, name);
         return false;
       } else {
-        name += std::to_string(static_cast<std::int64_t>(std::round(index->number)));
+        const std::string number = std::to_string(static_cast<std::int64_t>(std::round(index->number)));
+        add(number, number);
       }
     }
     skip_blanks();
     if (peek() == ',') {
-      name += ',';
+      add(",", ",");
       ++at_;
       continue;
     }
@@ -57,7 +66,7 @@ bool Expression::indices(std::string& name) {
       return false;
     }
     ++at_;
-    name += ']';
+    add("]", "]");
     return true;
   }
 }
@@ -72,7 +81,10 @@ std::optional<Expression::Reference> Expression::reference() {
   const bool has_number = name.size() > 1 && name[0] == 'R' && skip_digits(name, 1) == name.size();
   if (const std::size_t open = ig::cnc::skip_blanks(text_, at_); ig::cnc::at(text_, open) == '[') {
     at_ = open;
-    if (!indices(name)) return std::nullopt;
+    std::string called = name;
+    if (!indices(name, called)) return std::nullopt;
+    if (VariableStore& store = environment_.store(); called != name && (store.given(called) || store.find(called)))
+      name = std::move(called);
   }
   out.end = at_;
   out.is_r = has_number || name.starts_with("R[");
@@ -115,6 +127,7 @@ std::optional<Value> Expression::read(const Reference& r) {
   if (r.name == "$PI") return Value::real(std::numbers::pi);
   if (r.name[0] == '$')
     if (const auto n = environment_.system.read(b_, r.name)) return Value::real(*n);
+  if (environment_.axes.find(r.name)) return Value::string(r.name);  // DEF AXIS NAME=X
   at_ = r.end;
   const auto where = ig::Where::columns(r.begin, r.end);
   if (!failed_ && r.name[0] == '$')

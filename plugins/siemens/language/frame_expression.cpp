@@ -76,7 +76,8 @@ std::size_t FrameExpression::axis() {
       v != nullptr && v->value.type == Type::text)
     name = v->value.text;
   at_ = ig::cnc::skip_blanks(text_, end);
-  return name.size() == 1 ? std::string_view("XYZABC").find(name[0]) : std::string_view::npos;
+  const auto axis = environment_.axes.find(name);
+  return axis && *axis < axis_letters.size() ? *axis : std::string_view::npos;
 }
 
 }  // namespace siemens

@@ -5,12 +5,14 @@
 #include <string>
 #include <utility>
 
+#include <isogloss/cnc/axis_names.hpp>
 #include <isogloss/cnc/scan.hpp>
 #include <isogloss/flow.hpp>
 #include <isogloss/sdk.hpp>
 
 #include "language/macro_table.hpp"
 #include "language/system_data.hpp"
+#include "language/upper.hpp"
 #include "language/variable_store.hpp"
 
 namespace siemens {
@@ -21,6 +23,7 @@ class Environment {
  public:
   ig::Flow flow;
   SystemData system;
+  AxisNames axes;  ///< the names by which this machine calls X Y Z A B C and others
 
   VariableStore& store() const { return const_cast<VariableStore&>(*store_.operator->()); }
 
@@ -72,17 +75,6 @@ class Environment {
   Macros macros_;
   MacroRecord record_;
 };
-
-constexpr bool is_name_start(char c) { return is_letter(c) || c == '_'; }
-constexpr bool is_name_part(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
-constexpr std::size_t skip_name(std::string_view text, std::size_t position) {
-  return skip_while(text, position, is_name_part);
-}
-inline std::string upper(std::string_view name) {
-  std::string out(name);
-  for (char& c : out) c = to_upper(c);
-  return out;
-}
 
 /// A block in which the name from `begin` to `end` is replaced by its DEFINE text. Columns before `begin` do not
 /// change.

@@ -56,8 +56,9 @@ class Expression {
   // ---- expression_variables.cpp
 
   std::optional<Value> read(const Reference& r);
-  /// Reads [2,X] and adds it to `name`, each index computed. False, with a diagnostic, where that is not possible.
-  bool indices(std::string& name);
+  /// Reads [2,C1] and adds it to `name`, each index computed and axes by their letters, and to `called` with the names
+  /// that the program gives axes. False, with a diagnostic, where that is not possible.
+  bool indices(std::string& name, std::string& called);
 
   char peek() const { return ig::cnc::at(text_, at_); }
   void skip_blanks() { at_ = ig::cnc::skip_blanks(text_, at_); }

@@ -1,5 +1,6 @@
-// %_N_NAME_MPF: in an archive the program NAME begins here and the one before it ends. Any other text after % is the
-// title of the file.
+// %_N_NAME_MPF: in an archive the program NAME begins here and the one before it ends; ;$PATH= names its folder. Any
+// other text after % is the title of the file.
+#include "flow/program_path.hpp"
 #include "language/siemens_environment.hpp"
 
 namespace siemens {
@@ -11,7 +12,7 @@ namespace {
 struct SiemensFileHead {
   static constexpr auto spec = ig::syntax("SiemensFileHeadSyntax", "%_N_NAME_MPF: a program begins.")
                                    .before("SiemensFlowSyntax", "SiemensWordSyntax")
-                                   .scans("%\x1A");
+                                   .scans("%;\x1A");
 
   ig::TextField program_{"Source.Program", ig::write};
   ig::TextField tape_{"TapeBoundary.Text", ig::write};
@@ -20,6 +21,7 @@ struct SiemensFileHead {
   ig::Flow flow_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    if (text[position] == ';') return folder(b, text, position);
     const std::size_t end = block_end(text, position);
     if (position > 0 && ig::cnc::skip_blanks(text, 0) != position) return position;
     const std::string_view head = trim(ig::cnc::piece(text, position, end));
@@ -43,6 +45,15 @@ struct SiemensFileHead {
     if (text[position] != '%' || (head.size() == 1 && b.is_raised(started_))) b.flow(IG_FLOW_END_FILE);
     b.raise(started_);
     return end;
+  }
+
+  /// ;$PATH=/_N_CUS_DIR is a comment as well.
+  std::size_t folder(ig::Block& b, std::string_view text, std::size_t position) const {
+    constexpr std::string_view path = ";$PATH=";
+    if (!flow_.is_indexing() || position != 0 || !equals_ignoring_case(text.substr(0, path.size()), path))
+      return position;
+    flow_.label(b, folder_of(trim(text.substr(path.size()))) + "/", IG_LABEL_PROGRAM);
+    return position;
   }
 
   void end_program(ig::Block& b) const {

@@ -81,10 +81,16 @@ Written SystemData::write(const ig::Block& b, std::string_view text, std::option
 std::optional<double> SystemData::position(const ig::Block& b, const Name& name) const {
   const bool of_machine = name.base == "$AA_IM";
   if (!of_machine && name.base != "$AA_IW" && name.base != "$P_EP" && name.base != "$AA_WCS") return std::nullopt;
+  if (const auto further = name.count == 1 ? axes_.find(name.index[0]) : std::nullopt;
+      further && is_further_axis(*further)) {
+    const auto at = b.get(further_axes_.position(*further));
+    return at && !axes_.is_rotary(*further) ? *at / unit(b) : at;
+  }
   const std::size_t axis = name.count == 1 ? axis_of(name.index[0]) : std::string_view::npos;
   if (axis == std::string_view::npos) return std::nullopt;
   const auto at = b.get(of_machine || axis > 2 ? machine_[axis] : program_[axis]);
-  return of_machine || axis < 3 || !at ? at : *at - turned_.get(b).value[axis - 3];
+  if (of_machine || axis < 3 || !at) return at;
+  return *at - (turned_.get(b).value[axis - 3] + programmable_.get(b).value[axis - 3]);
 }
 
 // ---- Tools
@@ -92,10 +98,12 @@ std::optional<double> SystemData::position(const ig::Block& b, const Name& name)
 std::optional<std::uint32_t> SystemData::column_of(const Name& name) {
   std::string_view number = name.base.starts_with("$TC_DP") ? name.base.substr(6) : std::string_view();
   if (name.base == "$P_AD" && name.count == 1) number = name.index[0];
-  if (number == "3") return 0;
-  if (number == "12") return 1;
-  if (number == "6") return 2;
-  if (number == "15") return 3;
+  if (number == "3") return IG_TOOL_LENGTH;
+  if (number == "12") return IG_TOOL_LENGTH_WEAR;
+  if (number == "6") return IG_TOOL_RADIUS;
+  if (number == "15") return IG_TOOL_RADIUS_WEAR;
+  if (number == "7") return IG_TOOL_CORNER_RADIUS;
+  if (number == "16") return IG_TOOL_CORNER_RADIUS_WEAR;
   return std::nullopt;
 }
 

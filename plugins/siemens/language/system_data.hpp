@@ -8,6 +8,9 @@
 #include <string>
 #include <string_view>
 
+#include <isogloss_tool.h>
+
+#include <isogloss/cnc/further_axes.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
@@ -84,12 +87,14 @@ class SystemData {
   /// $P_GG[n]: the number of the code in its group, from the list of G groups.
   std::optional<double> group(const ig::Block& b, std::int64_t group) const;
 
-  RotaryOffsetSection turned_{"CoordinateOffset", ig::read};
+  RotaryOffsetSection turned_{"CoordinateOffset", ig::read}, programmable_{"ProgrammableFrame", ig::read};
   std::array<ig::In<double>, 6> machine_{ig::In<double>{"MachineCoordinate.X"}, ig::In<double>{"MachineCoordinate.Y"},
                                          ig::In<double>{"MachineCoordinate.Z"}, ig::In<double>{"MachineCoordinate.A"},
                                          ig::In<double>{"MachineCoordinate.B"}, ig::In<double>{"MachineCoordinate.C"}};
   std::array<ig::In<double>, 3> program_{ig::In<double>{"ProgramXyz.X"}, ig::In<double>{"ProgramXyz.Y"},
                                          ig::In<double>{"ProgramXyz.Z"}};
+  FurtherAxisPositions further_axes_{ig::read};
+  AxisNames axes_;
   ig::In<std::int64_t> tool_{"ToolChange.SpindleToolId"};
   ig::In<std::int64_t> next_tool_{"ToolChange.ToolId"};
   ig::In<std::int64_t> row_{"ToolHeightCompensation.OffsetId"};

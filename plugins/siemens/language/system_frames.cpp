@@ -125,7 +125,8 @@ std::optional<double> SystemData::programmed(const ig::Block& b, const Name& nam
   const auto [axis, part] = axis_and_part(name);
   const std::size_t i = axis_of(axis);
   std::array<double, 16> m{};
-  if (i > 2 || part != "TR") return std::nullopt;
+  if (i > 5 || part != "TR") return std::nullopt;
+  if (i > 2) return programmable_.get(b).value[i - 3];
   return b.get(frame_, m) ? m[12 + i] / unit(b) : 0.0;
 }
 

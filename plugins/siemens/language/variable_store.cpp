@@ -96,6 +96,7 @@ void VariableStore::restart() {
   macros_.clear();
   given_for_run_.clear();
   patterns.clear();
+  call_path.clear();
   master_spindle.reset();
   curve_begins = 0;
 }

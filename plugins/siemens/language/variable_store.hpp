@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "flow/program_path.hpp"
 #include "language/variable.hpp"
 
 namespace siemens {
@@ -18,7 +19,7 @@ inline constexpr const char* variable_service = "siemens.variables/1";
 
 /// MCALL NAME(…): a call after each block of that program that moves.
 struct ModalCall {
-  std::string program;
+  CalledProgram program;
   std::vector<Argument> arguments;
   std::uint64_t frame = 0;
 };
@@ -39,6 +40,7 @@ struct PatternCall {
 class VariableStore {
  public:
   ModalCall modal;
+  std::vector<std::string> call_path;          ///< folders that CALLPATH has added to the search of programs
   std::vector<PatternCall> patterns;           ///< the innermost last
   std::optional<std::int64_t> master_spindle;  ///< the spindle that SETMS has named
   std::uint32_t curve_begins = 0;              ///< line of the CTABDEF in force; 0: none
@@ -126,6 +128,8 @@ class VariableStore {
     passed_ = std::move(arguments);
     return ++tag_;
   }
+  /// Other arguments for the call that pass() has answered last.
+  void pass_again(std::vector<Argument> arguments) { passed_ = std::move(arguments); }
   /// The arguments of the present program's call, for the first statement that asks.
   const std::vector<Argument>& passed(std::uint64_t tag) {
     if (tag != 0 && tag == tag_) scopes_.back().arguments = passed_;

@@ -11,10 +11,13 @@ using namespace ig::cnc;
 namespace {
 
 /// Z of POS[Z] and POSA[Z].
-char positioning_axis(std::string_view name) {
+std::string positioning_axis(std::string_view name, const AxisNames& axes) {
   for (const std::string_view known : {"POS[", "POSA["})
-    if (name.starts_with(known) && name.size() == known.size() + 2) return name[known.size()];
-  return '\0';
+    if (name.starts_with(known) && name.ends_with(']')) {
+      const std::string_view axis = name.substr(known.size(), name.size() - known.size() - 1);
+      if (axis.size() == 1 || axes.find(axis)) return std::string(axis);
+    }
+  return {};
 }
 
 /// Axes, spindles and codes by index: no variable of a machine has such a name.
@@ -66,12 +69,14 @@ std::size_t WordReader::assignment(ig::Block& b, std::string_view text, std::siz
     return target.position();
   }
   environment_.enter(b);
-  if (reference->name.size() == 5 && reference->name.starts_with("AX["))  // AX[NAME], NAME of type AXIS
-    return valued_as(b, text, begin, equals, reference->name.substr(3, 1), run);
-  if (const char axis = positioning_axis(reference->name); axis != '\0') {
+  if (reference->name.starts_with("AX[") && reference->name.ends_with(']'))  // AX[NAME], NAME of type AXIS
+    if (const std::string axis = reference->name.substr(3, reference->name.size() - 4);
+        axis.size() == 1 || environment_.axes.find(axis))
+      return valued_as(b, text, begin, equals, axis, run);
+  if (const std::string axis = positioning_axis(reference->name, environment_.axes); !axis.empty()) {
     if (environment_.store().is_first_report("POS"))
       b.report(ig::diag("SIE-0292"), columns(begin, target.position()), std::string_view(reference->name));
-    return valued_as(b, text, begin, equals, std::string(1, axis), run);
+    return valued_as(b, text, begin, equals, axis, run);
   }
   if (const auto end = assign_declared(b, text, begin, equals, *reference)) return *end;
   if (const std::string name = extended_name(reference->name); !name.empty()) {

@@ -5,6 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include <isogloss/cnc/further_axes.hpp>
+
 #include "language/siemens_environment.hpp"
 
 namespace siemens {

@@ -77,6 +77,8 @@ std::size_t WordReader::item(ig::Block& b, std::string_view text, std::size_t be
       if (const std::string* const macro = environment_.macro(b, upper(piece(text, begin, end))))
         return expand(b, text, begin, end, *macro, run);
   if (is_action_number(text, begin)) return begin;
+  if (const std::size_t end = machine_name_end(b, text, begin); end != begin)
+    return valued(b, text, begin, end, skip_blanks(text, end) + 1, run);
   if (c == '$' || c == '_' || is_name_start(d)) return named(b, text, begin, run);
   if (c == 'R' && (is_digit(d) || d == '[')) return assignment(b, text, begin, run);
   if (is_digit(d) && is_assigned_variable(b, text, begin)) return assignment(b, text, begin, run);
@@ -113,11 +115,17 @@ std::size_t WordReader::item(ig::Block& b, std::string_view text, std::size_t be
 
 void WordReader::word(ig::Block& b, Run& run, std::string_view name, ig_field field, std::size_t begin, std::size_t end,
                       double value) const {
+  if (const auto axis = further_axis(name)) field = further_axes_.word(*axis).id();
   if (field == IG_NO_FIELD) {
     if (!defines_curve()) leave(b, IG_LEFT_WORD, name, begin, end);
   } else {
     add(b, run, field, begin, end, value, name);
   }
+}
+
+std::optional<std::uint32_t> WordReader::further_axis(std::string_view name) const {
+  const auto axis = environment_.axes.find(name);
+  return axis && is_further_axis(*axis) ? axis : std::nullopt;
 }
 
 std::size_t WordReader::code(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number, Run& run) {
@@ -134,9 +142,11 @@ std::size_t WordReader::code(ig::Block& b, std::string_view text, std::size_t be
 
 void WordReader::set_code(ig::Block& b, Run& run, char letter, std::uint32_t n, std::size_t begin,
                           std::size_t end) const {
-  const ig_machine_code* const row = machine_.find(NumberedName(letter, n).text());
+  const NumberedName name(letter, n);
+  const ig_machine_code* row = machine_.find(name.text());
+  if (row == nullptr && fields_.code(letter, n) == IG_NO_FIELD) row = machine_.family(name.text());
   if (row == nullptr) return set_known(b, run, letter, n, begin, end);
-  if (!environment_.flow.is_indexing() && !defines_curve()) record_.add(b, *row, columns(begin, end));
+  if (!environment_.flow.is_indexing() && !defines_curve()) record_.add(b, *row, columns(begin, end), name.text());
   for_each_code(*row, [&](std::string_view code) {
     if (const auto number = whole_number_of_code(code))
       set_known(b, run, code[0], *number, begin, end);
@@ -241,6 +251,15 @@ std::size_t WordReader::execute_string(ig::Block& b, std::string_view text, std:
   if (behind != begin) return behind;
   b.report(ig::diag("SIE-0305"), columns(begin, end), std::string_view(value->text));
   return end;
+}
+
+std::size_t WordReader::machine_name_end(ig::Block& b, std::string_view text, std::size_t begin) const {
+  const std::size_t end = skip_name(text, begin), equals = skip_blanks(text, end);
+  if (end < begin + 2 || at(text, equals) != '=' || at(text, equals + 1) == '=') return begin;
+  const std::string name = upper(piece(text, begin, end));
+  if (!environment_.axes.find(name)) return begin;
+  if (!environment_.flow.is_indexing()) environment_.enter(b);
+  return environment_.flow.is_indexing() || environment_.store().find(name) == nullptr ? end : begin;
 }
 
 bool WordReader::is_assigned_variable(ig::Block& b, std::string_view text, std::size_t begin) const {

@@ -26,6 +26,7 @@ class WordReader {
  private:
   WordFields fields_;
   AxisModes modes_{ig::write};
+  FurtherAxisWords further_axes_{ig::write, ig::write};
   ig::TextField tool_name_{"ToolName.Text", ig::write, {ig::Life::block, "", "T=\"…\" of this block."}};
   Environment environment_;
   MachineCodes machine_;
@@ -57,8 +58,13 @@ class WordReader {
   bool names_other_macro(std::string_view text, std::size_t position, std::string_view macro) const;
   /// EXECSTRING("R1="<<NR): the words that the text holds.
   std::size_t execute_string(ig::Block& b, std::string_view text, std::size_t begin, std::size_t open, Run& run);
+  /// Where the name ends by which the machine calls an axis, as C1 of C1=45; `begin` where none stands there, or the
+  /// program has a variable of this name.
+  std::size_t machine_name_end(ig::Block& b, std::string_view text, std::size_t begin) const;
   /// X1=, where the program has defined X1.
   bool is_assigned_variable(ig::Block& b, std::string_view text, std::size_t begin) const;
+  /// The number of an axis beside X Y Z A B C that programs call so.
+  std::optional<std::uint32_t> further_axis(std::string_view name) const;
   void add(ig::Block& b, Run& run, ig_field field, std::size_t begin, std::size_t end, double value,
            std::string_view name) const;
   void give(ig::Block& b, Run& run) const;

@@ -22,7 +22,8 @@ bool is_r(std::string_view text, std::size_t begin, std::size_t end) {
 std::size_t WordReader::valued(ig::Block& b, std::string_view text, std::size_t begin, std::size_t name_end,
                                std::size_t equals, Run& run) {
   if (environment_.flow.is_indexing()) return block_end(text, begin);
-  std::string name = upper(trim(piece(text, begin, name_end)));
+  const std::string called = upper(trim(piece(text, begin, name_end)));
+  const std::string name(environment_.axes.letter_of(called));
   const bool has_number = name.size() > 1 && skip_digits(name, 1) == name.size();
   const std::size_t value_at = skip_blanks(text, equals);
   if (name == "T" || name == "D") return tool(b, text, begin, value_at, run, name);
@@ -37,12 +38,14 @@ std::size_t WordReader::valued(ig::Block& b, std::string_view text, std::size_t 
   const ig_field field = fields_.address(name);
   if (mode != ig::Symbol{}) {
     const std::size_t word_index = AxisModes::index_of(name);
-    if (word_index < AxisModes::words.size())
+    if (const auto further = further_axis(name); further && !defines_curve())
+      b.set(further_axes_.mode(*further), mode);
+    else if (word_index < AxisModes::words.size())
       set_mode(b, word_index, mode);
     else if (!(name == "SPOS" || name == "SPOSA") || b.text(mode) == "IC")  // an angle, whichever way it is reached
       b.report(ig::diag("SIE-0128"), columns(begin, end), std::string_view(name), b.text(mode));
   }
-  word(b, run, name, field, begin, end, *value);
+  word(b, run, called, field, begin, end, *value);
   return end;
 }
 
@@ -50,7 +53,9 @@ std::size_t WordReader::valued_as(ig::Block& b, std::string_view text, std::size
                                   const std::string& name, Run& run) {
   const Assigned a = assigned(b, text, equals);
   if (!a.value) return a.end;
-  if (a.mode != ig::Symbol{} && AxisModes::index_of(name) < AxisModes::words.size())
+  if (const auto further = further_axis(name); further && a.mode != ig::Symbol{} && !defines_curve())
+    b.set(further_axes_.mode(*further), a.mode);
+  else if (a.mode != ig::Symbol{} && AxisModes::index_of(name) < AxisModes::words.size())
     set_mode(b, AxisModes::index_of(name), a.mode);
   word(b, run, name, fields_.address(name), begin, a.end, *a.value);
   return a.end;

@@ -2,6 +2,7 @@
 /// whatever code of group 1 is in force, and do not change it; no frame and no tool length applies.
 #include <cmath>
 
+#include <isogloss/cnc/axis_names.hpp>
 #include <isogloss/cnc/machine_target.hpp>
 #include <isogloss/cnc/motion_event.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
@@ -37,6 +38,7 @@ struct SiemensReference {
   BlockMotion move_;
   LastProgramXyz last_;
   ig::Service<ig_machine_axis_1> axes_{"isogloss.machine-axis/1", ig::Need::optional, "Reference positions."};
+  AxisNames names_;
 
   ig::Status build(ig::Block& b) {
     const auto words = b.take(codes_);
@@ -56,25 +58,37 @@ struct SiemensReference {
       b.report(ig::diag("SIE-0277"), where, fixed_point);
       return ig::Status::changed;
     }
-    go(b, named, words->row == 1 ? static_cast<std::uint32_t>(fixed_point) : 1, where);
+    go(b, named, words->row == 1 ? static_cast<std::uint32_t>(fixed_point) : 0, where);
     return ig::Status::changed;
   }
 
  private:
   static constexpr std::string_view axis_names = "XYZABC";
 
-  void go(ig::Block& b, std::uint32_t named, std::uint32_t which, ig::Where where) const {
+  /// The fixed point 1 to 4, or 0: the reference point. A machine that defines no fixed point has it at the reference
+  /// position of the same number.
+  std::optional<double> position(std::size_t axis, std::uint32_t fixed_point) const {
+    double out = 0;
+    if (fixed_point > 0)
+      if (const auto own = names_.position(static_cast<std::uint32_t>(axis), IG_AXIS_FIXED_POINT_1 + fixed_point - 1))
+        return own;
+    const std::uint32_t which = std::max(fixed_point, 1u);
+    if (!axes_ || axes_->reference(axes_->self, axis_names[axis], which, &out) == 0) return std::nullopt;
+    return out;
+  }
+
+  void go(ig::Block& b, std::uint32_t named, std::uint32_t fixed_point, ig::Where where) const {
     ig::Vec3 to = machine_position(b, machine_, last_);
     for (std::size_t axis = 0; axis < axis_names.size(); ++axis) {
       if ((named >> axis & 1u) == 0) continue;
-      double position = 0;
-      const char name = axis_names[axis];
-      if (!axes_ || axes_->reference(axes_->self, name, which, &position) == 0)
-        b.report(ig::diag("SIE-0275"), where, static_cast<double>(which), std::string_view(&name, 1));
+      const auto known = position(axis, fixed_point);
+      if (!known)
+        b.report(ig::diag("SIE-0275"), where, static_cast<double>(std::max(fixed_point, 1u)),
+                 axis_names.substr(axis, 1));
       if (axis < 3)
-        to[axis] = position;
+        to[axis] = known.value_or(0);
       else
-        b.set(turns_[axis - 3], position);
+        b.set(turns_[axis - 3], known.value_or(0));
     }
     move_.rapid(b);
     if ((named & 7u) == 0) return;  // McAbcSyntax turns the rotary axes

@@ -1,7 +1,7 @@
 /// T="NAME": the tool of that name in the tool table. A number that no tool has as its name is a tool's number. Where
 /// the table has no names, they are numbered in the order in which the program uses them.
 #include <string>
-#include <vector>
+#include <unordered_map>
 
 #include <isogloss/cnc/tool_names.hpp>
 #include <isogloss/cnc/whole_number.hpp>
@@ -20,15 +20,19 @@ struct SiemensToolName {
       ig::diagnostic(IG_ERROR, "SIE-0235",
                      "the tool table has no tool '{0}', so the tool does not change: add its name"),
       ig::diagnostic(IG_NOTE, "SIE-0232", "the tool '{0}' has a name: it is row {1} of the tool table"),
+      ig::diagnostic(
+          IG_NOTE, "SIE-0236",
+          "tools {1} and {2} are both called '{0}': the first is used, as the life of tools is not known here"),
   };
 
   ig::TextField name_{"ToolName.Text", ig::read | ig::wake};
   ToolNames table_;
   ig::Word t_{"Parsing.T", ig::write, ""};
-  std::vector<std::string> names_;
+  /// By name: its number where the table has none, in the order of use; the tool of the table where it has.
+  std::unordered_map<std::string, std::int64_t> used_;
 
   ig::Status restart(ig::Block&) {
-    names_.clear();
+    used_.clear();
     return ig::Status::unchanged;
   }
 
@@ -36,7 +40,12 @@ struct SiemensToolName {
     if (!b.has(name_)) return ig::Status::unchanged;
     const std::string_view name = b.text(name_);
     if (const auto id = table_.number(name)) {
-      b.set(t_, static_cast<double>(*id % IG_TOOL_INDEX_STEP));
+      const std::int64_t tool = *id % IG_TOOL_INDEX_STEP;
+      if (used_.try_emplace(std::string(name), tool).second)
+        if (const auto sister = table_.sister(name, *id))
+          b.report(ig::diag("SIE-0236"), ig::Where::block(), name, static_cast<double>(tool),
+                   static_cast<double>(*sister % IG_TOOL_INDEX_STEP));
+      b.set(t_, static_cast<double>(tool));
       return ig::Status::changed;
     }
     const ig::Decimal n = ig::read_decimal(name, 0);
@@ -48,18 +57,12 @@ struct SiemensToolName {
       b.report(ig::diag("SIE-0235"), ig::Where::block(), name);
       return ig::Status::changed;
     }
-    std::size_t i = 0;
-    while (i < names_.size() && names_[i] != name) ++i;
-    if (i == names_.size()) {
-      if (names_.size() < most_names) names_.emplace_back(name);
-      b.report(ig::diag("SIE-0232"), ig::Where::block(), name, static_cast<double>(i + 1));
-    }
-    b.set(t_, static_cast<double>(i + 1));
+    const auto [used, is_new] = used_.try_emplace(std::string(name), static_cast<std::int64_t>(used_.size()) + 1);
+    const double number = static_cast<double>(used->second);
+    if (is_new) b.report(ig::diag("SIE-0232"), ig::Where::block(), name, number);
+    b.set(t_, number);
     return ig::Status::changed;
   }
-
- private:
-  static constexpr std::size_t most_names = 1000;
 };
 
 const ig::Register<SiemensToolName> siemens_tool_name_syntax;

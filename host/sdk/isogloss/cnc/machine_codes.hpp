@@ -3,12 +3,15 @@
 
 #include <isogloss_machine_code.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
 
 #include "isogloss/cnc/scan.hpp"
+#include "isogloss/provenance.hpp"
 #include "isogloss/sdk.hpp"
 
 namespace ig::cnc {
@@ -17,7 +20,29 @@ inline const Diagnostics machine_code_diagnostics{
     diagnostic(IG_ERROR, "ISO-0570", "{0} is not executed, because MachineCodes refuses it: {1}",
                "The row of this code says does=\"refused\", for the reason that the message repeats.",
                "M131 (and a row M131 that refuses it)"),
+    diagnostic(IG_NOTE, "ISO-0573", "the program {0} is not found and does nothing, as MachineCodes wants it",
+               "The table says unknown-programs=\"nothing\". What the program would do is missing from the path.",
+               "L9810 (and no such program)"),
+    diagnostic(IG_ERROR, "ISO-0575", "the words of {0} are not passed to its program: this dialect has no arguments of codes",
+               "The row says arguments=\"passed\". Only controls with macro calls like G65 pass the words of a code.",
+               "M310 A5 (on a control without macros, and a row M310 that demands arguments)"),
+    diagnostic(IG_ERROR, "ISO-0574", "the row {0} of MachineCodes acts as codes, so the call of {1} does nothing",
+               "A row of a program that is called like this does nothing, calls another program, goes to a position, or "
+               "is refused.",
+               "M98 P9020 (and a row O9020 with does=\"codes\")"),
 };
+
+/// How the words of a G or M code that calls a program are passed to it.
+enum class CodeArguments { none, passed, demanded };
+inline CodeArguments arguments_of(const ig_machine_code& row) {
+  const bool has_it = row.struct_size >= offsetof(ig_machine_code, arguments) + sizeof row.arguments;
+  return has_it && row.does == IG_CODE_CALLS ? static_cast<CodeArguments>(std::min(row.arguments, 2u))
+                                             : CodeArguments::none;
+}
+/// Reports a row that demands arguments where the dialect has no variables for them.
+inline void report_lost_arguments(Block& b, const ig_machine_code& row, Where where) {
+  if (arguments_of(row) == CodeArguments::demanded) b.report(diag("ISO-0575"), where, to_view(row.name));
+}
 
 /// A member of each syntax that reads codes: what the service isogloss.machine-code/1 says of them.
 class MachineCodes {
@@ -29,6 +54,14 @@ class MachineCodes {
     return holds_any_ ? table_->find(table_->self, to_text(name)) : nullptr;
   }
   bool holds_any() const { return holds_any_; }
+
+  /// The row of the family that answers for a code or program without a row and without a meaning on the control.
+  const ig_machine_code* family(std::string_view name) const {
+    const bool is_known = holds_any_ && table_->struct_size >= offsetof(ig_machine_code_1, find_family) + sizeof(void*);
+    return is_known ? table_->find_family(table_->self, to_text(name)) : nullptr;
+  }
+  /// A call of a program that is not found does nothing.
+  bool ignores_unknown_programs() const { return table_ && table_->unknown_programs == 1; }
 
  private:
   Service<ig_machine_code_1> table_{"isogloss.machine-code/1", Need::optional, "The codes of the machine's builder."};
@@ -50,16 +83,40 @@ class MachineCodeRecord {
  public:
   /// A row that refuses its code is reported at `where`. A code that stands again is recorded again where a second call
   /// or move of the block is to be reported, but not a third time, so the record of a long block stays short.
-  void add(Block& b, const ig_machine_code& row, Where where) const {
+  /// `text` is what the program writes: the code, and the words that belong to it.
+  void add(Block& b, const ig_machine_code& row, Where where, std::string_view text = {}) const {
+    const bool has_row = row.struct_size >= offsetof(ig_machine_code, row) + sizeof row.row;
+    rows_.add(b, has_row ? to_view(row.row) : to_view(row.name));
+    add_words(b, row, text);
     const bool is_counted = row.does == IG_CODE_CALLS || row.does == IG_CODE_MOVES;
     if (times_recorded(b, to_view(row.name)) < (is_counted ? 2 : 1)) {
       append(b, name_, to_view(row.name));
       if (row.title.size > 0) append(b, title_, to_view(row.title));
     }
-    if (row.does == IG_CODE_IS_REFUSED) b.report(diag("ISO-0570"), where, to_view(row.name), to_view(row.text));
+    const bool is_family = to_view(row.name).ends_with('*') && !trim(text).empty();
+    if (row.does == IG_CODE_IS_REFUSED)
+      b.report(diag("ISO-0570"), where, is_family ? trim(text) : to_view(row.name), to_view(row.text));
   }
 
  private:
+  static constexpr std::size_t most_text = 1000;  // that is kept of a block
+
+  /// A code alone says no more than the name of its row does.
+  void add_words(Block& b, const ig_machine_code& row, std::string_view text) const {
+    text = trim(text);
+    const bool is_family = to_view(row.name).ends_with('*');
+    if (text.empty() || (!is_family && text.find_first_of(" \t\n(=,") == std::string_view::npos)) return;
+    std::string words;
+    for (const char c : text) {
+      const bool is_space = is_blank(c) || c == '\n' || c == '\r' || c == '~';
+      if (!is_space)
+        words += c;
+      else if (!words.ends_with(' '))
+        words += ' ';
+    }
+    if (b.text(words_).size() + words.size() < most_text) append(b, words_, words);
+  }
+
   int times_recorded(const Block& b, std::string_view name) const {
     int times = 0;
     for_each_recorded(b.text(name_), [&](std::string_view recorded) { times += recorded == name ? 1 : 0; });
@@ -76,6 +133,10 @@ class MachineCodeRecord {
                   read | write,
                   {Life::block, "", "The codes of the machine's builder that the table MachineCodes has answered."}};
   TextField title_{"MachineCode.Title", read | write, {Life::block, "", "What the builder calls them."}};
+  TextField words_{"MachineCode.Words",
+                   read | write,
+                   {Life::block, "", "The codes and calls as the program writes them, with their arguments."}};
+  AnsweredRows rows_{"isogloss.machine-code/1"};
 };
 
 /// A member of the syntaxes that execute what scanners have recorded.
@@ -135,6 +196,16 @@ class CodesOfMachineCodes {
     }
   }
 
+  /// A syntax of the chain knows the code with these digits: 8 and 08 are M08, 54.1 is G54.1.
+  bool knows(char letter, std::string_view digits) const {
+    while (digits.size() > 1 && digits.front() == '0' && is_digit(digits[1])) digits.remove_prefix(1);
+    if (digits.ends_with('.')) digits.remove_suffix(1);
+    if (digits.ends_with(".0")) digits.remove_suffix(2);
+    std::string name(1, letter);
+    if (skip_digits(digits, 0) < 2) name += '0';
+    return known_.contains(name.append(digits));
+  }
+
   /// Puts the codes of the row at these columns; one that no syntax of the chain knows is a leftover. Returns whether
   /// an unknown one is a G code.
   bool put(Block& b, const ig_machine_code& row, std::size_t begin, std::size_t end) const {
@@ -153,6 +224,33 @@ class CodesOfMachineCodes {
  private:
   Fields codes_{"codes", "Parsing.Flags.* Parsing.*", write, "The codes that syntaxes of this chain know.", IG_CODE};
   std::map<std::string, ig_field, std::less<>> known_;
+};
+
+/// A member of the syntaxes that call programs by name or number: what MachineCodes does in place of a program.
+class ProgramsOfBuilder {
+ public:
+  /// The row of this very program, which goes before the program itself.
+  const ig_machine_code* row(std::string_view name) const { return machine_.find(name); }
+  /// The row of a family, for a program that is not found.
+  const ig_machine_code* family(std::string_view name) const { return machine_.family(name); }
+
+  /// Executes a row in place of a call; call(program) calls another program and reports one that is not found.
+  template <class Call>
+  void execute(Block& b, const ig_machine_code& row, std::string_view name, Where where, Call&& call) const {
+    record_.add(b, row, where, name);
+    if (row.does == IG_CODE_CALLS) call(to_view(row.program));
+    if (row.does == IG_CODE_ACTS) b.report(diag("ISO-0574"), where, to_view(row.name), name);
+  }
+  /// True, and a note, where a program that is not found does nothing.
+  bool ignores(Block& b, std::string_view name, Where where) const {
+    if (!machine_.ignores_unknown_programs()) return false;
+    b.report(diag("ISO-0573"), where, name);
+    return true;
+  }
+
+ private:
+  MachineCodes machine_;
+  MachineCodeRecord record_;
 };
 
 }  // namespace ig::cnc

@@ -11,13 +11,14 @@ namespace {
 
 struct OneCode {
   ig_machine_code row{
-      sizeof(ig_machine_code), IG_CODE_ACTS, ig::to_text("M92"), ig::to_text("M08 M50"), {}, {}, {}, 0, 0, {}};
-  ig_machine_code_1 provided{sizeof(ig_machine_code_1), 0, this, &find};
+      sizeof(ig_machine_code), IG_CODE_ACTS, ig::to_text("M92"), ig::to_text("M08 M50"), {}, {}, {}, 0, 0, {}, ig::to_text("M92"), 0, 0};
+  ig_machine_code_1 provided{sizeof(ig_machine_code_1), 0, this, &find, &family};
   BlockDocument document;
 
   static const ig_machine_code* find(void* self, ig_text name) {
     return name.size == 0 || ig::to_view(name) == "M92" ? &static_cast<OneCode*>(self)->row : nullptr;
   }
+  static const ig_machine_code* family(void*, ig_text) { return nullptr; }
   MachineCodes codes() {
     document.services["isogloss.machine-code/1"] = &provided;
     return document.create([] { return MachineCodes(); });

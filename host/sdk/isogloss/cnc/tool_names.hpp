@@ -19,6 +19,15 @@ class ToolNames {
     const std::int64_t id = table_ && !name.empty() ? table_->find(table_->self, to_text(name), 0) : 0;
     return id != 0 ? std::optional(id) : std::nullopt;
   }
+  /// The first tool behind the tool `id` of the table that has this name too: its sister, which the control takes when
+  /// the life of the first has ended. Further lengths of one tool (5.1) are no sisters.
+  std::optional<std::int64_t> sister(std::string_view name, std::int64_t id) const {
+    if (!table_ || name.empty()) return std::nullopt;
+    std::int64_t next = id;
+    do next = table_->find(table_->self, to_text(name), next);
+    while (next != 0 && next % IG_TOOL_INDEX_STEP == id % IG_TOOL_INDEX_STEP);
+    return next != 0 ? std::optional(next) : std::nullopt;
+  }
   /// Does the table give any tool a name? Then a name that it lacks is a mistake.
   bool has_names() const { return table_ && table_->find(table_->self, {nullptr, 0}, 0) != 0; }
 

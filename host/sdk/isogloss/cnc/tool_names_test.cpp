@@ -13,8 +13,10 @@ struct NamedTools {
   ig_tool_name_1 provided{sizeof(ig_tool_name_1), 0, this, &find, nullptr};
   BlockDocument document;
 
-  static std::int64_t find(void*, ig_text name, std::int64_t) {
-    return name.size == 0 || ig::to_view(name) == "EM10" ? 7 : 0;
+  /// Tool 7 with two lengths, and its sister 9.
+  static std::int64_t find(void*, ig_text name, std::int64_t after) {
+    if (name.size != 0 && ig::to_view(name) != "EM10") return 0;
+    return after == 0 ? 7 : after == 7 ? indexed_tool(7, 1) : after == indexed_tool(7, 1) ? 9 : 0;
   }
   ToolNames names() {
     document.services["isogloss.tool-name/1"] = &provided;
@@ -31,9 +33,14 @@ TEST_CASE("a tool is found by its name, and a table with names is told from one 
   CHECK_FALSE(names.number("EM11").has_value());
   CHECK_FALSE(names.number("").has_value());
   CHECK(names.has_names());
+  CHECK(names.sister("EM10", 7) == 9);
+  CHECK_FALSE(names.sister("EM10", 9).has_value());
+  CHECK_FALSE(names.sister("EM11", 7).has_value());
+  CHECK_FALSE(names.sister("", 7).has_value());
   BlockDocument document;
   const auto none = document.create([] { return ToolNames(); });
   CHECK_FALSE(none.number("EM10").has_value());
+  CHECK_FALSE(none.sister("EM10", 7).has_value());
   CHECK_FALSE(none.has_names());
 }
 

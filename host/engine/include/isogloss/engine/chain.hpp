@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <set>
 
 #include "isogloss/engine/document.hpp"
 #include "isogloss/engine/linker.hpp"
 #include "isogloss_flow.h"
+#include "isogloss_provenance.h"
 
 namespace isogloss {
 
@@ -31,6 +33,9 @@ class DependencyTable {
   void add_row(std::string_view name) { row(name); }
   const ig_dependency& dependency() const { return *dependency_; }
   const std::vector<std::string>& rows() const { return names_; }
+  /// From now on the names of the rows whose values are asked for, whether the table has them or not; `reads` outlives
+  /// the table.
+  void record_reads(std::set<std::string, std::less<>>* reads) { reads_ = reads; }
 
  private:
   struct Cell {
@@ -43,6 +48,7 @@ class DependencyTable {
   std::vector<std::string> names_;
   std::map<std::string, std::size_t, std::less<>> index_;
   std::vector<std::vector<Cell>> cells_;
+  std::set<std::string, std::less<>>* reads_ = nullptr;
 };
 
 struct ChainSettings {
@@ -119,6 +125,16 @@ class Chain {
   std::uint64_t blocks = 0;   ///< blocks begun so far
   std::uint64_t records = 0;  ///< records added to lists so far: steps of cycles
 
+  /// A row of a table that has answered for this block.
+  struct AnsweredRow {
+    std::uint16_t syntax;  ///< chain position + 1
+    std::string service, row;
+  };
+  /// Those of this block, in their order, at most most_answered_rows; empty unless listen_to_rows() was called.
+  std::vector<AnsweredRow> answered_rows;
+  static constexpr std::size_t most_answered_rows = 1000;
+  void listen_to_rows() { provenance_.is_listening = 1; }
+
   /// Executes calls and jumps, set by the runner; null where no program runs.
   FlowHost* flow = nullptr;
   /// From now on scanners report the names of lines.
@@ -182,6 +198,7 @@ class Chain {
   std::uint64_t reports_ = 0;  // diagnostics of this chain so far
   const ig_host* host_;
   ig_flow_1 flow_service_;
+  ig_provenance_1 provenance_;
   struct Step {
     ig_run_fn build = nullptr;  // of a syntax that looks ahead this is null ...
     ig_scan_fn scan = nullptr;

@@ -80,6 +80,11 @@ struct Signature {
   friend bool operator==(const Signature&, const Signature&) = default;
 };
 
+/// One place of the order in which called programs are searched.
+struct SearchFolder {
+  std::vector<std::string> names;  ///< spellings of a folder's name; empty: the folders that the program has added
+};
+
 /// A dialect with everything that it extends applied.
 struct Dialect {
   std::string name;
@@ -101,6 +106,8 @@ struct Dialect {
   std::map<std::string, Severity> severities;  ///< by diagnostic code
   /// Folders, or files of several programs, in which called programs are looked for, in this order.
   std::vector<std::filesystem::path> program_places;
+  /// Folders below those of program_places that the control searches after them, in this order.
+  std::vector<SearchFolder> search_order;
 };
 
 /// Finds and reads dialect files. Relative paths resolve against the file that holds them; nothing outside the

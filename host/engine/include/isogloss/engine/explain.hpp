@@ -27,10 +27,21 @@ struct ExplainedAnswer {
   std::string dependency;  ///< alias
 };
 
+/// A row of a table that has answered in this block.
+struct ExplainedRow {
+  std::string dependency;  ///< alias
+  std::string row;         ///< its name
+  Location where;          ///< in the XML or in the file of the control; no file: not given by a file
+  friend bool operator==(const ExplainedRow& a, const ExplainedRow& b) {
+    return a.dependency == b.dependency && a.row == b.row;
+  }
+};
+
 struct ExplainedStep {
   std::string syntax;  ///< alias
   std::string plugin;
   std::vector<ExplainedAnswer> answers{};
+  std::vector<ExplainedRow> rows{};
   std::vector<ExplainedChange> changes;  ///< empty: it was called and changed nothing
 };
 

@@ -29,6 +29,8 @@ struct RunOptions {
   std::uint64_t stop_after_pass = 1;  ///< how often that line is run
   std::size_t maximum_line_bytes = 1u << 20;
   std::function<void(Chain&)> prepare;  ///< called once the chain is created, before its start; empty: none
+  /// Called when a program in a file is called for the first time, with its name and the file; empty: none.
+  std::function<void(std::string_view program, const std::string& file)> called;
   std::function<void(std::uint64_t blocks, std::uint64_t bytes)> progress;  ///< now and then; empty: none
   std::function<bool()> goes_on;  ///< asked as often; false ends the run, and its author reports why; empty: always
 };

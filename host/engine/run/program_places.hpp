@@ -1,0 +1,82 @@
+/// Where the files of called programs may be: the folders and files that the user gives, and below them the folders of
+/// the control's search order.
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <isogloss_flow.h>
+
+#include "isogloss/engine/dialect.hpp"
+
+namespace isogloss {
+
+std::string in_small_letters(std::string_view text);
+
+/// The names under which a call looks for its program, apart from the folders that they name ("SPF.DIR/").
+struct SearchedNames {
+  explicit SearchedNames(std::span<const ig_text> files);
+  std::vector<std::string> own_folders;   ///< of the call: where one of them is there, nothing else is searched
+  std::vector<std::string> stems;         ///< small letters, the best first
+  std::vector<std::string> path_folders;  ///< that the program has added to the search
+};
+
+/// Finds files of programs by name. Only what lies in a searched folder itself is found: no link that leads elsewhere.
+class ProgramPlaces {
+ public:
+  ProgramPlaces(const std::vector<std::string>& places, const std::vector<std::string>& extensions,
+                const std::vector<SearchFolder>& order);
+  struct Found {
+    std::filesystem::path file;  ///< resolved
+    std::string name;            ///< as it is shown
+    bool is_library = false;     ///< a file of several programs: used only when it holds the label
+  };
+  using Take = std::function<bool(const Found&)>;
+  /// Calls `take` with each file that may hold the program, the best first, until it returns true. An obstacle is
+  /// written to `reason`.
+  bool find(const SearchedNames& names, const Take& take, std::string& reason);
+  /// Whether a folder of the call itself is there.
+  bool has_own_folder(const SearchedNames& names);
+  /// The files that the search order places after the one that find() has taken.
+  std::vector<std::string> hidden(const SearchedNames& names);
+  /// The place of a folder in the search order, from 1; 0 where the order does not have it.
+  int rank_of(std::string_view folder, const SearchedNames& names) const;
+  /// Every file of the folders that may hold programs, whatever its name; of a folder of more than 256 none. All calls
+  /// together read 64 MiB of 4096 files at most: a program may ask for any number of others.
+  bool find_inside(const Take& take);
+  std::string describe() const;  ///< "folder a, file b"
+
+ private:
+  struct Folder {
+    std::string shown;
+    std::filesystem::path resolved;
+    bool is_listed = false, is_library = false;
+    std::map<std::string, std::vector<std::string>, std::less<>> files;    // by stem in small letters
+    std::map<std::string, std::vector<std::string>, std::less<>> folders;  // by name in small letters
+  };
+  void list(Folder& folder) const;
+  /// The folders of that name in a folder.
+  std::vector<Folder*> below(Folder& folder, const std::string& name);
+  Folder* known(const std::filesystem::path& resolved, const std::string& shown);
+  /// The folders that a path such as "wks.dir/part.wpd" names, below the given folders or as one of them.
+  std::vector<Folder*> at_path(const std::string& path);
+  /// The folders in the order in which a call searches them.
+  std::vector<Folder*> searched(const SearchedNames& names);
+  bool find_in(Folder& folder, const std::vector<std::string>& stems, const Take& take, std::string& reason);
+
+  std::uintmax_t inside_bytes_left_ = std::uintmax_t{64} << 20;
+  std::size_t inside_files_left_ = 4096;
+  std::deque<Folder> folders_;
+  std::vector<Folder*> given_, roots_;  // roots_: where folders of the search order stand, or may stand
+  const std::vector<SearchFolder>& order_;
+  std::vector<std::vector<Folder*>> levels_;  // the folders for each part of order_
+  std::vector<std::string> extensions_;
+};
+
+}  // namespace isogloss

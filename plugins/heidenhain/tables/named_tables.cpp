@@ -1,0 +1,32 @@
+#include "tables/named_tables.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include <isogloss/cnc/scan.hpp>
+
+namespace heidenhain {
+
+using namespace ig::cnc;
+
+std::string table_name(std::string_view path) {
+  const std::size_t folder = path.find_last_of("\\/:");
+  std::string out(folder == std::string_view::npos ? path : path.substr(folder + 1));
+  std::transform(out.begin(), out.end(), out.begin(), [](char c) { return to_upper(c); });
+  return out;
+}
+
+std::string_view without_ending(std::string_view name) { return name.substr(0, name.rfind('.')); }
+
+std::optional<TableKey> TableKey::read(std::string_view key) {
+  const std::size_t mark = key.rfind('#');
+  const std::size_t folder = key.find_last_of("\\/:");
+  if (mark == std::string_view::npos || mark == 0 || folder != std::string_view::npos) return std::nullopt;
+  TableKey out{key.substr(0, mark), 0};
+  const char* const end = key.data() + key.size();
+  const auto [read, error] = std::from_chars(key.data() + mark + 1, end, out.row);
+  const bool is_number = error == std::errc{} && read == end && out.row >= 0;
+  return is_number && std::to_string(out.row) == key.substr(mark + 1) ? std::optional(out) : std::nullopt;
+}
+
+}  // namespace heidenhain
