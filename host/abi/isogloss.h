@@ -267,8 +267,7 @@ struct ig_link_api {
   ig_text (*setting)(ig_link*, const char* name);
   /* The table of the dependency that is being created; NULL for a syntax. */
   ig_table* (*table)(ig_link*);
-  /* Rows and columns of a table. value() and set_value() return 1, or 0 when row or column is not there or has no
-   * value; set_value() adds the row. text_value() answers size 0 then. */
+  /* Rows and columns: 1, or 0 (a text: size 0) without such a cell or a value. set_value() adds the row. */
   int32_t (*value)(const ig_table*, ig_text row, uint32_t column, double* out);
   int32_t (*set_value)(ig_table*, ig_text row, uint32_t column, double value);
   ig_text (*text_value)(const ig_table*, ig_text row, uint32_t column);
@@ -278,6 +277,7 @@ struct ig_link_api {
   void (*fail)(ig_link*, ig_text reason);
   /* The syntax that is being created has nothing to do in this chain: its build() is not called. */
   void (*idle)(ig_link*);
+  int32_t (*set_text_value)(ig_table*, ig_text row, uint32_t column, ig_text value); /* since 1.8: of a text column */
 };
 
 /* ---- While a block is built --------------------------------------------------------------------------------- */

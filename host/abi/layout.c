@@ -145,6 +145,7 @@ AT(ig_link_api, row_count, 112);
 AT(ig_link_api, row_name, 120);
 AT(ig_link_api, fail, 128);
 AT(ig_link_api, idle, 136);
+AT(ig_link_api, set_text_value, 144);
 
 FROZEN(ig_word, 24);
 AT(ig_word, field, 0);

@@ -20,7 +20,8 @@ std::string xml_of(const DependencyTable& table, const std::string& name) {
     pugi::xml_node row = root.append_child(d.row_element);
     row.append_attribute(d.row_key).set_value(key.c_str());
     for (std::uint32_t column = 0; column < d.column_count; ++column)
-      if (const std::string text(table.text(key, column)); !text.empty())
+      // An empty text is written where a program has set it: it replaces the text that the dialect gives.
+      if (const std::string text(table.text(key, column)); !text.empty() || table.value(key, column))
         row.append_attribute(d.columns[column].name).set_value(text.c_str());
   }
   std::ostringstream out;

@@ -171,6 +171,27 @@ const ig::Diagnostics shared_diagnostics{
                    "The function reads the tools, curves or axes of the machine. What needs the value is not executed. "
                    "Assign the value that it has on the machine.",
                    "R1=GETT(\"DRILL\",1)"),
+    ig::diagnostic(IG_ERROR, "SIE-0360",
+                   "the value {1} is outside the range of {0}, which is {2}, so nothing is assigned: check the value",
+                   "The range is that of the type (INT: 32 bits, CHAR: 0 to 255) or of the limits LLI and ULI in the "
+                   "definition. The control stops with an alarm.",
+                   "STOCK=7 (after DEF NCK REAL LLI 0 ULI 5 STOCK)"),
+    ig::diagnostic(IG_ERROR, "SIE-0361",
+                   "{0} has room for {2} characters, so '{1}' is not assigned: shorten the text, or define it longer",
+                   "The definition gives the length: STRING[20]. The option long-text of SiemensVariables cuts such "
+                   "texts.",
+                   "DEF STRING[3] NAME=\"DRILL\""),
+    ig::diagnostic(IG_WARNING, "SIE-0364",
+                   "{0} is an output of the machine: nothing is switched, and programs read the value back",
+                   "Reported once for each output. A row of the output in SiemensVariables makes the assignment "
+                   "silent.",
+                   "$A_OUT[3]=1"),
+    ig::diagnostic(
+        IG_ERROR, "SIE-0365",
+        "'{0}' is not a frame that a FRAME variable can hold, so nothing is assigned: use CTRANS and CROT",
+        "The links are CTRANS, CFINE, CROT, CSCALE and CMIRROR of X, Y and Z, with A, B and C in shifts, and "
+        "other frames. A rotation cannot follow a mirror or different scales.",
+        "PART=CTRANS(Q,10)"),
 };
 
 }  // namespace

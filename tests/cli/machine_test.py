@@ -265,8 +265,8 @@ class Machines(unittest.TestCase):
         self.write("card/A_GUD.INI", "%_N_CH1_GUD_INI\nCHANDATA(1)\nCLEAR_Z=65\nM17\n")
         self.write("card/UGUD.DEF", "%_N_UGUD_DEF\nDEF NCK REAL CLEAR_Z=80\nDEF NCK REAL OTHER_Z=7\nM17\n")
         tables = self.run_it("import", "card").stdout
-        self.assertIn('<Variable name="CLEAR_Z" Value="65" />', tables)
-        self.assertIn('<Variable name="OTHER_Z" Value="7" />', tables)
+        self.assertIn('<Variable name="CLEAR_Z" Value="65" Type="REAL" />', tables)
+        self.assertIn('<Variable name="OTHER_Z" Value="7" Type="REAL" />', tables)
         self.assertIn("<!-- A_GUD.INI:3 -->", tables)
 
     def test_a_file_without_rows_is_reported(self):

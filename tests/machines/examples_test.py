@@ -12,17 +12,20 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 OPTIONS = None
 HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
 # Of each machine: what its tables come from, and what lint names as not read.
 EXAMPLES = {
     "klartext-5axis": ({"ToolOffsetTable": {"TOOL.T", "machine.xml"}, "IsoCoordinateTable": {"PRESET.PR"},
                         "HeidenhainDatums": {"VICES.D"}, "HeidenhainSystemData": {"machine.xml"}, "MachineAxes": {"axes.xml"}, "MachineKinematics": {"axes.xml"}},
                        {"column DOC", "column SHOP_RACK", "column SHOP_CHECKED", "column TL", "column RT", "column LOCKED", "tool 0"}),
     "siemens-mill": ({"ToolOffsetTable": {"TO1_TOA.INI"}, "SiemensCoordinateTable": {"CH1_UFR.INI"},
-                      "SiemensVariables": {"CH1_GUD.INI"}, "MachineAxes": {"machine.xml"}},
-                     {"tool management data", "magazine data", "definition of a STRING, AXIS or FRAME"}),
+                      "SiemensVariables": {"UGUD.DEF", "CH1_GUD.INI"}, "SiemensMacros": {"MMAC.DEF"},
+                      "MachineAxes": {"machine.xml"}},
+                     {"tool management data", "magazine data"}),
     "fanuc-mill": ({"ToolOffsetTable": {"TOOLOFST.TXT"}, "IsoCoordinateTable": {"EXT_WKZ.TXT"},
                     "MacroVariables": {"MACRO.TXT"}, "FanucParameterTable": {"CNC-PARA.TXT", "fanuc.parameters.xml"}},
                    {"parameter", "name of a variable"}),
@@ -138,6 +141,26 @@ class Examples(unittest.TestCase):
         # PARK.SPF: Z1 is Z by its name in machine.xml, and D0 leaves no tool length. Fixed point 2 is X-350 Y0.
         self.assert_at(at["PARK.SPF", 4][0], Z=0)
         self.assert_at(at["PARK.SPF", 5][0], X=-350, Y=0, Z=0)
+
+    def test_siemens_mill_keeps_its_user_data(self):
+        # LAST_PART is a STRING[20], PALLETS_DONE an INT that PARK.SPF counts up from 214; STOCK goes from 0 to 2.
+        with tempfile.TemporaryDirectory() as folder:
+            saved = pathlib.Path(folder) / "variables.xml"
+            self.command("run", HERE / "siemens-mill.mpf", "-m", "siemens-mill", "--emit", "none",
+                         "--save-table", f"SiemensVariables={saved}")
+            rows = {row.get("name"): row.attrib for row in xml.etree.ElementTree.parse(saved).getroot()}
+        self.assertEqual(rows["LAST_PART"]["Text"], "PAD AND SLOT")
+        self.assertEqual(rows["PALLETS_DONE"]["Value"], "215")
+        self.assertEqual((rows["STOCK[0]"]["Value"], rows["STOCK[2]"]["Value"]), ("0.2", "0.1"))
+        for text, code in (("STOCK[2]=2.5", "SIE-0360"), ('LAST_PART="A NAME OF 21 LETTERS."', "SIE-0361"),
+                           ("LAST_PART=5", "SIE-0130"), ("STOCK[3]=1", "SIE-0304")):
+            told = self.start("run", "-", "-m", "siemens-mill", "--emit", "none", input=text + "\nM30\n").stderr
+            self.assertEqual([json.loads(line)["Code"] for line in told.splitlines()], [code], text)
+
+    def test_explain_shows_the_macro(self):
+        program = ROOT / "dialects/machines/siemens-mill/programs/PARK.SPF:4"
+        shown = self.command("explain", program, "-m", "siemens-mill")[0]
+        self.assertIn('SiemensMacro.Name = "RETRACT_Z"', shown)
 
     def test_fanuc_mill(self):
         at, main = self.places("fanuc-mill.nc", "fanuc-mill"), "fanuc-mill.nc"

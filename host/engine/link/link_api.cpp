@@ -50,6 +50,13 @@ std::int32_t set_value(ig_table* t, ig_text row, std::uint32_t column, double v)
   return reinterpret_cast<DependencyTable*>(t)->set(to_view(row), column, v) ? 1 : 0;
 }
 
+std::int32_t set_text_value(ig_table* t, ig_text row, std::uint32_t column, ig_text value) {
+  DependencyTable& table = *reinterpret_cast<DependencyTable*>(t);
+  const ig_dependency& d = table.dependency();
+  const bool is_text = column < d.column_count && d.columns[column].is_text != 0;
+  return is_text && table.set(to_view(row), column, to_view(value)) ? 1 : 0;
+}
+
 ig_text text_value(const ig_table* t, ig_text row, std::uint32_t column) {
   return to_text(rows(t).text(to_view(row), column));
 }
@@ -83,7 +90,8 @@ const ig_link_api& link_api() {
                                    .row_count = row_count,
                                    .row_name = row_name,
                                    .fail = fail,
-                                   .idle = idle};
+                                   .idle = idle,
+                                   .set_text_value = set_text_value};
   return api;
 }
 

@@ -34,7 +34,7 @@ class Column {
 };
 
 /// The rows of the dependency that holds this member. A value is nothing where the row or its value is missing;
-/// set_value() adds a row that is missing, and is false where the dependency has no table.
+/// set_value() and set_text() add a row that is missing, and are false where the dependency has no table.
 class Table {
  public:
   Table() {
@@ -49,6 +49,11 @@ class Table {
   }
   bool set_value(std::string_view row, const Column& column, double value) const {
     return table_ != nullptr && api_->set_value(table_, to_text(row), column.index(), value) != 0;
+  }
+  /// For a column of texts; false with a host of contract 1.7 and older, too.
+  bool set_text(std::string_view row, const Column& column, std::string_view value) const {
+    return table_ != nullptr && api_->host_minor >= 8 &&
+           api_->set_text_value(table_, to_text(row), column.index(), to_text(value)) != 0;
   }
   std::string_view text(std::string_view row, const Column& column) const {
     return table_ == nullptr ? std::string_view{} : to_view(api_->text_value(table_, to_text(row), column.index()));

@@ -21,9 +21,10 @@ const ig::Diagnostics archive_diagnostics{
                    "A list of values needs the definition of its array in the same file, unless the array has one "
                    "dimension.",
                    "LIMITS[0,0]=SET(1,2,3)"),
-    ig::diagnostic(
-        IG_WARNING, "SIE-0350", "the array {0} has {1} elements, too many for a table: its initial values are left out",
-        "Arrays of up to 10000 elements are read, and 200000 elements of a file.", "DEF NCK REAL POINTS[200,200]"),
+    ig::diagnostic(IG_WARNING, "SIE-0350",
+                   "{1} elements of the array {0} have values, too many for a table: these values are left out",
+                   "Arrays of up to 10000 elements are read, and 200000 elements of a file.",
+                   "DEF NCK REAL POINTS[200,200]=REP(1,20000)"),
     ig::diagnostic(IG_WARNING, "SIE-0351", "{0} is defined twice, so only the first definition is read",
                    "The control reports an alarm when it loads such a file.", "DEF NCK INT A, A"),
     ig::diagnostic(IG_WARNING, "SIE-0352",
@@ -31,6 +32,12 @@ const ig::Diagnostics archive_diagnostics{
                    "The form is DEF NCK REAL NAME=1, OTHER[2,3].", "DEF NCK LENGTH"),
     ig::diagnostic(IG_WARNING, "SIE-0354", "there is no R parameter {0}, so the line is left out: they go up to R32534",
                    "R parameters are numbered from R0.", "R99999=1"),
+    ig::diagnostic(IG_WARNING, "SIE-0362", "{0} cannot hold '{1}', so this value is left out: its definition is {2}",
+                   "The value has another type than the definition in this file, is longer than the STRING, or is "
+                   "outside the limits LLI and ULI.",
+                   "DEF NCK STRING[3] LABEL=\"LONG\""),
+    ig::diagnostic(IG_WARNING, "SIE-0363", "the macro {0} is left out, because {1}",
+                   "A macro is a name of the user and a text, which stands on the same line.", "DEFINE IF AS M24"),
 };
 
 }  // namespace

@@ -1,8 +1,11 @@
 // DEF NCK|CHAN [attributes] TYPE [attributes] NAME[sizes]=value, … Manual Job planning, "Definition of global user
 // data".
+#include <algorithm>
 #include <cmath>
 
 #include "archive/variable_rows.hpp"
+#include "language/declared_type.hpp"
+#include "language/macro_table.hpp"
 
 namespace siemens {
 
@@ -19,8 +22,6 @@ bool is_switch(std::string_view w) {
 bool has_value(std::string_view w) {
   return is_one_of(w, "APR", "APW", "APRP", "APWP", "APRB", "APWB", "APX", "PHU", "LLI", "ULI");
 }
-bool is_type(std::string_view w) { return is_one_of(w, "BOOL", "CHAR", "INT", "REAL", "STRING", "AXIS", "FRAME"); }
-
 std::optional<VariableRows::Sizes> read_sizes(Cursor& cursor) {
   VariableRows::Sizes out;
   if (!cursor.accept('[')) return out;
@@ -32,30 +33,14 @@ std::optional<VariableRows::Sizes> read_sizes(Cursor& cursor) {
   return cursor.accept(']') && out.size() <= 3 ? std::optional(out) : std::nullopt;
 }
 
-std::string element(std::string name, const VariableRows::Sizes& sizes, std::size_t number) {
-  if (sizes.empty()) return name;
-  std::string indices;
-  for (std::size_t i = sizes.size(); i-- > 0; number /= sizes[i])
-    indices = (i == 0 ? '[' : ',') + std::to_string(number % sizes[i]) + indices;
-  return name + indices + ']';
-}
-
 }  // namespace
-
-double VariableRows::Definition::initial() const {
-  const double low = lowest.value_or(0), high = highest.value_or(0);
-  return low > 0 ? low : high < 0 ? high : 0;
-}
 
 bool VariableRows::define(ig::Import& file, std::string_view code) {
   Cursor cursor(code);
   const std::string_view keyword = cursor.word();
   const std::size_t begin = place_in(file, code), end = begin + code.size();
   if (cursor.peek() == '=' || cursor.peek() == '[') return false;
-  if (is_one_of(keyword, "DEFINE")) {
-    file.unused("macro", "no table holds DEFINE: put the line into the programs that use the name", begin, end);
-    return true;
-  }
+  if (is_one_of(keyword, "DEFINE")) return define_macro(file, code, cursor), true;
   if (is_one_of(keyword, "REDEF")) {
     file.unused("REDEF", "no table has a place for attributes of variables", begin, end);
     return true;
@@ -64,39 +49,57 @@ bool VariableRows::define(ig::Import& file, std::string_view code) {
   Definition d;
   std::string_view name;
   bool is_global = false;
-  const bool is_sound = read_attributes(cursor, d, name, is_global);
+  const bool is_sound = read_attributes(cursor, code, d, name, is_global);
   if (is_sound && !is_global) {
     file.unused("variable of one program", no_place, begin, end);
     for (const std::string_view one : split(code.substr(static_cast<std::size_t>(name.data() - code.data()))))
       local_.insert(upper(Cursor(one).word()));
-  } else if (is_sound && is_one_of(d.type, "STRING", "AXIS", "FRAME")) {
-    file.unused("definition of a STRING, AXIS or FRAME", "SiemensVariables holds numbers only", begin, end);
   } else if (!is_sound || !read_names(file, cursor, d, name)) {
     file.report(ig::diag("SIE-0352"), begin, end, shown(code));
   }
   return true;
 }
 
-bool VariableRows::read_attributes(Cursor& cursor, Definition& d, std::string_view& name, bool& is_global) {
-  for (;;) {
+void VariableRows::define_macro(ig::Import& file, std::string_view code, Cursor cursor) {
+  const std::size_t begin = place_in(file, code), end = begin + code.size();
+  const std::string name = upper(cursor.word());
+  if (!is_one_of(cursor.word(), "AS")) return file.report(ig::diag("SIE-0352"), begin, end, shown(code));
+  const std::string_view text = trim(cursor.rest());
+  if (const std::string fault = macro_fault(name, text); !fault.empty())
+    return file.report(ig::diag("SIE-0363"), begin, end, shown(name), fault);
+  if (!macro_names_.insert(name).second) return file.report(ig::diag("SIE-0351"), begin, end, name);
+  macros_.push_back({name, text, begin});
+}
+
+bool VariableRows::read_attributes(Cursor& cursor, std::string_view code, Definition& d, std::string_view& name,
+                                   bool& is_global) {
+  for (bool has_type = false;;) {
     const std::string_view word = cursor.word();
     if (word.empty() || word[0] == '$') return false;
+    std::size_t position = static_cast<std::size_t>(word.data() - code.data());
+    const bool is_string = is_one_of(word, "STRING");
+    const auto type = has_type ? std::nullopt : type_at(code, position);
     if (is_one_of(word, "NCK", "CHAN")) {
       is_global = true;
-    } else if (is_type(word) && d.type.empty()) {
-      d.type = word;
-      if (is_one_of(word, "STRING") && cursor.accept('[')) {
-        cursor.until("]");
-        if (!cursor.accept(']')) return false;
-      }
+    } else if (type) {
+      d.type = *type;
+      has_type = true;
+      if (is_string) cursor = Cursor(code.substr(position));
+    } else if (is_string && !has_type) {
+      return false;  // its length cannot be read
     } else if (has_value(word)) {
       const std::string_view value = cursor.until(" \t");
-      if (value.empty()) return false;
-      if (is_one_of(word, "LLI")) d.lowest = number_of(value);
-      if (is_one_of(word, "ULI")) d.highest = number_of(value);
+      const std::optional<double> limit = number_of(value);
+      if (value.empty() || (is_one_of(word, "LLI", "ULI") && !limit)) return false;
+      if (is_one_of(word, "LLI")) d.lowest = limit;
+      if (is_one_of(word, "ULI")) d.highest = limit;
     } else if (!is_switch(word)) {
       name = word;
-      return !d.type.empty();
+      const bool takes_limits = d.type.type == Type::real || d.type.type == Type::integer;
+      if (!has_type || ((d.lowest || d.highest) && !takes_limits)) return false;
+      if (d.lowest) d.type.lowest = std::max(d.type.lowest, *d.lowest);
+      if (d.highest) d.type.highest = std::min(d.type.highest, *d.highest);
+      return d.type.lowest <= d.type.highest;
     }
   }
 }
@@ -107,41 +110,68 @@ bool VariableRows::read_names(ig::Import& file, Cursor& cursor, const Definition
     if (name.empty() || name[0] == '$' || !sizes) return false;
     const std::string_view initial = cursor.accept('=') ? cursor.until(",") : std::string_view();
     if (!cursor.is_at_end() && cursor.peek() != ',') return false;
-    define_one(file, d, name, *sizes, initial);
+    Definition own = d;
+    own.sizes = *sizes;
+    define_one(file, std::move(own), name, initial);
     if (!cursor.accept(',')) return true;
     name = cursor.word();
   }
 }
 
-void VariableRows::define_one(ig::Import& file, const Definition& d, std::string_view name, const Sizes& sizes,
-                              std::string_view initial) {
+std::optional<Value> VariableRows::initial_value(ig::Import& file, const Definition& d, const std::string& key,
+                                                 std::string_view name, std::string_view text) const {
+  const std::size_t begin = place_in(file, name), end = begin + name.size();
+  bool is_axis = false;
+  auto value = read_value(text, is_axis);
+  const bool takes_text = d.type.type == Type::text || d.type.type == Type::frame;
+  const bool is_bare_word = is_axis && d.type.detail != Declared::Detail::axis;
+  if (!takes_text && (!value || is_bare_word)) {
+    file.report(ig::diag("SIE-0342"), begin, end, shown(key), shown(text));
+    return std::nullopt;
+  }
+  if (value && !is_bare_word && d.type.fit(*value) == Stored::yes) return value;
+  file.report(ig::diag("SIE-0362"), begin, end, shown(key), shown(text), type_text(d.type));
+  return d.type.initial();
+}
+
+void VariableRows::define_one(ig::Import& file, Definition d, std::string_view name, std::string_view initial) {
   const std::size_t begin = place_in(file, name), end = begin + name.size();
   const std::string base = upper(name);
-  if (!sizes_.emplace(base, sizes).second) return file.report(ig::diag("SIE-0351"), begin, end, base);
-  if (!has_room_for(element_count(sizes)))
-    return file.report(ig::diag("SIE-0350"), begin, end, base, element_count(sizes));
-  const auto count = static_cast<std::size_t>(element_count(sizes));
-  std::vector<std::optional<double>> values(count, d.initial());
-  const auto set = [&](std::size_t i, std::string_view text) {
-    values[i] = number_of(text);
-    if (!values[i]) file.report(ig::diag("SIE-0342"), begin, end, element(base, sizes, i), shown(text));
-    if (values[i] && is_one_of(d.type, "INT")) values[i] = std::round(*values[i]);
-    if (values[i] && is_one_of(d.type, "BOOL")) values[i] = *values[i] != 0;
-  };
+  const bool is_array = !d.sizes.empty();
+  Variable array;
+  array.sizes = d.sizes;
+  const auto [defined, is_new] = definitions_.emplace(base, std::move(d));
+  if (!is_new) return file.report(ig::diag("SIE-0351"), begin, end, base);
+  const Definition& own = defined->second;
+  Value all = own.type.initial();
   const std::optional<ValueList> list = read_list(initial);
-  const std::vector<std::string_view> given = list ? list->values : std::vector{initial};
-  if (list && list->repeats) {
-    set(0, given[0]);
-    const std::size_t repeated = std::min(count, list->count.value_or(count));
-    for (std::size_t i = 1; i < repeated; ++i) values[i] = values[0];
-    if (repeated == 0) values[0] = d.initial();
-  } else {
-    for (std::size_t i = 0; i < std::min(count, given.size()); ++i)
-      if (!given[i].empty()) set(i, given[i]);
-    if (given.size() > count) file.report(ig::diag("SIE-0349"), begin, end, base);
+  if (!is_array) {
+    if (list && !list->repeats && list->values.size() == 1) initial = list->values[0];
+    if (const auto value = initial.empty() ? all : initial_value(file, own, base, name, initial))
+      put({base, *value, begin, end, false});
+    else
+      definitions_.erase(defined);
+    return;
   }
-  for (std::size_t i = 0; i < count; ++i)
-    if (values[i]) put(element(base, sizes, i), *values[i] != 0 ? values[i] : std::nullopt, begin, false);
+  std::vector<std::string_view> given = list ? list->values : std::vector{initial};
+  const double count = element_count(own.sizes);
+  if (list && list->repeats) {
+    const auto repeated = static_cast<double>(list->count.value_or(SIZE_MAX));
+    const auto value = initial_value(file, own, base, name, given[0]);
+    if (value && repeated >= count) all = *value;
+    given.assign(value && repeated < std::min(count, most_elements + 1) ? static_cast<std::size_t>(repeated) : 0,
+                 given[0]);
+    if (value && repeated < count && !has_room_for(repeated))
+      return file.report(ig::diag("SIE-0350"), begin, end, base, repeated), put({base, all, begin, end, false});
+  }
+  put({base, all, begin, end, false});
+  if (static_cast<double>(given.size()) > count) file.report(ig::diag("SIE-0349"), begin, end, base);
+  for (std::size_t i = 0; i < given.size() && static_cast<double>(i) < count; ++i) {
+    if (given[i].empty()) continue;
+    const std::string key = base + array.indices_of(i);
+    if (const auto value = initial_value(file, own, key, name, given[i]))
+      if (value->number != all.number || value->text != all.text) put({key, *value, begin, end, false});
+  }
 }
 
 }  // namespace siemens

@@ -6,6 +6,7 @@
 #include <isogloss/sdk.hpp>
 
 #include "archive/archive_reader.hpp"
+#include "archive/written_file.hpp"
 #include "frames/settable_frames.hpp"
 
 namespace siemens {
@@ -18,38 +19,11 @@ enum class ArchiveUnit { file, mm, inch };
 
 bool is_binary(std::string_view text) { return text.starts_with("@@MMC"); }
 
-/// A file of the archive that write() makes; its head is written with the first line.
-class WrittenFile {
- public:
-  WrittenFile(ig::Export& out, std::string_view name) : out_(out), name_(name) {}
-  ~WrittenFile() {
-    if (has_head_) out_.write("M17\n");
-  }
-  WrittenFile(const WrittenFile&) = delete;
-  WrittenFile& operator=(const WrittenFile&) = delete;
-  void line(const std::string& text) {
-    if (!has_head_) out_.write("%_N_" + std::string(name_) + "_INI\n;$PATH=/_N_NC_ACT_DIR\nCHANDATA(1)\n");
-    has_head_ = true;
-    out_.write(text + '\n');
-  }
-
- private:
-  ig::Export& out_;
-  std::string_view name_;
-  bool has_head_ = false;
-};
-
-/// The number of a cell, in `unit`; empty where there is none.
-std::string written(std::string_view cell, double unit) {
-  const std::optional<double> n = number_of(cell);
-  return n ? fixed_text(length_in_unit(*n, unit)) : "";
-}
-
 struct SiemensArchive {
   static constexpr auto spec =
       ig::importer("SiemensArchive", "Text archives of SINUMERIK data: tools, frames, R parameters, user data.")
           .files("*.arc *.ini *.toa *.ufr *.rpa *.gud *.tea")
-          .fills("ToolOffsetTable", "SiemensCoordinateTable", "SiemensVariables");
+          .fills("ToolOffsetTable", "SiemensCoordinateTable", "SiemensVariables", "SiemensMacros");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "SIE-0343", "'{0}' is not read as a frame, so {1} stays as it was before this line"),
       ig::diagnostic(IG_WARNING, "SIE-0344",
@@ -95,7 +69,8 @@ struct SiemensArchive {
       has_mark = has_mark || word == "CHANDATA";
       system += a && a->name[0] == '$';
       r += a && cursor.is_at_end() && is_r_name(a->name) && number_of(a->value);
-      ++(word == "CHANDATA" || word == "DEF" || word == "METRIC" || word == "INCH" || a ? good : bad);
+      ++(word == "CHANDATA" || word == "DEF" || word == "DEFINE" || word == "METRIC" || word == "INCH" || a ? good
+                                                                                                            : bad);
     }
     if (has_mark) return bad <= good ? 95 : 0;
     if (system > 0) return bad * 10 <= good ? 90 : 0;
@@ -114,14 +89,13 @@ struct SiemensArchive {
     const double mm = unit == ArchiveUnit::inch ? mm_per_inch : 1;
     write_tools(out, mm);
     write_frames(out, mm);
-    write_variables(out, "CH1_RPA", true);
-    write_variables(out, "CH1_GUD", false);
+    write_variables(out);
   }
 
  private:
   void write_tools(ig::Export& out, double mm) const {
     static constexpr const char* table = "ToolOffsetTable";
-    WrittenFile tools(out, "TO1_TOA");
+    WrittenFile tools(out, "TO1_TOA_INI");
     for (std::uint32_t i = 0; i < out.rows(table); ++i) {
       const std::string_view row = out.key(table, i);
       const std::size_t point = row.find('.');
@@ -159,23 +133,9 @@ struct SiemensArchive {
     }
   }
 
-  static void write_variables(ig::Export& out, std::string_view file, bool wants_r) {
-    static constexpr const char* table = "SiemensVariables";
-    WrittenFile lines(out, file);
-    for (std::uint32_t i = 0; i < out.rows(table); ++i) {
-      const std::string name = upper(out.key(table, i));
-      if (is_r_name(name) != wants_r) continue;
-      const std::string value = written(out.cell(table, i, "Value"), 1);
-      if (name.starts_with('$'))
-        out.unused("system variables", "the archive holds R parameters and user data only");
-      else
-        lines.line(name + '=' + (value.empty() ? "0" : value));
-    }
-  }
-
   static void write_frames(ig::Export& out, double mm) {
     static constexpr const char* table = "SiemensCoordinateTable";
-    WrittenFile frames(out, "CH1_UFR");
+    WrittenFile frames(out, "CH1_UFR_INI");
     for (std::uint32_t i = 0; i < out.rows(table); ++i) {
       const std::string_view row = out.key(table, i);
       std::string shift, value = "CTRANS(";

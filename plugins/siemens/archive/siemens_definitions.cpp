@@ -14,18 +14,20 @@ struct SiemensDefinitions {
   static constexpr auto spec =
       ig::importer("SiemensDefinitions", "Definition files of a SINUMERIK: global user data (GUD) and macros.")
           .files("*.def *.gud")
-          .fills("SiemensVariables")
+          .fills("SiemensVariables", "SiemensMacros")
           .initial_values();
 
   static unsigned recognise(std::string_view text, std::string_view) {
     constexpr std::size_t looked_at = std::size_t{64} << 10;
     std::size_t definitions = 0, macros = 0, others = 0;
+    bool has_head = false;
     for (const ig::TextLine& line : ig::TextLines(text)) {
       if (text.size() >= looked_at && line.begin + line.text.size() == text.size()) break;  // it may be cut off
       const std::string_view code = code_of(line.text);
       if (code.empty() || is_file_end(code)) continue;
       if (const auto head = read_head(line.text)) {
         if (head->extension != "DEF" && head->extension != "GUD") return 0;
+        has_head = true;
         continue;
       }
       Cursor cursor(code);
@@ -38,8 +40,8 @@ struct SiemensDefinitions {
       else
         ++others;
     }
-    if (definitions > 0) return others <= definitions + macros ? 95 : 0;
-    return macros > 0 && others == 0 ? 90 : 0;
+    if (definitions > 0 || has_head) return definitions + macros > 0 && others <= definitions + macros ? 95 : 0;
+    return macros > 0 && others * 4 <= macros ? 90 : 0;  // programs begin with some DEFINE, too
   }
 
   void read(ig::Import& file) const {

@@ -31,7 +31,7 @@ bool is_alone(std::string_view text, std::size_t rest) {
 std::size_t CallReader::scan(ig::Block& b, std::string_view text, std::size_t position) {
   const std::size_t end = skip_name(text, position);
   const bool is_l = to_upper(text[position]) == 'L' && end > position + 1 && skip_digits(text, position + 1) == end;
-  const std::string* const macro = macro_at(text, position, end);
+  const std::string* const macro = macro_at(b, text, position, end);
   if (macro == nullptr && (end - position < 2 || (is_digit(at(text, position + 1)) && !is_l))) return position;
   if (environment_.flow.is_indexing()) {
     for (const CycleSignature& s : pattern_signatures)
@@ -120,10 +120,10 @@ std::optional<std::size_t> CallReader::curve(ig::Block& b, std::string_view name
   return at(text, next) == '(' ? skip_call(text, next) : skip_name(text, position);
 }
 
-const std::string* CallReader::macro_at(std::string_view text, std::size_t position, std::size_t end) const {
-  const VariableStore& store = environment_.store();
-  if (is_expanded_ || !store.has_macros() || environment_.flow.is_indexing()) return nullptr;
-  return store.macro(upper(piece(text, position, end)));
+const std::string* CallReader::macro_at(ig::Block& b, std::string_view text, std::size_t position,
+                                        std::size_t end) const {
+  if (is_expanded_ || !environment_.has_macros() || environment_.flow.is_indexing()) return nullptr;
+  return environment_.macro(b, upper(piece(text, position, end)));
 }
 
 std::size_t CallReader::expand(ig::Block& b, std::string_view text, std::size_t position, std::size_t end,

@@ -77,7 +77,7 @@ class CallReader {
                                    std::size_t next);
 
   /// What DEFINE says of the name: one that looks like a code counts, too (DEFINE M6 AS L6).
-  const std::string* macro_at(std::string_view text, std::size_t position, std::size_t end) const;
+  const std::string* macro_at(ig::Block& b, std::string_view text, std::size_t position, std::size_t end) const;
 
   /// A name for a call (DEFINE).
   std::size_t expand(ig::Block& b, std::string_view text, std::size_t position, std::size_t end,

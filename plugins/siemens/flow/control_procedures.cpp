@@ -179,11 +179,14 @@ void CallReader::name_master(ig::Block& b, std::string_view text, std::size_t op
 void CallReader::give_tool(ig::Block& b, std::string_view text, std::size_t open, std::string_view tool,
                            ig::Where where) {
   if (!read_arguments(b, text, open)) return;
-  Variable* const variable = arguments_.empty() ? nullptr : environment_.store().find(arguments_[0].name);
-  if (variable == nullptr || variable->value.is_text())
+  const Variable* const variable = arguments_.empty() ? nullptr : environment_.store().find(arguments_[0].name);
+  if (variable == nullptr || variable->value.is_text()) {
     b.report(ig::diag("SIE-0169"), where, text.substr(open));
-  else
-    variable->value.number = environment_.system.read(b, tool).value_or(0);
+    return;
+  }
+  const Value value = Value::real(environment_.system.read(b, tool).value_or(0));
+  const std::string& name = arguments_[0].name;
+  environment_.report_not_stored(b, where, name, value, environment_.store().assign(name, value));
 }
 
 }  // namespace siemens

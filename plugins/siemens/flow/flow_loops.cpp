@@ -72,24 +72,24 @@ void FlowLoops::begin_for(ig::Block& b, const FlowStatement& s) {
     value = now.number().value_or(*to) + 1;
     running->goes_on = false;
   }
-  if (!set(*variable, value)) {
+  const Stored stored = set(*variable, value);
+  if (stored == Stored::unknown || stored == Stored::wrong_type) {
     b.report(ig::diag("SIE-0124"), columns(text, variable->begin), std::string_view(variable->name));
     return leave(b, s, LoopKind::for_);
   }
   if (value > *to) return leave(b, s, LoopKind::for_);
+  if (stored != Stored::yes) {
+    environment_.report_not_stored(b, columns(text, variable->begin), variable->name, Value::real(value), stored);
+    return leave(b, s, LoopKind::for_);
+  }
   enter(b, s, LoopKind::for_);
 }
 
-bool FlowLoops::set(const Expression::Reference& to, double value) const {
+Stored FlowLoops::set(const Expression::Reference& to, double value) const {
   VariableStore& store = environment_.store();
-  if (to.is_r) {
-    *store.r(to.r) = {value, true};
-    return true;
-  }
-  Variable* const v = store.find(to.name);
-  if (v == nullptr || v->value.is_text()) return false;
-  v->value.number = v->value.type == Type::integer ? std::round(value) : value;
-  return true;
+  if (!to.is_r) return store.find(to.name) ? store.assign(to.name, Value::real(value)) : Stored::unknown;
+  store.assign_r(to.r, value);
+  return Stored::yes;
 }
 
 void FlowLoops::end(ig::Block& b, const FlowStatement& s, LoopKind kind) {

@@ -23,7 +23,7 @@ class FlowLoops {
   void enter(ig::Block& b, const FlowStatement& s, LoopKind kind);
   /// Goes on behind the loop that begins at this line.
   void leave(ig::Block& b, const FlowStatement& s, LoopKind kind);
-  bool set(const Expression::Reference& to, double value) const;
+  Stored set(const Expression::Reference& to, double value) const;
   std::uint64_t frame(const ig::Block& b) const { return environment_.flow.frame(b).id; }
 
   const Environment& environment_;

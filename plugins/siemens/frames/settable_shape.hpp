@@ -17,6 +17,7 @@ inline constexpr const char* settable_shape_service = "siemens.settable-shape/1"
 /// The order of the values of each axis.
 enum class ShapePart : std::uint32_t { fine, rotation, scale, mirror };
 inline constexpr std::size_t shape_parts = 4;
+inline constexpr ig::Range settable_scales{1e-6, 1e6};
 
 /// The service: `part` is a ShapePart, `axis` 0 to 2. Each returns 1, or 0 when the table has no such frame, or cannot
 /// keep the value.

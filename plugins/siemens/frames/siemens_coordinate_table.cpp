@@ -13,8 +13,6 @@ using namespace ig::cnc;
 
 namespace {
 
-constexpr ig::Range scales{1e-6, 1e6};
-
 /// No column has a default, so that a saved table names only values that were given or written.
 struct ShapeColumns {
   std::array<ig::Column, 3> fine{ig::Column{"FX", nullptr, "mm", {}, "Fine offset, added to X."},
@@ -23,9 +21,9 @@ struct ShapeColumns {
   std::array<ig::Column, 3> rotation{ig::Column{"RX", nullptr, "deg", {-1e9, 1e9}, "Rotation about X, the third one."},
                                      ig::Column{"RY", nullptr, "deg", {-1e9, 1e9}, "Rotation about Y, the second one."},
                                      ig::Column{"RZ", nullptr, "deg", {-1e9, 1e9}, "Rotation about Z, the first one."}};
-  std::array<ig::Column, 3> scale{ig::Column{"SX", nullptr, "", scales, "Scale of X; none: 1."},
-                                  ig::Column{"SY", nullptr, "", scales, "Scale of Y; none: 1."},
-                                  ig::Column{"SZ", nullptr, "", scales, "Scale of Z; none: 1."}};
+  std::array<ig::Column, 3> scale{ig::Column{"SX", nullptr, "", settable_scales, "Scale of X; none: 1."},
+                                  ig::Column{"SY", nullptr, "", settable_scales, "Scale of Y; none: 1."},
+                                  ig::Column{"SZ", nullptr, "", settable_scales, "Scale of Z; none: 1."}};
   std::array<ig::Column, 3> mirror{ig::Column{"MX", nullptr, "", {0, 1}, "1: X is mirrored."},
                                    ig::Column{"MY", nullptr, "", {0, 1}, "1: Y is mirrored."},
                                    ig::Column{"MZ", nullptr, "", {0, 1}, "1: Z is mirrored."}};
@@ -76,7 +74,7 @@ struct SiemensCoordinateTable {
     double present = 0;
     if (get(self, id, part, axis, &present) == 0 || !std::isfinite(value)) return 0;
     const bool is_scale = ShapePart{part} == ShapePart::scale;
-    if (is_scale && !(value >= scales.minimum && value <= scales.maximum)) return 0;
+    if (is_scale && !(value >= settable_scales.minimum && value <= settable_scales.maximum)) return 0;
     return value == present || own.table.set_value(ig::to_view(id), own.shape.of(part, axis), value) ? 1 : 0;
   }
 

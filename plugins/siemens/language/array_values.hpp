@@ -3,6 +3,7 @@
 #pragma once
 
 #include "flow/flow_words.hpp"
+#include "language/declared_value.hpp"
 
 namespace siemens {
 
@@ -26,14 +27,14 @@ class ArrayValues {
     const std::size_t begin = next;
     const bool repeats = is_word(text_, next, "REP");
     if (at(text_, next) != '(') next = skip_blanks(text_, skip_name(text_, next));
-    if (!read_list(next, array)) return false;
+    if (!read_list(next, array, repeats)) return false;
     const Variable* const target = environment_.store().find(array);
     // One more than the program may have, so that the store reports the excess.
     const std::size_t most_elements = environment_.store().most_names + 1;
     const bool is_sized = !target->sizes.empty();
     const std::size_t room = is_sized ? target->size() - std::min(first, target->size()) : most_elements;
     if (repeats) {
-      const std::size_t count = values_.size() > 1 ? count_of(values_[1]) : room;
+      const std::size_t count = std::min(count_.value_or(room), room);
       if (first == 0 && count >= room && values_[0]) {
         environment_.store().fill(array, *values_[0]);
         return true;
@@ -46,29 +47,40 @@ class ArrayValues {
     }
     for (std::size_t i = 0; i < values_.size(); ++i) {
       if (!values_[i]) continue;  // SET(1,,3) does not change the second element
-      if (environment_.store().define(array + target->indices_of(first + i), *values_[i])) continue;
-      b_.report(ig::diag("SIE-0114"), ig::Where::columns(begin, next), std::string_view(array));
-      return false;
+      const std::string name = array + target->indices_of(first + i);
+      const Stored outcome = environment_.store().assign(name, *values_[i]);
+      if (outcome == Stored::yes) continue;
+      const bool is_full = outcome == Stored::too_many;
+      environment_.report_not_stored(b_, ig::Where::columns(begin, next), is_full ? array : name, *values_[i], outcome);
+      if (is_full) return false;
     }
     return true;
   }
 
  private:
-  bool read_list(std::size_t& next, const std::string& array) {
-    const Type type = environment_.store().find(array)->value.type;
+  bool read_list(std::size_t& next, const std::string& array, bool repeats) {
+    const Declared& type = environment_.store().find(array)->declared;
     do {
       next = skip_blanks(text_, next + 1);
+      if (repeats && values_.size() == 1) {
+        Expression e(b_, environment_, text_, next);
+        const auto count = e.number();
+        if (!count) return false;
+        count_ = *count > 0 ? static_cast<std::size_t>(std::min(*count, 1e9)) : 0;
+        next = skip_blanks(text_, e.position());
+        continue;
+      }
       values_.emplace_back();
       if (const char c = at(text_, next); c == ',' || c == ')') continue;
       const std::size_t begin = next;
-      Expression e(b_, environment_, text_, next);
-      const auto v = e.value();
+      auto v = value_of(b_, environment_, text_, next, type);
       if (!v) return false;
-      values_.back() = v->as(type);
-      next = skip_blanks(text_, e.position());
-      if (values_.back()) continue;
-      b_.report(ig::diag("SIE-0130"), ig::Where::columns(begin, next), std::string_view(array));
-      return false;
+      next = skip_blanks(text_, next);
+      if (const Stored outcome = type.fit(*v); outcome != Stored::yes) {
+        environment_.report_not_stored(b_, ig::Where::columns(begin, next), array, *v, outcome);
+        return false;
+      }
+      values_.back() = std::move(v);
     } while (at(text_, next) == ',');
     if (at(text_, next) != ')') {
       b_.report(ig::diag("SIE-0102"), columns(text_, std::min(next, text_.size())));
@@ -77,14 +89,11 @@ class ArrayValues {
     ++next;
     return true;
   }
-  static std::size_t count_of(const std::optional<Value>& value) {
-    return value && value->number > 0 ? static_cast<std::size_t>(std::min(value->number, 1e9)) : 0;
-  }
-
   ig::Block& b_;
   const Environment& environment_;
   std::string_view text_;
   std::vector<std::optional<Value>> values_;
+  std::optional<std::size_t> count_;  // of REP
 };
 
 }  // namespace siemens

@@ -2,17 +2,20 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "language/variable.hpp"
 
 namespace siemens {
 
-/// The type whose name stands at `position`, which moves behind it: REAL, INT, BOOL, CHAR, STRING[n]; AXIS is kept as a
-/// text. Nothing for FRAME and other names.
-std::optional<Type> type_at(std::string_view text, std::size_t& position);
+inline constexpr std::uint32_t longest_string = 1000;
 
-/// The value of a variable that has got none.
-inline Value empty_value(Type type) { return {0, type, {}}; }
+/// The type whose name stands at `position`, which moves behind it: REAL, INT, BOOL, CHAR, STRING[n], AXIS, FRAME.
+/// Nothing for other names, and for a length that is not a whole number from 1 to 1000.
+std::optional<Declared> type_at(std::string_view text, std::size_t& position);
+
+/// STRING[12], as in a definition.
+std::string type_text(const Declared& type);
 
 }  // namespace siemens

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "language/frame_component.hpp"
 #include "language/siemens_expression.hpp"
 
 namespace siemens {
@@ -12,6 +13,8 @@ using namespace ig::cnc;
 bool Expression::indices(std::string& name, std::string& called) {
   const std::size_t open = at_;
   ++at_;
+  const Variable* const base = environment_.store().find(name);
+  const bool has_components = name[0] == '$' || (base != nullptr && base->value.type == Type::frame);
   const auto add = [&](std::string_view own, std::string_view written) {
     name += own;
     called += written;
@@ -24,11 +27,12 @@ bool Expression::indices(std::string& name, std::string& called) {
     const std::string word = upper(ig::cnc::piece(text_, begin, end));
     const bool is_whole_index = !word.empty() && (behind == ',' || behind == ']');
     const bool stands_alone = is_whole_index && word.size() <= 2;
-    const bool names_axis = is_whole_index && environment_.store().find(word) == nullptr &&
+    const bool is_variable = environment_.store().find(word) != nullptr;
+    const bool names_axis = is_whole_index && !is_variable &&
                             (environment_.axes.find(word) ||
                              (stands_alone && std::string_view("ABCUVWXYZ").find(word[0]) != std::string_view::npos));
-    const bool is_axis =
-        names_axis || (stands_alone && name[0] == '$' && is_letter(word[0]) && (word[0] != 'R' || word == "RT"));
+    const bool is_axis = names_axis || (stands_alone && has_components && !is_variable && is_letter(word[0]) &&
+                                        (word[0] != 'R' || word == "RT"));
     if (is_axis) {  // $AA_IM[X]
       add(environment_.axes.letter_of(word), word);
       at_ = end;
@@ -80,7 +84,8 @@ std::optional<Expression::Reference> Expression::reference() {
     at_ = open;
     std::string called = name;
     if (!indices(name, called)) return std::nullopt;
-    if (called != name && environment_.store().given(called)) name = std::move(called);
+    if (VariableStore& store = environment_.store(); called != name && (store.given(called) || store.find(called)))
+      name = std::move(called);
   }
   out.end = at_;
   out.is_r = has_number || name.starts_with("R[");
@@ -107,6 +112,8 @@ std::optional<Value> Expression::read(const Reference& r) {
     return Value::real(p.value);
   }
   if (const Variable* const v = store.find(r.name)) return v->value;
+  if (const auto component = FrameComponent::of(store, r.name))
+    return Value::real(component->frame.get(component->link, component->axis));
   const std::size_t bracket = r.name.find('[');
   if (bracket != std::string::npos) {
     const std::string base = r.name.substr(0, bracket);

@@ -4,6 +4,7 @@
 
 #include "flow/flow_words.hpp"
 #include "language/declared_type.hpp"
+#include "language/declared_value.hpp"
 
 namespace siemens {
 
@@ -38,35 +39,32 @@ bool ProgramParameters::parameter(ig::Block& b, std::string_view text, std::size
   next = skip_blanks(text, end);
   const bool is_array = at(text, next) == '[';
   if (is_array) next = skip_blanks(text, std::min(text.find(']', next), text.size() - 1) + 1);
-  Value value = empty_value(*type);
-  bool has_default = false;
+  VariableStore& store = environment_.store();
+  std::optional<Value> value;
   if (at(text, next) == '=') {
-    Expression e(b, environment_, text, next + 1);
-    const auto v = e.value();
-    if (!v) return false;
-    if (const auto fitting = v->as(*type)) value = *fitting;
-    has_default = true;
-    next = e.position();
+    value = value_of(b, environment_, text, ++next, *type);
+    if (!value) return false;
   }
   if (argument.value) {
-    if (const auto fitting = argument.value->as(*type))
-      value = *fitting;
-    else
-      b.report(ig::diag("SIE-0130"), columns(text, begin), std::string_view(name));
-  } else if (const auto given = is_called ? std::nullopt : environment_.store().given(name)) {
-    value.number = *given;
-  } else if (!has_default && !is_called) {
+    value = argument.value;
+  } else if (const Variable* const given = is_called ? nullptr : store.user_data(name)) {
+    value = given->value;
+  } else if (!value && !is_called) {
     b.report(ig::diag("SIE-0164"), ig::Where::columns(begin, end), std::string_view(name));
   }
-  if (!environment_.store().define(name, std::move(value), is_array)) {
+  if (!store.define(name, *type, is_array)) {
     b.report(ig::diag("SIE-0114"), columns(text, begin), std::string_view(name));
     return false;
   }
-  if (is_array) environment_.store().find(name)->sizes = argument.sizes;
-  if (is_array)
-    for (const auto& [element, own] : argument.elements)
-      if (auto fitting = own.as(*type)) environment_.store().define(name + element, std::move(*fitting));
-  if (is_reference && !argument.name.empty()) environment_.store().refer(name, argument.name);
+  const auto assign = [&](const std::string& to, const Value& from) {
+    environment_.report_not_stored(b, columns(text, begin), to, from, store.assign(to, from));
+  };
+  if (value) assign(name, *value);
+  if (is_array) {
+    store.find_own(name)->sizes = argument.sizes;
+    for (const auto& [element, own] : argument.elements) assign(name + element, own);
+  }
+  if (is_reference && !argument.name.empty()) store.refer(name, argument.name);
   return true;
 }
 

@@ -1,6 +1,7 @@
 // DEF, DEFINE, PROC, EXTERN: variables of the program, names for texts, and the parameters that a call passes.
 #include "language/array_values.hpp"
 #include "language/declared_type.hpp"
+#include "language/declared_value.hpp"
 #include "language/program_parameters.hpp"
 
 namespace siemens {
@@ -94,11 +95,12 @@ struct SiemensDeclaration {
     std::size_t next = skip_blanks(text, position);
     for (const std::string_view scope : {"NCK", "CHAN", "SYNR", "SYNW", "SYNRW", "PHU", "PHUI"})
       if (is_word(text, next, scope)) next = skip_blanks(text, skip_name(text, next));
-    const auto type = next < text.size() ? type_at(text, next) : std::nullopt;
+    auto type = next < text.size() ? type_at(text, next) : std::nullopt;
     if (!type) {
       b.report(ig::diag("SIE-0161"), columns(text, begin_), text.substr(begin_));
       return;
     }
+    type->cuts = environment_.store().cuts_texts;
     while (next < text.size()) {
       const std::size_t begin = next, end = skip_name(text, next);
       const std::string name = upper(piece(text, begin, end));
@@ -110,16 +112,16 @@ struct SiemensDeclaration {
       std::vector<std::uint32_t> sizes;
       if (at(text, next) == '[' && !read_sizes(b, text, next, name, sizes)) return;
       const std::pair place(environment_.flow.here(b).offset, begin);
-      if (const Variable* const known = environment_.store().find(name);
+      if (const Variable* const known = environment_.store().find_own(name);
           known != nullptr && known->defined_at != place) {
         b.report(ig::diag("SIE-0302"), ig::Where::columns(begin, end), std::string_view(name));
         return;
       }
-      if (!environment_.store().define(name, empty_value(*type), !sizes.empty())) {
+      if (!environment_.store().define(name, *type, !sizes.empty())) {
         b.report(ig::diag("SIE-0114"), columns(text, begin), std::string_view(name));
         return;
       }
-      Variable& defined = *environment_.store().find(name);
+      Variable& defined = *environment_.store().find_own(name);
       defined.defined_at = place;
       defined.sizes = std::move(sizes);
       if (at(text, next) == '=' && !initial(b, text, next, name)) return;
@@ -161,22 +163,20 @@ struct SiemensDeclaration {
 
   /// Reads =value; for an array, what ArrayValues reads, or one value for all elements.
   bool initial(ig::Block& b, std::string_view text, std::size_t& next, const std::string& name) {
-    Variable& defined = *environment_.store().find(name);
+    const Variable& defined = *environment_.store().find_own(name);
     const std::size_t first = skip_blanks(text, next + 1);
     if (defined.is_array && ArrayValues::begin(text, first, true)) {
       next = first;
       return ArrayValues(b, environment_, text).read(next, name, 0);
     }
-    Expression e(b, environment_, text, first);
-    const auto v = e.value();
+    std::size_t end = first;
+    const auto v = value_of(b, environment_, text, end, defined.declared);
     if (!v) return false;
-    auto fitting = v->as(defined.value.type);
-    if (!fitting) {
-      b.report(ig::diag("SIE-0130"), columns(text, begin_), std::string_view(name));
+    if (const Stored outcome = environment_.store().assign(name, *v); outcome != Stored::yes) {
+      environment_.report_not_stored(b, columns(text, begin_), name, *v, outcome);
       return false;
     }
-    defined.value = std::move(*fitting);
-    next = e.position();
+    next = end;
     return true;
   }
 

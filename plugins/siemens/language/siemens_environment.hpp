@@ -3,12 +3,14 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
 #include <isogloss/cnc/axis_names.hpp>
 #include <isogloss/cnc/scan.hpp>
 #include <isogloss/flow.hpp>
 #include <isogloss/sdk.hpp>
 
+#include "language/macro_table.hpp"
 #include "language/system_data.hpp"
 #include "language/upper.hpp"
 #include "language/variable_store.hpp"
@@ -33,7 +35,27 @@ class Environment {
   }
 
   /// Call it before variables are read or written in a block.
-  void enter(ig::Block& b) const { store().enter(flow.frame(b).id); }
+  void enter(ig::Block& b) const {
+    store().enter(flow.frame(b).id);
+    for (const VariableStore::NotGivenBack& v : std::exchange(store().not_given_back, {}))
+      report_not_stored(b, ig::Where::block(), v.name, v.value, v.outcome);
+  }
+
+  /// Reports why an assignment has not been executed.
+  void report_not_stored(ig::Block& b, const ig::Where& where, const std::string& name, const Value& value,
+                         Stored outcome) const;
+
+  /// The text of a macro: by DEFINE in the program or, which the block then shows, of the table SiemensMacros.
+  const std::string* macro(ig::Block& b, const std::string& name) const {
+    if (const std::string* const own = store().macro(name)) return own;
+    const std::string* const text = macros_.find(name);
+    if (text != nullptr) record_.add(b, name);
+    return text;
+  }
+  bool has_macro(const std::string& name) const {
+    return store().macro(name) != nullptr || macros_.find(name) != nullptr;
+  }
+  bool has_macros() const { return store().has_macros() || macros_.holds_any(); }
 
   /// Reports a diagnostic once for each place of the text, however often a loop or a subprogram comes there again.
   template <class... Args>
@@ -50,6 +72,8 @@ class Environment {
 
  private:
   ig::Service<VariableStore> store_{variable_service, ig::Need::required, "The variables."};
+  Macros macros_;
+  MacroRecord record_;
 };
 
 /// A block in which the name from `begin` to `end` is replaced by its DEFINE text. Columns before `begin` do not

@@ -146,7 +146,7 @@ std::optional<Value> Expression::operand() {
       at_ = end;
       return Value::real(std::numbers::pi);
     }
-    if (const std::string* const macro = environment_.store().macro(name)) {
+    if (const std::string* const macro = environment_.macro(b_, name)) {
       at_ = end;
       return of_macro(begin, *macro);
     }

@@ -15,7 +15,7 @@
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
-#include "frames/settable_shape.hpp"
+#include "frames/frame_value.hpp"
 
 namespace siemens {
 
@@ -46,13 +46,10 @@ class SystemData {
   static bool takes(std::string_view text);
   Written write(const ig::Block& b, std::string_view text, std::optional<double> value) const;
 
-  /// $P_UIFR[n] and similar frames as a whole: X Y Z A B C.
-  using Shift = std::array<double, 6>;
-  /// Writes the whole frame: what `shape` does not name goes back to its default.
-  bool write_shift(const ig::Block& b, std::string_view text, const Shift& shift,
-                   const SettableShape& shape = {}) const;
-  std::optional<SettableShape> shape_of(const ig::Block& b, std::string_view text) const;
-  std::optional<Shift> shift_of(const ig::Block& b, std::string_view text) const;
+  /// $P_UIFR[n] and similar frames as a whole; nothing where the name is none of them.
+  std::optional<FrameValue> frame(const ig::Block& b, std::string_view text) const;
+  /// Writes the whole frame; false where the name is none that can be written, or the table cannot keep the value.
+  bool write_whole(const ig::Block& b, std::string_view text, const FrameValue& frame) const;
 
  private:
   static constexpr std::int64_t edge_step = 100;

@@ -80,37 +80,45 @@ Written SystemData::write_shape(const ig::Block& b, const std::string& frame, Sh
   return own == default_of(part) ? Written::without_effect : Written::no;
 }
 
-std::optional<SettableShape> SystemData::shape_of(const ig::Block& b, std::string_view text) const {
-  const auto frame = frame_of(b, Name(text));
-  return frame ? std::optional(shapes_.get(*frame)) : std::nullopt;
-}
-
-bool SystemData::write_shift(const ig::Block& b, std::string_view text, const Shift& shift,
-                             const SettableShape& shape) const {
+bool SystemData::write_whole(const ig::Block& b, std::string_view text, const FrameValue& value) const {
   const Name name(text);
   const auto frame = frame_of(b, name);
   if (!frame || name.base == "$P_IFRAME" || name.count > (name.base == "$P_UBFR" ? 0u : 1u) || !offsets_) return false;
   ig::Vec3 mm;
   Angles degrees{};
+  SettableShape shape = value.shape;
   for (std::size_t i = 0; i < 3; ++i) {
-    mm[i] = shift[i] * unit(b);
-    degrees[i] = shift[3 + i];
-    if (!(std::fabs(mm[i]) < 1e9 && std::fabs(degrees[i]) < 1e9)) return false;
+    mm[i] = value.shift[i] * unit(b);
+    degrees[i] = value.shift[3 + i];
+    shape[ShapePart::fine][i] *= unit(b);
+    if (!(std::fabs(mm[i]) < 1e9 && std::fabs(degrees[i]) < 1e9 && std::fabs(shape[ShapePart::fine][i]) < 1e9))
+      return false;
   }
-  set_rotary_origin(offsets_, *frame, degrees);
   for (std::uint32_t part = 0; part < shape_parts; ++part)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      shapes_.set(*frame, ShapePart{part}, axis, shape[ShapePart{part}][axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double own = shape[ShapePart{part}][axis];
+      if (!shapes_.set(*frame, ShapePart{part}, axis, own) && own != default_of(ShapePart{part})) return false;
+    }
+  set_rotary_origin(offsets_, *frame, degrees);
   return set_linear_origin(offsets_, *frame, mm);
 }
 
-std::optional<SystemData::Shift> SystemData::shift_of(const ig::Block& b, std::string_view text) const {
-  const auto frame = frame_of(b, Name(text));
-  if (!frame || !offsets_) return std::nullopt;
-  const auto mm = linear_origin(offsets_, *frame);
-  const auto degrees = rotary_origin(offsets_, *frame);
+std::optional<FrameValue> SystemData::frame(const ig::Block& b, std::string_view text) const {
+  const Name name(text);
+  const auto id = frame_of(b, name);
+  const bool is_numbered = name.base == "$P_UIFR" || name.base == "$P_CHBFR";
+  if (!id || !offsets_ || name.count != (is_numbered ? 1u : 0u)) return std::nullopt;
+  const auto mm = linear_origin(offsets_, *id);
+  const auto degrees = rotary_origin(offsets_, *id);
   if (!mm || !degrees) return std::nullopt;
-  return Shift{mm->x / unit(b), mm->y / unit(b), mm->z / unit(b), (*degrees)[0], (*degrees)[1], (*degrees)[2]};
+  FrameValue out;
+  out.shape = shapes_.get(*id);
+  for (std::size_t i = 0; i < 3; ++i) {
+    out.shift[i] = (*mm)[i] / unit(b);
+    out.shift[3 + i] = (*degrees)[i];
+    out.shape[ShapePart::fine][i] /= unit(b);
+  }
+  return out;
 }
 
 std::optional<double> SystemData::programmed(const ig::Block& b, const Name& name) const {

@@ -2,18 +2,52 @@
 #include "language/variable.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
 namespace siemens {
 
-std::optional<Value> Value::as(Type wanted) const {
-  if (is_text() != (wanted == Type::text)) return std::nullopt;
-  if (wanted == Type::integer) return integer(std::round(number));
-  if (wanted == Type::boolean) return truth(number != 0);
-  Value out = *this;
-  out.type = wanted;
-  return out;
+namespace {
+
+std::string shown(double number) {
+  std::array<char, 32> digits{};
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
+}
+
+}  // namespace
+
+Value Declared::initial() const { return {lowest > 0 ? lowest : highest < 0 ? highest : 0, type, {}}; }
+
+Stored Declared::fit(Value& value) const {
+  if (type == Type::frame || value.type == Type::frame) return type == value.type ? Stored::yes : Stored::wrong_type;
+  if (type == Type::text) {
+    if (value.type != Type::text) return Stored::wrong_type;
+    if (length > 0 && value.text.size() > length) {
+      if (!cuts) return Stored::too_long;
+      value.text.resize(length);
+    }
+    return Stored::yes;
+  }
+  double number = value.number;
+  if (value.type == Type::text) {  // manual Job planning, "Possible type conversions"
+    if (type == Type::boolean)
+      number = value.text.empty() ? 0 : 1;
+    else if (detail == Detail::character && value.text.size() == 1)
+      number = static_cast<unsigned char>(value.text[0]);
+    else
+      return Stored::wrong_type;
+  }
+  if (type == Type::integer) number = std::round(number);
+  if (type == Type::boolean) number = number != 0 ? 1 : 0;
+  if (!(number >= lowest && number <= highest) || !std::isfinite(number)) return Stored::out_of_range;
+  value = {number, type, {}};
+  return Stored::yes;
+}
+
+std::string Declared::range() const {
+  if (std::isinf(lowest)) return "up to " + shown(highest);
+  return std::isinf(highest) ? "from " + shown(lowest) : shown(lowest) + " to " + shown(highest);
 }
 
 std::optional<std::size_t> Variable::number_of(std::string_view indices) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,7 +12,8 @@
 
 namespace siemens {
 
-enum class Type : std::uint8_t { real, integer, boolean, text };
+/// An AXIS is kept as a text, a FRAME as the text of its links: CTRANS(X,10):CROT(Z,30).
+enum class Type : std::uint8_t { real, integer, boolean, text, frame };
 
 struct Value {
   double number = 0;
@@ -22,10 +24,30 @@ struct Value {
   static Value integer(double n) { return {n, Type::integer, {}}; }
   static Value truth(bool yes) { return {yes ? 1.0 : 0.0, Type::boolean, {}}; }
   static Value string(std::string t) { return {0, Type::text, std::move(t)}; }
-  bool is_text() const { return type == Type::text; }
+  static Value frame(std::string links) { return {0, Type::frame, std::move(links)}; }
+  /// A text or a frame.
+  bool is_text() const { return type == Type::text || type == Type::frame; }
+};
 
-  /// The value converted to a type: INT rounds, BOOL is 0 or 1. Nothing between text and number.
-  std::optional<Value> as(Type wanted) const;
+/// How an assignment has ended.
+enum class Stored : std::uint8_t { yes, wrong_type, out_of_range, too_long, outside_array, too_many, unknown };
+
+/// What a definition tells of a variable.
+struct Declared {
+  enum class Detail : std::uint8_t { none, character, axis };
+
+  Type type = Type::real;
+  Detail detail = Detail::none;
+  std::uint32_t length = 0;  ///< of a STRING, in characters; 0: not limited
+  bool cuts = false;         ///< a text that is too long is cut, and not refused
+  double lowest = -std::numeric_limits<double>::infinity(), highest = std::numeric_limits<double>::infinity();
+
+  /// The value of a variable that has got none: 0 or, outside the limits, the nearest of them; an empty text.
+  Value initial() const;
+  /// Converts the value: INT rounds, BOOL is 0 or 1, CHAR takes one character. Changes `value` only for Stored::yes.
+  Stored fit(Value& value) const;
+  /// "0 to 5", "from 0" or "up to 5"
+  std::string range() const;
 };
 
 struct Variable {
@@ -34,6 +56,7 @@ struct Variable {
   std::vector<std::string> elements{};                 ///< [1] and so on: elements with a variable of their own
   std::vector<std::uint32_t> sizes{};                  ///< of an array, by dimension; empty: not known
   std::pair<std::uint64_t, std::size_t> defined_at{};  ///< offset of its block, column
+  Declared declared{};
 
   /// The number of the element with these indices, "[0,3]", where the last index runs fastest; nothing where they are
   /// out of range. Where the sizes are not known there is one index of any size.

@@ -9,10 +9,10 @@ void VariableStore::enter_other(std::uint64_t frame) {
     scopes_.pop_back();
     for (const auto& [inner, outer] : ended.references)
       if (const auto it = ended.variables.find(inner); it != ended.variables.end()) {
-        if (!it->second.is_array) set(outer, it->second.value);
+        if (!it->second.is_array) give_back(outer, it->second.value);
         for (const std::string& element : it->second.elements)
           if (const auto own = ended.variables.find(inner + element); own != ended.variables.end())
-            set(outer + element, own->second.value);
+            give_back(outer + element, own->second.value);
       }
   }
   if (scopes_.back().frame != frame) scopes_.push_back({frame, {}, {}, {}});
@@ -28,25 +28,56 @@ std::optional<double> VariableStore::given(const std::string& name) const {
   return it == given_.end() ? std::nullopt : std::optional(it->second);
 }
 
-bool VariableStore::define(const std::string& name, Value value, bool is_array) {
-  auto& variables = scopes_.back().variables;
-  if (is_array)
-    for (const auto& [element, own] : elements(name)) variables.erase(name + element);
+bool VariableStore::define(const std::string& name, const Declared& type, bool is_array) {
+  Variables& variables = scopes_.back().variables;
+  if (const Variable* const before = find_own(name); before != nullptr && is_array)
+    for (const std::string& element : before->elements) variables.erase(name + element);
   if (variables.size() >= most_names) return false;
-  const auto [it, is_new] = variables.insert_or_assign(name, Variable{std::move(value), is_array});
-  const std::size_t bracket = name.find('[');
-  if (!is_new || bracket == std::string::npos) return true;
-  if (const auto array = variables.find(name.substr(0, bracket)); array != variables.end())
-    array->second.elements.push_back(name.substr(bracket));
+  Variable& defined = variables.insert_or_assign(name, Variable{type.initial(), is_array}).first->second;
+  defined.declared = type;
   return true;
 }
 
-void VariableStore::fill(const std::string& array, Value value) {
-  auto& variables = scopes_.back().variables;
-  for (const auto& [element, own] : elements(array)) variables.erase(array + element);
+VariableStore::Variables* VariableStore::holder_of(const std::string& name, const std::string& base) {
+  for (Variables* const variables : {&scopes_.back().variables, &user_data_}) {
+    if (find_in(*variables, name) != nullptr) return variables;
+    if (const Variable* const array = find_in(*variables, base); array != nullptr && array->is_array) return variables;
+  }
+  return nullptr;
+}
+
+Stored VariableStore::assign(const std::string& name, Value value) {
+  const std::size_t bracket = name.find('[');
+  const std::string base = name.substr(0, bracket);
+  Variables* const variables = holder_of(name, base);
+  if (variables == nullptr) return Stored::unknown;
+  Variable* to = find_in(*variables, name);
+  Variable* const array = bracket == std::string::npos ? nullptr : find_in(*variables, base);
+  if (to == nullptr && !array->sizes.empty() && !array->number_of(std::string_view(name).substr(bracket)))
+    return Stored::outside_array;
+  if (const Stored fitting = (to != nullptr ? to : array)->declared.fit(value); fitting != Stored::yes) return fitting;
+  if (to == nullptr) {
+    if (variables->size() >= most_names) return Stored::too_many;
+    array->elements.push_back(name.substr(bracket));
+    to = &(*variables)[name];
+    to->declared = array->declared;
+  }
+  to->value = std::move(value);
+  if (variables == &user_data_ && saver_ != nullptr) saver_->save(name, to->value);
+  return Stored::yes;
+}
+
+void VariableStore::fill(const std::string& array, const Value& value) {
+  Variables& variables = *holder_of(array, array);
+  const bool is_saved = &variables == &user_data_ && saver_ != nullptr;
   Variable& all = variables.at(array);
+  for (const std::string& element : all.elements) {
+    variables.erase(array + element);
+    if (is_saved) saver_->save(array + element, value);
+  }
   all.elements.clear();
-  all.value = std::move(value);
+  all.value = value;
+  if (is_saved) saver_->save(array, value);
 }
 
 std::vector<std::pair<std::string, Value>> VariableStore::elements(const std::string& array) {
@@ -59,6 +90,7 @@ std::vector<std::pair<std::string, Value>> VariableStore::elements(const std::st
 
 void VariableStore::restart() {
   scopes_.assign(1, {});
+  user_data_ = user_data_at_start_;
   passed_.clear();
   said_.clear();
   macros_.clear();
@@ -69,19 +101,14 @@ void VariableStore::restart() {
   curve_begins = 0;
 }
 
-void VariableStore::set(const std::string& name, const Value& value) {
+void VariableStore::give_back(const std::string& name, const Value& value) {
   if (name.size() > 1 && name[0] == 'R' && name.find_first_not_of("0123456789", 1) == std::string::npos) {
     if (name.size() < 8)
-      if (RParameter* const p = r(static_cast<std::size_t>(std::stoul(name.substr(1))))) *p = {value.number, true};
+      if (const std::size_t number = std::stoul(name.substr(1)); r(number) != nullptr) assign_r(number, value.number);
     return;
   }
-  if (Variable* const v = find(name)) {
-    if (const auto fitting = value.as(v->value.type)) v->value = *fitting;
-    return;
-  }
-  const Variable* const array = find(name.substr(0, name.find('[')));
-  if (array == nullptr || !array->is_array) return;
-  if (auto fitting = value.as(array->value.type)) define(name, std::move(*fitting));
+  if (const Stored outcome = assign(name, value); outcome != Stored::yes)
+    not_given_back.push_back({name, value, outcome});
 }
 
 }  // namespace siemens

@@ -45,6 +45,15 @@ class VariableStore {
   std::optional<std::int64_t> master_spindle;  ///< the spindle that SETMS has named
   std::uint32_t curve_begins = 0;              ///< line of the CTABDEF in force; 0: none
 
+  /// Values of VAR parameters that the caller's variables cannot hold.
+  struct NotGivenBack {
+    std::string name;
+    Value value;
+    Stored outcome;
+  };
+  std::vector<NotGivenBack> not_given_back;
+
+  bool cuts_texts = false;           ///< a text that is too long for its STRING is cut
   std::size_t most_names = 100'000;  ///< of one program, with elements of arrays
 
   void set_r_count(std::size_t count) { r_.assign(count, {}); }
@@ -57,8 +66,32 @@ class VariableStore {
   };
   RParameter* r(std::size_t number) { return number < r_.size() ? &r_[number] : nullptr; }
 
-  /// Gives a value to a name: data of the machine, from the user.
+  void assign_r(std::size_t number, double value) {
+    r_[number] = {value, true};
+    if (saver_) saver_->save_r(number, value);
+  }
+
+  /// Gives a value to a system variable: data of the machine, from the user.
   void give(std::string name, double value) { given_[std::move(name)] = value; }
+  /// Defines global user data of the machine (GUD), which all programs share. They are found after the variables of the
+  /// running program.
+  Variable& define_user_data(const std::string& name, Variable variable) {
+    return user_data_.insert_or_assign(name, std::move(variable)).first->second;
+  }
+  /// Each run begins with the user data as they are now.
+  void keep_user_data() { user_data_at_start_ = user_data_; }
+  Variable* user_data(const std::string& name) { return find_in(user_data_, name); }
+
+  /// Is told what programs assign to user data and R parameters.
+  class Saver {
+   public:
+    virtual void save(const std::string& name, const Value& value) = 0;
+    virtual void save_r(std::size_t number, double value) = 0;
+
+   protected:
+    ~Saver() = default;
+  };
+  void save_to(Saver* saver) { saver_ = saver; }
 
   /// Makes the program with this frame the running one. Programs above it have ended: the values of their VAR
   /// parameters go to the caller.
@@ -66,18 +99,27 @@ class VariableStore {
     if (frame != scopes_.back().frame) enter_other(frame);
   }
 
+  /// A variable or an element with a value of its own: of the running program, or of the user data.
   Variable* find(const std::string& name) {
-    Scope& scope = scopes_.back();
-    const auto it = scope.variables.find(name);
-    return it == scope.variables.end() ? nullptr : &it->second;
+    Variable* const own = find_own(name);
+    return own != nullptr ? own : user_data(name);
+  }
+  /// One that the running program has defined.
+  Variable* find_own(const std::string& name) { return find_in(scopes_.back().variables, name); }
+  /// The array of an element, A of "A[2]"; null where there is none.
+  Variable* array_of(const std::string& element) {
+    Variable* const v = find(element.substr(0, element.find('[')));
+    return v != nullptr && v->is_array ? v : nullptr;
   }
   /// Like give(), but only up to the end of the run.
   void give_for_run(const std::string& name, double value);
   std::optional<double> given(const std::string& name) const;
-  /// Defines a variable; false where there are too many.
-  bool define(const std::string& name, Value value, bool is_array = false);
-  /// Gives every element of the array this value.
-  void fill(const std::string& array, Value value);
+  /// Defines a variable of the running program; false where there are too many.
+  bool define(const std::string& name, const Declared& type, bool is_array = false);
+  /// Assigns a value to a variable or an element, converted to its type.
+  Stored assign(const std::string& name, Value value);
+  /// Gives every element of the array this value, which fits.
+  void fill(const std::string& array, const Value& value);
   /// The elements of an array that have a value of their own.
   std::vector<std::pair<std::string, Value>> elements(const std::string& array);
   void refer(const std::string& inner, const std::string& outer) { scopes_.back().references[inner] = outer; }
@@ -114,18 +156,28 @@ class VariableStore {
   void restart();
 
  private:
+  using Variables = std::unordered_map<std::string, Variable>;
+
   void enter_other(std::uint64_t frame);
   /// Gives the value to an R parameter, a variable or an element of the present program, where it has such a one.
-  void set(const std::string& name, const Value& value);
+  void give_back(const std::string& name, const Value& value);
+  static Variable* find_in(Variables& variables, const std::string& name) {
+    const auto it = variables.find(name);
+    return it == variables.end() ? nullptr : &it->second;
+  }
+  /// The variables among which the name is, or its array; null where it is in none.
+  Variables* holder_of(const std::string& name, const std::string& base);
 
   struct Scope {
     std::uint64_t frame = 0;
-    std::unordered_map<std::string, Variable> variables;
+    Variables variables;
     std::map<std::string, std::string> references;
     std::vector<Argument> arguments;  // set again for each pass
   };
   std::vector<RParameter> r_;
   std::unordered_map<std::string, double> given_, given_for_run_;
+  Variables user_data_, user_data_at_start_;
+  Saver* saver_ = nullptr;
   std::vector<Scope> scopes_{1};
   std::vector<Argument> passed_;
   std::uint64_t tag_ = 0;

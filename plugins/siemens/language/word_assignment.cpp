@@ -1,5 +1,6 @@
 /// Assignments: R1=5, NAME=3, A[1]=SET(1,2), $P_UIFR[1]=…, G[8]=2, AX[NAME]=10.
 #include "language/array_values.hpp"
+#include "language/frame_component.hpp"
 #include "language/system_assignment.hpp"
 #include "language/word_reader.hpp"
 
@@ -44,6 +45,9 @@ bool belongs_to_spindle(std::string_view name) {
   return name.starts_with("SPOS[") || name.starts_with("SPOSA[") || name.starts_with("LIMS[");
 }
 
+/// An AXIS takes the name of an axis, and a FRAME takes links.
+bool is_read_by_type(const Declared& type) { return type.type == Type::frame || type.detail == Declared::Detail::axis; }
+
 }  // namespace
 
 /// G[8]=2 is the second code of group 8. Groups whose order the manuals agree on (Programming manual, G functions).
@@ -74,11 +78,7 @@ std::size_t WordReader::assignment(ig::Block& b, std::string_view text, std::siz
       b.report(ig::diag("SIE-0292"), columns(begin, target.position()), std::string_view(reference->name));
     return valued_as(b, text, begin, equals, axis, run);
   }
-  if (const std::size_t name_end = axis_name_end(text, equals, reference->name); name_end != 0) {
-    const std::size_t value_at = skip_blanks(text, equals + 1);
-    environment_.store().find(reference->name)->value = Value::string(upper(piece(text, value_at, name_end)));
-    return name_end;
-  }
+  if (const auto end = assign_declared(b, text, begin, equals, *reference)) return *end;
   if (const std::string name = extended_name(reference->name); !name.empty()) {
     const Assigned a = assigned(b, text, equals);
     return a.value ? extended(b, text, begin, a.end, name, *a.value, run) : a.end;
@@ -90,10 +90,12 @@ std::size_t WordReader::assignment(ig::Block& b, std::string_view text, std::siz
     return done.is_fault ? line_end_of_fault(text, done.end) : done.end;
   }
   if (const Group* const group = group_named(reference->name)) return of_group(b, text, begin, equals, *group, run);
-  if (const Variable* const array = array_of(reference->name);
+  if (const Variable* const array = environment_.store().array_of(reference->name);
       array != nullptr && ArrayValues::begin(text, skip_blanks(text, equals + 1), false))
     return assign_elements(b, text, begin, equals, *reference, *array);
-  const bool is_unknown_array = reference->name.find('[') != std::string::npos && !array_of(reference->name);
+  const bool is_unknown_array = reference->name.find('[') != std::string::npos &&
+                                environment_.store().find(reference->name) == nullptr &&
+                                !environment_.store().array_of(reference->name);
   if (!reference->is_r && is_unknown_array && !environment_.store().given(reference->name) &&
       !changes_no_position(reference->name)) {
     const std::size_t end = statement_text_end(text, equals);
@@ -126,33 +128,43 @@ void WordReader::assign(ig::Block& b, const Expression::Reference& to, const Val
     if (value.is_text())
       b.report(ig::diag("SIE-0130"), columns(begin, end), std::string_view(to.name));
     else
-      *store.r(to.r) = {value.number, true};
+      store.assign_r(to.r, value.number);
     return;
   }
-  Variable* const present = store.find(to.name);
-  const Variable* const model = present != nullptr ? present : array_of(to.name);
-  if (const std::size_t bracket = to.name.find('['); present == nullptr && model != nullptr &&
-                                                     bracket != std::string::npos && !model->sizes.empty() &&
-                                                     !model->number_of(std::string_view(to.name).substr(bracket))) {
-    b.report(ig::diag("SIE-0304"), columns(begin, to.end), std::string_view(to.name),
-             std::string_view(model->shown_as(to.name.substr(0, bracket))));
-    return;
-  }
-  if (model == nullptr && store.given(to.name)) {
-    if (!value.is_text()) store.give_for_run(to.name, value.number);
-    return;
-  }
-  if (model == nullptr) {
-    environment_.report_name(b, ig::diag("SIE-0124"), columns(begin, end), to.name);
-    return;
-  }
-  auto fitting = value.as(model->value.type);
-  if (!fitting)
+  const Stored outcome = store.assign(to.name, value);
+  if (outcome == Stored::unknown && store.given(to.name)) {
+    if (!value.is_text()) return store.give_for_run(to.name, value.number);
     b.report(ig::diag("SIE-0130"), columns(begin, end), std::string_view(to.name));
-  else if (present != nullptr)
-    present->value = std::move(*fitting);
-  else if (!store.define(to.name, std::move(*fitting)))
-    b.report(ig::diag("SIE-0114"), columns(begin, end), std::string_view(to.name));
+    return;
+  }
+  const std::size_t last = outcome == Stored::outside_array ? to.end : end;
+  environment_.report_not_stored(b, columns(begin, last), to.name, value, outcome);
+}
+
+std::optional<std::size_t> WordReader::assign_declared(ig::Block& b, std::string_view text, std::size_t begin,
+                                                       std::size_t equals, const Expression::Reference& to) const {
+  VariableStore& store = environment_.store();
+  if (const auto component = FrameComponent::of(store, to.name)) {
+    Expression e(b, environment_, text, equals + 1);
+    const auto number = e.number();
+    const std::size_t end = std::max(e.position(), equals + 1);
+    if (!number) return line_end_of_fault(text, end);
+    if (const auto changed = component->changed(*number))
+      assign(b, {component->variable, to.begin, to.end}, Value::frame(*changed), begin, end);
+    else
+      b.report(ig::diag("SIE-0365"), columns(begin, end), piece(text, begin, end));
+    return end;
+  }
+  const Variable* const present = store.find(to.name);
+  const Variable* const model = present != nullptr ? present : store.array_of(to.name);
+  const bool is_list = ArrayValues::begin(text, skip_blanks(text, equals + 1), false);
+  if (model == nullptr || is_list || (present != nullptr && present->is_array) || !is_read_by_type(model->declared))
+    return std::nullopt;
+  std::size_t end = equals + 1;
+  const auto value = value_of(b, environment_, text, end, model->declared);
+  if (!value) return line_end_of_fault(text, end);
+  assign(b, to, *value, begin, end);
+  return end;
 }
 
 std::size_t WordReader::assign_elements(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
@@ -192,23 +204,6 @@ std::size_t WordReader::of_group(ig::Block& b, std::string_view text, std::size_
   else
     b.report(ig::diag("SIE-0125"), columns(begin, a.end), piece(text, begin, a.end));
   return a.end;
-}
-
-std::size_t WordReader::axis_name_end(std::string_view text, std::size_t equals, const std::string& name) const {
-  const Variable* const target = environment_.store().find(name);
-  if (target == nullptr || !target->value.is_text() || target->is_array) return 0;
-  const std::size_t value_at = skip_blanks(text, equals + 1), end = skip_name(text, value_at);
-  const char behind = at(text, skip_blanks(text, end));
-  const std::string axis = upper(piece(text, value_at, end));
-  if (!is_name_start(at(text, value_at)) || behind == '(' || behind == '[' || behind == '<' ||
-      (axis.size() > 3 && !environment_.axes.find(axis)))
-    return 0;
-  return environment_.store().find(axis) == nullptr ? end : 0;
-}
-
-Variable* WordReader::array_of(const std::string& element) const {
-  Variable* const v = environment_.store().find(element.substr(0, element.find('[')));
-  return v != nullptr && v->is_array ? v : nullptr;
 }
 
 }  // namespace siemens

@@ -72,9 +72,9 @@ std::size_t WordReader::item(ig::Block& b, std::string_view text, std::size_t be
   const char c = to_upper(text[begin]);
   const std::size_t second = begin + 1;
   const char d = at(text, second);
-  if (environment_.store().has_macros() && !is_expanded_ && c != '$' && !environment_.flow.is_indexing())
+  if (environment_.has_macros() && !is_expanded_ && c != '$' && !environment_.flow.is_indexing())
     if (const std::size_t end = skip_name(text, begin); at(text, skip_blanks(text, end)) != '=')
-      if (const std::string* const macro = environment_.store().macro(upper(piece(text, begin, end))))
+      if (const std::string* const macro = environment_.macro(b, upper(piece(text, begin, end))))
         return expand(b, text, begin, end, *macro, run);
   if (is_action_number(text, begin)) return begin;
   if (const std::size_t end = machine_name_end(b, text, begin); end != begin)
@@ -180,6 +180,11 @@ std::size_t WordReader::expand(ig::Block& b, std::string_view text, std::size_t 
   const std::size_t start = next;
   is_expanded_ = true;
   while (next < as.macro_end()) {
+    if (names_other_macro(as.text(), next, piece(text, begin, end))) {
+      is_expanded_ = false;
+      b.report(ig::diag("SIE-0288"), columns(begin, end), std::string_view(macro));
+      return end;
+    }
     const std::size_t first = run.count, behind = item(b, as.text(), next, run);
     if (behind == next) break;
     for (std::size_t i = std::min<std::size_t>(first, run.count); i < run.count; ++i) {
@@ -196,6 +201,13 @@ std::size_t WordReader::expand(ig::Block& b, std::string_view text, std::size_t 
     return end;
   }
   return as.original(next);
+}
+
+bool WordReader::names_other_macro(std::string_view text, std::size_t position, std::string_view macro) const {
+  const std::size_t end = skip_name(text, position);
+  const std::string name = upper(piece(text, position, end));
+  return skip_name(macro, 0) == macro.size() && at(text, skip_blanks(text, end)) != '=' &&
+         !equals_ignoring_case(name, macro) && environment_.has_macro(name);
 }
 
 std::size_t WordReader::named(ig::Block& b, std::string_view text, std::size_t begin, Run& run) {

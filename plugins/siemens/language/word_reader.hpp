@@ -54,6 +54,8 @@ class WordReader {
   /// closed behind the name: DEFINE LEFT AS X= and LEFT 10.
   std::size_t expand(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end, const std::string& macro,
                      Run& run);
+  /// Macros do not nest. One may use the code whose name it has: DEFINE M7 AS M7 M8.
+  bool names_other_macro(std::string_view text, std::size_t position, std::string_view macro) const;
   /// EXECSTRING("R1="<<NR): the words that the text holds.
   std::size_t execute_string(ig::Block& b, std::string_view text, std::size_t begin, std::size_t open, Run& run);
   /// Where the name ends by which the machine calls an axis, as C1 of C1=45; `begin` where none stands there, or the
@@ -125,9 +127,9 @@ class WordReader {
   static const Group* group_named(std::string_view name);
   std::size_t of_group(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals, const Group& group,
                        Run& run);
-  /// NAME=X, where NAME is of type AXIS and X no variable: where X ends, 0 where it is something else.
-  std::size_t axis_name_end(std::string_view text, std::size_t equals, const std::string& name) const;
-  Variable* array_of(const std::string& element) const;
+  /// To AXIS and FRAME variables, and to F[X,TR]; nothing for other variables.
+  std::optional<std::size_t> assign_declared(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
+                                             const Expression::Reference& to) const;
 
   std::size_t at_bracket_ = 0;
   bool is_expanded_ = false;  // the text is what DEFINE says
