@@ -182,6 +182,7 @@ std::vector<FieldInfo> make_fields() {
       field("SubProgramCall.FileName", text, block, "", "Name of the program that is called."),
       field("MachineCode.Name", text, block, "", "The builder's codes that the table MachineCodes has answered."),
       field("MachineCode.Title", text, block, "", "What the builder of the machine calls them."),
+      field("MachineCode.Words", text, block, "", "The codes and calls as written, with their arguments."),
       field("SubProgramReturn.Term", name, block, "", "The code that returns."),
       field("SubProgramReturn.P", integer, block, "", "The sequence number that it returns to."),
       field("Vars.Variable", integer, block, "", "Number of the variable that was assigned."),
