@@ -91,7 +91,7 @@ typedef struct ig_go {
   uint32_t struct_size;
   ig_go_kind kind;
   ig_text label;
-  ig_text start;        /* IG_GO_CALL: a label of the called program at which it begins; size 0: at its beginning */
+  ig_text start; /* IG_GO_CALL: a label of the called program at which it begins; size 0: at its beginning */
   /* IG_GO_CALL: names of the file, without folder and extension, the best first; any case. A name that ends in '/' is a
    * folder ("CUS.DIR/", "WKS.DIR/PART.WPD/"): before the other names, the only place to look where it is there; after
    * them, one more place, where the dialect's SearchOrder has ProgramPath. */
@@ -110,8 +110,8 @@ typedef struct ig_go {
 typedef struct ig_flow_1 {
   uint32_t struct_size;
   uint32_t is_indexing; /* 1: this chain only collects labels; its build() functions are never called */
-  /* scan(): this block has a name. Nothing happens unless is_indexing. A name of a program that ends in '/' is the folder
-   * of the program that began last ("CUS.DIR/"). */
+  /* scan(): this block has a name. Nothing happens unless is_indexing. A name of a program that ends in '/' is the
+   * folder of the program that began last ("CUS.DIR/"). */
   void (*label)(ig_block*, ig_text name, ig_label_kind);
   /* scan() or build(), but not in post-logic: the first request of a block counts. Where no program runs (a case of a
    * page) each request is answered IG_GO_DONE. */

@@ -30,8 +30,9 @@ typedef struct ig_machine_code {
   uint32_t when;      /* of cycles: 1 acts where it is defined, 2 where it is called; 0: as its number says */
   double position[6]; /* mm and degrees, machine coordinates */
   /* Since 1.8. */
-  ig_text row;        /* the name of the row as the user wrote it */
-  uint32_t arguments; /* of a G or M code that calls: 1 its words are arguments, 2 the user asks for it; 0: they are not */
+  ig_text row; /* the name of the row as the user wrote it */
+  uint32_t
+      arguments; /* of a G or M code that calls: 1 its words are arguments, 2 the user asks for it; 0: they are not */
   uint32_t reserved;
 } ig_machine_code;
 

@@ -143,6 +143,9 @@ void VariableRows::give_row(ig::Import& file, const Row& row) const {
   const auto base = definitions_.find(row.key.substr(0, bracket));
   const bool is_known = base != definitions_.end();
   const bool is_definition = is_known && bracket == std::string::npos;
+  // GRID=4 beside GRID[2]=1, without a definition: GRID is a plain variable.
+  if (!is_known && bracket != std::string::npos && known_.contains(row.key.substr(0, bracket)))
+    return file.report(ig::diag("SIE-0349"), row.begin, row.end, shown(row.key));
   Variable array;
   if (is_known) array.sizes = base->second.sizes;
   std::optional<Value> value = row.value;
