@@ -156,16 +156,18 @@ class Machines(unittest.TestCase):
 
     def test_inspect_shows_which_needs_of_a_program_a_machine_answers(self):
         self.machine('<Backup src="tool.tbl"/><Programs src="programs"/>'
-                     '<Dependencies><ToolOffsetTable unlisted="missing"/></Dependencies>')
+                     '<Dependencies><ToolOffsetTable unlisted="missing"/>'
+                     '<MachineCodes><Code name="m92*" does="nothing"/></MachineCodes></Dependencies>')
         self.write("machines/mill/tool.tbl", TOOLS)
         self.write("machines/mill/programs/O9001.nc", "O9001\nG0 Z20.\nM99\n")
-        part = self.write("part.nc", "G21 G90 G55 G0 G43 H1 Z10.\nG43 H7 Z5.\nM98 P9001\nM98 P9001\nM98 P77\nM30\n")
+        part = self.write("part.nc", "G21 G90 G55 G0 G43 H1 Z10.\nG43 H7 Z5.\nM98 P9001\nM98 P9001\nM98 P77\nM925\nM30\n")
         done = self.run_it("inspect", "machines/mill", "--for", part, "--json", status=1)
         needs, = json.loads(done.stdout)["Needs"]
         rows = {(row["Table"], row["Row"]): row["Answers"] for row in needs["Rows"]}
         self.assertEqual(rows["ToolOffsetTable", "1"], "tool.tbl:1")
         self.assertTrue(rows["ToolOffsetTable", "7"].startswith("no row"))
         self.assertNotIn(("ToolOffsetTable", "2"), rows)
+        self.assertEqual(rows["MachineCodes", "m92*"], "machine.xml:2")
         self.assertEqual(rows["IsoCoordinateTable", "G55"], "the table as it is delivered")
         self.assertEqual(needs["Programs called"], [{"Program": "O9001", "File": "programs/O9001.nc"}])
         codes = {one["Code"]: one["First"] for one in needs["Not answered"]}

@@ -22,7 +22,13 @@ struct Reads : Exporter {
   explicit Reads(const LinkedDialect& dialect)
       : linked(dialect), rows(dialect.dependencies.size()), given(dialect.dependencies.size()) {}
 
-  void listen(Chain& working) { chain = &working; }
+  void listen(Chain& working) {
+    chain = &working;
+    chain->listen_to_rows();
+    chain->row_answered = [this](std::string_view service, std::string_view row) {
+      if (const std::optional<std::size_t> who = chain->answering(service)) rows[*who].emplace(row);
+    };
+  }
   void begin(Document&, const SymbolTable&) override {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       DependencyTable* const table = chain->table(linked.dependencies[i].element.alias);

@@ -133,6 +133,8 @@ class Chain {
   /// Those of this block, in their order, at most most_answered_rows; empty unless listen_to_rows() was called.
   std::vector<AnsweredRow> answered_rows;
   static constexpr std::size_t most_answered_rows = 1000;
+  /// Called for each of them; empty: none.
+  std::function<void(std::string_view service, std::string_view row)> row_answered;
   void listen_to_rows() { provenance_.is_listening = 1; }
 
   /// Executes calls and jumps, set by the runner; null where no program runs.
