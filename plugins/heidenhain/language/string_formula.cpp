@@ -107,7 +107,7 @@ std::optional<double> StringFormula::result_of(std::size_t function) {
   if (function == to_number) {
     const std::string_view digits = trim(*source);
     const Value read = values_.read(b_, digits, 0);
-    if (read.ok && read.end == digits.size() && !digits.empty() && digits.find_first_of("Qq") == digits.npos)
+    if (read.ok && read.end == digits.size() && !digits.empty() && digits.find_first_of("Qq") == std::string_view::npos)
       return read.number;
     return missing("a number in the text of SRC_");
   }

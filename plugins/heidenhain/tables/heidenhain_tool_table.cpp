@@ -25,18 +25,18 @@ struct ToolColumn {
   double least = -1e9, most = 1e9;
   bool is_none_at_zero = false;
 };
-constexpr ToolColumn columns[] = {{"H", "L"},
-                                  {"D", "R"},
-                                  {"HWear", "DL"},
-                                  {"DWear", "DR"},
-                                  {"CornerRadius", "R2", true, false, 0},
-                                  {"CornerRadiusWear", "DR2", true, false},
-                                  {"TipAngle", "T-ANGLE", false, false, 0, 180, true},
-                                  {"Teeth", "CUT", false, false, 0, 1000, true},
-                                  {"MaximumSpeed", "NMAX", false, false, 0, 1e9, true}};
+constexpr ToolColumn tool_columns[] = {{"H", "L"},
+                                       {"D", "R"},
+                                       {"HWear", "DL"},
+                                       {"DWear", "DR"},
+                                       {"CornerRadius", "R2", true, false, 0},
+                                       {"CornerRadiusWear", "DR2", true, false},
+                                       {"TipAngle", "T-ANGLE", false, false, 0, 180, true},
+                                       {"Teeth", "CUT", false, false, 0, 1000, true},
+                                       {"MaximumSpeed", "NMAX", false, false, 0, 1e9, true}};
 
 const ToolColumn* column_of(std::string_view name) {
-  for (const ToolColumn& column : columns)
+  for (const ToolColumn& column : tool_columns)
     if (column.name == name) return &column;
   return nullptr;
 }
@@ -78,7 +78,7 @@ struct HeidenhainToolTable {
     out.write(unit == TableUnit::inch ? "BEGIN TOOL.T INCH\n" : "BEGIN TOOL.T MM\n");
     std::string names = padded("T", width_of_row_number) + padded("NAME", longest_tool_name + 1);
     std::vector<ToolColumn> used;
-    for (const ToolColumn& column : columns)
+    for (const ToolColumn& column : tool_columns)
       if (column.is_written_always || is_used(out, tools, column)) used.push_back(column);
     for (const ToolColumn& column : used) names += padded(column.name, width_of_value);
     out.write(names + "\n" + padded("0", width_of_row_number + longest_tool_name + 1));

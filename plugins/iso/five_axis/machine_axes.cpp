@@ -19,7 +19,7 @@ using namespace ig::cnc;
 namespace {
 
 constexpr const char* shipped_axes[] = {"X|Home=0", "Y|Home=0", "Z|Home=0"};
-constexpr std::string_view letters = "XYZABC", further_letters = "UVW";
+constexpr std::string_view axis_letters = "XYZABC", further_letters = "UVW";
 
 bool is_one_of(std::string_view name, std::string_view known) {
   return name.size() == 1 && known.find(name[0]) != std::string_view::npos;
@@ -66,9 +66,9 @@ struct MachineAxes {
   ig::RowNames rows;
 
   MachineAxes() {
-    for (const char letter : letters) names.emplace_back(1, letter);
+    for (const char letter : axis_letters) names.emplace_back(1, letter);
     for (const std::string& name : rows) {
-      if (is_one_of(name, letters)) continue;
+      if (is_one_of(name, axis_letters)) continue;
       if (!is_one_of(name, further_letters) && !is_long_name(name))
         throw std::runtime_error("axis '" + name +
                                  "': its name is X, Y, Z, A, B or C; of a further axis U, V, W or, as Q1, longer");
@@ -106,7 +106,8 @@ struct MachineAxes {
           fault = "the rows " + std::string(row) + " and " + claim->second + " both name " + name;
     });
     const std::string_view type = table.text(row, kind);
-    if (is_one_of(row, letters)) return !type.empty() ? "Type has no effect on an axis X Y Z A B C: remove it" : fault;
+    if (is_one_of(row, axis_letters))
+      return !type.empty() ? "Type has no effect on an axis X Y Z A B C: remove it" : fault;
     if (!type.empty() && type != "linear" && type != "rotary") return "Type is linear or rotary";
     if (const std::string_view unused = unused_column(row); !unused.empty())
       return std::string(unused) + " has no effect on a further axis: remove it";

@@ -84,7 +84,7 @@ class VariableWriter {
   /// Empty where the file has no form for the value.
   std::string value_of_row(std::uint32_t row, const std::string& name) {
     const Declared type = type_of(row, name);
-    const std::string text(cell(row, "Text"));
+    std::string text(cell(row, "Text"));
     if (type.type == Type::frame) return text.empty() ? "CTRANS()" : text;
     if (type.detail == Declared::Detail::axis) return text;
     if (type.type != Type::text) {

@@ -45,7 +45,7 @@ struct CalledProgram {
     CalledProgram out{upper(ig::cnc::trim(file.substr(0, file.find('.')))), {}, folder_of(path.substr(0, begin))};
     if (out.name.starts_with("_N_")) out.name.erase(0, 3);
     const std::string extension =
-        file.find('.') == file.npos ? "" : upper(ig::cnc::trim(file.substr(file.find('.') + 1)));
+        file.find('.') == std::string_view::npos ? "" : upper(ig::cnc::trim(file.substr(file.find('.') + 1)));
     for (const std::string_view kind : {"SPF", "MPF"}) {
       if (extension == kind) out.kind = kind;
       if (out.name.size() <= 4 || !out.name.ends_with(kind) || out.name[out.name.size() - 4] != '_') continue;
