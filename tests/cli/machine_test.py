@@ -219,8 +219,15 @@ class Machines(unittest.TestCase):
         done = self.run_it("run", part, "-m", "machines/mill", "--emit", "motions", "--format", "csv")
         self.assertIn("90.5", done.stdout)
         self.write("machines/mill/backup/readme.txt", "Call Ann before you change anything.\n")
-        self.assertIn("readme.txt is not read: no importer recognises it [IG-0132]",
-                      self.run_it("lint", "-m", "machines/mill").stderr)
+        for name in ("readme.1", "O1.nc", "O2.nc"):
+            self.write(f"machines/mill/backup/{name}", "Call Ann before you change anything.\n")
+        read = self.run_it("lint", "-m", "machines/mill").stderr
+        self.assertIn("readme.txt is not read: no importer recognises it (files of this extension: 1) [IG-0132]", read)
+        self.assertIn("O1.nc is not read: no importer recognises it (files of this extension: 2) [IG-0132]", read)
+        self.machine('<Backup src="backup" unit="mm"/><Programs src="backup"/>')
+        read = self.run_it("lint", "-m", "machines/mill").stderr
+        self.assertIn("readme.1 is not read", read)
+        self.assertNotIn("O1.nc", read)
         self.machine('<Backup src="backup/readme.txt"/>')
         self.assertIn("[IG-0124]", self.run_it("lint", "-m", "machines/mill", status=1).stderr)
         self.machine('<Dependencies><MachineAxes src="backup/tool.tbl"/></Dependencies>')

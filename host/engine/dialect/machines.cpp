@@ -2,6 +2,7 @@
 #include "isogloss/engine/machine.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 
@@ -101,7 +102,8 @@ class ErrorWatch : public DiagnosticSink {
 /// Reads the files of a control into tables. What fails is reported as an error.
 class Importing {
  public:
-  Importing(Library& library, DiagnosticSink& sink) : library_(library), sink_(sink) {}
+  Importing(const Dialect& machine, Library& library, DiagnosticSink& sink)
+      : extensions_(machine.extensions), program_places_(machine.program_places), library_(library), sink_(sink) {}
 
   /// The rows of the file that the element's src names, before its own.
   void fill_from_file(DependencyElement& element) const {
@@ -157,15 +159,32 @@ class Importing {
   /// other files hold, replace them.
   std::vector<fs::path> in_order(const Import& folder) const {
     std::vector<fs::path> initial, others;
+    std::map<std::string, std::vector<fs::path>> unknown;  // by extension
     for (const fs::path& path : files_of(folder, sink_)) {
       const ig_importer* const importer = importer_of(path, folder.format);
-      if (importer == nullptr && folder.format.empty())
-        sink_.add(host_diagnostic("IG-0132", folder.where, {path.string()}));
-      else
+      if (importer != nullptr || !folder.format.empty())
         (importer != nullptr && importer->is_initial != 0 ? initial : others).push_back(path);
+      else if (!is_found_as_program(path))
+        unknown[path.extension().string()].push_back(path);
     }
+    for (const auto& [extension, files] : unknown)
+      sink_.add(host_diagnostic("IG-0132", folder.where, {files[0].string(), std::to_string(files.size())}));
     initial.insert(initial.end(), others.begin(), others.end());
     return initial;
+  }
+
+  /// A file of the dialect's programs below a folder of <Programs>.
+  bool is_found_as_program(const fs::path& path) const {
+    const auto is_same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
+    const std::string extension = path.extension().string();
+    const auto is_of_file = [&](const std::string& e) {
+      return std::equal(extension.begin(), extension.end(), e.begin(), e.end(), is_same);
+    };
+    const auto holds_file = [&](const fs::path& place) {
+      return std::mismatch(place.begin(), place.end(), path.begin(), path.end()).first == place.end();
+    };
+    return std::any_of(extensions_.begin(), extensions_.end(), is_of_file) &&
+           std::any_of(program_places_.begin(), program_places_.end(), holds_file);
   }
 
   const ig_importer* importer_of(const fs::path& path, const std::string& format) const {
@@ -177,6 +196,8 @@ class Importing {
     return found.empty() ? nullptr : found[0].importer;
   }
 
+  const std::vector<std::string>& extensions_;
+  const std::vector<fs::path>& program_places_;
   Library& library_;
   DiagnosticSink& sink_;
 };
@@ -230,7 +251,7 @@ bool complete_machine(Dialect& machine, Library& library, DiagnosticSink& given)
   if (!is_incomplete(machine)) return true;
   for (const PluginReference& plugin : machine.plugins)
     if (!library.load(plugin.name, plugin.where, sink)) return false;
-  const Importing importing(library, sink);
+  const Importing importing(machine, library, sink);
   for (DependencyElement& element : machine.dependencies) importing.fill_from_file(element);
   std::vector<DependencyElement> own;
   for (const Import& import : machine.imports) importing.add_tables(import, own);

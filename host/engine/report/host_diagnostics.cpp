@@ -101,7 +101,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        R"(<Backup src="tool.t" format="HeidenhainTools"/>)"},
       {warning, "IG-0130", "{0} may be of two formats, {1} or {2}: it is read as {1}",
        "Two importers are equally sure of the file. format=\"…\" decides.", R"(<Backup src="offsets.txt"/>)"},
-      {note, "IG-0132", "{0} is not read: no importer recognises it",
+      {note, "IG-0132", "{0} is not read: no importer recognises it (files of this extension: {1})",
        "A folder named by <Backup> may hold files that tell nothing of the machine, such as programs and pictures. "
        "Where "
        "the file matters, name it and its format.",
