@@ -48,21 +48,12 @@ class WordReader {
   void set_code(ig::Block& b, Run& run, char letter, std::uint32_t n, std::size_t begin, std::size_t end) const;
   /// The same of a code that the table MachineCodes does not change.
   void set_known(ig::Block& b, Run& run, char letter, std::uint32_t n, std::size_t begin, std::size_t end) const;
-  /// A name of two characters and more, or one with an index.
-  std::size_t named(ig::Block& b, std::string_view text, std::size_t begin, Run& run);
   /// The words for which a name stands (DEFINE); a name for a call is SiemensCallSyntax's. What an address opens is
   /// closed behind the name: DEFINE LEFT AS X= and LEFT 10.
   std::size_t expand(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end, const std::string& macro,
                      Run& run);
-  /// Macros do not nest. One may use the code whose name it has: DEFINE M7 AS M7 M8.
-  bool names_other_macro(std::string_view text, std::size_t position, std::string_view macro) const;
   /// EXECSTRING("R1="<<NR): the words that the text holds.
   std::size_t execute_string(ig::Block& b, std::string_view text, std::size_t begin, std::size_t open, Run& run);
-  /// Where the name ends by which the machine calls an axis, as C1 of C1=45; `begin` where none stands there, or the
-  /// program has a variable of this name.
-  std::size_t machine_name_end(ig::Block& b, std::string_view text, std::size_t begin) const;
-  /// X1=, where the program has defined X1.
-  bool is_assigned_variable(ig::Block& b, std::string_view text, std::size_t begin) const;
   /// The number of an axis beside X Y Z A B C that programs call so.
   std::optional<std::uint32_t> further_axis(std::string_view name) const;
   void add(ig::Block& b, Run& run, ig_field field, std::size_t begin, std::size_t end, double value,
@@ -76,6 +67,18 @@ class WordReader {
                             std::size_t end);
   static std::size_t empty_word(ig::Block& b, std::string_view text, std::size_t begin);
   static std::size_t without_address(ig::Block& b, std::string_view text, std::size_t position);
+
+  // ---- word_names.cpp: addresses that are names
+
+  /// A name of two characters and more, or one with an index.
+  std::size_t named(ig::Block& b, std::string_view text, std::size_t begin, Run& run);
+  /// Macros do not nest. One may use the code whose name it has: DEFINE M7 AS M7 M8.
+  bool names_other_macro(std::string_view text, std::size_t position, std::string_view macro) const;
+  /// Where the name ends by which the machine calls an axis, as C1 of C1=45; `begin` where none stands there, or the
+  /// program has a variable of this name.
+  std::size_t machine_name_end(ig::Block& b, std::string_view text, std::size_t begin) const;
+  /// X1=, where the program has defined X1.
+  bool is_assigned_variable(ig::Block& b, std::string_view text, std::size_t begin) const;
 
   // ---- word_values.cpp: NAME=value
 
