@@ -91,7 +91,11 @@ class Machines(unittest.TestCase):
 
     def test_the_tree_of_a_backup_may_stand_one_folder_further_down(self):
         self.siemens_machine({"nc/CUS.DIR/CYCLE_A.SPF": "G0 X1\n", "nc/CMA.DIR/CYCLE_A.SPF": "G0 X2\n"})
-        self.assertEqual(self.moves("part.mpf", "CYCLE_A\nM30\n")[0], ["1"])
+        # Beside the main program, another machine's tree is none of its own.
+        self.write("another/CUS.DIR/CYCLE_A.SPF", "G0 X9\n")
+        found, notes = self.moves("part.mpf", "CYCLE_A\nM30\n")
+        self.assertEqual(found, ["1"])
+        self.assertNotIn("another", notes)
         order = '<SearchOrder><Folder name="CMA.DIR"/><ProgramPath/><Folder name="CUS.DIR"/></SearchOrder>'
         self.siemens_machine({}, order)
         self.assertEqual(self.moves("part.mpf", "CYCLE_A\nM30\n")[0], ["2"])

@@ -66,7 +66,7 @@ constexpr const char* schema_frame = R"(
     <xs:attribute name="src" type="dialect.Text" use="required"/>
   </xs:complexType>
   <xs:complexType name="dialect.SearchOrder">
-    <xs:annotation><xs:documentation>The folders in which the control searches a called program, in this order, after the folder of the main program and those of Programs. They stand below these, or one folder further down; letters match in any case.</xs:documentation></xs:annotation>
+    <xs:annotation><xs:documentation>The folders in which the control searches a called program, in this order, after the folder of the main program and those of Programs. They stand below these, or one folder further down in those of Programs; letters match in any case.</xs:documentation></xs:annotation>
     <xs:choice minOccurs="0" maxOccurs="unbounded">
       <xs:element name="Folder"><xs:complexType>
         <xs:attribute name="name" type="dialect.Text" use="required"><xs:annotation><xs:documentation>The folder's name; several spellings of it are separated by blanks.</xs:documentation></xs:annotation></xs:attribute>

@@ -51,7 +51,7 @@ SearchedNames::SearchedNames(std::span<const ig_text> files) {
 }
 
 ProgramPlaces::ProgramPlaces(const std::vector<std::string>& places, const std::vector<std::string>& extensions,
-                             const std::vector<SearchFolder>& order)
+                             const std::vector<SearchFolder>& order, const fs::path& main_folder)
     : order_(order), levels_(order.size()) {
   extensions_.emplace_back();
   for (const std::string& e : extensions) extensions_.push_back(in_small_letters(e));
@@ -91,7 +91,7 @@ ProgramPlaces::ProgramPlaces(const std::vector<std::string>& places, const std::
   if (order_.empty()) return;
   for (Folder* const given : std::vector(roots_)) {
     if (place_levels(*given)) continue;
-    if (given->folders.size() > most_subfolders) continue;
+    if (given->folders.size() > most_subfolders || given->resolved == main_folder) continue;
     const auto subfolders = given->folders;
     for (const auto& [name, spellings] : subfolders)
       for (const std::string& spelling : spellings)

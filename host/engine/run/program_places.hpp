@@ -30,8 +30,10 @@ struct SearchedNames {
 /// Finds files of programs by name. Only what lies in a searched folder itself is found: no link that leads elsewhere.
 class ProgramPlaces {
  public:
+  /// Folders of the search order stand in those of `places`, or one folder further down; not so below the folder of the
+  /// main program, whose subfolders may be those of other machines.
   ProgramPlaces(const std::vector<std::string>& places, const std::vector<std::string>& extensions,
-                const std::vector<SearchFolder>& order);
+                const std::vector<SearchFolder>& order, const std::filesystem::path& main_folder);
   struct Found {
     std::filesystem::path file;  ///< resolved
     std::string name;            ///< as it is shown

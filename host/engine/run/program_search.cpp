@@ -230,7 +230,10 @@ ProgramPlaces& ProgramSearch::places() {
   if (places_ == nullptr) {
     std::vector<std::string> extensions = linked_.dialect.extensions;
     extensions.push_back(fs::path(files_[0].name).extension().string());
-    places_ = std::make_unique<ProgramPlaces>(options_.program_places, extensions, linked_.dialect.search_order);
+    std::error_code code;
+    const fs::path main = files_[0].name == "-" ? fs::path() : fs::canonical(files_[0].name, code);
+    places_ = std::make_unique<ProgramPlaces>(options_.program_places, extensions, linked_.dialect.search_order,
+                                              main.parent_path());
   }
   return *places_;
 }
