@@ -24,9 +24,9 @@ void ArchiveReader::read() {
     else if (const std::string_view code = code_of(line.text); is_read_ && !code.empty() && !is_file_end(code))
       read_line(code);
 }
-void ArchiveReader::give(double mm, std::int64_t edge_step) const {
-  tools_.give(file_, mm, edge_step);
-  frames_.give(file_, mm);
+void ArchiveReader::give(ArchiveLengths& lengths, std::int64_t edge_step) const {
+  tools_.give(file_, lengths, edge_step);
+  frames_.give(file_, lengths);
   variables_.give(file_);
 }
 

@@ -17,10 +17,10 @@ class ArchiveReader {
       : file_(file), channel_(channel), frames_(axes) {}
 
   void read();
-  /// Gives the rows to the file. `mm` is a unit of the file in mm; `edge_step` is 0 where edges are indices.
-  void give(double mm, std::int64_t edge_step) const;
-  /// As the file tells it: by METRIC, INCH or machine data.
-  bool is_inch() const { return is_inch_; }
+  /// Gives the rows to the file. `edge_step` is 0 where edges are indices.
+  void give(ArchiveLengths& lengths, std::int64_t edge_step) const;
+  /// As the file tells it, by METRIC, INCH or machine data; nothing where it does not.
+  std::optional<bool> is_inch() const { return is_inch_; }
 
  private:
   void begin_file(const ig::TextLine& line, const FileHead& head);
@@ -30,7 +30,8 @@ class ArchiveReader {
 
   ig::Import& file_;
   std::int64_t channel_, present_channel_ = 0;  // 0: what all channels share
-  bool is_read_ = true, is_inch_ = false;
+  bool is_read_ = true;
+  std::optional<bool> is_inch_;
   FlowFilter flow_;
   ToolRows tools_;
   FrameRows frames_;

@@ -155,7 +155,7 @@ bool FrameRows::is_expressible(const Frame& frame) const {
   return true;
 }
 
-void FrameRows::give(ig::Import& file, double mm) const {
+void FrameRows::give(ig::Import& file, ArchiveLengths& lengths) const {
   std::size_t shifted_base_frames = 0, base_frames_in_use = 0;
   for (const auto& [id, frame] : frames_) {
     if (id.first != base_frames && id.first != "$P_NCBFR") continue;
@@ -178,7 +178,7 @@ void FrameRows::give(ig::Import& file, double mm) const {
       own.drop_shape();
     }
     if (is_settable) {
-      give_row(file, row, own, mm);
+      give_row(file, row, own, lengths);
       continue;
     }
     if (frame.is_shifted() && ++shifted_base_frames == 2)
@@ -196,10 +196,10 @@ void FrameRows::give(ig::Import& file, double mm) const {
       sum.is_mirrored = part.is_mirrored;
     }
   }
-  if (base.end > 0) give_row(file, "BASE", base, mm);
+  if (base.end > 0) give_row(file, "BASE", base, lengths);
 }
 
-void FrameRows::give_row(ig::Import& file, const std::string& row, const Frame& frame, double mm) const {
+void FrameRows::give_row(ig::Import& file, const std::string& row, const Frame& frame, ArchiveLengths& lengths) const {
   std::map<std::string, double> cells;
   if (frame.is_whole) cells = {{"X", 0}, {"Y", 0}, {"Z", 0}};
   for (const auto& [axis, part] : frame.axes) {
@@ -215,8 +215,8 @@ void FrameRows::give_row(ig::Import& file, const std::string& row, const Frame& 
       if (part.is_coarse_given || part.fine != 0) cells[letter] = part.shift();
       continue;
     }
-    if (part.is_coarse_given) cells[letter] = length_in_mm(part.coarse, mm);
-    if (part.fine != 0) cells["F" + letter] = length_in_mm(part.fine, mm);
+    if (part.is_coarse_given) cells[letter] = lengths.mm(part.coarse, frame.begin, frame.end);
+    if (part.fine != 0) cells["F" + letter] = lengths.mm(part.fine, frame.begin, frame.end);
     if (part.rotation != 0) cells["R" + letter] = part.rotation;
     if (part.scale != 1) cells["S" + letter] = part.scale;
     if (part.is_mirrored) cells["M" + letter] = 1;

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "archive/archive_lengths.hpp"
 #include "archive/data_line.hpp"
 
 namespace siemens {
@@ -19,7 +20,7 @@ class FrameRows {
   /// False where the assignment is not to a frame.
   bool assign(ig::Import& file, const Assignment& a);
   /// Gives the rows to the file. `mm` is a unit of the file in mm.
-  void give(ig::Import& file, double mm) const;
+  void give(ig::Import& file, ArchiveLengths& lengths) const;
 
  private:
   struct Part {
@@ -47,7 +48,7 @@ class FrameRows {
   static bool is_within(std::string_view component, double value);
   /// True where columns of the table can hold the shape.
   bool is_expressible(const Frame& frame) const;
-  void give_row(ig::Import& file, const std::string& row, const Frame& frame, double mm) const;
+  void give_row(ig::Import& file, const std::string& row, const Frame& frame, ArchiveLengths& lengths) const;
 
   std::map<std::string, std::string> letters_;
   std::map<Id, Frame> frames_;

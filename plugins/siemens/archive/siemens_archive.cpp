@@ -40,6 +40,8 @@ struct SiemensArchive {
                      "this is a binary archive, which is not read: save the data as a text archive (punched tape)"),
       ig::diagnostic(IG_WARNING, "SIE-0356",
                      "row {0} belongs to another tool, so tool {1}, edge {2} is left out: check the option edge-step"),
+      ig::diagnostic(IG_WARNING, "SIE-0357",
+                     "the archive does not tell its unit, so its lengths are read as mm: give unit=mm or unit=inch"),
   };
 
   ig::Choice<ArchiveUnit> unit{"unit", "file|mm|inch", "file",
@@ -81,8 +83,9 @@ struct SiemensArchive {
     if (is_binary(file.text())) return file.report(ig::diag("SIE-0353"), 0, file.text().size());
     ArchiveReader reader(file, channel, std::string(axes.text()));
     reader.read();
-    const bool is_inch = unit == ArchiveUnit::inch || (unit == ArchiveUnit::file && reader.is_inch());
-    reader.give(is_inch ? mm_per_inch : 1, edge_step);
+    const bool is_inch = unit == ArchiveUnit::inch || (unit == ArchiveUnit::file && reader.is_inch().value_or(false));
+    ArchiveLengths lengths(file, is_inch ? mm_per_inch : 1, unit == ArchiveUnit::file && !reader.is_inch());
+    reader.give(lengths, edge_step);
   }
 
   void write(ig::Export& out) const {

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <set>
 
-#include <isogloss/cnc/file_length.hpp>
-
 namespace siemens {
 
 using namespace ig::cnc;
@@ -90,19 +88,19 @@ void ToolRows::assign_edge_data(ig::Import& file, const Assignment& a, std::int6
 }
 
 /// Of mills: $TC_DP7 of a slotting saw is the width of its slot.
-void ToolRows::give_corner(ig::Import& file, const Edge& e, double mm) {
+void ToolRows::give_corner(ig::Import& file, const Edge& e, ArchiveLengths& lengths) {
   const bool may_be_mill = e.type == 0 || (e.type >= 100 && e.type < 200);
   const auto give = [&](const std::optional<Placed>& corner, const char* column, double least) {
     if (!corner || (corner->value == 0 && !may_be_mill)) return;
     if (!may_be_mill || corner->value < least)
       return file.unused("corner radius of an edge", no_place, corner->begin, corner->end);
-    file.cell(column, length_in_mm(corner->value, mm), corner->begin);
+    file.cell(column, lengths.mm(corner->value, corner->begin, corner->end), corner->begin);
   };
   give(e.corner, "CornerRadius", 0);
   give(e.corner_wear, "CornerRadiusWear", -1e9);
 }
 
-void ToolRows::give(ig::Import& file, double mm, std::int64_t edge_step) const {
+void ToolRows::give(ig::Import& file, ArchiveLengths& lengths, std::int64_t edge_step) const {
   bool is_turning_reported = false;
   std::set<std::string> rows;
   for (const auto& [id, e] : edges_) {
@@ -121,15 +119,15 @@ void ToolRows::give(ig::Import& file, double mm, std::int64_t edge_step) const {
     file.row("ToolOffsetTable", row, e.begin);
     if (!e.is_turning_tool()) {
       if (e.length || e.adapter)
-        file.cell("H", length_in_mm(e.length.value_or(0) + e.adapter.value_or(0), mm), e.begin);
-      if (e.length_wear) file.cell("HWear", length_in_mm(*e.length_wear, mm), e.begin);
+        file.cell("H", lengths.mm(e.length.value_or(0) + e.adapter.value_or(0), e.begin, e.end), e.begin);
+      if (e.length_wear) file.cell("HWear", lengths.mm(*e.length_wear, e.begin, e.end), e.begin);
     } else if (!is_turning_reported) {
       is_turning_reported = true;
       file.report(ig::diag("SIE-0348"), e.begin, e.end, static_cast<double>(tool), e.type);
     }
-    if (e.radius) file.cell("D", length_in_mm(*e.radius, mm) * e.radius_of_entry(), e.begin);
-    if (e.radius_wear) file.cell("DWear", length_in_mm(*e.radius_wear, mm) * e.radius_of_entry(), e.begin);
-    give_corner(file, e, mm);
+    if (e.radius) file.cell("D", lengths.mm(*e.radius, e.begin, e.end) * e.radius_of_entry(), e.begin);
+    if (e.radius_wear) file.cell("DWear", lengths.mm(*e.radius_wear, e.begin, e.end) * e.radius_of_entry(), e.begin);
+    give_corner(file, e, lengths);
     if (!e.name.empty()) file.cell("Name", e.name, e.begin);
   }
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "archive/archive_lengths.hpp"
 #include "archive/data_line.hpp"
 
 namespace siemens {
@@ -17,8 +18,8 @@ class ToolRows {
  public:
   /// An assignment whose name begins with $TC_.
   void assign(ig::Import& file, const Assignment& a);
-  /// Gives the rows to the file. `mm` is a unit of the file in mm; `edge_step` is 0 where edges are indices.
-  void give(ig::Import& file, double mm, std::int64_t edge_step) const;
+  /// Gives the rows to the file; `edge_step` is 0 where edges are indices.
+  void give(ig::Import& file, ArchiveLengths& lengths, std::int64_t edge_step) const;
 
  private:
   struct Placed {
@@ -36,7 +37,7 @@ class ToolRows {
     /// Of slotting saws the control keeps the diameter.
     double radius_of_entry() const { return type >= 700 && type < 710 ? 0.5 : 1; }
   };
-  static void give_corner(ig::Import& file, const Edge& e, double mm);
+  static void give_corner(ig::Import& file, const Edge& e, ArchiveLengths& lengths);
   void assign_edge_data(ig::Import& file, const Assignment& a, std::int64_t number);
   Edge* edge(ig::Import& file, const Assignment& a, std::int64_t tool, std::int64_t number);
 
