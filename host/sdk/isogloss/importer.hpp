@@ -16,6 +16,9 @@
 
 #include <isogloss_import.h>
 
+#include <algorithm>
+#include <string>
+
 #include "isogloss/diagnostics.hpp"
 #include "isogloss/options.hpp"
 #include "isogloss/spec.hpp"
@@ -92,6 +95,17 @@ class TextLines {
  private:
   std::string_view text_;
 };
+
+/// A part of a file as diagnostics quote it: at most 40 bytes and whole characters, without control characters.
+inline std::string shown_part(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  std::size_t end = std::min(text.size(), longest);
+  while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
+  std::string out(text.substr(0, end));
+  std::replace_if(
+      out.begin(), out.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 0x7F; }, ' ');
+  return end < text.size() ? out + "…" : out;
+}
 
 /// A file that an importer reads. Places are byte offsets into text().
 class Import {

@@ -59,3 +59,11 @@ TEST_CASE("what an importer throws stays inside: it does not recognise the file,
   CHECK(importer.read(&api, nullptr) == IG_FAILED);
   CHECK(reason == "odd step 7");
 }
+
+TEST_CASE("a part of a file is quoted without control characters, and cut between characters") {
+  CHECK(ig::shown_part("G10 L2") == "G10 L2");
+  CHECK(ig::shown_part("a\tb\x7f") == "a b ");
+  CHECK(ig::shown_part(std::string(40, 'x')) == std::string(40, 'x'));
+  CHECK(ig::shown_part(std::string(41, 'x')) == std::string(40, 'x') + "…");
+  CHECK(ig::shown_part(std::string(39, 'x') + "ä") == std::string(39, 'x') + "…");
+}

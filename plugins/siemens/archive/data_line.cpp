@@ -61,16 +61,6 @@ std::string_view code_of(std::string_view line) {
   return without_checksum(code);
 }
 
-std::string shown(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  std::size_t end = std::min(text.size(), longest);
-  while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
-  std::string out(text.substr(0, end));
-  std::replace_if(
-      out.begin(), out.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 0x7F; }, ' ');
-  return end < text.size() ? out + "…" : out;
-}
-
 std::optional<double> number_of(std::string_view value) {
   value = trim(value);
   if (value.size() > 3 && value.front() == '\'' && value.back() == '\'') switch (to_upper(value[1])) {

@@ -24,8 +24,7 @@ inline std::size_t place_in(const ig::Import& file, std::string_view part) {
 /// A line without block number, comment and checksum, nor control characters at its ends.
 std::string_view code_of(std::string_view line);
 
-/// For messages: short, without control characters.
-std::string shown(std::string_view text);
+inline std::string shown(std::string_view text) { return ig::shown_part(text); }
 
 /// 12.5, 1.2EX-3, 'H2F', 'B101', TRUE. Nothing for anything else, and for a number that no double holds.
 std::optional<double> number_of(std::string_view value);
