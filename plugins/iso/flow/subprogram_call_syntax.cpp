@@ -148,18 +148,12 @@ struct SubprogramCall {
   }
 
   void number(ig::Block& b, Request& r, double p, bool has_count) const {
-    if (!is_number(p)) {
-      b.report(ig::diag("ISO-0482"), r.where, r.code, p);
-      return;
-    }
+    if (!is_number(p)) return b.report(ig::diag("ISO-0482"), r.where, r.code, p);
     r.program = static_cast<std::int64_t>(p);
     if (!has_count && !r.is_local && p_form_ == PForm::split) {
       std::int64_t limit = 1;
       for (std::int64_t i = 0; i < p_digits_; ++i) limit *= 10;
-      if (r.program >= limit && r.program % limit != 0) {
-        split(b, r, limit);
-        return;
-      }
+      if (r.program >= limit && r.program % limit != 0) return split(b, r, limit);
     }
     show(b, r);
     if (may_call(b, r) && !has_own_row(b, r)) report(b, r, ask(b, r));
@@ -179,9 +173,8 @@ struct SubprogramCall {
     const ig::Flow::Answer answer = ask(b, r);
     if (answer.is_not_found() && ask(b, whole).is_done()) {
       show(b, whole);
-      b.report(ig::diag("ISO-0491"), r.where, r.code, static_cast<double>(r.program),
-               NumberedName('\0', whole.program).text());
-      return;
+      return b.report(ig::diag("ISO-0491"), r.where, r.code, static_cast<double>(r.program),
+                      NumberedName('\0', whole.program).text());
     }
     report(b, r, answer.is_not_found() ? ask(b, r) : answer);
   }

@@ -132,10 +132,7 @@ struct FlagSyntax {
   /// While a file is indexed no block is executed, so the text alone must tell which N are numbers of parameters.
   void note_parameters(ig::Block& b, std::string_view text, std::size_t begin, const Code& code) const {
     if (!flow.is_indexing() || row_of(text[begin]) != 0) return;
-    if (code.index == data_end) {
-      b.erase(parameters);
-      return;
-    }
+    if (code.index == data_end) return b.erase(parameters);
     const std::size_t word = skip_blanks(text, code.end);
     if (to_upper(at(text, word)) != 'L') return;
     const ig::Decimal number = ig::read_decimal(text, skip_blanks(text, word + 1));
@@ -143,10 +140,9 @@ struct FlagSyntax {
   }
 
   static bool stands_already(const ig::Block& b, std::span<const ig_word> words, ig_field field) {
-    for (const ig_word& w : words)
-      if (w.field == field) return true;
     ig_value unused;
-    return b.get(field, unused);
+    return std::any_of(words.begin(), words.end(), [&](const ig_word& w) { return w.field == field; }) ||
+           b.get(field, unused);
   }
 
   void enter(std::string_view name, ig_field field) {
