@@ -96,6 +96,27 @@ TEST_CASE("tool offsets: a number without a row is zero, or missing where the ta
   CHECK(s->set(s->self, 401, 0, 50) == 0);
 }
 
+TEST_CASE("tool offsets: what is no length and no radius is known only where a row gives it") {
+  const FakeDependency table(
+      *ig_plugin_v1(), "ToolOffsetTable",
+      {{"1",
+        {{"CornerRadius", 1.5}, {"CornerRadiusWear", -0.1}, {"TipAngle", 118}, {"Teeth", 4}, {"MaximumSpeed", 9000}}},
+       {"2", {{"H", 10}}}});
+  const auto* s = table.service<ig_tool_offset_1>("isogloss.tool-offset/1");
+  const auto get = [&](std::int64_t id, std::uint32_t column) {
+    double value = 0;
+    return s->get(s->self, id, column, &value) != 0 ? value : -1;
+  };
+  CHECK(get(1, IG_TOOL_CORNER_RADIUS) == 1.5);
+  CHECK(get(1, IG_TOOL_CORNER_RADIUS_WEAR) == -0.1);
+  CHECK(get(1, IG_TOOL_TIP_ANGLE) == 118);
+  CHECK(get(1, IG_TOOL_TEETH) == 4);
+  CHECK(get(1, IG_TOOL_MAXIMUM_SPEED) == 9000);
+  CHECK(get(1, IG_TOOL_MAXIMUM_SPEED + 1) == -1);
+  for (const std::int64_t id : {2, 3}) CHECK(get(id, IG_TOOL_CORNER_RADIUS) == -1);
+  CHECK(get(3, IG_TOOL_RADIUS_WEAR) == 0);
+}
+
 TEST_CASE("tool names: the tools of a name in the order of the rows, in any case of letters") {
   const FakeDependency table(*ig_plugin_v1(), "ToolOffsetTable",
                              {{"12", {{"H", 1}, {"Name", "Mill"}}},
