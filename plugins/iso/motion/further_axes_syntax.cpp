@@ -22,6 +22,8 @@ struct FurtherAxes {
           IG_NOTE, "ISO-0577",
           "{0} moves in FurtherAxes of the block document alone: motions carry X Y Z A B C and no other axis"),
       ig::diagnostic(IG_ERROR, "ISO-0578", "{0} would go to {1}, beyond the end of its travel at {2}"),
+      ig::diagnostic(IG_ERROR, "ISO-0579",
+                     "the position of {0} would be no number, so {0} does not move: check the value"),
   };
 
   FurtherAxisWords words_{ig::take | ig::wake, ig::read};
@@ -62,7 +64,7 @@ struct FurtherAxes {
     const double word = !is_rotary && b.is(system_, inch_) ? value * mm_per_inch : value;
     const double from = b.get_or(positions_.position(axis), 0.0);
     const double to = target(b, from, word, b.get_or(words_.mode(axis), ig::Symbol{}));
-    if (!std::isfinite(to)) return;
+    if (!std::isfinite(to)) return b.report(ig::diag("ISO-0579"), where, name);
     b.set(positions_.name(axis), b.symbol(name));
     b.set(positions_.position(axis), to);
     const auto travel = axes_.travel(axis);
