@@ -79,7 +79,7 @@ bool read_import_options(const ig_importer& importer, const Import& asked, std::
   };
   const std::span<const ig_option_decl> declared(importer.options, importer.option_count);
   std::vector<Attribute> given = asked.options;
-  if (asked.is_of_folder)
+  if (asked.shares_options)
     std::erase_if(given, [&](const Attribute& a) {
       return std::none_of(declared.begin(), declared.end(), [&](const ig_option_decl& o) { return a.name == o.name; });
     });
@@ -185,7 +185,10 @@ std::optional<std::string> export_tables(const Import& asked, const std::vector<
   std::vector<OptionValue> options;
   if (!read_import_options(*importer, asked, options, sink)) return std::nullopt;
   ig_export out{given, library, options, unused, {}, {}};
-  if (importer->write(&export_api(), &out) != IG_FAILED) return std::move(out.out);
+  if (importer->write(&export_api(), &out) != IG_FAILED) {
+    name_unasked(out, importer->dependencies);
+    return std::move(out.out);
+  }
   sink.add(host_diagnostic("IG-0127", asked.where, {asked.file.string(), importer->id, out.failure}));
   return std::nullopt;
 }

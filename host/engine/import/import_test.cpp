@@ -249,6 +249,35 @@ TEST_CASE("tables become a file again, where the importer writes") {
   CHECK(shop.codes() == Codes{"IG-0131 0:0"});
 }
 
+TEST_CASE("tables and columns that a writer never asks for are named") {
+  Shop shop;
+  shop.importer("Keys", [](const ig_import_api*, ig_import*) -> ig_status { return IG_CHANGED; }).out.write =
+      [](const ig_export_api* api, ig_export* out) -> ig_status {
+    api->row_key(out, text("Tools"), 0);
+    return IG_CHANGED;
+  };
+  shop.importer("Cells", [](const ig_import_api*, ig_import*) -> ig_status { return IG_CHANGED; }).out.write =
+      [](const ig_export_api* api, ig_export* out) -> ig_status {
+    api->cell(out, text("Tools"), 0, text("H"));
+    return IG_CHANGED;
+  };
+  shop.importer("Blind", [](const ig_import_api*, ig_import*) -> ig_status { return IG_CHANGED; }).out.write =
+      [](const ig_export_api*, ig_export*) -> ig_status { return IG_CHANGED; };
+  shop.library.add(shop.plugin.get());
+  const TableRow row{"Tool", {{"id", "3", {}}, {"H", "1.5", {}}, {"D", "2", {}}}, {}};
+  const auto named = [&](const char* format) {
+    std::vector<UnusedPart> unused;
+    CHECK(export_tables({"out", format, {}, {}}, {{"Tools", "Tools", {}, {row, row}, {}, {}}}, shop.library, unused,
+                        shop.found));
+    Codes out;
+    for (const UnusedPart& part : unused) out.push_back(part.what + " " + std::to_string(part.count));
+    return out;
+  };
+  CHECK(named("Keys").empty());
+  CHECK(named("Cells") == Codes{"column D of Tools 2"});
+  CHECK(named("Blind") == Codes{"rows of Tools 2"});
+}
+
 TEST_CASE("rows of a machine go over those of its file, which go over those of the dialect") {
   Shop shop;
   shop.library.add(shop.plugin.get());
