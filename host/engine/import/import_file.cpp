@@ -87,6 +87,29 @@ bool read_import_options(const ig_importer& importer, const Import& asked, std::
   return is_sound;
 }
 
+/// A file that is no text may still be known by its beginning: an importer that is wholly sure of it tells what it is.
+/// False where none does; rows of such a file are never taken.
+bool is_named_by_importer(const Import& asked, const std::string& bytes, Library& library, DiagnosticSink& sink) {
+  const std::string head = bytes.substr(0, std::min(bytes.find('\0'), looked_at));
+  const std::string name = asked.file.filename().string();
+  std::string reason;
+  const std::optional<std::string> text = text_of_control(head, reason);
+  const std::vector<RecognisedFormat> found =
+      text && asked.format.empty() ? recognise(*text, name, library) : std::vector<RecognisedFormat>();
+  if (found.empty() || found[0].confidence < 100) return false;
+  const ig_importer& importer = *found[0].importer;
+  const ig_plugin* plugin = nullptr;
+  library.importer(importer.id, &plugin);
+  std::vector<OptionValue> options;
+  DiagnosticList reports;
+  if (!read_import_options(importer, {asked.file, {}, {}, asked.where}, options, reports)) return false;
+  ig_import in{asked, importer, *plugin, library, reports, *text, name, options, {}, {}, {}, {}, nullptr, {}};
+  importer.read(&import_api(), &in);
+  if (reports.all.empty() || !in.out.tables.empty()) return false;
+  for (Diagnostic& d : reports.all) sink.add(std::move(d));
+  return true;
+}
+
 }  // namespace
 
 std::vector<RecognisedFormat> recognise(const std::string& text, const std::string& file_name, const Library& library) {
@@ -138,8 +161,9 @@ std::optional<ImportedFile> import_bytes(const Import& asked, std::string bytes,
                                          DiagnosticSink& sink) {
   library.load_all();
   std::string reason;
-  const std::optional<std::string> text = text_of_control(std::move(bytes), reason);
+  const std::optional<std::string> text = text_of_control(bytes, reason);
   if (!text) {
+    if (is_named_by_importer(asked, bytes, library, sink)) return std::nullopt;
     sink.add(host_diagnostic("IG-0126", asked.where, {asked.file.string(), reason}));
     return std::nullopt;
   }

@@ -170,6 +170,39 @@ TEST_CASE("the surest importer reads a file, and a doubt is reported") {
   CHECK(shop.found.all[0].hint == "did you mean Sure?");
 }
 
+TEST_CASE("a file that is no text is named by an importer that is sure of its beginning") {
+  Shop shop;
+  shop.importer("Binary",
+                [](const ig_import_api* api, ig_import* in) -> ig_status {
+                  CHECK(api->text(in).size == 5);
+                  api->report(in, 1, 0, 5, nullptr, 0);
+                  return IG_CHANGED;
+                })
+      .out.recognise = [](ig_text t, ig_text) { return t.size >= 5 && t.data[0] == '@' ? 100u : 0u; };
+  shop.importer("Guess",
+                [](const ig_import_api* api, ig_import* in) -> ig_status {
+                  api->report(in, 0, 0, 1, nullptr, 0);
+                  return IG_CHANGED;
+                })
+      .out.recognise = [](ig_text t, ig_text) { return t.size > 0 && t.data[0] == '?' ? 99u : 0u; };
+  shop.importer("Rows",
+                [](const ig_import_api* api, ig_import* in) -> ig_status {
+                  api->row(in, text("Tools"), text("1"), 0);
+                  api->report(in, 0, 0, 1, nullptr, 0);
+                  return IG_CHANGED;
+                })
+      .out.recognise = [](ig_text t, ig_text) { return t.size > 0 && t.data[0] == '#' ? 100u : 0u; };
+  shop.library.add(shop.plugin.get());
+  const auto of = [&](std::string bytes) {
+    shop.found.all.clear();
+    CHECK_FALSE(import_bytes({"dir/a.txt", "", {}, {"machine.xml", 3, 5}}, std::move(bytes), shop.library, shop.found));
+    return shop.codes();
+  };
+  CHECK(of(std::string("@ARCH\0\0x", 8)) == Codes{"AB-0002 1:1"});
+  CHECK(of(std::string("?ARCH\0\0x", 8)) == Codes{"IG-0126 3:5"});
+  CHECK(of(std::string("#ARCH\0\0x", 8)) == Codes{"IG-0126 3:5"});
+}
+
 TEST_CASE("a file that no importer recognises, and options, are reported where they stand") {
   Shop shop;
   shop.importer("Never", [](const ig_import_api*, ig_import*) -> ig_status { return IG_CHANGED; }).options = {
