@@ -310,11 +310,11 @@ void add_importer_options(pugi::xml_node type, const ig_dependency& dependency, 
       }
     }
   const std::span<const ig_option_decl> own(dependency.options, dependency.option_count);
-  for (const auto& [name, ids] : importers) {
-    if (std::any_of(own.begin(), own.end(), [&](const ig_option_decl& o) { return name == o.name; })) continue;
-    pugi::xml_node attribute = add(type, "xs:attribute", name.c_str());
+  for (const auto& option : importers) {
+    if (std::any_of(own.begin(), own.end(), [&](const ig_option_decl& o) { return option.first == o.name; })) continue;
+    pugi::xml_node attribute = add(type, "xs:attribute", option.first.c_str());
     set_attribute(attribute, "type", "xs:string");
-    document(attribute, "Option of the importer that reads src: " + ids + ".");
+    document(attribute, "Option of the importer that reads src: " + option.second + ".");
   }
 }
 
