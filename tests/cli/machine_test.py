@@ -370,6 +370,19 @@ class Machines(unittest.TestCase):
         self.assertIn("has no option 'units' [IG-0204]",
                       self.run_it("lint", "-m", "machines/mill", status=1).stderr)
 
+    def test_files_that_are_no_text_are_named_by_their_importers(self):
+        archive = self.write("machines/mill/backup/cmm.arc", "")
+        archive.write_bytes(b"@@MMCIBN.002" + bytes(20) + b";x")
+        self.write("machines/mill/backup/CYCLE_OEM.CPF", "").write_bytes(b"\x8f\xa4\x01" + bytes(9) + b"\xfe")
+        self.write("machines/mill/backup/picture.bmp", "").write_bytes(b"BM" + bytes(9))
+        self.machine('<Backup src="backup"/>')
+        read = self.run_it("lint", "-m", "machines/mill").stderr
+        self.assertRegex(read, r"cmm\.arc is not read: this is a binary archive.*\[IG-0141\]")
+        self.assertRegex(read, r"CYCLE_OEM\.CPF is not read: this cycle is encrypted.*\[IG-0141\]")
+        self.assertRegex(read, r"picture\.bmp is not read: no importer.*\[IG-0132\]")
+        self.machine('<Backup src="backup/cmm.arc"/>')
+        self.assertIn("[SIE-0353]", self.run_it("lint", "-m", "machines/mill", status=1).stderr)
+
     def test_options_beside_src_are_those_of_the_table_and_of_its_importer(self):
         self.write("machines/mill/tool.tbl", "T1 P1 Z2 D.5\n")
         table = '<Dependencies><ToolOffsetTable src="tool.tbl" {}/></Dependencies>'

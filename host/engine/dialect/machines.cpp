@@ -194,6 +194,8 @@ class Importing {
       const ig_importer* const importer = importer_of(path, folder.format);
       if (importer != nullptr || !folder.format.empty())
         (importer != nullptr && importer->is_initial != 0 ? initial : others).push_back(path);
+      else if (const std::string what = what_is_no_text(path, library_); !what.empty())
+        sink_.add(host_diagnostic("IG-0141", folder.where, {path.string(), what}));
       else if (!is_found_as_program(path))
         unknown[path.extension().string()].push_back(path);
     }

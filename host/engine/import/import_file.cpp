@@ -87,27 +87,25 @@ bool read_import_options(const ig_importer& importer, const Import& asked, std::
   return is_sound;
 }
 
-/// A file that is no text may still be known by its beginning: an importer that is wholly sure of it tells what it is.
-/// False where none does; rows of such a file are never taken.
-bool is_named_by_importer(const Import& asked, const std::string& bytes, Library& library, DiagnosticSink& sink) {
+/// What an importer that is wholly sure of the beginning of a file that is no text tells of it; empty where none is.
+/// Rows of such a file are never taken.
+std::vector<Diagnostic> reports_of_binary(const Import& asked, const std::string& bytes, Library& library) {
   const std::string head = bytes.substr(0, std::min(bytes.find('\0'), looked_at));
   const std::string name = asked.file.filename().string();
   std::string reason;
   const std::optional<std::string> text = text_of_control(head, reason);
   const std::vector<RecognisedFormat> found =
       text && asked.format.empty() ? recognise(*text, name, library) : std::vector<RecognisedFormat>();
-  if (found.empty() || found[0].confidence < 100) return false;
+  if (found.empty() || found[0].confidence < 100) return {};
   const ig_importer& importer = *found[0].importer;
   const ig_plugin* plugin = nullptr;
   library.importer(importer.id, &plugin);
   std::vector<OptionValue> options;
   DiagnosticList reports;
-  if (!read_import_options(importer, {asked.file, {}, {}, asked.where}, options, reports)) return false;
+  if (!read_import_options(importer, {asked.file, {}, {}, asked.where}, options, reports)) return {};
   ig_import in{asked, importer, *plugin, library, reports, *text, name, options, {}, {}, {}, {}, nullptr, {}};
   importer.read(&import_api(), &in);
-  if (reports.all.empty() || !in.out.tables.empty()) return false;
-  for (Diagnostic& d : reports.all) sink.add(std::move(d));
-  return true;
+  return in.out.tables.empty() ? std::move(reports.all) : std::vector<Diagnostic>();
 }
 
 }  // namespace
@@ -130,6 +128,14 @@ std::optional<std::string> head_of_control_file(const fs::path& file) {
   std::string reason;
   std::optional<std::string> bytes = beginning_of(file, 2 * looked_at, reason);  // a character may have two bytes
   return bytes ? text_of_control(std::move(*bytes), reason) : std::nullopt;
+}
+
+std::string what_is_no_text(const fs::path& file, Library& library) {
+  std::string reason;
+  const std::optional<std::string> bytes = beginning_of(file, 2 * looked_at, reason);
+  if (!bytes || text_of_control(*bytes, reason)) return {};
+  const std::vector<Diagnostic> reports = reports_of_binary({file, {}, {}, {}}, *bytes, library);
+  return reports.empty() ? std::string() : reports[0].message;
 }
 
 std::vector<fs::path> files_of(const Import& asked, DiagnosticSink& sink) {
@@ -163,8 +169,9 @@ std::optional<ImportedFile> import_bytes(const Import& asked, std::string bytes,
   std::string reason;
   const std::optional<std::string> text = text_of_control(bytes, reason);
   if (!text) {
-    if (is_named_by_importer(asked, bytes, library, sink)) return std::nullopt;
-    sink.add(host_diagnostic("IG-0126", asked.where, {asked.file.string(), reason}));
+    std::vector<Diagnostic> reports = reports_of_binary(asked, bytes, library);
+    if (reports.empty()) reports = {host_diagnostic("IG-0126", asked.where, {asked.file.string(), reason})};
+    for (Diagnostic& d : reports) sink.add(std::move(d));
     return std::nullopt;
   }
   const ig_importer* const importer = choose(asked, *text, library, sink);

@@ -125,6 +125,9 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "Beside src stand the options of the table and those of the importer that reads the file. `isogloss inspect` "
        "lists both; where both have an option of one name, it is that of the table.",
        R"(<ToolOffsetTable src="TOOL.T" units="inch"/>)"},
+      {note, "IG-0141", "{0} is not read: {1}",
+       "An importer knows the file, which is no text. In a folder named by <Backup> it hinders nothing.",
+       "<Backup src=\"backup\"/>, and an encrypted cycle in it"},
       // links: 0200-0299
       {error, "IG-0201", "no plugin '{0}' in the folders searched",
        "The dialect names a plugin that no plugin folder holds, or that could not be loaded. `isogloss doctor` lists "
