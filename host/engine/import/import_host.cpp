@@ -198,10 +198,7 @@ ig_text cell(const ig_export* out, ig_text dependency, std::uint32_t row, ig_tex
 void write(ig_export* out, ig_text bytes) { out->out.append(bytes.data, bytes.size); }
 
 void export_unused(ig_export* out, ig_text what, ig_text why) {
-  std::map<std::pair<std::string, std::string>, std::size_t> known;
-  for (std::size_t i = 0; i < out->unused.size(); ++i)
-    known.emplace(std::pair(out->unused[i].what, out->unused[i].why), i);
-  count_unused(out->unused, known, what, why, {});
+  count_unused(out->unused, out->known_unused, what, why, {});
 }
 
 void export_fail(ig_export* out, ig_text reason) { out->failure = string_of(reason); }

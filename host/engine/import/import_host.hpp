@@ -37,6 +37,7 @@ struct ig_export {
   std::vector<isogloss::UnusedPart>& unused;
   std::string out;
   std::string failure;
+  std::map<std::pair<std::string, std::string>, std::size_t> known_unused{};  // by its two texts: place in `unused`
   /// The columns, by dependency, whose cells the importer asked for; none where it asked for keys alone.
   mutable std::map<std::string, std::set<std::string>, std::less<>> asked{};
 };
