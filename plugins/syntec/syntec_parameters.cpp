@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <isogloss/cnc/scan.hpp>
 #include <isogloss/sdk.hpp>
@@ -26,8 +27,10 @@ constexpr std::array known{KnownParameter{17, 17, 1, 3, true},    KnownParameter
                            KnownParameter{3241, 3241, -any, any}, KnownParameter{3601, 3610, -any, any},
                            KnownParameter{3701, 3710, -any, any}, KnownParameter{3741, 3741, 0, any},
                            KnownParameter{4002, 4002, 0, any},    KnownParameter{5003, 5003, -any, any}};
-/// Those that have one value for each axis: a list of single values cannot tell of which axis one is.
+/// Those that have one value for each axis: the list names the axis beside the number, or has a value for each.
 constexpr std::array of_axes{1006, 1020, 1240, 1241, 1242, 1243, 1320, 1321, 1420};
+constexpr std::int64_t rate_of_axes = 1420;
+constexpr std::string_view axis_columns = "XYZABC";
 
 const KnownParameter* known_parameter(std::int64_t number) {
   for (const KnownParameter& k : known)
@@ -44,7 +47,11 @@ struct SyntecParameters {
       ig::diagnostic(IG_WARNING, "SYN-0007", "'{0}' is no parameter with its value, so this line is left out"),
       ig::diagnostic(IG_WARNING, "SYN-0008",
                      "the control has no value {1} of parameter {0}, so the one of the dialect stays"),
+      ig::diagnostic(IG_WARNING, "SYN-0010",
+                     "parameter {0} has more values than the option axes has letters, so the line is left out"),
   };
+
+  ig::TextOption axes{"axes", "XYZ", "Letters of the axes 1, 2, 3 and so on, in lines with a value for each axis."};
 
   static unsigned recognise(std::string_view text, std::string_view) {
     constexpr std::size_t looked_at = std::size_t{64} << 10;
@@ -72,7 +79,10 @@ struct SyntecParameters {
         file.report(ig::diag("SYN-0007"), begin, end, ig::shown_part(trim(line.text)));
         continue;
       }
-      read_entry(file, *entry, begin, end);
+      if (is_of_axes(entry->number))
+        read_axes(file, *entry, line.text, begin, end);
+      else
+        read_entry(file, *entry, begin, end);
     }
   }
 
@@ -103,9 +113,68 @@ struct SyntecParameters {
     return Entry{static_cast<std::int64_t>(number.value), value.value + 0.0};
   }
 
+  struct AxisValue {
+    char axis;
+    std::string_view text;
+  };
+
+  static std::vector<std::string_view> fields_behind_number(std::string_view line) {
+    std::vector<std::string_view> out;
+    line = trim(line);
+    for (std::size_t at = std::min(line.find_first_of(separators), line.size());
+         (at = line.find_first_not_of(separators, at)) != std::string_view::npos;) {
+      const std::size_t end = std::min(line.find_first_of(separators, at), line.size());
+      out.push_back(line.substr(at, end - at));
+      at = end;
+    }
+    return out;
+  }
+  static bool is_number(std::string_view field) {
+    const ig::Decimal value = ig::read_decimal(field, 0);
+    return value.ok && value.end == field.size();
+  }
+
+  /// "1240 0 0 350".
+  std::vector<AxisValue> values_in_order(const std::vector<std::string_view>& fields) const {
+    std::vector<AxisValue> out;
+    for (std::size_t i = 0; i < std::min(fields.size(), axes.text().size()); ++i)
+      out.push_back({to_upper(axes.text()[i]), fields[i]});
+    return out;
+  }
+  /// "1240,name,X,-250.5": the line ends in axes with their values, so that no number of a name is one of them.
+  static std::vector<AxisValue> values_by_axis(const std::vector<std::string_view>& fields) {
+    std::vector<AxisValue> out;
+    for (std::size_t i = fields.size(); i >= 2; i -= 2) {
+      const std::string_view axis = fields[i - 2];
+      if (axis.size() != 1 || !is_letter(axis[0]) || !is_number(fields[i - 1])) break;
+      out.push_back({to_upper(axis[0]), fields[i - 1]});
+    }
+    std::reverse(out.begin(), out.end());
+    return out;
+  }
+
+  void read_axes(ig::Import& file, const Entry& e, std::string_view line, std::size_t begin, std::size_t end) const {
+    const std::vector<std::string_view> fields = fields_behind_number(line);
+    const bool are_all_values = fields.size() > 1 && std::all_of(fields.begin(), fields.end(), is_number);
+    const std::vector<AxisValue> values = are_all_values ? values_in_order(fields) : values_by_axis(fields);
+    if (are_all_values && fields.size() > values.size())
+      return file.report(ig::diag("SYN-0010"), begin, end, static_cast<double>(e.number));
+    if (values.empty())
+      return file.unused("parameter of axes", "the line does not tell of which axis the value is", begin, end);
+    for (const AxisValue& v : values) {
+      const double value = ig::read_decimal(v.text, 0).value + 0.0;
+      if (axis_columns.find(v.axis) == std::string_view::npos) {
+        file.unused(std::string("value of axis ") + v.axis, "no table has a place for it", begin, end);
+      } else if (!(std::abs(value) <= any) || (e.number == rate_of_axes && value < 0)) {
+        file.report(ig::diag("SYN-0008"), begin, end, static_cast<double>(e.number), ig::shown_part(v.text));
+      } else {
+        file.row("SyntecParameterTable", e.number, begin);
+        file.cell({&v.axis, 1}, value, begin);
+      }
+    }
+  }
+
   static void read_entry(ig::Import& file, const Entry& e, std::size_t begin, std::size_t end) {
-    if (is_of_axes(e.number))
-      return file.unused("parameter of axes", "the list does not tell of which axis a value is", begin, end);
     const KnownParameter* const parameter = known_parameter(e.number);
     if (parameter == nullptr) return file.unused("parameter", "no syntax uses it", begin, end);
     const bool is_odd = parameter->is_whole && e.value != std::floor(e.value);

@@ -208,11 +208,12 @@ class Machines(unittest.TestCase):
         part = self.write("part.nc", "G21 G90 G54 G43 H2 Z10.\nM30\n")
         for content in ('<Backup src="backup" unit="mm"/>',
                         '<Backup src="backup/tool.tbl" format="LinuxCncToolTable" unit="mm"/>',
+                        '<Dependencies><ToolOffsetTable src="backup/tool.tbl" unit="mm"/></Dependencies>',
                         '<Dependencies><ToolOffsetTable src="backup/tool.tbl"/></Dependencies>'):
             self.machine(content)
             done = self.run_it("run", part, "-m", "machines/mill", "--emit", "motions", "--format", "csv")
             self.assertEqual([line.split(",")[8] for line in done.stdout.splitlines() if ",rapid," in line], ["90"])
-            # Only <Backup> has a place for the unit, which the file does not name.
+            # The file does not name its unit.
             self.assertEqual("[TAB-0112]" in done.stderr, "unit=" not in content)
             self.assertLessEqual(done.stderr.count("\n"), 1)
         self.assertIn("word P is not read: no table has a place for it (count: 2) [IG-0125]",
@@ -369,9 +370,40 @@ class Machines(unittest.TestCase):
         self.assertIn("has no option 'units' [IG-0204]",
                       self.run_it("lint", "-m", "machines/mill", status=1).stderr)
 
+    def test_files_that_are_no_text_are_named_by_their_importers(self):
+        archive = self.write("machines/mill/backup/cmm.arc", "")
+        archive.write_bytes(b"@@MMCIBN.002" + bytes(20) + b";x")
+        self.write("machines/mill/backup/CYCLE_OEM.CPF", "").write_bytes(b"\x8f\xa4\x01" + bytes(9) + b"\xfe")
+        self.write("machines/mill/backup/picture.bmp", "").write_bytes(b"BM" + bytes(9))
+        self.machine('<Backup src="backup"/>')
+        read = self.run_it("lint", "-m", "machines/mill").stderr
+        self.assertRegex(read, r"cmm\.arc is not read: this is a binary archive.*\[IG-0141\]")
+        self.assertRegex(read, r"CYCLE_OEM\.CPF is not read: this cycle is encrypted.*\[IG-0141\]")
+        self.assertRegex(read, r"picture\.bmp is not read: no importer.*\[IG-0132\]")
+        self.machine('<Backup src="backup/cmm.arc"/>')
+        self.assertIn("[SIE-0353]", self.run_it("lint", "-m", "machines/mill", status=1).stderr)
+
+    def test_options_beside_src_are_those_of_the_table_and_of_its_importer(self):
+        self.write("machines/mill/tool.tbl", "T1 P1 Z2 D.5\n")
+        table = '<Dependencies><ToolOffsetTable src="tool.tbl" {}/></Dependencies>'
+        self.machine(table.format('unit="inch" size="500"'))
+        part = self.write("part.nc", "G21 G90 G54 G43 H1 Z10.\nM30\n")
+        done = self.run_it("run", part, "-m", "machines/mill", "--emit", "motions", "--format", "csv")
+        self.assertIn(",60.8,", done.stdout)  # 10 mm and 2 in of 25.4 mm
+        self.assertNotIn("TAB-0112", done.stderr)
+        for options, code in (('units="inch"', "IG-0140"), ('unit="foot"', "IG-0205"), ('size="x"', "IG-0205")):
+            self.machine(table.format(options))
+            done = self.run_it("lint", "-m", "machines/mill", status=1)
+            self.assertRegex(done.stderr, rf"machine\.xml:2:47: error: .*\[{code}\]")
+            self.assertEqual(done.stderr.count("error:"), 1, done.stderr)
+        self.machine('<Dependencies><ToolOffsetTable unit="inch"/></Dependencies>')
+        self.assertIn("[IG-0204]", self.run_it("lint", "-m", "machines/mill", status=1).stderr)
+
     def test_a_machine_is_written_as_a_file_of_its_control(self):
-        self.machine('<Dependencies><ToolOffsetTable><Tool id="1" H="98.2" D="5" Name="EM10"/></ToolOffsetTable>'
-                     '<IsoCoordinateTable><Offset id="G54" X="1"/></IsoCoordinateTable></Dependencies>')
+        self.machine('<Dependencies><ToolOffsetTable><Tool id="1" H="98.2" D="5" Name="EM10" CornerRadius="1"/>'
+                     '<Tool id="1.2" H="99"/><Tool id="2" H="90" Teeth="4" CornerRadius="0.5"/></ToolOffsetTable>'
+                     '<IsoCoordinateTable><Offset id="G54" X="1"/><Offset id="G59.3" Y="2"/></IsoCoordinateTable>'
+                     '</Dependencies>')
         here = ["-m", "machines/mill"]
         self.assertIn("[IG-0131]", self.run_it("export", *here, "--format", "LinuxCncToolTable", status=2).stderr)
         written = []
@@ -386,7 +418,11 @@ class Machines(unittest.TestCase):
                 written.append(one["Id"])
         self.assertGreaterEqual(len(written), 3, "formats of tools that are written")
         done = self.run_it("export", *here, "--format", "FanucOffsets")
-        self.assertIn("[IG-0133]", done.stderr)  # a punch-out has no names
+        left = [line for line in done.stderr.splitlines() if "[IG-0133]" in line]
+        self.assertEqual([re.sub(r".*note: (.*) has no place in the file: .*count: (\d+).*", r"\1 \2", line)
+                          for line in left],
+                         ["row G59.3 1", "rows with an index 1", "column CornerRadius of ToolOffsetTable 2",
+                          "column Name of ToolOffsetTable 1", "column Teeth of ToolOffsetTable 1"])
 
 
 if __name__ == "__main__":

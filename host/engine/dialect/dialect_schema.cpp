@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <pugixml.hpp>
+#include <span>
 #include <sstream>
 #include <vector>
 
@@ -189,7 +191,7 @@ constexpr const char* schema_frame = R"(
   </xs:attributeGroup>
   <xs:attributeGroup name="dialect.Table">
     <xs:attribute name="src" type="dialect.Text"><xs:annotation><xs:documentation>A file beside or below this one with the rows: XML whose root element has this element's name, or a file of a control that an importer reads.</xs:documentation></xs:annotation></xs:attribute>
-    <xs:attribute name="format" type="dialect.Text"><xs:annotation><xs:documentation>The importer of the file that src names; without it the content decides.</xs:documentation></xs:annotation></xs:attribute>
+    <xs:attribute name="format" type="dialect.Text"><xs:annotation><xs:documentation>The importer of the file that src names; without it the content decides. Its options stand beside it.</xs:documentation></xs:annotation></xs:attribute>
   </xs:attributeGroup>
   <xs:simpleType name="dialect.Text"><xs:restriction base="xs:string"><xs:minLength value="1"/></xs:restriction></xs:simpleType>
   <xs:simpleType name="dialect.Alias"><xs:restriction base="xs:string"><xs:pattern value="\S+"/></xs:restriction></xs:simpleType>
@@ -293,13 +295,38 @@ void add_row(pugi::xml_node type, const ig_dependency& dependency) {
   }
 }
 
-void add_dependency_type(pugi::xml_node schema, const ig_dependency& dependency, const ig_plugin& plugin) {
+/// Options of the importers that read the table's src. Importers may have one of a name with different values, so that
+/// a run checks them.
+void add_importer_options(pugi::xml_node type, const ig_dependency& dependency, const Library& library) {
+  std::map<std::string, std::string> importers;  // by option
+  for (const LoadedPlugin& loaded : library.plugins())
+    for (const ig_importer* importer : std::span(loaded.plugin->importers, loaded.plugin->importer_count)) {
+      bool fills = false;
+      for (const char* const* id = importer->dependencies; id != nullptr && *id != nullptr; ++id)
+        fills = fills || std::string_view(*id) == dependency.id;
+      for (std::uint32_t i = 0; fills && i < importer->option_count; ++i) {
+        std::string& names = importers[importer->options[i].name];
+        (names += names.empty() ? "" : ", ") += importer->id;
+      }
+    }
+  const std::span<const ig_option_decl> own(dependency.options, dependency.option_count);
+  for (const auto& option : importers) {
+    if (std::any_of(own.begin(), own.end(), [&](const ig_option_decl& o) { return option.first == o.name; })) continue;
+    pugi::xml_node attribute = add(type, "xs:attribute", option.first.c_str());
+    set_attribute(attribute, "type", "xs:string");
+    document(attribute, "Option of the importer that reads src: " + option.second + ".");
+  }
+}
+
+void add_dependency_type(pugi::xml_node schema, const ig_dependency& dependency, const ig_plugin& plugin,
+                         const Library& library) {
   pugi::xml_node type = add(schema, "xs:complexType", fmt::format("dependency.{}", dependency.id).c_str());
   document(type, fmt::format("{} (plugin {})", dependency.summary, plugin.name));
   if (dependency.row_element != nullptr) add_row(type, dependency);
   add_attribute_group(type, "dialect.Instance");
   add_attribute_group(type, "dialect.Table");
   for (std::uint32_t i = 0; i < dependency.option_count; ++i) add_option(type, dependency.options[i]);
+  add_importer_options(type, dependency, library);
 }
 
 template <class Part>
@@ -334,7 +361,7 @@ void add_parts(pugi::xml_node schema, const Library& library) {
   for (const auto& [dependency, plugin] : dependencies) {
     // Global elements: a table file in this namespace can be validated on its own.
     set_attribute(add(schema, "xs:element", dependency->id), "type", fmt::format("dependency.{}", dependency->id));
-    add_dependency_type(schema, *dependency, *plugin);
+    add_dependency_type(schema, *dependency, *plugin, library);
   }
 }
 

@@ -105,11 +105,26 @@ class Importing {
   Importing(const Dialect& machine, Library& library, DiagnosticSink& sink)
       : extensions_(machine.extensions), program_places_(machine.program_places), library_(library), sink_(sink) {}
 
-  /// The rows of the file that the element's src names, before its own.
+  /// The rows of the file that the element's src names, before its own. Options that the dependency lacks are those of
+  /// the importer.
   void fill_from_file(DependencyElement& element) const {
     if (!element.control_file) return;
-    const std::optional<ImportedFile> file = read(*element.control_file);
+    library_.load_all();
+    const ig_dependency* const dependency = library_.dependency(element.id);
+    const auto of_dependency = [&](const Attribute& a) {
+      return dependency != nullptr && declares(*dependency, a.name);
+    };
+    Import asked = *element.control_file;
+    asked.shares_options = true;
+    std::remove_copy_if(element.options.begin(), element.options.end(), std::back_inserter(asked.options),
+                        of_dependency);
+    const std::optional<ImportedFile> file = read(asked);
     if (!file) return;
+    if (dependency != nullptr) {
+      for (const Attribute& a : asked.options)
+        if (!declares(*file->importer, a.name)) report_option(*dependency, *file->importer, a);
+      std::erase_if(element.options, [&](const Attribute& a) { return !of_dependency(a); });
+    }
     for (const DependencyElement& table : file->tables) {
       if (table.id != element.id) {
         sink_.add(
@@ -133,7 +148,7 @@ class Importing {
     for (const fs::path& path : is_folder ? in_order(asked) : std::vector{asked.file}) {
       Import one = asked;
       one.file = path;
-      one.is_of_folder = is_folder;
+      one.shares_options = is_folder;
       std::optional<ImportedFile> file = read(one);
       if (!file) continue;
       for (std::uint32_t i = 0; i < file->importer->option_count; ++i) options.insert(file->importer->options[i].name);
@@ -145,6 +160,21 @@ class Importing {
   }
 
  private:
+  template <class Declaration>
+  static bool declares(const Declaration& declaration, std::string_view option) {
+    return std::any_of(declaration.options, declaration.options + declaration.option_count,
+                       [&](const ig_option_decl& o) { return option == o.name; });
+  }
+
+  void report_option(const ig_dependency& dependency, const ig_importer& importer, const Attribute& given) const {
+    std::vector<std::string> names;
+    for (std::uint32_t i = 0; i < dependency.option_count; ++i) names.emplace_back(dependency.options[i].name);
+    for (std::uint32_t i = 0; i < importer.option_count; ++i) names.emplace_back(importer.options[i].name);
+    const std::string near = nearest_name(given.name, names);
+    sink_.add(host_diagnostic("IG-0140", given.where, {dependency.id, importer.id, given.name},
+                              near.empty() ? "" : "did you mean " + near + "?"));
+  }
+
   std::optional<ImportedFile> read(const Import& asked) const {
     std::optional<ImportedFile> file = import_file(asked, library_, sink_);
     if (!file) return file;
@@ -164,6 +194,8 @@ class Importing {
       const ig_importer* const importer = importer_of(path, folder.format);
       if (importer != nullptr || !folder.format.empty())
         (importer != nullptr && importer->is_initial != 0 ? initial : others).push_back(path);
+      else if (const std::string what = what_is_no_text(path, library_); !what.empty())
+        sink_.add(host_diagnostic("IG-0141", folder.where, {path.string(), what}));
       else if (!is_found_as_program(path))
         unknown[path.extension().string()].push_back(path);
     }

@@ -79,12 +79,33 @@ bool read_import_options(const ig_importer& importer, const Import& asked, std::
   };
   const std::span<const ig_option_decl> declared(importer.options, importer.option_count);
   std::vector<Attribute> given = asked.options;
-  if (asked.is_of_folder)
+  if (asked.shares_options)
     std::erase_if(given, [&](const Attribute& a) {
       return std::none_of(declared.begin(), declared.end(), [&](const ig_option_decl& o) { return a.name == o.name; });
     });
   values = read_options(report, importer.id, asked.where, declared, given);
   return is_sound;
+}
+
+/// What an importer that is wholly sure of the beginning of a file that is no text tells of it; empty where none is.
+/// Rows of such a file are never taken.
+std::vector<Diagnostic> reports_of_binary(const Import& asked, const std::string& bytes, Library& library) {
+  const std::string head = bytes.substr(0, std::min(bytes.find('\0'), looked_at));
+  const std::string name = asked.file.filename().string();
+  std::string reason;
+  const std::optional<std::string> text = text_of_control(head, reason);
+  const std::vector<RecognisedFormat> found =
+      text && asked.format.empty() ? recognise(*text, name, library) : std::vector<RecognisedFormat>();
+  if (found.empty() || found[0].confidence < 100) return {};
+  const ig_importer& importer = *found[0].importer;
+  const ig_plugin* plugin = nullptr;
+  library.importer(importer.id, &plugin);
+  std::vector<OptionValue> options;
+  DiagnosticList reports;
+  if (!read_import_options(importer, {asked.file, {}, {}, asked.where}, options, reports)) return {};
+  ig_import in{asked, importer, *plugin, library, reports, *text, name, options, {}, {}, {}, {}, nullptr, {}};
+  importer.read(&import_api(), &in);
+  return in.out.tables.empty() ? std::move(reports.all) : std::vector<Diagnostic>();
 }
 
 }  // namespace
@@ -107,6 +128,14 @@ std::optional<std::string> head_of_control_file(const fs::path& file) {
   std::string reason;
   std::optional<std::string> bytes = beginning_of(file, 2 * looked_at, reason);  // a character may have two bytes
   return bytes ? text_of_control(std::move(*bytes), reason) : std::nullopt;
+}
+
+std::string what_is_no_text(const fs::path& file, Library& library) {
+  std::string reason;
+  const std::optional<std::string> bytes = beginning_of(file, 2 * looked_at, reason);
+  if (!bytes || text_of_control(*bytes, reason)) return {};
+  const std::vector<Diagnostic> reports = reports_of_binary({file, {}, {}, {}}, *bytes, library);
+  return reports.empty() ? std::string() : reports[0].message;
 }
 
 std::vector<fs::path> files_of(const Import& asked, DiagnosticSink& sink) {
@@ -138,9 +167,11 @@ std::optional<ImportedFile> import_bytes(const Import& asked, std::string bytes,
                                          DiagnosticSink& sink) {
   library.load_all();
   std::string reason;
-  const std::optional<std::string> text = text_of_control(std::move(bytes), reason);
+  const std::optional<std::string> text = text_of_control(bytes, reason);
   if (!text) {
-    sink.add(host_diagnostic("IG-0126", asked.where, {asked.file.string(), reason}));
+    std::vector<Diagnostic> reports = reports_of_binary(asked, bytes, library);
+    if (reports.empty()) reports = {host_diagnostic("IG-0126", asked.where, {asked.file.string(), reason})};
+    for (Diagnostic& d : reports) sink.add(std::move(d));
     return std::nullopt;
   }
   const ig_importer* const importer = choose(asked, *text, library, sink);
@@ -185,7 +216,10 @@ std::optional<std::string> export_tables(const Import& asked, const std::vector<
   std::vector<OptionValue> options;
   if (!read_import_options(*importer, asked, options, sink)) return std::nullopt;
   ig_export out{given, library, options, unused, {}, {}};
-  if (importer->write(&export_api(), &out) != IG_FAILED) return std::move(out.out);
+  if (importer->write(&export_api(), &out) != IG_FAILED) {
+    name_unasked(out, importer->dependencies);
+    return std::move(out.out);
+  }
   sink.add(host_diagnostic("IG-0127", asked.where, {asked.file.string(), importer->id, out.failure}));
   return std::nullopt;
 }

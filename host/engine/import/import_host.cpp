@@ -183,6 +183,7 @@ ig_text value_of(const DependencyElement* table, std::uint32_t row, std::string_
 }
 
 ig_text row_key(const ig_export* out, ig_text dependency, std::uint32_t row) {
+  out->asked.try_emplace(string_of(dependency));
   const DependencyElement* const table = written_table(out, dependency);
   const ig_dependency* const declared = table == nullptr ? nullptr : out->library.dependency(table->id);
   if (declared == nullptr || declared->row_key == nullptr) return {nullptr, 0};
@@ -190,16 +191,14 @@ ig_text row_key(const ig_export* out, ig_text dependency, std::uint32_t row) {
 }
 
 ig_text cell(const ig_export* out, ig_text dependency, std::uint32_t row, ig_text column) {
+  out->asked[string_of(dependency)].insert(string_of(column));
   return value_of(written_table(out, dependency), row, string_of(column));
 }
 
 void write(ig_export* out, ig_text bytes) { out->out.append(bytes.data, bytes.size); }
 
 void export_unused(ig_export* out, ig_text what, ig_text why) {
-  std::map<std::pair<std::string, std::string>, std::size_t> known;
-  for (std::size_t i = 0; i < out->unused.size(); ++i)
-    known.emplace(std::pair(out->unused[i].what, out->unused[i].why), i);
-  count_unused(out->unused, known, what, why, {});
+  count_unused(out->unused, out->known_unused, what, why, {});
 }
 
 void export_fail(ig_export* out, ig_text reason) { out->failure = string_of(reason); }
@@ -229,6 +228,27 @@ const ig_export_api& export_api() {
       sizeof(ig_export_api), IG_ABI_MINOR, export_number, export_integer, export_text, row_count, row_key, cell, write,
       export_unused,         export_fail};
   return api;
+}
+
+void name_unasked(ig_export& out, const char* const* dependencies) {
+  constexpr const char* why = "the format does not hold it";
+  for (; dependencies != nullptr && *dependencies != nullptr; ++dependencies) {
+    const DependencyElement* const table = written_table(&out, to_text(*dependencies));
+    const ig_dependency* const declared = table == nullptr ? nullptr : out.library.dependency(table->id);
+    if (declared == nullptr || declared->row_key == nullptr || table->rows.empty()) continue;
+    const auto asked = out.asked.find(table->id);
+    if (asked == out.asked.end()) {
+      out.unused.push_back({"rows of " + table->id, why, {}, table->rows.size()});
+      continue;
+    }
+    if (asked->second.empty()) continue;  // by their keys the importer has named the rows
+    std::map<std::string, std::uint64_t> counts;
+    for (const TableRow& row : table->rows)
+      for (const Attribute& a : row.attributes)
+        if (a.name != declared->row_key && !asked->second.contains(a.name)) ++counts[a.name];
+    for (const auto& [column, count] : counts)
+      out.unused.push_back({"column " + column + " of " + table->id, why, {}, count});
+  }
 }
 
 }  // namespace isogloss

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,11 +37,17 @@ struct ig_export {
   std::vector<isogloss::UnusedPart>& unused;
   std::string out;
   std::string failure;
+  std::map<std::pair<std::string, std::string>, std::size_t> known_unused{};  // by its two texts: place in `unused`
+  /// The columns, by dependency, whose cells the importer asked for; none where it asked for keys alone.
+  mutable std::map<std::string, std::set<std::string>, std::less<>> asked{};
 };
 
 namespace isogloss {
 
 const ig_import_api& import_api();
 const ig_export_api& export_api();
+
+/// Names what the importer never asked for of its dependencies, as the file lacks it: whole tables, and columns.
+void name_unasked(ig_export& out, const char* const* dependencies);
 
 }  // namespace isogloss

@@ -170,6 +170,39 @@ TEST_CASE("the surest importer reads a file, and a doubt is reported") {
   CHECK(shop.found.all[0].hint == "did you mean Sure?");
 }
 
+TEST_CASE("a file that is no text is named by an importer that is sure of its beginning") {
+  Shop shop;
+  shop.importer("Binary",
+                [](const ig_import_api* api, ig_import* in) -> ig_status {
+                  CHECK(api->text(in).size == 5);
+                  api->report(in, 1, 0, 5, nullptr, 0);
+                  return IG_CHANGED;
+                })
+      .out.recognise = [](ig_text t, ig_text) { return t.size >= 5 && t.data[0] == '@' ? 100u : 0u; };
+  shop.importer("Guess",
+                [](const ig_import_api* api, ig_import* in) -> ig_status {
+                  api->report(in, 0, 0, 1, nullptr, 0);
+                  return IG_CHANGED;
+                })
+      .out.recognise = [](ig_text t, ig_text) { return t.size > 0 && t.data[0] == '?' ? 99u : 0u; };
+  shop.importer("Rows",
+                [](const ig_import_api* api, ig_import* in) -> ig_status {
+                  api->row(in, text("Tools"), text("1"), 0);
+                  api->report(in, 0, 0, 1, nullptr, 0);
+                  return IG_CHANGED;
+                })
+      .out.recognise = [](ig_text t, ig_text) { return t.size > 0 && t.data[0] == '#' ? 100u : 0u; };
+  shop.library.add(shop.plugin.get());
+  const auto of = [&](std::string bytes) {
+    shop.found.all.clear();
+    CHECK_FALSE(import_bytes({"dir/a.txt", "", {}, {"machine.xml", 3, 5}}, std::move(bytes), shop.library, shop.found));
+    return shop.codes();
+  };
+  CHECK(of(std::string("@ARCH\0\0x", 8)) == Codes{"AB-0002 1:1"});
+  CHECK(of(std::string("?ARCH\0\0x", 8)) == Codes{"IG-0126 3:5"});
+  CHECK(of(std::string("#ARCH\0\0x", 8)) == Codes{"IG-0126 3:5"});
+}
+
 TEST_CASE("a file that no importer recognises, and options, are reported where they stand") {
   Shop shop;
   shop.importer("Never", [](const ig_import_api*, ig_import*) -> ig_status { return IG_CHANGED; }).options = {
@@ -247,6 +280,35 @@ TEST_CASE("tables become a file again, where the importer writes") {
   CHECK(unused[0].count == 2);
   CHECK_FALSE(export_tables({"out", "Mute", {}, {}}, tables, shop.library, unused, shop.found));
   CHECK(shop.codes() == Codes{"IG-0131 0:0"});
+}
+
+TEST_CASE("tables and columns that a writer never asks for are named") {
+  Shop shop;
+  shop.importer("Keys", [](const ig_import_api*, ig_import*) -> ig_status { return IG_CHANGED; }).out.write =
+      [](const ig_export_api* api, ig_export* out) -> ig_status {
+    api->row_key(out, text("Tools"), 0);
+    return IG_CHANGED;
+  };
+  shop.importer("Cells", [](const ig_import_api*, ig_import*) -> ig_status { return IG_CHANGED; }).out.write =
+      [](const ig_export_api* api, ig_export* out) -> ig_status {
+    api->cell(out, text("Tools"), 0, text("H"));
+    return IG_CHANGED;
+  };
+  shop.importer("Blind", [](const ig_import_api*, ig_import*) -> ig_status { return IG_CHANGED; }).out.write =
+      [](const ig_export_api*, ig_export*) -> ig_status { return IG_CHANGED; };
+  shop.library.add(shop.plugin.get());
+  const TableRow row{"Tool", {{"id", "3", {}}, {"H", "1.5", {}}, {"D", "2", {}}}, {}};
+  const auto named = [&](const char* format) {
+    std::vector<UnusedPart> unused;
+    CHECK(export_tables({"out", format, {}, {}}, {{"Tools", "Tools", {}, {row, row}, {}, {}}}, shop.library, unused,
+                        shop.found));
+    Codes out;
+    for (const UnusedPart& part : unused) out.push_back(part.what + " " + std::to_string(part.count));
+    return out;
+  };
+  CHECK(named("Keys").empty());
+  CHECK(named("Cells") == Codes{"column D of Tools 2"});
+  CHECK(named("Blind") == Codes{"rows of Tools 2"});
 }
 
 TEST_CASE("rows of a machine go over those of its file, which go over those of the dialect") {

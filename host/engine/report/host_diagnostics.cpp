@@ -121,6 +121,13 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {error, "IG-0131", "{0} writes no files: the format is only read",
        "`isogloss list importers` shows which formats can be written.",
        "isogloss export -m dmu58 --format SinumerikArchive"},
+      {error, "IG-0140", "neither {0} nor the importer {1}, which reads its src, has an option '{2}'",
+       "Beside src stand the options of the table and those of the importer that reads the file. `isogloss inspect` "
+       "lists both; where both have an option of one name, it is that of the table.",
+       R"(<ToolOffsetTable src="TOOL.T" units="inch"/>)"},
+      {note, "IG-0141", "{0} is not read: {1}",
+       "An importer knows the file, which is no text. In a folder named by <Backup> it hinders nothing.",
+       "<Backup src=\"backup\"/>, and an encrypted cycle in it"},
       // links: 0200-0299
       {error, "IG-0201", "no plugin '{0}' in the folders searched",
        "The dialect names a plugin that no plugin folder holds, or that could not be loaded. `isogloss doctor` lists "

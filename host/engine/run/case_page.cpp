@@ -65,7 +65,7 @@ class PageReader {
         {"#Previous:", &Case::previous},  {"#Ahead:", &Case::ahead},      {"#Dependencies:", &Case::dependencies},
         {"#BeforeBuild:", &Case::before}, {"#AfterBuild:", &Case::after}, {"#Diagnostics:", &Case::diagnostics},
         {"#Options:", &Case::options},    {"#Tables:", &Case::tables},    {"#Unused:", &Case::unused},
-        {"#Written:", &Case::written},
+        {"#Written:", &Case::written},    {"#LeftOut:", &Case::left_out},
     };
     for (const auto& [name, member] : markers) {
       if (text != name) continue;

@@ -82,6 +82,9 @@ std::string run_import_case(const Page& page, const Case& one, const std::string
     for (const Diagnostic& d : faults.all)
       out += fmt::format("  {}: {} [{}]\n", to_string(d.severity), d.message, d.code);
     if (written) out += difference("the file written", lines_of(one.written->text), lines_of(*written));
+    std::vector<std::string> parts;
+    for (const UnusedPart& part : left_out) parts.push_back(part.what);
+    out += difference("parts without a place in the file", wanted(one.left_out), parts);
   }
   return out;
 }

@@ -25,15 +25,13 @@ struct OkumaCode {
   RecognisedCodes codes_{
       ig::diag("FAN-0201"),
       {
-          {ig::Call{{"G15", "G16"}, "H[]"}, "positions lack the work offset"},
-          {ig::Call{{"G54", "G55", "G56", "G57", "G58", "G59"}, "H[]"}, "positions lack the tool length"},
+          {ig::Call{{"G54", "G55", "G57", "G58", "G59"}, "H[]"}, "positions lack the tool length"},
           {ig::Call{{"G10", "G11"}, "X Y Z P[deg]"}, "positions are neither shifted nor turned"},
           {ig::Call{{"G30"}, "P[]"}, "the move to the home position is left out"},
           {ig::Call{{"G62"}, "X Y Z"}, "positions are not mirrored"},
           {ig::Call{{"G274", "G284"}, "X Y Z R P[] Q"}, "the cycle is missing, and blocks after it only move"},
           {ig::Call{{"M52"}, ""}, "a cycle returns to the level at which it began, not to the upper limit"},
       }};
-  ig::Codes end_of_length_{"G53"};
   ig::Call dwell_{{"G04"}, "F[s]"};
   ig::Call level_{{"G71"}, "Z"};
   ig::Codes returns_{"M53", "M54"};
@@ -48,8 +46,7 @@ struct OkumaCode {
   ig::Name g98_{"G98"}, g99_{"G99"};
 
   ig::Status build(ig::Block& b) {
-    bool any = b.take(end_of_length_).has_value();  // no tool length to end
-    any |= wait(b);
+    bool any = wait(b);
     if (const auto words = b.take(level_)) {
       any = true;
       if (const auto z = (*words)['Z']) b.set(return_level_, *z);

@@ -9,6 +9,7 @@
 
 #include "punch_out/punched_block.hpp"
 #include "punch_out/punched_parameters.hpp"
+#include "punch_out/written_parameters.hpp"
 
 namespace fanuc {
 
@@ -65,6 +66,8 @@ struct FanucParameters {
         read_parameter(file, machine, block, values);
     }
   }
+
+  void write(ig::Export& out) const { write_parameters(out, {axes.text(), path, unit == ParameterUnit::inch}); }
 
  private:
   static constexpr const char* no_place = "no table has a place for it";

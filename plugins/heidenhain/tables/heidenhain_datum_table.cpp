@@ -1,7 +1,6 @@
 // A datum table, *.D: a shift a row, which cycle 7 #n adds to the preset. iTNC 530 and TNC 640 cycle programming
 // manuals, "Datum shift with datum tables".
 #include <cstdint>
-#include <map>
 
 #include <isogloss/cnc/units.hpp>
 
@@ -47,44 +46,27 @@ struct HeidenhainDatumTable {
   }
 
   void write(ig::Export& out) const {
-    std::string name(table.text());
-    std::map<std::int64_t, std::uint32_t> rows;
-    for (std::uint32_t i = 0; i < out.rows(datums); ++i) {
-      const auto key = TableKey::read(out.key(datums, i));
-      if (!key) continue;
-      if (name.empty()) name = key->table;
-      if (key->table == name)
-        rows.emplace(key->row, i);
-      else
-        out.unused("table " + std::string(key->table), "a file holds one table: name it by the option table");
-    }
-    out.write("BEGIN " + (name.empty() ? std::string("ZERO.D") : name) + (is_inch() ? " INCH\n" : " MM\n"));
+    const WrittenTable written = written_table(out, datums, table.text());
+    const double per_length = unit == TableUnit::inch ? mm_per_inch : 1;
+    out.write("BEGIN " + (written.name.empty() ? std::string("ZERO.D") : written.name) +
+              (unit == TableUnit::inch ? " INCH\n" : " MM\n"));
     out.write(padded("D", width_of_row_number));
-    for (const char axis : datum_axes) out.write(padded(std::string_view(&axis, 1), width_of_value));
-    for (const auto& [number, row] : rows) {
+    for (const char axis : datum_axes) out.write(padded({&axis, 1}, width_of_value));
+    for (const auto& [number, row] : written.rows) {
       out.write("\n" + padded(std::to_string(number), width_of_row_number));
-      for (std::size_t axis = 0; axis < datum_axes.size(); ++axis) write_cell(out, row, axis);
+      for (const char axis : datum_axes)
+        out.write(written_cell(out, datums, row, {&axis, 1}, axis >= 'X' ? per_length : 1));
     }
     out.write("\n[END]\n");
   }
 
  private:
-  bool is_inch() const { return unit == TableUnit::inch; }
-
   static void read_cell(ig::Import& file, const TableReader& reader, const TableCell& cell, const std::string& row) {
     const std::string& name = reader.column(cell).name;
     if (!is_datum_axis(name)) return reader.unused(cell, "no table has a place for it");
     if (!cell.is_given()) return;
     if (const std::optional<double> value = reader.number(cell, row))
       file.cell(name, name[0] >= 'X' ? reader.in_mm(*value) : *value, cell.begin);
-  }
-
-  void write_cell(ig::Export& out, std::uint32_t row, std::size_t axis) const {
-    const std::string_view name = datum_axes.substr(axis, 1), text = out.cell(datums, row, name);
-    const std::optional<double> value = number_of_cell(text);
-    if (!value && !text.empty()) out.unused("column " + std::string(name), "it holds no number");
-    const double scale = is_inch() && axis < 3 ? mm_per_inch : 1;
-    out.write(padded(value ? number_text(*value / scale) : "", width_of_value));
   }
 };
 

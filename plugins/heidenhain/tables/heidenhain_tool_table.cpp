@@ -129,11 +129,8 @@ struct HeidenhainToolTable {
     const std::string key(out.key("ToolOffsetTable", tool.row));
     out.write("\n" + padded(key, width_of_row_number) + padded(name_of(out, tool.row), longest_tool_name + 1));
     for (const ToolColumn& column : used) {
-      const std::string_view text = out.cell("ToolOffsetTable", tool.row, column.ours);
-      const std::optional<double> value = number_of_cell(text);
-      if (!value && !text.empty()) out.unused(std::string("column ") + column.ours, "it holds no number");
-      const double scale = column.is_length && unit == TableUnit::inch ? mm_per_inch : 1;
-      out.write(padded(value ? number_text(*value / scale) : "", width_of_value));
+      const double per_unit = column.is_length && unit == TableUnit::inch ? mm_per_inch : 1;
+      out.write(written_cell(out, "ToolOffsetTable", tool.row, column.ours, per_unit));
     }
   }
 

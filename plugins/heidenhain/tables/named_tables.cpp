@@ -29,4 +29,22 @@ std::optional<TableKey> TableKey::read(std::string_view key) {
   return is_number && std::to_string(out.row) == key.substr(mark + 1) ? std::optional(out) : std::nullopt;
 }
 
+WrittenTable written_table(ig::Export& out, const char* dependency, std::string_view asked) {
+  WrittenTable table{std::string(asked), {}};
+  for (std::uint32_t i = 0; i < out.rows(dependency); ++i) {
+    const auto key = TableKey::read(out.key(dependency, i));
+    if (!key) {
+      out.unused("row " + std::string(out.key(dependency, i)), "its id has no name of a table and number of a row");
+      continue;
+    }
+    if (table.name.empty()) table.name = key->table;
+    if (table_name(key->table) != table_name(table.name)) {
+      out.unused("table " + std::string(key->table), "a file holds one table: name it by the option table");
+      continue;
+    }
+    table.rows.emplace(key->row, i);
+  }
+  return table;
+}
+
 }  // namespace heidenhain

@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include <isogloss/sdk.hpp>
+
 namespace heidenhain {
 
 /// The name of a table and the number of a row in it.
@@ -24,6 +26,16 @@ struct TableKey {
 std::string table_name(std::string_view path);
 /// The name without .D and its kin.
 std::string_view without_ending(std::string_view name);
+
+/// The rows of one table, by their number, that a file holds.
+struct WrittenTable {
+  std::string name;
+  std::map<std::int64_t, std::uint32_t> rows;  ///< place among the rows of the dependency
+};
+
+/// The table of a dependency that has this name, in any case of letters; the first one where `asked` is empty. Names
+/// the others as parts that the file has no place for.
+WrittenTable written_table(ig::Export& out, const char* dependency, std::string_view asked);
 
 template <class Row>
 class NamedTables {

@@ -47,4 +47,14 @@ inline std::optional<double> number_of_cell(std::string_view text) {
   return is_number ? std::optional(value.value) : std::nullopt;
 }
 
+/// A number of ours in the column of a table; `per_unit` is what one unit of the table is in ours. Names a text that is
+/// no number.
+inline std::string written_cell(ig::Export& out, const char* dependency, std::uint32_t row, std::string_view column,
+                                double per_unit) {
+  const std::string_view text = out.cell(dependency, row, column);
+  const std::optional<double> value = number_of_cell(text);
+  if (!value && !text.empty()) out.unused("column " + std::string(column), "it holds no number");
+  return padded(value ? number_text(*value / per_unit) : "", width_of_value);
+}
+
 }  // namespace heidenhain

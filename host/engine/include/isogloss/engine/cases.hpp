@@ -30,12 +30,13 @@ struct Case {
   bool accepts_any_code = false;       ///< "#Diagnostics: any": any codes are accepted
   std::optional<Fence> before, after;  ///< JSON; both are there in a syntax's case that was read without a fault
 
-  std::string file_name;         ///< of an importer's case: "#File: TOOL.T"
-  std::optional<Fence> file;     ///< its text
-  std::optional<Fence> options;  ///< name=value of the importer, one a line
-  std::optional<Fence> tables;   ///< XML: the elements of the dependencies that it must make
-  std::optional<Fence> unused;   ///< a line for each part that it does not read, "3:20 column LAST_USE"; absent: none
-  std::optional<Fence> written;  ///< the file that is written from those tables; absent: not tried
+  std::string file_name;          ///< of an importer's case: "#File: TOOL.T"
+  std::optional<Fence> file;      ///< its text
+  std::optional<Fence> options;   ///< name=value of the importer, one a line
+  std::optional<Fence> tables;    ///< XML: the elements of the dependencies that it must make
+  std::optional<Fence> unused;    ///< a line for each part that it does not read, "3:20 column LAST_USE"; absent: none
+  std::optional<Fence> written;   ///< the file that is written from those tables; absent: not tried
+  std::optional<Fence> left_out;  ///< a line for each part that has no place in that file, "column Name"; absent: none
 };
 
 struct Page {

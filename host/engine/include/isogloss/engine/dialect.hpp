@@ -41,7 +41,7 @@ struct Import {
   std::string format;              ///< id of the importer; empty: the one that recognises the file
   std::vector<Attribute> options;  ///< of the importer
   Location where;
-  bool is_of_folder = false;  ///< one of several files: options that its importer lacks are meant for others
+  bool shares_options = false;  ///< options that its importer lacks are meant for others: files, or the dependency
 };
 
 struct DependencyElement {

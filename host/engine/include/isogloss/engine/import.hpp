@@ -44,6 +44,9 @@ std::optional<ImportedFile> import_bytes(const Import& asked, std::string bytes,
 /// The beginning of a file, as importers see it when they are asked; nothing for one that is no text.
 std::optional<std::string> head_of_control_file(const std::filesystem::path& file);
 
+/// What an importer tells of a file that is no text; empty where none knows it, and for texts.
+std::string what_is_no_text(const std::filesystem::path& file, Library& library);
+
 /// The files that an import names: the file itself, or all files below the folder, sorted. A file outside it, to which
 /// a link leads, and what cannot be listed are reported and left out.
 std::vector<std::filesystem::path> files_of(const Import& asked, DiagnosticSink& sink);
