@@ -128,9 +128,7 @@ class Explainer : public Exporter {
     for (std::size_t i = first; i < chain_->answered_rows.size(); ++i) {
       const Chain::AnsweredRow& row = chain_->answered_rows[i];
       if (syntax && row.syntax != *syntax) continue;
-      const std::optional<std::size_t> who = chain_->answering(row.service);
-      if (!who) continue;
-      const LinkedDependency& dependency = linked_.dependencies[*who];
+      const LinkedDependency& dependency = linked_.dependencies[row.dependency];
       ExplainedRow one{dependency.element.alias, row.row, place_of(dependency, row.row)};
       if (std::find(out.begin(), out.end(), one) == out.end()) out.push_back(std::move(one));
     }
