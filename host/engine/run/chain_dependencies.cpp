@@ -270,6 +270,8 @@ void Chain::listen_to_rows() {
 }
 
 void Chain::note_row(std::size_t dependency, std::string_view row, bool has_value) {
+  if (creating_ != 0 && has_value) rows_at_start.push_back({creating_, dependency, std::string(row)});
+  if (creating_ != 0) return;
   if (row_asked) row_asked(dependency, row);
   const Document* const at_work = breadcrumb().document;
   if (!has_value || at_work == nullptr || answered_rows.size() >= most_answered_rows) return;

@@ -15,6 +15,8 @@ Fault MacroEnvironment::read(ig::Block& b, std::uint32_t number, MacroValue& out
   } else if (const Fault fault = read_system(b, number, out); fault != Fault::none) {
     return fault;
   }
+  if (rows_.is_heard())
+    if (const std::string* const row = store().row_of(number)) rows_.add(b, *row);
   if (number != 0) {
     const std::array<ig_value, 2> shown{ig_value{.number = static_cast<double>(number)}, {.number = out.number}};
     b.append(read_.data(), out.is_null() ? 1 : 2, shown.data());

@@ -209,6 +209,7 @@ class MacroEnvironment : public MacroFrame {
   ig::Service<ig_tool_offset_1> tools_{"isogloss.tool-offset/1", ig::Need::optional, "#2001 and on."};
   ig::Config parameters_{"isogloss.control-parameter/1", ig::Need::optional, "PRM[]: parameters of the control."};
   ig::Service<ig_machine_axis_1> machine_{"isogloss.machine-axis/1", ig::Need::optional, "The rotary axes there are."};
+  ig::AnsweredRows rows_{macro_store_service};
   ig::Name inch_{"Inch"};
 };
 

@@ -92,6 +92,8 @@ class Values {
       return 0;
     }
     const double value = s->get(q, program(b));
+    if (rows_.is_heard())
+      if (const std::string* const row = s->row_of(q)) rows_.add(b, *row);
     if (!std::isnan(value)) return value;
     if (store()->is_first_time(115, name)) b.report(ig::diag("HEI-0115"), where, name);
     return 0;
@@ -134,6 +136,7 @@ class Values {
   }
 
   ig::Service<QStore> store_{q_store_service, ig::Need::required, "The Q parameters."};
+  ig::AnsweredRows rows_{q_store_service};
   ig::Flow flow_;
 };
 

@@ -52,6 +52,7 @@ class DependencyTable {
 
 struct ChainSettings {
   Mode mode = Mode::fast;
+  bool hears_rows = false;  ///< rows that are asked when the syntaxes are created are kept, too (Chain::rows_at_start)
   bool call_all = false;  ///< call every syntax in every block: must give the same result
   std::map<std::string, std::string, std::less<>> settings;      ///< "block-skip", "optional-stop", "program"
   std::vector<DependencyElement> dependencies;                   ///< the user's own tables, before the dialect's
@@ -134,6 +135,8 @@ class Chain {
   /// Those of this block, in their order, at most most_answered_rows; empty unless listen_to_rows() was called.
   std::vector<AnsweredRow> answered_rows;
   static constexpr std::size_t most_answered_rows = 1000;
+  /// Those that have answered when the syntaxes were created, where the settings want it.
+  std::vector<AnsweredRow> rows_at_start;
   /// Called for each row that is asked, answered or not; empty: none.
   std::function<void(std::size_t dependency, std::string_view row)> row_asked;
   void listen_to_rows();
@@ -232,6 +235,7 @@ class Chain {
   };
   std::vector<AssignedRow> assigned_rows_;  // by --set
   bool is_scanning_ = false;                // for a crash report
+  std::uint16_t creating_ = 0;              // chain position + 1 of the syntax that is being created
 };
 
 }  // namespace isogloss
