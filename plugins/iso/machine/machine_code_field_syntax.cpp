@@ -37,9 +37,10 @@ struct MachineCodeField {
                     IG_SYMBOL};
   ig::Fields switches_{"switches", "PathSmoothing.IsEnabled", ig::write, "What rows may set to true or false.",
                        IG_BOOLEAN};
-  ig::TextField fields_{"MachineCode.Fields",
-                        ig::read | ig::wake,
-                        {ig::Life::block, "", "The fields that rows of MachineCodes set in this block, and their values."}};
+  ig::TextField fields_{
+      "MachineCode.Fields",
+      ig::read | ig::wake,
+      {ig::Life::block, "", "The fields that rows of MachineCodes set in this block, and their values."}};
   struct Target {
     ig_field field;
     ig_type type;

@@ -62,7 +62,8 @@ struct MachineCodeTable {
   ig::Column position{
       "position", nullptr, "", {}, "Where the axes go by rapid, in machine coordinates, mm and degrees: Z0 X10.", true};
   ig::Column fields{
-      "fields", nullptr, "fields", {}, "Fields of the block and their values: Coolant.Mode=FLOOD; Dwell.Time={P}.", true};
+      "fields", nullptr, "fields", {}, "Fields of the block and their values: Coolant.Mode=FLOOD; Dwell.Time={P}.",
+      true};
   ig::Column text{"text", nullptr, "", {}, "Why the code is refused.", true};
   ig::Column when{"when", nullptr, "", {}, "When a cycle acts: defined or called; else as its number says.", true};
   ig::Column arguments{
@@ -135,8 +136,9 @@ struct MachineCodeTable {
       std::string_view name, kind;
     };
     if (kind.empty() || std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) return {};
-    for (const Use& use : {Use{codes, "codes", "codes"}, Use{program, "program", "call"},
-                           Use{position, "position", "position"}, Use{text, "text", "refused"}, Use{fields, "fields", "set"}})
+    for (const Use& use :
+         {Use{codes, "codes", "codes"}, Use{program, "program", "call"}, Use{position, "position", "position"},
+          Use{text, "text", "refused"}, Use{fields, "fields", "set"}})
       if (kind != use.kind && !table.text(row, use.column).empty()) return use.name;
     return {};
   }

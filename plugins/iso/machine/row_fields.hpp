@@ -1,5 +1,5 @@
-/// The column `fields` of MachineCodes: fields of the block and the values that a row gives them. Whether the dialect has
-/// the field, its type and its unit is for the host, which knows all fields.
+/// The column `fields` of MachineCodes: fields of the block and the values that a row gives them. Whether the dialect
+/// has the field, its type and its unit is for the host, which knows all fields.
 #pragma once
 
 #include <array>

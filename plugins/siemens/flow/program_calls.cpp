@@ -31,7 +31,8 @@ void CallReader::call_program(ig::Block& b, ig::Where where) {
   if (answer.is_not_found()) {
     if (const ig_machine_code* const row = machine_.family(program_.name)) {
       const std::string_view text = b.source().substr(0, end_);
-      if (row->does == IG_CODE_SETS && is_of_control && at(text, open_) == '(' && !read_arguments(b, text, open_)) return;
+      if (row->does == IG_CODE_SETS && is_of_control && at(text, open_) == '(' && !read_arguments(b, text, open_))
+        return;
       record_.add(b, *row, where, piece(b.source(), begin_, std::max(end_, begin_)), number_of_argument());
       codes_.put(b, *row, begin_, end_);
       if (row->does != IG_CODE_CALLS) return;

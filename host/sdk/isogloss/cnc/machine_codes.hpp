@@ -36,7 +36,8 @@ inline const Diagnostics machine_code_diagnostics{
     diagnostic(IG_ERROR, "ISO-0600", "{0} sets {1} from {2}, for which the program writes no number: {1} is unchanged",
                "The row of this code takes a value from a word or an argument that the block does not have.",
                "M131 (and a row M131 with fields=\"Dwell.Time={P}\")"),
-    diagnostic(IG_ERROR, "ISO-0601", "{0} has set fields in this block already: write the second one in a block of its own",
+    diagnostic(IG_ERROR, "ISO-0601",
+               "{0} has set fields in this block already: write the second one in a block of its own",
                "The fields of a block have one value each. The values of the first code stay.", "M131 P1 M131 P2"),
 };
 

@@ -22,7 +22,8 @@ struct OneCode {
                       {},
                       ig::to_text("M92"),
                       0,
-                      0};
+                      0,
+                      {}};
   ig_machine_code_1 provided{sizeof(ig_machine_code_1), 0, this, &find, &family};
   BlockDocument document;
 

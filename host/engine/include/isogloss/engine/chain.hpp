@@ -53,7 +53,7 @@ class DependencyTable {
 struct ChainSettings {
   Mode mode = Mode::fast;
   bool hears_rows = false;  ///< rows that are asked when the syntaxes are created are kept, too (Chain::rows_at_start)
-  bool call_all = false;  ///< call every syntax in every block: must give the same result
+  bool call_all = false;    ///< call every syntax in every block: must give the same result
   std::map<std::string, std::string, std::less<>> settings;      ///< "block-skip", "optional-stop", "program"
   std::vector<DependencyElement> dependencies;                   ///< the user's own tables, before the dialect's
   std::vector<std::pair<std::string, std::string>> assignments;  ///< --set: "IsoCoordinateTable.G54.Z", "-120"
