@@ -100,7 +100,8 @@ TEST_CASE("tool offsets: what is no length and no radius is known only where a r
   const FakeDependency table(
       *ig_plugin_v1(), "ToolOffsetTable",
       {{"1",
-        {{"CornerRadius", 1.5}, {"CornerRadiusWear", -0.1}, {"TipAngle", 118}, {"Teeth", 4}, {"MaximumSpeed", 9000}}},
+        {{"CornerRadius", 1.5}, {"CornerRadiusWear", -0.1}, {"TipAngle", 118}, {"Teeth", 4}, {"MaximumSpeed", 9000},
+         {"Type", 120}, {"CuttingLength", 22.5}, {"PlungeAngle", 3}, {"Life", 60}, {"LifeAtCall", 55}, {"UsedLife", 12}}},
        {"2", {{"H", 10}}}});
   const auto* s = table.service<ig_tool_offset_1>("isogloss.tool-offset/1");
   const auto get = [&](std::int64_t id, std::uint32_t column) {
@@ -112,7 +113,13 @@ TEST_CASE("tool offsets: what is no length and no radius is known only where a r
   CHECK(get(1, IG_TOOL_TIP_ANGLE) == 118);
   CHECK(get(1, IG_TOOL_TEETH) == 4);
   CHECK(get(1, IG_TOOL_MAXIMUM_SPEED) == 9000);
-  CHECK(get(1, IG_TOOL_MAXIMUM_SPEED + 1) == -1);
+  CHECK(get(1, IG_TOOL_TYPE) == 120);
+  CHECK(get(1, IG_TOOL_CUTTING_LENGTH) == 22.5);
+  CHECK(get(1, IG_TOOL_PLUNGE_ANGLE) == 3);
+  CHECK(get(1, IG_TOOL_LIFE) == 60);
+  CHECK(get(1, IG_TOOL_LIFE_AT_CALL) == 55);
+  CHECK(get(1, IG_TOOL_USED_LIFE) == 12);
+  CHECK(get(1, IG_TOOL_USED_LIFE + 1) == -1);
   for (const std::int64_t id : {2, 3}) CHECK(get(id, IG_TOOL_CORNER_RADIUS) == -1);
   CHECK(get(3, IG_TOOL_RADIUS_WEAR) == 0);
 }

@@ -235,7 +235,8 @@ struct FanucOffsets {
         if (const std::string value = value_of(out.cell(tools, row, c.name), c.is_radius ? per_radius : per_unit());
             !value.empty())
           out.write(std::string("G10") + c.l + "P" + std::string(id) + "R" + value + "\n");
-      for (const char* const c : {"Name", "CornerRadius", "CornerRadiusWear", "TipAngle", "Teeth", "MaximumSpeed"})
+      for (const char* const c : {"Name", "CornerRadius", "CornerRadiusWear", "TipAngle", "Teeth", "MaximumSpeed",
+                                  "Type", "CuttingLength", "PlungeAngle", "Life", "LifeAtCall", "UsedLife"})
         if (!out.cell(tools, row, c).empty()) out.unused(std::string("column ") + c, "offsets hold lengths and radii");
     }
   }
