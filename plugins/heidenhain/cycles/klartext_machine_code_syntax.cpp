@@ -136,13 +136,8 @@ struct KlartextMachineCode {
   /// `begin` is where the cycle begins in the text.
   void answer(ig::Block& b, const ig_machine_code& row, std::string_view text, ig::Where where,
               std::size_t begin = 0) const {
-    const auto value_of = [&](std::string_view name) -> std::optional<double> {
-      std::size_t end = 0;
-      const auto q = Values::q_at(name, 0, end);
-      if (!q || end != name.size() || !text_.values().has(b, *q)) return std::nullopt;
-      return text_.values().get(b, *q, name, where);
-    };
-    record_.add(b, row, where, text.substr(begin), value_of);
+    record_.add(b, row, where, text.substr(begin),
+                [&](std::string_view name) { return text_.values().in_row(b, name, where); });
     for_each_code(row, [&](std::string_view code) { m_.put(b, text_.values(), text, code, where.begin, where.end); });
   }
 };

@@ -106,6 +106,13 @@ class Values {
       b.report(ig::diag("HEI-0114"), where, name);
   }
 
+  /// What {Q240} is in a row of MachineCodes; nothing where the name is no parameter with a value.
+  std::optional<double> in_row(ig::Block& b, std::string_view name, ig::Where where) const {
+    std::size_t end = 0;
+    const auto q = q_at(name, 0, end);
+    return q && end == name.size() && has(b, *q) ? std::optional(get(b, *q, name, where)) : std::nullopt;
+  }
+
   /// Text in brackets is a comment on other controls and in simulators: it is reported once.
   void report_brackets(ig::Block& b, ig::Where where) const {
     if (QStore* const s = store(); s == nullptr || s->is_first_time(0, "(")) b.report(ig::diag("HEI-0189"), where);

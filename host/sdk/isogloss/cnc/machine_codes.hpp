@@ -320,10 +320,16 @@ class ProgramsOfBuilder {
   /// The row of a family, for a program that is not found.
   const ig_machine_code* family(std::string_view name) const { return machine_.family(name); }
 
-  /// Executes a row in place of a call; call(program) calls another program and reports one that is not found.
+  /// Executes a row in place of a call; call(program) calls another program and reports one that is not found, and
+  /// given(name) is the number of an argument, if there is one.
   template <class Call>
   void execute(Block& b, const ig_machine_code& row, std::string_view name, Where where, Call&& call) const {
-    record_.add(b, row, where, name);
+    execute(b, row, name, where, call, [](std::string_view) { return std::optional<double>(); });
+  }
+  template <class Call, class Given>
+  void execute(Block& b, const ig_machine_code& row, std::string_view name, Where where, Call&& call,
+               const Given& given) const {
+    record_.add(b, row, where, name, given);
     if (row.does == IG_CODE_CALLS) call(to_view(row.program));
     if (row.does == IG_CODE_ACTS) b.report(diag("ISO-0574"), where, to_view(row.name), name);
   }
