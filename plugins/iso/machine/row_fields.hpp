@@ -72,7 +72,7 @@ inline std::string fields_fault(std::string_view fields) {
     else if (number.ok && number.end == constant.size() && !fault_of_number(path, number.value).empty())
       fault = field + "=" + std::string(constant) + " " + std::string(fault_of_number(path, number.value));
   });
-  const bool is_empty = seen.empty() && !trim(fields).empty();
+  const bool is_empty = fault.empty() && seen.empty() && !trim(fields).empty();
   return is_empty ? "fields names no field" : fault;
 }
 
