@@ -43,7 +43,8 @@ struct KlartextPlane {
   ig::Out<bool> stay_{"KlartextPlane.IsStaying",
                       {ig::Life::block, "", "PLANE ... STAY: the program positions the axes itself."}};
   ig::Out<ig::Symbol> length_term_{"ToolHeightCompensation.Term"};
-  ig::Name g69_{"G69"}, g68_2_{"G68.2"}, g43_4_{"G43.4"}, g43_{"G43"};
+  ToolCenterMode mode_;
+  ig::Name g69_{"G69"}, g68_2_{"G68.2"}, g43_{"G43"};
   ig::Out<double> retract_{"KlartextPlane.Retract_mm",
                            {ig::Life::block, "mm", "MB: how far the tool goes out before the axes turn."}};
   ig::Out<bool> to_limit_{"KlartextPlane.RetractsToLimit",
@@ -134,7 +135,7 @@ struct KlartextPlane {
     const ig::Vec3 angles = command_.plane.kind == PlaneDefinition::spatial ? command_.plane.words_from(0)
                                                                             : PlaneDefinition::spatial_angles(*m);
     // PLANE ends tool centre point control.
-    if (b.is(length_term_, g43_4_)) {
+    if (mode_.is_on(b)) {
       b.set(length_term_, g43_);
       b.set_call(length_, 0);
     }

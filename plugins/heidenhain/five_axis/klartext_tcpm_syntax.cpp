@@ -1,4 +1,6 @@
 // FUNCTION TCPM and FUNCTION RESET TCPM: the tip of the tool is led while the rotary axes turn, as under M128 and M129.
+#include <isogloss/cnc/tool_kinematics.hpp>
+
 #include "language/block_words.hpp"
 #include "language/klartext_values.hpp"
 
@@ -18,8 +20,7 @@ struct KlartextTcpm {
   ig::Call tip_{{"G43.4"}, "H[]", ig::write};
   ig::Previous<std::int64_t> offset_id_{"ToolHeightCompensation.OffsetId"};
   ig::Call length_{{"G43"}, "", ig::write};
-  ig::In<ig::Symbol> length_term_{"ToolHeightCompensation.Term"};
-  ig::Name g43_4_{"G43.4"};
+  ToolCenterMode mode_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (!stands_first(text, position)) return position;
@@ -33,7 +34,7 @@ struct KlartextTcpm {
 
  private:
   void lead_tip(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i, bool starts) const {
-    if (starts || b.is(length_term_, g43_4_)) put_code(b, starts ? tip_.code(0) : length_.code(0), begin, i);
+    if (starts || mode_.is_on(b)) put_code(b, starts ? tip_.code(0) : length_.code(0), begin, i);
     // Without a TOOL CALL before it the tool in the spindle is used; its length is not known.
     if (starts && !b.has(offset_id_)) put_code(b, tip_.word(0, 'H'), begin, i);
     const std::size_t after = i;

@@ -19,7 +19,7 @@ struct KlartextFrameCycle {
   static constexpr auto spec = ig::syntax("KlartextFrameCycleSyntax", "Cycles that act where they are defined.")
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax", "KlartextCycleSyntax")
                                    .before("HeidenhainCoordinateOffsetSyntax", "KlartextDrillingCycleSyntax")
-                                   .scans("CFSTcfst");
+                                   .scans("CFPSTcfpst");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "HEI-0180",
                      "cycle 220 with Q365=1 goes from hole to hole in straight lines, not along the pitch circle"),
@@ -37,6 +37,7 @@ struct KlartextFrameCycle {
     if (!stands_first(text, position)) return position;
     if (const std::size_t end = trans(b, text, position); end != position) return end;
     if (const std::size_t end = tables_.select_table(b, text_.values(), text, position); end != position) return end;
+    if (const std::size_t end = select_preset(b, text, position); end != position) return end;
     const std::size_t definition = keyword(text, position, "CYCL DEF"), datum = keyword(text, position, "TRANS DATUM");
     const std::size_t pause = keyword(text, position, "FUNCTION DWELL TIME");
     if (definition == position && datum == position && pause == position) return position;
@@ -80,12 +81,27 @@ struct KlartextFrameCycle {
     frame_.end(b, where);
   }
 
+  /// PRESET SELECT #3 is cycle 247; further words and presets by name are not executed.
+  std::size_t select_preset(ig::Block& b, std::string_view text, std::size_t begin) const {
+    const std::size_t number = skip(text, keyword(text, begin, "PRESET SELECT")), end = statement_end(text, begin);
+    if (number <= begin || at(text, number) != '#') return begin;
+    if (text_.values().is_indexing()) return end;
+    const Value preset = text_.values().read(b, text, number + 1);
+    if (!preset.ok || skip(text, preset.end) < end) return begin;
+    put_word(b, preset_number_.id(), begin, preset.end, preset.number);
+    frame_.end(b, where_of_line(text, begin));
+    return end;
+  }
+
   // ---- which one
 
   void act(ig::Block& b, std::string_view text, const CycleNumber& number, ig::Where where) const {
     const auto part = number.part.value_or(1);
     const auto report = [&](const char* effect) {
       b.report(ig::diag("HEI-0161"), where, static_cast<double>(number.cycle), std::string_view(effect));
+    };
+    const auto machine = [&](const char* effect) {
+      b.report(ig::diag("HEI-0374"), where, piece(text, where.begin, where.end), std::string_view(effect));
     };
     switch (number.cycle) {
       case 7:
@@ -105,7 +121,7 @@ struct KlartextFrameCycle {
         if (part > 0 && scales(b, text, number.end)) report("positions are not scaled");
         return;
       case 13:
-        if (part > 0) report("the spindle is not oriented");
+        if (part > 0) machine("the spindle is not oriented");
         return;
       case 30:
         if (part > 0) report("the points of the file are not run");
@@ -113,11 +129,11 @@ struct KlartextFrameCycle {
       case 220:
       case 221: return pattern_.define(b, text_, text, number, where);
       case 224: return report("the pattern of holes is missing");
-      case 238: return report("the state of the machine is not measured");
-      case 239: return report("the load is not learned");
+      case 238: return machine("the state of the machine is not measured");
+      case 239: return machine("the load is not learned");
       case 291: return report("the spindle does not follow the axes");
       case 800: return report("coordinates are not those of turning");
-      case 892: return report("the unbalance is not measured");
+      case 892: return machine("the unbalance is not measured");
       case 247: return preset(b, text, number, where);
       // 14, 20, 270, 271, 285: contours and gears, which are reported where they are machined; 32, 332, 392: accuracy
       // and speed of the path; 801: the end of 800

@@ -8,6 +8,15 @@ using namespace ig::cnc;
 
 namespace {
 
+/// What the run misses: positions or values, something that no position depends on, or nothing.
+enum class Kind { path, machine, silent };
+
+struct Known {
+  const char* words;
+  const char* effect;
+  Kind kind = Kind::path;
+};
+
 struct KlartextUnknown {
   static constexpr auto spec =
       ig::syntax("KlartextUnknownSyntax", "Statements that are recognised but not executed; DIN/ISO programs.")
@@ -43,7 +52,9 @@ struct KlartextUnknown {
     if (is_part_of_probing(text, position) || is_mill_mode(text, position, end)) return end;
     for (const Known& known : statements)
       if (keyword(text, position, known.words) != position) {
-        b.report(ig::diag("HEI-0122"), where, whole, std::string_view(known.effect));
+        if (known.kind != Kind::silent)
+          b.report(known.kind == Kind::path ? ig::diag("HEI-0122") : ig::diag("HEI-0374"), where, whole,
+                   std::string_view(known.effect));
         return end;
       }
     b.report(ig::diag("HEI-0101"), where, whole);
@@ -51,17 +62,36 @@ struct KlartextUnknown {
   }
 
  private:
-  struct Known {
-    const char* words;
-    const char* effect;
-  };
   static constexpr const char* probing = "nothing is probed, and results keep their values";
   static constexpr const char* contour = "what is machined along this contour is missing";
   static constexpr const char* program = "the program that it names is not run";
   static constexpr const char* path =
       "the path is missing; positions are unreliable up to the next block with all axes";
+  static constexpr const char* monitored = "nothing is monitored";
+  // Longer statements stand before those that they begin with.
   static constexpr std::array statements{
       Known{"TCH PROBE", probing},
+      Known{"FUNCTION PARAXCOMP DISPLAY", "", Kind::silent},
+      Known{"FUNCTION PARAXCOMP OFF", "", Kind::silent},
+      Known{"FUNCTION PARAXMODE OFF", "", Kind::silent},
+      Known{"FUNCTION POLARKIN OFF", "", Kind::silent},
+      Known{"FUNCTION FEED DWELL RESET", "", Kind::silent},
+      Known{"FUNCTION S-PULSE RESET", "", Kind::silent},
+      Known{"FUNCTION LIFTOFF RESET", "", Kind::silent},
+      Known{"FUNCTION CORRDATA RESET", "", Kind::silent},
+      Known{"FUNCTION PROG PATH OFF", "", Kind::silent},
+      Known{"FUNCTION DCM OFF", "", Kind::silent},
+      Known{"FUNCTION AFC CUT END", "", Kind::silent},
+      Known{"FUNCTION FEED DWELL", "the axes do not pause", Kind::machine},
+      Known{"FUNCTION DWELL REV", "the axes do not pause", Kind::machine},
+      Known{"FUNCTION S-PULSE", "the speed of the spindle stays as programmed", Kind::machine},
+      Known{"FUNCTION LIFTOFF", "no stop of the control happens here, after which the tool would lift off",
+            Kind::machine},
+      Known{"FUNCTION COUNT REPEAT", "the part that it would repeat is not run again"},
+      Known{"FUNCTION COUNT", "nothing is counted", Kind::machine},
+      Known{"FUNCTION FILE", "no file is opened, copied or deleted", Kind::machine},
+      Known{"FUNCTION DCM", monitored, Kind::machine},
+      Known{"FUNCTION AFC", "the feed stays as programmed", Kind::machine},
       Known{"FUNCTION PARAXCOMP", "parallel axes are not known"},
       Known{"FUNCTION PARAXMODE", "parallel axes are not known"},
       Known{"FUNCTION MODE", "the kinematics stay"},
@@ -71,7 +101,7 @@ struct KlartextUnknown {
       Known{"PRESET COPY", "the table of presets stays"},
       Known{"PRESET CORR", "the table of presets stays"},
       Known{"SQL", "tables of the control are not read and not written"},
-      Known{"AFC", "the feed stays as programmed"},
+      Known{"AFC", "the feed stays as programmed", Kind::machine},
       Known{"SEL CORR-TABLE", "offsets of the table do not count"},
       Known{"CALL TABLE", "offsets of the table do not count"},
       Known{"SEL CONTOUR", contour},
@@ -89,8 +119,8 @@ struct KlartextUnknown {
       Known{"FIXED TABLE", "the table is not read"},
       Known{"OPEN TABLE", "the table is not read"},
       Known{"TABDATA", "the table is not read"},
-      Known{"SECTION MONITORING", "nothing is monitored"},
-      Known{"MONITORING", "nothing is monitored"},
+      Known{"SECTION MONITORING", monitored, Kind::machine},
+      Known{"MONITORING", monitored, Kind::machine},
       Known{"INIT", "the value stays"},
       Known{"CUTTER", "the path is that of the program"},
       Known{"POLARKIN", "the kinematics stay"},

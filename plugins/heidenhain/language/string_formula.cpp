@@ -45,6 +45,7 @@ std::optional<std::string> StringFormula::operand() {
   const std::size_t begin = position_;
   if (skips("TOCHAR")) return to_char();
   if (skips("SUBSTR")) return substring();
+  if (skips("SYSSTR")) return of_system(begin);
   const std::string_view rest = rest_of_line(text_, begin);
   if (rest.empty()) return missing("a text");
   b_.report(ig::diag("HEI-0116"), where_of_line(text_, begin), rest,
@@ -88,6 +89,16 @@ std::optional<std::string> StringFormula::substring() {
     return static_cast<std::size_t>(std::fmin(std::fmax(std::floor(n), 0), static_cast<double>(source->size())));
   };
   return source->substr(whole(*begin), whole(*count));
+}
+
+/// SYSSTR ( ID10321 NR0 ): paths, the time, names of tools.
+std::optional<std::string> StringFormula::of_system(std::size_t begin) {
+  if (!expects("(", "(")) return std::nullopt;
+  for (const std::string_view word : {"ID", "NR", "IDX", "DAT"})
+    if (!value(word, 0)) return std::nullopt;
+  if (!expects(")", ")")) return std::nullopt;
+  b_.report(ig::diag("HEI-0375"), ig::Where::columns(begin, position_), trim(piece(text_, begin, position_)));
+  return std::string();
 }
 
 std::optional<double> StringFormula::number() {

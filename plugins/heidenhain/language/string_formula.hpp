@@ -31,6 +31,7 @@ class StringFormula {
   std::optional<std::string> quoted();
   std::optional<std::string> to_char();
   std::optional<std::string> substring();
+  std::optional<std::string> of_system(std::size_t begin);
 
   /// Moves behind the word; false, and reported, where it is not there.
   bool expects(std::string_view word, std::string_view shown);

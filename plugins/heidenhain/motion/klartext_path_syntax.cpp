@@ -45,6 +45,7 @@ struct KlartextPath {
   std::array<ig_field, 2> polar_{word("PR", "mm"), word("PA", "deg")};
   std::array<ig_field, 2> polar_steps_{word("IPR", "mm"), word("IPA", "deg")};
   ig_field radius_ = word("R", "mm");
+  std::array<ig_field, 3> vector_{word("TX", ""), word("TY", ""), word("TZ", "")};
   FurtherAxisWords further_axes_{ig::write, ig::write};
   AxisNames axis_names_;
   ig::Codes motions_{{"G00", "G01", "G02", "G03"}, ig::write};
@@ -69,7 +70,7 @@ struct KlartextPath {
     PathFunction function;
     std::size_t position;
     std::size_t end;
-    bool is_rapid = false, has_axis = false, has_tool_vector = false;
+    bool is_rapid = false, has_axis = false;
     std::optional<bool> is_ccw{};
     ApproachShape approach{};
     std::string_view name() const { return name_of(function); }
@@ -139,7 +140,7 @@ struct KlartextPath {
       case 'T': {
         if (path.function != LN || axis_of(d) > 2) return i;
         const Value v = values_.read(b, text, i + 2);
-        path.has_tool_vector = path.has_tool_vector || c == 'T';
+        if (v.ok && c == 'T') put_word(b, vector_[axis_of(d)], i, v.end, v.number);
         return v.ok ? v.end : i;
       }
       default: return i;
@@ -194,9 +195,6 @@ struct KlartextPath {
     const std::size_t end = std::max(path.position, begin + 1);
     const auto code = [&](std::size_t motion) { put_code(b, motions_.id(motion), begin, end); };
     const auto where = ig::Where::columns(begin, end);
-    if (path.function == LN && path.has_tool_vector)
-      b.report(ig::diag("HEI-0130"), where, std::string_view("the tool vector TX TY TZ of LN"),
-               std::string_view("the rotary axes stay"));
     if (path.function == DEP) side_.end(b, begin, end);
     if (is_approach) approach_.set(b, side_, path.function, path.approach, where);
     if (path.function <= LN || is_approach) {

@@ -6,6 +6,7 @@
 #include <isogloss/cnc/program_name.hpp>
 
 #include "language/block_words.hpp"
+#include "motion/m_not_executed.hpp"
 
 namespace heidenhain {
 
@@ -14,48 +15,6 @@ using namespace ig::cnc;
 namespace {
 
 constexpr std::uint32_t most_m = 999, most_m_of_builder = 99'999;
-
-/// An M function that is recognised and has no effect on the path here.
-struct NotExecuted {
-  std::uint32_t number;
-  ig_severity severity;  // a note: nothing is reported, because nothing changes
-  bool has_words;
-  const char* effect;
-};
-constexpr std::array not_executed{
-    NotExecuted{90, IG_NOTE, false, ""},
-    NotExecuted{101, IG_NOTE, true, ""},
-    NotExecuted{102, IG_NOTE, false, ""},
-    NotExecuted{105, IG_NOTE, false, ""},
-    NotExecuted{106, IG_NOTE, false, ""},
-    NotExecuted{112, IG_NOTE, true, ""},
-    NotExecuted{113, IG_NOTE, false, ""},
-    NotExecuted{150, IG_NOTE, false, ""},
-    NotExecuted{107, IG_NOTE, false, ""},
-    NotExecuted{108, IG_NOTE, false, ""},
-    NotExecuted{141, IG_NOTE, false, ""},
-    NotExecuted{148, IG_NOTE, false, ""},
-    NotExecuted{149, IG_NOTE, false, ""},
-    NotExecuted{97, IG_WARNING, false, "it has a meaning with RL and RR only"},
-    NotExecuted{98, IG_WARNING, false, "it has a meaning with RL and RR only"},
-    NotExecuted{103, IG_WARNING, true, "plunging has the feed in force"},
-    NotExecuted{109, IG_WARNING, false, "the feed on arcs is that of the tool's centre"},
-    NotExecuted{110, IG_WARNING, false, "the feed on arcs is that of the tool's centre"},
-    NotExecuted{111, IG_NOTE, false, ""},
-    NotExecuted{114, IG_ERROR, false, "X Y Z do not follow the rotary axes"},
-    NotExecuted{115, IG_NOTE, false, ""},
-    NotExecuted{116, IG_WARNING, false, "the feed of rotary axes counts degrees"},
-    NotExecuted{117, IG_NOTE, false, ""},
-    NotExecuted{118, IG_WARNING, true, "the handwheel moves nothing here"},
-    NotExecuted{120, IG_WARNING, true, "it has a meaning with RL and RR only"},
-    NotExecuted{124, IG_WARNING, true, "no point of the path is left out"},
-    NotExecuted{130, IG_ERROR, false, "the words of the block are positions in the tilted plane"},
-    NotExecuted{134, IG_NOTE, false, ""},
-    NotExecuted{135, IG_NOTE, false, ""},
-    NotExecuted{138, IG_ERROR, true, "all rotary axes take part in tilting"},
-    NotExecuted{144, IG_ERROR, false, "positions do not follow the rotary axes"},
-    NotExecuted{145, IG_NOTE, false, ""},
-};
 
 /// The position after the words of an M function, which end at the next M, R0, RL, RR or F (M103 has an F of its
 /// own).
@@ -188,7 +147,8 @@ std::size_t MFunctions::execute(ig::Block& b, const Values& values, std::string_
     case 127: b.set(rotary_path_, b.symbol(m.number == 126 ? "M126" : "M127")); return m.end;
     case 128: lead_tip(b, m); return behind_m128_feed(b, values, text, m.end);
     case 129:  // without a preceding M128 the length stays as TOOL CALL set it
-      if (b.is(length_term_, led_)) put_code(b, length_.code(0), m.begin, m.end);
+      if (b.is(length_term_, led_) || b.is(length_term_, led_by_direction_))
+        put_code(b, length_.code(0), m.begin, m.end);
       return m.end;
     case 136:
       b.raise(per_revolution_);
@@ -202,7 +162,8 @@ std::size_t MFunctions::execute(ig::Block& b, const Values& values, std::string_
   }
   for (const NotExecuted& known : not_executed)
     if (known.number == m.number) {
-      if (known.severity != IG_NOTE)
+      const bool is_end = m.number == 138 && skip(text, m.end) >= statement_end(text, m.end);  // of M138 A C
+      if (known.severity != IG_NOTE && !is_end)
         b.report(known.severity == IG_ERROR ? ig::diag("HEI-0139") : ig::diag("HEI-0140"), where, name,
                  std::string_view(known.effect));
       return known.has_words ? behind_words(text, m.end, m.number == 103) : m.end;

@@ -75,7 +75,7 @@ class MFunctions {
   ig::Previous<std::int64_t> offset_id_{"ToolHeightCompensation.OffsetId"};
   ig::Call length_{{"G43"}, "", ig::write};
   ig::Previous<ig::Symbol> length_term_{"ToolHeightCompensation.Term"};
-  ig::Name led_{"G43.4"};
+  ig::Name led_{"G43.4"}, led_by_direction_{"G43.5"};
   ig::Out<bool> call_{"KlartextCycle.IsCalled",
                       {ig::Life::block, "", "The block calls the cycle: CYCL CALL, M99 or M89."}};
   ig::Out<bool> modal_call_{"KlartextCycle.IsModal",

@@ -7,6 +7,7 @@
 
 #include "flow/control_procedures.hpp"
 #include "flow/flow_words.hpp"
+#include "language/system_assignment.hpp"
 
 namespace siemens {
 
@@ -18,6 +19,21 @@ bool is_synchronized(std::string_view text, std::size_t position, std::string_vi
   for (const std::string_view word : {"WHEN", "WHENEVER", "EVERY", "FROM", "DO"})
     if (name == word) return true;
   return (name == "ID" || name == "IDS") && at(text, skip_blanks(text, skip_name(text, position))) == '=';
+}
+
+/// The action sets outputs and data of the PLC alone: no axis, no feed and no variable of the program depends on it.
+bool switches_outputs(std::string_view statement) {
+  const std::size_t action = find_word(statement, 0, "DO");
+  std::size_t position = skip_blanks(statement, std::min(action + 2, statement.size()));
+  if (position >= statement.size()) return false;
+  while (position < statement.size()) {
+    const std::size_t end = std::min(statement.find_first_of(" \t", position), statement.size());
+    const std::string word = upper(piece(statement, position, end));
+    const bool is_value = word[0] == '=' || is_digit(word[0]);
+    if (!is_value && !is_output(word)) return false;
+    position = skip_blanks(statement, end);
+  }
+  return true;
 }
 
 /// Behind a call: nothing, or a word, which stands wrong, but is read. Else the line is no statement at all.
@@ -45,7 +61,9 @@ std::size_t CallReader::scan(ig::Block& b, std::string_view text, std::size_t po
   std::size_t next = skip_blanks(text, end);
   if (is_synchronized(text, position, name)) {
     const std::size_t last = statement_text_end(text, position);
-    b.report(ig::diag("SIE-0168"), ig::Where::columns(position, last), piece(text, position, last));
+    const std::string_view statement = piece(text, position, last);
+    b.report(switches_outputs(statement) ? ig::diag("SIE-0374") : ig::diag("SIE-0168"),
+             ig::Where::columns(position, last), statement);
     return statement_end(text, position);
   }
   if (const auto behind = curve(b, name, text, position, next)) return *behind;
@@ -139,42 +157,6 @@ std::size_t CallReader::expand(ig::Block& b, std::string_view text, std::size_t 
     return end;
   }
   return as.original(behind);
-}
-
-std::size_t CallReader::indirect(ig::Block& b, std::string_view text, std::size_t next, const std::string& how) {
-  const bool is_name = is_name_start(at(text, next));
-  const std::size_t name_end = skip_name(text, next);
-  std::string name = upper(piece(text, next, name_end));
-  const Variable* const variable = is_name ? environment_.store().find(name) : nullptr;
-  CalledProgram program{name};
-  if (name == "BLOCK") {
-    b.report(ig::diag("SIE-0171"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
-    return text.size();
-  }
-  if (!is_name || (variable != nullptr && variable->value.is_text())) {
-    Expression e(b, environment_, text, next);
-    const auto path = e.value();
-    if (!path || !path->is_text()) {
-      if (path || next >= text.size())
-        b.report(ig::diag("SIE-0169"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
-      return text.size();
-    }
-    program = CalledProgram::at(path->text);
-    next = e.position();
-  } else {
-    next = skip_blanks(text, name_end);
-    if (at(text, next) == '(') {
-      const std::size_t close = skip_call(text, next);
-      if (!read_arguments(b, text.substr(0, close), next)) return text.size();
-      next = close;
-    }
-  }
-  next = skip_blanks(text, next);
-  if (next < text.size() && how == "CALL") {
-    b.report(ig::diag("SIE-0171"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
-    return text.size();
-  }
-  return request(b, text, next, std::move(program), next);
 }
 
 std::size_t CallReader::request(ig::Block& b, std::string_view text, std::size_t next, CalledProgram program,

@@ -106,14 +106,14 @@ class CallReader {
   /// A cycle of the control that is not executed here: where the machine has a program of that name, it is called.
   std::size_t of_control(ig::Block& b, std::string_view text, const std::string& name, std::size_t open,
                          std::size_t close);
+  /// CALL "NAME", EXTCALL("FOLDER/NAME.SPF"), PCALL NAME(1,2)
+  std::size_t indirect(ig::Block& b, std::string_view text, std::size_t next, const std::string& how);
+
   /// The end of P3 behind a name that calls nothing; `end` where no P stands there.
   std::size_t count_end(ig::Block& b, std::string_view text, std::size_t end);
 
   static std::vector<CycleFields> all_cycles();
   const CycleFields* cycle_of(std::string_view name) const;
-
-  /// CALL "NAME", EXTCALL("FOLDER/NAME.SPF"), PCALL NAME(1,2)
-  std::size_t indirect(ig::Block& b, std::string_view text, std::size_t next, const std::string& how);
 
   /// P3 or P=R1 behind the name; `next` is where it may stand.
   std::size_t request(ig::Block& b, std::string_view text, std::size_t next, CalledProgram program, std::size_t end);

@@ -20,6 +20,7 @@ enum class FlowWord : std::uint8_t {
   endloop,
   repeat,
   repeatb,
+  block,  ///< CALL BLOCK
   until,
   go,
   case_,

@@ -70,6 +70,47 @@ std::size_t CallReader::of_control(ig::Block& b, std::string_view text, const st
   return close;
 }
 
+std::size_t CallReader::indirect(ig::Block& b, std::string_view text, std::size_t next, const std::string& how) {
+  const bool is_name = is_name_start(at(text, next));
+  const std::size_t name_end = skip_name(text, next);
+  std::string name = upper(piece(text, next, name_end));
+  const Variable* const variable = is_name ? environment_.store().find(name) : nullptr;
+  CalledProgram program{name};
+  const bool is_path = how == "PCALL" && at(text, next) == '/';  // PCALL /_N_WKS_DIR/_N_PART_WPD/NAME(1,2)
+  if (is_path) {
+    const std::size_t path_end = std::min(text.find_first_of("( \t", next), text.size());
+    program = CalledProgram::at(piece(text, next, path_end));
+    next = skip_blanks(text, path_end);
+    if (program.name.empty()) {
+      b.report(ig::diag("SIE-0169"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
+      return text.size();
+    }
+  } else if (!is_name || (variable != nullptr && variable->value.is_text())) {
+    Expression e(b, environment_, text, next);
+    const auto path = e.value();
+    if (!path || !path->is_text()) {
+      if (path || next >= text.size())
+        b.report(ig::diag("SIE-0169"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
+      return text.size();
+    }
+    program = CalledProgram::at(path->text);
+    next = e.position();
+  } else {
+    next = skip_blanks(text, name_end);
+  }
+  if ((is_name || is_path) && at(text, next) == '(') {
+    const std::size_t close = skip_call(text, next);
+    if (!read_arguments(b, text.substr(0, close), next)) return text.size();
+    next = close;
+  }
+  next = skip_blanks(text, next);
+  if (next < text.size() && how == "CALL") {
+    b.report(ig::diag("SIE-0171"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
+    return text.size();
+  }
+  return request(b, text, next, std::move(program), next);
+}
+
 std::size_t CallReader::of_builder(ig::Block& b, std::string_view text, std::size_t end, std::size_t next,
                                    const ig_machine_code& row) {
   const bool has_bracket = at(text, next) == '(';

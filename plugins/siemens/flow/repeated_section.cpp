@@ -23,7 +23,11 @@ std::optional<Loop> RepeatedSections::section_of(ig::Block& b, const FlowStateme
   next = skip_blanks(text, next);
   if (s.word == FlowWord::repeatb) {
     found.until = first;
+  } else if (s.word == FlowWord::block && !is_word(text, next, "TO")) {
+    b.report(ig::diag("SIE-0141"), columns(text, s.begin), text.substr(s.begin));
+    return std::nullopt;
   } else if (is_name_start(at(text, next)) && !is_word(text, next, "P")) {
+    if (s.word == FlowWord::block) next = skip_blanks(text, skip_name(text, next));
     const std::size_t last = skip_name(text, next);
     found.until = upper(piece(text, next, last));
     drop_zeros(found.until);

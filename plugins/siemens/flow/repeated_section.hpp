@@ -1,4 +1,5 @@
-/// REPEAT BEGIN END P=3 and REPEATB LABEL: a section of the program between labels or block numbers, executed again.
+/// REPEAT BEGIN END P=3, REPEATB LABEL and CALL BLOCK BEGIN TO END: a section of the program between labels or block
+/// numbers, executed again.
 #pragma once
 
 #include "flow/flow_statement.hpp"
@@ -11,7 +12,8 @@ class RepeatedSections {
   RepeatedSections(const Environment& environment, LoopStack& loops, const ig::Signal& numbers_end)
       : environment_(environment), loops_(loops), numbers_end_(numbers_end) {}
 
-  /// Executes REPEAT or REPEATB with a label: begins the next pass, or goes on behind the statement after the last one.
+  /// Executes REPEAT, REPEATB or CALL BLOCK with a label: begins the next pass, or goes on behind the statement after
+  /// the last one.
   void repeat(ig::Block& b, const FlowStatement& s);
   /// Ends the pass at its end label or number.
   void end(ig::Block& b, std::string_view label);

@@ -16,6 +16,9 @@ struct SiemensCall {
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "SIE-0168",
                      "the synchronized action '{0}' is not executed: the machine runs it in parallel with the program"),
+      ig::diagnostic(
+          IG_WARNING, "SIE-0374",
+          "the synchronized action '{0}' is not executed: it switches outputs only, so positions stay right"),
       ig::diagnostic(IG_ERROR, "SIE-0169",
                      "'{0}' does not belong in a call, so nothing is called: write the call as NAME(1,,R5)"),
       ig::diagnostic(IG_ERROR, "SIE-0170", "the program stops the control with its own alarm {0}"),

@@ -64,12 +64,13 @@ struct SiemensFlow {
       return behind + 1;
     }
     const bool returns_to = at(text, behind) == '(' && equals_ignoring_case(piece(text, position, end), "RET");
-    const Word word = returns_to ? Word::ret : flow_word(piece(text, position, end));
+    const bool is_section = equals_ignoring_case(piece(text, position, end), "CALL") && is_word(text, behind, "BLOCK");
+    const Word word = returns_to ? Word::ret : is_section ? Word::block : flow_word(piece(text, position, end));
     if (word == Word::none || (at(text, behind) == '=' && at(text, behind + 1) != '=')) return position;
     if (environment_.flow.is_indexing()) branches_.note(b, word, text, end);
     word_ = word;
     begin_ = position;
-    behind_ = end;
+    behind_ = is_section ? skip_name(text, behind) : end;
     end_statement_ = statement_text_end(text, position);
     b.raise(statement_);
     return statement_end(text, position);
@@ -112,6 +113,7 @@ struct SiemensFlow {
       case Word::repeat:
         if (skip_blanks(s.text, s.behind) >= s.text.size()) return loops_.begin(b, s, LoopKind::until);
         return sections_.repeat(b, s);
+      case Word::block:
       case Word::repeatb: return sections_.repeat(b, s);
       case Word::endwhile: return loops_.end(b, s, LoopKind::while_);
       case Word::endfor: return loops_.end(b, s, LoopKind::for_);

@@ -133,6 +133,30 @@ std::optional<FrameValue> FrameValue::read(std::string_view links) {
   return cursor.is_at_end() ? std::optional(out) : std::nullopt;
 }
 
+std::optional<FrameValue> FrameValue::of(const Mat4& m, const std::array<double, 3>& rotary) {
+  constexpr double negligible = 1e-9;
+  FrameValue out;
+  Mat4 turn = identity_frame;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    out.shift[axis] = m[12 + axis];
+    out.shift[3 + axis] = rotary[axis];
+    const double scale = std::hypot(m[4 * axis], m[4 * axis + 1], m[4 * axis + 2]);
+    if (!(scale > 0)) return std::nullopt;
+    for (std::size_t column = 0; column < 3; ++column) turn[4 * axis + column] = m[4 * axis + column] / scale;
+    out.shape[ShapePart::scale][axis] = std::fabs(scale - 1) < negligible ? 1 : scale;
+  }
+  const ig::Vec3 x{turn[0], turn[1], turn[2]}, y{turn[4], turn[5], turn[6]}, z{turn[8], turn[9], turn[10]};
+  if (scalar_product(vector_product(x, y), z) < 0) {  // one mirrored axis is as good as another: MIRROR X
+    out.shape[ShapePart::mirror].x = 1;
+    for (std::size_t column = 0; column < 3; ++column) turn[column] = 0.0 - turn[column];
+  }
+  out.shape[ShapePart::rotation] = angles_of(turn);
+  const Mat4 again = out.shape.matrix();
+  for (std::size_t i = 0; i < 12; ++i)
+    if (std::fabs(again[i] - m[i]) > negligible * (1 + std::fabs(m[i]))) return std::nullopt;
+  return out.is_within_range() ? std::optional(out) : std::nullopt;
+}
+
 bool FrameValue::is_within_range() const {
   for (const double s : shift)
     if (!(std::fabs(s) < frame_limit)) return false;

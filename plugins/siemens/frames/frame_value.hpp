@@ -32,6 +32,8 @@ struct FrameValue {
   std::string text() const;
   /// Reads such links with numbers only; nothing for another form.
   static std::optional<FrameValue> read(std::string_view links);
+  /// The frame of a matrix, with the shifts of A B C; nothing where its axes are not square to each other.
+  static std::optional<FrameValue> of(const ig::cnc::Mat4& m, const std::array<double, 3>& rotary);
   bool is_within_range() const;
 };
 

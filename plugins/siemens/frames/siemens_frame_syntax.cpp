@@ -6,6 +6,7 @@
 #include <isogloss/cnc/tool_kinematics.hpp>
 #include <isogloss/sdk.hpp>
 
+#include "frames/assigned_frame.hpp"
 #include "frames/frame_shape.hpp"
 
 namespace siemens {
@@ -39,6 +40,8 @@ struct SiemensFrame {
   ig::Call scale_{{"SCALE", "ASCALE"}, "X[] Y[] Z[] A[] B[] C[]"};
   ig::Call mirror_{{"MIRROR", "AMIRROR"}, "X[] Y[] Z[] A[] B[] C[]"};
   ig::Word rpl_{"Parsing.RPL", ig::take, "deg", "Turn about the normal of the plane."};
+  AssignedFrame assigned_{ig::read | ig::wake};
+  ig::In<ig::Symbol> unit_{"Unit.Term"};
   ig::Out<ig::Symbol> term_{"ProgrammableFrame.Term", {ig::Life::modal, "", "The instruction that was last."}};
   ig::Signal uneven_{"ProgrammableFrame.~Uneven", ig::read | ig::write, ig::Life::modal};
   ig::InWhile<ig::Symbol> left_{"RadiusCompensation.Term", "G41"}, right_{"RadiusCompensation.Term", "G42"};
@@ -51,7 +54,7 @@ struct SiemensFrame {
                            {ig::Life::modal, "", "G53.1 or G53.6 has put the tool upright on the plane."}};
   ToolKinematics machine_;
   PlaneInForce plane_;
-  ig::Name g41_{"G41"}, g42_{"G42"};
+  ig::Name g41_{"G41"}, g42_{"G42"}, g700_{"G700"};
 
   ig::Status build(ig::Block& b) {
     bool any = false;
@@ -62,6 +65,10 @@ struct SiemensFrame {
         change(b, *call, *words);
         any = true;
       }
+    if (const auto frame = assigned_.get(b)) {
+      assign(b, *frame);
+      any = true;
+    }
     return report_uneven_compensation(b) || any ? ig::Status::changed : ig::Status::unchanged;
   }
 
@@ -101,29 +108,38 @@ struct SiemensFrame {
     }
     const bool is_additive = words.row == 1;
     if (is_additive) m = product(m, present(b));
-    if (!is_sound(m)) {
-      b.report(ig::diag("SIE-0242"), where, b.text(words.code));
+    Angles shift = is_additive ? rotary_.get(b).or_else({}) : Angles{};
+    for (std::size_t axis = 0; &call == &trans_ && axis < 3; ++axis)
+      shift[axis] += words[rotary_names[axis]].value_or(0);
+    put(b, words.code, where, m, shift);
+  }
+
+  /// $P_PFRAME=CTRANS(X,10):CROT(Z,30) replaces the whole frame.
+  void assign(ig::Block& b, const FrameValue& frame) const {
+    const double mm = b.is(unit_, g700_) ? mm_per_inch : 1;
+    const ig::Vec3 coarse{frame.shift[0], frame.shift[1], frame.shift[2]};
+    put(b, b.symbol("$P_PFRAME"), ig::Where::block(),
+        at_origin(frame.shape.matrix(), mm * (coarse + frame.shape[ShapePart::fine])),
+        {frame.shift[3], frame.shift[4], frame.shift[5]});
+  }
+
+  /// `rotary` is the part of the frame that SiemensRotaryWordsSyntax adds to A, B and C.
+  void put(ig::Block& b, ig::Symbol name, ig::Where where, const Mat4& m, const Angles& rotary) const {
+    bool is_fit = is_sound(m);
+    for (const double degrees : rotary) is_fit &= std::fabs(degrees) < 1e9;
+    if (!is_fit) {
+      b.report(ig::diag("SIE-0242"), where, b.text(name));
       return;
     }
-    shift_rotary(b, call, words, where);
+    const bool is_shifted = rotary_.set(b, rotary);
+    if (is_shifted && (tip_control_.is_on(b) || b.has(aligned_)) && rotary_.acts_on(b, machine_))
+      b.report(ig::diag("SIE-0300"), where, b.text(name));
     b.set_transform(frame_, m);
-    b.set(term_, words.code);
+    b.set(term_, name);
     if (keeps_circles(m, xy_plane) && keeps_circles(m, zx_plane))
       b.erase(uneven_);
     else
       b.raise(uneven_);
-  }
-
-  /// The part of the frame that SiemensRotaryWordsSyntax adds to A, B and C.
-  void shift_rotary(ig::Block& b, const ig::Call& call, const ig::Words& words, ig::Where where) const {
-    Angles shift = words.row == 1 ? rotary_.get(b).or_else({}) : Angles{};
-    for (std::size_t axis = 0; &call == &trans_ && axis < 3; ++axis)
-      shift[axis] += words[rotary_names[axis]].value_or(0);
-    for (const double degrees : shift)
-      if (!(std::fabs(degrees) < 1e9)) return b.report(ig::diag("SIE-0242"), where, b.text(words.code));
-    const bool is_changed = rotary_.set(b, shift);
-    if (is_changed && (tip_control_.is_on(b) || b.has(aligned_)) && rotary_.acts_on(b, machine_))
-      b.report(ig::diag("SIE-0300"), where, b.text(words.code));
   }
 
   Mat4 present(const ig::Block& b) const {

@@ -102,6 +102,22 @@ std::optional<Expression::Reference> Expression::reference() {
   return out;
 }
 
+std::optional<Value> Expression::is_variable(std::string_view called, std::size_t begin) {
+  environment_.enter(b_);
+  VariableStore& store = environment_.store();
+  const std::string name = upper(trim(called));
+  const std::string base = name.substr(0, name.find('['));
+  if (skip_digits(name, 1) == name.size() && name.size() > 1 && name[0] == 'R') {
+    double number = 0;
+    std::from_chars(name.data() + 1, name.data() + name.size(), number);
+    return Value::truth(number < static_cast<double>(store.r_count()));
+  }
+  if (name.empty() || name[0] != '$')
+    return Value::truth(store.find(base) != nullptr || store.given(name) || base == "R");
+  if (store.given(name) || environment_.system.read(b_, name)) return Value::truth(true);
+  return fail(ig::diag("SIE-0321"), begin, std::string_view("ISVAR"));
+}
+
 std::optional<Value> Expression::read(const Reference& r) {
   VariableStore& store = environment_.store();
   environment_.enter(b_);

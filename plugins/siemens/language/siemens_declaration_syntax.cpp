@@ -22,8 +22,6 @@ struct SiemensDeclaration {
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "SIE-0161", "'{0}' is not executed: this declaration is not supported"),
       ig::diagnostic(IG_ERROR, "SIE-0162", "'{0}' does not belong in a declaration: write DEF REAL A=1, B, C[3]"),
-      ig::diagnostic(IG_WARNING, "SIE-0163",
-                     "SAVE is not executed: the modal codes and the frame of the caller are not restored"),
       ig::diagnostic(IG_WARNING, "SIE-0164",
                      "{0} gets no value from a call, so 0 is assumed: give it in a table of variables"),
       ig::diagnostic(IG_ERROR, "SIE-0301",
@@ -33,6 +31,7 @@ struct SiemensDeclaration {
   };
 
   Environment environment_;
+  ig::Signal saves_{"SiemensSave.~Begins", ig::write};
   ig::Signal statement_{"Parsing.~Declaration", ig::read | ig::write | ig::wake};
   ig::TextField program_{"Source.Program", ig::write};
   ig::Signal begun_{"Source.~Program", ig::read | ig::write, ig::Life::frame};
@@ -187,7 +186,7 @@ struct SiemensDeclaration {
     b.set_text(program_, piece(text, name, end));
     if (!parameters_.define(b, text, skip_blanks(text, end))) return;
     for (std::size_t next = 0; next < text.size(); next = std::max(skip_name(text, next), next + 1))
-      if (is_word(text, next, "SAVE")) b.report(ig::diag("SIE-0163"), ig::Where::columns(next, next + 4));
+      if (is_word(text, next, "SAVE")) b.raise(saves_);
   }
 
   ProgramParameters parameters_{environment_};

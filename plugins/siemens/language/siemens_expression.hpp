@@ -56,6 +56,9 @@ class Expression {
   // ---- expression_variables.cpp
 
   std::optional<Value> read(const Reference& r);
+  /// ISVAR: whether there is a variable of that name. Nothing, with a diagnostic, for data of the machine that are not
+  /// known here.
+  std::optional<Value> is_variable(std::string_view called, std::size_t begin);
   /// Reads [2,C1] and adds it to `name`, each index computed and axes by their letters, and to `called` with the names
   /// that the program gives axes. False, with a diagnostic, where that is not possible.
   bool indices(std::string& name, std::string& called);

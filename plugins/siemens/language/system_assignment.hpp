@@ -7,11 +7,20 @@ namespace siemens {
 
 using namespace ig::cnc;
 
+/// True for outputs and data of the PLC: $A_OUT[3], $A_DBW[2].
+inline bool is_output(std::string_view name) {
+  for (const std::string_view known :
+       {"$A_OUT[", "$A_OUTA[", "$A_DB", "$A_PBB_OUT", "$A_PBW_OUT", "$A_PBD_OUT", "$A_PBR_OUT"})
+    if (name.starts_with(known)) return true;
+  return false;
+}
+
 class SystemAssignment {
  public:
   struct Outcome {
     std::size_t end;                         ///< of the text that was read
     std::optional<std::uint32_t> code = {};  ///< the G code that the assignment amounts to
+    std::optional<FrameValue> frame = {};    ///< the programmable frame that it assigns
     bool is_fault = false;                   ///< the value could not be computed, which was reported
   };
 
@@ -35,19 +44,26 @@ class SystemAssignment {
     if (FrameExpression::begins(text, value_at) || names_frame(b, text, value_at, name)) {
       FrameExpression e(b, environment_, text, value_at);
       const auto frame = e.value();
+      if (frame && name == "$P_PFRAME") return {e.position(), std::nullopt, frame};
       return frame && environment_.system.write_whole(b, name, *frame) ? Outcome{e.position()} : refuse(last);
     }
+    const bool is_part = name.starts_with("$P_PFRAME[");
     if (is_output(name)) return output(b, text, begin, equals, name);
     if (environment_.system.write(b, name, std::nullopt) == Written::without_effect) return {last};
     const bool is_store = name.starts_with("$AC_MARKER[") || name.starts_with("$AC_PARAM[");
-    if (!is_store && !SystemData::takes(name)) return refuse(last);
+    if (!is_store && !is_part && !SystemData::takes(name)) return refuse(last);
     Expression e(b, environment_, text, value_at);
     const auto value = e.value();
     const std::size_t end = std::max(e.position(), equals + 1);
-    if (!value) return {end, std::nullopt, true};
+    if (!value) return {.end = end, .is_fault = true};
     if (is_store && !value->is_text()) {
       environment_.store().give_for_run(name, value->number);
       return {end};
+    }
+    if (is_part) {
+      const auto frame =
+          value->is_text() ? std::nullopt : environment_.system.changed_programmed(b, name, value->number);
+      return frame ? Outcome{.end = end, .frame = frame} : refuse(end);
     }
     if (value->is_text() || environment_.system.write(b, name, value->number) == Written::no) return refuse(end);
     return {end};
@@ -64,20 +80,13 @@ class SystemAssignment {
     return v != nullptr && v->value.type == Type::frame;
   }
 
-  static bool is_output(std::string_view name) {
-    for (const std::string_view known :
-         {"$A_OUT[", "$A_OUTA[", "$A_DB", "$A_PBB_OUT", "$A_PBW_OUT", "$A_PBD_OUT", "$A_PBR_OUT"})
-      if (name.starts_with(known)) return true;
-    return false;
-  }
-
   /// $A_OUT[3]=1: nothing is switched, and the program reads the value back.
   Outcome output(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
                  const std::string& name) const {
     Expression e(b, environment_, text, equals + 1);
     const auto value = e.number();
     const std::size_t end = std::max(e.position(), equals + 1);
-    if (!value) return {end, std::nullopt, true};
+    if (!value) return {.end = end, .is_fault = true};
     const bool is_digital = name.starts_with("$A_OUT[");
     environment_.store().give_for_run(name, is_digital ? (*value != 0 ? 1 : 0) : *value);
     if (environment_.store().is_first_report("SIE-0364\n" + name))

@@ -50,8 +50,9 @@ std::optional<std::int64_t> SystemData::Name::number(std::size_t i) const {
 std::optional<double> SystemData::read(const ig::Block& b, std::string_view text) const {
   const Name name(text);
   if (const auto p = position(b, name)) return p;
+  if (const auto m = measured(b, name)) return m;
   if (const auto frame = frame_of(b, name)) return part_of_frame(b, name, *frame);
-  if (name.base == "$P_PFRAME") return programmed(b, name);
+  if (name.base == "$P_PFRAME") return part_of_programmed(b, name);
   if (const auto row = offset_row(b, name)) return offset(b, *row, column_of(name));
   if (name.base == "$P_GG" && name.count == 1) return group(b, name.number(0).value_or(0));
   if (name.base == "$P_TOOLL" && name.count == 1)  // 1 lies along the tool; a milling tool has 0 for 2 and 3
@@ -89,6 +90,19 @@ std::optional<double> SystemData::position(const ig::Block& b, const Name& name)
   const std::size_t axis = name.count == 1 ? axis_of(name.index[0]) : std::string_view::npos;
   if (axis == std::string_view::npos) return std::nullopt;
   const auto at = b.get(of_machine || axis > 2 ? machine_[axis] : program_[axis]);
+  if (of_machine || axis < 3 || !at) return at;
+  return *at - (turned_.get(b).value[axis - 3] + programmable_.get(b).value[axis - 3]);
+}
+
+std::optional<double> SystemData::measured(const ig::Block& b, const Name& name) const {
+  if (name.base == "$AC_MEA" && name.count == 1) {
+    const auto probe = b.get(measured_.probe());
+    return probe ? std::optional(*probe == name.number(0) ? 1.0 : 0.0) : std::nullopt;
+  }
+  const bool of_machine = name.base == "$AA_MM";
+  const std::size_t axis = name.count == 1 ? axis_of(name.index[0]) : std::string_view::npos;
+  if ((!of_machine && name.base != "$AA_MW") || axis == std::string_view::npos) return std::nullopt;
+  const auto at = b.get(of_machine || axis > 2 ? measured_.machine(axis) : measured_.program(axis));
   if (of_machine || axis < 3 || !at) return at;
   return *at - (turned_.get(b).value[axis - 3] + programmable_.get(b).value[axis - 3]);
 }

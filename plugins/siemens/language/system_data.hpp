@@ -15,7 +15,9 @@
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
+#include "frames/assigned_frame.hpp"
 #include "frames/frame_value.hpp"
+#include "motion/measured_point.hpp"
 
 namespace siemens {
 
@@ -50,6 +52,8 @@ class SystemData {
   std::optional<FrameValue> frame(const ig::Block& b, std::string_view text) const;
   /// Writes the whole frame; false where the name is none that can be written, or the table cannot keep the value.
   bool write_whole(const ig::Block& b, std::string_view text, const FrameValue& frame) const;
+  /// The programmable frame with another value of $P_PFRAME[X,TR]; nothing where it has no such value.
+  std::optional<FrameValue> changed_programmed(const ig::Block& b, std::string_view text, double value) const;
 
  private:
   static constexpr std::int64_t edge_step = 100;
@@ -63,6 +67,8 @@ class SystemData {
 
   /// $AA_IW[X], $AA_IM[X], $P_EP[X]: the position at the end of the block before.
   std::optional<double> position(const ig::Block& b, const Name& name) const;
+  /// $AA_MW[X], $AA_MM[X], $AC_MEA[1]: what MEAS= has measured.
+  std::optional<double> measured(const ig::Block& b, const Name& name) const;
 
   // ---- system_frames.cpp: the rows of the table of work offsets
 
@@ -71,7 +77,9 @@ class SystemData {
   Written write_frame(const ig::Block& b, const Name& name, const std::string& frame, double value) const;
   Written write_shape(const ig::Block& b, const std::string& frame, ShapePart part, std::size_t axis,
                       double value) const;
-  std::optional<double> programmed(const ig::Block& b, const Name& name) const;
+  /// $P_PFRAME, as the block has assigned it, or as it is in force.
+  std::optional<FrameValue> programmed(const ig::Block& b) const;
+  std::optional<double> part_of_programmed(const ig::Block& b, const Name& name) const;
 
   // ---- Tools
 
@@ -112,6 +120,8 @@ class SystemData {
   ig::In<ig::Symbol> positioning_{"PositioningMode.Term"};
   ig::In<ig::Symbol> feed_mode_{"Feedrate.Term"};
   ig::Transform frame_{"ProgrammableFrame", ig::read};
+  AssignedFrame assigned_{ig::read};
+  MeasuredPoint measured_{ig::read};
   ig::Name g700_{"G700"}, cw_{"CW"}, ccw_{"CCW"};
   ig::Service<ig_work_offset_1> offsets_{"isogloss.work-offset/1", ig::Need::optional, "Read and written as frames."};
   ShapeTable shapes_;

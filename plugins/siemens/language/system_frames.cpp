@@ -105,6 +105,7 @@ bool SystemData::write_whole(const ig::Block& b, std::string_view text, const Fr
 
 std::optional<FrameValue> SystemData::frame(const ig::Block& b, std::string_view text) const {
   const Name name(text);
+  if (name.base == "$P_PFRAME" && name.count == 0) return programmed(b);
   const auto id = frame_of(b, name);
   const bool is_numbered = name.base == "$P_UIFR" || name.base == "$P_CHBFR";
   if (!id || !offsets_ || name.count != (is_numbered ? 1u : 0u)) return std::nullopt;
@@ -121,13 +122,29 @@ std::optional<FrameValue> SystemData::frame(const ig::Block& b, std::string_view
   return out;
 }
 
-std::optional<double> SystemData::programmed(const ig::Block& b, const Name& name) const {
+std::optional<FrameValue> SystemData::programmed(const ig::Block& b) const {
+  if (const auto assigned = assigned_.get(b)) return assigned;
+  Mat4 m;
+  if (!b.get(frame_, m)) m = identity_frame;
+  for (std::size_t i = 12; i < 15; ++i) m[i] /= unit(b);
+  return FrameValue::of(m, programmable_.get(b).value);
+}
+
+std::optional<double> SystemData::part_of_programmed(const ig::Block& b, const Name& name) const {
   const auto [axis, part] = axis_and_part(name);
   const std::size_t i = axis_of(axis);
-  std::array<double, 16> m{};
-  if (i > 5 || part != "TR") return std::nullopt;
-  if (i > 2) return programmable_.get(b).value[i - 3];
-  return b.get(frame_, m) ? m[12 + i] / unit(b) : 0.0;
+  const auto link = frame_component_link(part);
+  const auto frame = link && i < 6 ? programmed(b) : std::nullopt;
+  return frame ? std::optional(frame->get(*link, i)) : std::nullopt;
+}
+
+std::optional<FrameValue> SystemData::changed_programmed(const ig::Block& b, std::string_view text,
+                                                         double value) const {
+  const Name name(text);
+  const auto [axis, part] = axis_and_part(name);
+  const auto link = frame_component_link(part);
+  auto frame = link ? programmed(b) : std::nullopt;
+  return frame && frame->set(*link, axis_of(axis), value) ? frame : std::nullopt;
 }
 
 }  // namespace siemens

@@ -23,7 +23,12 @@ std::string positioning_axis(std::string_view name, const AxisNames& axes) {
 /// Axes, spindles and codes by index: no variable of a machine has such a name.
 bool is_of_control(std::string_view name) {
   const std::string_view base = name.substr(0, name.find('['));
-  return base.size() == 1 || base == "AX" || base.starts_with("POS") || base == "MOV" || base == "FDA";
+  for (const std::string_view known :
+       {"AX",   "MOV",   "FDA",   "PO",     "AXIS",   "TOFF", "FXS",  "FXST", "FXSW",
+        "FOC",  "MEASA", "MEAWA", "MEAC",   "OS",     "OSB",  "OSE",  "OSP1", "OSP2",
+        "OST1", "OST2",  "OSNSC", "OSCTRL", "OSCILL", "CPLA", "CPON", "CPOF", "CPSETTYPE"})
+    if (base == known) return true;
+  return base.size() == 1 || base.starts_with("POS");
 }
 
 /// Speeds and accelerations of single axes.
@@ -86,6 +91,7 @@ std::size_t WordReader::assignment(ig::Block& b, std::string_view text, std::siz
   if (belongs_to_spindle(reference->name)) return of_spindle(b, text, begin, equals, reference->name, run);
   if (reference->name[0] == '$' && !environment_.store().given(reference->name)) {
     const auto done = SystemAssignment(environment_).run(b, text, begin, equals, reference->name);
+    if (done.frame) frame_.set(b, *done.frame);
     if (done.code) set_code(b, run, 'G', *done.code, begin, done.end);
     return done.is_fault ? line_end_of_fault(text, done.end) : done.end;
   }

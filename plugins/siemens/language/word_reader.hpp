@@ -27,6 +27,7 @@ class WordReader {
   WordFields fields_;
   AxisModes modes_{ig::write};
   FurtherAxisWords further_axes_{ig::write, ig::write};
+  AssignedFrame frame_{ig::write};
   ig::TextField tool_name_{"ToolName.Text", ig::write, {ig::Life::block, "", "T=\"…\" of this block."}};
   Environment environment_;
   MachineCodes machine_;

@@ -18,8 +18,12 @@ struct SiemensCode {
           .after("ParameterizedFlagSyntax")
           .before("SiemensPositionSyntax", "ProgramXyzSyntax");
 
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "SIE-0375", "{0}: {1} are not watched, so nothing is reported where they end a move"),
+  };
   static constexpr std::string_view thread = "the thread is not cut; its blocks move with the previous motion code",
                                     feed = "the feed and the speed that it sets are not known",
+                                    limits = "the limits of the working area and of the spindle speed",
                                     contour = "the way back to the contour is missing";
 
   RecognisedCodes codes_{
@@ -32,8 +36,6 @@ struct SiemensCode {
            "the curve is missing; its blocks move with the previous motion code"},
           {ig::Call{{"ROTS", "AROTS", "CROTS"}, "X[deg] Y[deg] Z[deg]"}, "positions are not turned"},
           {ig::Call{{"G58", "G59"}, "X Y Z"}, "positions are not shifted"},
-          {ig::Call{{"G25", "G26"}, "X Y Z S[]"},
-           "the limit of the working area or of the spindle speed is not watched"},
           {ig::Call{{"G147", "G148", "G247", "G248", "G347", "G348"}, ""},
            "the soft approach or retraction is missing"},
           {ig::Call{{"G291"}, ""}, "the blocks up to G290 are ISO code and are read wrong"},
@@ -54,6 +56,7 @@ struct SiemensCode {
                     ""},
            "the radius is that of the table, and is compensated in the plane only"},
       }};
+  RecognisedCodes limits_{ig::diag("SIE-0375"), {{ig::Call{{"G25", "G26"}, "X Y Z S[]"}, limits}}};
   struct Word {
     ig::Word word;
     std::string_view missing;
@@ -64,7 +67,10 @@ struct SiemensCode {
     std::string_view word;
     ig::Signal said;
   };
-  std::array<Direction, 4> directions_{
+  std::array<Direction, 7> directions_{
+      Direction{"XH", {"SiemensCode.~XhSaid", ig::read | ig::write, ig::Life::modal}},
+      Direction{"A4", {"SiemensCode.~A4Said", ig::read | ig::write, ig::Life::modal}},
+      Direction{"A5", {"SiemensCode.~A5Said", ig::read | ig::write, ig::Life::modal}},
       Direction{"LEAD", {"SiemensCode.~LeadSaid", ig::read | ig::write, ig::Life::modal}},
       Direction{"TILT", {"SiemensCode.~TiltSaid", ig::read | ig::write, ig::Life::modal}},
       Direction{"A2", {"SiemensCode.~A2Said", ig::read | ig::write, ig::Life::modal}},
@@ -80,6 +86,7 @@ struct SiemensCode {
 
   ig::Status build(ig::Block& b) {
     bool any = codes_.report(b);
+    any |= limits_.report(b);
     for (const ig::Word& word : quiet_) any |= b.take(word).has_value();
     std::string_view said;  // of words that belong together the first one is reported
     for (const Word& word : words_) {
@@ -118,8 +125,21 @@ struct SiemensCode {
                                       {"TCARR", "TCARR=: the tool carrier does not count"},
                                       {"LEAD", "LEAD=: the tool keeps its direction"},
                                       {"TILT", "TILT=: the tool keeps its direction"},
-                                      {"MEAS", "MEAS=: no probe touches; the move goes to its end"},
-                                      {"MEAW", "MEAW=: no probe touches; the move goes to its end"},
+                                      {"SPP", "SPP=: the strokes of the punch are missing"},
+                                      {"SPN", "SPN=: the strokes of the punch are missing"},
+                                      {"SUG", "SUG=: the speed of the grinding wheel is not known"},
+                                      {"THETA", "THETA=: the tool does not turn about itself"},
+                                      {"ANG1", "ANG1= ANG2=: the corner of two contour lines is not computed"},
+                                      {"ANG2", "ANG1= ANG2=: the corner of two contour lines is not computed"},
+                                      {"XH", "XH= YH= ZH=: the tool keeps its direction"},
+                                      {"YH", "XH= YH= ZH=: the tool keeps its direction"},
+                                      {"ZH", "XH= YH= ZH=: the tool keeps its direction"},
+                                      {"A4", "A4= B4= C4=: the direction square to the surface does not count"},
+                                      {"B4", "A4= B4= C4=: the direction square to the surface does not count"},
+                                      {"C4", "A4= B4= C4=: the direction square to the surface does not count"},
+                                      {"A5", "A5= B5= C5=: the direction square to the surface does not count"},
+                                      {"B5", "A5= B5= C5=: the direction square to the surface does not count"},
+                                      {"C5", "A5= B5= C5=: the direction square to the surface does not count"},
                                       {"SVC", "SVC=: the speed of the spindle is not known"},
                                       {"FZ", "FZ=: the feed per tooth is not known"},
                                       {"A2", "A2= B2= C2=: the tool keeps its direction"},

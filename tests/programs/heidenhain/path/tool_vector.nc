@@ -1,0 +1,21 @@
+0 BEGIN PGM VECTOR MM
+1 TOOL CALL 1 Z S1000 F500
+2 L X+0 Y+0 Z+50 B+0 C+0 R0 FMAX
+3 M128
+4 ; upright: machine X 0, Z 10 + 80
+5 LN X+0 Y+0 Z+10 NX0 NY0 NZ1 TX0 TY0 TZ1 R0 F500
+6 ; 30 degrees against Y: the head B30, the table C-90
+7 LN X+10 Y+0 Z+10 TX0 TY-0.5 TZ0.8660254
+8 ; without a vector the angles stay
+9 L X+20
+10 L X+30 B+0 C+0
+11 ; 10 degrees towards X, and an arc, whose centre is no direction
+12 LN X+40 TX0.1736482 TY0 TZ0.9848078
+13 CC X+40 Y+10
+14 C X+50 Y+10 DR+
+15 LN X+50 C+5 TX0.1736482 TY0 TZ0.9848078
+16 M129
+17 LN X+0 TX1 TY0 TZ0
+18 L Z+100 R0 FMAX
+19 M30
+20 END PGM VECTOR MM
