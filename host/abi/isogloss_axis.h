@@ -14,7 +14,9 @@ enum {
   IG_AXIS_DATUM = 2,         /* the builder's additional datum: M92 of a Heidenhain */
   IG_AXIS_RETRACT = 3,       /* where the axis retracts before others swivel: CYCLE800 of a Siemens */
   IG_AXIS_FIXED_POINT_1 = 4, /* to 7: fixed points 1 to 4, G75 of a Siemens */
-  IG_AXIS_FIXED_POINT_4 = 7
+  IG_AXIS_FIXED_POINT_4 = 7,
+  IG_AXIS_REFERENCE_1 = 8, /* to 11: reference positions 1 to 4, G28 and G30 */
+  IG_AXIS_REFERENCE_4 = 11
 };
 
 /* isogloss.axis-name/1: axes 0 to 5 are X Y Z A B C, further ones follow in the order of their table. mm and degrees in

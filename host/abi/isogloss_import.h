@@ -42,6 +42,11 @@ typedef struct ig_import_api {
   void (*report)(ig_import*, uint32_t diagnostic, size_t begin, size_t end, const ig_argument*, uint32_t count);
   /* Says why read() returns IG_FAILED. */
   void (*fail)(ig_import*, ig_text reason);
+  /* Since 1.8: the rows that the machine's own file has for a table, which tell how the file is meant (names of axes).
+   * A cell is a text; size 0 where there is none. A file that is imported without a machine has no such rows. */
+  uint32_t (*machine_row_count)(const ig_import*, ig_text dependency);
+  ig_text (*machine_row_key)(const ig_import*, ig_text dependency, uint32_t row);
+  ig_text (*machine_cell)(const ig_import*, ig_text dependency, uint32_t row, ig_text column);
 } ig_import_api;
 
 typedef struct ig_export_api {

@@ -254,7 +254,7 @@ TEST_CASE("machine axes: programs may call an axis by further names, and further
   const FakeDependency machine(*ig_plugin_v1(), "MachineAxes",
                                {{"X", {{"Names", "X1 mx1"}, {"Datum", -20.5}, {"FixedPoint2", 7}}},
                                 {"C", {{"Names", "C1"}}},
-                                {"U", {{"Home", 3}, {"Maximum", 50}}},
+                                {"U", {{"Home", 3}, {"Maximum", 50}, {"Reference3", 40}}},
                                 {"VSP1", {{"Type", "rotary"}}}});
   const auto* s = machine.service<ig_axis_name_1>("isogloss.axis-name/1");
   const auto find = [&](std::string_view name) { return s->find(s->self, text(name)); };
@@ -276,7 +276,9 @@ TEST_CASE("machine axes: programs may call an axis by further names, and further
   CHECK((s->position(s->self, 0, IG_AXIS_DATUM, &a) == 1 && a == -20.5));
   CHECK((s->position(s->self, 0, IG_AXIS_FIXED_POINT_1 + 1, &a) == 1 && a == 7));
   CHECK((s->position(s->self, 6, IG_AXIS_HOME, &a) == 1 && a == 3));
-  for (const ig_axis_position which : {0u, 3u, 4u, 7u, 8u}) CHECK(s->position(s->self, 0, which, &a) == 0);
+  for (const ig_axis_position which : {0u, 3u, 4u, 7u, 9u, 11u, 12u}) CHECK(s->position(s->self, 0, which, &a) == 0);
+  CHECK((s->position(s->self, 6, IG_AXIS_REFERENCE_1, &a) == 1 && a == 0));
+  CHECK((s->position(s->self, 6, IG_AXIS_REFERENCE_1 + 2, &a) == 1 && a == 40));
   CHECK(s->position(s->self, 99, IG_AXIS_HOME, &a) == 0);
   CHECK((s->travel(s->self, 6, &a, &b) == 1 && a == -HUGE_VAL && b == 50));
   CHECK((s->travel(s->self, 7, &a, &b) == 0 && s->travel(s->self, 99, &a, &b) == 0));
@@ -298,8 +300,8 @@ TEST_CASE("machine axes: a row whose names or columns have no effect is refused"
              Catch::Contains("Type has no effect"));
   CHECK_THAT(FakeDependency(*ig_plugin_v1(), "MachineAxes", {{"U", {{"Type", "round"}}}}).row_fault("U"),
              Catch::Contains("linear or rotary"));
-  for (const char* column : {"Reference1", "Reference2", "Reference3", "Reference4", "RapidRate", "Datum", "Rollover",
-                             "Retract", "FixedPoint1", "FixedPoint2", "FixedPoint3", "FixedPoint4"}) {
+  for (const char* column :
+       {"RapidRate", "Datum", "Rollover", "Retract", "FixedPoint1", "FixedPoint2", "FixedPoint3", "FixedPoint4"}) {
     CAPTURE(column);
     const FakeDependency further(*ig_plugin_v1(), "MachineAxes", {{"U", {{column, 1}}}});
     CHECK(further.row_fault("U") == column + std::string(" has no effect on a further axis: remove it"));

@@ -8,6 +8,7 @@ import argparse
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -141,6 +142,19 @@ class Examples(unittest.TestCase):
         # PARK.SPF: Z1 is Z by its name in machine.xml, and D0 leaves no tool length. Fixed point 2 is X-350 Y0.
         self.assert_at(at["PARK.SPF", 4][0], Z=0)
         self.assert_at(at["PARK.SPF", 5][0], X=-350, Y=0, Z=0)
+
+    def test_frames_of_a_backup_name_axes_as_the_machine_does(self):
+        # G505 is X-300 Y-120.5; machine.xml declares Names="X1" and "Y1", so no option is needed for the frame.
+        with tempfile.TemporaryDirectory() as folder:
+            copy = pathlib.Path(folder) / "renamed"
+            shutil.copytree(ROOT / "dialects/machines/siemens-mill", copy)
+            frames = copy / "backup/CH1_UFR.INI"
+            frames.write_text(frames.read_text().replace("(X,-300,Y,", "(X1,-300,y1,"))
+            machine = copy / "machine.xml"
+            machine.write_text(machine.read_text().replace('name="siemens-mill"', 'name="renamed"'))
+            run = self.start("run", "-", "-m", copy, input="G505 G0 X10 Y20\nM30\n")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assert_at(json.loads(run.stdout.splitlines()[0])["MachineCoordinate"], X=-290, Y=-100.5)
 
     def test_siemens_mill_keeps_its_user_data(self):
         # LAST_PART is a STRING[20], PALLETS_DONE an INT that PARK.SPF counts up from 214; STOCK goes from 0 to 2.

@@ -103,7 +103,10 @@ class ErrorWatch : public DiagnosticSink {
 class Importing {
  public:
   Importing(const Dialect& machine, Library& library, DiagnosticSink& sink)
-      : extensions_(machine.extensions), program_places_(machine.program_places), library_(library), sink_(sink) {}
+      : extensions_(machine.extensions), program_places_(machine.program_places), library_(library), sink_(sink) {
+    for (const std::vector<DependencyElement>* const tables : {&machine.own_tables, &machine.dependencies})
+      for (const DependencyElement& table : *tables) machine_tables_.push_back(&table);
+  }
 
   /// The rows of the file that the element's src names, before its own. Options that the dependency lacks are those of
   /// the importer.
@@ -176,7 +179,9 @@ class Importing {
   }
 
   std::optional<ImportedFile> read(const Import& asked) const {
-    std::optional<ImportedFile> file = import_file(asked, library_, sink_);
+    Import whole = asked;
+    whole.machine_tables = machine_tables_;
+    std::optional<ImportedFile> file = import_file(whole, library_, sink_);
     if (!file) return file;
     for (const UnusedPart& part : file->unused)
       sink_.add(host_diagnostic("IG-0125", part.first, {part.what, part.why, std::to_string(part.count)}));
@@ -230,6 +235,7 @@ class Importing {
 
   const std::vector<std::string>& extensions_;
   const std::vector<fs::path>& program_places_;
+  std::vector<const DependencyElement*> machine_tables_;
   Library& library_;
   DiagnosticSink& sink_;
 };

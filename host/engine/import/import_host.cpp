@@ -130,6 +130,39 @@ void option(ig_import* in, ig_text dependency, ig_text name, ig_text value, std:
   table->options.push_back({option_name, printable(string_of(value)), place_of(*in, place)});
 }
 
+// ---- rows of the machine
+
+ig_text value_of(const DependencyElement* table, std::uint32_t row, std::string_view name) {
+  if (table == nullptr || row >= table->rows.size()) return {nullptr, 0};
+  for (const Attribute& a : table->rows[row].attributes)
+    if (a.name == name) return to_text(a.value);
+  return {nullptr, 0};
+}
+
+ig_text key_of(const DependencyElement* table, std::uint32_t row, const Library& library) {
+  const ig_dependency* const declared = table == nullptr ? nullptr : library.dependency(table->id);
+  if (declared == nullptr || declared->row_key == nullptr) return {nullptr, 0};
+  return value_of(table, row, declared->row_key);
+}
+
+/// The first one: the tables of the machine's own file stand before those of its dialect.
+const DependencyElement* machine_table(const ig_import* in, ig_text id) {
+  for (const DependencyElement* const table : in->asked.machine_tables)
+    if (table->id == to_view(id)) return table;
+  return nullptr;
+}
+
+std::uint32_t machine_row_count(const ig_import* in, ig_text dependency) {
+  const DependencyElement* const table = machine_table(in, dependency);
+  return table == nullptr ? 0 : static_cast<std::uint32_t>(table->rows.size());
+}
+ig_text machine_row_key(const ig_import* in, ig_text dependency, std::uint32_t row) {
+  return key_of(machine_table(in, dependency), row, in->library);
+}
+ig_text machine_cell(const ig_import* in, ig_text dependency, std::uint32_t row, ig_text column) {
+  return value_of(machine_table(in, dependency), row, to_view(column));
+}
+
 // ---- what has no effect
 
 void count_unused(std::vector<UnusedPart>& all, std::map<std::pair<std::string, std::string>, std::size_t>& known,
@@ -175,19 +208,9 @@ std::uint32_t row_count(const ig_export* out, ig_text dependency) {
   return table == nullptr ? 0 : static_cast<std::uint32_t>(table->rows.size());
 }
 
-ig_text value_of(const DependencyElement* table, std::uint32_t row, std::string_view name) {
-  if (table == nullptr || row >= table->rows.size()) return {nullptr, 0};
-  for (const Attribute& a : table->rows[row].attributes)
-    if (a.name == name) return to_text(a.value);
-  return {nullptr, 0};
-}
-
 ig_text row_key(const ig_export* out, ig_text dependency, std::uint32_t row) {
   out->asked.try_emplace(string_of(dependency));
-  const DependencyElement* const table = written_table(out, dependency);
-  const ig_dependency* const declared = table == nullptr ? nullptr : out->library.dependency(table->id);
-  if (declared == nullptr || declared->row_key == nullptr) return {nullptr, 0};
-  return value_of(table, row, declared->row_key);
+  return key_of(written_table(out, dependency), row, out->library);
 }
 
 ig_text cell(const ig_export* out, ig_text dependency, std::uint32_t row, ig_text column) {
@@ -219,7 +242,10 @@ const ig_import_api& import_api() {
                                      option,
                                      unused,
                                      report,
-                                     fail};
+                                     fail,
+                                     machine_row_count,
+                                     machine_row_key,
+                                     machine_cell};
   return api;
 }
 

@@ -89,6 +89,29 @@ TEST_CASE("an importer gives rows, cells with their places, and what it does not
   CHECK((file->unused[0].count == 2 && file->unused[0].first.line == 3));
 }
 
+TEST_CASE("an importer asks for the rows of the machine's own file") {
+  Shop shop;
+  shop.importer("Plain", [](const ig_import_api* api, ig_import* in) -> ig_status {
+    const auto shown = [](ig_text t) { return std::string(t.data == nullptr ? "" : t.data, t.size); };
+    CHECK(api->machine_row_count(in, text("Tools")) == 2);
+    CHECK(shown(api->machine_row_key(in, text("Tools"), 1)) == "B");
+    CHECK(shown(api->machine_cell(in, text("Tools"), 1, text("H"))) == "5");
+    CHECK(shown(api->machine_cell(in, text("Tools"), 0, text("H"))).empty());
+    CHECK(shown(api->machine_cell(in, text("Tools"), 2, text("H"))).empty());
+    CHECK(shown(api->machine_row_key(in, text("Tools"), 2)).empty());
+    CHECK(api->machine_row_count(in, text("Settings")) == 0);
+    CHECK(shown(api->machine_row_key(in, text("Settings"), 0)).empty());
+    return IG_CHANGED;
+  });
+  shop.library.add(shop.plugin.get());
+  const DependencyElement own{
+      "Tools", "Tools", {}, {{"Tool", {{"id", "A", {}}}, {}}, {"Tool", {{"id", "B", {}}, {"H", "5", {}}}, {}}}, {}, {}};
+  const DependencyElement of_dialect{"Tools", "Tools", {}, {{"Tool", {{"id", "C", {}}}, {}}}, {}, {}};
+  Import asked{"dir/a.txt", "Plain", {}, {"machine.xml", 3, 5}};
+  asked.machine_tables = {&own, &of_dialect};
+  CHECK(import_bytes(asked, "one", shop.library, shop.found));
+}
+
 TEST_CASE("places of rows are found in any order, and in no more time") {
   Shop shop;
   shop.importer("Backwards", [](const ig_import_api* api, ig_import* in) -> ig_status {

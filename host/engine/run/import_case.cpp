@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "isogloss/engine/import.hpp"
+#include "run/case_dialect.hpp"
 
 namespace isogloss {
 
@@ -56,6 +57,9 @@ std::string run_import_case(const Page& page, const Case& one, const std::string
       asked.options.push_back(
           {line.substr(0, equals), equals == std::string::npos ? "" : line.substr(equals + 1), asked.where});
     }
+  CaseDependencies machine;
+  if (one.dependencies) machine = read_case_dependencies(one.dependencies->text, page.syntax, asked.where);
+  for (const DependencyElement& table : machine.dependencies) asked.machine_tables.push_back(&table);
   const std::optional<ImportedFile> given = import_bytes(asked, one.file->text, library, said);
   std::vector<std::string> reports, unused;
   std::string out;

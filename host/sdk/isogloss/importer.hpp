@@ -140,6 +140,18 @@ class Import {
   void unused(std::string_view what, std::string_view why, std::size_t begin, std::size_t end) {
     api_->unused(raw_, to_text(what), to_text(why), begin, end);
   }
+  /// The rows that the machine's own file has for a table, and their cells as texts, empty where there are none. A file
+  /// that is imported without a machine, and a host of contract 1.7, have no such rows.
+  std::uint32_t machine_rows(std::string_view dependency) const {
+    return api_->host_minor < 8 ? 0 : api_->machine_row_count(raw_, to_text(dependency));
+  }
+  std::string_view machine_key(std::string_view dependency, std::uint32_t row) const {
+    return api_->host_minor < 8 ? std::string_view{} : to_view(api_->machine_row_key(raw_, to_text(dependency), row));
+  }
+  std::string_view machine_cell(std::string_view dependency, std::uint32_t row, std::string_view column) const {
+    return api_->host_minor < 8 ? std::string_view{}
+                                : to_view(api_->machine_cell(raw_, to_text(dependency), row, to_text(column)));
+  }
   /// Reports a diagnostic that the plugin declares. The arguments, numbers or texts, replace {0}, {1} … in its text.
   template <class... Args>
   void report(DiagnosticCode diagnostic, std::size_t begin, std::size_t end, const Args&... args) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include <isogloss/cnc/further_axes.hpp>
 #include <isogloss/cnc/scan.hpp>
 
 #include "macro/code_fields.hpp"
@@ -35,6 +36,8 @@ struct FanucMacroWord {
   /// With a comma before them, C and R are chamfer and rounding of a corner.
   ig::Field<double> chamfer_{"Parsing.CornerBreak.C", ig::write, {ig::Life::standard, "mm", ""}};
   ig::Field<double> rounding_{"Parsing.CornerBreak.R", ig::write, {ig::Life::standard, "mm", ""}};
+  FurtherAxisWords further_{ig::write, ig::read};
+  AxisNames axes_;
   CodeFields codes_;
   PassedCodeMark mark_;
   ig::Config number_format_{"isogloss.number-format/1", ig::Need::optional, "The increments that ROUND rounds to."};
@@ -64,17 +67,33 @@ struct FanucMacroWord {
     const std::size_t letter = is_corner ? ig::cnc::skip_blanks(text, position + 1) : position;
     const char name = to_upper(ig::cnc::at(text, letter));
     if (is_corner && name != 'C' && name != 'R') return position;
-    const std::size_t value = skip_signs(text, letter + 1, negative);
+    const std::optional<Name> axis = is_corner ? std::nullopt : name_at(text, position);
+    const std::size_t value = skip_signs(text, axis ? axis->end : letter + 1, negative);
     const char c = ig::cnc::at(text, value);
     const bool is_function =
         ig::cnc::is_letter(c) && ig::cnc::at(text, skip_while(text, value, ig::cnc::is_letter)) == '[';
     if (c != '#' && c != '[' && !is_function) return position;
     if (environment_.flow.is_indexing()) return skip_expression(text, value);
     environment_.enter(b);
-    return word(b, text, position, value, negative);
+    return word(b, text, position, value, negative, axis ? &axis->address : nullptr);
   }
 
  private:
+  struct Name {
+    Address address;
+    std::size_t end;  ///< behind =
+  };
+  /// C2=#1: an axis by a name of several characters that the machine's table gives it.
+  std::optional<Name> name_at(std::string_view text, std::size_t begin) const {
+    const auto is_part = [](char c) { return ig::cnc::is_letter(c) || is_digit(c) || c == '_'; };
+    const std::size_t end = skip_while(text, begin, is_part);
+    if (end - begin < 2 || ig::cnc::at(text, end) != '=') return std::nullopt;
+    const auto axis = axes_.find(ig::cnc::piece(text, begin, end));
+    if (!axis) return std::nullopt;
+    if (!is_further_axis(*axis)) return Name{words_[letter_index(axis_letters[*axis])], end + 1};
+    return Name{{further_.word(*axis).id(), axes_.is_rotary(*axis) ? "deg" : "mm"}, end + 1};
+  }
+
   static std::size_t skip_signs(std::string_view text, std::size_t position, bool& negative) {
     for (;; ++position) {
       const char c = ig::cnc::at(text, position);
@@ -83,11 +102,12 @@ struct FanucMacroWord {
     }
   }
 
-  std::size_t word(ig::Block& b, std::string_view text, std::size_t begin, std::size_t value, bool negative) {
+  std::size_t word(ig::Block& b, std::string_view text, std::size_t begin, std::size_t value, bool negative,
+                   const Address* axis) {
     const bool is_corner = text[begin] == ',';
     const char letter = to_upper(text[is_corner ? ig::cnc::skip_blanks(text, begin + 1) : begin]);
     ExpressionRules rules = environment_.rules();
-    rules.increment = increment_of(b, is_corner ? 'R' : letter);
+    rules.increment = increment_of(b, is_corner ? 'R' : letter, axis);
     const auto variables = environment_.reader(b);
     const bool is_variable = text[value] == '#' && is_digit(ig::cnc::at(text, value + 1));
     if (!is_variable) text = without_comments(text, begin, value);
@@ -108,17 +128,17 @@ struct FanucMacroWord {
     if (environment_.has_deep_brackets(o)) environment_.warn_of_depth(b, o, begin, o.end);
     if (o.value.kind == Kind::truth && !rules.truth_is_number) {
       b.report(ig::diag("FAN-0115"), ig::Where::columns(value, o.end), ig::cnc::piece(text, value, o.end));
-    } else if (letter == 'N' || letter == 'O') {
+    } else if (axis == nullptr && (letter == 'N' || letter == 'O')) {
       b.report(ig::diag("FAN-0151"), ig::Where::columns(begin, o.end), ig::cnc::piece(text, begin, o.end),
                std::string_view(&letter, 1));
     } else if (!o.value.is_null()) {
       const double number = negative ? -o.value.number : o.value.number;
       if (is_corner)
         set_corner(b, letter, number, begin, o.end);
-      else if (letter == 'G' || letter == 'M')
+      else if (axis == nullptr && (letter == 'G' || letter == 'M'))
         set_code(b, letter, number, begin, o.end);
       else
-        set_word(b, letter, number, begin, o.end, ig::cnc::piece(text, begin, o.end));
+        set_word(b, letter, axis, number, begin, o.end, ig::cnc::piece(text, begin, o.end));
     } else if (letter == 'F' && !is_corner) {
       b.report(ig::diag("FAN-0155"), ig::Where::columns(begin, o.end), ig::cnc::piece(text, begin, o.end));
     }
@@ -154,8 +174,8 @@ struct FanucMacroWord {
   }
 
   /// The increment to which ROUND rounds in this word; 0: whole numbers.
-  double increment_of(const ig::Block& b, char letter) const {
-    const Address& address = words_[letter_index(letter)];
+  double increment_of(const ig::Block& b, char letter, const Address* axis) const {
+    const Address& address = axis != nullptr ? *axis : words_[letter_index(letter)];
     if (address.unit == "deg") return deg_;
     if (address.unit == "mm") {
       const auto code = b.find(units_);
@@ -164,9 +184,9 @@ struct FanucMacroWord {
     return letter == 'F' ? 0.001 : 0;
   }
 
-  void set_word(ig::Block& b, char letter, double number, std::size_t begin, std::size_t end,
+  void set_word(ig::Block& b, char letter, const Address* axis, double number, std::size_t begin, std::size_t end,
                 std::string_view written) {
-    const Address& address = words_[letter_index(letter)];
+    const Address& address = axis != nullptr ? *axis : words_[letter_index(letter)];
     const auto where = ig::Where::columns(begin, end);
     if (address.field == IG_NO_FIELD) {
       leave(b, IG_LEFT_WORD, {&letter, 1}, begin, end);

@@ -9,7 +9,7 @@ namespace {
 struct FanucModalMacro {
   static constexpr auto spec =
       ig::syntax("FanucModalMacroSyntax", "Calls the macro of G66 after each block that moves; G67 ends it.")
-          .after("LinearMotionSyntax", "CircularMotionSyntax", "ReferenceReturnSyntax");
+          .after("LinearMotionSyntax", "CircularMotionSyntax", "ReferenceReturnSyntax", "FurtherAxesSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "FAN-0169", "this G67 ends nothing: no G66 is in force"),
   };
@@ -19,6 +19,7 @@ struct FanucModalMacro {
   ig::Codes end_{"G67"};
   ig::Signal modal_{"MacroCall.~Modal", ig::read | ig::write | ig::wake_while, ig::Life::modal};
   ig::In<ig::Symbol> move_{"MotionEvent.Form"}, steps_{"CompoundMotion.Term"};
+  ig::Signal further_axes_moved_{"FurtherAxes.~Moved", ig::read};
 
   ig::Status build(ig::Block& b) {
     frame_.enter(b);
@@ -33,7 +34,7 @@ struct FanucModalMacro {
       return ig::Status::changed;
     }
     if (calls.empty() || calls.back().each_block || calls.back().repeats == 0 ||
-        !(b.is_fresh(move_) || b.is_fresh(steps_)))
+        !(b.is_fresh(move_) || b.is_fresh(steps_) || b.is_raised(further_axes_moved_)))
       return ig::Status::unchanged;
     const MacroStore::ModalCall call = calls.back();
     report_deep_call(b, store, ig::Where::block());

@@ -128,16 +128,14 @@ struct MachineAxes {
     }
   }
 
-  /// A further axis only goes to the positions of its words: what else the row says would be lost.
+  /// A further axis only goes to the positions of its words and of G28 and G30: other columns would have no effect.
   std::string_view unused_column(std::string_view row) const {
-    if (table.value(row, references[0]).value_or(0) != 0) return "Reference1";
     struct Use {
       const ig::Column& column;
       std::string_view name;
     };
     for (const Use& use :
-         {Use{references[1], "Reference2"}, Use{references[2], "Reference3"}, Use{references[3], "Reference4"},
-          Use{rapid_rate, "RapidRate"}, Use{datum, "Datum"}, Use{rollover_mode, "Rollover"}, Use{retract, "Retract"},
+         {Use{rapid_rate, "RapidRate"}, Use{datum, "Datum"}, Use{rollover_mode, "Rollover"}, Use{retract, "Retract"},
           Use{fixed_points[0], "FixedPoint1"}, Use{fixed_points[1], "FixedPoint2"}, Use{fixed_points[2], "FixedPoint3"},
           Use{fixed_points[3], "FixedPoint4"}})
       if (table.value(row, use.column)) return use.name;
@@ -214,6 +212,8 @@ struct MachineAxes {
     const std::string& name = m.names[axis];
     if (which >= IG_AXIS_FIXED_POINT_1 && which <= IG_AXIS_FIXED_POINT_4)
       return m.answer(name, m.fixed_points[which - IG_AXIS_FIXED_POINT_1], out);
+    if (which >= IG_AXIS_REFERENCE_1 && which <= IG_AXIS_REFERENCE_4)
+      return m.answer(name, m.references[which - IG_AXIS_REFERENCE_1], out);
     switch (which) {
       case IG_AXIS_HOME: return m.answer(name, m.home_position, out);
       case IG_AXIS_DATUM: return m.answer(name, m.datum, out);

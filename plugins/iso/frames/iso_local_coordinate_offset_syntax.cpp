@@ -3,6 +3,8 @@
 #include <isogloss/cnc/coordinate_offset.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 
+#include "motion/further_axis_order.hpp"
+
 namespace iso {
 
 using namespace ig::cnc;
@@ -23,6 +25,9 @@ struct IsoLocalCoordinateOffset {
   OffsetSection local_{"LocalCoordinateOffset"};
   RotaryOffsetSection rotary_{"LocalCoordinateOffset"};
   RotaryWords machine_axes_;
+  NamesFurtherAxes names_further_;
+  FurtherAxisOrder further_{"G52"};
+  ig::Signal further_ends_{"FurtherAxes.~LocalEnds", ig::write};
   ig::Config config_{"isogloss.coordinate-system/1", ig::Need::optional, "ResetCancelsLocalCoordinate."};
   ig::Choice<CancelledBy> cancelled_by_{"cancelled-by", "program-end|never|parameter", "program-end",
                                         "Whether the end of the program cancels the local system; parameter: the "
@@ -41,9 +46,12 @@ struct IsoLocalCoordinateOffset {
       const ig::Vec3 old = local_.get(b);
       local_.set(b, {(*words)['X'].value_or(old.x), (*words)['Y'].value_or(old.y), (*words)['Z'].value_or(old.z)});
       rotary_.set(b, rotary_coordinates(b, machine_axes_, *words, g52_).or_else(rotary_.get(b).value));
+      if (names_further_(b)) further_.give(b);
       return ig::Status::changed;
     }
-    return end_axes(b) ? ig::Status::changed : ig::Status::unchanged;
+    const bool ends = ends_with_program_ && b.find(program_end_);
+    if (ends) b.raise(further_ends_);
+    return end_axes(b) || ends ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
@@ -70,7 +78,7 @@ struct IsoLocalCoordinateOffset {
     if (!preset) return 0;
     ig_value words[6];
     const std::uint32_t named = b.get_many(presets_.row(*preset), 6, words);
-    return named == 0 && *preset == 1 ? all : named;
+    return named == 0 && *preset == 1 && !names_further_(b) ? all : named;
   }
 };
 

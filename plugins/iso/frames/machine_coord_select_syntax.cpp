@@ -4,6 +4,8 @@
 #include <isogloss/cnc/motion_event.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 
+#include "motion/further_axis_order.hpp"
+
 namespace iso {
 
 using namespace ig::cnc;
@@ -29,6 +31,8 @@ struct MachineCoordSelect {
   ig::Xyz machine_{"MachineCoordinate", ig::read | ig::write};
   std::array<ig_field, 3> rotary_{rotary_word("Parsing.A"), rotary_word("Parsing.B"), rotary_word("Parsing.C")};
   BlockMotion move_;
+  NamesFurtherAxes names_further_;
+  FurtherAxisOrder further_{"G53"}, drop_further_{"Nothing"};
   ig::Signal axis_words_void_{"MachineCoordSelect.~AxisWordsVoid", ig::write};
   DistanceMode distance_;
   LastProgramXyz last_;
@@ -44,7 +48,8 @@ struct MachineCoordSelect {
     const bool turns = b.get_many(rotary_.data(), 3, unused) != 0;  // McAbcSyntax takes them
     const bool incremental = distance_.is_incremental(b) && (under_g91_ != UnderG91::absolute || turns);
     const ig::PartialVec3 named = incremental && under_g91_ != UnderG91::words_too ? b.get(words_) : b.take(words_);
-    if (named.mask == 0 && !turns) {
+    (incremental ? drop_further_ : further_).give(b);
+    if (named.mask == 0 && !turns && !names_further_(b)) {
       b.report(ig::diag("ISO-0331"), ig::Where::word(g53_.id(0)));
       return ig::Status::changed;
     }
@@ -53,6 +58,7 @@ struct MachineCoordSelect {
       b.raise(axis_words_void_);
       return ig::Status::changed;
     }
+    if (named.mask == 0 && !turns) return ig::Status::changed;
     const ig::Vec3 to = named.or_else(machine_position(b, machine_, last_));
     if (!set_machine_target(b, machine_, program_, to)) b.report(ig::diag("ISO-0332"), ig::Where::block());
     if (motion_ == Motion::rapid) move_.rapid(b);

@@ -8,6 +8,8 @@
 #include <isogloss/cnc/work_origin.hpp>
 #include <isogloss/sdk.hpp>
 
+#include "motion/further_axis_order.hpp"
+
 namespace iso {
 
 using namespace ig::cnc;
@@ -49,6 +51,9 @@ struct ProgrammableDataInput {
   ig::Service<ig_work_offset_1> offsets_{"isogloss.work-offset/1", ig::Need::required, "Written by L2 and L20."};
   ig::Service<ig_tool_offset_1> tools_{"isogloss.tool-offset/1", ig::Need::optional, "Written by L10 to L13."};
   RotaryWords machine_axes_;
+  NamesFurtherAxes names_further_;
+  FurtherAxisOrder further_{"G10"};
+  ig::Out<ig::Symbol> further_row_{"FurtherAxes.Row", {ig::Life::block, "", "The row in which G10 writes U, V and W."}};
   ig::Name g91_{"G91"};
   ig::Choice<ToolColumns> tool_columns_{
       "tool-columns", "geometry-wear|wear-geometry", "geometry-wear",
@@ -69,6 +74,7 @@ struct ProgrammableDataInput {
       return swallowed || ends ? ig::Status::changed : ig::Status::unchanged;
     }
     const auto where = ig::Where::word(g10_.code(0));
+    further_.give(b);
     const auto table = (*words)['L'] == 1 ? std::optional(11.0) : (*words)['L'];  // L1: older programs
     if (!is_work_offset(table)) report_not_executed(b, *words);
     if (table && (*table == 50 || *table == 52)) b.raise(parameters_);
@@ -113,6 +119,7 @@ struct ProgrammableDataInput {
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (const auto word = words["XYZ"[axis]]) (*origin)[axis] = adds ? (*origin)[axis] + *word : *word;
     b.raise(offsets_changed_);
+    if (names_further_(b)) b.set(further_row_, b.symbol(id.text()));
     return set_linear_origin(offsets_, id.text(), *origin) && write_rotary(b, words, id.text());
   }
 

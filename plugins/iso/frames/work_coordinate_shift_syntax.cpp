@@ -5,6 +5,8 @@
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 
+#include "motion/further_axis_order.hpp"
+
 namespace iso {
 
 using namespace ig::cnc;
@@ -38,6 +40,9 @@ struct WorkCoordinateShift {
   RotaryOffsetSection work_{"CoordinateOffset", ig::read}, local_{"LocalCoordinateOffset", ig::read};
   RotaryPosition angles_{ig::read};
   RotaryWords machine_axes_;
+  NamesFurtherAxes names_further_;
+  FurtherAxisOrder further_set_{"G92"}, further_preset_{"G92.1"};
+  ig::Signal further_ends_{"FurtherAxes.~ShiftEnds", ig::write};
   ig::Out<double> limit_{"SpindleSpeed.Limit_rpm", {ig::Life::modal, "1/min", "Highest speed under G96."}};
   ig::Xyz machine_{"MachineCoordinate", ig::read};
   LastProgramXyz last_;
@@ -70,6 +75,10 @@ struct WorkCoordinateShift {
       changed = true;
     }
     if (reference_return_ == AtReference::cancel && is_shifted(b)) changed |= remember_home(b);
+    if (reference_return_ == AtReference::cancel && names_further_(b)) {
+      b.raise(further_ends_);
+      changed = true;
+    }
     return changed ? ig::Status::changed : ig::Status::unchanged;
   }
 
@@ -79,6 +88,7 @@ struct WorkCoordinateShift {
   bool is_shifted(const ig::Block& b) const { return shift_.get(b) != ig::Vec3{} || rotary_.get(b).value != Angles{}; }
 
   void set_position(ig::Block& b, const ig::Words& words) const {
+    if (names_further_(b)) further_set_.give(b);
     set_angles(b, rotary_coordinates(b, machine_axes_, words, g92_));
     ig::Vec3 position = last_(b);
     const ig::PartialVec3 carried = b.get(machine_);
@@ -87,7 +97,7 @@ struct WorkCoordinateShift {
     for (std::size_t axis = 0; axis < 3; ++axis) position[axis] = words["XYZ"[axis]].value_or(position[axis]);
     if (any)
       shift_to(b, tool, position);
-    else if (words.mask == 0)
+    else if (words.mask == 0 && !names_further_(b))
       b.report(ig::diag("ISO-0365"), ig::Where::word(g92_.code(0)), b.text(words.code));
   }
 
@@ -118,21 +128,23 @@ struct WorkCoordinateShift {
 
   /// Ends the shift on the axes that the block names, on all axes where it names none.
   void preset(ig::Block& b, const ig::Words& words) const {
+    const bool ends_all = words.mask == 0 && !names_further_(b);
+    if (ends_all || names_further_(b)) further_preset_.give(b);
     ig::Vec3 shift = shift_.get(b);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto word = words["XYZ"[axis]];
       if (word && *word != 0)
         b.report(ig::diag("ISO-0366"), ig::Where::word(g92_1_.row(0)[axis]), std::string_view("XYZ").substr(axis, 1),
                  *word);
-      if (word || words.mask == 0) shift[axis] = 0;
+      if (word || ends_all) shift[axis] = 0;
     }
-    if ((words.mask & 7u) != 0 || words.mask == 0) shift_.set(b, shift);
+    if ((words.mask & 7u) != 0 || ends_all) shift_.set(b, shift);
     Angles turned = rotary_.get(b).value;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto word = words[rotary_names[axis]];
       if (word && *word != 0)
         b.report(ig::diag("ISO-0366"), ig::Where::word(g92_1_.row(0)[axis + 3]), rotary_names.substr(axis, 1), *word);
-      if (word || words.mask == 0) turned[axis] = 0;
+      if (word || ends_all) turned[axis] = 0;
     }
     rotary_.set(b, turned);
   }

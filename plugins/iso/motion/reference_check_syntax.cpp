@@ -20,12 +20,14 @@ struct ReferenceCheck {
   ReferenceMove move_;
   LastProgramXyz last_;
   ReferencePositions reference_;
+  FurtherAxisOrder further_{"G27"};
   ig::NumberOption tolerance_{
       "tolerance", "0.001", {0, 1000}, "mm, deg", "How far from the reference position an axis may be."};
 
   ig::Status build(ig::Block& b) {
     const auto words = b.take(g27_);
     if (!words) return ig::Status::unchanged;
+    further_.give(b);
     const auto named = move_.named(b, *words, g27_);
     if (!named) return ig::Status::changed;
     const ig::Vec3 end = named->linear.or_else(last_(b));

@@ -4,6 +4,8 @@
 #include <isogloss/cnc/rotary_turns.hpp>
 #include <isogloss/cnc/rotary_words.hpp>
 
+#include "motion/further_axis_order.hpp"
+
 namespace iso {
 
 using namespace ig::cnc;
@@ -102,7 +104,8 @@ class ReferenceMove {
   /// Reports (ISO-0340) a call without axes. Nothing where it names none that the machine has.
   std::optional<NamedAxes> named(ig::Block& b, const ig::Words& words, const ig::Call& call) const {
     const NamedAxes axes{axis_words(words), rotary.named(b, words, call)};
-    if (!names_axes(words)) b.report(ig::diag("ISO-0340"), ig::Where::word(call.code(0)), b.text(words.code));
+    if (!names_axes(words) && !names_further(b))
+      b.report(ig::diag("ISO-0340"), ig::Where::word(call.code(0)), b.text(words.code));
     return axes.linear.mask == 0 && axes.rotary.mask == 0 ? std::nullopt : std::optional(axes);
   }
 
@@ -123,6 +126,7 @@ class ReferenceMove {
   ig::Xyz program{"ProgramXyz", ig::write};
   ig::Xyz machine{"MachineCoordinate", ig::write};
   RotaryReturn rotary;
+  NamesFurtherAxes names_further;
 
  private:
   ig::CompoundMotion motion_;

@@ -34,6 +34,9 @@ struct ReferenceReturn {
   ig::Out<ig::Symbol> compensation_{"ToolHeightCompensation.Term"};
   ig::Field<double> offset_{"ToolHeightCompensation.Offset_mm", ig::read | ig::write};
   ig::Transform frame_{"ToolHeightCompensation", ig::read | ig::write};
+  std::array<FurtherAxisOrder, 4> further_{FurtherAxisOrder{"R1"}, FurtherAxisOrder{"R2"}, FurtherAxisOrder{"R3"},
+                                           FurtherAxisOrder{"R4"}};
+  FurtherAxisOrder drop_further_{"Nothing"};
   ig::Name g43_{"G43"}, g44_{"G44"}, g49_{"G49"};
   TurnedFrame turned_frame_;
 
@@ -48,18 +51,25 @@ struct ReferenceReturn {
       if (which == 2 || which == 3 || which == 4)
         go(b, *words, g30_, static_cast<std::uint32_t>(which));
       else
-        b.report(ig::diag("ISO-0380"), ig::Where::word(g30_.code(0)), which);
+        refuse(b, which);
       any = true;
     }
     return any ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
+  void refuse(ig::Block& b, double which) const {
+    b.report(ig::diag("ISO-0380"), ig::Where::word(g30_.code(0)), which);
+    drop_further_.give(b);
+  }
+
   /// True when the axes have reached the reference position.
   bool go(ig::Block& b, const ig::Words& words, const ig::Call& call, std::uint32_t which) const {
     const ig_field code = call.code(0);
     const ig::Vec3 from = last_(b);
-    const bool returns_all = without_axes_ == WithoutAxes::all && !ReferenceMove::names_axes(words);
+    const bool returns_all =
+        without_axes_ == WithoutAxes::all && !ReferenceMove::names_axes(words) && !move_.names_further(b);
+    if (returns_all || move_.names_further(b)) further_[which - 1].give(b);
     const auto axes = returns_all ? NamedAxes{{7, from}, move_.rotary.all(b)} : move_.named(b, words, call);
     if (!axes) return false;
     const ig::Vec3 intermediate = axes->linear.or_else(from);

@@ -33,6 +33,7 @@ struct ReturnFromReference {
   LastProgramXyz last_;
   RotaryOffsets offsets_{ig::read};
   RotaryAxes axes_;
+  FurtherAxisOrder further_{"G29"};
 
   ig::Status build(ig::Block& b) {
     const bool stored = keep_intermediate(b);
@@ -68,6 +69,7 @@ struct ReturnFromReference {
   }
 
   void go(ig::Block& b, const ig::Words& words) const {
+    further_.give(b);
     const auto axes = move_.named(b, words, g29_);
     if (!axes) return;
     const auto& [named, turned] = *axes;

@@ -3,6 +3,8 @@
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/sdk.hpp>
 
+#include "motion/further_axis_order.hpp"
+
 namespace iso {
 
 using namespace ig::cnc;
@@ -22,6 +24,7 @@ struct UnidirectionalPositioning {
   ig::Codes g60_{"G60"};
   ig::Xyz words_{"Parsing", ig::take};
   ig::Xyz program_{"ProgramXyz", ig::write};
+  NamesFurtherAxes names_further_;
   ig::CompoundMotion motion_;
   LastProgramXyz last_;
   ig::Config config_{"isogloss.motion/1", ig::Need::optional, "UnidirectionalOverrunX_mm, …Y_mm, …Z_mm"};
@@ -34,7 +37,7 @@ struct UnidirectionalPositioning {
     if (!code) return ig::Status::unchanged;
     const ig::PartialVec3 named = b.take(words_);
     if (named.mask == 0) {
-      b.report(ig::diag("ISO-0395"), ig::Where::word(g60_.id(0)));
+      if (!names_further_(b)) b.report(ig::diag("ISO-0395"), ig::Where::word(g60_.id(0)));
       return ig::Status::changed;
     }
     const ig::Vec3 to = named.or_else(last_(b));

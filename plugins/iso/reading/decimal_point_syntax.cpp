@@ -4,6 +4,7 @@
 // both types, since the same program means two things.
 #include <cmath>
 
+#include <isogloss/cnc/further_axes.hpp>
 #include <isogloss/cnc/repeat_count.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -54,12 +55,15 @@ struct DecimalPointSyntax {
     std::vector<ig_field> words;
     std::vector<char> letters;
     std::vector<Quantity> quantities;
+    std::vector<std::string> names{};  // of further axes, in place of letters
   };
+  AxisNames axes;
   CycleK cycle_k;
   TappingJ tapping_j;
   Row block = measured(row_of_block(addresses));
   Row cycle_block = cycle_k.is_length() ? block : without('K', block);
   Row tapping_block = without('J', cycle_block);
+  Row further = row_of_further_axes();
   RepeatCount repeat_count;
   bool changes_nothing = rule == Rule::as_written && resolution == Resolution::keep;
   std::vector<Row> rows = changes_nothing ? std::vector<Row>() : measured(rows_of(codes, words));
@@ -87,6 +91,7 @@ struct DecimalPointSyntax {
   ig::Status build(ig::Block& b) const {
     if (changes_nothing) return ig::Status::unchanged;
     bool changed = read_row(b, !repeat_count.is_k(b) ? block : tapping_j.is_ratio(b) ? tapping_block : cycle_block);
+    if (!further.words.empty()) changed |= read_row(b, further);
     for (const Row& row : rows) {
       ig_value present;
       if (b.get(row.code, present)) changed |= read_row(b, row);
@@ -95,7 +100,9 @@ struct DecimalPointSyntax {
   }
 
  private:
-  static Quantity quantity_of(char letter, std::string_view unit) {
+  Quantity quantity_of(char letter, std::string_view unit) const {
+    if (const auto axis = axes.find({&letter, 1}); axis && is_further_axis(*axis) && axes.is_rotary(*axis))
+      return Quantity::angle;
     if (letter == 'P') return Quantity::other;  // an integer in every use: milliseconds, a count, a number
     return unit == "mm"    ? Quantity::length
            : unit == "deg" ? Quantity::angle
@@ -103,8 +110,23 @@ struct DecimalPointSyntax {
                            : Quantity::other;
   }
 
+  /// Words with the name of an axis, C2=90., have fields of their own.
+  Row row_of_further_axes() const {
+    Row out;
+    for (std::uint32_t axis = first_further_axis; is_further_axis(axis); ++axis) {
+      const ig_field field = ig::Field<double>("Parsing.FurtherAxis" + std::to_string(axis - first_further_axis + 1),
+                                               ig::read | ig::write, {ig::Life::word, "", ""})
+                                 .id();
+      if (axes.name(axis).empty()) continue;
+      out.words.push_back(field);
+      out.quantities.push_back(axes.is_rotary(axis) ? Quantity::angle : Quantity::length);
+      out.names.push_back(std::string(axes.name(axis)) + (axes.name(axis).size() > 1 ? "=" : ""));
+    }
+    return out;
+  }
+
   Row measured(const WordRow& source) const {
-    Row out{source.code, {}, {}, {}};
+    Row out{source.code, {}, {}, {}, {}};
     for (std::size_t i = 0; i < source.words.size(); ++i) {
       const bool is_cycle_k = cycle_k.is_length() && source.letters[i] == 'K' && source.units[i] == "1";
       const Quantity quantity = is_cycle_k ? Quantity::length : quantity_of(source.letters[i], source.units[i]);
@@ -181,8 +203,8 @@ struct DecimalPointSyntax {
                                   : quantity == Quantity::time ? "s"
                                   : is_inch(b)                 ? "in"
                                                                : "mm";
-    b.report(ig::diag("ISO-0115"), ig::Where::word(row.words[i]), std::string_view(&row.letters[i], 1), number, value,
-             unit);
+    const std::string_view name = row.names.empty() ? std::string_view(&row.letters[i], 1) : row.names[i];
+    b.report(ig::diag("ISO-0115"), ig::Where::word(row.words[i]), name, number, value, unit);
     b.rewrite(row.words[i], value);
     return value != number;
   }

@@ -28,12 +28,6 @@ std::size_t skip_statement(std::string_view text, std::size_t position) {
   return end;
 }
 
-/// True at #1, [#1+2.], SIN[30.]
-bool begins_expression(std::string_view text, std::size_t position) {
-  const char c = at(text, position);
-  return c == '#' || c == '[' || (is_letter(c) && at(text, skip_while(text, position, is_letter)) == '[');
-}
-
 std::size_t refuse(ig::Block& b, ig::DiagnosticCode diagnostic, std::string_view text, std::size_t begin,
                    std::size_t end) {
   b.report(diagnostic, ig::Where::columns(begin, end), piece(text, begin, end));
@@ -60,6 +54,11 @@ std::size_t leave_assignment(ig::Block& b, std::string_view text, std::size_t be
 }
 
 }  // namespace
+
+bool begins_expression(std::string_view text, std::size_t position) {
+  const char c = at(text, position);
+  return c == '#' || c == '[' || (is_letter(c) && at(text, skip_while(text, position, is_letter)) == '[');
+}
 
 std::size_t read_without_number(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number,
                                 ig_field field, Expressions expressions) {

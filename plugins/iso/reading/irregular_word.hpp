@@ -10,6 +10,9 @@ namespace iso {
 
 using namespace ig::cnc;
 
+/// True at #1, [#1+2.], SIN[30.]
+bool begins_expression(std::string_view text, std::size_t position);
+
 /// The address at `begin`, whose field is `field`, has no number at `number`: an expression, a name or a typing error.
 std::size_t read_without_number(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number,
                                 ig_field field, Expressions expressions);

@@ -1,5 +1,7 @@
 // Words: an address and a number, X12.5. The scanner reads all words that follow each other and gives them to the host
 // in one call. Text that is not plainly a word (irregular_word.hpp) is an expression for evaluation or a typing error.
+#include <isogloss/cnc/further_axes.hpp>
+
 #include "reading/irregular_word.hpp"
 #include "reading/split_numbers.hpp"
 
@@ -46,6 +48,10 @@ struct WordSyntax {
   ig::Signal fine_digits{"Parsing.~FineDigits", ig::write};
   ig::Signal cuts_digits{"Parsing.~CutsDigits", ig::read, ig::Life::modal};
 
+  std::array<ig::Field<double>, most_further_axes> further{of_further(1), of_further(2), of_further(3),
+                                                           of_further(4), of_further(5), of_further(6)};
+  AxisNames axes;
+
   WordAddresses table{addresses};
 
   /// Words that follow each other and are set by one call of the host.
@@ -75,6 +81,7 @@ struct WordSyntax {
       end = behind;
       next = skip_blanks(text, end);
     } while (next < text.size() && table.begins_word(text[next]));
+    if (run.count == 0) return end == position ? set_named_axis(b, text, position) : end;
     set(b, run, position > 0);
     return end;
   }
@@ -85,8 +92,12 @@ struct WordSyntax {
     const WordAddresses::Address address = table[letter];
     const std::size_t number = skip_blanks(text, begin + 1);
     const ig::Decimal d = ig::read_decimal(text, number);
-    if (!d.ok) return read_without_number(b, text, begin, number, address.field, expressions);
+    if (!d.ok) {
+      if (is_named_axis(text, begin)) return begin;
+      return read_without_number(b, text, begin, number, address.field, expressions);
+    }
     if (odd_after_number[static_cast<unsigned char>(at(text, d.end))]) {
+      if (is_named_axis(text, begin)) return begin;
       const std::size_t end = read_odd_end(b, text, begin, d.end, address.field);
       if (end != begin) return end;
     }
@@ -123,12 +134,63 @@ struct WordSyntax {
     return d.end;
   }
 
+  /// C2=90.: a word of an axis by a name of several characters that the machine's table gives it.
+  struct NamedAxis {
+    std::uint32_t axis;
+    std::size_t name_end;
+    ig::Decimal number;
+  };
+  [[gnu::cold, gnu::noinline]] bool is_named_axis(std::string_view text, std::size_t begin) const {
+    if (named_axis(text, begin)) return true;
+    const std::size_t end = skip_while(text, begin, is_part_of_name);
+    return expressions == Expressions::pass && at(text, end) == '=' && axes.find(piece(text, begin, end)) &&
+           begins_expression(text,
+                             skip_while(text, end + 1, [](char c) { return is_blank(c) || c == '+' || c == '-'; }));
+  }
+  static bool is_part_of_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+
+  std::optional<NamedAxis> named_axis(std::string_view text, std::size_t begin) const {
+    const std::size_t end = skip_while(text, begin, is_part_of_name);
+    if (end - begin < 2 || at(text, end) != '=') return std::nullopt;
+    const auto axis = axes.find(piece(text, begin, end));
+    const ig::Decimal d = ig::read_decimal(text, skip_blanks(text, end + 1));
+    if (!axis || !d.ok || odd_after_number[static_cast<unsigned char>(at(text, d.end))]) return std::nullopt;
+    return field_of(*axis) == IG_NO_FIELD ? std::nullopt : std::optional(NamedAxis{*axis, end, d});
+  }
+  ig_field field_of(std::uint32_t axis) const {
+    return is_further_axis(axis) ? further[axis - first_further_axis].id()
+                                 : table[letter_index(axis_letters[axis])].field;
+  }
+
+  /// It begins no run of words, so that a second word of the axis is seen.
+  [[gnu::cold, gnu::noinline]] std::size_t set_named_axis(ig::Block& b, std::string_view text,
+                                                          std::size_t begin) const {
+    const auto word = named_axis(text, begin);
+    if (!word) return begin;
+    const auto& [axis, name_end, d] = *word;
+    const ig_field field = field_of(axis);
+    const bool bare = !d.has_point && d.value != 0;
+    if (b.has(field)) b.report(ig::diag("ISO-0108"), ig::Where::columns(begin, d.end), piece(text, begin, name_end));
+    b.set_word({.field = field,
+                .begin = column(begin),
+                .end = column(d.end),
+                .value = {.number = d.value + 0.0},
+                .flags = bare ? static_cast<std::uint32_t>(IG_WORD_WITHOUT_POINT) : 0u,
+                .reserved = 0});
+    if (bare) b.raise(without_point);
+    if (d.decimals > 3 && b.is_raised(cuts_digits)) b.raise(fine_digits);
+    return d.end;
+  }
+
+  static ig::Field<double> of_further(int number) {
+    return ig::Field<double>("Parsing.FurtherAxis" + std::to_string(number), ig::write, {ig::Life::word, "", ""});
+  }
+
   bool is_next_tool(unsigned letter, const Run& run) const {
     return second_t == SecondT::next && letter == letter_index('T') && !run.has_next_tool;
   }
 
   void set(ig::Block& b, Run& run, bool has_more_before) const {
-    if (run.count == 0) return;
     for (std::uint32_t i = 0; has_more_before && i < run.count; ++i) {
       ig_word& w = run.words[i];
       if (!b.has(w.field)) continue;

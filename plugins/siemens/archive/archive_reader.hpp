@@ -14,7 +14,9 @@ namespace siemens {
 class ArchiveReader {
  public:
   ArchiveReader(ig::Import& file, std::int64_t channel, const std::string& axes)
-      : file_(file), channel_(channel), frames_(axes) {}
+      : file_(file), channel_(channel), frames_(axes) {
+    frames_.add_machine_names(file);
+  }
 
   void read();
   /// Gives the rows to the file. `edge_step` is 0 where edges are indices.

@@ -37,6 +37,19 @@ FrameRows::FrameRows(const std::string& axes) {
   for (const char letter : own) letters_.try_emplace(std::string(1, letter), 1, letter);
 }
 
+void FrameRows::add_machine_names(const ig::Import& file) {
+  static constexpr const char* table = "MachineAxes";
+  for (std::uint32_t row = 0; row < file.machine_rows(table); ++row) {
+    const std::string letter(file.machine_key(table, row));
+    if (letter.size() != 1 || std::string_view("XYZABC").find(letter[0]) > 5) continue;
+    const std::string names(file.machine_cell(table, row, "Names"));
+    for (std::size_t end = 0, begin = 0; (begin = names.find_first_not_of(" \t\r\n", end)) != std::string::npos;) {
+      end = std::min(names.find_first_of(" \t\r\n", begin), names.size());
+      letters_.try_emplace(upper(names.substr(begin, end - begin)), letter);
+    }
+  }
+}
+
 bool FrameRows::Frame::has_shape() const {
   bool out = is_turned;
   for (const auto& [axis, part] : axes) out = out || part.has_shape();
@@ -206,7 +219,7 @@ void FrameRows::give_row(ig::Import& file, const std::string& row, const Frame& 
     const auto found = letters_.find(axis);
     if (found == letters_.end()) {
       if (part.shift() != 0)
-        file.unused("shift of axis " + axis, "the table has the axes X, Y, Z, A, B and C: see the option axes",
+        file.unused("shift of axis " + axis, "the table has the axes X, Y, Z, A, B and C: see Names in MachineAxes",
                     frame.begin, frame.end);
       continue;
     }

@@ -16,6 +16,8 @@ class FrameRows {
  public:
   /// `axes` gives the table's letters to axes of the machine: "X1=X, Z1=Z". Throws where it has another form.
   explicit FrameRows(const std::string& axes);
+  /// The column Names of the machine's MachineAxes; names of the option axes stay.
+  void add_machine_names(const ig::Import& file);
 
   /// False where the assignment is not to a frame.
   bool assign(ig::Import& file, const Assignment& a);

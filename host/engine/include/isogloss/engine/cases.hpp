@@ -24,7 +24,8 @@ struct Case {
   std::uint32_t line = 0;
   std::optional<Fence> previous;      ///< JSON: the whole block before
   std::optional<Fence> ahead;         ///< JSON: executed blocks after it, a list
-  std::optional<Fence> dependencies;  ///< XML: dependencies, the syntax's own element with options, <Settings …/>
+  std::optional<Fence> dependencies;  ///< XML: dependencies, the syntax's own element with options, <Settings …/>;
+                                      ///< of an importer: rows that the machine's own file has
   std::optional<Fence>
       diagnostics;  ///< the codes that must be reported, exactly; absent: none. Of an importer each with line:column
   bool accepts_any_code = false;       ///< "#Diagnostics: any": any codes are accepted

@@ -35,6 +35,8 @@ struct TableRow {
   Location where;
 };
 
+struct DependencyElement;
+
 /// A file of a control, or a folder of such files, that importers read.
 struct Import {
   std::filesystem::path file;
@@ -42,6 +44,7 @@ struct Import {
   std::vector<Attribute> options;  ///< of the importer
   Location where;
   bool shares_options = false;  ///< options that its importer lacks are meant for others: files, or the dependency
+  std::vector<const DependencyElement*> machine_tables{};  ///< rows of the machine's own file, which importers may ask
 };
 
 struct DependencyElement {
