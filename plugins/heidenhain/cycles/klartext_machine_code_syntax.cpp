@@ -19,7 +19,7 @@ struct KlartextMachineCode {
       ig::syntax("KlartextMachineCodeSyntax", "Cycles of the machine's builder, as MachineCodes says.")
           .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
           .before("KlartextCycleSyntax", "KlartextFrameCycleSyntax", "KlartextParameterSyntax")
-          .scans("CFcf");
+          .scans("CFTcft");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "HEI-0340", "the program {1} that {0} calls is not found, so it is not called: {2}"),
       ig::diagnostic(IG_ERROR, "HEI-0341",
@@ -47,6 +47,7 @@ struct KlartextMachineCode {
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (!machine_.holds_any() || !stands_first(text, position)) return position;
     if (to_upper(text[position]) == 'F') return function(b, text, position);
+    if (to_upper(text[position]) == 'T') return probing(b, text, position);
     const std::size_t definition = keyword(text, position, "CYCL DEF");
     const auto number = definition == position ? std::nullopt : CycleNumber::at(text, skip(text, definition));
     if (!number) return position;
@@ -84,6 +85,23 @@ struct KlartextMachineCode {
     if (row == nullptr) return position;
     const std::size_t end = statement_end(text, position);
     if (!text_.values().is_indexing()) answer(b, *row, text.substr(0, end), where_of_line(text, position));
+    return end;
+  }
+
+  /// TCH PROBE 413, and TCH PROBE 0.0 with its further parts.
+  std::size_t probing(ig::Block& b, std::string_view text, std::size_t position) const {
+    const std::size_t behind = keyword(text, position, "TCH PROBE");
+    const auto number = behind == position ? std::nullopt : CycleNumber::at(text, skip(text, behind));
+    if (!number) return position;
+    const std::string name = "TCH PROBE " + std::to_string(number->cycle);
+    const ig_machine_code* row = machine_.find(name);
+    if (row == nullptr) row = machine_.family(name);
+    if (row == nullptr) return position;
+    const std::size_t end = statement_end(text, position);
+    if (text_.values().is_indexing()) return end;
+    text = text.substr(0, end);
+    if (!number->part) text_.parameters(b, text, number->end, number->cycle, [](std::uint32_t, double) {});
+    if (number->part.value_or(0) == 0) answer(b, *row, text, where_of_line(text, position), position);
     return end;
   }
 

@@ -10,7 +10,14 @@ namespace iso {
 
 using namespace ig::cnc;
 
-inline constexpr std::string_view klartext_cycle = "CYCL DEF ";
+inline constexpr std::string_view klartext_cycle = "CYCL DEF ", klartext_probing = "TCH PROBE ";
+
+/// The words before the number of a Klartext cycle, with the blank behind them; empty for other names.
+inline std::string_view klartext_words(std::string_view name) {
+  for (const std::string_view words : {klartext_cycle, klartext_probing})
+    if (name.starts_with(words)) return words;
+  return {};
+}
 
 /// Capital letters, one blank between two words, and codes as scanners name them: M8 is M08, M8.0 too, and G054.1 is
 /// G54.1; a cycle's number has no leading zeros, and FN 19 no blank.
@@ -29,8 +36,8 @@ inline std::string canonical(std::string_view written) {
   while (is_code && out[1] == '0' && out.size() > 2 && is_digit(out[2])) out.erase(1, 1);
   if (is_code && !is_family && skip_digits(out, 1) == 2) out.insert(1, 1, '0');
   if (out.starts_with("FN ") && out.size() > 3 && is_digit(out[3])) out.erase(2, 1);
-  while (out.starts_with(klartext_cycle) && out.size() > klartext_cycle.size() + 1 && out[klartext_cycle.size()] == '0')
-    out.erase(klartext_cycle.size(), 1);
+  const std::size_t number = klartext_words(out).size();
+  while (number > 0 && out.size() > number + 1 && out[number] == '0') out.erase(number, 1);
   while (out.size() > 2 && out[0] == 'O' && out[1] == '0' && is_digit(out[2])) out.erase(1, 1);
   return out;
 }
@@ -44,8 +51,8 @@ inline bool is_code(std::string_view name) {
 
 /// A cycle, or what may call a program: two letters or more, or L and a number.
 inline bool is_found_by_name(std::string_view name) {
-  if (name.starts_with(klartext_cycle))
-    return name.size() > klartext_cycle.size() && skip_digits(name, klartext_cycle.size()) == name.size();
+  if (const std::size_t number = klartext_words(name).size(); number > 0)
+    return name.size() > number && skip_digits(name, number) == name.size();
   const auto is_part = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
   if (name.size() < 2 || is_digit(name[0]) || skip_while(name, 0, is_part) != name.size()) return false;
   return !is_digit(name[1]) || ((name[0] == 'L' || name[0] == 'O') && skip_digits(name, 1) == name.size());
@@ -65,7 +72,8 @@ inline bool begins_codes(std::string_view beginning) {
 inline bool is_family(std::string_view name) {
   const std::string_view beginning = beginning_of_family(name);
   if (beginning.empty()) return false;
-  if (name.starts_with(klartext_cycle)) return skip_digits(beginning, klartext_cycle.size()) == beginning.size();
+  if (const std::size_t number = klartext_words(name).size(); number > 0)
+    return skip_digits(beginning, number) == beginning.size();
   const auto is_part = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
   return !is_digit(name[0]) && skip_while(beginning, 0, is_part) == beginning.size();
 }

@@ -95,7 +95,8 @@ struct MachineCodeTable {
     if (const std::string_view time = table.text(row, when); !time.empty() && time != "defined" && time != "called")
       return "when=\"" + std::string(time) + "\" is none of defined, called";
     if (!is_code(name) && !is_found_by_name(name) && !is_family(name))
-      return "its name is a code, as M92, a cycle, as CYCL DEF 392 or CYCLE996, a program, as L9000, or a family, as "
+      return "its name is a code, as M92, a cycle, as CYCL DEF 392, TCH PROBE 413 or CYCLE996, a program, as L9000, or "
+             "a family, as "
              "CYCLE9*";
     if (!table.text(row, when).empty() && !name.starts_with(klartext_cycle))
       return "when has no effect here: only CYCL DEF may wait for its call";
@@ -189,7 +190,8 @@ struct MachineCodeTable {
     for (std::size_t size = std::min<std::size_t>(name.size(), most_name); size-- > 1;) {
       const auto row = rows.find(name.substr(0, size) + "*");
       if (row == rows.end()) continue;
-      const bool is_cycle = name.starts_with(klartext_cycle), is_of_cycles = size >= klartext_cycle.size();
+      const std::size_t number = klartext_words(name).size();
+      const bool is_cycle = number > 0, is_of_cycles = size >= number;
       if (is_cycle ? is_of_cycles : !begins_codes(name.substr(0, size)) || is_code(canonical_name))
         return &row->second.shown;
     }
