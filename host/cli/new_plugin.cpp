@@ -133,20 +133,31 @@ class NewPlugin : public NewFolder {
     return true;
   }
 
+  static bool takes(const ig_syntax& syntax, std::string_view named) {
+    for (std::uint32_t i = 0; i < syntax.field_count; ++i) {
+      const ig_field_decl& field = syntax.fields[i];
+      const std::string_view path = field.path;
+      if ((field.access & IG_TAKE) != 0 && path.starts_with("Parsing.") && path.ends_with(named) &&
+          (path.size() == 8 + named.size() || path.substr(8, path.size() - 8 - named.size()) == "Flags."))
+        return true;
+    }
+    return false;
+  }
+
+  /// Takes the words of codes that it reports, whatever they are: most of the alphabet.
+  static bool takes_any_word(const ig_syntax& syntax) {
+    int count = 0;
+    for (char letter = 'A'; letter <= 'Z'; ++letter) count += takes(syntax, {&letter, 1}) ? 1 : 0;
+    return count > 13;
+  }
+
   /// False, and reported, when a syntax of the base dialect answers to the word or code already.
   bool is_free(const std::string& named) {
     const std::unique_ptr<LinkedDialect> linked = session().link(base().file.string());
     if (linked == nullptr) return false;
-    for (const LinkedSyntax& s : linked->chain) {
-      // What reports leftovers takes every word.
-      if (s.element.stage >= Stage::inspection || s.syntax->inspects != 0) continue;
-      for (std::uint32_t i = 0; i < s.syntax->field_count; ++i) {
-        const ig_field_decl& field = s.syntax->fields[i];
-        const std::string_view path = field.path;
-        const bool is_named = path == "Parsing." + named || path == "Parsing.Flags." + named;
-        if (is_named && (field.access & IG_TAKE) != 0) return refuse("IG-0153", {named, base().name, s.element.alias});
-      }
-    }
+    for (const LinkedSyntax& s : linked->chain)
+      if (takes(*s.syntax, named) && !takes_any_word(*s.syntax))
+        return refuse("IG-0153", {named, base().name, s.element.alias});
     return true;
   }
 
@@ -230,12 +241,16 @@ int new_dialect(const NewOptions& options) {
   if (!folder.begins()) return cannot_start;
   const std::vector<std::string>& extensions = folder.base().extensions;
   const bool is_klartext = std::find(extensions.begin(), extensions.end(), ".h") != extensions.end();
+  const bool is_iso = chain_element(folder.base(), "WordSyntax") != nullptr;
   std::string tables;
   for (const DependencyElement& e : folder.base().dependencies) tables += (tables.empty() ? "" : ", ") + e.alias;
   folder.words()["program"] = "slot";
   folder.words()["extension"] = extensions.empty() ? "nc" : extensions.front().substr(1);
   folder.words()["tables"] = tables;
-  return folder.write({"plugin", "dialect", is_klartext ? "dialect-klartext" : "dialect-iso"});
+  return folder.write({"plugin", "dialect",
+                       is_klartext ? "dialect-klartext"
+                       : is_iso    ? "dialect-iso"
+                                   : "dialect-sinumerik"});
 }
 
 }  // namespace isogloss::cli

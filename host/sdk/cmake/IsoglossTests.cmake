@@ -57,8 +57,9 @@ function(isogloss_add_program_test name)
     list(REMOVE_ITEM arg_PROGRAM ${expected})
   endif()
   isogloss_places(places)
+  list(JOIN places "|" places)  # a list in a list would fall apart
   set(run ${CMAKE_COMMAND} -D COMMAND=${ISOGLOSS_COMMAND} -D PROGRAM=${arg_PROGRAM} -D DIALECT=${arg_DIALECT}
-          -D SECTION=${arg_SECTION} -D EXPECTED=${expected} -D "PLACES=${places}" -P
+          -D SECTION=${arg_SECTION} -D EXPECTED=${expected} -D PLACES=${places} -P
           ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/RunAndCompare.cmake)
   add_test(NAME program.${name} COMMAND ${run})
   add_custom_target(update-${name} COMMAND ${CMAKE_COMMAND} -E env ISOGLOSS_UPDATE=1 ${run} VERBATIM)

@@ -1,8 +1,9 @@
-# cmake -D COMMAND=isogloss -D PROGRAM=part.nc -D DIALECT=acme -D EXPECTED=part.expected [-D SECTION=Acme] -D "PLACES=…"
-# -P RunAndCompare.cmake: what comes of a program against what is expected; with ISOGLOSS_UPDATE in the environment the
+# cmake -D COMMAND=isogloss -D PROGRAM=part.nc -D DIALECT=acme -D EXPECTED=part.expected [-D SECTION=Acme]
+# -D "PLACES=--dialects|DIR" -P RunAndCompare.cmake: what comes of a program against what is expected; with ISOGLOSS_UPDATE in the environment the
 # file is written instead.
 cmake_minimum_required(VERSION 3.25)
 
+string(REPLACE "|" ";" PLACES "${PLACES}")
 set(emit motions --format csv)
 if(SECTION)
   set(emit blocks)
