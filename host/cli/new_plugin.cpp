@@ -118,12 +118,14 @@ class NewPlugin : public NewFolder {
   }
 
   bool has_free_name() {
+    session().library().load_all();
     for (const LoadedPlugin& loaded : session().library().plugins())
       if (loaded.plugin->name == options().name)
         return refuse("IG-0151", {options().name, "a plugin that is installed"});
     return true;
   }
 
+  /// After has_free_name(), which loads all plugins.
   bool has_free_prefix() {
     const std::string prefix = options().prefix.empty() ? prefix_of(options().name) : options().prefix;
     if (!is_prefix(prefix)) return refuse("IG-0152", {prefix, "is not two to eight capital letters"});

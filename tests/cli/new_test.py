@@ -44,7 +44,7 @@ class New(unittest.TestCase):
         self.assertTrue(os.access(self.path / "acme/ci.sh", os.X_OK))
 
     def test_every_mark_of_a_template_is_filled(self):
-        for name, more in (("a-1", []), ("b-word", ["--word", "V"]), ("c-word", ["--word", "e", "--language", "c"]),
+        for name, more in (("a-1", ["--prefix", "AONE"]), ("b-word", ["--word", "V"]), ("c-word", ["--word", "e", "--language", "c"]),
                            ("d-table", ["--table", "clamp-table"])):
             self.new("plugin", name, *more)
         self.new("dialect", "turned", "--extends", "siemens", "--in", "elsewhere")
@@ -100,7 +100,7 @@ class New(unittest.TestCase):
         self.refused("IG-0152", "plugin", "acme", "--prefix", "IG")
         for prefix in ("A", "acme", "ABCDEFGHI", "A1"):
             self.refused("IG-0152", "plugin", "acme", "--prefix", prefix)
-        self.refused("IG-0152", "plugin", "x1")
+        self.refused("IG-0152", "plugin", "x1")  # one letter
 
     def test_codes_and_words_of_the_base_are_refused(self):
         for code in ("G81", "g1", "G54"):
