@@ -30,4 +30,34 @@ using TemplateWords = std::map<std::string, std::string>;
 std::vector<std::string> write_templates(const std::filesystem::path& place, const std::vector<std::string>& layers,
                                          const TemplateWords& words, Session& session);
 
+/// What plugin and dialect have in common: a name that is free, and the dialect that they stand on.
+class NewFolder {
+ public:
+  /// `what` is "a plugin" or "a dialect"; the options must outlive this object.
+  NewFolder(const NewOptions& options, const char* what);
+
+  /// Reads the base; false, and reported, when the folder cannot be made.
+  bool begins();
+  /// Fills in the layers and prints what was written; the exit status.
+  int write(const std::vector<std::string>& layers);
+  /// Reports; false, so that a check can return it.
+  bool refuse(std::string_view code, std::initializer_list<std::string> arguments);
+
+  /// The element of the base's chain, null where it has none.
+  const ChainElement* in_chain(std::string_view syntax) const;
+
+  const NewOptions& options() const { return options_; }
+  Session& session() { return session_; }
+  const Dialect& base() const { return base_; }
+  TemplateWords& words() { return words_; }
+
+ private:
+  const NewOptions& options_;
+  const char* what_;
+  Session session_;
+  std::filesystem::path place_;
+  Dialect base_;
+  TemplateWords words_;
+};
+
 }  // namespace isogloss::cli

@@ -1,79 +1,13 @@
-// The folders of a plugin and of a dialect. All that can be wrong is looked at before the first file is written.
+// The folder of a plugin. All that can be wrong is looked at before the first file is written.
 #include <fmt/format.h>
-
-#include <algorithm>
 
 #include "known_codes.hpp"
 #include "new_folder.hpp"
 #include "new_names.hpp"
-#include "output_file.hpp"
 
 namespace isogloss::cli {
 
-namespace fs = std::filesystem;
-
 namespace {
-
-const ChainElement* chain_element(const Dialect& dialect, std::string_view syntax) {
-  const auto found = std::find_if(dialect.chain.begin(), dialect.chain.end(),
-                                  [syntax](const ChainElement& e) { return e.syntax == syntax; });
-  return found == dialect.chain.end() ? nullptr : &*found;
-}
-
-/// What plugin and dialect have in common: a name that is free, and the dialect that they stand on.
-class NewFolder {
- public:
-  NewFolder(const NewOptions& options, const char* what)
-      : options_(options), what_(what), session_(options.common), place_(fs::path(options.folder) / options.name) {}
-
-  /// False, and reported, when the folder cannot be made.
-  bool begins() {
-    if (!is_plugin_name(options_.name)) return refuse("IG-0150", {options_.name, what_});
-    if (!is_one_line(options_.title) || !is_one_line(options_.vendor))
-      return refuse("IG-0513", {"--title and --vendor are one line each"});
-    std::error_code error;
-    if (fs::exists(place_, error)) return refuse("IG-0151", {options_.name, "the folder " + place_.string()});
-    for (const Dialect& d : session_.reader().list())
-      if (d.name == options_.name) return refuse("IG-0151", {options_.name, "dialect " + d.file.string()});
-    const std::string extended = options_.base.empty() ? "fanuc" : options_.base;
-    std::optional<Dialect> read = session_.read(extended);
-    if (!read) return false;
-    base_ = std::move(*read);
-    words_ = {{"plugin", options_.name},
-              {"base", base_.name},
-              {"name", type_name_of(options_.name)},
-              {"title", escaped_xml(options_.title.empty() ? options_.name : options_.title)}};
-    return true;
-  }
-
-  int write(const std::vector<std::string>& layers) {
-    const std::vector<std::string> written = write_templates(place_, layers, words_, session_);
-    if (written.empty()) return cannot_start;
-    std::string out;
-    for (const std::string& path : written) out += path + "\n";
-    const std::string where = place_.string();
-    fmt::print(stderr, "next: cd {} && cmake -S . -B build && cmake --build build && ctest --test-dir build\n", where);
-    return print(out, session_.status());
-  }
-
-  bool refuse(std::string_view code, std::initializer_list<std::string> arguments, std::string hint = {}) {
-    session_.report(code, {}, arguments, std::move(hint));
-    return false;
-  }
-
-  const NewOptions& options() const { return options_; }
-  Session& session() { return session_; }
-  const Dialect& base() const { return base_; }
-  TemplateWords& words() { return words_; }
-
- private:
-  const NewOptions& options_;
-  const char* what_;
-  Session session_;
-  fs::path place_;
-  Dialect base_;
-  TemplateWords words_;
-};
 
 class NewPlugin : public NewFolder {
  public:
@@ -94,8 +28,9 @@ class NewPlugin : public NewFolder {
       refuse("IG-0513", {"a plugin begins with one syntax: give --cycle, or --word and --table"});
       return cannot_start;
     }
-    if (chain_element(base(), "WordSyntax") == nullptr || chain_element(base(), "LinearMotionSyntax") == nullptr)
-      return no_template("the language of dialect " + base().name, "the test's program has the words of ISO 6983");
+    if (in_chain("WordSyntax") == nullptr || in_chain("LinearMotionSyntax") == nullptr)
+      return no_template("a plugin on dialect " + base().name,
+                         "its words are not read by WordSyntax, as those of ISO 6983");
     if (is_cycle ? !describes_cycle() : !describes_word()) return cannot_start;
     return write(is_cycle                   ? std::vector<std::string>{"plugin", "plugin-cxx", "cycle"}
                  : !options().table.empty() ? std::vector<std::string>{"plugin", "plugin-cxx", "table"}
@@ -174,8 +109,8 @@ class NewPlugin : public NewFolder {
   bool describes_cycle() {
     const std::string code = cycle_code(options().cycle.empty() ? "G181" : options().cycle);
     if (code.empty()) return refuse("IG-0513", {"a cycle has a G code of up to three digits, such as G181"});
-    const ChainElement* const drilling = chain_element(base(), "DrillingCycleSyntax");
-    if (drilling == nullptr || chain_element(base(), "CannedCycleResolveSyntax") == nullptr)
+    const ChainElement* const drilling = in_chain("DrillingCycleSyntax");
+    if (drilling == nullptr || in_chain("CannedCycleResolveSyntax") == nullptr)
       return refuse("IG-0154", {"a cycle of dialect " + base().name, "it has no canned cycles of ISO programs"});
     if (!is_free(code)) return false;
     std::string unit = "s";
@@ -237,22 +172,5 @@ class NewPlugin : public NewFolder {
 }  // namespace
 
 int new_plugin(const NewOptions& options) { return NewPlugin(options).run(); }
-
-int new_dialect(const NewOptions& options) {
-  NewFolder folder(options, "a dialect");
-  if (!folder.begins()) return cannot_start;
-  const std::vector<std::string>& extensions = folder.base().extensions;
-  const bool is_klartext = std::find(extensions.begin(), extensions.end(), ".h") != extensions.end();
-  const bool is_iso = chain_element(folder.base(), "WordSyntax") != nullptr;
-  std::string tables;
-  for (const DependencyElement& e : folder.base().dependencies) tables += (tables.empty() ? "" : ", ") + e.alias;
-  folder.words()["program"] = "slot";
-  folder.words()["extension"] = extensions.empty() ? "nc" : extensions.front().substr(1);
-  folder.words()["tables"] = tables;
-  return folder.write({"plugin", "dialect",
-                       is_klartext ? "dialect-klartext"
-                       : is_iso    ? "dialect-iso"
-                                   : "dialect-sinumerik"});
-}
 
 }  // namespace isogloss::cli

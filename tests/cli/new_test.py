@@ -122,6 +122,9 @@ class New(unittest.TestCase):
         for code in ("M81", "G", "G1.1", "G1234"):
             self.refused("IG-0513", "plugin", "acme", "--cycle", code)
         self.refused("IG-0513", "plugin", "acme", "--word", "EE")
+        self.refused("IG-0513", "dialect", "acme", "--extends", "./mine.xml")
+        self.refused("IG-0513", "plugin", "acme", "--vendor", "two\nlines")
+        self.refused("IG-0101", "dialect", "acme", "--extends", "fanuk")
 
 
 def main():
