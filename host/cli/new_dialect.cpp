@@ -68,10 +68,7 @@ int new_dialect(const NewOptions& options) {
   folder.words()["program"] = "slot";
   folder.words()["extension"] = extensions.empty() ? "nc" : extensions.front().substr(1);
   folder.words()["tables"] = tables;
-  return folder.write({"plugin", "dialect",
-                       is_klartext ? "dialect-klartext"
-                       : is_iso    ? "dialect-iso"
-                                   : "dialect-sinumerik"});
+  return folder.write({"dialect", is_klartext ? "dialect-klartext" : is_iso ? "dialect-iso" : "dialect-sinumerik"});
 }
 
 }  // namespace isogloss::cli

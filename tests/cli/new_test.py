@@ -51,7 +51,9 @@ class New(unittest.TestCase):
         for path in self.path.rglob("*"):
             if path.is_file():
                 self.assertNotRegex(f"{path.name} {path.read_text()}", r"@\w*@")
-        self.assertTrue((self.path / "elsewhere/turned/tests/slot.spf").is_file())
+        files = {path.name for path in (self.path / "elsewhere/turned").rglob("*") if path.is_file()}
+        self.assertEqual(files, {".gitignore", "CMakeLists.txt", "README.md", "ci.sh", "turned.xml", "slot.spf",
+                                 "slot.expected"})
         self.assertIn("LANGUAGES C)", (self.path / "c-word/CMakeLists.txt").read_text())
 
     def test_names_follow_from_the_name(self):
