@@ -42,7 +42,7 @@ inline constexpr Command commands[] = {
     {"schema", "print the schema of dialect files or of the block document", schema_command},
     {"list", "list plugins, dialects, machines, importers, codes, diagnostics and more", list_command},
     {"inspect", "show the page and declaration of one of them", inspect_command},
-    {"new", "make the folder of a machine", new_command},
+    {"new", "make the folder of a plugin, a dialect or a machine", new_command},
     {"import", "read files of controls as tables of a machine", import_command},
     {"export", "write tables of a machine as a file of its control", export_command},
     {"doctor", "report what was found where, and what was not loaded and why", doctor_command},

@@ -13,18 +13,18 @@ namespace isogloss::cli {
 
 namespace fs = std::filesystem;
 
+fs::path folder_of_executable() {
+  std::error_code error;
+  const fs::path exe = fs::read_symlink("/proc/self/exe", error);
+  return error ? fs::path() : exe.parent_path();
+}
+
 namespace {
 
 std::vector<fs::path> folders(const std::vector<Place>& places) {
   std::vector<fs::path> out;
   for (const Place& p : places) out.push_back(p.folder);
   return out;
-}
-
-fs::path folder_of_executable() {
-  std::error_code error;
-  const fs::path exe = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path() : exe.parent_path();
 }
 
 /// The user's folders, then the environment's, then those beside the executable or of its installation.

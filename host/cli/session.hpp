@@ -95,6 +95,9 @@ void keep_to_the_end(std::unique_ptr<T> whole) {
   kept.push_back(std::move(whole));
 }
 
+/// Where the command itself stands; what is installed with it is found from there.
+std::filesystem::path folder_of_executable();
+
 /// The text of a file, or of standard input for "-". Empty with a reason in `error`.
 std::optional<std::string> read_text(const std::string& path, std::string& error);
 

@@ -145,6 +145,41 @@ class Checks:
         tables = self.run(self.command, "import", table, "--plugins", plugins).stdout
         expect('<Tool id="12" H="98.2" D="5" />' in tables, "a vendor's importer reads the vendor's file", tables)
 
+    def new(self):
+        """What `isogloss new` writes is green at once, and its tests notice a change."""
+        folder = self.folder / "new"
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir()
+        for name, what, *more in (("acme-drill", "plugin", "--cycle", "G181"), ("acme-word", "plugin", "--word", "E"),
+                                  ("acme-c", "plugin", "--word", "E", "--language", "c"),
+                                  ("acme-table", "plugin", "--table", "ClampTable"), ("acme-iso", "dialect"),
+                                  ("acme-840d", "dialect", "--extends", "siemens"),
+                                  ("acme-tnc", "dialect", "--extends", "heidenhain")):
+            self.run(self.command, "new", what, name, "--in", folder, *more)
+            place, tree = folder / name, folder / name / "build"
+            self.run("cmake", "-S", place, "-B", tree, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={self.prefix}",
+                     *([] if "c" in more or what == "dialect" else [f"-DCMAKE_CXX_COMPILER={self.compiler}"]),
+                     "-DCMAKE_COMPILE_WARNING_AS_ERROR=ON")
+            self.run("cmake", "--build", tree)
+            passed = self.run("ctest", "--test-dir", tree, "--output-on-failure").stdout
+            counted = int(re.search(r"out of (\d+)", passed)[1])
+            expect(counted == (2 if what == "dialect" else 3), f"{name}: page, dialect and program are tested", passed)
+
+            expected = next((place / "tests").glob("*.expected"))
+            text = expected.read_text()
+            expected.write_text(text + "one line more\n")
+            self.run("ctest", "--test-dir", tree, "-R", "program", status=8)
+            self.run("cmake", "--build", tree, "--target", f"update-{expected.stem}")
+            expect(expected.read_text() == text, f"{name}: its test fails on a change, and what is expected is written", "")
+
+        drilled = self.folder / "new/acme-drill/tests/g181.expected"
+        feeds = re.findall(r",3,feed,10,20,(\S+?),.*?,,,,(\d+),", drilled.read_text())
+        expect(feeds == [("-3", "2"), ("2", "1")], "G181 feeds to the bottom and returns at half feed", feeds)
+        place = folder / "acme-drill"
+        page = place / "acme_drill_g181_cycle_syntax.md"
+        page.write_text(page.read_text().replace('"Time": 0.5', '"Time": 0.7'))
+        self.run("ctest", "--test-dir", place / "build", "-R", "page", status=8)
+
     def without_entry(self):
         _, done = self.build_project("without_entry", status=1)
         said = " ".join(done.stdout.split())  # lines break where the path ends
@@ -159,7 +194,7 @@ def expect(holds, what, seen):
 
 def main():
     arguments = argparse.ArgumentParser()
-    arguments.add_argument("check", choices=["install", "embed", "vendor", "without_entry"])
+    arguments.add_argument("check", choices=["install", "embed", "vendor", "new", "without_entry"])
     arguments.add_argument("--build", type=Path, required=True)
     arguments.add_argument("--folder", type=Path, required=True)
     arguments.add_argument("--compiler", default="c++")

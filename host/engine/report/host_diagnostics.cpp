@@ -146,6 +146,30 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {warning, "IG-0149", "the row '{1}' of {0} sets {2}, which no syntax of this dialect reads and no output shows",
        "The field belongs to a plugin whose reader is not in this chain, so the row has no effect.",
        R"(<Code name="AIR" does="set" fields="Vendor.Mode=2"/>)"},
+      {error, "IG-0150", "'{0}' cannot be the name of {1}: use letters, digits and hyphens, beginning with a letter",
+       "Names of files, types and targets follow from it. Words that C++ or CMake reserve, such as class and test, "
+       "would "
+       "not build.",
+       "isogloss new plugin 3axis"},
+      {error, "IG-0151", "'{0}' exists already ({1}): nothing is written, so choose another name",
+       "`isogloss new` never writes into a folder that is there, and two plugins or dialects of one name would hide "
+       "each "
+       "other.",
+       "isogloss new plugin acme, twice"},
+      {error, "IG-0152", "the prefix '{0}' of the diagnostics {1}: give another one with --prefix",
+       "A code of a diagnostic tells by its prefix which plugin it comes from. Without --prefix, the first letters of "
+       "the "
+       "plugin's name are taken.",
+       "isogloss new plugin fanta --prefix FAN"},
+      {error, "IG-0153", "{0} already has a meaning in dialect {1}: {2} reads it, so choose another one",
+       "The syntax that stands first in the chain would take it, and the other one would never see it. `isogloss list "
+       "codes -d DIALECT` shows what is in use.",
+       "isogloss new plugin acme --cycle G81"},
+      {error, "IG-0154", "there is no template for {0}: {1}",
+       "`isogloss new plugin` begins with a cycle, a word or a table in C++, or with a word in C, for a dialect that "
+       "reads "
+       "programs of ISO 6983.",
+       "isogloss new plugin acme --cycle G181 --language c"},
       // links: 0200-0299
       {error, "IG-0201", "no plugin '{0}' in the folders searched",
        "The dialect names a plugin that no plugin folder holds, or that could not be loaded. `isogloss doctor` lists "

@@ -1,0 +1,176 @@
+// The folder of a plugin. All that can be wrong is looked at before the first file is written.
+#include <fmt/format.h>
+
+#include "known_codes.hpp"
+#include "new_folder.hpp"
+#include "new_names.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+class NewPlugin : public NewFolder {
+ public:
+  explicit NewPlugin(const NewOptions& options) : NewFolder(options, "a plugin") {}
+
+  int run() {
+    if (!begins() || !has_free_name() || !has_free_prefix()) return cannot_start;
+    const bool is_c = options().language == "c";
+    const bool is_cycle = options().word.empty() && options().table.empty();
+    words()["namespace"] = lower_case(options().name);
+    words()["NAMESPACE"] = upper_case(options().name);
+    words()["vendor"] = escaped_literal(options().vendor.empty() ? options().name : options().vendor);
+    words()["languages"] = is_c ? "C" : "CXX";
+    words()["plugin_arguments"] = is_c ? " LANGUAGE C" : "";
+    if (is_c && options().word.empty()) return no_template("a cycle or a table in C", "--word has one");
+    if (is_c && !options().table.empty()) return no_template("a table in C", "--word alone has one");
+    if (!options().cycle.empty() && !is_cycle) {
+      refuse("IG-0513", {"a plugin begins with one syntax: give --cycle, or --word and --table"});
+      return cannot_start;
+    }
+    if (in_chain("WordSyntax") == nullptr || in_chain("LinearMotionSyntax") == nullptr)
+      return no_template("a plugin on dialect " + base().name,
+                         "its words are not read by WordSyntax, as those of ISO 6983");
+    if (is_cycle ? !describes_cycle() : !describes_word()) return cannot_start;
+    return write(is_cycle                   ? std::vector<std::string>{"plugin", "plugin-cxx", "cycle"}
+                 : !options().table.empty() ? std::vector<std::string>{"plugin", "plugin-cxx", "table"}
+                 : is_c                     ? std::vector<std::string>{"plugin", "plugin-c", "word", "word-c"}
+                                            : std::vector<std::string>{"plugin", "plugin-cxx", "word", "word-cxx"});
+  }
+
+ private:
+  static std::string mapped(std::string_view name, char from, char to, int shift) {
+    std::string out;
+    for (const char c : name) out += c == '-' ? '_' : c >= from && c <= to ? static_cast<char>(c + shift) : c;
+    return out;
+  }
+  static std::string lower_case(std::string_view name) { return mapped(name, 'A', 'Z', 'a' - 'A'); }
+  static std::string upper_case(std::string_view name) { return mapped(name, 'a', 'z', 'A' - 'a'); }
+
+  int no_template(const std::string& what, const std::string& why) {
+    refuse("IG-0154", {what, why});
+    return cannot_start;
+  }
+
+  bool has_free_name() {
+    session().library().load_all();
+    for (const LoadedPlugin& loaded : session().library().plugins())
+      if (loaded.plugin->name == options().name)
+        return refuse("IG-0151", {options().name, "a plugin that is installed"});
+    return true;
+  }
+
+  /// After has_free_name(), which loads all plugins.
+  bool has_free_prefix() {
+    const std::string prefix = options().prefix.empty() ? prefix_of(options().name) : options().prefix;
+    if (!is_prefix(prefix)) return refuse("IG-0152", {prefix, "is not two to eight capital letters"});
+    for (const KnownCode& known : known_codes(session().library()))
+      if (known.info.code.starts_with(prefix + "-")) return refuse("IG-0152", {prefix, "belongs to " + known.plugin});
+    words()["prefix"] = prefix;
+    return true;
+  }
+
+  static bool takes(const ig_syntax& syntax, std::string_view named) {
+    for (std::uint32_t i = 0; i < syntax.field_count; ++i) {
+      const ig_field_decl& field = syntax.fields[i];
+      const std::string_view path = field.path;
+      if ((field.access & IG_TAKE) != 0 && path.starts_with("Parsing.") && path.ends_with(named) &&
+          (path.size() == 8 + named.size() || path.substr(8, path.size() - 8 - named.size()) == "Flags."))
+        return true;
+    }
+    return false;
+  }
+
+  /// Takes the words of codes that it reports, whatever they are: most of the alphabet.
+  static bool takes_any_word(const ig_syntax& syntax) {
+    int count = 0;
+    for (char letter = 'A'; letter <= 'Z'; ++letter) count += takes(syntax, {&letter, 1}) ? 1 : 0;
+    return count > 13;
+  }
+
+  /// False, and reported, when a syntax of the base dialect answers to the word or code already.
+  bool is_free(const std::string& named) {
+    const std::unique_ptr<LinkedDialect> linked = session().link(base().file.string());
+    if (linked == nullptr) return false;
+    for (const LinkedSyntax& s : linked->chain)
+      if (takes(*s.syntax, named) && !takes_any_word(*s.syntax))
+        return refuse("IG-0153", {named, base().name, s.element.alias});
+    return true;
+  }
+
+  void describes(const std::string& syntax, const std::string& structure, const std::string& program) {
+    words()["syntax"] = syntax;
+    words()["struct"] = structure;
+    words()["file"] = snake_case(syntax);
+    words()["program"] = program;
+    words()["section"] = "";
+  }
+
+  bool describes_cycle() {
+    const std::string code = cycle_code(options().cycle.empty() ? "G181" : options().cycle);
+    if (code.empty()) return refuse("IG-0513", {"a cycle has a G code of up to three digits, such as G181"});
+    const ChainElement* const drilling = in_chain("DrillingCycleSyntax");
+    if (drilling == nullptr || in_chain("CannedCycleResolveSyntax") == nullptr)
+      return refuse("IG-0154", {"a cycle of dialect " + base().name, "it has no canned cycles of ISO programs"});
+    if (!is_free(code)) return false;
+    std::string unit = "s";
+    for (const Attribute& option : drilling->options)
+      if (option.name == "p-unit") unit = option.value;
+    const std::string structure = words()["name"] + code + "Cycle";
+    describes(structure + "Syntax", structure, snake_case(code));
+    words()["code"] = code;
+    words()["p_unit"] = unit;
+    words()["half_second"] = unit == "ms" ? "500" : ".5";
+    words()["what"] = "the drilling cycle " + code;
+    list_files({{".cpp", "the cycle"}, {".md", "its page, whose cases are tests"}}, "");
+    return true;
+  }
+
+  bool describes_word() {
+    const std::string word = options().word.empty() ? "E" : upper_case(options().word);
+    if (word.size() != 1 || word[0] < 'A' || word[0] > 'Z')
+      return refuse("IG-0513", {"a word is named by its address, one letter: --word E"});
+    if (!is_free(word)) return false;
+    const std::string& name = words()["name"];
+    words()["word"] = word;
+    if (options().table.empty()) {
+      describes(name + "WordSyntax", name + "Word", "word");
+      words()["what"] = "the word " + word + ", whose value stays in force";
+      const std::string extension = options().language == "c" ? ".c" : ".cpp";
+      list_files({{extension, "the syntax that reads " + word}, {".md", "its page, whose cases are tests"}}, "");
+    } else {
+      if (!is_plugin_name(options().table)) return refuse("IG-0150", {options().table, "a table"});
+      const std::string own = type_name_of(options().table), table = own.starts_with(name) ? own : name + own;
+      describes(table + "WordSyntax", table + "Word", "table");
+      words()["table"] = table;
+      words()["table_file"] = snake_case(table);
+      words()["table_variable"] = snake_case(own);
+      words()["table_service"] = lower_case(own);
+      words()["what"] = "the table " + table + ", of which " + word + " names a row";
+      list_files({{".cpp", "the syntax that reads " + word}, {".md", "its page, whose cases are tests"}},
+                 fmt::format("| `{0}.hpp`, `{0}.cpp`, `{0}.md` | the table, and its service for syntaxes |\n",
+                             words()["table_file"]));
+    }
+    words()["section"] = " SECTION " + name;
+    return true;
+  }
+
+  /// Rows of the README's table of files.
+  void list_files(std::initializer_list<std::pair<std::string, std::string>> of_syntax, const std::string& more) {
+    std::string out;
+    for (const auto& [extension, what] : of_syntax)
+      out += fmt::format("| `{}{}` | {} |\n", words()["file"], extension, what);
+    const bool is_c = options().language == "c";
+    out +=
+        more + (is_c ? fmt::format("| `plugin.c`, `{}.h` | name, version, syntaxes and diagnostics of the plugin |\n",
+                                   words()["namespace"])
+                     : "| `plugin.cpp` | name, version and vendor of the plugin |\n");
+    words()["files"] = out;
+  }
+};
+
+}  // namespace
+
+int new_plugin(const NewOptions& options) { return NewPlugin(options).run(); }
+
+}  // namespace isogloss::cli

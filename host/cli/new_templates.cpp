@@ -1,0 +1,72 @@
+// Templates are files of the installation, below the folder `templates` in layers that are put on top of each other. A
+// new kind of folder is a new layer. They end with .in, so that no tool takes them for sources of this project.
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "new_folder.hpp"
+#include "outputs.hpp"
+
+namespace isogloss::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// In a build tree the templates stand beside the command, as dialects do.
+fs::path template_folder() {
+  const fs::path home = folder_of_executable();
+  std::error_code ignored;
+  const fs::path beside = home / "templates";
+  return fs::is_directory(beside, ignored) ? beside : home.parent_path() / "share/isogloss/templates";
+}
+
+std::string filled(std::string text, const TemplateWords& words) {
+  for (const auto& [key, value] : words) {
+    const std::string mark = "@" + key + "@";
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + value.size()))
+      text.replace(at, mark.size(), value);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> write_templates(const fs::path& place, const std::vector<std::string>& layers,
+                                         const TemplateWords& words, Session& session) {
+  const fs::path templates = template_folder();
+  std::map<fs::path, fs::path> sources;  // by what they become
+  for (const std::string& layer : layers) {
+    const fs::path folder = templates / layer;
+    std::error_code error;
+    for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+      if (it->path().extension() != ".in" || !it->is_regular_file()) continue;
+      const std::string name = it->path().lexically_relative(folder).replace_extension().string();
+      sources[filled(name, words)] = it->path();
+    }
+    if (!error) continue;
+    session.report("IG-0510", {folder.string()}, {error.message()});
+    return {};
+  }
+
+  std::vector<std::string> written;
+  for (const auto& [name, source] : sources) {
+    const fs::path target = place / name;
+    std::string reason;
+    const std::optional<std::string> text = read_text(source.string(), reason);
+    if (!text) {
+      session.report("IG-0510", {source.string()}, {reason});
+      return {};
+    }
+    std::error_code error;
+    fs::create_directories(target.parent_path(), error);
+    if (!write_file(target.string(), filled(*text, words), session)) return {};
+    const bool is_script = (fs::status(source, error).permissions() & fs::perms::owner_exec) != fs::perms::none;
+    const fs::perms execute = fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec;
+    if (is_script) fs::permissions(target, execute, fs::perm_options::add, error);
+    written.push_back(target.string());
+  }
+  return written;
+}
+
+}  // namespace isogloss::cli
