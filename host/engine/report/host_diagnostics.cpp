@@ -137,8 +137,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        R"(<Code name="AIR" does="set" fields="Dwell.Time=long"/>)"},
       {error, "IG-0147", "the row '{1}' of {0} cannot set {2}: no syntax that asks this table may write it",
        "Rows set only fields whose value alone is the state. Positions, frames and lengths follow from others, so "
-       "codes "
-       "or a program have to change them.",
+       "codes or a program have to change them.",
        R"(<Code name="AIR" does="set" fields="ProgramXyz.X=5"/>)"},
       {error, "IG-0148", "the row '{1}' of {0} gives {2} in {3}, but the field has another unit: {4}",
        "Values are not converted. Write the value in the unit of the field, or leave the unit out.",
@@ -148,18 +147,15 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        R"(<Code name="AIR" does="set" fields="Vendor.Mode=2"/>)"},
       {error, "IG-0150", "'{0}' cannot be the name of {1}: use letters, digits and hyphens, beginning with a letter",
        "Names of files, types and targets follow from it. Words that C++ or CMake reserve, such as class and test, "
-       "would "
-       "not build.",
+       "would not build.",
        "isogloss new plugin 3axis"},
       {error, "IG-0151", "'{0}' exists already ({1}): nothing is written, so choose another name",
        "`isogloss new` never writes into a folder that is there, and two plugins or dialects of one name would hide "
-       "each "
-       "other.",
+       "each other.",
        "isogloss new plugin acme, twice"},
       {error, "IG-0152", "the prefix '{0}' of the diagnostics {1}: give another one with --prefix",
        "A code of a diagnostic tells by its prefix which plugin it comes from. Without --prefix, the first letters of "
-       "the "
-       "plugin's name are taken.",
+       "the plugin's name are taken.",
        "isogloss new plugin fanta --prefix FAN"},
       {error, "IG-0153", "{0} already has a meaning in dialect {1}: {2} reads it, so choose another one",
        "The syntax that stands first in the chain would take it, and the other one would never see it. `isogloss list "
@@ -167,8 +163,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "isogloss new plugin acme --cycle G81"},
       {error, "IG-0154", "there is no template for {0}: {1}",
        "`isogloss new plugin` begins with a cycle, a word or a table in C++, or with a word in C, for a dialect that "
-       "reads "
-       "programs of ISO 6983.",
+       "reads programs of ISO 6983.",
        "isogloss new plugin acme --cycle G181 --language c"},
       // links: 0200-0299
       {error, "IG-0201", "no plugin '{0}' in the folders searched",
