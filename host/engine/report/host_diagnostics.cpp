@@ -128,6 +128,9 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {note, "IG-0141", "{0} is not read: {1}",
        "An importer knows the file, which is no text. In a folder named by <Backup> it hinders nothing.",
        "<Backup src=\"backup\"/>, and an encrypted cycle in it"},
+      {error, "IG-0155", "no check '{0}' of plugins: isogloss validate --list shows all of them",
+       "--only takes the names that `isogloss validate --list` shows in its first column.",
+       "isogloss validate acme.so --only random-block"},
       // links: 0200-0299
       {error, "IG-0201", "no plugin '{0}' in the folders searched",
        "The dialect names a plugin that no plugin folder holds, or that could not be loaded. `isogloss doctor` lists "

@@ -17,7 +17,7 @@ void Chain::create_syntaxes() {
     const Calling calling(*s.plugin, s.element.alias.c_str(), "create");
     ig_status status = IG_FAILED;
     try {
-      status = s.syntax->create(&link_api(), &link, s.ids.data(), &steps_[i].self);
+      status = s.syntax->create(&link_functions(), &link, s.ids.data(), &steps_[i].self);
     } catch (...) {
       steps_[i].self = nullptr;
       sink_.add(exception_diagnostic(*s.plugin, s.element.alias, "create", s.element.where));
