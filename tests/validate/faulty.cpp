@@ -23,7 +23,8 @@ struct Self {
 };
 
 const ig_field_decl fields[] = {
-    {sizeof(ig_field_decl), IG_READ | IG_TAKE | IG_WAKE, IG_NUMBER, IG_LIFE_STANDARD, "Parsing.X", "", "An X.", nullptr},
+    {sizeof(ig_field_decl), IG_READ | IG_TAKE | IG_WAKE, IG_NUMBER, IG_LIFE_STANDARD, "Parsing.X", "", "An X.",
+     nullptr},
 #if defined(FAULT_undeclared)
     {sizeof(ig_field_decl), IG_READ, IG_NUMBER, IG_LIFE_STANDARD, "Feedrate.FeedrateValue", "", "The feed.", nullptr},
 #else
@@ -145,7 +146,8 @@ const char page[] =
     "# FaultySyntax\n\nMakes X the feed.\n\n## X becomes the feed\n\n#BeforeBuild:\n```json\n"
     R"({"Parsing": {"X": 1, "Y": 2}})"
     "\n```\n#AfterBuild:\n```json\n"
-    R"({"Parsing": {"Y": 2}, "Feedrate": {"FeedrateValue": )" AFTER "}}\n```\n\n"
+    R"({"Parsing": {"Y": 2}, "Feedrate": {"FeedrateValue": )" AFTER
+    "}}\n```\n\n"
     "## Another X\n\n#BeforeBuild:\n```json\n"
     R"({"Parsing": {"X": -2}})"
     "\n```\n#AfterBuild:\n```json\n"
@@ -174,17 +176,7 @@ struct AtLoad {
 
 }  // namespace
 
-#if defined(FAULT_stays)
-// A unique symbol keeps the library in memory.
-template <class T>
-struct Unique {
-  static int value;
-};
-template <class T>
-int Unique<T>::value = 7;
-extern "C" IG_EXPORT int* of_everyone() { return &Unique<int>::value; }
-template struct IG_EXPORT Unique<int>;
-#elif defined(FAULT_exports)
+#if defined(FAULT_exports)
 extern "C" IG_EXPORT int of_everyone() { return 1; }
 #endif
 

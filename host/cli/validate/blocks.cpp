@@ -111,9 +111,9 @@ void check_extreme_values(Examination& e) {
       judge(all);
     }
     if (stand.syntax->scan != nullptr) {
-      judge({.name = "a text of 60,000 bytes", .text = std::string(60'000, stand.syntax->triggers[0])});
-      judge({.name = "a number of 60,000 digits",
-             .text = std::string(1, stand.syntax->triggers[0]) + std::string(60'000, '9')});
+      judge({.name = "a text of 20,000 bytes", .text = std::string(20'000, stand.syntax->triggers[0])});
+      judge({.name = "a number of 20,000 digits",
+             .text = std::string(1, stand.syntax->triggers[0]) + std::string(20'000, '9')});
     }
   }
 }
@@ -135,13 +135,20 @@ void check_unchanged(Examination& e) {
 
 void check_time(Examination& e) {
   constexpr int repeats = 15;
-  on_each_block(e, Mode::fast, [&](const Stand& stand, const TestBlock& block, Bench& bench) {
-    const auto budget = static_cast<double>(e.options.budget);
-    // A busy machine makes a build look slow, so a slow one is measured again.
-    if (bench.time(block, repeats) <= budget || bench.time(block, repeats * 4) <= budget) return;
-    e.find(trying(stand, block), "its build takes " + std::to_string(static_cast<long>(bench.time(block, repeats))) +
-                                     " ns, more than the budget of " + std::to_string(e.options.budget) + " ns");
-  });
+  const auto budget = static_cast<double>(e.options.budget);
+  Subject subject(e);
+  for (const Stand& stand : stands_of(subject, e)) {
+    Bench bench(stand.alone, in_mode(Mode::fast));
+    for (const TestBlock& block : stand.blocks) {
+      e.attempt(trying(stand, block));
+      double ns = bench.time(block, repeats);
+      // A busy machine makes a build look slow, so a slow one is measured again.
+      for (int again = 0; again < 3 && ns > budget; ++again) ns = std::fmin(ns, bench.time(block, repeats));
+      if (ns > budget)
+        e.find(trying(stand, block), "its build takes " + std::to_string(static_cast<long>(ns)) +
+                                         " ns, more than the budget of " + std::to_string(e.options.budget) + " ns");
+    }
+  }
 }
 
 }  // namespace isogloss::cli

@@ -103,10 +103,11 @@ void check_unused(Examination& e) {
       });
     }
   }
-  for (const auto& [syntax, left] : unused)
-    for (const std::uint32_t i : left)
-      e.find(syntax->id, "no case " + std::string((syntax->fields[i].access & IG_WRITE) != 0 ? "writes" : "takes") +
-                             " the field " + syntax->fields[i].path + ", which it declares");
+  for (const auto& [syntax, left] : unused) {
+    std::string paths;
+    for (const std::uint32_t i : left) paths += " " + std::string(syntax->fields[i].path);
+    if (!left.empty()) e.find(syntax->id, "no case writes or takes these fields, which it declares:" + paths);
+  }
 }
 
 }  // namespace isogloss::cli

@@ -46,6 +46,32 @@ Subject::Subject(Examination& e) : session_(e.options.common) {
                              " cannot be read: " + (said.all.empty() ? "" : said.all.front().message));
 }
 
+void Subject::add_own_dependencies() {
+  if (!surroundings_.dialect || surroundings_.is_named) return;
+  for (std::uint32_t i = 0; i < plugin_->dependency_count; ++i) {
+    const ig_dependency& d = *plugin_->dependencies[i];
+    const bool needs_option = std::any_of(d.options, d.options + d.option_count,
+                                          [](const ig_option_decl& o) { return o.fallback == nullptr; });
+    std::vector<DependencyElement>& all = surroundings_.dialect->dependencies;
+    const bool is_there = std::any_of(all.begin(), all.end(), [&](const DependencyElement& e) { return e.id == d.id; });
+    if (!needs_option && !is_there) all.push_back({d.id, d.id, {}, {}, {}, {}});
+  }
+}
+
+void Subject::remove_services() {
+  if (!surroundings_.dialect) return;
+  surroundings_.dialect->dependencies.clear();
+  std::erase_if(surroundings_.dialect->chain, [&](const ChainElement& e) {
+    const ig_syntax* const syntax = session_.library().syntax(e.syntax);
+    return syntax != nullptr && requires_service(*syntax);
+  });
+}
+
+bool requires_service(const ig_syntax& syntax) {
+  return std::any_of(syntax.services, syntax.services + syntax.service_count,
+                     [](const ig_service_decl& s) { return s.is_optional == 0; });
+}
+
 std::vector<PageText> pages_of(const Subject& subject, const ValidateOptions& options) {
   std::vector<PageText> out;
   std::set<std::string> ids;
@@ -138,6 +164,7 @@ std::string Bench::show(const TestBlock& block) {
 
 Trial Bench::run(const TestBlock& block, bool shows) {
   prepare(block);
+  ++chain_->builds;  // a trial is work of its own to the watch over calls that do not return
   Document& d = chain_->document();
   const ig_syntax& syntax = *alone_.linked->chain[alone_.position].syntax;
   if (syntax.scan != nullptr) chain_->scan_with(alone_.position);
@@ -186,6 +213,7 @@ std::string creation_fault(const LinkedAlone& alone, const ChainSettings& settin
 }
 
 std::vector<Stand> stands_of(Subject& subject, Examination& e) {
+  subject.add_own_dependencies();
   std::vector<Stand> out;
   const std::vector<PageText> pages = pages_of(subject, e.options);
   for (const ig_syntax* syntax : subject.syntaxes()) {

@@ -19,7 +19,12 @@ class Subject {
   const ig_plugin& plugin() const { return *plugin_; }
   const LoadedPlugin& loaded() const { return *loaded_; }
   Library& library() { return session_.library(); }
-  Surroundings& surroundings() { return surroundings_; }
+  const Surroundings& surroundings() const { return surroundings_; }
+  /// The plugin's own dependencies answer, too, behind those of the default dialect; a dialect that the user named
+  /// stays as it is.
+  void add_own_dependencies();
+  /// No dependency answers; syntaxes that cannot be without one leave the chain.
+  void remove_services();
   std::span<const ig_syntax* const> syntaxes() const { return {plugin_->syntaxes, plugin_->syntax_count}; }
 
  private:
@@ -28,6 +33,9 @@ class Subject {
   const LoadedPlugin* loaded_ = nullptr;
   Surroundings surroundings_;
 };
+
+/// Does linking refuse the syntax when nobody answers?
+bool requires_service(const ig_syntax& syntax);
 
 /// A page, from the plugin or from a file of --pages.
 struct PageText {

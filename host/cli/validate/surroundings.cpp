@@ -22,9 +22,12 @@ std::string any_value(const ig_option_decl& o) {
   }
 }
 
+/// In the form of dialect files, which knows no exponent.
 std::string number_text(double number) {
-  return number == std::floor(number) && std::fabs(number) < 1e15 ? fmt::format("{:.0f}", number)
-                                                                  : fmt::format("{}", number);
+  std::string out = fmt::format("{:.17f}", number);
+  out.erase(out.find_last_not_of('0') + 1);
+  if (out.ends_with('.')) out.pop_back();
+  return out;
 }
 
 struct Candidate {
@@ -170,6 +173,7 @@ void check_cases(Examination& e) {
 
 void check_options(Examination& e) {
   Subject subject(e);
+  subject.add_own_dependencies();
   for (const ig_syntax* syntax : subject.syntaxes()) {
     e.attempt(syntax->id);
     DiagnosticList said;
@@ -190,18 +194,18 @@ void check_options(Examination& e) {
 
 void check_without_services(Examination& e) {
   Subject subject(e);
-  if (subject.surroundings().dialect) subject.surroundings().dialect->dependencies.clear();
+  subject.remove_services();
   for (const ig_syntax* syntax : subject.syntaxes()) {
-    bool is_required = false;
-    for (std::uint32_t i = 0; i < syntax->service_count; ++i)
-      is_required = is_required || syntax->services[i].is_optional == 0;
-    if (is_required) continue;  // linking refuses it before create()
+    if (requires_service(*syntax)) continue;  // linking refuses it before create()
     const std::string where = std::string(syntax->id) + " without services";
     e.attempt(where);
     DiagnosticList said;
     const LinkedAlone alone = link_alone(*syntax, subject.plugin(), subject.surroundings(),
                                          element(*syntax, nullptr, ""), subject.library(), said);
-    if (alone.linked == nullptr) continue;  // `options` tells why
+    if (alone.linked == nullptr) {
+      e.find(where, said.all.empty() ? "it does not link" : said.all.back().message);
+      continue;
+    }
     const ChainSettings settings = in_mode(Mode::checked);
     if (const std::string fault = creation_fault(alone, settings); !fault.empty())
       e.find(where, fault + "; declare the service as required, or work without it");
