@@ -26,6 +26,7 @@ int list_command(const Arguments& arguments);
 int new_command(const Arguments& arguments);
 int run_command(const Arguments& arguments);
 int schema_command(const Arguments& arguments);
+int validate_command(const Arguments& arguments);
 int version_command(const Arguments& arguments);
 
 struct Command {
@@ -48,6 +49,7 @@ inline constexpr Command commands[] = {
     {"doctor", "report what was found where, and what was not loaded and why", doctor_command},
     {"apply", "run one syntax on one block", apply_command},
     {"case", "run the cases of documentation pages", case_command},
+    {"validate", "test whether plugins keep the contract", validate_command},
 };
 
 /// Everything after the program's name. Exceptions are internal faults.

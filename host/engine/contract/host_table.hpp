@@ -6,9 +6,6 @@
 
 namespace isogloss {
 
-const ig_host& host_table(Mode mode);
-const ig_link_api& link_api();
-
 /// Limits of one run that the tables enforce.
 inline constexpr std::uint32_t maximum_items = 100'000;
 inline constexpr std::size_t maximum_symbols = 1'000'000;

@@ -183,6 +183,8 @@ bool Library::load(const std::string& name, const Location& where, DiagnosticSin
   return false;
 }
 
+bool Library::load_file(const fs::path& file) { return parts_->load(file); }
+
 void Library::load_all() {
   for (const fs::path& folder : parts_->folders) {
     std::error_code error;

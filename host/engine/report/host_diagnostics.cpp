@@ -165,6 +165,9 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "`isogloss new plugin` begins with a cycle, a word or a table in C++, or with a word in C, for a dialect that "
        "reads programs of ISO 6983.",
        "isogloss new plugin acme --cycle G181 --language c"},
+      {error, "IG-0155", "no check '{0}' of plugins: isogloss validate --list shows all of them",
+       "--only takes the names that `isogloss validate --list` shows in its first column.",
+       "isogloss validate acme.so --only random-block"},
       // links: 0200-0299
       {error, "IG-0201", "no plugin '{0}' in the folders searched",
        "The dialect names a plugin that no plugin folder holds, or that could not be loaded. `isogloss doctor` lists "

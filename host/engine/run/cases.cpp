@@ -173,6 +173,16 @@ std::optional<std::string> apply(const Application& application, const Surroundi
   }
 }
 
+LinkedAlone link_alone(const ig_syntax& syntax, const ig_plugin& plugin, const Surroundings& surroundings,
+                       const std::string& dependencies, Library& library, DiagnosticSink& sink) {
+  const CaseDependencies own = read_case_dependencies(dependencies, syntax.id, {});
+  std::string alias = syntax.id;
+  const Dialect dialect = surround(syntax, plugin, surroundings, own, {}, alias, library);
+  LinkedAlone out{link(dialect, library, sink, LinkMode::parts)};
+  if (out.linked != nullptr) out.position = out.linked->position(alias).value();
+  return out;
+}
+
 std::string run_case(const Page& page, const Case& one, const std::string& file, const Surroundings& surroundings,
                      Library& library) {
   if (one.file) return run_import_case(page, one, file, library);

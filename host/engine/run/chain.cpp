@@ -25,7 +25,7 @@ Chain::Chain(const LinkedDialect& linked, ChainSettings settings, DiagnosticSink
       sink_(sink),
       symbols_(linked.symbols),
       document_(linked.layout, linked.wake, linked.wake_words),
-      host_(&host_table(settings_.mode)),
+      host_(settings_.host != nullptr ? settings_.host : &host_table(settings_.mode)),
       flow_service_(flow_service()),
       provenance_(provenance_service()),
       is_plain_(settings_.mode == Mode::fast && !settings_.call_all) {

@@ -87,7 +87,7 @@ void Chain::create_dependencies() {
     const Calling calling(*d.plugin, d.element.alias.c_str(), "create");
     ig_status status = IG_FAILED;
     try {
-      status = d.dependency->create(&link_api(), &link, nullptr, &dependencies_[i]);
+      status = d.dependency->create(&link_functions(), &link, nullptr, &dependencies_[i]);
     } catch (...) {
       dependencies_[i] = nullptr;
       sink_.add(

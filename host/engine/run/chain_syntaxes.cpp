@@ -18,7 +18,7 @@ void Chain::create_syntaxes() {
     ig_status status = IG_FAILED;
     creating_ = static_cast<std::uint16_t>(i + 1);
     try {
-      status = s.syntax->create(&link_api(), &link, s.ids.data(), &steps_[i].self);
+      status = s.syntax->create(&link_functions(), &link, s.ids.data(), &steps_[i].self);
     } catch (...) {
       steps_[i].self = nullptr;
       sink_.add(exception_diagnostic(*s.plugin, s.element.alias, "create", s.element.where));

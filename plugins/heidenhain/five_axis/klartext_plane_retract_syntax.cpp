@@ -56,7 +56,7 @@ struct KlartextPlaneRetract {
     steps_.line(b, *program, manner);
     steps_.line(b, *program, manner);
     steps_.finish(b, rotary);
-    b.set(compound_, b.get_or(motion_code_, ig::Symbol{}));
+    if (const auto code = b.get(motion_code_)) b.set(compound_, *code);
     return ig::Status::changed;
   }
 };

@@ -45,7 +45,7 @@ struct KlartextPole {
     const bool was_turned = b.is_raised(turned_);
     if (was_turned) {
       b.erase(turned_);
-      if (!b.is_fresh(term_)) select(b, b.get_or(working_plane_, ig::Symbol{}));
+      if (!b.is_fresh(term_)) select(b, b.get_or(working_plane_, ig::Symbol(planes_[0])));
       b.erase(working_plane_);
     }
     const ig::Symbol function = b.get_or(function_, ig::Symbol{});

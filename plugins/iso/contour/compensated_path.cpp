@@ -221,7 +221,7 @@ ToolSteps::Manner CompensatedPath::take_event(ig::Block& b) {
 }
 
 void CompensatedPath::finish(ig::Block& b) {
-  b.set(compound_, b.get_or(term_, ig::Symbol{}));
+  if (const auto term = b.get(term_)) b.set(compound_, *term);
   const std::uint32_t turned = rotary_.fresh(b);
   PartialAngles rotary = rotary_.get(b);
   rotary.mask &= turned;

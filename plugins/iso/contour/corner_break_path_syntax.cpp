@@ -62,7 +62,10 @@ struct CornerBreakPath {
     const ToolSteps::Manner manner = event_.take(b);
     if (length(piece.motion.to - piece.motion.from) > same_point_mm || !piece.corner) step(b, piece.motion, manner);
     if (piece.corner) step(b, *piece.corner, {false, manner.feed_mmds, 0});
-    b.set(compound_, piece.corner ? contour_.term(b) : b.get_or(motion_code_, ig::Symbol{}));
+    if (piece.corner)
+      b.set(compound_, contour_.term(b));
+    else if (const auto code = b.get(motion_code_))
+      b.set(compound_, *code);
     const std::uint32_t turned = rotary_.fresh(b);
     PartialAngles rotary = rotary_.get(b);
     rotary.mask &= turned;

@@ -58,7 +58,7 @@ struct TipSwing {
     }
     if (const auto program = b.to_program(end.value))
       steps_.led(b, rounded(*program), end.value, {machine_.mask(), to}, manner);
-    b.set(compound_, b.get_or(motion_code_, ig::Symbol{}));
+    if (const auto code = b.get(motion_code_)) b.set(compound_, *code);
     return ig::Status::changed;
   }
 

@@ -83,7 +83,7 @@ struct ToolCenterPoint {
                                      "Which solution G43.5 uses: see G53p1RotaryPositionSyntax."};
 
   ig::Status build(ig::Block& b) {
-    const bool was_on = mode_.is_on(b);
+    const bool was_on = machine_ && mode_.is_on(b);
     const auto named = b.find(codes_), other = b.find(others_);
     if (!named && !was_on) return ig::Status::unchanged;
     const bool starts = named && (!other || ordinal(b, codes_.code(*named)) > ordinal(b, others_.code(*other)));

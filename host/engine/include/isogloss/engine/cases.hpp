@@ -9,6 +9,7 @@
 
 #include "isogloss/engine/dialect.hpp"
 #include "isogloss/engine/library.hpp"
+#include "isogloss/engine/linker.hpp"
 
 namespace isogloss {
 
@@ -72,6 +73,17 @@ struct Application {
 /// reported, when it could not run. All plugins that are needed must be in the library.
 std::optional<std::string> apply(const Application& application, const Surroundings& surroundings, Library& library,
                                  DiagnosticSink& sink);
+
+/// A syntax whose chain is linked, to be built alone.
+struct LinkedAlone {
+  std::unique_ptr<LinkedDialect> linked;  ///< null, and reported, when it could not be linked
+  std::uint32_t position = 0;             ///< of the syntax in the chain
+};
+
+/// Links the chain in which apply() runs a syntax; `dependencies` is the XML beside a case, and may be empty. Throws
+/// std::runtime_error when it is not XML.
+LinkedAlone link_alone(const ig_syntax& syntax, const ig_plugin& plugin, const Surroundings& surroundings,
+                       const std::string& dependencies, Library& library, DiagnosticSink& sink);
 
 /// Empty when the case holds, else what differs, for people.
 std::string run_case(const Page& page, const Case& one, const std::string& file, const Surroundings& surroundings,

@@ -17,6 +17,10 @@ class LinePlaces;
 
 enum class Mode { fast, checked, traced };
 
+/// The functions that this host gives to the syntaxes of a chain, and to create().
+const ig_host& host_table(Mode mode);
+const ig_link_api& link_api();
+
 /// A dependency's data, cloned for each run.
 class DependencyTable {
  public:
@@ -57,6 +61,9 @@ struct ChainSettings {
   std::map<std::string, std::string, std::less<>> settings;      ///< "block-skip", "optional-stop", "program"
   std::vector<DependencyElement> dependencies;                   ///< the user's own tables, before the dialect's
   std::vector<std::pair<std::string, std::string>> assignments;  ///< --set: "IsoCoordinateTable.G54.Z", "-120"
+  /// In place of host_table(mode) and link_api(): a host of another version. They outlive the chain.
+  const ig_host* host = nullptr;
+  const ig_link_api* link_api = nullptr;
 };
 
 /// Where the run is, for a crash report. Plain data that a signal handler may read.
@@ -171,6 +178,9 @@ class Chain {
   };
 
   void place_in_joined(const Document& d, std::uint32_t begin, std::uint32_t end, Diagnostic& out);
+  const ig_link_api& link_functions() const {
+    return settings_.link_api != nullptr ? *settings_.link_api : isogloss::link_api();
+  }
   void create_dependencies();
   void create_syntaxes();
   void watch_modal_state();

@@ -35,6 +35,8 @@ class Library {
 
   /// Loads only these plugins, by name, when they are not loaded yet (a dialect names its own); reports what fails.
   bool load(const std::string& name, const Location& where, DiagnosticSink& sink);
+  /// Loads one file, whatever the folders are; when it fails, refused() tells why.
+  bool load_file(const std::filesystem::path& file);
   /// Loads every plugin of the folders, for listing.
   void load_all();
 

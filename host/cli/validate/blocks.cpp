@@ -1,0 +1,154 @@
+// One build on blocks that a program may hold, and on some that it should not.
+#include <cmath>
+#include <limits>
+
+#include "validate/subject.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+std::string trying(const Stand& stand, const TestBlock& block) {
+  return std::string(stand.syntax->id) + ", " + block.name;
+}
+
+/// Calls `judge` with each block of the cases, and with a block in which each declared field has a value.
+template <class Judge>
+void on_each_block(Examination& e, Mode mode, Judge&& judge) {
+  Subject subject(e);
+  for (Stand& stand : stands_of(subject, e)) {
+    stand.blocks.push_back(full_block(stand.alone, fields_of(stand.alone)));
+    Bench bench(stand.alone, in_mode(mode));
+    for (const TestBlock& block : stand.blocks) {
+      e.attempt(trying(stand, block));
+      judge(stand, block, bench);
+    }
+  }
+}
+
+}  // namespace
+
+void check_empty_block(Examination& e) {
+  Subject subject(e);
+  for (const Stand& stand : stands_of(subject, e)) {
+    const TestBlock empty{.name = "an empty block"};
+    e.attempt(trying(stand, empty));
+    Bench bench(stand.alone, in_mode(Mode::checked));
+    if (const std::string fault = bench.run(empty, false).fault(); !fault.empty()) e.find(trying(stand, empty), fault);
+  }
+}
+
+void check_absent_fields(Examination& e) {
+  Subject subject(e);
+  for (const Stand& stand : stands_of(subject, e)) {
+    const std::vector<ig_field> fields = fields_of(stand.alone);
+    const std::vector<FieldInfo>& infos = stand.alone.linked->layout.fields;
+    Bench bench(stand.alone, in_mode(Mode::checked));
+    const auto without_each = [&](TestBlock block) {
+      const std::string name = block.name;
+      for (const ig_field f : fields) {
+        block.absent = {f};
+        block.name = name + " without " + infos[f].path;
+        e.attempt(trying(stand, block));
+        if (const std::string fault = bench.run(block, false).fault(); !fault.empty())
+          e.find(trying(stand, block), fault);
+      }
+    };
+    without_each(full_block(stand.alone, fields));
+    for (const TestBlock& block : stand.blocks)
+      if (!block.before.is_null()) without_each(block);
+  }
+}
+
+void check_extreme_values(Examination& e) {
+  constexpr double numbers[] = {std::numeric_limits<double>::quiet_NaN(),
+                                std::numeric_limits<double>::infinity(),
+                                -std::numeric_limits<double>::infinity(),
+                                1e308,
+                                -1e308,
+                                std::numeric_limits<double>::denorm_min()};
+  constexpr std::int64_t integers[] = {INT64_MAX, INT64_MIN, -1};
+  const std::string huge(1 << 20, 'A');
+  Subject subject(e);
+  for (const Stand& stand : stands_of(subject, e)) {
+    const std::vector<ig_field> fields = fields_of(stand.alone);
+    const std::vector<FieldInfo>& infos = stand.alone.linked->layout.fields;
+    // As in a run: the fast table does not look at the values.
+    Bench bench(stand.alone, in_mode(Mode::fast));
+    const auto judge = [&](const TestBlock& block) {
+      e.attempt(trying(stand, block));
+      if (const std::string fault = bench.run(block, false).fault(true); !fault.empty())
+        e.find(trying(stand, block), fault);
+    };
+    const auto with = [&](TestBlock block, const Assignment& a, const std::string& value) {
+      block.name += " where " + infos[a.field].path + " is " + value;
+      block.assignments.push_back(a);
+      judge(block);
+    };
+    TestBlock full = full_block(stand.alone, fields);
+    for (const ig_field f : fields) {
+      const ig_type type = infos[f].type;
+      if (type == IG_NUMBER || type == IG_TRANSFORM) {
+        for (const double number : numbers) {
+          const Assignment a{f, {.number = number}, {}};
+          with(full, a, std::to_string(number));
+          for (const TestBlock& block : stand.blocks)
+            if (!block.before.is_null() && (std::isnan(number) || number == 1e308))
+              with(block, a, std::to_string(number));
+        }
+      } else if (type == IG_INTEGER) {
+        for (const std::int64_t number : integers) with(full, {f, {.integer = number}, {}}, std::to_string(number));
+      } else if (type == IG_TEXT) {
+        with(full, {f, {}, huge}, "a text of 1 MiB");
+        with(full, {f, {}, std::string("\0\xff\n\"", 4)}, "a text of control characters");
+      }
+    }
+    for (const double number : numbers) {
+      TestBlock all = full;
+      all.name += " whose numbers are all " + std::to_string(number);
+      for (Assignment& a : all.assignments)
+        if (infos[a.field].type == IG_NUMBER) a.value.number = number;
+      judge(all);
+    }
+    if (stand.syntax->scan != nullptr) {
+      judge({.name = "a text of 20,000 bytes", .text = std::string(20'000, stand.syntax->triggers[0])});
+      judge({.name = "a number of 20,000 digits",
+             .text = std::string(1, stand.syntax->triggers[0]) + std::string(20'000, '9')});
+    }
+  }
+}
+
+void check_declarations(Examination& e) {
+  on_each_block(e, Mode::checked, [&](const Stand& stand, const TestBlock& block, Bench& bench) {
+    for (const Diagnostic& d : bench.run(block, false).diagnostics)
+      if (d.code == "IG-0402") e.find(trying(stand, block), d.message + " [IG-0402]");
+  });
+}
+
+void check_unchanged(Examination& e) {
+  on_each_block(e, Mode::fast, [&](const Stand& stand, const TestBlock& block, Bench& bench) {
+    Trial trial = bench.run(block, false);
+    trial.diagnostics.clear();
+    if (const std::string fault = trial.fault(); !fault.empty()) e.find(trying(stand, block), fault);
+  });
+}
+
+void check_time(Examination& e) {
+  constexpr int repeats = 15;
+  const auto budget = static_cast<double>(e.options.budget);
+  Subject subject(e);
+  for (const Stand& stand : stands_of(subject, e)) {
+    Bench bench(stand.alone, in_mode(Mode::fast));
+    for (const TestBlock& block : stand.blocks) {
+      e.attempt(trying(stand, block));
+      double ns = bench.time(block, repeats);
+      // A busy machine makes a build look slow, so a slow one is measured again.
+      for (int again = 0; again < 3 && ns > budget; ++again) ns = std::fmin(ns, bench.time(block, repeats));
+      if (ns > budget)
+        e.find(trying(stand, block), "its build takes " + std::to_string(static_cast<long>(ns)) +
+                                         " ns, more than the budget of " + std::to_string(e.options.budget) + " ns");
+    }
+  }
+}
+
+}  // namespace isogloss::cli

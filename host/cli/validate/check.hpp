@@ -1,0 +1,97 @@
+/// The checks of `isogloss validate`: what each has to work with, and what it finds.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isogloss/engine/cases.hpp"
+#include "session.hpp"
+
+namespace isogloss::cli {
+
+enum class Level { must, should, note };
+
+struct ValidateOptions {
+  CommonOptions common;
+  std::string dialect, pages;
+  std::uint64_t seed = 1, blocks = 200;
+  std::uint32_t time_limit = 60, memory_limit = 2048, call_limit = 5;  ///< s, MiB, s
+  std::uint64_t budget = 10'000;                                       ///< ns for one block of one syntax
+};
+
+struct Finding {
+  std::string where;  ///< a syntax, an option, a case; may be empty
+  std::string what;
+};
+
+/// One check at work on one plugin.
+class Examination {
+ public:
+  Examination(const ValidateOptions& wanted, std::string plugin_file, char* attempt, std::size_t room,
+              std::function<void(const Finding&)> tell)
+      : options(wanted), file(std::move(plugin_file)), tell_(std::move(tell)), attempt_(attempt), room_(room) {}
+
+  const ValidateOptions& options;
+  const std::string file;  ///< of the plugin
+  bool may_fork = true;    ///< a part of the check may have a process of its own
+
+  void find(std::string where, std::string what);
+  std::size_t findings() const { return findings_; }
+  /// What the plugin is asked to do next: told with a crash, which ends the check.
+  void attempt(std::string_view what);
+
+ private:
+  std::function<void(const Finding&)> tell_;
+  std::size_t findings_ = 0;
+  char* attempt_;
+  std::size_t room_;
+};
+
+struct Check {
+  std::string_view name;
+  Level level;
+  std::string_view summary;
+  void (*run)(Examination&);
+};
+
+/// In the order in which they run. When the first one fails, the others cannot run.
+std::span<const Check> all_checks();
+
+std::string_view to_string(Level level);
+
+// loading.cpp
+void check_loads(Examination& e);
+void check_descriptor(Examination& e);
+void check_exports(Examination& e);
+void check_unloads(Examination& e);
+void check_load_time(Examination& e);
+// declared.cpp
+void check_documented(Examination& e);
+void check_prefix(Examination& e);
+void check_unused(Examination& e);
+// blocks.cpp
+void check_empty_block(Examination& e);
+void check_absent_fields(Examination& e);
+void check_extreme_values(Examination& e);
+void check_declarations(Examination& e);
+void check_unchanged(Examination& e);
+void check_time(Examination& e);
+// random_blocks.cpp
+void check_random_blocks(Examination& e);
+// repetition.cpp
+void check_same_result(Examination& e);
+void check_restart(Examination& e);
+void check_two_chains(Examination& e);
+void check_threads(Examination& e);
+// surroundings.cpp
+void check_cases(Examination& e);
+void check_options(Examination& e);
+void check_without_services(Examination& e);
+void check_older_host(Examination& e);
+void check_newer_host(Examination& e);
+
+}  // namespace isogloss::cli

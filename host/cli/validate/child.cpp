@@ -1,0 +1,183 @@
+#include "validate/child.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "crash_guard.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t attempt_room = 16 << 10;
+constexpr std::string_view end_mark = "end\n";
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+void write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t n = write(descriptor, text.data(), text.size());
+    if (n <= 0) return;
+    text.remove_prefix(static_cast<std::size_t>(n));
+  }
+}
+
+void perform(const Check& check, Examination& e) {
+  try {
+    check.run(e);
+  } catch (const std::exception& error) {
+    e.find("", std::string("the check could not go on: ") + error.what());
+  }
+}
+
+void limit(const ValidateOptions& options) {
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  const rlim_t bytes = rlim_t{options.memory_limit} << 20;
+  const rlimit memory{bytes, bytes};
+  setrlimit(RLIMIT_AS, &memory);
+#endif
+  watch_calls(options.call_limit);
+}
+
+[[noreturn]] void be_child(const Check& check, const ValidateOptions& options, const std::string& file, char* attempt,
+                           int results, int talk) {
+  dup2(talk, STDERR_FILENO);
+  dup2(talk, STDOUT_FILENO);
+  limit(options);
+  Examination e(options, file, attempt, attempt_room, [&](const Finding& found) {
+    const Json line{found.where, found.what};
+    write_all(results, line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+  });
+  perform(check, e);
+  write_all(results, end_mark);
+  end_process(success);
+}
+
+/// Reads both pipes to their end, or to the time limit: then false.
+bool listen(const int (&pipes)[2], std::string (&texts)[2], double seconds) {
+  const Clock::time_point begin = Clock::now();
+  bool is_open[2] = {true, true};
+  constexpr std::size_t most_bytes = 16 << 20;
+  while (is_open[0] || is_open[1]) {
+    const double left = seconds - seconds_since(begin);
+    if (left <= 0) return false;
+    pollfd polled[2] = {{is_open[0] ? pipes[0] : -1, POLLIN, 0}, {is_open[1] ? pipes[1] : -1, POLLIN, 0}};
+    if (poll(polled, 2, static_cast<int>(left * 1000) + 1) <= 0) continue;
+    for (int i = 0; i < 2; ++i) {
+      if (polled[i].revents == 0) continue;
+      char buffer[4096];
+      const ssize_t n = read(pipes[i], buffer, sizeof buffer);
+      if (n <= 0)
+        is_open[i] = false;
+      else if (texts[i].size() < most_bytes)
+        texts[i].append(buffer, static_cast<std::size_t>(n));
+    }
+  }
+  return true;
+}
+
+std::string first_line(const std::string& text) {
+  std::string_view line = std::string_view(text).substr(0, text.find('\n'));
+  constexpr std::string_view ours = "isogloss: internal fault: ";
+  if (const std::size_t at = text.find(ours); at != std::string::npos) {
+    line = std::string_view(text).substr(at + ours.size());
+    line = line.substr(0, line.find('\n'));
+  }
+  return std::string(line);
+}
+
+void add(Outcome& out, Finding finding) {
+  if (out.findings.size() < Outcome::most_findings)
+    out.findings.push_back(std::move(finding));
+  else
+    ++out.more;
+}
+
+void read_results(const std::string& text, Outcome& out) {
+  for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
+    const Json line = Json::parse(text.substr(begin, end - begin), nullptr, false);
+    if (line.is_array() && line.size() == 2) add(out, {line[0].get<std::string>(), line[1].get<std::string>()});
+  }
+}
+
+}  // namespace
+
+Outcome run_in_child(const Check& check, const ValidateOptions& options, const std::string& file) {
+  Outcome out{.check = &check};
+  const Clock::time_point begin = Clock::now();
+  int results[2], talk[2];
+  if (pipe2(results, O_CLOEXEC) != 0 || pipe2(talk, O_CLOEXEC) != 0) throw std::runtime_error("no pipe for a check");
+  void* const shared = mmap(nullptr, attempt_room, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (shared == MAP_FAILED) throw std::runtime_error("no memory for a check");
+  char* const attempt = static_cast<char*>(shared);
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("no process for a check");
+  if (child == 0) {
+    setpgid(0, 0);  // a process that the plugin starts ends with the check
+    be_child(check, options, file, attempt, results[1], talk[1]);
+  }
+  setpgid(child, child);
+  close(results[1]);
+  close(talk[1]);
+  std::string texts[2];
+  const bool is_complete = listen({results[0], talk[0]}, texts, options.time_limit);
+  kill(-child, SIGKILL);
+  int status = 0;
+  waitpid(child, &status, 0);
+  close(results[0]);
+  close(talk[0]);
+  read_results(texts[0], out);
+  const std::string at_work(attempt, strnlen(attempt, attempt_room));
+  munmap(shared, attempt_room);
+  if (!is_complete)
+    add(out, {at_work, "the check took longer than " + std::to_string(options.time_limit) + " s"});
+  else if (!texts[0].ends_with(end_mark))
+    add(out, {at_work, texts[1].empty() ? "the process ended without a word" : first_line(texts[1])});
+  out.seconds = seconds_since(begin);
+  return out;
+}
+
+Outcome run_here(const Check& check, const ValidateOptions& options, const std::string& file) {
+  Outcome out{.check = &check};
+  const Clock::time_point begin = Clock::now();
+  watch_calls(0);  // a debugger may stop a call for longer than any limit
+  Examination e(options, file, nullptr, 0, [&](const Finding& found) { add(out, found); });
+  e.may_fork = false;
+  perform(check, e);
+  out.seconds = seconds_since(begin);
+  return out;
+}
+
+bool survives(const Examination& e, const std::function<void()>& work) {
+  if (!e.may_fork) {
+    work();
+    return true;
+  }
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("no process for a block");
+  if (child == 0) {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDERR_FILENO);
+    watch_calls(e.options.call_limit);
+    work();
+    end_process(success);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == success;
+}
+
+}  // namespace isogloss::cli

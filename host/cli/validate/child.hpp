@@ -1,0 +1,29 @@
+/// A check in a process of its own, so that no plugin can take the others, or the command, along.
+#pragma once
+
+#include <optional>
+
+#include "validate/check.hpp"
+
+namespace isogloss::cli {
+
+struct Outcome {
+  const Check* check = nullptr;
+  std::string skipped{};  ///< why it did not run; empty: it ran
+  std::vector<Finding> findings{};
+  std::size_t more = 0;  ///< findings beyond most_findings
+  double seconds = 0;
+
+  static constexpr std::size_t most_findings = 20;
+  bool held() const { return findings.empty() && skipped.empty(); }
+};
+
+/// Ends the child when it takes longer or needs more memory than the options allow.
+Outcome run_in_child(const Check& check, const ValidateOptions& options, const std::string& file);
+/// In this process: a crash ends the command, where a debugger sees it.
+Outcome run_here(const Check& check, const ValidateOptions& options, const std::string& file);
+
+/// Does `work` survive in a process of its own? Without such a process it is run here.
+bool survives(const Examination& e, const std::function<void()>& work);
+
+}  // namespace isogloss::cli

@@ -1,0 +1,89 @@
+// The library itself: what the loader sees before any syntax exists.
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <limits>
+
+#include "validate/subject.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+constexpr double most_milliseconds = 50;
+
+/// The plugin's refusal, as code and reason; empty when it loads.
+Finding refusal(Examination& e) {
+  e.attempt("loading the library");
+  Library library({});
+  if (library.load_file(e.file)) return {};
+  const RefusedPlugin& refused = library.refused().back();
+  return {refused.code, refused.reason};
+}
+
+bool is_of_descriptor(const std::string& code) { return code == "IG-0305"; }
+
+/// The entry of the plugin with this major version, for hosts to come.
+bool is_entry(const std::string& symbol) { return symbol.starts_with("ig_plugin_v"); }
+
+}  // namespace
+
+void check_loads(Examination& e) {
+  if (const Finding refused = refusal(e); !refused.where.empty() && !is_of_descriptor(refused.where)) {
+    e.find("", refused.what + " [" + refused.where + "]");
+    return;
+  }
+  std::string name;
+  for (int i = 1; i <= 3; ++i) {
+    e.attempt("loading the library, time " + std::to_string(i));
+    void* const library = dlopen(e.file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    const auto entry = library == nullptr ? nullptr : reinterpret_cast<ig_plugin_fn>(dlsym(library, "ig_plugin_v1"));
+    if (entry == nullptr) {
+      const char* const reason = dlerror();
+      e.find("", "loading it again fails: " + std::string(reason == nullptr ? "no entry" : reason));
+      return;
+    }
+    const ig_plugin* const plugin = entry();
+    if (plugin == nullptr || entry() != plugin)
+      e.find("", "two calls of the entry give two answers; return the same static descriptor each time");
+    e.attempt("closing the library");
+    dlclose(library);
+  }
+}
+
+void check_descriptor(Examination& e) {
+  if (const Finding refused = refusal(e); is_of_descriptor(refused.where))
+    e.find("", refused.what + " [" + refused.where + "]");
+}
+
+void check_exports(Examination& e) {
+  const Subject subject(e);
+  for (const std::string& symbol : subject.loaded().extra_exports)
+    if (!is_entry(symbol)) e.find(symbol, "is exported, so other plugins may bind to it; export the entry alone");
+}
+
+void check_unloads(Examination& e) {
+  if (void* const library = dlopen(e.file.c_str(), RTLD_NOW | RTLD_LOCAL)) dlclose(library);
+  if (dlopen(e.file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD) != nullptr)
+    e.find("", "the library stays in memory when it is closed; with g++ build it with -fno-gnu-unique");
+}
+
+void check_load_time(Examination& e) {
+  using Clock = std::chrono::steady_clock;
+  double best = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 5; ++i) {
+    const Clock::time_point begin = Clock::now();
+    void* const library = dlopen(e.file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) return;
+    if (const auto entry = reinterpret_cast<ig_plugin_fn>(dlsym(library, "ig_plugin_v1"))) entry();
+    best = std::min(best, std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+    dlclose(library);
+  }
+  if (best > most_milliseconds)
+    e.find("", "loading takes " + std::to_string(static_cast<int>(best)) + " ms, more than " +
+                   std::to_string(static_cast<int>(most_milliseconds)) + " ms; initialize less before the entry");
+}
+
+}  // namespace isogloss::cli

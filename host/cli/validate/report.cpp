@@ -1,0 +1,133 @@
+#include "validate/report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace isogloss::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string_view result_of(const Outcome& o) { return !o.skipped.empty() ? "skipped" : o.held() ? "held" : "failed"; }
+
+/// Texts of a plugin may hold any byte; what a terminal or XML would not bear becomes '?'.
+std::string printable(const std::string& text) {
+  std::string out = text;
+  for (char& c : out)
+    if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t') c = '?';
+  const Json json = out;
+  return Json::parse(json.dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : printable(text)) switch (c) {
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      case '\n': out += "&#10;"; break;
+      default: out += c;
+    }
+  return out;
+}
+
+std::string line_of(const Finding& f) { return f.where.empty() ? f.what : f.where + ": " + f.what; }
+
+std::string indented(const std::string& text) {
+  std::string out;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (end > begin) out += "      " + text.substr(begin, end - begin) + "\n";
+    begin = end + 1;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string as_text(const std::vector<PluginOutcome>& plugins, const ValidateOptions& options) {
+  std::string out;
+  for (const PluginOutcome& plugin : plugins) {
+    out += plugin.file + "\n";
+    std::size_t failed[3] = {}, held = 0, skipped = 0;
+    bool has_random_failure = false;
+    for (const Outcome& o : plugin.checks) {
+      if (!o.skipped.empty()) {
+        ++skipped;
+        continue;
+      }
+      out += fmt::format("  {:<6}  {:<6}  {}: {}\n", o.held() ? "held" : "FAILED", to_string(o.check->level),
+                         o.check->name, o.check->summary);
+      for (const Finding& f : o.findings) out += indented(printable(line_of(f)));
+      if (o.more > 0) out += fmt::format("      and {} more\n", o.more);
+      ++(o.held() ? held : failed[static_cast<int>(o.check->level)]);
+      has_random_failure = has_random_failure || (!o.held() && o.check->name == "random-blocks");
+    }
+    if (skipped > 0) out += fmt::format("  {} checks did not run: {}\n", skipped, plugin.checks.back().skipped);
+    if (has_random_failure)
+      out += fmt::format("  the same random blocks again: --only random-blocks --seed {} --blocks {}\n", options.seed,
+                         options.blocks);
+    out +=
+        fmt::format("  {} checks held; failed: {} must, {} should, {} note\n", held, failed[0], failed[1], failed[2]);
+  }
+  return out;
+}
+
+std::string as_json(const std::vector<PluginOutcome>& plugins, const ValidateOptions& options) {
+  Json out{{"Isogloss", 1}, {"Seed", options.seed}, {"Blocks", options.blocks}};
+  Json& list = out["Plugins"] = Json::array();
+  for (const PluginOutcome& plugin : plugins) {
+    Json checks = Json::array();
+    for (const Outcome& o : plugin.checks) {
+      Json one{{"Name", o.check->name},
+               {"Level", to_string(o.check->level)},
+               {"Result", result_of(o)},
+               {"Seconds", o.seconds}};
+      if (!o.skipped.empty()) one["Reason"] = o.skipped;
+      Json& findings = one["Findings"] = Json::array();
+      for (const Finding& f : o.findings) findings.push_back({{"Where", f.where}, {"What", f.what}});
+      if (o.more > 0) one["FurtherFindings"] = o.more;
+      checks.push_back(std::move(one));
+    }
+    list.push_back({{"File", plugin.file}, {"Checks", std::move(checks)}});
+  }
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string as_junit(const std::vector<PluginOutcome>& plugins) {
+  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+  for (const PluginOutcome& plugin : plugins) {
+    std::size_t failures = 0, skipped = 0;
+    double seconds = 0;
+    std::string cases;
+    for (const Outcome& o : plugin.checks) {
+      seconds += o.seconds;
+      cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", to_string(o.check->level),
+                           o.check->name, o.seconds);
+      std::string all;
+      for (const Finding& f : o.findings) all += line_of(f) + "\n";
+      if (o.more > 0) all += fmt::format("and {} more\n", o.more);
+      if (!o.skipped.empty()) {
+        ++skipped;
+        cases += fmt::format("><skipped message=\"{}\"/></testcase>\n", escaped(o.skipped));
+      } else if (o.held()) {
+        cases += "/>\n";
+      } else if (o.check->level == Level::note) {
+        cases += fmt::format("><system-out>{}</system-out></testcase>\n", escaped(all));
+      } else {
+        ++failures;
+        cases += fmt::format("><failure message=\"{}\">{}</failure></testcase>\n", escaped(line_of(o.findings.front())),
+                             escaped(all));
+      }
+    }
+    out += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" skipped=\"{}\" time=\"{:.3f}\">\n",
+                       escaped(plugin.file), plugin.checks.size(), failures, skipped, seconds) +
+           cases + "  </testsuite>\n";
+  }
+  return out + "</testsuites>\n";
+}
+
+}  // namespace isogloss::cli

@@ -1,0 +1,223 @@
+// Plugins with one fault each, chosen by FAULT_…, which one check of `isogloss validate` is to find.
+#include <isogloss.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <thread>
+
+namespace {
+
+#if defined(FAULT_option_bounds)
+constexpr bool checks_length = true;
+#else
+constexpr bool checks_length = false;
+#endif
+
+struct Self {
+  ig_field x, feed, comment, plane;
+  long blocks = 0;
+  void (*set_text_value)() = nullptr;
+};
+
+const ig_field_decl fields[] = {
+    {sizeof(ig_field_decl), IG_READ | IG_TAKE | IG_WAKE, IG_NUMBER, IG_LIFE_STANDARD, "Parsing.X", "", "An X.",
+     nullptr},
+#if defined(FAULT_undeclared)
+    {sizeof(ig_field_decl), IG_READ, IG_NUMBER, IG_LIFE_STANDARD, "Feedrate.FeedrateValue", "", "The feed.", nullptr},
+#else
+    {sizeof(ig_field_decl), IG_READ | IG_WRITE, IG_NUMBER, IG_LIFE_STANDARD, "Feedrate.FeedrateValue", "", "The feed.",
+     nullptr},
+#endif
+    {sizeof(ig_field_decl), IG_READ, IG_TEXT, IG_LIFE_STANDARD, "Comment.Text", "", "A comment.", nullptr},
+    {sizeof(ig_field_decl), IG_READ, IG_NUMBER, IG_LIFE_STANDARD, "Parsing.Y", "", "A Y.", nullptr},
+#if defined(FAULT_never_written)
+    {sizeof(ig_field_decl), IG_WRITE, IG_NUMBER, IG_LIFE_STANDARD, "ProgramXyz.X", "", "A point.", nullptr},
+#endif
+};
+
+const ig_option_decl options[] = {
+    {sizeof(ig_option_decl), IG_OPTION_NUMBER, "length", "1", "", 0, 10, "mm", "A length."}};
+
+#if defined(FAULT_service)
+const ig_service_decl services[] = {{sizeof(ig_service_decl), 1, "isogloss.work-offset/1", "Offsets."}};
+#endif
+
+[[maybe_unused]] void crash() { *reinterpret_cast<volatile int*>(8) = 1; }
+
+ig_status create(const ig_link_api* api, ig_link* link, const ig_field* ids, void** out) {
+  auto* const self = new Self{ids[0], ids[1], ids[2], ids[3]};
+  *out = self;
+  if (checks_length && api->option_number(link, 0) >= 10) {
+    delete self;
+    const char reason[] = "too long";
+    api->fail(link, {reason, sizeof reason - 1});
+    return IG_FAILED;
+  }
+#if defined(FAULT_service)
+  if (api->service(link, "isogloss.work-offset/1") == nullptr) crash();
+#elif defined(FAULT_newer_call)
+  if (api->set_text_value == nullptr) crash();
+#elif defined(FAULT_exact_size)
+  if (api->struct_size != sizeof(ig_link_api)) crash();
+#endif
+  return IG_CHANGED;
+}
+
+void destroy(void* self) { delete static_cast<Self*>(self); }
+
+[[maybe_unused]] long blocks_of_all = 0;
+[[maybe_unused]] volatile double scratch = 0;
+
+void set(const ig_host* host, ig_block* block, ig_field field, double number) {
+  ig_value value;
+  value.number = number;
+  host->set(block, field, value);
+}
+
+/// Takes X and makes it the feed.
+ig_status build(void* pointer, const ig_host* host, ig_block* block) {
+  [[maybe_unused]] Self& self = *static_cast<Self*>(pointer);
+  ig_value x{};
+  const bool is_there = host->take(block, self.x, &x) != 0;
+  ++self.blocks;
+#if defined(FAULT_empty)
+  if (!is_there) crash();
+#elif defined(FAULT_absent)
+  ig_value feed;
+  if (is_there && host->get(block, self.plane, &feed) == 0 && x.number == 1) crash();
+#elif defined(FAULT_huge_text)
+  char copy[1000];
+  const ig_text text = host->text(block, self.comment);
+  std::memcpy(copy, text.data, text.size);
+  if (text.size > 0) x.number += copy[0];
+#elif defined(FAULT_nan)
+  int table[4] = {};
+  if (is_there && std::isnan(x.number)) crash();
+  scratch = table[0];
+#elif defined(FAULT_hang)
+  for (volatile bool forever = !is_there; forever;) {
+  }
+#elif defined(FAULT_memory)
+  if (!is_there)
+    for (std::size_t i = 0;; ++i) std::memset(std::malloc(1 << 20), 1, 1 << 20);
+#elif defined(FAULT_random)
+  ig_value y;
+  if (is_there && x.number > 2 && host->get(block, self.plane, &y) != 0 && y.number < -2) crash();
+#elif defined(FAULT_random_lie)
+  if (is_there && x.number > 2) {
+    set(host, block, self.feed, x.number);
+    return IG_UNCHANGED;
+  }
+#endif
+  if (!is_there) return IG_UNCHANGED;
+#if defined(FAULT_global_count)
+  x.number += ++blocks_of_all;
+#elif defined(FAULT_keeps)
+  x.number += self.blocks;
+#elif defined(FAULT_shared_scratch)
+  scratch = x.number;
+  std::this_thread::sleep_for(std::chrono::microseconds(200));
+  x.number = scratch;
+#elif defined(FAULT_other_chain)
+  if (blocks_of_all != 0 && blocks_of_all != reinterpret_cast<long>(&self)) x.number = -1;
+  blocks_of_all = reinterpret_cast<long>(&self);
+#elif defined(FAULT_slow)
+  std::this_thread::sleep_for(std::chrono::microseconds(50));
+#endif
+  set(host, block, self.feed, x.number);
+#if defined(FAULT_lies)
+  return IG_UNCHANGED;
+#elif defined(FAULT_status)
+  return 77;
+#else
+  return IG_CHANGED;
+#endif
+}
+
+#if defined(FAULT_bad_case)
+#define AFTER "2"
+#else
+#define AFTER "1"
+#endif
+const char page[] =
+    "# FaultySyntax\n\nMakes X the feed.\n\n## X becomes the feed\n\n#BeforeBuild:\n```json\n"
+    R"({"Parsing": {"X": 1, "Y": 2}})"
+    "\n```\n#AfterBuild:\n```json\n"
+    R"({"Parsing": {"Y": 2}, "Feedrate": {"FeedrateValue": )" AFTER
+    "}}\n```\n\n"
+    "## Another X\n\n#BeforeBuild:\n```json\n"
+    R"({"Parsing": {"X": -2}})"
+    "\n```\n#AfterBuild:\n```json\n"
+    R"({"Feedrate": {"FeedrateValue": -2}})"
+    "\n```\n";
+
+const ig_diagnostic_decl diagnostics[] = {{sizeof(ig_diagnostic_decl), IG_NOTE,
+#if defined(FAULT_prefix)
+                                           "ISO-9901",
+#elif defined(FAULT_code)
+                                           "no code",
+#else
+                                           "FLT-0001",
+#endif
+                                           "nothing", "Nothing is wrong.", "X1"}};
+
+ig_syntax syntax{};
+const ig_syntax* const syntaxes[] = {&syntax};
+ig_plugin plugin{};
+
+#if defined(FAULT_slow_load)
+struct AtLoad {
+  AtLoad() { std::this_thread::sleep_for(std::chrono::milliseconds(80)); }
+} at_load;
+#endif
+
+}  // namespace
+
+#if defined(FAULT_exports)
+extern "C" IG_EXPORT int of_everyone() { return 1; }
+#endif
+
+extern "C" IG_EXPORT const ig_plugin* ig_plugin_v1(void) {
+  syntax.struct_size = sizeof syntax;
+  syntax.id = "FaultySyntax";
+#if !defined(FAULT_no_summary)
+  syntax.summary = "Makes X the feed.";
+#else
+  syntax.summary = "";
+#endif
+  syntax.page = page;
+  syntax.fields = fields;
+  syntax.field_count = sizeof fields / sizeof fields[0];
+  syntax.options = options;
+  syntax.option_count = 1;
+#if defined(FAULT_service)
+  syntax.services = services;
+  syntax.service_count = 1;
+#endif
+  syntax.create = create;
+  syntax.destroy = destroy;
+  syntax.build = build;
+  plugin.struct_size = sizeof plugin;
+  plugin.abi_major = IG_ABI_MAJOR;
+  plugin.abi_minor = IG_ABI_MINOR;
+  plugin.syntax_count = 1;
+  plugin.name = NAME;
+  plugin.version = "1.0.0";
+  plugin.vendor = "tests";
+  plugin.built_with = "C++";
+  plugin.syntaxes = syntaxes;
+  plugin.diagnostics = diagnostics;
+  plugin.diagnostic_count = 1;
+#if defined(FAULT_other_answer)
+  static ig_plugin second = plugin;
+  static bool is_second = false;
+  is_second = !is_second;
+  if (is_second) return &second;
+#elif defined(FAULT_crash_at_load)
+  crash();
+#endif
+  return &plugin;
+}

@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+"""`isogloss validate`: the plugins of this project keep the contract, and each check finds the plugin that has its fault.
+
+  validate_test.py --isogloss PATH --faulty FOLDER
+"""
+import argparse
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+OPTIONS = None
+
+# The fault of a plugin: the check that finds it, and words of what it tells.
+FAULTS = {
+    "crash_at_load": ("loads", "while loading the plugin"),
+    "other_answer": ("loads", "two calls of the entry give two answers"),
+    "code": ("descriptor", "'no code' is not a prefix and number"),
+    "exports": ("exports", "of_everyone: is exported"),
+    "stays": ("unloads", "stays in memory"),
+    "slow_load": ("load-time", "more than 50 ms"),
+    "no_summary": ("documented", "FaultySyntax: has no summary"),
+    "prefix": ("prefix", "the prefix ISO belongs to plugin "),
+    "bad_case": ("cases", "X becomes the feed: the case does not hold"),
+    "undeclared": ("declarations", "it writes Feedrate.FeedrateValue, which it does not declare"),
+    "never_written": ("unused-fields", "no case writes or takes these fields, which it declares: ProgramXyz.X"),
+    "lies": ("unchanged", "its build() says unchanged, but the block changed"),
+    "status": ("unchanged", "its build() returned the status 77"),
+    "empty": ("empty-block", "segmentation fault in FaultySyntax of plugin empty, at work in build()"),
+    "hang": ("empty-block", "in FaultySyntax of plugin hang, at work in build()"),
+    "memory": ("empty-block", "segmentation fault in FaultySyntax of plugin memory"),
+    "absent": ("absent-fields", "without Parsing.Y: segmentation fault"),
+    "huge_text": ("extreme-values", "where Comment.Text is a text of 1 MiB: "),
+    "nan": ("extreme-values", "where Parsing.X is nan: segmentation fault"),
+    "option_bounds": ("options", 'FaultySyntax, length="10": '),
+    "global_count": ("same-result", "a new chain gives another result for the same block"),
+    "keeps": ("restart", "the second run gives another result"),
+    "other_chain": ("two-chains", "another chain at work changes the result"),
+    "shared_scratch": ("threads", "a chain on another thread changes the result"),
+    "service": ("without-services", "FaultySyntax without services: segmentation fault"),
+    "newer_call": ("older-host", "with a host of minor version 0: segmentation fault"),
+    "exact_size": ("newer-host", "with a host of minor version"),
+    "random": ("random-blocks", "it crashes, does not return, or ends the process"),
+    "random_lie": ("random-blocks", "its build() says unchanged, but the block changed"),
+    "slow": ("time", "more than the budget of 10000 ns"),
+}
+LIMITS = ["--call-limit", "1", "--memory-limit", "512", "--blocks", "100"]
+
+
+def faulty(name):
+    return OPTIONS.faulty / name / f"{name}.so"
+
+
+class Validate(unittest.TestCase):
+    def run_it(self, *arguments):
+        environment = {k: v for k, v in os.environ.items() if not k.startswith("ISOGLOSS_")}
+        return subprocess.run([OPTIONS.isogloss, "validate", *map(str, arguments)], capture_output=True, text=True,
+                              timeout=200, check=False, env=environment)
+
+    def checks(self, *arguments):
+        done = self.run_it(*arguments, "--json")
+        self.assertEqual(done.stderr, "")
+        return done.returncode, json.loads(done.stdout)["Plugins"][0]["Checks"]
+
+    def test_each_check_finds_its_fault(self):
+        listed = {line.split()[0]: line.split()[1] for line in self.run_it("--list").stdout.splitlines()}
+        self.assertEqual({check for check, _ in FAULTS.values()}, set(listed), "a check without a faulty plugin")
+        for fault, (check, text) in FAULTS.items():
+            with self.subTest(fault):
+                status, checks = self.checks(faulty(fault), "--only", check, *LIMITS)
+                found = [c for c in checks if c["Name"] == check][0]
+                self.assertEqual(found["Result"], "failed", checks)
+                told = "\n".join(f"{f['Where']}: {f['What']}" for f in found["Findings"])
+                self.assertIn(text, told)
+                self.assertEqual(found["Level"], listed[check])
+                self.assertEqual(status, 1 if listed[check] == "must" else 0)
+                if listed[check] == "should":
+                    self.assertEqual(self.run_it(faulty(fault), "--only", check, "--strict").returncode, 1)
+
+    def test_a_sound_plugin_passes_every_check(self):
+        done = self.run_it(faulty("sound"), "--strict")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertNotIn("FAILED", done.stdout)
+        self.assertIn("24 checks held; failed: 0 must, 0 should, 0 note", done.stdout)
+
+    def test_the_plugins_of_this_project_keep_the_contract(self):
+        plugins = sorted((OPTIONS.isogloss.parent / "plugins").glob("*.so"))
+        self.assertTrue(plugins)
+        for plugin in plugins:
+            with self.subTest(plugin.stem):
+                status, checks = self.checks(plugin, "--blocks", "20")
+                self.assertEqual([c for c in checks if c["Level"] == "must" and c["Result"] != "held"], [])
+                self.assertEqual(status, 0)
+
+    def test_a_random_block_is_shrunk_and_comes_again(self):
+        """X above 2 and Y below -2 fail together, so the smallest block has both words and nothing else."""
+        for seed in (1, 7):
+            first, again = (self.run_it(faulty("random"), "--only", "random-blocks", "--seed", seed, "--blocks", 1000).stdout
+                            for _ in range(2))
+            self.assertEqual(first, again)
+            block = json.loads(re.search(r"the smallest block that fails: (.*)", first)[1])
+            self.assertEqual(set(block), {"Parsing"})
+            self.assertEqual(set(block["Parsing"]), {"X", "Y"})
+            self.assertIn(f"--only random-blocks --seed {seed} --blocks 1000", first)
+
+    def test_pages_of_a_folder_replace_those_in_the_plugin(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = pathlib.Path(folder) / "faulty_syntax.md"
+            page.write_text("# FaultySyntax\n\nText.\n\n## A case of the folder\n\n#BeforeBuild:\n```json\n"
+                            '{"Parsing": {"X": 5}}\n```\n#AfterBuild:\n```json\n{}\n```\n')
+            done = self.run_it(faulty("bad_case"), "--only", "cases", "--pages", folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("A case of the folder: the case does not hold", done.stdout)
+        self.assertNotIn("X becomes the feed", done.stdout)
+
+    def test_a_plugin_that_does_not_load_is_not_looked_at_further(self):
+        status, checks = self.checks(faulty("crash_at_load"))
+        self.assertEqual(status, 1)
+        self.assertEqual([c["Result"] for c in checks], ["failed"] + ["skipped"] * (len(checks) - 1))
+
+    def test_junit_counts_what_failed(self):
+        done = self.run_it(faulty("lies"), "--format", "junit", "--only", "unchanged", "--only", "exports")
+        suite = xml.etree.ElementTree.fromstring(done.stdout).find("testsuite")
+        self.assertEqual((suite.get("tests"), suite.get("failures")), ("2", "1"))
+        self.assertIn("says unchanged", suite.find("testcase[@name='unchanged']/failure").get("message"))
+        self.assertIsNone(suite.find("testcase[@name='exports']/failure"))
+
+    def test_in_process_a_crash_is_the_command_s_own(self):
+        self.assertEqual(self.run_it(faulty("sound"), "--in-process").returncode, 0)
+        done = self.run_it(faulty("empty"), "--in-process", "--only", "empty-block")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("segmentation fault in FaultySyntax of plugin empty", done.stderr)
+
+    def test_wrong_usage_cannot_start(self):
+        for arguments, text in (([], "name the file of a plugin"), (["no-such.so"], "it is no file"),
+                                ([faulty("sound"), "--only", "unchange"], "did you mean unchanged?"),
+                                ([faulty("sound"), "-d", "no-such-dialect"], "IG-0101")):
+            done = self.run_it(*arguments)
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn(text, done.stderr)
+        self.assertIn("[IG-0155]", self.run_it(faulty("sound"), "--only", "unchange").stderr)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--isogloss", required=True, type=pathlib.Path)
+    parser.add_argument("--faulty", required=True, type=pathlib.Path)
+    OPTIONS, rest = parser.parse_known_args()
+    unittest.main(argv=[sys.argv[0], *rest])
