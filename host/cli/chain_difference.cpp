@@ -163,8 +163,7 @@ Values reading(const Dialect& d) {
   for (const auto& [code, severity] : d.severities) out["severity of " + code] = {std::string(to_string(severity)), {}};
   for (const Signature& s : d.signatures)
     out["signature " + s.pattern] = {fmt::format("weight {}", s.weight), d.files_where};
-  for (const Signature& s : d.names)
-    out["name " + s.pattern] = {fmt::format("weight {}", s.weight), d.files_where};
+  for (const Signature& s : d.names) out["name " + s.pattern] = {fmt::format("weight {}", s.weight), d.files_where};
   return out;
 }
 
@@ -205,7 +204,8 @@ std::string difference_as_text(const Json& difference) {
     return fmt::format("{:<12} {:<{}}  {:<{}} | {}\n", part, what, name, a, left, b);
   };
   std::string out = line("", "", difference["Left"], difference["Right"]);
-  for (const Json& row : rows) out += line(row["Part"].get<std::string>(), row["Name"], cell(row["Left"]), cell(row["Right"]));
+  for (const Json& row : rows)
+    out += line(row["Part"].get<std::string>(), row["Name"], cell(row["Left"]), cell(row["Right"]));
   return out;
 }
 

@@ -11,8 +11,7 @@ namespace {
 
 std::string listed(const Json& names, std::size_t most) {
   std::string out;
-  for (std::size_t i = 0; i < names.size() && i < most; ++i)
-    out += (i == 0 ? "" : ", ") + names[i].get<std::string>();
+  for (std::size_t i = 0; i < names.size() && i < most; ++i) out += (i == 0 ? "" : ", ") + names[i].get<std::string>();
   return names.size() > most ? out + fmt::format(" and {} more", names.size() - most) : out;
 }
 
@@ -121,7 +120,8 @@ std::string chain_as_svg(const Json& chain) {
          std::string(style) +
          fmt::format("<rect x=\"0\" y=\"0\" width=\"{}\" height=\"{}\" style=\"fill:#fff;stroke:none\"/>\n", width,
                      y + 10) +
-         fmt::format("<text class=\"stage\" x=\"10\" y=\"20\">{}</text>\n", svg_text(chain["Dialect"].get<std::string>())) +
+         fmt::format("<text class=\"stage\" x=\"10\" y=\"20\">{}</text>\n",
+                     svg_text(chain["Dialect"].get<std::string>())) +
          "<text class=\"legend\" x=\"10\" y=\"38\">left, red: declared order; right, blue: the upper one writes a "
          "field that the lower one reads</text>\n" +
          arcs + boxes + "</svg>\n";

@@ -62,14 +62,10 @@ std::string side_as_text(const Json& side, std::string_view title) {
 Json describe_why(const LinkedDialect& linked, std::uint32_t position) {
   const ChainElement& element = linked.chain[position].element;
   const AppliedEdit* const placing = placing_edit(linked.dialect, element.alias);
-  Json out{{"Dialect", linked.dialect.name},
-           {"As", element.alias},
-           {"Syntax", element.syntax},
-           {"Plugin", linked.chain[position].plugin->name},
-           {"Stage", to_string(element.stage)},
-           {"Position", position + 1},
-           {"Of", linked.chain.size()},
-           {"Place", place_as_json(element.where)}};
+  Json out{{"Dialect", linked.dialect.name},    {"As", element.alias},
+           {"Syntax", element.syntax},          {"Plugin", linked.chain[position].plugin->name},
+           {"Stage", to_string(element.stage)}, {"Position", position + 1},
+           {"Of", linked.chain.size()},         {"Place", place_as_json(element.where)}};
   if (placing != nullptr)
     out["PlacedBy"] = {{"Edit", placing->kind}, {"Anchor", placing->anchor}, {"Dialect", placing->dialect}};
   else
@@ -93,13 +89,14 @@ Json describe_why(const LinkedDialect& linked, std::uint32_t position) {
 std::string why_as_text(const Json& why) {
   const std::string alias = why["As"], id = why["Syntax"];
   std::string out = fmt::format("{} of plugin {}, stage {}, position {} of {} in {}\n",
-                                alias == id ? alias : fmt::format("{} ({})", alias, id), why["Plugin"].get<std::string>(),
-                                why["Stage"].get<std::string>(), why["Position"].get<int>(), why["Of"].get<int>(),
-                                why["Dialect"].get<std::string>());
+                                alias == id ? alias : fmt::format("{} ({})", alias, id),
+                                why["Plugin"].get<std::string>(), why["Stage"].get<std::string>(),
+                                why["Position"].get<int>(), why["Of"].get<int>(), why["Dialect"].get<std::string>());
   const Json& by = why["PlacedBy"];
   if (by.contains("Edit"))
-    out += fmt::format("{}: put in by dialect {}, <{}> of {}\n", place_text(why["Place"]),
-                       by["Dialect"].get<std::string>(), by["Edit"].get<std::string>(), by["Anchor"].get<std::string>());
+    out +=
+        fmt::format("{}: put in by dialect {}, <{}> of {}\n", place_text(why["Place"]),
+                    by["Dialect"].get<std::string>(), by["Edit"].get<std::string>(), by["Anchor"].get<std::string>());
   else
     out += fmt::format("{}: listed in the chain of dialect {}\n", place_text(why["Place"]),
                        by["Dialect"].get<std::string>());

@@ -87,10 +87,10 @@ int DialectCommand::run() {
   const int views = static_cast<int>(graph) + static_cast<int>(!why.empty()) + static_cast<int>(!other.empty());
   if (name.empty()) name = operand;
   const std::string_view wrong =
-      name.empty() && machine.empty() ? "dialect needs a DIALECT, or a machine: -m NAME"
+      name.empty() && machine.empty()       ? "dialect needs a DIALECT, or a machine: -m NAME"
       : !operand.empty() && name != operand ? "--effective and DIALECT name two dialects; name one"
-      : views > 1 ? "--graph, --why and --diff are three answers; ask for one of them"
-      : views == 0 && json ? "--json belongs to --graph, --why or --diff; a dialect is written as XML"
+      : views > 1                           ? "--graph, --why and --diff are three answers; ask for one of them"
+      : views == 0 && json                  ? "--json belongs to --graph, --why or --diff; a dialect is written as XML"
       : views > 0 && (annotate || inline_tables || !base_directory.empty())
           ? "--annotate, --inline and --base-directory belong to the dialect as one file"
           : "";
@@ -106,7 +106,8 @@ int DialectCommand::run() {
     return graph ? show_graph(*linked, session) : show_why(*linked, session);
   }
   const std::optional<Dialect> dialect = session.read(*named);
-  if (!dialect) return !other.empty() || session.status() == success ? static_cast<int>(cannot_start) : session.status();
+  if (!dialect)
+    return !other.empty() || session.status() == success ? static_cast<int>(cannot_start) : session.status();
   return other.empty() ? write_effective(*dialect, session) : show_difference(*dialect, session);
 }
 

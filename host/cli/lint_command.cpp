@@ -30,7 +30,8 @@ std::string suggestion(const Dialect& dialect, Library& library) {
   std::string reason;
   const std::string patch = order_patch(dialect, wanted, reason);
   if (reason.empty()) return patch;
-  return fmt::format("{}: no change of {} alone gives a valid order: {}\n", dialect.name, dialect.file.string(), reason);
+  return fmt::format("{}: no change of {} alone gives a valid order: {}\n", dialect.name, dialect.file.string(),
+                     reason);
 }
 
 /// Services that several dependencies offer: the first one answers for all.
@@ -118,7 +119,8 @@ int lint_command(const Arguments& arguments) {
   command.common.repeats = 0;  // what is wrong is listed as a whole
   line.option("DIALECT", command.dialects, "Dialects, by name or file");
   line.option("-m,--machine", command.machines, "A machine, by name, folder or file (repeatable)").type_name("MACHINE");
-  line.flag("--suggest", command.suggest, "Print a patch of the dialect's file that makes the order valid and moves as little as possible");
+  line.flag("--suggest", command.suggest,
+            "Print a patch of the dialect's file that makes the order valid and moves as little as possible");
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
   return command.run();

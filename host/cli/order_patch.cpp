@@ -11,83 +11,13 @@
 #include <set>
 
 #include "session.hpp"
+#include "text_edits.hpp"
 
 namespace isogloss::cli {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Parts of a text that become others; places are those of the old text.
-class TextEdits {
- public:
-  explicit TextEdits(const std::string& text) : text_(text) {}
-
-  void replace(std::size_t begin, std::size_t end, std::string by) { all_.push_back({begin, end, std::move(by)}); }
-
-  std::string apply() {
-    std::stable_sort(all_.begin(), all_.end(), [](const One& a, const One& b) { return a.begin < b.begin; });
-    std::string out;
-    std::size_t at = 0;
-    for (const One& one : all_) {
-      if (one.begin > at) out += text_.substr(at, one.begin - at);
-      out += one.by;
-      at = std::max(at, one.end);
-    }
-    return out + text_.substr(at);
-  }
-
-  std::size_t offset(const Location& where) const {
-    std::size_t at = 0;
-    for (std::uint32_t line = 1; line < where.line && at < text_.size(); ++line)
-      at = std::min(text_.find('\n', at), text_.size() - 1) + 1;
-    return std::min(at + where.column - 1, text_.size());
-  }
-  /// One past the element that begins there.
-  std::size_t end_of(std::size_t begin) const {
-    const std::size_t name_end = std::min(text_.find_first_of(" \t\r\n/>", begin + 1), text_.size());
-    const std::string name = text_.substr(begin + 1, name_end - begin - 1);
-    std::size_t at = name_end;
-    for (char quote = '\0'; at < text_.size() && (quote != '\0' || text_[at] != '>'); ++at)
-      quote = quote != '\0' ? (text_[at] == quote ? '\0' : quote)
-              : text_[at] == '"' || text_[at] == '\'' ? text_[at]
-                                                      : '\0';
-    if (at > 0 && at < text_.size() && text_[at - 1] == '/') return at + 1;
-    const std::size_t close = text_.find("</" + name, at);
-    return close == std::string::npos ? text_.size() : std::min(text_.find('>', close), text_.size() - 1) + 1;
-  }
-  std::string element(std::size_t begin) const { return text_.substr(begin, end_of(begin) - begin); }
-  std::size_t line_begin(std::size_t at) const {
-    const std::size_t newline = at == 0 ? std::string::npos : text_.rfind('\n', at - 1);
-    return newline == std::string::npos ? 0 : newline + 1;
-  }
-  /// The blanks before the element on its line.
-  std::string indentation(std::size_t at) const {
-    const std::size_t begin = line_begin(at);
-    const std::size_t first = std::min(text_.find_first_not_of(" \t", begin), text_.size());
-    return text_.substr(begin, std::min(first, at) - begin);
-  }
-  std::string line_end() const { return text_.find("\r\n") != std::string::npos ? "\r\n" : "\n"; }
-  /// Removes the element, and its lines where nothing else stands on them.
-  void remove(std::size_t begin) {
-    const std::size_t end = end_of(begin), first = line_begin(begin);
-    const std::size_t newline = text_.find('\n', end);
-    const std::string_view tail = std::string_view(text_).substr(end, newline == std::string::npos ? 0 : newline - end);
-    const bool is_alone = text_.find_first_not_of(" \t", first) == begin && newline != std::string::npos &&
-                          tail.find_first_not_of(" \t\r") == std::string_view::npos;
-    is_alone ? replace(first, newline + 1, "") : replace(begin, end, "");
-  }
-  std::size_t find(std::string_view what, std::size_t from = 0) const { return text_.find(what, from); }
-  std::size_t find_last(std::string_view what) const { return text_.rfind(what); }
-
- private:
-  struct One {
-    std::size_t begin, end;
-    std::string by;
-  };
-  const std::string& text_;
-  std::vector<One> all_;
-};
 
 /// The elements that move: all but the longest part that stays, in which an inherited one weighs more.
 std::set<std::string> moved_elements(const Dialect& dialect, const std::vector<std::string>& wanted) {
@@ -239,7 +169,8 @@ class Mover {
     for (std::size_t i = last; i < dialect_.edits.size(); ++i) {
       const AppliedEdit& edit = dialect_.edits[i];
       if (edit.of_dependency || edit.kind != "Configure" || !is_own(edit.where)) continue;
-      if (std::none_of(run.begin(), run.end(), [&](const ChainElement* e) { return e->alias == edit.anchor; })) continue;
+      if (std::none_of(run.begin(), run.end(), [&](const ChainElement* e) { return e->alias == edit.anchor; }))
+        continue;
       const std::size_t at = edits_.offset(edit.where);
       const std::string line = edits_.line_end() + edits_.indentation(at);
       edits_.replace(at, at, removals + (removals.empty() ? "" : line) + text + line);
@@ -255,8 +186,9 @@ class Mover {
     if (end == std::string::npos) return "the wrong order is inherited";
     const std::string blanks = edits_.indentation(end) + "  ";
     const std::string line = edits_.line_end() + blanks;
-    edits_.replace(end, end, (removals.empty() ? "" : "  " + removals + line) + (removals.empty() ? "  " : "") + text +
-                                 edits_.line_end() + edits_.indentation(end));
+    edits_.replace(end, end,
+                   (removals.empty() ? "" : "  " + removals + line) + (removals.empty() ? "  " : "") + text +
+                       edits_.line_end() + edits_.indentation(end));
     return {};
   }
 

@@ -34,8 +34,8 @@ std::vector<Change> changes(const std::vector<std::string_view>& before, const s
   std::vector<std::vector<std::uint32_t>> common(n + 1, std::vector<std::uint32_t>(m + 1));
   for (std::size_t i = n; i-- > 0;)
     for (std::size_t j = m; j-- > 0;)
-      common[i][j] = before[head + i] == after[head + j] ? common[i + 1][j + 1] + 1
-                                                         : std::max(common[i + 1][j], common[i][j + 1]);
+      common[i][j] =
+          before[head + i] == after[head + j] ? common[i + 1][j + 1] + 1 : std::max(common[i + 1][j], common[i][j + 1]);
   std::vector<Change> out;
   for (std::size_t i = 0; i < head; ++i) out.push_back({' ', before[i]});
   for (std::size_t i = 0, j = 0; i < n || j < m;) {

@@ -68,8 +68,14 @@ class Editor {
               absent(edit.anchor));
       return;
     }
-    applied_.push_back({std::string(to_string(edit.kind)), dialect_, !std::is_same_v<Element, ChainElement>,
-                        edit.anchor, {}, {}, edit.override_slot, edit.where});
+    applied_.push_back({std::string(to_string(edit.kind)),
+                        dialect_,
+                        !std::is_same_v<Element, ChainElement>,
+                        edit.anchor,
+                        {},
+                        {},
+                        edit.override_slot,
+                        edit.where});
     for (const Element& element : edit.elements) applied_.back().elements.push_back(element.alias);
     switch (edit.kind) {
       case EditKind::configure: return configure(*at, edit);

@@ -108,8 +108,9 @@ void review_configure(const std::vector<AppliedEdit>& edits, std::size_t number,
   for (const AppliedEdit::Option& option : edit.options) {
     if (!option.before) continue;
     if (option.before->value == option.given.value)
-      out.push_back(host_diagnostic("IG-0167", option.given.where,
-                                    {option.given.name, edit.anchor, option.given.value, file_and_line(option.before->where)}));
+      out.push_back(
+          host_diagnostic("IG-0167", option.given.where,
+                          {option.given.name, edit.anchor, option.given.value, file_and_line(option.before->where)}));
     for (std::size_t earlier = 0; earlier < number; ++earlier)
       for (const AppliedEdit::Option& o : edits[earlier].options)
         if (same_part(edits[earlier], edit) && edits[earlier].anchor == edit.anchor &&
@@ -128,8 +129,9 @@ void review_edits(const Dialect& dialect, std::vector<Diagnostic>& out) {
     if (edit.kind == "Configure") touched.push_back(edit.anchor);
     for (const std::string& alias : touched)
       if (const AppliedEdit* const later = undone_by(dialect.edits, i, alias))
-        out.push_back(host_diagnostic("IG-0168", edit.where,
-                                      {fmt::format("<{}> of {}", edit.kind, alias), later->kind, file_and_line(later->where)}));
+        out.push_back(
+            host_diagnostic("IG-0168", edit.where,
+                            {fmt::format("<{}> of {}", edit.kind, alias), later->kind, file_and_line(later->where)}));
   }
   for (const Repetition& r : dialect.repetitions)
     out.push_back(host_diagnostic("IG-0170", r.where, {r.what, file_and_line(r.first)}));
@@ -144,8 +146,7 @@ void review_override(const LinkedDialect& linked, const LinkedSyntax& s, std::ve
     const char* const its = other.syntax->exclusive_slot;
     if (slot != nullptr && its != nullptr && std::string_view(slot) == its) return;
     for (ig_field f = 0; f < linked.layout.fields.size(); ++f)
-      if (linked.layout.fields[f].type == IG_CODE &&
-          (s.may_take[f >> 6] & other.may_take[f >> 6]) >> (f & 63) & 1)
+      if (linked.layout.fields[f].type == IG_CODE && (s.may_take[f >> 6] & other.may_take[f >> 6]) >> (f & 63) & 1)
         return;
   }
   out.push_back(host_diagnostic("IG-0171", s.element.where, {s.element.alias}));

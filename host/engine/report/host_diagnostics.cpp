@@ -157,11 +157,11 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {error, "IG-0172", "no syntax '{0}' in the chain of {1}",
        "`isogloss dialect --why` names a syntax of the chain, by its id or by the name that as=\"…\" gives it. The "
        "plugins may have it: the dialect does not use it.",
-       "isogloss dialect fanuc --why DrilingCycleSyntax"},
+       "isogloss dialect iso --why DrilingCycleSyntax"},
       {error, "IG-0173", "no syntax of {0} answers '{1}'",
        "`isogloss inspect CODE -d DIALECT` shows who takes a code or a word in that dialect. `isogloss list codes -d "
        "DIALECT` lists all of them.",
-       "isogloss inspect G999 -d fanuc"},
+       "isogloss inspect G999 -d iso"},
       {error, "IG-0174", "the page of {0} has no section '{1}'",
        "`isogloss inspect NAME --section TITLE` prints one section of a page, by its heading.",
        "isogloss inspect DwellSyntax --section Diagnostic"},
