@@ -25,15 +25,23 @@ std::vector<std::string> taken_codes(const LinkedSyntax& s, const Layout& layout
 const AppliedEdit* placing_edit(const Dialect& dialect, const std::string& alias);
 
 /// Stages with their syntaxes in order: place, declared order, fields with their readers, codes.
+/// {"Dialect", "File", "Extends": [names], "Stages": [{"Stage", "Syntaxes": [{"Position" from 1, "As", "Syntax",
+///  "Plugin", "File", "Line", "After": [aliases], "Before": [aliases], "Takes": [codes],
+///  "Writes": [{"Field", "For": [aliases]}]}]}]}
 Json describe_chain(const LinkedDialect& linked);
 std::string chain_as_text(const Json& chain);
 std::string chain_as_svg(const Json& chain);
 
-/// Where one syntax of the chain comes from, and what must stand before and after it.
+/// Where one syntax of the chain comes from, and what must stand before and after it. A place is {"File", "Line"}.
+/// {"Dialect", "As", "Syntax", "Plugin", "Stage", "Position", "Of", "Place", "PlacedBy": {"Edit", "Anchor", "Dialect"},
+///  "Options": [{"Name", "Value", "Place"}], "Edits": [{"Edit", "Dialect", "Place"}], "Takes": [codes],
+///  "MustFollow" and "MustPrecede": [{"Syntax", "Declared", "Because": [sentences]}]}
 Json describe_why(const LinkedDialect& linked, std::uint32_t position);
 std::string why_as_text(const Json& why);
 
-/// What differs, one row each: part, name, value on each side.
+/// What differs, one row each; null where a side has none. Part: file, plugin, table, table option, row, initial,
+/// chain, moved, option. A place is "FILE:LINE".
+/// {"Left", "Right", "Same", "Differences": [{"Part", "Name", "Left", "Right", "LeftPlace", "RightPlace"}]}
 Json describe_difference(const Dialect& left, const Dialect& right, Library& library);
 std::string difference_as_text(const Json& difference);
 

@@ -293,5 +293,6 @@ if __name__ == "__main__":
     parser.add_argument("--isogloss", required=True)
     parser.add_argument("--more", nargs="*", default=[], help="options for each command, as name=value")
     OPTIONS, rest = parser.parse_known_args()
+    OPTIONS.isogloss = str(pathlib.Path(OPTIONS.isogloss).resolve())
     OPTIONS.more = [f"--{one}" for one in OPTIONS.more]
     unittest.main(argv=[sys.argv[0], *rest])
