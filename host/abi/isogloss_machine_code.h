@@ -14,7 +14,8 @@ enum {
   IG_CODE_ACTS = 2,         /* as the codes in `codes` */
   IG_CODE_CALLS = 3,        /* it calls `program` */
   IG_CODE_MOVES = 4,        /* the axes go to `position` by rapid */
-  IG_CODE_IS_REFUSED = 5    /* it is an error, for the reason in `text` */
+  IG_CODE_IS_REFUSED = 5,   /* it is an error, for the reason in `text` */
+  IG_CODE_SETS = 6          /* since 1.8: fields of the block get the values in `fields` */
 };
 
 /* What one of them does. Texts that its kind does not use have size 0. */
@@ -34,6 +35,8 @@ typedef struct ig_machine_code {
   uint32_t
       arguments; /* of a G or M code that calls: 1 its words are arguments, 2 the user asks for it; 0: they are not */
   uint32_t reserved;
+  ig_text fields; /* "Coolant.Mode=FLOOD; Dwell.Time={P}": {P} is the number that the program writes behind P, {P:2} the
+                   * same, or 2 where it writes none */
 } ig_machine_code;
 
 /* isogloss.machine-code/1 */

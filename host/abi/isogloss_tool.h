@@ -24,7 +24,9 @@ typedef struct ig_tool_name_1 {
 
 /* Columns of isogloss.tool-offset/1; those from IG_TOOL_CORNER_RADIUS on since 1.7. A table gives 0 for a column that
  * it does not have, and for a value that is not known. mm; the tip angle of a drill in degrees, its whole angle; the
- * highest speed of the spindle in rpm. */
+ * highest speed of the spindle in rpm. Since 1.8 the number that the control has for the type of the tool, the largest
+ * plunge angle in degrees, and in minutes the life of the tool, that at which a call no longer takes it, and the part
+ * that is used. */
 enum {
   IG_TOOL_LENGTH = 0,
   IG_TOOL_LENGTH_WEAR = 1,
@@ -34,7 +36,13 @@ enum {
   IG_TOOL_CORNER_RADIUS_WEAR = 5,
   IG_TOOL_TIP_ANGLE = 6,
   IG_TOOL_TEETH = 7,
-  IG_TOOL_MAXIMUM_SPEED = 8
+  IG_TOOL_MAXIMUM_SPEED = 8,
+  IG_TOOL_TYPE = 9,
+  IG_TOOL_CUTTING_LENGTH = 10,
+  IG_TOOL_PLUNGE_ANGLE = 11,
+  IG_TOOL_LIFE = 12,
+  IG_TOOL_LIFE_AT_CALL = 13,
+  IG_TOOL_USED_LIFE = 14
 };
 
 #ifdef __cplusplus

@@ -67,6 +67,9 @@ int DialectCommand::show_why(const LinkedDialect& linked, Session& session) cons
     if (!edit.of_dependency && edit.anchor == why && (edit.kind == "Remove" || edit.kind == "Replace"))
       hint = fmt::format("dialect {} takes it out: {}:{}, <{}>", edit.dialect, edit.where.file, edit.where.line,
                          edit.kind);
+  for (const Json& row : describe_codes(linked))
+    if (hint.empty() && row["Code"] == why)
+      hint = fmt::format("it is a code of programs: isogloss inspect {} -d {}", why, linked.dialect.name);
   if (const std::string near = nearest_name(why, names); hint.empty() && !near.empty())
     hint = "did you mean " + near + "?";
   session.report("IG-0172", {}, {why, linked.dialect.name}, hint);

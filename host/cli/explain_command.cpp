@@ -121,6 +121,7 @@ std::string place_of(const ExplainedRow& r) {
 std::string text_of(const ExplainedBlock& b) {
   std::string out = fmt::format("{}:{}: {}\n", b.where.file, b.where.line, printable(b.text, "\t"));
   out += where_the_run_is(b);
+  if (!b.calls.empty()) out += fmt::format("  calls {}, {}:{}\n", b.calls, b.callee.file, b.callee.line);
   std::size_t width = 0;
   for (const ExplainedValue& v : b.carried) width = std::max(width, v.path.size() + v.value.size() + 3);
   if (!b.carried.empty()) out += "\nCarried into the block:\n";
@@ -186,8 +187,11 @@ Json json_of(const ExplainedBlock& b) {
     if (f.passes > 1) one.update({{"Pass", f.pass}, {"Passes", f.passes}});
     frames.push_back(std::move(one));
   }
+  Json calls = Json::object();
+  if (!b.calls.empty()) calls = {{"Program", b.calls}, {"File", b.callee.file}, {"Line", b.callee.line}};
   return {{"File", b.where.file},
           {"Line", b.where.line},
+          {"Calls", std::move(calls)},
           {"Pass", b.pass},
           {"Frames", std::move(frames)},
           {"Text", b.text},

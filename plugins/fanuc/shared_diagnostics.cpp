@@ -64,6 +64,14 @@ const ig::Diagnostics shared_diagnostics{
                    "A condition compares two values. Nothing is executed.", "IF[#1] GOTO 10"),
     ig::diagnostic(IG_WARNING, "FAN-0117", "brackets are nested {0} deep; the control permits {1}",
                    "The expression is computed here; on the control it is an alarm.", "#1=[[[[[[1]]]]]]"),
+    ig::diagnostic(IG_WARNING, "FAN-0270",
+                   "#{0} is an output of the machine: nothing is switched, and the program reads the value back",
+                   "The run has no machine. Reported once for each output.", "#1100=1"),
+    ig::diagnostic(IG_WARNING, "FAN-0271",
+                   "#{0} is an input of the machine, which a control does not write: the program reads the value back",
+                   "The control stops with an alarm. A table of variables gives inputs their states (MacroVariables). "
+                   "Reported once for each input.",
+                   "#1000=1"),
     ig::diagnostic(IG_WARNING, "FAN-0118",
                    "the state of #{0} is not known here: {1} is assumed; --variables FILE can give another",
                    "The variable is a signal, a switch or a counter of the machine. Give its value in a table of "

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "../../tests/support/fake_dependency.hpp"
+#include "machine/row_fields.hpp"
 
 using namespace isogloss_test;
 
@@ -97,11 +98,20 @@ TEST_CASE("tool offsets: a number without a row is zero, or missing where the ta
 }
 
 TEST_CASE("tool offsets: what is no length and no radius is known only where a row gives it") {
-  const FakeDependency table(
-      *ig_plugin_v1(), "ToolOffsetTable",
-      {{"1",
-        {{"CornerRadius", 1.5}, {"CornerRadiusWear", -0.1}, {"TipAngle", 118}, {"Teeth", 4}, {"MaximumSpeed", 9000}}},
-       {"2", {{"H", 10}}}});
+  const FakeDependency table(*ig_plugin_v1(), "ToolOffsetTable",
+                             {{"1",
+                               {{"CornerRadius", 1.5},
+                                {"CornerRadiusWear", -0.1},
+                                {"TipAngle", 118},
+                                {"Teeth", 4},
+                                {"MaximumSpeed", 9000},
+                                {"Type", 120},
+                                {"CuttingLength", 22.5},
+                                {"PlungeAngle", 3},
+                                {"Life", 60},
+                                {"LifeAtCall", 55},
+                                {"UsedLife", 12}}},
+                              {"2", {{"H", 10}}}});
   const auto* s = table.service<ig_tool_offset_1>("isogloss.tool-offset/1");
   const auto get = [&](std::int64_t id, std::uint32_t column) {
     double value = 0;
@@ -112,7 +122,13 @@ TEST_CASE("tool offsets: what is no length and no radius is known only where a r
   CHECK(get(1, IG_TOOL_TIP_ANGLE) == 118);
   CHECK(get(1, IG_TOOL_TEETH) == 4);
   CHECK(get(1, IG_TOOL_MAXIMUM_SPEED) == 9000);
-  CHECK(get(1, IG_TOOL_MAXIMUM_SPEED + 1) == -1);
+  CHECK(get(1, IG_TOOL_TYPE) == 120);
+  CHECK(get(1, IG_TOOL_CUTTING_LENGTH) == 22.5);
+  CHECK(get(1, IG_TOOL_PLUNGE_ANGLE) == 3);
+  CHECK(get(1, IG_TOOL_LIFE) == 60);
+  CHECK(get(1, IG_TOOL_LIFE_AT_CALL) == 55);
+  CHECK(get(1, IG_TOOL_USED_LIFE) == 12);
+  CHECK(get(1, IG_TOOL_USED_LIFE + 1) == -1);
   for (const std::int64_t id : {2, 3}) CHECK(get(id, IG_TOOL_CORNER_RADIUS) == -1);
   CHECK(get(3, IG_TOOL_RADIUS_WEAR) == 0);
 }
@@ -412,4 +428,19 @@ TEST_CASE("machine codes: a row that says nothing, or only half of it, is refuse
   refusal({{"M92", {{"does", "call"}, {"program", "  "}}}}, "needs program");
   for (const char* position : {"U5", "X", "X1 X2", "X1Y2", "Z-", "Z--5", "5"})
     refusal({{"M92", {{"does", "position"}, {"position", position}}}}, "position is each axis");
+}
+
+TEST_CASE("machine codes: fields that a row cannot set are refused with the reason") {
+  const auto fault_of = [](std::string_view fields) { return iso::fields_fault(fields); };
+  CHECK(fault_of("Coolant.Mode=FLOOD; Dwell.Time={P:2} s;").empty());
+  CHECK(fault_of("SpindleSpeed.SpindleSpeed_rpm = 8000 1/min").empty());
+  for (const char* list : {"Dwell.Time", "=5", "Dwell.Time="}) CHECK(fault_of(list).starts_with("fields is a list"));
+  for (const char* none : {";", " ; "}) CHECK(fault_of(none) == "fields names no field");
+  CHECK(fault_of("Dwell.Time=1;Dwell.Time=2") == "Dwell.Time stands twice in fields");
+  for (const char* word : {"Dwell.Time={}", "Dwell.Time={P", "Dwell.Time={0}", "Dwell.Time={PQR}", "Dwell.Time={P5P}"})
+    CHECK(fault_of(word).find("is no word of a program") != std::string::npos);
+  CHECK(fault_of("SpindleSpeed.Direction=LEFT") == "SpindleSpeed.Direction=LEFT is none of CW, CCW, STOP");
+  CHECK(fault_of("Dwell.Time={P:-1}") == "Dwell.Time=-1 is less than 0");
+  CHECK(fault_of("Feedrate.FeedrateValue=0") == "Feedrate.FeedrateValue=0 is not greater than 0");
+  CHECK(iso::canonical_fields(" Coolant.Mode = FLOOD ;Dwell.Time={P:2} s; ") == "Coolant.Mode=FLOOD; Dwell.Time={P:2}");
 }

@@ -3,6 +3,7 @@
 /// The same holds for codes with two or more decimals (G68.18), which belong to robots.
 #include <string>
 
+#include <isogloss/cnc/machine_codes.hpp>
 #include <isogloss/cnc/scan.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -30,6 +31,7 @@ struct SyntecMacroCode {
   ig::Word tool_{"Parsing.T", ig::read | ig::wake};
   ig::Signal called_{"Parsing.~BuilderMacro", ig::read | ig::write | ig::wake};
   ig::Signal by_m_{"Parsing.~BuilderMacroByM", ig::read | ig::write};
+  MachineCodes machine_;  // a row of a code goes before the builder's macro, which is not executed here
   ig::Config macros_{"isogloss.code-call/1", ig::Need::optional, "The codes that call a macro, and its number."};
   bool tool_calls_ = macros_.number("T").has_value();
 
@@ -38,7 +40,7 @@ struct SyntecMacroCode {
     if (!code.ok || code.value < 0 || code.value > 99'999 || at(text, code.end) == '=') return position;
     const char letter = to_upper(text[position]);
     const std::string name = name_of(letter, piece(text, skip_blanks(text, position + 1), code.end));
-    if (!macros_.number(name)) return position;
+    if (!macros_.number(name) || machine_.find(name) != nullptr) return position;
     const auto where = ig::Where::columns(position, code.end);
     if (letter == 'G' && code.value < 200 && code.decimals > 1)
       b.report(ig::diag("SYN-0003"), where, name,

@@ -267,6 +267,24 @@ class Tables(Command):
         self.assertRegex(said, r"tools.xml:2:\d+: error: ToolOffsetTable has no row '01'")
         self.assertRegex(said, r"tools.xml:3:\d+: .* 1 to 400 \(option size\)")
 
+    def test_rows_that_set_fields(self):
+        """Each assignment is checked at its cell."""
+        faults = (("Cooling.Mode=FLOOD", "IG-0145", "did you mean Coolant.Mode"), ("Dwell.Time=long", "IG-0146", "number"),
+                  ("ToolChange.ToolId=1.5", "IG-0146", "integer"), ("PathSmoothing.IsEnabled={P}", "IG-0146", "boolean"),
+                  ("ProgramXyz.X=5", "IG-0147", "rows may set"), ("Dwell.Time=500 ms", "IG-0148", "unit: s"))
+        for fields, code, text in faults:
+            table = self.write("set.xml", f'<MachineCodes>\n<Code name="M131" does="set" fields="{fields}"/></MachineCodes>')
+            said = self.refused("--machine", table, code=code)
+            self.assertRegex(said, r"set.xml:2:\d+: error: the row 'M131' of MachineCodes")
+            self.assertIn(text, said)
+        self.refused("--set", "MachineCodes.M131.does=set", "--set", "MachineCodes.M131.fields=Dwell.Tim=5", code="IG-0145")
+        own = self.write("own.xml", '''<Dialect xmlns="urn:isogloss:dialect:1" name="own" extends="iso">
+  <Dependencies><MachineCodes><Code name="M131" does="set" fields="Vendor.Mode=2"/></MachineCodes></Dependencies>
+  <Chain><Configure syntax="MachineCodeFieldSyntax" numbers="Vendor.Mode"/></Chain>
+</Dialect>''')
+        done = self.run_it("run", "part.nc", "-d", own, "--emit", "none")
+        self.assertRegex(done.stderr, r"own.xml:2:\d+: warning: the row 'M131' of MachineCodes sets Vendor.Mode.*\[IG-0149\]")
+
     def test_rows_of_another_shape(self):
         for text, code in (('<Foo X="1"/>', "IG-0217"), ('<Offset X="1"/>', "IG-0218"),
                            ('<Offset id="G54" Q="1"/>', "IG-0219"), ('<Offset id="G54" X="a"/>', "IG-0220"),

@@ -69,6 +69,8 @@ class Why(Command):
         self.assertIn("[IG-0172]", done.stderr)
         self.assertIn("did you mean DwellSyntax?", done.stderr)
         self.assertEqual(done.stdout, "")
+        done = self.run_it("dialect", "fanuc", "--why", "G83", status=1)
+        self.assertIn("it is a code of programs: isogloss inspect G83 -d fanuc", done.stderr)
 
 
 class Graph(Command):

@@ -122,6 +122,72 @@ class Machines(unittest.TestCase):
         given = self.run_it("explain", f"{part}:2", "-m", "machines/mill", "--set", "MachineCodes.M215.does=nothing").stdout
         self.assertIn("row M215 of MachineCodes, given by --set", given)
 
+    def rows_of(self, program, lines, dialect, tables):
+        """{line: [(table, row, line in the XML)]} of what explain names."""
+        part = self.write("rows.txt", program)
+        given = self.write("rows.xml", f"<Dependencies>\n{tables}\n</Dependencies>")
+        out = {}
+        for line in lines:
+            blocks = json.loads(self.run_it("explain", f"{part}:{line}", "-d", dialect, "--machine", given, "--json").stdout)
+            found = [(row["Dependency"], row["Row"], row["Line"]) for block in blocks for step in block["Steps"]
+                     for row in step.get("Rows", []) if row.get("File", "").endswith("rows.xml")]
+            out[line] = list(dict.fromkeys(found))
+        return out
+
+    def test_explain_names_rows_of_every_table(self):
+        rows = self.rows_of("#100=#500+#1005\nG54 G0 G43 H[#501] X#500\n#500=7\nX#500\nG30 P2 X0\n"
+                            "G73 Z-5. R2. Q1. F100.\nM30\n", range(1, 7), "fanuc",
+                            '<MacroVariables>\n<Variable number="500" Value="3"/><Variable number="501" Value="4"/>'
+                            '<Variable number="1005" Value="1"/></MacroVariables>\n<FanucParameterTable>'
+                            '<Parameter number="5114" Value="900"/><Parameter number="1241" X="-50"/></FanucParameterTable>\n'
+                            '<IsoCoordinateTable><Offset id="G54" X="1"/></IsoCoordinateTable>\n'
+                            '<ToolOffsetTable><Tool id="4" H="80"/></ToolOffsetTable>')
+        variable = "MacroVariables"
+        self.assertEqual(rows, {
+            1: [(variable, "500", 3), (variable, "1005", 3)],
+            2: [(variable, "501", 3), (variable, "500", 3), ("ToolOffsetTable", "4", 6), ("IsoCoordinateTable", "G54", 5)],
+            3: [], 4: [], 5: [("FanucParameterTable", "1241", 4)], 6: [("FanucParameterTable", "5114", 4)]})
+        rows = self.rows_of('R5=R7+1\nG54 G0 X=R7 Y=STOCK[0,1]\nIF $A_IN[3]==1 GOTOF A\nOPEN_DOOR\nA:\nT="MILL" D1 M6\nR7=4\n'
+                            "X=R7\nG75 X0 FP=2\nM30\n", (1, 2, 3, 4, 6, 8, 9), "siemens",
+                            '<SiemensVariables><Variable name="r7" Value="3"/><Variable name="STOCK" Size="2,2" Value="8"/>\n'
+                            '<Variable name="$A_IN[3]" Value="0"/></SiemensVariables>\n<SiemensMacros>'
+                            '<Macro name="Open_Door" Text="M24"/></SiemensMacros>\n<MachineCodes><Code name="M24" '
+                            'does="nothing"/></MachineCodes>\n<MachineAxes><Axis name="X" FixedPoint2="-9"/></MachineAxes>\n'
+                            '<SiemensCoordinateTable><Offset id="G54" X="1"/></SiemensCoordinateTable>\n'
+                            '<ToolOffsetTable><Tool id="4" Name="MILL" H="80"/></ToolOffsetTable>')
+        variable = "SiemensVariables"
+        self.assertEqual(rows, {
+            1: [(variable, "r7", 2)],
+            2: [(variable, "r7", 2), (variable, "STOCK", 2), ("SiemensCoordinateTable", "G54", 7)],
+            3: [(variable, "$A_IN[3]", 3)], 4: [("SiemensMacros", "Open_Door", 4), ("MachineCodes", "M24", 5)],
+            6: [("ToolOffsetTable", "4", 8)], 8: [], 9: [("MachineAxes", "X", 6)]})
+        rows = self.rows_of("0 BEGIN PGM A MM\n1 FN 18: SYSREAD Q1 = ID990 NR2 IDX0\n2 CYCL DEF 7.0\n3 CYCL DEF 7.1 #5\n"
+                            '4 SEL PATTERN "HOLES.PNT"\n5 L X+Q5 R0 FMAX M92\n6 Q5 = 3\n7 L X+Q5 FMAX\n8 FN 19: PLC=+10\n'
+                            "9 CYCL DEF 247 Q339=+2\n10 L Z+50 R0 FMAX\n11 END PGM A MM\n", (2, 4, 5, 6, 8, 9, 10), "heidenhain",
+                            '<HeidenhainSystemData><Data id="ID990 NR2" Value="1"/></HeidenhainSystemData>\n'
+                            '<HeidenhainDatums><Datum id="zero.d#5" X="7"/></HeidenhainDatums>\n<HeidenhainPoints>'
+                            '<Point id="HOLES.PNT#1" X="1" Y="2"/></HeidenhainPoints>\n<QParameters><Q number="5" '
+                            'Value="2"/></QParameters>\n<MachineAxes><Axis name="X" Datum="-10"/></MachineAxes>\n<MachineCodes>'
+                            '<Code name="FN 19" does="nothing"/></MachineCodes>\n<IsoCoordinateTable><Offset '
+                            'id="DATUM_PRESET_2" X="1"/></IsoCoordinateTable>\n<HeidenhainBasicRotations><Preset number="2" '
+                            'SPC="1"/></HeidenhainBasicRotations>')
+        self.assertEqual(rows, {
+            2: [("HeidenhainSystemData", "ID990 NR2", 2)], 4: [("HeidenhainDatums", "zero.d#5", 3)],
+            5: [("HeidenhainPoints", "HOLES.PNT#1", 4)], 6: [("QParameters", "5", 5), ("MachineAxes", "X", 6)], 8: [],
+            9: [("MachineCodes", "FN 19", 7)],
+            10: [("HeidenhainBasicRotations", "2", 9), ("IsoCoordinateTable", "DATUM_PRESET_2", 8)]})
+
+    def test_explain_names_the_program_that_a_block_calls(self):
+        self.machine('<Programs src="programs"/>')
+        self.write("machines/mill/programs/O9001.nc", "%\nO9001\nG0 Z20.\nM99\n")
+        part = self.write("part.nc", "G21 G90 G54\nM98 P9001\nM30\n")
+        text = self.run_it("explain", f"{part}:2", "-m", "machines/mill").stdout
+        self.assertRegex(text, r"calls O9001, \S*programs/O9001.nc:\d")
+        block, = json.loads(self.run_it("explain", f"{part}:2", "-m", "machines/mill", "--json").stdout)
+        self.assertTrue(block["Calls"]["File"].endswith("O9001.nc"))
+        block, = json.loads(self.run_it("explain", f"{part}:1", "-m", "machines/mill", "--json").stdout)
+        self.assertEqual(block["Calls"], {})
+
     def test_machines_are_found_in_four_places(self):
         part = self.write("part.nc", "G21 G90 G0 X1.\nM30\n")
         self.machine("", "there/mill")

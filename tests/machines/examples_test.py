@@ -115,7 +115,7 @@ class Examples(unittest.TestCase):
         self.assert_at(at[main, 17][0], X=-7.5, Y=-20, Z=49.5)
         # Tool 7 by its name in TOOL.T, with the length 112.25 of machine.xml. Z10: -70 + 10 + 112.25.
         self.assert_at(at[main, 20][0], Z=52.25)
-        # M192 and cycle 392 of the builder do nothing; cycle 393 calls RETRACT.H. Z3: -70 + 3 + 112.25.
+        # M192 of the builder does nothing, cycle 392 sets the smoothing; cycle 393 calls RETRACT.H. Z3: -70 + 3 + 112.25.
         self.assert_at(at[main, 25][0], Z=45.25)
         self.assert_at(at["RETRACT.H", 3][-1], Z=420)
         self.assertEqual(len(at["RETRACT.H", 3]), 5)

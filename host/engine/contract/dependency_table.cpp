@@ -31,18 +31,21 @@ std::vector<DependencyTable::Cell>& DependencyTable::row(std::string_view name) 
 }
 
 std::optional<double> DependencyTable::value(std::string_view name, std::uint32_t column) const {
-  if (reads_ != nullptr && !reads_->contains(name)) reads_->emplace(name);
   const auto found = index_.find(name);
-  if (found == index_.end() || column >= dependency_->column_count) return std::nullopt;
-  const Cell& cell = cells_[found->second][column];
-  return cell.has_value ? std::optional<double>(cell.number) : std::nullopt;
+  const Cell* const cell =
+      found == index_.end() || column >= dependency_->column_count ? nullptr : &cells_[found->second][column];
+  const bool has_value = cell != nullptr && cell->has_value;
+  if (listener_) listener_(name, has_value);
+  return has_value ? std::optional<double>(cell->number) : std::nullopt;
 }
 
 std::string_view DependencyTable::text(std::string_view name, std::uint32_t column) const {
-  if (reads_ != nullptr && !reads_->contains(name)) reads_->emplace(name);
   const auto found = index_.find(name);
-  return found == index_.end() || column >= dependency_->column_count ? std::string_view{}
-                                                                      : cells_[found->second][column].text;
+  const std::string_view text = found == index_.end() || column >= dependency_->column_count
+                                    ? std::string_view{}
+                                    : std::string_view(cells_[found->second][column].text);
+  if (listener_) listener_(name, !text.empty());
+  return text;
 }
 
 bool DependencyTable::set(std::string_view name, std::uint32_t column, std::string_view text) {

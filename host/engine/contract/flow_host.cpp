@@ -56,11 +56,9 @@ std::size_t copy_text(const ig_block* block, std::uint64_t offset, char* buffer,
 }
 
 void note_row(ig_block* block, ig_text service, ig_text row) {
-  const Document& document = *reinterpret_cast<const Document*>(block);
-  std::vector<Chain::AnsweredRow>& rows = document.chain->answered_rows;
-  if (const auto& tell = document.chain->row_answered) tell({service.data, service.size}, {row.data, row.size});
-  if (rows.size() < Chain::most_answered_rows)
-    rows.push_back({document.current, {service.data, service.size}, {row.data, row.size}});
+  Chain& chain = *reinterpret_cast<const Document*>(block)->chain;
+  if (const std::optional<std::size_t> who = chain.answering({service.data, service.size}))
+    chain.note_row(*who, {row.data, row.size}, true);
 }
 
 }  // namespace

@@ -20,6 +20,12 @@ class FlowHost {
   virtual ig_place here() const = 0;
   /// Bytes of the main program's text; 0: there are none.
   virtual std::size_t text(std::uint64_t, char*, std::size_t) const { return 0; }
+  /// The program that the block calls, and the place where it begins; no file: it calls none.
+  struct Call {
+    std::string program, file;
+    std::uint32_t line = 0;
+  };
+  virtual Call requested_call() const { return {}; }
   /// Is this the file that a user means by `wanted`, with or without its folder? Empty: the main program's.
   virtual bool is_file(std::string_view name, std::string_view wanted) const = 0;
 };

@@ -183,6 +183,7 @@ std::vector<FieldInfo> make_fields() {
       field("MachineCode.Name", text, block, "", "The builder's codes that the table MachineCodes has answered."),
       field("MachineCode.Title", text, block, "", "What the builder of the machine calls them."),
       field("MachineCode.Words", text, block, "", "The codes and calls as written, with their arguments."),
+      field("MachineCode.Fields", text, block, "", "The fields that they set, and the values."),
       field("SubProgramReturn.Term", name, block, "", "The code that returns."),
       field("SubProgramReturn.P", integer, block, "", "The sequence number that it returns to."),
       field("Vars.Variable", integer, block, "", "Number of the variable that was assigned."),

@@ -128,6 +128,24 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {note, "IG-0141", "{0} is not read: {1}",
        "An importer knows the file, which is no text. In a folder named by <Backup> it hinders nothing.",
        "<Backup src=\"backup\"/>, and an encrypted cycle in it"},
+      {error, "IG-0145", "the row '{1}' of {0} sets {2}, a field that this dialect does not have",
+       "Fields are written as `isogloss list fields -d DIALECT` and the block stream show them.",
+       R"(<Code name="AIR" does="set" fields="Cooling.Mode=FLOOD"/>)"},
+      {error, "IG-0146", "the row '{1}' of {0} sets {2} to '{3}', which is not of its type ({4})",
+       "A number is decimal, or {P} for the one that the program writes behind P; an integer is whole; a boolean is "
+       "true or false; a name has neither blanks nor braces.",
+       R"(<Code name="AIR" does="set" fields="Dwell.Time=long"/>)"},
+      {error, "IG-0147", "the row '{1}' of {0} cannot set {2}: no syntax that asks this table may write it",
+       "Rows set only fields whose value alone is the state. Positions, frames and lengths follow from others, so "
+       "codes "
+       "or a program have to change them.",
+       R"(<Code name="AIR" does="set" fields="ProgramXyz.X=5"/>)"},
+      {error, "IG-0148", "the row '{1}' of {0} gives {2} in {3}, but the field has another unit: {4}",
+       "Values are not converted. Write the value in the unit of the field, or leave the unit out.",
+       R"(<Code name="AIR" does="set" fields="Dwell.Time=500 ms"/>)"},
+      {warning, "IG-0149", "the row '{1}' of {0} sets {2}, which no syntax of this dialect reads and no output shows",
+       "The field belongs to a plugin whose reader is not in this chain, so the row has no effect.",
+       R"(<Code name="AIR" does="set" fields="Vendor.Mode=2"/>)"},
       {warning, "IG-0165", "{0} is never called: nothing in this chain writes {1}",
        "A syntax is called when a field, a word or a code that it waits for is set. No scanner, no other syntax that "
        "can be called and no initial value sets one of these. Add what writes them, or remove the syntax. Found by "

@@ -33,7 +33,9 @@ Chain::Chain(const LinkedDialect& linked, ChainSettings settings, DiagnosticSink
   if (settings_.mode == Mode::traced) document_.set_line.resize(document_.size());
   try {
     create_dependencies();
+    if (settings_.hears_rows) listen_to_rows();
     create_syntaxes();
+    creating_ = 0;
     watch_modal_state();
   } catch (...) {
     destroy();

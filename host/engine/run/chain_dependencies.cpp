@@ -7,6 +7,7 @@
 #include "dialect/row_checks.hpp"
 #include "isogloss/engine/chain.hpp"
 #include "run/calling.hpp"
+#include "run/field_rows.hpp"
 
 namespace isogloss {
 
@@ -110,7 +111,23 @@ void Chain::refuse_rows(std::size_t dependency) {
   if (d.dependency->row_fault == nullptr) return;
   const Calling calling(*d.plugin, d.element.alias.c_str(), "row_fault");
   bool is_sound = true;
-  const auto check = [&](const std::string& row, const Location& where) {
+  // Each cell where it stands: a row may have cells in several files.
+  const auto check_fields = [&](const std::string& name, const TableRow* row) {
+    for (std::uint32_t i = 0; i < d.dependency->column_count; ++i) {
+      const ig_column_decl& column = d.dependency->columns[i];
+      if (column.is_text == 0 || column.unit == nullptr || std::string_view(column.unit) != "fields") continue;
+      const auto is_cell = [&](const Attribute& a) { return a.name == column.name; };
+      if (row != nullptr && std::none_of(row->attributes.begin(), row->attributes.end(), is_cell)) continue;
+      const Attribute cell = row != nullptr
+                                 ? *std::find_if(row->attributes.begin(), row->attributes.end(), is_cell)
+                                 : Attribute{column.name, std::string(tables_[dependency]->text(name, i)), {"--set"}};
+      for (Diagnostic& fault : check_field_rows(linked_, d, name, cell.value, cell.where)) {
+        is_sound = is_sound && fault.severity != Severity::error;
+        sink_.add(std::move(fault));
+      }
+    }
+  };
+  const auto check = [&](const std::string& row, const Location& where, const TableRow* given) {
     ig_text fault{};
     try {
       fault = d.dependency->row_fault(dependencies_[dependency], {row.data(), row.size()});
@@ -119,18 +136,18 @@ void Chain::refuse_rows(std::size_t dependency) {
       sink_.add(exception_diagnostic(*d.plugin, d.element.alias, "row_fault", where));
       return;
     }
-    if (fault.size == 0) return;
+    if (fault.size == 0) return check_fields(row, given);
     is_sound = false;
     sink_.add(host_diagnostic("IG-0432", where, {d.element.alias, row, std::string(fault.data, fault.size)}));
   };
   const auto check_all = [&](const DependencyElement& element) {
-    for (const TableRow& row : element.rows) check(std::string(key_of(*d.dependency, row)), row.where);
+    for (const TableRow& row : element.rows) check(std::string(key_of(*d.dependency, row)), row.where, &row);
   };
   check_all(d.element);
   for (const DependencyElement& given : settings_.dependencies)
     if (is_given(given, d.element)) check_all(given);
   for (const AssignedRow& row : assigned_rows_)
-    if (row.dependency == dependency) check(row.name, {"--set"});
+    if (row.dependency == dependency) check(row.name, {"--set"}, nullptr);
   if (!is_sound) throw std::runtime_error(d.element.alias + " has no such row");
 }
 
@@ -244,6 +261,22 @@ std::optional<std::size_t> Chain::answering(std::string_view id) const {
   for (std::size_t i = 0; i < dependencies_.size(); ++i)
     if (answers(i)) return i;
   return std::nullopt;
+}
+
+void Chain::listen_to_rows() {
+  provenance_.is_listening = 1;
+  for (std::size_t i = 0; i < tables_.size(); ++i)
+    tables_[i]->listen([this, i](std::string_view row, bool has_value) { note_row(i, row, has_value); });
+}
+
+void Chain::note_row(std::size_t dependency, std::string_view row, bool has_value) {
+  if (creating_ != 0 && has_value) rows_at_start.push_back({creating_, dependency, std::string(row)});
+  if (creating_ != 0) return;
+  if (row_asked) row_asked(dependency, row);
+  const Document* const at_work = breadcrumb().document;
+  if (!has_value || at_work == nullptr || answered_rows.size() >= most_answered_rows) return;
+  AnsweredRow answered{at_work->current, dependency, std::string(row)};
+  if (answered_rows.empty() || !(answered_rows.back() == answered)) answered_rows.push_back(std::move(answered));
 }
 
 DependencyTable* Chain::table(std::string_view dependency) {

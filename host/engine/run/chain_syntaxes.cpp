@@ -16,6 +16,7 @@ void Chain::create_syntaxes() {
     ig_link link{this, &s.options, &s, nullptr, {}, false};
     const Calling calling(*s.plugin, s.element.alias.c_str(), "create");
     ig_status status = IG_FAILED;
+    creating_ = static_cast<std::uint16_t>(i + 1);
     try {
       status = s.syntax->create(&link_api(), &link, s.ids.data(), &steps_[i].self);
     } catch (...) {

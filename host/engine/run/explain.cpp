@@ -107,10 +107,13 @@ class Explainer : public Exporter {
       return;
     }
     o.called[position] = true;
+    note_call(o.block);
     if (o.block.pass != target_.pass) return;
     const LinkedSyntax& s = linked_.chain[position];
     o.block.steps.push_back({s.element.alias, s.plugin->name, answers(s), rows_from(rows_before_, std::nullopt),
                              changes(o.before, json_leaves(show_json(*document, chain_->symbols())))});
+    if (ExplainedStep& step = o.block.steps.back(); !step.changes.empty())
+      add_rows_at_start(step.rows, static_cast<std::uint16_t>(position + 1));
   }
 
   std::vector<ExplainedAnswer> answers(const LinkedSyntax& s) const {
@@ -128,13 +131,23 @@ class Explainer : public Exporter {
     for (std::size_t i = first; i < chain_->answered_rows.size(); ++i) {
       const Chain::AnsweredRow& row = chain_->answered_rows[i];
       if (syntax && row.syntax != *syntax) continue;
-      const std::optional<std::size_t> who = chain_->answering(row.service);
-      if (!who) continue;
-      const LinkedDependency& dependency = linked_.dependencies[*who];
+      const LinkedDependency& dependency = linked_.dependencies[row.dependency];
       ExplainedRow one{dependency.element.alias, row.row, place_of(dependency, row.row)};
       if (std::find(out.begin(), out.end(), one) == out.end()) out.push_back(std::move(one));
     }
     return out;
+  }
+
+  /// The rows that have answered the syntax when the chain was created: their values hold in each block. A row of the
+  /// table itself, as of a dialect without a machine, tells nothing.
+  void add_rows_at_start(std::vector<ExplainedRow>& rows, std::uint16_t syntax) const {
+    for (const Chain::AnsweredRow& row : chain_->rows_at_start) {
+      if (row.syntax != syntax) continue;
+      const LinkedDependency& dependency = linked_.dependencies[row.dependency];
+      ExplainedRow one{dependency.element.alias, row.row, place_of(dependency, row.row)};
+      if (one.where.file.empty() || std::find(rows.begin(), rows.end(), one) != rows.end()) continue;
+      rows.push_back(std::move(one));
+    }
   }
 
   /// Where the row stands: in a file of this run, or in the dialect or machine.
@@ -176,14 +189,23 @@ class Explainer : public Exporter {
         o.block.carried.push_back(describe(document, path, value));
       }
     }
+    for (const Chain::AnsweredRow& row : chain_->answered_rows) scanned.try_emplace(row.syntax);
     for (auto& [writer, step] : scanned) {
       step.syntax = writer == 0 ? "(text)" : linked_.chain[writer - 1u].element.alias;
       if (writer != 0) step.plugin = linked_.chain[writer - 1u].plugin->name;
       if (writer != 0) step.rows = rows_from(0, writer);
       o.block.steps.push_back(std::move(step));
     }
+    note_call(o.block);
     open_.push_back(std::move(o));
     return open_.back();
+  }
+
+  void note_call(ExplainedBlock& block) const {
+    if (const FlowHost::Call call = chain_->flow->requested_call(); block.calls.empty() && !call.file.empty()) {
+      block.calls = call.program;
+      block.callee = {call.file, call.line, 1};
+    }
   }
 
   bool is_wanted(const Document& document) const {
@@ -257,6 +279,7 @@ std::vector<ExplainedBlock> explain(const LinkedDialect& linked, Source& source,
   const std::vector<DependencyElement> given = options.chain.dependencies;
   Explainer explainer(linked, target, given);
   options.chain.mode = Mode::traced;
+  options.chain.hears_rows = true;
   options.stop_after_line = target.line;
   options.stop_in_file = target.file;
   options.stop_after_pass = target.pass;

@@ -54,6 +54,9 @@ class Flow : public FlowHost {
   std::int32_t go(const Document& document, ig_go& request) override;
   bool frame(std::uint32_t level, ig_frame& out) const override;
   bool is_file(std::string_view name, std::string_view wanted) const override;
+  Call requested_call() const override {
+    return request_ == Request::call ? Call{called_, target_.file->name, target_.start.line} : Call{};
+  }
   std::size_t text(std::uint64_t offset, char* buffer, std::size_t size) const override {
     return programs_.main().source->read_at(offset, buffer, size);
   }

@@ -1,6 +1,7 @@
 #include "isogloss/engine/needs.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "dialect/row_checks.hpp"
 
@@ -25,16 +26,15 @@ struct Reads : Exporter {
   void listen(Chain& working) {
     chain = &working;
     chain->listen_to_rows();
-    chain->row_answered = [this](std::string_view service, std::string_view row) {
-      if (const std::optional<std::size_t> who = chain->answering(service)) rows[*who].emplace(row);
-    };
   }
   void begin(Document&, const SymbolTable&) override {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       DependencyTable* const table = chain->table(linked.dependencies[i].element.alias);
       given[i].insert(table->rows().begin(), table->rows().end());
-      table->record_reads(&rows[i]);
     }
+    chain->row_asked = [this](std::size_t dependency, std::string_view row) {
+      if (!rows[dependency].contains(row)) rows[dependency].emplace(row);
+    };
   }
   bool block(Document&, const SymbolTable&) override { return true; }
   bool end() override { return true; }

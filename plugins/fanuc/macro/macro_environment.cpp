@@ -15,6 +15,8 @@ Fault MacroEnvironment::read(ig::Block& b, std::uint32_t number, MacroValue& out
   } else if (const Fault fault = read_system(b, number, out); fault != Fault::none) {
     return fault;
   }
+  if (rows_.is_heard())
+    if (const std::string* const row = store().row_of(number)) rows_.add(b, *row);
   if (number != 0) {
     const std::array<ig_value, 2> shown{ig_value{.number = static_cast<double>(number)}, {.number = out.number}};
     b.append(read_.data(), out.is_null() ? 1 : 2, shown.data());
@@ -125,10 +127,19 @@ Fault MacroEnvironment::calendar(std::uint32_t n, double& out) {
 }
 
 void MacroEnvironment::report_assumed(ig::Block& b, std::uint32_t n) const {
-  const auto it = std::lower_bound(assumed_.begin(), assumed_.end(), n);
-  if (it != assumed_.end() && *it == n) return;
-  assumed_.insert(it, n);
-  b.report(ig::diag("FAN-0118"), ig::Where::block(), static_cast<double>(n), 0.0);
+  if (is_first(assumed_, n)) b.report(ig::diag("FAN-0118"), ig::Where::block(), static_cast<double>(n), 0.0);
+}
+
+void MacroEnvironment::report_signal(ig::Block& b, std::uint32_t n) const {
+  if (!is_first(written_, n)) return;
+  b.report(n < 1100 ? ig::diag("FAN-0271") : ig::diag("FAN-0270"), ig::Where::block(), static_cast<double>(n));
+}
+
+bool MacroEnvironment::is_first(std::vector<std::uint32_t>& seen, std::uint32_t n) {
+  const auto it = std::lower_bound(seen.begin(), seen.end(), n);
+  if (it != seen.end() && *it == n) return false;
+  seen.insert(it, n);
+  return true;
 }
 
 MacroEnvironment::Written MacroEnvironment::write_system(ig::Block& b, std::uint32_t n, double value) {
@@ -144,6 +155,7 @@ MacroEnvironment::Written MacroEnvironment::write_system(ig::Block& b, std::uint
   if (within(n, 4001, 4530) || within(n, 5001, 5100) || n == 3011 || n == 3012) return Written::read_only;
   if (n == store().settings.tool_variable || n == store().settings.speed_variable) return Written::read_only;
   if (n != 3001 && n != 3002 && !store().is_assumed(n) && store().given(n) == nullptr) return Written::no_variable;
+  if (is_signal_of_machine(n)) report_signal(b, n);
   store().give(n, value);
   return Written::done;
 }

@@ -95,6 +95,9 @@ class MacroEnvironment : public MacroFrame {
   Written write_system(ig::Block& b, std::uint32_t n, double value);
 
   void report_assumed(ig::Block& b, std::uint32_t n) const;
+  void report_signal(ig::Block& b, std::uint32_t n) const;  // that the program writes
+  /// Adds the number to the sorted ones; false where it is one of them.
+  static bool is_first(std::vector<std::uint32_t>& seen, std::uint32_t n);
 
   Fault clock(std::uint32_t n, double& out) const;
 
@@ -165,7 +168,7 @@ class MacroEnvironment : public MacroFrame {
 
   Written write_offset(ig::Block& b, const OffsetCell& cell, double value);
 
-  mutable std::vector<std::uint32_t> assumed_;
+  mutable std::vector<std::uint32_t> assumed_, written_;
   mutable Signals signals_;
 
   ig::In<ig::Symbol> motion_{"MotionState.Term"}, plane_{"PlaneSelect.Term"}, positioning_{"PositioningMode.Term"},
@@ -209,6 +212,7 @@ class MacroEnvironment : public MacroFrame {
   ig::Service<ig_tool_offset_1> tools_{"isogloss.tool-offset/1", ig::Need::optional, "#2001 and on."};
   ig::Config parameters_{"isogloss.control-parameter/1", ig::Need::optional, "PRM[]: parameters of the control."};
   ig::Service<ig_machine_axis_1> machine_{"isogloss.machine-axis/1", ig::Need::optional, "The rotary axes there are."};
+  ig::AnsweredRows rows_{macro_store_service};
   ig::Name inch_{"Inch"};
 };
 

@@ -6,6 +6,7 @@
 #include <isogloss/flow.hpp>
 #include <isogloss/sdk.hpp>
 
+#include "macro/macro_arguments.hpp"
 #include "macro/macro_store.hpp"
 
 namespace fanuc {
@@ -49,11 +50,18 @@ inline CalledProgram program_of_row(const ig_machine_code& row) {
   return out;
 }
 
+/// What {A} is in a row of MachineCodes: the argument of G65 at this address.
+inline std::optional<double> argument(const MacroStore::Locals& arguments, std::string_view name) {
+  const std::uint32_t variable = name.size() == 1 && is_letter(name[0]) ? variable_of[letter_index(name[0])] : 0;
+  const double value = arguments[variable];
+  return variable == 0 || std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
 /// Requests the call. MachineCodes may have a row in place of the program. An answer other than done, which is
 /// reported, means that nothing is called.
 inline ig::Flow::Answer ask_program(ig::Block& b, const ProgramsOfBuilder& builder, const ig::Flow& flow,
                                     const CalledProgram& program, std::int64_t repeats, std::uint64_t tag,
-                                    ig::Where where) {
+                                    ig::Where where, const MacroStore::Locals& arguments = MacroStore::no_locals()) {
   const NumberedName number('O', program.number);
   const std::string name = program.name.empty() ? std::string(number.text()) : program.name;
   const std::string bare = program.name.empty() ? name : name.substr(1, name.size() - 2);
@@ -65,9 +73,10 @@ inline ig::Flow::Answer ask_program(ig::Block& b, const ProgramsOfBuilder& build
   };
   const auto execute = [&](const ig_machine_code& row) {
     answer = {IG_GO_REFUSED, {}};
-    builder.execute(b, row, bare, where, [&](std::string_view other) {
+    const auto call = [&](std::string_view other) {
       if (!settle(program_of_row(row), other)) b.report(ig::diag("FAN-0165"), where, other, answer.reason);
-    });
+    };
+    builder.execute(b, row, bare, where, call, [&](std::string_view word) { return argument(arguments, word); });
   };
   if (const ig_machine_code* const own = builder.row(bare))
     execute(*own);

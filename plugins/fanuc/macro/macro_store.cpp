@@ -29,6 +29,7 @@ const double* MacroStore::given(std::uint32_t number) const {
 
 void MacroStore::give(std::uint32_t number, double value) {
   ++writes_;
+  rows_.overwrite(number);
   const auto it = std::lower_bound(given_.begin(), given_.end(), number, is_given_before);
   if (it != given_.end() && it->first == number)
     it->second = value;

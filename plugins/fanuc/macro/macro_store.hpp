@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <isogloss/provenance.hpp>
+
 #include "macro/macro_settings.hpp"
 #include "macro/number_ranges.hpp"
 
@@ -93,6 +95,7 @@ class MacroStore {
     const Area* const area = area_of(number);
     if (area == nullptr) return false;
     areas_[static_cast<std::size_t>(area - areas_.data())].values[number - area->first] = value;
+    rows_.overwrite(number);
     if (area->is_permanent && keeper_ != nullptr) keeper_->keep(number, value);
     return true;
   }
@@ -100,6 +103,14 @@ class MacroStore {
   /// Variables of the control to which the user or the program has given a value: signals, switches.
   const double* given(std::uint32_t number) const;
   void give(std::uint32_t number, double value);
+  /// The row of the table from which the variable has its value; nullptr where the program has set it.
+  const std::string* row_of(std::uint32_t number) const {
+    if (number > last_local) area_of(number);
+    return rows_.of(number);
+  }
+  void came_from(std::uint32_t number, std::string_view row) {
+    if (area_of(number) != nullptr || given(number) != nullptr) rows_.give(number, row);
+  }
   bool is_assumed(std::uint32_t number) const { return assumed_.holds(number); }
   /// The number of writes to variables so far.
   std::uint64_t writes() const { return writes_; }
@@ -152,6 +163,7 @@ class MacroStore {
   std::size_t present_ = 0;  // the level in force; a requested call may wait above it
   std::vector<Area> areas_;
   std::vector<std::pair<std::uint32_t, double>> given_;
+  ig::RowOrigins<std::uint32_t> rows_;
   NumberRanges assumed_;
   std::uint32_t alias_ = 0;
   Keeper* keeper_ = nullptr;

@@ -124,6 +124,7 @@ struct MacroVariables final : MacroStore::Keeper {
     const auto given = table.value(name, value);
     if (!given || table.value(name, is_null).value_or(0) != 0) return;
     if (!store.set(number, *given)) store.give(number, *given);
+    store.came_from(number, name);
   }
 };
 

@@ -44,6 +44,7 @@ struct HeidenhainPoints {
  private:
   TablePoint row(std::string_view name) const {
     TablePoint out;
+    out.name = name;
     for (std::size_t axis = 0; axis < axes.size(); ++axis) out.position[axis] = table.value(name, axes[axis]);
     out.clearance = table.value(name, clearance);
     out.is_faded = table.value(name, fade).value_or(0) != 0;

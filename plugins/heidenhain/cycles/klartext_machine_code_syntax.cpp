@@ -136,7 +136,8 @@ struct KlartextMachineCode {
   /// `begin` is where the cycle begins in the text.
   void answer(ig::Block& b, const ig_machine_code& row, std::string_view text, ig::Where where,
               std::size_t begin = 0) const {
-    record_.add(b, row, where, text.substr(begin));
+    record_.add(b, row, where, text.substr(begin),
+                [&](std::string_view name) { return text_.values().in_row(b, name, where); });
     for_each_code(row, [&](std::string_view code) { m_.put(b, text_.values(), text, code, where.begin, where.end); });
   }
 };

@@ -33,6 +33,7 @@ struct KlartextPattern {
   PlaneInForce plane_;
   ProgramUnit unit_;
   ig::Service<PointTables> tables_{point_table_service, ig::Need::optional, "The point tables of the machine."};
+  ig::AnsweredRows answered_{point_table_service};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (!stands_first(text, position)) return position;
@@ -74,6 +75,7 @@ struct KlartextPattern {
     if (table == nullptr) return b.report(ig::diag("HEI-0369"), where, path);
     const PlaneAxes plane = plane_(b);
     for (const auto& [number, point] : table->rows) {
+      answered_.add(b, point.name);
       if (point.is_faded) continue;
       const auto first = point.position[plane.first], second = point.position[plane.second];
       if (!first || !second) {

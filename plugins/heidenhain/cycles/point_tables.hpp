@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "tables/named_tables.hpp"
 
@@ -16,6 +17,7 @@ struct TablePoint {
   std::array<std::optional<double>, 3> position{};
   std::optional<double> clearance{};  ///< the height at which the tool comes to the point
   bool is_faded = false;              ///< FADE Y: the point is not run
+  std::string name{};                 ///< of the row, as the user wrote it
 };
 
 using PointTables = NamedTables<TablePoint>;

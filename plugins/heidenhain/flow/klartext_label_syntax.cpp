@@ -206,10 +206,12 @@ struct KlartextLabel {
 
   /// A row of MachineCodes in place of the program.
   void execute(ig::Block& b, const ig_machine_code& row, std::string_view path, ig::Where where) {
-    builder_.execute(b, row, path, where, [&](std::string_view program) {
+    const auto call = [&](std::string_view program) {
       const ig::Flow::Answer answer = ask_program(b, values_.flow(), program);
       if (answer.is_not_found()) b.report(ig::diag("HEI-0121"), where, program, answer.reason);
-    });
+    };
+    builder_.execute(b, row, path, where, call,
+                     [&](std::string_view parameter) { return values_.in_row(b, parameter, where); });
   }
 
   struct {

@@ -53,6 +53,7 @@ const DatumRow* DatumSelection::row(ig::Block& b, double number, std::string_vie
     b.report(ig::diag("HEI-0366"), where, number, std::string_view(table->name));
     return nullptr;
   }
+  answered_.add(b, found->second.name);
   b.set_text(row_, table->name + "#" + std::to_string(found->first));
   return &found->second;
 }

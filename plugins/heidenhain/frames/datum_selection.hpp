@@ -1,6 +1,7 @@
 /// The datum table in force, and the words that a row of it makes for cycle 7.
 #pragma once
 
+#include <isogloss/provenance.hpp>
 #include <isogloss/sdk.hpp>
 
 #include "frames/datum_tables.hpp"
@@ -37,6 +38,7 @@ class DatumSelection {
   ig::TextField row_{
       "DatumTable.Row", ig::write, {ig::Life::block, "", "The row of a datum table that this block uses."}};
   ig::Service<DatumTables> tables_{datum_table_service, ig::Need::optional, "The datum tables of the machine."};
+  ig::AnsweredRows answered_{datum_table_service};
   ProgramUnit unit_;
 };
 

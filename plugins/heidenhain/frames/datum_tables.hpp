@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "tables/named_tables.hpp"
 
@@ -14,6 +15,7 @@ inline constexpr const char* datum_table_service = "heidenhain.datum-table/1";
 struct DatumRow {
   std::uint32_t mask = 0;
   std::array<double, 6> value{};
+  std::string name{};  ///< of the row, as the user wrote it
 };
 
 using DatumTables = NamedTables<DatumRow>;

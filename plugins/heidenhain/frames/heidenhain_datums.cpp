@@ -54,6 +54,7 @@ struct HeidenhainDatums {
  private:
   DatumRow row(std::string_view name) const {
     DatumRow out;
+    out.name = name;
     for (std::size_t axis = 0; axis < datum_axis_count; ++axis)
       if (const auto value = table.value(name, axes[axis]); value || empty_cell == EmptyCell::zero) {
         out.mask |= 1u << axis;

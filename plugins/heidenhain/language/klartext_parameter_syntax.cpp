@@ -27,6 +27,7 @@ struct KlartextParameter {
   CycleText cycle_;
   SystemData system_;
   ig::Service<SystemAnswers> answers_{system_answer_service, ig::Need::optional, "What FN 18 reads on this machine."};
+  ig::AnsweredRows rows_{system_answer_service};
   ig::TextField row_{"SystemData.Row", ig::write, {ig::Life::block, "", "The row that has answered FN 18."}};
   ig::TextField title_{"SystemData.Title", ig::write, {ig::Life::block, "", "What this row means."}};
   CycleDefinition definition_{ig::read | ig::write};
@@ -179,7 +180,10 @@ struct KlartextParameter {
     const SystemAnswer* const answer =
         answers_ ? answers_->find({request->id, request->number, request->index.value_or(0)}) : nullptr;
     const auto value = answer != nullptr ? std::optional(answer->value) : system_.read(b, *request);
-    if (answer != nullptr) b.set_text(row_, answer->row);
+    if (answer != nullptr) {
+      b.set_text(row_, answer->row);
+      rows_.add(b, answer->row);
+    }
     if (answer != nullptr && !answer->title.empty()) b.set_text(title_, answer->title);
     if (value) assign(b, {*q, piece(text, i, end), i, equals + 1}, *value);
     return value.has_value();

@@ -92,6 +92,8 @@ class Values {
       return 0;
     }
     const double value = s->get(q, program(b));
+    if (rows_.is_heard())
+      if (const std::string* const row = s->row_of(q)) rows_.add(b, *row);
     if (!std::isnan(value)) return value;
     if (store()->is_first_time(115, name)) b.report(ig::diag("HEI-0115"), where, name);
     return 0;
@@ -102,6 +104,13 @@ class Values {
       s->set(q, program(b), value);
     else
       b.report(ig::diag("HEI-0114"), where, name);
+  }
+
+  /// What {Q240} is in a row of MachineCodes; nothing where the name is no parameter with a value.
+  std::optional<double> in_row(ig::Block& b, std::string_view name, ig::Where where) const {
+    std::size_t end = 0;
+    const auto q = q_at(name, 0, end);
+    return q && end == name.size() && has(b, *q) ? std::optional(get(b, *q, name, where)) : std::nullopt;
   }
 
   /// Text in brackets is a comment on other controls and in simulators: it is reported once.
@@ -134,6 +143,7 @@ class Values {
   }
 
   ig::Service<QStore> store_{q_store_service, ig::Need::required, "The Q parameters."};
+  ig::AnsweredRows rows_{q_store_service};
   ig::Flow flow_;
 };
 

@@ -28,7 +28,7 @@ struct QParameters {
       const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
       if (error != std::errc{} || end != name.data() + name.size() || number >= QStore::q_count)
         throw std::runtime_error("'" + name + "' is not the number of a Q parameter: 0 to 1999");
-      if (const auto given = table.value(name, value)) store.set({QKind::q, number}, 0, *given);
+      if (const auto given = table.value(name, value)) store.give(number, *given, name);
     }
   }
 

@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include <isogloss/provenance.hpp>
+
 namespace heidenhain {
 
 inline constexpr const char* q_store_service = "heidenhain.q-parameters/1";
@@ -53,13 +55,22 @@ class QStore {
     return undefined;
   }
   void set(const QNumber& q, std::uint64_t program, double value) {
-    if (q.kind == QKind::q)
+    if (q.kind == QKind::q) {
       q_[q.number] = value;
-    else if (q.kind == QKind::retained)
+      rows_.overwrite(q.number);
+    } else if (q.kind == QKind::retained) {
       retained_[q.number] = value;
-    else
+    } else {
       locals(program).values[q.number] = value;
+    }
   }
+  /// The value of Q at the start, from a row of the table.
+  void give(std::uint32_t number, double value, std::string_view row) {
+    q_[number] = value;
+    rows_.give(number, row);
+  }
+  /// The row whose value the parameter has; nullptr where the program has set it.
+  const std::string* row_of(const QNumber& q) const { return q.kind == QKind::q ? rows_.of(q.number) : nullptr; }
 
   /// A text of QS0 to QS1999; nothing where it has none.
   std::optional<std::string_view> text(std::uint32_t number) const {
@@ -77,6 +88,7 @@ class QStore {
     if (std::isnan(value) && written == of_tool_.end()) return;
     if (written == of_tool_.end()) of_tool_.push_back(number);
     q_[number] = value;
+    rows_.overwrite(number);
   }
 
   /// CALL LBL … REP: counts one repeat of the part down from `total`. False: none is left.
@@ -129,6 +141,7 @@ class QStore {
     return locals_.back();
   }
 
+  ig::RowOrigins<std::uint32_t> rows_;
   std::vector<double> q_ = std::vector<double>(q_count, undefined);
   std::map<std::uint32_t, std::string> texts_;
   std::vector<double> retained_ = std::vector<double>(other_count, undefined);

@@ -94,11 +94,33 @@ class SystemData {
     const auto row = tool == std::floor(tool) ? whole_number(tool) : step_row(tool);
     return row ? std::optional(Cell{*row, columns[static_cast<std::size_t>(r.number) - 1]}) : std::nullopt;
   }
+  /// What else the table of tools has: NR9 TIME1, NR10 TIME2, NR11 CUR.TIME, NR13 LCUTS, NR14 ANGLE, NR15 CUT, NR28
+  /// NMAX, NR32 T-ANGLE, NR36 TYP. iTNC 530 and TNC 640 manuals, "FN 18: SYSREAD".
+  static std::optional<std::uint32_t> other_column(double number) {
+    struct Datum {
+      double number;
+      std::uint32_t column;
+    };
+    static constexpr std::array<Datum, 9> data{{{9, IG_TOOL_LIFE},
+                                                {10, IG_TOOL_LIFE_AT_CALL},
+                                                {11, IG_TOOL_USED_LIFE},
+                                                {13, IG_TOOL_CUTTING_LENGTH},
+                                                {14, IG_TOOL_PLUNGE_ANGLE},
+                                                {15, IG_TOOL_TEETH},
+                                                {28, IG_TOOL_MAXIMUM_SPEED},
+                                                {32, IG_TOOL_TIP_ANGLE},
+                                                {36, IG_TOOL_TYPE}}};
+    for (const Datum& datum : data)
+      if (datum.number == number) return datum.column;
+    return std::nullopt;
+  }
   std::optional<double> of_table(const ig::Block& b, const Request& r) const {
-    const auto of_tool = cell(b, r);
-    double mm = 0;
-    if (!of_tool || table_->get(table_->self, of_tool->row, of_tool->column, &mm) == 0) return std::nullopt;
-    return in_unit(b, mm);
+    const auto other = other_column(r.number);
+    const auto of_tool = cell(b, {r.id, other ? 1 : r.number, r.index});
+    const std::uint32_t column = other ? *other : of_tool ? of_tool->column : 0;
+    double value = 0;
+    if (!of_tool || table_->get(table_->self, of_tool->row, column, &value) == 0) return std::nullopt;
+    return !other || column == IG_TOOL_CUTTING_LENGTH ? in_unit(b, value) : value;
   }
 
   ig::Previous<std::int64_t> tool_{"ToolHeightCompensation.OffsetId"};

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 
+#include <isogloss/cnc/scan.hpp>
 #include <isogloss/cnc/units.hpp>
 
 #include "tables/table_reader.hpp"
@@ -33,11 +34,17 @@ constexpr ToolColumn tool_columns[] = {{"H", "L"},
                                        {"CornerRadiusWear", "DR2", true, false},
                                        {"TipAngle", "T-ANGLE", false, false, 0, 180, true},
                                        {"Teeth", "CUT", false, false, 0, 1000, true},
-                                       {"MaximumSpeed", "NMAX", false, false, 0, 1e9, true}};
+                                       {"MaximumSpeed", "NMAX", false, false, 0, 1e9, true},
+                                       {"Type", "TYP", false, false, 0, 9999},
+                                       {"CuttingLength", "LCUTS", true, false, 0, 1e9, true},
+                                       {"PlungeAngle", "ANGLE", false, false, 0, 90, true},
+                                       {"Life", "TIME1", false, false, 0, 1e9, true},
+                                       {"LifeAtCall", "TIME2", false, false, 0, 1e9, true},
+                                       {"UsedLife", "CUR_TIME", false, false, 0, 1e9, true}};
 
 const ToolColumn* column_of(std::string_view name) {
   for (const ToolColumn& column : tool_columns)
-    if (column.name == name) return &column;
+    if (column.name == name || (name == "CUR.TIME" && column.ours == std::string_view("UsedLife"))) return &column;
   return nullptr;
 }
 
@@ -114,6 +121,7 @@ struct HeidenhainToolTable {
     if (name == "RT") return table.unused(cell, "no tool wears out here, so that no sister tool replaces it");
     if (column == nullptr) return table.unused(cell, "no table has a place for it");
     if (!cell.is_given()) return;
+    if (name == "TYP" && is_letter(cell.text.front())) return table.unused(cell, "only numbers of types are read");
     const std::optional<double> value = table.number(cell, tool);
     if (!value || (*value == 0 && column->is_none_at_zero)) return;
     if (!(*value >= column->least && *value <= column->most)) return table.unused(cell, "no tool has such a value");

@@ -98,11 +98,26 @@ struct MachineCodeSyntax {
       const std::size_t word = skip_blanks(text, end);
       if (std::string_view("PQLE").find(to_upper(at(text, word))) == std::string_view::npos || word >= text.size())
         return end;
-      const std::size_t digits = skip_while(text, word + 1, [](char c) { return c == '-' || c == '+' || is_blank(c); });
-      const ig::Decimal number = ig::read_decimal(text, digits);
-      if (!number.ok || number.end == digits) return end;
-      end = number.end;
+      const std::size_t value = skip_while(text, word + 1, [](char c) { return c == '-' || c == '+' || is_blank(c); });
+      const std::size_t last = value_end(text, value);
+      if (last == value) return end;
+      end = last;
     }
+  }
+
+  /// The end of 5.5, #100, #[#1+2] or [#1*2]: an argument of a code is not computed here. `at` where no value stands.
+  static std::size_t value_end(std::string_view text, std::size_t at) {
+    const std::size_t behind = skip_while(text, at, [](char c) { return c == '#'; });
+    if (ig::cnc::at(text, behind) == '[') {
+      int depth = 0;
+      for (std::size_t i = behind; i < text.size() && text[i] != '\n'; ++i) {
+        depth += text[i] == '[' ? 1 : text[i] == ']' ? -1 : 0;
+        if (depth == 0) return i + 1;
+      }
+      return at;
+    }
+    const ig::Decimal number = ig::read_decimal(text, behind);
+    return number.ok && number.end > behind ? number.end : at;
   }
 };
 

@@ -12,6 +12,7 @@
 #include <isogloss/sdk.hpp>
 
 #include "machine/machine_code_names.hpp"
+#include "machine/row_fields.hpp"
 
 namespace iso {
 
@@ -19,7 +20,7 @@ using namespace ig::cnc;
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kinds{"", "nothing", "codes", "call", "position", "refused"};
+constexpr std::array<std::string_view, 7> kinds{"", "nothing", "codes", "call", "position", "refused", "set"};
 
 enum class UnknownPrograms { error, nothing };
 
@@ -55,11 +56,14 @@ struct MachineCodeTable {
                                    .rows("Code", "name")
                                    .provides("isogloss.machine-code/1");
 
-  ig::Column does{"does", nullptr, "", {}, "What the code does: nothing, codes, call, position or refused.", true};
+  ig::Column does{"does", nullptr, "", {}, "What the code does: nothing, codes, call, position, set or refused.", true};
   ig::Column codes{"codes", nullptr, "", {}, "The codes as which it acts: M8 M50.", true};
   ig::Column program{"program", nullptr, "", {}, "The program that it calls: its number, or its name.", true};
   ig::Column position{
       "position", nullptr, "", {}, "Where the axes go by rapid, in machine coordinates, mm and degrees: Z0 X10.", true};
+  ig::Column fields{
+      "fields", nullptr, "fields", {}, "Fields of the block and their values: Coolant.Mode=FLOOD; Dwell.Time={P}.",
+      true};
   ig::Column text{"text", nullptr, "", {}, "Why the code is refused.", true};
   ig::Column when{"when", nullptr, "", {}, "When a cycle acts: defined or called; else as its number says.", true};
   ig::Column arguments{
@@ -106,6 +110,10 @@ struct MachineCodeTable {
     if (kind == "nothing") return "";
     if (kind == "call") return lacks(program, "program=\"9001\"");
     if (kind == "refused") return lacks(text, "text=\"why it is refused\"");
+    if (kind == "set") {
+      const std::string fault = fields_fault(table.text(row, fields));
+      return fault.empty() ? lacks(fields, "fields=\"Coolant.Mode=FLOOD\"") : fault;
+    }
     if (kind == "codes") {
       const bool is_read = table.text(row, codes).empty() || !codes_of(table.text(row, codes)).empty();
       return is_read ? lacks(codes, "codes=\"M8 M50\"") : "codes is a list of G and M codes, as codes=\"M8 M50\"";
@@ -116,8 +124,8 @@ struct MachineCodeTable {
       return is_read ? lacks(position, "position=\"Z0 X10\"")
                      : "position is each axis of X Y Z A B C once, with a number, as position=\"Z0 X10\"";
     }
-    return kind.empty() ? "does is missing: nothing, codes, call, position or refused"
-                        : "does=\"" + std::string(kind) + "\" is none of nothing, codes, call, position, refused";
+    return kind.empty() ? "does is missing: nothing, codes, call, position, set or refused"
+                        : "does=\"" + std::string(kind) + "\" is none of nothing, codes, call, position, set, refused";
   }
 
  private:
@@ -128,14 +136,15 @@ struct MachineCodeTable {
       std::string_view name, kind;
     };
     if (kind.empty() || std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) return {};
-    for (const Use& use : {Use{codes, "codes", "codes"}, Use{program, "program", "call"},
-                           Use{position, "position", "position"}, Use{text, "text", "refused"}})
+    for (const Use& use :
+         {Use{codes, "codes", "codes"}, Use{program, "program", "call"}, Use{position, "position", "position"},
+          Use{text, "text", "refused"}, Use{fields, "fields", "set"}})
       if (kind != use.kind && !table.text(row, use.column).empty()) return use.name;
     return {};
   }
 
   struct Row {
-    std::string name, codes, program, text, title;
+    std::string name, codes, program, text, title, fields;
     ig_machine_code shown{};
   };
 
@@ -149,6 +158,7 @@ struct MachineCodeTable {
     if (row.shown.does == IG_CODE_ACTS) row.codes = codes_of(table.text(written, codes));
     if (row.shown.does == IG_CODE_CALLS) row.program = trim(table.text(written, program));
     if (row.shown.does == IG_CODE_IS_REFUSED) row.text = table.text(written, text);
+    if (row.shown.does == IG_CODE_SETS) row.fields = canonical_fields(table.text(written, fields));
     row.title = table.text(written, title);
     const std::string_view passed = table.text(written, arguments);
     row.shown.arguments = passed == "passed"                                                      ? 2
@@ -162,6 +172,7 @@ struct MachineCodeTable {
     row.shown.program = ig::to_text(row.program);
     row.shown.text = ig::to_text(row.text);
     row.shown.title = ig::to_text(row.title);
+    row.shown.fields = ig::to_text(row.fields);
     if (row.shown.does == IG_CODE_MOVES) read_position(table.text(written, position), row.shown);
   }
 

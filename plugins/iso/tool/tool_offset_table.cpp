@@ -36,6 +36,12 @@ struct ToolOffsetTable {
   ig::Column tip_angle{"TipAngle", nullptr, "deg", {0, 180}, "The whole angle at the tip of a drill."};
   ig::Column teeth{"Teeth", nullptr, "", {0, 1000}, "How many teeth or cutting edges the tool has."};
   ig::Column speed{"MaximumSpeed", nullptr, "rpm", {0, 1e9}, "The highest speed that the tool may turn with."};
+  ig::Column type{"Type", nullptr, "", {0, 9999}, "The number that the control has for the type of the tool."};
+  ig::Column cutting_length{"CuttingLength", nullptr, "mm", {0, 1e9}, "Length of the cutting edge."};
+  ig::Column plunge_angle{"PlungeAngle", nullptr, "deg", {0, 90}, "The largest angle at which the tool may plunge."};
+  ig::Column life{"Life", nullptr, "min", {0, 1e9}, "How long the tool may cut."};
+  ig::Column call_life{"LifeAtCall", nullptr, "min", {0, 1e9}, "After which use a call no longer takes the tool."};
+  ig::Column used_life{"UsedLife", nullptr, "min", {0, 1e9}, "How long it has cut already."};
   ig::Column name{"Name", nullptr, "", {}, "What a program calls the tool; sister tools have one name.", true};
   ig::Table table;
   ig::RowNames rows;
@@ -97,8 +103,9 @@ struct ToolOffsetTable {
   }
 
   const ig::Column* column(std::uint32_t index) const {
-    const std::array columns{&length,      &length_wear, &radius, &radius_wear, &corner,
-                             &corner_wear, &tip_angle,   &teeth,  &speed};
+    const std::array columns{&length,         &length_wear,  &radius, &radius_wear, &corner,
+                             &corner_wear,    &tip_angle,    &teeth,  &speed,       &type,
+                             &cutting_length, &plunge_angle, &life,   &call_life,   &used_life};
     return index < columns.size() ? columns[index] : nullptr;
   }
   bool has(std::int64_t id) const {

@@ -118,19 +118,25 @@ struct SiemensArchive {
                    "a tool has one name, as a text in quotation marks");
       else if (!name.empty())
         tools.line("$TC_TP2[" + t + "]=\"" + std::string(name) + '"');
-      const auto line = [&](const char* variable, const char* column) {
-        const std::string value = written(out.cell(table, i, column), mm);
+      const auto line = [&](const char* variable, const char* column, double unit_mm) {
+        const std::string value = written(out.cell(table, i, column), unit_mm);
         if (!value.empty()) tools.line(variable + place + value);
         return !value.empty();
       };
+      const double type = number_of(out.cell(table, i, "Type")).value_or(-1);
+      const bool is_of_control = type >= 100 && type <= 999 && type == std::floor(type);
+      if (is_of_control) tools.line("$TC_DP1" + place + std::to_string(static_cast<int>(type)));
+      if (type >= 0 && !is_of_control) out.unused("types of another control", "the control has types from 100 to 999");
+      const double radius_scale = is_of_control && type >= 700 && type < 710 ? mm / 2 : mm;  // a saw has its diameter
       // The table has the length together with the adapter.
-      if (line("$TC_DP3", "H")) tools.line("$TC_DP21" + place + '0');
-      line("$TC_DP6", "D");
-      line("$TC_DP12", "HWear");
-      line("$TC_DP15", "DWear");
-      line("$TC_DP7", "CornerRadius");
-      line("$TC_DP16", "CornerRadiusWear");
-      for (const char* const column : {"TipAngle", "Teeth", "MaximumSpeed"})
+      if (line("$TC_DP3", "H", mm)) tools.line("$TC_DP21" + place + '0');
+      line("$TC_DP6", "D", radius_scale);
+      line("$TC_DP12", "HWear", mm);
+      line("$TC_DP15", "DWear", radius_scale);
+      line("$TC_DP7", "CornerRadius", mm);
+      line("$TC_DP16", "CornerRadiusWear", mm);
+      for (const char* const column :
+           {"TipAngle", "Teeth", "MaximumSpeed", "CuttingLength", "PlungeAngle", "Life", "LifeAtCall", "UsedLife"})
         if (!out.cell(table, i, column).empty())
           out.unused(std::string("column ") + column, "which $TC_DP holds it depends on the version of the control");
     }

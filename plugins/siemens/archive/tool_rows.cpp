@@ -74,7 +74,7 @@ void ToolRows::assign_edge_data(ig::Import& file, const Assignment& a, std::int6
   Edge* const e = a.index.size() == 2 ? edge(file, a, a.number(0), a.number(1)) : edge(file, a, -1, -1);
   if (e == nullptr) return;
   switch (number) {
-    case 1: e->type = *value; return;
+    case 1: e->type = *value, e->has_type = true; return;
     case 3: e->length = value; return;
     case 6: e->radius = value; return;
     case 7: e->corner = Placed{*value, begin, end}; return;
@@ -128,6 +128,8 @@ void ToolRows::give(ig::Import& file, ArchiveLengths& lengths, std::int64_t edge
     if (e.radius) file.cell("D", lengths.mm(*e.radius, e.begin, e.end) * e.radius_of_entry(), e.begin);
     if (e.radius_wear) file.cell("DWear", lengths.mm(*e.radius_wear, e.begin, e.end) * e.radius_of_entry(), e.begin);
     give_corner(file, e, lengths);
+    if (e.has_type && e.type >= 0 && e.type <= 9999) file.cell("Type", e.type, e.begin);
+    if (e.has_type && !(e.type >= 0 && e.type <= 9999)) file.unused("type of an edge", no_place, e.begin, e.end);
     if (!e.name.empty()) file.cell("Name", e.name, e.begin);
   }
 }

@@ -30,6 +30,7 @@ class ToolRows {
     std::optional<double> length, adapter, length_wear, radius, radius_wear;
     std::optional<Placed> corner, corner_wear;
     double type = 0;
+    bool has_type = false;
     std::string name;
     std::size_t begin = 0, end = 0;
 

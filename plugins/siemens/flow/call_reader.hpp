@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -87,6 +88,17 @@ class CallReader {
   /// parameters may begin.
   std::size_t of_builder(ig::Block& b, std::string_view text, std::size_t end, std::size_t next,
                          const ig_machine_code& row);
+  /// What {2} is in a row that sets fields: the number in the second argument.
+  auto number_of_argument() const {
+    return [this](std::string_view name) -> std::optional<double> {
+      std::size_t number = 0;
+      std::from_chars(name.data(), name.data() + name.size(), number);
+      if (number < 1 || number > arguments_.size()) return std::nullopt;
+      const std::optional<Value>& value = arguments_[number - 1].value;
+      return value && !value->is_text() ? std::optional(value->number) : std::nullopt;
+    };
+  }
+
   // ---- program_calls.cpp: the call itself
 
   /// Requests the call in build(). A program that is not found may be one of the builder's.

@@ -30,7 +30,10 @@ void CallReader::call_program(ig::Block& b, ig::Where where) {
   }
   if (answer.is_not_found()) {
     if (const ig_machine_code* const row = machine_.family(program_.name)) {
-      record_.add(b, *row, where, piece(b.source(), begin_, std::max(end_, begin_)));
+      const std::string_view text = b.source().substr(0, end_);
+      if (row->does == IG_CODE_SETS && is_of_control && at(text, open_) == '(' && !read_arguments(b, text, open_))
+        return;
+      record_.add(b, *row, where, piece(b.source(), begin_, std::max(end_, begin_)), number_of_argument());
       codes_.put(b, *row, begin_, end_);
       if (row->does != IG_CODE_CALLS) return;
       if (is_of_control) read_arguments(b, b.source().substr(0, end_), open_);
@@ -113,12 +116,14 @@ std::size_t CallReader::of_builder(ig::Block& b, std::string_view text, std::siz
   const bool has_bracket = at(text, next) == '(';
   const std::size_t close = has_bracket ? skip_call(text, next) : end;
   const auto where = ig::Where::columns(begin_, close);
-  if ((row.does == IG_CODE_ACTS || row.does == IG_CODE_MOVES) && b.find(modal_)) {
+  const bool acts = row.does == IG_CODE_ACTS || row.does == IG_CODE_MOVES || row.does == IG_CODE_SETS;
+  if (acts && b.find(modal_)) {
     b.report(ig::diag("SIE-0174"), where, ig::to_view(row.name),
              std::string_view("its row in MachineCodes calls no program, so MCALL cannot repeat it"));
     return close;
   }
-  record_.add(b, row, where, piece(text, begin_, close));
+  if (row.does == IG_CODE_SETS && has_bracket && !read_arguments(b, text.substr(0, close), next)) return close;
+  record_.add(b, row, where, piece(text, begin_, close), number_of_argument());
   if (row.does == IG_CODE_CALLS) {
     if (has_bracket && !read_arguments(b, text.substr(0, close), next)) return close;
     return request(b, text, has_bracket ? skip_blanks(text, close) : next, CalledProgram::at(ig::to_view(row.program)),

@@ -121,6 +121,7 @@ std::optional<Value> Expression::is_variable(std::string_view called, std::size_
 std::optional<Value> Expression::read(const Reference& r) {
   VariableStore& store = environment_.store();
   environment_.enter(b_);
+  environment_.note_row(b_, r.name);
   if (r.is_r) {
     VariableStore::RParameter& p = *store.r(r.r);
     if (!p.is_given && store.is_first_report(r.name))

@@ -41,6 +41,14 @@ class Environment {
       report_not_stored(b, ig::Where::block(), v.name, v.value, v.outcome);
   }
 
+  /// A variable has been read: tells which row of the table has given its value, where anybody asks.
+  void note_row(ig::Block& b, const std::string& name) const {
+    if (!rows_.is_heard() || store().find_own(name) != nullptr) return;
+    const std::string* const row = store().rows.of(name);
+    const std::string* const of_array = row == nullptr ? store().rows.of(name.substr(0, name.find('['))) : nullptr;
+    if (row != nullptr || of_array != nullptr) rows_.add(b, row != nullptr ? *row : *of_array);
+  }
+
   /// Reports why an assignment has not been executed.
   void report_not_stored(ig::Block& b, const ig::Where& where, const std::string& name, const Value& value,
                          Stored outcome) const;
@@ -48,9 +56,9 @@ class Environment {
   /// The text of a macro: by DEFINE in the program or, which the block then shows, of the table SiemensMacros.
   const std::string* macro(ig::Block& b, const std::string& name) const {
     if (const std::string* const own = store().macro(name)) return own;
-    const std::string* const text = macros_.find(name);
-    if (text != nullptr) record_.add(b, name);
-    return text;
+    const MachineMacro* const macro = macros_.find(name);
+    if (macro != nullptr) record_.add(b, name, *macro);
+    return macro != nullptr ? &macro->text : nullptr;
   }
   bool has_macro(const std::string& name) const {
     return store().macro(name) != nullptr || macros_.find(name) != nullptr;
@@ -72,6 +80,7 @@ class Environment {
 
  private:
   ig::Service<VariableStore> store_{variable_service, ig::Need::required, "The variables."};
+  ig::AnsweredRows rows_{variable_service};
   Macros macros_;
   MacroRecord record_;
 };

@@ -38,7 +38,7 @@ struct SiemensMacros {
   SiemensMacros() {
     for (const std::string& name : names) {
       first_.emplace(upper(name), name);
-      if (row_fault(name).empty()) macros[upper(name)] = trim(table.text(name, text));
+      if (row_fault(name).empty()) macros[upper(name)] = {std::string(trim(table.text(name, text))), name};
     }
   }
 

@@ -94,9 +94,11 @@ struct SiemensVariables final : VariableStore::Saver {
       if (const auto [first, is_new] = rows_.emplace(canonical(name), name); !is_new)
         faults_[name] = "the row " + first->second + " is the same variable";
     for (const bool elements : {false, true})
-      for (const auto& [name, row] : rows_)
-        if ((name.find('[') != std::string::npos) == elements)
-          if (std::string fault = load(name, row); !fault.empty()) faults_[row] = std::move(fault);
+      for (const auto& [name, row] : rows_) {
+        if ((name.find('[') != std::string::npos) != elements) continue;
+        store.rows.give(name, row);
+        if (std::string fault = load(name, row); !fault.empty()) faults_[row] = std::move(fault);
+      }
     store.keep_user_data();
     store.save_to(this);
   }
@@ -109,6 +111,7 @@ struct SiemensVariables final : VariableStore::Saver {
   }
 
   void save(const std::string& name, const Value& v) override {
+    store.rows.overwrite(name);
     const auto row = rows_.find(name);
     const std::string& written = row == rows_.end() ? name : row->second;
     if (v.is_text())
@@ -120,6 +123,7 @@ struct SiemensVariables final : VariableStore::Saver {
     std::array<char, 24> name{'R'};
     const auto end = std::to_chars(name.data() + 1, name.data() + name.size(), number).ptr;
     const std::string_view row(name.data(), static_cast<std::size_t>(end - name.data()));
+    store.rows.overwrite(std::string(row));
     const auto written = rows_.find(row);
     table.set_value(written == rows_.end() ? row : std::string_view(written->second), value, v);
   }

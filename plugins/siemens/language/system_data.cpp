@@ -21,7 +21,7 @@ bool moves_nothing(std::string_view base) {
         "$AC_TOTAL_PARTS", "$AC_ACTUAL_PARTS", "$AC_SPECIAL_PARTS"})
     if (base == known) return true;
   if (base.starts_with("$TC_TP") || base.starts_with("$TC_MPP") || base.starts_with("$TC_DPCE")) return true;
-  for (const std::string_view known : {"$TC_DP1", "$TC_DP2", "$TC_DP10", "$TC_DP11", "$TC_DP24", "$TC_DP25"})
+  for (const std::string_view known : {"$TC_DP2", "$TC_DP10", "$TC_DP11", "$TC_DP24", "$TC_DP25"})
     if (base == known) return true;
   return false;
 }
@@ -72,7 +72,7 @@ Written SystemData::write(const ig::Block& b, std::string_view text, std::option
     return value ? write_frame(b, name, *frame, *value) : Written::no;
   if (name.base == "$P_AD") return Written::no;
   if (const auto row = offset_row(b, name); row && value && tools_) {
-    const double mm = *value * unit(b);
+    const double mm = *column_of(name) == IG_TOOL_TYPE ? *value : *value * unit(b);
     const bool done = std::fabs(mm) < 1e9 && tools_->set(tools_->self, *row, *column_of(name), mm) != 0;
     return done ? Written::taken : Written::no;
   }
@@ -112,6 +112,7 @@ std::optional<double> SystemData::measured(const ig::Block& b, const Name& name)
 std::optional<std::uint32_t> SystemData::column_of(const Name& name) {
   std::string_view number = name.base.starts_with("$TC_DP") ? name.base.substr(6) : std::string_view();
   if (name.base == "$P_AD" && name.count == 1) number = name.index[0];
+  if (number == "1") return IG_TOOL_TYPE;
   if (number == "3") return IG_TOOL_LENGTH;
   if (number == "12") return IG_TOOL_LENGTH_WEAR;
   if (number == "6") return IG_TOOL_RADIUS;
@@ -135,7 +136,7 @@ std::optional<double> SystemData::offset(const ig::Block& b, std::int64_t row,
   double mm = 0;
   if (row == 0) return 0;
   if (!tools_ || !column || tools_->get(tools_->self, row, *column, &mm) == 0) return std::nullopt;
-  return mm / unit(b);
+  return *column == IG_TOOL_TYPE ? mm : mm / unit(b);
 }
 
 std::optional<double> SystemData::plain(const ig::Block& b, std::string_view name) const {

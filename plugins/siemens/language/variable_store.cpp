@@ -19,7 +19,9 @@ void VariableStore::enter_other(std::uint64_t frame) {
 }
 
 void VariableStore::give_for_run(const std::string& name, double value) {
-  if (given_for_run_.size() < most_names) given_for_run_[name] = value;
+  if (given_for_run_.size() >= most_names) return;
+  given_for_run_[name] = value;
+  rows.overwrite(name);
 }
 
 std::optional<double> VariableStore::given(const std::string& name) const {

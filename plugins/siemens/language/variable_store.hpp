@@ -10,6 +10,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include <isogloss/provenance.hpp>
+
 #include "flow/program_path.hpp"
 #include "language/variable.hpp"
 
@@ -70,6 +72,9 @@ class VariableStore {
     r_[number] = {value, true};
     if (saver_) saver_->save_r(number, value);
   }
+
+  /// The rows of the table from which variables have their values, until the program assigns others.
+  ig::RowOrigins<std::string> rows;
 
   /// Gives a value to a system variable: data of the machine, from the user.
   void give(std::string name, double value) { given_[std::move(name)] = value; }

@@ -4,6 +4,7 @@
 #include <isogloss_machine_code.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstddef>
 #include <map>
@@ -32,6 +33,12 @@ inline const Diagnostics machine_code_diagnostics{
         "A row of a program that is called like this does nothing, calls another program, goes to a position, or "
         "is refused.",
         "M98 P9020 (and a row O9020 with does=\"codes\")"),
+    diagnostic(IG_ERROR, "ISO-0600", "{0} sets {1} from {2}, for which the program writes no number: {1} is unchanged",
+               "The row of this code takes a value from a word or an argument that the block does not have.",
+               "M131 (and a row M131 with fields=\"Dwell.Time={P}\")"),
+    diagnostic(IG_ERROR, "ISO-0601",
+               "{0} has set fields in this block already: write the second one in a block of its own",
+               "The fields of a block have one value each. The values of the first code stay.", "M131 P1 M131 P2"),
 };
 
 /// How the words of a G or M code that calls a program are passed to it.
@@ -80,6 +87,47 @@ void for_each_recorded(std::string_view names, Each&& each) {
   }
 }
 
+/// Calls each(path, value) for the fields that a row or the record of a block sets.
+template <class Each>
+void for_each_assignment(std::string_view fields, Each&& each) {
+  while (!fields.empty()) {
+    const std::size_t end = std::min(fields.find(';'), fields.size());
+    const std::string_view one = fields.substr(0, end);
+    const std::size_t equals = one.find('=');
+    if (!trim(one).empty())
+      each(trim(one.substr(0, equals)), equals == one.npos ? std::string_view() : trim(one.substr(equals + 1)));
+    fields.remove_prefix(std::min(end + 1, fields.size()));
+  }
+}
+
+/// {P} and {P:2}: a value that the program gives, and the one where it gives none.
+struct GivenValue {
+  std::string_view name, otherwise;
+  static std::optional<GivenValue> read(std::string_view value) {
+    if (!value.starts_with('{') || !value.ends_with('}')) return std::nullopt;
+    value = value.substr(1, value.size() - 2);
+    const std::size_t colon = std::min(value.find(':'), value.size());
+    return GivenValue{trim(value.substr(0, colon)), trim(value.substr(std::min(colon + 1, value.size())))};
+  }
+};
+
+/// The number behind a letter in the text of a code and its words, "M131 P5 Q3"; nothing where none stands there. The
+/// last one counts.
+struct NumbersOfWords {
+  std::string_view text;
+  std::optional<double> operator()(std::string_view name) const {
+    std::optional<double> found;
+    for (std::size_t i = 0; name.size() == 1 && i < text.size();) {
+      const bool is_wanted = to_upper(text[i]) == to_upper(name[0]);
+      const ig::Decimal number = is_letter(text[i]) ? ig::read_decimal(text, skip_blanks(text, i + 1)) : ig::Decimal{};
+      const bool is_word = number.ok && number.end > i + 1;
+      if (is_word && is_wanted && i > 0) found = number.value;
+      i = is_word ? number.end : i + 1;
+    }
+    return found;
+  }
+};
+
 /// A member of the scanners that read codes: records in the block which rows of MachineCodes have answered.
 class MachineCodeRecord {
  public:
@@ -87,6 +135,12 @@ class MachineCodeRecord {
   /// or move of the block is to be reported, but not a third time, so the record of a long block stays short.
   /// `text` is what the program writes: the code, and the words that belong to it.
   void add(Block& b, const ig_machine_code& row, Where where, std::string_view text = {}) const {
+    add(b, row, where, text, NumbersOfWords{text});
+  }
+  /// given(name) is the number that the program gives to a word or argument; nothing where it gives none.
+  template <class Given>
+  void add(Block& b, const ig_machine_code& row, Where where, std::string_view text, const Given& given) const {
+    if (row.does == IG_CODE_SETS) add_fields(b, row, where, given);
     const bool has_row = row.struct_size >= offsetof(ig_machine_code, row) + sizeof row.row;
     rows_.add(b, has_row ? to_view(row.row) : to_view(row.name));
     add_words(b, row, text);
@@ -102,6 +156,33 @@ class MachineCodeRecord {
 
  private:
   static constexpr std::size_t most_text = 1000;  // that is kept of a block
+
+  template <class Given>
+  void add_fields(Block& b, const ig_machine_code& row, Where where, const Given& given) const {
+    if (times_recorded(b, to_view(row.name)) > 0) {
+      b.report(diag("ISO-0601"), where, to_view(row.name));
+      return;
+    }
+    std::string all(b.text(fields_));
+    for_each_assignment(to_view(row.fields), [&](std::string_view path, std::string_view value) {
+      std::string number;
+      if (const auto from = GivenValue::read(value)) {
+        const std::optional<double> written = given(from->name);
+        if (written) number = shortest(*written + 0.0);
+        if (!written && from->otherwise.empty())
+          return b.report(diag("ISO-0600"), where, to_view(row.name), path, value);
+        value = written ? std::string_view(number) : from->otherwise;
+      }
+      all.append(all.empty() ? "" : "; ").append(path).append("=").append(value);
+    });
+    b.set_text(fields_, all);
+  }
+
+  static std::string shortest(double number) {
+    std::array<char, 400> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::fixed).ptr;
+    return {digits.data(), end};
+  }
 
   /// A code alone says no more than the name of its row does.
   void add_words(Block& b, const ig_machine_code& row, std::string_view text) const {
@@ -138,6 +219,9 @@ class MachineCodeRecord {
   TextField words_{"MachineCode.Words",
                    read | write,
                    {Life::block, "", "The codes and calls as the program writes them, with their arguments."}};
+  TextField fields_{"MachineCode.Fields",
+                    read | write,
+                    {Life::block, "", "The fields that rows of MachineCodes set in this block, and their values."}};
   AnsweredRows rows_{"isogloss.machine-code/1"};
 };
 
@@ -236,10 +320,16 @@ class ProgramsOfBuilder {
   /// The row of a family, for a program that is not found.
   const ig_machine_code* family(std::string_view name) const { return machine_.family(name); }
 
-  /// Executes a row in place of a call; call(program) calls another program and reports one that is not found.
+  /// Executes a row in place of a call; call(program) calls another program and reports one that is not found, and
+  /// given(name) is the number of an argument, if there is one.
   template <class Call>
   void execute(Block& b, const ig_machine_code& row, std::string_view name, Where where, Call&& call) const {
-    record_.add(b, row, where, name);
+    execute(b, row, name, where, call, [](std::string_view) { return std::optional<double>(); });
+  }
+  template <class Call, class Given>
+  void execute(Block& b, const ig_machine_code& row, std::string_view name, Where where, Call&& call,
+               const Given& given) const {
+    record_.add(b, row, where, name, given);
     if (row.does == IG_CODE_CALLS) call(to_view(row.program));
     if (row.does == IG_CODE_ACTS) b.report(diag("ISO-0574"), where, to_view(row.name), name);
   }

@@ -22,7 +22,8 @@ struct OneCode {
                       {},
                       ig::to_text("M92"),
                       0,
-                      0};
+                      0,
+                      {}};
   ig_machine_code_1 provided{sizeof(ig_machine_code_1), 0, this, &find, &family};
   BlockDocument document;
 
@@ -61,4 +62,40 @@ TEST_CASE("a row that acts as several codes names each of them") {
   std::string seen;
   for_each_code(one.row, [&](std::string_view code) { seen.append(code).append("/"); });
   CHECK(seen == "M08/M50/");
+}
+
+TEST_CASE("the numbers of a code's words: the last one counts, and the number of the code is none of them") {
+  const NumbersOfWords words{"M131 p5 Q-2.5P7 R#1"};
+  CHECK(words("P") == 7.0);
+  CHECK(words("q") == -2.5);
+  for (const char* name : {"M", "R", "L", "1", "", "PQ"}) CHECK_FALSE(words(name));
+}
+
+TEST_CASE("a value that the program gives has a name, and perhaps another value instead") {
+  CHECK_FALSE(GivenValue::read("5"));
+  CHECK_FALSE(GivenValue::read("{P"));
+  const auto alone = GivenValue::read("{P}"), other = GivenValue::read("{ Q240 : 0.5 }");
+  REQUIRE((alone && other));
+  CHECK((alone->name == "P" && alone->otherwise.empty()));
+  CHECK((other->name == "Q240" && other->otherwise == "0.5"));
+}
+
+TEST_CASE("assignments come one after the other, without blanks around them") {
+  std::string seen;
+  for_each_assignment(" Coolant.Mode = FLOOD;;Dwell.Time={P} ; X", [&](std::string_view path, std::string_view value) {
+    seen.append(path).append("|").append(value).append("/");
+  });
+  CHECK(seen == "Coolant.Mode|FLOOD/Dwell.Time|{P}/X|/");
+}
+
+TEST_CASE("a value is that of its row until the program overwrites it") {
+  ig::RowOrigins<int> rows;
+  rows.overwrite(5);
+  rows.give(5, "005");
+  rows.give(6, "6");
+  REQUIRE(rows.of(5) != nullptr);
+  CHECK(*rows.of(5) == "005");
+  rows.overwrite(5);
+  CHECK(rows.of(5) == nullptr);
+  CHECK(*rows.of(6) == "6");
 }

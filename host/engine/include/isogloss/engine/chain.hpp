@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <set>
 
 #include "isogloss/engine/document.hpp"
 #include "isogloss/engine/linker.hpp"
@@ -33,9 +32,9 @@ class DependencyTable {
   void add_row(std::string_view name) { row(name); }
   const ig_dependency& dependency() const { return *dependency_; }
   const std::vector<std::string>& rows() const { return names_; }
-  /// From now on the names of the rows whose values are asked for, whether the table has them or not; `reads` outlives
-  /// the table.
-  void record_reads(std::set<std::string, std::less<>>* reads) { reads_ = reads; }
+  /// Called for each value that is asked for: the row, and whether it has the value. Empty: nobody listens.
+  using Listener = std::function<void(std::string_view row, bool has_value)>;
+  void listen(Listener listener) { listener_ = std::move(listener); }
 
  private:
   struct Cell {
@@ -48,12 +47,13 @@ class DependencyTable {
   std::vector<std::string> names_;
   std::map<std::string, std::size_t, std::less<>> index_;
   std::vector<std::vector<Cell>> cells_;
-  std::set<std::string, std::less<>>* reads_ = nullptr;
+  Listener listener_;
 };
 
 struct ChainSettings {
   Mode mode = Mode::fast;
-  bool call_all = false;  ///< call every syntax in every block: must give the same result
+  bool hears_rows = false;  ///< rows that are asked when the syntaxes are created are kept, too (Chain::rows_at_start)
+  bool call_all = false;    ///< call every syntax in every block: must give the same result
   std::map<std::string, std::string, std::less<>> settings;      ///< "block-skip", "optional-stop", "program"
   std::vector<DependencyElement> dependencies;                   ///< the user's own tables, before the dialect's
   std::vector<std::pair<std::string, std::string>> assignments;  ///< --set: "IsoCoordinateTable.G54.Z", "-120"
@@ -128,14 +128,20 @@ class Chain {
   /// A row of a table that has answered for this block.
   struct AnsweredRow {
     std::uint16_t syntax;  ///< chain position + 1
-    std::string service, row;
+    std::size_t dependency;
+    std::string row;
+    bool operator==(const AnsweredRow&) const = default;
   };
   /// Those of this block, in their order, at most most_answered_rows; empty unless listen_to_rows() was called.
   std::vector<AnsweredRow> answered_rows;
   static constexpr std::size_t most_answered_rows = 1000;
-  /// Called for each of them; empty: none.
-  std::function<void(std::string_view service, std::string_view row)> row_answered;
-  void listen_to_rows() { provenance_.is_listening = 1; }
+  /// Those that have answered when the syntaxes were created, where the settings want it.
+  std::vector<AnsweredRow> rows_at_start;
+  /// Called for each row that is asked, answered or not; empty: none.
+  std::function<void(std::size_t dependency, std::string_view row)> row_asked;
+  void listen_to_rows();
+  /// A row of the table has been asked by the syntax at work, and has a value for it or not.
+  void note_row(std::size_t dependency, std::string_view row, bool has_value);
 
   /// Executes calls and jumps, set by the runner; null where no program runs.
   FlowHost* flow = nullptr;
@@ -229,6 +235,7 @@ class Chain {
   };
   std::vector<AssignedRow> assigned_rows_;  // by --set
   bool is_scanning_ = false;                // for a crash report
+  std::uint16_t creating_ = 0;              // chain position + 1 of the syntax that is being created
 };
 
 }  // namespace isogloss

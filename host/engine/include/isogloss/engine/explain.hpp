@@ -63,6 +63,8 @@ struct ExplainedBlock {
   std::uint64_t pass = 1;              ///< how often the run had come to this line
   std::vector<ExplainedFrame> frames;  ///< the main program's first
   std::string text;
+  std::string calls;                    ///< the program that the block calls, by its name; empty: none
+  Location callee;                      ///< where this program begins
   std::vector<ExplainedValue> carried;  ///< what the block began with
   std::vector<ExplainedStep> steps;     ///< in order; the scanners first
   std::vector<SleepingSyntax> slept;
