@@ -32,8 +32,7 @@ TEST_CASE("an inherited element keeps its place where one of the dialect's own c
     hand.dialect.ancestors = {"base"};
     for (const char* id : {"Second", "Between", "First"}) hand.add(id).where.file = "base.xml";
     hand.dialect.chain[own].where.file = "hand.xml";
-    const Strings expected =
-        own == 0 ? Strings{"Between", "First", "Second"} : Strings{"First", "Second", "Between"};
+    const Strings expected = own == 0 ? Strings{"Between", "First", "Second"} : Strings{"First", "Second", "Between"};
     CHECK(suggest_order(hand.dialect, library) == expected);
   }
 }
