@@ -28,7 +28,7 @@ TEST_CASE("who is woken only by those that nothing wakes is never called") {
   plugin.syntax("Follower").fields = {field("Acme.B", IG_READ | IG_WAKE)};
   plugin.syntax("Itself").fields = {field("Acme.C", IG_READ | IG_WRITE | IG_WAKE)};
   plugin.syntax("Waker").fields = {field("Acme.D", IG_READ | IG_WAKE), field("Acme.A", IG_WRITE)};
-  for (const char* id : {"Sleeper", "Follower", "Itself", "Waker"}) plugin.syntax(id).out.build = do_nothing;
+  for (Syntax& s : plugin.syntaxes) s.out.build = do_nothing;
   Hand alone{"p"};
   for (const char* id : {"Sleeper", "Follower", "Itself"}) alone.add(id);
   CHECK(reviewed(alone, plugin) == Strings{"IG-0165 2", "IG-0165 3", "IG-0165 4"});
