@@ -126,6 +126,9 @@ class Difference(Command):
         text = self.run_it("dialect", "iso", "--diff", other, status=1).stdout
         self.assertRegex(text, r"option +DwellSyntax p-unit +s +\| ms\n")
         self.assertEqual(len(text.splitlines()), len(rows) + 1)
+        back = json.loads(self.run_it("dialect", other, "--diff", "iso", "--json", status=1).stdout)["Differences"]
+        self.assertEqual({(r["Part"], r["Name"]): r["Left"] for r in back}["chain", "ScalingSyntax"], None)
+        self.assertEqual(len(back), len(rows))
 
     def test_trouble_is_2(self):
         for arguments in (("iso", "--diff", "fanucc"), ("isoo", "--diff", "iso"), ("iso", "--diff", "iso", "--graph")):
