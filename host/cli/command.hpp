@@ -39,7 +39,7 @@ inline constexpr Command commands[] = {
     {"run", "run programs through a dialect: motions, blocks, a summary", run_command},
     {"explain", "explain why a block did what it did, or a diagnostic", explain_command},
     {"lint", "check dialect files", lint_command},
-    {"dialect", "write a dialect and everything that it extends as one file", dialect_command},
+    {"dialect", "a dialect as one file or a graph, one syntax of it, its differences from another", dialect_command},
     {"schema", "print the schema of dialect files or of the block document", schema_command},
     {"list", "list plugins, dialects, machines, importers, codes, diagnostics and more", list_command},
     {"inspect", "show the page and declaration of one of them", inspect_command},

@@ -7,6 +7,7 @@
 #include "crash_guard.hpp"
 #include "isogloss/engine/printable.hpp"
 #include "output_file.hpp"
+#include "page_section.hpp"
 #include "program_options.hpp"
 
 namespace isogloss::cli {
@@ -15,7 +16,7 @@ namespace {
 
 struct InspectCommand {
   CommonOptions common;
-  std::string name, dialect, machine;
+  std::string name, dialect, machine, section;
   std::vector<std::string> programs;
   bool json = false;
 
@@ -23,6 +24,8 @@ struct InspectCommand {
   std::optional<FoundMachine> find_machine(Session& session) const;
   int show_machine(const FoundMachine& found, Session& session) const;
   int show(Json declaration, const char* page, Session& session) const;
+  int show_section(const std::string& page, Session& session) const;
+  std::optional<int> show_code(const LinkedDialect& linked, Session& session) const;
   std::vector<std::string> names(Session& session, const Json& fields) const;
 };
 
@@ -81,7 +84,58 @@ std::string read_page(const char* page) {
   return printable({page, strnlen(page, longest)}, "\n\t");
 }
 
+/// Of the page alone: JSON is the text with its name and title.
+int InspectCommand::show_section(const std::string& page, Session& session) const {
+  const std::optional<std::string> found = section_of(page, section);
+  if (!found) {
+    const std::vector<std::string> titles = headings(page);
+    std::string near = nearest_name(section, titles);
+    for (const std::string& title : titles)
+      if (near.empty() && title.starts_with(section)) near = title;
+    session.report("IG-0174", {}, {name, section},
+                   !near.empty()     ? "did you mean " + near + "?"
+                   : !titles.empty() ? fmt::format("its sections are {}", fmt::join(titles, ", "))
+                                     : "it has no page");
+    return input_errors;
+  }
+  const Json out{{"Name", name}, {"Section", section}, {"Page", *found}};
+  return print(json ? out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : *found, session.status());
+}
+
+/// "g1" -> "G01", as dialects write the codes of one digit.
+std::string canonical_code(std::string text) {
+  for (char& c : text)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  if (text.size() == 2 && text[1] >= '0' && text[1] <= '9') text.insert(1, "0");
+  return text;
+}
+
+/// The syntaxes that take this code or word in the dialect, in the order of the chain, with their pages. Empty when
+/// none does.
+std::optional<int> InspectCommand::show_code(const LinkedDialect& linked, Session& session) const {
+  Json rows = Json::array();
+  for (Json& row : describe_codes(linked))
+    if (row["Code"] == name || row["Code"] == canonical_code(name)) rows.push_back(std::move(row));
+  if (rows.empty()) return std::nullopt;
+  std::string text, pages;
+  for (Json& row : rows) {
+    const LinkedSyntax& s = linked.chain[*linked.position(row["Syntax"].get<std::string>())];
+    const std::string page = s.syntax->page == nullptr ? "" : read_page(s.syntax->page);
+    text += fmt::format("{} in {}: {} ({}), {}:{}\n", row["Code"].get<std::string>(), linked.dialect.name,
+                        s.element.alias, row["Page"].get<std::string>(), s.element.where.file, s.element.where.line);
+    pages += page;
+    row["PageFile"] = row["Page"];
+    row["Page"] = page;
+    row["Link"] = describe_link(s, linked.layout);
+  }
+  if (!section.empty()) return show_section(pages, session);
+  const Json out{{"Code", rows[0]["Code"]}, {"Dialect", linked.dialect.name}, {"Syntaxes", std::move(rows)}};
+  return print(json ? out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : text + "\n" + pages,
+               session.status());
+}
+
 int InspectCommand::show(Json declaration, const char* page, Session& session) const {
+  if (!section.empty()) return show_section(page == nullptr ? "" : read_page(page), session);
   if (json) {
     if (page != nullptr) declaration["Page"] = read_page(page);
     return print(declaration.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", session.status());
@@ -187,11 +241,20 @@ int InspectCommand::run() const {
     if (const auto whole = link(*read, session.library(), unheard)) out["Services"] = describe_services(*whole);
     return show(std::move(out), nullptr, session);
   }
+  if (linked != nullptr)
+    if (const std::optional<int> done = show_code(*linked, session)) return *done;
   const Json fields = describe_fields(session.library());
   for (const Json& f : fields)
     if (f["Path"] == name) return show(f, nullptr, session);
   const std::string near = nearest_name(name, names(session, fields));
-  session.report("IG-0516", {}, {name}, near.empty() ? "" : "did you mean " + near + "?");
+  const std::string hint = near.empty() ? "" : "did you mean " + near + "?";
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const bool is_code = name.size() > 1 && name.size() < 8 && is_digit(name[1]) && !is_digit(name[0]);
+  if (is_code && linked != nullptr)
+    session.report("IG-0173", {}, {linked->dialect.name, name},
+                   "isogloss list codes -d " + linked->dialect.name + " lists what it answers");
+  else
+    session.report("IG-0516", {}, {name}, is_code ? "for a code of programs, name the dialect: -d fanuc" : hint);
   return cannot_start;
 }
 
@@ -199,10 +262,12 @@ int InspectCommand::run() const {
 
 int inspect_command(const Arguments& arguments) {
   CommandLine line("inspect", "Shows the page and the declaration of a syntax, dependency, dialect, machine or field.",
-                   "isogloss inspect DrillingCycleSyntax -d fanuc\n  isogloss inspect dmu85 --for part.h");
+                   "isogloss inspect DrillingCycleSyntax -d fanuc\n  isogloss inspect G83 -d fanuc\n  "
+                   "isogloss inspect DwellSyntax --section Diagnostics\n  isogloss inspect dmu85 --for part.h");
   InspectCommand command;
   line.option("NAME", command.name,
-              "Id of a syntax or dependency, name or file of a dialect or machine, path of a field")
+              "Id of a syntax or dependency, name or file of a dialect or machine, path of a field; with -d or -m, a "
+              "code or word of programs, too")
       .required();
   line.option("-d,--dialect", command.dialect, "Show the options and resolved patterns of this dialect too")
       .type_name("DIALECT");
@@ -210,6 +275,8 @@ int inspect_command(const Arguments& arguments) {
   line.option("--for", command.programs,
               "Of a machine: run this program, and show which of its needs the machine answers (repeatable)")
       .type_name("PROGRAM");
+  line.option("--section", command.section, "Print the section of the page that has this heading, alone")
+      .type_name("HEADING");
   line.flag("--json", command.json, "Write JSON");
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "isogloss/engine/chain.hpp"
+#include "order_patch.hpp"
 #include "output_file.hpp"
 #include "session.hpp"
 
@@ -20,36 +21,17 @@ struct LintCommand {
   int run() const;
 };
 
-/// Two orders as a patch: unchanged, removed (-) and inserted again (+) elements. The longest common part stays.
-std::string order_patch(const Dialect& dialect, const std::vector<std::string>& wanted) {
-  std::vector<std::string> now;
-  for (const ChainElement& e : dialect.chain) now.push_back(e.alias);
-  std::vector<std::vector<std::size_t>> common(now.size() + 1, std::vector<std::size_t>(wanted.size() + 1));
-  for (std::size_t i = now.size(); i-- > 0;)
-    for (std::size_t j = wanted.size(); j-- > 0;)
-      common[i][j] = now[i] == wanted[j] ? common[i + 1][j + 1] + 1 : std::max(common[i + 1][j], common[i][j + 1]);
-  std::string out =
-      fmt::format("--- {0}\n+++ {0}\n@@ -1,{1} +1,{2} @@ Chain\n", dialect.file.string(), now.size(), wanted.size());
-  std::size_t i = 0, j = 0;
-  while (i < now.size() || j < wanted.size()) {
-    if (i < now.size() && j < wanted.size() && now[i] == wanted[j]) {
-      out += fmt::format(" <{}/>\n", now[i]);
-      ++i, ++j;
-    } else if (j == wanted.size() || (i < now.size() && common[i + 1][j] >= common[i][j + 1])) {
-      out += fmt::format("-<{}/>\n", now[i++]);
-    } else {
-      out += fmt::format("+<{}/>\n", wanted[j++]);
-    }
-  }
-  return out;
-}
-
 std::string suggestion(const Dialect& dialect, Library& library) {
   const std::vector<std::string> wanted = suggest_order(dialect, library);
   if (wanted.empty()) return fmt::format("{}: no order satisfies every syntax\n", dialect.name);
   const bool is_same = std::equal(dialect.chain.begin(), dialect.chain.end(), wanted.begin(), wanted.end(),
                                   [](const ChainElement& e, const std::string& alias) { return e.alias == alias; });
-  return is_same ? fmt::format("{}: the order is right\n", dialect.name) : order_patch(dialect, wanted);
+  if (is_same) return fmt::format("{}: the order is right\n", dialect.name);
+  std::string reason;
+  const std::string patch = order_patch(dialect, wanted, reason);
+  if (reason.empty()) return patch;
+  return fmt::format("{}: no change of {} alone gives a valid order: {}\n", dialect.name, dialect.file.string(),
+                     reason);
 }
 
 /// Services that several dependencies offer: the first one answers for all.
@@ -111,6 +93,8 @@ int LintCommand::run() const {
     if (dialect) {
       OwnNotes notes(session.diagnostics(), *dialect);
       const std::unique_ptr<LinkedDialect> linked = link(*dialect, session.library(), notes);
+      if (linked != nullptr)
+        for (Diagnostic& d : review(*linked)) notes.add(std::move(d));
       if (linked != nullptr && starts(*linked, session.diagnostics()))
         out += fmt::format("{}: {} syntaxes, {} dependencies, {} fields\n", dialect->name, linked->chain.size(),
                            linked->dependencies.size(), linked->layout.fields.size()) +
@@ -129,12 +113,14 @@ int lint_command(const Arguments& arguments) {
   CommandLine line("lint",
                    "Checks files of dialects and machines: reads them with what they extend, links and starts their "
                    "chains.",
-                   "isogloss lint fanuc ./my-dialect.xml --suggest\n  isogloss lint -m ./machines/dmu85");
+                   "isogloss lint fanuc ./my-dialect.xml\n  isogloss lint my-dialect.xml --suggest | patch -p0\n  "
+                   "isogloss lint -m ./machines/dmu85");
   LintCommand command;
   command.common.repeats = 0;  // what is wrong is listed as a whole
   line.option("DIALECT", command.dialects, "Dialects, by name or file");
   line.option("-m,--machine", command.machines, "A machine, by name, folder or file (repeatable)").type_name("MACHINE");
-  line.flag("--suggest", command.suggest, "Print an order of the chain that satisfies every syntax, as a patch");
+  line.flag("--suggest", command.suggest,
+            "Print a patch of the dialect's file that makes the order valid and moves as little as possible");
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
   return command.run();

@@ -189,6 +189,7 @@ class FileReader : XmlElements {
   void read_files(pugi::xml_node node) {
     only_attributes(node, {"extensions"});
     file_.has_files = true;
+    file_.own.files_where = xml_.at(node);
     file_.own.extensions = words(node.attribute("extensions").value());
     for (const std::string& extension : file_.own.extensions) {
       if (!extension.starts_with('.') || extension.size() < 2 || extension.find('/') != std::string::npos)
@@ -211,6 +212,7 @@ class FileReader : XmlElements {
   void read_segmenter(pugi::xml_node node) {
     only_attributes(node, {"type", "continuation", "comment"});
     leaves(node, {});
+    file_.own.segmenter_where = xml_.at(node);
     Segmenter& own = file_.own.segmenter;
     own.type = required(node, "type");
     if (!own.type.empty() && own.type != "line") bad_value(node, "type", "line");

@@ -56,7 +56,8 @@ std::string second_name(const Element& element) {
 template <class Element>
 class Editor {
  public:
-  Editor(std::vector<Element>& list, Report& report) : list_(list), report_(report) {
+  Editor(std::vector<Element>& list, std::string dialect, std::vector<AppliedEdit>& applied, Report& report)
+      : list_(list), dialect_(std::move(dialect)), applied_(applied), report_(report) {
     for (const Element& e : list_) names_.insert(e.alias);
   }
 
@@ -67,6 +68,15 @@ class Editor {
               absent(edit.anchor));
       return;
     }
+    applied_.push_back({std::string(to_string(edit.kind)),
+                        dialect_,
+                        !std::is_same_v<Element, ChainElement>,
+                        edit.anchor,
+                        {},
+                        {},
+                        edit.override_slot,
+                        edit.where});
+    for (const Element& element : edit.elements) applied_.back().elements.push_back(element.alias);
     switch (edit.kind) {
       case EditKind::configure: return configure(*at, edit);
       case EditKind::remove:
@@ -111,9 +121,11 @@ class Editor {
     for (const Attribute& option : edit.options) {
       const auto old = std::find_if(element.options.begin(), element.options.end(),
                                     [&](const Attribute& a) { return a.name == option.name; });
+      applied_.back().options.push_back({option, std::nullopt});
       if (old == element.options.end()) {
         element.options.push_back(option);
       } else {
+        applied_.back().options.back().before = *old;
         *old = option;
       }
     }
@@ -121,6 +133,8 @@ class Editor {
   }
 
   std::vector<Element>& list_;
+  std::string dialect_;
+  std::vector<AppliedEdit>& applied_;
   Report& report_;
   std::set<std::string> names_;
 };
@@ -190,16 +204,23 @@ class Reading {
     base.name = own.name;
     if (!own.title.empty()) base.title = own.title;
     base.file = own.file;
-    if (!own.segmenter.type.empty()) base.segmenter = own.segmenter;
+    if (!own.segmenter.type.empty()) {
+      base.segmenter = own.segmenter;
+      base.segmenter_where = own.segmenter_where;
+    }
     if (file.has_files) {
+      base.files_where = own.files_where;
       if (!own.extensions.empty()) base.extensions = own.extensions;
       base.signatures = own.signatures;
       base.names = own.names;
     }
     for (PluginReference& plugin : own.plugins) {
-      if (std::none_of(base.plugins.begin(), base.plugins.end(),
-                       [&](const PluginReference& p) { return p.name == plugin.name; }))
+      const auto same = std::find_if(base.plugins.begin(), base.plugins.end(),
+                                     [&](const PluginReference& p) { return p.name == plugin.name; });
+      if (same == base.plugins.end())
         base.plugins.push_back(std::move(plugin));
+      else
+        base.repetitions.push_back({"the plugin " + shown(plugin.name), same->where, plugin.where});
     }
     for (InitialField& field : own.initial) {
       const auto old = std::find_if(base.initial.begin(), base.initial.end(),
@@ -207,6 +228,8 @@ class Reading {
       if (old == base.initial.end()) {
         base.initial.push_back(std::move(field));
       } else {
+        if (old->value == field.value)
+          base.repetitions.push_back({"the initial value of " + shown(field.path), old->where, field.where});
         *old = std::move(field);
       }
     }
@@ -222,17 +245,18 @@ class Reading {
       append(base.own_tables, own.dependencies);
       own.dependencies.clear();
     }
-    fold_dependencies(base.dependencies, std::move(own.dependencies), file.dependency_edits);
-    Editor chain(base.chain, report_);
+    fold_dependencies(base, std::move(own.dependencies), file.dependency_edits);
+    Editor chain(base.chain, base.name, base.edits, report_);
     for (const Edit<ChainElement>& edit : file.chain_edits) chain.apply(edit);
     return base;
   }
 
   /// The file's own stand before the inherited ones. An inherited one of the same name never answers: it is removed.
-  void fold_dependencies(std::vector<DependencyElement>& inherited, std::vector<DependencyElement> own,
+  void fold_dependencies(Dialect& base, std::vector<DependencyElement> own,
                          const std::vector<Edit<DependencyElement>>& edits) {
+    std::vector<DependencyElement>& inherited = base.dependencies;
     {
-      Editor editor(inherited, report_);
+      Editor editor(inherited, base.name, base.edits, report_);
       for (const Edit<DependencyElement>& edit : edits) editor.apply(edit);
     }
     std::set<std::string> names;

@@ -44,8 +44,8 @@ std::string side_file_name(const DependencyElement& dependency, const fs::path& 
 
 class DialectWriter {
  public:
-  DialectWriter(const Dialect& dialect, const fs::path& base, bool inline_tables)
-      : dialect_(dialect), base_(base), inline_tables_(inline_tables) {}
+  DialectWriter(const Dialect& dialect, const fs::path& base, bool inline_tables, Annotations annotations)
+      : dialect_(dialect), base_(base), inline_tables_(inline_tables), annotations_(annotations) {}
 
   WrittenDialect write() {
     pugi::xml_document document;
@@ -67,8 +67,24 @@ class DialectWriter {
   }
 
  private:
+  /// A comment before what is appended next: the place of the element, and of options that stand elsewhere.
+  void annotate(pugi::xml_node parent, const Location& where, const std::vector<Attribute>& options = {}) const {
+    if (annotations_ == Annotations::none || where.file.empty()) return;
+    const auto place = [](const Location& w) {
+      std::string text = w.file + ":" + std::to_string(w.line);
+      for (std::size_t i; (i = text.find("--")) != std::string::npos;) text.replace(i, 2, "- ");  // ends a comment
+      return text;
+    };
+    std::string text = " " + place(where);
+    for (const Attribute& option : options)
+      if (!option.where.file.empty() && place(option.where) != place(where))
+        text += "; " + option.name + ": " + place(option.where);
+    parent.append_child(pugi::node_comment).set_value((text + " ").c_str());
+  }
+
   void add_files(pugi::xml_node root) const {
     if (dialect_.extensions.empty() && dialect_.signatures.empty() && dialect_.names.empty()) return;
+    annotate(root, dialect_.files_where);
     pugi::xml_node files = root.append_child("Files");
     if (!dialect_.extensions.empty()) set_attribute(files, "extensions", joined(dialect_.extensions));
     add_signatures(files, "Signature", dialect_.signatures);
@@ -83,6 +99,7 @@ class DialectWriter {
   }
 
   void add_segmenter(pugi::xml_node root) const {
+    annotate(root, dialect_.segmenter_where);
     pugi::xml_node segmenter = root.append_child("Segmenter");
     set_attribute(segmenter, "type", dialect_.segmenter.type);
     if (!dialect_.segmenter.continuation.empty())
@@ -93,8 +110,10 @@ class DialectWriter {
   void add_plugins(pugi::xml_node root) const {
     if (dialect_.plugins.empty()) return;
     pugi::xml_node plugins = root.append_child("Plugins");
-    for (const PluginReference& plugin : dialect_.plugins)
+    for (const PluginReference& plugin : dialect_.plugins) {
+      annotate(plugins, plugin.where);
       set_attribute(plugins.append_child("Plugin"), "name", plugin.name);
+    }
   }
 
   void add_programs(pugi::xml_node root) const {
@@ -122,6 +141,7 @@ class DialectWriter {
     if (dialect_.dependencies.empty()) return;
     pugi::xml_node dependencies = root.append_child("Dependencies");
     for (const DependencyElement& dependency : dialect_.dependencies) {
+      annotate(dependencies, dependency.where, dependency.options);
       pugi::xml_node node = dependencies.append_child(dependency.id.c_str());
       if (dependency.alias != dependency.id) set_attribute(node, "as", dependency.alias);
       if (inline_tables_ || dependency.source_file.empty()) {
@@ -143,6 +163,7 @@ class DialectWriter {
     if (dialect_.initial.empty()) return;
     pugi::xml_node initial = root.append_child("Initial");
     for (const InitialField& field : dialect_.initial) {
+      annotate(initial, field.where);
       pugi::xml_node node = initial.append_child("Field");
       set_attribute(node, "path", field.path);
       set_attribute(node, "value", field.value);
@@ -166,6 +187,7 @@ class DialectWriter {
       const std::string stage(to_string(element.stage));
       pugi::xml_node group = chain.child(stage.c_str());
       if (!group) group = chain.append_child(stage.c_str());
+      annotate(group, element.where, element.options);
       pugi::xml_node node = group.append_child(element.syntax.c_str());
       if (element.alias != element.syntax) set_attribute(node, "as", element.alias);
       if (element.override_slot) set_attribute(node, "override", "true");
@@ -176,13 +198,15 @@ class DialectWriter {
   const Dialect& dialect_;
   const fs::path& base_;
   bool inline_tables_;
+  Annotations annotations_;
   WrittenDialect written_;
 };
 
 }  // namespace
 
-WrittenDialect write_dialect(const Dialect& dialect, const std::filesystem::path& base, bool inline_tables) {
-  return DialectWriter(dialect, base, inline_tables).write();
+WrittenDialect write_dialect(const Dialect& dialect, const std::filesystem::path& base, bool inline_tables,
+                             Annotations annotations) {
+  return DialectWriter(dialect, base, inline_tables, annotations).write();
 }
 
 }  // namespace isogloss

@@ -247,35 +247,4 @@ std::vector<LinkFault> check_links(const LinkedDialect& linked) {
   return faults;
 }
 
-std::vector<std::string> suggest_order(const Dialect& dialect, Library& library) {
-  DiagnosticList ignored;
-  for (const PluginReference& p : dialect.plugins) library.load(p.name, p.where, ignored);
-  // Stable topological order: always the first element in written order that nothing left must precede.
-  std::vector<const ChainElement*> open;
-  for (const ChainElement& e : dialect.chain) open.push_back(&e);
-  std::vector<std::string> out;
-  const auto names = [](const char* const* list, std::string_view id) {
-    for (; list != nullptr && *list != nullptr; ++list)
-      if (id == *list) return true;
-    return false;
-  };
-  const auto must_precede = [&](const ChainElement& a, const ChainElement& b) {
-    const ig_syntax* const x = library.syntax(a.syntax);
-    const ig_syntax* const y = library.syntax(b.syntax);
-    return a.stage < b.stage || (x != nullptr && names(x->before, b.syntax)) ||
-           (y != nullptr && names(y->after, a.syntax));
-  };
-  while (!open.empty()) {
-    const auto next = std::find_if(open.begin(), open.end(), [&](const ChainElement* candidate) {
-      return std::none_of(open.begin(), open.end(), [&](const ChainElement* other) {
-        return other != candidate && other->syntax != candidate->syntax && must_precede(*other, *candidate);
-      });
-    });
-    if (next == open.end()) return {};
-    out.push_back((*next)->alias);
-    open.erase(next);
-  }
-  return out;
-}
-
 }  // namespace isogloss

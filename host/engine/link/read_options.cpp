@@ -6,6 +6,21 @@
 
 namespace isogloss {
 
+namespace {
+
+std::string similar_choice(const ig_option_decl& option, const std::string& value) {
+  if (option.type != IG_OPTION_CHOICE) return {};
+  std::vector<std::string> choices;
+  for (std::string_view rest = option.choices; !rest.empty();) {
+    const std::size_t bar = std::min(rest.find('|'), rest.size());
+    choices.emplace_back(rest.substr(0, bar));
+    rest.remove_prefix(std::min(bar + 1, rest.size()));
+  }
+  return did_you_mean(nearest_name(value, choices));
+}
+
+}  // namespace
+
 std::vector<OptionValue> read_options(const OptionFault& report, const std::string& owner, const Location& where,
                                       std::span<const ig_option_decl> declared, const std::vector<Attribute>& given) {
   std::vector<OptionValue> values(declared.size());
@@ -24,7 +39,7 @@ std::vector<OptionValue> read_options(const OptionFault& report, const std::stri
     if (std::optional<OptionValue> v = parse_option(*option, a.value))
       values[number] = std::move(*v);
     else
-      report("IG-0205", a.where, {a.name, owner, describe_option(*option), a.value}, {});
+      report("IG-0205", a.where, {a.name, owner, describe_option(*option), a.value}, similar_choice(*option, a.value));
   }
   for (std::size_t i = 0; i < declared.size(); ++i) {
     if (is_given[i]) continue;

@@ -18,6 +18,13 @@ std::string_view unit_of(const Layout& layout, const FieldDrafts& drafts, std::s
   return f ? std::string_view(layout.fields[*f].unit) : std::string_view();
 }
 
+std::string similar_field(const Layout& layout, const std::string& path) {
+  std::vector<std::string> paths;
+  for (const FieldInfo& field : layout.fields)
+    if (!field.hidden) paths.push_back(field.path);
+  return did_you_mean(nearest_name(path, paths));
+}
+
 /// Only for options that the dialect writes: a default may be for other chains.
 void report_unmet(Linking& linking, const LinkedSyntax& s, std::string_view option, const std::string& pattern) {
   for (const Attribute& given : s.element.options)
@@ -38,7 +45,7 @@ std::vector<ig_field> expand(Linking& linking, FieldDrafts& drafts, const Linked
       if (f && layout.fields[*f].type == decl.type)
         add(*f);
       else
-        linking.report("IG-0214", s.element.where, {pattern.path()});
+        linking.report("IG-0214", s.element.where, {pattern.path()}, similar_field(layout, pattern.path()));
       continue;
     }
     bool is_met = false;

@@ -168,6 +168,43 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {error, "IG-0155", "no check '{0}' of plugins: isogloss validate --list shows all of them",
        "--only takes the names that `isogloss validate --list` shows in its first column.",
        "isogloss validate acme.so --only random-block"},
+      {warning, "IG-0165", "{0} is never called: nothing in this chain writes {1}",
+       "A syntax is called when a field, a word or a code that it waits for is set. No scanner, no other syntax that "
+       "can be called and no initial value sets one of these. Add what writes them, or remove the syntax. Found by "
+       "`isogloss lint`.",
+       "<TapeBoundarySyntax/> removed, and a syntax that waits for its field left"},
+      {note, "IG-0166", "the option {0} of {1} repeats the default, '{2}': it can be left out",
+       "The syntax or dependency has this value without the option. `isogloss inspect` lists the defaults. Found by "
+       "`isogloss lint`.",
+       R"(<DwellSyntax p-unit="ms"/>)"},
+      {note, "IG-0167", "<Configure> sets {0} of {1} to '{2}', which {3} has set already",
+       "The inherited chain gives the option this value, so the edit changes nothing. Found by `isogloss lint`.",
+       R"(<Configure syntax="FlagSyntax" expressions="leave"/> where the extended dialect has it)"},
+      {warning, "IG-0168", "{0} has no effect: <{1}> at {2} takes it back",
+       "Edits are applied in written order, and a later one of the same dialect removes or replaces the element, or "
+       "sets the option again. Remove the first edit. Found by `isogloss lint`.",
+       R"(<Configure syntax="DwellSyntax" p-unit="s"/> <Remove syntax="DwellSyntax"/>)"},
+      {warning, "IG-0169", "<{0}> of {1} changes nothing: give it an option, or remove it",
+       "Configure sets the options that stand as its attributes, and this one has none. Found by `isogloss lint`.",
+       R"(<Configure syntax="DwellSyntax"/>)"},
+      {note, "IG-0170", "{0} repeats what {1} says: it can be left out",
+       "The dialect inherits the same plugin, or the same initial value. Found by `isogloss lint`.",
+       R"(<Plugin name="iso"/> in a dialect that extends iso)"},
+      {note, "IG-0171", "override=\"true\" of {0} has no effect: no other syntax claims its slot or its codes",
+       "override lets a syntax claim a slot, or take a code, that another syntax of the chain has. Where none has it, "
+       "the attribute hides a collision that comes later. Found by `isogloss lint`.",
+       R"(<DwellSyntax override="true"/>)"},
+      {error, "IG-0172", "no syntax '{0}' in the chain of {1}",
+       "`isogloss dialect --why` names a syntax of the chain, by its id or by the name that as=\"…\" gives it. The "
+       "plugins may have it: the dialect does not use it.",
+       "isogloss dialect iso --why DrilingCycleSyntax"},
+      {error, "IG-0173", "no syntax of {0} answers '{1}'",
+       "`isogloss inspect CODE -d DIALECT` shows who takes a code or a word in that dialect. `isogloss list codes -d "
+       "DIALECT` lists all of them.",
+       "isogloss inspect G999 -d iso"},
+      {error, "IG-0174", "the page of {0} has no section '{1}'",
+       "`isogloss inspect NAME --section TITLE` prints one section of a page, by its heading.",
+       "isogloss inspect DwellSyntax --section Diagnostic"},
       // links: 0200-0299
       {error, "IG-0201", "no plugin '{0}' in the folders searched",
        "The dialect names a plugin that no plugin folder holds, or that could not be loaded. `isogloss doctor` lists "

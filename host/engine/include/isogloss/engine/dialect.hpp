@@ -63,6 +63,28 @@ struct InitialField {
   Location where;
 };
 
+/// An edit that was applied to what a file inherits, in the order of application: the dialect's own come last.
+struct AppliedEdit {
+  struct Option {
+    Attribute given;
+    std::optional<Attribute> before;  ///< what the element had until then
+  };
+  std::string kind;     ///< "Replace", "InsertBefore", "InsertAfter", "Remove", "Configure"
+  std::string dialect;  ///< whose file it stands in
+  bool of_dependency = false;
+  std::string anchor;                 ///< the alias that it names
+  std::vector<std::string> elements;  ///< aliases of what it puts in
+  std::vector<Option> options;        ///< Configure
+  bool override_slot = false;         ///< Configure: override="true"
+  Location where;
+};
+
+/// A value that a file repeats: what it says stands there already.
+struct Repetition {
+  std::string what;  ///< "the plugin iso", "the initial value of Feedrate.Term"
+  Location first, where;
+};
+
 struct PluginReference {
   std::string name;
   Location where;
@@ -107,6 +129,10 @@ struct Dialect {
   std::vector<InitialField> initial;
   std::vector<ChainElement> chain;             ///< by stage, in written order
   std::map<std::string, Severity> severities;  ///< by diagnostic code
+  /// How it came to be: for those who ask where something comes from, and for `lint`.
+  std::vector<AppliedEdit> edits;
+  std::vector<Repetition> repetitions;
+  Location files_where, segmenter_where;
   /// Folders, or files of several programs, in which called programs are looked for, in this order.
   std::vector<std::filesystem::path> program_places;
   /// Folders below those of program_places that the control searches after them, in this order.
@@ -139,7 +165,9 @@ struct WrittenDialect {
   std::string xml;
   std::map<std::string, std::string> side_files;  ///< relative name, content
 };
-WrittenDialect write_dialect(const Dialect& dialect, const std::filesystem::path& base, bool inline_tables);
+enum class Annotations : std::uint8_t { none, places };  ///< places: a comment names the file and line of each part
+WrittenDialect write_dialect(const Dialect& dialect, const std::filesystem::path& base, bool inline_tables,
+                             Annotations annotations = Annotations::none);
 
 std::string_view to_string(Stage stage);
 

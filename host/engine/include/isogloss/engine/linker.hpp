@@ -73,7 +73,14 @@ struct Provision {
 };
 std::vector<Provision> provisions(const LinkedDialect& linked);
 
-/// An order of the chain that satisfies after/before, or empty when there is none: for `lint --suggest`.
+/// What is not wrong but has no effect, or can never happen: what `lint` reports beyond the faults of link().
+std::vector<Diagnostic> review(const LinkedDialect& linked);
+
+/// The positions of the chain that no program can wake: nothing writes what wakes them.
+std::vector<std::uint32_t> never_called(const LinkedDialect& linked);
+
+/// An order of the chain that satisfies after/before and moves as few elements as possible, rather the dialect's own
+/// than inherited ones; empty when there is none: for `lint --suggest`.
 std::vector<std::string> suggest_order(const Dialect& dialect, Library& library);
 
 }  // namespace isogloss

@@ -1,0 +1,123 @@
+// An order of the chain that satisfies every syntax and moves as few elements as possible. Two elements that stand the
+// wrong way round cannot both keep their places, so the smallest set that has one of each such pair is moved.
+#include <algorithm>
+#include <bitset>
+
+#include "isogloss/engine/linker.hpp"
+
+namespace isogloss {
+
+namespace {
+
+constexpr std::size_t longest_chain = 256;  // IG-0216
+using Set = std::bitset<longest_chain>;
+
+bool holds(const char* const* list, std::string_view id) {
+  for (; list != nullptr && *list != nullptr; ++list)
+    if (id == *list) return true;
+  return false;
+}
+
+/// For each element, those that must stand after it, straight or through others. Empty when there is a loop.
+std::vector<Set> order_of(const Dialect& dialect, const Library& library) {
+  const std::vector<ChainElement>& chain = dialect.chain;
+  std::vector<const ig_syntax*> syntaxes;
+  for (const ChainElement& e : chain) syntaxes.push_back(library.syntax(e.syntax));
+  std::vector<Set> after(chain.size());
+  for (std::size_t a = 0; a < chain.size(); ++a)
+    for (std::size_t b = 0; b < chain.size(); ++b) {
+      if (chain[a].syntax == chain[b].syntax) continue;
+      if (chain[a].stage < chain[b].stage || (syntaxes[a] != nullptr && holds(syntaxes[a]->before, chain[b].syntax)) ||
+          (syntaxes[b] != nullptr && holds(syntaxes[b]->after, chain[a].syntax)))
+        after[a].set(b);
+    }
+  for (std::size_t through = 0; through < chain.size(); ++through)
+    for (std::size_t a = 0; a < chain.size(); ++a)
+      if (after[a][through]) after[a] |= after[through];
+  for (std::size_t a = 0; a < chain.size(); ++a)
+    if (after[a][a]) return {};
+  return after;
+}
+
+/// The lightest set that has one of each pair; beyond `most_tries` steps, the lightest one found so far.
+class Cover {
+ public:
+  Cover(std::vector<std::pair<std::size_t, std::size_t>> pairs, std::vector<std::size_t> weights)
+      : pairs_(std::move(pairs)), weights_(std::move(weights)) {}
+
+  Set find() {
+    // What most pairs have in common is tried first, so that the first set found is a light one already.
+    std::vector<std::size_t> degree(weights_.size());
+    for (const auto& [a, b] : pairs_) ++degree[a], ++degree[b];
+    for (auto& [a, b] : pairs_)
+      if (degree[b] * weights_[a] > degree[a] * weights_[b]) std::swap(a, b);
+    std::stable_sort(pairs_.begin(), pairs_.end(),
+                     [&](const auto& x, const auto& y) { return degree[x.first] > degree[y.first]; });
+    add({}, 0, 0);
+    return best_;
+  }
+
+ private:
+  static constexpr std::size_t most_tries = 100'000;
+
+  void add(Set taken, std::size_t weight, std::size_t from) {
+    if (weight >= best_weight_ || (++tries_ > most_tries && best_weight_ != SIZE_MAX)) return;
+    while (from < pairs_.size() && (taken[pairs_[from].first] || taken[pairs_[from].second])) ++from;
+    if (from == pairs_.size()) {
+      best_ = taken;
+      best_weight_ = weight;
+      return;
+    }
+    for (const std::size_t one : {pairs_[from].first, pairs_[from].second})
+      add(Set(taken).set(one), weight + weights_[one], from + 1);
+  }
+
+  std::vector<std::pair<std::size_t, std::size_t>> pairs_;
+  std::vector<std::size_t> weights_;
+  Set best_;
+  std::size_t best_weight_ = SIZE_MAX, tries_ = 0;
+};
+
+/// Puts each moved element back, as near to its old place as what is there allows.
+std::vector<std::size_t> put_back(const std::vector<Set>& after, const Set& moved) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < after.size(); ++i)
+    if (!moved[i]) out.push_back(i);
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    if (!moved[i]) continue;
+    std::size_t first = 0, last = out.size(), old = 0;
+    for (std::size_t k = 0; k < out.size(); ++k) {
+      if (after[out[k]][i]) first = k + 1;
+      if (after[i][out[k]]) last = std::min(last, k);
+      if (out[k] < i) old = k + 1;
+    }
+    out.insert(out.begin() + static_cast<std::ptrdiff_t>(std::clamp(old, first, std::max(first, last))), i);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> suggest_order(const Dialect& dialect, Library& library) {
+  DiagnosticList ignored;
+  for (const PluginReference& p : dialect.plugins) library.load(p.name, p.where, ignored);
+  const std::vector<ChainElement>& chain = dialect.chain;
+  if (chain.size() > longest_chain) return {};
+  const std::vector<Set> after = order_of(dialect, library);
+  if (after.empty()) return {};
+  std::vector<std::pair<std::size_t, std::size_t>> wrong;
+  for (std::size_t a = 0; a < chain.size(); ++a)
+    for (std::size_t b = a + 1; b < chain.size(); ++b)
+      if (after[b][a]) wrong.emplace_back(a, b);
+  // An inherited element is moved only where nothing of the dialect's own can be.
+  std::vector<std::size_t> weights;
+  const std::size_t foreign = 1000;
+  for (const ChainElement& e : chain)
+    weights.push_back(e.where.file == dialect.file.string() || dialect.ancestors.empty() ? 1 : foreign);
+  std::vector<std::string> out;
+  for (const std::size_t i : put_back(after, Cover(std::move(wrong), std::move(weights)).find()))
+    out.push_back(chain[i].alias);
+  return out;
+}
+
+}  // namespace isogloss
