@@ -44,7 +44,7 @@ class New(unittest.TestCase):
         self.assertTrue(os.access(self.path / "acme/ci.sh", os.X_OK))
 
     def test_every_mark_of_a_template_is_filled(self):
-        for name, more in (("a-1", ["--prefix", "AONE"]), ("b-word", ["--word", "V"]), ("c-word", ["--word", "e", "--language", "c"]),
+        for name, more in (("a-1", ["--prefix", "AONE"]), ("b-word", ["--word", "E"]), ("c-word", ["--word", "e", "--language", "c"]),
                            ("d-table", ["--table", "clamp-table"])):
             self.new("plugin", name, *more)
         self.new("dialect", "turned", "--extends", "siemens", "--in", "elsewhere")
@@ -57,7 +57,7 @@ class New(unittest.TestCase):
         self.assertIn("LANGUAGES C)", (self.path / "c-word/CMakeLists.txt").read_text())
 
     def test_names_follow_from_the_name(self):
-        self.new("plugin", "acme-clamp", "--table", "Tables", "--word", "V")
+        self.new("plugin", "acme-clamp", "--table", "Tables", "--word", "E")
         source = (self.path / "acme-clamp/acme_clamp_tables_word_syntax.cpp").read_text()
         for part in ("namespace acme_clamp {", '"AcmeClampTablesWordSyntax"', '"Parsing.V"', '"ACME-0001"'):
             self.assertIn(part, source)

@@ -1,5 +1,6 @@
 // The dependencies of a chain: their tables, the values that the dialect and the run give them, and which one answers.
 #include <algorithm>
+#include <span>
 #include <stdexcept>
 
 #include "contract/host_table.hpp"
@@ -154,6 +155,20 @@ void Chain::refuse_rows(std::size_t dependency) {
 /// Reports a dependency that was given values although another one answers in its place, and no syntax asks it for
 /// anything else.
 void Chain::check_answers() {
+  // Texts, such as further names of an axis, and rows beyond the shipped ones are what no other table has.
+  const auto changes_shipped_numbers = [](const LinkedDependency& d) {
+    const std::span<const ig_column_decl> columns(d.dependency->columns, d.dependency->column_count);
+    const std::span<const char* const> shipped(d.dependency->default_rows, d.dependency->default_row_count);
+    return std::any_of(d.element.rows.begin(), d.element.rows.end(), [&](const TableRow& row) {
+      const std::string_view key = key_of(*d.dependency, row);
+      const bool is_shipped = std::any_of(shipped.begin(), shipped.end(),
+                                          [&](std::string_view one) { return one.substr(0, one.find('|')) == key; });
+      return is_shipped && std::any_of(columns.begin(), columns.end(), [&](const ig_column_decl& c) {
+               return c.is_text == 0 && std::any_of(row.attributes.begin(), row.attributes.end(),
+                                                    [&](const Attribute& a) { return a.name == c.name; });
+             });
+    });
+  };
   const auto is_asked = [&](std::string_view id) {
     for (const LinkedSyntax& s : linked_.chain)
       for (std::uint32_t k = 0; k < s.syntax->service_count; ++k)
@@ -168,14 +183,16 @@ void Chain::check_answers() {
                     [&](const auto& a) { return a.first.substr(0, a.first.find('.')) == d.element.alias; });
     if (d.element.rows.empty() && !is_assigned) continue;
     std::string other;
-    bool answers = false;
-    for (const char* const* id = d.dependency->provides; *id != nullptr && !answers; ++id) {
+    bool answers = false, is_passed_over = false;
+    for (const char* const* id = d.dependency->provides; *id != nullptr; ++id) {
       const std::optional<std::size_t> who = answering(*id);
       const bool is_own = !who || *who == i;
-      answers = is_own && is_asked(*id);
-      if (!is_own) other = linked_.dependencies[*who].element.alias;
+      answers |= is_own && is_asked(*id);
+      if (is_own) continue;
+      other = linked_.dependencies[*who].element.alias;
+      is_passed_over |= is_asked(*id) && service_of(*d.dependency, dependencies_[i], *id) != nullptr;
     }
-    if (!answers && !other.empty())
+    if (!other.empty() && (!answers || (is_passed_over && changes_shipped_numbers(d))))
       sink_.add(
           host_diagnostic("IG-0434", is_assigned ? Location{"--set"} : d.element.where, {d.element.alias, other}));
   }
