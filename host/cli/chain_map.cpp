@@ -97,10 +97,11 @@ std::vector<std::string> taken_codes(const LinkedSyntax& s, const Layout& layout
 }
 
 const AppliedEdit* placing_edit(const Dialect& dialect, const std::string& alias) {
-  for (auto edit = dialect.edits.rbegin(); edit != dialect.edits.rend(); ++edit)
-    if (!edit->of_dependency && std::find(edit->elements.begin(), edit->elements.end(), alias) != edit->elements.end())
-      return &*edit;
-  return nullptr;
+  const auto places = [&](const AppliedEdit& edit) {
+    return !edit.of_dependency && std::find(edit.elements.begin(), edit.elements.end(), alias) != edit.elements.end();
+  };
+  const auto last = std::find_if(dialect.edits.rbegin(), dialect.edits.rend(), places);
+  return last == dialect.edits.rend() ? nullptr : &*last;
 }
 
 std::vector<Relation> relations(const LinkedDialect& linked) {

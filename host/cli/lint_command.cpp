@@ -28,7 +28,7 @@ std::string suggestion(const Dialect& dialect, Library& library) {
                                   [](const ChainElement& e, const std::string& alias) { return e.alias == alias; });
   if (is_same) return fmt::format("{}: the order is right\n", dialect.name);
   std::string reason;
-  const std::string patch = order_patch(dialect, wanted, reason);
+  std::string patch = order_patch(dialect, wanted, reason);
   if (reason.empty()) return patch;
   return fmt::format("{}: no change of {} alone gives a valid order: {}\n", dialect.name, dialect.file.string(),
                      reason);

@@ -59,7 +59,7 @@ class New(unittest.TestCase):
     def test_names_follow_from_the_name(self):
         self.new("plugin", "acme-clamp", "--table", "Tables", "--word", "E")
         source = (self.path / "acme-clamp/acme_clamp_tables_word_syntax.cpp").read_text()
-        for part in ("namespace acme_clamp {", '"AcmeClampTablesWordSyntax"', '"Parsing.V"', '"ACME-0001"'):
+        for part in ("namespace acme_clamp {", '"AcmeClampTablesWordSyntax"', '"Parsing.E"', '"ACME-0001"'):
             self.assertIn(part, source)
 
     def test_titles_and_vendors_are_quoted(self):

@@ -95,7 +95,7 @@ struct SiemensSave {
     Saved now{here.id, here.depth, {}, frames_.in_force(b).id, environment_.system.frame(b, "$P_PFRAME")};
     for (std::size_t i = 0; i < groups_.size(); ++i) now.terms[i] = in_force(b, groups_[i]);
     if (!now.programmable) b.report(ig::diag("SIE-0163"), ig::Where::block());
-    saved_.push_back(std::move(now));
+    saved_.push_back(now);
   }
 
   void restore(ig::Block& b, const Saved& saved) const {

@@ -95,7 +95,8 @@ void for_each_assignment(std::string_view fields, Each&& each) {
     const std::string_view one = fields.substr(0, end);
     const std::size_t equals = one.find('=');
     if (!trim(one).empty())
-      each(trim(one.substr(0, equals)), equals == one.npos ? std::string_view() : trim(one.substr(equals + 1)));
+      each(trim(one.substr(0, equals)),
+           equals == std::string_view::npos ? std::string_view() : trim(one.substr(equals + 1)));
     fields.remove_prefix(std::min(end + 1, fields.size()));
   }
 }
