@@ -156,18 +156,26 @@ void Chain::refuse_rows(std::size_t dependency) {
 /// anything else.
 void Chain::check_answers() {
   // Texts, such as further names of an axis, and rows beyond the shipped ones are what no other table has.
-  const auto changes_shipped_numbers = [](const LinkedDependency& d) {
-    const std::span<const ig_column_decl> columns(d.dependency->columns, d.dependency->column_count);
-    const std::span<const char* const> shipped(d.dependency->default_rows, d.dependency->default_row_count);
-    return std::any_of(d.element.rows.begin(), d.element.rows.end(), [&](const TableRow& row) {
-      const std::string_view key = key_of(*d.dependency, row);
-      const bool is_shipped = std::any_of(shipped.begin(), shipped.end(),
-                                          [&](std::string_view one) { return one.substr(0, one.find('|')) == key; });
-      return is_shipped && std::any_of(columns.begin(), columns.end(), [&](const ig_column_decl& c) {
-               return c.is_text == 0 && std::any_of(row.attributes.begin(), row.attributes.end(),
-                                                    [&](const Attribute& a) { return a.name == c.name; });
-             });
+  const auto is_shipped = [](const ig_dependency& d, std::string_view row) {
+    const std::span<const char* const> shipped(d.default_rows, d.default_row_count);
+    return std::any_of(shipped.begin(), shipped.end(),
+                       [&](std::string_view one) { return one.substr(0, one.find('|')) == row; });
+  };
+  const auto has_number = [](const ig_dependency& d, const TableRow& row) {
+    return std::any_of(row.attributes.begin(), row.attributes.end(), [&](const Attribute& a) {
+      return std::any_of(d.columns, d.columns + d.column_count,
+                         [&](const ig_column_decl& c) { return c.is_text == 0 && a.name == c.name; });
     });
+  };
+  const auto changes_shipped_row = [&](std::size_t i) {
+    const LinkedDependency& d = linked_.dependencies[i];
+    return std::any_of(d.element.rows.begin(), d.element.rows.end(),
+                       [&](const TableRow& row) {
+                         return is_shipped(*d.dependency, key_of(*d.dependency, row)) && has_number(*d.dependency, row);
+                       }) ||
+           std::any_of(assigned_rows_.begin(), assigned_rows_.end(), [&](const AssignedRow& row) {
+             return row.dependency == i && is_shipped(*d.dependency, row.name);
+           });
   };
   const auto is_asked = [&](std::string_view id) {
     for (const LinkedSyntax& s : linked_.chain)
@@ -183,16 +191,17 @@ void Chain::check_answers() {
                     [&](const auto& a) { return a.first.substr(0, a.first.find('.')) == d.element.alias; });
     if (d.element.rows.empty() && !is_assigned) continue;
     std::string other;
-    bool answers = false, is_passed_over = false;
+    bool answers = false, is_passed_over = false;  // in its first service, which is what the dependency is for
     for (const char* const* id = d.dependency->provides; *id != nullptr; ++id) {
       const std::optional<std::size_t> who = answering(*id);
       const bool is_own = !who || *who == i;
       answers |= is_own && is_asked(*id);
       if (is_own) continue;
       other = linked_.dependencies[*who].element.alias;
-      is_passed_over |= is_asked(*id) && service_of(*d.dependency, dependencies_[i], *id) != nullptr;
+      is_passed_over |=
+          id == d.dependency->provides && is_asked(*id) && service_of(*d.dependency, dependencies_[i], *id) != nullptr;
     }
-    if (!other.empty() && (!answers || (is_passed_over && changes_shipped_numbers(d))))
+    if (!other.empty() && (!answers || (is_passed_over && changes_shipped_row(i))))
       sink_.add(
           host_diagnostic("IG-0434", is_assigned ? Location{"--set"} : d.element.where, {d.element.alias, other}));
   }

@@ -31,7 +31,7 @@ struct LinuxCncOWord {
   }
 };
 
-const ig::Register<LinuxCncOWord> linux_cnc_o_word_syntax;
+const ig::Register<LinuxCncOWord> linux_cnc_oword_syntax;
 
 }  // namespace
 }  // namespace iso
