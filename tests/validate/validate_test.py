@@ -72,8 +72,12 @@ class Validate(unittest.TestCase):
         self.assertEqual({check for check, _ in FAULTS.values()}, set(listed), "a check without a faulty plugin")
         for fault, (check, text) in FAULTS.items():
             with self.subTest(fault):
-                status, checks = self.checks(faulty(fault), "--only", check, *LIMITS)
-                found = [c for c in checks if c["Name"] == check][0]
+                # A race between threads is seen when the machine lets both run at once, so it has several tries.
+                for _ in range(10 if check == "threads" else 1):
+                    status, checks = self.checks(faulty(fault), "--only", check, *LIMITS)
+                    found = [c for c in checks if c["Name"] == check][0]
+                    if found["Result"] == "failed":
+                        break
                 self.assertEqual(found["Result"], "failed", checks)
                 told = "\n".join(f"{f['Where']}: {f['What']}" for f in found["Findings"])
                 self.assertIn(text, told)

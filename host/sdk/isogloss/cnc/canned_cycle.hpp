@@ -131,7 +131,7 @@ class CannedCycle {
     run.first = {words.get_or(CycleWords::X, run.start.x), words.get_or(CycleWords::Y, run.start.y),
                  words.get_or(CycleWords::Z, run.start.z)};
     const auto counter = words.has(CycleWords::L) ? CycleWords::L : CycleWords::K;
-    run.count = static_cast<int>(std::clamp(words.get_or(counter, 1), 1.0, double{most_repeats}));
+    run.count = static_cast<int>(std::fmin(std::fmax(words.get_or(counter, 1), 1), most_repeats));
     words.mask &= ~(1u << counter);  // a K that remains here is the Z component of a vector
     if (run.count > 1) {
       run.increment = b.get(increment_).or_else({});
