@@ -111,10 +111,10 @@ def main():
     files = options.files or sorted(HERE.glob("*.nc"))
     programs = [(f.name, text, translated(text)) for f in files for text in [f.read_text()]]
     if not options.files:
-        seeds = range(options.seed, options.seed + options.programs)
+        numbers = range(options.seed, options.seed + options.programs)
         programs += [(f"seed {s}", text, translated(text))
-                     for s in seeds for text in [plain.program(s, options.cycles.split(","))]]
-        programs += [(f"macro seed {s}", *macro.program(s)) for s in seeds]
+                     for s in numbers for text in [plain.program(s, options.cycles.split(","))]]
+        programs += [(f"macro seed {s}", *macro.program(s)) for s in numbers]
     compared = differing = 0
     with tempfile.TemporaryDirectory(prefix="isogloss-compare-") as name:
         comparison = Comparison(options.isogloss.resolve(), pathlib.Path(name), CLEARANCE)

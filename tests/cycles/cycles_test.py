@@ -205,8 +205,8 @@ def main():
             comparison = Comparison(options.isogloss.resolve(), dialect, pathlib.Path(name), zero_moves, machine)
             programs = [(f.name, f.read_text()) for f in options.files]
             if not programs:
-                seeds = range(options.seed, options.seed + count)
-                programs = [(f"{dialect} seed {s}", RandomProgram(s, MODELS[dialect], cycles).text) for s in seeds]
+                numbers = range(options.seed, options.seed + count)
+                programs = [(f"{dialect} seed {s}", RandomProgram(s, MODELS[dialect], cycles).text) for s in numbers]
                 programs += examples(cycles, machine or Settings()) if dialect == "fanuc" else []
             equal, differing = check(comparison, programs, options.keep)
             failed |= differing > 0

@@ -73,7 +73,7 @@ class OfTheMachine(unittest.TestCase):
         self.assertIn("rapid X-8 Y4 Z50", steps(Machine(), "G19 G00 X9.\nG76 Y3. X-8. R2. Q1. F100"))
 
 
-class OfTheSeeds(unittest.TestCase):
+class OfTheReferenceBehaviour(unittest.TestCase):
     def test_previous_level(self):
         happened = steps(Reference(), "G99 G81 X1. Z-5. R2. F100\nG98 X2.")
         self.assertEqual(happened[-1], "rapid X2 Y0 Z2")

@@ -85,9 +85,9 @@ def main():
         for number, (precision, count, distance) in enumerate(MACHINES):
             comparison = SyntecComparison(options.isogloss.resolve(), pathlib.Path(name), precision, count, distance)
             first = options.seed + 10000 * number
-            seeds = range(first, first + options.programs)
+            numbers = range(first, first + options.programs)
             programs = [(f"Pr17={precision} Pr4002={count} seed {s}", SyntecProgram(s, comparison.settings).text)
-                        for s in seeds]
+                        for s in numbers]
             equal, differing = check(comparison, programs, options.keep)
             failed |= differing > 0 or equal < 50 * options.programs
             print(f"Pr17={precision} Pr4002={count}: {len(programs)} programs, {equal} events equal, "

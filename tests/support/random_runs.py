@@ -13,7 +13,7 @@ def run(doc, program_of, difference, suffix, kinds=("",), programs=40, before=No
     differs, or none was compared."""
     parser = argparse.ArgumentParser(description=doc, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
-    parser.add_argument("--programs", type=int, default=budgeted(programs), help="seeds, each a program of each kind")
+    parser.add_argument("--programs", type=int, default=budgeted(programs), help="how many, each a program of each kind")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep", type=pathlib.Path, help="write programs that differ there")
     options = parser.parse_args()

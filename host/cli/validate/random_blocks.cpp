@@ -38,8 +38,8 @@ TestBlock random_block(const Stand& stand, const std::vector<ig_field>& fields, 
   std::uint64_t name = 1469598103934665603u;  // FNV-1a of the syntax, so that its blocks are its own
   for (const char* c = stand.syntax->id; *c != '\0'; ++c)
     name = (name ^ static_cast<unsigned char>(*c)) * 1099511628211u;
-  std::seed_seq seeds{seed, seed >> 32, name, name >> 32, k, k >> 32};
-  Random random(seeds);
+  std::seed_seq sequence{seed, seed >> 32, name, name >> 32, k, k >> 32};
+  Random random(sequence);
   TestBlock out{.name = fmt::format("random block {} of seed {}", k, seed)};
   if (stand.syntax->scan != nullptr) out.text = random_text(random, stand.syntax->triggers);
   const std::uint64_t density = 1 + below(random, 9);

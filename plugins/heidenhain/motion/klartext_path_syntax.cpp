@@ -46,6 +46,7 @@ struct KlartextPath {
   std::array<ig_field, 2> polar_steps_{word("IPR", "mm"), word("IPA", "deg")};
   ig_field radius_ = word("R", "mm");
   std::array<ig_field, 3> vector_{word("TX", ""), word("TY", ""), word("TZ", "")};
+  std::array<ig_field, 3> normal_{word("NX", ""), word("NY", ""), word("NZ", "")};
   FurtherAxisWords further_axes_{ig::write, ig::write};
   AxisNames axis_names_;
   ig::Codes motions_{{"G00", "G01", "G02", "G03"}, ig::write};
@@ -140,7 +141,7 @@ struct KlartextPath {
       case 'T': {
         if (path.function != LN || axis_of(d) > 2) return i;
         const Value v = values_.read(b, text, i + 2);
-        if (v.ok && c == 'T') put_word(b, vector_[axis_of(d)], i, v.end, v.number);
+        if (v.ok) put_word(b, (c == 'T' ? vector_ : normal_)[axis_of(d)], i, v.end, v.number);
         return v.ok ? v.end : i;
       }
       default: return i;

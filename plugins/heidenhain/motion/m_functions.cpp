@@ -162,7 +162,8 @@ std::size_t MFunctions::execute(ig::Block& b, const Values& values, std::string_
   }
   for (const NotExecuted& known : not_executed)
     if (known.number == m.number) {
-      const bool is_end = m.number == 138 && skip(text, m.end) >= statement_end(text, m.end);  // of M138 A C
+      const std::size_t words = skip(text, m.end);
+      const bool is_end = m.number == 138 && behind_words(text, m.end, false) <= words;  // of M138 A C
       if (known.severity != IG_NOTE && !is_end)
         b.report(known.severity == IG_ERROR ? ig::diag("HEI-0139") : ig::diag("HEI-0140"), where, name,
                  std::string_view(known.effect));

@@ -59,16 +59,16 @@ struct SiemensFrame {
   ig::Status build(ig::Block& b) {
     bool any = false;
     std::uint32_t seen = 0;
+    if (const auto frame = assigned_.get(b)) {  // first, since what SAVE gives back stood before this block
+      assign(b, *frame);
+      any = true;
+    }
     for (const ig::Call* call : {&trans_, &rot_, &scale_, &mirror_})
       if (const auto words = b.take(*call)) {
         if (++seen > 1) b.report(ig::diag("SIE-0243"), ig::Where::word(call->code(words->row)), b.text(words->code));
         change(b, *call, *words);
         any = true;
       }
-    if (const auto frame = assigned_.get(b)) {
-      assign(b, *frame);
-      any = true;
-    }
     return report_uneven_compensation(b) || any ? ig::Status::changed : ig::Status::unchanged;
   }
 

@@ -47,25 +47,29 @@ double tangent(double degrees) {
   return std::fabs(angle) == 90 ? no_result : std::tan(angle * radians_per_degree);
 }
 
-double number_in(const std::string& text) {
+/// The number at the beginning of a text, 1.5EX-3 too, and where it ends.
+struct NumberOfText {
+  double value = no_result;
+  std::size_t end = 0;
+};
+NumberOfText number_in(std::string_view text) {
   const ig::Decimal d = ig::read_decimal(text, skip_blanks(text, 0));
-  return d.ok ? d.value : no_result;
+  if (!d.ok) return {};
+  NumberOfText out{d.value, d.end};
+  if (!equals_ignoring_case(piece(text, d.end, std::min(d.end + 2, text.size())), "EX")) return out;
+  const std::size_t sign = d.end + 2;
+  const std::size_t digits = at(text, sign) == '+' || at(text, sign) == '-' ? sign + 1 : sign;
+  const std::size_t end = skip_digits(text, digits);
+  if (end == digits) return out;
+  const double power = std::fmin(ig::read_decimal(text, digits).value, 9999);
+  out.value *= std::pow(10, at(text, sign) == '-' ? -power : power);
+  out.end = end;
+  return out;
 }
 
-/// A number and nothing else: 12, -.5, 1.5EX-3.
 bool is_number(std::string_view text) {
-  text = trim(text);
-  const ig::Decimal d = ig::read_decimal(text, 0);
-  if (!d.ok) return false;
-  std::size_t at = d.end;
-  if (equals_ignoring_case(piece(text, at, std::min(at + 2, text.size())), "EX")) {
-    at += 2;
-    if (at < text.size() && (text[at] == '+' || text[at] == '-')) ++at;
-    const std::size_t digits = skip_digits(text, at);
-    if (digits == at) return false;
-    at = digits;
-  }
-  return at == text.size();
+  const NumberOfText number = number_in(text);
+  return number.end > 0 && skip_blanks(text, number.end) >= text.size();
 }
 
 Value place(std::size_t found) { return Value::integer(found == std::string::npos ? -1 : static_cast<double>(found)); }
@@ -105,7 +109,7 @@ constexpr Function known_functions[] = {
     {"BOUND", 3, "nnn",
      [](const Arguments& v) { return Value::real(std::fmin(std::fmax(v[2].number, v[0].number), v[1].number)); }},
     {"STRLEN", 1, "t", [](const Arguments& v) { return Value::real(static_cast<double>(v[0].text.size())); }},
-    {"NUMBER", 1, "t", [](const Arguments& v) { return Value::real(number_in(v[0].text)); }},
+    {"NUMBER", 1, "t", [](const Arguments& v) { return Value::real(number_in(v[0].text).value); }},
     {"TOUPPER", 1, "t", [](const Arguments& v) { return Value::string(upper(v[0].text)); }},
     {"TOLOWER", 1, "t", [](const Arguments& v) { return Value::string(lower(v[0].text)); }},
     {"ISVAR", 1, "t", nullptr},

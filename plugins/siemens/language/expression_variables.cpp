@@ -106,14 +106,20 @@ std::optional<Value> Expression::is_variable(std::string_view called, std::size_
   environment_.enter(b_);
   VariableStore& store = environment_.store();
   const std::string name = upper(trim(called));
-  const std::string base = name.substr(0, name.find('['));
-  if (skip_digits(name, 1) == name.size() && name.size() > 1 && name[0] == 'R') {
-    double number = 0;
-    std::from_chars(name.data() + 1, name.data() + name.size(), number);
-    return Value::truth(number < static_cast<double>(store.r_count()));
+  const std::size_t bracket = std::min(name.find('['), name.size());
+  const std::string base = name.substr(0, bracket);
+  const std::string_view index = std::string_view(name).substr(bracket);
+  const bool is_indexed_r = base == "R" && index.size() > 2;
+  if (is_indexed_r || (base.size() > 1 && base[0] == 'R' && skip_digits(base, 1) == base.size())) {
+    const std::string_view number = is_indexed_r ? index.substr(1) : std::string_view(base).substr(1);
+    const ig::Decimal n = ig::read_decimal(number, 0);
+    return Value::truth(n.ok && n.value >= 0 && n.value < static_cast<double>(store.r_count()));
   }
-  if (name.empty() || name[0] != '$')
-    return Value::truth(store.find(base) != nullptr || store.given(name) || base == "R");
+  if (base.empty() || base[0] != '$') {
+    const Variable* const v = store.find(base);
+    const bool is_element = v != nullptr && (index.empty() || (v->is_array && v->number_of(index)));
+    return Value::truth(is_element || store.given(name).has_value());
+  }
   if (store.given(name) || environment_.system.read(b_, name)) return Value::truth(true);
   return fail(ig::diag("SIE-0321"), begin, std::string_view("ISVAR"));
 }

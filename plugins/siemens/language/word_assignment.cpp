@@ -23,12 +23,27 @@ std::string positioning_axis(std::string_view name, const AxisNames& axes) {
 /// Axes, spindles and codes by index: no variable of a machine has such a name.
 bool is_of_control(std::string_view name) {
   const std::string_view base = name.substr(0, name.find('['));
-  for (const std::string_view known :
-       {"AX",   "MOV",   "FDA",   "PO",     "AXIS",   "TOFF", "FXS",  "FXST", "FXSW",
-        "FOC",  "MEASA", "MEAWA", "MEAC",   "OS",     "OSB",  "OSE",  "OSP1", "OSP2",
-        "OST1", "OST2",  "OSNSC", "OSCTRL", "OSCILL", "CPLA", "CPON", "CPOF", "CPSETTYPE"})
-    if (base == known) return true;
-  return base.size() == 1 || base.starts_with("POS");
+  return base.size() == 1 || base == "AX" || base == "AXIS" || base.starts_with("POS") || base == "MOV" ||
+         base == "FDA";
+}
+
+/// What is missing where a command of a single axis (FXS[X]=1) is not executed; empty for other names.
+std::string_view missing_of_command(std::string_view name) {
+  struct Command {
+    std::string_view names, missing;
+  };
+  static constexpr Command commands[] = {
+      {" OS OSB OSE OSP1 OSP2 OST1 OST2 OSNSC OSCTRL OSCILL ", "OS[…]=: the axis does not oscillate"},
+      {" FXS FXST FXSW ", "FXS[…]=: the axis does not move to a fixed stop"},
+      {" FOC ", "FOC[…]=: the force of the axis is not limited"},
+      {" MEASA MEAWA MEAC ", "MEASA[…]=: no probe touches; the move goes to its end"},
+      {" PO ", "PO[…]=: the polynomial is missing; the block moves with the previous motion code"},
+      {" TOFF ", "TOFF[…]=: the tool is that of the table"},
+      {" CPLA CPSETTYPE ", "CPLA[…]=: no axis follows another one"}};
+  const std::string base = ' ' + std::string(name.substr(0, name.find('['))) + ' ';
+  for (const Command& c : commands)
+    if (c.names.find(base) != std::string_view::npos) return c.missing;
+  return {};
 }
 
 /// Speeds and accelerations of single axes.
@@ -104,9 +119,11 @@ std::size_t WordReader::assignment(ig::Block& b, std::string_view text, std::siz
                                 !environment_.store().array_of(reference->name);
   if (!reference->is_r && is_unknown_array && !environment_.store().given(reference->name) &&
       !changes_no_position(reference->name)) {
-    const std::size_t end = statement_text_end(text, equals);
+    const std::size_t end = line_end_of_fault(text, skip_blanks(text, equals + 1));  // words behind it are executed
     if (defines_curve()) return end;  // PO[X]=
-    if (is_of_control(reference->name))
+    if (const std::string_view missing = missing_of_command(reference->name); !missing.empty())
+      environment_.report_once(b, ig::diag("SIE-0262"), columns(begin, end), begin, missing);
+    else if (is_of_control(reference->name))
       environment_.report_once(b, ig::diag("SIE-0131"), columns(begin, end), begin, std::string_view(reference->name));
     else
       environment_.report_name(b, ig::diag("SIE-0124"), columns(begin, target.position()), reference->name);
