@@ -8,6 +8,14 @@
 #include <string>
 #include <thread>
 
+#if defined(FAULT_leaves_process) || defined(FAULT_leaves_group)
+#include <unistd.h>
+
+#include <csignal>
+#elif defined(FAULT_prints)
+#include <cstdio>
+#endif
+
 namespace {
 
 #if defined(FAULT_option_bounds)
@@ -103,6 +111,24 @@ ig_status build(void* pointer, const ig_host* host, ig_block* block) {
 #elif defined(FAULT_memory)
   if (!is_there)
     for (std::size_t i = 0;; ++i) std::memset(std::malloc(1 << 20), 1, 1 << 20);
+#elif defined(FAULT_leaves_process)
+  static bool has_left = false;
+  if (!has_left && fork() == 0) {
+    sleep(1000);
+    _exit(0);
+  }
+  has_left = true;
+  if (!is_there) crash();
+#elif defined(FAULT_leaves_group)
+  setpgid(0, getpgid(getppid()));
+  std::signal(SIGALRM, SIG_IGN);  // no watch ends it
+  while (!is_there) pause();
+#elif defined(FAULT_prints)
+  if (!is_there) {
+    for (int i = 0; i < 20'000'000; ++i) std::fputc('x', stdout);
+    std::fflush(stdout);
+    crash();
+  }
 #elif defined(FAULT_random)
   ig_value y;
   if (is_there && x.number > 2 && host->get(block, self.plane, &y) != 0 && y.number < -2) crash();

@@ -11,6 +11,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import xml.etree.ElementTree
 
@@ -48,6 +49,8 @@ FAULTS = {
     "random": ("random-blocks", "it crashes, does not return, or ends the process"),
     "random_lie": ("random-blocks", "its build() says unchanged, but the block changed"),
     "slow": ("time", "more than the budget of 10000 ns"),
+    "leaves_process": ("empty-block", "segmentation fault in FaultySyntax of plugin leaves_process"),
+    "prints": ("empty-block", "segmentation fault in FaultySyntax of plugin prints"),
 }
 LIMITS = ["--call-limit", "1", "--memory-limit", "512", "--blocks", "100"]
 
@@ -133,6 +136,29 @@ class Validate(unittest.TestCase):
         self.assertEqual((suite.get("tests"), suite.get("failures")), ("2", "1"))
         self.assertIn("says unchanged", suite.find("testcase[@name='unchanged']/failure").get("message"))
         self.assertIsNone(suite.find("testcase[@name='exports']/failure"))
+
+    def test_the_time_limit_holds_for_a_process_that_leaves_its_group(self):
+        done = self.run_it(faulty("leaves_group"), "--only", "empty-block", "--time-limit", 3)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("the check took longer than 3 s", done.stdout)
+
+    def test_a_time_limit_may_be_of_any_size(self):
+        done = self.run_it(faulty("sound"), "--only", "empty-block", "--time-limit", 2**32 - 1)
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+    def test_a_check_ends_with_the_command(self):
+        """The check has the command's input open, so the pipe breaks when nobody is left."""
+        with subprocess.Popen([OPTIONS.isogloss, "validate", faulty("leaves_group"), "--only", "empty-block"],
+                              stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, bufsize=0) as command:
+            time.sleep(2)
+            self.assertIsNone(command.poll())
+            command.kill()
+            command.wait()
+            end = time.monotonic() + 20
+            with self.assertRaises(BrokenPipeError):
+                while time.monotonic() < end:
+                    command.stdin.write(b"x")
+                    time.sleep(0.1)
 
     def test_in_process_a_crash_is_the_command_s_own(self):
         self.assertEqual(self.run_it(faulty("sound"), "--in-process").returncode, 0)
