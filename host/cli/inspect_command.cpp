@@ -3,9 +3,9 @@
 
 #include <cstring>
 
-#include "catalogue.hpp"
 #include "crash_guard.hpp"
 #include "isogloss/engine/printable.hpp"
+#include "json_text.hpp"
 #include "output_file.hpp"
 #include "page_section.hpp"
 #include "program_options.hpp"
@@ -29,55 +29,6 @@ struct InspectCommand {
   std::vector<std::string> names(Session& session, const Json& fields) const;
 };
 
-bool is_plain_list(const Json& value) {
-  return value.is_array() && std::none_of(value.begin(), value.end(), [](const Json& e) { return e.is_structured(); });
-}
-
-std::string plain(const Json& value) {
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-  if (!is_plain_list(value)) return value.dump();
-  std::string out;
-  for (const Json& e : value) out += (out.empty() ? "" : " ") + plain(e);
-  return out;
-}
-
-std::string as_text(const Json& object, const std::string& indentation);
-
-/// One line a record; what it holds besides plain values stands below.
-std::string records_as_text(const Json& records, const std::string& indentation) {
-  std::string out;
-  for (const Json& record : records) {
-    std::string line;
-    Json below = Json::object();
-    for (const auto& [name, cell] : record.items()) {
-      if (cell.is_structured() && cell.empty()) continue;
-      if (cell.is_structured() && !is_plain_list(cell)) {
-        below[name] = cell;
-        continue;
-      }
-      line += line.empty() ? plain(cell) : fmt::format("  {} {}", name, plain(cell));
-    }
-    out += indentation + line + "\n" + as_text(below, indentation + "  ");
-  }
-  return out;
-}
-
-/// "name: value" lines.
-std::string as_text(const Json& object, const std::string& indentation) {
-  std::string out;
-  for (const auto& [key, value] : object.items()) {
-    if (value.is_structured() && value.empty()) continue;
-    if (value.is_object())
-      out += indentation + key + ":\n" + as_text(value, indentation + "  ");
-    else if (value.is_array() && !is_plain_list(value))
-      out += indentation + key + ":\n" + records_as_text(value, indentation + "  ");
-    else
-      out += fmt::format("{}{}: {}\n", indentation, key, plain(value));
-  }
-  return out;
-}
-
 /// A page is text of the plugin, which has not been checked yet.
 std::string read_page(const char* page) {
   constexpr std::size_t longest = std::size_t{1} << 20;
@@ -99,7 +50,7 @@ int InspectCommand::show_section(const std::string& page, Session& session) cons
     return input_errors;
   }
   const Json out{{"Name", name}, {"Section", section}, {"Page", *found}};
-  return print(json ? out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : *found, session.status());
+  return print(json ? pretty(out) : *found, session.status());
 }
 
 /// "g1" -> "G01", as dialects write the codes of one digit.
@@ -130,21 +81,20 @@ std::optional<int> InspectCommand::show_code(const LinkedDialect& linked, Sessio
   }
   if (!section.empty()) return show_section(pages, session);
   const Json out{{"Code", rows[0]["Code"]}, {"Dialect", linked.dialect.name}, {"Syntaxes", std::move(rows)}};
-  return print(json ? out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : text + "\n" + pages,
-               session.status());
+  return print(json ? pretty(out) : text + "\n" + pages, session.status());
 }
 
 int InspectCommand::show(Json declaration, const char* page, Session& session) const {
   if (!section.empty()) return show_section(page == nullptr ? "" : read_page(page), session);
   if (json) {
     if (page != nullptr) declaration["Page"] = read_page(page);
-    return print(declaration.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", session.status());
+    return print(pretty(declaration), session.status());
   }
   declaration.erase("HasPage");
   std::string out = page == nullptr ? "" : read_page(page);
   if (!out.empty() && !out.ends_with('\n')) out += '\n';
   if (!out.empty()) out += "\n---- declaration\n";
-  return print(out + as_text(declaration, ""), session.status());
+  return print(out + as_lines(declaration), session.status());
 }
 
 std::optional<FoundMachine> InspectCommand::find_machine(Session& session) const {
