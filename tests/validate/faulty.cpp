@@ -204,6 +204,15 @@ struct AtLoad {
 
 #if defined(FAULT_exports)
 extern "C" IG_EXPORT int of_everyone() { return 1; }
+#elif defined(FAULT_many_exports)
+#define ONE(n) \
+  extern "C" IG_EXPORT int of_everyone_##n() { return 1; }
+#define FIVE(n) ONE(n##0) ONE(n##1) ONE(n##2) ONE(n##3) ONE(n##4)
+FIVE(1)
+FIVE(2)
+FIVE(3)
+FIVE(4)
+FIVE(5)
 #endif
 
 extern "C" IG_EXPORT const ig_plugin* ig_plugin_v1(void) {

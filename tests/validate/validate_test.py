@@ -142,6 +142,13 @@ class Validate(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertIn("the check took longer than 3 s", done.stdout)
 
+    def test_findings_beyond_the_first_twenty_are_counted(self):
+        done = self.run_it(faulty("many_exports"), "--only", "exports")
+        self.assertEqual(done.stdout.count("is exported, so"), 20)
+        self.assertIn("\n      and 5 more\n", done.stdout)
+        _, checks = self.checks(faulty("many_exports"), "--only", "exports")
+        self.assertEqual(checks[0]["FurtherFindings"], 5)
+
     def test_a_time_limit_may_be_of_any_size(self):
         done = self.run_it(faulty("sound"), "--only", "empty-block", "--time-limit", 2**32 - 1)
         self.assertEqual(done.returncode, 0, done.stdout)
