@@ -24,7 +24,7 @@ struct InspectCommand {
   std::optional<FoundMachine> find_machine(Session& session) const;
   int show_machine(const FoundMachine& found, Session& session) const;
   int show(Json declaration, const char* page, Session& session) const;
-  int show_section(const std::string& page, Session& session) const;
+  int show_section(const std::vector<std::string>& pages, Session& session) const;
   std::optional<int> show_code(const LinkedDialect& linked, Session& session) const;
   std::vector<std::string> names(Session& session, const Json& fields) const;
 };
@@ -35,11 +35,15 @@ std::string read_page(const char* page) {
   return printable({page, strnlen(page, longest)}, "\n\t");
 }
 
-/// Of the page alone: JSON is the text with its name and title.
-int InspectCommand::show_section(const std::string& page, Session& session) const {
-  const std::optional<std::string> found = section_of(page, section);
-  if (!found) {
-    const std::vector<std::string> titles = headings(page);
+/// Of the pages alone: JSON is the text with its name and title.
+int InspectCommand::show_section(const std::vector<std::string>& pages, Session& session) const {
+  std::string found;
+  std::vector<std::string> titles;
+  for (const std::string& page : pages) {
+    for (std::string& title : headings(page)) titles.push_back(std::move(title));
+    if (const std::optional<std::string> part = section_of(page, section)) found += (found.empty() ? "" : "\n") + *part;
+  }
+  if (found.empty()) {
     std::string near = nearest_name(section, titles);
     for (const std::string& title : titles)
       if (near.empty() && title.starts_with(section)) near = title;
@@ -49,8 +53,8 @@ int InspectCommand::show_section(const std::string& page, Session& session) cons
                                      : "it has no page");
     return input_errors;
   }
-  const Json out{{"Name", name}, {"Section", section}, {"Page", *found}};
-  return print(json ? pretty(out) : *found, session.status());
+  const Json out{{"Name", name}, {"Section", section}, {"Page", found}};
+  return print(json ? pretty(out) : found, session.status());
 }
 
 /// "g1" -> "G01", as dialects write the codes of one digit.
@@ -68,24 +72,26 @@ std::optional<int> InspectCommand::show_code(const LinkedDialect& linked, Sessio
   for (Json& row : describe_codes(linked))
     if (row["Code"] == name || row["Code"] == canonical_code(name)) rows.push_back(std::move(row));
   if (rows.empty()) return std::nullopt;
-  std::string text, pages;
+  std::string text, all;
+  std::vector<std::string> pages;
   for (Json& row : rows) {
     const LinkedSyntax& s = linked.chain[*linked.position(row["Syntax"].get<std::string>())];
-    const std::string page = s.syntax->page == nullptr ? "" : read_page(s.syntax->page);
+    std::string page = s.syntax->page == nullptr ? "" : read_page(s.syntax->page);
     text += fmt::format("{} in {}: {} ({}), {}:{}\n", row["Code"].get<std::string>(), linked.dialect.name,
                         s.element.alias, row["Page"].get<std::string>(), s.element.where.file, s.element.where.line);
-    pages += page;
+    all += page;
     row["PageFile"] = row["Page"];
     row["Page"] = page;
+    pages.push_back(std::move(page));
     row["Link"] = describe_link(s, linked.layout);
   }
   if (!section.empty()) return show_section(pages, session);
   const Json out{{"Code", rows[0]["Code"]}, {"Dialect", linked.dialect.name}, {"Syntaxes", std::move(rows)}};
-  return print(json ? pretty(out) : text + "\n" + pages, session.status());
+  return print(json ? pretty(out) : text + "\n" + all, session.status());
 }
 
 int InspectCommand::show(Json declaration, const char* page, Session& session) const {
-  if (!section.empty()) return show_section(page == nullptr ? "" : read_page(page), session);
+  if (!section.empty()) return show_section({page == nullptr ? "" : read_page(page)}, session);
   if (json) {
     if (page != nullptr) declaration["Page"] = read_page(page);
     return print(pretty(declaration), session.status());

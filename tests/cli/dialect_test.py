@@ -320,6 +320,11 @@ class Inspect(Command):
         self.assertTrue(page.startswith("## Diagnostics\n"))
         self.assertNotIn("## X in seconds", page)
         self.assertNotIn("---- declaration", page)
+        pages = [s["Page"] for s in json.loads(self.run_it("inspect", "A", "-d", "fanuc", "--json").stdout)["Syntaxes"]]
+        expected = sum("\n## Diagnostics\n" in page for page in pages)
+        self.assertGreater(expected, 1)
+        page = self.run_it("inspect", "A", "-d", "fanuc", "--section", "Diagnostics").stdout
+        self.assertEqual(page.count("## Diagnostics\n"), expected, "one of each page that has it")
         done = self.run_it("inspect", "DwellSyntax", "--section", "Diagnostic", status=1)
         self.assertIn("[IG-0174]", done.stderr)
         self.assertIn("did you mean Diagnostics?", done.stderr)

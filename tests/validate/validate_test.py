@@ -180,6 +180,11 @@ class Validate(unittest.TestCase):
             done = self.run_it(*arguments)
             self.assertEqual(done.returncode, 2, done.stdout)
             self.assertIn(text, done.stderr)
+        for number, status in (("010", 0), ("18446744073709551615", 0), ("18446744073709551616", 2), ("0x10", 2)):
+            done = self.run_it(faulty("sound"), "--only", "loads", "--seed", number, "--json")
+            self.assertEqual(done.returncode, status, number)
+            if status == 0:
+                self.assertEqual(json.loads(done.stdout)["Seed"], int(number))
         self.assertIn("[IG-0155]", self.run_it(faulty("sound"), "--only", "unchange").stderr)
 
 
