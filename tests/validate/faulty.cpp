@@ -74,6 +74,11 @@ ig_status create(const ig_link_api* api, ig_link* link, const ig_field* ids, voi
   return IG_CHANGED;
 }
 
+[[maybe_unused]] ig_status restart(void* self, const ig_host*, ig_block*) {
+  static_cast<Self*>(self)->blocks = 0;
+  return IG_UNCHANGED;
+}
+
 void destroy(void* self) { delete static_cast<Self*>(self); }
 
 [[maybe_unused]] long blocks_of_all = 0;
@@ -141,7 +146,7 @@ ig_status build(void* pointer, const ig_host* host, ig_block* block) {
   if (!is_there) return IG_UNCHANGED;
 #if defined(FAULT_global_count)
   x.number += ++blocks_of_all;
-#elif defined(FAULT_keeps)
+#elif defined(FAULT_keeps) || defined(FAULT_forgets)
   x.number += self.blocks;
 #elif defined(FAULT_shared_scratch)
   scratch = x.number;
@@ -235,6 +240,9 @@ extern "C" IG_EXPORT const ig_plugin* ig_plugin_v1(void) {
   syntax.create = create;
   syntax.destroy = destroy;
   syntax.build = build;
+#if defined(FAULT_forgets)
+  syntax.restart = restart;
+#endif
   plugin.struct_size = sizeof plugin;
   plugin.abi_major = IG_ABI_MAJOR;
   plugin.abi_minor = IG_ABI_MINOR;
