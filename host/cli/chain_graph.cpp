@@ -4,6 +4,7 @@
 #include <map>
 
 #include "chain_map.hpp"
+#include "text_edits.hpp"
 
 namespace isogloss::cli {
 
@@ -17,21 +18,6 @@ std::string listed(const Json& names, std::size_t most) {
 
 std::string drawn_place(const Json& syntax) {
   return short_place({syntax["File"].get<std::string>(), syntax["Line"].get<std::uint32_t>(), 0});
-}
-
-std::string svg_text(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
 }
 
 /// Where a syntax is drawn.
@@ -48,7 +34,8 @@ std::string arc(const Drawn& from, const Drawn& to, bool on_left, std::string_vi
   const int bend = on_left ? x - reach : x + reach;
   return fmt::format("<path class=\"{}\" d=\"M{} {} C{} {} {} {} {} {}\"><title>{} → {}: {}</title></path>\n",
                      on_left ? "order" : "field", x, from.y + box_middle, bend, from.y + box_middle, bend,
-                     to.y + box_middle, x, to.y + box_middle, svg_text(from.name), svg_text(to.name), svg_text(why));
+                     to.y + box_middle, x, to.y + box_middle, escaped_xml(from.name), escaped_xml(to.name),
+                     escaped_xml(why));
 }
 
 constexpr std::string_view style =
@@ -86,7 +73,7 @@ std::string chain_as_svg(const Json& chain) {
   int y = 50;
   for (const Json& stage : chain["Stages"]) {
     boxes += fmt::format("<text class=\"stage\" x=\"{}\" y=\"{}\">{}</text>\n", box_x, y + 16,
-                         svg_text(stage["Stage"].get<std::string>()));
+                         escaped_xml(stage["Stage"].get<std::string>()));
     y += row_height + 2;
     for (const Json& s : stage["Syntaxes"]) {
       const std::string alias = s["As"];
@@ -94,8 +81,8 @@ std::string chain_as_svg(const Json& chain) {
       boxes += fmt::format(
           "<g><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"18\" rx=\"4\"/>"
           "<text x=\"{}\" y=\"{}\">{}</text><title>{} {}</title></g>\n",
-          box_x, y + 2, box_width, box_x + 8, y + 16, svg_text(alias), svg_text(drawn_place(s)),
-          svg_text(listed(s["Takes"], SIZE_MAX)));
+          box_x, y + 2, box_width, box_x + 8, y + 16, escaped_xml(alias), escaped_xml(drawn_place(s)),
+          escaped_xml(listed(s["Takes"], SIZE_MAX)));
       y += row_height;
     }
     y += row_height / 2;
@@ -121,7 +108,7 @@ std::string chain_as_svg(const Json& chain) {
          fmt::format("<rect x=\"0\" y=\"0\" width=\"{}\" height=\"{}\" style=\"fill:#fff;stroke:none\"/>\n", width,
                      y + 10) +
          fmt::format("<text class=\"stage\" x=\"10\" y=\"20\">{}</text>\n",
-                     svg_text(chain["Dialect"].get<std::string>())) +
+                     escaped_xml(chain["Dialect"].get<std::string>())) +
          "<text class=\"legend\" x=\"10\" y=\"38\">left, red: declared order; right, blue: the upper one writes a "
          "field that the lower one reads</text>\n" +
          arcs + boxes + "</svg>\n";

@@ -2,6 +2,8 @@
 #include "command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
 #include <iostream>
 
 #include "output_file.hpp"
@@ -11,6 +13,11 @@ namespace isogloss::cli {
 namespace {
 
 CLI::Option& option_of(void* option) { return *static_cast<CLI::Option*>(option); }
+
+/// The parser's library would read 010 as an octal number.
+std::string without_zeros(const std::string& number) {
+  return number.substr(std::min(number.find_first_not_of('0'), std::max<std::size_t>(number.size(), 1) - 1));
+}
 
 }  // namespace
 
@@ -37,8 +44,9 @@ Option& Option::at_least(std::uint64_t minimum) {
   option_of(option_).check(
       [minimum](const std::string& text) {
         std::uint64_t value = 0;
-        const bool is_number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-        if (is_number && CLI::detail::lexical_cast(text, value) && value >= minimum) return std::string();
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, value);
+        if (error == std::errc() && stop == end && value >= minimum) return std::string();
         return "'" + text + "' is not a whole number from " + std::to_string(minimum) + " on";
       },
       "");
@@ -73,11 +81,11 @@ Option CommandLine::option(const std::string& names, std::string& value, const s
 }
 
 Option CommandLine::option(const std::string& names, std::uint32_t& value, const std::string& description) {
-  return Option(parser_->add_option(names, value, description)).at_least(0);
+  return Option(parser_->add_option(names, value, description)->transform(without_zeros)).at_least(0);
 }
 
 Option CommandLine::option(const std::string& names, std::uint64_t& value, const std::string& description) {
-  return Option(parser_->add_option(names, value, description)).at_least(0);
+  return Option(parser_->add_option(names, value, description)->transform(without_zeros)).at_least(0);
 }
 
 Option CommandLine::option(const std::string& names, std::vector<std::string>& values, const std::string& description) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "chain_map.hpp"
+#include "json_text.hpp"
 #include "output_file.hpp"
 #include "outputs.hpp"
 
@@ -30,8 +31,6 @@ int DialectCommand::write(const std::string& text, Session& session, int status)
   if (output.empty()) return print(text, status);
   return write_file(output, text, session) ? status : static_cast<int>(cannot_start);
 }
-
-std::string pretty(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 int DialectCommand::write_effective(const Dialect& dialect, Session& session) const {
   // Side files need a folder; without one everything stands in the one file.

@@ -1,7 +1,7 @@
 // Reports what was found where, and what was not loaded and why.
 #include <fmt/format.h>
 
-#include "catalogue.hpp"
+#include "json_text.hpp"
 #include "output_file.hpp"
 #include "session.hpp"
 
@@ -133,8 +133,7 @@ int DoctorCommand::run() const {
   const std::string verdict = !is_well        ? "Something was not loaded.\n"
                               : warnings == 0 ? "All is well.\n"
                                               : fmt::format("All is loaded; warnings: {}.\n", warnings);
-  const std::string out =
-      json ? all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : as_text(all) + verdict;
+  const std::string out = json ? pretty(all) : as_text(all) + verdict;
   return print(out, is_well ? success : input_errors);
 }
 

@@ -10,6 +10,7 @@
 #include "dialect_guess.hpp"
 #include "isogloss/engine/explain.hpp"
 #include "isogloss/engine/printable.hpp"
+#include "json_text.hpp"
 #include "known_codes.hpp"
 #include "output_file.hpp"
 #include "program_options.hpp"
@@ -17,8 +18,6 @@
 namespace isogloss::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct ExplainCommand {
   CommonOptions common;
@@ -50,14 +49,12 @@ int ExplainCommand::explain_code(Session& session) const {
     return cannot_start;
   }
   if (json)
-    return print(Json{{"Code", found->info.code},
-                      {"Severity", to_string(found->info.severity)},
-                      {"Plugin", found->plugin},
-                      {"Text", found->info.text},
-                      {"Explanation", found->info.explanation},
-                      {"Example", found->info.example}}
-                         .dump(2) +
-                     "\n",
+    return print(pretty({{"Code", found->info.code},
+                         {"Severity", to_string(found->info.severity)},
+                         {"Plugin", found->plugin},
+                         {"Text", found->info.text},
+                         {"Explanation", found->info.explanation},
+                         {"Example", found->info.example}}),
                  success);
   return print(
       fmt::format("{} ({}, {})\n  {}\n\n{}\n\nExample: {}\n", found->info.code, to_string(found->info.severity),
@@ -276,7 +273,7 @@ int ExplainCommand::explain_line(Session& session, const std::string& path) {
     else
       out += (out.empty() ? "" : "\n") + text_of(b);
   }
-  return print(json ? all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : out, session.status());
+  return print(json ? pretty(all) : out, session.status());
 }
 
 int ExplainCommand::run() {

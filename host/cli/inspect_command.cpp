@@ -3,9 +3,9 @@
 
 #include <cstring>
 
-#include "catalogue.hpp"
 #include "crash_guard.hpp"
 #include "isogloss/engine/printable.hpp"
+#include "json_text.hpp"
 #include "output_file.hpp"
 #include "page_section.hpp"
 #include "program_options.hpp"
@@ -24,59 +24,10 @@ struct InspectCommand {
   std::optional<FoundMachine> find_machine(Session& session) const;
   int show_machine(const FoundMachine& found, Session& session) const;
   int show(Json declaration, const char* page, Session& session) const;
-  int show_section(const std::string& page, Session& session) const;
+  int show_section(const std::vector<std::string>& pages, Session& session) const;
   std::optional<int> show_code(const LinkedDialect& linked, Session& session) const;
   std::vector<std::string> names(Session& session, const Json& fields) const;
 };
-
-bool is_plain_list(const Json& value) {
-  return value.is_array() && std::none_of(value.begin(), value.end(), [](const Json& e) { return e.is_structured(); });
-}
-
-std::string plain(const Json& value) {
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-  if (!is_plain_list(value)) return value.dump();
-  std::string out;
-  for (const Json& e : value) out += (out.empty() ? "" : " ") + plain(e);
-  return out;
-}
-
-std::string as_text(const Json& object, const std::string& indentation);
-
-/// One line a record; what it holds besides plain values stands below.
-std::string records_as_text(const Json& records, const std::string& indentation) {
-  std::string out;
-  for (const Json& record : records) {
-    std::string line;
-    Json below = Json::object();
-    for (const auto& [name, cell] : record.items()) {
-      if (cell.is_structured() && cell.empty()) continue;
-      if (cell.is_structured() && !is_plain_list(cell)) {
-        below[name] = cell;
-        continue;
-      }
-      line += line.empty() ? plain(cell) : fmt::format("  {} {}", name, plain(cell));
-    }
-    out += indentation + line + "\n" + as_text(below, indentation + "  ");
-  }
-  return out;
-}
-
-/// "name: value" lines.
-std::string as_text(const Json& object, const std::string& indentation) {
-  std::string out;
-  for (const auto& [key, value] : object.items()) {
-    if (value.is_structured() && value.empty()) continue;
-    if (value.is_object())
-      out += indentation + key + ":\n" + as_text(value, indentation + "  ");
-    else if (value.is_array() && !is_plain_list(value))
-      out += indentation + key + ":\n" + records_as_text(value, indentation + "  ");
-    else
-      out += fmt::format("{}{}: {}\n", indentation, key, plain(value));
-  }
-  return out;
-}
 
 /// A page is text of the plugin, which has not been checked yet.
 std::string read_page(const char* page) {
@@ -84,11 +35,15 @@ std::string read_page(const char* page) {
   return printable({page, strnlen(page, longest)}, "\n\t");
 }
 
-/// Of the page alone: JSON is the text with its name and title.
-int InspectCommand::show_section(const std::string& page, Session& session) const {
-  const std::optional<std::string> found = section_of(page, section);
-  if (!found) {
-    const std::vector<std::string> titles = headings(page);
+/// Of the pages alone: JSON is the text with its name and title.
+int InspectCommand::show_section(const std::vector<std::string>& pages, Session& session) const {
+  std::string found;
+  std::vector<std::string> titles;
+  for (const std::string& page : pages) {
+    for (std::string& title : headings(page)) titles.push_back(std::move(title));
+    if (const std::optional<std::string> part = section_of(page, section)) found += (found.empty() ? "" : "\n") + *part;
+  }
+  if (found.empty()) {
     std::string near = nearest_name(section, titles);
     for (const std::string& title : titles)
       if (near.empty() && title.starts_with(section)) near = title;
@@ -98,8 +53,8 @@ int InspectCommand::show_section(const std::string& page, Session& session) cons
                                      : "it has no page");
     return input_errors;
   }
-  const Json out{{"Name", name}, {"Section", section}, {"Page", *found}};
-  return print(json ? out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : *found, session.status());
+  const Json out{{"Name", name}, {"Section", section}, {"Page", found}};
+  return print(json ? pretty(out) : found, session.status());
 }
 
 /// "g1" -> "G01", as dialects write the codes of one digit.
@@ -117,34 +72,35 @@ std::optional<int> InspectCommand::show_code(const LinkedDialect& linked, Sessio
   for (Json& row : describe_codes(linked))
     if (row["Code"] == name || row["Code"] == canonical_code(name)) rows.push_back(std::move(row));
   if (rows.empty()) return std::nullopt;
-  std::string text, pages;
+  std::string text, all;
+  std::vector<std::string> pages;
   for (Json& row : rows) {
     const LinkedSyntax& s = linked.chain[*linked.position(row["Syntax"].get<std::string>())];
-    const std::string page = s.syntax->page == nullptr ? "" : read_page(s.syntax->page);
+    std::string page = s.syntax->page == nullptr ? "" : read_page(s.syntax->page);
     text += fmt::format("{} in {}: {} ({}), {}:{}\n", row["Code"].get<std::string>(), linked.dialect.name,
                         s.element.alias, row["Page"].get<std::string>(), s.element.where.file, s.element.where.line);
-    pages += page;
+    all += page;
     row["PageFile"] = row["Page"];
     row["Page"] = page;
+    pages.push_back(std::move(page));
     row["Link"] = describe_link(s, linked.layout);
   }
   if (!section.empty()) return show_section(pages, session);
   const Json out{{"Code", rows[0]["Code"]}, {"Dialect", linked.dialect.name}, {"Syntaxes", std::move(rows)}};
-  return print(json ? out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : text + "\n" + pages,
-               session.status());
+  return print(json ? pretty(out) : text + "\n" + all, session.status());
 }
 
 int InspectCommand::show(Json declaration, const char* page, Session& session) const {
-  if (!section.empty()) return show_section(page == nullptr ? "" : read_page(page), session);
+  if (!section.empty()) return show_section({page == nullptr ? "" : read_page(page)}, session);
   if (json) {
     if (page != nullptr) declaration["Page"] = read_page(page);
-    return print(declaration.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", session.status());
+    return print(pretty(declaration), session.status());
   }
   declaration.erase("HasPage");
   std::string out = page == nullptr ? "" : read_page(page);
   if (!out.empty() && !out.ends_with('\n')) out += '\n';
   if (!out.empty()) out += "\n---- declaration\n";
-  return print(out + as_text(declaration, ""), session.status());
+  return print(out + as_lines(declaration), session.status());
 }
 
 std::optional<FoundMachine> InspectCommand::find_machine(Session& session) const {

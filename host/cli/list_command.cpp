@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "catalogue.hpp"
+#include "json_text.hpp"
 #include "known_codes.hpp"
 #include "output_file.hpp"
 #include "session.hpp"
@@ -146,8 +146,7 @@ struct ListCommand {
       const auto linked = named ? session.link(*named) : nullptr;
       if (linked == nullptr) return cannot_start;
       const Listing listing = codes(*linked);
-      return print(json ? listing.rows.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : table(listing),
-                   session.status());
+      return print(json ? pretty(listing.rows) : table(listing), session.status());
     }
     session.library().load_all();
     std::string out;
@@ -161,7 +160,7 @@ struct ListCommand {
       else
         out += (what.empty() ? (out.empty() ? "" : "\n") + listing.title + "\n" : "") + table(listing);
     }
-    if (json) out = (what.empty() ? all : all[what]).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    if (json) out = pretty(what.empty() ? all : all[what]);
     return print(out, session.status());
   }
 };

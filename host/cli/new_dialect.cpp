@@ -7,6 +7,7 @@
 
 #include "new_names.hpp"
 #include "output_file.hpp"
+#include "text_edits.hpp"
 
 namespace isogloss::cli {
 

@@ -8,6 +8,7 @@
 #include "new_names.hpp"
 #include "output_file.hpp"
 #include "outputs.hpp"
+#include "text_edits.hpp"
 
 namespace isogloss::cli {
 
@@ -64,6 +65,22 @@ bool is_folder_name(const std::string& name) {
   return !name.empty() && name[0] != '.' && name.find('/') == std::string::npos && is_one_line(name);
 }
 
+bool lies_in(const fs::path& path, const fs::path& folder) {
+  std::error_code error;
+  const fs::path relative =
+      fs::weakly_canonical(fs::absolute(path, error), error).lexically_relative(fs::canonical(folder, error));
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+/// Why a backup cannot be copied into the machine; empty when it can.
+std::string backup_fault(const fs::path& backup, const fs::path& place) {
+  std::error_code error;
+  const bool exists = fs::exists(backup, error);
+  if (error) return error.message();
+  if (!exists) return std::make_error_code(std::errc::no_such_file_or_directory).message();
+  return fs::is_directory(backup, error) && lies_in(place, backup) ? "the new machine would lie in it" : "";
+}
+
 }  // namespace
 
 int new_machine(const NewOptions& options) {
@@ -82,6 +99,12 @@ int new_machine(const NewOptions& options) {
   std::error_code error;
   if (fs::exists(place / "machine.xml", error)) {
     session.report("IG-0511", {(place / "machine.xml").string()}, {"the machine is there already"});
+    return cannot_start;
+  }
+  for (const std::string& backup : options.backups) {
+    const std::string fault = backup_fault(backup, place);
+    if (fault.empty()) continue;
+    session.report("IG-0510", {backup}, {fault});
     return cannot_start;
   }
   fs::create_directories(options.backups.empty() ? place : place / "backup", error);

@@ -65,21 +65,6 @@ bool is_prefix(std::string_view prefix) {
   return prefix.size() >= 2 && prefix.size() <= 8 && std::all_of(prefix.begin(), prefix.end(), is_capital);
 }
 
-std::string escaped_xml(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 std::string escaped_literal(std::string_view text) {
   std::string out;
   for (const char c : text) {

@@ -1,4 +1,4 @@
-/// Names that follow from the name of a plugin (of a type, a file, a namespace), and text as files hold it.
+/// Names that follow from the name of a plugin (of a type, a file, a namespace), and text as sources hold it.
 #pragma once
 
 #include <string>
@@ -21,8 +21,7 @@ std::string prefix_of(std::string_view name);
 /// Two to eight capitals.
 bool is_prefix(std::string_view prefix);
 
-/// For the text or an attribute of XML, and for a literal of C and C++.
-std::string escaped_xml(std::string_view text);
+/// For a literal of C and C++.
 std::string escaped_literal(std::string_view text);
 
 /// No control characters.

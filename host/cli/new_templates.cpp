@@ -21,13 +21,18 @@ fs::path template_folder() {
   return fs::is_directory(beside, ignored) ? beside : home.parent_path() / "share/isogloss/templates";
 }
 
-std::string filled(std::string text, const TemplateWords& words) {
-  for (const auto& [key, value] : words) {
-    const std::string mark = "@" + key + "@";
-    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + value.size()))
-      text.replace(at, mark.size(), value);
+/// In one pass: what is filled in may look like a mark.
+std::string filled(const std::string& text, const TemplateWords& words) {
+  std::string out;
+  std::size_t at = 0;
+  for (std::size_t begin; (begin = text.find('@', at)) != std::string::npos;) {
+    const std::size_t end = text.find('@', begin + 1);
+    const auto word = end == std::string::npos ? words.end() : words.find(text.substr(begin + 1, end - begin - 1));
+    const bool is_mark = word != words.end();
+    out += text.substr(at, begin - at) + (is_mark ? word->second : "@");
+    at = (is_mark ? end : begin) + 1;
   }
-  return text;
+  return out + text.substr(at);
 }
 
 }  // namespace

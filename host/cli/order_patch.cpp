@@ -103,10 +103,7 @@ class Mover {
     if (e.override_slot) out += " override=\"true\"";
     for (const Attribute& a : e.options) {
       if (is_own(a.where)) continue;  // the dialect's own <Configure> follows
-      std::string value;
-      for (const char c : a.value)
-        value += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
-      out += fmt::format(" {}=\"{}\"", a.name, value);
+      out += fmt::format(" {}=\"{}\"", a.name, escaped_xml(a.value));
     }
     return out + "/>";
   }
@@ -182,7 +179,7 @@ class Mover {
       edits_.replace(at, at, (removals.empty() ? "" : line + removals) + line + text);
       return {};
     }
-    const std::size_t end = edits_.find_last("</Chain>");
+    const std::size_t end = edits_.find_last("</Chain");
     if (end == std::string::npos) return "the wrong order is inherited";
     const std::string blanks = edits_.indentation(end) + "  ";
     const std::string line = edits_.line_end() + blanks;

@@ -1,4 +1,4 @@
-/// Changes of an XML text that leave all the rest of it, comments and blanks too, as it is.
+/// Text of XML, and changes of it that leave all the rest, comments and blanks too, as it is.
 #pragma once
 
 #include <string>
@@ -9,10 +9,13 @@
 
 namespace isogloss::cli {
 
+/// For the text or an attribute of XML.
+std::string escaped_xml(std::string_view text);
+
 /// Parts of a text that become others; places are offsets of the old text, which must outlive it.
 class TextEdits {
  public:
-  explicit TextEdits(const std::string& text) : text_(text) {}
+  explicit TextEdits(const std::string& text);
 
   void replace(std::size_t begin, std::size_t end, std::string by) { all_.push_back({begin, end, std::move(by)}); }
   /// Removes the element, and its lines where nothing else stands on them.
@@ -26,7 +29,8 @@ class TextEdits {
   /// The blanks before the element on its line.
   std::string indentation(std::size_t at) const;
   std::string line_end() const { return text_.find("\r\n") != std::string::npos ? "\r\n" : "\n"; }
-  std::size_t find_last(std::string_view what) const { return text_.rfind(what); }
+  /// Not in comments.
+  std::size_t find_last(std::string_view what) const { return elements_.rfind(what); }
 
  private:
   std::size_t line_begin(std::size_t at) const;
@@ -36,6 +40,7 @@ class TextEdits {
     std::string by;
   };
   const std::string& text_;
+  std::string elements_;  ///< the text with blanks for comments and the like
   std::vector<One> all_;
 };
 

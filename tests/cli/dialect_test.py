@@ -194,16 +194,24 @@ class Lint(Command):
 
 
 class Suggest(Command):
+    def suggested(self, dialect):
+        """The patch with the line ends of the file."""
+        environment = {k: v for k, v in os.environ.items() if not k.startswith("ISOGLOSS_")}
+        done = subprocess.run([OPTIONS.isogloss, "lint", dialect, "--suggest", *OPTIONS.more], cwd=self.path,
+                              capture_output=True, check=False, env=environment)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        return done.stdout.decode()
+
     def apply(self, dialect, count=None):
         """The patch applies with both tools; the order is right afterwards. How many lines it adds."""
         self.run_it("lint", dialect, status=1)
-        patch = self.run_it("lint", dialect, "--suggest", status=1).stdout
-        (self.path / "order.patch").write_text(patch)
+        patch = self.suggested(dialect)
+        (self.path / "order.patch").write_bytes(patch.encode())
         self.assertIn("@@", patch)
         check = subprocess.run(["git", "apply", "-p0", "--check", "order.patch"], cwd=self.path, capture_output=True,
                                text=True, check=False)
         self.assertEqual(check.returncode, 0, check.stderr + patch)
-        tool = ["patch", "-p0", "-i", "order.patch"] if shutil.which("patch") else ["git", "apply", "-p0", "order.patch"]
+        tool = ["patch", "-p0", "--binary", "-i", "order.patch"] if shutil.which("patch") else ["git", "apply", "-p0", "order.patch"]
         done = subprocess.run(tool, cwd=self.path, capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr + patch)
         after = self.run_it("lint", dialect)
@@ -255,14 +263,38 @@ class Suggest(Command):
         self.apply(name)
 
     def test_what_is_inherited_is_put_in_again_where_nothing_of_ones_own_can_move(self):
-        self.write((lambda text: text.replace('name="iso"', 'name="base"', 1))(
-            self.run_it("dialect", "--effective", "iso").stdout), "base.xml")
-        text = (self.path / "base.xml").read_text()
-        plane = re.search(r" *<PlaneSelectSyntax.*/>\n", text)[0]
-        text = text.replace(plane, "", 1).replace("    </Logic>", plane + "    </Logic>", 1)
-        (self.path / "base.xml").write_text(text)
+        self.write_base()
         name = self.mine('    <Configure syntax="DwellSyntax" p-unit="ms"/>\n', extends="base")
         self.apply(name, count=2)
+
+    def test_comments_and_line_ends_of_any_form(self):
+        """Tags in a comment are none, and lines may end with a return."""
+        edits = ('    <Remove syntax="McXyzSyntax"/>\n    <InsertBefore syntax="ProgramXyzSyntax">{}\n'
+                 '      <McXyzSyntax></McXyzSyntax>\n    </InsertBefore>\n')
+        self.apply(self.mine(edits.format(' <!-- </InsertBefore> "> -->')))
+        for line_end in (b"\r\n", b"\r"):
+            name = self.mine(edits.format(""))
+            text = (self.path / name).read_bytes().replace(b"\n", line_end)
+            (self.path / name).write_bytes(text)
+            self.apply(name)
+            self.assertIn(b"<McXyzSyntax></McXyzSyntax>", (self.path / name).read_bytes())
+        name = self.mine(edits.format(""))
+        (self.path / name).write_bytes(b"\xef\xbb\xbf" + (self.path / name).read_bytes().replace(b"\n", b""))
+        self.apply(name)
+
+    def test_the_end_of_the_chain_is_found(self):
+        self.write_base()
+        for end in ("  </Chain >\n", "  </Chain>\n  <!-- </Chain> -->\n"):
+            name = self.mine('    <Configure syntax="DwellSyntax" p-unit="ms"/>\n', extends="base")
+            path = self.path / name
+            path.write_text(re.sub(r" *<Configure.*\n", "", path.read_text()).replace("  </Chain>\n", end))
+            self.apply(name, count=2)
+
+    def write_base(self):
+        """The dialect base, which has iso's chain with one syntax in a wrong place."""
+        text = self.run_it("dialect", "--effective", "iso").stdout.replace('name="iso"', 'name="base"', 1)
+        plane = re.search(r" *<PlaneSelectSyntax.*/>\n", text)[0]
+        self.write(text.replace(plane, "", 1).replace("    </Logic>", plane + "    </Logic>", 1), "base.xml")
 
     def test_a_right_order_and_an_impossible_one(self):
         self.assertIn("iso: the order is right", self.run_it("lint", "iso", "--suggest").stdout)
@@ -288,6 +320,11 @@ class Inspect(Command):
         self.assertTrue(page.startswith("## Diagnostics\n"))
         self.assertNotIn("## X in seconds", page)
         self.assertNotIn("---- declaration", page)
+        pages = [s["Page"] for s in json.loads(self.run_it("inspect", "A", "-d", "fanuc", "--json").stdout)["Syntaxes"]]
+        expected = sum("\n## Diagnostics\n" in page for page in pages)
+        self.assertGreater(expected, 1)
+        page = self.run_it("inspect", "A", "-d", "fanuc", "--section", "Diagnostics").stdout
+        self.assertEqual(page.count("## Diagnostics\n"), expected, "one of each page that has it")
         done = self.run_it("inspect", "DwellSyntax", "--section", "Diagnostic", status=1)
         self.assertIn("[IG-0174]", done.stderr)
         self.assertIn("did you mean Diagnostics?", done.stderr)

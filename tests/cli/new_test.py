@@ -66,6 +66,15 @@ class New(unittest.TestCase):
         self.new("plugin", "acme", "--title", 'A & "B" <C>', "--vendor", 'Acme "Clamps"')
         self.assertIn('title="A &amp; &quot;B&quot; &lt;C>"', (self.path / "acme/dialects/acme.xml").read_text())
         self.assertIn(r'"Acme \"Clamps\""', (self.path / "acme/plugin.cpp").read_text())
+        self.new("plugin", "marked", "--title", "@vendor@ at @base@", "--prefix", "MRK")
+        self.assertIn('title="@vendor@ at @base@"', (self.path / "marked/dialects/marked.xml").read_text())
+
+    def test_a_backup_that_cannot_be_copied_makes_no_machine(self):
+        (self.path / "card").mkdir()
+        (self.path / "card/TOOL.T").write_text("")
+        for backup, folder in ((".", "machines"), ("card", "card/machines"), ("card", "card"), ("nothing", "machines")):
+            self.refused("IG-0510", "machine", "mill", "-d", "fanuc", "--backup", "card/TOOL.T", "--backup", backup,
+                         "--in", folder)
 
     def test_the_unit_of_p_is_that_of_the_base(self):
         for base, unit, p in (("fanuc", "ms", "P500 "), ("iso", "s", "P.5 ")):

@@ -8,6 +8,14 @@
 #include <string>
 #include <thread>
 
+#if defined(FAULT_leaves_process) || defined(FAULT_leaves_group)
+#include <unistd.h>
+
+#include <csignal>
+#elif defined(FAULT_prints)
+#include <cstdio>
+#endif
+
 namespace {
 
 #if defined(FAULT_option_bounds)
@@ -66,6 +74,11 @@ ig_status create(const ig_link_api* api, ig_link* link, const ig_field* ids, voi
   return IG_CHANGED;
 }
 
+[[maybe_unused]] ig_status restart(void* self, const ig_host*, ig_block*) {
+  static_cast<Self*>(self)->blocks = 0;
+  return IG_UNCHANGED;
+}
+
 void destroy(void* self) { delete static_cast<Self*>(self); }
 
 [[maybe_unused]] long blocks_of_all = 0;
@@ -103,6 +116,24 @@ ig_status build(void* pointer, const ig_host* host, ig_block* block) {
 #elif defined(FAULT_memory)
   if (!is_there)
     for (std::size_t i = 0;; ++i) std::memset(std::malloc(1 << 20), 1, 1 << 20);
+#elif defined(FAULT_leaves_process)
+  static bool has_left = false;
+  if (!has_left && fork() == 0) {
+    sleep(1000);
+    _exit(0);
+  }
+  has_left = true;
+  if (!is_there) crash();
+#elif defined(FAULT_leaves_group)
+  setpgid(0, getpgid(getppid()));
+  std::signal(SIGALRM, SIG_IGN);  // no watch ends it
+  while (!is_there) pause();
+#elif defined(FAULT_prints)
+  if (!is_there) {
+    for (int i = 0; i < 20'000'000; ++i) std::fputc('x', stdout);
+    std::fflush(stdout);
+    crash();
+  }
 #elif defined(FAULT_random)
   ig_value y;
   if (is_there && x.number > 2 && host->get(block, self.plane, &y) != 0 && y.number < -2) crash();
@@ -115,7 +146,7 @@ ig_status build(void* pointer, const ig_host* host, ig_block* block) {
   if (!is_there) return IG_UNCHANGED;
 #if defined(FAULT_global_count)
   x.number += ++blocks_of_all;
-#elif defined(FAULT_keeps)
+#elif defined(FAULT_keeps) || defined(FAULT_forgets)
   x.number += self.blocks;
 #elif defined(FAULT_shared_scratch)
   scratch = x.number;
@@ -178,6 +209,15 @@ struct AtLoad {
 
 #if defined(FAULT_exports)
 extern "C" IG_EXPORT int of_everyone() { return 1; }
+#elif defined(FAULT_many_exports)
+#define ONE(n) \
+  extern "C" IG_EXPORT int of_everyone_##n() { return 1; }
+#define FIVE(n) ONE(n##0) ONE(n##1) ONE(n##2) ONE(n##3) ONE(n##4)
+FIVE(1)
+FIVE(2)
+FIVE(3)
+FIVE(4)
+FIVE(5)
 #endif
 
 extern "C" IG_EXPORT const ig_plugin* ig_plugin_v1(void) {
@@ -200,6 +240,9 @@ extern "C" IG_EXPORT const ig_plugin* ig_plugin_v1(void) {
   syntax.create = create;
   syntax.destroy = destroy;
   syntax.build = build;
+#if defined(FAULT_forgets)
+  syntax.restart = restart;
+#endif
   plugin.struct_size = sizeof plugin;
   plugin.abi_major = IG_ABI_MAJOR;
   plugin.abi_minor = IG_ABI_MINOR;

@@ -11,6 +11,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import xml.etree.ElementTree
 
@@ -48,6 +49,8 @@ FAULTS = {
     "random": ("random-blocks", "it crashes, does not return, or ends the process"),
     "random_lie": ("random-blocks", "its build() says unchanged, but the block changed"),
     "slow": ("time", "more than the budget of 10000 ns"),
+    "leaves_process": ("empty-block", "segmentation fault in FaultySyntax of plugin leaves_process"),
+    "prints": ("empty-block", "segmentation fault in FaultySyntax of plugin prints"),
 }
 LIMITS = ["--call-limit", "1", "--memory-limit", "512", "--blocks", "100"]
 
@@ -92,13 +95,18 @@ class Validate(unittest.TestCase):
         self.assertNotIn("FAILED", done.stdout)
         self.assertIn("24 checks held; failed: 0 must, 0 should, 0 note", done.stdout)
 
+    def test_a_plugin_that_forgets_at_a_restart_passes(self):
+        status, checks = self.checks(faulty("forgets"), "--only", "restart")
+        self.assertEqual((status, checks[0]["Result"]), (0, "held"))
+
     def test_the_plugins_of_this_project_keep_the_contract(self):
         plugins = sorted((OPTIONS.isogloss.parent / "plugins").glob("*.so"))
         self.assertTrue(plugins)
         for plugin in plugins:
             with self.subTest(plugin.stem):
                 status, checks = self.checks(plugin, "--blocks", "20")
-                self.assertEqual([c for c in checks if c["Level"] == "must" and c["Result"] != "held"], [])
+                needed = [c for c in checks if c["Level"] == "must" or c["Name"] == "prefix"]
+                self.assertEqual([c for c in needed if c["Result"] != "held"], [])
                 self.assertEqual(status, 0)
 
     def test_a_random_block_is_shrunk_and_comes_again(self):
@@ -134,6 +142,36 @@ class Validate(unittest.TestCase):
         self.assertIn("says unchanged", suite.find("testcase[@name='unchanged']/failure").get("message"))
         self.assertIsNone(suite.find("testcase[@name='exports']/failure"))
 
+    def test_the_time_limit_holds_for_a_process_that_leaves_its_group(self):
+        done = self.run_it(faulty("leaves_group"), "--only", "empty-block", "--time-limit", 3)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("the check took longer than 3 s", done.stdout)
+
+    def test_findings_beyond_the_first_twenty_are_counted(self):
+        done = self.run_it(faulty("many_exports"), "--only", "exports")
+        self.assertEqual(done.stdout.count("is exported, so"), 20)
+        self.assertIn("\n      and 5 more\n", done.stdout)
+        _, checks = self.checks(faulty("many_exports"), "--only", "exports")
+        self.assertEqual(checks[0]["FurtherFindings"], 5)
+
+    def test_a_time_limit_may_be_of_any_size(self):
+        done = self.run_it(faulty("sound"), "--only", "empty-block", "--time-limit", 2**32 - 1)
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+    def test_a_check_ends_with_the_command(self):
+        """The check has the command's input open, so the pipe breaks when nobody is left."""
+        with subprocess.Popen([OPTIONS.isogloss, "validate", faulty("leaves_group"), "--only", "empty-block"],
+                              stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, bufsize=0) as command:
+            time.sleep(2)
+            self.assertIsNone(command.poll())
+            command.kill()
+            command.wait()
+            end = time.monotonic() + 20
+            with self.assertRaises(BrokenPipeError):
+                while time.monotonic() < end:
+                    command.stdin.write(b"x")
+                    time.sleep(0.1)
+
     def test_in_process_a_crash_is_the_command_s_own(self):
         self.assertEqual(self.run_it(faulty("sound"), "--in-process").returncode, 0)
         done = self.run_it(faulty("empty"), "--in-process", "--only", "empty-block")
@@ -147,6 +185,11 @@ class Validate(unittest.TestCase):
             done = self.run_it(*arguments)
             self.assertEqual(done.returncode, 2, done.stdout)
             self.assertIn(text, done.stderr)
+        for number, status in (("010", 0), ("18446744073709551615", 0), ("18446744073709551616", 2), ("0x10", 2)):
+            done = self.run_it(faulty("sound"), "--only", "loads", "--seed", number, "--json")
+            self.assertEqual(done.returncode, status, number)
+            if status == 0:
+                self.assertEqual(json.loads(done.stdout)["Seed"], int(number))
         self.assertIn("[IG-0155]", self.run_it(faulty("sound"), "--only", "unchange").stderr)
 
 

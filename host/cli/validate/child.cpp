@@ -3,10 +3,12 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
@@ -57,8 +59,10 @@ void limit(const ValidateOptions& options) {
   dup2(talk, STDERR_FILENO);
   dup2(talk, STDOUT_FILENO);
   limit(options);
+  std::size_t told = 0;
   Examination e(options, file, attempt, attempt_room, [&](const Finding& found) {
-    const Json line{found.where, found.what};
+    // The rest is only counted.
+    const Json line = ++told > Outcome::most_findings ? Json::array() : Json{found.where, found.what};
     write_all(results, line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
   });
   perform(check, e);
@@ -66,37 +70,56 @@ void limit(const ValidateOptions& options) {
   end_process(success);
 }
 
-/// Reads both pipes to their end, or to the time limit: then false.
-bool listen(const int (&pipes)[2], std::string (&texts)[2], double seconds) {
+bool has_ended(pid_t child) {
+  siginfo_t info{};
+  return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
+}
+
+/// The last of what a check writes: its end says how it ended.
+void keep(std::string& text, std::string_view more) {
+  constexpr std::size_t most_bytes = 16 << 20;
+  text += more;
+  if (text.size() > most_bytes) text.erase(0, text.size() - most_bytes / 2);
+}
+
+/// Reads both pipes until the child ends, or to the time limit: then false. Processes that the plugin started may hold
+/// the pipes open for longer: they end with the child.
+bool listen(pid_t child, const int (&pipes)[2], std::string (&texts)[2], double seconds) {
+  constexpr double interval = 0.02;
   const Clock::time_point begin = Clock::now();
   bool is_open[2] = {true, true};
-  constexpr std::size_t most_bytes = 16 << 20;
-  while (is_open[0] || is_open[1]) {
+  for (bool is_last = false; is_open[0] || is_open[1];) {
     const double left = seconds - seconds_since(begin);
     if (left <= 0) return false;
     pollfd polled[2] = {{is_open[0] ? pipes[0] : -1, POLLIN, 0}, {is_open[1] ? pipes[1] : -1, POLLIN, 0}};
-    if (poll(polled, 2, static_cast<int>(left * 1000) + 1) <= 0) continue;
+    if (!is_last && has_ended(child)) {
+      is_last = true;
+      kill(-child, SIGKILL);
+    }
+    if (poll(polled, 2, is_last ? 0 : static_cast<int>(std::min(left, interval) * 1000) + 1) <= 0) {
+      if (is_last) return true;
+      continue;
+    }
     for (int i = 0; i < 2; ++i) {
       if (polled[i].revents == 0) continue;
       char buffer[4096];
       const ssize_t n = read(pipes[i], buffer, sizeof buffer);
       if (n <= 0)
         is_open[i] = false;
-      else if (texts[i].size() < most_bytes)
-        texts[i].append(buffer, static_cast<std::size_t>(n));
+      else
+        keep(texts[i], {buffer, static_cast<std::size_t>(n)});
     }
   }
   return true;
 }
 
-std::string first_line(const std::string& text) {
-  std::string_view line = std::string_view(text).substr(0, text.find('\n'));
+/// What the crash guard told, or else the first line that the plugin wrote.
+std::string reason(const std::string& text) {
   constexpr std::string_view ours = "isogloss: internal fault: ";
-  if (const std::size_t at = text.find(ours); at != std::string::npos) {
-    line = std::string_view(text).substr(at + ours.size());
-    line = line.substr(0, line.find('\n'));
-  }
-  return std::string(line);
+  constexpr std::size_t longest = 1000;
+  const std::size_t at = text.rfind(ours);
+  const std::string_view told = std::string_view(text).substr(at == std::string::npos ? 0 : at + ours.size());
+  return std::string(told.substr(0, std::min(told.find('\n'), longest)));
 }
 
 void add(Outcome& out, Finding finding) {
@@ -109,7 +132,11 @@ void add(Outcome& out, Finding finding) {
 void read_results(const std::string& text, Outcome& out) {
   for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
     const Json line = Json::parse(text.substr(begin, end - begin), nullptr, false);
-    if (line.is_array() && line.size() == 2) add(out, {line[0].get<std::string>(), line[1].get<std::string>()});
+    if (!line.is_array()) continue;
+    if (line.size() == 2)
+      add(out, {line[0].get<std::string>(), line[1].get<std::string>()});
+    else
+      ++out.more;
   }
 }
 
@@ -123,9 +150,11 @@ Outcome run_in_child(const Check& check, const ValidateOptions& options, const s
   void* const shared = mmap(nullptr, attempt_room, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (shared == MAP_FAILED) throw std::runtime_error("no memory for a check");
   char* const attempt = static_cast<char*>(shared);
-  const pid_t child = fork();
+  const pid_t parent = getpid(), child = fork();
   if (child < 0) throw std::runtime_error("no process for a check");
   if (child == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody else would end a check of a command that was stopped
+    if (getppid() != parent) end_process(internal_fault);
     setpgid(0, 0);  // a process that the plugin starts ends with the check
     be_child(check, options, file, attempt, results[1], talk[1]);
   }
@@ -133,8 +162,9 @@ Outcome run_in_child(const Check& check, const ValidateOptions& options, const s
   close(results[1]);
   close(talk[1]);
   std::string texts[2];
-  const bool is_complete = listen({results[0], talk[0]}, texts, options.time_limit);
+  const bool is_complete = listen(child, {results[0], talk[0]}, texts, options.time_limit);
   kill(-child, SIGKILL);
+  kill(child, SIGKILL);  // it may have left its group
   int status = 0;
   waitpid(child, &status, 0);
   close(results[0]);
@@ -145,7 +175,7 @@ Outcome run_in_child(const Check& check, const ValidateOptions& options, const s
   if (!is_complete)
     add(out, {at_work, "the check took longer than " + std::to_string(options.time_limit) + " s"});
   else if (!texts[0].ends_with(end_mark))
-    add(out, {at_work, texts[1].empty() ? "the process ended without a word" : first_line(texts[1])});
+    add(out, {at_work, texts[1].empty() ? "the process ended without a word" : reason(texts[1])});
   out.seconds = seconds_since(begin);
   return out;
 }

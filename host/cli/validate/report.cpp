@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
+#include "json_text.hpp"
 
 namespace isogloss::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string_view result_of(const Outcome& o) { return !o.skipped.empty() ? "skipped" : o.held() ? "held" : "failed"; }
 
@@ -94,7 +92,7 @@ std::string as_json(const std::vector<PluginOutcome>& plugins, const ValidateOpt
     }
     list.push_back({{"File", plugin.file}, {"Checks", std::move(checks)}});
   }
-  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return pretty(out);
 }
 
 std::string as_junit(const std::vector<PluginOutcome>& plugins) {
