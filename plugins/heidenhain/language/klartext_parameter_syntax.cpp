@@ -154,7 +154,7 @@ struct KlartextParameter {
   /// What is missing where the function is not executed.
   static std::string_view effect_of(unsigned number) {
     switch (number) {
-      case 17: return "only L, R, DL and DR of a tool can be written here, by a number";
+      case 17: return "only L, R, R2, DL, DR and DR2 of a tool can be written here, by a number";
       case 18: return "no row of HeidenhainSystemData answers it, so the parameter keeps its value";
       case 19:
       case 29: return "the machine's logic does not get its values, and what it would do is missing";

@@ -39,6 +39,11 @@ inline const Diagnostics machine_code_diagnostics{
     diagnostic(IG_ERROR, "ISO-0601",
                "{0} has set fields in this block already: write the second one in a block of its own",
                "The fields of a block have one value each. The values of the first code stay.", "M131 P1 M131 P2"),
+    diagnostic(IG_ERROR, "ISO-0603",
+               "{0} does not set {1}, which another code has set in this block: write the second one in a block of its "
+               "own",
+               "The fields of a block have one value each. The value of the first code stays.",
+               "M131 M132 (and rows of both with fields=\"Coolant.Mode=FLOOD\")"),
 };
 
 /// How the words of a G or M code that calls a program are passed to it.
@@ -165,6 +170,7 @@ class MachineCodeRecord {
       return;
     }
     std::string all(b.text(fields_));
+    const std::string before = all;  // what other codes of this block have set
     for_each_assignment(to_view(row.fields), [&](std::string_view path, std::string_view value) {
       std::string number;
       if (const auto from = GivenValue::read(value)) {
@@ -174,6 +180,9 @@ class MachineCodeRecord {
           return b.report(diag("ISO-0600"), where, to_view(row.name), path, value);
         value = written ? std::string_view(number) : from->otherwise;
       }
+      bool is_set = false;
+      for_each_assignment(before, [&](std::string_view other, std::string_view) { is_set = is_set || other == path; });
+      if (is_set) return b.report(diag("ISO-0603"), where, to_view(row.name), path);
       all.append(all.empty() ? "" : "; ").append(path).append("=").append(value);
     });
     b.set_text(fields_, all);
