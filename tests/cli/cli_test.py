@@ -297,6 +297,7 @@ class Tables(Command):
         self.refused("--set", "IsoCoordinateTable.g54.X=5", code="IG-0432")
         self.refused("--set", "ToolOffsetTable.0.H=5", code="IG-0432")
         self.refused("--set", "IsoCoordinateTable.G54.X=ten", code="IG-0411")
+        self.refused("--set", "IsoCoordinateTable.G54.X=+-5", code="IG-0411")
         self.run_it("run", "part.nc", "-d", "fanuc", "--emit", "none", "--set", "FanucParameterTable.3401=1")
 
     def test_a_table_is_as_long_as_that_of_the_control(self):
@@ -322,6 +323,8 @@ class Tables(Command):
                        "Not asked": ["MachineAxes"]}, services)
         done = self.run_it("run", self.program, "-d", "fanuc", "--emit", "none", "--set", "MachineAxes.X.Maximum=500")
         self.assertIn("[IG-0434]", done.stderr)
+        done = self.run_it("run", self.program, "-d", "fanuc", "--emit", "none", "--set", "MachineAxes.X.Names=XX")
+        self.assertNotIn("[IG-0434]", done.stderr, "names are read, whoever answers for positions")
 
     def test_two_syntaxes_for_one_code(self):
         head = '<Dialect xmlns="urn:isogloss:dialect:1" name="mine" extends="iso"><Chain><InsertAfter ' \

@@ -174,7 +174,8 @@ void Chain::check_answers() {
                          return is_shipped(*d.dependency, key_of(*d.dependency, row)) && has_number(*d.dependency, row);
                        }) ||
            std::any_of(assigned_rows_.begin(), assigned_rows_.end(), [&](const AssignedRow& row) {
-             return row.dependency == i && is_shipped(*d.dependency, row.name);
+             return row.dependency == i && d.dependency->columns[row.column].is_text == 0 &&
+                    is_shipped(*d.dependency, row.name);
            });
   };
   const auto is_asked = [&](std::string_view id) {
@@ -256,7 +257,7 @@ void Chain::assign(const std::string& path, const std::string& value) {
       hint = columns_of(*d.dependency);
       break;
     }
-    assigned_rows_.push_back({i, row});
+    assigned_rows_.push_back({i, row, static_cast<std::uint32_t>(column.value_or(0))});
     if (!tables_[i]->set(row, static_cast<std::uint32_t>(column.value_or(0)), std::string_view(value))) {
       sink_.add(host_diagnostic("IG-0411", {"--set"}, {path, value}));
       throw std::runtime_error("no value for " + path);

@@ -95,7 +95,7 @@ class SystemData {
     return row ? std::optional(Cell{*row, columns[static_cast<std::size_t>(r.number) - 1]}) : std::nullopt;
   }
   /// What else the table of tools has: NR9 TIME1, NR10 TIME2, NR11 CUR.TIME, NR13 LCUTS, NR14 ANGLE, NR15 CUT, NR28
-  /// NMAX, NR32 T-ANGLE, NR36 TYP. iTNC 530 and TNC 640 manuals, "FN 18: SYSREAD".
+  /// NMAX, NR32 T-ANGLE, NR36 TYP (TNC 620). HEIDENHAIN manuals, "FN 18: SYSREAD".
   static std::optional<std::uint32_t> other_column(double number) {
     struct Datum {
       double number;

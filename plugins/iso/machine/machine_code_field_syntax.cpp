@@ -41,6 +41,7 @@ struct MachineCodeField {
       "MachineCode.Fields",
       ig::read | ig::wake,
       {ig::Life::block, "", "The fields that rows of MachineCodes set in this block, and their values."}};
+  ig::Call g04_{{"G04"}, "", ig::read};
   struct Target {
     ig_field field;
     ig_type type;
@@ -77,6 +78,7 @@ struct MachineCodeField {
     std::string_view fault = fault_of_number(path, number);
     constexpr double largest = 9007199254740992.0;  // beyond it a double skips integers
     if (to.type == IG_INTEGER && (number != std::trunc(number) || std::fabs(number) > largest)) fault = "is not whole";
+    if (path == "Dwell.Time" && b.find(g04_)) fault = "stands beside G04, whose time counts";
     if (!fault.empty()) return b.report(ig::diag("ISO-0602"), ig::Where::block(), path, number, fault);
     if (to.type == IG_INTEGER) return b.set(to.field, ig_value{.integer = static_cast<std::int64_t>(number)});
     if (path == "Feedrate.FeedrateValue") return feed_.resolve(b, number);

@@ -72,8 +72,10 @@ Written SystemData::write(const ig::Block& b, std::string_view text, std::option
     return value ? write_frame(b, name, *frame, *value) : Written::no;
   if (name.base == "$P_AD") return Written::no;
   if (const auto row = offset_row(b, name); row && value && tools_) {
-    const double mm = *column_of(name) == IG_TOOL_TYPE ? *value : *value * unit(b);
-    const bool done = std::fabs(mm) < 1e9 && tools_->set(tools_->self, *row, *column_of(name), mm) != 0;
+    const bool is_type = *column_of(name) == IG_TOOL_TYPE;
+    const double mm = is_type ? *value : *value * unit(b);
+    const bool done = (!is_type || mm == std::floor(mm)) && std::fabs(mm) < 1e9 &&
+                      tools_->set(tools_->self, *row, *column_of(name), mm) != 0;
     return done ? Written::taken : Written::no;
   }
   return moves_nothing(name.base) ? Written::without_effect : Written::no;

@@ -242,6 +242,7 @@ class Chain {
   struct AssignedRow {
     std::size_t dependency;
     std::string name;
+    std::uint32_t column;
   };
   std::vector<AssignedRow> assigned_rows_;  // by --set
   bool is_scanning_ = false;                // for a crash report
