@@ -490,6 +490,13 @@ class Machines(unittest.TestCase):
                          ["row G59.3 1", "rows with an index 1", "column CornerRadius of ToolOffsetTable 2",
                           "column Name of ToolOffsetTable 1", "column Teeth of ToolOffsetTable 1"])
 
+    def test_rows_whose_names_differ_in_their_letters_alone_are_one(self):
+        self.machine('<Dependencies><HeidenhainPoints><Point id="vice.pnt#1" X="1"/><Point id="VICE.PNT#1" X="2"/>'
+                     '</HeidenhainPoints></Dependencies>')
+        done = self.run_it("export", "-m", "machines/mill", "--format", "HeidenhainPointTable")
+        self.assertRegex(done.stdout, r"\n1 +\+1 ")
+        self.assertRegex(done.stderr, r"row VICE\.PNT#1 has no place in the file.*\[IG-0133\]")
+
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
