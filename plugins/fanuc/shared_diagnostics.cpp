@@ -64,14 +64,6 @@ const ig::Diagnostics shared_diagnostics{
                    "A condition compares two values. Nothing is executed.", "IF[#1] GOTO 10"),
     ig::diagnostic(IG_WARNING, "FAN-0117", "brackets are nested {0} deep; the control permits {1}",
                    "The expression is computed here; on the control it is an alarm.", "#1=[[[[[[1]]]]]]"),
-    ig::diagnostic(IG_WARNING, "FAN-0270",
-                   "#{0} is an output of the machine: nothing is switched, and the program reads the value back",
-                   "The run has no machine. Reported once for each output.", "#1100=1"),
-    ig::diagnostic(IG_WARNING, "FAN-0271",
-                   "#{0} is an input of the machine, which a control does not write: the program reads the value back",
-                   "The control stops with an alarm. A table of variables gives inputs their states (MacroVariables). "
-                   "Reported once for each input.",
-                   "#1000=1"),
     ig::diagnostic(IG_WARNING, "FAN-0118",
                    "the state of #{0} is not known here: {1} is assumed; --variables FILE can give another",
                    "The variable is a signal, a switch or a counter of the machine. Give its value in a table of "
@@ -116,6 +108,14 @@ const ig::Diagnostics shared_diagnostics{
                    "A Fanuc writes offsets in the unit of its input, and lengths of parameters in that of parameters "
                    "0000 and 1001. In a machine, write <Backup src=\"TOOLOFST.TXT\" unit=\"mm\"/>, or \"inch\".",
                    "G10L2P1X-12.5, from a control in inches"),
+    ig::diagnostic(IG_WARNING, "FAN-0270",
+                   "#{0} is an output of the machine: nothing is switched, and the program reads the value back",
+                   "The run has no machine. Reported once for each output.", "#1100=1"),
+    ig::diagnostic(IG_WARNING, "FAN-0271",
+                   "#{0} is an input of the machine, which a control does not write: the program reads the value back",
+                   "The control stops with an alarm. A table of variables gives inputs their states (MacroVariables). "
+                   "Reported once for each input.",
+                   "#1000=1"),
 };
 
 }  // namespace

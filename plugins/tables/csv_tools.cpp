@@ -93,10 +93,6 @@ struct CsvTools {
         const std::string_view cell = out.cell("ToolOffsetTable", row, c.name);
         line += "," + (c.is_length ? value_of(cell) : std::string(cell));
       }
-      for (const char* const c :
-           {"CornerRadiusWear", "Type", "CuttingLength", "PlungeAngle", "Life", "LifeAtCall", "UsedLife"})
-        if (!out.cell("ToolOffsetTable", row, c).empty())
-          out.unused(std::string("column ") + c, "the format has no column for it");
       line += "," + quoted(out.cell("ToolOffsetTable", row, "Name"));
       out.write(line + "\n");
     }

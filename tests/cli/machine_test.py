@@ -490,6 +490,23 @@ class Machines(unittest.TestCase):
                          ["row G59.3 1", "rows with an index 1", "column CornerRadius of ToolOffsetTable 2",
                           "column Name of ToolOffsetTable 1", "column Teeth of ToolOffsetTable 1"])
 
+    def test_rows_whose_names_differ_in_their_letters_alone_are_one(self):
+        self.machine('<Dependencies><HeidenhainPoints><Point id="vice.pnt#1" X="1"/><Point id="VICE.PNT#1" X="2"/>'
+                     '</HeidenhainPoints></Dependencies>')
+        done = self.run_it("export", "-m", "machines/mill", "--format", "HeidenhainPointTable")
+        self.assertRegex(done.stdout, r"\n1 +\+1 ")
+        self.assertRegex(done.stderr, r"row VICE\.PNT#1 has no place in the file.*\[IG-0133\]")
+
+    def test_parameters_that_a_fanuc_cannot_hold_are_named(self):
+        rows = "".join(f'<Parameter number="{number}" {column}="{value}"/>' for number, column, value in (
+            (3401, "Value", 256), (5101, "Value", -1), (1202, "Value", 0.5), (1221, "X", 5), (5114, "X", 3)))
+        self.machine(f"<Dependencies><FanucParameterTable>{rows}</FanucParameterTable></Dependencies>")
+        done = self.run_it("export", "-m", "machines/mill", "--format", "FanucParameters")
+        self.assertRegex(done.stderr, r"value of bits has no place in the file.*count: 3")
+        self.assertRegex(done.stderr, r"parameter 1221 has no place in the file")
+        self.assertRegex(done.stderr, r"value of an axis of parameter 5114 has no place in the file")
+        self.assertNotRegex(done.stdout, "N0(3401|5101|1202|1221)")
+
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)

@@ -84,23 +84,32 @@ struct OkumaData {
     return without_point == OkumaIncrement::mm1 ? 1 : without_point == OkumaIncrement::um10 ? 100 : 1000;
   }
 
-  /// Without a comment, a sequence number and the blanks around.
+  /// Without comments, a sequence number and the blanks around; the whole line where more stands behind a comment.
   static std::string_view code_of(std::string_view line) {
-    line = trimmed(line.substr(0, line.find('(')));
-    if (!line.starts_with('N')) return line;
-    const std::size_t end = std::min(line.find_first_not_of("0123456789", 1), line.size());
-    return end > 1 ? trimmed(line.substr(end)) : line;
+    line = behind_comments(line);
+    if (line.starts_with('N')) {
+      const std::size_t end = std::min(line.find_first_not_of("0123456789", 1), line.size());
+      if (end > 1) line = behind_comments(line.substr(end));
+    }
+    const std::size_t comment = std::min(line.find('('), line.size());
+    return behind_comments(line.substr(comment)).empty() ? trimmed(line.substr(0, comment)) : line;
+  }
+  static std::string_view behind_comments(std::string_view text) {
+    text = trimmed(text);
+    while (text.starts_with('(')) text = trimmed(text.substr(std::min(text.find(')'), text.size() - 1) + 1));
+    return text;
   }
   static std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(blanks);
     return first == std::string_view::npos ? std::string_view()
                                            : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
   }
-  /// Heads ($TOOL.TOP%), numbers of programs and their ends.
+  /// Heads ($TOOL.TOP%), names of programs (O1000, OTOOL) and their ends.
   static bool is_frame(std::string_view code) {
     if (code.empty() || code.starts_with('$') || code.starts_with('%')) return true;
-    const bool is_number = code.find_first_not_of("0123456789", 1) == std::string_view::npos;
-    return (code[0] == 'O' && is_number) || code == "M2" || code == "M02" || code == "M30" || code == "RTS";
+    constexpr std::string_view of_name = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    const bool is_name = code.find_first_not_of(of_name, 1) == std::string_view::npos;
+    return (code[0] == 'O' && is_name) || code == "M2" || code == "M02" || code == "M30" || code == "RTS";
   }
 
   static Assignment read_assignment(std::string_view code) {

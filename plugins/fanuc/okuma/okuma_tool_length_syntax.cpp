@@ -15,15 +15,19 @@ namespace {
 struct OkumaToolLength {
   static constexpr auto spec =
       ig::syntax("OkumaToolLengthSyntax", "G56 H and G53 of an Okuma: tool length compensation along Z.")
-          .after("ParameterizedFlagSyntax", "ToolHeightOffsetSyntax")
-          .before("ProgramXyzSyntax", "McXyzSyntax", "CannedCycleResolveSyntax", "NotExecutedSyntax");
+          .after("ParameterizedFlagSyntax")
+          .before("ToolHeightOffsetSyntax", "ProgramXyzSyntax", "McXyzSyntax", "CannedCycleResolveSyntax",
+                  "NotExecutedSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "FAN-0251",
                      "G56 names no tool of the table by its H, so the previous tool length stays in force"),
+      ig::diagnostic(IG_WARNING, "FAN-0255", "H{0} without G56 is not executed, so the length of H{1} stays in force"),
   };
 
   ig::Call start_{{"G56"}, "H[]"};
   ig::Codes end_{"G53"};
+  ig::Codes others_{{"G43", "G44", "G49"}, ig::read};
+  ig::Word h_{"Parsing.H", ig::take | ig::wake, ""};
   ig::Out<ig::Symbol> term_{"ToolHeightCompensation.Term"};
   ig::Out<std::int64_t> offset_id_{"ToolHeightCompensation.OffsetId"};
   ig::Out<double> offset_{"ToolHeightCompensation.Offset_mm"};
@@ -54,7 +58,11 @@ struct OkumaToolLength {
     } else if (ends) {
       compensate(b, g49_, 0);
     }
-    return call || ends ? ig::Status::changed : ig::Status::unchanged;
+    const auto h = b.is(term_, g56_) && !b.find(others_) ? b.take(h_) : std::nullopt;
+    if (h)
+      b.report(ig::diag("FAN-0255"), ig::Where::word(h_.id()), *h,
+               static_cast<double>(b.get_or(offset_id_, std::int64_t{0})));
+    return call || ends || h ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:

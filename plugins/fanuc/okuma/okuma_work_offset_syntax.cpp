@@ -70,12 +70,8 @@ struct OkumaWorkOffset {
     }
     const std::string_view name = b.text(id);
     b.set(id_, id);
-    offset_.set(b,
-                linear_origin(table_, name).value_or(ig::Vec3{}) + linear_origin(table_, "EXT").value_or(ig::Vec3{}));
-    Angles angles = rotary_origin(table_, name).value_or(Angles{});
-    const Angles external = rotary_origin(table_, "EXT").value_or(Angles{});
-    for (std::size_t axis = 0; axis < angles.size(); ++axis) angles[axis] += external[axis];
-    rotary_.set(b, angles);
+    offset_.set(b, linear_program_origin(table_, name).value_or(ig::Vec3{}));
+    rotary_.set(b, rotary_program_origin(table_, name));
   }
 };
 

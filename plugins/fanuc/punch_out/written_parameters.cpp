@@ -103,8 +103,8 @@ class ParameterWriter {
     switch (known.kind) {
       case ParameterKind::bits: return bits_text(value);
       case ParameterKind::number: return "P" + fixed_text(value);
-      case ParameterKind::counted: return length(value / counts_per_mm());
-      case ParameterKind::counted_angle: return "P" + punched_number(rounded(value / counts_per_mm()));
+      case ParameterKind::counted: return length(value / counts_per_mm_);
+      case ParameterKind::counted_angle: return "P" + punched_number(rounded(value / counts_per_mm_));
       case ParameterKind::position:
       case ParameterKind::rate:
       case ParameterKind::work_offset: return is_rotary(axis) ? "M" + punched_number(rounded(value)) : length(value);
@@ -140,6 +140,7 @@ class ParameterWriter {
 
   ig::Export& out_;
   const WrittenParameters& how_;
+  const double counts_per_mm_ = counts_per_mm();
   std::map<std::int64_t, std::string> blocks_;  // by number: the values
 };
 

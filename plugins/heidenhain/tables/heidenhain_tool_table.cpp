@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include <isogloss/cnc/scan.hpp>
 #include <isogloss/cnc/units.hpp>
@@ -17,6 +18,7 @@ namespace {
 
 constexpr std::int64_t highest_tool = 32'767, highest_index = 99;
 constexpr std::size_t longest_tool_name = 32;
+constexpr double first_type_of_sinumerik = 100;
 
 struct ToolColumn {
   const char* ours;
@@ -137,9 +139,20 @@ struct HeidenhainToolTable {
     const std::string key(out.key("ToolOffsetTable", tool.row));
     out.write("\n" + padded(key, width_of_row_number) + padded(name_of(out, tool.row), longest_tool_name + 1));
     for (const ToolColumn& column : used) {
+      if (column.name == std::string_view("TYP") && !has_type_of_control(out, tool)) {
+        out.write(padded("", width_of_value));
+        continue;
+      }
       const double per_unit = column.is_length && unit == TableUnit::inch ? mm_per_inch : 1;
       out.write(written_cell(out, "ToolOffsetTable", tool.row, column.ours, per_unit));
     }
+  }
+
+  static bool has_type_of_control(ig::Export& out, const Tool& tool) {
+    const std::optional<double> type = number_of_cell(out.cell("ToolOffsetTable", tool.row, "Type"));
+    if (!type || (*type < first_type_of_sinumerik && *type == std::floor(*type))) return true;
+    out.unused("types of another control", "the control has whole numbers up to 99");
+    return false;
   }
 
   static std::string_view name_of(ig::Export& out, std::uint32_t row) {

@@ -42,7 +42,8 @@ WrittenTable written_table(ig::Export& out, const char* dependency, std::string_
       out.unused("table " + std::string(key->table), "a file holds one table: name it by the option table");
       continue;
     }
-    table.rows.emplace(key->row, i);
+    if (!table.rows.emplace(key->row, i).second)
+      out.unused("row " + std::string(out.key(dependency, i)), "another row has this name, in other letters");
   }
   return table;
 }

@@ -115,20 +115,14 @@ struct IsoCoordinateOffset {
   }
 
   void select(ig::Block& b, std::string_view id, ig::Where where) const {
-    const auto own = id.empty() ? std::nullopt : linear_origin(table_, id);
-    if (!own) {
+    const auto origin = id.empty() ? std::nullopt : linear_program_origin(table_, id);
+    if (!origin) {
       b.report(ig::diag("ISO-0226"), where, id.empty() ? std::string_view("of that number") : id, b.text(selected(b)));
       return;
     }
-    rotary_.set(b, rotary_sum(id));
+    rotary_.set(b, rotary_program_origin(table_, id));
     b.set(id_, b.symbol(id));
-    offset_.set(b, *own + linear_origin(table_, "EXT").value_or(ig::Vec3{}));
-  }
-
-  Angles rotary_sum(std::string_view id) const {
-    const Angles own = rotary_origin(table_, id).value_or(Angles{});
-    const Angles external = rotary_origin(table_, "EXT").value_or(Angles{});
-    return {own[0] + external[0], own[1] + external[1], own[2] + external[2]};
+    offset_.set(b, *origin);
   }
 };
 

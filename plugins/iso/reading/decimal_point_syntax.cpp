@@ -101,8 +101,8 @@ struct DecimalPointSyntax {
 
  private:
   Quantity quantity_of(char letter, std::string_view unit) const {
-    if (const auto axis = axes.find({&letter, 1}); axis && is_further_axis(*axis) && axes.is_rotary(*axis))
-      return Quantity::angle;
+    const auto axis = axes.find({&letter, 1});
+    if (unit == "mm" && axis && is_further_axis(*axis) && axes.is_rotary(*axis)) return Quantity::angle;
     if (letter == 'P') return Quantity::other;  // an integer in every use: milliseconds, a count, a number
     return unit == "mm"    ? Quantity::length
            : unit == "deg" ? Quantity::angle

@@ -24,7 +24,8 @@ struct SiemensEncryptedCycle {
 
   /// The content has no sign of its own; a readable text with this ending is no encrypted one.
   static unsigned recognise(std::string_view text, std::string_view file_name) {
-    if (!ends_as_cycle(file_name) && !ends_as_cycle(head_of(text))) return 0;
+    const bool is_one_file = text.find(head, head.size()) == std::string_view::npos;
+    if (!ends_as_cycle(file_name) && !(is_one_file && ends_as_cycle(head_of(text)))) return 0;
     return is_readable(text) ? 0 : 100;
   }
 

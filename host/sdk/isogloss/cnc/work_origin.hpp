@@ -48,6 +48,19 @@ inline bool set_rotary_origin(const Service<ig_work_offset_1>& service, std::str
   return detail::has_rotary(table) && table.set_rotary(table.self, to_text(id), to.data()) != 0;
 }
 
+/// The origin of the program under the work offset `id`: its own and that of the row EXT, which is added to each.
+/// Nothing where the table has no such offset.
+inline std::optional<Vec3> linear_program_origin(const Service<ig_work_offset_1>& table, std::string_view id) {
+  const auto own = linear_origin(table, id);
+  return own ? std::optional(*own + linear_origin(table, "EXT").value_or(Vec3{})) : std::nullopt;
+}
+inline Angles rotary_program_origin(const Service<ig_work_offset_1>& table, std::string_view id) {
+  Angles out = rotary_origin(table, id).value_or(Angles{});
+  const Angles external = rotary_origin(table, "EXT").value_or(Angles{});
+  for (std::size_t axis = 0; axis < out.size(); ++axis) out[axis] += external[axis];
+  return out;
+}
+
 /// The origin of one axis, 0 to 5 for X Y Z A B C; nothing where the table has no such offset, or keeps none for it.
 inline std::optional<double> axis_origin(const Service<ig_work_offset_1>& table, std::string_view id,
                                          std::size_t axis) {
