@@ -27,8 +27,7 @@ struct SiemensSave {
           .after("SiemensDeclarationSyntax", "SiemensWordSyntax", "SiemensCallSyntax")
           .before("ParameterizedFlagSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_WARNING, "SIE-0163",
-                     "SAVE does not restore {0}: program it again after the call"),
+      ig::diagnostic(IG_WARNING, "SIE-0163", "SAVE does not restore {0}: program it again after the call"),
   };
 
   Environment environment_;
@@ -136,7 +135,8 @@ struct SiemensSave {
               environment_.system.frame(b, "$P_PFRAME")};
     for (std::size_t i = 0; i < groups_.size(); ++i) now.terms[i] = in_force(b, i);
     if (!now.programmable)
-      b.report(ig::diag("SIE-0163"), ig::Where::block(), std::string_view("the frame of the caller, whose axes are not square"));
+      b.report(ig::diag("SIE-0163"), ig::Where::block(),
+               std::string_view("the frame of the caller, whose axes are not square"));
     saved_.push_back(now);
   }
 

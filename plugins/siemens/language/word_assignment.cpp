@@ -120,7 +120,7 @@ std::size_t WordReader::assignment(ig::Block& b, std::string_view text, std::siz
   if (!reference->is_r && is_unknown_array && !environment_.store().given(reference->name) &&
       !changes_no_position(reference->name)) {
     const std::size_t end = line_end_of_fault(text, skip_blanks(text, equals + 1));  // words behind it are executed
-    if (defines_curve()) return end;  // PO[X]=
+    if (defines_curve()) return end;                                                 // PO[X]=
     if (const std::string_view missing = missing_of_command(reference->name); !missing.empty())
       environment_.report_once(b, ig::diag("SIE-0262"), columns(begin, end), begin, missing);
     else if (is_of_control(reference->name))
