@@ -47,7 +47,7 @@ class Checks:
 
     def install(self):
         shutil.rmtree(self.prefix, ignore_errors=True)
-        self.run("cmake", "--install", self.build, "--prefix", self.prefix)
+        self.run("cmake", "--install", self.build, "--strip", "--prefix", self.prefix)  # as ./dev install does
         program = self.folder / "line.nc"
         program.write_text("G90 G54 G0 X1.\nM30\n")
         motions = self.run(self.command, "run", program, "-d", "fanuc", "--emit", "motions", "--format", "csv").stdout
