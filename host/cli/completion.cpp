@@ -62,7 +62,7 @@ void read_typed(const std::vector<std::string>& words, TypedLine& line) {
     const std::string& word = words[at];
     if (!options_ended && word == "--" && !is_last) {
       options_ended = true;
-    } else if (!options_ended && word.size() > 1 && word.starts_with('-')) {
+    } else if (!options_ended && word.starts_with('-') && (word.size() > 1 || is_last)) {
       const std::size_t equals = word.find('=');
       const UsageItem* const option = find_option(line.usage, word.substr(0, equals));
       if (option == nullptr) continue;
