@@ -36,7 +36,8 @@ void write_diagnostics(Site& site) {
     if (page == nullptr) page = site.page(address.file, "Diagnostics " + prefix);
     page->heading(2, page->text(code), address.anchor);
     page->paragraph(page->text(severity + ": ") + page->prose(text_of(d, "Text")));
-    if (const std::string why = text_of(d, "Explanation"); !why.empty()) page->paragraph(page->prose(why));
+    // Explanations of plugins are parts of their pages.
+    if (const std::string why = text_of(d, "Explanation"); !why.empty()) site.add_text(*page, code, why);
     std::vector<Markup> facts;
     if (const std::string example = text_of(d, "Example"); !example.empty())
       facts.push_back(fact(*page, "Example", page->code(example)));

@@ -72,7 +72,8 @@ class DialectPage {
     for (const std::string& one : texts(d_.declaration["Extensions"]))
       extensions += (extensions.empty() ? "" : ", ") + p.code(one);
     add("Files of programs", extensions);
-    add("Blocks end by", p.code(text_of(d_.declaration, "Segmenter")));
+    if (const std::string segmenter = text_of(d_.declaration, "Segmenter"); !segmenter.empty())
+      add("Blocks are cut by", p.code(segmenter));
     return out;
   }
 

@@ -13,7 +13,6 @@ class HtmlPage : public Page {
 
   Markup text(std::string_view plain) const override { return escaped_html(plain); }
   Markup code(std::string_view plain) const override { return "<code>" + escaped_html(plain) + "</code>"; }
-  Markup prose(std::string_view plain) const override { return linked_html(plain, file(), addresses()); }
   Markup link(const Address& to, const Markup& label) const override {
     return fmt::format("<a href=\"{}\">{}</a>", relative_link(file(), to, ".html"), label);
   }
@@ -63,6 +62,9 @@ class HtmlPage : public Page {
   }
 
  private:
+  Markup prose_text(std::string_view plain) const override { return linked_html(plain, file(), addresses()); }
+  Markup prose_code(std::string_view plain) const override { return code_html(plain, file(), addresses()); }
+
   void full_table(const std::vector<std::string>& head, const std::vector<Row>& rows) override {
     out_ += "<div class=\"wide\"><table>\n<thead><tr>";
     for (const std::string& one : head) out_ += "<th>" + escaped_html(one) + "</th>";

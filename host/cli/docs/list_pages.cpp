@@ -116,14 +116,21 @@ void write_codes(Site& site) {
   page->paragraph(page->text(
       "Each code of programs with the syntaxes that answer it, and the dialects in which they do. A dialect's own page "
       "has its codes alone."));
-  for (const bool is_word : {false, true}) {
-    std::vector<Row> rows;
-    for (const auto& [name, code] : site.reference().codes)
-      if (code.is_word == is_word)
-        rows.push_back({{page->code(name), answers(*page, code, site.reference().dialects.size())},
-                        site.addresses().find(Kind::code, name)->anchor});
-    if (!rows.empty()) page->heading(2, page->text(is_word ? "Words" : "Codes"), is_word ? "words." : "codes.");
-    page->table({is_word ? "Word" : "Code", "Answered by"}, rows);
+  // Codes by their first letter, then all words.
+  std::map<std::string, std::vector<Row>> groups;
+  for (const auto& [name, code] : site.reference().codes) {
+    Row row{{page->code(name), answers(*page, code, site.reference().dialects.size())},
+            site.addresses().find(Kind::code, name)->anchor};
+    groups[code.is_word ? "words" : name.substr(0, 1)].push_back(std::move(row));
+  }
+  const auto place = [](const std::string& group) { return file_stem(group) + "."; };
+  Markup letters;
+  for (const auto& [group, rows] : groups)
+    letters += (letters.empty() ? "" : " ") + page->link({"codes", place(group)}, page->text(group));
+  page->paragraph(letters);
+  for (const auto& [group, rows] : groups) {
+    page->heading(2, page->text(group), place(group));
+    page->table({group == "words" ? "Word" : "Code", "Answered by"}, rows);
   }
   site.add(*page);
 }

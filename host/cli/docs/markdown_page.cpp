@@ -48,7 +48,6 @@ class MarkdownPage : public Page {
     const bool touches = shown.front() == '`' || shown.back() == '`';
     return touches ? fence + " " + shown + " " + fence : fence + shown + fence;
   }
-  Markup prose(std::string_view plain) const override { return text(plain); }
   Markup link(const Address& to, const Markup& label) const override {
     return fmt::format("[{}]({})", label, relative_link(file(), to, ".md"));
   }
@@ -74,6 +73,9 @@ class MarkdownPage : public Page {
   std::string whole() const override { return "# " + text(title()) + "\n\n" + out_; }
 
  private:
+  Markup prose_text(std::string_view plain) const override { return text(plain); }
+  Markup prose_code(std::string_view plain) const override { return code(plain); }
+
   void full_table(const std::vector<std::string>& head, const std::vector<Row>& rows) override {
     std::string rule = "|";
     out_ += '|';

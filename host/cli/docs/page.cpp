@@ -4,6 +4,17 @@
 
 namespace isogloss::cli::docs {
 
+Markup Page::prose(std::string_view sentence) const {
+  Markup out;
+  for (std::size_t at = 0;;) {
+    const std::size_t begin = sentence.find('`', at);
+    const std::size_t end = begin == std::string_view::npos ? begin : sentence.find('`', begin + 1);
+    if (end == std::string_view::npos) return out + prose_text(sentence.substr(at));
+    out += prose_text(sentence.substr(at, begin - at)) + prose_code(sentence.substr(begin + 1, end - begin - 1));
+    at = end + 1;
+  }
+}
+
 Markup Page::name(Kind kind, const std::string& name) const {
   const Address* const address = addresses_.find(kind, name);
   return address == nullptr ? code(name) : link(*address, code(name));

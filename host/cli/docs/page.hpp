@@ -34,11 +34,11 @@ class Page {
 
   virtual Markup text(std::string_view plain) const = 0;
   virtual Markup code(std::string_view plain) const = 0;
-  /// A text in which names of the reference become links, where the form can do that.
-  virtual Markup prose(std::string_view plain) const = 0;
   virtual Markup link(const Address& to, const Markup& label) const = 0;
   virtual Markup line_break() const = 0;
 
+  /// A sentence of a plugin: what stands between `backticks` is code, and names become links where the form can do so.
+  Markup prose(std::string_view sentence) const;
   /// A name, as a link where something has it.
   Markup name(Kind kind, const std::string& name) const;
   /// The names, separated by commas.
@@ -57,6 +57,8 @@ class Page {
   virtual std::string whole() const = 0;
 
  protected:
+  virtual Markup prose_text(std::string_view plain) const = 0;
+  virtual Markup prose_code(std::string_view plain) const = 0;
   virtual void full_table(const std::vector<std::string>& head, const std::vector<Row>& rows) = 0;
   std::string out_;
 

@@ -60,6 +60,7 @@ class PartPage {
   void write() {
     page_->paragraph(page_->prose(text_of(part_.declaration, "Summary")));
     page_->list(facts());
+    write_contents();
     if (!part_.page.empty()) site_.add_text(*page_, part_.id, part_.page);
     if (!part_.cases.empty()) write_further_cases();
     write_options(*page_, part_.declaration["Options"]);
@@ -100,6 +101,24 @@ class PartPage {
     return out;
   }
 
+  /// What stands below the plugin's own text, which may be long.
+  void write_contents() {
+    const auto has = [&](const char* key) {
+      return part_.declaration.contains(key) && !part_.declaration[key].empty();
+    };
+    Markup out;
+    const auto add = [&](bool is_there, const Address& to, std::string_view label) {
+      if (is_there) out += (out.empty() ? "" : page_->text(" · ")) + page_->link(to, page_->text(label));
+    };
+    const std::string& file = page_->file();
+    add(!part_.cases.empty(), {file + ".cases", {}}, "Further cases");
+    add(has("Options"), {file, "options."}, "Options");
+    add(has("Columns"), {file, "columns."}, "Columns");
+    add(part_.kind == PartKind::syntax && !dialects().empty(), {file, "in-dialects."}, "In dialects");
+    add(has("Fields"), {file, "fields."}, "Fields");
+    if (!out.empty()) page_->paragraph(page_->text("Below the text: ") + out);
+  }
+
   std::vector<std::string> dialects() const {
     std::vector<std::string> out;
     for (const ShownDialect& d : site_.reference().dialects) {
@@ -118,7 +137,6 @@ class PartPage {
                      cases->name(Kind::part, part_.id) + cases->text("."));
     site_.add_text(*cases, part_.id, part_.cases);
     site_.add(*cases);
-    page_->paragraph(page_->link({file, {}}, page_->text("Further cases")));
   }
 
   /// What dialects change of the options.

@@ -23,18 +23,21 @@ void add_parts(const ig_plugin& p, std::vector<Part>& out) {
     out.push_back(part(PartKind::importer, *p.importers[i], p, p.importers[i]->cases));
 }
 
-ShownDialect show(const Dialect& dialect, Session& session) {
+/// Of a listed dialect only the head is known.
+ShownDialect show(const Dialect& listed, Session& session) {
   ShownDialect out;
-  out.name = dialect.name;
-  out.declaration = describe(dialect);
-  const std::unique_ptr<LinkedDialect> linked = session.link(dialect.file.string());
+  out.name = listed.name;
+  DiagnosticList unheard;  // linking reports them
+  const std::optional<Dialect> dialect = session.read(listed.file.string(), unheard);
+  out.declaration = describe(dialect ? *dialect : listed);
+  const std::unique_ptr<LinkedDialect> linked = session.link(listed.file.string());
   if (linked == nullptr) return out;
   out.is_linked = true;
   out.chain = describe_chain(*linked);
   out.services = describe_services(*linked);
   out.codes = describe_codes(*linked);
   for (const LinkedSyntax& s : linked->chain)
-    out.instances.push_back({dialect.name, s.element.alias, s.syntax->id, describe_link(s, linked->layout)});
+    out.instances.push_back({listed.name, s.element.alias, s.syntax->id, describe_link(s, linked->layout)});
   return out;
 }
 
