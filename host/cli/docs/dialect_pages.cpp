@@ -81,7 +81,7 @@ class DialectPage {
     page_->heading(2, page_->text("Chain"), "chain");
     page_->paragraph(page_->text(
         "On the left, in red: the order that syntaxes declare. On the right, in blue: the upper syntax writes a "
-        "field that the lower one reads. The table below holds the same."));
+        "field that the lower one reads. The tables below the graph list the same chain."));
     page_->graph(d_.chain);
     for (const Json& stage : d_.chain["Stages"]) {
       const std::string name = text_of(stage, "Stage");

@@ -56,7 +56,7 @@ class HtmlPage : public Page {
         "<link rel=\"stylesheet\" href=\"{1}style.css\">\n</head>\n<body>\n<header>\n"
         "<a class=\"home\" href=\"{1}index.html\">Isogloss reference</a>\n<nav>\n{2}</nav>\n"
         "<div class=\"search\" data-root=\"{1}\" hidden><input type=\"search\" aria-label=\"Search names\" "
-        "placeholder=\"G83, DwellSyntax, ISO-0302 …\"><ul></ul></div>\n</header>\n<main>\n<h1>{0}</h1>\n{3}</main>\n"
+        "placeholder=\"G83, DwellSyntax, ISO-0302\"><ul></ul></div>\n</header>\n<main>\n<h1>{0}</h1>\n{3}</main>\n"
         "<script src=\"{1}names.js\"></script>\n<script src=\"{1}search.js\"></script>\n</body>\n</html>\n",
         escaped_html(title()), root, navigation, out_);
   }

@@ -63,7 +63,9 @@ class MarkdownPage : public Page {
   }
   std::vector<std::string> page_text(const std::string& markdown) override {
     ShownText shown = text_as_markdown({file(), markdown}, addresses());
-    out_ += shown.text + "\n";
+    const std::size_t begin = std::min(shown.text.find_first_not_of('\n'), shown.text.size());
+    const std::size_t end = shown.text.find_last_not_of('\n') + 1;
+    out_ += shown.text.substr(begin, std::max(begin, end) - begin) + "\n\n";
     return std::move(shown.dead_links);
   }
   void graph(const Json&) override {
