@@ -40,6 +40,7 @@ class DialectPage {
   void write() {
     page_->paragraph(page_->prose(text_of(d_.declaration, "Title")));
     page_->list(facts());
+    write_contents();
     if (d_.is_linked)
       write_chain();
     else
@@ -77,6 +78,19 @@ class DialectPage {
     return out;
   }
 
+  void write_contents() {
+    Markup out;
+    const auto add = [&](bool is_there, const char* place, std::string_view label) {
+      if (is_there)
+        out += (out.empty() ? "" : page_->text(" · ")) + page_->link({page_->file(), place}, page_->text(label));
+    };
+    add(d_.is_linked, "chain", "Chain");
+    add(!d_.declaration["Dependencies"].empty(), "dependencies", "Tables and other dependencies");
+    add(!d_.declaration["Initial"].empty(), "initial", "Before the first block");
+    add(!d_.codes.empty(), "codes", "Codes");
+    if (!out.empty()) page_->paragraph(page_->text("On this page: ") + out);
+  }
+
   void write_chain() {
     page_->heading(2, page_->text("Chain"), "chain");
     page_->paragraph(page_->text(
@@ -88,7 +102,7 @@ class DialectPage {
       page_->heading(3, page_->text(name), "stage." + file_stem(name));
       std::vector<Row> rows;
       for (const Json& s : stage["Syntaxes"]) rows.push_back(chain_row(s));
-      page_->table({"No.", "Syntax", "As", "Plugin", "Options", "Answers", "Writes for"}, rows);
+      page_->table({"Syntax", "No.", "As", "Plugin", "Options", "Answers", "Writes for"}, rows);
     }
   }
 
@@ -112,7 +126,7 @@ class DialectPage {
     codes.resize(codes.size() - more_codes);
     Markup answers = p.names(Kind::code, codes);
     if (more_codes > 0) answers += p.text(fmt::format(" and {} more", more_codes));
-    return {{p.text(text_of(s, "Position")), p.name(Kind::part, id), alias == id ? Markup() : p.code(alias),
+    return {{p.name(Kind::part, id), p.text(text_of(s, "Position")), alias == id ? Markup() : p.code(alias),
              p.name(Kind::plugin, text_of(s, "Plugin")), options, answers, readers}};
   }
 
