@@ -23,6 +23,7 @@ int apply_command(const Arguments& arguments);
 int case_command(const Arguments& arguments);
 int complete_command(const Arguments& arguments);
 int dialect_command(const Arguments& arguments);
+int docs_command(const Arguments& arguments);
 int doctor_command(const Arguments& arguments);
 int export_command(const Arguments& arguments);
 int explain_command(const Arguments& arguments);
@@ -52,6 +53,7 @@ inline constexpr Command commands[] = {
     {"schema", "print the schema of dialect files or of the block document", schema_command},
     {"list", "list plugins, dialects, machines, importers, codes, diagnostics and more", list_command},
     {"inspect", "show the page and declaration of one of them", inspect_command},
+    {"docs", "write the reference of all plugins and dialects as linked pages", docs_command},
     {"new", "make the folder of a plugin, a dialect or a machine", new_command},
     {"import", "read files of controls as tables of a machine", import_command},
     {"export", "write tables of a machine as a file of its control", export_command},

@@ -78,6 +78,12 @@ class Checks:
         page = self.run(self.command, "inspect", "AcmeVacuumSyntax", "--plugins", plugins).stdout
         expect("M171 switches the vacuum table on" in page, "its page is in the plugin", page)
         self.run(self.command, "case", HERE / "vendor" / "acme_vacuum_syntax.md", "--plugins", plugins)
+        shutil.rmtree(self.folder / "reference", ignore_errors=True)
+        done = self.run(self.command, "docs", "-o", self.folder / "reference", "--plugins", plugins, "--dialects",
+                        HERE / "vendor")
+        expect("M171 switches the vacuum table on" in
+               (self.folder / "reference" / "pages" / "acme_vacuum_syntax.html").read_text() and not done.stderr,
+               "it stands in the reference that the installed command writes", done)
         program = self.folder / "vacuum.acme"
         program.write_text("M171\nG0 X1.\nM172\nM30\n")
         blocks = self.run(self.command, "run", program, "-d", "acme", "--plugins", plugins, "--dialects",
