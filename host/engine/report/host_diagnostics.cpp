@@ -205,6 +205,24 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {error, "IG-0174", "the page of {0} has no section '{1}'",
        "`isogloss inspect NAME --section TITLE` prints one section of a page, by its heading.",
        "isogloss inspect DwellSyntax --section Diagnostic"},
+      {warning, "IG-0190", "this feed move has no feed rate: its canonical block has no F",
+       "No F is in force in the program. A control that reads the canonical program keeps the F of an earlier block, or "
+       "stops. Program F before the move.",
+       "G01 X10., before any F"},
+      {warning, "IG-0191", "the frame has changed under the tool: a rapid of {0} mm is written to the new coordinates",
+       "With --frame program each position counts from the origin of its own block. Where an offset or a plane changes, "
+       "the same place of the tool has new coordinates, so the canonical program moves there. --frame machine has no "
+       "such jumps.",
+       "isogloss run part.nc --emit canonical --frame program, and the part changes from G54 to G55"},
+      {warning, "IG-0192", "the centre or the start of this arc is not known: a straight line is written in its place",
+       "A canonical arc needs X, Y and Z of its start, its end and its centre.",
+       "an arc before the machine has a position in X, Y and Z"},
+      {warning, "IG-0193", "the canonical program has no word for {0}: it is left out",
+       "The table ProgramText of the dialect in which the program is written (iso) has no row of that name.",
+       "coolant through the spindle, which no ISO code selects alike on all controls"},
+      {error, "IG-0194", "the dialect {0} does not say how {1} are written: its ProgramText has no rows for them",
+       "The words of a program are rows of the table ProgramText of the dialect. Heidenhain and Siemens have none yet.",
+       "isogloss state part.h:10 --as-preamble"},
       // links: 0200-0299
       {error, "IG-0201", "no plugin '{0}' in the folders searched",
        "The dialect names a plugin that no plugin folder holds, or that could not be loaded. `isogloss doctor` lists "
