@@ -223,6 +223,21 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {error, "IG-0194", "the dialect {0} does not say how {1} are written: its ProgramText has no rows for them",
        "The words of a program are rows of the table ProgramText of the dialect. Heidenhain and Siemens have none yet.",
        "isogloss state part.h:10 --as-preamble"},
+      {error, "IG-0195", "no preamble can restore the state before line {0}: {1}",
+       "A preamble restores values that a block can set. It cannot enter a called program, a pass of a loop, or a "
+       "compensated contour. Choose a line before it, such as the one that changes the tool.",
+       "isogloss state part.nc:40 --as-preamble, and line 40 is between G41 and G40"},
+      {error, "IG-0196", "after the preamble {0} is {1}, but before that line it is {2}: the state is not restored",
+       "The preamble was run and compared with the program. The dialect has no row in ProgramText that writes this "
+       "state, or the control has no block for it. Choose a line before it was set.",
+       "a restart while scaling (G51) is active"},
+      {error, "IG-0197", "behind the preamble of line {0} this block moves differently than in the whole program",
+       "The preamble and the rest were run and compared with the whole. Something that no block restores makes the "
+       "difference: a loop, a variable, a modal call, a jump to a line before. Choose an earlier line.",
+       "a restart inside of WHILE … END"},
+      {note, "IG-0198", "rows of {0} were changed before line {1}: the control must still have these values",
+       "A preamble does not write offsets and tables again. The control keeps them until a program changes them.",
+       "a program that sets its work offsets by G10"},
       // links: 0200-0299
       {error, "IG-0201", "no plugin '{0}' in the folders searched",
        "The dialect names a plugin that no plugin folder holds, or that could not be loaded. `isogloss doctor` lists "

@@ -1,0 +1,29 @@
+/// Does a preamble restore the state? It is run, with the rest of the program, and compared with the whole.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "isogloss/engine/runner.hpp"
+#include "state/program_point.hpp"
+
+namespace isogloss::cli {
+
+struct StateDifference {
+  std::string path, wanted, found;  ///< JSON text; empty: absent
+};
+
+struct RestartCheck {
+  bool comes_to_rest = false;                ///< the run comes to the first line after the preamble
+  std::vector<StateDifference> differences;  ///< of the two states there
+  std::uint32_t line = 0;                    ///< of the program, where the motions part first; 0: they do not
+  std::string line_file;
+  std::vector<Diagnostic> errors;            ///< of the preamble's own blocks
+};
+
+/// `rest` begins at the point's line. Motions are compared up to `most_compared_bytes` of their text.
+RestartCheck check_restart(const LinkedDialect& linked, const std::string& whole, const std::string& preamble,
+                           const std::string& rest, const std::string& name, const ProgramPoint& point,
+                           const RunOptions& options);
+
+}  // namespace isogloss::cli
