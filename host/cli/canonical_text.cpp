@@ -7,14 +7,16 @@
 namespace isogloss::cli {
 
 void CanonicalRequest::add_to(CommandLine& line) {
-  line.option("--frame", frame,
-              "Canonical: machine coordinates of the gauge point, or program coordinates, each from the origin in force")
+  line.option(
+          "--frame", frame,
+          "Canonical: machine coordinates of the gauge point, or program coordinates, each from the origin in force")
       .one_of({"machine", "program"})
       .type_name("machine|program")
       .shows_default();
-  line.option("--tolerance", tolerance,
-              "Canonical: how far, in mm, lines may lie from a path that arcs and lines cannot describe (tilted arcs, tip "
-              "control)")
+  line.option(
+          "--tolerance", tolerance,
+          "Canonical: how far, in mm, lines may lie from a path that arcs and lines cannot describe (tilted arcs, tip "
+          "control)")
       .type_name("MM")
       .shows_default();
 }

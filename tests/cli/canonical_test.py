@@ -302,6 +302,13 @@ class Canonical(unittest.TestCase):
         text = self.emit("G00 X0.0000001 Y0.12345678\nM30\n", "--exact", dialect="iso").stdout
         self.assertIn("N1 G00 X0.0000001 Y0.12345678", text)
 
+    def test_a_row_with_an_open_bracket_is_refused(self):
+        for text in ("G00[ X{X}", "G00 {X", "G00 X}", "G00[[ X{X}]]", ""):
+            (self.path / "words.xml").write_text(f'<ProgramText><Block name="rapid" text="{text}"/></ProgramText>')
+            done = command("run", "-", "-d", "iso", "--machine", "words.xml", cwd=self.path)
+            self.assertEqual(done.returncode, 2, text)
+            self.assertIn("[IG-0432]", done.stderr)
+
     def test_wrong_options(self):
         self.assertIn("--tolerance", self.emit("M30\n", "--tolerance", "0", status=2).stderr)
         self.assertIn("--format", self.emit("M30\n", "--format", "csv", status=2).stderr)

@@ -24,9 +24,10 @@ sys.path.insert(0, str(HERE.parent / "support"))
 from golden_programs import dialect_of, golden_files  # noqa: E402: it lies in another folder
 
 OPTIONS = None
-FAMILY = ("fanuc", "haas", "iso", "mazak", "syntec", "okuma")
+FAMILY = ("fanuc", "haas", "iso", "mazak", "syntec")
 # Least share of the tried lines of these programs that a preamble restores: less means that a row was lost.
-RESTORED = 0.45
+RESTORED = 0.7
+OF_RUN = ("--zero-moves", "--header", "--summary", "--exact")
 
 
 def command(*arguments, cwd=None, given=None):
@@ -182,14 +183,32 @@ class State(unittest.TestCase):
         done = self.state(4, "--as-preamble", status=1, program="scale.nc")
         self.assertRegex(done.stderr, r"after the preamble Scaling\.Term is nothing.*\[IG-0196\]")
 
+    def test_what_motions_do_not_show_is_a_warning(self):
+        (self.path / "smooth.nc").write_text("G90 G94 G21\nG05.1 Q1\nG01 X20. F100.\nX30.\nM30\n")
+        done = self.state(4, "--as-preamble", program="smooth.nc")
+        self.assertRegex(done.stderr, r"warning: after the preamble PathSmoothing\..*\[IG-0199\]")
+        self.assertIn("G00 X20.", done.stdout)
+
+    def test_what_the_motions_do_not_show_and_the_machine_does_is_an_error(self):
+        (self.path / "code.xml").write_text('<MachineCodes><Code name="M88" does="set" fields="Coolant.Mode=THROUGH"/>'
+                                            "</MachineCodes>")
+        (self.path / "cool.nc").write_text("G90 G94 G21\nM88\nG01 X20. F100.\nX30.\nM30\n")
+        done = self.state(4, "--as-preamble", "--machine", "code.xml", program="cool.nc", status=1)
+        self.assertRegex(done.stderr, r"Coolant\.Mode is \"OFF\", but before that line it is \"THROUGH\".*\[IG-0196\]")
+
+    def test_a_line_behind_a_contour(self):
+        """Blocks that waited for the contour end after the line was found."""
+        self.state(self.line_of("G41 D3 X0 Y60."), "--as-preamble")
+        self.state(self.line_of("G18"), "--as-preamble")
+
     def test_other_dialects_have_none_yet(self):
         (self.path / "part.mpf").write_text("G90 G0 X1\nX2\nM30\n")
         done = self.state(2, "--as-preamble", status=1, dialect="siemens", program="part.mpf")
         self.assertRegex(done.stderr, r"dialect siemens does not say how the blocks of a restart are written.*\[IG-0194\]")
         self.state(2, dialect="siemens", program="part.mpf")
 
-    def test_standard_input(self):
-        done = command("state", "-:8", "-d", "fanuc", *TABLES, "--as-preamble", given=PART)
+    def test_a_pipe(self):
+        done = command("state", "/dev/stdin:8", "-d", "fanuc", *TABLES, "--as-preamble", given=PART)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("G43 H3 G00 Z50.", done.stdout)
 
@@ -201,6 +220,7 @@ class State(unittest.TestCase):
                 continue
             arguments = program.with_suffix(".args")
             more = shlex.split(arguments.read_text()) if arguments.exists() else []
+            more = [a for a in more if a not in OF_RUN]
             common = ("-d", dialect_of(program), *more)
             text = program.read_bytes().decode(errors="surrogateescape")
             lines = text.splitlines(True)
@@ -215,13 +235,14 @@ class State(unittest.TestCase):
                         continue
                     self.assertEqual(done.returncode, 0, done.stderr)
                     tried, restored = tried + 1, restored + 1
-                    self.compare(program, common, done.stdout, "".join(lines[number - 1:]), number)
+                    # What G10 has set stays in the control; these two runs would begin with other tables.
+                    if "IG-0198" not in done.stderr:
+                        self.compare(program, common, done.stdout, "".join(lines[number - 1:]), number)
         print(f"{restored} of {tried} lines restored")
         self.assertGreater(restored, RESTORED * tried)
 
     def compare(self, program, common, preamble, rest, number):
-        """Both runs behind the line: the first event of a line at or after it in the main program, in the order of the
-        blocks, and as many events before the end of the whole as the restart has."""
+        """The events behind the last one of the preamble's own blocks are the last ones of the whole."""
         run = ("--emit", "motions", "--zero-moves")
         whole = command("run", program.name, *common, *run, cwd=program.parent)
         restart = program.with_name(f".restart-{os.getpid()}.nc")
@@ -233,7 +254,8 @@ class State(unittest.TestCase):
             restart.unlink()
         head = preamble.count("\n")
         events = [json.loads(line) for line in again.stdout.splitlines()]
-        begin = next((i for i, e in enumerate(events) if e["File"] != restart.name or e["Line"] > head), len(events))
+        of_preamble = [i for i, e in enumerate(events) if e["File"] == restart.name and e["Line"] <= head]
+        begin = of_preamble[-1] + 1 if of_preamble else 0
         tail = [e for e in map(json.loads, whole.stdout.splitlines())]
         after = events[begin:]
         self.assertEqual(same_events(tail[len(tail) - len(after):] if after else [], after), "", f"line {number}\n{preamble}")

@@ -112,7 +112,8 @@ std::string make_preamble(const ProgramText& text, const ProgramPoint& point, co
       for (const auto& [number, value] : point.variables) {
         if (!value) continue;
         block.clear();
-        const auto assigned = [&, id = number, to = *value](std::string_view name, std::string_view, std::string& line) {
+        const auto assigned = [&, id = number, to = *value](std::string_view name, std::string_view,
+                                                            std::string& line) {
           if (name == "VARIABLE") line += std::to_string(id);
           if (name == "VALUE") line += block_number(to, true);
           return name == "VARIABLE" || name == "VALUE";

@@ -24,6 +24,7 @@ void PointFinder::begin(Document& initial, const SymbolTable&) {
 }
 
 bool PointFinder::block(Document& document, const SymbolTable&) {
+  if (is_found) return false;  // blocks that waited for others still come
   const BlockSource& source = document.source;
   const std::filesystem::path file(source.file);
   if (source.line == line_ && (source.file == file_ || file.filename() == file_)) {

@@ -11,10 +11,10 @@
 namespace isogloss::cli {
 
 struct ProgramPoint {
-  ExplainedBlock block;                                  ///< the first one of the line
-  std::uint64_t blocks_before = 0;                       ///< of the run, in whatever file
+  ExplainedBlock block;                                     ///< the first one of the line
+  std::uint64_t blocks_before = 0;                          ///< of the run, in whatever file
   std::map<std::int64_t, std::optional<double>> variables;  ///< that the run has assigned, as they are now; empty: null
-  std::vector<DependencyElement> changed_tables;         ///< rows that the run has changed
+  std::vector<DependencyElement> changed_tables;            ///< rows that the run has changed
 };
 
 /// Runs the program, named `name`, up to the target; empty when the run does not come there, and `reach` tells why.

@@ -84,28 +84,42 @@ std::string_view next_line(std::string_view& rest) {
   return out;
 }
 
-/// Sections that tell of what was: nothing but a code of their own reads them.
+bool begins_with_one_of(std::string_view path, std::initializer_list<std::string_view> beginnings) {
+  return std::any_of(beginnings.begin(), beginnings.end(), [&](std::string_view b) { return path.starts_with(b); });
+}
+
+/// What tells of the past, or only matters to the moves that are compared anyhow.
 bool is_memory(std::string_view path) {
-  for (const std::string_view section : {"ReferenceReturn.", "CannedCycle.Params.", "CannedCycle.InitialLevel"})
-    if (path.starts_with(section)) return true;
-  return path.starts_with("Source.") || path.starts_with("Parsing.");
+  return begins_with_one_of(
+      path, {"ReferenceReturn.", "CannedCycle.", "MotionState.", "ProgramToMcTransform", "Source.", "Parsing.",
+             "RadiusCompensation.OffsetId", "ToolHeightCompensation.OffsetId"});
+}
+
+/// What the moves behind it do not show: where the tool stands, what turns and flows.
+bool is_vital(std::string_view path) {
+  return begins_with_one_of(path, {"MachineCoordinate.", "SpindleSpeed.", "Coolant.", "ToolChange.", "FurtherAxes."});
+}
+
+/// A value that does nothing; a field without a value does the same.
+bool is_neutral(const std::string& value) {
+  for (const char* one : {"", "0", "false", R"("None")", R"("OFF")", R"("STOP")"})
+    if (value == one) return true;
+  return false;
 }
 
 std::vector<StateDifference> differences(const std::vector<ExplainedValue>& wanted,
                                          const std::vector<ExplainedValue>& found) {
-  std::map<std::string, std::string> left, right;
-  for (const ExplainedValue& v : wanted) left[v.path] = v.value;
-  for (const ExplainedValue& v : found) right[v.path] = v.value;
+  std::map<std::string, std::pair<std::string, std::string>> both;
+  for (const ExplainedValue& v : wanted) both[v.path].first = v.value;
+  for (const ExplainedValue& v : found) both[v.path].second = v.value;
   std::vector<StateDifference> out;
-  for (const auto& [path, value] : left) {
-    const auto other = right.find(path);
-    if (is_memory(path)) continue;
-    const std::string text = other == right.end() ? std::string() : other->second;
-    const Json a = Json::parse(value, nullptr, false), b = Json::parse(text, nullptr, false);
-    if (text.empty() || !is_near(a, b)) out.push_back({path, value, text});
+  for (const auto& [path, values] : both) {
+    const auto& [before, after] = values;
+    // The preamble may select what the program has left to the control.
+    if (is_memory(path) || (before.empty() && !is_vital(path)) || (is_neutral(before) && is_neutral(after))) continue;
+    const Json a = Json::parse(before, nullptr, false), b = Json::parse(after, nullptr, false);
+    if (after.empty() || before.empty() || !is_near(a, b)) out.push_back({path, before, after, is_vital(path)});
   }
-  for (const auto& [path, value] : right)
-    if (!is_memory(path) && !left.contains(path)) out.push_back({path, "", value});
   return out;
 }
 

@@ -11,6 +11,7 @@ namespace isogloss::cli {
 
 struct StateDifference {
   std::string path, wanted, found;  ///< JSON text; empty: absent
+  bool is_vital = false;            ///< the motions behind it may be the same, and the machine does another thing
 };
 
 struct RestartCheck {
@@ -18,7 +19,7 @@ struct RestartCheck {
   std::vector<StateDifference> differences;  ///< of the two states there
   std::uint32_t line = 0;                    ///< of the program, where the motions part first; 0: they do not
   std::string line_file;
-  std::vector<Diagnostic> errors;            ///< of the preamble's own blocks
+  std::vector<Diagnostic> errors;  ///< of the preamble's own blocks
 };
 
 /// `rest` begins at the point's line. Motions are compared up to `most_compared_bytes` of their text.

@@ -85,8 +85,12 @@ Json StateCommand::json_of(const ProgramPoint& point, const std::vector<StateRow
     if (row.value.line != 0) one["Line"] = row.value.line;
     rows.push_back(std::move(one));
   }
-  Json out{{"File", point.block.where.file}, {"Line", point.block.where.line}, {"Pass", point.block.pass},
-           {"Text", point.block.text},       {"Dialect", dialect},             {"When", after ? "after" : "before"},
+  Json out{{"File", point.block.where.file},
+           {"Line", point.block.where.line},
+           {"Pass", point.block.pass},
+           {"Text", point.block.text},
+           {"Dialect", dialect},
+           {"When", after ? "after" : "before"},
            {"State", std::move(rows)}};
   if (after) return out;
   Json variables = Json::array();
@@ -141,14 +145,13 @@ int StateCommand::write_preamble(Session& session, const LinkedDialect& linked, 
   const std::string preamble = make_preamble(words, point, linked.layout);
   const std::string rest = from_line(text, where.line);
   const RestartCheck check = check_restart(linked, text, preamble, rest, path, point, options);
-  for (const DependencyElement& table : point.changed_tables)
-    session.report("IG-0198", where, {table.alias, line});
+  for (const DependencyElement& table : point.changed_tables) session.report("IG-0198", where, {table.alias, line});
   for (const Diagnostic& d : check.errors) session.report("IG-0195", where, {line, d.message});
   if (!check.comes_to_rest && check.errors.empty())
     session.report("IG-0195", where, {line, "the blocks of the preamble end the program"});
   for (const StateDifference& d : check.differences)
-    session.report("IG-0196", where, {d.path, d.found.empty() ? "nothing" : d.found,
-                                      d.wanted.empty() ? "nothing" : d.wanted});
+    session.report(d.is_vital || check.line != 0 ? "IG-0196" : "IG-0199", where,
+                   {d.path, d.found.empty() ? "nothing" : d.found, d.wanted.empty() ? "nothing" : d.wanted});
   if (check.line != 0) session.report("IG-0197", {check.line_file, check.line, 0}, {line});
   if (session.status() != success) return session.status();
   return print(with_rest ? preamble + rest : preamble, success);
@@ -211,12 +214,13 @@ int StateCommand::run() {
 }  // namespace
 
 int state_command(const Arguments& arguments) {
-  CommandLine line("state",
-                   "Shows what is in force at a line of a program: each value with its unit and the line that set it; "
-                   "or writes the blocks that restore it, for a restart in mid-program.",
-                   "isogloss state part.nc:142 -d fanuc\n  isogloss state part.nc:142 --as-preamble --with-rest > rest.nc");
+  CommandLine line(
+      "state",
+      "Shows what is in force at a line of a program: each value with its unit and the line that set it; "
+      "or writes the blocks that restore it, for a restart in mid-program.",
+      "isogloss state part.nc:142 -d fanuc\n  isogloss state part.nc:142 --as-preamble --with-rest > rest.nc");
   StateCommand command;
-  line.option("PROGRAM:LINE", command.what, "A line of a program; - is standard input").required();
+  line.option("PROGRAM:LINE", command.what, "A line of a program").required();
   line.flag("--after", command.after, "The state after the line instead of the one before it");
   line.option("--in", command.target.file, "The file of a called program that holds LINE (default: PROGRAM)")
       .type_name("FILE");

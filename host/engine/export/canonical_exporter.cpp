@@ -108,7 +108,9 @@ class CanonicalExporter : public Exporter {
   static std::optional<double> feed_of(const Move& m) {
     return m.has_feed ? std::optional(m.feed_mmds * seconds_per_minute) : std::nullopt;
   }
-  std::string number(double value, bool is_plain = false) const { return block_number(value, options_.exact, is_plain); }
+  std::string number(double value, bool is_plain = false) const {
+    return block_number(value, options_.exact, is_plain);
+  }
   /// As whoever reads the block finds it.
   double written(double value) const { return options_.exact ? value : std::round(value * 1e6) / 1e6; }
 
@@ -169,14 +171,16 @@ class CanonicalExporter : public Exporter {
     if (axis < 0 || std::abs(path.radius() - path.end_radius()) > same_radius_mm || path.radius() < 1e-5) {
       const double turn = std::abs(path.sweep());
       const int pieces = std::max(1, static_cast<int>(std::ceil(turn / (std::numbers::pi / 2))));
-      return lines("feed", to, divide([&](double at) { return path.at(at); }, options_.tolerance_mm, pieces),
-                   [&](double at) { return path.at(at); }, [&](double) { return feed_of(m); });
+      return lines(
+          "feed", to, divide([&](double at) { return path.at(at); }, options_.tolerance_mm, pieces),
+          [&](double at) { return path.at(at); }, [&](double) { return feed_of(m); });
     }
     constexpr double turn = 2 * std::numbers::pi;
     const double sweep = std::abs(path.sweep());
     // A block makes one turn at most; a full circle ends where it starts.
     const int circles = static_cast<int>(std::ceil(sweep / turn - 1e-9)) - 1;
-    for (int i = 1; i <= circles; ++i) arc_block(m, axis, normal[axis] > 0, path.at(turn * i / sweep), to.known, center, true);
+    for (int i = 1; i <= circles; ++i)
+      arc_block(m, axis, normal[axis] > 0, path.at(turn * i / sweep), to.known, center, true);
     const bool is_full = sweep - turn * circles > turn - 1e-9;
     arc_block(m, axis, normal[axis] > 0, end, to.known, center, is_full);
   }
@@ -195,7 +199,8 @@ class CanonicalExporter : public Exporter {
     }
     Values values = axes(to);
     for (const int i : {first, second})
-      values.push_back({std::string_view("IJK").substr(static_cast<std::size_t>(i), 1), center[i] - written(at_.at[i])});
+      values.push_back(
+          {std::string_view("IJK").substr(static_cast<std::size_t>(i), 1), center[i] - written(at_.at[i])});
     if (m.has_feed) values.push_back({"F", *feed_of(m)});
     const ProgramText::Row* const row = arcs_[2 * axis + (m.arc.is_ccw == is_upright ? 1 : 0)];
     if (row == nullptr) return report("IG-0193", {std::string("arc ") + planes[axis]});
@@ -269,8 +274,7 @@ class CanonicalExporter : public Exporter {
   /// A row "head 1", "head 2" … each.
   void write_all(std::string_view part) {
     for (const ProgramText::Row& row : text_.rows)
-      if (row.name.starts_with(part) && row.name.size() > part.size() && row.name[part.size()] == ' ')
-        put(row, {});
+      if (row.name.starts_with(part) && row.name.size() > part.size() && row.name[part.size()] == ' ') put(row, {});
   }
 
   void write(std::string_view what, const Values& values, std::string_view which = {}) {

@@ -54,8 +54,8 @@ class ArcPath {
     const double angle = sweep_ * place;
     const double scale = radius_ > 0 ? 1 + place * (end_radius_ / radius_ - 1) : 1;
     for (int i = 0; i < 3; ++i)
-      out[i] = center_[i] + scale * (radial_[i] * std::cos(angle) + side_[i] * std::sin(angle)) +
-               rise_ * place * normal_[i];
+      out[i] =
+          center_[i] + scale * (radial_[i] * std::cos(angle) + side_[i] * std::sin(angle)) + rise_ * place * normal_[i];
     for (int i = 3; i < 6; ++i) out[i] = start_[i] + place * (end_[i] - start_[i]);
     return out;
   }

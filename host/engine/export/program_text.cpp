@@ -11,7 +11,8 @@ BlockTemplate::BlockTemplate(std::string_view text) {
     if (!literal.empty()) pieces_.push_back({Piece::Kind::text, std::string(literal)});
   };
   std::size_t begin = 0;
-  for (std::size_t at = text.find_first_of("{[]"); at != std::string_view::npos; at = text.find_first_of("{[]", begin)) {
+  for (std::size_t at = text.find_first_of("{[]"); at != std::string_view::npos;
+       at = text.find_first_of("{[]", begin)) {
     add_text(text.substr(begin, at - begin));
     begin = at + 1;
     if (text[at] != '{') {
@@ -59,8 +60,7 @@ bool BlockTemplate::fill(const Values& values, std::string& out) const {
 ProgramText ProgramText::of(Chain& chain) {
   ProgramText out;
   const auto place = chain.answering("isogloss.program-text/1");
-  const DependencyTable* const table =
-      place ? chain.table(chain.linked().dependencies[*place].element.alias) : nullptr;
+  const DependencyTable* const table = place ? chain.table(chain.linked().dependencies[*place].element.alias) : nullptr;
   if (table == nullptr) return out;
   const auto text = table->column("text"), when = table->column("when");
   if (!text || !when) return out;
