@@ -279,6 +279,25 @@ class Canonical(unittest.TestCase):
         fine = self.emit(text, "--tolerance", "0.00001").stdout.count("N5 G01")
         self.assertGreater(fine, 5 * coarse)
 
+    def test_a_led_tip_becomes_lines_of_all_axes_in_the_same_time(self):
+        """Half of the move, programmed as a block of its own, ends on the lines of the whole move."""
+        machine = str(HERE.parent / "programs/fanuc/five_axis/tip_control.machine.xml")
+        begin = "G90 G94 G21 G00 X0 Y0 Z50. A0 C0\nG43.4 H1 Z0\n"
+        more = ("--machine", machine, "--set", "ToolOffsetTable.1.H=100")
+        lines = [shlex.split(block) for block in self.emit(begin + "G01 X40. A30. C60. F600.\nM30\n", *more).stdout.splitlines()
+                 if block.startswith("N3 ")]
+        self.assertGreater(len(lines), 16)
+        points = [{word[0]: float(word[1:]) for word in block} for block in lines]
+        (self.path / "part.nc").write_text(begin + "G01 X20. A15. C30. F600.\nX40. A30. C60.\nM30\n")
+        start, middle, _ = [e["MachineCoordinate"] for e in motions("part.nc", "-d", "fanuc", *more, cwd=self.path)
+                            if e["Event"] != "end"][-3:]
+        self.assertTrue(any(near(middle, p) for p in points), middle)
+        minutes, before = 0.0, start
+        for point in points:
+            minutes += math.dist([point[a] for a in "XYZ"], [before[a] for a in "XYZ"]) / point["F"]
+            before = point
+        self.assertAlmostEqual(minutes, 40 / 600, delta=1e-4)
+
     def test_feed_modes_and_inches(self):
         written = self.same("G20 G00 X1. Y0 Z0\nG01 X2. F10.\nG93 G01 X3. F2.\nS1000 M03\nG95 G01 X4. F0.01\n"
                             "G04 P1500\nM08\nM09\nM05\nT3 M06\nM00\nM30\n")

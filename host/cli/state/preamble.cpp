@@ -38,7 +38,12 @@ bool holds_one(std::string_view condition, const StateFields& state) {
   const auto found = state.find(condition.substr(0, equals - (differs ? 1 : 0)));
   if (equals == condition.size()) return (found != state.end()) != is_denied;
   if (found == state.end()) return false;
-  return is_one_of(found->second, condition.substr(equals + 1)) != differs;
+  std::string_view choices = condition.substr(equals + 1);
+  if (choices.starts_with('@')) {
+    const auto other = state.find(choices.substr(1));
+    choices = other == state.end() ? std::string_view() : other->second;
+  }
+  return is_one_of(found->second, choices) != differs;
 }
 
 /// Eight decimals: an inch needs more than a millimetre.

@@ -12,7 +12,8 @@ namespace isogloss::cli {
 using StateFields = std::map<std::string, std::string, std::less<>>;
 StateFields fields_of(const std::vector<ExplainedValue>& values);
 
-/// Do the conditions hold? "PATH" is there, "!PATH" is not, "PATH=A|B", "PATH!=A"; numbers by value.
+/// Do the conditions hold? "PATH" is there, "!PATH" is not, "PATH=A|B", "PATH!=A", "PATH=@OTHER" as the field OTHER;
+/// numbers by value.
 bool holds(std::string_view when, const StateFields& state);
 
 /// True when the dialect says how it writes a state.

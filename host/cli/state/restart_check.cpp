@@ -147,9 +147,11 @@ RestartCheck check_restart(const LinkedDialect& linked, const std::string& whole
 
   const std::string first = motions_after(linked, whole, name, point.blocks_before, options);
   const std::string second = motions_after(linked, text, name, restarted->blocks_before, again);
+  const bool is_cut = std::max(first.size(), second.size()) >= most_compared_bytes;
   std::string_view a = first, b = second;
   while (!a.empty() || !b.empty()) {
     const std::string_view left = next_line(a), right = next_line(b);
+    if (is_cut && (a.empty() || b.empty())) break;
     if (are_same(left, right)) continue;
     const Json event = Json::parse(left.empty() ? right : left, nullptr, false);
     if (event.is_discarded()) break;  // where the comparison ends

@@ -22,7 +22,7 @@ struct RestartCheck {
   std::vector<Diagnostic> errors;  ///< of the preamble's own blocks
 };
 
-/// `rest` begins at the point's line. Motions are compared up to `most_compared_bytes` of their text.
+/// `rest` begins at the point's line. Of the motions the first 64 MiB of JSON Lines are compared.
 RestartCheck check_restart(const LinkedDialect& linked, const std::string& whole, const std::string& preamble,
                            const std::string& rest, const std::string& name, const ProgramPoint& point,
                            const RunOptions& options);

@@ -104,8 +104,8 @@ Json StateCommand::json_of(const ProgramPoint& point, const std::vector<StateRow
 std::string why_not(const ProgramPoint& point) {
   const ExplainedBlock& b = point.block;
   if (b.frames.size() > 1)
-    return fmt::format("the block is in the called program {}, and its caller continues at line {}",
-                       b.frames.back().program, b.frames[1].call_line);
+    return fmt::format("its block is in the called program {}, which line {} calls", b.frames.back().program,
+                       b.frames[1].call_line);
   if (b.pass > 1) return "the line is in a loop, whose passes a preamble cannot count";
   for (const ExplainedValue& v : b.carried)
     if (v.path == "RadiusCompensation.Side" && v.value != R"("None")")
