@@ -205,16 +205,23 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {error, "IG-0174", "the page of {0} has no section '{1}'",
        "`isogloss inspect NAME --section TITLE` prints one section of a page, by its heading.",
        "isogloss inspect DwellSyntax --section Diagnostic"},
+      {error, "IG-0175", "the folder is not empty, and `isogloss docs` did not make it: name another folder",
+       "`isogloss docs` replaces its own pages and writes into no folder that holds something else. A folder that it "
+       "made holds the list .isogloss-docs.",
+       "isogloss docs -o ."},
+      {warning, "IG-0176", "the page of {0} links to '{1}', which the reference does not hold: it is shown as text",
+       "A page links to pages of other syntaxes, tables and importers by the names of their files, and to addresses "
+       "that "
+       "begin with https:// or http://. Of an image, only the text is shown.",
+       "[the manual](../manual.md) on the page of a syntax"},
       {warning, "IG-0190", "this feed move has no feed rate: its canonical block has no F",
        "No F is in force in the program. A control that reads the canonical program keeps the F of an earlier block, "
-       "or "
-       "stops. Program F before the move.",
+       "or stops. Program F before the move.",
        "G01 X10., before any F"},
       {warning, "IG-0191", "the frame has changed under the tool: a rapid of {0} mm is written to the new coordinates",
        "With --frame program each position counts from the origin of its own block. Where an offset or a plane "
-       "changes, "
-       "the same place of the tool has new coordinates, so the canonical program moves there. --frame machine has no "
-       "such jumps.",
+       "changes, the same place of the tool has new coordinates, so the canonical program moves there. --frame machine "
+       "has no such jumps.",
        "isogloss run part.nc --emit canonical --frame program, and the part changes from G54 to G55"},
       {warning, "IG-0192", "the centre or the start of this arc is not known: a straight line is written in its place",
        "A canonical arc needs X, Y and Z of its start, its end and its centre.",
@@ -243,8 +250,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "a program that sets its work offsets by G10"},
       {warning, "IG-0199", "after the preamble {0} is {1}, before that line it is {2}; the motions are the same",
        "The dialect has no row in ProgramText that writes this state. The rest of the program moves as in the whole, "
-       "but "
-       "the machine may do it in another way, for example without smoothing.",
+       "but the machine may do it in another way, for example without smoothing.",
        "a restart while G05.1 Q1 is active"},
       // links: 0200-0299
       {error, "IG-0201", "no plugin '{0}' in the folders searched",
@@ -321,6 +327,9 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "A syntax that declares a field as `previous` makes the host keep a copy of it. Leave out syntaxes that the "
        "machine does not need.",
        "a generated dialect"},
+      {warning, "IG-0235", "no diagnostic has the code '{0}', so its severity changes nothing",
+       "The codes are those of the host and of the plugins that the dialect names: `isogloss list diagnostics`.",
+       R"(<Severity code="ISO-O285" is="error"/>)"},
       {warning, "IG-0242", "{0} wakes while {1} has a value, and no block begins with one: declare its life as modal",
        "A block begins with the modal fields of the block before it and with its words. A field of another life has no "
        "value then, so the syntax is never called for it.",
