@@ -35,6 +35,7 @@ int manual_command(const Arguments& arguments);
 int new_command(const Arguments& arguments);
 int run_command(const Arguments& arguments);
 int schema_command(const Arguments& arguments);
+int state_command(const Arguments& arguments);
 int validate_command(const Arguments& arguments);
 int version_command(const Arguments& arguments);
 
@@ -48,6 +49,7 @@ struct Command {
 inline constexpr Command commands[] = {
     {"run", "run programs through a dialect: motions, blocks, a summary", run_command},
     {"explain", "explain why a block did what it did, or a diagnostic", explain_command},
+    {"state", "show what is in force at a line, or write blocks that restore it", state_command},
     {"lint", "check dialect files", lint_command},
     {"dialect", "a dialect as one file or a graph, one syntax of it, its differences from another", dialect_command},
     {"schema", "print the schema of dialect files or of the block document", schema_command},

@@ -6,8 +6,10 @@
 #include <limits>
 #include <map>
 
+#include "canonical_text.hpp"
 #include "crash_guard.hpp"
 #include "dialect_guess.hpp"
+#include "isogloss/engine/canonical.hpp"
 #include "output_file.hpp"
 #include "outputs.hpp"
 #include "program_options.hpp"
@@ -30,6 +32,7 @@ struct RunCommand {
   RunBudgets budgets;
   std::vector<std::string> save_table;
   std::vector<TableRequest> tables_to_save;
+  CanonicalRequest canonical;
 
   void add_to(CommandLine& line);
   int run();
@@ -39,8 +42,8 @@ void RunCommand::add_to(CommandLine& line) {
   line.option("PROGRAM", programs, "Programs, each a run of its own; - is standard input").required();
   program.add_to(line);
   line.option("--emit", emit, "What to write (default: motions; with --summary alone: none)")
-      .one_of({"blocks", "motions", "none"})
-      .type_name("blocks|motions|none");
+      .one_of({"blocks", "motions", "canonical", "none"})
+      .type_name("blocks|motions|canonical|none");
   line.option("--format", format, "Form of the output")
       .one_of({"jsonl", "csv", "text"})
       .type_name("jsonl|csv|text")
@@ -55,6 +58,7 @@ void RunCommand::add_to(CommandLine& line) {
   line.flag("--header", header, "JSON Lines: a first line with version, dialect and units");
   line.flag("--exact", exact, "Numbers that read back to the same value instead of 6 decimals");
   line.flag("--zero-moves", zero_moves, "Keep linear moves that change no machine axis");
+  canonical.add_to(line);
   budgets.add_to(line);
   line.flag("--checked", checked, "Check every access of a syntax against its declaration (slow)").group("Testing");
   line.flag("--call-all", call_all, "Call every syntax in every block; must give the same result").group("Testing");
@@ -93,10 +97,14 @@ class WithoutFirstLine : public Output {
   bool dropped_ = false;
 };
 
-std::unique_ptr<Exporter> make_exporter(const RunCommand& c, Output& output, const std::string& dialect) {
+std::unique_ptr<Exporter> make_exporter(const RunCommand& c, Output& output, const std::string& dialect,
+                                        Session& session) {
   const Format format = c.format == "csv" ? Format::csv : c.format == "text" ? Format::text : Format::jsonl;
   if (c.emit == "blocks") return make_block_exporter(output, format);
   if (c.emit == "none") return nullptr;
+  if (c.emit == "canonical")
+    return make_canonical_exporter(output, c.canonical.text, c.canonical.options(c.exact, c.zero_moves),
+                                   session.diagnostics());
   return make_motion_exporter(output, {format, c.header, c.zero_moves, c.exact, dialect});
 }
 
@@ -197,7 +205,8 @@ class Runs {
     ErrorLimit limit(session_.diagnostics());
     try {
       const bool is_later_table = wrote_ && command_.format == "csv";
-      data = make_exporter(command_, is_later_table ? static_cast<Output&>(later) : *output_, linked_->dialect.name);
+      data = make_exporter(command_, is_later_table ? static_cast<Output&>(later) : *output_, linked_->dialect.name,
+                           session_);
       if (data != nullptr) exporters.push_back(data.get());
       if (command_.summary) {
         totals = make_summary_exporter(summary, rapid_rates(*linked_, options.chain));
@@ -271,6 +280,7 @@ int RunCommand::run() {
     session.report("IG-0513", {}, {"blocks have no CSV form; --format jsonl or text"});
     return cannot_start;
   }
+  if (emit == "canonical" && !canonical.prepare(format, session)) return cannot_start;
   std::optional<RunOptions> options = program.make(session);
   auto tables = read_table_requests(save_table, session);
   if (!options || !tables) return cannot_start;

@@ -214,6 +214,44 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "that "
        "begin with https:// or http://. Of an image, only the text is shown.",
        "[the manual](../manual.md) on the page of a syntax"},
+      {warning, "IG-0190", "this feed move has no feed rate: its canonical block has no F",
+       "No F is in force in the program. A control that reads the canonical program keeps the F of an earlier block, "
+       "or stops. Program F before the move.",
+       "G01 X10., before any F"},
+      {warning, "IG-0191", "the frame has changed under the tool: a rapid of {0} mm is written to the new coordinates",
+       "With --frame program each position counts from the origin of its own block. Where an offset or a plane "
+       "changes, the same place of the tool has new coordinates, so the canonical program moves there. --frame machine "
+       "has no such jumps.",
+       "isogloss run part.nc --emit canonical --frame program, and the part changes from G54 to G55"},
+      {warning, "IG-0192", "the centre or the start of this arc is not known: a straight line is written in its place",
+       "A canonical arc needs X, Y and Z of its start, its end and its centre.",
+       "an arc before the machine has a position in X, Y and Z"},
+      {warning, "IG-0193", "the canonical program has no word for {0}: it is left out",
+       "The table ProgramText of the dialect in which the program is written (iso) has no row of that name.",
+       "coolant through the spindle, which no ISO code selects alike on all controls"},
+      {error, "IG-0194", "the dialect {0} does not say how {1} are written: its ProgramText has no rows for them",
+       "The words of a program are rows of the table ProgramText of the dialect. Where it has none, nothing can be "
+       "written.",
+       "isogloss state part.h:10 --as-preamble"},
+      {error, "IG-0195", "no preamble can restore the state before line {0}: {1}",
+       "A preamble restores values that a block can set. It cannot enter a called program, a pass of a loop, or a "
+       "compensated contour. Choose a line before it, such as the one that changes the tool.",
+       "isogloss state part.nc:40 --as-preamble, and line 40 is between G41 and G40"},
+      {error, "IG-0196", "after the preamble {0} is {1}, but before that line it is {2}: the state is not restored",
+       "The preamble was run and compared with the program. The dialect has no row in ProgramText that writes this "
+       "state, or the control has no block for it. Choose a line before it was set.",
+       "a restart while scaling (G51) is active"},
+      {error, "IG-0197", "behind the preamble of line {0} this block moves differently than in the whole program",
+       "The preamble and the rest were run and compared with the whole. Something that no block restores makes the "
+       "difference: a loop, a variable, a modal call, a jump to a line before. Choose an earlier line.",
+       "a restart inside of WHILE … END"},
+      {note, "IG-0198", "rows of {0} were changed before line {1}: the control must still have these values",
+       "A preamble does not write offsets and tables again. The control keeps them until a program changes them.",
+       "a program that sets its work offsets by G10"},
+      {warning, "IG-0199", "after the preamble {0} is {1}, before that line it is {2}; the motions are the same",
+       "The dialect has no row in ProgramText that writes this state. The rest of the program moves as in the whole, "
+       "but the machine may do it in another way, for example without smoothing.",
+       "a restart while G05.1 Q1 is active"},
       // links: 0200-0299
       {error, "IG-0201", "no plugin '{0}' in the folders searched",
        "The dialect names a plugin that no plugin folder holds, or that could not be loaded. `isogloss doctor` lists "
