@@ -21,6 +21,7 @@ class NewPlugin : public NewFolder {
     words()["languages"] = is_c() ? "C" : "CXX";
     words()["plugin_arguments"] = is_c() ? " LANGUAGE C" : "";
     words()["first_block"] = family() == "iso" ? "G21 G17 G90" : "G17 G90";
+    words()["extension"] = family() == "klartext" ? "h" : "nc";
     const std::string of = kind();
     if (!has_template(of) || !describes(of)) return cannot_start;
     const std::string language = is_c() ? "c" : "cxx";

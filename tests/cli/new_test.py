@@ -66,6 +66,7 @@ class New(unittest.TestCase):
                                  ("acme-five", ["--extends", "siemens", "--word", "E"], "acme_five_word_syntax.cpp")):
             self.assertIn(f"{name}/{file}", self.new("plugin", name, *more).stdout.splitlines())
         self.assertIn("BEGIN PGM", (self.path / "acme-four/tests/switch.h").read_text())
+        self.assertIn("run tests/switch.h -d", (self.path / "acme-four/README.md").read_text())
         self.assertTrue((self.path / "acme-five/tests/word.nc").read_text().startswith("G17 G90\n"))
         self.assertIn('"M171"', (self.path / "acme-three/acme_three_switch_syntax.cpp").read_text())
 

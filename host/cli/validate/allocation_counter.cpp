@@ -34,7 +34,7 @@ Calloc system_aligned_alloc = nullptr;
 Memalign system_posix_memalign = nullptr;
 Free system_free = nullptr;
 
-void* note(void* allocated) {
+void* note_allocation(void* allocated) {
   if (is_counting) {
     if (host_calls == 0) ++allocations;
     bytes_kept += static_cast<std::int64_t>(malloc_usable_size(allocated));
@@ -46,18 +46,18 @@ void note_free(void* memory) {
   if (is_counting) bytes_kept -= static_cast<std::int64_t>(malloc_usable_size(memory));
 }
 
-void* counting_malloc(std::size_t size) { return note(system_malloc(size)); }
-void* counting_calloc(std::size_t count, std::size_t size) { return note(system_calloc(count, size)); }
+void* counting_malloc(std::size_t size) { return note_allocation(system_malloc(size)); }
+void* counting_calloc(std::size_t count, std::size_t size) { return note_allocation(system_calloc(count, size)); }
 void* counting_realloc(void* old, std::size_t size) {
   note_free(old);
-  return note(system_realloc(old, size));
+  return note_allocation(system_realloc(old, size));
 }
 void* counting_aligned_alloc(std::size_t alignment, std::size_t size) {
-  return note(system_aligned_alloc(alignment, size));
+  return note_allocation(system_aligned_alloc(alignment, size));
 }
 int counting_posix_memalign(void** out, std::size_t alignment, std::size_t size) {
   const int error = system_posix_memalign(out, alignment, size);
-  if (error == 0) note(*out);
+  if (error == 0) note_allocation(*out);
   return error;
 }
 void counting_free(void* memory) {
@@ -83,7 +83,7 @@ void* replacement(std::string_view name) {
 }
 
 /// The dynamic section of one loaded library.
-struct Tables {
+struct LibraryTables {
   const ElfW(Sym) * symbols = nullptr;
   const char* names = nullptr;
   const ElfW(Rela) * data = nullptr;
@@ -91,8 +91,8 @@ struct Tables {
   std::size_t data_size = 0, calls_size = 0;  // bytes
 };
 
-Tables tables_of(const dl_phdr_info& info) {
-  Tables out;
+LibraryTables tables_of(const dl_phdr_info& info) {
+  LibraryTables out;
   const auto at = [&](ElfW(Addr) address) {  // relative to the library where the loader has left it so
     return reinterpret_cast<const char*>(address < info.dlpi_addr ? address + info.dlpi_addr : address);
   };
@@ -119,7 +119,7 @@ void fill_in(void** slot, void* value) {
   if (mprotect(begin, page, PROT_READ | PROT_WRITE) == 0) *slot = value;
 }
 
-void redirect(const dl_phdr_info& info, const Tables& tables, const ElfW(Rela) * rows, std::size_t bytes) {
+void redirect(const dl_phdr_info& info, const LibraryTables& tables, const ElfW(Rela) * rows, std::size_t bytes) {
   if (rows == nullptr || tables.symbols == nullptr || tables.names == nullptr) return;
   for (std::size_t i = 0; i < bytes / sizeof *rows; ++i) {
     const auto symbol = static_cast<std::size_t>(rows[i].r_info >> (sizeof(ElfW(Addr)) == 8 ? 32 : 8));
@@ -133,7 +133,7 @@ int redirect_library(dl_phdr_info* info, std::size_t, void*) {
   const std::string_view name = info->dlpi_name;
   // The loader allocates before and after everyone else; the system's own page has no tables.
   if (name.find("ld-linux") != std::string_view::npos || name.find("vdso") != std::string_view::npos) return 0;
-  const Tables tables = tables_of(*info);
+  const LibraryTables tables = tables_of(*info);
   redirect(*info, tables, tables.data, tables.data_size);
   redirect(*info, tables, tables.calls, tables.calls_size);
   return 0;

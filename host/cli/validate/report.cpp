@@ -151,12 +151,12 @@ std::string_view sarif_level_of(Level level) {
   return level == Level::must ? "error" : level == Level::should ? "warning" : "note";
 }
 
-Json text_of(const std::string& text) { return {{"text", printable(text)}}; }
+Json sarif_text(const std::string& text) { return {{"text", printable(text)}}; }
 
 Json rule_of(const Check& check) {
   return {{"id", check.name},
-          {"shortDescription", text_of(std::string(check.summary))},
-          {"help", text_of(std::string(check.help))},
+          {"shortDescription", sarif_text(std::string(check.summary))},
+          {"help", sarif_text(std::string(check.help))},
           {"defaultConfiguration", {{"level", sarif_level_of(check.level)}}},
           {"properties", {{"level", to_string(check.level)}}}};
 }
@@ -168,7 +168,7 @@ Json sarif_result(const std::string& file, const Check& check, std::size_t rule,
   return {{"ruleId", check.name},
           {"ruleIndex", rule},
           {"level", sarif_level_of(check.level)},
-          {"message", text_of(line_of(f))},
+          {"message", sarif_text(line_of(f))},
           {"locations", Json::array({std::move(location)})}};
 }
 

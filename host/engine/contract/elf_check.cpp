@@ -14,8 +14,7 @@ std::optional<std::string> elf_fault(const std::filesystem::path& file) {
   Elf64_Ehdr header{};
   if (error || !in) return std::nullopt;
   if (size == 0) return "the file is empty";
-  if (!in.read(reinterpret_cast<char*>(&header), sizeof header) ||
-      std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0)
+  if (!in.read(reinterpret_cast<char*>(&header), sizeof header) || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0)
     return "the file does not begin as an ELF file does";
   if (header.e_ident[EI_CLASS] != ELFCLASS64) return std::nullopt;
 
