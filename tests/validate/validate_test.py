@@ -123,7 +123,7 @@ class Validate(unittest.TestCase):
         self.assertTrue(plugins)
         for plugin in plugins:
             with self.subTest(plugin.stem):
-                status, checks = self.checks(plugin, "--blocks", "2000")
+                status, checks = self.checks(plugin)
                 needed = [c for c in checks if c["Level"] == "must" or c["Name"] == "prefix"]
                 self.assertEqual([c for c in needed if c["Result"] != "held"], [])
                 self.assertEqual(status, 0)
