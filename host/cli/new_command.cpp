@@ -19,6 +19,7 @@ std::string stray_option(const NewOptions& options) {
                         Row{"--extends", !options.base.empty(), "plugin dialect"},
                         Row{"--cycle", !options.cycle.empty(), "plugin"},
                         Row{"--word", !options.word.empty(), "plugin"},
+                        Row{"--switch", !options.switch_codes.empty(), "plugin"},
                         Row{"--table", !options.table.empty(), "plugin"},
                         Row{"--language", !options.language.empty(), "plugin"},
                         Row{"--prefix", !options.prefix.empty(), "plugin"},
@@ -38,6 +39,7 @@ int new_command(const Arguments& arguments) {
       "builds against the installed package, and its tests pass at once. Exit status: 0 when the folder is "
       "made, 2 when it is not.",
       "isogloss new plugin acme --cycle G181\n  isogloss new plugin acme --word E --language c\n"
+      "  isogloss new plugin acme --switch M171,M172 --extends heidenhain\n"
       "  isogloss new plugin acme --table ClampTable\n  isogloss new dialect acme --extends siemens\n"
       "  isogloss new machine dmu58 --dialect heidenhain --backup TOOL.T --backup PRESET.PR");
   NewOptions options;
@@ -56,7 +58,8 @@ int new_command(const Arguments& arguments) {
   line.option("--extends", options.base, "The dialect that the new one extends; otherwise fanuc")
       .type_name("DIALECT")
       .group("Plugin, dialect");
-  line.option("--cycle", options.cycle, "A canned cycle with this code: drilling with a dwell; otherwise G181")
+  line.option("--cycle", options.cycle,
+              "A canned cycle with this code: drilling with a dwell; G181 where nothing else is asked for")
       .type_name("CODE")
       .group(plugin);
   line.option("--word", options.word, "A syntax that reads this word and keeps its value, instead of a cycle")
@@ -65,7 +68,12 @@ int new_command(const Arguments& arguments) {
   line.option("--table", options.table, "A table of this name, of which a word (--word, otherwise E) names a row")
       .type_name("NAME")
       .group(plugin);
-  line.option("--language", options.language, "c++ (otherwise), or c: a word in C, without a C++ compiler")
+  line.option("--switch", options.switch_codes,
+              "Two M codes, on and off, for every dialect; M171,M172 where there is no template for a cycle")
+      .type_name("ON,OFF")
+      .group(plugin);
+  line.option("--language", options.language,
+              "c++ (otherwise), or c: a switch, a word or a table in C, without a C++ compiler")
       .one_of({"c++", "c"})
       .group(plugin);
   line.option("--prefix", options.prefix, "Prefix of the diagnostics; otherwise the first letters of NAME")

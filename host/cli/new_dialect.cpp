@@ -58,18 +58,22 @@ const ChainElement* NewFolder::in_chain(std::string_view syntax) const {
   return found == base_.chain.end() ? nullptr : &*found;
 }
 
+std::string NewFolder::family() const {
+  const std::vector<std::string>& extensions = base_.extensions;
+  if (std::find(extensions.begin(), extensions.end(), ".h") != extensions.end()) return "klartext";
+  return in_chain("WordSyntax") != nullptr ? "iso" : "sinumerik";
+}
+
 int new_dialect(const NewOptions& options) {
   NewFolder folder(options, "a dialect");
   if (!folder.begins()) return cannot_start;
   const std::vector<std::string>& extensions = folder.base().extensions;
-  const bool is_klartext = std::find(extensions.begin(), extensions.end(), ".h") != extensions.end();
-  const bool is_iso = folder.in_chain("WordSyntax") != nullptr;
   std::string tables;
   for (const DependencyElement& e : folder.base().dependencies) tables += (tables.empty() ? "" : ", ") + e.alias;
   folder.words()["program"] = "slot";
   folder.words()["extension"] = extensions.empty() ? "nc" : extensions.front().substr(1);
   folder.words()["tables"] = tables;
-  return folder.write({"dialect", is_klartext ? "dialect-klartext" : is_iso ? "dialect-iso" : "dialect-sinumerik"});
+  return folder.write({"dialect", "dialect-" + folder.family()});
 }
 
 }  // namespace isogloss::cli

@@ -15,7 +15,7 @@ struct NewOptions {
   std::string dialect;  ///< of a machine
   std::vector<std::string> backups;
   std::string base;  ///< what a plugin's dialect, or a dialect, extends
-  std::string cycle, word, table, language, prefix, vendor;
+  std::string cycle, word, table, switch_codes, language, prefix, vendor;
 };
 
 int new_machine(const NewOptions& options);
@@ -48,6 +48,9 @@ class NewFolder {
 
   /// The element of the base's chain, null where it has none.
   const ChainElement* in_chain(std::string_view syntax) const;
+
+  /// In which form the programs of the base are written: "iso", "sinumerik" or "klartext".
+  std::string family() const;
 
   const NewOptions& options() const { return options_; }
   Session& session() { return session_; }

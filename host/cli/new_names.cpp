@@ -79,6 +79,21 @@ bool is_one_line(std::string_view text) {
                       [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
 }
 
+std::pair<std::string, std::string> switch_codes(std::string_view codes) {
+  const std::size_t comma = codes.find(',');
+  if (comma == std::string_view::npos) return {};
+  std::pair<std::string, std::string> out;
+  const auto read = [](std::string_view code) -> std::string {
+    if (code.size() < 2 || code.size() > 5 || capital(code.front()) != 'M') return {};
+    const std::string_view digits = code.substr(1);
+    if (!std::all_of(digits.begin(), digits.end(), is_ascii_digit)) return {};
+    return (digits.size() == 1 ? "M0" : "M") + std::string(digits);
+  };
+  out = {read(codes.substr(0, comma)), read(codes.substr(comma + 1))};
+  return out.first.empty() || out.second.empty() || out.first == out.second ? std::pair<std::string, std::string>{}
+                                                                            : out;
+}
+
 std::string cycle_code(std::string_view code) {
   if (code.size() < 2 || code.size() > 4 || capital(code.front()) != 'G') return {};
   const std::string_view digits = code.substr(1);

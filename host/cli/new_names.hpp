@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace isogloss::cli {
 
@@ -26,6 +27,9 @@ std::string escaped_literal(std::string_view text);
 
 /// No control characters.
 bool is_one_line(std::string_view text);
+
+/// {"M171", "M172"} for "m171,m172"; two empty texts where these are not two M codes of up to four digits.
+std::pair<std::string, std::string> switch_codes(std::string_view codes);
 
 /// "G181" for "g181"; empty where it is no G code of up to three digits.
 std::string cycle_code(std::string_view code);

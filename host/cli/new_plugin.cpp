@@ -14,28 +14,21 @@ class NewPlugin : public NewFolder {
   explicit NewPlugin(const NewOptions& options) : NewFolder(options, "a plugin") {}
 
   int run() {
-    if (!begins() || !has_free_name() || !has_free_prefix()) return cannot_start;
-    const bool is_c = options().language == "c";
-    const bool is_cycle = options().word.empty() && options().table.empty();
+    if (!begins() || !has_free_name() || !has_free_prefix() || !is_one_kind()) return cannot_start;
     words()["namespace"] = lower_case(options().name);
     words()["NAMESPACE"] = upper_case(options().name);
     words()["vendor"] = escaped_literal(options().vendor.empty() ? options().name : options().vendor);
-    words()["languages"] = is_c ? "C" : "CXX";
-    words()["plugin_arguments"] = is_c ? " LANGUAGE C" : "";
-    if (is_c && options().word.empty()) return no_template("a cycle or a table in C", "--word has one");
-    if (is_c && !options().table.empty()) return no_template("a table in C", "--word alone has one");
-    if (!options().cycle.empty() && !is_cycle) {
-      refuse("IG-0513", {"a plugin begins with one syntax: give --cycle, or --word and --table"});
-      return cannot_start;
-    }
-    if (in_chain("WordSyntax") == nullptr || in_chain("LinearMotionSyntax") == nullptr)
-      return no_template("a plugin on dialect " + base().name,
-                         "its words are not read by WordSyntax, as those of ISO 6983");
-    if (is_cycle ? !describes_cycle() : !describes_word()) return cannot_start;
-    return write(is_cycle                   ? std::vector<std::string>{"plugin", "plugin-cxx", "cycle"}
-                 : !options().table.empty() ? std::vector<std::string>{"plugin", "plugin-cxx", "table"}
-                 : is_c                     ? std::vector<std::string>{"plugin", "plugin-c", "word", "word-c"}
-                                            : std::vector<std::string>{"plugin", "plugin-cxx", "word", "word-cxx"});
+    words()["languages"] = is_c() ? "C" : "CXX";
+    words()["plugin_arguments"] = is_c() ? " LANGUAGE C" : "";
+    words()["first_block"] = family() == "iso" ? "G21 G17 G90" : "G17 G90";
+    words()["extension"] = family() == "klartext" ? "h" : "nc";
+    const std::string of = kind();
+    if (!has_template(of) || !describes(of)) return cannot_start;
+    const std::string language = is_c() ? "c" : "cxx";
+    std::vector<std::string> layers{"plugin", "plugin-" + language, of};
+    if (of != "cycle") layers.push_back(of + "-" + language);
+    if (of == "switch") layers.push_back(family() == "klartext" ? "switch-klartext" : "switch-iso");
+    return write(layers);
   }
 
  private:
@@ -47,9 +40,44 @@ class NewPlugin : public NewFolder {
   static std::string lower_case(std::string_view name) { return mapped(name, 'A', 'Z', 'a' - 'A'); }
   static std::string upper_case(std::string_view name) { return mapped(name, 'a', 'z', 'A' - 'a'); }
 
-  int no_template(const std::string& what, const std::string& why) {
-    refuse("IG-0154", {what, why});
-    return cannot_start;
+  bool is_c() const { return options().language == "c"; }
+
+  bool is_one_kind() {
+    const bool is_word = !options().word.empty() || !options().table.empty();
+    if ((options().cycle.empty() ? 0 : 1) + (options().switch_codes.empty() ? 0 : 1) + (is_word ? 1 : 0) <= 1)
+      return true;
+    return refuse("IG-0513", {"a plugin begins with one syntax: give --cycle, --switch, or --word and --table"});
+  }
+
+  /// What the plugin begins with; without an option a cycle where there is a template for one.
+  std::string kind() {
+    if (!options().table.empty()) return "table";
+    if (!options().word.empty()) return "word";
+    if (!options().cycle.empty()) return "cycle";
+    const bool has_cycles = !is_c() && in_chain("DrillingCycleSyntax") != nullptr &&
+                            in_chain("CannedCycleResolveSyntax") != nullptr && family() == "iso";
+    return options().switch_codes.empty() && has_cycles ? "cycle" : "switch";
+  }
+
+  bool has_template(const std::string& of) {
+    if (of == "cycle" && is_c())
+      return refuse("IG-0154", {"a cycle in C",
+                                "the planes, levels, repeats and feeds of canned cycles are in the SDK for "
+                                "C++; --switch, --word and --table are there in C"});
+    if (of == "cycle" && (family() != "iso" || in_chain("DrillingCycleSyntax") == nullptr ||
+                          in_chain("CannedCycleResolveSyntax") == nullptr))
+      return refuse("IG-0154", {"a cycle of dialect " + base().name,
+                                "it has no canned cycles of ISO programs; --switch is there for every dialect"});
+    if ((of == "word" || of == "table") && family() == "klartext")
+      return refuse("IG-0154", {"a word of dialect " + base().name,
+                                "its blocks are no rows of addresses; --switch is there for every dialect"});
+    if (in_chain("LinearMotionSyntax") == nullptr)
+      return refuse("IG-0154", {"a plugin on dialect " + base().name, "it has no LinearMotionSyntax to stand before"});
+    return true;
+  }
+
+  bool describes(const std::string& of) {
+    return of == "cycle" ? describes_cycle() : of == "switch" ? describes_switch() : describes_word();
   }
 
   bool has_free_name() {
@@ -98,7 +126,7 @@ class NewPlugin : public NewFolder {
     return true;
   }
 
-  void describes(const std::string& syntax, const std::string& structure, const std::string& program) {
+  void names_syntax(const std::string& syntax, const std::string& structure, const std::string& program) {
     words()["syntax"] = syntax;
     words()["struct"] = structure;
     words()["file"] = snake_case(syntax);
@@ -109,20 +137,32 @@ class NewPlugin : public NewFolder {
   bool describes_cycle() {
     const std::string code = cycle_code(options().cycle.empty() ? "G181" : options().cycle);
     if (code.empty()) return refuse("IG-0513", {"a cycle has a G code of up to three digits, such as G181"});
-    const ChainElement* const drilling = in_chain("DrillingCycleSyntax");
-    if (drilling == nullptr || in_chain("CannedCycleResolveSyntax") == nullptr)
-      return refuse("IG-0154", {"a cycle of dialect " + base().name, "it has no canned cycles of ISO programs"});
     if (!is_free(code)) return false;
     std::string unit = "s";
-    for (const Attribute& option : drilling->options)
+    for (const Attribute& option : in_chain("DrillingCycleSyntax")->options)
       if (option.name == "p-unit") unit = option.value;
     const std::string structure = words()["name"] + code + "Cycle";
-    describes(structure + "Syntax", structure, snake_case(code));
+    names_syntax(structure + "Syntax", structure, snake_case(code));
     words()["code"] = code;
     words()["p_unit"] = unit;
     words()["half_second"] = unit == "ms" ? "500" : ".5";
     words()["what"] = "the drilling cycle " + code;
     list_files({{".cpp", "the cycle"}, {".md", "its page, whose cases are tests"}}, "");
+    return true;
+  }
+
+  bool describes_switch() {
+    const auto [on, off] = switch_codes(options().switch_codes.empty() ? "M171,M172" : options().switch_codes);
+    if (on.empty()) return refuse("IG-0513", {"a switch has two M codes, on and off: --switch M171,M172"});
+    if (!is_free(on) || !is_free(off)) return false;
+    const std::string& name = words()["name"];
+    words()["on"] = on;
+    words()["off"] = off;
+    names_syntax(name + "SwitchSyntax", name + "Switch", "switch");
+    words()["section"] = " SECTION " + name;
+    words()["what"] = "a switch, which " + on + " puts on and " + off + " puts off";
+    list_files(
+        {{is_c() ? ".c" : ".cpp", "the syntax that reads both codes"}, {".md", "its page, whose cases are tests"}}, "");
     return true;
   }
 
@@ -134,22 +174,26 @@ class NewPlugin : public NewFolder {
     const std::string& name = words()["name"];
     words()["word"] = word;
     if (options().table.empty()) {
-      describes(name + "WordSyntax", name + "Word", "word");
+      names_syntax(name + "WordSyntax", name + "Word", "word");
       words()["what"] = "the word " + word + ", whose value stays in force";
-      const std::string extension = options().language == "c" ? ".c" : ".cpp";
-      list_files({{extension, "the syntax that reads " + word}, {".md", "its page, whose cases are tests"}}, "");
+      list_files(
+          {{is_c() ? ".c" : ".cpp", "the syntax that reads " + word}, {".md", "its page, whose cases are tests"}}, "");
     } else {
       if (!is_plugin_name(options().table)) return refuse("IG-0150", {options().table, "a table"});
       const std::string own = type_name_of(options().table), table = own.starts_with(name) ? own : name + own;
-      describes(table + "WordSyntax", table + "Word", "table");
+      names_syntax(table + "WordSyntax", table + "Word", "table");
       words()["table"] = table;
       words()["table_file"] = snake_case(table);
       words()["table_variable"] = snake_case(own);
       words()["table_service"] = lower_case(own);
+      words()["TABLE_SERVICE"] = upper_case(own);
       words()["what"] = "the table " + table + ", of which " + word + " names a row";
-      list_files({{".cpp", "the syntax that reads " + word}, {".md", "its page, whose cases are tests"}},
-                 fmt::format("| `{0}.hpp`, `{0}.cpp`, `{0}.md` | the table, and its service for syntaxes |\n",
-                             words()["table_file"]));
+      list_files(
+          {{is_c() ? ".c" : ".cpp", "the syntax that reads " + word}, {".md", "its page, whose cases are tests"}},
+          fmt::format("| `{0}{1}.md` | the table, and its service for syntaxes |\n",
+                      is_c() ? words()["table_file"] + ".c`, `"
+                             : words()["table_file"] + ".hpp`, `" + words()["table_file"] + ".cpp`, `",
+                      words()["table_file"]));
     }
     words()["section"] = " SECTION " + name;
     return true;
@@ -160,11 +204,10 @@ class NewPlugin : public NewFolder {
     std::string out;
     for (const auto& [extension, what] : of_syntax)
       out += fmt::format("| `{}{}` | {} |\n", words()["file"], extension, what);
-    const bool is_c = options().language == "c";
     out +=
-        more + (is_c ? fmt::format("| `plugin.c`, `{}.h` | name, version, syntaxes and diagnostics of the plugin |\n",
-                                   words()["namespace"])
-                     : "| `plugin.cpp` | name, version and vendor of the plugin |\n");
+        more + (is_c() ? fmt::format("| `plugin.c`, `{}.h` | name, version, syntaxes and diagnostics of the plugin |\n",
+                                     words()["namespace"])
+                       : "| `plugin.cpp` | name, version and vendor of the plugin |\n");
     words()["files"] = out;
   }
 };

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "json_text.hpp"
 #include "output_file.hpp"
 #include "session.hpp"
 #include "validate/report.hpp"
@@ -21,15 +23,22 @@ struct ValidateCommand {
   int run() const;
 
  private:
-  int list() const;
+  int list(const std::vector<const Check*>& checks) const;
+  std::string report(const std::vector<PluginOutcome>& plugins) const;
   std::vector<const Check*> chosen(Session& session) const;
   PluginOutcome validate(const std::string& file, const std::vector<const Check*>& checks) const;
   int status(const std::vector<PluginOutcome>& plugins) const;
 };
 
-int ValidateCommand::list() const {
+int ValidateCommand::list(const std::vector<const Check*>& checks) const {
+  if (format == "json") {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const Check* c : checks)
+      rows.push_back({{"Name", c->name}, {"Level", to_string(c->level)}, {"Summary", c->summary}, {"Help", c->help}});
+    return print(pretty({{"Isogloss", 1}, {"Checks", std::move(rows)}}), success);
+  }
   std::string out;
-  for (const Check& c : all_checks()) out += fmt::format("{:<16}  {:<6}  {}\n", c.name, to_string(c.level), c.summary);
+  for (const Check* c : checks) out += fmt::format("{:<16}  {:<6}  {}\n", c->name, to_string(c->level), c->summary);
   return print(out, success);
 }
 
@@ -77,31 +86,44 @@ int ValidateCommand::status(const std::vector<PluginOutcome>& plugins) const {
   return success;
 }
 
+std::string ValidateCommand::report(const std::vector<PluginOutcome>& plugins) const {
+  return format == "json"    ? as_json(plugins, options)
+         : format == "junit" ? as_junit(plugins)
+         : format == "sarif" ? as_sarif(plugins)
+                             : as_text(plugins, options);
+}
+
 int ValidateCommand::run() const {
-  if (lists) return list();
   Session session(options.common);
-  if (files.empty()) {
-    session.report("IG-0513", {}, {"name the file of a plugin, or --list for the checks"});
+  const auto misused = [&](const std::string& why) {
+    session.report("IG-0513", {}, {why});
     return cannot_start;
-  }
+  };
   const std::vector<const Check*> checks = chosen(session);
   if (checks.empty()) return cannot_start;
+  if (lists) {
+    if (!files.empty()) return misused("--list names checks and looks at no plugin: leave " + files.front() + " out");
+    if (format != "text" && format != "json") return misused("--list writes text or JSON, and no " + format);
+    return list(checks);
+  }
+  if (files.empty()) return misused("name the file of a plugin, or --list for the checks");
   if (!options.dialect.empty() && !session.reader().read(options.dialect, session.diagnostics())) return cannot_start;
   std::vector<PluginOutcome> plugins;
+  bool is_missing = false;
   for (const std::string& file : files) {
     std::error_code error;
     const std::filesystem::path path = std::filesystem::absolute(file, error);
-    if (!std::filesystem::is_regular_file(path, error)) {
-      session.report("IG-0510", {file}, {"it is no file"});
-      return cannot_start;
+    if (std::filesystem::is_regular_file(path, error)) {
+      plugins.push_back(validate(path.string(), checks));
+      plugins.back().file = file;
+    } else {
+      session.report("IG-0510", {file},
+                     {std::filesystem::exists(path, error) ? "it is no file" : "there is no such file"});
+      is_missing = true;
     }
-    plugins.push_back(validate(path.string(), checks));
-    plugins.back().file = file;
   }
-  return print(format == "json"    ? as_json(plugins, options)
-               : format == "junit" ? as_junit(plugins)
-                                   : as_text(plugins, options),
-               status(plugins));
+  if (plugins.empty()) return cannot_start;
+  return print(report(plugins), is_missing ? cannot_start : status(plugins));
 }
 
 }  // namespace
@@ -111,18 +133,19 @@ int validate_command(const Arguments& arguments) {
       "validate",
       "Tests whether plugins keep the contract. Each check loads the plugin in a process of its own, beside "
       "the installed plugins.\n"
-      "Exit status: 0 every must-check held (with --strict every should-check, too), 1 one failed, 2 cannot "
-      "start.",
-      "isogloss validate ./build/acme.so --pages ./syntaxes");
+      "Exit status: 0 every must-check held (with --strict every should-check, too), 1 one failed, 2 a file "
+      "or a name is wrong; the other files are looked at all the same.",
+      "isogloss validate ./build/acme.so --pages ./syntaxes\n"
+      "  isogloss validate ./build/acme.so --format sarif > acme.sarif");
   ValidateCommand command;
   ValidateOptions& options = command.options;
   line.option("PLUGIN", command.files, "Files of plugins");
-  line.flag("--list", command.lists, "List the checks with their levels");
+  line.flag("--list", command.lists, "List the checks with their levels (with --json also what to do when one fails)");
   line.option("--only", command.only, "Run this check alone (repeatable)").type_name("CHECK");
   line.flag("--strict", command.is_strict, "Exit status 1 when a should-check fails, too");
   line.option("--format", command.format, "Form of the result")
-      .one_of({"text", "json", "junit"})
-      .type_name("text|json|junit")
+      .one_of({"text", "json", "junit", "sarif"})
+      .type_name("text|json|junit|sarif")
       .shows_default();
   bool json = false;
   line.flag("--json", json, "The same as --format json");
@@ -133,7 +156,13 @@ int validate_command(const Arguments& arguments) {
               "Take vocabulary, options and dependencies from this dialect (default: as `isogloss case`)")
       .type_name("DIALECT");
   line.option("--seed", options.seed, "Seed of the random blocks").type_name("N").shows_default();
-  line.option("--blocks", options.blocks, "Random blocks for each syntax").type_name("N").shows_default();
+  line.option("--blocks", options.blocks, "Random blocks of a plugin, spread over its syntaxes")
+      .type_name("N")
+      .shows_default();
+  line.option("--random-limit", options.random_limit, "End the random blocks of a plugin after this time")
+      .type_name("S")
+      .at_least(1)
+      .shows_default();
   line.option("--budget", options.budget, "Budget of one build").type_name("NS").shows_default();
   line.option("--time-limit", options.time_limit, "End a check after this time")
       .type_name("S")

@@ -45,7 +45,9 @@ class New(unittest.TestCase):
 
     def test_every_mark_of_a_template_is_filled(self):
         for name, more in (("a-1", ["--prefix", "AONE"]), ("b-word", ["--word", "E"]), ("c-word", ["--word", "e", "--language", "c"]),
-                           ("d-table", ["--table", "clamp-table"])):
+                           ("d-table", ["--table", "clamp-table"]),
+                           ("e-table", ["--table", "clamp-table", "--language", "c", "--extends", "siemens"]),
+                           ("f-switch", ["--switch", "m270,m271"]), ("g-switch", ["--language", "c", "--extends", "heidenhain"])):
             self.new("plugin", name, *more)
         self.new("dialect", "turned", "--extends", "siemens", "--in", "elsewhere")
         for path in self.path.rglob("*"):
@@ -55,6 +57,18 @@ class New(unittest.TestCase):
         self.assertEqual(files, {".gitignore", "CMakeLists.txt", "README.md", "ci.sh", "turned.xml", "slot.spf",
                                  "slot.expected"})
         self.assertIn("LANGUAGES C)", (self.path / "c-word/CMakeLists.txt").read_text())
+
+    def test_a_plugin_begins_with_what_its_dialect_can_have(self):
+        for name, more, file in (("acme-one", [], "acme_one_g181_cycle_syntax.cpp"),
+                                 ("acme-two", ["--language", "c"], "acme_two_switch_syntax.c"),
+                                 ("acme-three", ["--extends", "siemens"], "acme_three_switch_syntax.cpp"),
+                                 ("acme-four", ["--extends", "heidenhain"], "acme_four_switch_syntax.cpp"),
+                                 ("acme-five", ["--extends", "siemens", "--word", "E"], "acme_five_word_syntax.cpp")):
+            self.assertIn(f"{name}/{file}", self.new("plugin", name, *more).stdout.splitlines())
+        self.assertIn("BEGIN PGM", (self.path / "acme-four/tests/switch.h").read_text())
+        self.assertIn("run tests/switch.h -d", (self.path / "acme-four/README.md").read_text())
+        self.assertTrue((self.path / "acme-five/tests/word.nc").read_text().startswith("G17 G90\n"))
+        self.assertIn('"M171"', (self.path / "acme-three/acme_three_switch_syntax.cpp").read_text())
 
     def test_names_follow_from_the_name(self):
         self.new("plugin", "acme-clamp", "--table", "Tables", "--word", "E")
@@ -86,7 +100,8 @@ class New(unittest.TestCase):
         if shutil.which("clang-format") is None:
             self.skipTest("clang-format is not installed")
         for name, more in (("acme", []), ("word", ["--word", "E"]), ("c-word", ["--word", "E", "--language", "c"]),
-                           ("tab", ["--table", "ClampTable"])):
+                           ("tab", ["--table", "ClampTable"]), ("c-tab", ["--table", "ClampTable", "--language", "c"]),
+                           ("swi", ["--switch", "M171,M172"]), ("c-swi", ["--switch", "M171,M172", "--language", "c"])):
             self.new("plugin", name, "--prefix", "ACM", *more)
             sources = [path for path in (self.path / name).iterdir() if path.suffix in (".cpp", ".hpp", ".c", ".h")]
             done = subprocess.run(["clang-format", "--dry-run", "--Werror", *sources], capture_output=True, text=True,
@@ -116,13 +131,18 @@ class New(unittest.TestCase):
     def test_codes_and_words_of_the_base_are_refused(self):
         for code in ("G81", "g1", "G54"):
             self.refused("IG-0153", "plugin", "acme", "--cycle", code)
+        for codes in ("M3,M171", "M171,m8"):
+            self.refused("IG-0153", "plugin", "acme", "--switch", codes)
+            self.refused("IG-0153", "plugin", "acme", "--switch", codes, "--extends", "heidenhain")
         for word in "XZFSTDHPQR":
             self.refused("IG-0153", "plugin", "acme", "--word", word)
 
     def test_what_has_no_template_is_refused(self):
-        self.refused("IG-0154", "plugin", "acme", "--language", "c")
-        self.refused("IG-0154", "plugin", "acme", "--language", "c", "--word", "E", "--table", "T")
-        self.refused("IG-0154", "plugin", "acme", "--extends", "heidenhain")
+        self.refused("IG-0154", "plugin", "acme", "--language", "c", "--cycle", "G181")
+        self.refused("IG-0154", "plugin", "acme", "--extends", "siemens", "--cycle", "G181")
+        self.refused("IG-0154", "plugin", "acme", "--extends", "heidenhain", "--cycle", "G181")
+        self.refused("IG-0154", "plugin", "acme", "--extends", "heidenhain", "--word", "E")
+        self.refused("IG-0154", "plugin", "acme", "--extends", "heidenhain", "--table", "ClampTable")
 
     def test_options_that_do_not_fit(self):
         self.refused("IG-0513", "plugin", "acme", "--backup", "x")
@@ -130,6 +150,11 @@ class New(unittest.TestCase):
         self.refused("IG-0513", "machine", "acme", "-d", "fanuc", "--cycle", "G181")
         self.refused("IG-0513", "machine", "acme")
         self.refused("IG-0513", "plugin", "acme", "--cycle", "G181", "--word", "E")
+        self.refused("IG-0513", "plugin", "acme", "--switch", "M171,M172", "--word", "E")
+        self.refused("IG-0513", "plugin", "acme", "--cycle", "G181", "--table", "ClampTable")
+        self.refused("IG-0513", "dialect", "acme", "--switch", "M171,M172")
+        for codes in ("M171", "M171,M171", "M171,M172,M173", "G1,M172", "M171,", "M12345,M1"):
+            self.refused("IG-0513", "plugin", "acme", "--switch", codes)
         for code in ("M81", "G", "G1.1", "G1234"):
             self.refused("IG-0513", "plugin", "acme", "--cycle", code)
         self.refused("IG-0513", "plugin", "acme", "--word", "EE")

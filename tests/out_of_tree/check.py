@@ -158,7 +158,12 @@ class Checks:
         folder.mkdir()
         for name, what, *more in (("acme-drill", "plugin", "--cycle", "G181"), ("acme-word", "plugin", "--word", "E"),
                                   ("acme-c", "plugin", "--word", "E", "--language", "c"),
-                                  ("acme-table", "plugin", "--table", "ClampTable"), ("acme-iso", "dialect"),
+                                  ("acme-table", "plugin", "--table", "ClampTable"),
+                                  ("acme-c-table", "plugin", "--table", "ClampTable", "--language", "c"),
+                                  ("acme-840d-c", "plugin", "--table", "ClampTable", "--language", "c", "--extends", "siemens"),
+                                  ("acme-switch", "plugin", "--switch", "M171,M172", "--extends", "siemens"),
+                                  ("acme-tnc-c", "plugin", "--language", "c", "--extends", "heidenhain"),
+                                  ("acme-iso", "dialect"),
                                   ("acme-840d", "dialect", "--extends", "siemens"),
                                   ("acme-tnc", "dialect", "--extends", "heidenhain")):
             self.run(self.command, "new", what, name, "--in", folder, *more)

@@ -2,6 +2,7 @@
 #include <isogloss.h>
 
 #include <chrono>
+#include <clocale>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -14,6 +15,16 @@
 #include <csignal>
 #elif defined(FAULT_prints)
 #include <cstdio>
+#elif defined(FAULT_leaves_file)
+#include <fcntl.h>
+#elif defined(FAULT_changes_rounding)
+#include <cfenv>
+#elif defined(FAULT_changes_signal)
+#include <csignal>
+#elif defined(FAULT_ended_by_signal)
+#include <csignal>
+#elif defined(FAULT_leaves_child)
+#include <unistd.h>
 #endif
 
 namespace {
@@ -27,6 +38,10 @@ constexpr bool checks_length = false;
 struct Self {
   ig_field x, feed, comment, plane;
   long blocks = 0;
+  double length = 0;
+  ig_field other = IG_NO_FIELD;
+  ig_text kept_text{};
+  void* memory = nullptr;
   void (*set_text_value)() = nullptr;
 };
 
@@ -41,6 +56,12 @@ const ig_field_decl fields[] = {
 #endif
     {sizeof(ig_field_decl), IG_READ, IG_TEXT, IG_LIFE_STANDARD, "Comment.Text", "", "A comment.", nullptr},
     {sizeof(ig_field_decl), IG_READ, IG_NUMBER, IG_LIFE_STANDARD, "Parsing.Y", "", "A Y.", nullptr},
+#if defined(FAULT_never_read)
+    {sizeof(ig_field_decl), IG_READ, IG_NUMBER, IG_LIFE_STANDARD, "ProgramXyz.Y", "", "A point.", nullptr},
+#endif
+#if defined(FAULT_rare_option)
+    {sizeof(ig_field_decl), IG_READ, IG_NUMBER, IG_LIFE_STANDARD, "ProgramXyz.Z", "", "A point.", nullptr},
+#endif
 #if defined(FAULT_never_written)
     {sizeof(ig_field_decl), IG_WRITE, IG_NUMBER, IG_LIFE_STANDARD, "ProgramXyz.X", "", "A point.", nullptr},
 #endif
@@ -58,6 +79,23 @@ const ig_service_decl services[] = {{sizeof(ig_service_decl), 1, "isogloss.work-
 ig_status create(const ig_link_api* api, ig_link* link, const ig_field* ids, void** out) {
   auto* const self = new Self{ids[0], ids[1], ids[2], ids[3]};
   *out = self;
+  self->length = api->option_number(link, 0);
+#if defined(FAULT_rare_option)
+  self->other = ids[4];
+#elif defined(FAULT_leaks_at_destroy)
+  self->memory = std::malloc(100);
+#elif defined(FAULT_leaves_file)
+  open("/dev/null", O_RDONLY);
+#elif defined(FAULT_leaves_thread)
+  std::thread([] {
+    for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
+  }).detach();
+#elif defined(FAULT_leaves_child)
+  if (fork() == 0) {
+    sleep(1000);
+    _exit(0);
+  }
+#endif
   if (checks_length && api->option_number(link, 0) >= 10) {
     delete self;
     const char reason[] = "too long";
@@ -96,6 +134,10 @@ ig_status build(void* pointer, const ig_host* host, ig_block* block) {
   ig_value x{};
   const bool is_there = host->take(block, self.x, &x) != 0;
   ++self.blocks;
+  [[maybe_unused]] ig_value any{};
+  host->get(block, self.feed, &any);
+  host->get(block, self.plane, &any);
+  [[maybe_unused]] const ig_text comment = host->text(block, self.comment);
 #if defined(FAULT_empty)
   if (!is_there) crash();
 #elif defined(FAULT_absent)
@@ -137,6 +179,39 @@ ig_status build(void* pointer, const ig_host* host, ig_block* block) {
 #elif defined(FAULT_random)
   ig_value y;
   if (is_there && x.number > 2 && host->get(block, self.plane, &y) != 0 && y.number < -2) crash();
+#elif defined(FAULT_reads_behind_text)
+  if (comment.size > 0) scratch = std::strlen(comment.data);
+#elif defined(FAULT_keeps_text)
+  if (self.kept_text.size > 0) scratch = self.kept_text.data[0];
+  self.kept_text = comment;
+#elif defined(FAULT_reads_behind_source)
+  const ig_text source = host->source(block);
+  if (source.data != nullptr) scratch = source.data[source.size];
+#elif defined(FAULT_rare_option)
+  if (is_there && self.length > 6 && self.length < 9) set(host, block, self.other, 1);
+#elif defined(FAULT_unknown_diagnostic)
+  if (is_there && x.number < 0) host->report(block, 7, self.x, 0, 0, nullptr, 0);
+#elif defined(FAULT_leaks)
+  if (is_there) self.memory = std::memset(std::malloc(1 << 20), 1, 1 << 20);
+#elif defined(FAULT_leaks_little)
+  if (is_there) scratch = reinterpret_cast<long>(std::malloc(24));
+#elif defined(FAULT_allocates)
+  if (is_there) scratch = std::string(100, static_cast<char>('a' + self.blocks % 2)).size();
+#elif defined(FAULT_waits_rarely)
+  if (is_there && x.number > 100) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+#elif defined(FAULT_keeps_error)
+  if (is_there && x.number > 300) self.blocks = 1000;  // restart() does not know of it
+#elif defined(FAULT_changes_locale)
+  if (is_there) std::setlocale(LC_NUMERIC, "C.UTF-8");
+#elif defined(FAULT_changes_rounding)
+  if (is_there) std::fesetround(FE_TOWARDZERO);
+#elif defined(FAULT_changes_signal)
+  if (is_there) std::signal(SIGUSR1, SIG_IGN);
+#elif defined(FAULT_ended_by_signal)
+  if (!is_there) {
+    std::signal(SIGUSR1, SIG_DFL);
+    std::raise(SIGUSR1);
+  }
 #elif defined(FAULT_random_lie)
   if (is_there && x.number > 2) {
     set(host, block, self.feed, x.number);
@@ -148,6 +223,8 @@ ig_status build(void* pointer, const ig_host* host, ig_block* block) {
   x.number += ++blocks_of_all;
 #elif defined(FAULT_keeps) || defined(FAULT_forgets)
   x.number += self.blocks;
+#elif defined(FAULT_keeps_error)
+  if (self.blocks >= 1000) x.number = 0;
 #elif defined(FAULT_shared_scratch)
   scratch = x.number;
   std::this_thread::sleep_for(std::chrono::microseconds(200));
@@ -242,6 +319,12 @@ extern "C" IG_EXPORT const ig_plugin* ig_plugin_v1(void) {
   syntax.build = build;
 #if defined(FAULT_forgets)
   syntax.restart = restart;
+#elif defined(FAULT_keeps_error)
+  syntax.restart = [](void* self, const ig_host*, ig_block*) -> ig_status {
+    long& blocks = static_cast<Self*>(self)->blocks;
+    if (blocks < 1000) blocks = 0;
+    return IG_UNCHANGED;
+  };
 #endif
   plugin.struct_size = sizeof plugin;
   plugin.abi_major = IG_ABI_MAJOR;

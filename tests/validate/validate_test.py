@@ -51,6 +51,25 @@ FAULTS = {
     "slow": ("time", "more than the budget of 10000 ns"),
     "leaves_process": ("empty-block", "segmentation fault in FaultySyntax of plugin leaves_process"),
     "prints": ("empty-block", "segmentation fault in FaultySyntax of plugin prints"),
+    "ended_by_signal": ("empty-block", "the process was ended by signal 10"),
+    "never_read": ("unread-fields", "no block makes it read these fields, which it declares: ProgramXyz.Y"),
+    "reads_behind_text": ("texts", "no byte behind a text or after the call may be read: segmentation fault"),
+    "reads_behind_source": ("texts", "no byte behind a text or after the call may be read: segmentation fault"),
+    "keeps_text": ("texts", "no byte behind a text or after the call may be read: segmentation fault"),
+    "rare_option": ("options", "it writes ProgramXyz.Z, which it does not declare"),
+    "unknown_diagnostic": ("declarations", "it reports a diagnostic that is not in its plugin's table"),
+    "leaks": ("memory", "memory grows without end: by "),
+    "leaks_little": ("memory", "memory grows without end: by "),
+    "leaks_at_destroy": ("memory", "a chain that is destroyed leaves "),
+    "allocates": ("allocations", "each build allocates 1 time more"),
+    "waits_rarely": ("waits", "its build waits"),
+    "keeps_error": ("restart", "the second run gives another result"),
+    "changes_locale": ("process-state", "it changes the locale"),
+    "changes_rounding": ("process-state", "it changes the rounding mode"),
+    "changes_signal": ("process-state", "it changes the handler of signal 10: none was "),
+    "leaves_file": ("leaves-nothing", "files that it opened are left open"),
+    "leaves_thread": ("leaves-nothing", "of its threads go on after its chains are destroyed"),
+    "leaves_child": ("leaves-nothing", "a process that it started is left"),
 }
 LIMITS = ["--call-limit", "1", "--memory-limit", "512", "--blocks", "100"]
 
@@ -90,10 +109,10 @@ class Validate(unittest.TestCase):
                     self.assertEqual(self.run_it(faulty(fault), "--only", check, "--strict").returncode, 1)
 
     def test_a_sound_plugin_passes_every_check(self):
-        done = self.run_it(faulty("sound"), "--strict")
+        done = self.run_it(faulty("sound"), "--strict", "--blocks", 5000)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertNotIn("FAILED", done.stdout)
-        self.assertIn("24 checks held; failed: 0 must, 0 should, 0 note", done.stdout)
+        self.assertIn("31 checks held; failed: 0 must, 0 should, 0 note", done.stdout)
 
     def test_a_plugin_that_forgets_at_a_restart_passes(self):
         status, checks = self.checks(faulty("forgets"), "--only", "restart")
@@ -104,7 +123,7 @@ class Validate(unittest.TestCase):
         self.assertTrue(plugins)
         for plugin in plugins:
             with self.subTest(plugin.stem):
-                status, checks = self.checks(plugin, "--blocks", "20")
+                status, checks = self.checks(plugin)
                 needed = [c for c in checks if c["Level"] == "must" or c["Name"] == "prefix"]
                 self.assertEqual([c for c in needed if c["Result"] != "held"], [])
                 self.assertEqual(status, 0)
@@ -141,6 +160,77 @@ class Validate(unittest.TestCase):
         self.assertEqual((suite.get("tests"), suite.get("failures")), ("2", "1"))
         self.assertIn("says unchanged", suite.find("testcase[@name='unchanged']/failure").get("message"))
         self.assertIsNone(suite.find("testcase[@name='exports']/failure"))
+
+    def test_sarif_has_a_rule_for_each_check_and_a_result_for_each_finding(self):
+        done = self.run_it(faulty("lies"), faulty("no_summary"), "--format", "sarif", "--only", "unchanged", "--only",
+                           "documented")
+        self.assertEqual(done.returncode, 1)
+        log = json.loads(done.stdout)
+        self.assertEqual((log["version"], log["$schema"]), ("2.1.0", "https://json.schemastore.org/sarif-2.1.0.json"))
+        run, = log["runs"]
+        driver = run["tool"]["driver"]
+        self.assertTrue(driver["name"] and driver["version"])
+        self.assertEqual([rule["id"] for rule in driver["rules"]], self.listed())
+        for rule in driver["rules"]:
+            self.assertTrue(rule["shortDescription"]["text"] and rule["help"]["text"].endswith("."), rule)
+        self.assertEqual(run["invocations"], [{"executionSuccessful": True}])
+        self.assertEqual({r["ruleId"] for r in run["results"]}, {"unchanged", "documented"})
+        for result in run["results"]:
+            rule = driver["rules"][result["ruleIndex"]]
+            self.assertEqual((rule["id"], rule["defaultConfiguration"]["level"]), (result["ruleId"], result["level"]))
+            self.assertEqual(result["level"], "error" if result["ruleId"] == "unchanged" else "warning")
+            self.assertTrue(result["message"]["text"])
+            place, = result["locations"]
+            fault = "lies" if result["ruleId"] == "unchanged" else "no_summary"
+            self.assertEqual(place["physicalLocation"]["artifactLocation"]["uri"], faulty(fault).as_uri())
+            self.assertIn("FaultySyntax", place["logicalLocations"][0]["fullyQualifiedName"])
+        self.assertEqual(json.loads(self.run_it(faulty("sound"), "--only", "loads", "--format", "sarif").stdout)["runs"][0]
+                         ["results"], [])
+        refused = json.loads(self.run_it(faulty("crash_at_load"), "--format", "sarif").stdout)["runs"][0]
+        self.assertEqual(refused["invocations"], [{"executionSuccessful": False}], "checks were skipped")
+        with tempfile.TemporaryDirectory() as folder:
+            odd = pathlib.Path(folder) / "100% ä"
+            odd.mkdir()
+            (odd / "lies.so").write_bytes(faulty("lies").read_bytes())
+            done = self.run_it(odd / "lies.so", "--only", "unchanged", "--format", "sarif")
+            place = json.loads(done.stdout)["runs"][0]["results"][0]["locations"][0]["physicalLocation"]
+            self.assertEqual(place["artifactLocation"]["uri"], (odd / "lies.so").as_uri())
+
+    def listed(self, *arguments):
+        return [line.split()[0] for line in self.run_it("--list", *arguments).stdout.splitlines()]
+
+    def test_list_takes_checks_and_forms(self):
+        self.assertEqual(self.listed("--only", "texts", "--only", "loads"), ["loads", "texts"])
+        checks = json.loads(self.run_it("--list", "--json").stdout)["Checks"]
+        self.assertEqual([check["Name"] for check in checks], self.listed())
+        self.assertTrue(all(check["Level"] and check["Summary"] and check["Help"] for check in checks))
+
+    def test_a_missing_file_does_not_keep_the_others_from_being_looked_at(self):
+        done = self.run_it(faulty("sound"), "no-such.so", faulty("lies"), "--only", "unchanged", "--json")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("no-such.so", done.stderr)
+        self.assertEqual([p["Checks"][0]["Result"] for p in json.loads(done.stdout)["Plugins"]], ["held", "failed"])
+
+    def test_a_file_that_is_no_library_says_why(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "acme.so"
+            for content, why in ((b"", "the file is empty"), (b"notes\n", "the file does not begin as an ELF file does"),
+                                 (b"\x7fELF" + bytes(200), "")):
+                path.write_bytes(content)
+                done = self.run_it(path)
+                self.assertEqual(done.returncode, 1)
+                self.assertIn("not a shared library (" + why, done.stdout)
+                self.assertNotIn("basic_ios", done.stdout)
+
+    def test_random_blocks_say_how_many_there_were(self):
+        done = self.run_it(faulty("sound"), "--only", "random-blocks", "--blocks", 300, "--seed", 5)
+        self.assertIn("      300 random blocks of seed 5\n", done.stdout)
+        _, checks = self.checks(faulty("sound"), "--only", "random-blocks", "--blocks", 10**9, "--random-limit", 1)
+        self.assertRegex(checks[0]["Remarks"][0], r"^\d+ of 1000000000 random blocks of seed 1: the 1 s of --random-limit")
+        done = self.run_it(faulty("sound"), "--only", "random-blocks", "--blocks", 300, "--format", "junit")
+        suite = xml.etree.ElementTree.fromstring(done.stdout).find("testsuite")
+        self.assertEqual(suite.get("failures"), "0")
+        self.assertIn("300 random blocks", suite.find("testcase/system-out").text)
 
     def test_the_time_limit_holds_for_a_process_that_leaves_its_group(self):
         done = self.run_it(faulty("leaves_group"), "--only", "empty-block", "--time-limit", 3)
@@ -179,7 +269,10 @@ class Validate(unittest.TestCase):
         self.assertIn("segmentation fault in FaultySyntax of plugin empty", done.stderr)
 
     def test_wrong_usage_cannot_start(self):
-        for arguments, text in (([], "name the file of a plugin"), (["no-such.so"], "it is no file"),
+        for arguments, text in (([], "name the file of a plugin"), (["no-such.so"], "there is no such file"),
+                                ([OPTIONS.faulty], "it is no file"), (["--list", faulty("sound")], "leave "),
+                                (["--list", "--format", "sarif"], "--list writes text or JSON"),
+                                (["--list", "--only", "unchange"], "did you mean unchanged?"),
                                 ([faulty("sound"), "--only", "unchange"], "did you mean unchanged?"),
                                 ([faulty("sound"), "-d", "no-such-dialect"], "IG-0101")):
             done = self.run_it(*arguments)

@@ -39,7 +39,7 @@ void Bench::prepare(const TestBlock& block) {
     chain_->begin_block({"previous", 1, 0, "", false});
     load_json(block.previous, d, chain_->symbols());
   }
-  chain_->begin_block({"block", 2, 0, block.text, false});
+  chain_->begin_block({"block", 2, 0, place_text ? place_text(block.text) : std::string_view(block.text), false});
   if (!block.before.is_null()) load_json(block.before, d, chain_->symbols());
   const Layout& layout = d.layout();
   for (const Assignment& a : block.assignments) {
@@ -91,8 +91,9 @@ double Bench::time(const TestBlock& block, int repeats) {
   std::vector<double> times;
   for (int i = 0; i < repeats; ++i) {
     prepare(block);
+    ++chain_->builds;
     const Clock::time_point begin = Clock::now();
-    chain_->build(alone_.position);
+    build();
     times.push_back(std::chrono::duration<double, std::nano>(Clock::now() - begin).count());
   }
   const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);

@@ -1,4 +1,6 @@
 // One build on blocks that a program may hold, and on some that it should not.
+#include <sys/resource.h>
+
 #include <cmath>
 #include <limits>
 
@@ -147,6 +149,34 @@ void check_time(Examination& e) {
       if (ns > budget)
         e.find(trying(stand, block), "its build takes " + std::to_string(static_cast<long>(ns)) +
                                          " ns, more than the budget of " + std::to_string(e.options.budget) + " ns");
+    }
+  }
+}
+
+void check_waits(Examination& e) {
+  constexpr std::uint64_t random_ones = 200;
+  constexpr int tries = 3;  // the first build of a kind may wait for the library's own pages
+  // How often this thread gave up the processor of its own accord, which a busy machine does not change.
+  const auto waits = [] {
+    rusage usage{};
+    getrusage(RUSAGE_THREAD, &usage);
+    return usage.ru_nvcsw;
+  };
+  Subject subject(e);
+  for (const Stand& stand : stands_of(subject, e)) {
+    Bench bench(stand.alone, in_mode(Mode::fast));
+    for (const TestBlock& block : many_blocks(stand, e, stand.dependencies.empty() ? random_ones : 0)) {
+      e.attempt(trying(stand, block));
+      bool always_waits = true;
+      for (int i = 0; i < tries && always_waits; ++i) {
+        bench.prepare(block);
+        const long before = waits();
+        bench.build();
+        always_waits = waits() > before;
+      }
+      if (!always_waits) continue;
+      e.find(trying(stand, block), "its build waits: it sleeps, or it reads or writes outside of the block");
+      break;
     }
   }
 }

@@ -18,7 +18,8 @@ enum class Level { must, should, note };
 struct ValidateOptions {
   CommonOptions common;
   std::string dialect, pages;
-  std::uint64_t seed = 1, blocks = 200;
+  std::uint64_t seed = 1, blocks = 100'000;                            ///< of the plugin, over all its syntaxes
+  std::uint32_t random_limit = 20;                                     ///< s, for the random blocks of the plugin
   std::uint32_t time_limit = 60, memory_limit = 2048, call_limit = 5;  ///< s, MiB, s
   std::uint64_t budget = 10'000;                                       ///< ns for one block of one syntax
 };
@@ -31,9 +32,13 @@ struct Finding {
 /// One check at work on one plugin.
 class Examination {
  public:
+  struct Listener {
+    std::function<void(const Finding&)> find;
+    std::function<void(const std::string&)> remark;
+  };
   Examination(const ValidateOptions& wanted, std::string plugin_file, char* attempt, std::size_t room,
-              std::function<void(const Finding&)> tell)
-      : options(wanted), file(std::move(plugin_file)), tell_(std::move(tell)), attempt_(attempt), room_(room) {}
+              Listener listener)
+      : options(wanted), file(std::move(plugin_file)), listener_(std::move(listener)), attempt_(attempt), room_(room) {}
 
   const ValidateOptions& options;
   const std::string file;  ///< of the plugin
@@ -41,11 +46,13 @@ class Examination {
 
   void find(std::string where, std::string what);
   std::size_t findings() const { return findings_; }
+  /// How far the check went; beside the findings.
+  void remark(const std::string& text) { listener_.remark(text); }
   /// What the plugin is asked to do next: told with a crash, which ends the check.
   void attempt(std::string_view what);
 
  private:
-  std::function<void(const Finding&)> tell_;
+  Listener listener_;
   std::size_t findings_ = 0;
   char* attempt_;
   std::size_t room_;
@@ -55,6 +62,7 @@ struct Check {
   std::string_view name;
   Level level;
   std::string_view summary;
+  std::string_view help;  ///< what to do when it fails
   void (*run)(Examination&);
 };
 
@@ -80,6 +88,17 @@ void check_extreme_values(Examination& e);
 void check_declarations(Examination& e);
 void check_unchanged(Examination& e);
 void check_time(Examination& e);
+void check_waits(Examination& e);
+// reads.cpp
+void check_unread(Examination& e);
+// texts.cpp
+void check_texts(Examination& e);
+// memory.cpp
+void check_allocations(Examination& e);
+void check_memory(Examination& e);
+// traces_left.cpp
+void check_leaves_nothing(Examination& e);
+void check_process_state(Examination& e);
 // random_blocks.cpp
 void check_random_blocks(Examination& e);
 // repetition.cpp
@@ -87,10 +106,11 @@ void check_same_result(Examination& e);
 void check_restart(Examination& e);
 void check_two_chains(Examination& e);
 void check_threads(Examination& e);
-// surroundings.cpp
-void check_cases(Examination& e);
+// options.cpp
 void check_options(Examination& e);
 void check_without_services(Examination& e);
+// surroundings.cpp
+void check_cases(Examination& e);
 void check_older_host(Examination& e);
 void check_newer_host(Examination& e);
 

@@ -1,6 +1,7 @@
 #include "validate/child.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "crash_guard.hpp"
@@ -60,11 +62,16 @@ void limit(const ValidateOptions& options) {
   dup2(talk, STDOUT_FILENO);
   limit(options);
   std::size_t told = 0;
-  Examination e(options, file, attempt, attempt_room, [&](const Finding& found) {
-    // The rest is only counted.
-    const Json line = ++told > Outcome::most_findings ? Json::array() : Json{found.where, found.what};
+  const auto write = [&](const Json& line) {
     write_all(results, line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
-  });
+  };
+  Examination e(options, file, attempt, attempt_room,
+                {.find =
+                     [&](const Finding& found) {
+                       // The rest is only counted.
+                       write(++told > Outcome::most_findings ? Json::array() : Json{found.where, found.what});
+                     },
+                 .remark = [&](const std::string& text) { write(Json::array({text})); }});
   perform(check, e);
   write_all(results, end_mark);
   end_process(success);
@@ -122,6 +129,18 @@ std::string reason(const std::string& text) {
   return std::string(told.substr(0, std::min(told.find('\n'), longest)));
 }
 
+/// For a process that told nothing.
+std::string ending(int status) {
+  if (!WIFSIGNALED(status)) return fmt::format("the process ended itself with exit status {}", WEXITSTATUS(status));
+  return fmt::format("the process was ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+}
+
+/// A process whose pipes are closed is about to end, as a rule.
+bool ends_soon(pid_t child) {
+  for (int i = 0; i < 50 && !child_has_ended(child); ++i) usleep(4000);
+  return child_has_ended(child);
+}
+
 void add(Outcome& out, Finding finding) {
   if (out.findings.size() < Outcome::most_findings)
     out.findings.push_back(std::move(finding));
@@ -135,6 +154,8 @@ void read_results(const std::string& text, Outcome& out) {
     if (!line.is_array()) continue;
     if (line.size() == 2)
       add(out, {line[0].get<std::string>(), line[1].get<std::string>()});
+    else if (line.size() == 1)
+      out.remarks.push_back(line[0].get<std::string>());
     else
       ++out.more;
   }
@@ -163,6 +184,8 @@ Outcome run_in_child(const Check& check, const ValidateOptions& options, const s
   close(talk[1]);
   std::string texts[2];
   const bool is_complete = listen(child, {results[0], talk[0]}, texts, options.time_limit);
+  const bool has_told_all = texts[0].ends_with(end_mark);
+  const bool is_ours_to_end = is_complete && !has_told_all && !ends_soon(child);
   kill(-child, SIGKILL);
   kill(child, SIGKILL);  // it may have left its group
   int status = 0;
@@ -174,8 +197,10 @@ Outcome run_in_child(const Check& check, const ValidateOptions& options, const s
   munmap(shared, attempt_room);
   if (!is_complete)
     add(out, {at_work, "the check took longer than " + std::to_string(options.time_limit) + " s"});
-  else if (!texts[0].ends_with(end_mark))
-    add(out, {at_work, texts[1].empty() ? "the process ended without a word" : reason(texts[1])});
+  else if (is_ours_to_end)
+    add(out, {at_work, "the process closed its output and went on"});
+  else if (!has_told_all)
+    add(out, {at_work, texts[1].empty() ? ending(status) : reason(texts[1])});
   out.seconds = seconds_since(begin);
   return out;
 }
@@ -184,7 +209,9 @@ Outcome run_here(const Check& check, const ValidateOptions& options, const std::
   Outcome out{.check = &check};
   const Clock::time_point begin = Clock::now();
   watch_calls(0);  // a debugger may stop a call for longer than any limit
-  Examination e(options, file, nullptr, 0, [&](const Finding& found) { add(out, found); });
+  Examination e(options, file, nullptr, 0,
+                {.find = [&](const Finding& found) { add(out, found); },
+                 .remark = [&](const std::string& text) { out.remarks.push_back(text); }});
   e.may_fork = false;
   perform(check, e);
   out.seconds = seconds_since(begin);

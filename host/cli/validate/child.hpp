@@ -12,6 +12,7 @@ struct Outcome {
   std::string skipped{};  ///< why it did not run; empty: it ran
   std::vector<Finding> findings{};
   std::size_t more = 0;  ///< findings beyond most_findings
+  std::vector<std::string> remarks{};
   double seconds = 0;
 
   static constexpr std::size_t most_findings = 20;

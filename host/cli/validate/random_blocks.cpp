@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <chrono>
 #include <random>
 #include <set>
@@ -15,6 +16,7 @@ namespace isogloss::cli {
 namespace {
 
 using Random = std::mt19937_64;
+using Clock = std::chrono::steady_clock;
 
 std::uint64_t below(Random& random, std::uint64_t end) { return random() % end; }
 
@@ -33,6 +35,8 @@ std::string random_text(Random& random, std::string_view first) {
                                                    : bytes[below(random, bytes.size())];
   return out;
 }
+
+}  // namespace
 
 TestBlock random_block(const Stand& stand, const std::vector<ig_field>& fields, std::uint64_t seed, std::uint64_t k) {
   std::uint64_t name = 1469598103934665603u;  // FNV-1a of the syntax, so that its blocks are its own
@@ -65,14 +69,33 @@ TestBlock random_block(const Stand& stand, const std::vector<ig_field>& fields, 
   return out;
 }
 
+std::vector<TestBlock> many_blocks(const Stand& stand, const Examination& e, std::uint64_t random_ones) {
+  const std::vector<ig_field> fields = fields_of(stand.alone);
+  std::vector<TestBlock> out = stand.blocks;
+  out.push_back(full_block(stand.alone, fields));
+  for (std::uint64_t k = 0; k < random_ones; ++k) out.push_back(random_block(stand, fields, e.options.seed, k));
+  return out;
+}
+
+namespace {
+
 class RandomBlocks {
  public:
   RandomBlocks(Examination& e, const Stand& stand) : e_(e), stand_(stand), fields_(fields_of(stand.alone)) {}
 
-  void run() {
-    const std::optional<std::uint64_t> failing = first_failing();
-    if (!failing) return;
-    TestBlock block = random_block(stand_, fields_, e_.options.seed, *failing);
+  /// How many blocks were built: fewer than `blocks` when one failed or the time was over.
+  std::uint64_t run(std::uint64_t blocks, Clock::time_point end) {
+    std::uint64_t built = 0;
+    const std::optional<std::uint64_t> failing = first_failing(blocks, end, built);
+    if (failing) tell(*failing);
+    return built;
+  }
+
+ private:
+  static inline const ChainSettings settings = in_mode(Mode::checked);
+
+  void tell(std::uint64_t failing) {
+    TestBlock block = random_block(stand_, fields_, e_.options.seed, failing);
     const std::string where = std::string(stand_.syntax->id) + ", " + block.name;
     if (!fails(block)) {
       e_.find(where, "it fails only after the blocks before it: the syntax keeps something of them");
@@ -89,10 +112,8 @@ class RandomBlocks {
                                shown.empty() ? " none" : shown));
   }
 
- private:
-  static inline const ChainSettings settings = in_mode(Mode::checked);
-
-  std::optional<std::uint64_t> first_failing() {
+  /// `built`: the blocks before it, or all that the time allowed.
+  std::optional<std::uint64_t> first_failing(std::uint64_t blocks, Clock::time_point end, std::uint64_t& built) {
     void* const shared =
         mmap(nullptr, sizeof(std::uint64_t), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (shared == MAP_FAILED) throw std::runtime_error("no memory for random blocks");
@@ -101,7 +122,8 @@ class RandomBlocks {
     const bool survived = survives(e_, [&] {
       watch_calls(e_.may_fork ? 1 : 0);
       Bench bench(stand_.alone, settings);
-      for (std::uint64_t k = 0; k < e_.options.blocks; ++k) {
+      std::uint64_t k = 0;
+      for (; k < blocks && Clock::now() < end; ++k) {
         *number = k;
         const TestBlock block = random_block(stand_, fields_, e_.options.seed, k);
         if (bench.run(block, false).fault().empty()) continue;
@@ -109,10 +131,11 @@ class RandomBlocks {
         has_failed = true;
         return;
       }
+      *number = k;
     });
-    const std::uint64_t last = *number;
+    built = *number;
     munmap(shared, sizeof(std::uint64_t));
-    return survived && !has_failed ? std::nullopt : std::optional(last);
+    return survived && !has_failed ? std::nullopt : std::optional(built);
   }
 
   /// On a new chain, so that nothing of other blocks counts.
@@ -128,7 +151,6 @@ class RandomBlocks {
 
   /// Leaves out what the failure does not need, then makes the numbers simple.
   void shrink(TestBlock& block) const {
-    using Clock = std::chrono::steady_clock;
     const Clock::time_point end = Clock::now() + std::chrono::seconds(10);
     const auto keep_if_failing = [&](const TestBlock& smaller) {
       if (Clock::now() > end || !fails(smaller)) return false;
@@ -167,12 +189,28 @@ class RandomBlocks {
 
 void check_random_blocks(Examination& e) {
   Subject subject(e);
+  const std::vector<Stand> all = stands_of(subject, e);
+  std::vector<const Stand*> stands;
   std::set<const ig_syntax*> done;
-  for (const Stand& stand : stands_of(subject, e)) {
-    if (!done.insert(stand.syntax).second) continue;  // the first stand has the default options
-    e.attempt(std::string(stand.syntax->id) + ", random blocks");
-    RandomBlocks(e, stand).run();
+  for (const Stand& stand : all)
+    if (done.insert(stand.syntax).second) stands.push_back(&stand);  // the first one has the default options
+  if (stands.empty()) return;
+
+  // A syntax that needs less than its share of the time leaves the rest to those after it.
+  const double limit = std::min<double>(e.options.random_limit, e.options.time_limit / 2.0);
+  const std::uint64_t share = (e.options.blocks + stands.size() - 1) / stands.size();
+  const Clock::time_point begin = Clock::now();
+  std::uint64_t built = 0;
+  for (std::size_t i = 0; i < stands.size(); ++i) {
+    e.attempt(std::string(stands[i]->syntax->id) + ", random blocks");
+    const std::chrono::duration<double> until(limit * static_cast<double>(i + 1) / static_cast<double>(stands.size()));
+    built += RandomBlocks(e, *stands[i]).run(share, begin + std::chrono::duration_cast<Clock::duration>(until));
   }
+  if (e.findings() > 0) return;
+  const std::uint64_t wanted = share * stands.size();
+  e.remark(built == wanted ? fmt::format("{} random blocks of seed {}", built, e.options.seed)
+                           : fmt::format("{} of {} random blocks of seed {}: the {:.0f} s of --random-limit were over",
+                                         built, wanted, e.options.seed, limit));
 }
 
 }  // namespace isogloss::cli

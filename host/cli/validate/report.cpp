@@ -61,6 +61,7 @@ std::string as_text(const std::vector<PluginOutcome>& plugins, const ValidateOpt
                          o.check->name, o.check->summary);
       for (const Finding& f : o.findings) out += indented(printable(line_of(f)));
       if (o.more > 0) out += fmt::format("      and {} more\n", o.more);
+      for (const std::string& remark : o.remarks) out += indented(printable(remark));
       ++(o.held() ? held : failed[static_cast<int>(o.check->level)]);
       has_random_failure = has_random_failure || (!o.held() && o.check->name == "random-blocks");
     }
@@ -88,6 +89,7 @@ std::string as_json(const std::vector<PluginOutcome>& plugins, const ValidateOpt
       Json& findings = one["Findings"] = Json::array();
       for (const Finding& f : o.findings) findings.push_back({{"Where", f.where}, {"What", f.what}});
       if (o.more > 0) one["FurtherFindings"] = o.more;
+      if (!o.remarks.empty()) one["Remarks"] = o.remarks;
       checks.push_back(std::move(one));
     }
     list.push_back({{"File", plugin.file}, {"Checks", std::move(checks)}});
@@ -108,11 +110,15 @@ std::string as_junit(const std::vector<PluginOutcome>& plugins) {
       std::string all;
       for (const Finding& f : o.findings) all += line_of(f) + "\n";
       if (o.more > 0) all += fmt::format("and {} more\n", o.more);
+      std::string remarks;
+      for (const std::string& remark : o.remarks) remarks += remark + "\n";
       if (!o.skipped.empty()) {
         ++skipped;
         cases += fmt::format("><skipped message=\"{}\"/></testcase>\n", escaped(o.skipped));
-      } else if (o.held()) {
+      } else if (o.held() && remarks.empty()) {
         cases += "/>\n";
+      } else if (o.held()) {
+        cases += fmt::format("><system-out>{}</system-out></testcase>\n", escaped(remarks));
       } else if (o.check->level == Level::note) {
         cases += fmt::format("><system-out>{}</system-out></testcase>\n", escaped(all));
       } else {
@@ -126,6 +132,66 @@ std::string as_junit(const std::vector<PluginOutcome>& plugins) {
            cases + "  </testsuite>\n";
   }
   return out + "</testsuites>\n";
+}
+
+namespace {
+
+/// A URI reference: any byte that is no plain letter of a path is given by its number.
+std::string as_uri(const std::string& file) {
+  std::string out = file.starts_with('/') ? "file://" : "";
+  for (const char c : file) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                          std::string_view("/-._~").find(c) != std::string_view::npos;
+    out += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return out;
+}
+
+std::string_view sarif_level_of(Level level) {
+  return level == Level::must ? "error" : level == Level::should ? "warning" : "note";
+}
+
+Json sarif_text(const std::string& text) { return {{"text", printable(text)}}; }
+
+Json rule_of(const Check& check) {
+  return {{"id", check.name},
+          {"shortDescription", sarif_text(std::string(check.summary))},
+          {"help", sarif_text(std::string(check.help))},
+          {"defaultConfiguration", {{"level", sarif_level_of(check.level)}}},
+          {"properties", {{"level", to_string(check.level)}}}};
+}
+
+/// Findings beyond the first are counted alone, and have a result of their own.
+Json sarif_result(const std::string& file, const Check& check, std::size_t rule, const Finding& f) {
+  Json location{{"physicalLocation", {{"artifactLocation", {{"uri", as_uri(file)}}}}}};
+  if (!f.where.empty()) location["logicalLocations"] = Json::array({{{"fullyQualifiedName", printable(f.where)}}});
+  return {{"ruleId", check.name},
+          {"ruleIndex", rule},
+          {"level", sarif_level_of(check.level)},
+          {"message", sarif_text(line_of(f))},
+          {"locations", Json::array({std::move(location)})}};
+}
+
+}  // namespace
+
+std::string as_sarif(const std::vector<PluginOutcome>& plugins) {
+  Json rules = Json::array(), results = Json::array();
+  for (const Check& check : all_checks()) rules.push_back(rule_of(check));
+  bool is_complete = true;
+  for (const PluginOutcome& plugin : plugins)
+    for (const Outcome& o : plugin.checks) {
+      const auto rule = static_cast<std::size_t>(o.check - all_checks().data());
+      is_complete = is_complete && o.skipped.empty();
+      for (const Finding& f : o.findings) results.push_back(sarif_result(plugin.file, *o.check, rule, f));
+      if (o.more > 0)
+        results.push_back(sarif_result(plugin.file, *o.check, rule, {"", fmt::format("and {} more findings", o.more)}));
+    }
+  const Json driver{{"name", "isogloss validate"}, {"version", ISOGLOSS_VERSION}, {"rules", std::move(rules)}};
+  return pretty({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+                 {"version", "2.1.0"},
+                 {"runs", Json::array({{{"tool", {{"driver", driver}}},
+                                        {"invocations", Json::array({{{"executionSuccessful", is_complete}}})},
+                                        {"results", std::move(results)}}})}});
 }
 
 }  // namespace isogloss::cli

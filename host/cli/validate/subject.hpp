@@ -81,13 +81,18 @@ class Bench {
   Trial run(const TestBlock& block, bool shows = true);
   /// The same, repeatedly and without a look at the result: nanoseconds of one build.
   double time(const TestBlock& block, int repeats);
+  /// The block as build() will find it, then one build() and nothing else.
+  void prepare(const TestBlock& block);
+  ig_status build() { return chain_->build(alone_.position); }
   /// What the build will find, as JSON for `isogloss apply`.
   std::string show(const TestBlock& block);
   void start();
   Chain& chain() { return *chain_; }
 
+  /// Where the text of a block stands while the block is built; empty: in the block.
+  std::function<std::string_view(std::string_view)> place_text;
+
  private:
-  void prepare(const TestBlock& block);
   DiagnosticList said_;
   const LinkedAlone& alone_;
   std::unique_ptr<Chain> chain_;
@@ -112,6 +117,10 @@ std::vector<Stand> stands_of(Subject& subject, Examination& e);
 
 /// The fields that a syntax has declared, without those of lists' records; patterns as far as a check can go.
 std::vector<ig_field> fields_of(const LinkedAlone& alone);
+/// Block number k of the seed for this syntax: the same on every machine, whatever came before.
+TestBlock random_block(const Stand& stand, const std::vector<ig_field>& fields, std::uint64_t seed, std::uint64_t k);
+/// The blocks of the stand, one with all declared fields, and the first random ones.
+std::vector<TestBlock> many_blocks(const Stand& stand, const Examination& e, std::uint64_t random_ones);
 /// A block in which each of these fields has an everyday value.
 TestBlock full_block(const LinkedAlone& alone, const std::vector<ig_field>& fields);
 

@@ -12,8 +12,11 @@ std::optional<std::string> elf_fault(const std::filesystem::path& file) {
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   std::ifstream in(file, std::ios::binary);
   Elf64_Ehdr header{};
-  if (error || !in.read(reinterpret_cast<char*>(&header), sizeof header)) return std::nullopt;
-  if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_ident[EI_CLASS] != ELFCLASS64) return std::nullopt;
+  if (error || !in) return std::nullopt;
+  if (size == 0) return "the file is empty";
+  if (!in.read(reinterpret_cast<char*>(&header), sizeof header) || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0)
+    return "the file does not begin as an ELF file does";
+  if (header.e_ident[EI_CLASS] != ELFCLASS64) return std::nullopt;
 
   const auto lies_inside = [&](std::uint64_t offset, std::uint64_t bytes) {
     return offset <= size && bytes <= size - offset;

@@ -9,8 +9,8 @@
 
 namespace isogloss {
 
-/// What is wrong with a 64-bit ELF file's section table; empty when nothing is, or when the file is no such file (the
-/// loader says the rest).
+/// Why the file cannot be a shared library, or what is wrong with its section table; empty when nothing is, or when the
+/// file cannot be read or is none of 64 bits (the loader says the rest).
 std::optional<std::string> elf_fault(const std::filesystem::path& file);
 
 /// The symbols that a library without elf_fault() exports: those that the loader sees, which stripping leaves in the

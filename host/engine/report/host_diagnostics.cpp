@@ -162,8 +162,8 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "codes -d DIALECT` shows what is in use.",
        "isogloss new plugin acme --cycle G81"},
       {error, "IG-0154", "there is no template for {0}: {1}",
-       "`isogloss new plugin` begins with a cycle, a word or a table in C++, or with a word in C, for a dialect that "
-       "reads programs of ISO 6983.",
+       "`isogloss new plugin` begins with a switch of two M codes for every dialect, with a word or a table for those "
+       "whose blocks are rows of addresses, and with a canned cycle in C++ for those that read programs of ISO 6983.",
        "isogloss new plugin acme --cycle G181 --language c"},
       {error, "IG-0155", "no check '{0}' of plugins: isogloss validate --list shows all of them",
        "--only takes the names that `isogloss validate --list` shows in its first column.",

@@ -45,9 +45,8 @@ void CompensatedPath::step_to(ig::Block& b, const ContourMotion& now, const Poin
 ig::Status CompensatedPath::turn_on_arc(ig::Block& b, const ContourMotion& now, double offset) {
   const Point2 middle = now.move.end, from = ContourMotionOf::in_plane(now.plane, tool_.at);
   Point2 to = from;
-  const ig::PartialVec3 named = b.get(corner_direction_);
-  if (named.mask != 0) {
-    const Point2 way = ContourMotionOf::in_plane(now.plane, named.or_else({}));
+  const Point2 way = ContourMotionOf::in_plane(now.plane, b.get(corner_direction_).or_else({}));
+  if (way.length() > 0) {
     to = middle + (offset / way.length()) * left_of(way);
   } else if (const auto next = ahead_.next(b, now.plane, rests_allowed_);
              next.kind == ContourAhead::Next::Kind::move && next.offset * offset > 0) {

@@ -32,13 +32,14 @@ struct ThreadCutting {
     std::uint32_t found = 0;
     const auto named = group_.find(b, found);
     if ((named ? *named : group_.in_force(b)) != MotionGroup::g33) return give_up(b, words.has_value());
+    bool has_changed = words.has_value();
     if (words && (*words)['F']) take_lead(b, *(*words)['F'], g33_.word(0, 'F'));
-    if (!words && b.is_fresh(feed_)) take_lead(b, b.get_or(feed_, 0.0), feed_.id());
+    if (!words && b.is_fresh(feed_)) has_changed |= take_lead(b, b.get_or(feed_, 0.0), feed_.id());
     if (words) {
       b.set(start_, (*words)['Q'].value_or(0));
       group_.take(b, MotionGroup::g33, found);
     }
-    if (!b.is_fresh(machine_) || motion_.is_moving(b)) return words ? ig::Status::changed : ig::Status::unchanged;
+    if (!b.is_fresh(machine_) || motion_.is_moving(b)) return has_changed ? ig::Status::changed : ig::Status::unchanged;
     if (!words) group_.put_in_force(b, MotionGroup::g33);
     motion_.straight(b, speed(b));
     return ig::Status::changed;
@@ -51,11 +52,13 @@ struct ThreadCutting {
     return has_words ? ig::Status::changed : ig::Status::unchanged;
   }
 
-  void take_lead(ig::Block& b, double lead, ig_field word) const {
+  /// Whether the lead is in force.
+  bool take_lead(ig::Block& b, double lead, ig_field word) const {
     if (lead > 0)
       b.set(lead_, lead);
     else
       b.report(ig::diag("ISO-0391"), ig::Where::word(word), lead);
+    return lead > 0;
   }
 
   /// mm/s; 0 where lead or spindle speed is unknown.

@@ -48,7 +48,7 @@ class ScaleAndMirror {
   AxisMap axis(const Block& b, std::size_t i) const {
     const PartialVec3 center = b.get(center_), factor = b.get(factor_), mirror = b.get(mirror_);
     AxisMap map;
-    if (factor.has(i)) map = map.scaled(factor.value[i], center.value[i]);
+    if (factor.has(i) && factor.value[i] != 0) map = map.scaled(factor.value[i], center.value[i]);
     return mirror.has(i) ? map.mirrored(mirror.value[i]) : map;
   }
   /// The point that a program without scaling and mirror image would name.

@@ -1,0 +1,130 @@
+// What the plugin allocates: nothing while it builds, and nothing that stays.
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "validate/allocation_counter.hpp"
+#include "validate/subject.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+/// A function of the host, during which nothing is counted for the plugin.
+template <auto member>
+struct Uncounted;
+template <class R, class... A, R (*ig_host::*member)(A...)>
+struct Uncounted<member> {
+  static R call(A... arguments) {
+    const AllocationCounter::InHost at_work;
+    return (host_table(Mode::fast).*member)(arguments...);
+  }
+};
+
+template <auto... members>
+ig_host uncounted() {
+  ig_host out = host_table(Mode::fast);
+  out.flags = 0;
+  ((out.*members = Uncounted<members>::call), ...);
+  return out;
+}
+
+ig_host uncounted_host() {
+  using H = ig_host;
+  static_assert(sizeof(H) == offsetof(H, fresh_point) + sizeof(H::fresh_point),
+                "a new function belongs into this list");
+  return uncounted<&H::get, &H::get_many, &H::take, &H::take_many, &H::set, &H::set_many, &H::amend_many, &H::erase,
+                   &H::is_fresh, &H::take_code, &H::find_code, &H::text, &H::set_text, &H::source, &H::set_words,
+                   &H::rewrite, &H::move, &H::word, &H::add_leftover, &H::leftover, &H::set_transform,
+                   &H::set_translation, &H::transform, &H::map_point, &H::frame_changed, &H::append, &H::count,
+                   &H::record, &H::set_record, &H::map_records, &H::symbol, &H::symbol_text, &H::report, &H::fault,
+                   &H::flow, &H::ahead, &H::fresh_many, &H::set_moving_transform, &H::get_point, &H::take_point,
+                   &H::set_point, &H::fresh_point>();
+}
+
+/// Bytes that each call of `work` leaves behind, at least: what grows only once, as a buffer does, counts for nothing.
+template <class Work>
+std::int64_t bytes_left(Work&& work) {
+  constexpr int warm_up = 3, calls = 6, rounds = 3;
+  for (int i = 0; i < warm_up; ++i) work();
+  std::int64_t least = INT64_MAX;
+  for (int round = 0; round < rounds; ++round) {
+    AllocationCounter::start();
+    for (int i = 0; i < calls; ++i) work();
+    least = std::min(least, AllocationCounter::bytes() / calls);
+    AllocationCounter::stop();
+  }
+  return least;
+}
+
+/// The subject, all of whose allocations are counted. A descriptor may hold the address of free() itself, as destroy():
+/// that is why its library is there, and redirected, before the host looks at it.
+struct CountedSubject {
+  explicit CountedSubject(Examination& e) : library(dlopen(e.file.c_str(), RTLD_NOW | RTLD_LOCAL)), subject(e) {}
+  void* library;
+  AllocationCounter of_library;
+  Subject subject;
+  AllocationCounter of_all;
+
+  /// False, and told, where nothing can be counted.
+  bool counts(Examination& e) const {
+    if (!of_all.is_complete()) e.remark("not looked at: this system gives no way to count allocations");
+    return of_all.is_complete();
+  }
+};
+
+}  // namespace
+
+void check_memory(Examination& e) {
+  constexpr std::uint64_t random_ones = 10;
+  CountedSubject counted(e);
+  if (!counted.counts(e)) return;
+  for (const Stand& stand : stands_of(counted.subject, e)) {
+    const std::string id = stand.syntax->id;
+    e.attempt(id);
+    const std::vector<TestBlock> blocks = many_blocks(stand, e, random_ones);
+    {
+      Bench bench(stand.alone, {});
+      const std::int64_t bytes = bytes_left([&] {
+        for (const TestBlock& block : blocks) bench.prepare(block), bench.build();
+      });
+      if (bytes > 0)
+        e.find(id, fmt::format("memory grows without end: by {} bytes with every {} blocks", bytes, blocks.size()));
+    }
+    const std::int64_t bytes = bytes_left([&] { Bench(stand.alone, {}).start(); });
+    if (bytes > 0) e.find(id, fmt::format("a chain that is destroyed leaves {} bytes behind", bytes));
+  }
+}
+
+void check_allocations(Examination& e) {
+  constexpr int warm_up = 8, builds = 4;
+  const ig_host host = uncounted_host();
+  ChainSettings settings;
+  settings.host = &host;
+  CountedSubject counted(e);
+  if (!counted.counts(e)) return;
+  for (const Stand& stand : stands_of(counted.subject, e)) {
+    Bench bench(stand.alone, settings);
+    std::uint64_t most = 0;
+    std::string name;
+    for (const TestBlock& block : many_blocks(stand, e, 0)) {
+      e.attempt(std::string(stand.syntax->id) + ", " + block.name);
+      for (int i = 0; i < warm_up; ++i) bench.prepare(block), bench.build();
+      std::uint64_t least = UINT64_MAX;
+      for (int i = 0; i < builds; ++i) {
+        bench.prepare(block);
+        AllocationCounter::start();
+        bench.build();
+        least = std::min(least, AllocationCounter::stop());
+      }
+      if (least > most) most = least, name = block.name;
+    }
+    if (most > 0)
+      e.find(std::string(stand.syntax->id) + ", " + name,
+             fmt::format("each build allocates {} time{} more", most, most == 1 ? "" : "s"));
+  }
+}
+
+}  // namespace isogloss::cli

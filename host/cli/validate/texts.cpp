@@ -1,0 +1,94 @@
+// Texts at the end of a page behind which no memory is: whoever reads on, or reads them after the call, crashes.
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <deque>
+
+#include "validate/subject.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+/// Copies of texts for one call of a plugin at a time.
+class GuardedTexts {
+ public:
+  GuardedTexts() = default;
+  ~GuardedTexts() {
+    for (const Page& p : pages_) munmap(p.begin, p.size);
+  }
+  GuardedTexts(const GuardedTexts&) = delete;
+  GuardedTexts& operator=(const GuardedTexts&) = delete;
+
+  ig_text copy(ig_text text) {
+    if (text.data == nullptr) return text;
+    const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    const std::size_t readable = (text.size + page - 1) / page * page;
+    void* const mapped = mmap(nullptr, readable + page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (mapped == MAP_FAILED) throw std::runtime_error("no memory for a text");
+    char* const end = static_cast<char*>(mapped) + readable;
+    std::memcpy(end - text.size, text.data, text.size);
+    if (readable > 0) mprotect(mapped, readable, PROT_READ);
+    mprotect(end, page, PROT_NONE);
+    pages_.push_back({mapped, readable + page});
+    return {end - text.size, text.size};
+  }
+
+  /// What was copied so far cannot be read any more. Its place stays taken for a while, so that nothing else is there.
+  void end_call() {
+    constexpr std::size_t most_pages = 256;
+    for (std::size_t i = 0; i < pages_.size(); ++i) mprotect(pages_[i].begin, pages_[i].size, PROT_NONE);
+    for (; pages_.size() > most_pages; pages_.pop_front()) munmap(pages_.front().begin, pages_.front().size);
+  }
+
+ private:
+  struct Page {
+    void* begin;
+    std::size_t size;
+  };
+  std::deque<Page> pages_;
+};
+
+thread_local GuardedTexts* guarded = nullptr;
+
+ig_host guarding_host() {
+  ig_host out = host_table(Mode::fast);
+  out.flags = 0;
+  out.text = [](const ig_block* b, ig_field f) { return guarded->copy(host_table(Mode::fast).text(b, f)); };
+  out.source = [](const ig_block* b) { return guarded->copy(host_table(Mode::fast).source(b)); };
+  out.symbol_text = [](const ig_block* b, ig_symbol s) {
+    return guarded->copy(host_table(Mode::fast).symbol_text(b, s));
+  };
+  return out;
+}
+
+}  // namespace
+
+void check_texts(Examination& e) {
+  constexpr std::uint64_t random_ones = 30;
+  const ig_host host = guarding_host();
+  ChainSettings settings;
+  settings.host = &host;
+  Subject subject(e);
+  for (const Stand& stand : stands_of(subject, e)) {
+    GuardedTexts texts;
+    guarded = &texts;
+    Bench bench(stand.alone, settings);
+    bench.place_text = [&texts](std::string_view text) {
+      const ig_text out = texts.copy({text.data(), text.size()});
+      return std::string_view(out.data, out.size);
+    };
+    for (const TestBlock& block : many_blocks(stand, e, random_ones)) {
+      e.attempt(std::string(stand.syntax->id) + ", " + block.name +
+                "; no byte behind a text or after the call may be read");
+      for (int i = 0; i < 2; ++i) {
+        bench.run(block, false);
+        texts.end_call();
+      }
+    }
+  }
+  guarded = nullptr;
+}
+
+}  // namespace isogloss::cli
