@@ -1,0 +1,27 @@
+#include "diff/runs.hpp"
+
+#include <pthread.h>
+#include <signal.h>
+
+namespace isogloss::cli::parting {
+
+TwoThreads::TwoThreads(const std::function<void(std::size_t side)>& run, std::function<void()> stop)
+    : stop_(std::move(stop)) {
+  for (std::size_t side = 0; side < 2; ++side)
+    threads_[side] = std::thread([run, side] {
+      // Signals that end the command, and its timer, belong to the main thread.
+      sigset_t others;
+      sigemptyset(&others);
+      for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGUSR1, SIGUSR2, SIGALRM})
+        sigaddset(&others, number);
+      pthread_sigmask(SIG_BLOCK, &others, nullptr);
+      run(side);
+    });
+}
+
+TwoThreads::~TwoThreads() {
+  stop_();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+}  // namespace isogloss::cli::parting
