@@ -168,7 +168,7 @@ void Comparison::add_alone(std::size_t side, const Snapshot& block) {
   std::erase_if(open_, [this](std::uint32_t field) { return cause_[field] == none; });
   const Snapshot nothing;
   for (const Diagnostic& d : block.reported)
-    add_report(side, d, side == 0 ? block : nothing, side == 1 ? block : nothing);
+    add_report(side, d, nullptr, side == 0 ? block : nothing, side == 1 ? block : nothing);
 }
 
 }  // namespace isogloss::cli::parting

@@ -86,7 +86,8 @@ class Comparison {
   Parting parting_of(const Difference& difference, const Snapshot* a, const Snapshot* b) const;
   static PartedBlock block_of(const Snapshot* a, const Snapshot* b);
   void compare_reports(const Snapshot& a, const Snapshot& b);
-  void add_report(std::size_t side, const Diagnostic& diagnostic, const Snapshot& a, const Snapshot& b);
+  void add_report(std::size_t side, const Diagnostic& diagnostic, const Diagnostic* other, const Snapshot& a,
+                  const Snapshot& b);
 
   const FieldMap& map_;
   const std::array<const SideOf*, 2> sides_;

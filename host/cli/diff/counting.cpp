@@ -44,8 +44,8 @@ Parting Comparison::parting_of(const Difference& d, const Snapshot* a, const Sna
     out.field.insert(brackets + 1, std::to_string(d.stroke));
   const bool is_boolean = field.type == IG_BOOLEAN;
   if (field.path.ends_with("[]")) {
-    out.a = d.a != nullptr ? "a stroke" : "";
-    out.b = d.b != nullptr ? "a stroke" : "";
+    out.a = d.a != nullptr ? "there" : "";
+    out.b = d.b != nullptr ? "there" : "";
   } else {
     out.a = value_text(d.a, *a, is_boolean);
     out.b = value_text(d.b, *b, is_boolean);
@@ -65,6 +65,8 @@ void Comparison::count(int group, const Difference* d, bool is_direct, const Sna
   const bool is_new = g.last_block != number_;
   if (is_new) ++g.blocks;
   if (g.first_block == 0) g.first_block = number_;
+  if (is_direct && g.last_direct_block != number_) ++g.direct_blocks;
+  if (is_direct) g.last_direct_block = number_;
   g.last_block = number_;
   if (is_new && g.examples.size() < most_examples) g.examples.push_back(block_of(a, b));
   const bool is_example = !g.examples.empty() && g.blocks <= most_examples;
@@ -102,24 +104,34 @@ void Comparison::compare_reports(const Snapshot& a, const Snapshot& b) {
       answered[same] = true;
       if (one.severity == Severity::error) ++errors_of_both_;
     } else {
-      add_report(0, one, a, b);
+      for (std::size_t i = 0; i < b.reported.size() && same == b.reported.size(); ++i)
+        if (!answered[i] && b.reported[i].code == one.code) same = i;
+      const Diagnostic* const other = same < b.reported.size() ? &b.reported[same] : nullptr;
+      if (other != nullptr) answered[same] = true;
+      add_report(0, one, other, a, b);
     }
   }
   for (std::size_t i = 0; i < b.reported.size(); ++i)
-    if (!answered[i]) add_report(1, b.reported[i], a, b);
+    if (!answered[i]) add_report(1, b.reported[i], nullptr, a, b);
 }
 
-void Comparison::add_report(std::size_t side, const Diagnostic& diagnostic, const Snapshot& a, const Snapshot& b) {
+/// `other`: what the other side reports with the same code; null: it does not.
+void Comparison::add_report(std::size_t side, const Diagnostic& diagnostic, const Diagnostic* other, const Snapshot& a,
+                            const Snapshot& b) {
   Group group;
   group.kind = Group::Kind::diagnostic;
   group.cause =
-      fmt::format("only {} reports {} ({})", sides_[side]->name, diagnostic.code, isogloss::to_string(diagnostic.severity));
-  const int number = group_of(fmt::format("reports{} {}", side, diagnostic.code), std::move(group));
+      other == nullptr ? fmt::format("only {} reports {} ({})", sides_[side]->name, diagnostic.code,
+                                     isogloss::to_string(diagnostic.severity))
+                       : fmt::format("{} ({}) with other values", diagnostic.code, isogloss::to_string(diagnostic.severity));
+  const int number =
+      group_of(fmt::format("reports{} {}", other == nullptr ? side : 2, diagnostic.code), std::move(group));
   const bool has_a = a.line != 0 || a.is_end, has_b = b.line != 0 || b.is_end;
   count(number, nullptr, true, has_a ? &a : nullptr, has_b ? &b : nullptr);
   Parting said;
   said.field = "diagnostic";
   (side == 0 ? said.a : said.b) = fmt::format("{} [{}]", diagnostic.message, diagnostic.code);
+  if (other != nullptr) said.b = fmt::format("{} [{}]", other->message, other->code);
   Group& g = report_.groups[static_cast<std::size_t>(number)];
   if (g.blocks <= most_examples && !g.examples.empty() && g.examples.back().values.size() < most_values) {
     PartedBlock& example = g.examples.back();

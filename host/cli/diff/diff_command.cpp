@@ -151,7 +151,8 @@ std::optional<RunOfSide> DiffCommand::prepare(std::size_t side, const ProgramTex
   if (work.linked[side] == nullptr) return std::nullopt;
   add_program_places(text.path(), work.linked[side]->dialect, *made);
   RunOfSide out;
-  out.side = {work.linked[side]->dialect.name, work.linked[side].get(), made->chain.dependencies};
+  out.side = {work.linked[side]->dialect.name, work.linked[side].get(), made->chain.dependencies,
+              made->chain.assignments};
   out.program = &text;
   out.options = std::move(*made);
   return out;

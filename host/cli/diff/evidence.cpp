@@ -41,6 +41,10 @@ std::vector<EvidenceFinder::Row> EvidenceFinder::rows_of(int side, std::uint16_t
 
 std::string EvidenceFinder::place_of(int side, const Row& row) const {
   const LinkedDependency& d = dependency(side, row.dependency);
+  for (const auto& [path, value] : sides_[side]->assignments) {
+    const std::string cell = d.element.alias + "." + row.row;
+    if (path == cell || path.starts_with(cell + ".")) return "--set";
+  }
   Location out;
   const auto look = [&](const DependencyElement& element) {
     for (const TableRow& one : element.rows)

@@ -28,6 +28,7 @@ struct SideOf {
   std::string name;
   const LinkedDialect* linked = nullptr;
   std::vector<DependencyElement> given;
+  std::vector<std::pair<std::string, std::string>> assignments{};  ///< --set
 };
 
 class EvidenceFinder {

@@ -37,10 +37,11 @@ struct Group {
   std::vector<Evidence> evidence;
   std::string syntax_a, syntax_b;
   std::vector<std::string> codes;  ///< of the blocks in which it acts, the first few
-  std::uint64_t blocks = 0;
+  std::uint64_t blocks = 0, direct_blocks = 0;  ///< in the others, something follows from it
   std::map<std::string, FieldCount> fields;
   std::vector<PartedBlock> examples;  ///< a few
   std::uint64_t first_block = 0, last_block = 0;  ///< the numbers of the blocks that counted first and last
+  std::uint64_t last_direct_block = 0;
   std::string probe;                              ///< the first field on which it acts
 };
 

@@ -50,6 +50,7 @@ Json group_json(const Group& g) {
   return {{"Cause", heading(g)},
           {"Kind", to_string(g.kind)},
           {"Blocks", g.blocks},
+          {"DirectBlocks", g.direct_blocks},
           {"Codes", g.codes},
           {"SyntaxA", value_or_null(g.syntax_a)},
           {"SyntaxB", value_or_null(g.syntax_b)},

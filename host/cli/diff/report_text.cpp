@@ -17,6 +17,7 @@ std::string values_text(const std::vector<Parting>& values, std::string_view ind
     if (most-- == 0) return out + fmt::format("{}...\n", indent);
     if (v.field == "diagnostic") {
       out += fmt::format("{}{}\n", indent, printable(v.a.empty() ? v.b : v.a));
+      if (!v.a.empty() && !v.b.empty()) out += fmt::format("{}{}\n", indent, printable(v.b));
       continue;
     }
     const std::string writer = v.writer_a == v.writer_b || v.writer_b.empty() ? v.writer_a
@@ -55,7 +56,12 @@ std::string fields_text(const Group& group) {
 }
 
 std::string group_text(const Group& g) {
-  std::string out = fmt::format("\n{}: {}\n", heading(g), blocks(g.blocks));
+  std::string out = fmt::format("\n{}: {}", heading(g), blocks(g.blocks));
+  if (g.direct_blocks == 0)
+    out += g.blocks == 1 ? ", which follows" : ", which follow";
+  else if (g.direct_blocks < g.blocks)
+    out += fmt::format(", {} of them directly", g.direct_blocks);
+  out += '\n';
   const std::string syntaxes = g.syntax_a == g.syntax_b || g.syntax_b.empty() ? g.syntax_a
                                : g.syntax_a.empty()                           ? g.syntax_b
                                                                               : g.syntax_a + " | " + g.syntax_b;

@@ -220,7 +220,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {error, "IG-0188", "{0} cannot run the program: {1}",
        "One side of a comparison did not start or did not come to its end, so there is nothing to compare. Other "
        "diagnostics say what is wrong.",
-       "isogloss diff -d fanuc --set-b FanucParameterTable.5115=-1 part.nc"},
+       "isogloss diff -a fanuc -b syntec --set-b SyntecParameterTable.17=9 part.nc"},
       {warning, "IG-0189", "--ignore {0} has no effect: neither dialect has such a field or section",
        "Fields are named by their path in the block document, as `isogloss list fields` prints them; a section "
        "stands for all of its fields.",
