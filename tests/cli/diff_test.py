@@ -255,6 +255,23 @@ class Diff(unittest.TestCase):
                 self.assertIn(done.returncode, (0, 1), done.stderr)
                 self.diff("-a", "fanuc", "-b", "fanuc", "--max-jumps", "1000", part, *more, status=0)
 
+    def test_a_loop_of_errors_ends(self):
+        part = self.write("loop.nc", "N1 G0 X1. Y!\nGOTO 1\n")
+        for more in ([], ["--motions"]):
+            done = self.diff("-a", "fanuc", "-b", "fanuc", "--max-errors", "100", part, *more, status=0)
+            self.assertIn("[IG-0517]", done.stderr)
+
+    def test_two_machines(self):
+        for name, origin in (("one", "10"), ("two", "30")):
+            self.write(f"{name}/machine.xml", f'<Machine xmlns="urn:isogloss:dialect:1" name="{name}" dialect="fanuc">'
+                       '<Dependencies><IsoCoordinateTable><Offset id="G54" '
+                       f'X="{origin}"/></IsoCoordinateTable></Dependencies></Machine>')
+        part = self.write("part.nc", HEAD + "M30\n")
+        causes, whole = self.causes("--machine-a", "one", "--machine-b", "two", part)
+        self.assertEqual((whole["A"]["Name"], whole["B"]["Name"]), ("one", "two"))
+        self.assertIn("IsoCoordinateTable G54", causes[0]["Cause"])
+        self.assertIn("machine.xml:1", causes[0]["Evidence"][0]["PlaceB"])
+
     def test_memory_does_not_grow_with_the_program(self):
         def peak(lines, *more):
             part = self.write(f"{lines}.nc", mill(lines))

@@ -71,7 +71,8 @@ Comparison::Input Comparison::best_input(const Difference& d) const {
 double Comparison::weight_of_input(std::uint32_t field, const Difference& d) const {
   const CommonField &input = map_.fields[field], &output = map_.fields[d.field];
   if (input.is_read) return word_differs;
-  if (input.type == IG_SYMBOL || input.type == IG_TEXT) return input.path.ends_with(".Term") ? term_differs : name_differs;
+  if (input.type == IG_SYMBOL || input.type == IG_TEXT)
+    return input.path.ends_with(".Term") ? term_differs : name_differs;
   return input.type == IG_NUMBER && !input.unit.empty() && input.unit == output.unit ? same_unit : number_differs;
 }
 
@@ -97,7 +98,8 @@ Comparison::Own Comparison::own_cause(const Difference& d, const Snapshot& a, co
     other = last_writer(1, d.field, b);
   }
   const std::uint64_t writers = std::uint64_t{one} << 16 | other;
-  if (const auto known = own_of_block_.find(writers); known != own_of_block_.end() && writers != 0) return known->second;
+  if (const auto known = own_of_block_.find(writers); known != own_of_block_.end() && writers != 0)
+    return known->second;
   Own own;
   if (one == 0) one = evidence_.counterpart(1, other);
   if (other == 0) other = evidence_.counterpart(0, one);
@@ -127,7 +129,8 @@ Comparison::Own Comparison::own_cause(const Difference& d, const Snapshot& a, co
     } else if (group.evidence.empty() && (d.writer_a == 0 || d.writer_b == 0)) {
       group.cause = fmt::format("{} acts in {} alone", group.syntax_a, sides_[d.writer_a == 0 ? 1 : 0]->name);
     } else if (group.evidence.empty()) {
-      group.cause = fmt::format("{}, with the same options: a table, or what it kept from earlier blocks", group.syntax_a);
+      group.cause =
+          fmt::format("{}, with the same options: a table, or what it kept from earlier blocks", group.syntax_a);
     }
   }
   const std::string key = fmt::format("{} {} {}", group.syntax_a, group.syntax_b, group.cause);
@@ -148,7 +151,6 @@ int Comparison::initial_cause(const Difference& d, const Snapshot& a, const Snap
   group.syntax_b = values.writer_b;
   if (const std::uint16_t one = d.writer_a; one != 0 && evidence_.counterpart(0, one) != 0)
     group.evidence = evidence_.find(one, evidence_.counterpart(0, one), a, b);
-  if (!group.evidence.empty()) group.cause += ", from " + text_of(group.evidence.front());
   return group_of("initial " + values.field, std::move(group));
 }
 

@@ -32,12 +32,16 @@ BlockResult compare_blocks(const RunOfSide& a, const RunOfSide& b, const LineOrd
     run_options.chain.mode = Mode::traced;
     run_options.chain.hears_rows = true;
     run_options.prepare = [&recorder](Chain& chain) { recorder.listen(chain); };
+    CountedReports said;
+    recorder.count(said);
+    EndAtErrors limit(said, one.most_errors);
     std::string fault;
     try {
-      run(*one.side.linked, *sources[side], one.program->path(), run_options, {&recorder}, recorder);
+      run(*one.side.linked, *sources[side], one.program->path(), run_options, {&recorder, &limit}, recorder);
     } catch (const std::exception& e) {
       fault = e.what();
     }
+    out.is_cut[side] = limit.has_ended();
     recorder.finish(std::move(fault));
   };
   Comparison comparison(map, a.side, b.side, options);

@@ -10,6 +10,7 @@ struct BlockResult {
   Report report;
   std::array<std::string, 2> faults;  ///< why a run could not go on; empty: it did
   std::array<std::vector<Diagnostic>, 2> reported_by_fault;
+  std::array<bool, 2> is_cut{};      ///< ended by its errors
   std::uint64_t errors_of_both = 0;  ///< reported alike
   std::vector<std::string> unknown_fields;
 };

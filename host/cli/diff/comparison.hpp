@@ -104,7 +104,7 @@ class Comparison {
   Pair last_;  // cells_ points into them
   std::vector<int> cause_, cause_before_;
   std::vector<std::uint32_t> open_, open_before_;  // fields that differ
-  std::vector<std::uint32_t> ranks_;  // of the differences of this block that have a cause, by field
+  std::vector<std::uint32_t> ranks_;               // of the differences of this block that have a cause, by field
   std::vector<Difference> differences_;
   std::map<std::uint64_t, Own> own_of_block_;
   std::uint64_t errors_of_both_ = 0;

@@ -120,10 +120,10 @@ void Comparison::add_report(std::size_t side, const Diagnostic& diagnostic, cons
                             const Snapshot& b) {
   Group group;
   group.kind = Group::Kind::diagnostic;
-  group.cause =
-      other == nullptr ? fmt::format("only {} reports {} ({})", sides_[side]->name, diagnostic.code,
-                                     isogloss::to_string(diagnostic.severity))
-                       : fmt::format("{} ({}) with other values", diagnostic.code, isogloss::to_string(diagnostic.severity));
+  group.cause = other == nullptr ? fmt::format("only {} reports {} ({})", sides_[side]->name, diagnostic.code,
+                                               isogloss::to_string(diagnostic.severity))
+                                 : fmt::format("{} ({}) with other values", diagnostic.code,
+                                               isogloss::to_string(diagnostic.severity));
   const int number =
       group_of(fmt::format("reports{} {}", other == nullptr ? side : 2, diagnostic.code), std::move(group));
   const bool has_a = a.line != 0 || a.is_end, has_b = b.line != 0 || b.is_end;

@@ -43,10 +43,12 @@ struct DiffCommand {
   int compare(const std::string& path, Session& session);
   int compare_pair(const RunOfSide& a, const RunOfSide& b, const LineOrder* order, Session& session);
   void name_sides(RunOfSide& a, RunOfSide& b) const;
-  int trouble(const RunOfSide& side, const std::string& fault, Session& session) const;
+  int trouble(const RunOfSide& side, const std::string& fault, std::vector<Diagnostic>& reported,
+              Session& session) const;
+  void report_cuts(const RunOfSide& a, const RunOfSide& b, const std::array<bool, 2>& is_cut, Session& session) const;
 
   Tolerance tolerance_;
-  std::string second_;  // the program of side b; empty: that of side a
+  std::string second_;                // the program of side b; empty: that of side a
   std::optional<std::string> guess_;  // of the dialect, from the program of side A: it holds for both
   std::string text_;
   std::vector<Json> comparisons_;
@@ -57,10 +59,10 @@ void DiffCommand::add_to(CommandLine& line) {
               "Programs, each compared with itself in A and B; or two programs, where no option names two sides")
       .required();
   static constexpr const char* names[2][6] = {
-      {"-a", "--machine-a", "--set-a", "Dialect of side A, by name or file (default: -d)", "Machine of side A (default: -m)",
-       "As --set, on side A alone (repeatable)"},
-      {"-b", "--machine-b", "--set-b", "Dialect of side B, by name or file (default: -d)", "Machine of side B (default: -m)",
-       "As --set, on side B alone (repeatable)"}};
+      {"-a", "--machine-a", "--set-a", "Dialect of side A, by name or file (default: -d)",
+       "Machine of side A (default: -m)", "As --set, on side A alone (repeatable)"},
+      {"-b", "--machine-b", "--set-b", "Dialect of side B, by name or file (default: -d)",
+       "Machine of side B (default: -m)", "As --set, on side B alone (repeatable)"}};
   for (std::size_t side = 0; side < 2; ++side) {
     line.option(names[side][0], dialects[side], names[side][3]).type_name("DIALECT").group("Two sides");
     line.option(names[side][1], machines[side], names[side][4]).type_name("MACHINE").group("Two sides");
@@ -130,8 +132,7 @@ std::optional<Tolerance> DiffCommand::read_tolerance(Session& session) const {
   return std::nullopt;
 }
 
-std::optional<RunOfSide> DiffCommand::prepare(std::size_t side, const ProgramText& text, Work& work,
-                                              Session& session) {
+std::optional<RunOfSide> DiffCommand::prepare(std::size_t side, const ProgramText& text, Work& work, Session& session) {
   ProgramOptions options = program;
   if (!dialects[side].empty()) {
     options.dialect = dialects[side];
@@ -155,6 +156,7 @@ std::optional<RunOfSide> DiffCommand::prepare(std::size_t side, const ProgramTex
               made->chain.assignments};
   out.program = &text;
   out.options = std::move(*made);
+  out.most_errors = common.maximum_errors;
   return out;
 }
 
@@ -174,31 +176,42 @@ void DiffCommand::name_sides(RunOfSide& a, RunOfSide& b) const {
   name(b, "B", sets[1]);
 }
 
-int DiffCommand::trouble(const RunOfSide& side, const std::string& fault, Session& session) const {
+int DiffCommand::trouble(const RunOfSide& side, const std::string& fault, std::vector<Diagnostic>& reported,
+                         Session& session) const {
+  for (Diagnostic& d : reported) session.diagnostics().add(std::move(d));
   session.report("IG-0188", {side.program->path()}, {side.side.name, fault});
   return cannot_start;
 }
 
+/// What follows the errors was not compared.
+void DiffCommand::report_cuts(const RunOfSide& a, const RunOfSide& b, const std::array<bool, 2>& is_cut,
+                              Session& session) const {
+  for (std::size_t side = 0; side < 2; ++side)
+    if (is_cut[side])
+      session.report("IG-0517", {(side == 0 ? a : b).program->path()}, {std::to_string(common.maximum_errors)});
+}
+
 int DiffCommand::compare_pair(const RunOfSide& a, const RunOfSide& b, const LineOrder* order, Session& session) {
   if (motions) {
-    const MotionReport report = compare_motions(a, b, order, tolerance_, all, session);
-    if (!report.faults[0].empty()) return trouble(a, report.faults[0], session);
-    if (!report.faults[1].empty()) return trouble(b, report.faults[1], session);
+    MotionReport report = compare_motions(a, b, order, tolerance_, all, session);
+    for (std::size_t side = 0; side < 2; ++side)
+      if (!report.faults[side].empty())
+        return trouble(side == 0 ? a : b, report.faults[side], report.reported_by_fault[side], session);
+    report_cuts(a, b, report.is_cut, session);
     text_ += (text_.empty() ? "" : "\n") + as_text(report);
     if (json || !page.empty()) comparisons_.push_back(as_json(report));
     return report.parted == 0 ? success : input_errors;
   }
   BlockResult result = compare_blocks(a, b, order, ignored, {order != nullptr, all, {}}, session);
   for (std::size_t side = 0; side < 2; ++side) {
-    if (result.faults[side].empty()) continue;
-    for (Diagnostic& d : result.reported_by_fault[side]) session.diagnostics().add(std::move(d));
-    return trouble(side == 0 ? a : b, result.faults[side], session);
+    if (!result.faults[side].empty())
+      return trouble(side == 0 ? a : b, result.faults[side], result.reported_by_fault[side], session);
   }
+  report_cuts(a, b, result.is_cut, session);
   try_causes(result.report, a, b, order, ignored, session);
   for (const std::string& field : result.unknown_fields) session.report("IG-0189", {}, {field});
   if (result.errors_of_both > 0)
-    session.report("IG-0187", {a.program->path()}, {std::to_string(result.errors_of_both)},
-                   "isogloss run lists them");
+    session.report("IG-0187", {a.program->path()}, {std::to_string(result.errors_of_both)}, "isogloss run lists them");
   text_ += (text_.empty() ? "" : "\n") + as_text(result.report);
   if (json || !page.empty()) comparisons_.push_back(as_json(result.report));
   return result.report.parted == 0 ? success : input_errors;
@@ -250,12 +263,13 @@ int DiffCommand::run() {
 }  // namespace
 
 int diff_command(const Arguments& arguments) {
-  CommandLine line("diff",
-                   "Shows where two dialects, two machines, two settings or two programs part, grouped by the syntax, "
-                   "option or row of a table that is the cause. Exit status: 0 no difference, 1 differences, 2 trouble.",
-                   "isogloss diff -a fanuc -b syntec part.nc\n"
-                   "  isogloss diff -d fanuc --set-b FanucParameterTable.5115=500 part.nc\n"
-                   "  isogloss diff -d fanuc old.nc new.nc --motions --tolerance 0.01");
+  CommandLine line(
+      "diff",
+      "Shows where two dialects, two machines, two settings or two programs part, grouped by the syntax, "
+      "option or row of a table that is the cause. Exit status: 0 no difference, 1 differences, 2 trouble.",
+      "isogloss diff -a fanuc -b syntec part.nc\n"
+      "  isogloss diff -d fanuc --set-b FanucParameterTable.5115=500 part.nc\n"
+      "  isogloss diff -d fanuc old.nc new.nc --motions --tolerance 0.01");
   DiffCommand command;
   command.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;

@@ -34,7 +34,8 @@ std::vector<EvidenceFinder::Row> EvidenceFinder::rows_of(int side, std::uint16_t
   for (const std::vector<AskedRow>* rows : {&block.rows, &at_start_[side]})
     for (const AskedRow& r : *rows) {
       const auto is_it = [&r](const Row& row) { return row.dependency == r.dependency && row.row == r.row; };
-      if (r.syntax == position && std::none_of(out.begin(), out.end(), is_it)) out.push_back({r.dependency, r.row, r.value});
+      if (r.syntax == position && std::none_of(out.begin(), out.end(), is_it))
+        out.push_back({r.dependency, r.row, r.value});
     }
   return out;
 }
@@ -72,8 +73,17 @@ void EvidenceFinder::add_rows(std::uint16_t a, std::uint16_t b, const Snapshot& 
     if (found == rows_b.end())
       only_a.push_back(&r);
     else if (found->value != r.value)
-      out.push_back({Evidence::Kind::row, name(0, r), name(1, *found), r.value, found->value, place_of(0, r),
-                     place_of(1, *found), true, Evidence::Trial::none, {}, {}});
+      out.push_back({Evidence::Kind::row,
+                     name(0, r),
+                     name(1, *found),
+                     r.value,
+                     found->value,
+                     place_of(0, r),
+                     place_of(1, *found),
+                     true,
+                     Evidence::Trial::none,
+                     {},
+                     {}});
   }
   for (const Row& r : rows_b)
     if (std::none_of(rows_a.begin(), rows_a.end(),
@@ -83,9 +93,17 @@ void EvidenceFinder::add_rows(std::uint16_t a, std::uint16_t b, const Snapshot& 
   for (std::size_t i = 0; i < std::max(only_a.size(), only_b.size()); ++i) {
     const Row* const one = i < only_a.size() ? only_a[i] : nullptr;
     const Row* const other = i < only_b.size() ? only_b[i] : nullptr;
-    out.push_back({Evidence::Kind::row, one == nullptr ? "" : name(0, *one), other == nullptr ? "" : name(1, *other),
-                   one == nullptr ? "" : one->value, other == nullptr ? "" : other->value,
-                   one == nullptr ? "" : place_of(0, *one), other == nullptr ? "" : place_of(1, *other), false, Evidence::Trial::none, {}, {}});
+    out.push_back({Evidence::Kind::row,
+                   one == nullptr ? "" : name(0, *one),
+                   other == nullptr ? "" : name(1, *other),
+                   one == nullptr ? "" : one->value,
+                   other == nullptr ? "" : other->value,
+                   one == nullptr ? "" : place_of(0, *one),
+                   other == nullptr ? "" : place_of(1, *other),
+                   false,
+                   Evidence::Trial::none,
+                   {},
+                   {}});
   }
 }
 

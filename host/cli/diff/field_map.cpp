@@ -14,7 +14,8 @@ FieldMap::FieldMap(const LinkedDialect& a, const LinkedDialect& b, const std::ve
 
 std::uint32_t FieldMap::number_of(const std::string& path, const FieldInfo& field) {
   const auto is_in = [&path](const std::string& section) {
-    return path == section || (path.starts_with(section) && (path[section.size()] == '.' || path[section.size()] == '['));
+    return path == section ||
+           (path.starts_with(section) && (path[section.size()] == '.' || path[section.size()] == '['));
   };
   if (const auto found = std::find_if(ignored_.begin(), ignored_.end(), is_in); found != ignored_.end()) {
     found_.insert(*found);
@@ -53,7 +54,8 @@ void FieldMap::note_reads(int side, const LinkedDialect& linked) {
     std::vector<bool>& taken = takes[side][p];
     for (auto* const mask : {&now, &before, &taken, &written}) mask->resize(fields.size());
     for (ig_field f = 0; f < linked.layout.fields.size(); ++f) {
-      if (const std::uint32_t number = of_field[side][f]; number != no_field && (s.may_write[f >> 6] >> (f & 63) & 1) != 0)
+      if (const std::uint32_t number = of_field[side][f];
+          number != no_field && (s.may_write[f >> 6] >> (f & 63) & 1) != 0)
         written[number] = true;
       if (((s.may_read[f >> 6] | s.may_take[f >> 6]) >> (f & 63) & 1) == 0) continue;
       const ig_field source = linked.layout.fields[f].previous_of;

@@ -35,8 +35,8 @@ class FieldMap {
   std::vector<std::uint32_t> list_field;  ///< by list: stands for a whole record, where only one side has it
   /// By side and the field's id in its layout; no_field: a copy from before the block, or not compared.
   std::array<std::vector<std::uint32_t>, 2> of_field;
-  std::array<std::vector<std::uint32_t>, 2> of_list;                     ///< by side and list
-  std::array<std::vector<std::vector<std::uint32_t>>, 2> of_record;      ///< by side, list and field of a record
+  std::array<std::vector<std::uint32_t>, 2> of_list;                 ///< by side and list
+  std::array<std::vector<std::vector<std::uint32_t>>, 2> of_record;  ///< by side, list and field of a record
   /// By side and position in the chain: which fields the syntax reads, which from before the
   /// block, and which it takes.
   std::array<std::vector<std::vector<bool>>, 2> reads, reads_before, takes;

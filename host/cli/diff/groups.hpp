@@ -36,13 +36,13 @@ struct Group {
   std::string cause;  ///< the heading
   std::vector<Evidence> evidence;
   std::string syntax_a, syntax_b;
-  std::vector<std::string> codes;  ///< of the blocks in which it acts, the first few
+  std::vector<std::string> codes;               ///< of the blocks in which it acts, the first few
   std::uint64_t blocks = 0, direct_blocks = 0;  ///< in the others, something follows from it
   std::map<std::string, FieldCount> fields;
-  std::vector<PartedBlock> examples;  ///< a few
+  std::vector<PartedBlock> examples;              ///< a few
   std::uint64_t first_block = 0, last_block = 0;  ///< the numbers of the blocks that counted first and last
   std::uint64_t last_direct_block = 0;
-  std::string probe;                              ///< the first field on which it acts
+  std::string probe;  ///< the first field on which it acts
 };
 
 std::string_view to_string(Group::Kind kind);
@@ -53,10 +53,10 @@ struct Report {
   std::uint64_t blocks_a = 0, blocks_b = 0;
   std::uint64_t parted = 0;  ///< blocks that differ, or that only one side has; and such with other diagnostics
   std::vector<Group> groups;
-  std::vector<PartedBlock> all;  ///< with --all
+  std::vector<PartedBlock> all;         ///< with --all
   std::vector<std::size_t> all_groups;  ///< of `all`: the group of the first value
-  bool is_probe_there = false;  ///< the difference of ComparisonOptions::probe
-  bool has_more_causes = false;  ///< the last group holds what exceeded the number of groups
+  bool is_probe_there = false;          ///< the difference of ComparisonOptions::probe
+  bool has_more_causes = false;         ///< the last group holds what exceeded the number of groups
 };
 
 }  // namespace isogloss::cli::parting

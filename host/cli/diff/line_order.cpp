@@ -42,12 +42,10 @@ struct Range {
 
 class Matcher {
  public:
-  Matcher(const std::vector<LineText>& a, const std::vector<LineText>& b)
-      : a_(a), b_(b), match_(a.size(), unmatched) {}
+  Matcher(const std::vector<LineText>& a, const std::vector<LineText>& b) : a_(a), b_(b), match_(a.size(), unmatched) {}
 
   std::vector<std::uint32_t> match() {
-    std::vector<Range> open{
-        {0, static_cast<std::uint32_t>(a_.size()), 0, static_cast<std::uint32_t>(b_.size())}};
+    std::vector<Range> open{{0, static_cast<std::uint32_t>(a_.size()), 0, static_cast<std::uint32_t>(b_.size())}};
     for (level_ = 0; level_ < 3; ++level_) {
       left_.clear();
       for (const Range& range : open) match(range, 0);
@@ -114,9 +112,8 @@ class Matcher {
       const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs) {
     std::vector<std::uint32_t> tops, before(pairs.size(), unmatched);
     for (std::uint32_t p = 0; p < pairs.size(); ++p) {
-      const auto top = std::lower_bound(tops.begin(), tops.end(), pairs[p].second, [&](std::uint32_t t, std::uint32_t j) {
-        return pairs[t].second < j;
-      });
+      const auto top = std::lower_bound(tops.begin(), tops.end(), pairs[p].second,
+                                        [&](std::uint32_t t, std::uint32_t j) { return pairs[t].second < j; });
       if (top != tops.begin()) before[p] = *(top - 1);
       if (top == tops.end())
         tops.push_back(p);
@@ -124,7 +121,8 @@ class Matcher {
         *top = p;
     }
     std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
-    for (std::uint32_t p = tops.empty() ? unmatched : tops.back(); p != unmatched; p = before[p]) out.push_back(pairs[p]);
+    for (std::uint32_t p = tops.empty() ? unmatched : tops.back(); p != unmatched; p = before[p])
+      out.push_back(pairs[p]);
     std::reverse(out.begin(), out.end());
     return out;
   }

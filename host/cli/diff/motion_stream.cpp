@@ -58,7 +58,8 @@ bool MotionStream::read_row(std::string_view row) {
     block_->line = line;
     const bool is_main = file == program_;
     const std::size_t slash = file.rfind('/');
-    block_->key.way = is_main ? 1 : std::hash<std::string>{}(slash == std::string::npos ? file : file.substr(slash + 1));
+    block_->key.way =
+        is_main ? 1 : std::hash<std::string>{}(slash == std::string::npos ? file : file.substr(slash + 1));
     block_->key.depth = is_main ? 0 : 1;
     block_->key.rank = is_main && order_ != nullptr ? order_->rank(side_, line) : line;
     block_->key.place = part_;

@@ -42,7 +42,8 @@ std::string text_of(const Motion& m, const Measure& measure) {
   for (int i = 0; i < measure.count; ++i) {
     const int column = measure.first + i;
     if ((m.known >> column & 1u) == 0) continue;
-    out += (out.empty() ? "" : " ") + (measure.letters[0] != '\0' ? std::string(1, measure.letters[i]) : std::string()) +
+    out += (out.empty() ? "" : " ") +
+           (measure.letters[0] != '\0' ? std::string(1, measure.letters[i]) : std::string()) +
            number_text(m.at[column]);
   }
   return out;
@@ -76,13 +77,16 @@ class MotionComparison {
   MotionComparison(MotionReport& report, bool keeps_all) : report_(report), keeps_all_(keeps_all) {}
 
   void add(const MotionBlock* a, const MotionBlock* b) {
-    const auto size = [](const MotionBlock* block) { return block == nullptr ? 0 : static_cast<int>(block->motions.size()); };
+    const auto size = [](const MotionBlock* block) {
+      return block == nullptr ? 0 : static_cast<int>(block->motions.size());
+    };
     report_.motions_a += static_cast<std::uint64_t>(size(a));
     report_.motions_b += static_cast<std::uint64_t>(size(b));
     const auto at = [](const MotionBlock* block, int i) -> const Motion* {
       return block == nullptr || i < 0 ? nullptr : &block->motions[static_cast<std::size_t>(i)];
     };
-    for (const Match& m : match_in_order(size(a), size(b), [&](int i, int j) { return likeness(*at(a, i), *at(b, j)); }))
+    for (const Match& m :
+         match_in_order(size(a), size(b), [&](int i, int j) { return likeness(*at(a, i), *at(b, j)); }))
       compare(at(a, m.a), at(b, m.b), a, b);
   }
 
@@ -163,14 +167,17 @@ MotionReport compare_motions(const RunOfSide& a, const RunOfSide& b, const LineO
   const auto run_side = [&](std::size_t side) {
     const RunOfSide& one = *sides[side];
     MotionStream stream(static_cast<int>(side), order, one.program->path(), channels[side]);
-    DiagnosticList said;
+    CountedReports said;
+    EndAtErrors limit(said, one.most_errors);
     std::string fault;
     try {
       const std::unique_ptr<Exporter> exporter = make_motion_exporter(stream, {Format::csv, false, false, true, {}});
-      run(*one.side.linked, *sources[side], one.program->path(), one.options, {exporter.get()}, said);
+      run(*one.side.linked, *sources[side], one.program->path(), one.options, {exporter.get(), &limit}, said);
     } catch (const std::exception& e) {
       fault = e.what();
     }
+    report.is_cut[side] = limit.has_ended();
+    if (!fault.empty()) report.reported_by_fault[side] = std::move(said.first());
     stream.finish(std::move(fault));
   };
   MotionComparison comparison(report, keeps_all);

@@ -16,7 +16,32 @@ struct Tolerance {
 
 /// A row of the motion stream.
 struct Motion {
-  enum Column { px, py, pz, mx, my, mz, a, b, c, feed, cx, cy, cz, ccw, circles, mcx, mcy, mcz, nx, ny, nz, sweep, value, columns };
+  enum Column {
+    px,
+    py,
+    pz,
+    mx,
+    my,
+    mz,
+    a,
+    b,
+    c,
+    feed,
+    cx,
+    cy,
+    cz,
+    ccw,
+    circles,
+    mcx,
+    mcy,
+    mcz,
+    nx,
+    ny,
+    nz,
+    sweep,
+    value,
+    columns
+  };
   std::string event, words;  ///< plane and term
   double at[columns] = {};
   std::uint32_t known = 0;  ///< a bit for each column
@@ -52,6 +77,8 @@ struct MotionReport {
   std::vector<std::pair<std::string, DeviationKind>> kinds;  ///< in the order in which they were found
   std::vector<std::pair<std::string, Deviation>> all;        ///< with --all
   std::array<std::string, 2> faults;
+  std::array<std::vector<Diagnostic>, 2> reported_by_fault;
+  std::array<bool, 2> is_cut{};  ///< ended by its errors
 };
 
 MotionReport compare_motions(const RunOfSide& a, const RunOfSide& b, const LineOrder* order, const Tolerance& tolerance,

@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "session.hpp"
 #include "isogloss/engine/runner.hpp"
+#include "session.hpp"
 
 namespace isogloss::cli::parting {
 

@@ -184,8 +184,7 @@ void Recorder::copy_cells(const Document& document, const SymbolTable& symbols, 
   for (const Text& t : texts) out.cells[t.cell].text = std::string_view(out.arena).substr(t.begin, t.size);
 }
 
-void Recorder::copy_lists(const Document& document, const SymbolTable& symbols, const Open& open,
-                          Snapshot& out) {
+void Recorder::copy_lists(const Document& document, const SymbolTable& symbols, const Open& open, Snapshot& out) {
   const auto side = static_cast<std::size_t>(side_);
   for (std::size_t l = 0; l < document.lists.size(); ++l) {
     const ListData& list = document.lists[l];

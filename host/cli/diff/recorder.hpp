@@ -21,7 +21,12 @@ class Recorder : public Exporter, public DiagnosticSink {
   void begin(Document& initial, const SymbolTable& symbols) override;
   bool block(Document& document, const SymbolTable& symbols) override;
   bool end() override { return true; }
-  void add(Diagnostic diagnostic) override { reported_.push_back(std::move(diagnostic)); }
+  void add(Diagnostic diagnostic) override {
+    if (count_ != nullptr) count_->add(diagnostic);
+    reported_.push_back(std::move(diagnostic));
+  }
+  /// From now on every report goes there, too.
+  void count(DiagnosticSink& sink) { count_ = &sink; }
   /// After the run: what was reported last, and why it ended early; empty: it did not.
   void finish(std::string fault);
 
@@ -55,6 +60,7 @@ class Recorder : public Exporter, public DiagnosticSink {
   const LineOrder* const order_;
   const std::string program_;
   Channel<Snapshot>& out_;
+  DiagnosticSink* count_ = nullptr;
   Chain* chain_ = nullptr;
   const ig_flow_1* flow_ = nullptr;
   std::vector<Open> open_;

@@ -38,7 +38,8 @@ Json evidence_json(const Evidence& e) {
           {"B", value_or_null(e.b)},
           {"PlaceA", value_or_null(e.place_a)},
           {"PlaceB", value_or_null(e.place_b)},
-          {"Trial", e.trial == Evidence::Trial::none ? Json(nullptr) : Json(e.trial == Evidence::Trial::cause ? "Cause" : "NoCause")}};
+          {"Trial", e.trial == Evidence::Trial::none ? Json(nullptr)
+                                                     : Json(e.trial == Evidence::Trial::cause ? "Cause" : "NoCause")}};
 }
 
 Json group_json(const Group& g) {

@@ -48,7 +48,8 @@ std::string block_rows(const Json& block) {
 }
 
 std::string cause_section(const Json& cause) {
-  std::string out = fmt::format("<details><summary>{} <b>{} blocks</b></summary>\n", shown(cause["Cause"]), cause["Blocks"].dump());
+  std::string out =
+      fmt::format("<details><summary>{} <b>{} blocks</b></summary>\n", shown(cause["Cause"]), cause["Blocks"].dump());
   if (!cause["Evidence"].empty()) {
     out += "<table>" + row({"A", "value", "B", "value"}, "th");
     for (const Json& e : cause["Evidence"])
@@ -73,7 +74,8 @@ std::string deviation_cells(const Json& d) {
 }
 
 std::string motion_section(const Json& kind) {
-  std::string out = fmt::format("<details><summary>{} <b>{} events</b></summary>\n<table>", shown(kind["Kind"]), kind["Events"].dump());
+  std::string out = fmt::format("<details><summary>{} <b>{} events</b></summary>\n<table>", shown(kind["Kind"]),
+                                kind["Events"].dump());
   const std::string by = kind.contains("Unit") ? "by, " + shown(kind["Unit"]) : "by";
   out += row({"A", "B", "event", "value of A", "value of B", by}, "th");
   for (const char* const which : {"First", "Greatest"})
@@ -93,7 +95,8 @@ std::string as_page(const std::vector<Json>& comparisons) {
   for (const Json& c : comparisons) {
     const Json &a = c["A"], &b = c["B"];
     const bool is_one = a["Program"] == b["Program"];
-    out += fmt::format("<h2>{}</h2>\n<p>A: {}, B: {}. ", is_one ? shown(a["Program"]) : shown(a["Program"]) + " and " + shown(b["Program"]),
+    out += fmt::format("<h2>{}</h2>\n<p>A: {}, B: {}. ",
+                       is_one ? shown(a["Program"]) : shown(a["Program"]) + " and " + shown(b["Program"]),
                        shown(a["Name"]), shown(b["Name"]));
     out += c["Same"].get<bool>() ? "No difference.</p>\n" : fmt::format("{} differ.</p>\n", c["Different"].dump());
     if (c.contains("Causes"))

@@ -116,7 +116,8 @@ std::string place_text(const std::string& file_a, std::uint32_t line_a, const st
 std::string as_text(const Report& r) {
   std::string out =
       fmt::format("{}: {} | {}\n", programs_text(r.program_a, r.program_b), printable(r.name_a), printable(r.name_b));
-  const std::string size = r.blocks_a == r.blocks_b ? blocks(r.blocks_a) : fmt::format("{} | {}", r.blocks_a, blocks(r.blocks_b));
+  const std::string size =
+      r.blocks_a == r.blocks_b ? blocks(r.blocks_a) : fmt::format("{} | {}", r.blocks_a, blocks(r.blocks_b));
   if (r.parted == 0) return out + fmt::format("{}, no difference\n", size);
   out += fmt::format("{}, {} {}, {} {}\n", size, r.parted, r.parted == 1 ? "differs" : "differ", r.groups.size(),
                      r.groups.size() == 1 ? "cause" : "causes");

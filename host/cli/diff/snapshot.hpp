@@ -84,7 +84,8 @@ class Channel {
   std::unique_ptr<Item> take() {
     if (taken_.empty()) {
       std::unique_lock lock(mutex_);
-      has_items_.wait(lock, [this] { return items_.size() >= most_ / 2 || (!items_.empty() && items_.back()->is_end); });
+      has_items_.wait(lock,
+                      [this] { return items_.size() >= most_ / 2 || (!items_.empty() && items_.back()->is_end); });
       taken_.swap(items_);
       has_room_.notify_one();
     }

@@ -79,8 +79,8 @@ class Trials {
     const Evidence& first = group.evidence.front();
     if (first.trial == Evidence::Trial::no_cause) {
       group.kind = Group::Kind::unknown;
-      group.cause = fmt::format("{}: none of its options alone; a table, or what it kept from earlier blocks",
-                                group.syntax_a);
+      group.cause =
+          fmt::format("{}: none of its options alone; a table, or what it kept from earlier blocks", group.syntax_a);
       return;
     }
     group.cause.clear();
