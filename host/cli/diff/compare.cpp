@@ -47,9 +47,11 @@ BlockResult compare_blocks(const RunOfSide& a, const RunOfSide& b, const LineOrd
   Comparison comparison(map, a.side, b.side, options);
   Aligner<Snapshot> aligner(channels);
   {
-    const TwoThreads threads(run_side, [&] {
+    TwoThreads threads(run_side, [&] {
       for (Channel<Snapshot>& channel : channels) channel.close();
     });
+    for (std::size_t side = 0; side < 2; ++side)
+      channels[side].watch(sides[side]->watchdog, [&threads, side] { threads.report_stall(side); });
     while (true) {
       Comparison::Pair pair = aligner.next();
       if (pair[0] == nullptr && pair[1] == nullptr) break;

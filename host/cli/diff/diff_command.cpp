@@ -4,6 +4,7 @@
 #include <charconv>
 #include <optional>
 
+#include "crash_guard.hpp"
 #include "dialect_guess.hpp"
 #include "diff/compare.hpp"
 #include "diff/report.hpp"
@@ -156,6 +157,7 @@ std::optional<RunOfSide> DiffCommand::prepare(std::size_t side, const ProgramTex
               made->chain.assignments};
   out.program = &text;
   out.options = std::move(*made);
+  out.watchdog = program.watchdog;
   out.most_errors = common.maximum_errors;
   return out;
 }
@@ -248,6 +250,7 @@ int DiffCommand::run() {
   std::vector<std::string> inputs = programs;
   inputs.push_back(second_);
   if (!are_apart(inputs, {page, common.diagnostics_output}, session)) return cannot_start;
+  watch_calls(0);  // the comparison itself notices a run that does not go on
   int status = success;
   for (const std::string& path : programs) {
     status = std::max(status, compare(path, session));

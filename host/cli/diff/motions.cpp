@@ -182,9 +182,11 @@ MotionReport compare_motions(const RunOfSide& a, const RunOfSide& b, const LineO
   };
   MotionComparison comparison(report, keeps_all);
   Aligner<MotionBlock> aligner(channels);
-  const TwoThreads threads(run_side, [&] {
+  TwoThreads threads(run_side, [&] {
     for (Channel<MotionBlock>& channel : channels) channel.close();
   });
+  for (std::size_t side = 0; side < 2; ++side)
+    channels[side].watch(sides[side]->watchdog, [&threads, side] { threads.report_stall(side); });
   while (true) {
     const Aligner<MotionBlock>::Pair pair = aligner.next();
     if (pair[0] == nullptr && pair[1] == nullptr) break;

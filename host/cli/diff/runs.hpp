@@ -17,6 +17,7 @@ struct RunOfSide {
   SideOf side;
   const ProgramText* program = nullptr;
   RunOptions options;
+  unsigned watchdog = 0;          ///< seconds that a block may take; 0: any time
   std::uint64_t most_errors = 0;  ///< the run ends when it has reported as many; 0: never
 };
 
@@ -58,6 +59,8 @@ class TwoThreads {
   ~TwoThreads();
   TwoThreads(const TwoThreads&) = delete;
   TwoThreads& operator=(const TwoThreads&) = delete;
+  /// The run of this side does not go on: a plugin that is at work there is reported, which ends the process.
+  void report_stall(std::size_t side);
 
  private:
   std::function<void()> stop_;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -78,20 +80,25 @@ class Channel {
     has_room_.wait(lock, [this] { return is_closed_ || items_.size() < most_; });
     if (is_closed_) return false;
     items_.push_back(std::move(item));
+    ++puts_;
     if (items_.size() >= most_ / 2 || items_.back()->is_end) has_items_.notify_one();
     return true;
   }
   std::unique_ptr<Item> take() {
     if (taken_.empty()) {
       std::unique_lock lock(mutex_);
-      has_items_.wait(lock,
-                      [this] { return items_.size() >= most_ / 2 || (!items_.empty() && items_.back()->is_end); });
+      wait_for_items(lock);
       taken_.swap(items_);
       has_room_.notify_one();
     }
     std::unique_ptr<Item> out = std::move(taken_.front());
     taken_.pop_front();
     return out;
+  }
+  /// From now on `stalled` is called when take() has waited so long and nothing came; 0 seconds: never.
+  void watch(unsigned seconds, std::function<void()> stalled) {
+    patience_ = std::chrono::seconds(seconds);
+    stalled_ = std::move(stalled);
   }
   void close() {
     const std::lock_guard lock(mutex_);
@@ -112,12 +119,25 @@ class Channel {
   }
 
  private:
+  void wait_for_items(std::unique_lock<std::mutex>& lock) {
+    const auto is_there = [this] { return items_.size() >= most_ / 2 || (!items_.empty() && items_.back()->is_end); };
+    if (patience_.count() == 0) return has_items_.wait(lock, is_there);
+    while (true) {
+      const std::uint64_t before = puts_;
+      if (has_items_.wait_for(lock, patience_, is_there)) return;
+      if (puts_ == before) stalled_();
+    }
+  }
+
   static constexpr std::size_t most_ = 128;
   std::mutex mutex_, spare_mutex_;
   std::condition_variable has_room_, has_items_;
   std::deque<std::unique_ptr<Item>> items_, taken_;  // taken_ belongs to the reader
   std::vector<std::unique_ptr<Item>> spare_;
   bool is_closed_ = false;
+  std::uint64_t puts_ = 0;
+  std::chrono::seconds patience_{0};
+  std::function<void()> stalled_;
 };
 
 }  // namespace isogloss::cli::parting

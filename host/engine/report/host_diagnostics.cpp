@@ -208,7 +208,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {error, "IG-0185", "diff needs two sides: -a and -b, --set-b, --machine-b, --against, or two programs",
        "`isogloss diff` compares two dialects, two machines or two settings with the same programs, or two programs. "
        "Here both sides would be the same.",
-       "isogloss diff -d fanuc part.nc"},
+       "isogloss diff -d iso part.nc"},
       {error, "IG-0186", "--tolerance needs MM or MM,DEG from 0 to 1000, not '{0}'",
        "With --motions, positions that are not farther apart than this are the same: lengths in mm, angles in degrees. "
        "One number holds for both.",
@@ -216,15 +216,15 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {note, "IG-0187", "both sides report the same {0} errors: what follows them may be wrong on both",
        "`isogloss diff` shows what only one side reports. Errors that both sides report alike are no difference, but "
        "the values behind them cannot be trusted on either side.",
-       "isogloss diff -a fanuc -b syntec broken.nc"},
+       "isogloss diff -a iso -b mine.xml broken.nc"},
       {error, "IG-0188", "{0} cannot run the program: {1}",
        "One side of a comparison did not start or did not come to its end, so there is nothing to compare. Other "
        "diagnostics say what is wrong.",
-       "isogloss diff -a fanuc -b syntec --set-b SyntecParameterTable.17=9 part.nc"},
+       "isogloss diff -d iso --set-b ToolOffsetTable.1.H=long part.nc"},
       {warning, "IG-0189", "--ignore {0} has no effect: neither dialect has such a field or section",
        "Fields are named by their path in the block document, as `isogloss list fields` prints them; a section "
        "stands for all of its fields.",
-       "isogloss diff -a fanuc -b syntec --ignore Coment part.nc"},
+       "isogloss diff -a iso -b mine.xml --ignore Coment part.nc"},
       // links: 0200-0299
       {error, "IG-0201", "no plugin '{0}' in the folders searched",
        "The dialect names a plugin that no plugin folder holds, or that could not be loaded. `isogloss doctor` lists "
