@@ -440,7 +440,7 @@ class Usage(Command):
         self.assertIn("Usage: isogloss COMMAND", done.stdout)
         self.assertEqual(done.stderr, "")
         names = [line.split()[0] for line in done.stdout.split("Commands:\n")[1].split("\n\n")[0].splitlines()]
-        self.assertEqual(names, ["run", "explain", "diff", "lint", "dialect", "schema", "list", "inspect", "new", "import",
+        self.assertEqual(names, ["run", "explain", "diff", "lint", "dialect", "schema", "list", "inspect", "docs", "new", "import",
                                  "export", "doctor", "apply", "case", "validate"])
         for name in names:
             page = self.run_it(name, "--help")

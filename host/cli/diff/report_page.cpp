@@ -41,8 +41,10 @@ std::string block_rows(const Json& block) {
     if (const Json& at = block[side]; !at.is_null())
       out += row({side, place(at), fmt::format("<code>{}</code>", shown(at.value("Text", Json("")))), ""});
   for (const Json& v : block["Values"]) {
-    const std::string unit = v.contains("Unit") ? " " + shown(v["Unit"]) : "";
-    out += row({"", shown(v["Field"]), shown(v["A"]) + unit, shown(v["B"]) + unit});
+    const auto value = [&v](const char* side) {
+      return shown(v[side]) + (v.contains("Unit") && !v[side].is_null() ? " " + shown(v["Unit"]) : "");
+    };
+    out += row({"", shown(v["Field"]), value("A"), value("B")});
   }
   return out;
 }
@@ -51,10 +53,13 @@ std::string cause_section(const Json& cause) {
   std::string out =
       fmt::format("<details><summary>{} <b>{} blocks</b></summary>\n", shown(cause["Cause"]), cause["Blocks"].dump());
   if (!cause["Evidence"].empty()) {
-    out += "<table>" + row({"A", "value", "B", "value"}, "th");
+    out += "<table>" + row({"A", "value", "B", "value", ""}, "th");
     for (const Json& e : cause["Evidence"])
       out += row({shown(e["NameA"]) + "<br><small>" + shown(e["PlaceA"]) + "</small>", shown(e["A"]),
-                  shown(e["NameB"]) + "<br><small>" + shown(e["PlaceB"]) + "</small>", shown(e["B"])});
+                  shown(e["NameB"]) + "<br><small>" + shown(e["PlaceB"]) + "</small>", shown(e["B"]),
+                  e["Trial"].is_null()    ? ""
+                  : e["Trial"] == "Cause" ? "tried: the cause"
+                                          : "tried: no cause"});
     out += "</table>\n";
   }
   if (!cause["Fields"].empty()) {
