@@ -23,6 +23,7 @@ int apply_command(const Arguments& arguments);
 int case_command(const Arguments& arguments);
 int complete_command(const Arguments& arguments);
 int dialect_command(const Arguments& arguments);
+int diff_command(const Arguments& arguments);
 int docs_command(const Arguments& arguments);
 int doctor_command(const Arguments& arguments);
 int export_command(const Arguments& arguments);
@@ -50,6 +51,7 @@ inline constexpr Command commands[] = {
     {"run", "run programs through a dialect: motions, blocks, a summary", run_command},
     {"explain", "explain why a block did what it did, or a diagnostic", explain_command},
     {"state", "show what is in force at a line, or write blocks that restore it", state_command},
+    {"diff", "show where two dialects, machines or programs part, and why", diff_command},
     {"lint", "check dialect files", lint_command},
     {"dialect", "a dialect as one file or a graph, one syntax of it, its differences from another", dialect_command},
     {"schema", "print the schema of dialect files or of the block document", schema_command},

@@ -440,9 +440,8 @@ class Usage(Command):
         self.assertIn("Usage: isogloss COMMAND", done.stdout)
         self.assertEqual(done.stderr, "")
         names = [line.split()[0] for line in done.stdout.split("Commands:\n")[1].split("\n\n")[0].splitlines()]
-        self.assertEqual(names, ["run", "explain", "state", "lint", "dialect", "schema", "list", "inspect", "docs",
-                                 "new"])
-                                 "import", "export", "doctor", "apply", "case", "validate"])
+        self.assertEqual(names, ["run", "explain", "state", "diff", "lint", "dialect", "schema", "list", "inspect",
+                                 "docs", "new", "import", "export", "doctor", "apply", "case", "validate"])
         for name in names:
             page = self.run_it(name, "--help")
             self.assertIn("Example:", page.stdout)
@@ -1345,6 +1344,14 @@ class Faults(Command):
         self.assertLess(time.monotonic() - begin, 20)
         self.assertIn("no end of the block in sight in MisbehaveSyntax", done.stderr)
         self.assertEqual(len(list(self.path.glob("isogloss-crash-*.md"))), 1)
+
+    def test_a_hang_in_either_run_of_a_comparison_ends(self):
+        quiet, hangs = self.write("quiet.nc", "G00 X5.\n"), self.write("hangs.nc", "G00 X5. M902\n")
+        for pair in ((quiet, hangs), (hangs, quiet)):
+            for more in ([], ["--motions"]):
+                done = self.run_it("diff", *pair, "-d", self.dialect, "--plugins", OPTIONS.bad_plugins, "--watchdog", "1",
+                                   *more, status=3)
+                self.assertIn("no end of the block in sight in MisbehaveSyntax", done.stderr)
 
     def test_an_exception_is_a_fault_and_the_run_goes_on(self):
         done = self.fault("M903")

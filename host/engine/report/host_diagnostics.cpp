@@ -214,6 +214,26 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "that "
        "begin with https:// or http://. Of an image, only the text is shown.",
        "[the manual](../manual.md) on the page of a syntax"},
+      {error, "IG-0185", "diff needs two sides: -a and -b, --set-b, --machine-b, --against, or two programs",
+       "`isogloss diff` compares two dialects, two machines or two settings with the same programs, or two programs. "
+       "Here both sides would be the same.",
+       "isogloss diff -d iso part.nc"},
+      {error, "IG-0186", "--tolerance needs MM or MM,DEG from 0 to 1000, not '{0}'",
+       "With --motions, positions that are not farther apart than this are the same: lengths in mm, angles in degrees. "
+       "One number holds for both.",
+       "isogloss diff --motions --tolerance -1 old.nc new.nc"},
+      {note, "IG-0187", "both sides report the same {0} errors: what follows them may be wrong on both",
+       "`isogloss diff` shows what only one side reports. Errors that both sides report alike are no difference, but "
+       "the values behind them cannot be trusted on either side.",
+       "isogloss diff -a iso -b mine.xml broken.nc"},
+      {error, "IG-0188", "{0} cannot run the program: {1}",
+       "One side of a comparison did not start or did not come to its end, so there is nothing to compare. Other "
+       "diagnostics say what is wrong.",
+       "isogloss diff -d iso --set-b ToolOffsetTable.1.H=long part.nc"},
+      {warning, "IG-0189", "--ignore {0} has no effect: neither dialect has such a field or section",
+       "Fields are named by their path in the block document, as `isogloss list fields` prints them; a section "
+       "stands for all of its fields.",
+       "isogloss diff -a iso -b mine.xml --ignore Coment part.nc"},
       {warning, "IG-0190", "this feed move has no feed rate: its canonical block has no F",
        "No F is in force in the program. A control that reads the canonical program keeps the F of an earlier block, "
        "or stops. Program F before the move.",
