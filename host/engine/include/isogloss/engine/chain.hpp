@@ -147,6 +147,9 @@ class Chain {
   /// Called for each row that is asked, answered or not; empty: none.
   std::function<void(std::size_t dependency, std::string_view row)> row_asked;
   void listen_to_rows();
+  /// Called for each variable that a syntax has read or written, after listen_to_rows(); empty: none.
+  std::function<void(const Document&, bool is_write, std::string_view name, std::uint64_t scope, const ig_argument*)>
+      variable_used;
   /// A row of the table has been asked by the syntax at work, and has a value for it or not.
   void note_row(std::size_t dependency, std::string_view row, bool has_value);
 
