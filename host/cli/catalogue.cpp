@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "isogloss/engine/layout.hpp"
+#include "new_names.hpp"
 
 namespace isogloss::cli {
 
@@ -56,31 +57,6 @@ void add_text(Json& out, const char* key, const char* value) {
   if (value != nullptr && *value != '\0') out[key] = value;
 }
 
-/// G2 before G10, G54.1 before G54.2.
-struct ByNumber {
-  bool operator()(const std::string& a, const std::string& b) const {
-    const auto key = [](const std::string& s) {
-      std::size_t letters = 0;
-      while (letters < s.size() && (s[letters] < '0' || s[letters] > '9')) ++letters;
-      double number = 0;
-      std::from_chars(s.data() + letters, s.data() + s.size(), number);
-      return std::tuple(s.substr(0, letters), number, s);
-    };
-    return key(a) < key(b);
-  }
-};
-
-/// DrillingCycleSyntax -> drilling_cycle_syntax, as its files are called.
-std::string snake_case(std::string_view id) {
-  std::string out;
-  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
-  for (std::size_t i = 0; i < id.size(); ++i) {
-    if (is_capital(id[i]) && i > 0 && !is_capital(id[i - 1])) out += '_';
-    out += is_capital(id[i]) ? static_cast<char>(id[i] - 'A' + 'a') : id[i];
-  }
-  return out;
-}
-
 Json options(const ig_option_decl* list, std::uint32_t count) {
   Json out = Json::array();
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -105,6 +81,34 @@ std::string_view type_name(ig_type type) {
   static constexpr std::string_view table[] = {"",     "number", "integer",   "boolean", "name",
                                                "text", "code",   "transform", "switch"};
   return type < std::size(table) ? table[type] : "";
+}
+
+bool ByNumber::operator()(const std::string& a, const std::string& b) const {
+  const auto key = [](const std::string& s) {
+    std::size_t letters = 0;
+    while (letters < s.size() && (s[letters] < '0' || s[letters] > '9')) ++letters;
+    double number = 0;
+    std::from_chars(s.data() + letters, s.data() + s.size(), number);
+    return std::tuple(s.substr(0, letters), number, s);
+  };
+  return key(a) < key(b);
+}
+
+Json describe(const LoadedPlugin& p) {
+  return {{"Name", p.plugin->name},
+          {"Version", text(p.plugin->version)},
+          {"Vendor", text(p.plugin->vendor)},
+          {"Contract", fmt::format("{}.{}", p.plugin->abi_major, p.plugin->abi_minor)},
+          {"BuiltWith", text(p.plugin->built_with)},
+          {"Syntaxes", p.plugin->syntax_count},
+          {"Dependencies", p.plugin->dependency_count},
+          {"Diagnostics", p.plugin->diagnostic_count},
+          {"File", p.file.string()}};
+}
+
+Json describe(const KnownCode& known) {
+  return {{"Code", known.info.code}, {"Severity", to_string(known.info.severity)}, {"Plugin", known.plugin},
+          {"Text", known.info.text}, {"Explanation", known.info.explanation},      {"Example", known.info.example}};
 }
 
 Json describe(const ig_syntax& s, const ig_plugin& plugin) {

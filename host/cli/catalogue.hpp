@@ -8,11 +8,14 @@
 #include "isogloss/engine/linker.hpp"
 #include "isogloss/engine/machine.hpp"
 #include "isogloss/engine/needs.hpp"
+#include "known_codes.hpp"
 
 namespace isogloss::cli {
 
 using Json = nlohmann::ordered_json;
 
+Json describe(const LoadedPlugin& loaded);
+Json describe(const KnownCode& known);
 Json describe(const ig_syntax& syntax, const ig_plugin& plugin);
 Json describe(const ig_dependency& dependency, const ig_plugin& plugin);
 Json describe(const ig_importer& importer, const ig_plugin& plugin);
@@ -31,6 +34,10 @@ Json describe_fields(const Library& library);
 /// Each code and word of a dialect with each syntax that acts on it, in the order of the chain: plugin and page of the
 /// syntax, the code's own words.
 Json describe_codes(const LinkedDialect& linked);
+/// The order of codes in a list: G2 before G10, G54.1 before G54.2.
+struct ByNumber {
+  bool operator()(const std::string& a, const std::string& b) const;
+};
 /// What a dialect makes of a syntax: its option values and the fields that its patterns stand for.
 Json describe_link(const LinkedSyntax& syntax, const Layout& layout);
 

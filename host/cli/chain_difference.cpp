@@ -160,7 +160,8 @@ Values reading(const Dialect& d) {
   out["extensions"] = {extensions, d.files_where};
   out["continuation"] = {d.segmenter.continuation, d.segmenter_where};
   out["comment after the continuation"] = {d.segmenter.comment, d.segmenter_where};
-  for (const auto& [code, severity] : d.severities) out["severity of " + code] = {std::string(to_string(severity)), {}};
+  for (const auto& [code, given] : d.severities)
+    out["severity of " + code] = {std::string(to_string(given.severity)), given.where};
   for (const Signature& s : d.signatures)
     out["signature " + s.pattern] = {fmt::format("weight {}", s.weight), d.files_where};
   for (const Signature& s : d.names) out["name " + s.pattern] = {fmt::format("weight {}", s.weight), d.files_where};

@@ -67,7 +67,7 @@ std::string chain_as_text(const Json& chain) {
   return out;
 }
 
-std::string chain_as_svg(const Json& chain) {
+std::string chain_as_svg(const Json& chain, const std::function<std::string(const std::string&)>& link) {
   std::map<std::string, Drawn> drawn;
   std::string boxes;
   int y = 50;
@@ -78,11 +78,13 @@ std::string chain_as_svg(const Json& chain) {
     for (const Json& s : stage["Syntaxes"]) {
       const std::string alias = s["As"];
       drawn[alias] = {alias, y};
+      const std::string target = link ? link(s["Syntax"].get<std::string>()) : std::string();
+      if (!target.empty()) boxes += fmt::format("<a href=\"{}\">", target);
       boxes += fmt::format(
           "<g><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"18\" rx=\"4\"/>"
-          "<text x=\"{}\" y=\"{}\">{}</text><title>{} {}</title></g>\n",
+          "<text x=\"{}\" y=\"{}\">{}</text><title>{} {}</title></g>{}\n",
           box_x, y + 2, box_width, box_x + 8, y + 16, escaped_xml(alias), escaped_xml(drawn_place(s)),
-          escaped_xml(listed(s["Takes"], SIZE_MAX)));
+          escaped_xml(listed(s["Takes"], SIZE_MAX)), target.empty() ? "" : "</a>");
       y += row_height;
     }
     y += row_height / 2;

@@ -1,6 +1,7 @@
 /// A linked chain seen as a whole: where each syntax comes from, who must stand before whom, who writes what for whom.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,8 @@ const AppliedEdit* placing_edit(const Dialect& dialect, const std::string& alias
 ///  "Writes": [{"Field", "For": [aliases]}]}]}]}
 Json describe_chain(const LinkedDialect& linked);
 std::string chain_as_text(const Json& chain);
-std::string chain_as_svg(const Json& chain);
+/// `link`: where the box of a syntax leads, by its id, escaped; empty: nowhere.
+std::string chain_as_svg(const Json& chain, const std::function<std::string(const std::string&)>& link = {});
 
 /// Where one syntax of the chain comes from, and what must stand before and after it. A place is {"File", "Line"}.
 /// {"Dialect", "As", "Syntax", "Plugin", "Stage", "Position", "Of", "Place", "PlacedBy": {"Edit", "Anchor", "Dialect"},

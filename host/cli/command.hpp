@@ -10,12 +10,20 @@ namespace isogloss::cli {
 /// Exit statuses; the highest of several counts.
 enum Exit : int { success = 0, input_errors = 1, cannot_start = 2, internal_fault = 3 };
 
+struct Usage;
+
 /// What follows the subcommand's name.
-using Arguments = std::vector<std::string>;
+struct Arguments : std::vector<std::string> {
+  using std::vector<std::string>::vector;
+  /// Where the command describes what it accepts, instead of doing anything; mostly null.
+  Usage* describe = nullptr;
+};
 
 int apply_command(const Arguments& arguments);
 int case_command(const Arguments& arguments);
+int complete_command(const Arguments& arguments);
 int dialect_command(const Arguments& arguments);
+int docs_command(const Arguments& arguments);
 int doctor_command(const Arguments& arguments);
 int export_command(const Arguments& arguments);
 int explain_command(const Arguments& arguments);
@@ -23,6 +31,7 @@ int import_command(const Arguments& arguments);
 int inspect_command(const Arguments& arguments);
 int lint_command(const Arguments& arguments);
 int list_command(const Arguments& arguments);
+int manual_command(const Arguments& arguments);
 int new_command(const Arguments& arguments);
 int run_command(const Arguments& arguments);
 int schema_command(const Arguments& arguments);
@@ -33,6 +42,7 @@ struct Command {
   std::string_view name;
   std::string_view summary;
   int (*run)(const Arguments&);
+  bool is_hidden = false;  ///< --help does not list it
 };
 
 inline constexpr Command commands[] = {
@@ -43,6 +53,7 @@ inline constexpr Command commands[] = {
     {"schema", "print the schema of dialect files or of the block document", schema_command},
     {"list", "list plugins, dialects, machines, importers, codes, diagnostics and more", list_command},
     {"inspect", "show the page and declaration of one of them", inspect_command},
+    {"docs", "write the reference of all plugins and dialects as linked pages", docs_command},
     {"new", "make the folder of a plugin, a dialect or a machine", new_command},
     {"import", "read files of controls as tables of a machine", import_command},
     {"export", "write tables of a machine as a file of its control", export_command},
@@ -50,6 +61,8 @@ inline constexpr Command commands[] = {
     {"apply", "run one syntax on one block", apply_command},
     {"case", "run the cases of documentation pages", case_command},
     {"validate", "test whether plugins keep the contract", validate_command},
+    {"manual", "print manual pages", manual_command, true},
+    {"complete", "print what a shell may complete", complete_command, true},
 };
 
 /// Everything after the program's name. Exceptions are internal faults.

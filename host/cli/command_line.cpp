@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <iostream>
+#include <map>
 
 #include "output_file.hpp"
+#include "usage.hpp"
 
 namespace isogloss::cli {
 
@@ -23,6 +25,9 @@ std::string without_zeros(const std::string& number) {
 
 struct CommandLine::Parser : CLI::App {
   using CLI::App::App;
+
+  std::string name, example;
+  std::map<const CLI::Option*, std::vector<std::string>> words;  // that one_of() allows
 };
 
 Option& Option::required() {
@@ -37,6 +42,7 @@ Option& Option::type_name(const std::string& name) {
 
 Option& Option::one_of(const std::vector<std::string>& words) {
   option_of(option_).check(CLI::IsMember(words));
+  *words_ = words;
   return *this;
 }
 
@@ -70,6 +76,8 @@ Option& Option::group(const std::string& heading) {
 
 CommandLine::CommandLine(const std::string& name, const std::string& description, const std::string& example)
     : parser_(std::make_unique<Parser>(description, "isogloss " + name)) {
+  parser_->name = name;
+  parser_->example = example;
   parser_->footer("\nExample:\n  " + example);
   parser_->set_help_flag("-h,--help", "What the command does");
 }
@@ -77,30 +85,60 @@ CommandLine::CommandLine(const std::string& name, const std::string& description
 CommandLine::~CommandLine() = default;
 
 Option CommandLine::option(const std::string& names, std::string& value, const std::string& description) {
-  return Option(parser_->add_option(names, value, description));
+  CLI::Option* const added = parser_->add_option(names, value, description);
+  return Option(added, parser_->words[added]);
 }
 
 Option CommandLine::option(const std::string& names, std::uint32_t& value, const std::string& description) {
-  return Option(parser_->add_option(names, value, description)->transform(without_zeros)).at_least(0);
+  CLI::Option* const added = parser_->add_option(names, value, description)->transform(without_zeros);
+  return Option(added, parser_->words[added]).at_least(0);
 }
 
 Option CommandLine::option(const std::string& names, std::uint64_t& value, const std::string& description) {
-  return Option(parser_->add_option(names, value, description)->transform(without_zeros)).at_least(0);
+  CLI::Option* const added = parser_->add_option(names, value, description)->transform(without_zeros);
+  return Option(added, parser_->words[added]).at_least(0);
 }
 
 Option CommandLine::option(const std::string& names, std::vector<std::string>& values, const std::string& description) {
   CLI::Option* const added = parser_->add_option(names, values, description);
   if (names.starts_with('-')) added->allow_extra_args(false);
-  return Option(added);
+  return Option(added, parser_->words[added]);
 }
 
 Option CommandLine::flag(const std::string& names, bool& value, const std::string& description) {
-  return Option(parser_->add_flag(names, value, description));
+  CLI::Option* const added = parser_->add_flag(names, value, description);
+  return Option(added, parser_->words[added]);
+}
+
+void CommandLine::describe(Usage& usage) const {
+  usage = {parser_->name, parser_->get_description(), parser_->example, {}, {}};
+  for (const CLI::Option* const option : parser_->get_options()) {
+    if (option->get_group().empty()) continue;
+    UsageItem item;
+    const bool is_operand = option->get_positional();
+    if (is_operand) item.names.push_back(option->get_name(true));
+    for (const std::string& name : option->get_snames()) item.names.push_back("-" + name);
+    for (const std::string& name : option->get_lnames()) item.names.push_back("--" + name);
+    if (const auto found = parser_->words.find(option); found != parser_->words.end()) item.words = found->second;
+    // The parser appends what checks the value: "DIR:DIR".
+    const std::string type = option->get_type_name();
+    if (option->get_items_expected_max() > 0) item.value = is_operand ? item.names[0] : type.substr(0, type.find(':'));
+    item.description = option->get_description();
+    item.group = option->get_group();
+    item.default_value = option->get_default_str();
+    item.is_required = option->get_required();
+    item.is_repeatable = option->get_items_expected_max() > 1;
+    (is_operand ? usage.operands : usage.options).push_back(std::move(item));
+  }
 }
 
 std::optional<int> CommandLine::parse(const Arguments& arguments) {
+  if (arguments.describe != nullptr) {
+    describe(*arguments.describe);
+    return success;
+  }
   try {
-    parser_->parse(Arguments(arguments.rbegin(), arguments.rend()));
+    parser_->parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     return std::nullopt;
   } catch (const CLI::CallForHelp&) {
     return print(parser_->help(), success);

@@ -30,8 +30,9 @@ class Option {
 
  private:
   friend class CommandLine;
-  explicit Option(void* option) : option_(option) {}
+  Option(void* option, std::vector<std::string>& words) : option_(option), words_(&words) {}
   void* option_;  // the parser's own, alive as long as the CommandLine
+  std::vector<std::string>* words_;
 };
 
 /// The command line of one command. The variables must outlive parse().
@@ -50,11 +51,12 @@ class CommandLine {
   Option option(const std::string& names, std::vector<std::string>& values, const std::string& description = {});
   Option flag(const std::string& names, bool& value, const std::string& description);
 
-  /// A status when the command is done already (help, wrong usage).
+  /// A status when the command is done already (help, wrong usage, described).
   std::optional<int> parse(const Arguments& arguments);
 
  private:
   struct Parser;
+  void describe(Usage& usage) const;
   std::unique_ptr<Parser> parser_;
 };
 

@@ -1,10 +1,7 @@
 // The page and the declaration of one syntax, dependency, dialect or field.
 #include <fmt/format.h>
 
-#include <cstring>
-
 #include "crash_guard.hpp"
-#include "isogloss/engine/printable.hpp"
 #include "json_text.hpp"
 #include "output_file.hpp"
 #include "page_section.hpp"
@@ -28,12 +25,6 @@ struct InspectCommand {
   std::optional<int> show_code(const LinkedDialect& linked, Session& session) const;
   std::vector<std::string> names(Session& session, const Json& fields) const;
 };
-
-/// A page is text of the plugin, which has not been checked yet.
-std::string read_page(const char* page) {
-  constexpr std::size_t longest = std::size_t{1} << 20;
-  return printable({page, strnlen(page, longest)}, "\n\t");
-}
 
 /// Of the pages alone: JSON is the text with its name and title.
 int InspectCommand::show_section(const std::vector<std::string>& pages, Session& session) const {
@@ -76,7 +67,7 @@ std::optional<int> InspectCommand::show_code(const LinkedDialect& linked, Sessio
   std::vector<std::string> pages;
   for (Json& row : rows) {
     const LinkedSyntax& s = linked.chain[*linked.position(row["Syntax"].get<std::string>())];
-    std::string page = s.syntax->page == nullptr ? "" : read_page(s.syntax->page);
+    std::string page = printable_page(s.syntax->page);
     text += fmt::format("{} in {}: {} ({}), {}:{}\n", row["Code"].get<std::string>(), linked.dialect.name,
                         s.element.alias, row["Page"].get<std::string>(), s.element.where.file, s.element.where.line);
     all += page;
@@ -91,13 +82,13 @@ std::optional<int> InspectCommand::show_code(const LinkedDialect& linked, Sessio
 }
 
 int InspectCommand::show(Json declaration, const char* page, Session& session) const {
-  if (!section.empty()) return show_section({page == nullptr ? "" : read_page(page)}, session);
+  if (!section.empty()) return show_section({printable_page(page)}, session);
   if (json) {
-    if (page != nullptr) declaration["Page"] = read_page(page);
+    if (page != nullptr) declaration["Page"] = printable_page(page);
     return print(pretty(declaration), session.status());
   }
   declaration.erase("HasPage");
-  std::string out = page == nullptr ? "" : read_page(page);
+  std::string out = printable_page(page);
   if (!out.empty() && !out.ends_with('\n')) out += '\n';
   if (!out.empty()) out += "\n---- declaration\n";
   return print(out + as_lines(declaration), session.status());

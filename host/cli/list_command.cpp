@@ -21,16 +21,7 @@ struct Listing {
 
 Listing plugins(Session& session) {
   Listing out{"plugins", {"Name", "Version", "Vendor", "File"}, Json::array()};
-  for (const LoadedPlugin& p : session.library().plugins())
-    out.rows.push_back({{"Name", p.plugin->name},
-                        {"Version", p.plugin->version == nullptr ? "" : p.plugin->version},
-                        {"Vendor", p.plugin->vendor == nullptr ? "" : p.plugin->vendor},
-                        {"Contract", fmt::format("{}.{}", p.plugin->abi_major, p.plugin->abi_minor)},
-                        {"BuiltWith", p.plugin->built_with == nullptr ? "" : p.plugin->built_with},
-                        {"Syntaxes", p.plugin->syntax_count},
-                        {"Dependencies", p.plugin->dependency_count},
-                        {"Diagnostics", p.plugin->diagnostic_count},
-                        {"File", p.file.string()}});
+  for (const LoadedPlugin& p : session.library().plugins()) out.rows.push_back(describe(p));
   return out;
 }
 
@@ -88,13 +79,7 @@ Listing fields(Session& session) {
 
 Listing diagnostics(Session& session) {
   Listing out{"diagnostics", {"Code", "Severity", "Text"}, Json::array()};
-  for (const KnownCode& known : known_codes(session.library()))
-    out.rows.push_back({{"Code", known.info.code},
-                        {"Severity", to_string(known.info.severity)},
-                        {"Plugin", known.plugin},
-                        {"Text", known.info.text},
-                        {"Explanation", known.info.explanation},
-                        {"Example", known.info.example}});
+  for (const KnownCode& known : known_codes(session.library())) out.rows.push_back(describe(known));
   return out;
 }
 

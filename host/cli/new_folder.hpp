@@ -30,6 +30,9 @@ using TemplateWords = std::map<std::string, std::string>;
 std::vector<std::string> write_templates(const std::filesystem::path& place, const std::vector<std::string>& layers,
                                          const TemplateWords& words, Session& session);
 
+/// The files of a layer, by name, as they are; empty, and reported, when one cannot be read.
+std::map<std::string, std::string> read_templates(const std::string& layer, Session& session);
+
 /// What plugin and dialect have in common: a name that is free, and the dialect that they stand on.
 class NewFolder {
  public:

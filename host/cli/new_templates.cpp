@@ -35,34 +35,52 @@ std::string filled(const std::string& text, const TemplateWords& words) {
   return out + text.substr(at);
 }
 
+/// The templates of the layer, by what they become; false, and reported, when the folder cannot be read.
+bool find_templates(const std::string& layer, const TemplateWords& words, std::map<fs::path, fs::path>& sources,
+                    Session& session) {
+  const fs::path folder = template_folder() / layer;
+  std::error_code error;
+  for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (it->path().extension() != ".in" || !it->is_regular_file()) continue;
+    const std::string name = it->path().lexically_relative(folder).replace_extension().string();
+    sources[filled(name, words)] = it->path();
+  }
+  if (error) session.report("IG-0510", {folder.string()}, {error.message()});
+  return !error;
+}
+
+std::optional<std::string> read_template(const fs::path& source, Session& session) {
+  std::string reason;
+  std::optional<std::string> text = read_text(source.string(), reason);
+  if (!text) session.report("IG-0510", {source.string()}, {reason});
+  return text;
+}
+
 }  // namespace
+
+std::map<std::string, std::string> read_templates(const std::string& layer, Session& session) {
+  std::map<fs::path, fs::path> sources;
+  std::map<std::string, std::string> out;
+  if (!find_templates(layer, {}, sources, session)) return {};
+  for (const auto& [name, source] : sources) {
+    std::optional<std::string> text = read_template(source, session);
+    if (!text) return {};
+    out[name.string()] = std::move(*text);
+  }
+  return out;
+}
 
 std::vector<std::string> write_templates(const fs::path& place, const std::vector<std::string>& layers,
                                          const TemplateWords& words, Session& session) {
-  const fs::path templates = template_folder();
-  std::map<fs::path, fs::path> sources;  // by what they become
-  for (const std::string& layer : layers) {
-    const fs::path folder = templates / layer;
-    std::error_code error;
-    for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-      if (it->path().extension() != ".in" || !it->is_regular_file()) continue;
-      const std::string name = it->path().lexically_relative(folder).replace_extension().string();
-      sources[filled(name, words)] = it->path();
-    }
-    if (!error) continue;
-    session.report("IG-0510", {folder.string()}, {error.message()});
-    return {};
-  }
+  std::map<fs::path, fs::path> sources;
+  for (const std::string& layer : layers)
+    if (!find_templates(layer, words, sources, session)) return {};
 
   std::vector<std::string> written;
   for (const auto& [name, source] : sources) {
     const fs::path target = place / name;
-    std::string reason;
-    const std::optional<std::string> text = read_text(source.string(), reason);
-    if (!text) {
-      session.report("IG-0510", {source.string()}, {reason});
-      return {};
-    }
+    const std::optional<std::string> text = read_template(source, session);
+    if (!text) return {};
     std::error_code error;
     fs::create_directories(target.parent_path(), error);
     if (!write_file(target.string(), filled(*text, words), session)) return {};

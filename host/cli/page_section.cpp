@@ -1,6 +1,9 @@
 #include "page_section.hpp"
 
 #include <algorithm>
+#include <cstring>
+
+#include "isogloss/engine/printable.hpp"
 
 namespace isogloss::cli {
 
@@ -34,6 +37,11 @@ std::string in_small_letters(std::string_view text) {
 }
 
 }  // namespace
+
+std::string printable_page(const char* page) {
+  constexpr std::size_t longest = std::size_t{1} << 20;
+  return page == nullptr ? std::string() : printable({page, strnlen(page, longest)}, "\n\t");
+}
 
 std::vector<std::string> headings(std::string_view page) {
   std::vector<std::string> out;

@@ -1,4 +1,4 @@
-/// One section of a documentation page, by its heading.
+/// A documentation page of a plugin, and one section of it by its heading.
 #pragma once
 
 #include <optional>
@@ -7,6 +7,9 @@
 #include <vector>
 
 namespace isogloss::cli {
+
+/// A page as a plugin holds it, which nobody has checked yet; "" for null.
+std::string printable_page(const char* page);
 
 /// The headings of a page, in order. Lines that look like one inside a fence are none.
 std::vector<std::string> headings(std::string_view page);

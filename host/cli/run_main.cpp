@@ -5,6 +5,7 @@
 #include "command.hpp"
 #include "isogloss/engine/diagnostic.hpp"
 #include "output_file.hpp"
+#include "usage.hpp"
 
 namespace isogloss::cli {
 
@@ -15,24 +16,22 @@ std::string usage() {
       "Isogloss: controller dialects of CNC part programs as data and plugins.\n\n"
       "Usage: isogloss COMMAND [options]\n\nCommands:\n";
   for (const Command& c : commands)
-    out += "  " + std::string(c.name) + std::string(10 - c.name.size(), ' ') + std::string(c.summary) + "\n";
+    if (!c.is_hidden)
+      out += "  " + std::string(c.name) + std::string(10 - c.name.size(), ' ') + std::string(c.summary) + "\n";
+  out += "\nOptions of all commands:\n";
+  for (const CommonOption& o : common_options) {
+    const std::string shown = std::string(o.name) + (o.value.empty() ? "" : " ") + std::string(o.value);
+    out += "  " + shown + std::string(16 - shown.size(), ' ') + std::string(o.summary) + "\n";
+  }
   return out +
-         "\nOptions of all commands:\n"
-         "  --help          what the command does, with an example\n"
-         "  --plugins DIR   look for plugins there first (repeatable; then ISOGLOSS_PLUGIN_PATH, then the "
-         "installation)\n"
-         "  --dialects DIR  look for dialects there first (repeatable; then ISOGLOSS_DIALECT_PATH, then the "
-         "installation)\n"
-         "  --machines DIR  look for machines there first (repeatable; then ISOGLOSS_MACHINES, the user's "
-         "configuration "
-         "and beside the dialects)\n"
-         "  --version       version of the host, of the contract and of the plugins\n\n"
-         "Exit status: 0 at most warnings, 1 errors in the input, 2 cannot start, 3 internal fault.\n\n"
+         "\nExit status: 0 at most warnings, 1 errors in the input, 2 cannot start, 3 internal fault.\n\n"
          "Example:\n  isogloss run part.nc --emit motions --format text\n";
 }
 
 bool takes_value(std::string_view option) {
-  return option == "--plugins" || option == "--dialects" || option == "--machines";
+  for (const CommonOption& o : common_options)
+    if (o.name == option) return !o.value.empty();
+  return false;
 }
 
 int dispatch(Arguments arguments) {

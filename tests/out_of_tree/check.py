@@ -47,7 +47,7 @@ class Checks:
 
     def install(self):
         shutil.rmtree(self.prefix, ignore_errors=True)
-        self.run("cmake", "--install", self.build, "--prefix", self.prefix)
+        self.run("cmake", "--install", self.build, "--strip", "--prefix", self.prefix)  # as ./dev install does
         program = self.folder / "line.nc"
         program.write_text("G90 G54 G0 X1.\nM30\n")
         motions = self.run(self.command, "run", program, "-d", "fanuc", "--emit", "motions", "--format", "csv").stdout
@@ -78,6 +78,12 @@ class Checks:
         page = self.run(self.command, "inspect", "AcmeVacuumSyntax", "--plugins", plugins).stdout
         expect("M171 switches the vacuum table on" in page, "its page is in the plugin", page)
         self.run(self.command, "case", HERE / "vendor" / "acme_vacuum_syntax.md", "--plugins", plugins)
+        shutil.rmtree(self.folder / "reference", ignore_errors=True)
+        done = self.run(self.command, "docs", "-o", self.folder / "reference", "--plugins", plugins, "--dialects",
+                        HERE / "vendor")
+        expect("M171 switches the vacuum table on" in
+               (self.folder / "reference" / "pages" / "acme_vacuum_syntax.html").read_text() and not done.stderr,
+               "it stands in the reference that the installed command writes", done)
         program = self.folder / "vacuum.acme"
         program.write_text("M171\nG0 X1.\nM172\nM30\n")
         blocks = self.run(self.command, "run", program, "-d", "acme", "--plugins", plugins, "--dialects",
@@ -180,6 +186,37 @@ class Checks:
         page.write_text(page.read_text().replace('"Time": 0.5', '"Time": 0.7'))
         self.run("ctest", "--test-dir", place / "build", "-R", "page", status=8)
 
+    def pkg_config(self):
+        """Without CMake: isogloss.pc, also where the installation was moved to."""
+        if shutil.which("pkg-config") is None:
+            print("skipped: pkg-config is not installed")
+            return
+        moved = self.folder / "moved"
+        shutil.rmtree(moved, ignore_errors=True)
+        shutil.copytree(self.prefix, moved)
+        os.environ["PKG_CONFIG_PATH"] = str(moved / "lib" / "pkgconfig")
+
+        def ask(*what):
+            return self.run("pkg-config", *what, "isogloss").stdout.split()
+
+        version = self.run(self.command, "--version").stdout.split()[1]
+        expect(ask("--modversion") == [version], "isogloss.pc has the version of the command", ask("--modversion"))
+        expect(Path(ask("--variable=plugindir")[0]).resolve() == moved / "lib/isogloss/plugins", "and knows the plugins", "")
+        program = self.folder / "embed_without_cmake"
+        self.run(self.compiler, "-std=c++20", HERE / "embed" / "main.cpp", *ask("--cflags"), *ask("--libs"), "-o", program)
+        motions = self.run(program, moved, "fanuc").stdout
+        expect(motions == EMBED_MOTIONS, "a program that embeds the host is built", motions)
+
+        shutil.rmtree(self.folder / "acme-pc", ignore_errors=True)
+        self.run(self.command, "new", "plugin", "acme-pc", "--word", "E", "--language", "c", "--in", self.folder)
+        place, tools = self.folder / "acme-pc", moved / "lib" / "cmake" / "isogloss"
+        pages = ";".join(str(path) for path in sorted(place.glob("*_syntax.md")))
+        self.run("cmake", "-D", f"OUTPUT={place / 'pages.c'}", "-D", f"PAGES={pages}", "-P", tools / "EmbedPagesInC.cmake")
+        self.run("cc", "-std=c11", "-fPIC", "-shared", *ask("--cflags"), f"-Wl,--version-script={tools / 'plugin.map'}",
+                 *sorted(place.glob("*.c")), "-o", place / "acme-pc.so")
+        listed = self.run(moved / "bin" / "isogloss", "list", "syntaxes", "--plugins", place).stdout
+        expect("acme-pc" in listed, "and a plugin in C", listed)
+
     def without_entry(self):
         _, done = self.build_project("without_entry", status=1)
         said = " ".join(done.stdout.split())  # lines break where the path ends
@@ -194,7 +231,7 @@ def expect(holds, what, seen):
 
 def main():
     arguments = argparse.ArgumentParser()
-    arguments.add_argument("check", choices=["install", "embed", "vendor", "new", "without_entry"])
+    arguments.add_argument("check", choices=["install", "embed", "vendor", "new", "pkg_config", "without_entry"])
     arguments.add_argument("--build", type=Path, required=True)
     arguments.add_argument("--folder", type=Path, required=True)
     arguments.add_argument("--compiler", default="c++")

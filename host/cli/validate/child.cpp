@@ -70,7 +70,7 @@ void limit(const ValidateOptions& options) {
   end_process(success);
 }
 
-bool has_ended(pid_t child) {
+bool child_has_ended(pid_t child) {
   siginfo_t info{};
   return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
 }
@@ -92,7 +92,7 @@ bool listen(pid_t child, const int (&pipes)[2], std::string (&texts)[2], double 
     const double left = seconds - seconds_since(begin);
     if (left <= 0) return false;
     pollfd polled[2] = {{is_open[0] ? pipes[0] : -1, POLLIN, 0}, {is_open[1] ? pipes[1] : -1, POLLIN, 0}};
-    if (!is_last && has_ended(child)) {
+    if (!is_last && child_has_ended(child)) {
       is_last = true;
       kill(-child, SIGKILL);
     }

@@ -33,4 +33,43 @@ std::optional<std::string> elf_fault(const std::filesystem::path& file) {
   return std::nullopt;
 }
 
+namespace {
+
+template <class Record>
+std::vector<Record> records(std::istream& in, std::uint64_t offset, std::uint64_t bytes) {
+  std::vector<Record> out(bytes / sizeof(Record));
+  in.seekg(static_cast<std::streamoff>(offset));
+  const auto wanted = static_cast<std::streamsize>(out.size() * sizeof(Record));
+  if (!in.read(reinterpret_cast<char*>(out.data()), wanted)) out.clear();
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> elf_exports(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const auto headers = records<Elf64_Ehdr>(in, 0, sizeof(Elf64_Ehdr));
+  if (headers.empty() || headers[0].e_ident[EI_CLASS] != ELFCLASS64) return {};
+  const auto sections =
+      records<Elf64_Shdr>(in, headers[0].e_shoff, std::uint64_t{headers[0].e_shnum} * sizeof(Elf64_Shdr));
+  std::vector<std::string> out;
+  for (const Elf64_Shdr& section : sections) {
+    if (section.sh_type != SHT_DYNSYM || section.sh_link >= sections.size()) continue;
+    const Elf64_Shdr& table = sections[section.sh_link];
+    if (table.sh_type != SHT_STRTAB) continue;  // the size of another may be a mere claim
+    std::vector<char> names = records<char>(in, table.sh_offset, table.sh_size);
+    names.push_back('\0');
+    for (const Elf64_Sym& symbol : records<Elf64_Sym>(in, section.sh_offset, section.sh_size)) {
+      const unsigned visibility = ELF64_ST_VISIBILITY(symbol.st_other);
+      const bool is_hidden = visibility == STV_HIDDEN || visibility == STV_INTERNAL;
+      // Marks of the linker, such as _end, have no size.
+      const bool is_mark = symbol.st_shndx == SHN_UNDEF || symbol.st_size == 0;
+      if (is_hidden || is_mark || ELF64_ST_BIND(symbol.st_info) == STB_LOCAL || symbol.st_name >= names.size())
+        continue;
+      out.emplace_back(names.data() + symbol.st_name);
+    }
+  }
+  return out;
+}
+
 }  // namespace isogloss

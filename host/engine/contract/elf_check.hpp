@@ -5,11 +5,16 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace isogloss {
 
 /// What is wrong with a 64-bit ELF file's section table; empty when nothing is, or when the file is no such file (the
 /// loader says the rest).
 std::optional<std::string> elf_fault(const std::filesystem::path& file);
+
+/// The symbols that a library without elf_fault() exports: those that the loader sees, which stripping leaves in the
+/// file. (The parser's own list is of the symbols that stripping removes.)
+std::vector<std::string> elf_exports(const std::filesystem::path& file);
 
 }  // namespace isogloss

@@ -124,8 +124,8 @@ bool Library::Parts::load(const fs::path& file) {
   std::vector<std::string> exports;
   if (const std::optional<std::string> fault = elf_fault(file)) return refuse(file, "IG-0301", {file.string(), *fault});
   try {
-    boost::dll::library_info info(file);
-    const std::vector<std::string> symbols = info.symbols();
+    const boost::dll::library_info format(file);  // throws when the file is no library
+    const std::vector<std::string> symbols = elf_exports(file);
     if (std::find(symbols.begin(), symbols.end(), entry_symbol) == symbols.end())
       return refuse(file, "IG-0302", {file.string()});
     const std::set<std::string> unique(symbols.begin(), symbols.end());

@@ -181,9 +181,9 @@ class FileReader : XmlElements {
     }
     append(file_.chain_edits, part.chain_edits);
     append(file_.dependency_edits, part.dependency_edits);
-    for (const auto& [code, severity] : part.own.severities)
-      if (!file_.own.severities.emplace(code, severity).second)
-        report_("IG-0113", xml->at(xml->root()), {code, "another file of the machine gives its severity"});
+    for (const auto& [code, given] : part.own.severities)
+      if (!file_.own.severities.emplace(code, given).second)
+        report_("IG-0113", given.where, {code, "another file of the machine gives its severity"});
   }
 
   void read_files(pugi::xml_node node) {
@@ -265,7 +265,7 @@ class FileReader : XmlElements {
       for (const Severity severity : {Severity::note, Severity::warning, Severity::error}) {
         if (is != to_string(severity)) continue;
         known = true;
-        file_.own.severities[code] = severity;
+        file_.own.severities[code] = {severity, xml_.at(child)};
       }
       if (!known) bad_value(child, "is", "note, warning or error");
     }

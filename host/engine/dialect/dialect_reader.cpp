@@ -233,7 +233,7 @@ class Reading {
         *old = std::move(field);
       }
     }
-    for (const auto& [code, severity] : own.severities) base.severities[code] = severity;
+    for (const auto& [code, given] : own.severities) base.severities[code] = given;
     base.program_places.insert(base.program_places.begin(), own.program_places.begin(), own.program_places.end());
     if (file.has_search_order) base.search_order = own.search_order;
     base.is_machine = own.is_machine;

@@ -99,7 +99,7 @@ std::vector<std::string> image(const Dialect& d) {
   add({d.name, d.title, d.segmenter.type, d.segmenter.continuation, d.segmenter.comment});
   for (const PluginReference& p : d.plugins) all.push_back(p.name);
   for (const InitialField& f : d.initial) all.push_back(f.path + "=" + f.value);
-  for (const auto& [code, severity] : d.severities) all.push_back(code + " " + std::string(to_string(severity)));
+  for (const auto& [code, given] : d.severities) all.push_back(code + " " + std::string(to_string(given.severity)));
   return all;
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("a root dialect is read whole") {
   CHECK(d.plugins.at(0).name == "one");
   CHECK(dependencies_of(d) == Strings{"Offsets [Row id=a X=1]", "Tools kind=mill"});
   CHECK(d.initial.at(1).value == "XY");
-  CHECK(d.severities.at("ONE-1") == Severity::note);
+  CHECK(d.severities.at("ONE-1").severity == Severity::note);
   CHECK(chain_of(d) == Strings{"Parsing Words", "Logic First a=1 b=2", "Logic Second", "Logic Second as again override",
                                "Inspection Check"});
   // Elements stand at their '<', attributes at their name.
@@ -176,7 +176,7 @@ TEST_CASE("a derived dialect adds, replaces and edits") {
   REQUIRE(d.initial.size() == 3);
   CHECK(d.initial[0].value == "inch");
   CHECK(d.initial[0].where.file == (folder.path() / "derived.xml").string());
-  CHECK(d.severities.at("ONE-1") == Severity::error);
+  CHECK(d.severities.at("ONE-1").severity == Severity::error);
   CHECK(chain_of(d) == Strings{"Parsing Words", "Logic FirstA", "Logic FirstB", "Logic Before x=1", "Logic After",
                                "Logic AfterThat", "Logic Second as again override p=2 q=3", "Inspection Check",
                                "Inspection Second"});

@@ -173,10 +173,11 @@ class DialectWriter {
   void add_severities(pugi::xml_node root) const {
     if (dialect_.severities.empty()) return;
     pugi::xml_node severities = root.append_child("Severities");
-    for (const auto& [code, severity] : dialect_.severities) {
+    for (const auto& [code, given] : dialect_.severities) {
+      annotate(severities, given.where);
       pugi::xml_node node = severities.append_child("Severity");
       set_attribute(node, "code", code);
-      set_attribute(node, "is", std::string(to_string(severity)));
+      set_attribute(node, "is", std::string(to_string(given.severity)));
     }
   }
 

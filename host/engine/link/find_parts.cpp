@@ -44,6 +44,18 @@ void find_dependency(Linking& linking, const DependencyElement& element) {
   linking.out.dependencies.push_back(std::move(d));
 }
 
+void find_severities(Linking& linking) {
+  if (linking.out.dialect.severities.empty()) return;
+  std::vector<std::string> codes;
+  for (const DiagnosticInfo& info : host_diagnostics()) codes.emplace_back(info.code);
+  for (const LoadedPlugin& p : linking.library.plugins())
+    if (is_named(linking.out.dialect, *p.plugin))
+      for (std::uint32_t i = 0; i < p.plugin->diagnostic_count; ++i) codes.emplace_back(p.plugin->diagnostics[i].code);
+  for (const auto& [code, given] : linking.out.dialect.severities)
+    if (std::find(codes.begin(), codes.end(), code) == codes.end())
+      linking.report("IG-0235", given.where, {code}, did_you_mean(nearest_name(code, codes)));
+}
+
 }  // namespace
 
 void find_parts(Linking& linking) {
@@ -54,6 +66,7 @@ void find_parts(Linking& linking) {
                    {std::to_string(linking.out.dialect.chain.size()), std::to_string(maximum_chain)});
   for (const ChainElement& element : linking.out.dialect.chain) find_syntax(linking, element);
   for (const DependencyElement& element : linking.out.dialect.dependencies) find_dependency(linking, element);
+  find_severities(linking);
   const auto count_before = [&](Stage stage) {
     return static_cast<std::uint32_t>(std::count_if(linking.out.chain.begin(), linking.out.chain.end(),
                                                     [&](const LinkedSyntax& s) { return s.element.stage < stage; }));

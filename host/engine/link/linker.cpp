@@ -34,7 +34,7 @@ void Linking::report(std::string_view code, const Location& where, std::initiali
 
 void Linking::add(Diagnostic d) {
   const auto severity = out.dialect.severities.find(d.code);
-  if (severity != out.dialect.severities.end() && d.severity != Severity::error) d.severity = severity->second;
+  if (severity != out.dialect.severities.end() && d.severity != Severity::error) d.severity = severity->second.severity;
   has_failed = has_failed || d.severity == Severity::error;
   sink.add(std::move(d));
 }

@@ -128,13 +128,29 @@ TEST_CASE("severities of the dialect hold while it is linked; an error stays one
   DiagnosticList found;
   Hand hand{"p"};
   hand.add("Writer");
-  hand.dialect.severities["IG-0212"] = Severity::warning;
+  hand.dialect.severities["IG-0212"] = {Severity::warning, {}};
   faults(hand, {&plugin}, &found);
   CHECK(found.all.at(0).severity == Severity::warning);
   hand.add("Needy");
-  hand.dialect.severities["IG-0211"] = Severity::note;
+  hand.dialect.severities["IG-0211"] = {Severity::note, {}};
   faults(hand, {&plugin}, &found);
   CHECK(found.all.at(0).severity == Severity::error);
+}
+
+TEST_CASE("a severity for a code that no plugin of the dialect reports is named") {
+  Plugin plugin("p");
+  plugin.syntax("S");
+  plugin.diagnostics = {{sizeof(ig_diagnostic_decl), IG_NOTE, "ONE-1", "text", "", ""}};
+  Plugin other("q");
+  other.diagnostics = {{sizeof(ig_diagnostic_decl), IG_NOTE, "TWO-1", "text", "", ""}};
+  Hand hand{"p"};
+  hand.add("S");
+  hand.dialect.severities["ONE-1"] = {Severity::warning, {"hand.xml", 3, 1}};
+  hand.dialect.severities["IG-0212"] = {Severity::warning, {"hand.xml", 4, 1}};
+  CHECK(faults(hand, {&plugin, &other}).empty());
+  hand.dialect.severities["ONE-2"] = {Severity::warning, {"hand.xml", 5, 1}};
+  hand.dialect.severities["TWO-1"] = {Severity::warning, {"hand.xml", 6, 1}};
+  CHECK(faults(hand, {&plugin, &other}) == Strings{"IG-0235 5", "IG-0235 6"});
 }
 
 TEST_CASE("the first of two providers of a plugin's name is kept") {

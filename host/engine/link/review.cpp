@@ -194,7 +194,7 @@ std::vector<Diagnostic> review(const LinkedDialect& linked) {
   review_edits(dialect, out);
   for (Diagnostic& d : out)
     if (const auto severity = dialect.severities.find(d.code); severity != dialect.severities.end())
-      d.severity = severity->second;
+      d.severity = severity->second.severity;
   return out;
 }
 

@@ -205,6 +205,15 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {error, "IG-0174", "the page of {0} has no section '{1}'",
        "`isogloss inspect NAME --section TITLE` prints one section of a page, by its heading.",
        "isogloss inspect DwellSyntax --section Diagnostic"},
+      {error, "IG-0175", "the folder is not empty, and `isogloss docs` did not make it: name another folder",
+       "`isogloss docs` replaces its own pages and writes into no folder that holds something else. A folder that it "
+       "made holds the list .isogloss-docs.",
+       "isogloss docs -o ."},
+      {warning, "IG-0176", "the page of {0} links to '{1}', which the reference does not hold: it is shown as text",
+       "A page links to pages of other syntaxes, tables and importers by the names of their files, and to addresses "
+       "that "
+       "begin with https:// or http://. Of an image, only the text is shown.",
+       "[the manual](../manual.md) on the page of a syntax"},
       {error, "IG-0180", "dialect {0} has no field or section '{1}' to follow",
        "`isogloss explain PROGRAM --field` follows values of the block document that outlive the words: Feedrate, "
        "ProgramXyz.X. `isogloss list fields` names them.",
@@ -292,6 +301,9 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "A syntax that declares a field as `previous` makes the host keep a copy of it. Leave out syntaxes that the "
        "machine does not need.",
        "a generated dialect"},
+      {warning, "IG-0235", "no diagnostic has the code '{0}', so its severity changes nothing",
+       "The codes are those of the host and of the plugins that the dialect names: `isogloss list diagnostics`.",
+       R"(<Severity code="ISO-O285" is="error"/>)"},
       {warning, "IG-0242", "{0} wakes while {1} has a value, and no block begins with one: declare its life as modal",
        "A block begins with the modal fields of the block before it and with its words. A field of another life has no "
        "value then, so the syntax is never called for it.",

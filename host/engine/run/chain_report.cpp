@@ -12,7 +12,8 @@ void Chain::report(const Document& d, Severity severity, std::string_view code, 
   ++reports_;
   const auto& severities = linked_.dialect.severities;
   if (!severities.empty())
-    if (const auto found = severities.find(std::string(code)); found != severities.end()) severity = found->second;
+    if (const auto found = severities.find(std::string(code)); found != severities.end())
+      severity = found->second.severity;
   Diagnostic out{severity, std::string(code), std::move(message), {}, 0, std::move(hint)};
   out.where = {std::string(d.source.file), d.source.line, d.source.column + begin + 1};
   if (end > begin) out.end_column = d.source.column + end + 1;

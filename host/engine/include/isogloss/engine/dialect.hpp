@@ -110,6 +110,12 @@ struct SearchFolder {
   std::vector<std::string> names;  ///< spellings of a folder's name; empty: the folders that the program has added
 };
 
+/// The severity that a dialect gives to a diagnostic.
+struct GivenSeverity {
+  Severity severity = Severity::warning;
+  Location where;
+};
+
 /// A dialect with everything that it extends applied.
 struct Dialect {
   std::string name;
@@ -127,8 +133,8 @@ struct Dialect {
   std::vector<PluginReference> plugins;
   std::vector<DependencyElement> dependencies;  ///< nearest provider first
   std::vector<InitialField> initial;
-  std::vector<ChainElement> chain;             ///< by stage, in written order
-  std::map<std::string, Severity> severities;  ///< by diagnostic code
+  std::vector<ChainElement> chain;                  ///< by stage, in written order
+  std::map<std::string, GivenSeverity> severities;  ///< by diagnostic code
   /// How it came to be: for those who ask where something comes from, and for `lint`.
   std::vector<AppliedEdit> edits;
   std::vector<Repetition> repetitions;
