@@ -1112,7 +1112,7 @@ class Subprograms(Command):
 
 class Explain(Command):
     def test_a_line(self):
-        out = self.run_it("explain", f"{self.program}:7", "-d", "iso").stdout
+        out = self.run_it("explain", f"{self.program}:7", "-d", "iso", "--all").stdout
         self.assertIn("part.nc:7: G02 X0. Y-10. R10. (QUARTER)", out)
         self.assertIn("CircularMotionSyntax (iso)", out)
         self.assertIn("+ MotionEvent.IsCcw = false", out)

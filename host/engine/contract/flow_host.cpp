@@ -61,9 +61,15 @@ void note_row(ig_block* block, ig_text service, ig_text row) {
     chain.note_row(*who, {row.data, row.size}, true);
 }
 
+void note_variable(ig_block* block, std::uint32_t access, ig_text name, std::uint64_t scope, const ig_argument* value) {
+  const Document& document = *reinterpret_cast<const Document*>(block);
+  if (const auto& listener = document.chain->variable_used)
+    listener(document, (access & IG_WRITE) != 0, {name.data, name.size}, scope, value);
+}
+
 }  // namespace
 
-ig_provenance_1 provenance_service() { return {sizeof(ig_provenance_1), 0, note_row}; }
+ig_provenance_1 provenance_service() { return {sizeof(ig_provenance_1), 0, note_row, note_variable}; }
 
 ig_flow_1 flow_service() {
   return {.struct_size = sizeof(ig_flow_1),

@@ -75,10 +75,27 @@ bool sound(const Document& d, ig_field f, ig_value v) {
   return true;
 }
 
+enum class Change { none, value };
+
 template <Mode M>
-void note_line(Document& d, ig_field f) {
+void note_line(Document& d, ig_field f, Change change) {
+  if constexpr (M == Mode::traced) {
+    if (f >= d.origins.size()) return;
+    Document::Origin& origin = d.origins[f];
+    origin.line = d.source.line;
+    origin.file = d.file_number;
+    if (change == Change::none) return;
+    origin.since = origin.line;
+    origin.since_file = origin.file;
+  }
+}
+
+/// What the write of `v` will be; only the traced mode asks.
+template <Mode M>
+Change change_to(const Document& d, ig_field f, ig_value v) {
   if constexpr (M == Mode::traced)
-    if (f < d.set_line.size()) d.set_line[f] = d.source.line;
+    return d.present(f) && d.value(f).integer == v.integer ? Change::none : Change::value;
+  return Change::value;
 }
 
 }  // namespace isogloss::calls

@@ -53,8 +53,8 @@ TEST_CASE("three fields side by side are the same as three") {
     CAPTURE(static_cast<int>(mode), x);
     const ig_field three[3] = {x, x + 1, x + 2};
     Document once = numbers.filled(), one_by_one = numbers.filled();
-    once.set_line.resize(once.size());
-    one_by_one.set_line.resize(once.size());
+    once.origins.resize(once.size());
+    one_by_one.origins.resize(once.size());
 
     double point[3] = {-1, -1, -1};
     ig_value values[3] = {};
@@ -72,7 +72,7 @@ TEST_CASE("three fields side by side are the same as three") {
     host.set_point(block(once), x, next);
     host.set_many(block(one_by_one), three, 3, next_values);
     CHECK(same(once, one_by_one));
-    CHECK(once.set_line == one_by_one.set_line);
+    CHECK(once.origins == one_by_one.origins);
   }
 }
 

@@ -44,9 +44,10 @@ template <Mode M>
 void set(ig_block* block, ig_field f, ig_value v) {
   Document& d = doc(block);
   if (!may<M>(d, f, Use::write) || !sound<M>(d, f, v)) return;
+  const Change change = change_to<M>(d, f, v);
   d.set(f, v);
   d.count_code(f);
-  note_line<M>(d, f);
+  note_line<M>(d, f, change);
 }
 
 template <Mode M>
@@ -63,9 +64,10 @@ void amend_many(ig_block* block, const ig_field* fields, std::uint32_t count, co
   Document& d = doc(block);
   for (std::uint32_t i = 0; i < count; ++i) {
     if (!may<M>(d, fields[i], Use::write) || !sound<M>(d, fields[i], v[i])) continue;
+    const Change change = change_to<M>(d, fields[i], v[i]);
     d.write(fields[i], v[i]);
     d.count_code(fields[i]);
-    note_line<M>(d, fields[i]);
+    note_line<M>(d, fields[i], change);
   }
 }
 
@@ -207,7 +209,7 @@ void set_text(ig_block* block, ig_field f, ig_text t) {
   Document& d = doc(block);
   if (!may<M>(d, f, Use::write) || d.layout().fields[f].type != IG_TEXT) return;
   d.set_text(f, {t.data, t.size});
-  note_line<M>(d, f);
+  note_line<M>(d, f, Change::value);
 }
 
 inline ig_text source(const ig_block* block) { return {doc(block).source.text.data(), doc(block).source.text.size()}; }
@@ -219,7 +221,7 @@ void set_words(ig_block* block, const ig_word* words, std::uint32_t count) {
     if constexpr (M != Mode::fast)
       if (!may<M>(d, words[i].field, Use::write)) continue;
     d.set_word(words[i]);
-    note_line<M>(d, words[i].field);
+    note_line<M>(d, words[i].field, Change::value);
   }
 }
 
@@ -228,7 +230,7 @@ void rewrite(ig_block* block, ig_field f, ig_value v) {
   Document& d = doc(block);
   if (!may<M>(d, f, Use::write) || !sound<M>(d, f, v)) return;
   d.rewrite(f, v);
-  note_line<M>(d, f);
+  note_line<M>(d, f, Change::value);
 }
 
 template <Mode M>
@@ -236,7 +238,7 @@ void move(ig_block* block, ig_field from, ig_field to) {
   Document& d = doc(block);
   if (!may<M>(d, from, Use::take) || !may<M>(d, to, Use::write)) return;
   d.move(from, to);
-  note_line<M>(d, to);
+  note_line<M>(d, to, Change::value);
 }
 
 template <Mode M>
@@ -261,16 +263,18 @@ template <Mode M>
 void set_transform(ig_block* block, ig_field f, const double matrix[16]) {
   Document& d = doc(block);
   if (!is_transform<M>(d, f, Use::write)) return;
+  const Change change = M == Mode::traced && d.present(f) && d.frame(f).is_same(matrix) ? Change::none : Change::value;
   d.set_frame(f, Frame::from(matrix));
-  note_line<M>(d, f);
+  note_line<M>(d, f, change);
 }
 
 template <Mode M>
 void set_moving_transform(ig_block* block, ig_field f, const double matrix[16]) {
   Document& d = doc(block);
   if (!is_transform<M>(d, f, Use::write)) return;
+  const Change change = M == Mode::traced && d.present(f) && d.frame(f).is_same(matrix) ? Change::none : Change::value;
   d.move_frame(f, matrix);
-  note_line<M>(d, f);
+  note_line<M>(d, f, change);
 }
 
 template <Mode M>

@@ -214,6 +214,18 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "that "
        "begin with https:// or http://. Of an image, only the text is shown.",
        "[the manual](../manual.md) on the page of a syntax"},
+      {error, "IG-0180", "dialect {0} has no field or section '{1}' to follow",
+       "`isogloss explain PROGRAM --field` follows values of the block document that outlive the words: Feedrate, "
+       "ProgramXyz.X. `isogloss list fields` names them.",
+       "isogloss explain part.nc --field Feedrte"},
+      {error, "IG-0181", "the range of lines begins at {0} and ends before it, at {1}",
+       "A range names its first line and its last one: part.nc:10-20.", "isogloss explain part.nc:20-10"},
+      {warning, "IG-0182", "the range has more blocks: only the first {0} are explained",
+       "Each explained block costs time and a page of text. Name a shorter range, or follow one value with --field.",
+       "isogloss explain part.nc:1-1000000 --brief"},
+      {note, "IG-0183", "no block gives {0} a value in these lines",
+       "The dialect has the field, and the program was run, but no block of the lines has changed it.",
+       "isogloss explain part.nc --field Scaling"},
       {error, "IG-0185", "diff needs two sides: -a and -b, --set-b, --machine-b, --against, or two programs",
        "`isogloss diff` compares two dialects, two machines or two settings with the same programs, or two programs. "
        "Here both sides would be the same.",

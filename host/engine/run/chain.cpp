@@ -30,7 +30,7 @@ Chain::Chain(const LinkedDialect& linked, ChainSettings settings, DiagnosticSink
       provenance_(provenance_service()),
       is_plain_(settings_.mode == Mode::fast && !settings_.call_all) {
   document_.chain = this;
-  if (settings_.mode == Mode::traced) document_.set_line.resize(document_.size());
+  if (settings_.mode == Mode::traced) document_.origins.resize(document_.size());
   try {
     create_dependencies();
     if (settings_.hears_rows) listen_to_rows();
@@ -99,6 +99,7 @@ void Chain::begin_block(const BlockSource& source) {
   running = &document_;
   if (source.is_joined && joined_ != nullptr) joined_->forget();
   document_.begin(source);
+  if (settings_.mode == Mode::traced) document_.file_number = file_number(source.file);
   document_.changes |= passing_;
   if (document_.changes != 0) look_at_state();
   for (std::size_t k = 0; k < std::size(awake_by_state_); ++k) document_.active[k] = awake_by_state_[k];
@@ -107,6 +108,15 @@ void Chain::begin_block(const BlockSource& source) {
   split_at = 0;
   failure_said_by = 0;
   answered_rows.clear();
+}
+
+/// The run keeps the names of its files: the same name has the same place.
+std::uint16_t Chain::file_number(std::string_view file) {
+  for (std::size_t i = 0; i < files_.size(); ++i)
+    if (files_[i].data() == file.data() || files_[i] == file) return static_cast<std::uint16_t>(i);
+  if (files_.size() > UINT16_MAX) return 0;
+  files_.emplace_back(file);
+  return static_cast<std::uint16_t>(files_.size() - 1);
 }
 
 /// Re-evaluates only the watches whose fields changed, or whose value ended with the previous block; caches the union

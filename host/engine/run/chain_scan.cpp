@@ -35,6 +35,7 @@ bool is_blank(unsigned char c) { return c == ' ' || c == '\t'; }
 }
 
 /// Scans from the position on. The position is the caller's variable, because a scanner may throw.
+template <bool is_heard>
 [[gnu::always_inline]] inline void Chain::scan_from(std::size_t& position) {
   Document& d = document_;
   const char* const text = d.source.text.data();
@@ -65,6 +66,8 @@ bool is_blank(unsigned char c) { return c == ' ' || c == '\t'; }
     if (next <= position) {
       next = position + 1;
       leave_byte(d, position);
+    } else if constexpr (is_heard) {
+      scanned(d.current - 1u, position, next);
     }
     position = next;
     if (split_at != 0 || skip_rest || ends_file) break;
@@ -76,7 +79,10 @@ std::size_t Chain::scan() {
   std::size_t position = 0;
   is_scanning_ = true;
   for (bool is_done = false; !is_done;) try {
-      scan_from(position);
+      if (scanned) [[unlikely]]
+        scan_from<true>(position);
+      else
+        scan_from<false>(position);
       is_done = true;
     } catch (...) {
       tell_exception(document_, "scan");

@@ -1,8 +1,10 @@
-/// Tells the host which row of a table has answered, so that `isogloss explain` shows its line in the XML.
+/// Tells the host which row of a table has answered, and which variables a block reads and writes, so that `isogloss
+/// explain` shows the line in the XML, or in the program, behind a value.
 #pragma once
 
 #include <isogloss_provenance.h>
 
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -24,6 +26,39 @@ class AnsweredRows {
  private:
   std::string_view service_;
   Service<ig_provenance_1> host_{IG_PROVENANCE_SERVICE, Need::optional, "Which rows have answered; the host has it."};
+};
+
+/// A member of each syntax that reads or writes variables of the program. Does nothing where nobody listens.
+class UsedVariables {
+ public:
+  bool is_heard() const {
+    return host_ && host_->is_listening != 0 && host_->struct_size >= sizeof(ig_provenance_1) &&
+           host_->variable != nullptr;
+  }
+  /// `name` as a program writes it; `scope` is 0, or tells local variables of several calls apart. NaN: no value.
+  void read(Block& b, std::string_view name, double value, std::uint64_t scope = 0) const {
+    tell(b, IG_READ, name, scope, value);
+  }
+  void wrote(Block& b, std::string_view name, double value, std::uint64_t scope = 0) const {
+    tell(b, IG_WRITE, name, scope, value);
+  }
+  void read(Block& b, std::string_view name, std::string_view text, std::uint64_t scope = 0) const {
+    tell(b, IG_READ, name, scope, text);
+  }
+  void wrote(Block& b, std::string_view name, std::string_view text, std::uint64_t scope = 0) const {
+    tell(b, IG_WRITE, name, scope, text);
+  }
+
+ private:
+  void tell(Block& b, std::uint32_t access, std::string_view name, std::uint64_t scope, double value) const {
+    const ig_argument shown{0, 0, value, {nullptr, 0}};
+    if (is_heard()) host_->variable(b.raw(), access, to_text(name), scope, std::isnan(value) ? nullptr : &shown);
+  }
+  void tell(Block& b, std::uint32_t access, std::string_view name, std::uint64_t scope, std::string_view text) const {
+    const ig_argument shown{1, 0, 0, to_text(text)};
+    if (is_heard()) host_->variable(b.raw(), access, to_text(name), scope, &shown);
+  }
+  Service<ig_provenance_1> host_{IG_PROVENANCE_SERVICE, Need::optional, "Variables of the block; the host has it."};
 };
 
 /// A member of a store whose values come from rows until the program overwrites them: which row has given which value.

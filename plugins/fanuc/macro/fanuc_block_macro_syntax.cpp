@@ -70,6 +70,7 @@ struct FanucBlockMacro {
     if (call.repeats == 0) return ig::Status::changed;
     report_deep_call(b, store, ig::Where::block());
     const std::uint64_t tag = store.enter(arguments, true);
+    frame_.note_arguments(b, tag, arguments);
     settle_modal(store, ask_program(b, builder_, frame_.flow, call.program, call.repeats, tag, ig::Where::block(),
                                     call.arguments));
     return ig::Status::changed;

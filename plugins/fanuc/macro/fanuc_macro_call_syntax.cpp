@@ -164,6 +164,7 @@ struct FanucMacroCall {
     MacroStore& store = environment_.store();
     report_deep_call(b, store, where);
     const std::uint64_t tag = store.enter(words_.arguments, is_modal);
+    environment_.note_arguments(b, tag, words_.arguments);
     const ig::Flow::Answer answer =
         ask_program(b, builder_, environment_.flow, words_.called(), static_cast<std::int64_t>(words_.repeats),
                     tag | tag_bits_, where, words_.arguments);

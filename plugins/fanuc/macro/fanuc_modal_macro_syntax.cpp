@@ -39,6 +39,7 @@ struct FanucModalMacro {
     const MacroStore::ModalCall call = calls.back();
     report_deep_call(b, store, ig::Where::block());
     const std::uint64_t tag = store.enter(call.arguments, true);
+    frame_.note_arguments(b, tag, call.arguments);
     settle_modal(store, ask_program(b, builder_, frame_.flow, call.program, call.repeats, tag, ig::Where::block(),
                                     call.arguments));
     return ig::Status::changed;

@@ -24,6 +24,7 @@ struct FanucToolCall {
     if (!number) return ig::Status::unchanged;
     frame_.enter(b);
     if (!frame_.store().set(tool_variable, *number)) b.report(ig::diag("FAN-0109"), where, std::string_view("#149"));
+    frame_.note_write(b, tool_variable, *number);
     call_program(b, builder_, frame_.flow, {static_cast<std::int64_t>(*program_)}, 1, called_by_code | shares_locals,
                  where);
     return ig::Status::changed;

@@ -17,6 +17,7 @@ Fault MacroEnvironment::read(ig::Block& b, std::uint32_t number, MacroValue& out
   }
   if (rows_.is_heard())
     if (const std::string* const row = store().row_of(number)) rows_.add(b, *row);
+  if (is_heard()) note_read(b, number, out.number);
   if (number != 0) {
     const std::array<ig_value, 2> shown{ig_value{.number = static_cast<double>(number)}, {.number = out.number}};
     b.append(read_.data(), out.is_null() ? 1 : 2, shown.data());
@@ -26,6 +27,7 @@ Fault MacroEnvironment::read(ig::Block& b, std::uint32_t number, MacroValue& out
 
 MacroEnvironment::Written MacroEnvironment::write(ig::Block& b, std::uint32_t number, const MacroValue& value) {
   if (number == 0) return Written::read_only;
+  if (is_heard()) note_write(b, number, value.is_null() ? MacroStore::null : value.number);
   if (store().set(number, value.is_null() ? MacroStore::null : value.number)) return Written::done;
   return write_system(b, number, value.number);
 }

@@ -1,8 +1,13 @@
 /// Which local variables are the present ones: those of the macro call that the block's frame belongs to.
 #pragma once
 
+#include <array>
+#include <charconv>
+#include <cmath>
+
 #include <isogloss/cnc/frame_tag.hpp>
 #include <isogloss/flow.hpp>
+#include <isogloss/provenance.hpp>
 #include <isogloss/sdk.hpp>
 
 #include "macro/macro_store.hpp"
@@ -24,6 +29,21 @@ class MacroFrame {
 
   MacroStore& store() const { return *store_; }
 
+  /// Does anybody want to know which variables a block reads and writes?
+  bool is_heard() const { return used_.is_heard(); }
+  void note_read(ig::Block& b, std::uint32_t number, double value) const {
+    if (number != 0) used_.read(b, name_of(number).data(), value, store_->scope_of(number));
+  }
+  void note_write(ig::Block& b, std::uint32_t number, double value) const {
+    used_.wrote(b, name_of(number).data(), value, store_->scope_of(number));
+  }
+  /// What the call of this tag gives to the local variables of the macro.
+  void note_arguments(ig::Block& b, std::uint64_t tag, const MacroStore::Locals& arguments) const {
+    if (!is_heard()) return;
+    for (std::uint32_t number = 1; number < arguments.size(); ++number)
+      if (!std::isnan(arguments[number])) used_.wrote(b, name_of(number).data(), arguments[number], tag);
+  }
+
   /// A program that a code called sees all codes as they are.
   bool is_in_bound_program(const ig::Block& b) const {
     const ig_frame frame = flow.frame(b);
@@ -33,6 +53,12 @@ class MacroFrame {
   }
 
  private:
+  static std::array<char, 12> name_of(std::uint32_t number) {
+    std::array<char, 12> out{'#'};
+    std::to_chars(out.data() + 1, out.data() + out.size() - 1, number);
+    return out;
+  }
+
   void select_level(const ig::Block& b, const ig_frame& frame) const {
     ig_frame at = frame;
     for (std::uint32_t level = frame.depth; level > 0 && !has_locals(at);) {
@@ -61,6 +87,7 @@ class MacroFrame {
   };
 
   Store store_;
+  ig::UsedVariables used_;
 };
 
 }  // namespace fanuc

@@ -111,6 +111,8 @@ class MacroStore {
   void came_from(std::uint32_t number, std::string_view row) {
     if (area_of(number) != nullptr || given(number) != nullptr) rows_.give(number, row);
   }
+  /// The call whose local variable it is; 0 for all others.
+  std::uint64_t scope_of(std::uint32_t number) const { return number <= last_local ? levels_[present_].tag : 0; }
   bool is_assumed(std::uint32_t number) const { return assumed_.holds(number); }
   /// The number of writes to variables so far.
   std::uint64_t writes() const { return writes_; }

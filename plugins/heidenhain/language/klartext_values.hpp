@@ -1,6 +1,7 @@
 /// Values in a program: numbers, Q parameters, formulas. Angles in degrees.
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -94,12 +95,14 @@ class Values {
     const double value = s->get(q, program(b));
     if (rows_.is_heard())
       if (const std::string* const row = s->row_of(q)) rows_.add(b, *row);
+    if (used_.is_heard()) used_.read(b, name_of(q).data(), value, scope(b, q));
     if (!std::isnan(value)) return value;
     if (store()->is_first_time(115, name)) b.report(ig::diag("HEI-0115"), where, name);
     return 0;
   }
   void set(ig::Block& b, const QNumber& q, std::string_view name, ig::Where where, double value) const {
     QStore* const s = store();
+    if (used_.is_heard()) used_.wrote(b, name_of(q).data(), value, scope(b, q));
     if (s != nullptr && QStore::exists(q))
       s->set(q, program(b), value);
     else
@@ -131,6 +134,15 @@ class Values {
     return {d.value, d.end, d.ok && d.end > position};
   }
 
+  static std::array<char, 16> name_of(const QNumber& q) {
+    std::array<char, 16> out{'Q'};
+    std::size_t size = 1;
+    if (q.kind != QKind::q) out[size++] = q.kind == QKind::local ? 'L' : 'R';
+    std::to_chars(out.data() + size, out.data() + out.size() - 1, q.number);
+    return out;
+  }
+  std::uint64_t scope(const ig::Block& b, const QNumber& q) const { return q.kind == QKind::local ? program(b) : 0; }
+
   /// QL parameters belong to a program, not to its labels.
   std::uint64_t program(const ig::Block& b) const {
     ig_frame frame = flow_.frame(b);
@@ -144,6 +156,7 @@ class Values {
 
   ig::Service<QStore> store_{q_store_service, ig::Need::required, "The Q parameters."};
   ig::AnsweredRows rows_{q_store_service};
+  ig::UsedVariables used_;
   ig::Flow flow_;
 };
 

@@ -73,6 +73,7 @@ void FlowLoops::begin_for(ig::Block& b, const FlowStatement& s) {
     running->goes_on = false;
   }
   const Stored stored = set(*variable, value);
+  environment_.note_write(b, variable->name, Value::real(value));
   if (stored == Stored::unknown || stored == Stored::wrong_type) {
     b.report(ig::diag("SIE-0124"), columns(text, variable->begin), std::string_view(variable->name));
     return leave(b, s, LoopKind::for_);

@@ -49,6 +49,7 @@ class ArrayValues {
       if (!values_[i]) continue;  // SET(1,,3) does not change the second element
       const std::string name = array + target->indices_of(first + i);
       const Stored outcome = environment_.store().assign(name, *values_[i]);
+      environment_.note_write(b_, name, *values_[i]);
       if (outcome == Stored::yes) continue;
       const bool is_full = outcome == Stored::too_many;
       environment_.report_not_stored(b_, ig::Where::columns(begin, next), is_full ? array : name, *values_[i], outcome);

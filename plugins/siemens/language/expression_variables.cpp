@@ -132,9 +132,13 @@ std::optional<Value> Expression::read(const Reference& r) {
     VariableStore::RParameter& p = *store.r(r.r);
     if (!p.is_given && store.is_first_report(r.name))
       b_.report(ig::diag("SIE-0112"), ig::Where::columns(r.begin, r.end), std::string_view(r.name));
+    environment_.note_read(b_, r.name, Value::real(p.value));
     return Value::real(p.value);
   }
-  if (const Variable* const v = store.find(r.name)) return v->value;
+  if (const Variable* const v = store.find(r.name)) {
+    environment_.note_read(b_, r.name, v->value);
+    return v->value;
+  }
   if (const auto component = FrameComponent::of(store, r.name))
     return Value::real(component->frame.get(component->link, component->axis));
   const std::size_t bracket = r.name.find('[');

@@ -57,6 +57,7 @@ bool ProgramParameters::parameter(ig::Block& b, std::string_view text, std::size
     return false;
   }
   const auto assign = [&](const std::string& to, const Value& from) {
+    environment_.note_write(b, to, from);
     environment_.report_not_stored(b, columns(text, begin), to, from, store.assign(to, from));
   };
   if (value) assign(name, *value);

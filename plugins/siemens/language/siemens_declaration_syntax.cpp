@@ -171,6 +171,7 @@ struct SiemensDeclaration {
     std::size_t end = first;
     const auto v = value_of(b, environment_, text, end, defined.declared);
     if (!v) return false;
+    environment_.note_write(b, name, *v);
     if (const Stored outcome = environment_.store().assign(name, *v); outcome != Stored::yes) {
       environment_.report_not_stored(b, columns(text, begin_), name, *v, outcome);
       return false;

@@ -49,6 +49,18 @@ class Environment {
     if (row != nullptr || of_array != nullptr) rows_.add(b, row != nullptr ? *row : *of_array);
   }
 
+  /// A variable has been read or written by its name in capitals, "R5" or "DEPTH[2]", where anybody asks.
+  void note_read(ig::Block& b, const std::string& name, const Value& value) const {
+    if (used_.is_heard())
+      value.is_text() ? used_.read(b, name, value.text, scope(b, name))
+                      : used_.read(b, name, value.number, scope(b, name));
+  }
+  void note_write(ig::Block& b, const std::string& name, const Value& value) const {
+    if (used_.is_heard())
+      value.is_text() ? used_.wrote(b, name, value.text, scope(b, name))
+                      : used_.wrote(b, name, value.number, scope(b, name));
+  }
+
   /// Reports why an assignment has not been executed.
   void report_not_stored(ig::Block& b, const ig::Where& where, const std::string& name, const Value& value,
                          Stored outcome) const;
@@ -79,8 +91,16 @@ class Environment {
   }
 
  private:
+  /// Variables that a program has defined are its own.
+  std::uint64_t scope(ig::Block& b, const std::string& name) const {
+    const bool is_own =
+        store().find_own(name) != nullptr || store().find_own(name.substr(0, name.find('['))) != nullptr;
+    return is_own ? flow.frame(b).id : 0;
+  }
+
   ig::Service<VariableStore> store_{variable_service, ig::Need::required, "The variables."};
   ig::AnsweredRows rows_{variable_service};
+  ig::UsedVariables used_;
   Macros macros_;
   MacroRecord record_;
 };

@@ -119,6 +119,12 @@ class Chain {
 
   /// Called before and after each build() in traced mode.
   std::function<void(std::uint32_t position, bool before)> trace;
+  /// Called for each piece of text that a scanner has read; empty: none.
+  std::function<void(std::uint32_t position, std::size_t begin, std::size_t end)> scanned;
+  /// The file of this number in Document::Origin; traced mode only.
+  std::string_view file_name(std::uint16_t number) const {
+    return number < files_.size() ? files_[number] : std::string_view();
+  }
 
   // Requests of syntaxes in this block.
   bool ends_program = false, ends_file = false, alarmed = false, skip_rest = false;
@@ -147,6 +153,9 @@ class Chain {
   /// Called for each row that is asked, answered or not; empty: none.
   std::function<void(std::size_t dependency, std::string_view row)> row_asked;
   void listen_to_rows();
+  /// Called for each variable that a syntax has read or written, after listen_to_rows(); empty: none.
+  std::function<void(const Document&, bool is_write, std::string_view name, std::uint64_t scope, const ig_argument*)>
+      variable_used;
   /// A row of the table has been asked by the syntax at work, and has a value for it or not.
   void note_row(std::size_t dependency, std::string_view row, bool has_value);
 
@@ -202,7 +211,9 @@ class Chain {
   void leave_byte(Document& document, std::size_t position);
   void tell_failure(const Document& document, std::uint32_t position);
   void tell_exception(const Document& document, const char* phase);
+  template <bool is_heard>
   void scan_from(std::size_t& position);
+  std::uint16_t file_number(std::string_view file);
   std::size_t refuse_end(std::size_t at);
   void destroy_part(const ig_plugin& plugin, const std::string& alias, void (*destroy)(void*), void* self);
   void destroy();
@@ -235,6 +246,7 @@ class Chain {
   std::vector<std::unique_ptr<DependencyTable>> tables_;  // by linked dependency, as the two below
   std::vector<std::vector<OptionValue>> dependency_options_;
   std::vector<void*> dependencies_;
+  std::vector<std::string_view> files_;       // of the blocks so far; traced mode only
   std::vector<std::uint16_t> scanners_[256];  // chain positions that a byte triggers
   std::uint64_t inspection_[4] = {};          // as Document::active: from inspection_begin on
   std::uint64_t inspectors_[4] = {};          // of these, what runs when something is left over

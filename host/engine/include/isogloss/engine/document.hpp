@@ -2,6 +2,7 @@
 /// for each field. One lives through a run and is carried from block to block in place.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -24,6 +25,7 @@ struct Frame {
 
   /// Row vectors: 16 numbers, row by row.
   void assign(const double* m);
+  bool is_same(const double* m) const { return std::equal(std::begin(matrix), std::end(matrix), m); }
   static Frame from(const double* m) {
     Frame frame;
     frame.assign(m);
@@ -284,7 +286,15 @@ class Document {
   std::uint64_t changes = 0;     ///< of watched fields, since the chain looked
   std::uint32_t codes_seen = 0;  ///< codes that this block got so far, taken ones included
   Chain* chain = nullptr;
-  std::vector<std::uint32_t> set_line;  ///< by field, the line that set it; kept in traced mode only
+  /// Which block gave a field its value. Files are numbered by Chain::file_name; lines count from 1; 0: before the
+  /// first block.
+  struct Origin {
+    std::uint32_t line = 0, since = 0;  ///< set last, and set to another value than before
+    std::uint16_t file = 0, since_file = 0;
+    bool operator==(const Origin&) const = default;
+  };
+  std::vector<Origin> origins;    ///< by field; kept in traced mode only
+  std::uint16_t file_number = 0;  ///< of this block's file; kept in traced mode only
 
   std::uint32_t size() const { return size_; }
   std::uint32_t words() const { return words_; }

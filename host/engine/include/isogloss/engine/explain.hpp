@@ -1,6 +1,7 @@
 /// Why a block did what it did: each syntax that touched it, what it changed, and the previous value.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -8,12 +9,20 @@
 
 namespace isogloss {
 
+/// A line of a program. Lines count from 1; 0: before the first block, by the dialect or when the run began.
+struct ProgramLine {
+  std::string file;
+  std::uint32_t line = 0;
+  bool operator==(const ProgramLine&) const = default;
+};
+
 /// A value by its path in the block document, as JSON text.
 struct ExplainedValue {
   std::string path;
   std::string value;
-  std::string writer;      ///< syntax, by alias; empty: the dialect's initial state
-  std::uint32_t line = 0;  ///< that set it; 0: before the first block
+  std::string writer;  ///< syntax, by alias; empty: the dialect's initial state
+  ProgramLine set;     ///< set it last
+  ProgramLine since;   ///< set it to this value; the lines between have repeated it
 };
 
 struct ExplainedChange {
@@ -40,14 +49,53 @@ struct ExplainedRow {
 struct ExplainedStep {
   std::string syntax;  ///< alias
   std::string plugin;
+  bool is_scan = false;  ///< it has read text of the block; the others have built it
   std::vector<ExplainedAnswer> answers{};
   std::vector<ExplainedRow> rows{};
-  std::vector<ExplainedChange> changes;  ///< empty: it was called and changed nothing
+  std::vector<ExplainedChange> changes{};  ///< empty: it was called and changed nothing
 };
 
 struct SleepingSyntax {
   std::string syntax;
   std::string wakes_on;  ///< "Parsing.Flags.…, Parsing.…"
+};
+
+/// A piece of the block's text.
+struct ExplainedWord {
+  std::string text;                  ///< as written
+  std::uint32_t column = 0;          ///< from 1
+  std::string name;                  ///< "X", "F"; a code by its own name; empty: text that is no word
+  std::string value;                 ///< of a word: JSON text, in the units of the document
+  std::string reader;                ///< the syntax that has read the text; empty: none
+  std::vector<std::string> users{};  ///< those that have used the word, in their order; empty: none
+};
+
+/// A variable of the program that the block has read.
+struct ExplainedVariable {
+  std::string name;           ///< as a program writes it: "#101", "R5"
+  std::string value;          ///< JSON text; empty: it has none
+  std::string writer;         ///< the syntax that has written it last; empty: no block has
+  ProgramLine written{};      ///< by this line
+  std::string written_value;  ///< to this value
+};
+
+/// One transform on the way from the program to the machine that changes something.
+struct ExplainedRung {
+  std::string source;             ///< who contributes it, by the section's name: "CoordinateOffset"
+  std::string label;              ///< the first name among the section's values; empty: it has none
+  std::array<double, 16> matrix;  ///< row vectors, translation in elements 12 to 14
+  bool is_moving = false;         ///< it moves with the axes during the block
+  std::array<double, 3> point{};  ///< behind it
+  std::string writer;
+  ProgramLine since;        ///< made it this transform
+  ProgramLine label_since;  ///< gave the section its label
+};
+
+/// The way of the block's last point from the program to the machine; mm.
+struct ExplainedLadder {
+  bool is_there = false;  ///< the block, or one before it, has a program point
+  std::array<double, 3> program{};
+  std::vector<ExplainedRung> rungs;
 };
 
 /// A program under way: the main one, or one that was called.
@@ -68,6 +116,10 @@ struct ExplainedBlock {
   std::vector<ExplainedValue> carried;  ///< what the block began with
   std::vector<ExplainedStep> steps;     ///< in order; the scanners first
   std::vector<SleepingSyntax> slept;
+  std::vector<ExplainedWord> words;          ///< by column
+  std::vector<ExplainedVariable> variables;  ///< in the order in which they were read
+  std::vector<ExplainedVariable> written;    ///< variables that the block has written, with the values written
+  ExplainedLadder ladder;
   std::string document;                ///< JSON, after the last syntax
   std::vector<ExplainedValue> values;  ///< the same, value by value with its writer
 };
@@ -75,8 +127,11 @@ struct ExplainedBlock {
 /// Which blocks are explained: those of a line, when the run comes to it for the pass-th time.
 struct ExplainTarget {
   std::uint32_t line = 0;
-  std::string file{};      ///< a called program's, by its name with or without folder; empty: the main program's
-  std::uint64_t pass = 1;  ///< from 1
+  std::uint32_t last_line = 0;  ///< of a range that begins at `line`; 0: there is only this line
+  std::string file{};           ///< a called program's, by its name with or without folder; empty: the main program's
+  std::uint64_t pass = 1;       ///< from 1
+  std::size_t most_blocks = 1'000;  ///< the run ends when so many are explained
+  std::uint32_t last() const { return last_line != 0 ? last_line : line; }
 };
 
 /// What is known about a target that the run does not reach. Lines count from 1; 0: there is none.
@@ -86,6 +141,7 @@ struct ExplainReach {
   std::uint32_t jumped_from = 0, jumped_to = 0;  ///< two lines run one after the other, the target between them
   Location last{};                               ///< the last block of the run, in whatever file
   std::string last_text{};
+  bool is_cut = false;  ///< most_blocks has ended the run
 };
 
 /// Runs `source` up to the target and explains its blocks; none when the run does not reach it; `reach`

@@ -1,0 +1,135 @@
+// Explains why a block did what it did, follows a field, or says what a diagnostic means.
+#include <algorithm>
+
+#include "crash_guard.hpp"
+#include "dialect_guess.hpp"
+#include "explain/block_json.hpp"
+#include "explain/explain_code.hpp"
+#include "explain/explain_target.hpp"
+#include "explain/follow_field.hpp"
+#include "json_text.hpp"
+#include "output_file.hpp"
+#include "program_options.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+struct ExplainCommand {
+  CommonOptions common;
+  ProgramOptions program;
+  std::string what, field;
+  ExplainTarget target;
+  bool json = false, brief = false, all = false;
+
+  int run();
+  int explain_lines(Session& session, const NamedLines& lines);
+  int explain_blocks(Session& session, const std::string& path, const LinkedDialect& linked, Source& source,
+                     const RunOptions& options) const;
+};
+
+/// Diagnostics of other lines were not asked for; what ended the run before these lines was.
+void report_said(DiagnosticList& said, const ExplainTarget& target, const ExplainReach& reach, bool found_blocks,
+                 Session& session) {
+  for (Diagnostic& d : said.all) {
+    const bool ends_the_run = !found_blocks && d.severity == Severity::error && d.where.line == reach.last.line &&
+                              d.where.file == reach.last.file;
+    const bool is_asked_for = d.where.line >= target.line && d.where.line <= target.last();
+    if (is_asked_for || d.where.line == 0 || ends_the_run) session.diagnostics().add(std::move(d));
+  }
+}
+
+int ExplainCommand::explain_blocks(Session& session, const std::string& path, const LinkedDialect& linked,
+                                   Source& source, const RunOptions& options) const {
+  DiagnosticList said;
+  ExplainReach reach;
+  const std::vector<ExplainedBlock> blocks = explain(linked, source, path, target, options, said, &reach);
+  report_said(said, target, reach, !blocks.empty(), session);
+  if (blocks.empty()) {
+    const std::string asked = target.last() == target.line
+                                  ? std::to_string(target.line)
+                                  : std::to_string(target.line) + "-" + std::to_string(target.last());
+    session.report("IG-0515", {target.file.empty() ? path : target.file, target.line, 0}, {asked},
+                   why_no_block(reach, target, path));
+    return input_errors;
+  }
+  if (reach.is_cut) session.report("IG-0182", {path, target.line, 0}, {std::to_string(blocks.size())});
+  LineTexts lines;
+  const Amount amount = brief ? Amount::sentence : all ? Amount::all : Amount::changes;
+  std::string out;
+  Json list = Json::array();
+  for (const ExplainedBlock& b : blocks) {
+    if (json)
+      list.push_back(json_of(b, amount, lines));
+    else
+      out += (out.empty() || brief ? "" : "\n") + text_of(b, amount, lines);
+  }
+  return print(json ? pretty(list) : out, session.status());
+}
+
+int ExplainCommand::explain_lines(Session& session, const NamedLines& lines) {
+  const std::string& path = lines.program;
+  std::optional<RunOptions> options = program.make(session);
+  const std::unique_ptr<OpenedProgram> source = OpenedProgram::open(path, session);
+  if (!options || source == nullptr) return cannot_start;
+  std::optional<std::string> dialect = program.dialect;
+  if (dialect->empty()) dialect = guessed(path, source->head(), session);
+  const std::unique_ptr<LinkedDialect> linked = dialect ? session.link(*dialect, options->chain.dependencies) : nullptr;
+  if (linked == nullptr) return cannot_start;
+  add_program_places(path, linked->dialect, *options);
+  watch_calls(program.watchdog);
+  if (!field.empty()) return follow_field({field, target.file, lines, json}, *linked, *source, *options, session);
+  return explain_blocks(session, path, *linked, *source, *options);
+}
+
+int ExplainCommand::run() {
+  Session session(common);
+  if (is_code(what)) return explain_code(what, json, session);
+  if (brief && all) {
+    session.report("IG-0513", {}, {"--brief leaves out what --all shows"});
+    return cannot_start;
+  }
+  const auto lines = read_lines(what, field.empty() ? Lines::needed : Lines::optional, session);
+  if (!lines) return cannot_start;
+  target.line = lines->first;
+  target.last_line = lines->last;
+  return explain_lines(session, *lines);
+}
+
+}  // namespace
+
+int explain_command(const Arguments& arguments) {
+  CommandLine line("explain",
+                   "Explains a line: what it does and why, who uses each of its words, the way of its point from the "
+                   "program to the machine, and what it changes. Follows one field through a program. Explains a "
+                   "diagnostic.",
+                   "isogloss explain part.nc:42 -d fanuc\n"
+                   "  isogloss explain part.nc:10-20 --brief\n"
+                   "  isogloss explain part.nc --field Feedrate\n"
+                   "  isogloss explain IG-0206");
+  ExplainCommand command;
+  line.option("PROGRAM:LINE", command.what,
+              "A line of a program, a range such as part.nc:10-20, or the code of a diagnostic")
+      .required();
+  line.option("--in", command.target.file, "The file of a called program that holds LINE (default: PROGRAM)")
+      .type_name("FILE");
+  line.option("--pass", command.target.pass, "Which pass, for a line that runs several times")
+      .at_least(1)
+      .type_name("N")
+      .shows_default();
+  line.flag("--brief", command.brief, "One sentence for each block, and nothing else");
+  line.flag("--all", command.all,
+            "Also the values that were carried into the block and those after it, each call, and the syntaxes that "
+            "slept");
+  line.option("--field", command.field,
+              "Follow a field or section through PROGRAM: each change with its line, its value and who set it")
+      .type_name("NAME");
+  line.flag("--json", command.json,
+            "Write JSON, as schemas/explain.schema.json, or explain-field.schema.json, describes it");
+  command.program.add_to(line);
+  command.common.add_to(line);
+  if (const auto done = line.parse(arguments)) return *done;
+  return command.run();
+}
+
+}  // namespace isogloss::cli

@@ -1,0 +1,100 @@
+// Why the machine stands where it stands: what each rung of the ladder adds to the axes that move.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "explain/frame_text.hpp"
+#include "explain/sentence.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+constexpr double smallest_step = 1e-6;
+
+std::string join(const std::vector<std::string>& parts) {
+  std::string out;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  return out;
+}
+
+std::string placed(const Facts& facts, const ExplainedRung& rung) {
+  return facts.is_here(rung.since) ? std::string() : fmt::format(" ({})", facts.place(rung.since));
+}
+
+/// G55 as it is; "the tool height compensation".
+std::string name_in_sentence(const Facts& facts, const ExplainedRung& rung) {
+  const std::string name = facts.name_of(rung);
+  return name == rung.label ? name : "the " + name;
+}
+
+/// "because G55 adds -161.8 (line 37)"; empty: nothing moves the axis. `beside`: what is added behind the ladder, and
+/// by whom.
+std::string reason_of_axis(const Facts& facts, std::size_t axis, double beside, const std::string& writer) {
+  std::vector<std::string> parts;
+  for (const ExplainedRung& rung : facts.block().ladder.rungs)
+    if (const double shift = effect_of(rung.matrix).shift[axis]; std::abs(shift) > 1e-9)
+      parts.push_back(
+          fmt::format("{} adds {}{}", name_in_sentence(facts, rung), short_number(shift), placed(facts, rung)));
+  if (std::abs(beside) > smallest_step) parts.push_back(fmt::format("{} adds {}", writer, short_number(beside)));
+  return parts.empty() ? std::string() : "because " + join(parts);
+}
+
+std::string reason_of_point(const Facts& facts, const std::array<double, 3>& beside, const std::string& writer) {
+  std::vector<std::string> parts;
+  for (const ExplainedRung& rung : facts.block().ladder.rungs)
+    parts.push_back(
+        fmt::format("{} {}{}", name_in_sentence(facts, rung), effect_of(rung.matrix).text, placed(facts, rung)));
+  if (const std::string words = axis_words(beside); !words.empty()) parts.push_back(writer + " adds " + words);
+  return "because " + join(parts);
+}
+
+}  // namespace
+
+std::string machine_clause(const Facts& facts) {
+  const ExplainedLadder& ladder = facts.block().ladder;
+  if (!ladder.is_there) return {};
+  std::array<double, 3> end = ladder.rungs.empty() ? ladder.program : ladder.rungs.back().point;
+  std::array<std::optional<double>, 3> machine;
+  bool only_shifts = true, any = false;
+  std::array<double, 3> beside{};
+  std::string moved, writer;
+  for (const ExplainedRung& rung : ladder.rungs) only_shifts = only_shifts && effect_of(rung.matrix).is_shift;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string axis(1, "XYZ"[i]), path = "MachineCoordinate." + axis;
+    machine[i] = facts.number(path);
+    if (!machine[i]) continue;
+    beside[i] = std::abs(*machine[i] - end[i]) < smallest_step ? 0 : *machine[i] - end[i];
+    if (!facts.has_changed(path) && !facts.has_changed("ProgramXyz." + axis)) {
+      machine[i].reset();
+      continue;
+    }
+    any = true;
+    writer = facts.now(path)->writer;
+    moved += fmt::format("{}{}{:.3f}", moved.empty() ? "" : " ", axis, *machine[i] + 0.0);
+  }
+  if (!any) return {};
+  const ExplainedValue* const programmed = facts.now("ProgramXyz.X");
+  const bool is_direct = programmed != nullptr && programmed->writer == writer && !writer.empty();
+  if (is_direct) return fmt::format("machine {}, which {} sets directly: no offset is added", moved, writer);
+  if (ladder.rungs.empty() && axis_words(beside).empty())
+    return "machine " + moved + " is the same point, because no offset is active";
+  if (!only_shifts) return "machine " + moved + ", " + reason_of_point(facts, beside, writer);
+  std::vector<std::string> parts;
+  std::string same;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!machine[i]) continue;
+    const std::string reason = reason_of_axis(facts, i, beside[i], writer), axis(1, "XYZ"[i]);
+    if (reason.empty())
+      same += (same.empty() ? "" : " ") + axis;
+    else
+      parts.push_back(fmt::format("machine {} is {:.3f} {}", axis, *machine[i], reason));
+  }
+  std::string out;
+  for (const std::string& part : parts) out += (out.empty() ? "" : "; ") + part;
+  if (out.empty()) return "machine " + moved + " is the same point, because no offset changes these axes";
+  return out;
+}
+
+}  // namespace isogloss::cli
