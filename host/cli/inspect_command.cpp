@@ -27,6 +27,7 @@ struct InspectCommand {
   int show_section(const std::vector<std::string>& pages, Session& session) const;
   std::optional<int> show_code(const LinkedDialect& linked, Session& session) const;
   std::vector<std::string> names(Session& session, const Json& fields) const;
+  std::string near_code(const LinkedDialect& linked) const;
 };
 
 /// A page is text of the plugin, which has not been checked yet.
@@ -149,6 +150,14 @@ std::vector<std::string> InspectCommand::names(Session& session, const Json& fie
   return out;
 }
 
+std::string InspectCommand::near_code(const LinkedDialect& linked) const {
+  std::vector<std::string> codes;
+  for (const Json& row : describe_codes(linked)) codes.push_back(row["Code"].get<std::string>());
+  const std::string near = nearest_name(name, codes);
+  return (near.empty() ? "" : "did you mean " + near + "? ") + "isogloss list codes -d " + linked.dialect.name +
+         " lists what it answers";
+}
+
 int InspectCommand::run() const {
   Session session(common);
   session.library().load_all();
@@ -207,8 +216,7 @@ int InspectCommand::run() const {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   const bool is_code = name.size() > 1 && name.size() < 8 && is_digit(name[1]) && !is_digit(name[0]);
   if (is_code && linked != nullptr)
-    session.report("IG-0173", {}, {linked->dialect.name, name},
-                   "isogloss list codes -d " + linked->dialect.name + " lists what it answers");
+    session.report("IG-0173", {}, {linked->dialect.name, name}, near_code(*linked));
   else
     session.report("IG-0516", {}, {name}, is_code ? "for a code of programs, name the dialect: -d fanuc" : hint);
   return cannot_start;

@@ -184,6 +184,7 @@ class FileReader : XmlElements {
     for (const auto& [code, severity] : part.own.severities)
       if (!file_.own.severities.emplace(code, severity).second)
         report_("IG-0113", xml->at(xml->root()), {code, "another file of the machine gives its severity"});
+    file_.own.severity_places.insert(part.own.severity_places.begin(), part.own.severity_places.end());
   }
 
   void read_files(pugi::xml_node node) {
@@ -266,6 +267,7 @@ class FileReader : XmlElements {
         if (is != to_string(severity)) continue;
         known = true;
         file_.own.severities[code] = severity;
+        file_.own.severity_places[code] = xml_.at(child, "code");
       }
       if (!known) bad_value(child, "is", "note, warning or error");
     }

@@ -234,6 +234,7 @@ class Reading {
       }
     }
     for (const auto& [code, severity] : own.severities) base.severities[code] = severity;
+    for (const auto& [code, where] : own.severity_places) base.severity_places[code] = where;
     base.program_places.insert(base.program_places.begin(), own.program_places.begin(), own.program_places.end());
     if (file.has_search_order) base.search_order = own.search_order;
     base.is_machine = own.is_machine;

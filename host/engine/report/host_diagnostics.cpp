@@ -295,6 +295,10 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "Nothing of the option's kind in the chain has such a path, so the pattern is ignored. `isogloss list fields` "
        "prints the paths that exist.",
        R"(lengths="Parsing.G81.?{inch}")"},
+      {warning, "IG-0225", "no plugin declares the diagnostic '{0}', so its severity '{1}' has no effect",
+       "A severity belongs to a diagnostic of the host or of a plugin that is installed. `isogloss list diagnostics` "
+       "names all of them.",
+       R"(<Severities><Severity code="ISO-301" is="note"/></Severities>)"},
       {error, "IG-0240",
        "{0} acts in this block, though nothing that it declares wakes it: its build() must check the block",
        "Found by run --checked --call-all, which calls every syntax in every block: a syntax that depends on not being "

@@ -129,6 +129,7 @@ struct Dialect {
   std::vector<InitialField> initial;
   std::vector<ChainElement> chain;             ///< by stage, in written order
   std::map<std::string, Severity> severities;  ///< by diagnostic code
+  std::map<std::string, Location> severity_places;
   /// How it came to be: for those who ask where something comes from, and for `lint`.
   std::vector<AppliedEdit> edits;
   std::vector<Repetition> repetitions;
