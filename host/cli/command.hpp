@@ -40,7 +40,7 @@ inline constexpr Command commands[] = {
     {"explain", "explain why a block did what it did, or a diagnostic", explain_command},
     {"lint", "check dialect files", lint_command},
     {"dialect", "a dialect as one file or a graph, one syntax of it, its differences from another", dialect_command},
-    {"schema", "print the schema of dialect files or of the block document", schema_command},
+    {"schema", "print schemas: of files of dialects, blocks, motions and other JSON", schema_command},
     {"list", "list plugins, dialects, machines, importers, codes, diagnostics and more", list_command},
     {"inspect", "show the page and declaration of one of them", inspect_command},
     {"new", "make the folder of a plugin, a dialect or a machine", new_command},
