@@ -1,5 +1,6 @@
 // The page and the declaration of one syntax, dependency, dialect or field.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstring>
 
@@ -101,7 +102,7 @@ int InspectCommand::show(Json declaration, const char* page, Session& session) c
   std::string out = page == nullptr ? "" : read_page(page);
   if (!out.empty() && !out.ends_with('\n')) out += '\n';
   if (!out.empty()) out += "\n---- declaration\n";
-  return print(out + as_lines(declaration), session.status());
+  return print(out + fitted(as_lines(declaration), columns_of(STDOUT_FILENO)), session.status());
 }
 
 std::optional<FoundMachine> InspectCommand::find_machine(Session& session) const {

@@ -24,11 +24,11 @@ bool is_dumb() {
 }
 
 /// Where the text of a line begins that follows upon its first: below its description, or as far in as the line.
-std::size_t hanging(std::string_view line) {
+std::size_t hanging(std::string_view line, std::size_t columns) {
   const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
   if (begin == 0) return 0;
   const std::size_t gap = line.find("  ", begin);
-  if (gap == std::string_view::npos) return begin;
+  if (gap == std::string_view::npos || gap > columns) return begin;
   return std::min(line.find_first_not_of(' ', gap), line.size());
 }
 
@@ -83,7 +83,7 @@ std::string fitted(std::string_view text, std::size_t columns) {
     const std::string_view line = text.substr(begin, end - begin);
     begin = end + 1;
     is_example = is_example || line.starts_with("Example");
-    std::size_t indentation = hanging(line);
+    std::size_t indentation = hanging(line, columns);
     if (is_example || characters(line) <= columns) {
       out += line;
     } else {

@@ -116,6 +116,14 @@ class Widths(unittest.TestCase):
                     self.assertEqual(text.split(), whole.split())
 
 
+    def test_a_declaration_fits(self):
+        for name in ("Feedrate.Term", "fanuc"):
+            with self.subTest(name):
+                text, _ = on_terminal("inspect", name, columns=80)
+                self.assertLessEqual(self.widest(text), 80, text)
+                self.assertEqual(text.split(), in_pipe("inspect", name).stdout.split())
+
+
 class Colours(unittest.TestCase):
     def test_only_a_terminal_has_them_and_no_color_takes_them_away(self):
         self.assertRegex(on_terminal("lint", "nothing")[0], r"\x1b\[1;31merror")
@@ -137,7 +145,13 @@ class ProgressLine(unittest.TestCase):
     def test_it_tells_how_much_of_a_file_is_done(self):
         with tempfile.TemporaryDirectory() as folder:
             program = pathlib.Path(folder) / "long.nc"
-            program.write_text("G21 G90 G1 F100\n" + "".join(f"X{i % 977}.5 Y{i % 13}.25\n" for i in range(3000000)) + "M30\n")
+            lines, seconds = 200_000, 0.0
+            while seconds < 2 and lines < 20_000_000:  # on any machine
+                lines = int(lines * max(2.0, min(8.0, 2.5 / max(seconds, 0.1))))
+                program.write_text("G21 G90 G1 F100\n" + "X1.5 Y2.25\nX977.5\n" * (lines // 2) + "M30\n")
+                begin = time.monotonic()
+                in_pipe("run", program, "-d", "fanuc", "--emit", "none")
+                seconds = time.monotonic() - begin
             text, _ = on_terminal("run", program, "-d", "fanuc", "--emit", "none")
             self.assertRegex(text, r"\[#*\.*\] +\d+ %  .*long\.nc: \d+ blocks")
             piped = in_pipe("run", program, "-d", "fanuc", "--emit", "none")
