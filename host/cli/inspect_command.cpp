@@ -130,10 +130,14 @@ int InspectCommand::show_machine(const FoundMachine& found, Session& session) co
     add_program_places(program, whole->dialect, *options);
     watch_calls(run.watchdog);
     DiagnosticList reported;
+    options->progress = [&](std::uint64_t blocks, std::uint64_t) {
+      session.progress().show(0, 0, fmt::format("{}: {} blocks", program, blocks));
+    };
     const ProgramNeeds needs = find_needs(*whole, *source, program, *options, reported);
     has_errors = has_errors || reported.has_errors();
     out["Needs"].push_back(describe_needs(program, whole->dialect, needs, reported.all));
   }
+  session.progress().hide();
   const int shown = show(std::move(out), nullptr, session);
   return shown == success && has_errors ? static_cast<int>(input_errors) : shown;
 }

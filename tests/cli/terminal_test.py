@@ -213,6 +213,7 @@ class Names(unittest.TestCase):
                            ("Remove", '<Chain><Remov syntax="DwellSyntax"/></Chain>'),
                            ("ToolOffsetTable", "<Dependencies><ToolOfsetTable/></Dependencies>"),
                            ("Tool", '<Dependencies><ToolOffsetTable><Tol id="1"/></ToolOffsetTable></Dependencies>'),
+                           ("warning", '<Severities><Severity code="IG-0212" is="warnin"/></Severities>'),
                            ("Feedrate.Term", '<Initial><Field path="Feedrate.Tem" value="G94"/></Initial>')):
             with self.subTest(text), tempfile.TemporaryDirectory() as folder:
                 file = pathlib.Path(folder) / "x.xml"

@@ -269,7 +269,7 @@ class FileReader : XmlElements {
         file_.own.severities[code] = severity;
         file_.own.severity_places[code] = xml_.at(child, "code");
       }
-      if (!known) bad_value(child, "is", "note, warning or error");
+      if (!known) bad_value(child, "is", "note, warning or error", {"note", "warning", "error"});
     }
   }
 
