@@ -64,6 +64,8 @@ int apply_command(const Arguments& arguments) {
   line.option("--ahead", command.ahead, "The executed blocks that follow, as a JSON list").type_name("FILE");
   line.option("--dependencies", command.dependencies, "Dependencies and options as XML, as a case has them")
       .type_name("FILE");
+  bool json = false;
+  line.flag("--json", json, "Write JSON, which is its only form");
   command.around.add_to(line);
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;

@@ -2,8 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <span>
 
+#include "case_report.hpp"
 #include "isogloss/engine/cases.hpp"
 #include "output_file.hpp"
 #include "surroundings.hpp"
@@ -16,45 +19,60 @@ struct CaseCommand {
   CommonOptions common;
   SurroundingOptions around;
   std::vector<std::string> files;
+  std::string format = "text";
   bool all = false;
 
   int run() const;
 };
 
-/// Runs pages and counts.
+/// Runs pages and keeps what came out.
 class Cases {
  public:
   Cases(Session& session, const Surroundings& around) : session_(session), around_(around) {}
 
   void run_page(const std::string& text, const std::string& file) {
-    const Page page = read_page(text, file, session_.diagnostics());
-    ++pages_;
+    CopyingSink diagnostics(session_.diagnostics());
+    const Page page = read_page(text, file, diagnostics);
+    CasePage out{file, page.syntax, {}, {}};
     // The page of a dependency need not hold one.
     const bool needs_none = session_.library().dependency(page.syntax) != nullptr;
-    if (page.cases.empty() && !needs_none && session_.diagnostics().errors() == 0)
-      session_.report("IG-0501", {file}, {"the page holds no case"});
+    if (page.cases.empty() && !needs_none && diagnostics.copies.empty())
+      diagnostics.add(host_diagnostic("IG-0501", {file}, {"the page holds no case"}));
+    out.faults = std::move(diagnostics.copies);
     for (const Case& one : page.cases) {
-      const std::string difference = run_case(page, one, file, around_, session_.library());
-      if (difference.empty()) {
-        ++held_;
-        continue;
-      }
-      ++failed_;
-      session_.report("IG-0505", {file, one.line, 0}, {one.heading, page.syntax});
-      report_ += fmt::format("{}:{}: {}\n{}\n", file, one.line, one.heading, difference);
+      const auto begin = std::chrono::steady_clock::now();
+      std::string difference = run_case(page, one, file, around_, session_.library());
+      const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+      if (!difference.empty()) session_.report("IG-0505", {file, one.line, 0}, {one.heading, page.syntax});
+      out.cases.push_back({one.heading, one.line, std::move(difference), time.count()});
     }
+    pages_.push_back(std::move(out));
   }
 
-  std::string report() const {
-    return report_ + fmt::format("{} cases of {} pages: {} hold, {} fail\n", held_ + failed_, pages_, held_, failed_);
-  }
+  const std::vector<CasePage>& pages() const { return pages_; }
 
  private:
   Session& session_;
   const Surroundings& around_;
-  std::size_t pages_ = 0, held_ = 0, failed_ = 0;
-  std::string report_;
+  std::vector<CasePage> pages_;
 };
+
+/// The pages that the plugins hold, by name.
+std::vector<std::pair<std::string, const char*>> pages_of(const Library& library) {
+  std::vector<std::pair<std::string, const char*>> out;
+  const auto add = [&](const char* plugin, const char* id, const char* page, const char* cases) {
+    const std::string name = fmt::format("{}:{}", plugin, id);
+    if (page != nullptr) out.emplace_back(name, page);
+    if (cases != nullptr) out.emplace_back(name + ".cases", cases);
+  };
+  for (const LoadedPlugin& loaded : library.plugins())
+    for (const ig_syntax* syntax : std::span(loaded.plugin->syntaxes, loaded.plugin->syntax_count))
+      add(loaded.plugin->name, syntax->id, syntax->page, syntax->cases);
+  for (const LoadedPlugin& loaded : library.plugins())
+    for (const ig_importer* importer : std::span(loaded.plugin->importers, loaded.plugin->importer_count))
+      add(loaded.plugin->name, importer->id, importer->page, importer->cases);
+  return out;
+}
 
 /// Adds after each page its file of further cases, x_syntax.cases.md, unless the user named that file too.
 std::vector<std::string> with_other_cases(const std::vector<std::string>& files) {
@@ -81,7 +99,12 @@ int CaseCommand::run() const {
   if (!surroundings) return cannot_start;
   Cases cases(session, *surroundings);
   int status = success;
-  for (const std::string& file : with_other_cases(files)) {
+  const std::vector<std::string> named = with_other_cases(files);
+  const auto held = all ? pages_of(session.library()) : std::vector<std::pair<std::string, const char*>>();
+  std::size_t done = 0;
+  const auto show = [&](const std::string& name) { session.progress().show(done++, named.size() + held.size(), name); };
+  for (const std::string& file : named) {
+    show(file);
     std::string error;
     if (const std::optional<std::string> text = read_text(file, error)) {
       cases.run_page(*text, file);
@@ -90,23 +113,15 @@ int CaseCommand::run() const {
       status = cannot_start;
     }
   }
-  if (all)
-    for (const LoadedPlugin& loaded : session.library().plugins())
-      for (std::uint32_t i = 0; i < loaded.plugin->syntax_count; ++i) {
-        const ig_syntax& syntax = *loaded.plugin->syntaxes[i];
-        const std::string name = fmt::format("{}:{}", loaded.plugin->name, syntax.id);
-        if (syntax.page != nullptr) cases.run_page(syntax.page, name);
-        if (syntax.cases != nullptr) cases.run_page(syntax.cases, name + ".cases");
-      }
-  if (all)
-    for (const LoadedPlugin& loaded : session.library().plugins())
-      for (std::uint32_t i = 0; i < loaded.plugin->importer_count; ++i) {
-        const ig_importer& importer = *loaded.plugin->importers[i];
-        const std::string name = fmt::format("{}:{}", loaded.plugin->name, importer.id);
-        if (importer.page != nullptr) cases.run_page(importer.page, name);
-        if (importer.cases != nullptr) cases.run_page(importer.cases, name + ".cases");
-      }
-  return print(cases.report(), std::max(status, session.status()));
+  for (const auto& [name, page] : held) {
+    show(name);
+    cases.run_page(page, name);
+  }
+  session.progress().hide();
+  return print(format == "json"    ? cases_as_json(cases.pages())
+               : format == "junit" ? cases_as_junit(cases.pages())
+                                   : cases_as_text(cases.pages()),
+               std::max(status, session.status()));
 }
 
 }  // namespace
@@ -116,13 +131,22 @@ int case_command(const Arguments& arguments) {
       "case",
       "Runs the cases of pages: one build of the syntax must turn BeforeBuild into AfterBuild. The cases of "
       "x_syntax.cases.md belong to the page x_syntax.md and run with it.",
-      "isogloss case plugins/iso/motion/dwell_syntax.md");
+      "isogloss case plugins/iso/motion/dwell_syntax.md\n  isogloss case --all --format junit > cases.xml");
   CaseCommand command;
   line.option("FILE", command.files, "Pages (Markdown); - is standard input");
   line.flag("--all", command.all, "All pages in the plugins");
+  line.option("--format", command.format, "Form of the result")
+      .one_of({"text", "json", "junit"})
+      .type_name("text|json|junit")
+      .shows_default();
+  bool json = false, junit = false;
+  line.flag("--json", json, "The same as --format json");
+  line.flag("--junit", junit, "The same as --format junit");
   command.around.add_to(line);
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
+  if (json) command.format = "json";
+  if (junit) command.format = "junit";
   return command.run();
 }
 

@@ -54,7 +54,7 @@ inline constexpr Command commands[] = {
     {"diff", "show where two dialects, machines or programs part, and why", diff_command},
     {"lint", "check dialect files", lint_command},
     {"dialect", "a dialect as one file or a graph, one syntax of it, its differences from another", dialect_command},
-    {"schema", "print the schema of dialect files or of the block document", schema_command},
+    {"schema", "print schemas: of files of dialects, blocks, motions and other JSON", schema_command},
     {"list", "list plugins, dialects, machines, importers, codes, diagnostics and more", list_command},
     {"inspect", "show the page and declaration of one of them", inspect_command},
     {"docs", "write the reference of all plugins and dialects as linked pages", docs_command},

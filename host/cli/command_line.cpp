@@ -1,13 +1,17 @@
 // The only file that knows the parser's library: its header costs as much as five of our files.
 #include "command_line.hpp"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <iostream>
 #include <map>
 
+#include "isogloss/engine/diagnostic.hpp"
 #include "output_file.hpp"
+#include "terminal.hpp"
 #include "usage.hpp"
 
 namespace isogloss::cli {
@@ -20,6 +24,53 @@ CLI::Option& option_of(void* option) { return *static_cast<CLI::Option*>(option)
 std::string without_zeros(const std::string& number) {
   return number.substr(std::min(number.find_first_not_of('0'), std::max<std::size_t>(number.size(), 1) - 1));
 }
+
+/// "a, b or c"
+std::string list_of(const std::vector<std::string>& words) {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  return out;
+}
+
+std::string did_you_mean(const std::string& near) { return near.empty() ? near : " (did you mean '" + near + "'?)"; }
+
+/// What the command does not know: an option with the nearest one that it has, or an operand.
+std::string unexpected(const CLI::App& parser) {
+  std::vector<std::string> names;
+  for (const CLI::Option* const option : parser.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  std::string operand;
+  for (const std::string& word : parser.remaining()) {
+    const std::string option = word.substr(0, word.find('='));
+    if (option.starts_with("--")) return "no option '" + option + "'" + did_you_mean(nearest_name(option, names));
+    if (option.size() > 1 && option.starts_with('-')) return "no option '" + option.substr(0, 2) + "'";
+    if (operand.empty()) operand = word;
+  }
+  return "'" + operand + "' is one operand too many";
+}
+
+/// In place of the library's "TEXT:{a,b}": the words, or what stands for the value.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    if (option->get_type_size() == 0) return {};
+    std::string type = option->get_type_name(), words;
+    if (const std::size_t colon = type.find(':'); colon != std::string::npos) {
+      words = type.substr(colon + 1);
+      type.resize(colon);
+    }
+    if (type == "TEXT" && words.starts_with('{') && words.size() > 2) {
+      type = words.substr(1, words.size() - 2);
+      std::replace(type.begin(), type.end(), ',', '|');
+    }
+    std::string out = type.empty() ? "" : " " + type;
+    if (!option->get_default_str().empty()) out += "=" + option->get_default_str();
+    if (option->get_expected_max() == CLI::detail::expected_max_vector_size) out += " ...";
+    if (option->get_required()) out += " REQUIRED";
+    return out;
+  }
+};
 
 }  // namespace
 
@@ -41,7 +92,13 @@ Option& Option::type_name(const std::string& name) {
 }
 
 Option& Option::one_of(const std::vector<std::string>& words) {
-  option_of(option_).check(CLI::IsMember(words));
+  const auto check = [words](const std::string& word) {
+    if (std::find(words.begin(), words.end(), word) != words.end()) return std::string();
+    return "'" + word + "' is not " + list_of(words) + did_you_mean(nearest_name(word, words));
+  };
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "{" : ",") + word;
+  option_of(option_).check(check, all + "}");
   *words_ = words;
   return *this;
 }
@@ -79,6 +136,7 @@ CommandLine::CommandLine(const std::string& name, const std::string& description
   parser_->name = name;
   parser_->example = example;
   parser_->footer("\nExample:\n  " + example);
+  parser_->formatter(std::make_shared<HelpFormatter>());
   parser_->set_help_flag("-h,--help", "What the command does");
 }
 
@@ -141,9 +199,11 @@ std::optional<int> CommandLine::parse(const Arguments& arguments) {
     parser_->parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     return std::nullopt;
   } catch (const CLI::CallForHelp&) {
-    return print(parser_->help(), success);
+    return print(fitted(parser_->help(), columns_of(STDOUT_FILENO)), success);
   } catch (const CLI::ParseError& e) {
-    std::cerr << parser_->get_name() << ": " << e.what() << "\n" << parser_->get_name() << " --help says more\n";
+    const bool is_unexpected = dynamic_cast<const CLI::ExtrasError*>(&e) != nullptr;
+    std::cerr << parser_->get_name() << ": " << (is_unexpected ? unexpected(*parser_) : e.what()) << "\n"
+              << parser_->get_name() << " --help says more\n";
     return cannot_start;
   }
 }

@@ -1,5 +1,6 @@
 // Reports what was found where, and what was not loaded and why.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "json_text.hpp"
 #include "output_file.hpp"
@@ -54,15 +55,21 @@ Json describe_linking(const std::string& name, const std::string& source, Sessio
 /// Of several dialects with one name the first found is used.
 Json describe_dialects(Session& session) {
   Json out = Json::array();
-  for (const Dialect& d : session.reader().list())
+  const std::vector<Dialect> all = session.reader().list();
+  for (const Dialect& d : all) {
+    session.progress().show(out.size(), all.size(), "dialect " + d.name);
     out.push_back(describe_linking(d.name, d.file.empty() ? d.name : d.file.string(), session));
+  }
   return out;
 }
 
 Json describe_machines(Session& session) {
   Json out = Json::array();
-  for (const FoundMachine& m : session.machines())
+  const std::vector<FoundMachine> all = session.machines();
+  for (const FoundMachine& m : all) {
+    session.progress().show(out.size(), all.size(), "machine " + m.name);
     if (!m.is_tables) out.push_back(describe_linking(m.name, m.file.string(), session));
+  }
   return out;
 }
 
@@ -133,7 +140,8 @@ int DoctorCommand::run() const {
   const std::string verdict = !is_well        ? "Something was not loaded.\n"
                               : warnings == 0 ? "All is well.\n"
                                               : fmt::format("All is loaded; warnings: {}.\n", warnings);
-  const std::string out = json ? pretty(all) : as_text(all) + verdict;
+  const std::string out = json ? pretty(all) : fitted(as_text(all) + verdict, columns_of(STDOUT_FILENO));
+  session.progress().hide();
   return print(out, is_well ? success : input_errors);
 }
 

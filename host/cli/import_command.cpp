@@ -55,7 +55,9 @@ int ImportCommand::run() const {
     if (!read_settings(settings, import.options, session)) return cannot_start;
     machine.imports.push_back(std::move(import));
   }
+  session.progress().show(0, 0, "reading the files");
   if (!complete_machine(machine, session.library(), session.diagnostics())) return input_errors;
+  session.progress().hide();
   std::size_t rows = 0;
   for (const DependencyElement& table : machine.dependencies) rows += table.rows.size();
   const int status = write_output(write_tables(machine.dependencies, true), path, session);

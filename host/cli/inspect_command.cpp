@@ -1,5 +1,6 @@
 // The page and the declaration of one syntax, dependency, dialect or field.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "crash_guard.hpp"
 #include "json_text.hpp"
@@ -24,6 +25,7 @@ struct InspectCommand {
   int show_section(const std::vector<std::string>& pages, Session& session) const;
   std::optional<int> show_code(const LinkedDialect& linked, Session& session) const;
   std::vector<std::string> names(Session& session, const Json& fields) const;
+  std::string near_code(const LinkedDialect& linked) const;
 };
 
 /// Of the pages alone: JSON is the text with its name and title.
@@ -91,7 +93,7 @@ int InspectCommand::show(Json declaration, const char* page, Session& session) c
   std::string out = printable_page(page);
   if (!out.empty() && !out.ends_with('\n')) out += '\n';
   if (!out.empty()) out += "\n---- declaration\n";
-  return print(out + as_lines(declaration), session.status());
+  return print(out + fitted(as_lines(declaration), columns_of(STDOUT_FILENO)), session.status());
 }
 
 std::optional<FoundMachine> InspectCommand::find_machine(Session& session) const {
@@ -119,10 +121,14 @@ int InspectCommand::show_machine(const FoundMachine& found, Session& session) co
     add_program_places(program, whole->dialect, *options);
     watch_calls(run.watchdog);
     DiagnosticList reported;
+    options->progress = [&](std::uint64_t blocks, std::uint64_t) {
+      session.progress().show(0, 0, fmt::format("{}: {} blocks", program, blocks));
+    };
     const ProgramNeeds needs = find_needs(*whole, *source, program, *options, reported);
     has_errors = has_errors || reported.has_errors();
     out["Needs"].push_back(describe_needs(program, whole->dialect, needs, reported.all));
   }
+  session.progress().hide();
   const int shown = show(std::move(out), nullptr, session);
   return shown == success && has_errors ? static_cast<int>(input_errors) : shown;
 }
@@ -138,6 +144,14 @@ std::vector<std::string> InspectCommand::names(Session& session, const Json& fie
   for (const FoundMachine& m : session.machines()) out.push_back(m.name);
   for (const Json& f : fields) out.push_back(f["Path"].get<std::string>());
   return out;
+}
+
+std::string InspectCommand::near_code(const LinkedDialect& linked) const {
+  std::vector<std::string> codes;
+  for (const Json& row : describe_codes(linked)) codes.push_back(row["Code"].get<std::string>());
+  const std::string near = nearest_name(name, codes);
+  return (near.empty() ? "" : "did you mean " + near + "? ") + "isogloss list codes -d " + linked.dialect.name +
+         " lists what it answers";
 }
 
 int InspectCommand::run() const {
@@ -198,8 +212,7 @@ int InspectCommand::run() const {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   const bool is_code = name.size() > 1 && name.size() < 8 && is_digit(name[1]) && !is_digit(name[0]);
   if (is_code && linked != nullptr)
-    session.report("IG-0173", {}, {linked->dialect.name, name},
-                   "isogloss list codes -d " + linked->dialect.name + " lists what it answers");
+    session.report("IG-0173", {}, {linked->dialect.name, name}, near_code(*linked));
   else
     session.report("IG-0516", {}, {name}, is_code ? "for a code of programs, name the dialect: -d fanuc" : hint);
   return cannot_start;

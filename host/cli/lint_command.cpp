@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "diagnostic_json.hpp"
 #include "isogloss/engine/chain.hpp"
+#include "json_text.hpp"
 #include "order_patch.hpp"
 #include "output_file.hpp"
 #include "session.hpp"
@@ -16,9 +18,10 @@ namespace {
 struct LintCommand {
   CommonOptions common;
   std::vector<std::string> dialects, machines;
-  bool suggest = false;
+  bool suggest = false, json = false;
 
   int run() const;
+  Json check(const std::string& name, Session& session) const;
 };
 
 std::string suggestion(const Dialect& dialect, Library& library) {
@@ -35,16 +38,37 @@ std::string suggestion(const Dialect& dialect, Library& library) {
 }
 
 /// Services that several dependencies offer: the first one answers for all.
-std::string rivals(const LinkedDialect& linked) {
-  std::string out;
+Json rivals(const LinkedDialect& linked) {
+  Json out = Json::array();
   for (const Provision& p : provisions(linked)) {
     if (p.dependencies.size() == 1) continue;
-    const auto alias = [&](std::size_t i) { return linked.dependencies[p.dependencies[i]].element.alias; };
-    out += fmt::format("  {}: {} answers, not {}", p.service, alias(0), alias(1));
-    for (std::size_t i = 2; i < p.dependencies.size(); ++i) out += ", " + alias(i);
-    out += '\n';
+    Json others = Json::array();
+    for (std::size_t i = 1; i < p.dependencies.size(); ++i)
+      others.push_back(linked.dependencies[p.dependencies[i]].element.alias);
+    out.push_back({{"Service", p.service},
+                   {"Answers", linked.dependencies[p.dependencies[0]].element.alias},
+                   {"Others", std::move(others)}});
   }
   return out;
+}
+
+std::string lint_text(const Json& checked) {
+  std::string out;
+  if (checked["Starts"].get<bool>()) {
+    out = fmt::format("{}: {} syntaxes, {} dependencies, {} fields\n", checked["Name"].get<std::string>(),
+                      checked["Syntaxes"].get<std::size_t>(), checked["Dependencies"].get<std::size_t>(),
+                      checked["Fields"].get<std::size_t>());
+    for (const Json& rival : checked["Rivals"]) {
+      out += fmt::format("  {}: {} answers", rival["Service"].get<std::string>(), rival["Answers"].get<std::string>());
+      const char* separator = ", not ";
+      for (const Json& other : rival["Others"]) {
+        out += separator + other.get<std::string>();
+        separator = ", ";
+      }
+      out += '\n';
+    }
+  }
+  return checked.contains("Suggestion") ? out + checked["Suggestion"].get<std::string>() : out;
 }
 
 /// False when a dependency or a syntax rejects what the dialect gives it; it reports the reason.
@@ -75,6 +99,33 @@ class OwnNotes : public DiagnosticSink {
   const Dialect& dialect_;
 };
 
+/// What `lint --json` says about one dialect or machine.
+Json LintCommand::check(const std::string& name, Session& session) const {
+  CopyingSink diagnostics(session.diagnostics());
+  Json out{{"Name", name}, {"Starts", false}};
+  const std::optional<Dialect> dialect = session.read(name, diagnostics);
+  if (dialect) {
+    out["Name"] = dialect->name;
+    out["File"] = dialect->file.string();
+    OwnNotes notes(diagnostics, *dialect);
+    const std::unique_ptr<LinkedDialect> linked = link(*dialect, session.library(), notes);
+    if (linked != nullptr)
+      for (Diagnostic& d : review(*linked)) notes.add(std::move(d));
+    if (linked != nullptr && starts(*linked, diagnostics)) {
+      out["Starts"] = true;
+      out["Syntaxes"] = linked->chain.size();
+      out["Dependencies"] = linked->dependencies.size();
+      out["Fields"] = linked->layout.fields.size();
+      out["Rivals"] = rivals(*linked);
+    }
+    if (suggest) out["Suggestion"] = suggestion(*dialect, session.library());
+  }
+  for (Diagnostic& d : session.library().shared_codes()) diagnostics.add(std::move(d));
+  session.diagnostics().finish_program();
+  out["Diagnostics"] = std::move(diagnostics.copies);
+  return out;
+}
+
 int LintCommand::run() const {
   Session session(common);
   if (dialects.empty() && machines.empty()) {
@@ -87,24 +138,15 @@ int LintCommand::run() const {
     if (!file) return cannot_start;
     all.push_back(*file);
   }
-  std::string out;
+  std::string text;
+  Json checked = Json::array();
   for (const std::string& name : all) {
-    const std::optional<Dialect> dialect = session.read(name);
-    if (dialect) {
-      OwnNotes notes(session.diagnostics(), *dialect);
-      const std::unique_ptr<LinkedDialect> linked = link(*dialect, session.library(), notes);
-      if (linked != nullptr)
-        for (Diagnostic& d : review(*linked)) notes.add(std::move(d));
-      if (linked != nullptr && starts(*linked, session.diagnostics()))
-        out += fmt::format("{}: {} syntaxes, {} dependencies, {} fields\n", dialect->name, linked->chain.size(),
-                           linked->dependencies.size(), linked->layout.fields.size()) +
-               rivals(*linked);
-      if (suggest) out += suggestion(*dialect, session.library());
-    }
-    for (Diagnostic& d : session.library().shared_codes()) session.diagnostics().add(std::move(d));
-    session.diagnostics().finish_program();
+    session.progress().show(checked.size(), all.size(), name);
+    checked.push_back(check(name, session));
+    text += lint_text(checked.back());
   }
-  return print(out, session.status());
+  session.progress().hide();
+  return print(json ? pretty(Json{{"Isogloss", 1}, {"Checked", std::move(checked)}}) : text, session.status());
 }
 
 }  // namespace
@@ -121,6 +163,7 @@ int lint_command(const Arguments& arguments) {
   line.option("-m,--machine", command.machines, "A machine, by name, folder or file (repeatable)").type_name("MACHINE");
   line.flag("--suggest", command.suggest,
             "Print a patch of the dialect's file that makes the order valid and moves as little as possible");
+  line.flag("--json", command.json, "Write JSON; diagnostics stand in it, and on standard error as ever");
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
   return command.run();

@@ -1,5 +1,6 @@
 // Lists plugins, syntaxes, dialects, dependencies, fields, diagnostics, the codes of a dialect.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -98,16 +99,36 @@ std::string cell(const Json& row, const char* column) {
   return found->is_string() ? found->get<std::string>() : found->dump();
 }
 
+/// The first cell, and the others below it.
+std::string narrow_row(const Json& row, const Listing& listing, std::size_t columns) {
+  constexpr std::size_t below = 6;
+  std::string others;
+  for (std::size_t i = 1; i < listing.columns.size(); ++i) others += cell(row, listing.columns[i]) + " ";
+  return cell(row, listing.columns.front()) + "\n" + std::string(below, ' ') +
+         in_columns(others, columns - below, below);
+}
+
 std::string table(const Listing& listing) {
   std::vector<std::size_t> widths(listing.columns.size());
   for (const Json& row : listing.rows)
     for (std::size_t i = 0; i < widths.size(); ++i)
-      widths[i] = std::max(widths[i], cell(row, listing.columns[i]).size());
+      widths[i] = std::max(widths[i], characters(cell(row, listing.columns[i])));
+  // Only the last column is broken into lines. Where it has no room beside the others, the first one stands alone.
+  constexpr std::size_t narrowest = 24;
+  const std::size_t columns = columns_of(STDOUT_FILENO);
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i + 1 < widths.size(); ++i) begin += widths[i] + 2;
+  const bool is_narrow = columns != 0 && begin + narrowest > columns;
   std::string out;
   for (const Json& row : listing.rows) {
     std::string line;
-    for (std::size_t i = 0; i < widths.size(); ++i)
+    for (std::size_t i = 0; i + 1 < widths.size(); ++i)
       line += fmt::format("{:<{}}  ", cell(row, listing.columns[i]), widths[i]);
+    const std::string last = cell(row, listing.columns.back());
+    if (columns == 0 || begin + characters(last) <= columns)
+      line += last;
+    else
+      line = is_narrow ? narrow_row(row, listing, columns) : line + in_columns(last, columns - begin, begin);
     line.erase(line.find_last_not_of(' ') + 1);
     out += line + "\n";
   }

@@ -1,8 +1,7 @@
 // The main job: programs in, motions or blocks out.
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <chrono>
+#include <filesystem>
 #include <limits>
 #include <map>
 
@@ -27,7 +26,8 @@ struct RunCommand {
   ProgramOptions program;
   std::vector<std::string> programs;
   std::string emit, format = "jsonl", output;
-  bool summary = false, header = false, exact = false, zero_moves = false, checked = false, call_all = false;
+  bool summary = false, header = false, exact = false, zero_moves = false, checked = false, call_all = false,
+       json = false;
   ReproducerRequest reproducer;
   RunBudgets budgets;
   std::vector<std::string> save_table;
@@ -55,6 +55,7 @@ void RunCommand::add_to(CommandLine& line) {
   line.flag("--summary", summary,
             "Blocks, events, lengths, extents, time and diagnostics by code; on standard error when standard output "
             "holds data");
+  line.flag("--json", json, "Write the summary as JSON, one line for each program; motions and blocks as JSON Lines");
   line.flag("--header", header, "JSON Lines: a first line with version, dialect and units");
   line.flag("--exact", exact, "Numbers that read back to the same value instead of 6 decimals");
   line.flag("--zero-moves", zero_moves, "Keep linear moves that change no machine axis");
@@ -120,26 +121,6 @@ RapidRates rapid_rates(const LinkedDialect& linked, const ChainSettings& setting
   return rates;
 }
 
-/// Progress on a terminal, once the run takes longer than a moment.
-class Progress {
- public:
-  void show(std::uint64_t blocks, std::uint64_t bytes) {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last_ < std::chrono::milliseconds(500)) return;
-    last_ = now;
-    shown_ = true;
-    fmt::print(stderr, "\r{} blocks, {} MB", blocks, bytes >> 20);
-    std::fflush(stderr);
-  }
-  ~Progress() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-  bool shown_ = false;
-};
-
 /// One program after the other into one output.
 class Runs {
  public:
@@ -194,9 +175,11 @@ class Runs {
   int run_linked(const std::string& path, OpenedProgram& source) {
     RunOptions options = options_;
     add_program_places(path, linked_->dialect, options);
-    Progress progress;
-    if (isatty(STDERR_FILENO) != 0)
-      options.progress = [&](std::uint64_t blocks, std::uint64_t bytes) { progress.show(blocks, bytes); };
+    std::error_code no_size;
+    const std::uintmax_t size = std::filesystem::is_regular_file(path, no_size) ? std::filesystem::file_size(path) : 0;
+    options.progress = [this, &path, size](std::uint64_t blocks, std::uint64_t bytes) {
+      session_.progress().show(bytes, size, fmt::format("{}: {} blocks", path, blocks));
+    };
 
     std::vector<Exporter*> exporters;
     std::unique_ptr<Exporter> data, totals, tables;
@@ -220,6 +203,7 @@ class Runs {
         exporters.push_back((tables = make_table_saver(command_.tables_to_save, session_)).get());
       const std::uint64_t errors_before = session_.diagnostics().errors();
       const RunResult result = isogloss::run(*linked_, source, path, options, exporters, session_.diagnostics());
+      session_.progress().hide();
       wrote_ = true;
       output_is_gone_ = output_->reader_is_gone() || output_->is_over_allowance();
       if (output_->is_over_allowance())
@@ -246,7 +230,8 @@ class Runs {
   }
 
   void write_summary(const std::string& path, const Summary& summary) {
-    const std::string text = summary_text(path, linked_->dialect.name, summary, session_.diagnostics());
+    const std::string text =
+        (command_.json ? summary_json : summary_text)(path, linked_->dialect.name, summary, session_.diagnostics());
     const bool beside_data = command_.emit != "none" && (command_.output.empty() || command_.output == "-");
     if (beside_data)
       summary_status_ = std::max(summary_status_, print_to_stderr(text));
@@ -280,6 +265,12 @@ int RunCommand::run() {
     session.report("IG-0513", {}, {"blocks have no CSV form; --format jsonl or text"});
     return cannot_start;
   }
+  if (json && format != "jsonl") {
+    session.report("IG-0513", {}, {"--json and --format " + format + " contradict each other; leave one out"});
+    return cannot_start;
+  }
+  const bool writes_to_stdout = output.empty() || output == "-";
+  if (emit != "none" && writes_to_stdout) session.progress().data_goes_to_stdout();
   if (emit == "canonical" && !canonical.prepare(format, session)) return cannot_start;
   std::optional<RunOptions> options = program.make(session);
   auto tables = read_table_requests(save_table, session);

@@ -1,10 +1,13 @@
 // Finds the subcommand. Options that stand before it belong to it as well: `isogloss --plugins DIR run …`.
+#include <unistd.h>
+
 #include <cstdio>
 #include <exception>
 
 #include "command.hpp"
 #include "isogloss/engine/diagnostic.hpp"
 #include "output_file.hpp"
+#include "terminal.hpp"
 #include "usage.hpp"
 
 namespace isogloss::cli {
@@ -37,7 +40,8 @@ bool takes_value(std::string_view option) {
 int dispatch(Arguments arguments) {
   std::size_t at = 0;
   while (at < arguments.size() && arguments[at].starts_with('-') && arguments[at] != "-") {
-    if (arguments[at] == "--help" || arguments[at] == "-h") return print(usage(), success);
+    if (arguments[at] == "--help" || arguments[at] == "-h")
+      return print(fitted(usage(), columns_of(STDOUT_FILENO)), success);
     if (arguments[at] == "--version") {
       arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(at));
       return version_command(arguments);
@@ -45,12 +49,12 @@ int dispatch(Arguments arguments) {
     at += takes_value(arguments[at]) ? 2 : 1;
   }
   if (at >= arguments.size()) {
-    std::fputs(usage().c_str(), stderr);
+    std::fputs(fitted(usage(), columns_of(STDERR_FILENO)).c_str(), stderr);
     return cannot_start;
   }
   const std::string name = arguments[at];
   arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(at));
-  if (name == "help") return print(usage(), success);
+  if (name == "help") return print(fitted(usage(), columns_of(STDOUT_FILENO)), success);
   std::vector<std::string> names;
   for (const Command& c : commands) {
     if (c.name == name) return c.run(arguments);

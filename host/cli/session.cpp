@@ -74,7 +74,7 @@ DiagnosticPolicy policy(const CommonOptions& options) {
   out.repeats = options.repeats;
   out.maximum_errors = options.maximum_errors;
   out.warnings_are_errors = options.warnings_are_errors;
-  out.colours = options.diagnostics_output.empty() && isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+  out.colours = options.diagnostics_output.empty() && shows_colours(STDERR_FILENO);
   return out;
 }
 
@@ -117,7 +117,9 @@ Session::Session(const CommonOptions& options)
       reader_(folders(dialect_places_)),
       diagnostics_output_(options.diagnostics_output),
       diagnostics_(policy(options), [this](std::string_view text) {
-        if (diagnostics_file_ == nullptr || !diagnostics_file_->write(text)) write_to_stderr(text);
+        if (diagnostics_file_ != nullptr && diagnostics_file_->write(text)) return;
+        progress_.hide();
+        write_to_stderr(text);
       }) {
   if (diagnostics_output_.empty()) return;
   std::string error;

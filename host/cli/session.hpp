@@ -14,6 +14,7 @@
 #include "isogloss/engine/linker.hpp"
 #include "isogloss/engine/machine.hpp"
 #include "output_file.hpp"
+#include "terminal.hpp"
 
 namespace isogloss::cli {
 
@@ -50,6 +51,7 @@ class Session {
   Library& library() { return library_; }
   const DialectReader& reader() const { return reader_; }
   DiagnosticWriter& diagnostics() { return diagnostics_; }
+  Progress& progress() { return progress_; }
 
   /// Reads a dialect, or a machine, which is completed with the plugins of its tables; empty, and reported, when
   /// something is wrong.
@@ -84,6 +86,7 @@ class Session {
   DialectReader reader_;
   std::string diagnostics_output_;
   std::unique_ptr<OutputFile> diagnostics_file_;
+  Progress progress_;
   DiagnosticWriter diagnostics_;
 };
 

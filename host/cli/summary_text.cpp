@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "json_text.hpp"
+
 namespace isogloss::cli {
 
 namespace {
@@ -59,6 +61,45 @@ std::string summary_text(const std::string& program, const std::string& dialect,
   for (const auto& [code, count] : diagnostics.by_code())
     line("diagnostics", fmt::format("{} {} [{}]", count.number, to_string(count.severity), code));
   return out;
+}
+
+std::string summary_json(const std::string& program, const std::string& dialect, const Summary& s,
+                         const DiagnosticWriter& diagnostics) {
+  Json out{{"Isogloss", 1},
+           {"Program", program},
+           {"Dialect", dialect},
+           {"Blocks", s.blocks},
+           {"Events", s.events},
+           {"Rapids", s.rapids},
+           {"Feeds", s.feeds},
+           {"Arcs", s.arcs},
+           {"ToolChanges", s.tool_changes},
+           {"SlowedFeeds", s.slowed_feeds},
+           {"RapidLength_mm", s.rapid_length_mm},
+           {"FeedLength_mm", s.feed_length_mm},
+           {"RapidTime_s", s.rapid_time_known ? Json(s.rapid_seconds) : Json()},
+           {"FeedTime_s", s.feed_seconds},
+           {"FeedTimeIsKnown", s.feed_time_known},
+           {"DwellTime_s", s.dwell_seconds},
+           {"Time_s", s.feed_seconds + s.dwell_seconds + (s.rapid_time_known ? s.rapid_seconds : 0)},
+           {"TimeIsKnown", s.rapid_time_known && s.feed_time_known}};
+  Json machine = Json::object(), in_program = Json::object(), turned = Json::object();
+  const auto range = [](double minimum, double maximum) { return Json{{"Minimum", minimum}, {"Maximum", maximum}}; };
+  for (std::size_t i = 0; s.any_motion && i < 6; ++i) {
+    if ((s.axes >> i & 1u) == 0) continue;
+    const std::string axis(1, "XYZABC"[i]);
+    machine[axis] = range(s.minimum[i], s.maximum[i]);
+    if (i >= 3) turned[axis] = s.turned_deg[i - 3];
+  }
+  for (std::size_t i = 0; s.any_motion && i < 3; ++i)
+    in_program[std::string(1, "XYZ"[i])] = range(s.program_minimum[i], s.program_maximum[i]);
+  out["Machine"] = std::move(machine);
+  out["ProgramXyz"] = std::move(in_program);
+  out["Turned_deg"] = std::move(turned);
+  Json& reported = out["Diagnostics"] = Json::array();
+  for (const auto& [code, count] : diagnostics.by_code())
+    reported.push_back({{"Code", code}, {"Severity", to_string(count.severity)}, {"Count", count.number}});
+  return out.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace isogloss::cli

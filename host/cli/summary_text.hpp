@@ -1,4 +1,4 @@
-/// The summary of a run for people: one "name: value" a line.
+/// The summary of a run for people, one "name: value" a line, and for programs.
 #pragma once
 
 #include <string>
@@ -9,6 +9,9 @@
 namespace isogloss::cli {
 
 std::string summary_text(const std::string& program, const std::string& dialect, const Summary& summary,
+                         const DiagnosticWriter& diagnostics);
+/// The same as one line of JSON: schemas/summary.schema.json.
+std::string summary_json(const std::string& program, const std::string& dialect, const Summary& summary,
                          const DiagnosticWriter& diagnostics);
 
 }  // namespace isogloss::cli

@@ -45,7 +45,12 @@ class TableSaver : public Exporter {
   void save(const std::string& name, const std::string& file) {
     const DependencyTable* const table = chain_->table(name);
     if (table == nullptr || table->dependency().row_element == nullptr) {
-      session_.report("IG-0513", {}, {"--save-table: the dialect has no table " + name});
+      std::vector<std::string> names;
+      for (const LinkedDependency& d : chain_->linked().dependencies)
+        if (d.dependency->row_element != nullptr) names.push_back(d.element.alias);
+      const std::string near = nearest_name(name, names);
+      session_.report("IG-0513", {}, {"--save-table: the dialect has no table " + name},
+                      near.empty() ? "" : "did you mean " + near + "?");
       return;
     }
     write_file(file, xml_of(*table, name), session_);

@@ -140,6 +140,10 @@ class Effective(Command):
         self.run_it("dialect", "--effective", "syntec", "--annotate", "-o", "noted.xml")
         noted = (self.path / "noted.xml").read_text()
         self.assertRegex(noted, r"<!-- \S*iso\.xml:\d+; p-unit: \S*syntec\.xml:\d+ -->\s*<DwellSyntax p-unit")
+        self.assertRegex(noted, r'<!-- \S*syntec\.parameters\.xml:\d+ -->\s*<Parameter number="\d+"')
+        mine = self.mine(before='  <Severities>\n    <Severity code="IG-0212" is="note"/>\n  </Severities>\n')
+        self.assertRegex(self.run_it("dialect", mine, "--annotate").stdout,
+                         r'<!-- mine\.xml:3 -->\s*<Severity code="IG-0212"')
         plain = self.run_it("dialect", "syntec").stdout
         self.assertNotIn("<!--", plain)
         self.assertEqual(self.run_it("dialect", "noted.xml").stdout, plain)

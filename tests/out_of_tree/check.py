@@ -19,6 +19,12 @@ in memory,4,arc,20,30,-1,20,30,-1,,,,10,10,30,-1,1,0,XY,10,30,-1,0,0,1,90,,
 in memory,5,end,,,,,,,,,,,,,,,,,,,,,,,,,M30
 """
 
+EMBED_PATHS = """\
+4 events, 6 mm by feed, 90 deg of arcs, M30
+2 events, 50 mm by feed, 0 deg of arcs, M00
+X20 Y30 Z-1
+"""
+
 
 class Checks:
     def __init__(self, options):
@@ -67,6 +73,8 @@ class Checks:
         folder, _ = self.build_project("embed")
         motions = self.run(folder / "embed", self.prefix, "fanuc").stdout
         expect(motions == EMBED_MOTIONS, "a program that embeds the host gets its motions", motions)
+        paths = self.run(folder / "motions", self.prefix, "fanuc").stdout
+        expect(paths == EMBED_PATHS, "and as values, from several threads that share a linked dialect", paths)
 
     def vendor(self):
         # What the engine needs, a plugin does not.

@@ -267,7 +267,7 @@ class FileReader : XmlElements {
         known = true;
         file_.own.severities[code] = {severity, xml_.at(child)};
       }
-      if (!known) bad_value(child, "is", "note, warning or error");
+      if (!known) bad_value(child, "is", "note, warning or error", {"note", "warning", "error"});
     }
   }
 

@@ -27,10 +27,6 @@ void set_all(pugi::xml_node node, const std::vector<Attribute>& attributes) {
   for (const Attribute& a : attributes) set_attribute(node, a.name.c_str(), a.value);
 }
 
-void add_rows(pugi::xml_node node, const std::vector<TableRow>& rows) {
-  for (const TableRow& row : rows) set_all(node.append_child(row.element.c_str()), row.attributes);
-}
-
 /// Where the side file of a dependency lies below `base`: in its old place when it has one there.
 std::string side_file_name(const DependencyElement& dependency, const fs::path& base,
                            const std::map<std::string, std::string>& taken) {
@@ -146,7 +142,7 @@ class DialectWriter {
       if (dependency.alias != dependency.id) set_attribute(node, "as", dependency.alias);
       if (inline_tables_ || dependency.source_file.empty()) {
         set_all(node, dependency.options);
-        add_rows(node, dependency.rows);
+        add_rows(node, dependency);
         continue;
       }
       const std::string name = side_file_name(dependency, base_, written_.side_files);
@@ -154,8 +150,15 @@ class DialectWriter {
       pugi::xml_document table;
       pugi::xml_node table_root = table.append_child(dependency.id.c_str());
       set_all(table_root, dependency.options);
-      add_rows(table_root, dependency.rows);
+      add_rows(table_root, dependency);
       written_.side_files[name] = text_of(table);
+    }
+  }
+
+  void add_rows(pugi::xml_node node, const DependencyElement& dependency) const {
+    for (const TableRow& row : dependency.rows) {
+      annotate(node, row.where);
+      set_all(node.append_child(row.element.c_str()), row.attributes);
     }
   }
 

@@ -18,7 +18,8 @@ class RowCheck {
   void check(const TableRow& row) {
     if (dependency_.row_element == nullptr || row.element != dependency_.row_element) {
       const std::string wanted = dependency_.row_element == nullptr ? "(none)" : dependency_.row_element;
-      report("IG-0217", row.where, {owner_, row.element, wanted});
+      const bool is_near = dependency_.row_element != nullptr && !nearest_name(row.element, {wanted}).empty();
+      report("IG-0217", row.where, {owner_, row.element, wanted}, is_near ? "did you mean " + wanted + "?" : "");
       return;
     }
     for (const Attribute& a : row.attributes)

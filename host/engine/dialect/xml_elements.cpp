@@ -63,9 +63,10 @@ std::string XmlElements::alias(pugi::xml_node node) {
   return as.empty() ? node.name() : as;
 }
 
-void XmlElements::bad_value(pugi::xml_node node, const char* attribute, const char* wanted) {
-  report_("IG-0110", xml_.at(node, attribute),
-          {node.name(), attribute, wanted, shown(node.attribute(attribute).value())});
+void XmlElements::bad_value(pugi::xml_node node, const char* attribute, const char* wanted,
+                            const std::vector<std::string>& words) {
+  const char* const value = node.attribute(attribute).value();
+  report_("IG-0110", xml_.at(node, attribute), {node.name(), attribute, wanted, shown(value)}, meant(value, words));
 }
 
 void XmlElements::unknown(pugi::xml_node node, const std::vector<std::string>& names) {

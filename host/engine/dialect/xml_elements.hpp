@@ -36,7 +36,8 @@ class XmlElements {
   std::filesystem::path path_of_src(pugi::xml_node node);
   /// The name that `as` gives the element; without it, that of the element.
   std::string alias(pugi::xml_node node);
-  void bad_value(pugi::xml_node node, const char* attribute, const char* wanted);
+  void bad_value(pugi::xml_node node, const char* attribute, const char* wanted,
+                 const std::vector<std::string>& words = {});
   void unknown(pugi::xml_node node, const std::vector<std::string>& names);
   /// False, and reported, when the element has an elder sibling of its name.
   bool once(pugi::xml_node node);

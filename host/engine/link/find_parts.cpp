@@ -44,16 +44,27 @@ void find_dependency(Linking& linking, const DependencyElement& element) {
   linking.out.dependencies.push_back(std::move(d));
 }
 
-void find_severities(Linking& linking) {
-  if (linking.out.dialect.severities.empty()) return;
+std::vector<std::string> declared_codes(const Library& library) {
   std::vector<std::string> codes;
   for (const DiagnosticInfo& info : host_diagnostics()) codes.emplace_back(info.code);
-  for (const LoadedPlugin& p : linking.library.plugins())
-    if (is_named(linking.out.dialect, *p.plugin))
-      for (std::uint32_t i = 0; i < p.plugin->diagnostic_count; ++i) codes.emplace_back(p.plugin->diagnostics[i].code);
-  for (const auto& [code, given] : linking.out.dialect.severities)
-    if (std::find(codes.begin(), codes.end(), code) == codes.end())
-      linking.report("IG-0235", given.where, {code}, did_you_mean(nearest_name(code, codes)));
+  for (const LoadedPlugin& p : library.plugins())
+    for (std::uint32_t i = 0; i < p.plugin->diagnostic_count; ++i) codes.emplace_back(p.plugin->diagnostics[i].code);
+  return codes;
+}
+
+/// An importer of any plugin may report what the dialect gives a severity.
+void find_severities(Linking& linking) {
+  if (linking.out.dialect.severities.empty()) return;
+  std::vector<std::string> codes = declared_codes(linking.library);
+  const auto is_known = [&](const std::string& code) {
+    return std::find(codes.begin(), codes.end(), code) != codes.end();
+  };
+  for (const auto& [code, given] : linking.out.dialect.severities) {
+    if (is_known(code)) continue;
+    linking.library.load_all();
+    codes = declared_codes(linking.library);
+    if (!is_known(code)) linking.report("IG-0235", given.where, {code}, did_you_mean(nearest_name(code, codes)));
+  }
 }
 
 }  // namespace

@@ -360,8 +360,9 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "machine does not need.",
        "a generated dialect"},
       {warning, "IG-0235", "no diagnostic has the code '{0}', so its severity changes nothing",
-       "The codes are those of the host and of the plugins that the dialect names: `isogloss list diagnostics`.",
-       R"(<Severity code="ISO-O285" is="error"/>)"},
+       "A severity belongs to a diagnostic of the host or of a plugin that is installed. `isogloss list diagnostics` "
+       "names all of them.",
+       R"(<Severity code="ISO-301" is="note"/>)"},
       {warning, "IG-0242", "{0} wakes while {1} has a value, and no block begins with one: declare its life as modal",
        "A block begins with the modal fields of the block before it and with its words. A field of another life has no "
        "value then, so the syntax is never called for it.",

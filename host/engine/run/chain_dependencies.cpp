@@ -254,7 +254,13 @@ void Chain::assign(const std::string& path, const std::string& value) {
     if (last != std::string::npos) column = tables_[i]->column(rest.substr(last + 1));
     const std::string row = column ? rest.substr(0, last) : rest;
     if (!column && !has_one_value(*d.dependency)) {
-      hint = columns_of(*d.dependency);
+      std::vector<std::string> columns;
+      for (std::uint32_t c = 0; c < d.dependency->column_count; ++c)
+        columns.emplace_back(d.dependency->columns[c].name);
+      const std::string given = last == std::string::npos ? std::string() : rest.substr(last + 1);
+      constexpr std::size_t telling = 3;  // for a shorter name any other one is near
+      const std::string near = given.size() < telling ? std::string() : nearest_name(given, columns);
+      hint = near.empty() ? columns_of(*d.dependency) : "did you mean " + near + "?";
       break;
     }
     assigned_rows_.push_back({i, row, static_cast<std::uint32_t>(column.value_or(0))});
