@@ -138,7 +138,7 @@ RestartCheck check_restart(const LinkedDialect& linked, const std::string& whole
   const auto lines = static_cast<std::uint32_t>(std::count(preamble.begin(), preamble.end(), '\n'));
   DiagnosticList said;
   ExplainReach reach;
-  const auto restarted = find_point(linked, text, name, {lines + 1, {}, 1}, again, said, reach);
+  const auto restarted = find_point(linked, text, name, {.line = lines + 1}, again, said, reach);
   for (Diagnostic& d : said.all)
     if (d.severity == Severity::error && d.where.line <= lines) out.errors.push_back(std::move(d));
   if (!restarted) return out;

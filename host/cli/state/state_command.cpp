@@ -64,9 +64,12 @@ std::string StateCommand::text_of(const ProgramPoint& point, const std::vector<S
     shown.push_back(std::move(value));
   }
   for (std::size_t i = 0; i < state.size(); ++i) {
-    const std::uint32_t line = state[i].value.line;
-    out += fmt::format("  {:<{}}  {:<{}}  {:<10}  {}\n", state[i].value.path, names, shown[i], values,
-                       line == 0 ? "at start" : fmt::format("line {}", line), state[i].title);
+    const auto& [file, line] = state[i].value.set;
+    const std::string place = line == 0              ? "at start"
+                              : file == b.where.file ? fmt::format("line {}", line)
+                                                     : fmt::format("{}:{}", file, line);
+    out += fmt::format("  {:<{}}  {:<{}}  {:<10}  {}\n", state[i].value.path, names, shown[i], values, place,
+                       state[i].title);
   }
   if (!after && !point.variables.empty()) out += "Variables that the program has set:\n";
   if (!after)
@@ -82,7 +85,7 @@ Json StateCommand::json_of(const ProgramPoint& point, const std::vector<StateRow
     Json one{{"Path", row.value.path}, {"Value", Json::parse(row.value.value)}, {"Title", row.title}};
     if (!row.unit.empty()) one["Unit"] = row.unit;
     if (!row.value.writer.empty()) one["Writer"] = row.value.writer;
-    if (row.value.line != 0) one["Line"] = row.value.line;
+    if (row.value.set.line != 0) one["File"] = row.value.set.file, one["Line"] = row.value.set.line;
     rows.push_back(std::move(one));
   }
   Json out{{"File", point.block.where.file},
@@ -110,7 +113,7 @@ std::string why_not(const ProgramPoint& point) {
   for (const ExplainedValue& v : b.carried)
     if (v.path == "RadiusCompensation.Side" && v.value != R"("None")")
       return fmt::format("cutter radius compensation has been active since line {}, so restart before that line",
-                         v.line);
+                         v.set.line);
   return {};
 }
 
