@@ -50,7 +50,7 @@ class Answers(unittest.TestCase):
         self.assertIn("--set", texts("run", "--set", "a=b", "--"))
 
     def test_values_follow_their_option(self):
-        self.assertEqual(texts("run", "--emit", ""), ["blocks", "motions", "none"])
+        self.assertEqual(texts("run", "--emit", ""), ["blocks", "motions", "canonical", "none"])
         self.assertEqual(texts("run", "--emit=m"), ["motions"])
         self.assertEqual(texts("run", "-d", "fa"), ["fanuc", ":files *.xml"])
         self.assertEqual(texts("run", "part.nc", "--dialect=FA"), ["fanuc", ":files *.xml"])

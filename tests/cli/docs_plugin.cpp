@@ -76,8 +76,9 @@ VEN-0001
 #Diagnostics: any
 )PAGE";
 
-constexpr const char* cases = "# VendorPressSyntax\n\nSee [its page](vendor_press_syntax.md).\n\n## Nothing\n\n"
-                              "#BeforeBuild:\n\n```json\n{}\n```\n\n#AfterBuild:\n\n```json\n{}\n```\n";
+constexpr const char* cases =
+    "# VendorPressSyntax\n\nSee [its page](vendor_press_syntax.md).\n\n## Nothing\n\n"
+    "#BeforeBuild:\n\n```json\n{}\n```\n\n#AfterBuild:\n\n```json\n{}\n```\n";
 
 constexpr ig::EmbeddedDiagnostic explanation{"VEN-0001", "Explained <i>here</i> & there.", "M181 ` <u>"};
 

@@ -110,6 +110,17 @@ class Shapes(unittest.TestCase):
         self.assertTrue(found["Plugins"])
         self.refuses("doctor", {**found, "Host": 1})
 
+    def test_state(self):
+        program = OPTIONS.source / "tests/programs/fanuc/demo.nc"
+        found = self.holds("state", "state", f"{program}:20", "-d", "fanuc", "--json")
+        self.assertTrue(found["State"])
+        self.holds("state", "state", f"{program}:20", "-d", "fanuc", "--after", "--json")
+        variables = self.path / "v.nc"
+        variables.write_text("#101=2.5\n#102=#0\nG21\n")
+        found = self.holds("state", "state", f"{variables}:3", "-d", "fanuc", "--json")
+        self.assertIn({"Variable": 101, "Value": 2.5}, found["Variables"])
+        self.refuses("state", {**found, "When": "never"})
+
     def test_lint_tells_each_dialect_and_its_diagnostics(self):
         wrong = self.path / "x.xml"
         wrong.write_text(DIALECT.format('<Chain><Configure syntax="DwellSyntax" p-unit="hours"/></Chain>'))
