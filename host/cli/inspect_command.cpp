@@ -182,9 +182,11 @@ int InspectCommand::run() const {
   }
   if (const ig_dependency* const dependency = session.library().dependency(name, &plugin)) {
     Json out = describe(*dependency, *plugin);
-    if (linked != nullptr)
-      for (const Json& d : describe(linked->dialect)["Dependencies"])
+    if (linked != nullptr) {
+      const Json described = describe(linked->dialect);
+      for (const Json& d : described["Dependencies"])
         if (d["Id"] == name) out["In " + linked->dialect.name] = d;
+    }
     return show(std::move(out), dependency->page, session);
   }
   if (const ig_importer* const importer = session.library().importer(name, &plugin))

@@ -92,9 +92,9 @@ void Comparison::add_difference(Difference d, const Snapshot& a, const Snapshot&
 
 /// The last syntax called in this block that writes such a field: it may also be the one that erased it.
 std::uint16_t Comparison::last_writer(std::size_t side, std::uint32_t field, const Snapshot& block) const {
-  for (auto p = block.called.rbegin(); p != block.called.rend(); ++p)
-    if (map_.writes[side][*p][field]) return static_cast<std::uint16_t>(*p + 1);
-  return 0;
+  const auto writer = std::find_if(block.called.rbegin(), block.called.rend(),
+                                   [&](std::uint16_t position) { return map_.writes[side][position][field]; });
+  return writer == block.called.rend() ? std::uint16_t{0} : static_cast<std::uint16_t>(*writer + 1);
 }
 
 void Comparison::collect_strokes(const Snapshot& a, const Snapshot& b) {

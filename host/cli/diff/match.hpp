@@ -22,8 +22,10 @@ std::vector<Match> match_in_order(int n, int m, const Weight& weight) {
     for (int i = 0; i < std::max(n, m); ++i) out.push_back({i < n ? i : -1, i < m ? i : -1});
     return out;
   }
-  std::vector<int> best(static_cast<std::size_t>((n + 1) * (m + 1))), weights(best.size());
-  const auto at = [m](int i, int j) { return static_cast<std::size_t>(i * (m + 1) + j); };
+  const auto at = [row = static_cast<std::size_t>(m) + 1](int i, int j) {
+    return static_cast<std::size_t>(i) * row + static_cast<std::size_t>(j);
+  };
+  std::vector<int> best(at(n + 1, 0)), weights(best.size());
   for (int i = n; i-- > 0;)
     for (int j = m; j-- > 0;) {
       const int w = weights[at(i, j)] = weight(i, j);

@@ -219,7 +219,7 @@ std::string slept_text(const std::vector<SleepingSyntax>& list) {
 std::string text_of(const ExplainedBlock& b, Amount amount, LineTexts& lines) {
   const Facts facts(b, lines);
   const std::vector<Stroke> strokes = strokes_of(facts);
-  const std::string sentence = sentence_of(facts, strokes) + "\n";
+  std::string sentence = sentence_of(facts, strokes) + "\n";
   if (amount == Amount::sentence) return sentence;
   std::string out = fmt::format("{}:{}: {}\n", b.where.file, b.where.line, printable(b.text, "\t"));
   out += where_the_run_is(b) + sentence + words_text(b) + variables_text(b, facts) + strokes_text(strokes) +

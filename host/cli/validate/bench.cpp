@@ -87,7 +87,6 @@ Trial Bench::run(const TestBlock& block, bool shows) {
 }
 
 double Bench::time(const TestBlock& block, int repeats) {
-  using Clock = std::chrono::steady_clock;
   std::vector<double> times;
   for (int i = 0; i < repeats; ++i) {
     prepare(block);

@@ -1,6 +1,7 @@
 /// The checks of `isogloss validate`: what each has to work with, and what it finds.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -12,6 +13,8 @@
 #include "session.hpp"
 
 namespace isogloss::cli {
+
+using Clock = std::chrono::steady_clock;
 
 enum class Level { must, should, note };
 

@@ -22,7 +22,6 @@ namespace isogloss::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t attempt_room = 16 << 10;
 constexpr std::string_view end_mark = "end\n";

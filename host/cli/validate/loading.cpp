@@ -71,7 +71,6 @@ void check_unloads(Examination& e) {
 }
 
 void check_load_time(Examination& e) {
-  using Clock = std::chrono::steady_clock;
   double best = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 5; ++i) {
     const Clock::time_point begin = Clock::now();

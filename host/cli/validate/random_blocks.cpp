@@ -16,7 +16,6 @@ namespace isogloss::cli {
 namespace {
 
 using Random = std::mt19937_64;
-using Clock = std::chrono::steady_clock;
 
 std::uint64_t below(Random& random, std::uint64_t end) { return random() % end; }
 

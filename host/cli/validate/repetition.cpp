@@ -80,7 +80,6 @@ void check_two_chains(Examination& e) {
 }
 
 void check_threads(Examination& e) {
-  using Clock = std::chrono::steady_clock;
   constexpr auto least = std::chrono::milliseconds(8);
   on_each_stand(e, [&](const Stand& stand) {
     std::vector<std::string> expected;

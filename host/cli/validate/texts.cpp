@@ -38,7 +38,7 @@ class GuardedTexts {
   /// What was copied so far cannot be read any more. Its place stays taken for a while, so that nothing else is there.
   void end_call() {
     constexpr std::size_t most_pages = 256;
-    for (std::size_t i = 0; i < pages_.size(); ++i) mprotect(pages_[i].begin, pages_[i].size, PROT_NONE);
+    for (const Page& page : pages_) mprotect(page.begin, page.size, PROT_NONE);
     for (; pages_.size() > most_pages; pages_.pop_front()) munmap(pages_.front().begin, pages_.front().size);
   }
 

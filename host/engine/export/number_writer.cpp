@@ -44,17 +44,17 @@ constexpr Tables make_tables() {
   }
   return tables;
 }
-constexpr Tables tables = make_tables();
+constexpr Tables number_tables = make_tables();
 
 /// All writers copy four bytes where they may keep fewer: the caller's room allows for it.
 inline char* write_leading(char* out, std::uint32_t below_1000) {
-  const Leading& l = tables.leading[below_1000];
+  const Leading& l = number_tables.leading[below_1000];
   std::memcpy(out, &l, 4);
   return out + l.length;
 }
 
 inline char* write_triple(char* out, std::uint32_t below_1000) {
-  std::memcpy(out, &tables.triples[below_1000], 4);
+  std::memcpy(out, &number_tables.triples[below_1000], 4);
   return out + 3;
 }
 
@@ -71,8 +71,8 @@ inline char* write_whole(char* out, std::uint32_t value) {
 
 /// Without a branch: how many digits a coordinate has cannot be foreseen, and a wrong guess costs more than the digits.
 inline char* write_fraction(char* out, std::uint32_t millionths) {
-  const Triple& high = tables.triples[millionths / 1000];
-  const Triple& low = tables.triples[millionths % 1000];
+  const Triple& high = number_tables.triples[millionths / 1000];
+  const Triple& low = number_tables.triples[millionths % 1000];
   *out = '.';
   std::memcpy(out + 1, &high, 4);
   std::memcpy(out + 4, &low, 4);

@@ -49,7 +49,7 @@ ProgramLine ValueOrigins::since(const Document& document, ig_field f, std::strin
   if (origin.since == 0 && !name.empty())
     for (const char* const codes : {"Parsing.Flags.", "Parsing."})
       if (const ig_field code = document.layout().id(codes + std::string(name)); code != IG_NO_FIELD)
-        if (const ProgramLine line = set_at(document, code); line.line != 0) return line;
+        if (ProgramLine line = set_at(document, code); line.line != 0) return line;
   return {std::string(chain_.file_name(origin.since_file)), origin.since};
 }
 
