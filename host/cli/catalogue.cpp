@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "isogloss/engine/layout.hpp"
-#include "new_names.hpp"
+#include "new/names.hpp"
 
 namespace isogloss::cli {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "chain_map.hpp"
+#include "dialect/chain_map.hpp"
 #include "docs/site.hpp"
 
 namespace isogloss::cli::docs {

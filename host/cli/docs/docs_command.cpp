@@ -3,7 +3,7 @@
 
 #include "docs/docs_folder.hpp"
 #include "docs/site.hpp"
-#include "new_folder.hpp"
+#include "new/folder.hpp"
 #include "output_file.hpp"
 
 namespace isogloss::cli {

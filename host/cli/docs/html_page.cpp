@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "chain_map.hpp"
+#include "dialect/chain_map.hpp"
 #include "docs/page.hpp"
 
 namespace isogloss::cli::docs {

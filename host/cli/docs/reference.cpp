@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "chain_map.hpp"
+#include "dialect/chain_map.hpp"
 #include "page_section.hpp"
 
 namespace isogloss::cli::docs {

@@ -1,6 +1,6 @@
 #include "docs/site.hpp"
 
-#include "new_names.hpp"
+#include "new/names.hpp"
 
 namespace isogloss::cli::docs {
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <random>
 
-#include "text_edits.hpp"
+#include "dialect/text_edits.hpp"
 #include "validate/subject.hpp"
 
 namespace isogloss::cli {

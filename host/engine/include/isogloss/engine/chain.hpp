@@ -60,7 +60,7 @@ struct ChainSettings {
   bool call_all = false;    ///< call every syntax in every block: must give the same result
   std::map<std::string, std::string, std::less<>> settings;      ///< "block-skip", "optional-stop", "program"
   std::vector<DependencyElement> dependencies;                   ///< the user's own tables, before the dialect's
-  std::vector<std::pair<std::string, std::string>> assignments;  ///< --set: "IsoCoordinateTable.G54.Z", "-120"
+  std::vector<std::pair<std::string, std::string>> assignments;  ///< --set: "Offsets.2.Z", "-120"
   /// In place of host_table(mode) and link_api(): a host of another version. They outlive the chain.
   const ig_host* host = nullptr;
   const ig_link_api* link_api = nullptr;

@@ -10,8 +10,8 @@ namespace isogloss {
 
 class Chain;
 
-/// A block with places for values: "G00[ X{X}]". {NAME} or {NAME:format} stands for a value; what stands in brackets is
-/// left out when a value in it is missing.
+/// A block with places for values: "RAPID[ X{X}]". {NAME} or {NAME:format} stands for a value; what stands in brackets
+/// is left out when a value in it is missing.
 class BlockTemplate {
  public:
   explicit BlockTemplate(std::string_view text);

@@ -4,7 +4,7 @@
 
 #include <system_error>
 
-#include "new_folder.hpp"
+#include "new/folder.hpp"
 #include "outputs.hpp"
 
 namespace isogloss::cli {

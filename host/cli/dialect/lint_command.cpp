@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "diagnostic_json.hpp"
+#include "dialect/order_patch.hpp"
 #include "isogloss/engine/chain.hpp"
 #include "json_text.hpp"
-#include "order_patch.hpp"
 #include "output_file.hpp"
 #include "session.hpp"
 

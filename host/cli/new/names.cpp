@@ -1,4 +1,4 @@
-#include "new_names.hpp"
+#include "new/names.hpp"
 
 #include <algorithm>
 

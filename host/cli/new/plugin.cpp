@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "known_codes.hpp"
-#include "new_folder.hpp"
-#include "new_names.hpp"
+#include "new/folder.hpp"
+#include "new/names.hpp"
 
 namespace isogloss::cli {
 

@@ -1,6 +1,6 @@
 // Finds the option or operand at the cursor. What parses command lines accepts whole ones only, so this reads them
 // anew.
-#include "completion.hpp"
+#include "completion/completion.hpp"
 
 #include <algorithm>
 

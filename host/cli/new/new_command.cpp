@@ -1,7 +1,7 @@
 // Makes the folder of a machine, a plugin or a dialect.
 #include <array>
 
-#include "new_folder.hpp"
+#include "new/folder.hpp"
 
 namespace isogloss::cli {
 

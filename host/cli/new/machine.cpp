@@ -3,12 +3,12 @@
 
 #include <filesystem>
 
+#include "dialect/text_edits.hpp"
 #include "isogloss/engine/machine.hpp"
-#include "new_folder.hpp"
-#include "new_names.hpp"
+#include "new/folder.hpp"
+#include "new/names.hpp"
 #include "output_file.hpp"
 #include "outputs.hpp"
-#include "text_edits.hpp"
 
 namespace isogloss::cli {
 

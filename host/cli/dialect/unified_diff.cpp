@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "order_patch.hpp"
+#include "dialect/order_patch.hpp"
 
 namespace isogloss::cli {
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "chain_map.hpp"
+#include "dialect/chain_map.hpp"
 #include "json_text.hpp"
 #include "output_file.hpp"
 #include "outputs.hpp"

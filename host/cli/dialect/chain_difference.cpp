@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "chain_map.hpp"
+#include "dialect/chain_map.hpp"
 
 namespace isogloss::cli {
 

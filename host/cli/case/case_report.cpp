@@ -1,4 +1,4 @@
-#include "case_report.hpp"
+#include "case/case_report.hpp"
 
 #include <fmt/format.h>
 

@@ -13,8 +13,8 @@
 #include "outputs.hpp"
 #include "program_options.hpp"
 #include "reproducer.hpp"
-#include "run_budgets.hpp"
-#include "summary_text.hpp"
+#include "run/run_budgets.hpp"
+#include "run/summary_text.hpp"
 #include "table_saver.hpp"
 
 namespace isogloss::cli {

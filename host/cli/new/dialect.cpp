@@ -1,13 +1,13 @@
 // The folder of a dialect, and what it has in common with that of a plugin.
-#include "new_folder.hpp"
+#include "new/folder.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "new_names.hpp"
+#include "dialect/text_edits.hpp"
+#include "new/names.hpp"
 #include "output_file.hpp"
-#include "text_edits.hpp"
 
 namespace isogloss::cli {
 

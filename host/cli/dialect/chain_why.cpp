@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "chain_map.hpp"
+#include "dialect/chain_map.hpp"
 
 namespace isogloss::cli {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <span>
 
-#include "case_report.hpp"
+#include "case/case_report.hpp"
 #include "isogloss/engine/cases.hpp"
 #include "output_file.hpp"
 #include "surroundings.hpp"

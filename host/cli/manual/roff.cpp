@@ -1,4 +1,4 @@
-#include "roff.hpp"
+#include "manual/roff.hpp"
 
 #include <algorithm>
 

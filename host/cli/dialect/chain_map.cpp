@@ -1,4 +1,4 @@
-#include "chain_map.hpp"
+#include "dialect/chain_map.hpp"
 
 #include <fmt/format.h>
 

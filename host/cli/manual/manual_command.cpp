@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <map>
 
+#include "manual/roff.hpp"
 #include "output_file.hpp"
-#include "roff.hpp"
 #include "session.hpp"
 #include "usage.hpp"
 

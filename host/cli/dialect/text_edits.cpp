@@ -1,4 +1,4 @@
-#include "text_edits.hpp"
+#include "dialect/text_edits.hpp"
 
 #include <algorithm>
 #include <utility>

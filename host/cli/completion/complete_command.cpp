@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "completion.hpp"
+#include "completion/completion.hpp"
 
 namespace isogloss::cli {
 

@@ -1,6 +1,6 @@
 // A root dialect lists its chain: elements move to other lines. A dialect that extends another has edits: an edit gets
 // another anchor, and what is inherited is removed and put in again.
-#include "order_patch.hpp"
+#include "dialect/order_patch.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include <optional>
 #include <set>
 
+#include "dialect/text_edits.hpp"
 #include "session.hpp"
-#include "text_edits.hpp"
 
 namespace isogloss::cli {
 

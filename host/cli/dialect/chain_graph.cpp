@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "chain_map.hpp"
-#include "text_edits.hpp"
+#include "dialect/chain_map.hpp"
+#include "dialect/text_edits.hpp"
 
 namespace isogloss::cli {
 

@@ -1,4 +1,4 @@
-#include "summary_text.hpp"
+#include "run/summary_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "run_budgets.hpp"
+#include "run/run_budgets.hpp"
 
 #include <unistd.h>
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "catalogue.hpp"
-#include "completion.hpp"
+#include "completion/completion.hpp"
 #include "known_codes.hpp"
 #include "validate/check.hpp"
 
