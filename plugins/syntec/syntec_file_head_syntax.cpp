@@ -47,7 +47,10 @@ struct SyntecFileHead {
     if (!b.is_raised(declined_)) return ig::Status::unchanged;
     const ig_frame frame = flow_.frame(b);
     const std::string_view head = b.text(text_);
-    if (said_.emplace(ig::to_view(frame.file), head).second) report(b, head);
+    if (const FileAndHead place{ig::to_view(frame.file), head}; !said_.contains(place)) {
+      said_.emplace(place);
+      report(b, head);
+    }
     if (frame.depth > 0)
       flow_.leave(b);
     else
@@ -88,7 +91,12 @@ struct SyntecFileHead {
       b.report(ig::diag("SYN-0001"), where);
   }
 
-  std::set<std::pair<std::string, std::string>> said_;  ///< of this run: the file, and the text at its head
+  using FileAndHead = std::pair<std::string_view, std::string_view>;
+  struct ByText {
+    using is_transparent = void;
+    bool operator()(const FileAndHead& a, const FileAndHead& b) const { return a < b; }
+  };
+  std::set<std::pair<std::string, std::string>, ByText> said_;  ///< of this run
 };
 
 const ig::Register<SyntecFileHead> syntec_file_head_syntax;

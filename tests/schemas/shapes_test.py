@@ -145,6 +145,17 @@ class Shapes(unittest.TestCase):
         self.assertGreater(found["Held"], 2)
         self.assertIn("Dwell", found["Pages"][0]["Cases"][0]["Difference"])
 
+    def test_checks_of_plugins(self):
+        plugin = pathlib.Path(OPTIONS.isogloss).parent / "plugins" / "syntec.so"
+        text = self.path / "notes.so"
+        text.write_text("no library\n")
+        found = self.holds("validate", "validate", plugin, text, "--only", "loads", "--only", "random-blocks", "--blocks",
+                           10, "--json", part="Results")
+        results = [[check["Result"] for check in one["Checks"]] for one in found["Plugins"]]
+        self.assertEqual(results, [["held", "held"], ["failed", "skipped"]])
+        self.holds("validate", "validate", "--list", "--json", part="List")
+        self.refuses("validate", {**found, "Plugins": [{"File": "a.so"}]})
+
     def test_diagnostics(self):
         program = self.path / "a.nc"
         program.write_text("G0 X1 Q5\nG81 X\n")

@@ -1,31 +1,21 @@
 // Plugins with one fault each, chosen by FAULT_…, which one check of `isogloss validate` is to find.
+#include <fcntl.h>
 #include <isogloss.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
+#include <cfenv>
+#include <charconv>
 #include <chrono>
 #include <clocale>
 #include <cmath>
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <string>
 #include <thread>
-
-#if defined(FAULT_leaves_process) || defined(FAULT_leaves_group)
-#include <unistd.h>
-
-#include <csignal>
-#elif defined(FAULT_prints)
-#include <cstdio>
-#elif defined(FAULT_leaves_file)
-#include <fcntl.h>
-#elif defined(FAULT_changes_rounding)
-#include <cfenv>
-#elif defined(FAULT_changes_signal)
-#include <csignal>
-#elif defined(FAULT_ended_by_signal)
-#include <csignal>
-#elif defined(FAULT_leaves_child)
-#include <unistd.h>
-#endif
 
 namespace {
 
@@ -43,11 +33,20 @@ struct Self {
   ig_text kept_text{};
   void* memory = nullptr;
   void (*set_text_value)() = nullptr;
+  ig_block* kept_block = nullptr;
+  const ig_host* kept_functions = nullptr;
+  const ig_field* kept_ids = nullptr;
+  const ig_link_api* kept_api = nullptr;
+  ig_link* kept_link = nullptr;
 };
 
 const ig_field_decl fields[] = {
+#if defined(FAULT_asleep)
+    {sizeof(ig_field_decl), IG_READ | IG_TAKE, IG_NUMBER, IG_LIFE_STANDARD, "Parsing.X", "", "An X.", nullptr},
+#else
     {sizeof(ig_field_decl), IG_READ | IG_TAKE | IG_WAKE, IG_NUMBER, IG_LIFE_STANDARD, "Parsing.X", "", "An X.",
      nullptr},
+#endif
 #if defined(FAULT_undeclared)
     {sizeof(ig_field_decl), IG_READ, IG_NUMBER, IG_LIFE_STANDARD, "Feedrate.FeedrateValue", "", "The feed.", nullptr},
 #else
@@ -80,6 +79,26 @@ ig_status create(const ig_link_api* api, ig_link* link, const ig_field* ids, voi
   auto* const self = new Self{ids[0], ids[1], ids[2], ids[3]};
   *out = self;
   self->length = api->option_number(link, 0);
+  self->kept_ids = ids;
+  self->kept_api = api;
+  self->kept_link = link;
+#if defined(FAULT_ends_badly)
+  std::atexit([] { crash(); });
+#elif defined(FAULT_writes_at_create)
+  if (std::FILE* const file = std::fopen("/dev/null", "w")) std::fclose(file);
+#elif defined(FAULT_no_reason)
+  if (self->length >= 10) {
+    delete self;
+    return IG_FAILED;
+  }
+#elif defined(FAULT_sets_variable)
+  setenv("FAULTY", "1", 1);
+#elif defined(FAULT_blocks_signal)
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, SIGUSR2);
+  pthread_sigmask(SIG_BLOCK, &set, nullptr);
+#endif
 #if defined(FAULT_rare_option)
   self->other = ids[4];
 #elif defined(FAULT_leaks_at_destroy)
@@ -212,6 +231,52 @@ ig_status build(void* pointer, const ig_host* host, ig_block* block) {
     std::signal(SIGUSR1, SIG_DFL);
     std::raise(SIGUSR1);
   }
+#elif defined(FAULT_keeps_block)
+  if (self.kept_block != nullptr) host->get(self.kept_block, self.plane, &any);
+  self.kept_block = block;
+#elif defined(FAULT_keeps_functions)
+  if (self.kept_functions == nullptr) self.kept_functions = host;
+  self.kept_functions->get(block, self.plane, &any);
+#elif defined(FAULT_keeps_ids)
+  host->get(block, self.kept_ids[3], &any);
+#elif defined(FAULT_keeps_option)
+  if (is_there) scratch = self.kept_api->option_number(self.kept_link, 0);
+#elif defined(FAULT_reads_comma)
+  if (is_there) x.number += std::strtod("0.5", nullptr) - 0.5;
+#elif defined(FAULT_writes_comma)
+  char digits[64];
+  const int size = std::snprintf(digits, sizeof digits, "%.3f", x.number);
+  if (is_there) std::from_chars(digits, digits + size, x.number);
+  if (is_there && std::memchr(digits, ',', size) != nullptr) x.number += 0.125;
+#elif defined(FAULT_reads_clock)
+  if (is_there) x.number += static_cast<double>(std::time(nullptr) / 10'000'000);
+#elif defined(FAULT_uses_address)
+  if (is_there) x.number += static_cast<double>(reinterpret_cast<std::uintptr_t>(&blocks_of_all) >> 12 & 0xff);
+#elif defined(FAULT_uses_old_memory)
+  auto* const memory = static_cast<volatile unsigned char*>(std::malloc(64));
+  if (is_there) x.number += memory[40];
+  std::free(const_cast<unsigned char*>(memory));
+#elif defined(FAULT_reads_variable)
+  if (is_there) x.number += std::getenv("HOME") != nullptr && std::getenv("HOME")[1] == 'n' ? 1 : 0;
+#elif defined(FAULT_prints_to_error)
+  if (is_there && x.number < 0) std::fprintf(stderr, "X is %g\n", x.number);
+#elif defined(FAULT_reads_file)
+  if (std::FILE* const file = is_there ? std::fopen("/dev/null", "r") : nullptr) std::fclose(file);
+#elif defined(FAULT_slow_rarely)
+  for (volatile int i = 0; is_there && x.number > 100 && i < 200'000;) i = i + 1;
+#elif defined(FAULT_counts_quietly)
+  ++blocks_of_all;
+#elif defined(FAULT_lacks_argument)
+  if (is_there && x.number < -10) host->report(block, 0, self.x, 0, 0, nullptr, 0);
+#elif defined(FAULT_not_finite)
+  if (is_there) x.number = x.number * 25.4 / 25.4;
+#elif defined(FAULT_many_at_once)
+  ig_field many[40];
+  ig_value values[40];
+  for (ig_field& one : many) one = self.plane;
+  host->get_many(block, many, 40, values);
+#elif defined(FAULT_leaks_pages)
+  if (is_there) mmap(nullptr, 4096, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
 #elif defined(FAULT_random_lie)
   if (is_there && x.number > 2) {
     set(host, block, self.feed, x.number);
@@ -270,7 +335,12 @@ const ig_diagnostic_decl diagnostics[] = {{sizeof(ig_diagnostic_decl), IG_NOTE,
 #else
                                            "FLT-0001",
 #endif
-                                           "nothing", "Nothing is wrong.", "X1"}};
+#if defined(FAULT_lacks_argument)
+                                           "the number {0} is negative",
+#else
+                                           "nothing",
+#endif
+                                           "Nothing is wrong.", "X1"}};
 
 ig_syntax syntax{};
 const ig_syntax* const syntaxes[] = {&syntax};
@@ -279,6 +349,14 @@ ig_plugin plugin{};
 #if defined(FAULT_slow_load)
 struct AtLoad {
   AtLoad() { std::this_thread::sleep_for(std::chrono::milliseconds(80)); }
+} at_load;
+#elif defined(FAULT_crash_at_close)
+struct AtClose {
+  ~AtClose() { crash(); }
+} at_close;
+#elif defined(FAULT_prints_at_load)
+struct AtLoad {
+  AtLoad() { std::puts("faulty 1.0 is ready"); }
 } at_load;
 #endif
 

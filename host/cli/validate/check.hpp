@@ -88,6 +88,7 @@ void check_unused(Examination& e);
 void check_empty_block(Examination& e);
 void check_absent_fields(Examination& e);
 void check_extreme_values(Examination& e);
+void check_finite_results(Examination& e);
 void check_declarations(Examination& e);
 void check_unchanged(Examination& e);
 void check_time(Examination& e);
@@ -96,12 +97,19 @@ void check_waits(Examination& e);
 void check_unread(Examination& e);
 // texts.cpp
 void check_texts(Examination& e);
+// borrowed.cpp
+void check_borrowed(Examination& e);
+// elsewhere.cpp
+void check_elsewhere(Examination& e);
+// input_output.cpp
+void check_input_output(Examination& e);
 // memory.cpp
 void check_allocations(Examination& e);
 void check_memory(Examination& e);
 // traces_left.cpp
 void check_leaves_nothing(Examination& e);
 void check_process_state(Examination& e);
+void check_end(Examination& e);
 // random_blocks.cpp
 void check_random_blocks(Examination& e);
 // repetition.cpp
@@ -109,6 +117,8 @@ void check_same_result(Examination& e);
 void check_restart(Examination& e);
 void check_two_chains(Examination& e);
 void check_threads(Examination& e);
+// statics.cpp
+void check_statics(Examination& e);
 // options.cpp
 void check_options(Examination& e);
 void check_without_services(Examination& e);

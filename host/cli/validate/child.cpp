@@ -90,11 +90,13 @@ void keep(std::string& text, std::string_view more) {
 
 /// Reads both pipes until the child ends, or to the time limit: then false. Processes that the plugin started may hold
 /// the pipes open for longer: they end with the child.
-bool listen(pid_t child, const int (&pipes)[2], std::string (&texts)[2], double seconds) {
+bool listen(pid_t child, const int (&pipes)[2], std::string (&texts)[2], double seconds,
+            const std::function<void()>& tell) {
   constexpr double interval = 0.02;
   const Clock::time_point begin = Clock::now();
   bool is_open[2] = {true, true};
   for (bool is_last = false; is_open[0] || is_open[1];) {
+    tell();
     const double left = seconds - seconds_since(begin);
     if (left <= 0) return false;
     pollfd polled[2] = {{is_open[0] ? pipes[0] : -1, POLLIN, 0}, {is_open[1] ? pipes[1] : -1, POLLIN, 0}};
@@ -162,7 +164,8 @@ void read_results(const std::string& text, Outcome& out) {
 
 }  // namespace
 
-Outcome run_in_child(const Check& check, const ValidateOptions& options, const std::string& file) {
+Outcome run_in_child(const Check& check, const ValidateOptions& options, const std::string& file,
+                     const Watcher& watcher) {
   Outcome out{.check = &check};
   const Clock::time_point begin = Clock::now();
   int results[2], talk[2];
@@ -182,7 +185,8 @@ Outcome run_in_child(const Check& check, const ValidateOptions& options, const s
   close(results[1]);
   close(talk[1]);
   std::string texts[2];
-  const bool is_complete = listen(child, {results[0], talk[0]}, texts, options.time_limit);
+  const auto at_work = [attempt] { return std::string(attempt, strnlen(attempt, attempt_room)); };
+  const bool is_complete = listen(child, {results[0], talk[0]}, texts, options.time_limit, [&] { watcher(at_work()); });
   const bool has_told_all = texts[0].ends_with(end_mark);
   const bool is_ours_to_end = is_complete && !has_told_all && !ends_soon(child);
   kill(-child, SIGKILL);
@@ -192,14 +196,14 @@ Outcome run_in_child(const Check& check, const ValidateOptions& options, const s
   close(results[0]);
   close(talk[0]);
   read_results(texts[0], out);
-  const std::string at_work(attempt, strnlen(attempt, attempt_room));
+  const std::string last = at_work();
   munmap(shared, attempt_room);
   if (!is_complete)
-    add(out, {at_work, "the check took longer than " + std::to_string(options.time_limit) + " s"});
+    add(out, {last, "the check took longer than " + std::to_string(options.time_limit) + " s"});
   else if (is_ours_to_end)
-    add(out, {at_work, "the process closed its output and went on"});
+    add(out, {last, "the process closed its output and went on"});
   else if (!has_told_all)
-    add(out, {at_work, texts[1].empty() ? ending(status) : reason(texts[1])});
+    add(out, {last, texts[1].empty() ? ending(status) : reason(texts[1])});
   out.seconds = seconds_since(begin);
   return out;
 }

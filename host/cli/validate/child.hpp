@@ -19,8 +19,12 @@ struct Outcome {
   bool held() const { return findings.empty() && skipped.empty(); }
 };
 
+/// Is told what the plugin is asked to do, again and again while a child is at work.
+using Watcher = std::function<void(std::string_view at_work)>;
+
 /// Ends the child when it takes longer or needs more memory than the options allow.
-Outcome run_in_child(const Check& check, const ValidateOptions& options, const std::string& file);
+Outcome run_in_child(const Check& check, const ValidateOptions& options, const std::string& file,
+                     const Watcher& watcher);
 /// In this process: a crash ends the command, where a debugger sees it.
 Outcome run_here(const Check& check, const ValidateOptions& options, const std::string& file);
 

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <limits>
 
+#include "crash_guard.hpp"
+#include "validate/child.hpp"
 #include "validate/subject.hpp"
 
 namespace isogloss::cli {
@@ -30,27 +32,45 @@ bool is_entry(const std::string& symbol) { return symbol.starts_with("ig_plugin_
 
 }  // namespace
 
+namespace {
+
+/// Loads, asks and closes once. False, and told, when nothing further can be tried.
+bool load_and_close(Examination& e, const std::string& time) {
+  e.attempt("loading the library" + time);
+  void* const library = dlopen(e.file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  const auto entry = library == nullptr ? nullptr : reinterpret_cast<ig_plugin_fn>(dlsym(library, "ig_plugin_v1"));
+  if (entry == nullptr) {
+    const char* const reason = dlerror();
+    e.find("", "loading it again fails: " + std::string(reason == nullptr ? "no entry" : reason));
+    return false;
+  }
+  e.attempt("calling the entry" + time);
+  const ig_plugin* const plugin = entry();
+  if (plugin == nullptr)
+    e.find("", "the entry returns nothing; return a descriptor");
+  else if (entry() != plugin)
+    e.find("", "two calls of the entry give two answers; return the same static descriptor each time");
+  e.attempt("closing the library" + time);
+  dlclose(library);
+  return true;
+}
+
+}  // namespace
+
 void check_loads(Examination& e) {
-  if (const Finding refused = refusal(e); !refused.where.empty() && !is_of_descriptor(refused.where)) {
+  // In another process, since a library that the host has loaded stays: none of the times below would be the first.
+  Finding refused;
+  const bool survived = survives(e, [&] {
+    refused = refusal(e);
+    if (!refused.where.empty() && !is_of_descriptor(refused.where) && e.may_fork) end_process(input_errors);
+  });
+  if (!survived) refused = refusal(e);
+  if (!refused.where.empty() && !is_of_descriptor(refused.where)) {
     e.find("", refused.what + " [" + refused.where + "]");
     return;
   }
-  std::string name;
-  for (int i = 1; i <= 3; ++i) {
-    e.attempt("loading the library, time " + std::to_string(i));
-    void* const library = dlopen(e.file.c_str(), RTLD_NOW | RTLD_LOCAL);
-    const auto entry = library == nullptr ? nullptr : reinterpret_cast<ig_plugin_fn>(dlsym(library, "ig_plugin_v1"));
-    if (entry == nullptr) {
-      const char* const reason = dlerror();
-      e.find("", "loading it again fails: " + std::string(reason == nullptr ? "no entry" : reason));
-      return;
-    }
-    const ig_plugin* const plugin = entry();
-    if (plugin == nullptr || entry() != plugin)
-      e.find("", "two calls of the entry give two answers; return the same static descriptor each time");
-    e.attempt("closing the library");
-    dlclose(library);
-  }
+  for (const char* const time : {"", ", a second time", ", a third time"})
+    if (!load_and_close(e, time)) return;
 }
 
 void check_descriptor(Examination& e) {

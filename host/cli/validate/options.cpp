@@ -185,7 +185,7 @@ void check_options(Examination& e) {
       continue;
     }
     for (std::uint32_t i = 0; i < syntax->option_count; ++i) check_option(e, subject, *syntax, syntax->options[i]);
-    check_options_together(e, subject, *syntax, std::clamp<std::size_t>(400 / subject.syntaxes().size(), 4, 40));
+    check_options_together(e, subject, *syntax, std::clamp<std::size_t>(1000 / subject.syntaxes().size(), 4, 200));
   }
 }
 

@@ -1,4 +1,5 @@
 // The same blocks again: by a new chain, after a restart, beside another chain, beside another thread.
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <thread>
@@ -79,8 +80,38 @@ void check_two_chains(Examination& e) {
   });
 }
 
+namespace {
+
+/// The same builds again and again, without a look at more than the document: a race needs many of them. Ends when
+/// another thread has seen a difference, too.
+void race(const Stand& stand, std::chrono::milliseconds time, std::atomic<std::size_t>& differing) {
+  const Clock::time_point end = Clock::now() + time;
+  Bench bench(stand.alone, {});
+  bench.start();
+  std::vector<Document> expected;
+  for (const TestBlock& block : stand.blocks) {
+    bench.prepare(block);
+    bench.build();
+    expected.push_back(bench.chain().document());
+  }
+  while (Clock::now() < end && differing == SIZE_MAX)
+    for (std::size_t i = 0; i < stand.blocks.size(); ++i) {
+      bench.prepare(stand.blocks[i]);
+      ++bench.chain().builds;
+      bench.build();
+      if (!bench.chain().document().same_content(expected[i])) differing = i;
+    }
+}
+
+}  // namespace
+
 void check_threads(Examination& e) {
   constexpr auto least = std::chrono::milliseconds(8);
+  constexpr std::size_t shared_time = 2'000;  // ms, for all stands
+  std::size_t stands = 0;
+  on_each_stand(e, [&](const Stand&) { ++stands; });
+  const std::chrono::milliseconds racing(
+      std::clamp<std::size_t>(shared_time / std::max<std::size_t>(stands, 1), 4, 300));
   on_each_stand(e, [&](const Stand& stand) {
     std::vector<std::string> expected;
     {
@@ -95,6 +126,7 @@ void check_threads(Examination& e) {
         for (std::size_t i = 0; i < stand.blocks.size(); ++i)
           if (bench.run(stand.blocks[i]).shown != expected[i]) differing = i;
       } while (Clock::now() - begin < least && differing == SIZE_MAX);
+      if (stand.syntax->build != nullptr) race(stand, racing, differing);
     };
     std::thread other(work);
     work();

@@ -1,54 +1,41 @@
-// Texts at the end of a page behind which no memory is: whoever reads on, or reads them after the call, crashes.
+// Texts of the host, read beyond their end or after the call.
+#include "validate/guarded_texts.hpp"
+
 #include <sys/mman.h>
 #include <unistd.h>
 
 #include <cstring>
-#include <deque>
+#include <stdexcept>
 
 #include "validate/subject.hpp"
 
 namespace isogloss::cli {
 
+GuardedTexts::~GuardedTexts() {
+  for (const Page& p : pages_) munmap(p.begin, p.size);
+}
+
+ig_text GuardedTexts::copy(ig_text text) {
+  if (text.data == nullptr) return text;
+  const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const std::size_t readable = (text.size + page - 1) / page * page;
+  void* const mapped = mmap(nullptr, readable + page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (mapped == MAP_FAILED) throw std::runtime_error("no memory for a text");
+  char* const end = static_cast<char*>(mapped) + readable;
+  std::memcpy(end - text.size, text.data, text.size);
+  if (readable > 0) mprotect(mapped, readable, PROT_READ);
+  mprotect(end, page, PROT_NONE);
+  pages_.push_back({mapped, readable + page});
+  return {end - text.size, text.size};
+}
+
+void GuardedTexts::end_call() {
+  constexpr std::size_t most_pages = 256;
+  for (const Page& page : pages_) mprotect(page.begin, page.size, PROT_NONE);
+  for (; pages_.size() > most_pages; pages_.pop_front()) munmap(pages_.front().begin, pages_.front().size);
+}
+
 namespace {
-
-/// Copies of texts for one call of a plugin at a time.
-class GuardedTexts {
- public:
-  GuardedTexts() = default;
-  ~GuardedTexts() {
-    for (const Page& p : pages_) munmap(p.begin, p.size);
-  }
-  GuardedTexts(const GuardedTexts&) = delete;
-  GuardedTexts& operator=(const GuardedTexts&) = delete;
-
-  ig_text copy(ig_text text) {
-    if (text.data == nullptr) return text;
-    const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-    const std::size_t readable = (text.size + page - 1) / page * page;
-    void* const mapped = mmap(nullptr, readable + page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (mapped == MAP_FAILED) throw std::runtime_error("no memory for a text");
-    char* const end = static_cast<char*>(mapped) + readable;
-    std::memcpy(end - text.size, text.data, text.size);
-    if (readable > 0) mprotect(mapped, readable, PROT_READ);
-    mprotect(end, page, PROT_NONE);
-    pages_.push_back({mapped, readable + page});
-    return {end - text.size, text.size};
-  }
-
-  /// What was copied so far cannot be read any more. Its place stays taken for a while, so that nothing else is there.
-  void end_call() {
-    constexpr std::size_t most_pages = 256;
-    for (const Page& page : pages_) mprotect(page.begin, page.size, PROT_NONE);
-    for (; pages_.size() > most_pages; pages_.pop_front()) munmap(pages_.front().begin, pages_.front().size);
-  }
-
- private:
-  struct Page {
-    void* begin;
-    std::size_t size;
-  };
-  std::deque<Page> pages_;
-};
 
 thread_local GuardedTexts* guarded = nullptr;
 

@@ -1,5 +1,6 @@
 // What a plugin leaves in the process: threads, processes, files, and settings that belong to everyone.
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,10 +10,14 @@
 #include <chrono>
 #include <clocale>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
+#include <locale>
 #include <map>
 #include <thread>
 
+#include "crash_guard.hpp"
+#include "validate/child.hpp"
 #include "validate/subject.hpp"
 
 namespace isogloss::cli {
@@ -62,11 +67,36 @@ bool has_children() {
   return waitid(P_ALL, 0, &info, WEXITED | WNOHANG | WNOWAIT) == 0;
 }
 
+std::string signals_held_back() {
+  sigset_t set;
+  sigemptyset(&set);
+  pthread_sigmask(SIG_BLOCK, nullptr, &set);
+  std::string out;
+  for (int number = 1; number < NSIG; ++number)
+    if (sigismember(&set, number) == 1) out += fmt::format("{}{}", out.empty() ? "" : " ", number);
+  return out.empty() ? "none" : out;
+}
+
+std::string open_files_allowed() {
+  rlimit limit{};
+  getrlimit(RLIMIT_NOFILE, &limit);
+  return std::to_string(limit.rlim_cur);
+}
+
 /// Settings of the process, by what people call them.
 std::map<std::string, std::string> settings_of_process() {
   std::map<std::string, std::string> out;
   std::error_code error;
   out["the locale"] = std::setlocale(LC_ALL, nullptr);
+  out["the locale of C++ streams"] = std::locale().name();
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string_view one = *variable;
+    const std::size_t end = std::min(one.find('='), one.size());
+    out["the environment variable " + std::string(one.substr(0, end))] = one.substr(std::min(end + 1, one.size()));
+  }
+  out["the arithmetic faults that end the process"] = std::to_string(fegetexcept());
+  out["the signals that are held back"] = signals_held_back();
+  out["the number of files that may be open"] = open_files_allowed();
   out["the rounding mode"] = std::to_string(std::fegetround());
   out["the working folder"] = fs::current_path(error).string();
   const mode_t mask = umask(0);
@@ -98,11 +128,29 @@ void check_leaves_nothing(Examination& e) {
   if (!had_children && has_children()) e.find("", "a process that it started is left");
 }
 
+void check_end(Examination& e) {
+  if (!e.may_fork) return e.remark("not looked at: the end of the process would end the command");
+  const bool survived = survives(e, [&] {
+    work_with_everything(e);
+    expect_end();
+    std::exit(success);  // not end_process(): functions of atexit() and static objects run here
+  });
+  if (!survived) e.find("", "it crashes or does not return when the process ends, after its chains are destroyed");
+}
+
 void check_process_state(Examination& e) {
   const std::map<std::string, std::string> before = settings_of_process();
   work_with_everything(e);
-  for (const auto& [what, value] : settings_of_process())
-    if (before.at(what) != value) e.find("", fmt::format("it changes {}: {} was {}", what, value, before.at(what)));
+  const std::map<std::string, std::string> after = settings_of_process();
+  const auto of = [](const std::map<std::string, std::string>& all, const std::string& what) {
+    const auto found = all.find(what);
+    return found == all.end() ? "not set" : found->second;
+  };
+  std::map<std::string, std::string> both = before;
+  both.insert(after.begin(), after.end());
+  for (const auto& [what, value] : both)
+    if (of(before, what) != of(after, what))
+      e.find("", fmt::format("it changes {}: {} was {}", what, of(after, what), of(before, what)));
 }
 
 }  // namespace isogloss::cli

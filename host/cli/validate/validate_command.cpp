@@ -14,6 +14,17 @@ namespace isogloss::cli {
 
 namespace {
 
+/// The checks of all plugins, as a line of progress counts them.
+struct Steps {
+  Progress& progress;
+  std::size_t total = 0, done = 0;
+
+  void show(const std::string& plugin, const Check& check, std::string_view at_work) const {
+    progress.show(done, total,
+                  fmt::format("{}, {}{}{}", plugin, check.name, at_work.empty() ? "" : ": ", at_work.substr(0, 200)));
+  }
+};
+
 struct ValidateCommand {
   ValidateOptions options;
   std::vector<std::string> files, only;
@@ -26,7 +37,7 @@ struct ValidateCommand {
   int list(const std::vector<const Check*>& checks) const;
   std::string report(const std::vector<PluginOutcome>& plugins) const;
   std::vector<const Check*> chosen(Session& session) const;
-  PluginOutcome validate(const std::string& file, const std::vector<const Check*>& checks) const;
+  PluginOutcome validate(const std::string& file, const std::vector<const Check*>& checks, Steps& steps) const;
   int status(const std::vector<PluginOutcome>& plugins) const;
 };
 
@@ -59,9 +70,13 @@ std::vector<const Check*> ValidateCommand::chosen(Session& session) const {
   return out;
 }
 
-PluginOutcome ValidateCommand::validate(const std::string& file, const std::vector<const Check*>& checks) const {
+PluginOutcome ValidateCommand::validate(const std::string& file, const std::vector<const Check*>& checks,
+                                        Steps& steps) const {
+  const std::string name = std::filesystem::path(file).filename().string();
   const auto perform = [&](const Check& check) {
-    return in_process ? run_here(check, options, file) : run_in_child(check, options, file);
+    const auto watcher = [&](std::string_view at_work) { steps.show(name, check, at_work); };
+    watcher("");
+    return in_process ? run_here(check, options, file) : run_in_child(check, options, file, watcher);
   };
   PluginOutcome out{file, {}};
   // A plugin that does not load, or whose descriptor is refused, has nothing that the other checks could look at.
@@ -73,6 +88,7 @@ PluginOutcome ValidateCommand::validate(const std::string& file, const std::vect
     Outcome one = refused.empty() ? perform(check) : Outcome{.check = &check, .skipped = refused};
     if (is_first && refused.empty() && !one.held()) refused = fmt::format("the check '{}' failed", check.name);
     if (is_chosen || !one.held()) out.checks.push_back(std::move(one));
+    steps.done += is_chosen ? 1 : 0;
   }
   return out;
 }
@@ -109,12 +125,13 @@ int ValidateCommand::run() const {
   if (files.empty()) return misused("name the file of a plugin, or --list for the checks");
   if (!options.dialect.empty() && !session.reader().read(options.dialect, session.diagnostics())) return cannot_start;
   std::vector<PluginOutcome> plugins;
+  Steps steps{session.progress(), checks.size() * files.size()};
   bool is_missing = false;
   for (const std::string& file : files) {
     std::error_code error;
     const std::filesystem::path path = std::filesystem::absolute(file, error);
     if (std::filesystem::is_regular_file(path, error)) {
-      plugins.push_back(validate(path.string(), checks));
+      plugins.push_back(validate(path.string(), checks, steps));
       plugins.back().file = file;
     } else {
       session.report("IG-0510", {file},
@@ -122,6 +139,7 @@ int ValidateCommand::run() const {
       is_missing = true;
     }
   }
+  session.progress().hide();
   if (plugins.empty()) return cannot_start;
   return print(report(plugins), is_missing ? cannot_start : status(plugins));
 }

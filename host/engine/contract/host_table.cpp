@@ -2,6 +2,8 @@
 // one checks every access against the declarations; the traced one also keeps the line that set each field.
 #include "contract/host_table.hpp"
 
+#include <algorithm>
+
 #include "contract/argument_text.hpp"
 #include "contract/host_records.hpp"
 #include "contract/host_values.hpp"
@@ -27,6 +29,16 @@ ig_text symbol_text(const ig_block* block, ig_symbol symbol) {
   return {t.data(), t.size()};
 }
 
+/// {0} to {9}: how many arguments the text has places for.
+std::uint32_t places_in(std::string_view text) {
+  std::uint32_t out = 0;
+  for (std::size_t i = 0; i + 2 < text.size(); ++i)
+    if (text[i] == '{' && text[i + 1] >= '0' && text[i + 1] <= '9' && text[i + 2] == '}')
+      out = std::max(out, static_cast<std::uint32_t>(text[i + 1] - '0') + 1);
+  return out;
+}
+
+template <Mode M>
 void report(ig_block* block, std::uint32_t diagnostic, ig_field f, std::uint32_t begin, std::uint32_t end,
             const ig_argument* arguments, std::uint32_t count) {
   Document& d = doc(block);
@@ -37,6 +49,10 @@ void report(ig_block* block, std::uint32_t diagnostic, ig_field f, std::uint32_t
     return;
   }
   const ig_diagnostic_decl& row = plugin.diagnostics[diagnostic];
+  if constexpr (M == Mode::checked)
+    if (const std::uint32_t places = places_in(row.text); places > count)
+      violation(
+          d, "it gives " + std::to_string(count) + " of the " + std::to_string(places) + " arguments of " + row.code);
   if (f < d.size() && d.word_end(f) != 0) {
     begin = d.word_begin(f);
     end = d.word_end(f);
@@ -108,7 +124,7 @@ constexpr ig_host table() {
           .map_records = map_records,
           .symbol = symbol,
           .symbol_text = symbol_text,
-          .report = report,
+          .report = report<M>,
           .fault = fault,
           .flow = flow,
           .ahead = ahead,

@@ -19,5 +19,7 @@ struct ig_link {
   const isogloss::LinkedSyntax* syntax = nullptr;  // null for a dependency
   isogloss::DependencyTable* table = nullptr;      // null for a syntax
   std::string failure;
+  /// Why create() failed, also where the plugin does not say it.
+  std::string reason() const { return failure.empty() ? "its create() gives no reason" : failure; }
   bool is_idle = false;
 };

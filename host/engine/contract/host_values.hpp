@@ -15,11 +15,21 @@ std::int32_t get(const ig_block* block, ig_field f, ig_value* out) {
   return 1;
 }
 
+/// The answer has a bit for each field, so there are no more than its bits.
+template <Mode M>
+bool fits_mask(const ig_block* block, std::uint32_t count) {
+  constexpr std::uint32_t most = 32;
+  if (M != Mode::checked || count <= most) return true;
+  violation(doc(block), "it asks for " + std::to_string(count) + " fields at once, while the answer has 32 bits");
+  return false;
+}
+
 template <Mode M>
 std::uint32_t get_many(const ig_block* block, const ig_field* fields, std::uint32_t count, ig_value* out) {
   if constexpr (M == Mode::fast) {
     return doc(block).get_many(fields, count, out);
   }
+  if (!fits_mask<M>(block, count)) return 0;
   std::uint32_t mask = 0;
   for (std::uint32_t i = 0; i < count; ++i)
     if (get<M>(block, fields[i], out + i) != 0) mask |= 1u << (i & 31);
@@ -34,6 +44,7 @@ std::int32_t take(ig_block* block, ig_field f, ig_value* out) {
 
 template <Mode M>
 std::uint32_t take_many(ig_block* block, const ig_field* fields, std::uint32_t count, ig_value* out) {
+  if (!fits_mask<M>(block, count)) return 0;
   std::uint32_t mask = 0;
   for (std::uint32_t i = 0; i < count; ++i)
     if (take<M>(block, fields[i], out + i) != 0) mask |= 1u << (i & 31);
@@ -85,6 +96,7 @@ std::int32_t is_fresh(const ig_block* block, ig_field f) {
 
 template <Mode M>
 std::uint32_t fresh_many(const ig_block* block, const ig_field* fields, std::uint32_t count) {
+  if (!fits_mask<M>(block, count)) return 0;
   std::uint32_t mask = 0;
   for (std::uint32_t i = 0; i < count; ++i)
     if (is_fresh<M>(block, fields[i]) != 0) mask |= 1u << (i & 31);

@@ -98,7 +98,7 @@ void Chain::create_dependencies() {
     if (status == IG_FAILED) {
       dependencies_[i] = nullptr;
       sink_.add(
-          host_diagnostic("IG-0308", place_of(d.element, settings_.dependencies), {d.element.alias, link.failure}));
+          host_diagnostic("IG-0308", place_of(d.element, settings_.dependencies), {d.element.alias, link.reason()}));
       throw std::runtime_error(d.element.alias + " could not be created");
     }
     refuse_rows(i);

@@ -26,7 +26,7 @@ void Chain::create_syntaxes() {
     }
     if (status == IG_FAILED) {
       steps_[i].self = nullptr;
-      sink_.add(host_diagnostic("IG-0308", s.element.where, {s.element.alias, link.failure}));
+      sink_.add(host_diagnostic("IG-0308", s.element.where, {s.element.alias, link.reason()}));
       throw std::runtime_error(s.element.alias + " could not be created");
     }
     (s.syntax->look_ahead == 0 ? steps_[i].build : steps_[i].build_ahead) = link.is_idle ? nullptr : s.syntax->build;

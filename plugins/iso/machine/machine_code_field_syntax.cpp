@@ -63,8 +63,8 @@ struct MachineCodeField {
   }
 
   ig::Status build(ig::Block& b) const {
-    const std::string all(b.text(fields_));
-    for_each_assignment(all, [&](std::string_view path, std::string_view value) {
+    // Rows set other fields, so the text stays as it is.
+    for_each_assignment(b.text(fields_), [&](std::string_view path, std::string_view value) {
       if (const auto target = targets_.find(path); target != targets_.end()) set(b, path, target->second, value);
     });
     return ig::Status::changed;

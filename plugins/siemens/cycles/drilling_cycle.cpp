@@ -9,7 +9,7 @@ DrillingCall::DrillingCall(std::initializer_list<std::string_view> names) {
   for (const std::string_view name : names) cycles_.emplace_back(drilling_signature(name), ig::take | ig::wake);
 }
 
-std::optional<DrillingRun> DrillingCall::take(ig::Block& b) const {
+std::optional<DrillingRun> DrillingCall::take(ig::Block& b) {
   DrillingRun run;
   for (const CycleFields& cycle : cycles_) {
     if (!cycle.take(b, run.values)) continue;

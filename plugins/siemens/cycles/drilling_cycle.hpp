@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
@@ -22,8 +23,8 @@ struct DrillingRun {
   const CycleFields* cycle = nullptr;
   CycleFields::Values values;
   PlaneAxes plane;
-  ig::Vec3 hole;                                 ///< along the drilling axis: where the tool comes from
-  std::optional<std::vector<ig::Vec3>> pattern;  ///< the holes of a pattern (HOLES1, …)
+  ig::Vec3 hole;                                     ///< along the drilling axis: where the tool comes from
+  std::optional<std::span<const ig::Vec3>> pattern;  ///< the holes of a pattern (HOLES1, …)
   double retract = 0, reference = 0, start = 0, depth = 0;
   double out = 1;  ///< 1 where the axis leaves the hole in its positive direction, else -1
   double feed = 0;
@@ -51,7 +52,7 @@ class DrillingCall {
 
   /// The call of this block, and the block's own move to the hole before it. Nothing where there is no call, or where
   /// the control refuses it, which is reported: X Y Z of the block then move as without the call.
-  std::optional<DrillingRun> take(ig::Block& b) const;
+  std::optional<DrillingRun> take(ig::Block& b);
 
   /// Makes the steps at each hole, after a rapid in the plane to it where a pattern names the holes.
   template <class Steps>

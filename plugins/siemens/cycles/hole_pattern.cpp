@@ -27,25 +27,27 @@ double way_between(const Point2& from, const Point2& to) { return std::hypot(to.
 
 }  // namespace
 
-std::optional<std::vector<ig::Vec3>> HolePattern::take(ig::Block& b, const PlaneAxes& plane,
-                                                       const ig::Vec3& from) const {
+std::optional<std::span<const ig::Vec3>> HolePattern::take(ig::Block& b, const PlaneAxes& plane, const ig::Vec3& from) {
   const std::size_t i = find(b);
   if (i >= calls_.size()) return std::nullopt;
   Call call{&calls_[i], {}};
   calls_[i].take(b, call.values);
-  std::vector<ig::Vec3> out;
-  if (!is_executed(b, call)) return out;
-  for (const Point2& p : points(b, call, {from[plane.first], from[plane.second]})) {
-    ig::Vec3& hole = out.emplace_back(from);
+  points_.clear();
+  holes_.clear();
+  if (!is_executed(b, call)) return holes_;
+  points(b, call, {from[plane.first], from[plane.second]}, points_);
+  for (const Point2& p : points_) {
+    ig::Vec3& hole = holes_.emplace_back(from);
     hole[plane.first] = p.u;
     hole[plane.second] = p.v;
   }
-  for (const ig::Vec3& p : out)
+  for (const ig::Vec3& p : holes_)
     if (!(std::fabs(p.x) < 1e9 && std::fabs(p.y) < 1e9 && std::fabs(p.z) < 1e9)) {
       b.report(ig::diag("SIE-0105"), call.where(), call.fields->name());
-      return std::vector<ig::Vec3>{};
+      holes_.clear();
+      break;
     }
-  return out;
+  return holes_;
 }
 
 void HolePattern::refuse(ig::Block& b) const {
@@ -77,15 +79,14 @@ std::size_t HolePattern::count(ig::Block& b, const Call& call, std::string_view 
   return 0;
 }
 
-HolePattern::Points HolePattern::points(ig::Block& b, const Call& call, const Point2& from) {
+void HolePattern::points(ig::Block& b, const Call& call, const Point2& from, Points& out) {
   const std::string_view name = call.fields->name();
-  if (name == "HOLES1") return row(b, call, from);
-  if (name == "HOLES2") return circle(b, call);
-  return name == "CYCLE801" ? grid(b, call, from) : list(b, call);
+  if (name == "HOLES1") return row(b, call, from, out);
+  if (name == "HOLES2") return circle(b, call, out);
+  return name == "CYCLE801" ? grid(b, call, from, out) : list(b, call, out);
 }
 
-HolePattern::Points HolePattern::row(ig::Block& b, const Call& call, const Point2& from) {
-  Points out;
+void HolePattern::row(ig::Block& b, const Call& call, const Point2& from, Points& out) {
   const std::size_t n = count(b, call, "NUM");
   const Turn along = hole_direction(call["STA1"]);
   for (std::size_t k = 0; k < n; ++k) {
@@ -93,54 +94,45 @@ HolePattern::Points HolePattern::row(ig::Block& b, const Call& call, const Point
     out.push_back(rounded_hole(hole_towards({call["SPCA"], call["SPCO"]}, way, along)));
   }
   if (n > 0 && way_between(from, out.back()) < way_between(from, out.front())) std::reverse(out.begin(), out.end());
-  return out;
 }
 
-HolePattern::Points HolePattern::circle(ig::Block& b, const Call& call) {
-  Points out;
+void HolePattern::circle(ig::Block& b, const Call& call, Points& out) {
   const std::size_t n = count(b, call, "NUM");
   const double step = call["INDA"] != 0 ? call["INDA"] : 360 / static_cast<double>(std::max<std::size_t>(n, 1));
   for (std::size_t k = 0; k < n; ++k) {
     const Turn turn = hole_direction(call["STA1"] + static_cast<double>(k) * step);
     out.push_back(rounded_hole(hole_towards({call["CPA"], call["CPO"]}, call["RAD"], turn)));
   }
-  return out;
 }
 
-HolePattern::Points HolePattern::grid(ig::Block& b, const Call& call, const Point2& from) {
+void HolePattern::grid(ig::Block& b, const Call& call, const Point2& from, Points& out) {
   const std::size_t columns = count(b, call, "NUM1"), rows = count(b, call, "NUM2");
-  if (columns == 0 || rows == 0) return {};
+  if (columns == 0 || rows == 0) return;
   if (columns * rows > most_of_grid) {
     b.report(ig::diag("SIE-0272"), call.where(), call.fields->name(), static_cast<double>(columns * rows),
              static_cast<double>(most_of_grid));
-    return {};
+    return;
   }
   const Turn turn = hole_direction(call["STA"]);
   const HoleGrid holes{{call["SPCA"], call["SPCO"]}, turn, turn, call["DIS1"], call["DIS2"]};
-  const auto walk = [&](bool far_column, bool far_row) {
-    Points way;
-    for (std::size_t j = 0; j < rows; ++j)
-      for (std::size_t i = 0; i < columns; ++i) {
-        const std::size_t column = alternating_column(far_column ? j + 1 : j, i, columns);
-        way.push_back(rounded_hole(holes.at(column, far_row ? rows - 1 - j : j)));
-      }
-    return way;
+  struct Corner {
+    bool far_column, far_row;
   };
-  Points nearest;
-  for (const bool far_row : {false, true})
-    for (const bool far_column : {false, true})
-      if (Points way = walk(far_column, far_row);
-          nearest.empty() || way_between(from, way.front()) < way_between(from, nearest.front()))
-        nearest = std::move(way);
-  return nearest;
+  const auto hole = [&](const Corner& first, std::size_t j, std::size_t i) {
+    const std::size_t column = alternating_column(first.far_column ? j + 1 : j, i, columns);
+    return rounded_hole(holes.at(column, first.far_row ? rows - 1 - j : j));
+  };
+  Corner nearest{false, false};
+  for (const Corner& other : {Corner{true, false}, Corner{false, true}, Corner{true, true}})
+    if (way_between(from, hole(other, 0, 0)) < way_between(from, hole(nearest, 0, 0))) nearest = other;
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i) out.push_back(hole(nearest, j, i));
 }
 
-HolePattern::Points HolePattern::list(ig::Block& b, const Call& call) {
-  Points out;
+void HolePattern::list(ig::Block& b, const Call& call, Points& out) {
   for (std::size_t i = call.fields->index_of("X0"); i + 1 < call.fields->index_of("VARI"); i += 2)
     if (call.values[i] && call.values[i + 1]) out.push_back(rounded_hole({*call.values[i], *call.values[i + 1]}));
   if (out.empty()) b.report(ig::diag("SIE-0272"), call.where(), call.fields->name(), 0.0, 9.0);
-  return out;
 }
 
 }  // namespace siemens

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <isogloss/cnc/arc.hpp>
@@ -22,9 +23,9 @@ class HolePattern {
 
   bool stands_in(const ig::Block& b) const { return find(b) < calls_.size(); }
 
-  /// The positions in the plane, in mm, from the nearest end of the pattern. Nothing where the block holds no pattern;
-  /// an empty list where the pattern is not executed, which is reported.
-  std::optional<std::vector<ig::Vec3>> take(ig::Block& b, const PlaneAxes& plane, const ig::Vec3& from) const;
+  /// The positions in the plane, in mm, from the nearest end of the pattern; good until the next call. Nothing where
+  /// the block holds no pattern; an empty list where the pattern is not executed, which is reported.
+  std::optional<std::span<const ig::Vec3>> take(ig::Block& b, const PlaneAxes& plane, const ig::Vec3& from);
 
   /// Reports a pattern at which no cycle drills.
   void refuse(ig::Block& b) const;
@@ -47,14 +48,16 @@ class HolePattern {
   static bool is_executed(ig::Block& b, const Call& call);
   /// A number of holes; 0 where the control would refuse it, which is reported.
   static std::size_t count(ig::Block& b, const Call& call, std::string_view parameter);
-  /// The positions of the call; `from` is the tool.
-  static Points points(ig::Block& b, const Call& call, const Point2& from);
-  static Points row(ig::Block& b, const Call& call, const Point2& from);
-  static Points circle(ig::Block& b, const Call& call);
-  static Points grid(ig::Block& b, const Call& call, const Point2& from);
-  static Points list(ig::Block& b, const Call& call);
+  /// Append the positions of the call to `out`; `from` is the tool.
+  static void points(ig::Block& b, const Call& call, const Point2& from, Points& out);
+  static void row(ig::Block& b, const Call& call, const Point2& from, Points& out);
+  static void circle(ig::Block& b, const Call& call, Points& out);
+  static void grid(ig::Block& b, const Call& call, const Point2& from, Points& out);
+  static void list(ig::Block& b, const Call& call, Points& out);
 
   std::vector<CycleFields> calls_;
+  Points points_;                // members, to keep their memory
+  std::vector<ig::Vec3> holes_;  // in space
 };
 
 }  // namespace siemens

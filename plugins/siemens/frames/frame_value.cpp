@@ -67,14 +67,14 @@ void append_link(std::string& out, FrameLink link, const FrameValue& frame) {
 
 bool read_link(FrameValue& frame, FrameLink link, std::string_view arguments) {
   if (trim(arguments).empty()) return true;
-  const std::vector<std::string_view> parts = split(arguments);
-  const std::size_t step = link == FrameLink::mirror ? 1 : 2;
-  if (parts.size() % step != 0) return false;
-  for (std::size_t i = 0; i < parts.size(); i += step) {
-    const std::size_t axis = parts[i].size() == 1 ? frame_axes.find(to_upper(parts[i][0])) : std::string_view::npos;
-    const std::optional<double> value = step == 1 ? 1.0 : number_of(parts[i + 1]);
+  Cursor cursor(arguments);
+  do {
+    const std::string_view name = cursor.until(",");
+    const std::size_t axis = name.size() == 1 ? frame_axes.find(to_upper(name[0])) : std::string_view::npos;
+    std::optional<double> value = 1.0;
+    if (link != FrameLink::mirror) value = cursor.accept(',') ? number_of(cursor.until(",")) : std::nullopt;
     if (axis == std::string_view::npos || !value || !frame.set(link, axis, *value)) return false;
-  }
+  } while (cursor.accept(','));
   return true;
 }
 
@@ -82,7 +82,7 @@ bool read_link(FrameValue& frame, FrameLink link, std::string_view arguments) {
 
 std::optional<FrameLink> frame_link(std::string_view name) {
   for (std::size_t i = 0; i < link_names.size(); ++i)
-    if (name == link_names[i]) return static_cast<FrameLink>(i);
+    if (equals_ignoring_case(name, link_names[i])) return static_cast<FrameLink>(i);
   return std::nullopt;
 }
 
@@ -122,7 +122,7 @@ std::optional<FrameValue> FrameValue::read(std::string_view links) {
   Cursor cursor(links);
   if (cursor.is_at_end()) return out;
   do {
-    const auto link = frame_link(upper(cursor.word()));
+    const auto link = frame_link(cursor.word());
     if (!link || !cursor.accept('(')) return std::nullopt;
     FrameValue own;
     if (!read_link(own, *link, cursor.until(")")) || !cursor.accept(')')) return std::nullopt;

@@ -14,7 +14,7 @@ namespace siemens {
 
 enum class FrameLink : std::uint8_t { shift, fine, rotation, scale, mirror };
 
-/// The link that CTRANS, CFINE, CROT, CSCALE or CMIRROR writes, in upper case.
+/// The link that CTRANS, CFINE, CROT, CSCALE or CMIRROR writes.
 std::optional<FrameLink> frame_link(std::string_view name);
 /// The link whose component TR, FI, RT, SC or MI is.
 std::optional<FrameLink> frame_component_link(std::string_view component);

@@ -1,0 +1,203 @@
+// What a plugin writes to the terminal, and what its build() asks of the system. The functions of the system that read
+// and write are watched while a function of the plugin is at work.
+#include <dirent.h>
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <pthread.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "validate/redirection.hpp"
+#include "validate/subject.hpp"
+
+namespace isogloss::cli {
+
+namespace {
+
+/// create() may read what it needs; no function changes anything outside.
+enum class Watch { nothing, changes, everything };
+thread_local Watch watch = Watch::nothing;
+thread_local const char* called = nullptr;  // the first one of a call of the plugin
+
+bool changes_something(std::string_view name) {
+  constexpr std::string_view reading[] = {"read",    "fopen",  "fread", "fgets", "getc",   "fflush",
+                                          "opendir", "access", "stat",  "open",  "getenv", "dlopen"};
+  return std::find(std::begin(reading), std::end(reading), name) == std::end(reading);
+}
+
+void note_call(const char* name) {
+  if (called != nullptr || watch == Watch::nothing) return;
+  if (watch == Watch::everything || changes_something(name)) called = name;
+}
+
+/// Notes the call and does what the function does.
+template <auto function>
+struct Watched;
+template <class R, class... A, bool throws_nothing, R (*function)(A...) noexcept(throws_nothing)>
+struct Watched<function> {
+  static inline const char* name = "";
+  static R call(A... arguments) {
+    note_call(name);
+    return function(arguments...);
+  }
+};
+
+template <auto function>
+Replacement watched(const char* name) {
+  Watched<function>::name = name;
+  return {name, reinterpret_cast<void*>(&Watched<function>::call)};
+}
+
+// Functions with any number of arguments, and those that the compiler puts in their place.
+int watched_printf(const char* form, ...) {
+  note_call("printf");
+  va_list arguments;
+  va_start(arguments, form);
+  const int out = std::vprintf(form, arguments);
+  va_end(arguments);
+  return out;
+}
+int watched_printf_chk(int, const char* form, ...) {
+  note_call("printf");
+  va_list arguments;
+  va_start(arguments, form);
+  const int out = std::vprintf(form, arguments);
+  va_end(arguments);
+  return out;
+}
+int watched_fprintf(FILE* file, const char* form, ...) {
+  note_call("fprintf");
+  va_list arguments;
+  va_start(arguments, form);
+  const int out = std::vfprintf(file, form, arguments);
+  va_end(arguments);
+  return out;
+}
+int watched_fprintf_chk(FILE* file, int, const char* form, ...) {
+  note_call("fprintf");
+  va_list arguments;
+  va_start(arguments, form);
+  const int out = std::vfprintf(file, form, arguments);
+  va_end(arguments);
+  return out;
+}
+std::FILE* watched_fopen(const char* path, const char* mode) {
+  note_call(std::strpbrk(mode, "wa+") != nullptr ? "fopen (for writing)" : "fopen");
+  return std::fopen(path, mode);
+}
+int watched_open(const char* path, int flags, ...) {
+  note_call((flags & O_ACCMODE) == O_RDONLY ? "open" : "open (for writing)");
+  va_list arguments;
+  va_start(arguments, flags);
+  const bool creates = (flags & O_CREAT) != 0;
+  const int out = open(path, flags, creates ? va_arg(arguments, unsigned) : 0);
+  va_end(arguments);
+  return out;
+}
+
+std::vector<Replacement> watched_functions() {
+  std::vector<Replacement> out{
+      watched<&read>("read"),       watched<&write>("write"),     watched<&writev>("writev"),
+      watched<&fread>("fread"),     watched<&fwrite>("fwrite"),   watched<&fputs>("fputs"),
+      watched<&fputc>("fputc"),     watched<&putc>("putc"),       watched<&putchar>("putchar"),
+      watched<&puts>("puts"),       watched<&fgets>("fgets"),     watched<&getc>("getc"),
+      watched<&fflush>("fflush"),   watched<&vprintf>("vprintf"), watched<&vfprintf>("vfprintf"),
+      watched<&opendir>("opendir"), watched<&access>("access"),   watched<&stat>("stat"),
+      watched<&mkdir>("mkdir"),     watched<&unlink>("unlink"),   watched<&rename>("rename"),
+      watched<&chdir>("chdir"),     watched<&socket>("socket"),   watched<&system>("system"),
+      watched<&popen>("popen"),     watched<&fork>("fork"),       watched<&pthread_create>("pthread_create"),
+      watched<&dlopen>("dlopen"),   watched<&getenv>("getenv"),   watched<&setenv>("setenv")};
+  const auto add = [&out](const char* name, auto function) {
+    out.push_back({name, reinterpret_cast<void*>(function)});
+  };
+  add("printf", &watched_printf);
+  add("__printf_chk", &watched_printf_chk);
+  add("fprintf", &watched_fprintf);
+  add("__fprintf_chk", &watched_fprintf_chk);
+  add("open", &watched_open);
+  add("open64", &watched_open);
+  add("fopen", &watched_fopen);
+  add("fopen64", &watched_fopen);
+  return out;
+}
+
+/// What goes to standard output while one of these lives, and nowhere else. Standard error stays: a crash is told
+/// there.
+class CapturedOutput {
+ public:
+  CapturedOutput() : own_(dup(STDOUT_FILENO)), memory_(memfd_create("output", 0)) { dup2(memory_, STDOUT_FILENO); }
+  ~CapturedOutput() { end(); }
+  CapturedOutput(const CapturedOutput&) = delete;
+  CapturedOutput& operator=(const CapturedOutput&) = delete;
+
+  /// The first line, or a part of it.
+  std::string end() {
+    if (memory_ < 0) return {};
+    std::fflush(nullptr);
+    dup2(own_, STDOUT_FILENO);
+    close(own_);
+    constexpr std::size_t most = 200;
+    std::string out(most, '\0');
+    const ssize_t n = pread(memory_, out.data(), out.size(), 0);
+    out.resize(n > 0 ? static_cast<std::size_t>(n) : 0);
+    close(memory_);
+    memory_ = -1;
+    return out.substr(0, out.find('\n'));
+  }
+
+ private:
+  int own_, memory_;
+};
+
+void watch_builds(Examination& e) {
+  constexpr std::uint64_t random_ones = 50;
+  Subject subject(e);
+  redirect(watched_functions(), Redirected::libraries);
+  for (const Stand& stand : stands_of(subject, e)) {
+    e.attempt(stand.syntax->id);
+    called = nullptr;
+    watch = Watch::changes;
+    Bench bench(stand.alone, in_mode(Mode::fast));
+    bench.start();
+    watch = Watch::nothing;
+    if (called != nullptr)
+      e.find(stand.syntax->id,
+             fmt::format("its create() or restart() calls {} of the system and so changes what is not "
+                         "its own",
+                         called));
+    for (const TestBlock& block : many_blocks(stand, e, random_ones)) {
+      const std::string where = std::string(stand.syntax->id) + ", " + block.name;
+      e.attempt(where);
+      bench.prepare(block);
+      called = nullptr;
+      watch = Watch::everything;
+      if (stand.syntax->scan != nullptr) bench.chain().scan_with(stand.alone.position);
+      bench.build();
+      watch = Watch::nothing;
+      if (called == nullptr) continue;
+      e.find(where, fmt::format("it calls {} of the system, while a block gets nothing but its own text", called));
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+void check_input_output(Examination& e) {
+  CapturedOutput output;
+  watch_builds(e);
+  if (const std::string written = output.end(); !written.empty())
+    e.find("", fmt::format("it writes to standard output, where the data of the command goes: {}", written));
+}
+
+}  // namespace isogloss::cli

@@ -1,0 +1,19 @@
+/// The tables through which libraries call the functions of the system, filled in anew.
+#pragma once
+
+#include <span>
+
+namespace isogloss::cli {
+
+struct Replacement {
+  const char* name;  ///< of a function of the system
+  void* function;    ///< called in its place
+};
+
+enum class Redirected { libraries, libraries_and_command };
+
+/// Lets what is loaded at present call these functions; what is loaded later calls those of the system. Nothing is
+/// undone, so it belongs into the process of a check.
+void redirect(std::span<const Replacement> replacements, Redirected what);
+
+}  // namespace isogloss::cli
