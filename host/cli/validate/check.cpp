@@ -97,7 +97,8 @@ std::span<const Check> all_checks() {
             "Report a diagnostic in place of a print; read files in create().", check_input_output},
       Check{"waits", must, "a build does not wait: no sleep, no lock, no file",
             "Read files in create(), and let build() work with what *self holds.", check_waits},
-      Check{"time", should, "one block costs one syntax no more than the budget, and 300 ns for each record of a list",
+      Check{"time", should,
+            "one block costs one syntax no more than the budget, and 1 us for each random field and record",
             "Prepare in create() what does not depend on the block; --budget sets the limit.", check_time}};
   return checks;
 }

@@ -108,15 +108,19 @@ bool use_other_time() {
   return true;
 }
 
-/// Memory is taken before the library is loaded, so it is loaded elsewhere; new memory holds other bytes.
+/// Memory of many sizes is taken before the library is loaded, so that no gap is left in which it was before; new
+/// memory holds other bytes.
 bool use_other_memory() {
-  constexpr std::size_t odd_size = (13 << 20) + 3 * 4096;
+  constexpr std::size_t least = 4096, most = std::size_t{32} << 20, odd_size = 3 * least;
   constexpr int filler = 0x5a;
   mallopt(M_PERTURB, filler);
-  // Both stay taken to the end of the process of this check.
-  void* const mapped = mmap(nullptr, odd_size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  // All stay taken to the end of the process of this check.
+  bool is_taken = true;
+  for (std::size_t size = most; size >= least; size /= 2)
+    is_taken = is_taken &&
+               mmap(nullptr, size + odd_size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) != MAP_FAILED;
   [[maybe_unused]] static void* volatile taken = std::malloc(4'112);
-  return mapped != MAP_FAILED;
+  return is_taken;
 }
 
 struct Elsewhere {

@@ -1,6 +1,7 @@
 #include "contract/argument_text.hpp"
 
-#include <cstdio>
+#include <array>
+#include <charconv>
 
 namespace isogloss {
 
@@ -15,9 +16,12 @@ std::string text_of(const ig_argument& a) {
     while (end > 0 && (static_cast<unsigned char>(a.text.data[end]) & 0xc0) == 0x80) --end;
     return std::string(a.text.data, end) + " …";
   }
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.6g", a.number);
-  return buffer;
+  // Not by printf(), which writes a comma where an embedder has chosen such a locale.
+  constexpr int digits = 6;
+  std::array<char, 32> buffer;
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), a.number, std::chars_format::general, digits).ptr;
+  return {buffer.data(), end};
 }
 
 }  // namespace
