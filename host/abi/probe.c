@@ -48,3 +48,6 @@ void ig_probe_axis_name(const ig_axis_name_1* names) { (void)names; }
 
 IG_EXPORT void ig_probe_provenance(const ig_provenance_1* provenance);
 void ig_probe_provenance(const ig_provenance_1* provenance) { (void)provenance; }
+
+IG_EXPORT void ig_probe_row_meaning(const ig_row_meaning_1* meanings);
+void ig_probe_row_meaning(const ig_row_meaning_1* meanings) { (void)meanings; }

@@ -103,6 +103,11 @@ Option& Option::one_of(const std::vector<std::string>& words) {
   return *this;
 }
 
+Option& Option::not_empty() {
+  option_of(option_).check(
+      [](const std::string& text) { return text.empty() ? std::string("its value is empty") : std::string(); }, "");
+  return *this;
+}
 Option& Option::at_least(std::uint64_t minimum) {
   option_of(option_).check(
       [minimum](const std::string& text) {

@@ -23,6 +23,8 @@ class Option {
   /// A whole number; a smaller one is wrong usage.
   Option& at_least(std::uint64_t minimum);
   Option& existing_folder();
+  /// An empty value is wrong usage: it would mean the same as no option.
+  Option& not_empty();
   /// --help shows the value that the variable has now.
   Option& shows_default();
   /// The heading under which --help lists it; empty: it is not listed.

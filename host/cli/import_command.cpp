@@ -6,6 +6,7 @@
 #include "crash_guard.hpp"
 #include "isogloss/engine/import.hpp"
 #include "isogloss/engine/machine.hpp"
+#include "json_text.hpp"
 #include "output_file.hpp"
 #include "outputs.hpp"
 #include "session.hpp"
@@ -34,13 +35,38 @@ int write_output(const std::string& text, const std::string& path, Session& sess
   return write_file(path, text, session) ? session.status() : static_cast<int>(cannot_start);
 }
 
+Json json_of(const DependencyElement& table) {
+  Json rows = Json::array();
+  for (const TableRow& row : table.rows) {
+    Json cells = Json::object();
+    for (const Attribute& cell : row.attributes) cells[cell.name] = cell.value;
+    Json one{{"Cells", std::move(cells)}};
+    if (!row.where.file.empty()) one["File"] = row.where.file;
+    if (row.where.line != 0) one["Line"] = row.where.line;
+    rows.push_back(std::move(one));
+  }
+  return {{"Table", table.alias}, {"Rows", std::move(rows)}};
+}
+
 struct ImportCommand {
   CommonOptions common;
   std::vector<std::string> files, settings;
   std::string format, output;
+  bool json = false;
 
   int run() const;
+  int write_json(const Dialect& machine, const std::string& path, Session& session) const;
 };
+
+/// The rows, with the file that holds them where one is written.
+int ImportCommand::write_json(const Dialect& machine, const std::string& path, Session& session) const {
+  if (!path.empty() && !write_file(path, write_tables(machine.dependencies, true), session)) return cannot_start;
+  Json tables = Json::array();
+  for (const DependencyElement& table : machine.dependencies) tables.push_back(json_of(table));
+  Json out{{"Isogloss", 1}, {"Files", files}, {"Tables", std::move(tables)}};
+  if (!path.empty()) out["Output"] = path;
+  return print(pretty(out), session.status());
+}
 
 int ImportCommand::run() const {
   Session session(common);
@@ -58,6 +84,7 @@ int ImportCommand::run() const {
   session.progress().show(0, 0, "reading the files");
   if (!complete_machine(machine, session.library(), session.diagnostics())) return input_errors;
   session.progress().hide();
+  if (json) return write_json(machine, path, session);
   std::size_t rows = 0;
   for (const DependencyElement& table : machine.dependencies) rows += table.rows.size();
   const int status = write_output(write_tables(machine.dependencies, true), path, session);
@@ -73,9 +100,25 @@ struct ExportCommand {
   CommonOptions common;
   std::vector<std::string> settings;
   std::string machine, format, output;
+  bool json = false;
 
   int run() const;
+  int write_json(const std::string& text, const std::vector<UnusedPart>& unused, Session& session) const;
 };
+
+/// What the file lacks, and its text where it is not written.
+int ExportCommand::write_json(const std::string& text, const std::vector<UnusedPart>& unused, Session& session) const {
+  if (!output.empty() && !write_file(output, text, session)) return cannot_start;
+  Json left_out = Json::array();
+  for (const UnusedPart& part : unused)
+    left_out.push_back({{"What", part.what}, {"Why", part.why}, {"Count", part.count}});
+  Json out{{"Isogloss", 1}, {"Machine", machine}, {"Format", format}, {"LeftOut", std::move(left_out)}};
+  if (output.empty())
+    out["Text"] = text;
+  else
+    out["Output"] = output;
+  return print(pretty(out), session.status());
+}
 
 int ExportCommand::run() const {
   Session session(common);
@@ -90,6 +133,7 @@ int ExportCommand::run() const {
   const std::optional<std::string> text =
       export_tables(asked, dialect->dependencies, session.library(), unused, session.diagnostics());
   if (!text) return cannot_start;
+  if (json) return write_json(*text, unused, session);
   for (const UnusedPart& part : unused)
     session.report("IG-0133", {}, {part.what, part.why, std::to_string(part.count)});
   return write_output(*text, output, session);
@@ -112,6 +156,8 @@ int import_command(const Arguments& arguments) {
       .type_name("NAME=VALUE");
   line.option("-o,--output", command.output, "Write to this file, or to imported.xml in this folder")
       .type_name("FILE|DIR");
+  line.flag("--json", command.json,
+            "Write the rows as JSON (schemas/import.schema.json) instead of XML; with -o beside the file");
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
   return command.run();
@@ -126,6 +172,8 @@ int export_command(const Arguments& arguments) {
   line.option("--set", command.settings, "An option of the format, such as unit=inch (repeatable)")
       .type_name("NAME=VALUE");
   line.option("-o,--output", command.output, "Write to a file").type_name("FILE");
+  line.flag("--json", command.json,
+            "Write JSON (schemas/export.schema.json): what the file lacks, and its text where -o does not name it");
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
   return command.run();

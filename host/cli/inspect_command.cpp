@@ -238,7 +238,8 @@ int inspect_command(const Arguments& arguments) {
               "Of a machine: run this program, and show which of its needs the machine answers (repeatable)")
       .type_name("PROGRAM");
   line.option("--section", command.section, "Print the section of the page that has this heading, alone")
-      .type_name("HEADING");
+      .type_name("HEADING")
+      .not_empty();
   line.flag("--json", command.json, "Write JSON");
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;

@@ -1,5 +1,6 @@
 #include "session.hpp"
 
+#include <sys/auxv.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -16,7 +17,12 @@ namespace fs = std::filesystem;
 fs::path folder_of_executable() {
   std::error_code error;
   const fs::path exe = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path() : exe.parent_path();
+  if (!error) return exe.parent_path();
+  // Without /proc, the name by which the command was started, as long as it names a file.
+  const auto* const name = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
+  if (name == nullptr) return {};
+  const fs::path started = fs::canonical(name, error);
+  return error ? fs::path() : started.parent_path();
 }
 
 namespace {
@@ -121,10 +127,10 @@ Session::Session(const CommonOptions& options)
         progress_.hide();
         write_to_stderr(text);
       }) {
-  if (diagnostics_output_.empty()) return;
   std::string error;
-  diagnostics_file_ = OutputFile::open(diagnostics_output_, error);
-  if (diagnostics_file_ == nullptr) report("IG-0511", {diagnostics_output_}, {error});
+  if (!diagnostics_output_.empty()) diagnostics_file_ = OutputFile::open(diagnostics_output_, error);
+  if (!diagnostics_output_.empty() && diagnostics_file_ == nullptr) report("IG-0511", {diagnostics_output_}, {error});
+  if (folder_of_executable().empty()) report("IG-0610", {}, {"plugins and dialects"});
 }
 
 Session::~Session() {

@@ -22,11 +22,28 @@ constexpr const char* shipped[] = {"17|Value=2",   "1240|X=0|Y=0|Z=0", "1420|X=2
                                    "3241|Value=0", "3741|Value=0",     "4002|Value=1000",
                                    "5003|Value=0"};
 
+using Unit = ParameterUnit;
+constexpr NamedParameter named_parameters[] = {{control_precision, "increment system"},
+                                               {axis_type, "axis type"},
+                                               {axis_name, "axis name"},
+                                               {"1240", "first reference position", Unit::axis},
+                                               {"1241", "second reference position", Unit::axis},
+                                               {"1242", "third reference position", Unit::axis},
+                                               {"1243", "fourth reference position", Unit::axis},
+                                               {"1320", "upper travel limit", Unit::axis},
+                                               {"1321", "lower travel limit", Unit::axis},
+                                               {rapid_rate, "rapid rate", Unit::rate},
+                                               {t_macro, "call of the T macro"},
+                                               {decimal_point, "numbers without a decimal point"},
+                                               {spindle_limit, "highest spindle speed", Unit::rpm},
+                                               {peck_retract, "peck clearance", Unit::increments},
+                                               {compensation_type, "start-up of radius compensation"}};
+
 struct SyntecParameterTable {
   static constexpr auto spec = ig::dependency("SyntecParameterTable", "Parameters of a Syntec control, by number.")
                                    .rows("Parameter", "number")
                                    .provides("isogloss.number-format/1", "isogloss.canned-cycle/1", "isogloss.motion/1",
-                                             "isogloss.machine-axis/1", "isogloss.code-call/1")
+                                             "isogloss.machine-axis/1", "isogloss.code-call/1", IG_ROW_MEANING_SERVICE)
                                    .ships(shipped);
 
   enum class PeckUnit { blu, micron };
@@ -42,7 +59,10 @@ struct SyntecParameterTable {
     for (const std::string& row : rows) check(row);
   }
 
-  const void* service(std::string_view id) const { return services.find(id); }
+  const void* service(std::string_view id) const {
+    const void* const meanings = meanings_.find(id);
+    return meanings != nullptr ? meanings : services.find(id);
+  }
 
  private:
   using Answer = std::optional<double>;
@@ -108,7 +128,12 @@ struct SyntecParameterTable {
       return std::nullopt;
     const Answer count = number(peck_retract);
     if (!count || *count < 0) return std::nullopt;
-    return *count / std::round(1 / (peck_unit == PeckUnit::micron ? 0.001 : increment()));
+    return *count / std::round(1 / peck_increment());
+  }
+  double peck_increment() const { return peck_unit == PeckUnit::micron ? 0.001 : increment(); }
+
+  std::optional<ig::RowMeaning> meaning_of(std::string_view row, std::string_view column) const {
+    return meaning_of_parameter(named_parameters, row, column, peck_increment(), "Pr");
   }
   Answer motion_of(std::string_view name) const {
     if (name == "ArcRadiusTolerance_mm") return 0.01;
@@ -159,6 +184,8 @@ struct SyntecParameterTable {
     return *type == 1 ? 1 : *type == 2 ? 2 : 0;
   }
 
+  friend class ig::RowMeanings<SyntecParameterTable>;
+  ig::RowMeanings<SyntecParameterTable> meanings_{this};
   friend class ig::cnc::MachineParameterServices<SyntecParameterTable>;
   MachineParameterServices<SyntecParameterTable> services{this};
 };

@@ -972,6 +972,33 @@ class Dialects(Command):
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn("[IG-0512]", done.stderr)
 
+    def without_proc(self, *words):
+        """The command in a namespace in which /proc is empty; None where this system gives none."""
+        if shutil.which("unshare") is None:
+            return None
+        hide = ["unshare", "-rm", "sh", "-c", 'mount -t tmpfs none /proc && exec "$@"', "sh"]
+        if subprocess.run([*hide, "true"], capture_output=True, check=False).returncode != 0:
+            return None
+        environment = {k: v for k, v in os.environ.items() if not k.startswith("ISOGLOSS_")}
+        return subprocess.run([*hide, *map(str, words)], capture_output=True, text=True, check=False, timeout=60,
+                              env=environment)
+
+    def test_without_proc_the_command_finds_its_plugins_by_its_name(self):
+        done = self.without_proc(OPTIONS.isogloss, "list", "dialects")
+        if done is None:
+            self.skipTest("no user namespaces")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("fanuc", done.stdout)
+        self.assertNotIn("IG-0610", done.stderr)
+
+    def test_a_command_that_does_not_know_its_folder_says_so(self):
+        program = ("import os, sys\nf = os.open(sys.argv[1], os.O_RDONLY)\nos.set_inheritable(f, True)\n"
+                   "os.execve(f, ['isogloss', 'list', 'dialects'], os.environ)\n")
+        done = self.without_proc(sys.executable, "-c", program, OPTIONS.isogloss)
+        if done is None:
+            self.skipTest("no user namespaces")
+        self.assertIn("[IG-0610]", done.stderr)
+
     def test_lint_starts_the_chain(self):
         """Values that a dependency rejects are reported before the first run."""
         dialect = self.path / "machine.xml"

@@ -197,6 +197,30 @@ class Lint(Command):
         self.said('<Replace syntax="DwellSyntax"><DwellSyntax override="true"/></Replace>\n', code="IG-0171")
 
 
+class Dropped(Command):
+    """Codes and words that nothing takes any longer."""
+
+    def lint(self, edit, extends="fanuc"):
+        path = self.mine(f"    {edit}\n", extends=extends)
+        return path, self.run_it("lint", path).stderr
+
+    def test_a_note_stands_at_the_edit(self):
+        path, said = self.lint('<Remove syntax="UnitModeSyntax"/>')
+        self.assertRegex(said, r"mine\.xml:\d+:5: note: nothing")
+        self.assertIn("nothing takes G20, G21 any longer, as UnitModeSyntax does in fanuc: programs that hold them are "
+                      "reported [IG-0611]", said)
+        program = self.write("G21 G90\nM30\n", "a.nc")
+        self.assertIn("G21", self.run_it("run", program, "-d", path, "--emit", "none", status=1).stderr)
+
+    def test_what_another_syntax_takes_is_not_lost(self):
+        for chain in ('<Configure syntax="DwellSyntax" p-unit="s"/>',
+                      '<Replace syntax="UnitModeSyntax"><UnitModeSyntax as="Mine"/></Replace>'):
+            self.assertNotIn("IG-0611", self.lint(chain)[1], chain)
+
+    def test_shipped_dialects_lose_nothing_that_nobody_noted(self):
+        self.assertNotIn("IG-0611", self.run_it("lint", "fanuc", "haas", "syntec", "siemens", "heidenhain").stderr)
+
+
 class Suggest(Command):
     def suggested(self, dialect):
         """The patch with the line ends of the file."""

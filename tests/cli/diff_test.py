@@ -83,8 +83,8 @@ class Diff(unittest.TestCase):
         self.assertEqual(whole["Different"], 3)
         cause = causes[0]
         self.assertEqual(cause["Blocks"], 3)
-        self.assertIn("FanucParameterTable 5115 = 1000 against SyntecParameterTable 4002 = 500", cause["Cause"])
-        self.assertTrue(cause["Cause"].startswith("G83"), cause["Cause"])
+        self.assertEqual(cause["Cause"], "G83 peck clearance: 5115 = 1 mm against Pr4002 = 0.5 mm")
+        self.assertEqual(cause["Evidence"][0]["Title"], "peck clearance")
         self.assertEqual(cause["SyntaxA"], "PeckDrillingCycleSyntax")
         [values] = [e["Values"] for e in cause["Examples"] if e["A"]["Line"] == 4]
         depths = [(v["A"], v["B"]) for v in values if v["Field"].endswith("].ProgramXyz.Z")]
@@ -93,7 +93,26 @@ class Diff(unittest.TestCase):
         self.assertTrue(fields["CompoundMotion.Items[].ProgramXyz.Z"]["IsDirect"])
         self.assertFalse(fields["CompoundMotion.Items[].MachineCoordinate.Z"]["IsDirect"], "it follows")
         text = self.diff("-a", "fanuc", "-b", "syntec", *CLEARANCE, part).stdout
-        self.assertIn("SyntecParameterTable 4002 = 500: 3 blocks", text)
+        self.assertIn("\nG83 peck clearance: 5115 = 1 mm against Pr4002 = 0.5 mm: 3 blocks\n", text)
+
+    def test_the_unit_of_a_parameter_is_that_of_its_control(self):
+        part = self.write("part.nc", PECKS)
+        for more, shown in ((["--set-b", "FanucParameterTable.1013=2"], "5115 = 1 mm against 0.1 mm"),
+                            (["--set-b", "FanucParameterTable.5115=250"], "5115 = 1 mm against 0.25 mm")):
+            causes, _ = self.causes("-d", "fanuc", *more, part)
+            self.assertTrue(any(shown in c["Cause"] for c in causes), [c["Cause"] for c in causes])
+        causes, _ = self.causes("-a", "fanuc", "-b", "haas", part)
+        self.assertIn("peck clearance: 5115 = 1 mm against setting 22 = 0.508 mm",
+                      " ".join(c["Cause"] for c in causes))
+
+    def test_rows_are_tried_as_options_are(self):
+        self.write("a.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="a" title="A" extends="fanuc"/>')
+        part = self.write("part.nc", PECKS)
+        both = ["--set-b", "FanucParameterTable.5115=500", "--set-b", "FanucParameterTable.5114=500"]
+        causes, _ = self.causes("-d", "fanuc", *both, part)
+        tried = [e for c in causes for e in c["Evidence"] if e["Trial"] is not None]
+        self.assertEqual({(e["NameA"], e["Trial"]) for e in tried}, {("5115", "Cause"), ("5114", "NoCause")}, causes)
+        self.assertIn("tried:", self.diff("-d", "fanuc", *both, part).stdout)
 
     def test_the_same_on_both_sides_is_no_difference(self):
         part = self.write("part.nc", PECKS)

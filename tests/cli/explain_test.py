@@ -249,6 +249,152 @@ class Variables(Explain):
         self.assertRegex(self.ask(f"{part}:2", "-d", "fanuc", "--variables", table), r"#500 = 3 +no block has written it")
 
 
+MACRO = """O0001
+#101=3.
+IF [#101 GT 5] GOTO 20
+IF [#101 LT 5] GOTO 20
+G00 X1.
+N20 WHILE [#101 LT 5] DO1
+#101=#101+1.
+END1
+IF [#101 EQ 5] THEN #102=7.
+M98 P2 L2
+GOTO 90
+G00 X2.
+N90 M30
+O0002
+G00 X3.
+M99
+"""
+JUMPS = """N10 R1=3 R2=0
+IF R1>5 GOTOF FAR
+IF R1<5 GOTOF NEAR
+G0 X1
+NEAR: R1=R1+1
+IF R1<5 GOTOB NEAR
+CASE R1 OF 4 GOTOF FAR 5 GOTOF FIVE DEFAULT GOTOF FAR
+FIVE:
+FOR R3=1 TO 2
+R2=R2+R3
+ENDFOR
+FAR: REPEAT FIVE FAR P=1
+G0 X9
+M30
+"""
+LABELS = """0 BEGIN PGM L MM
+1 Q1 = 3
+2 FN 11: IF +Q1 GT +5 GOTO LBL 9
+3 FN 12: IF +Q1 LT +5 GOTO LBL 2
+4 Q1 = 4
+5 LBL 2
+6 Q2 = 1
+7 CALL LBL 2 REP 2
+8 CALL LBL 9
+9 M30
+10 LBL 9
+11 Q3 = 2
+12 LBL 0
+13 END PGM L MM
+"""
+
+
+class SpecialWriters(Explain):
+    """Statements that set variables and are no assignments."""
+
+    def written(self, text, name, line, dialect, variable, *more):
+        self.assertRegex(self.ask(f"{self.write(name, text)}:{line}", "-d", dialect, *more), variable)
+
+    def test_a_tool_call_and_a_plane_of_a_tnc(self):
+        text = ("0 BEGIN PGM A MM\n1 TOOL CALL 5 Z S2500 F500\n2 PLANE SPATIAL SPA+0 SPB+30 SPC+0 STAY\n"
+                "3 L X+Q108 Y+Q121 R0 FMAX\n4 QS1 = \"AB\"\n5 QS2 = QS1 || \"C\"\n6 END PGM A MM\n")
+        rows = ("--machine", "ac-table", "--set", "ToolOffsetTable.5.D=4", "--set", "ToolOffsetTable.5.H=100")
+        self.written(text, "a.h", 4, "heidenhain", r"Q108 = 4 +line 2: 1 TOOL CALL 5 Z S2500 F500 \(KlartextToolCallSyntax\)",
+                     *rows)
+        self.written(text, "a.h", 4, "heidenhain", r"Q12[01] = .* +line 3: 2 PLANE SPATIAL", *rows)
+        self.written(text, "a.h", 6, "heidenhain", r'QS1 = "AB" +line 5: 4 QS1 = ', *rows)
+
+    def test_fills_and_results_of_a_sinumerik(self):
+        text = ("DEF REAL A[3]\nDEF REAL B\nA[0]=REP(7)\nR1=A[2]+B\n$AC_MARKER[1]=4\nR2=$AC_MARKER[1]\n"
+                "SUB(B)\nR3=B\nM30\n")
+        self.write("SUB.spf", "PROC SUB(VAR REAL V)\nV=8\nM17\n")
+        self.written(text, "a.mpf", 4, "siemens", r"A\[2\] = 7 +line 3: A\[0\]=REP\(7\)")
+        self.written(text, "a.mpf", 4, "siemens", r"B = 0 +line 2: DEF REAL B ")
+        self.written(text, "a.mpf", 8, "siemens", r"B = 8 +line 3 of SUB\.spf: M17")
+
+
+class Flow(Explain):
+    """Where the run goes on, and why."""
+
+    def says(self, program, dialect, expected, *more):
+        for line, sentence in expected.items():
+            with self.subTest(f"{dialect}, line {line}"):
+                line, _, number = str(line).partition("/")
+                out = self.ask(f"{program}:{line}", "-d", dialect, "--brief", "--pass", number or "1", *more)
+                self.assertIn(sentence, out)
+
+    def test_jumps_and_loops_of_a_macro(self):
+        part = self.write("macro.nc", MACRO)
+        self.says(part, "fanuc", {
+            3: "Line 3 goes on with the next block, because [#101 GT 5] does not hold (#101 is 3).",
+            4: "Line 4 jumps to line 6 (N20 WHILE [#101 LT 5] DO1), because [#101 LT 5] holds (#101 is 3).",
+            6: "Line 6 goes on with the next block, because [#101 LT 5] holds (#101 is 3).",
+            "6/3": "Line 6 jumps behind line 8 (END1), because [#101 LT 5] does not hold (#101 is 5).",
+            8: "Line 8 jumps back to line 6 (N20 WHILE [#101 LT 5] DO1).",
+            9: "Line 9 sets #102 = 7; it goes on with the next block, because [#101 EQ 5] holds (#101 is 5).",
+            10: "Line 10 calls O2, line 14 (O0002), 2 times.",
+            11: "Line 11 jumps to line 13 (N90 M30).",
+            16: "Line 16 begins pass 2 of 2 in line 14 (O0002).",
+            "16/2": "Line 16 returns behind the call in line 10."})
+        part = self.write("back.nc", "O1\nM98 P2\nG00 X1.\nN40 M30\nO2\nM99 P40\n")
+        self.says(part, "fanuc", {6: "Line 6 returns to line 4 (N40 M30), not behind its call in line 2."})
+        self.write("O3.nc", "O3\nM99\n")
+        part = self.write("other.nc", "O1\nM98 P3\nM30\n")
+        self.says(part, "fanuc", {2: "Line 2 calls O3, line 1 of O3.nc (O3)."})
+        self.says(part, "fanuc", {2: "Line 2 returns behind the call in line 2 of other.nc."}, "--in", "O3.nc")
+
+    def test_jumps_and_loops_of_a_sinumerik(self):
+        self.says(self.write("jumps.mpf", JUMPS), "siemens", {
+            2: "Line 2 goes on with the next block, because R1>5 does not hold (R1 is 3).",
+            3: "Line 3 jumps to line 5 (NEAR: R1=R1+1), because R1<5 holds (R1 is 3).",
+            6: "Line 6 jumps back to line 5 (NEAR: R1=R1+1), because R1<5 holds (R1 is 4).",
+            "6/2": "Line 6 goes on with the next block, because R1<5 does not hold (R1 is 5).",
+            7: "Line 7 jumps to line 8 (FIVE:), because R1 is 5.",
+            9: "sets R3 = 1; it goes on with the next block, because R3 <= 2 holds",
+            "9/3": "jumps behind line 11 (ENDFOR), because R3 <= 2 does not hold",
+            11: "Line 11 jumps back to line 9 (FOR R3=1 TO 2).",
+            12: "Line 12 jumps back to line 8 (FIVE:), because the last repeat follows.",
+            "12/2": "all repeats are made"})
+
+    def test_labels_of_a_tnc(self):
+        self.says(self.write("labels.h", LABELS), "heidenhain", {
+            3: "Line 3 goes on with the next block, because +Q1 GT +5 does not hold (Q1 is 3).",
+            4: "Line 4 jumps to line 6 (5 LBL 2), because +Q1 LT +5 holds (Q1 is 3).",
+            8: "jumps back to line 6 (5 LBL 2), because a repeat follows, and then 1 more.",
+            "8/2": "because the last repeat follows.",
+            "8/3": "goes on with the next block, because all repeats are made.",
+            9: "calls line 11 (10 LBL 9).",
+            13: "returns behind the call in line 9."})
+
+    def test_the_move_that_a_haas_repeats(self):
+        part = self.write("l.nc", "G21 G91 G01 F100. X1. L3\nM30\n")
+        self.says(part, "haas", {1: "it runs again, because pass 2 of 3 of the block follows",
+                                 "1/3": "because all 3 passes of the block are made"})
+
+    @unittest.skipUnless(jsonschema, "no jsonschema")
+    def test_json_tells_it_too(self):
+        validator = jsonschema.Draft202012Validator(json.loads(
+            (OPTIONS.source / "schemas/explain.schema.json").read_text()))
+        part = self.write("macro.nc", MACRO)
+        blocks = json.loads(self.ask(f"{part}:2-16", "-d", "fanuc", "--json"))
+        self.assertEqual([e.message for e in validator.iter_errors(blocks)], [])
+        of_line = {b["Line"]: b for b in blocks}
+        self.assertEqual(of_line[4]["Conditions"], [{"Text": "[#101 LT 5]", "Holds": True}])
+        self.assertEqual((of_line[4]["GoesOn"]["Kind"], of_line[4]["GoesOn"]["Line"]), ("jump", 6))
+        self.assertEqual(of_line[3]["GoesOn"], {"Kind": "next"})
+        self.assertEqual(of_line[10]["GoesOn"]["Passes"], 2)
+        self.assertEqual({b["GoesOn"]["Kind"] for b in blocks}, {"next", "jump", "call", "again", "return"})
+
+
 class Options(Explain):
     def test_brief_is_the_sentence_alone(self):
         self.assertEqual(self.fanuc(17, "--brief").count("\n"), 1)

@@ -157,6 +157,34 @@ class ProgressLine(unittest.TestCase):
             piped = in_pipe("run", program, "-d", "fanuc", "--emit", "none")
             self.assertEqual((piped.stdout, piped.stderr), ("", ""))
 
+    def test_explain_diff_and_state_show_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(folder) / "long.nc"
+            lines, seconds = 100_000, 0.0
+            while seconds < 2.5 and lines < 20_000_000:  # on any machine
+                lines = int(lines * max(1.5, min(8.0, 3.0 / max(seconds, 0.1))))
+                program.write_text("G21 G90 G1 F100\n" + "X1.5 Y2.25\nX977.5\n" * (lines // 2) + "M30\n")
+                begin = time.monotonic()
+                in_pipe("explain", f"{program}:{lines}", "-d", "fanuc", "--brief")
+                seconds = time.monotonic() - begin
+            for arguments, what in ((("explain", f"{program}:{lines}", "--brief"), "blocks"),
+                                    (("state", f"{program}:{lines}"), "blocks"),
+                                    (("diff", program, "--set-b", "FanucParameterTable.5115=5"), "blocks compared"),
+                                    (("diff", program, "--set-b", "FanucParameterTable.5115=5", "--motions"),
+                                     "blocks compared")):
+                with self.subTest(arguments[0]):
+                    for columns in (60, 200):
+                        text, status = on_terminal(*arguments, "-d", "fanuc", columns=columns)
+                        self.assertEqual(status, 0, text[-400:])
+                        shown = [p for p in re.split(r"\r\x1b\[K", text) if "] " in p and p.startswith("[")]
+                        self.assertTrue(shown, text[:400])
+                        self.assertRegex(shown[0], rf"^\[#*\.*\] +\d+ %  .*" + ("" if columns == 60 else what))
+                        self.assertTrue(all(len(ESCAPE.sub("", p)) < columns for p in shown), shown[:3])
+                        self.assertNotRegex(text.split("\r\x1b[K")[-1], r"^\[#", "it is gone at the end")
+                    piped = in_pipe(*arguments, "-d", "fanuc")
+                    self.assertNotIn("\x1b", piped.stdout + piped.stderr)
+                    self.assertNotIn("blocks compared", piped.stderr)
+
     def test_a_short_command_and_data_on_the_terminal_show_none(self):
         self.assertNotIn("\r\x1b[K", on_terminal("lint", "iso", "--repeats", "1")[0].split("syntaxes")[1])
         text, _ = on_terminal("run", "-", "-d", "fanuc", slow=2.2)

@@ -136,6 +136,35 @@ class Shapes(unittest.TestCase):
         self.assertIn("Suggestion", self.holds("lint", "lint", "iso", "--suggest", "--json")["Checked"][0])
         self.refuses("lint", {"Isogloss": 2, "Checked": []})
 
+    def test_import_and_export(self):
+        table = self.path / "tools.tbl"
+        table.write_text("T1 P1 Z+10.5 D6 ;mill\nT2 P2 Z+20 D8\n")
+        found = self.holds("import", "import", table, "--json")
+        [tools] = found["Tables"]
+        self.assertEqual((tools["Table"], tools["Rows"][1]["Line"]), ("ToolOffsetTable", 2))
+        self.assertNotIn("Output", found)
+        found = self.holds("import", "import", table, "-o", self.path / "t.xml", "--json")
+        self.assertIn("<ToolOffsetTable", pathlib.Path(found["Output"]).read_text())
+        self.refuses("import", {**found, "Isogloss": 2})
+        machine = "klartext-5axis"
+        found = self.holds("export", "export", "-m", machine, "--format", "HeidenhainToolTable", "--json")
+        text = command("export", "-m", machine, "--format", "HeidenhainToolTable", status=0).stdout
+        self.assertEqual(found["Text"], text)
+        found = self.holds("export", "export", "-m", machine, "--format", "HeidenhainToolTable", "--json", "-o",
+                           self.path / "TOOL.T")
+        self.assertEqual((self.path / "TOOL.T").read_text(), text)
+        self.assertNotIn("Text", found)
+        self.refuses("export", {**found, "LeftOut": [{}]})
+
+    def test_new(self):
+        for words in (("plugin", "acme"), ("dialect", "mine", "--extends", "siemens"), ("machine", "m1", "-d", "fanuc")):
+            found = self.holds("new", "new", *words, "--in", self.path, "--json")
+            self.assertEqual((found["What"], found["Name"]), words[:2])
+            self.assertTrue(found["Files"])
+            for file in found["Files"]:
+                self.assertTrue(pathlib.Path(file).is_file(), file)
+        self.refuses("new", {**found, "What": "car"})
+
     def test_cases(self):
         page = self.path / "dwell_syntax.md"
         page.write_text("# DwellSyntax\n\nText.\n\n## Wrong\n\n#BeforeBuild:\n```json\n{}\n```\n"

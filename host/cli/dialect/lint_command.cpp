@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "diagnostic_json.hpp"
+#include "dialect/dropped_words.hpp"
 #include "dialect/order_patch.hpp"
 #include "isogloss/engine/chain.hpp"
 #include "json_text.hpp"
@@ -111,6 +112,8 @@ Json LintCommand::check(const std::string& name, Session& session) const {
     const std::unique_ptr<LinkedDialect> linked = link(*dialect, session.library(), notes);
     if (linked != nullptr)
       for (Diagnostic& d : review(*linked)) notes.add(std::move(d));
+    if (linked != nullptr)
+      for (Diagnostic& d : dropped_words(*linked, session)) notes.add(std::move(d));
     if (linked != nullptr && starts(*linked, diagnostics)) {
       out["Starts"] = true;
       out["Syntaxes"] = linked->chain.size();

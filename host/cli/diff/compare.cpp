@@ -2,6 +2,7 @@
 
 #include "diff/aligner.hpp"
 #include "diff/recorder.hpp"
+#include "run_progress.hpp"
 
 namespace isogloss::cli::parting {
 
@@ -25,6 +26,7 @@ BlockResult compare_blocks(const RunOfSide& a, const RunOfSide& b, const LineOrd
   for (std::size_t side = 0; side < 2; ++side)
     recorders[side] = std::make_unique<Recorder>(*sides[side]->side.linked, map, static_cast<int>(side), order,
                                                  sides[side]->program->path(), channels[side]);
+  std::array<ProgressOfThread, 2> progress;
   const auto run_side = [&](std::size_t side) {
     const RunOfSide& one = *sides[side];
     Recorder& recorder = *recorders[side];
@@ -32,6 +34,7 @@ BlockResult compare_blocks(const RunOfSide& a, const RunOfSide& b, const LineOrd
     run_options.chain.mode = Mode::traced;
     run_options.chain.hears_rows = true;
     run_options.prepare = [&recorder](Chain& chain) { recorder.listen(chain); };
+    progress[side].listen(run_options);
     CountedReports said;
     recorder.count(said);
     EndAtErrors limit(said, one.most_errors);
@@ -52,7 +55,9 @@ BlockResult compare_blocks(const RunOfSide& a, const RunOfSide& b, const LineOrd
     });
     for (std::size_t side = 0; side < 2; ++side)
       channels[side].watch(sides[side]->watchdog, [&threads, side] { threads.report_stall(side); });
+    ComparisonProgress shown(session, a.program->path(), progress[0]);
     while (true) {
+      shown.step();
       Comparison::Pair pair = aligner.next();
       if (pair[0] == nullptr && pair[1] == nullptr) break;
       Comparison::Pair old = comparison.add(std::move(pair));

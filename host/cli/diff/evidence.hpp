@@ -17,10 +17,14 @@ struct Evidence {
   std::string a, b;              ///< the values, with their unit
   std::string place_a, place_b;  ///< file:line where one is known
   bool is_sure = false;          ///< the same row or option with two values
-  /// Of an option: what a second run has shown in which it was the same on both sides.
+  /// What a second run has shown in which it was the same on both sides.
   enum class Trial : std::uint8_t { none, cause, no_cause };
   Trial trial = Trial::none;
   std::string option, raw_a;  ///< of an option: its name, and its value without unit
+  std::string title;          ///< of rows: what both of them mean; empty: not known, or not the same
+  /// Of rows: what gives the row of side B the value of side A, as --set takes it; empty: nothing does.
+  std::vector<std::pair<std::string, std::string>> as_a{};
+  bool can_be_tried() const { return kind == Kind::option || !as_a.empty(); }
 };
 
 /// One of the two sides: what was linked, and what the user gave beside it.
@@ -45,8 +49,11 @@ class EvidenceFinder {
  private:
   struct Row {
     std::size_t dependency;
-    std::string row, value;
+    std::string row;
+    std::shared_ptr<const RowText> text;
   };
+  Evidence row_evidence(const Row* a, const Row* b) const;
+  std::vector<std::pair<std::string, std::string>> cells_as_a(const Row& a, const Row& b) const;
   std::vector<Row> rows_of(int side, std::uint16_t position, const Snapshot& block) const;
   void add_rows(std::uint16_t a, std::uint16_t b, const Snapshot& block_a, const Snapshot& block_b,
                 std::vector<Evidence>& out) const;

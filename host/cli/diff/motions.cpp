@@ -8,6 +8,7 @@
 #include "diff/match.hpp"
 #include "diff/motion_stream.hpp"
 #include "diff/values.hpp"
+#include "run_progress.hpp"
 
 namespace isogloss::cli::parting {
 
@@ -164,6 +165,7 @@ MotionReport compare_motions(const RunOfSide& a, const RunOfSide& b, const LineO
     return report;
   }
   std::array<Channel<MotionBlock>, 2> channels;
+  std::array<ProgressOfThread, 2> progress;
   const auto run_side = [&](std::size_t side) {
     const RunOfSide& one = *sides[side];
     MotionStream stream(static_cast<int>(side), order, one.program->path(), channels[side]);
@@ -172,7 +174,9 @@ MotionReport compare_motions(const RunOfSide& a, const RunOfSide& b, const LineO
     std::string fault;
     try {
       const std::unique_ptr<Exporter> exporter = make_motion_exporter(stream, {Format::csv, false, false, true, {}});
-      run(*one.side.linked, *sources[side], one.program->path(), one.options, {exporter.get(), &limit}, said);
+      RunOptions options = one.options;
+      progress[side].listen(options);
+      run(*one.side.linked, *sources[side], one.program->path(), options, {exporter.get(), &limit}, said);
     } catch (const std::exception& e) {
       fault = e.what();
     }
@@ -187,7 +191,9 @@ MotionReport compare_motions(const RunOfSide& a, const RunOfSide& b, const LineO
   });
   for (std::size_t side = 0; side < 2; ++side)
     channels[side].watch(sides[side]->watchdog, [&threads, side] { threads.report_stall(side); });
+  ComparisonProgress shown(session, a.program->path(), progress[0]);
   while (true) {
+    shown.step();
     const Aligner<MotionBlock>::Pair pair = aligner.next();
     if (pair[0] == nullptr && pair[1] == nullptr) break;
     comparison.add(pair[0].get(), pair[1].get());

@@ -7,6 +7,7 @@ namespace isogloss::cli::parting {
 
 void Recorder::listen(Chain& chain) {
   chain_ = &chain;
+  rows_.read_from(chain);
   chain.listen_to_rows();
   flow_ = static_cast<const ig_flow_1*>(chain.service(IG_FLOW_SERVICE));
   chain.trace = [this](std::uint32_t position, bool before) { trace(position, before); };
@@ -224,42 +225,14 @@ std::uint16_t Recorder::writer_of(const Open& open, std::size_t list, std::uint3
   return open.makers[list];
 }
 
-void Recorder::copy_rows(const Open& open, Snapshot& out) const {
+void Recorder::copy_rows(const Open& open, Snapshot& out) {
   for (const Chain::AnsweredRow& row : open.rows) {
     const auto is_it = [&row](const AskedRow& r) {
       return r.syntax == row.syntax && r.dependency == row.dependency && r.row == row.row;
     };
     if (row.syntax != 0 && std::none_of(out.rows.begin(), out.rows.end(), is_it))
-      out.rows.push_back({row.syntax, row.dependency, row.row, value_of(row)});
+      out.rows.push_back({row.syntax, row.dependency, row.row, rows_.read(row.dependency, row.row)});
   }
-}
-
-/// "1000", or "X=0 Y=0 Z=-120" where the row has several cells.
-std::string Recorder::value_of(const Chain::AnsweredRow& row) const {
-  const LinkedDependency& dependency = linked_.dependencies[row.dependency];
-  DependencyTable* const table = chain_->table(dependency.element.alias);
-  if (table == nullptr) return {};
-  std::string out, only;
-  std::size_t cells = 0;
-  for (std::uint32_t c = 0; c < dependency.dependency->column_count; ++c) {
-    const ig_column_decl& column = dependency.dependency->columns[c];
-    std::string_view text;
-    std::string number;
-    if (column.is_text != 0) {
-      text = table->text(row.row, c);
-    } else if (const std::optional<double> value = table->value(row.row, c)) {
-      char buffer[32];
-      const int size = std::snprintf(buffer, sizeof buffer, "%.9g", *value);
-      number.assign(buffer, static_cast<std::size_t>(size));
-      text = number;
-    }
-    if (text.empty()) continue;
-    ++cells;
-    only = text;
-    if (column.unit != nullptr && *column.unit != '\0' && column.is_text == 0) only += std::string(" ") + column.unit;
-    out += (out.empty() ? "" : " ") + std::string(column.name) + "=" + only;
-  }
-  return cells == 1 && dependency.dependency->columns[0].name == out.substr(0, out.find('=')) ? only : out;
 }
 
 }  // namespace isogloss::cli::parting

@@ -3,6 +3,7 @@
 
 #include "diff/field_map.hpp"
 #include "diff/line_order.hpp"
+#include "diff/row_reader.hpp"
 #include "diff/snapshot.hpp"
 #include "isogloss/engine/chain.hpp"
 #include "isogloss/engine/exporter.hpp"
@@ -15,7 +16,7 @@ class Recorder : public Exporter, public DiagnosticSink {
   /// `order` is null where both sides run the same program.
   Recorder(const LinkedDialect& linked, const FieldMap& map, int side, const LineOrder* order, std::string program,
            Channel<Snapshot>& out)
-      : linked_(linked), map_(map), side_(side), order_(order), program_(std::move(program)), out_(out) {}
+      : map_(map), side_(side), order_(order), program_(std::move(program)), out_(out), rows_(linked) {}
 
   void listen(Chain& chain);
   void begin(Document& initial, const SymbolTable& symbols) override;
@@ -48,18 +49,17 @@ class Recorder : public Exporter, public DiagnosticSink {
   void copy_cells(const Document& document, const SymbolTable& symbols, Snapshot& out);
   void copy_lists(const Document& document, const SymbolTable& symbols, const Open& open, Snapshot& out);
   std::uint16_t writer_of(const Open& open, std::size_t list, std::uint32_t index) const;
-  void copy_rows(const Open& open, Snapshot& out) const;
-  std::string value_of(const Chain::AnsweredRow& row) const;
+  void copy_rows(const Open& open, Snapshot& out);
   std::unique_ptr<Snapshot> blank();
   /// Kept here: a snapshot may outlive the run and its names.
   std::string_view name_of(ig_symbol symbol, const SymbolTable& symbols);
 
-  const LinkedDialect& linked_;
   const FieldMap& map_;
   const int side_;
   const LineOrder* const order_;
   const std::string program_;
   Channel<Snapshot>& out_;
+  RowReader rows_;
   DiagnosticSink* count_ = nullptr;
   Chain* chain_ = nullptr;
   const ig_flow_1* flow_ = nullptr;

@@ -38,6 +38,7 @@ Json evidence_json(const Evidence& e) {
           {"B", value_or_null(e.b)},
           {"PlaceA", value_or_null(e.place_a)},
           {"PlaceB", value_or_null(e.place_b)},
+          {"Title", value_or_null(e.title)},
           {"Trial", e.trial == Evidence::Trial::none ? Json(nullptr)
                                                      : Json(e.trial == Evidence::Trial::cause ? "Cause" : "NoCause")}};
 }

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "diff/report.hpp"
 #include "isogloss/engine/printable.hpp"
 
@@ -103,7 +105,12 @@ std::string programs_text(const std::string& a, const std::string& b) {
 std::string heading(const Group& group) {
   std::string codes;
   for (const std::string& code : group.codes) codes += (codes.empty() ? "" : " ") + code;
-  return printable(codes.empty() ? group.cause : codes + ": " + group.cause);
+  if (codes.empty()) return printable(group.cause);
+  // "G83 peck clearance: 5115 = ..."
+  const bool begins_with_title = std::any_of(group.evidence.begin(), group.evidence.end(), [&](const Evidence& e) {
+    return !e.title.empty() && group.cause.starts_with(e.title + ": ");
+  });
+  return printable(codes + (begins_with_title ? " " : ": ") + group.cause);
 }
 
 std::string place_text(const std::string& file_a, std::uint32_t line_a, const std::string& file_b,

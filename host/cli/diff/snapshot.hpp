@@ -46,11 +46,30 @@ struct StrokeList {
   std::vector<Stroke> strokes;
 };
 
-/// A row of a table that has answered a syntax in this block, with its cells as text.
+/// A cell of a row that has a value.
+struct RowCell {
+  std::string column;
+  std::string given;  ///< as the table holds it
+  std::string shown;  ///< in the unit, which follows
+  std::string unit;   ///< of a number; empty: none is known
+  double scale = 1;   ///< the number that is given times this is in the unit
+};
+
+/// A row as people read it.
+struct RowText {
+  std::string title;   ///< "peck clearance"; empty: the table does not say
+  std::string prefix;  ///< "Pr"
+  std::string name;    ///< "Pr4002"; with the name of its table where it has no title
+  std::string value;   ///< "0.5 mm", "X=0 mm Y=0 mm"
+  std::vector<RowCell> cells;
+};
+
+/// A row of a table that has answered a syntax in this block.
 struct AskedRow {
   std::uint16_t syntax = 0;  ///< chain position + 1
   std::size_t dependency = 0;
-  std::string row, value;
+  std::string row;
+  std::shared_ptr<const RowText> text;
 };
 
 struct Snapshot {

@@ -18,37 +18,38 @@ class Trials {
       : a_(a), b_(b), order_(order), ignored_(ignored), session_(session) {}
 
   void try_group(Group& group) {
-    std::vector<Evidence*> options;
+    std::vector<Evidence*> suspects;
     for (Evidence& e : group.evidence)
-      if (e.kind == Evidence::Kind::option) options.push_back(&e);
-    const bool has_choice = group.evidence.size() > 1 && trials_ + options.size() + 2 <= most_trials;
-    if (group.kind != Group::Kind::syntax || options.empty() || !has_choice || group.probe.empty() ||
+      if (e.can_be_tried()) suspects.push_back(&e);
+    const bool has_choice = group.evidence.size() > 1 && trials_ + suspects.size() + 2 <= most_trials;
+    if (group.kind != Group::Kind::syntax || suspects.empty() || !has_choice || group.probe.empty() ||
         group.first_block > most_blocks || group.examples.empty() || group.examples.front().line_a == 0 ||
         group.examples.front().line_b == 0)
       return;
     group_ = &group;
     if (!is_there({})) return;  // not in the first pass over the line
-    if (is_there(options)) {
-      for (Evidence* e : options) e->trial = Evidence::Trial::no_cause;
+    if (is_there(suspects)) {
+      for (Evidence* e : suspects) e->trial = Evidence::Trial::no_cause;
     } else {
       std::vector<Evidence*> causes;
-      for (Evidence* e : options)
-        if (options.size() > 1 && !is_there({e})) causes.push_back(e);
-      if (causes.empty()) causes = options;  // none of them alone
-      for (Evidence* e : options) e->trial = Evidence::Trial::no_cause;
+      for (Evidence* e : suspects)
+        if (suspects.size() > 1 && !is_there({e})) causes.push_back(e);
+      if (causes.empty()) causes = suspects;  // none of them alone
+      for (Evidence* e : suspects) e->trial = Evidence::Trial::no_cause;
       for (Evidence* e : causes) e->trial = Evidence::Trial::cause;
     }
     name_cause(group);
   }
 
  private:
-  /// Does the first example differ when side B has these options of side A?
-  bool is_there(const std::vector<Evidence*>& options) {
+  /// Does the first example differ when side B has these options and rows of side A?
+  bool is_there(const std::vector<Evidence*>& suspects) {
     ++trials_;
     Dialect dialect = b_.side.linked->dialect;
     for (ChainElement& element : dialect.chain)
       if (element.alias == group_->syntax_b)
-        for (const Evidence* e : options) {
+        for (const Evidence* e : suspects) {
+          if (e->kind != Evidence::Kind::option) continue;
           std::erase_if(element.options, [e](const Attribute& given) { return given.name == e->option; });
           element.options.push_back({e->option, e->raw_a, {}});
         }
@@ -58,6 +59,8 @@ class Trials {
     const PartedBlock& example = group_->examples.front();
     RunOfSide one = a_, other = b_;
     other.side.linked = linked.get();
+    for (const Evidence* e : suspects)
+      for (const auto& cell : e->as_a) other.options.chain.assignments.push_back(cell);
     stop_at(one, example.file_a, example.line_a);
     stop_at(other, example.file_b, example.line_b);
     const ComparisonOptions how{order_ != nullptr, false, {example.file_a, group_->probe, example.line_a}};
@@ -79,8 +82,8 @@ class Trials {
     const Evidence& first = group.evidence.front();
     if (first.trial == Evidence::Trial::no_cause) {
       group.kind = Group::Kind::unknown;
-      group.cause =
-          fmt::format("{}: none of its options alone; a table, or what it kept from earlier blocks", group.syntax_a);
+      group.cause = fmt::format(
+          "{}: nothing of what was tried alone; another table, or what it kept from earlier blocks", group.syntax_a);
       return;
     }
     group.cause.clear();

@@ -72,6 +72,31 @@ Json json_of(const std::vector<ExplainedVariable>& variables) {
   return out;
 }
 
+Json json_of(const ExplainedGo& go) {
+  const char* kind = "next";
+  switch (go.kind) {
+    case ExplainedGo::Kind::next: return {{"Kind", kind}};
+    case ExplainedGo::Kind::call: kind = "call"; break;
+    case ExplainedGo::Kind::leave: kind = "return"; break;
+    case ExplainedGo::Kind::again: kind = "again"; break;
+    case ExplainedGo::Kind::jump: kind = "jump"; break;
+  }
+  Json out{{"Kind", kind}, {"File", go.to.file}, {"Line", go.to.line}};
+  if (!go.program.empty()) out["Program"] = go.program;
+  if (go.is_behind) out["Behind"] = true;
+  if (go.call_line != 0) out["CallLine"] = go.call_line;
+  if (go.kind == ExplainedGo::Kind::again) out["Pass"] = go.pass;
+  if (go.passes > 1) out["Passes"] = go.passes;
+  return out;
+}
+
+Json json_of(const std::vector<ExplainedCondition>& conditions) {
+  Json out = Json::array();
+  for (const ExplainedCondition& c : conditions)
+    out.push_back(c.is_reason ? Json{{"Reason", c.text}} : Json{{"Text", c.text}, {"Holds", c.holds}});
+  return out;
+}
+
 Json ladder_of(const Facts& facts) {
   const ExplainedLadder& ladder = facts.block().ladder;
   if (!ladder.is_there) return Json::object();
@@ -120,8 +145,11 @@ Json json_of(const ExplainedBlock& b, Amount amount, LineTexts& lines) {
     frames.push_back(std::move(one));
   }
   Json calls = Json::object();
-  if (!b.calls.empty()) calls = {{"Program", b.calls}, {"File", b.callee.file}, {"Line", b.callee.line}};
+  if (b.go.kind == ExplainedGo::Kind::call)
+    calls = {{"Program", b.go.program}, {"File", b.go.to.file}, {"Line", b.go.to.line}};
   out.update({{"Calls", std::move(calls)},
+              {"GoesOn", json_of(b.go)},
+              {"Conditions", json_of(b.conditions)},
               {"Pass", b.pass},
               {"Frames", std::move(frames)},
               {"Text", b.text},

@@ -28,7 +28,8 @@ std::string where_the_run_is(const ExplainedBlock& b) {
     out += f.passes > 1 ? fmt::format(", pass {} of {}\n", f.pass, f.passes) : "\n";
   }
   if (b.frames.size() > 1 || b.pass > 1) out += fmt::format("  pass {} over this line (--pass N: another)\n", b.pass);
-  if (!b.calls.empty()) out += fmt::format("  calls {}, {}:{}\n", b.calls, b.callee.file, b.callee.line);
+  if (b.go.kind == ExplainedGo::Kind::call)
+    out += fmt::format("  calls {}, {}:{}\n", b.go.program, b.go.to.file, b.go.to.line);
   return out;
 }
 

@@ -10,6 +10,7 @@
 #include "json_text.hpp"
 #include "output_file.hpp"
 #include "program_options.hpp"
+#include "run_progress.hpp"
 
 namespace isogloss::cli {
 
@@ -44,6 +45,7 @@ int ExplainCommand::explain_blocks(Session& session, const std::string& path, co
   DiagnosticList said;
   ExplainReach reach;
   const std::vector<ExplainedBlock> blocks = explain(linked, source, path, target, options, said, &reach);
+  session.progress().hide();
   report_said(said, target, reach, !blocks.empty(), session);
   if (blocks.empty()) {
     const std::string asked = target.last() == target.line
@@ -78,6 +80,7 @@ int ExplainCommand::explain_lines(Session& session, const NamedLines& lines) {
   if (linked == nullptr) return cannot_start;
   add_program_places(path, linked->dialect, *options);
   watch_calls(program.watchdog);
+  show_progress(*options, path, session);
   if (!field.empty()) return follow_field({field, target.file, lines, json}, *linked, *source, *options, session);
   return explain_blocks(session, path, *linked, *source, *options);
 }
@@ -123,7 +126,8 @@ int explain_command(const Arguments& arguments) {
             "slept");
   line.option("--field", command.field,
               "Follow a field or section through PROGRAM: each change with its line, its value and who set it")
-      .type_name("NAME");
+      .type_name("NAME")
+      .not_empty();
   line.flag("--json", command.json,
             "Write JSON, as schemas/explain.schema.json, or explain-field.schema.json, describes it");
   command.program.add_to(line);

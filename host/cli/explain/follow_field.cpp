@@ -109,12 +109,14 @@ int follow_field(const FollowRequest& request, const LinkedDialect& linked, Sour
                  Session& session) {
   const std::string name = find_name(request.field, linked, session);
   if (name.empty()) return cannot_start;
+  session.progress().data_goes_to_stdout();
   const std::unique_ptr<OutputFile> output = OutputFile::standard_output();
   Printer printer(request, *output);
   DiagnosticList said;
   follow(
       linked, source, request.lines.program, fields_to_follow(linked.layout, name),
       [&](const FollowedChange& c) { return printer.add(c); }, options, said);
+  session.progress().hide();
   printer.finish();
   if (printer.count() == 0) session.report("IG-0183", {request.lines.program, 0, 0}, {name});
   // Only the host's, which may end the run: the other diagnostics of the program were not asked for.

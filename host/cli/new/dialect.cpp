@@ -40,11 +40,9 @@ bool NewFolder::begins() {
 int NewFolder::write(const std::vector<std::string>& layers) {
   const std::vector<std::string> written = write_templates(place_, layers, words_, session_);
   if (written.empty()) return cannot_start;
-  std::string out;
-  for (const std::string& path : written) out += path + "\n";
   const std::string where = place_.string();
   fmt::print(stderr, "next: cd {} && cmake -S . -B build && cmake --build build && ctest --test-dir build\n", where);
-  return print(out, session_.status());
+  return print_written(options_, place_, written, session_);
 }
 
 bool NewFolder::refuse(std::string_view code, std::initializer_list<std::string> arguments) {

@@ -16,7 +16,12 @@ struct NewOptions {
   std::vector<std::string> backups;
   std::string base;  ///< what a plugin's dialect, or a dialect, extends
   std::string cycle, word, table, switch_codes, language, prefix, vendor;
+  bool json = false;
 };
+
+/// Prints the paths of the files that were written, and with --json what was made; the exit status.
+int print_written(const NewOptions& options, const std::filesystem::path& place, const std::vector<std::string>& files,
+                  Session& session);
 
 int new_machine(const NewOptions& options);
 int new_plugin(const NewOptions& options);

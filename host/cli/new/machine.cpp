@@ -125,7 +125,7 @@ int new_machine(const NewOptions& options) {
   }
   if (!write_file(path, machine_text(options, *base, !options.backups.empty()), session)) return cannot_start;
   session.link(path);  // what it lacks to be a machine is reported now
-  return print(path + "\n", session.status());
+  return print_written(options, place, {path}, session);
 }
 
 }  // namespace isogloss::cli

@@ -1,7 +1,9 @@
 // Makes the folder of a machine, a plugin or a dialect.
 #include <array>
 
+#include "json_text.hpp"
 #include "new/folder.hpp"
+#include "output_file.hpp"
 
 namespace isogloss::cli {
 
@@ -30,6 +32,20 @@ std::string stray_option(const NewOptions& options) {
 }
 
 }  // namespace
+
+int print_written(const NewOptions& options, const std::filesystem::path& place, const std::vector<std::string>& files,
+                  Session& session) {
+  if (options.json)
+    return print(pretty({{"Isogloss", 1},
+                         {"What", options.what},
+                         {"Name", options.name},
+                         {"Folder", place.string()},
+                         {"Files", files}}),
+                 session.status());
+  std::string out;
+  for (const std::string& path : files) out += path + "\n";
+  return print(out, session.status());
+}
 
 int new_command(const Arguments& arguments) {
   CommandLine line(
@@ -80,6 +96,7 @@ int new_command(const Arguments& arguments) {
       .type_name("LETTERS")
       .group(plugin);
   line.option("--vendor", options.vendor, "Who makes the plugin; otherwise NAME").type_name("TEXT").group(plugin);
+  line.flag("--json", options.json, "Write JSON (schemas/new.schema.json): the folder and the paths of its files");
   options.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
 

@@ -10,6 +10,7 @@
 #include "json_text.hpp"
 #include "output_file.hpp"
 #include "program_options.hpp"
+#include "run_progress.hpp"
 #include "state/preamble.hpp"
 #include "state/restart_check.hpp"
 
@@ -148,6 +149,7 @@ int StateCommand::write_preamble(Session& session, const LinkedDialect& linked, 
   const std::string preamble = make_preamble(words, point, linked.layout);
   const std::string rest = from_line(text, where.line);
   const RestartCheck check = check_restart(linked, text, preamble, rest, path, point, options);
+  session.progress().hide();
   for (const DependencyElement& table : point.changed_tables) session.report("IG-0198", where, {table.alias, line});
   for (const Diagnostic& d : check.errors) session.report("IG-0195", where, {line, d.message});
   if (!check.comes_to_rest && check.errors.empty())
@@ -175,6 +177,7 @@ int StateCommand::show(Session& session, const std::string& path) {
   if (linked == nullptr) return cannot_start;
   add_program_places(path, linked->dialect, *options);
   watch_calls(program.watchdog);
+  show_progress(*options, path, session);
 
   DiagnosticList said;
   ExplainReach reach;
@@ -190,6 +193,7 @@ int StateCommand::show(Session& session, const std::string& path) {
     return input_errors;
   }
   if (as_preamble) return write_preamble(session, *linked, *text, path, *point, *options);
+  session.progress().hide();
   const std::vector<StateRow> state = rows(*point, linked->layout);
   return print(json ? pretty(json_of(*point, state, linked->dialect.name)) : text_of(*point, state), session.status());
 }

@@ -67,9 +67,14 @@ void note_variable(ig_block* block, std::uint32_t access, ig_text name, std::uin
     listener(document, (access & IG_WRITE) != 0, {name.data, name.size}, scope, value);
 }
 
+void note_condition(ig_block* block, ig_text text, std::uint32_t outcome) {
+  const Document& document = *reinterpret_cast<const Document*>(block);
+  if (const auto& listener = document.chain->condition_examined) listener(document, {text.data, text.size}, outcome);
+}
+
 }  // namespace
 
-ig_provenance_1 provenance_service() { return {sizeof(ig_provenance_1), 0, note_row, note_variable}; }
+ig_provenance_1 provenance_service() { return {sizeof(ig_provenance_1), 0, note_row, note_variable, note_condition}; }
 
 ig_flow_1 flow_service() {
   return {.struct_size = sizeof(ig_flow_1),

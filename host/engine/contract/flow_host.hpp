@@ -20,12 +20,18 @@ class FlowHost {
   virtual ig_place here() const = 0;
   /// Bytes of the main program's text; 0: there are none.
   virtual std::size_t text(std::uint64_t, char*, std::size_t) const { return 0; }
-  /// The program that the block calls, and the place where it begins; no file: it calls none.
-  struct Call {
-    std::string program, file;
-    std::uint32_t line = 0;
+  /// Where the block has asked the run to go on; none: behind the block.
+  struct Request {
+    enum class Kind : std::uint8_t { none, call, leave, again, jump };
+    Kind kind = Kind::none;
+    std::string program;                 ///< that is called, left or repeated
+    std::string file;                    ///< where the run goes on
+    std::uint32_t line = 0;              ///< there
+    bool is_behind = false;              ///< not with the block of that line: with the one behind it
+    std::uint32_t call_line = 0;         ///< leave: the line of the call, in that file
+    std::uint32_t pass = 1, passes = 1;  ///< again: the one that begins; call: the number of passes
   };
-  virtual Call requested_call() const { return {}; }
+  virtual Request requested() const { return {}; }
   /// Is this the file that a user means by `wanted`, with or without its folder? Empty: the main program's.
   virtual bool is_file(std::string_view name, std::string_view wanted) const = 0;
 };

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "export/canonical_blocks.hpp"
 #include "export/canonical_path.hpp"
 #include "export/motion_reader.hpp"
-#include "export/text_buffer.hpp"
 #include "isogloss/engine/chain.hpp"
 
 namespace isogloss {
@@ -15,25 +15,13 @@ namespace isogloss {
 namespace {
 
 constexpr double seconds_per_minute = 60;
-/// Lines of a program up to here are written as sequence numbers, which have five digits on many controls.
-constexpr std::uint32_t last_number = 99999;
 /// A frame that changes moves the program's coordinates further than rounding does.
 constexpr double frame_change_mm = 1e-5;
-
-/// What a comment may hold on every control.
-std::string comment_text(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (std::string_view("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789 ._-/").find(c) ==
-        std::string_view::npos)
-      c = '_';
-  return out;
-}
 
 class CanonicalExporter : public Exporter {
  public:
   CanonicalExporter(Output& output, const ProgramText& text, const CanonicalOptions& options, DiagnosticSink& sink)
-      : buffer_(output), text_(text), options_(options), sink_(sink), reader_(options.zero_moves) {
+      : blocks_(output, text, options.exact, sink), options_(options), reader_(options.zero_moves) {
     for (std::size_t i = 0; i < std::size(arcs_); ++i)
       arcs_[i] = text.find(std::string("arc ") + planes[i / 2] + (i % 2 == 0 ? " CW" : " CCW"));
   }
@@ -44,37 +32,36 @@ class CanonicalExporter : public Exporter {
         initial.chain == nullptr ? nullptr : initial.chain->service("isogloss.machine-kinematics/1");
     kinematics_ = static_cast<const ig_machine_kinematics_1*>(service);
     tool_length_ = initial.layout().id("ToolHeightCompensation.Offset_mm");
-    file_.clear();
     at_ = {};
     has_ended_ = false;
-    write_all("head");
+    blocks_.begin();
   }
   bool block(Document& document, const SymbolTable& symbols) override {
     document_ = &document;
+    blocks_.at(document);
     reader_.read(document, symbols, *this);
-    return buffer_.ok();
+    return blocks_.ok();
   }
   bool end() override {
-    if (!has_ended_) write("end", {});
-    write_all("foot");
-    return buffer_.flush();
+    if (!has_ended_) blocks_.write("end", {});
+    return blocks_.end();
   }
 
   // ---- Events, as the reader calls them.
 
-  void tool(std::int64_t id) { write("tool", {{"TOOL", static_cast<double>(id)}}); }
+  void tool(std::int64_t id) { blocks_.write("tool", {{"TOOL", static_cast<double>(id)}}); }
   void spindle(std::string_view direction, bool has_speed, double rpm) {
     Values values;
     if (has_speed) values.push_back({"SPEED", rpm});
-    write("spindle", values, direction);
+    blocks_.write("spindle", values, direction);
   }
-  void coolant(std::string_view mode) { write("coolant", {}, mode); }
-  void dwell(double seconds) { write("dwell", {{"SECONDS", seconds}}); }
-  void orient(double degrees) { write("orient", {{"ANGLE", degrees}}); }
-  void stop(std::string_view) { write("stop", {}); }
+  void coolant(std::string_view mode) { blocks_.write("coolant", {}, mode); }
+  void dwell(double seconds) { blocks_.write("dwell", {{"SECONDS", seconds}}); }
+  void orient(double degrees) { blocks_.write("orient", {{"ANGLE", degrees}}); }
+  void stop(std::string_view) { blocks_.write("stop", {}); }
   void end(std::string_view) {
     has_ended_ = true;
-    write("end", {});
+    blocks_.write("end", {});
   }
 
   void move(const Move& m) {
@@ -85,7 +72,7 @@ class CanonicalExporter : public Exporter {
       to.known |= m.machine.known & (1u << i);
     }
     if (m.kind != Move::Kind::rapid) {
-      if (!m.has_feed) report("IG-0190", {});
+      if (!m.has_feed) blocks_.report("IG-0190", {});
       stand_at_start(m);
     }
     if (m.kind == Move::Kind::arc)
@@ -97,19 +84,12 @@ class CanonicalExporter : public Exporter {
   }
 
  private:
-  struct Value {
-    std::string_view name;
-    double number;
-  };
-  using Values = std::vector<Value>;
+  using Values = CanonicalBlocks::Values;
   static constexpr const char* planes[] = {"YZ", "ZX", "XY"};  // by the axis of their normal
 
   bool is_machine_frame() const { return options_.frame == CanonicalOptions::Frame::machine; }
   static std::optional<double> feed_of(const Move& m) {
     return m.has_feed ? std::optional(m.feed_mmds * seconds_per_minute) : std::nullopt;
-  }
-  std::string number(double value, bool is_plain = false) const {
-    return block_number(value, options_.exact, is_plain);
   }
   /// As whoever reads the block finds it.
   double written(double value) const { return options_.exact ? value : std::round(value * 1e6) / 1e6; }
@@ -142,7 +122,7 @@ class CanonicalExporter : public Exporter {
     if (!from.has_xyz()) return;
     const double off = distance_xyz(point_of(from), point_of(at_));
     if (at_.has_xyz() && off <= frame_change_mm) return;
-    if (at_.has_xyz()) report("IG-0191", {fmt_number(off)});
+    if (at_.has_xyz()) blocks_.report("IG-0191", {fmt_number(off)});
     if (at_.has_xyz() || off > frame_change_mm) line("rapid", from, std::nullopt);
     advance(from);
   }
@@ -153,7 +133,7 @@ class CanonicalExporter : public Exporter {
   void arc(const Move& m, const AxisPoint& to) {
     const Arc& a = m.arc;
     if (!a.has_center || !to.has_xyz() || !at_.has_xyz()) {
-      report("IG-0192", {});
+      blocks_.report("IG-0192", {});
       return line("feed", to, feed_of(m));
     }
     double normal[3] = {a.normal[0], a.normal[1], a.normal[2]};
@@ -203,9 +183,9 @@ class CanonicalExporter : public Exporter {
           {std::string_view("IJK").substr(static_cast<std::size_t>(i), 1), center[i] - written(at_.at[i])});
     if (m.has_feed) values.push_back({"F", *feed_of(m)});
     const ProgramText::Row* const row = arcs_[2 * axis + (m.arc.is_ccw == is_upright ? 1 : 0)];
-    if (row == nullptr) return report("IG-0193", {std::string("arc ") + planes[axis]});
+    if (row == nullptr) return blocks_.report("IG-0193", {std::string("arc ") + planes[axis]});
     advance(to);
-    put(*row, values);
+    blocks_.put(*row, values);
   }
 
   void led(const Move& m, const AxisPoint& to) {
@@ -248,7 +228,7 @@ class CanonicalExporter : public Exporter {
     Values values = axes(to);
     if (feed) values.push_back({"F", *feed});
     advance(to);
-    write(form, values);
+    blocks_.write(form, values);
   }
 
   static Values axes(const AxisPoint& point) {
@@ -263,71 +243,13 @@ class CanonicalExporter : public Exporter {
     at_.known |= to.known;
   }
 
-  // ---- Blocks.
-
-  void report(std::string_view code, std::initializer_list<std::string> arguments) {
-    Location where;
-    if (document_ != nullptr) where = {std::string(document_->source.file), document_->source.line, 0};
-    sink_.add(host_diagnostic(code, std::move(where), arguments));
-  }
-
-  /// A row "head 1", "head 2" … each.
-  void write_all(std::string_view part) {
-    for (const ProgramText::Row& row : text_.rows)
-      if (row.name.starts_with(part) && row.name.size() > part.size() && row.name[part.size()] == ' ') put(row, {});
-  }
-
-  void write(std::string_view what, const Values& values, std::string_view which = {}) {
-    std::string name(what);
-    if (!which.empty()) name.append(" ").append(which);
-    if (const ProgramText::Row* const row = text_.find(name))
-      put(*row, values);
-    else
-      report("IG-0193", {name});
-  }
-
-  void put(const ProgramText::Row& row, const Values& values) {
-    if (document_ != nullptr && document_->source.file != file_) name_file();
-    std::string block;
-    const auto value = [&](std::string_view name, std::string_view format, std::string& out) {
-      if (name == "LINE") {
-        const std::uint32_t line = document_ == nullptr ? 0 : document_->source.line;
-        if (line == 0 || line > last_number) return false;
-        out += std::to_string(line);
-        return true;
-      }
-      for (const Value& v : values)
-        if (v.name == name) {
-          out += number(v.number, format == "n");
-          return true;
-        }
-      return false;
-    };
-    if (row.block.fill(value, block)) buffer_.append(block + "\n");
-  }
-
-  /// Sequence numbers are lines of this file from here on.
-  void name_file() {
-    file_ = document_->source.file;
-    const ProgramText::Row* const row = text_.find("comment");
-    std::string block;
-    const auto value = [&](std::string_view name, std::string_view, std::string& out) {
-      if (name == "TEXT") out += comment_text(std::string_view(file_).substr(file_.rfind('/') + 1));
-      return name == "TEXT";
-    };
-    if (row != nullptr && row->block.fill(value, block)) buffer_.append(block + "\n");
-  }
-
-  TextBuffer buffer_;
-  const ProgramText& text_;
+  CanonicalBlocks blocks_;
   CanonicalOptions options_;
-  DiagnosticSink& sink_;
   MotionReader reader_;
   const ProgramText::Row* arcs_[6] = {};  // by the axis of the normal, clockwise first
   Document* document_ = nullptr;
   const ig_machine_kinematics_1* kinematics_ = nullptr;
   ig_field tool_length_ = IG_NO_FIELD;
-  std::string file_;
   AxisPoint at_;  // where the reader of the blocks stands
   bool has_ended_ = false;
 };

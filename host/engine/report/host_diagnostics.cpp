@@ -563,6 +563,18 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {error, "IG-0515", "the run has no block at line {0}",
        "The line is empty, lies after the end of the file or of the run, or was jumped over: the hint says which.",
        "isogloss explain part.nc:99999"},
+      {warning, "IG-0610",
+       "the folder of this command is not known, so only {0} that an option or variable names are found",
+       "Plugins and dialects stand beside the command or in its installation. Without /proc the system does not say "
+       "where "
+       "the command lies: name the folders by --plugins and --dialects, or ISOGLOSS_PLUGIN_PATH and "
+       "ISOGLOSS_DIALECT_PATH.",
+       "a container without /proc that runs the command by a descriptor"},
+      {note, "IG-0611", "nothing takes {0} any longer, as {1} does in {2}: programs that hold them are reported",
+       "The edit takes a syntax out of the chain, and no other one takes the codes and words that it takes. Put a "
+       "syntax "
+       "in its place, or leave the edit out where programs of this control hold them.",
+       R"(<Remove syntax="UnitModeSyntax"/>)"},
       {error, "IG-0516", "no syntax, dependency, dialect, field or diagnostic '{0}'",
        "`isogloss list` names what is there.", "isogloss inspect DrilingCycleSyntax"},
       {warning, "IG-0517", "stopped after {0} errors: --max-errors sets another limit",

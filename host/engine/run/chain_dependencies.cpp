@@ -194,6 +194,7 @@ void Chain::check_answers() {
     std::string other;
     bool answers = false, is_passed_over = false;  // in its first service, which is what the dependency is for
     for (const char* const* id = d.dependency->provides; *id != nullptr; ++id) {
+      if (*id == std::string_view(IG_ROW_MEANING_SERVICE)) continue;  // the host asks each dependency for it
       const std::optional<std::size_t> who = answering(*id);
       const bool is_own = !who || *who == i;
       answers |= is_own && is_asked(*id);
@@ -310,6 +311,19 @@ void Chain::note_row(std::size_t dependency, std::string_view row, bool has_valu
   if (!has_value || at_work == nullptr || answered_rows.size() >= most_answered_rows) return;
   AnsweredRow answered{at_work->current, dependency, std::string(row)};
   if (answered_rows.empty() || !(answered_rows.back() == answered)) answered_rows.push_back(std::move(answered));
+}
+
+std::optional<ig_row_meaning> Chain::meaning_of(std::size_t dependency, const std::string& row,
+                                                const char* column) const {
+  const LinkedDependency& d = linked_.dependencies[dependency];
+  const auto* const service = static_cast<const ig_row_meaning_1*>(
+      service_of(*d.dependency, dependencies_[dependency], IG_ROW_MEANING_SERVICE));
+  if (service == nullptr) return std::nullopt;
+  ig_row_meaning out{};
+  out.struct_size = sizeof out;
+  const Calling calling(*d.plugin, d.element.alias.c_str(), "meaning");
+  const ig_text name{row.data(), row.size()}, of_column{column, std::string_view(column).size()};
+  return service->meaning(service->self, name, of_column, &out) != 0 ? std::optional(out) : std::nullopt;
 }
 
 DependencyTable* Chain::table(std::string_view dependency) {

@@ -10,32 +10,15 @@
 #include "document/json_difference.hpp"
 #include "isogloss/engine/document_json.hpp"
 #include "run/cursor.hpp"
+#include "run/explain_records.hpp"
 #include "run/explain_rows.hpp"
+#include "run/explain_uses.hpp"
 #include "run/explain_values.hpp"
 #include "run/explain_words.hpp"
-#include "run/variable_log.hpp"
 
 namespace isogloss {
 
 namespace {
-
-using Leaves = std::vector<std::pair<std::string, std::string>>;
-
-std::vector<ExplainedChange> changes(const Leaves& before, const Leaves& after) {
-  std::vector<ExplainedChange> out;
-  std::map<std::string_view, std::string_view> old(before.begin(), before.end());
-  for (const auto& [path, value] : after) {
-    const auto was = old.find(path);
-    if (was == old.end())
-      out.push_back({path, "", value});
-    else if (was->second != value)
-      out.push_back({path, std::string(was->second), value});
-    if (was != old.end()) old.erase(was);
-  }
-  for (const auto& [path, value] : before)
-    if (old.contains(path)) out.push_back({path, value, ""});
-  return out;
-}
 
 class Explainer : public Exporter {
  public:
@@ -48,6 +31,9 @@ class Explainer : public Exporter {
     chain.listen_to_rows();
     chain.trace = [this](std::uint32_t position, bool before) { build(position, before); };
     chain.scanned = [this](std::uint32_t position, std::size_t begin, std::size_t end) { scan(position, begin, end); };
+    chain.condition_examined = [this](const Document& document, std::string_view text, std::uint32_t outcome) {
+      examine(document, text, outcome);
+    };
     chain.variable_used = [this](const Document& document, bool is_write, std::string_view name, std::uint64_t scope,
                                  const ig_argument* value) { use(document, is_write, name, scope, value); };
   }
@@ -117,24 +103,30 @@ class Explainer : public Exporter {
     scanned_.scanned(position, begin, end);
   }
 
-  /// What the block reads is looked up before it writes: a variable that counts itself up was written earlier.
   void use(const Document& document, bool is_write, std::string_view name, std::uint64_t scope,
            const ig_argument* value) {
     if (is_wanted(document)) {
-      if (variables_block_ != chain_->blocks) variables_.clear(), written_.clear();
-      variables_block_ = chain_->blocks;
-      std::vector<ExplainedVariable>& list = is_write ? written_ : variables_;
-      const auto known = std::find_if(list.begin(), list.end(), [&](const auto& v) { return v.name == name; });
-      if (is_write && known != list.end()) known->value = VariableLog::value_of(value);
-      if (known == list.end() && list.size() < most_variables)
-        list.push_back(is_write ? ExplainedVariable{std::string(name), VariableLog::value_of(value), "", {}, ""}
-                                : log_.read(*chain_, name, scope, value));
-      for (Open& o : open_)
-        if (o.number == chain_->blocks) o.block.variables = variables_, o.block.written = written_;
+      uses_.begin(chain_->blocks);
+      if (is_write)
+        uses_.write(name, value);
+      else
+        uses_.read(*chain_, log_, name, scope, value);
+      give_uses();
     }
     if (is_write) log_.write(document, name, scope, value);
   }
-  static constexpr std::size_t most_variables = 1'000;
+
+  void examine(const Document& document, std::string_view text, std::uint32_t outcome) {
+    if (!is_wanted(document)) return;
+    uses_.begin(chain_->blocks);
+    uses_.examine(text, outcome);
+    give_uses();
+  }
+
+  void give_uses() {
+    for (Open& o : open_)
+      if (o.number == chain_->blocks) uses_.give_to(o.block, o.number);
+  }
 
   void build(std::uint32_t position, bool before) {
     const Document* const document = Chain::breadcrumb().document;
@@ -147,13 +139,13 @@ class Explainer : public Exporter {
       return;
     }
     o.called[position] = true;
-    note_call(o.block);
+    note_request(o.block);
     if (o.block.pass != target_.pass) return;
     const LinkedSyntax& s = linked_.chain[position];
     o.words.look(*document, static_cast<std::uint16_t>(position + 1));
     o.block.steps.push_back({s.element.alias, s.plugin->name, false, rows_.answers(*s.syntax),
                              rows_.since(*chain_, rows_before_),
-                             changes(o.before, json_leaves(show_json(*document, chain_->symbols())))});
+                             changes_of(o.before, json_leaves(show_json(*document, chain_->symbols())))});
     if (ExplainedStep& step = o.block.steps.back(); !step.changes.empty())
       rows_.add_from_start(*chain_, static_cast<std::uint16_t>(position + 1), step.rows);
   }
@@ -182,8 +174,8 @@ class Explainer : public Exporter {
       return open_.back();
     }
     o.words.look(document, 0);
-    if (is_built && variables_block_ == chain_->blocks) o.block.variables = variables_, o.block.written = written_;
-    add_frames(o.block);
+    if (is_built) uses_.give_to(o.block, o.number);
+    o.block.frames = frames_of(*chain_->flow);
     o.block.where = {std::string(document.source.file), document.source.line, document.source.column + 1};
     o.block.text = std::string(document.source.text);
     std::map<std::uint16_t, ExplainedStep> scanned;
@@ -204,16 +196,13 @@ class Explainer : public Exporter {
       if (writer != 0) step.rows = rows_.since(*chain_, 0, writer);
       o.block.steps.push_back(std::move(step));
     }
-    note_call(o.block);
+    note_request(o.block);
     open_.push_back(std::move(o));
     return open_.back();
   }
 
-  void note_call(ExplainedBlock& block) const {
-    if (const FlowHost::Call call = chain_->flow->requested_call(); block.calls.empty() && !call.file.empty()) {
-      block.calls = call.program;
-      block.callee = {call.file, call.line, 1};
-    }
+  void note_request(ExplainedBlock& block) const {
+    if (block.go.kind == ExplainedGo::Kind::next) block.go = go_of(chain_->flow->requested());
   }
 
   bool is_wanted(const Document& document) const {
@@ -221,14 +210,6 @@ class Explainer : public Exporter {
     const std::uint32_t more = source.is_joined ? LinePlace::of(source.text, source.text.size()).line : 0;
     return source.line + more >= target_.line && source.line <= target_.last() && chain_->flow != nullptr &&
            chain_->flow->is_file(document.source.file, target_.file);
-  }
-
-  void add_frames(ExplainedBlock& block) const {
-    ig_frame f{};
-    f.struct_size = sizeof f;
-    for (std::uint32_t level = 0; chain_->flow->frame(level, f); ++level)
-      block.frames.push_back({std::string(f.file.data, f.file.size), std::string(f.program.data, f.program.size),
-                              f.call_line, f.pass, f.passes});
   }
 
   const LinkedDialect& linked_;
@@ -242,9 +223,9 @@ class Explainer : public Exporter {
   std::map<std::uint32_t, Passes> passes_;  // by line
   std::optional<ValueOrigins> origins_;
   VariableLog log_;
-  WordLog scanned_{linked_};                            // of the block that is being read
-  std::vector<ExplainedVariable> variables_, written_;  // of the block that was at work last
-  std::uint64_t scanned_block_ = 0, variables_block_ = 0;
+  WordLog scanned_{linked_};  // of the block that is being read
+  BlockUses uses_;
+  std::uint64_t scanned_block_ = 0;
   std::uint32_t before_ = 0;  // the last line of the target's file that was run
   Chain* chain_ = nullptr;
   std::vector<Open> open_;

@@ -72,7 +72,7 @@ std::int32_t Flow::call(const Document& document, ig_go& request) {
     if (++refused_ == most_refused && !is_over()) stop("IG-0422", here_, {std::to_string(most_refused), shown(here_)});
     return IG_GO_REFUSED;
   }
-  request_ = Request::call;
+  request_ = Go::call;
   tag_ = request.tag;
   repeats_ = std::max(request.repeats, 1u);
   return IG_GO_DONE;
@@ -87,7 +87,7 @@ std::int32_t Flow::leave(ig_go& request) {
     if (!to_) return not_found(request, "looked in the calling program, " + frames_[depth_ - 1]->file->name);
   }
   const bool again = !to_ && frame_->pass < frame_->passes && (request.flags & IG_GO_DROP_REPEATS) == 0;
-  request_ = again ? Request::again : Request::leave;
+  request_ = again ? Go::again : Go::leave;
   return IG_GO_DONE;
 }
 
@@ -105,42 +105,73 @@ std::int32_t Flow::jump(ig_go& request) {
     programs_.report_lost(*frame_->file, here_.line);
     return IG_GO_REFUSED;
   }
-  request_ = Request::jump;
+  request_ = Go::jump;
   behind_ = request.kind != IG_GO_START && (request.flags & IG_GO_BEHIND) != 0;
   return IG_GO_DONE;
+}
+
+FlowHost::Request Flow::requested() const {
+  FlowHost::Request out;
+  out.kind = request_;
+  out.file = frame_->file->name;
+  out.program = request_ == Go::call ? called_ : frame_->program;
+  switch (request_) {
+    case Go::none: return {};
+    case Go::call:
+      out.file = target_.file->name;
+      out.line = target_.start.line;
+      out.passes = repeats_;
+      break;
+    case Go::leave:
+      out.file = frames_[depth_ - 1]->file->name;
+      out.line = to_ ? to_->line : frame_->back.line;
+      out.call_line = frame_->called_at.line;
+      out.is_behind = !to_;
+      break;
+    case Go::again:
+      out.line = frame_->start.line;
+      out.pass = frame_->pass + 1;
+      out.passes = frame_->passes;
+      break;
+    case Go::jump:
+      out.line = to_->line;
+      out.is_behind = behind_;
+      break;
+  }
+  return out;
 }
 
 // ---- moves
 
 void Flow::perform(Document& document, const Place& next) {
   if (++jumps_ > options_.maximum_jumps) {
-    const Place to = request_ == Request::call    ? target_.start
-                     : to_                        ? *to_
-                     : request_ == Request::again ? frame_->start
-                                                  : frame_->back;
-    const ProgramFile& file = request_ == Request::call    ? *target_.file
-                              : request_ == Request::leave ? *frames_[depth_ - 1]->file
-                                                           : *frame_->file;
-    request_ = Request::none;
+    const Place to = request_ == Go::call    ? target_.start
+                     : to_                   ? *to_
+                     : request_ == Go::again ? frame_->start
+                                             : frame_->back;
+    const ProgramFile& file = request_ == Go::call    ? *target_.file
+                              : request_ == Go::leave ? *frames_[depth_ - 1]->file
+                                                      : *frame_->file;
+    request_ = Go::none;
     stop("IG-0417", here_, {std::to_string(jumps_ - 1), shown(here_), file.name + ":" + std::to_string(to.line)});
     return;
   }
-  switch (std::exchange(request_, Request::none)) {
-    case Request::call: enter(document, next); break;
-    case Request::leave: leave_frame(document, to_); break;
-    case Request::again:
+  switch (std::exchange(request_, Go::none)) {
+    case Go::call: enter(document, next); break;
+    case Go::leave: leave_frame(document, to_); break;
+    case Go::again:
       ++frame_->pass;
       if (repeats_at_ == 0) repeats_at_ = depth_;
       if (!frame_->is_local) document.clear_frame_values();
       seek(frame_->start);
       break;
-    case Request::jump:
+    case Go::jump:
       if (*to_ == frame_->start && !frame_->is_local) document.clear_frame_values();
       note_jump(*to_);
       seek(*to_);
       passing_ = behind_;
       break;
-    case Request::none: break;
+    case Go::none: break;
   }
 }
 
@@ -181,7 +212,7 @@ bool Flow::request_end(const Document& document) {
   if (depth_ == 0) return false;
   const Diagnostic text = host_diagnostic("IG-0419", {}, {frame_->program});
   document.chain->report(document, text.severity, text.code, text.message, 0, 0);
-  request_ = frame_->pass < frame_->passes ? Request::again : Request::leave;
+  request_ = frame_->pass < frame_->passes ? Go::again : Go::leave;
   to_.reset();
   return true;
 }

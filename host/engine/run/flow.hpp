@@ -31,7 +31,7 @@ class Flow : public FlowHost {
     if (repeats_at_ != 0) count_repeat();
   }
   bool is_over() const { return end_.is_over(); }  ///< a limit was reached and reported
-  bool has_request() const { return request_ != Request::none; }
+  bool has_request() const { return request_ != FlowHost::Request::Kind::none; }
   /// Executes the request of the block; `next` is where the run would continue otherwise.
   void perform(Document& document, const Place& next);
   /// The frame's text ends with this block: the caller goes on. False in the main program.
@@ -54,16 +54,14 @@ class Flow : public FlowHost {
   std::int32_t go(const Document& document, ig_go& request) override;
   bool frame(std::uint32_t level, ig_frame& out) const override;
   bool is_file(std::string_view name, std::string_view wanted) const override;
-  Call requested_call() const override {
-    return request_ == Request::call ? Call{called_, target_.file->name, target_.start.line} : Call{};
-  }
+  FlowHost::Request requested() const override;
   std::size_t text(std::uint64_t offset, char* buffer, std::size_t size) const override {
     return programs_.main().source->read_at(offset, buffer, size);
   }
   ig_place here() const override { return {frame_->id, here_.offset, here_.line, here_.column}; }
 
  private:
-  enum class Request { none, call, leave, again, jump };
+  using Go = FlowHost::Request::Kind;
   struct Frame {
     ProgramFile* file = nullptr;
     Cursor cursor;
@@ -106,7 +104,7 @@ class Flow : public FlowHost {
   bool passing_ = false;
 
   // The request of this block.
-  Request request_ = Request::none;
+  Go request_ = Go::none;
   ProgramSearch::Target target_{};
   std::optional<Place> to_;
   std::string called_, reason_;

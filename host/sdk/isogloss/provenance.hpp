@@ -1,11 +1,14 @@
-/// Tells the host which row of a table has answered, and which variables a block reads and writes, so that `isogloss
-/// explain` shows the line in the XML, or in the program, behind a value.
+/// Tells the host which row of a table has answered, which variables a block reads and writes, and which conditions it
+/// examines, so that `isogloss explain` shows the line in the XML, or in the program, behind a value. And what the rows
+/// of a table mean.
 #pragma once
 
 #include <isogloss_provenance.h>
 
 #include <cmath>
+#include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "isogloss/block.hpp"
@@ -59,6 +62,56 @@ class UsedVariables {
     if (is_heard()) host_->variable(b.raw(), access, to_text(name), scope, &shown);
   }
   Service<ig_provenance_1> host_{IG_PROVENANCE_SERVICE, Need::optional, "Variables of the block; the host has it."};
+};
+
+/// A member of each syntax that examines conditions: IF, WHILE, the repeats of a call. Does nothing where nobody
+/// listens.
+class ExaminedConditions {
+ public:
+  bool is_heard() const {
+    return host_ && host_->is_listening != 0 &&
+           host_->struct_size >= offsetof(ig_provenance_1, condition) + sizeof host_->condition &&
+           host_->condition != nullptr;
+  }
+  /// `text` as the program writes it.
+  void add(Block& b, std::string_view text, bool holds) const {
+    tell(b, text, holds ? IG_CONDITION_HOLDS : IG_CONDITION_FAILS);
+  }
+  /// A reason in words, "pass 2 of 3". Build it where is_heard() alone.
+  void add_reason(Block& b, std::string_view words) const { tell(b, words, IG_CONDITION_TELLS); }
+
+ private:
+  void tell(Block& b, std::string_view text, std::uint32_t outcome) const {
+    if (is_heard()) host_->condition(b.raw(), to_text(text), outcome);
+  }
+  Service<ig_provenance_1> host_{IG_PROVENANCE_SERVICE, Need::optional, "Conditions of the block; the host has it."};
+};
+
+/// What a row of a table means: see ig_row_meaning. The texts are literals.
+struct RowMeaning {
+  std::string_view title, unit;
+  double scale = 1;
+  std::string_view prefix = {};
+};
+
+/// The service isogloss.row-meaning/1 from `Table::meaning_of(row, column)`, which gives an optional RowMeaning.
+/// `Table` declares this class its friend.
+template <class Table>
+class RowMeanings {
+ public:
+  explicit RowMeanings(Table* table) : service_{sizeof(ig_row_meaning_1), 0, table, &ask} {}
+  const void* find(std::string_view id) const { return id == IG_ROW_MEANING_SERVICE ? &service_ : nullptr; }
+
+ private:
+  static std::int32_t ask(void* self, ig_text row, ig_text column, ig_row_meaning* out) {
+    const std::optional<RowMeaning> meaning =
+        static_cast<const Table*>(self)->meaning_of(to_view(row), to_view(column));
+    if (!meaning || out->struct_size < sizeof *out) return 0;
+    *out = {out->struct_size, 0, to_text(meaning->title), to_text(meaning->prefix), to_text(meaning->unit),
+            meaning->scale};
+    return 1;
+  }
+  ig_row_meaning_1 service_;
 };
 
 /// A member of a store whose values come from rows until the program overwrites them: which row has given which value.

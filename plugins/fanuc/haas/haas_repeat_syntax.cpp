@@ -1,9 +1,11 @@
 /// L in a block of plain motion: a Haas makes the move that many times. The block is run again, so that under G91 each
 /// pass starts at the end of the one before.
 #include <cmath>
+#include <string>
 
 #include <isogloss/cnc/whole_number.hpp>
 #include <isogloss/flow.hpp>
+#include <isogloss/provenance.hpp>
 #include <isogloss/sdk.hpp>
 
 namespace fanuc {
@@ -22,6 +24,7 @@ struct HaasRepeat {
   ig::In<ig::Symbol> form_{"MotionEvent.Form"};
   ig::IntegerOption most_{"max-repeats", "10000", {1, 1'000'000}, "How often one block may be executed."};
   ig::Flow flow_;
+  ig::ExaminedConditions examined_;
 
   ig_place block_{};
   std::int64_t left_ = 0;
@@ -54,6 +57,10 @@ struct HaasRepeat {
     const bool is_pass = left_ > 0 && here.frame == block_.frame && here.offset == block_.offset;
     left_ = is_pass ? left_ - 1 : count - 1;
     block_ = here;
+    if (examined_.is_heard())
+      examined_.add_reason(b, left_ > 0 ? "pass " + std::to_string(count - left_ + 1) + " of " + std::to_string(count) +
+                                              " of the block follows"
+                                        : "all " + std::to_string(count) + " passes of the block are made");
     if (left_ > 0 && !flow_.go_to(b, here).is_done()) {
       left_ = 0;
       report(b, "the remaining repeats are left out");

@@ -16,11 +16,22 @@ constexpr std::string_view delta_z = "22", shift_direction = "27", retract_above
 constexpr const char* shipped_settings[] = {"9|Value=0",  "22|Value=0.508", "27|Value=1",
                                             "52|Value=0", "130|Value=1",    "162|Value=0"};
 
+using Unit = ParameterUnit;
+constexpr NamedParameter named_settings[] = {{dimensioning, "unit at the start"},
+                                             {delta_z, "peck clearance", Unit::mm},
+                                             {shift_direction, "shift direction of boring"},
+                                             {retract_above_r, "retract above R", Unit::mm},
+                                             {scaling, "scaling factor"},
+                                             {rotation, "rotation angle", Unit::degrees},
+                                             {rotation_adds, "incremental rotation"},
+                                             {tap_retract_speed, "tapping retract speed"},
+                                             {default_to_float, "numbers without a decimal point"}};
+
 struct HaasSettings {
   static constexpr auto spec = ig::dependency("HaasSettings", "Settings of a Haas control, by number.")
                                    .rows("Setting", "number")
                                    .provides("isogloss.number-format/1", "isogloss.canned-cycle/1", "isogloss.motion/1",
-                                             "isogloss.coordinate-system/1")
+                                             "isogloss.coordinate-system/1", IG_ROW_MEANING_SERVICE)
                                    .ships(shipped_settings);
 
   ig::Column value{"Value", nullptr, "", {}, "The value of the setting: mm, or the number of a choice."};
@@ -37,6 +48,7 @@ struct HaasSettings {
     if (id == "isogloss.number-format/1") return &number_format;
     if (id == "isogloss.motion/1") return &motion;
     if (id == "isogloss.coordinate-system/1") return &coordinate_system;
+    if (const void* const meanings = meanings_.find(id)) return meanings;
     return id == "isogloss.canned-cycle/1" ? &cycles : nullptr;
   }
 
@@ -85,6 +97,12 @@ struct HaasSettings {
     return choice == 2 || choice == 4 ? -axis : axis;
   }
 
+  static std::optional<ig::RowMeaning> meaning_of(std::string_view row, std::string_view column) {
+    return meaning_of_parameter(named_settings, row, column, 0.001, "setting ");
+  }
+
+  friend class ig::RowMeanings<HaasSettings>;
+  ig::RowMeanings<HaasSettings> meanings_{this};
   using Services = ParameterServices<HaasSettings>;
   ig_config_1 number_format = Services::config<&HaasSettings::number_format_of>(this);
   ig_config_1 motion = Services::config<&HaasSettings::motion_of>(this);

@@ -20,6 +20,7 @@ std::optional<bool> MacroExecution::condition(ig::Block& b, std::string_view tex
     b.report(ig::diag("FAN-0116"), ig::Where::columns(bracket, o.end), piece(text, bracket, o.end));
     return std::nullopt;
   }
+  environment_.note_condition(b, piece(text, bracket, o.end), o.value.number != 0);
   return o.value.number != 0;
 }
 
@@ -63,12 +64,15 @@ std::size_t MacroExecution::scan_return(ig::Block& b, std::string_view text, std
   }
   environment_.enter(b);
   const Outcome o = evaluate_at(b, text.substr(0, end), position);
+  if (o.ok()) environment_.note_condition(b, piece(text, position, o.end), o.value.number != 0);
   return o.ok() && o.value.number != 0 ? rest : end;
 }
 
 void MacroExecution::execute_return_to(ig::Block& b, std::string_view text, std::size_t position) {
   const Outcome o = evaluate_at(b, text, position);
-  if (!o.ok() || o.value.number == 0) return;
+  if (!o.ok()) return;
+  environment_.note_condition(b, piece(text, position, o.end), o.value.number != 0);
+  if (o.value.number == 0) return;
   execute_go_to(b, text, position, return_end(text, skip_blanks(text, o.end)) + 1);
 }
 

@@ -37,6 +37,8 @@ class MacroFrame {
   void note_write(ig::Block& b, std::uint32_t number, double value) const {
     used_.wrote(b, name_of(number).data(), value, store_->scope_of(number));
   }
+  /// A condition, as the program writes it, has been examined.
+  void note_condition(ig::Block& b, std::string_view text, bool holds) const { examined_.add(b, text, holds); }
   /// What the call of this tag gives to the local variables of the macro.
   void note_arguments(ig::Block& b, std::uint64_t tag, const MacroStore::Locals& arguments) const {
     if (!is_heard()) return;
@@ -88,6 +90,7 @@ class MacroFrame {
 
   Store store_;
   ig::UsedVariables used_;
+  ig::ExaminedConditions examined_;
 };
 
 }  // namespace fanuc

@@ -23,13 +23,41 @@ constexpr const char* shipped_parameters[] = {
     "5115|Value=1000", "5200|Value=0",  "5213|Value=1000",  "5400|Value=128",
     "5410|Value=0"};
 
+using Unit = ParameterUnit;
+constexpr NamedParameter named_parameters[] = {{rotary_type, "axis type"},
+                                               {rollover_bits, "rollover of a rotary axis"},
+                                               {increment_system, "increment system"},
+                                               {reset, "reset bits"},
+                                               {"1240", "first reference position", Unit::axis},
+                                               {"1241", "second reference position", Unit::axis},
+                                               {"1242", "third reference position", Unit::axis},
+                                               {"1243", "fourth reference position", Unit::axis},
+                                               {"1320", "upper travel limit", Unit::axis},
+                                               {"1321", "lower travel limit", Unit::axis},
+                                               {rapid_rate, "rapid rate", Unit::rate},
+                                               {decimal_point, "numbers without a decimal point"},
+                                               {arc_tolerance, "arc radius tolerance", Unit::increments},
+                                               {cycle_bits, "canned cycle bits"},
+                                               {high_speed_peck, "high-speed peck retraction", Unit::increments},
+                                               {peck, "peck clearance", Unit::increments},
+                                               {shift_axis, "shift direction of boring"},
+                                               {boring_return_override, "return override of boring", Unit::percent},
+                                               {tapping_bits, "tapping bits"},
+                                               {extraction_override, "extraction override of tapping", Unit::percent},
+                                               {peck_tapping, "peck tapping retraction", Unit::increments},
+                                               {coordinate_bits, "rotation and scaling bits"},
+                                               {rotation_angle, "rotation angle", Unit::increments_of_angle},
+                                               {scaling_factor, "scaling factor"},
+                                               {overrun, "overrun of G60", Unit::increments},
+                                               {call_bits, "call bits"}};
+
 struct FanucParameterTable {
   static constexpr auto spec =
       ig::dependency("FanucParameterTable", "Parameters of a Fanuc control, by number and axis.")
           .rows("Parameter", "number")
           .provides("isogloss.number-format/1", "isogloss.canned-cycle/1", "isogloss.motion/1",
                     "isogloss.machine-axis/1", "isogloss.coordinate-system/1", "isogloss.code-call/1",
-                    "isogloss.control-parameter/1")
+                    "isogloss.control-parameter/1", IG_ROW_MEANING_SERVICE)
           .ships(shipped_parameters);
 
   ParameterColumns columns;
@@ -44,6 +72,7 @@ struct FanucParameterTable {
   const void* service(std::string_view id) const {
     if (id == "isogloss.coordinate-system/1") return &coordinate_system;
     if (id == "isogloss.control-parameter/1") return &parameters;
+    if (const void* const meanings = meanings_.find(id)) return meanings;
     return services.find(id);
   }
 
@@ -162,6 +191,14 @@ struct FanucParameterTable {
   /// mm or degrees per minute.
   Answer rapid_of(char axis) const { return of_axis(rapid_rate, axis); }
 
+  std::optional<ig::RowMeaning> meaning_of(std::string_view row, std::string_view column) const {
+    auto out = meaning_of_parameter(named_parameters, row, column, increment());
+    if (out && row == scaling_factor) out->scale = scaling_unit();
+    return out;
+  }
+
+  friend class ig::RowMeanings<FanucParameterTable>;
+  ig::RowMeanings<FanucParameterTable> meanings_{this};
   friend class ig::cnc::MachineParameterServices<FanucParameterTable>;
   MachineParameterServices<FanucParameterTable> services{this};
   using Services = ParameterServices<FanucParameterTable>;

@@ -160,7 +160,10 @@ struct KlartextPlane {
       // They are 0 from here on, so that syntaxes that read them report nothing for the same cause.
       QStore* const store = text_.values().store();
       for (std::uint32_t q = 120; q <= 122 && store != nullptr; ++q)
-        if (std::isnan(store->get({QKind::q, q}, 0))) store->set({QKind::q, q}, 0, 0);
+        if (std::isnan(store->get({QKind::q, q}, 0))) {
+          store->set({QKind::q, q}, 0, 0);
+          text_.values().note(b, q, 0);
+        }
       b.report(ig::diag("HEI-0172"), command_.where(), command_.plane.shown(),
                std::string_view(command_.turns_axes()
                                     ? "they do not turn, and Q120 to Q122 are not known"
@@ -178,9 +181,11 @@ struct KlartextPlane {
       return;
     }
     if (QStore* const store = text_.values().store())
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        store->set({QKind::q, static_cast<std::uint32_t>(120 + axis)}, 0,
-                   axes_.machine().has(axis) ? rounded((*angles)[axis] - rotary_offset_.get(b)[axis]) : 0);
+      for (std::uint32_t axis = 0; axis < 3; ++axis) {
+        const double angle = axes_.machine().has(axis) ? rounded((*angles)[axis] - rotary_offset_.get(b)[axis]) : 0;
+        store->set({QKind::q, 120 + axis}, 0, angle);
+        text_.values().note(b, 120 + axis, angle);
+      }
     if (!command_.turns_axes()) {
       b.set(stay_, true);
       return;

@@ -160,7 +160,12 @@ struct KlartextLabel {
 
   void repeat(ig::Block& b, const std::string& name, ig::Where where, double times) const {
     const ig_place here = values_.flow().here(b);
-    if (values_.store() == nullptr || !values_.store()->repeat(here.frame, here.offset, times)) return;
+    if (values_.store() == nullptr) return;
+    const bool goes_on = values_.store()->repeat(here.frame, here.offset, times);
+    if (values_.examined().is_heard())
+      values_.examined().add_reason(b, goes_on ? values_.store()->repeats_left(here.frame, here.offset)
+                                               : std::string(times >= 1 ? "all repeats are made" : "REP is below 1"));
+    if (!goes_on) return;
     const ig::Flow::Answer answer = values_.flow().jump(b, "L" + name, IG_SEARCH_TOP);
     if (answer.is_not_found()) b.report(ig::diag("HEI-0120"), where, std::string_view(name), answer.reason);
   }

@@ -59,8 +59,10 @@ void jump_by_fn(const ParameterReader& reader, std::size_t position, unsigned nu
   const std::string_view text = reader.text;
   std::size_t next = glued(text, position, "IF");
   if (next == position) return reader.missing("IF");
+  const std::size_t begin = skip(text, next);
   const auto holds = condition(reader, next, number);
   if (!holds) return;
+  reader.values.examined().add(reader.block, trim(piece(text, begin, next)), *holds);
   std::size_t i = skip(text, next);
   next = glued(text, i, "GOTO");
   if (next == i) return reader.missing("GOTO LBL");

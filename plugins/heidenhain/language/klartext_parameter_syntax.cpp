@@ -119,6 +119,7 @@ struct KlartextParameter {
     if (value->size() > QStore::longest_text)
       return b.report(ig::diag("HEI-0372"), where, shown, static_cast<double>(value->size()),
                       static_cast<double>(QStore::longest_text));
+    cycle_.values().note_text(b, *number, *value);
     store->set_text(*number, std::move(*value));
   }
 

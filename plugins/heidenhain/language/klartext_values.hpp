@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include <isogloss/sdk.hpp>
 
@@ -61,6 +62,7 @@ class Values {
                                        std::size_t& end) const {
     const auto number = text_parameter_at(text, position, end);
     const auto held = number && store() != nullptr ? store()->text(*number) : std::nullopt;
+    if (held && used_.is_heard()) used_.read(b, "QS" + std::to_string(*number), *held);
     if (!held) b.report(ig::diag("HEI-0371"), ig::Where::columns(position, end), piece(text, position, end));
     return held;
   }
@@ -108,6 +110,16 @@ class Values {
     else
       b.report(ig::diag("HEI-0114"), where, name);
   }
+
+  /// A statement other than an assignment has set the parameter: TOOL CALL, PLANE.
+  void note(ig::Block& b, std::uint32_t number, double value) const {
+    if (used_.is_heard()) used_.wrote(b, name_of({QKind::q, number}).data(), value);
+  }
+  void note_text(ig::Block& b, std::uint32_t number, std::string_view text) const {
+    if (used_.is_heard()) used_.wrote(b, "QS" + std::to_string(number), text);
+  }
+  /// A condition, as the program writes it, has been examined; or a reason in words.
+  const ig::ExaminedConditions& examined() const { return examined_; }
 
   /// What {Q240} is in a row of MachineCodes; nothing where the name is no parameter with a value.
   std::optional<double> in_row(ig::Block& b, std::string_view name, ig::Where where) const {
@@ -157,6 +169,7 @@ class Values {
   ig::Service<QStore> store_{q_store_service, ig::Need::required, "The Q parameters."};
   ig::AnsweredRows rows_{q_store_service};
   ig::UsedVariables used_;
+  ig::ExaminedConditions examined_;
   ig::Flow flow_;
 };
 

@@ -110,6 +110,14 @@ class QStore {
     return true;
   }
 
+  /// "a repeat follows, and then 2 more": for an explanation, after repeat() has counted.
+  std::string repeats_left(std::uint64_t frame, std::uint64_t offset) const {
+    for (const Repeat& r : repeats_)
+      if (r.frame == frame && r.offset == offset && r.left >= 1)
+        return "a repeat follows, and then " + std::to_string(static_cast<std::int64_t>(r.left)) + " more";
+    return "the last repeat follows";
+  }
+
   /// True when the text is reported for the first time at this place of a program, where a loop may come again and
   /// again. For a cause that occurs in many places, the number of its diagnostic stands for the place.
   bool is_first_time(std::uint64_t offset, std::string_view text) {

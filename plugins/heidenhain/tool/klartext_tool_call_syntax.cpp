@@ -79,7 +79,7 @@ struct KlartextToolCall {
     put_code(b, change_.id(0), begin, begin + 9);
     put_code(b, length_.code(0), begin, begin + 9);
     put_word(b, length_.word(0, 'H'), begin, begin + 9, row);
-    note_parameters(row, radius);
+    note_parameters(b, row, radius);
   }
 
   std::size_t call_word(ig::Block& b, std::string_view text, std::size_t i, double& length, double& radius,
@@ -118,15 +118,18 @@ struct KlartextToolCall {
   }
 
   /// Q108 and Q114. A tool that was never measured is 0 in the table: its parameters have no value.
-  void note_parameters(double tool, double delta) const {
+  void note_parameters(ig::Block& b, double tool, double delta) const {
     QStore* const store = values_.store();
     if (store == nullptr || !table_ || !(tool >= 0 && tool < 1e9)) return;
     const auto sum = [&](ToolDimension which) {
       const double mm = tool_dimension(table_, static_cast<std::int64_t>(tool), which).value_or(0);
       return mm != 0 && std::isfinite(mm) ? mm : QStore::undefined;
     };
-    store->set_of_tool(QStore::radius_of_tool, sum(ToolDimension::radius) + delta);
-    store->set_of_tool(QStore::length_of_tool, sum(ToolDimension::length));
+    const double radius = sum(ToolDimension::radius) + delta, length = sum(ToolDimension::length);
+    store->set_of_tool(QStore::radius_of_tool, radius);
+    store->set_of_tool(QStore::length_of_tool, length);
+    if (!std::isnan(radius)) values_.note(b, QStore::radius_of_tool, radius);
+    if (!std::isnan(length)) values_.note(b, QStore::length_of_tool, length);
   }
 
   /// TOOL DEF 5 names a tool that the magazine may fetch; TOOL DEF 5 L+100 R+5 defines it.

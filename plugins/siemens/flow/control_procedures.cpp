@@ -186,6 +186,7 @@ void CallReader::give_tool(ig::Block& b, std::string_view text, std::size_t open
   }
   const Value value = Value::real(environment_.system.read(b, tool).value_or(0));
   const std::string& name = arguments_[0].name;
+  environment_.note_write(b, name, value);
   environment_.report_not_stored(b, where, name, value, environment_.store().assign(name, value));
 }
 

@@ -67,6 +67,7 @@ class Jumps {
       Expression e(b, environment_, text, other + 2);
       const auto condition = e.truth();
       if (!condition) return;
+      environment_.examined().add(b, trim(piece(text, other + 2, e.position())), *condition);
       position = skip_blanks(text, e.position());
       if (flow_word(piece(text, position, skip_name(text, position))) != FlowWord::go) {
         ends(b, text, other);
@@ -88,8 +89,9 @@ class Jumps {
     }
     next = skip_blanks(text, next + 2);
     while (next < text.size()) {
-      bool matches = is_word(text, next, "DEFAULT");
-      if (matches) {
+      const bool is_default = is_word(text, next, "DEFAULT");
+      bool matches = is_default;
+      if (is_default) {
         next += 7;
       } else {
         Expression constant(b, environment_, text, next);
@@ -105,12 +107,30 @@ class Jumps {
         return;
       }
       const std::size_t label = skip_blanks(text, behind), end = skip_name(text, label);
-      if (matches) return go(b, text.substr(0, end), next);
+      if (matches) {
+        note_case(b, piece(text, behind_case, e.position()), is_default, *value);
+        return go(b, text.substr(0, end), next);
+      }
       next = skip_blanks(text, end);
     }
+    if (environment_.examined().is_heard())
+      environment_.examined().add_reason(
+          b, shown_case(piece(text, behind_case, e.position()), *value) + ", for which CASE names no jump");
   }
 
  private:
+  static std::string shown_case(std::string_view expression, double value) {
+    std::string number = std::to_string(value);
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.back() == '.') number.pop_back();
+    return std::string(trim(expression)).append(" is ").append(number);
+  }
+  void note_case(ig::Block& b, std::string_view expression, bool is_default, double value) const {
+    if (environment_.examined().is_heard())
+      environment_.examined().add_reason(
+          b, shown_case(expression, value) + (is_default ? ", for which only DEFAULT stands" : ""));
+  }
+
   const Environment& environment_;
   LoopStack& loops_;
 };

@@ -78,6 +78,9 @@ void FlowLoops::begin_for(ig::Block& b, const FlowStatement& s) {
     b.report(ig::diag("SIE-0124"), columns(text, variable->begin), std::string_view(variable->name));
     return leave(b, s, LoopKind::for_);
   }
+  if (environment_.examined().is_heard())
+    environment_.examined().add(b, variable->name + " <= " + std::string(trim(piece(text, next + 2, last.position()))),
+                                value <= *to);
   if (value > *to) return leave(b, s, LoopKind::for_);
   if (stored != Stored::yes) {
     environment_.report_not_stored(b, columns(text, variable->begin), variable->name, Value::real(value), stored);

@@ -12,6 +12,7 @@ std::optional<bool> condition(ig::Block& b, const Environment& environment, cons
   Expression e(b, environment, s.text, s.behind);
   const auto holds = e.truth();
   after = skip_blanks(s.text, e.position());
+  if (holds) environment.examined().add(b, trim(piece(s.text, s.behind, e.position())), *holds);
   return holds;
 }
 

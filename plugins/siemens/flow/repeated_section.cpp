@@ -59,10 +59,16 @@ void RepeatedSections::repeat(ig::Block& b, const FlowStatement& s) {
     section = loops_.innermost(frame);
   }
   if (section->left < 1) {
+    environment_.examined().add_reason(b, "all repeats are made");
     loops_.pop();
     return;
   }
   section->left -= 1;
+  if (environment_.examined().is_heard())
+    environment_.examined().add_reason(
+        b, section->left < 1
+               ? "the last repeat follows"
+               : "a repeat follows, and then " + std::to_string(static_cast<std::int64_t>(section->left)) + " more");
   const std::string from = section->until.substr(section->until.find(' ') + 1);
   if (!environment_.flow.jump(b, from, IG_SEARCH_BACKWARD).is_not_found()) return;
   const ig::Flow::Answer ahead = environment_.flow.jump(b, from, IG_SEARCH_FORWARD);

@@ -180,6 +180,7 @@ struct SiemensFlow {
     std::string name = upper(trim(label->text));
     drop_zeros(name);
     b.set(returned_, b.symbol("RET"));
+    environment_.note_given_back(b);
     const ig::Flow::Answer answer = environment_.flow.leave(b, name);
     if (!answer.is_not_found()) return;
     b.report(ig::diag("SIE-0149"), columns(text, open), std::string_view(name), answer.reason);
@@ -188,6 +189,8 @@ struct SiemensFlow {
 
   /// Returns to the block after the call, or to the pattern of holes that called.
   void leave_subprogram(ig::Block& b) const {
+    environment_.enter(b);
+    environment_.note_given_back(b);
     const std::vector<PatternCall>& patterns = environment_.store().patterns;
     const std::uint64_t tag = environment_.flow.frame(b).tag;
     const bool is_of_pattern = !patterns.empty() && tag != 0 && patterns.back().tag == tag && patterns.back().is_open();

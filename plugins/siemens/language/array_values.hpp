@@ -37,6 +37,7 @@ class ArrayValues {
       const std::size_t count = std::min(count_.value_or(room), room);
       if (first == 0 && count >= room && values_[0]) {
         environment_.store().fill(array, *values_[0]);
+        environment_.note_fill(b_, array, *values_[0]);
         return true;
       }
       values_.assign(std::min({count, room, most_elements}), std::optional<Value>(values_[0]));

@@ -61,6 +61,25 @@ class Environment {
                       : used_.wrote(b, name, value.number, scope(b, name));
   }
 
+  /// Every element of an array has got this value.
+  void note_fill(ig::Block& b, const std::string& array, const Value& value) const {
+    if (!used_.is_heard()) return;
+    const Variable* const filled = store().find(array);
+    if (filled == nullptr || filled->sizes.empty()) return note_write(b, array, value);
+    for (std::size_t i = 0; i < std::min<std::size_t>(filled->size(), 10'000); ++i)
+      note_write(b, array + filled->indices_of(i), value);
+  }
+  /// VAR parameters of the program that this block leaves: its caller's variables get their values.
+  void note_given_back(ig::Block& b) const {
+    if (!used_.is_heard()) return;
+    for (const VariableStore::GivenBack& v : store().given_back()) {
+      const std::uint64_t caller = v.is_own ? v.frame : 0;
+      v.value.is_text() ? used_.wrote(b, v.name, v.value.text, caller) : used_.wrote(b, v.name, v.value.number, caller);
+    }
+  }
+  /// A condition, as the program writes it, has been examined; or a reason in words.
+  const ig::ExaminedConditions& examined() const { return examined_; }
+
   /// Reports why an assignment has not been executed.
   void report_not_stored(ig::Block& b, const ig::Where& where, const std::string& name, const Value& value,
                          Stored outcome) const;
@@ -101,6 +120,7 @@ class Environment {
   ig::Service<VariableStore> store_{variable_service, ig::Need::required, "The variables."};
   ig::AnsweredRows rows_{variable_service};
   ig::UsedVariables used_;
+  ig::ExaminedConditions examined_;
   Macros macros_;
   MacroRecord record_;
 };

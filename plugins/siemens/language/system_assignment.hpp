@@ -58,6 +58,7 @@ class SystemAssignment {
     if (!value) return {.end = end, .is_fault = true};
     if (is_store && !value->is_text()) {
       environment_.store().give_for_run(name, value->number);
+      environment_.note_write(b, name, *value);
       return {end};
     }
     if (is_part) {
@@ -88,7 +89,9 @@ class SystemAssignment {
     const std::size_t end = std::max(e.position(), equals + 1);
     if (!value) return {.end = end, .is_fault = true};
     const bool is_digital = name.starts_with("$A_OUT[");
-    environment_.store().give_for_run(name, is_digital ? (*value != 0 ? 1 : 0) : *value);
+    const double given = is_digital ? (*value != 0 ? 1 : 0) : *value;
+    environment_.store().give_for_run(name, given);
+    environment_.note_write(b, name, Value::real(given));
     if (environment_.store().is_first_report("SIE-0364\n" + name))
       b.report(ig::diag("SIE-0364"), ig::Where::columns(begin, end), std::string_view(name));
     return {end};

@@ -18,6 +18,22 @@ void VariableStore::enter_other(std::uint64_t frame) {
   if (scopes_.back().frame != frame) scopes_.push_back({frame, {}, {}, {}});
 }
 
+std::vector<VariableStore::GivenBack> VariableStore::given_back() {
+  std::vector<GivenBack> out;
+  if (scopes_.size() < 2) return out;
+  Scope &ended = scopes_.back(), &caller = scopes_[scopes_.size() - 2];
+  for (const auto& [inner, outer] : ended.references) {
+    const auto it = ended.variables.find(inner);
+    if (it == ended.variables.end()) continue;
+    const bool is_own = caller.variables.contains(outer);
+    if (!it->second.is_array) out.push_back({outer, it->second.value, is_own, caller.frame});
+    for (const std::string& element : it->second.elements)
+      if (const auto own = ended.variables.find(inner + element); own != ended.variables.end())
+        out.push_back({outer + element, own->second.value, is_own, caller.frame});
+  }
+  return out;
+}
+
 void VariableStore::give_for_run(const std::string& name, double value) {
   if (given_for_run_.size() >= most_names) return;
   given_for_run_[name] = value;

@@ -127,6 +127,14 @@ class VariableStore {
   void fill(const std::string& array, const Value& value);
   /// The elements of an array that have a value of their own.
   std::vector<std::pair<std::string, Value>> elements(const std::string& array);
+  /// What the caller's variables get when the running program ends: values of its VAR parameters.
+  struct GivenBack {
+    std::string name;
+    Value value;
+    bool is_own;          ///< a variable that the caller has defined, not user data or an R parameter
+    std::uint64_t frame;  ///< of the caller
+  };
+  std::vector<GivenBack> given_back();
   void refer(const std::string& inner, const std::string& outer) { scopes_.back().references[inner] = outer; }
 
   std::uint64_t pass(std::vector<Argument> arguments) {

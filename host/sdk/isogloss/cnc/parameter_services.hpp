@@ -3,6 +3,9 @@
 /// (mm or degrees). The table itself answers for the rapid rate and the rollover.
 #pragma once
 
+#include <span>
+
+#include "isogloss/provenance.hpp"
 #include "isogloss/sdk.hpp"
 
 namespace ig::cnc {
@@ -17,6 +20,52 @@ struct ParameterColumns {
                              Column{"B", nullptr, "", {}, "The parameter of the B axis."},
                              Column{"C", nullptr, "", {}, "The parameter of the C axis."}};
 };
+
+/// How the number of a parameter counts.
+enum class ParameterUnit : std::uint8_t {
+  none,        ///< a choice, bits, or the number of something
+  increments,  ///< least input increments, of mm
+  increments_of_angle,
+  mm,
+  axis,  ///< mm, or degrees of a rotary axis
+  rate,  ///< mm/min, or degrees/min of a rotary axis
+  degrees,
+  percent,
+  rpm
+};
+
+/// What a parameter is called in an explanation. What has the same effect on two controls has the same title.
+struct NamedParameter {
+  std::string_view number, title;
+  ParameterUnit unit = ParameterUnit::none;
+};
+
+/// `increment` in mm; nothing where the number is not among the parameters.
+inline std::optional<RowMeaning> meaning_of_parameter(std::span<const NamedParameter> parameters,
+                                                      std::string_view number, std::string_view column,
+                                                      double increment, std::string_view prefix = {}) {
+  const bool is_rotary = column == "A" || column == "B" || column == "C";
+  for (const NamedParameter& p : parameters) {
+    if (p.number != number) continue;
+    RowMeaning out{p.title, "", 1, prefix};
+    switch (p.unit) {
+      case ParameterUnit::none: break;
+      case ParameterUnit::increments:
+      case ParameterUnit::increments_of_angle:
+        out.unit = p.unit == ParameterUnit::increments && !is_rotary ? "mm" : "deg";
+        out.scale = increment;
+        break;
+      case ParameterUnit::mm: out.unit = "mm"; break;
+      case ParameterUnit::axis: out.unit = is_rotary ? "deg" : "mm"; break;
+      case ParameterUnit::rate: out.unit = is_rotary ? "deg/min" : "mm/min"; break;
+      case ParameterUnit::degrees: out.unit = "deg"; break;
+      case ParameterUnit::percent: out.unit = "%"; break;
+      case ParameterUnit::rpm: out.unit = "rpm"; break;
+    }
+    return out;
+  }
+  return std::nullopt;
+}
 
 /// `Table` is the dependency that holds the parameters; the services keep a pointer to it and live as long as it does.
 template <class Table>

@@ -156,6 +156,11 @@ class Chain {
   /// Called for each variable that a syntax has read or written, after listen_to_rows(); empty: none.
   std::function<void(const Document&, bool is_write, std::string_view name, std::uint64_t scope, const ig_argument*)>
       variable_used;
+  /// Called for each condition that a syntax has examined, after listen_to_rows(), with its IG_CONDITION_...; empty:
+  /// none.
+  std::function<void(const Document&, std::string_view text, std::uint32_t outcome)> condition_examined;
+  /// What the cell means to people, where the dependency says so (isogloss.row-meaning/1).
+  std::optional<ig_row_meaning> meaning_of(std::size_t dependency, const std::string& row, const char* column) const;
   /// A row of the table has been asked by the syntax at work, and has a value for it or not.
   void note_row(std::size_t dependency, std::string_view row, bool has_value);
 

@@ -79,6 +79,31 @@ struct ExplainedVariable {
   std::string written_value;  ///< to this value
 };
 
+/// A condition that decides where the run goes on, or which words of the block count.
+struct ExplainedCondition {
+  std::string text;  ///< as the program writes it; a reason in words where `is_reason`
+  bool holds = false;
+  bool is_reason = false;  ///< "pass 2 of 3": it neither holds nor fails
+  bool operator==(const ExplainedCondition&) const = default;
+};
+
+/// Where the run goes on after the block.
+struct ExplainedGo {
+  enum class Kind : std::uint8_t {
+    next,   ///< behind the block
+    call,   ///< in `program`, which the block calls
+    leave,  ///< in the program that has called this one
+    again,  ///< at the beginning of the called program, whose call repeats it
+    jump    ///< at another block of this program
+  };
+  Kind kind = Kind::next;
+  std::string program;                 ///< the program that is called, left or repeated, by its name
+  Location to;                         ///< line 0: behind the block
+  bool is_behind = false;              ///< not with the block of that line: with the one behind it
+  std::uint32_t call_line = 0;         ///< leave: the line of the call, in the file of `to`
+  std::uint32_t pass = 1, passes = 1;  ///< again: the pass that begins; call: how many there are
+};
+
 /// One transform on the way from the program to the machine that changes something.
 struct ExplainedRung {
   std::string source;             ///< who contributes it, by the section's name: "CoordinateOffset"
@@ -111,10 +136,10 @@ struct ExplainedBlock {
   std::uint64_t pass = 1;              ///< how often the run had come to this line
   std::vector<ExplainedFrame> frames;  ///< the main program's first
   std::string text;
-  std::string calls;                    ///< the program that the block calls, by its name; empty: none
-  Location callee;                      ///< where this program begins
-  std::vector<ExplainedValue> carried;  ///< what the block began with
-  std::vector<ExplainedStep> steps;     ///< in order; the scanners first
+  ExplainedGo go;
+  std::vector<ExplainedCondition> conditions;  ///< in the order in which they were examined
+  std::vector<ExplainedValue> carried;         ///< what the block began with
+  std::vector<ExplainedStep> steps;            ///< in order; the scanners first
   std::vector<SleepingSyntax> slept;
   std::vector<ExplainedWord> words;          ///< by column
   std::vector<ExplainedVariable> variables;  ///< in the order in which they were read

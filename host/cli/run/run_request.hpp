@@ -1,0 +1,29 @@
+/// What `isogloss run` was asked for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "canonical_text.hpp"
+#include "program_options.hpp"
+#include "reproducer.hpp"
+#include "run/run_budgets.hpp"
+#include "table_saver.hpp"
+
+namespace isogloss::cli {
+
+struct RunRequest {
+  CommonOptions common;
+  ProgramOptions program;
+  std::vector<std::string> programs;
+  std::string emit, format = "jsonl", output;
+  bool summary = false, header = false, exact = false, zero_moves = false, checked = false, call_all = false,
+       json = false;
+  ReproducerRequest reproducer;
+  RunBudgets budgets;
+  std::vector<std::string> save_table;
+  std::vector<TableRequest> tables_to_save;
+  CanonicalRequest canonical;
+};
+
+}  // namespace isogloss::cli
