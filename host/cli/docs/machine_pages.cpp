@@ -60,6 +60,10 @@ class MachinePage {
     add(!m_.programs.empty(), "programs", "Programs");
     add(!m_.lacks.empty(), "lacks", "What the machine lacks");
     if (!out.empty()) page_->paragraph(page_->text("On this page: ") + out);
+    if (!m_.tables.empty())
+      page_->paragraph(
+          page_->text("Each row names the file and the line that gave it; where several files gave cells of one row, "
+                      "the last of them."));
   }
 
   static std::string place_of(const Json& table) { return "table." + file_stem(text_of(table, "As")); }
@@ -100,8 +104,11 @@ class MachinePage {
     const std::string id = text_of(table, "Id"), alias = text_of(table, "As");
     page_->heading(2, page_->text(alias), place_of(table));
     Markup about = page_->name(Kind::part, id);
+    for (const Part& part : site_.reference().parts)
+      if (part.kind == PartKind::dependency && part.id == id)
+        about += page_->text(": ") + page_->prose(text_of(part.declaration, "Summary"));
     for (const auto& [name, value] : table["Options"].items())
-      about += page_->text(", ") + page_->code(name + "=\"" + value.get<std::string>() + "\"");
+      about += page_->text(" ") + page_->code(name + "=\"" + value.get<std::string>() + "\"");
     page_->paragraph(about);
     const Json& all = table["Rows"];
     constexpr std::size_t most = 500;
