@@ -2,14 +2,18 @@
 
 # Between two releases the time of the last commit stands in the version, so that a newer package replaces an older one.
 execute_process(
-  COMMAND git log -1 "--format=%cd" "--date=format-local:%Y%m%d.%H%M|%a, %d %b %Y %H:%M:%S +0000"
+  COMMAND ${CMAKE_COMMAND} -E env TZ=UTC git log -1 "--format=%cd" "--date=format-local:%Y%m%d.%H%M|%a, %d %b %Y %H:%M:%S +0000|%s"
   WORKING_DIRECTORY ${CPACK_ISOGLOSS_SOURCE}
   OUTPUT_VARIABLE commit
   ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
 file(READ ${CPACK_ISOGLOSS_SOURCE}/CHANGELOG.md changelog)
-if(commit MATCHES "^([0-9.]+)\\|(.*)$")
+if(commit MATCHES "^([0-9.]+)\\|(.*)\\|([0-9]+)$")
   set(stamp ${CMAKE_MATCH_1})
   set(CPACK_ISOGLOSS_TIME "${CMAKE_MATCH_2}")
+  # The time of each file in the packages, so that one commit gives the same bytes whenever it is packed.
+  if("$ENV{SOURCE_DATE_EPOCH}" STREQUAL "")
+    set(ENV{SOURCE_DATE_EPOCH} ${CMAKE_MATCH_3})
+  endif()
 else()  # no clone
   string(REPLACE "-" "" stamp ${CPACK_ISOGLOSS_DATE})
   string(TIMESTAMP CPACK_ISOGLOSS_TIME "%a, %d %b %Y %H:%M:%S +0000" UTC)

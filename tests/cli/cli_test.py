@@ -587,13 +587,19 @@ class Run(Command):
                 ("<Dependencies><Remove dependency='ToolOffsetTable'/></Dependencies>",
                  "hint: add <ToolOffsetTable/> to <Dependencies>"),
                 ("<Chain><InsertAfter syntax='DwellSyntax'><DwellSyntax/></InsertAfter></Chain>",
-                 'hint: give the second one a name of its own: <DwellSyntax as="…"/>'),
+                 'hint: give the second one a name of its own: <DwellSyntax as="second"/>'),
                 ("<Dependencies><ToolOffsetTable/><ToolOffsetTable/></Dependencies>",
-                 'hint: give the second one a name of its own: <ToolOffsetTable as="…"/>'),
+                 'hint: give the second one a name of its own: <ToolOffsetTable as="second"/>'),
                 ("<Chain><Configure syntax='DwellSyntax' as='Wait'/></Chain>", no_options + "to give another name"),
                 ("<Chain><Configure syntax='DwellSyntax'><DwellSyntax/></Configure></Chain>", no_options),
                 ("<Dependencies><Configure dependency='ToolOffsetTable' src='t.xml'/></Dependencies>",
                  no_options + "for a name, a file or rows <Remove> the dependency"),
+                ("<Chain>\n<Remove syntax='CoolantSyntax'/>\n<InsertAfter syntax='CoolantSyntax'><DwellSyntax as='x'/>"
+                 "</InsertAfter></Chain>", ":2 took it away: name another syntax, or drop that edit"),
+                ("<Chain><Configure syntax='DrillingCycleSyntax' clearance='2'/></Chain>", "hint: its options are p-unit"),
+                ("<Chain><Configure syntax='CoolantSyntax' clearance='2'/></Chain>", "hint: it has no options"),
+                ("<Dependencies><Remove dependency='ToolOffsetTable'/><ToolOffsetTable><Tool id='1' H='2mm'/>"
+                 "</ToolOffsetTable></Dependencies>", "hint: it is a number, in mm"),
                 ("<Chain><Remove syntax='NoSuchThing'/></Chain>", "hint: isogloss dialect --effective NAME prints"),
                 ("<Dependencies><Remove dependency='ToolOffsetTable'/><ToolOffsetTable><Tool id='1' Q='2'/>"
                  "</ToolOffsetTable></Dependencies>", "hint: its columns are H, HWear, D, DWear"),

@@ -71,6 +71,22 @@ class Answers(unittest.TestCase):
         self.assertIn("HeidenhainToolTable", texts("import", "--format", "heid"))
         self.assertIn("--format", texts("export", ""), "it has no operand")
 
+    def test_fields_and_headings(self):
+        self.assertIn("Feedrate.FeedrateValue", texts("explain", "part.nc", "--field", "Feedr"))
+        self.assertIn("Feedrate", texts("explain", "part.nc", "--field", "Feedr"), "a section is all of its fields")
+        self.assertIn("Comment", texts("diff", "--ignore", "Comm"))
+        self.assertEqual(texts("inspect", "DwellSyntax", "--section", "Diag"), ["Diagnostics"])
+
+    def test_values_of_tables(self):
+        self.assertEqual(texts("run", "-d", "fanuc", "--set", "IsoCoord"), ["IsoCoordinateTable.", ":open"])
+        self.assertIn("IsoCoordinateTable.G54.", texts("run", "-d", "fanuc", "--set", "IsoCoordinateTable.G5"))
+        self.assertEqual(texts("run", "--set", "IsoCoordinateTable.G54.Z"), ["IsoCoordinateTable.G54.Z=", ":open"])
+        self.assertIn("ToolOffsetTable.7.", texts("state", "-m", "klartext-5axis", "--set", "ToolOffsetTable."))
+        self.assertEqual(texts("run", "--set", "IsoCoordinateTable.G54.Z=1"), [])
+        options = texts("import", "--format", "FanucOffsets", "--set", "un")
+        self.assertEqual(options, ["unit=", ":open"])
+        self.assertIn("unit=inch", texts("import", "--format", "FanucOffsets", "--set", "unit=i"))
+
     def test_names_of_plugins(self):
         self.assertEqual(texts("inspect", "drill"), ["DrillingCycleSyntax"], "small letters find it")
         self.assertIn("FanucParameterTable", texts("inspect", "Fanuc"))
@@ -155,6 +171,8 @@ class Shells(unittest.TestCase):
         "isogloss explain IG-0206": "isogloss explain IG-0206",
         "isogloss run --summ": "isogloss run --summary",
         "isogloss run -d own": "isogloss run -d own.xml",
+        "isogloss run --set IsoCoordinateTable.G54.Z": "isogloss run --set IsoCoordinateTable.G54.Z=",
+        "isogloss import --set tool-rad": "isogloss import --set tool-radius=",
     }
 
     def check(self, command, setup):

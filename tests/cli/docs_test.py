@@ -235,6 +235,25 @@ class Docs(unittest.TestCase):
         self.assertIn('href="../pages/vendor_press_syntax.html"', graph)
         self.assertIn("force=&quot;3&quot;", text)
 
+    def test_a_machine_shows_its_tables_with_the_source_of_each_row(self):
+        text = (self.site / "machines/klartext-5axis.html").read_text()
+        page = self.pages["machines/klartext-5axis.html"]
+        for link in ("../dialects/heidenhain.html", "#axes", "#table.tooloffsettable", "../pages/tool_offset_table.html"):
+            self.assertIn(link, page.links)
+        tools = text[text.index('id="table.tooloffsettable"'):]
+        tools = tools[:tools.index("</table>")]
+        self.assertRegex(tools, r'<td data-label="H">112.25</td>.*?<code>machine.xml:\d+</code>')
+        self.assertRegex(tools, r"<code>backup/TOOL.T:\d+</code>")
+        axes = text[text.index('id="axes"'):]
+        axes = axes[:axes.index("</table>")]
+        self.assertRegex(axes, r'<code>Maximum</code>.*?<td data-label="X">300</td>')
+        self.assertRegex(axes, r'<code>Datum</code>.*?<td data-label="Z">420</td>', "named positions")
+        self.assertIn("RETRACT.H", text[text.index('id="programs"'):])
+        self.assertIn("../machines/klartext-5axis.html", self.pages["dialects/heidenhain.html"].links)
+        self.assertIn("any, because the file holds tables alone", self.pages["machines/ac-table.html"].text)
+        for machine in self.listed("machines"):
+            self.assertIn(f"machines/{machine['Name']}.html", self.page_of(machine["Name"]))
+
     def test_a_vendor_stands_beside_ours(self):
         for name in ("syntaxes", "plugins", "dialects", "diagnostics", "fields", "codes"):
             self.assertRegex((self.site / f"{name}.html").read_text(), "(?i)vendor|VEN-0001", name)
@@ -321,6 +340,18 @@ class Docs(unittest.TestCase):
                 self.assertEqual(page.read_bytes(), (again / page.relative_to(self.site)).read_bytes(), page)
         texts = "".join(page.text for page in self.pages.values())
         self.assertNotIn(str(self.path), texts, "a path of this machine")
+
+    def test_a_machine_that_does_not_link_has_a_page_that_says_so(self):
+        folder = self.path / "machines"
+        (folder / "bad").mkdir(parents=True)
+        (folder / "bad/machine.xml").write_text(
+            '<Machine xmlns="urn:isogloss:dialect:1" name="bad" title="A &lt;b&gt; machine" dialect="fanuc">'
+            '<Dependencies><NoSuchTable/></Dependencies></Machine>')
+        done = run("docs", "-o", self.path / "badsite", "--machines", folder, status=1)
+        self.assertIn("NoSuchTable", done.stderr)
+        text = (self.path / "badsite/machines/bad.html").read_text()
+        self.assertIn("isogloss lint -m bad", text)
+        self.assertIn("A &lt;b&gt; machine", text)
 
     def test_a_dialect_that_does_not_link_has_a_page_that_says_so(self):
         folder = self.path / "broken"

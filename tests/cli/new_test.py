@@ -47,6 +47,9 @@ class New(unittest.TestCase):
         for name, more in (("a-1", ["--prefix", "AONE"]), ("b-word", ["--word", "E"]), ("c-word", ["--word", "e", "--language", "c"]),
                            ("d-table", ["--table", "clamp-table"]),
                            ("e-table", ["--table", "clamp-table", "--language", "c", "--extends", "siemens"]),
+                           ("c-drill", ["--cycle", "G181", "--language", "c"]),
+                           ("h-word", ["--word", "E", "--extends", "heidenhain"]),
+                           ("i-table", ["--table", "x", "--language", "c", "--extends", "heidenhain"]),
                            ("f-switch", ["--switch", "m270,m271"]), ("g-switch", ["--language", "c", "--extends", "heidenhain"])):
             self.new("plugin", name, *more)
         self.new("dialect", "turned", "--extends", "siemens", "--in", "elsewhere")
@@ -60,12 +63,15 @@ class New(unittest.TestCase):
 
     def test_a_plugin_begins_with_what_its_dialect_can_have(self):
         for name, more, file in (("acme-one", [], "acme_one_g181_cycle_syntax.cpp"),
-                                 ("acme-two", ["--language", "c"], "acme_two_switch_syntax.c"),
+                                 ("acme-two", ["--language", "c"], "acme_two_g181_cycle_syntax.c"),
                                  ("acme-three", ["--extends", "siemens"], "acme_three_switch_syntax.cpp"),
                                  ("acme-four", ["--extends", "heidenhain"], "acme_four_switch_syntax.cpp"),
-                                 ("acme-five", ["--extends", "siemens", "--word", "E"], "acme_five_word_syntax.cpp")):
+                                 ("acme-five", ["--extends", "siemens", "--word", "E"], "acme_five_word_syntax.cpp"),
+                                 ("acme-six", ["--extends", "heidenhain", "--word", "E"], "acme_six_statement_syntax.cpp")):
             self.assertIn(f"{name}/{file}", self.new("plugin", name, *more).stdout.splitlines())
         self.assertIn("BEGIN PGM", (self.path / "acme-four/tests/switch.h").read_text())
+        self.assertIn("FUNCTION ACME-SIX E30", (self.path / "acme-six/tests/word.h").read_text())
+        self.assertFalse((self.path / "acme-six/tests/word.nc").exists())
         self.assertIn("run tests/switch.h -d", (self.path / "acme-four/README.md").read_text())
         self.assertTrue((self.path / "acme-five/tests/word.nc").read_text().startswith("G17 G90\n"))
         self.assertIn('"M171"', (self.path / "acme-three/acme_three_switch_syntax.cpp").read_text())
@@ -101,7 +107,9 @@ class New(unittest.TestCase):
             self.skipTest("clang-format is not installed")
         for name, more in (("acme", []), ("word", ["--word", "E"]), ("c-word", ["--word", "E", "--language", "c"]),
                            ("tab", ["--table", "ClampTable"]), ("c-tab", ["--table", "ClampTable", "--language", "c"]),
-                           ("swi", ["--switch", "M171,M172"]), ("c-swi", ["--switch", "M171,M172", "--language", "c"])):
+                           ("drl", ["--language", "c"]), ("swi", ["--switch", "M171,M172"]),
+                           ("tnc", ["--word", "E", "--extends", "heidenhain"]),
+                           ("c-tnc", ["--table", "Clamps", "--language", "c", "--extends", "heidenhain"]), ("c-swi", ["--switch", "M171,M172", "--language", "c"])):
             self.new("plugin", name, "--prefix", "ACM", *more)
             sources = [path for path in (self.path / name).iterdir() if path.suffix in (".cpp", ".hpp", ".c", ".h")]
             done = subprocess.run(["clang-format", "--dry-run", "--Werror", *sources], capture_output=True, text=True,
@@ -138,11 +146,9 @@ class New(unittest.TestCase):
             self.refused("IG-0153", "plugin", "acme", "--word", word)
 
     def test_what_has_no_template_is_refused(self):
-        self.refused("IG-0154", "plugin", "acme", "--language", "c", "--cycle", "G181")
+        self.refused("IG-0154", "plugin", "acme", "--extends", "siemens", "--language", "c", "--cycle", "G181")
         self.refused("IG-0154", "plugin", "acme", "--extends", "siemens", "--cycle", "G181")
         self.refused("IG-0154", "plugin", "acme", "--extends", "heidenhain", "--cycle", "G181")
-        self.refused("IG-0154", "plugin", "acme", "--extends", "heidenhain", "--word", "E")
-        self.refused("IG-0154", "plugin", "acme", "--extends", "heidenhain", "--table", "ClampTable")
 
     def test_options_that_do_not_fit(self):
         self.refused("IG-0513", "plugin", "acme", "--backup", "x")

@@ -26,6 +26,23 @@ X20 Y30 Z-1
 """
 
 
+# How a canned cycle is called; G81x is its code.
+CYCLE_PROGRAMS = (
+    ("it is modal", "G98 G81x X10. Y10. Z-5. R2. F100\nX60.\nY20. Z-8.\nG80\nX0."),
+    ("G99 and G98", "G99 G81x X10. Z-5. R2. F100\nG98 X20.\nG99 X30.\nG80"),
+    ("G91", "G91 G81x X10. Y5. Z-7. R-45. F100\nX10.\nG80\nG90"),
+    ("repeats by K", "G91 G99 G81x X10. Z-7. R-45. F100 K3\nG80"),
+    ("repeats by L", "G91 G99 G81x X10. Z-7. R-45. F100 L3\nG80"),
+    ("a motion code ends it", "G81x X10. Z-5. R2. F100\nG1 X20.\nX30."),
+    ("another cycle follows, and is followed", "G81x X10. Z-5. R2. F100\nG83 X20. Q3.\nG81x X30.\nG80"),
+    ("G18", "G18 G81x X10. Y-5. R2. Z5. F100\nX20.\nG80"),
+    ("G19", "G19 G81x X-10. Y-5. R2. Z5. F100\nY20.\nG80"),
+    ("inches", "G20\nG81x X1. Z-.5 R.1 F10.\nX2.\nG80"),
+    ("scaled, mirrored and turned", "G68 X0 Y0 R30.\nG51.1 X0.\nG81x X10. Y3. Z-5. R2. F100\nG80"),
+    ("no F is reported", "G81x X10. Z-5. R2.\nG80"),
+    ("no R is reported", "G81x X10. Z-5. F100\nG80"))
+
+
 class Checks:
     def __init__(self, options):
         self.build = options.build
@@ -121,24 +138,42 @@ class Checks:
         expect(done.returncode != 0 and "two pages have one name" in done.stdout + done.stderr,
                "two pages of one name are refused", done)
 
+    def same_cycle_in_c(self, folder):
+        """The cycle that `new` writes in C makes the moves of the one in C++, and says the same."""
+        start = "G90 G54 G17 G21 G94 S500 M3\nG0 X0. Y0. Z50.\n"
+        for name, body in (
+                *((name, body.replace("G81x", "G181")) for name, body in CYCLE_PROGRAMS),
+                ("a dwell", "G181 X10. Z-5. R2. P500 F100\nX20.\nG80"),
+                ("a negative dwell", "G181 X10. Z-5. R2. P-500 F100\nG80"),
+                ("words without effect", "G181 X10. Z-5. R2. Q3. I1. J2. F100\nX20. Q4.\nG80"),
+                ("F0", "G181 X10. Z-5. R2. F0\nG80"),
+                ("G93", "G93\nG181 X10. Z-5. R2. F10\nX20. F5\nX30.\nG80"),
+                ("G95", "G95\nG181 X10. Z-5. R2. F.1\nG80"),
+                ("G95 without a spindle speed", "S0\nG95\nG181 X10. Z-5. R2. F.1\nG80"),
+                ("a feed that a change of mode ended", "F100\nG95\nG181 X10. Z-5. R2.\nG80"),
+                ("no depth", "G181 X10. Y10. Z2. R2. F100\nG80"),
+                ("polar repeats", "G16\nG91 G181 X20. Y30. Z-7. R-45. F100 K4\nG80\nG15\nG90"),
+                ("polar repeats, scaled and mirrored",
+                 "G51 X5. Y5. P2.\nG51.1 X3.\nG16\nG91 G181 X20. Y30. Z-7. R-45. F100 K4\nG80\nG15"),
+                ("a frame that changes beside it", "G55 G181 X10. Z-5. R2. F100\nG54 X20.\nG80")):
+            program = self.folder / "cycle.nc"
+            program.write_text(start + body + "\nM30\n")
+            answers = []
+            for plugin in ("acme-drill", "acme-drill-c"):
+                place = folder / plugin
+                done = subprocess.run([self.command, "run", program, "-d", plugin, "--plugins", place / "build/plugins",
+                                       "--dialects", place / "dialects", "--format", "csv", "--set",
+                                       "IsoCoordinateTable.G55.X=7"], capture_output=True, text=True, cwd=self.folder)
+                answers.append((done.returncode, done.stdout, done.stderr))
+            expect(answers[0] == answers[1], f"a cycle in C: {name}", answers)
+            expect(any(sign in answers[0][1] + answers[0][2] for sign in (",feed,", "error: ", "warning: ")),
+                   "and something came of it", answers)
+
     def vendor_cycle(self, plugins):
         """G181 of the vendor is one of the canned cycles: without P it makes the moves of G85, wherever it stands."""
         self.run(self.command, "case", HERE / "vendor" / "acme_dimple_cycle_syntax.md", "--plugins", plugins)
         start = "G90 G54 G17 G21 G94 S500 M3\nG0 X0. Y0. Z50.\n"
-        for name, body in (
-                ("it is modal", "G98 G81x X10. Y10. Z-5. R2. F100\nX60.\nY20. Z-8.\nG80\nX0."),
-                ("G99 and G98", "G99 G81x X10. Z-5. R2. F100\nG98 X20.\nG99 X30.\nG80"),
-                ("G91", "G91 G81x X10. Y5. Z-7. R-45. F100\nX10.\nG80\nG90"),
-                ("repeats by K", "G91 G99 G81x X10. Z-7. R-45. F100 K3\nG80"),
-                ("repeats by L", "G91 G99 G81x X10. Z-7. R-45. F100 L3\nG80"),
-                ("a motion code ends it", "G81x X10. Z-5. R2. F100\nG1 X20.\nX30."),
-                ("another cycle follows, and is followed", "G81x X10. Z-5. R2. F100\nG83 X20. Q3.\nG81x X30.\nG80"),
-                ("G18", "G18 G81x X10. Y-5. R2. Z5. F100\nX20.\nG80"),
-                ("G19", "G19 G81x X-10. Y-5. R2. Z5. F100\nY20.\nG80"),
-                ("inches", "G20\nG81x X1. Z-.5 R.1 F10.\nX2.\nG80"),
-                ("scaled, mirrored and turned", "G68 X0 Y0 R30.\nG51.1 X0.\nG81x X10. Y3. Z-5. R2. F100\nG80"),
-                ("no F is reported", "G81x X10. Z-5. R2.\nG80"),
-                ("no R is reported", "G81x X10. Z-5. F100\nG80")):
+        for name, body in CYCLE_PROGRAMS:
             answers = []
             for code in ("G85", "G181"):
                 program = self.folder / "cycle.acme"
@@ -164,13 +199,17 @@ class Checks:
         folder = self.folder / "new"
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir()
-        for name, what, *more in (("acme-drill", "plugin", "--cycle", "G181"), ("acme-word", "plugin", "--word", "E"),
+        for name, what, *more in (("acme-drill", "plugin", "--cycle", "G181"), ("acme-drill-c", "plugin", "--cycle", "G181", "--language", "c"),
+                                  ("acme-word", "plugin", "--word", "E"),
                                   ("acme-c", "plugin", "--word", "E", "--language", "c"),
                                   ("acme-table", "plugin", "--table", "ClampTable"),
                                   ("acme-c-table", "plugin", "--table", "ClampTable", "--language", "c"),
                                   ("acme-840d-c", "plugin", "--table", "ClampTable", "--language", "c", "--extends", "siemens"),
                                   ("acme-switch", "plugin", "--switch", "M171,M172", "--extends", "siemens"),
                                   ("acme-tnc-c", "plugin", "--language", "c", "--extends", "heidenhain"),
+                                  ("acme-tnc-word", "plugin", "--word", "E", "--extends", "heidenhain"),
+                                  ("acme-tnc-table", "plugin", "--table", "ClampTable", "--language", "c", "--extends",
+                                   "heidenhain"),
                                   ("acme-iso", "dialect"),
                                   ("acme-840d", "dialect", "--extends", "siemens"),
                                   ("acme-tnc", "dialect", "--extends", "heidenhain")):
@@ -182,7 +221,8 @@ class Checks:
             self.run("cmake", "--build", tree)
             passed = self.run("ctest", "--test-dir", tree, "--output-on-failure").stdout
             counted = int(re.search(r"out of (\d+)", passed)[1])
-            expect(counted == (2 if what == "dialect" else 3), f"{name}: page, dialect and program are tested", passed)
+            expect(counted == (2 if what == "dialect" else 5 if "acme-tnc-" in name and name != "acme-tnc-c" else 4),
+                   f"{name}: pages, dialect, program and contract are tested", passed)
 
             expected = next((place / "tests").glob("*.expected"))
             text = expected.read_text()
@@ -194,10 +234,38 @@ class Checks:
         drilled = self.folder / "new/acme-drill/tests/g181.expected"
         feeds = re.findall(r",3,feed,10,20,(\S+?),.*?,,,,(\d+),", drilled.read_text())
         expect(feeds == [("-3", "2"), ("2", "1")], "G181 feeds to the bottom and returns at half feed", feeds)
+        self.same_cycle_in_c(folder)
+        self.packed(folder)
+        self.validated(folder)
         place = folder / "acme-drill"
         page = place / "acme_drill_g181_cycle_syntax.md"
         page.write_text(page.read_text().replace('"Time": 0.5', '"Time": 0.7'))
         self.run("ctest", "--test-dir", place / "build", "-R", "page", status=8)
+
+    def packed(self, folder):
+        """cpack makes a package, whose files the installation of isogloss finds."""
+        for name, architecture in (("acme-drill-c", None), ("acme-tnc", "all")):
+            tree = folder / name / "build"
+            self.run("cpack", "--config", tree / "CPackConfig.cmake", "-B", tree / "packages")
+            package, = (tree / "packages").glob("*.deb")
+            listed = self.run("dpkg-deb", "-c", package).stdout if shutil.which("dpkg-deb") else None
+            if listed is None:
+                continue
+            expect(f"./usr/share/isogloss/dialects/{name}.xml" in listed, f"{package.name} holds the dialect", listed)
+            expect((f"./usr/lib/isogloss/plugins/{name}.so" in listed) == (architecture is None), "and the plugin", listed)
+
+    def validated(self, folder):
+        """Each plugin that was built keeps the contract, and its dialect has no warning."""
+        for plugin in sorted(folder.glob("*/build/plugins/*.so")):
+            name, place = plugin.stem, plugin.parents[2]
+            done = subprocess.run([self.command, "validate", plugin, "--strict", "--blocks", "2000", "--json"],
+                                  capture_output=True, text=True)
+            checks = json.loads(done.stdout)["Plugins"][0]["Checks"]
+            # A busy machine makes a plugin slow.
+            failed = [c for c in checks if c["Result"] == "failed" and c["Name"] not in ("loads", "time")]
+            expect(not failed and len(checks) > 20, f"{name} keeps the contract", failed)
+            done = self.run(self.command, "lint", name, "--plugins", plugin.parent, "--dialects", place / "dialects")
+            expect("warning" not in done.stdout + done.stderr, f"{name} is valid, and lint has no warning", done)
 
     def pkg_config(self):
         """Without CMake: isogloss.pc, also where the installation was moved to."""

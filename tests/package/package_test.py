@@ -65,6 +65,16 @@ class Packages(unittest.TestCase):
             self.assertIn(library, needed)
         self.assertIn(f"isogloss (= {version})", self.field("isogloss-dev", "Depends"))
 
+    def test_the_same_build_gives_the_same_bytes(self):
+        """Packed again at another time, into another folder, under another umask, in another time zone."""
+        again = self.path / "again"
+        run("sh", "-c", 'umask 077 && exec "$@"', "sh", OPTIONS.cpack, "-G", "DEB", "-B", again, "-D",
+            f"CPACK_OUTPUT_FILE_PREFIX={again}", cwd=OPTIONS.build, env={"TZ": "Asia/Tokyo"})
+        for name, file in self.files.items():
+            other = again / file.name
+            self.assertTrue(other.is_file(), f"{name}: {sorted(again.glob('*.deb'))}")
+            self.assertEqual(file.read_bytes(), other.read_bytes(), f"{name} differs: diffoscope {file} {other}")
+
     def test_everything_that_is_installed_is_in_one_package(self):
         prefix = self.path / "installed"
         run("cmake", "--install", OPTIONS.build, "--prefix", prefix)

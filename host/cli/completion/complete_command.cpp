@@ -31,7 +31,9 @@ int complete_command(const Arguments& arguments) {
       "Prints what may stand at the end of a command line, for the completion functions of shells: one candidate on a "
       "line, with a tab and its description where it has one. A line that begins with a colon is none: ':files "
       "PATTERN' "
-      "says that files whose names match fit, too, ':folders' that folders do. The words behind -- are those behind "
+      "says that files whose names match fit, too, ':folders' that folders do, and ':open' that more of the word "
+      "follows what "
+      "was printed. The words behind -- are those behind "
       "isogloss; the last one is completed, and may be empty. A value behind '=' is completed without what stands "
       "before "
       "it. Exit status: 0, also where nothing fits; 2 for wrong usage.",
@@ -47,13 +49,17 @@ int complete_command(const Arguments& arguments) {
   TypedLine line;
   read_typed(mark == arguments.end() ? shown : std::vector<std::string>(mark + 1, arguments.end()), line);
   std::string out;
+  bool is_open = false;
   const auto write = [&](const std::vector<Completion>& candidates) {
-    for (const Completion& c : candidates)
-      if (begins(c.text, line.word))
-        out += c.text + (c.description.empty() ? "" : "\t" + on_one_line(c.description)) + "\n";
+    for (const Completion& c : candidates) {
+      if (!begins(c.text, line.word)) continue;
+      out += c.text + (c.description.empty() ? "" : "\t" + on_one_line(c.description)) + "\n";
+      is_open = is_open || !c.is_whole;
+    }
   };
   write(words_of(line));
   write(names_of(line));
+  if (is_open) out += ":open\n";
   if (const std::string_view files = files_of(line); files == "/")
     out += ":folders\n";
   else if (!files.empty())

@@ -40,6 +40,8 @@ void keep(const UsageItem& option, const std::string& value, TypedLine& line) {
     line.dialect = value;
   else if (name == "--machine")
     line.machine = value;
+  else if (name == "--format")
+    line.format = value;
 }
 
 }  // namespace
@@ -90,6 +92,7 @@ void read_typed(const std::vector<std::string>& words, TypedLine& line) {
     } else {
       const std::vector<UsageItem>& all = line.usage.operands;
       if (is_last && operands < all.size()) line.item = &all[operands];
+      if (!is_last && line.operand.empty()) line.operand = word;
       if (operands < all.size() && !all[operands].is_repeatable) ++operands;
     }
   }
@@ -99,7 +102,7 @@ std::vector<Completion> words_of(const TypedLine& line) {
   std::vector<Completion> out;
   const bool is_option = line.item == nullptr && line.word.starts_with('-');
   if (line.item != nullptr)
-    for (const std::string& word : line.item->words) out.push_back({word, {}});
+    for (const std::string& word : line.item->words) out.push_back({.text = word, .description = {}});
   else if (line.command == nullptr && !is_option && !line.usage.options.empty())
     for (const Command& c : commands)
       if (!c.is_hidden) out.push_back({std::string(c.name), std::string(c.summary)});

@@ -11,6 +11,7 @@ namespace isogloss::cli {
 
 struct Completion {
   std::string text, description;
+  bool is_whole = true;  ///< false: more follows without a blank, as a row follows the name of its table
 };
 
 /// A command line up to the cursor, read against the usage of its command.
@@ -21,7 +22,8 @@ struct TypedLine {
   Usage usage;
   std::vector<const UsageItem*> given;  ///< options that stand on the line, each as often as it does
   CommonOptions places;                 ///< the folders that the line names
-  std::string dialect, machine;
+  std::string dialect, machine, format;
+  std::string operand;  ///< the first one
 };
 
 /// Reads the words behind `isogloss`; the last one, which may be empty, is the one at the cursor.

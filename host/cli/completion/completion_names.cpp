@@ -1,8 +1,9 @@
 // The names that a value may be, by the word that stands for the value in --help.
 #include <algorithm>
+#include <set>
 
-#include "catalogue.hpp"
 #include "completion/completion.hpp"
+#include "completion/completion_parts.hpp"
 #include "known_codes.hpp"
 #include "validate/check.hpp"
 
@@ -16,7 +17,7 @@ struct CompletionNames {
   std::vector<Completion> names;
 
   void add(std::string_view name, std::string_view description) {
-    names.push_back({std::string(name), std::string(description)});
+    names.push_back({.text = std::string(name), .description = std::string(description)});
   }
 };
 
@@ -75,12 +76,26 @@ void add_codes(CompletionNames& asked) {
 
 void add_fields(CompletionNames& asked) {
   if (asked.line.word.empty()) return;
+  asked.session.library().load_all();
   const Json rows = describe_fields(asked.session.library());
   for (const Json& row : rows) {
     const std::string path = text_in(row, "Path");
     if (path.find('~') == std::string::npos) asked.add(path, text_in(row, "Doc"));  // a syntax's own are not for people
   }
 }
+
+/// A section stands for all of its fields.
+void add_sections_and_fields(CompletionNames& asked) {
+  add_fields(asked);
+  std::set<std::string> sections;
+  for (const Completion& field : asked.names)
+    sections.insert(field.text.substr(0, std::min(field.text.find_first_of(".["), field.text.size())));
+  for (const std::string& section : sections) asked.add(section, "all fields of the section");
+}
+
+void add_headings(CompletionNames& asked) { asked.names = headings_of(asked.line, asked.session); }
+void add_settings(CompletionNames& asked) { asked.names = settings_of(asked.line, asked.session); }
+void add_importer_options(CompletionNames& asked) { asked.names = importer_options_of(asked.line, asked.session); }
 
 void add_all_names(CompletionNames& asked) {
   add_codes(asked);
@@ -117,6 +132,11 @@ constexpr ValueRule rules[] = {
     {"", "PATH", "*"},
     {"", "NAME=FILE", "*"},
     {"", "DIR", "/"},
+    {"", "FIELD", "", add_sections_and_fields},
+    {"", "HEADING", "", add_headings},
+    {"import", "NAME=VALUE", "", add_importer_options},
+    {"export", "NAME=VALUE", "", add_importer_options},
+    {"", "NAME=VALUE", "", add_settings},
     {"inspect", "NAME", "", add_all_names},
     {"import", "NAME", "", add_importers},
     {"export", "NAME", "", add_importers},

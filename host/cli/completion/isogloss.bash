@@ -16,6 +16,7 @@ _isogloss() {
   [[ $current == -*=* ]] && kept=${current%%=*}= && current=${current#*=}
   local head=''
   [[ $COMP_WORDBREAKS == *:* && $current == *:* ]] && head=${current%:*}:
+  [[ $COMP_WORDBREAKS == *=* && $current == *=* ]] && head=${current%=*}=
 
   COMPREPLY=()
   while IFS= read -r line; do
@@ -32,10 +33,13 @@ _isogloss() {
         compopt -o filenames 2>/dev/null
         mapfile -t -O ${#COMPREPLY[@]} COMPREPLY < <(compgen -d -- "$current")
         ;;
+      :open) compopt -o nospace 2>/dev/null ;;
       :*) ;;
       *)
         line=${line%%$'\t'*}
-        COMPREPLY+=("${line#"$head"}")
+        line=${line#"$head"}
+        [[ $line != *' '* ]] || printf -v line %q "$line"
+        COMPREPLY+=("$line")
         ;;
     esac
   done < <("$1" complete -- "${words[@]:0:${#words[@]}-1}" "$kept$current" 2>/dev/null)

@@ -9,7 +9,7 @@
 namespace isogloss::cli::docs {
 
 /// A part is a syntax, a dependency or an importer.
-enum class Kind { part, dialect, plugin, field, diagnostic, code };
+enum class Kind { part, dialect, machine, plugin, field, diagnostic, code };
 
 struct Address {
   std::string file;    ///< "pages/drilling_cycle_syntax", from the folder of the reference

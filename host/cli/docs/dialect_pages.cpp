@@ -68,6 +68,10 @@ class DialectPage {
     add("File", p.code(file_name(text_of(d_.declaration, "File"))));
     add("Extends", p.names(Kind::dialect, texts(d_.declaration["Extends"])));
     add("Extended by", p.names(Kind::dialect, extended_by));
+    std::vector<std::string> machines;
+    for (const ShownMachine& m : site_.reference().machines)
+      if (m.dialect == d_.name) machines.push_back(m.name);
+    add("Machines", p.names(Kind::machine, machines));
     add("Plugins", p.names(Kind::plugin, texts(d_.declaration["Plugins"])));
     Markup extensions;
     for (const std::string& one : texts(d_.declaration["Extensions"]))

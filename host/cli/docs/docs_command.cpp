@@ -22,8 +22,8 @@ struct DocsCommand {
     const Reference reference = collect(session);
     const bool is_html = format == "html";
     Site site(reference, is_html ? Format::html : Format::markdown);
-    for (const auto write :
-         {write_parts, write_dialects, write_plugins, write_fields, write_diagnostics, write_codes, write_index})
+    for (const auto write : {write_parts, write_dialects, write_machines, write_plugins, write_fields,
+                             write_diagnostics, write_codes, write_index})
       write(site);
     if (is_html) {
       write_names(site);
@@ -40,15 +40,17 @@ struct DocsCommand {
 }  // namespace
 
 int docs_command(const Arguments& arguments) {
-  CommandLine line("docs",
-                   "Writes the reference of all installed plugins and dialects into a folder, and prints the path of "
-                   "its first page.\n\nThe pages hold syntaxes with their options and cases, tables, importers, fields "
-                   "with who writes and reads them,\ndiagnostics, codes by dialect, and chains as graphs. They open "
-                   "from disk. An empty folder, or one of an earlier\nreference, is filled; any other is refused. Exit "
-                   "status: 0 when the reference is written, 1 when a dialect does not\nlink (its page says so), 2 "
-                   "when nothing could be written.",
-                   "isogloss docs -o reference\n  isogloss docs -o reference --plugins ./build --dialects . "
-                   "--format markdown");
+  CommandLine line(
+      "docs",
+      "Writes the reference of all installed plugins, dialects and machines into a folder, and prints the path of "
+      "its first page.\n\nThe pages hold syntaxes with their options and cases, tables, importers, fields "
+      "with who writes and reads them,\ndiagnostics, codes by dialect, chains as graphs, and the tables of machines "
+      "with the source of each row. They open "
+      "from disk. An empty folder, or one of an earlier\nreference, is filled; any other is refused. Exit "
+      "status: 0 when the reference is written, 1 when a dialect or machine does not\nlink (its page says so), 2 "
+      "when nothing could be written.",
+      "isogloss docs -o reference\n  isogloss docs -o reference --plugins ./build --dialects . "
+      "--format markdown");
   DocsCommand command;
   line.option("-o,--output", command.folder, "The folder of the reference").type_name("DIR").required();
   line.option("--format", command.format, "Form of the pages")

@@ -44,8 +44,9 @@ class HtmlPage : public Page {
 
   std::string whole() const override {
     static constexpr std::pair<const char*, const char*> places[] = {
-        {"syntaxes", "Syntaxes"}, {"codes", "Codes"},     {"fields", "Fields"}, {"diagnostics", "Diagnostics"},
-        {"dialects", "Dialects"}, {"plugins", "Plugins"}, {"tables", "Tables"}, {"importers", "Importers"}};
+        {"syntaxes", "Syntaxes"},       {"codes", "Codes"},       {"fields", "Fields"},
+        {"diagnostics", "Diagnostics"}, {"dialects", "Dialects"}, {"machines", "Machines"},
+        {"plugins", "Plugins"},         {"tables", "Tables"},     {"importers", "Importers"}};
     const std::string root = file().find('/') == std::string::npos ? "" : "../";
     std::string navigation;
     for (const auto& [place, label] : places) navigation += link({place, {}}, label) + "\n";

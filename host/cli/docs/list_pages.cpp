@@ -138,9 +138,10 @@ void write_codes(Site& site) {
 void write_index(Site& site) {
   const Reference& r = site.reference();
   const auto page = site.page("index", "Reference");
-  page->paragraph(page->text(
-      "What the installed plugins and dialects declare, with the pages of the plugins. A dialect is a chain of "
-      "syntaxes; each syntax reads and writes fields of one block."));
+  page->paragraph(
+      page->text("What the installed plugins, dialects and machines declare, with the pages of the plugins. A dialect "
+                 "is a chain of "
+                 "syntaxes; each syntax reads and writes fields of one block."));
   const auto entry = [&](const char* file, std::size_t count, const char* what) {
     return page->link({file, {}}, page->text(fmt::format("{} {}", count, what)));
   };
@@ -158,6 +159,10 @@ void write_index(Site& site) {
   std::vector<Row> rows;
   for (const ShownDialect& d : r.dialects)
     rows.push_back({{page->name(Kind::dialect, d.name), page->prose(text_of(d.declaration, "Title"))}});
+  page->table({"Name", "Title"}, rows);
+  page->heading(2, page->link({"machines", {}}, page->text("Machines")), "machines");
+  rows.clear();
+  for (const ShownMachine& m : r.machines) rows.push_back({{page->name(Kind::machine, m.name), page->prose(m.title)}});
   page->table({"Name", "Title"}, rows);
   page->heading(2, page->link({"plugins", {}}, page->text("Plugins")), "plugins");
   rows.clear();

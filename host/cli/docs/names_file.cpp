@@ -25,6 +25,7 @@ void write_names(Site& site) {
   for (const Part& part : r.parts) add(Kind::part, part.id, text_of(part.declaration, "Summary"));
   for (const auto& [name, code] : r.codes) add(Kind::code, name, code.is_word ? "word" : "code");
   for (const ShownDialect& d : r.dialects) add(Kind::dialect, d.name, "dialect");
+  for (const ShownMachine& m : r.machines) add(Kind::machine, m.name, "machine");
   for (const Json& p : r.plugins) add(Kind::plugin, text_of(p, "Name"), "plugin");
   for (const Json& d : r.diagnostics) add(Kind::diagnostic, text_of(d, "Code"), text_of(d, "Text"));
   for (const Json& f : r.fields) add(Kind::field, text_of(f, "Path"), "field");

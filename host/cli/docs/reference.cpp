@@ -68,6 +68,7 @@ Reference collect(Session& session) {
   out.fields = describe_fields(session.library());
   for (const KnownCode& known : known_codes(session.library())) out.diagnostics.push_back(describe(known));
   for (const Dialect& dialect : session.reader().list()) out.dialects.push_back(show(dialect, session));
+  for (const FoundMachine& machine : session.machines()) out.machines.push_back(show_machine(machine, session));
   for (const ShownDialect& dialect : out.dialects) add_codes(dialect, out);
   return out;
 }

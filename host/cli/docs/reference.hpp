@@ -33,6 +33,15 @@ struct ShownDialect {
   std::vector<Instance> instances;
 };
 
+struct ShownMachine {
+  std::string name, title, file;
+  std::string dialect;     ///< on which the machine stands
+  bool is_tables = false;  ///< holds tables alone
+  bool is_whole = false;   ///< all of it was read, and it links
+  std::string axis_table;  ///< the dependency that names the axes
+  Json axes = Json::array(), tables = Json::array(), programs = Json::array(), lacks = Json::array();
+};
+
 /// One syntax that answers a code, and the dialects in which it does.
 struct CodeAnswer {
   std::string syntax;
@@ -48,11 +57,15 @@ struct Reference {
   Json plugins = Json::array(), fields = Json::array(), diagnostics = Json::array();
   std::vector<Part> parts;
   std::vector<ShownDialect> dialects;
+  std::vector<ShownMachine> machines;
   std::map<std::string, Code, ByNumber> codes;
 };
 
-/// Loads all plugins and links all dialects; what keeps a dialect from linking is reported.
+/// Loads all plugins and links all dialects and machines; what keeps one of them from linking is reported.
 Reference collect(Session& session);
+
+/// The tables with the source of each row, the axes, and the programs of a machine.
+ShownMachine show_machine(const FoundMachine& found, Session& session);
 
 /// The texts of a list of names.
 std::vector<std::string> texts(const Json& list);

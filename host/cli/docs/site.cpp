@@ -11,6 +11,8 @@ Site::Site(const Reference& reference, Format format) : reference_(reference), f
   }
   for (const ShownDialect& dialect : reference.dialects)
     addresses_.add(Kind::dialect, dialect.name, "dialects", dialect.name);
+  for (const ShownMachine& machine : reference.machines)
+    addresses_.add(Kind::machine, machine.name, "machines", machine.name);
   for (const Json& plugin : reference.plugins) {
     const std::string name = text_of(plugin, "Name");
     addresses_.add(Kind::plugin, name, "plugins", name);

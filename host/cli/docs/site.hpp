@@ -40,6 +40,7 @@ class Site {
 // Each writes pages of its kind.
 void write_parts(Site& site);
 void write_dialects(Site& site);
+void write_machines(Site& site);
 void write_plugins(Site& site);
 void write_fields(Site& site);
 void write_diagnostics(Site& site);

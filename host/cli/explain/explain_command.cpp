@@ -126,7 +126,7 @@ int explain_command(const Arguments& arguments) {
             "slept");
   line.option("--field", command.field,
               "Follow a field or section through PROGRAM: each change with its line, its value and who set it")
-      .type_name("NAME")
+      .type_name("FIELD")
       .not_empty();
   line.flag("--json", command.json,
             "Write JSON, as schemas/explain.schema.json, or explain-field.schema.json, describes it");

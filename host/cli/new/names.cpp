@@ -54,6 +54,24 @@ std::string snake_case(std::string_view id) {
   return out;
 }
 
+std::string lower_case(std::string_view name) {
+  std::string out(name);
+  std::transform(out.begin(), out.end(), out.begin(), small);
+  return out;
+}
+
+std::string upper_case(std::string_view name) {
+  std::string out(name);
+  std::transform(out.begin(), out.end(), out.begin(), capital);
+  return out;
+}
+
+std::string identifier(std::string_view name) {
+  std::string out(name);
+  std::replace(out.begin(), out.end(), '-', '_');
+  return out;
+}
+
 std::string prefix_of(std::string_view name) {
   std::string out;
   for (const char c : name)

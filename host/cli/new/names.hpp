@@ -16,6 +16,13 @@ std::string type_name_of(std::string_view name);
 /// "acme_g181_cycle_syntax" for "AcmeG181CycleSyntax": the name of the file of a syntax, as the SDK derives it.
 std::string snake_case(std::string_view id);
 
+/// ASCII letters alone change.
+std::string lower_case(std::string_view name);
+std::string upper_case(std::string_view name);
+
+/// "acme_clamp" for "acme-clamp".
+std::string identifier(std::string_view name);
+
 /// "ACME" for "acme-clamp": the first four letters, as a prefix of diagnostics.
 std::string prefix_of(std::string_view name);
 

@@ -54,7 +54,8 @@ int new_command(const Arguments& arguments) {
       "A plugin is a folder with one syntax, its page with cases, a dialect that uses it, and tests. It "
       "builds against the installed package, and its tests pass at once. Exit status: 0 when the folder is "
       "made, 2 when it is not.",
-      "isogloss new plugin acme --cycle G181\n  isogloss new plugin acme --word E --language c\n"
+      "isogloss new plugin acme --cycle G181\n  isogloss new plugin acme --cycle G181 --language c\n"
+      "  isogloss new plugin acme --word E --extends heidenhain\n"
       "  isogloss new plugin acme --switch M171,M172 --extends heidenhain\n"
       "  isogloss new plugin acme --table ClampTable\n  isogloss new dialect acme --extends siemens\n"
       "  isogloss new machine dmu58 --dialect heidenhain --backup TOOL.T --backup PRESET.PR");
@@ -78,7 +79,10 @@ int new_command(const Arguments& arguments) {
               "A canned cycle with this code: drilling with a dwell; G181 where nothing else is asked for")
       .type_name("CODE")
       .group(plugin);
-  line.option("--word", options.word, "A syntax that reads this word and keeps its value, instead of a cycle")
+  line.option(
+          "--word", options.word,
+          "A syntax that reads this word and keeps its value, instead of a cycle; in Klartext, the word stands in a "
+          "statement FUNCTION NAME")
       .type_name("LETTER")
       .group(plugin);
   line.option("--table", options.table, "A table of this name, of which a word (--word, otherwise E) names a row")
@@ -88,8 +92,7 @@ int new_command(const Arguments& arguments) {
               "Two M codes, on and off, for every dialect; M171,M172 where there is no template for a cycle")
       .type_name("ON,OFF")
       .group(plugin);
-  line.option("--language", options.language,
-              "c++ (otherwise), or c: a switch, a word or a table in C, without a C++ compiler")
+  line.option("--language", options.language, "c++ (otherwise), or c: the same in C, without a C++ compiler")
       .one_of({"c++", "c"})
       .group(plugin);
   line.option("--prefix", options.prefix, "Prefix of the diagnostics; otherwise the first letters of NAME")

@@ -15,31 +15,26 @@ class NewPlugin : public NewFolder {
 
   int run() {
     if (!begins() || !has_free_name() || !has_free_prefix() || !is_one_kind()) return cannot_start;
-    words()["namespace"] = lower_case(options().name);
-    words()["NAMESPACE"] = upper_case(options().name);
+    words()["namespace"] = identifier(lower_case(options().name));
+    words()["NAMESPACE"] = identifier(upper_case(options().name));
     words()["vendor"] = escaped_literal(options().vendor.empty() ? options().name : options().vendor);
+    words()["entry"] = is_c() ? "plugin.c" : "plugin.cpp";
     words()["languages"] = is_c() ? "C" : "CXX";
     words()["plugin_arguments"] = is_c() ? " LANGUAGE C" : "";
     words()["first_block"] = family() == "iso" ? "G21 G17 G90" : "G17 G90";
+    words()["more_syntaxes"] = words()["more_declarations"] = "";
     words()["extension"] = family() == "klartext" ? "h" : "nc";
     const std::string of = kind();
     if (!has_template(of) || !describes(of)) return cannot_start;
     const std::string language = is_c() ? "c" : "cxx";
-    std::vector<std::string> layers{"plugin", "plugin-" + language, of};
-    if (of != "cycle") layers.push_back(of + "-" + language);
-    if (of == "switch") layers.push_back(family() == "klartext" ? "switch-klartext" : "switch-iso");
+    const bool is_klartext = family() == "klartext";
+    std::vector<std::string> layers{"plugin", "plugin-" + language, of, of + "-" + language};
+    if (of != "cycle") layers.push_back(of + (is_klartext ? "-klartext" : "-iso"));
+    if (is_klartext && of != "switch") layers.insert(layers.end(), {"statement", "statement-" + language});
     return write(layers);
   }
 
  private:
-  static std::string mapped(std::string_view name, char from, char to, int shift) {
-    std::string out;
-    for (const char c : name) out += c == '-' ? '_' : c >= from && c <= to ? static_cast<char>(c + shift) : c;
-    return out;
-  }
-  static std::string lower_case(std::string_view name) { return mapped(name, 'A', 'Z', 'a' - 'A'); }
-  static std::string upper_case(std::string_view name) { return mapped(name, 'a', 'z', 'A' - 'a'); }
-
   bool is_c() const { return options().language == "c"; }
 
   bool is_one_kind() {
@@ -54,23 +49,23 @@ class NewPlugin : public NewFolder {
     if (!options().table.empty()) return "table";
     if (!options().word.empty()) return "word";
     if (!options().cycle.empty()) return "cycle";
-    const bool has_cycles = !is_c() && in_chain("DrillingCycleSyntax") != nullptr &&
-                            in_chain("CannedCycleResolveSyntax") != nullptr && family() == "iso";
-    return options().switch_codes.empty() && has_cycles ? "cycle" : "switch";
+    return options().switch_codes.empty() && has_cycles() ? "cycle" : "switch";
+  }
+
+  bool has_cycles() const {
+    return in_chain("DrillingCycleSyntax") != nullptr && in_chain("CannedCycleResolveSyntax") != nullptr &&
+           family() == "iso";
   }
 
   bool has_template(const std::string& of) {
-    if (of == "cycle" && is_c())
-      return refuse("IG-0154", {"a cycle in C",
-                                "the planes, levels, repeats and feeds of canned cycles are in the SDK for "
-                                "C++; --switch, --word and --table are there in C"});
-    if (of == "cycle" && (family() != "iso" || in_chain("DrillingCycleSyntax") == nullptr ||
-                          in_chain("CannedCycleResolveSyntax") == nullptr))
+    if (of == "cycle" && !has_cycles())
       return refuse("IG-0154", {"a cycle of dialect " + base().name,
-                                "it has no canned cycles of ISO programs; --switch is there for every dialect"});
-    if ((of == "word" || of == "table") && family() == "klartext")
+                                "only ISO programs have canned cycles with a G code; begin with --switch, --word or "
+                                "--table, and write a cycle of the maker as a program of a machine (<Programs>)"});
+    const bool reads_words = of == "word" || of == "table";
+    if (reads_words && family() == "klartext" && in_chain("KlartextUnknownSyntax") == nullptr)
       return refuse("IG-0154", {"a word of dialect " + base().name,
-                                "its blocks are no rows of addresses; --switch is there for every dialect"});
+                                "it has no KlartextUnknownSyntax, before which a new statement stands"});
     if (in_chain("LinearMotionSyntax") == nullptr)
       return refuse("IG-0154", {"a plugin on dialect " + base().name, "it has no LinearMotionSyntax to stand before"});
     return true;
@@ -147,7 +142,7 @@ class NewPlugin : public NewFolder {
     words()["p_unit"] = unit;
     words()["half_second"] = unit == "ms" ? "500" : ".5";
     words()["what"] = "the drilling cycle " + code;
-    list_files({{".cpp", "the cycle"}, {".md", "its page, whose cases are tests"}}, "");
+    list_files({{is_c() ? ".c" : ".cpp", "the cycle"}, {".md", "its page, whose cases are tests"}}, "");
     return true;
   }
 
@@ -196,7 +191,24 @@ class NewPlugin : public NewFolder {
                       words()["table_file"]));
     }
     words()["section"] = " SECTION " + name;
+    if (family() == "klartext") describes_statement(word);
     return true;
+  }
+
+  /// A word of Klartext stands in a statement of its own, which a second syntax reads.
+  void describes_statement(const std::string& word) {
+    const std::string structure = words()["name"] + "Statement", name = upper_case(options().name);
+    words()["statement"] = structure + "Syntax";
+    words()["statement_struct"] = structure;
+    words()["statement_file"] = snake_case(words()["statement"]);
+    words()["STATEMENT"] = name;
+    words()["statement_words"] = "FUNCTION " + name;
+    words()["word_column"] = std::to_string(words()["statement_words"].size() + 2);
+    words()["more_syntaxes"] = "&" + words()["statement_file"] + ", ";
+    words()["more_declarations"] = "\nextern const ig_syntax " + words()["statement_file"] + ";";
+    words()["what"] += fmt::format("; the statement {} {}30 holds the word", words()["statement_words"], word);
+    words()["files"] += fmt::format("| `{0}{1}`, `{0}.md` | the syntax that reads the statement, and its page |\n",
+                                    words()["statement_file"], is_c() ? ".c" : ".cpp");
   }
 
   /// Rows of the README's table of files.

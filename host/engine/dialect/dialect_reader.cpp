@@ -45,10 +45,10 @@ const char* kind_of() {
 template <class Element>
 std::string second_name(const Element& element) {
   if constexpr (std::is_same_v<Element, ChainElement>)
-    return fmt::format("give the second one a name of its own: <{} as=\"…\"/>; or <Replace> the first",
+    return fmt::format("give the second one a name of its own: <{} as=\"second\"/>; or <Replace> the first",
                        shown(element.syntax));
   else
-    return fmt::format("give the second one a name of its own: <{} as=\"…\"/>; or <Configure> the first",
+    return fmt::format("give the second one a name of its own: <{} as=\"second\"/>; or <Configure> the first",
                        shown(element.id));
 }
 
@@ -91,6 +91,11 @@ class Editor {
 
  private:
   std::string absent(const std::string& name) const {
+    for (auto edit = applied_.rbegin(); edit != applied_.rend(); ++edit)
+      if ((edit->kind == "Remove" || edit->kind == "Replace") && edit->anchor == name &&
+          edit->of_dependency == !std::is_same_v<Element, ChainElement>)
+        return fmt::format("<{}> of {}:{} took it away: name another {}, or drop that edit", edit->kind,
+                           edit->where.file, edit->where.line, kind_of<Element>());
     const std::string near = meant(name, {names_.begin(), names_.end()});
     return near.empty() ? "isogloss dialect --effective NAME prints what the dialect inherits" : near;
   }

@@ -1,6 +1,9 @@
 #include "dialect/row_checks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "dialect/options.hpp"
@@ -55,7 +58,16 @@ class RowCheck {
     if (column.is_text != 0) return;
     const std::optional<double> v = parse_number(a.value);
     if (!v || *v < column.minimum || *v > column.maximum)
-      report("IG-0220", a.where, {a.name, a.value, v ? " within its range" : ""});
+      report("IG-0220", a.where, {a.name, a.value, v ? " within its range" : ""}, range_of(column));
+  }
+
+  static std::string range_of(const ig_column_decl& column) {
+    const bool has_minimum = std::isfinite(column.minimum), has_maximum = std::isfinite(column.maximum);
+    std::string out = "it is a number";
+    if (has_minimum) out += fmt::format("{} {}", has_maximum ? " from" : ", at least", column.minimum);
+    if (has_maximum) out += fmt::format("{} {}", has_minimum ? " to" : ", at most", column.maximum);
+    const std::string_view unit = column.unit == nullptr ? "" : column.unit;
+    return unit.empty() ? out : fmt::format("{}, in {}", out, unit);
   }
 
   const ig_dependency& dependency_;

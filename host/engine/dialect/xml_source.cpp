@@ -249,7 +249,8 @@ bool XmlSource::check_nodes(DiagnosticSink& sink) const {
     has_root = true;
   }
   if (!has_root) {
-    sink.add(host_diagnostic("IG-0103", at_offset(text_.size()), {"no root element"}));
+    sink.add(host_diagnostic("IG-0103", at_offset(text_.size()), {"no root element"},
+                             "is it the file that was meant? isogloss new dialect NAME writes a whole one"));
     return false;
   }
   // Without recursion: the file chooses the depth.

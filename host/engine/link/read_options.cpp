@@ -19,6 +19,12 @@ std::string similar_choice(const ig_option_decl& option, const std::string& valu
   return did_you_mean(nearest_name(value, choices));
 }
 
+std::string all_options(const std::vector<std::string>& names) {
+  std::string out = names.empty() ? "it has no options" : "its options are ";
+  for (const std::string& name : names) out += (&name == &names.front() ? "" : ", ") + name;
+  return out;
+}
+
 }  // namespace
 
 std::vector<OptionValue> read_options(const OptionFault& report, const std::string& owner, const Location& where,
@@ -31,7 +37,8 @@ std::vector<OptionValue> read_options(const OptionFault& report, const std::stri
     if (option == declared.end()) {
       std::vector<std::string> names;
       for (const ig_option_decl& o : declared) names.emplace_back(o.name);
-      report("IG-0204", a.where, {owner, a.name}, did_you_mean(nearest_name(a.name, names)));
+      const std::string near = did_you_mean(nearest_name(a.name, names));
+      report("IG-0204", a.where, {owner, a.name}, near.empty() ? all_options(names) : near);
       continue;
     }
     const auto number = static_cast<std::size_t>(option - declared.begin());

@@ -5,7 +5,8 @@
 # ig::embedded_page("file_name_stem"). The plugin goes to plugins/ in the build tree and to lib/isogloss/plugins when
 # installed.
 #
-# LANGUAGE C: the sources are *.c, no C++ compiler is needed, and each page is an array <file_name_stem>_page.
+# LANGUAGE C: the sources are *.c, no C++ compiler is needed, each page is an array <file_name_stem>_page, and libm is
+# linked, which <isogloss/c/canned_cycle.h> needs.
 #
 # The objects are a target of their own, <name>_objects, so that unit tests can link them.
 
@@ -47,7 +48,7 @@ function(isogloss_add_plugin name)
     set(language C)
     set(extension c)
     set(embed EmbedPagesInC.cmake)
-    set(sdk "")  # it asks for C++20
+    set(sdk m)  # isogloss::sdk asks for C++20
   elseif(arg_LANGUAGE AND NOT arg_LANGUAGE STREQUAL "CXX")
     message(FATAL_ERROR "isogloss_add_plugin(${name}): LANGUAGE is C or CXX, not ${arg_LANGUAGE}")
   endif()

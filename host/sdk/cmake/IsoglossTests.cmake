@@ -5,6 +5,9 @@
 #
 # isogloss_add_dialect_test(<dialect>): the dialect links without an error.
 #
+# isogloss_add_validate_test(<plugin>): the plugin keeps the contract (isogloss validate), with fewer random blocks than by
+# hand.
+#
 # isogloss_add_program_test(<name> DIALECT <dialect> [PROGRAM <file>] [SECTION <section>])
 #
 # Runs the program (by default the only tests/<name>.* beside the expected file) and compares its motions, or one section
@@ -44,6 +47,11 @@ endfunction()
 function(isogloss_add_dialect_test dialect)
   isogloss_places(places)
   add_test(NAME dialect.${dialect} COMMAND ${ISOGLOSS_COMMAND} lint ${dialect} ${places})
+endfunction()
+
+function(isogloss_add_validate_test plugin)
+  isogloss_places(places)  # reports a command that is missing
+  add_test(NAME validate.${plugin} COMMAND ${ISOGLOSS_COMMAND} validate $<TARGET_FILE:${plugin}> --blocks 5000)
 endfunction()
 
 function(isogloss_add_program_test name)
