@@ -32,6 +32,7 @@ int import_command(const Arguments& arguments);
 int inspect_command(const Arguments& arguments);
 int lint_command(const Arguments& arguments);
 int list_command(const Arguments& arguments);
+int lsp_command(const Arguments& arguments);
 int manual_command(const Arguments& arguments);
 int new_command(const Arguments& arguments);
 int run_command(const Arguments& arguments);
@@ -54,6 +55,7 @@ inline constexpr Command commands[] = {
     {"diff", "show where two dialects, machines or programs part, and why", diff_command},
     {"lint", "check dialect files", lint_command},
     {"dialect", "a dialect as one file or a graph, one syntax of it, its differences from another", dialect_command},
+    {"lsp", "serve editors: diagnostics, hover, completion and more for programs and dialects", lsp_command},
     {"schema", "print schemas: of files of dialects, blocks, motions and other JSON", schema_command},
     {"list", "list plugins, dialects, machines, importers, codes, diagnostics and more", list_command},
     {"inspect", "show the page and declaration of one of them", inspect_command},

@@ -50,6 +50,8 @@ class Session {
   const std::vector<Place>& machine_places() const { return machine_places_; }
   Library& library() { return library_; }
   const DialectReader& reader() const { return reader_; }
+  /// For texts that are not written to their files yet.
+  DialectReader& reader() { return reader_; }
   DiagnosticWriter& diagnostics() { return diagnostics_; }
   Progress& progress() { return progress_; }
 

@@ -2,12 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "diagnostic_json.hpp"
-#include "dialect/dropped_words.hpp"
+#include "dialect/lint.hpp"
 #include "dialect/order_patch.hpp"
-#include "isogloss/engine/chain.hpp"
 #include "json_text.hpp"
 #include "output_file.hpp"
 #include "session.hpp"
@@ -72,56 +70,22 @@ std::string lint_text(const Json& checked) {
   return checked.contains("Suggestion") ? out + checked["Suggestion"].get<std::string>() : out;
 }
 
-/// False when a dependency or a syntax rejects what the dialect gives it; it reports the reason.
-bool starts(const LinkedDialect& linked, DiagnosticSink& diagnostics) {
-  try {
-    const Chain chain(linked, {}, diagnostics);
-    return true;
-  } catch (const std::runtime_error&) {
-    return false;
-  }
-}
-
-/// Notes on a shipped dialect are not for those who set up a machine that stands on it.
-class OwnNotes : public DiagnosticSink {
- public:
-  OwnNotes(DiagnosticSink& sink, const Dialect& dialect) : sink_(sink), dialect_(dialect) {}
-  void add(Diagnostic d) override {
-    if (dialect_.is_machine && d.severity == Severity::note && !is_of_machine(d.where.file)) return;
-    sink_.add(std::move(d));
-  }
-
- private:
-  bool is_of_machine(const std::string& file) const {
-    const std::filesystem::path folder = dialect_.file.parent_path();
-    return file.empty() || folder.empty() || file.starts_with((folder / "").string());
-  }
-  DiagnosticSink& sink_;
-  const Dialect& dialect_;
-};
-
 /// What `lint --json` says about one dialect or machine.
 Json LintCommand::check(const std::string& name, Session& session) const {
   CopyingSink diagnostics(session.diagnostics());
   Json out{{"Name", name}, {"Starts", false}};
-  const std::optional<Dialect> dialect = session.read(name, diagnostics);
-  if (dialect) {
-    out["Name"] = dialect->name;
-    out["File"] = dialect->file.string();
-    OwnNotes notes(diagnostics, *dialect);
-    const std::unique_ptr<LinkedDialect> linked = link(*dialect, session.library(), notes);
-    if (linked != nullptr)
-      for (Diagnostic& d : review(*linked)) notes.add(std::move(d));
-    if (linked != nullptr)
-      for (Diagnostic& d : dropped_words(*linked, session)) notes.add(std::move(d));
-    if (linked != nullptr && starts(*linked, diagnostics)) {
+  const Linted linted = lint_dialect(name, session, diagnostics);
+  if (linted.dialect) {
+    out["Name"] = linted.dialect->name;
+    out["File"] = linted.dialect->file.string();
+    if (linted.starts) {
       out["Starts"] = true;
-      out["Syntaxes"] = linked->chain.size();
-      out["Dependencies"] = linked->dependencies.size();
-      out["Fields"] = linked->layout.fields.size();
-      out["Rivals"] = rivals(*linked);
+      out["Syntaxes"] = linted.linked->chain.size();
+      out["Dependencies"] = linted.linked->dependencies.size();
+      out["Fields"] = linted.linked->layout.fields.size();
+      out["Rivals"] = rivals(*linted.linked);
     }
-    if (suggest) out["Suggestion"] = suggestion(*dialect, session.library());
+    if (suggest) out["Suggestion"] = suggestion(*linted.dialect, session.library());
   }
   for (Diagnostic& d : session.library().shared_codes()) diagnostics.add(std::move(d));
   session.diagnostics().finish_program();

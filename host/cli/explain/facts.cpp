@@ -42,13 +42,23 @@ LineTexts::File LineTexts::read(const std::string& path) {
   out.bytes.resize(size);
   file.read(out.bytes.data(), static_cast<std::streamsize>(size));
   out.bytes.resize(static_cast<std::size_t>(file.gcount()));
-  out.begins.push_back(0);
+  find_lines(out);
+  return out;
+}
+
+void LineTexts::give(const std::string& path, const std::string& text) {
+  File& file = files_[path];
+  file.bytes = text;
+  find_lines(file);
+}
+
+void LineTexts::find_lines(File& out) {
+  out.begins.assign(1, 0);
   // Lines end as in the run: LF, CR or both.
   for (std::size_t i = 0; i < out.bytes.size(); ++i) {
     const bool is_half = out.bytes[i] == '\r' && i + 1 < out.bytes.size() && out.bytes[i + 1] == '\n';
     if ((out.bytes[i] == '\n' || out.bytes[i] == '\r') && !is_half) out.begins.push_back(i + 1);
   }
-  return out;
 }
 
 std::string LineTexts::at(const ProgramLine& line) {

@@ -16,6 +16,8 @@ class LineTexts {
  public:
   /// Without blanks at both ends; empty for what cannot be read again.
   std::string at(const ProgramLine& line);
+  /// This text stands in place of the file.
+  void give(const std::string& path, const std::string& text);
 
  private:
   struct File {
@@ -23,6 +25,7 @@ class LineTexts {
     std::vector<std::size_t> begins;  ///< of lines
   };
   static File read(const std::string& path);
+  static void find_lines(File& file);
   std::map<std::string, File> files_;
 };
 

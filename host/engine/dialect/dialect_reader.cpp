@@ -147,7 +147,10 @@ class Editor {
 /// One call of DialectReader::read.
 class Reading {
  public:
-  Reading(const std::vector<fs::path>& folders, DiagnosticSink& sink) : folders_(folders), report_(sink) {}
+  Reading(const std::vector<fs::path>& folders, const UnsavedFiles& unsaved, DiagnosticSink& sink)
+      : folders_(folders), report_(sink) {
+    budget_.unsaved = &unsaved;
+  }
 
   std::optional<Dialect> read(const std::string& name) {
     const fs::path file = names_a_file(name) ? fs::path(name) : search(name, folders_);
@@ -321,7 +324,17 @@ class Reading {
 DialectReader::DialectReader(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
 
 std::optional<Dialect> DialectReader::read(const std::string& name, DiagnosticSink& sink) const {
-  return Reading(folders_, sink).read(name);
+  return Reading(folders_, unsaved_, sink).read(name);
+}
+
+void DialectReader::give(const std::filesystem::path& file, std::string text) {
+  std::error_code error;
+  unsaved_[fs::weakly_canonical(file, error).string()] = std::move(text);
+}
+
+void DialectReader::forget(const std::filesystem::path& file) {
+  std::error_code error;
+  unsaved_.erase(fs::weakly_canonical(file, error).string());
 }
 
 std::vector<Dialect> DialectReader::list() const {

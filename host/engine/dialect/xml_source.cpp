@@ -107,6 +107,10 @@ std::vector<RawAttribute> raw_attributes(std::string_view text, std::size_t i) {
 std::unique_ptr<XmlSource> XmlSource::open(const std::filesystem::path& file, const Location& asked_at,
                                            XmlBudget& budget, DiagnosticSink& sink, Pipes pipes) {
   std::error_code error;
+  if (budget.unsaved != nullptr && !budget.unsaved->empty())
+    if (const auto found = budget.unsaved->find(std::filesystem::weakly_canonical(file, error).string());
+        found != budget.unsaved->end())
+      return parse(file.string(), found->second, sink);
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   const bool is_pipe = std::filesystem::is_fifo(status) && pipes == Pipes::read;
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) && !is_pipe) {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "isogloss/engine/diagnostic.hpp"
+#include "isogloss/engine/dialect.hpp"
 
 namespace isogloss {
 
@@ -19,6 +19,7 @@ struct XmlBudget {
   static constexpr std::size_t attributes = 256;  ///< of one element
   static constexpr std::size_t chain = 4096;      ///< elements and edits of one file
   std::size_t bytes_left = std::size_t{64} << 20;
+  const UnsavedFiles* unsaved = nullptr;  ///< texts that take the place of files; null: none
 };
 
 /// UTF-8 without a document type, read more strictly than by pugixml: each fault that pugixml ignores is reported with

@@ -583,6 +583,19 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {note, "IG-0518", "{0} errors in {1} blocks: this may not be a part program, or it is for another control",
        "At least three of four blocks have an error. `isogloss list dialects` names the dialects, `-d` picks one.",
        "isogloss run README.md"},
+
+      // editors: 0660-0669
+      {error, "IG-0660", "the program cannot be run: {0}",
+       "A syntax or a table could not be created for this program. The server's log has more.", "isogloss lsp"},
+      {warning, "IG-0661", "the run was stopped after {0} ms: what follows in the program is not checked",
+       "While a program is edited, a run has little time: a loop without an end would stop all answers. The setting "
+       "budgetMs gives it more.",
+       "isogloss lsp, with a program that jumps back for ever"},
+      {note, "IG-0662", "{0} more diagnostics are not listed: the setting maxDiagnostics has another limit",
+       "An editor is told the first diagnostics of a program alone, by default 1000.", "isogloss lsp"},
+      {error, "IG-0663", "{0} while this program was run: the next change of the text runs it again",
+       "A plugin crashed, or ended the process. The server has begun anew and runs this text no second time.",
+       "isogloss lsp, with a plugin that crashes"},
   };
   return table;
 }

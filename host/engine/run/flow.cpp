@@ -106,6 +106,7 @@ std::int32_t Flow::jump(ig_go& request) {
     return IG_GO_REFUSED;
   }
   request_ = Go::jump;
+  if (options_.moved) jump_label_.assign(request.kind == IG_GO_LABEL ? view_of(request.label) : std::string_view());
   behind_ = request.kind != IG_GO_START && (request.flags & IG_GO_BEHIND) != 0;
   return IG_GO_DONE;
 }
@@ -156,6 +157,7 @@ void Flow::perform(Document& document, const Place& next) {
     stop("IG-0417", here_, {std::to_string(jumps_ - 1), shown(here_), file.name + ":" + std::to_string(to.line)});
     return;
   }
+  if (options_.moved) tell_move(next);
   switch (std::exchange(request_, Go::none)) {
     case Go::call: enter(document, next); break;
     case Go::leave: leave_frame(document, to_); break;
@@ -173,6 +175,37 @@ void Flow::perform(Document& document, const Place& next) {
       break;
     case Go::none: break;
   }
+}
+
+void Flow::tell_move(const Place& next) const {
+  FlowStep step;
+  step.file = frame_->file->name;
+  step.line = here_.line;
+  step.column = here_.column + 1;
+  step.to_file = step.file;
+  switch (request_) {
+    case Go::call:
+      step.kind = FlowStep::Kind::call;
+      step.label = called_;
+      step.to_file = target_.file->name;
+      step.to_line = target_.start.line;
+      break;
+    case Go::leave:
+      step.kind = FlowStep::Kind::leave;
+      step.to_file = frames_[depth_ - 1]->file->name;
+      step.to_line = to_ ? to_->line : frame_->back.line;
+      break;
+    case Go::again:
+      step.kind = FlowStep::Kind::again;
+      step.to_line = frame_->start.line;
+      break;
+    case Go::jump:
+      step.label = jump_label_;
+      step.to_line = to_->line;
+      break;
+    case Go::none: step.to_line = next.line; break;
+  }
+  options_.moved(step);
 }
 
 void Flow::enter(Document& document, const Place& next) {

@@ -83,6 +83,7 @@ class Flow : public FlowHost {
   void enter(Document& document, const Place& next);
   void leave_frame(Document& document, std::optional<Place> to);
   void seek(const Place& place);
+  void tell_move(const Place& next) const;
   void note_jump(const Place& to);
   void count_loop();
   void count_repeat();
@@ -107,7 +108,7 @@ class Flow : public FlowHost {
   Go request_ = Go::none;
   ProgramSearch::Target target_{};
   std::optional<Place> to_;
-  std::string called_, reason_;
+  std::string called_, reason_, jump_label_;
   std::uint64_t tag_ = 0;
   std::uint32_t repeats_ = 1;
   bool behind_ = false;

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "../../tests/support/budget.hpp"
+#include "isogloss/engine/scan.hpp"
 #include "test_plugin.hpp"
 
 namespace isogloss::flow_tests {
@@ -426,6 +427,33 @@ TEST_CASE("random programs end") {
     REQUIRE(f.result.blocks < 100'000);
     REQUIRE(f.result.jumps <= 2001);
   }
+}
+
+TEST_CASE("each call, return and jump is told with its places") {
+  Fixture f;
+  std::string told;
+  f.options.moved = [&](const FlowStep& step) {
+    told += "crgj"[static_cast<int>(step.kind)] + std::to_string(step.line) + ":" + std::string(step.label) + ">" +
+            std::to_string(step.to_line) + " ";
+  };
+  CHECK(f.run("!s*2\n>m\na\n=m;b\n%\n:s\nx\n^") == "x' x' b");
+  CHECK(told == "c1:s>6 g8:>6 r8:>2 j2:m>4 ");
+}
+
+TEST_CASE("blocks are scanned where no run comes, with labels and pieces") {
+  Fixture f;
+  std::string seen;
+  const auto source = memory_source("a ; b\n%\n=m;!n\n:s c\n");
+  scan_blocks(*f.linked, *source, "main", f.options, [&](const ScannedBlock& block) {
+    seen += std::to_string(block.line) + ":" + std::to_string(block.column) + "/" + std::to_string(block.pieces.size());
+    for (const ScannedLabel& label : block.labels)
+      seen += (label.is_program ? ":" : "=") + label.name + "@" + std::to_string(label.begin) + "-" +
+              std::to_string(label.end);
+    seen += " ";
+    return block.line < 4;
+  });
+  CHECK(seen == "1:0/2 1:3/1 2:0/1 3:0/2=m@0-2 3:3/1 4:0/2:s@0-2 ");
+  CHECK(f.diagnostics.all.empty());
 }
 
 }  // namespace

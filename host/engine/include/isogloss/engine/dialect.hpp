@@ -145,11 +145,18 @@ struct Dialect {
   std::vector<SearchFolder> search_order;
 };
 
+/// Texts of files that an editor has not written yet, by canonical path.
+using UnsavedFiles = std::map<std::string, std::string, std::less<>>;
+
 /// Finds and reads dialect files. Relative paths resolve against the file that holds them; nothing outside the
 /// folders given (and the folder of a dialect named by path) is read.
 class DialectReader {
  public:
   explicit DialectReader(std::vector<std::filesystem::path> folders);
+
+  /// From now on this text stands in place of the file; forget() ends that.
+  void give(const std::filesystem::path& file, std::string text);
+  void forget(const std::filesystem::path& file);
 
   /// `name` is a dialect's name or, when it holds a '/' or ends in .xml, a file: of a dialect or of a machine. Empty,
   /// and reported, on a fault.
@@ -163,6 +170,7 @@ class DialectReader {
 
  private:
   std::vector<std::filesystem::path> folders_;
+  UnsavedFiles unsaved_;
 };
 
 /// The dialect as one file without `extends` (architecture: `dialect --effective`). `base` is the folder that side

@@ -12,6 +12,19 @@
 
 namespace isogloss {
 
+/// A call, a return or a jump that a block has requested, as the run performs it. Texts are alive until the call
+/// returns.
+struct FlowStep {
+  enum class Kind : std::uint8_t { call, leave, again, jump };
+  Kind kind = Kind::jump;
+  std::string_view file;     ///< of the requesting block
+  std::uint32_t line = 0;    ///< from 1
+  std::uint32_t column = 0;  ///< of the block, from 1
+  std::string_view label;    ///< as the request names it; empty: it names none
+  std::string_view to_file;
+  std::uint32_t to_line = 0;
+};
+
 struct RunOptions {
   ChainSettings chain;
   bool stop_on_error = false;                        ///< --on-error stop: the control's own stops end the run
@@ -31,6 +44,7 @@ struct RunOptions {
   std::function<void(Chain&)> prepare;  ///< called once the chain is created, before its start; empty: none
   /// Called when a program in a file is called for the first time, with its name and the file; empty: none.
   std::function<void(std::string_view program, const std::string& file)> called;
+  std::function<void(const FlowStep&)> moved;  ///< called for each call, return and jump; empty: none
   std::function<void(std::uint64_t blocks, std::uint64_t bytes)> progress;  ///< now and then; empty: none
   std::function<bool()> goes_on;  ///< asked as often; false ends the run, and its author reports why; empty: always
 };
