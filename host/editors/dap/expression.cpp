@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace isogloss::editors {
+namespace isogloss::dap {
 
 namespace {
 
@@ -58,7 +58,7 @@ Value field_value(const Document& d, const SymbolTable& symbols, ig_field f) {
   switch (d.layout().fields[f].type) {
     case IG_NUMBER: return Value::of(d.number(f));
     case IG_INTEGER: return Value::of(static_cast<double>(d.value(f).integer));
-    case IG_BOOL: return Value::truth(d.value(f).integer != 0);
+    case IG_BOOLEAN: return Value::truth(d.value(f).integer != 0);
     case IG_SYMBOL: return Value::of(std::string(symbols.text(static_cast<ig_symbol>(d.value(f).symbol))));
     case IG_TEXT: return Value::of(std::string(d.text(f)));
     default: return Value::truth(true);
@@ -162,8 +162,7 @@ Value Expression::at(std::uint32_t index, const Scene& scene, const VariableSour
     case Op::less:
     case Op::not_greater:
     case Op::greater:
-    case Op::not_less:
-      return compare(node.op, at(node.first, scene, variables), at(node.second, scene, variables));
+    case Op::not_less: return compare(node.op, at(node.first, scene, variables), at(node.second, scene, variables));
     default: return compute(node.op, at(node.first, scene, variables), at(node.second, scene, variables));
   }
 }
@@ -172,4 +171,4 @@ Value Expression::evaluate(const Scene& scene, const VariableSource& variables) 
   return nodes_.empty() ? Value{} : at(static_cast<std::uint32_t>(nodes_.size() - 1), scene, variables);
 }
 
-}  // namespace isogloss::editors
+}  // namespace isogloss::dap

@@ -22,7 +22,7 @@
 
 #include "dap/strokes.hpp"
 
-namespace isogloss::editors {
+namespace isogloss::dap {
 
 struct Value {
   enum class Kind : std::uint8_t { none, truth, number, text };
@@ -67,11 +67,30 @@ class Expression {
   /// One operation; its operands are places in the list.
   struct Node {
     enum class Op : std::uint8_t {
-      constant, name, field, variable,
-      either, both, negated,
-      equal, unequal, less, not_greater, greater, not_less,
-      sum, difference, product, quotient, minus,
-      absolute, smaller, larger, has, is_on, is_off
+      constant,
+      name,
+      field,
+      variable,
+      either,
+      both,
+      negated,
+      equal,
+      unequal,
+      less,
+      not_greater,
+      greater,
+      not_less,
+      sum,
+      difference,
+      product,
+      quotient,
+      minus,
+      absolute,
+      smaller,
+      larger,
+      has,
+      is_on,
+      is_off
     };
     Op op = Op::constant;
     std::uint32_t first = 0, second = 0;
@@ -86,4 +105,4 @@ class Expression {
   std::string text_;
 };
 
-}  // namespace isogloss::editors
+}  // namespace isogloss::dap

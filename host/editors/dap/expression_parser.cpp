@@ -4,7 +4,7 @@
 #include "dap/expression.hpp"
 #include "isogloss/engine/diagnostic.hpp"
 
-namespace isogloss::editors {
+namespace isogloss::dap {
 
 namespace {
 
@@ -14,9 +14,9 @@ using Op = Node::Op;
 constexpr std::size_t longest_expression = 4096;
 constexpr unsigned deepest_expression = 64;
 constexpr std::string_view known_names[] = {
-    "x",         "y",         "z",         "a",         "b",         "c",    "machine.x", "machine.y", "machine.z",
-    "machine.a", "machine.b", "machine.c", "feed",      "speed",     "tool", "spindle",   "coolant",   "motion",
-    "line",      "file",      "program",   "depth",     "pass",      "block"};
+    "x",         "y",         "z",         "a",         "b",       "c",     "machine.x", "machine.y",
+    "machine.z", "machine.a", "machine.b", "machine.c", "feed",    "speed", "tool",      "spindle",
+    "coolant",   "motion",    "line",      "file",      "program", "depth", "pass",      "block"};
 
 struct Token {
   enum class Kind : std::uint8_t { end, number, text, name, variable, sign } kind = Kind::end;
@@ -150,7 +150,7 @@ class Parser {
   std::uint32_t comparison() {
     const std::uint32_t left = sum();
     constexpr std::pair<std::string_view, Op> signs[] = {
-        {"==", Op::equal},       {"=", Op::equal},    {"!=", Op::unequal}, {"<>", Op::unequal},
+        {"==", Op::equal},       {"=", Op::equal},     {"!=", Op::unequal}, {"<>", Op::unequal},
         {"<=", Op::not_greater}, {">=", Op::not_less}, {"<", Op::less},     {">", Op::greater}};
     for (const auto& [sign, op] : signs)
       if (take_sign(sign)) return add(op, left, sum());
@@ -283,4 +283,4 @@ std::variant<Expression, std::string> Expression::parse(std::string_view text, c
   }
 }
 
-}  // namespace isogloss::editors
+}  // namespace isogloss::dap

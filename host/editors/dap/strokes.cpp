@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace isogloss::editors {
+namespace isogloss::dap {
 
 namespace {
 
@@ -141,4 +141,4 @@ std::string describe(const Stroke& stroke, const AxisValues& before) {
   return out;
 }
 
-}  // namespace isogloss::editors
+}  // namespace isogloss::dap

@@ -7,7 +7,7 @@
 
 #include "isogloss/engine/document.hpp"
 
-namespace isogloss::editors {
+namespace isogloss::dap {
 
 /// Axes X Y Z A B C; a bit of `known` for each.
 struct AxisValues {
@@ -51,4 +51,4 @@ std::string describe(const Stroke& stroke, const AxisValues& before);
 /// Without digits that mean nothing: 12.5, 0.333333.
 std::string number_text(double value);
 
-}  // namespace isogloss::editors
+}  // namespace isogloss::dap

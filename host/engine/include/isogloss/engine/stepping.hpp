@@ -43,8 +43,8 @@ class BlockListener {
  public:
   virtual ~BlockListener() = default;
   /// Called on the thread that runs, which waits as long as the function takes. False ends the run before the block.
-  /// With look-ahead, exporters have not got the last blocks yet (`waiting`): they get them before the run ends. What it
-  /// throws comes out of run().
+  /// With look-ahead, exporters have not got the last blocks yet (`waiting`): they get them before the run ends. What
+  /// it throws comes out of run().
   virtual bool before(const NextBlock& next, StandingRun& run) = 0;
 };
 
@@ -58,8 +58,8 @@ struct BlockLine {
   std::uint32_t lines = 1;  ///< that it reaches over
 };
 
-/// The lines on which a statement begins, in order: neither blank lines nor those that hold nothing but a comment. Scans
-/// the text and executes nothing; reports nothing. Throws std::runtime_error when a syntax cannot be created.
+/// The lines on which a statement begins, in order: neither blank lines nor those that hold nothing but a comment.
+/// Scans the text and executes nothing; reports nothing. Throws std::runtime_error when a syntax cannot be created.
 std::vector<BlockLine> find_block_lines(const LinkedDialect& linked, Source& source, const RunOptions& options);
 
 }  // namespace isogloss
