@@ -109,13 +109,11 @@ class Stepping(Sessions):
         self.assertEqual(len(passes), 2)
         self.assertEqual(client.line(), 13)
 
-    def test_a_step_out_ends_behind_the_call(self):
+    def test_a_step_out_ends_behind_all_passes_of_the_call(self):
         client = self.start(breakpoints=[17])
         client.stop()
-        self.request_and_line(client, "stepOut", 13)
-
-    def request_and_line(self, client, command, line):
-        self.assertEqual(client.step(command), line)
+        client.request("setBreakpoints", source={"path": str(self.folder / "part.nc")}, breakpoints=[])
+        self.assertEqual(client.step("stepOut"), 13)
 
     def test_a_step_leads_into_the_strokes_of_a_cycle(self):
         client = self.start(breakpoints=[9])
@@ -219,7 +217,7 @@ class Breakpoints(Sessions):
         self.assertIn("not closed", messages[3])
 
     def test_a_condition_stops_the_stroke_of_the_cycle_that_fulfils_it(self):
-        client = self.start(logic=["Z < -10", "spindle off and line > 5", "feed > 700"])
+        client = self.start(logic=["Z < -10", "spindle off and line > 9", "feed > 700"])
         stop = client.stop()
         self.assertEqual((stop["reason"], stop["description"]), ("function breakpoint", "Z < -10 became true"))
         self.assertEqual((client.line(), client.values("Positions")["Z"]), (9, "-12 mm"))

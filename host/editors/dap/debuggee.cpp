@@ -65,8 +65,9 @@ void Debuggee::prepare(Chain& chain) {
   chain.variable_used = [this](const Document&, bool is_write, std::string_view name, std::uint64_t scope,
                                const ig_argument* value) {
     VariableUse use{std::string(name), scope, value_of_argument(value), is_write};
+    // What an edit writes before a block is seen with the block before it.
     if (entries_.size() > 1)
-      entries_.back().uses.push_back(std::move(use));
+      entries_[entries_.size() - (is_editing_ ? 2 : 1)].uses.push_back(std::move(use));
     else
       variables_.note(use, entries_.empty() ? 1 : entries_.back().call);
   };
@@ -120,11 +121,13 @@ void Debuggee::look_up() {
 }
 
 void Debuggee::apply_edits(std::uint64_t number, StandingRun& run) {
+  is_editing_ = true;
   for (; next_edit_ < edits_.size() && edits_[next_edit_].block <= number; ++next_edit_) {
     const Edit& edit = edits_[next_edit_];
     for (Diagnostic& d : run.execute(assignment_text(run.chain(), edit.name, edit.value)))
       if (d.severity == Severity::error) events_.told(d);
   }
+  is_editing_ = false;
 }
 
 bool Debuggee::block(Document& document, const SymbolTable&) {

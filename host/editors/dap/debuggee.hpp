@@ -209,7 +209,7 @@ class Debuggee : BlockListener, Exporter, DiagnosticSink {
   const SymbolTable* symbols_ = nullptr;
   Chain* chain_ = nullptr;
   std::uint64_t start_block_ = 0;  // that begins at standing_.start
-  bool has_start_ = false, runs_again_ = false, has_errors_ = false;
+  bool is_editing_ = false, has_start_ = false, runs_again_ = false, has_errors_ = false;
 };
 
 }  // namespace isogloss::dap

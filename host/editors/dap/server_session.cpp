@@ -63,6 +63,7 @@ struct Reasons : DiagnosticSink {
     all.push_back(std::move(d));
   }
   std::string errors;
+  std::size_t count = 0;
   std::vector<Diagnostic> all;
 };
 

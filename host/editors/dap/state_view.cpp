@@ -215,8 +215,11 @@ void StateView::add_program(const Standing& standing, const ProgramVariables& va
     const char* const type = v.scope == 0 ? "Variable of the program." : "Local variable of the call.";
     out.push_back(row(v.name, v.value.kind == Value::Kind::none ? "empty" : value, type, "var(\"" + v.name + "\")"));
   };
-  for (const ProgramVariables::Variable* const v : variables.of_call(frames[frame].call)) add_one(*v);
-  for (const ProgramVariables::Variable* const v : variables.of_program()) add_one(*v);
+  const auto own = variables.of_call(frames[frame].call);
+  for (const ProgramVariables::Variable* const v : own) add_one(*v);
+  // The main program's local variables have the scope of the whole program: a call hides them.
+  for (const ProgramVariables::Variable* const v : variables.of_program())
+    if (std::ranges::none_of(own, [&](const auto* hiding) { return hiding->name == v->name; })) add_one(*v);
 }
 
 }  // namespace isogloss::dap

@@ -7,15 +7,17 @@ namespace isogloss {
 
 namespace {
 
-/// Anything but a comment: a value of the text, or text that nothing has read.
-bool holds_statement(const Document& d) {
-  const Layout& layout = d.layout();
-  for (ig_field f = 0; f < d.size(); ++f)
-    if (d.present(f) && d.fresh(f) && !layout.fields[f].hidden && !layout.fields[f].path.starts_with("Comment."))
-      return true;
-  for (const ListData& list : d.lists)
-    if (list.count != 0) return true;
-  return d.has_leftovers();
+/// A syntax that shows nothing but comments and tape marks.
+bool reads_remarks(const LinkedSyntax& syntax, const Layout& layout) {
+  bool writes = false;
+  for (ig_field f = 0; f < layout.fields.size(); ++f) {
+    if (f / 64 >= syntax.may_write.size() || (syntax.may_write[f / 64] >> (f % 64) & 1) == 0) continue;
+    const FieldInfo& info = layout.fields[f];
+    if (info.hidden) continue;
+    if (!info.path.starts_with("Comment.") && !info.path.starts_with("TapeBoundary.")) return false;
+    writes = true;
+  }
+  return writes;
 }
 
 /// Its scanners alone are at work, as where a file is indexed.
@@ -24,6 +26,10 @@ class ScanningChain : public FlowHost {
   ScanningChain(const LinkedDialect& linked, ChainSettings settings) : chain_(linked, std::move(settings), ignored_) {
     chain_.collect_labels();
     chain_.flow = this;
+    for (const LinkedSyntax& syntax : linked.chain) reads_remarks_.push_back(reads_remarks(syntax, linked.layout));
+    chain_.scanned = [this](std::uint32_t position, std::size_t begin, std::size_t end) {
+      has_statement_ = has_statement_ || (end > begin && !reads_remarks_[position]);
+    };
     chain_.start();
   }
 
@@ -35,8 +41,9 @@ class ScanningChain : public FlowHost {
       if (rest.find_first_not_of(" \t\r\n") == std::string_view::npos) break;
       at_ = {0, line.offset, line.number, static_cast<std::uint32_t>(column)};
       chain_.begin_block({{}, line.number, static_cast<std::uint32_t>(column), rest, line.lines > 1});
+      has_statement_ = false;
       column += std::max<std::size_t>(chain_.scan(), 1);
-      found = found || holds_statement(chain_.document());
+      found = found || has_statement_ || chain_.document().has_leftovers();
       ignored_.all.clear();
       goes_on = !chain_.ends_file;
       if (!goes_on) break;
@@ -53,6 +60,8 @@ class ScanningChain : public FlowHost {
  private:
   DiagnosticList ignored_;
   Chain chain_;
+  std::vector<bool> reads_remarks_;  // by chain position
+  bool has_statement_ = false;       // in the present block
   ig_place at_{};
 };
 

@@ -11,11 +11,11 @@ namespace {
 
 struct Reader {
   const ig_flow_1* flow;
-  ig_field mode, ahead, comment;
+  ig_field mode, ahead;
 };
 
 ig_status create(const ig_link_api* api, ig_link* link, const ig_field* ids, void** self) {
-  *self = new Reader{static_cast<const ig_flow_1*>(api->service(link, IG_FLOW_SERVICE)), ids[0], ids[1], ids[2]};
+  *self = new Reader{static_cast<const ig_flow_1*>(api->service(link, IG_FLOW_SERVICE)), ids[0], ids[1]};
   return IG_CHANGED;
 }
 void destroy(void* self) { delete static_cast<Reader*>(self); }
@@ -23,8 +23,7 @@ void destroy(void* self) { delete static_cast<Reader*>(self); }
 std::size_t scan(void* self, const ig_host* host, ig_block* block, const char* data, std::size_t size,
                  std::size_t position) {
   const Reader& r = *static_cast<Reader*>(self);
-  const std::string_view text(data, size);
-  const char what = text[position];
+  const char what = data[position];
   const ig_text name{data + position + 1, position + 1 < size ? 1u : 0u};
   if (what >= '0' && what <= '9') {
     host->set(block, r.mode, {.integer = what - '0'});
@@ -33,10 +32,6 @@ std::size_t scan(void* self, const ig_host* host, ig_block* block, const char* d
   if (what == 'A') {
     host->set(block, r.ahead, {.integer = 1});
     return position + 1;
-  }
-  if (what == '(') {
-    host->set_text(block, r.comment, name);
-    return std::min(text.find(')', position), size - 1) + 1;
   }
   if (what == ':') r.flow->label(block, name, IG_LABEL_PROGRAM);
   if (what == '!' || what == '^') {
@@ -50,6 +45,18 @@ std::size_t scan(void* self, const ig_host* host, ig_block* block, const char* d
   return position + (what == '^' ? 1 : 2);
 }
 
+ig_status create_remark(const ig_link_api*, ig_link*, const ig_field* ids, void** self) {
+  *self = new ig_field(ids[0]);
+  return IG_CHANGED;
+}
+void destroy_remark(void* self) { delete static_cast<ig_field*>(self); }
+
+std::size_t scan_remark(void* self, const ig_host* host, ig_block* block, const char* data, std::size_t size,
+                        std::size_t position) {
+  host->set_text(block, *static_cast<ig_field*>(self), {data + position, 1});
+  return std::min(std::string_view(data, size).find(')', position), size - 1) + 1;
+}
+
 ig_status look_ahead(void*, const ig_host* host, ig_block* block) {
   host->ahead(block, 1);
   return IG_UNCHANGED;
@@ -59,13 +66,19 @@ struct Fixture : BlockListener, Exporter {
   Fixture() : library({}) {
     auto& reader = plugin.syntax("Reader");
     reader.fields = {test::field("Test.Mode", IG_WRITE, IG_INTEGER, IG_LIFE_MODAL),
-                     test::field("Test.Ahead", IG_WRITE, IG_INTEGER, IG_LIFE_BLOCK),
-                     test::field("Comment.Text", IG_WRITE, IG_TEXT, IG_LIFE_BLOCK)};
-    reader.out.triggers = "0123456789!:^A(";
+                     test::field("Test.Ahead", IG_WRITE, IG_INTEGER, IG_LIFE_BLOCK)};
+    reader.out.triggers = "0123456789!:^A";
     reader.out.scan = scan;
     reader.out.build = nullptr;
     reader.out.create = create;
     reader.out.destroy = destroy;
+    auto& remark = plugin.syntax("Remark");
+    remark.fields = {test::field("Comment.Text", IG_WRITE, IG_TEXT, IG_LIFE_BLOCK)};
+    remark.out.triggers = "(";
+    remark.out.scan = scan_remark;
+    remark.out.build = nullptr;
+    remark.out.create = create_remark;
+    remark.out.destroy = destroy_remark;
     auto& ahead = plugin.syntax("Ahead");
     ahead.fields = {test::field("Test.Ahead", IG_READ | IG_WAKE, IG_INTEGER, IG_LIFE_BLOCK)};
     ahead.out.build = look_ahead;
@@ -75,6 +88,7 @@ struct Fixture : BlockListener, Exporter {
     dialect.name = "test";
     dialect.plugins = {{plugin.get()->name, {}}};
     dialect.chain = {{Stage::parsing, "Reader", "Reader", {}, false, {}},
+                     {Stage::parsing, "Remark", "Remark", {}, false, {}},
                      {Stage::post_logic, "Ahead", "Ahead", {}, false, {}}};
     linked = link(dialect, library, diagnostics);
     REQUIRE(linked != nullptr);
