@@ -44,7 +44,7 @@ std::vector<ExplainedFrame> frames_of(const FlowHost& flow) {
   f.struct_size = sizeof f;
   for (std::uint32_t level = 0; flow.frame(level, f); ++level)
     out.push_back({std::string(f.file.data, f.file.size), std::string(f.program.data, f.program.size), f.call_line,
-                   f.pass, f.passes});
+                   f.pass, f.passes, f.id});
   return out;
 }
 

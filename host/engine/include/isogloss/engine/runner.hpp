@@ -25,6 +25,8 @@ struct FlowStep {
   std::uint32_t to_line = 0;
 };
 
+class BlockListener;
+
 struct RunOptions {
   ChainSettings chain;
   bool stop_on_error = false;                        ///< --on-error stop: the control's own stops end the run
@@ -46,6 +48,8 @@ struct RunOptions {
   std::function<void(std::string_view program, const std::string& file)> called;
   std::function<void(const FlowStep&)> moved;  ///< called for each call, return and jump; empty: none
   std::function<void(std::uint64_t blocks, std::uint64_t bytes)> progress;  ///< now and then; empty: none
+  /// Asked before each block (stepping.hpp), borrowed; null: none.
+  BlockListener* listener = nullptr;
   std::function<bool()> goes_on;  ///< asked as often; false ends the run, and its author reports why; empty: always
 };
 
