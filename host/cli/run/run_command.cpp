@@ -1,4 +1,6 @@
 // The main job: programs in, motions or blocks out.
+#include <unistd.h>
+
 #include <algorithm>
 
 #include "crash_guard.hpp"
@@ -10,7 +12,7 @@ namespace isogloss::cli {
 
 namespace {
 
-struct RunCommand : RunRequest {
+struct RunCommand : RunArguments {
   void add_to(CommandLine& line);
   int run();
 };
@@ -22,8 +24,8 @@ void RunCommand::add_to(CommandLine& line) {
       .one_of({"blocks", "motions", "canonical", "none"})
       .type_name("blocks|motions|canonical|none");
   line.option("--format", format, "Form of the output")
-      .one_of({"jsonl", "csv", "text"})
-      .type_name("jsonl|csv|text")
+      .one_of({"jsonl", "csv", "text", "binary"})
+      .type_name("jsonl|csv|text|binary")
       .shows_default();
   line.option("-o,--output", output, "Write to a file, which appears only when it is complete").type_name("FILE");
   line.option("--save-table", save_table,
@@ -47,8 +49,9 @@ void RunCommand::add_to(CommandLine& line) {
 int RunCommand::run() {
   Session session(common);
   if (emit.empty()) emit = summary ? "none" : "motions";
-  if (emit == "blocks" && format == "csv") {
-    session.report("IG-0513", {}, {"blocks have no CSV form; --format jsonl or text"});
+  if (emit == "blocks" && (format == "csv" || format == "binary")) {
+    const std::string form = format == "csv" ? "CSV" : "binary";
+    session.report("IG-0513", {}, {"blocks have no " + form + " form; --format jsonl or text"});
     return cannot_start;
   }
   if (json && format != "jsonl") {
@@ -56,6 +59,10 @@ int RunCommand::run() {
     return cannot_start;
   }
   const bool writes_to_stdout = output.empty() || output == "-";
+  if (format == "binary" && emit == "motions" && writes_to_stdout && isatty(STDOUT_FILENO) != 0) {
+    session.report("IG-0513", {}, {"--format binary is not for a terminal; give -o FILE, or a pipe"});
+    return cannot_start;
+  }
   if (emit != "none" && writes_to_stdout) session.progress().data_goes_to_stdout();
   if (emit == "canonical" && !canonical.prepare(format, session)) return cannot_start;
   std::optional<RunOptions> options = program.make(session);

@@ -24,28 +24,12 @@ class ErrorLimit : public Exporter {
   const DiagnosticWriter& diagnostics_;
 };
 
-/// Drops the first line: the column names of a second program in one table.
-class WithoutFirstLine : public Output {
- public:
-  explicit WithoutFirstLine(Output& output) : output_(output) {}
-  bool write(std::string_view bytes) override {
-    if (!dropped_) {
-      const std::size_t end = bytes.find('\n');
-      if (end == std::string_view::npos) return true;
-      bytes.remove_prefix(end + 1);
-      dropped_ = true;
-    }
-    return output_.write(bytes);
-  }
-
- private:
-  Output& output_;
-  bool dropped_ = false;
-};
-
-std::unique_ptr<Exporter> make_exporter(const RunRequest& c, Output& output, const std::string& dialect,
+std::unique_ptr<Exporter> make_exporter(const RunArguments& c, Output& output, const std::string& dialect,
                                         Session& session) {
-  const Format format = c.format == "csv" ? Format::csv : c.format == "text" ? Format::text : Format::jsonl;
+  const Format format = c.format == "csv"      ? Format::csv
+                        : c.format == "binary" ? Format::binary
+                        : c.format == "text"   ? Format::text
+                                               : Format::jsonl;
   if (c.emit == "blocks") return make_block_exporter(output, format);
   if (c.emit == "none") return nullptr;
   if (c.emit == "canonical")
@@ -55,15 +39,9 @@ std::unique_ptr<Exporter> make_exporter(const RunRequest& c, Output& output, con
 }
 
 /// The machine's own rates; a chain of its own answers, since tables belong to a run.
-RapidRates rapid_rates(const LinkedDialect& linked, const ChainSettings& settings) {
-  RapidRates rates;
+RapidRates rates_of(const LinkedDialect& linked, const ChainSettings& settings) {
   DiagnosticList ignored;
-  const Chain chain(linked, settings, ignored);
-  const auto* const axes = static_cast<const ig_machine_axis_1*>(chain.service("isogloss.machine-axis/1"));
-  if (axes == nullptr) return rates;
-  for (std::size_t i = 0; i < std::size(rates.per_second); ++i)
-    if (axes->rapid_rate(axes->self, "XYZABC"[i], &rates.per_second[i]) == 0) rates.per_second[i] = 0;
-  return rates;
+  return rapid_rates(Chain(linked, settings, ignored));
 }
 
 /// Where standard error cannot be written, only the exit status can report it.
@@ -93,7 +71,7 @@ int Runs::run(const std::string& path) {
     linked_ = session_.link(dialect, options_.chain.dependencies);
     linked_name_ = dialect;
   }
-  if (guess) report_guess(path, *guess, linked_ == nullptr ? "" : parting(path, *source, *guess), session_);
+  if (guess) report_guess(path, *guess, linked_ == nullptr ? "" : parting_of(path, *source, *guess), session_);
   if (linked_ == nullptr) return cannot_start;
   const int status = run_linked(path, *source);
   session_.diagnostics().finish_program();
@@ -101,16 +79,12 @@ int Runs::run(const std::string& path) {
 }
 
 /// How the dialect that is nearly as likely differs, for the note on what was guessed.
-std::string Runs::parting(const std::string& path, const OpenedProgram& source, const Guess& guess) {
+std::string Runs::parting_of(const std::string& path, const OpenedProgram& source, const Guess& guess) {
   if (guess.next.empty()) return {};
   auto& next = likely_[guess.next];
   DiagnosticList ignored;
   if (next == nullptr) next = session_.link(guess.next, options_.chain.dependencies, ignored);
-  if (next == nullptr) return {};
-  RunOptions options = options_;
-  add_program_places(path, linked_->dialect, options);
-  const std::string place = where_moves_part(*linked_, *next, path, source.head(), options);
-  return place.empty() ? "" : "; " + guess.next_name + ", the next candidate, moves differently from " + place + " on";
+  return next == nullptr ? "" : parting(guess, *linked_, *next, path, source.head(), options_);
 }
 
 int Runs::run_linked(const std::string& path, OpenedProgram& source) {
@@ -119,17 +93,16 @@ int Runs::run_linked(const std::string& path, OpenedProgram& source) {
   show_progress(options, path, session_);
 
   std::vector<Exporter*> exporters;
-  std::unique_ptr<Exporter> data, totals, tables;
-  WithoutFirstLine later(*output_);
+  std::unique_ptr<Exporter> totals, tables;
   Summary summary;
   ErrorLimit limit(session_.diagnostics());
   try {
-    const bool is_later_table = wrote_ && request_.format == "csv";
-    data = make_exporter(request_, is_later_table ? static_cast<Output&>(later) : *output_, linked_->dialect.name,
-                         session_);
-    if (data != nullptr) exporters.push_back(data.get());
+    // One table holds the motions of all programs: its column names, or its header, come once.
+    const bool is_one_table = request_.format == "csv" || request_.format == "binary";
+    if (data_ == nullptr || !is_one_table) data_ = make_exporter(request_, *output_, linked_->dialect.name, session_);
+    if (data_ != nullptr) exporters.push_back(data_.get());
     if (request_.summary) {
-      totals = make_summary_exporter(summary, rapid_rates(*linked_, options.chain));
+      totals = make_summary_exporter(summary, rates_of(*linked_, options.chain));
       exporters.push_back(totals.get());
     }
     // The default ends endless loops of errors, which may wait for the next look at the budgets.

@@ -12,7 +12,7 @@
 
 namespace isogloss::cli {
 
-struct RunRequest {
+struct RunArguments {
   CommonOptions common;
   ProgramOptions program;
   std::vector<std::string> programs;
