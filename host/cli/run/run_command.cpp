@@ -16,6 +16,7 @@
 #include "run/run_budgets.hpp"
 #include "run/summary_text.hpp"
 #include "table_saver.hpp"
+#include "tool_path.hpp"
 
 namespace isogloss::cli {
 
@@ -107,18 +108,6 @@ std::unique_ptr<Exporter> make_exporter(const RunCommand& c, Output& output, con
     return make_canonical_exporter(output, c.canonical.text, c.canonical.options(c.exact, c.zero_moves),
                                    session.diagnostics());
   return make_motion_exporter(output, {format, c.header, c.zero_moves, c.exact, dialect});
-}
-
-/// The machine's own rates; a chain of its own answers, since tables belong to a run.
-RapidRates rapid_rates(const LinkedDialect& linked, const ChainSettings& settings) {
-  RapidRates rates;
-  DiagnosticList ignored;
-  const Chain chain(linked, settings, ignored);
-  const auto* const axes = static_cast<const ig_machine_axis_1*>(chain.service("isogloss.machine-axis/1"));
-  if (axes == nullptr) return rates;
-  for (std::size_t i = 0; i < std::size(rates.per_second); ++i)
-    if (axes->rapid_rate(axes->self, "XYZABC"[i], &rates.per_second[i]) == 0) rates.per_second[i] = 0;
-  return rates;
 }
 
 /// One program after the other into one output.
