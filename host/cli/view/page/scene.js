@@ -12,7 +12,7 @@ import { coarseLinesOf, linesOf, positionsOf } from './lines.js';
 const directions = { iso: [1, -1, 0.85], top: [0, -1e-4, 1], front: [0, -1, 0], right: [1, 0, 0] };
 const mostLit = 5000;
 // What a processor without a graphics card draws thirty times a second, and what any graphics card does.
-const mostInSoftware = 16000, mostInHardware = 3000000;
+const mostInSoftware = 9000, mostInHardware = 3000000;
 const up = new Vector3(0, 0, 1);
 
 // 1, 2 or 5 times a power of ten.
@@ -247,7 +247,7 @@ export class Stage {
   constructor(canvas, above, paths, looks) {
     this.canvas = canvas;
     this.look = looks[0];
-    const isSmall = paths.reduce((sum, path) => sum + path.points, 0) < mostInSoftware;
+    const isSmall = paths.reduce((sum, path) => sum + path.points, 0) < 2 * mostInSoftware;
     this.renderer = new WebGLRenderer({ canvas, antialias: isSmall, preserveDrawingBuffer: true });
     const drawsInSoftware = isSoftware(this.renderer);
     this.rendererAbove = new WebGLRenderer({ canvas: above, antialias: isSmall || !drawsInSoftware, alpha: true });
@@ -316,7 +316,7 @@ export class Stage {
     this.controls.maxDistance = 20 * this.size;
     this.camera.updateProjectionMatrix();
     this.controls.update();
-    this.request('all');
+    this.#isMoving();
   }
 
   // `what`: 'all', 'more' (of the path is done, and nothing else has changed) or 'above'.
@@ -363,9 +363,9 @@ export class Stage {
   setTimes(times) {
     const before = this.paths.map((path) => path.doneTo);
     this.paths.forEach((path, i) => path.setTime(times[i]));
-    const goesOn = this.paths.every((path, i) => path.doneTo >= before[i] && !path.turns) && !this.moves;
-    if (goesOn) this.request('more');
-    else this.#isMoving();
+    const goesOn = this.paths.every((path, i) => path.doneTo >= before[i] && !path.turns);
+    if (!goesOn) this.#isMoving();
+    else this.request(this.moves ? 'all' : 'more');
   }
   rebuild() {
     this.paths.forEach((path) => path.rebuild());
