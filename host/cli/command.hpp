@@ -37,11 +37,13 @@ int lsp_command(const Arguments& arguments);
 int manual_command(const Arguments& arguments);
 int motions_command(const Arguments& arguments);
 int new_command(const Arguments& arguments);
+int plot_command(const Arguments& arguments);
 int run_command(const Arguments& arguments);
 int schema_command(const Arguments& arguments);
 int state_command(const Arguments& arguments);
 int validate_command(const Arguments& arguments);
 int version_command(const Arguments& arguments);
+int view_command(const Arguments& arguments);
 
 struct Command {
   std::string_view name;
@@ -56,6 +58,8 @@ inline constexpr Command commands[] = {
     {"state", "show what is in force at a line, or write blocks that restore it", state_command},
     {"diff", "show where two dialects, machines or programs part, and why", diff_command},
     {"motions", "read a binary motion stream and write it as text", motions_command},
+    {"plot", "draw the path of a program as a picture", plot_command},
+    {"view", "show the path of a program in a page, in 3D, beside its text", view_command},
     {"lint", "check dialect files", lint_command},
     {"dialect", "a dialect as one file or a graph, one syntax of it, its differences from another", dialect_command},
     {"lsp", "serve editors: diagnostics, hover, completion and more for programs and dialects", lsp_command},

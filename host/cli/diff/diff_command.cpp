@@ -26,7 +26,7 @@ struct DiffCommand : DiffRequest {
     std::array<std::unique_ptr<LinkedDialect>, 2> linked;
     std::array<RunOptions, 2> options;
   };
-  std::optional<RunOfSide> prepare(std::size_t side, const ProgramText& text, Work& work, Session& session);
+  std::optional<RunOfSide> prepare(std::size_t side, const KeptProgram& text, Work& work, Session& session);
   int compare(const std::string& path, Session& session);
   int compare_pair(const RunOfSide& a, const RunOfSide& b, const LineOrder* order, Session& session);
   void name_sides(RunOfSide& a, RunOfSide& b) const;
@@ -40,7 +40,7 @@ struct DiffCommand : DiffRequest {
   std::vector<Json> comparisons_;
 };
 
-std::optional<RunOfSide> DiffCommand::prepare(std::size_t side, const ProgramText& text, Work& work, Session& session) {
+std::optional<RunOfSide> DiffCommand::prepare(std::size_t side, const KeptProgram& text, Work& work, Session& session) {
   ProgramOptions options = program;
   if (!dialects[side].empty()) {
     options.dialect = dialects[side];
@@ -127,9 +127,9 @@ int DiffCommand::compare_pair(const RunOfSide& a, const RunOfSide& b, const Line
 }
 
 int DiffCommand::compare(const std::string& path, Session& session) {
-  const std::unique_ptr<ProgramText> first = ProgramText::open(path, session);
+  const std::unique_ptr<KeptProgram> first = KeptProgram::open(path, session);
   if (first == nullptr) return cannot_start;
-  const std::unique_ptr<ProgramText> second = second_.empty() ? nullptr : ProgramText::open(second_, session);
+  const std::unique_ptr<KeptProgram> second = second_.empty() ? nullptr : KeptProgram::open(second_, session);
   if (second == nullptr && !second_.empty()) return cannot_start;
   Work work;
   guess_.reset();

@@ -8,14 +8,14 @@
 
 #include "diff/evidence.hpp"
 #include "diff/line_order.hpp"
-#include "diff/program_text.hpp"
+#include "kept_program.hpp"
 
 namespace isogloss::cli::parting {
 
 /// One side: a program in a dialect.
 struct RunOfSide {
   SideOf side;
-  const ProgramText* program = nullptr;
+  const KeptProgram* program = nullptr;
   RunOptions options;
   unsigned watchdog = 0;          ///< seconds that a block may take; 0: any time
   std::uint64_t most_errors = 0;  ///< the run ends when it has reported as many; 0: never

@@ -38,12 +38,6 @@ std::unique_ptr<Exporter> make_exporter(const RunArguments& c, Output& output, c
   return make_motion_exporter(output, {format, c.header, c.zero_moves, c.exact, dialect});
 }
 
-/// The machine's own rates; a chain of its own answers, since tables belong to a run.
-RapidRates rates_of(const LinkedDialect& linked, const ChainSettings& settings) {
-  DiagnosticList ignored;
-  return rapid_rates(Chain(linked, settings, ignored));
-}
-
 /// Where standard error cannot be written, only the exit status can report it.
 int print_to_stderr(const std::string& text) {
   const bool is_out = std::fwrite(text.data(), 1, text.size(), stderr) == text.size() && std::fflush(stderr) == 0;
@@ -102,7 +96,7 @@ int Runs::run_linked(const std::string& path, OpenedProgram& source) {
     if (data_ == nullptr || !is_one_table) data_ = make_exporter(request_, *output_, linked_->dialect.name, session_);
     if (data_ != nullptr) exporters.push_back(data_.get());
     if (request_.summary) {
-      totals = make_summary_exporter(summary, rates_of(*linked_, options.chain));
+      totals = make_summary_exporter(summary, rapid_rates(*linked_, options.chain));
       exporters.push_back(totals.get());
     }
     // The default ends endless loops of errors, which may wait for the next look at the budgets.

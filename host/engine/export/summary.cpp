@@ -9,6 +9,7 @@
 #include "export/motion_reader.hpp"
 #include "export/move_time.hpp"
 #include "isogloss/engine/exporter.hpp"
+#include "isogloss/engine/runner.hpp"
 
 namespace isogloss {
 
@@ -150,6 +151,11 @@ RapidRates rapid_rates(const Chain& chain) {
   for (std::size_t i = 0; i < std::size(rates.per_second); ++i)
     if (axes->rapid_rate(axes->self, "XYZABC"[i], &rates.per_second[i]) == 0) rates.per_second[i] = 0;
   return rates;
+}
+
+RapidRates rapid_rates(const LinkedDialect& linked, const ChainSettings& settings) {
+  DiagnosticList ignored;
+  return rapid_rates(Chain(linked, settings, ignored));
 }
 
 std::unique_ptr<Exporter> make_summary_exporter(Summary& summary, const RapidRates& rates) {

@@ -607,6 +607,16 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "At least three of four blocks have an error. `isogloss list dialects` names the dialects, `-d` picks one.",
        "isogloss run README.md"},
 
+      // pictures: 0650-0659
+      {warning, "IG-0650", "the picture ends after {0} moves: --max-moves sets another limit",
+       "A picture or page keeps each move in memory, by default 20 million of them.",
+       "isogloss plot part.nc --max-moves 100"},
+      {warning, "IG-0651", "the picture is empty, because the program moves no axis in this dialect",
+       "The run has executed the program to its end, and no block of it was a move.", "isogloss plot empty.nc"},
+      {error, "IG-0652", "cannot listen on port {0} of this machine ({1}): --port names another, 0 any that is free",
+       "The page is served from 127.0.0.1 alone. Another program has the port, or it needs rights.",
+       "isogloss view part.nc --serve --port 80"},
+
       // editors: 0660-0669
       {error, "IG-0660", "the program cannot be run: {0}",
        "A syntax or a table could not be created for this program. The server's log has more.", "isogloss lsp"},

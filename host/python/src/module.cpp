@@ -91,11 +91,6 @@ bool no_signal_ends(std::optional<py::error_already_set>& interrupted) {
   return false;
 }
 
-RapidRates rates_of(const LinkedDialect& linked, const ChainSettings& settings) {
-  DiagnosticList ignored;
-  return rapid_rates(Chain(linked, settings, ignored));
-}
-
 struct Outcome {
   explicit Outcome(const Request& request) : said(request.maximum_diagnostics), arrays(request.path, said) {}
   BoundedList said;
@@ -112,7 +107,7 @@ void run_whole(Request& request, PreparedRun& run, Outcome& out, std::optional<p
   std::unique_ptr<Exporter> totals;
   std::vector<Exporter*> exporters{motions.get()};
   if (request.adds_up) {
-    totals = make_summary_exporter(out.summary, rates_of(run.linked(), run.options().chain));
+    totals = make_summary_exporter(out.summary, rapid_rates(run.linked(), run.options().chain));
     exporters.push_back(totals.get());
   }
   if (!request.syntaxes.empty()) exporters.push_back(&ends);

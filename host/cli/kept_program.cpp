@@ -1,4 +1,4 @@
-#include "diff/program_text.hpp"
+#include "kept_program.hpp"
 
 #include <unistd.h>
 
@@ -6,7 +6,7 @@
 
 #include "dialect_guess.hpp"
 
-namespace isogloss::cli::parting {
+namespace isogloss::cli {
 
 namespace {
 
@@ -40,8 +40,8 @@ std::unique_ptr<Source> open_program(const std::string& path, Session& session) 
 
 }  // namespace
 
-std::unique_ptr<ProgramText> ProgramText::open(const std::string& path, Session& session) {
-  std::unique_ptr<ProgramText> out(new ProgramText(path));
+std::unique_ptr<KeptProgram> KeptProgram::open(const std::string& path, Session& session) {
+  std::unique_ptr<KeptProgram> out(new KeptProgram(path));
   std::error_code code;
   const std::unique_ptr<Source> source = open_program(path, session);
   if (source == nullptr) return nullptr;
@@ -61,16 +61,16 @@ std::unique_ptr<ProgramText> ProgramText::open(const std::string& path, Session&
   return nullptr;
 }
 
-ProgramText::~ProgramText() {
+KeptProgram::~KeptProgram() {
   if (kept_ != nullptr) std::fclose(kept_);
 }
 
-std::unique_ptr<Source> ProgramText::source(Session& session) const {
+std::unique_ptr<Source> KeptProgram::source(Session& session) const {
   if (kept_ != nullptr) return std::make_unique<KeptSource>(fileno(kept_));
   return open_program(path_, session);
 }
 
-std::string ProgramText::head(Session& session) const {
+std::string KeptProgram::head(Session& session) const {
   const std::unique_ptr<Source> from = source(session);
   std::string out(guessed_head_bytes, '\0');
   std::size_t size = 0;
@@ -83,4 +83,4 @@ std::string ProgramText::head(Session& session) const {
   return out;
 }
 
-}  // namespace isogloss::cli::parting
+}  // namespace isogloss::cli

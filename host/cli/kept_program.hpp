@@ -1,4 +1,4 @@
-/// A program that is read more than once: by both runs, and for its lines. What can be read only once is kept in a
+/// A program that is read more than once: by two runs, or for its lines. What can be read only once is kept in a
 /// temporary file.
 #pragma once
 
@@ -9,15 +9,15 @@
 #include "isogloss/engine/runner.hpp"
 #include "session.hpp"
 
-namespace isogloss::cli::parting {
+namespace isogloss::cli {
 
-class ProgramText {
+class KeptProgram {
  public:
   /// Null, and reported, when it cannot be read.
-  static std::unique_ptr<ProgramText> open(const std::string& path, Session& session);
-  ~ProgramText();
-  ProgramText(const ProgramText&) = delete;
-  ProgramText& operator=(const ProgramText&) = delete;
+  static std::unique_ptr<KeptProgram> open(const std::string& path, Session& session);
+  ~KeptProgram();
+  KeptProgram(const KeptProgram&) = delete;
+  KeptProgram& operator=(const KeptProgram&) = delete;
 
   const std::string& path() const { return path_; }
   /// From the beginning; null, and reported, when it can no longer be opened.
@@ -26,9 +26,9 @@ class ProgramText {
   std::string head(Session& session) const;
 
  private:
-  explicit ProgramText(std::string path) : path_(std::move(path)) {}
+  explicit KeptProgram(std::string path) : path_(std::move(path)) {}
   std::string path_;
   std::FILE* kept_ = nullptr;
 };
 
-}  // namespace isogloss::cli::parting
+}  // namespace isogloss::cli
