@@ -86,7 +86,8 @@ void StateView::add_motion(const Standing& standing, std::size_t index, Json& ou
 
 void StateView::add_written(const Standing& standing, Json& out) const {
   const Document& d = *standing.document;
-  for (const auto& [section, value] : show_json(d, *standing.symbols).items()) {
+  const auto shown = show_json(d, *standing.symbols);
+  for (const auto& [section, value] : shown.items()) {
     if (section == "Source" || !value.is_object()) continue;
     for (const auto& [name, one] : value.items()) {
       const auto f = d.layout().find(section + "." + name);
