@@ -34,8 +34,11 @@ int LspCommand::run(const Arguments& arguments) const {
 int LspCommand::work() const {
   Session session(common);
   CommandToolbox toolbox(session);
+  // What a plugin prints must not stand between two messages.
+  const int out = ::dup(STDOUT_FILENO);
+  if (out < 0 || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return cannot_start;
   editors::FrameReader reader(editors::read_from(STDIN_FILENO));
-  editors::FrameWriter writer(editors::write_to(STDOUT_FILENO));
+  editors::FrameWriter writer(editors::write_to(out));
   editors::Inbox inbox;
   std::thread reading([&] { editors::read_all(reader, inbox); });
   watch_calls(watchdog);

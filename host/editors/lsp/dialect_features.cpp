@@ -7,6 +7,7 @@
 
 #include "isogloss/engine/schema.hpp"
 #include "lsp/features.hpp"
+#include "lsp/tag_context.hpp"
 
 namespace isogloss::editors {
 
@@ -15,61 +16,7 @@ namespace {
 // CompletionItemKind of the protocol.
 enum : int { item_class = 7, item_property = 10, item_value = 12 };
 
-bool is_xml_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-bool is_xml_name(char c) {
-  return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '-' || c == '.';
-}
-
 std::string text_or_empty(const char* text) { return text == nullptr ? "" : text; }
-
-/// Where in a tag the place is.
-struct TagContext {
-  enum class Part : std::uint8_t { none, element, attribute, value } part = Part::none;
-  std::string element, attribute;
-  std::size_t begin = 0, end = 0;  ///< of the name or value that stands there
-};
-
-TagContext context_at(std::string_view text, std::size_t offset) {
-  TagContext out;
-  const std::size_t open = offset == 0 ? std::string_view::npos : text.rfind('<', offset - 1);
-  if (open == std::string_view::npos || text.substr(open, 4) == "<!--" || text.substr(open, 2) == "<?") return out;
-  std::size_t at = open + 1;
-  if (at < offset && text[at] == '/') ++at;
-  const std::size_t name = at;
-  while (at < text.size() && is_xml_name(text[at])) ++at;
-  out.element = text.substr(name, at - name);
-  out.begin = name;
-  out.end = at;
-  out.part = TagContext::Part::element;
-  char quote = 0;
-  for (; at < offset; ++at) {
-    const char c = text[at];
-    if (quote != 0) {
-      if (c == quote) quote = 0;
-      continue;
-    }
-    if (c == '>') return {};
-    if (c == '"' || c == '\'') {
-      quote = c;
-      out.begin = at + 1;
-    } else if (is_xml_name(c) && (is_xml_blank(text[at - 1]) || out.part == TagContext::Part::element)) {
-      out.begin = at;
-      while (at < text.size() && is_xml_name(text[at])) ++at;
-      out.attribute = text.substr(out.begin, at - out.begin);
-      out.end = at--;
-    } else if (is_xml_blank(c)) {
-      out.attribute.clear();
-      out.begin = out.end = at + 1;
-    }
-    out.part = TagContext::Part::attribute;
-  }
-  if (quote != 0) {
-    out.part = TagContext::Part::value;
-    out.end = std::min(text.find_first_of("\"'<>", offset), text.size());
-  }
-  out.end = std::max(out.end, offset);
-  return out;
-}
 
 struct Described {
   std::string id, summary, plugin;

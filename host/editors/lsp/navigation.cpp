@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <ranges>
 
 #include "lsp/features.hpp"
 #include "lsp/names.hpp"
@@ -137,9 +136,10 @@ Json rename(OpenProgram& program, const Position& at, const std::string& new_nam
         throw Refusal(name->name + " is used in " + use.file + " as well, which a renaming here does not change.");
     }
   std::string text = program.text.text();
-  const std::vector<Occurrence> places = occurrences(program, *name);
+  std::vector<Occurrence> places = occurrences(program, *name);
+  std::reverse(places.begin(), places.end());  // the places of those that come before stay as they are
   Json edits = Json::array();
-  for (const Occurrence& o : std::views::reverse(places)) {
+  for (const Occurrence& o : places) {
     if (o.span.begin == o.span.end)
       throw Refusal("Line " + std::to_string(program.text.run_line_of(o.span.begin)) + " refers to " + name->name +
                     " without its name: nothing is renamed.");

@@ -35,13 +35,20 @@ int Server::run() {
   while (!shall_exit_) {
     std::optional<std::chrono::milliseconds> wait;
     if (!dirty_.empty()) wait = debounce;
-    if (std::optional<Inbox::Item> item = inbox_.take(wait))
-      handle(std::move(*item));
-    else
-      publish_dirty();
+    std::optional<Inbox::Item> item = inbox_.take(wait);
+    if (item) handle(std::move(*item));
+    if (!dirty_.empty() && (!item || has_waited_long())) publish_dirty();
     if (dirty_.empty()) tell_running({});
   }
   return is_shut_down_ ? 0 : 1;
+}
+
+/// A client that asks without a pause still hears of its faults.
+bool Server::has_waited_long() const {
+  constexpr std::chrono::milliseconds long_enough{300};
+  for (const auto& [uri, dirty] : dirty_)
+    if (Clock::now() - dirty.since > long_enough) return true;
+  return false;
 }
 
 void Server::handle(Inbox::Item item) {

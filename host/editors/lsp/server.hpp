@@ -27,6 +27,7 @@ class Server {
   static const std::map<std::string, Notification, std::less<>>& notifications();
 
   void handle(Inbox::Item item);
+  bool has_waited_long() const;
   void answer(const Json& id, const std::string& method, const Json& params);
   void notify(const std::string& method, const Json& params);
   void take_response(const Json& message);

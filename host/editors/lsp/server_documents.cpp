@@ -69,7 +69,7 @@ void Server::change(const Json& params) {
   const Json* const version = find_member(params["textDocument"], "version");
   visit_both(document, [&](auto& open) {
     if (version != nullptr && version->is_number_integer()) open.version = *version;
-    dirty_[open.uri] = {Clock::now()};
+    dirty_.try_emplace(open.uri, Dirty{Clock::now()});
   });
   auto* const program = std::get_if<OpenProgram>(&document);
   if (program == nullptr) return;

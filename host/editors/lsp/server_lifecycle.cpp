@@ -31,9 +31,9 @@ Json Server::capabilities() const {
           {"documentHighlightProvider", true},
           {"documentSymbolProvider", true},
           {"foldingRangeProvider", true},
-          {"completionProvider", {{"triggerCharacters", {"<", " ", "\"", "#"}}}},
+          {"completionProvider", {{"triggerCharacters", Json::array({"<", " ", "\"", "#"})}}},
           {"inlayHintProvider", true},
-          {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}},
+          {"codeActionProvider", {{"codeActionKinds", Json::array({"quickfix"})}}},
           {"documentFormattingProvider", true},
           {"documentRangeFormattingProvider", true},
           {"renameProvider", {{"prepareProvider", true}}},
@@ -69,7 +69,7 @@ void Server::initialized(const Json&) {
   client_.send({{"jsonrpc", "2.0"},
                 {"id", configuration_id_},
                 {"method", "workspace/configuration"},
-                {"params", {{"items", {{{"section", "isogloss"}}}}}}});
+                {"params", {{"items", Json::array({Json{{"section", "isogloss"}}})}}}});
 }
 
 void Server::change_configuration(const Json& params) {

@@ -153,8 +153,12 @@ void Supervisor::read_children() {
       Frame frame = reader.next();
       if (auto* const message = std::get_if<Json>(&frame))
         relay(std::move(*message));
-      else if (std::holds_alternative<EndOfInput>(frame) || std::get<BadFrame>(frame).is_fatal)
+      else if (std::holds_alternative<EndOfInput>(frame))
         break;
+      else if (std::get<BadFrame>(frame).is_fatal) {
+        ::kill(child_.process, SIGKILL);  // what it writes are no messages any more
+        break;
+      }
     }
     ::close(child_.out);
     int status = 0;
