@@ -95,7 +95,7 @@ void DependencyReader::add(std::vector<DependencyElement>& all, DependencyElemen
   const auto [same, is_new] = names_.emplace(element.alias, element.where);
   if (!is_new)
     return report_("IG-0113", element.where, {shown(element.alias), place(same->second)},
-                   fmt::format("give the second one a name of its own: <{} as=\"…\"/>", shown(element.id)));
+                   fmt::format("give the second one a name of its own: <{} as=\"second\"/>", shown(element.id)));
   all.push_back(std::move(element));
 }
 
