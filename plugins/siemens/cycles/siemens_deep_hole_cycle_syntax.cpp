@@ -105,6 +105,13 @@ struct SiemensDeepHoleCycle {
     double less = run["DAM"].value_or(0);
     if (run.mode("AMODE", degression_digit) == 2) less = -std::fabs(less) / 100;  // a percentage is a factor
     const double least = std::fabs(run["MDEP"].value_or(0));
+    const auto too_many = [&] {
+      b.report(ig::diag("SIE-0195"), DrillingCall::where(run, "DAM"), name, static_cast<double>(most_strokes));
+      return false;
+    };
+    // Known before a stroke is computed, unless a factor makes the strokes longer.
+    const double longest = std::fmax(first, less > 0 ? less : least);
+    if (less >= -1 && total > most_strokes * longest) return too_many();
     depths_.assign(1, first);
     double stroke = first;
     while (total - depths_.back() > rounding_mm) {
@@ -122,10 +129,7 @@ struct SiemensDeepHoleCycle {
         stroke = std::fmax(stroke * -less, least);
       }
       depths_.push_back(stroke < left - rounding_mm ? depths_.back() + stroke : total);
-      if (depths_.size() > most_strokes) {
-        b.report(ig::diag("SIE-0195"), DrillingCall::where(run, "DAM"), name, static_cast<double>(most_strokes));
-        return false;
-      }
+      if (depths_.size() > most_strokes) return too_many();
     }
     depths_.back() = total;
     return true;
