@@ -26,7 +26,7 @@ from golden_programs import PROGRAMS, dialect_of, golden_files  # noqa: E402: it
 OPTIONS = None
 HEADER, RECORD = 960, 120
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
-PART = "O0001\nG21 G17 G90 G54 G94\nT1 M6\nM3 S1000\nG0 X0 Y0 Z5\nG1 Z-1 F100\nG2 X10. Y0 I5. J0\nG4 P500\nM8\nM30\n"
+PART = "O0001\nG21 G17 G90 G54 G94\nT1 M6\nM3 S1000\nG0 X0 Y0 Z5.\nG1 Z-1. F100\nG2 X10. Y0 I5. J0\nG4 P500\nM8\nM30\n"
 
 
 def isogloss(*arguments, given=None, status=0, cwd=PROGRAMS):

@@ -217,12 +217,12 @@ void bind_syntax(py::module_& m) {
         spec->build = std::move(build);
         return spec;
       }));
-  m.attr("READ") = IG_READ;
-  m.attr("WRITE") = IG_WRITE;
-  m.attr("TAKE") = IG_TAKE;
-  m.attr("WAKE") = IG_WAKE;
-  m.attr("WAKE_WHILE") = IG_WAKE_WHILE;
-  py::class_<PythonBlock>(m, "Block")
+  m.attr("READ") = static_cast<std::uint32_t>(IG_READ);
+  m.attr("WRITE") = static_cast<std::uint32_t>(IG_WRITE);
+  m.attr("TAKE") = static_cast<std::uint32_t>(IG_TAKE);
+  m.attr("WAKE") = static_cast<std::uint32_t>(IG_WAKE);
+  m.attr("WAKE_WHILE") = static_cast<std::uint32_t>(IG_WAKE_WHILE);
+  py::class_<PythonBlock, std::shared_ptr<PythonBlock>>(m, "Block")
       .def(
           "get",
           [](const PythonBlock& b, const std::string& path, const py::object& fallback) {

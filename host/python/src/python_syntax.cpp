@@ -52,15 +52,15 @@ ig_status build(void* self, const ig_host* host, ig_block* block) {
   if (instance.failure.is_set()) return IG_UNCHANGED;
   const py::gil_scoped_acquire lock;
   try {
-    PythonBlock seen(host, block, instance.names);
-    const py::object shown = py::cast(&seen, py::return_value_policy::reference);
+    // The function may keep what it was given.
+    const auto seen = std::make_shared<PythonBlock>(host, block, instance.names);
     struct Close {
       PythonBlock& block;
       ~Close() { block.close(); }
     };
-    const Close close{seen};
-    instance.spec.build(shown);
-    return seen.has_changed() ? IG_CHANGED : IG_UNCHANGED;
+    const Close close{*seen};
+    instance.spec.build(seen);
+    return seen->has_changed() ? IG_CHANGED : IG_UNCHANGED;
   } catch (py::error_already_set& error) {
     instance.failure.set(error);
   } catch (const std::exception& error) {

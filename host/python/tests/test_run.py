@@ -19,7 +19,7 @@ def rows_of(command, *arguments):
 def test_motions_are_those_of_the_command(part, command):
     result = isogloss.run(part, dialect="fanuc")
     rows = rows_of(command, part, "-d", "fanuc")
-    assert len(result) == len(rows) == 11
+    assert len(result) == len(rows) == 10
     for motion, row in zip(result, rows):
         assert (motion.file, motion.line, motion.event) == (row["file"], int(row["line"]), row["event"])
         for value, key in zip((*motion.program, *motion.machine, motion.feed),
@@ -55,7 +55,7 @@ def test_seconds_times_and_tools(part):
     assert result.seconds[arc] == pytest.approx(math.pi * 5 / (100 / 60))
     assert result.seconds[events.index("dwell")] == 0.5
     assert result.times[-1] == pytest.approx(np.nansum(result.seconds))
-    assert list(result.tools()) == [1] * 5 + [2] * 6
+    assert list(result.tools()) == [1] * 5 + [2] * 5
     assert result.summary["feed_seconds"] == pytest.approx(np.nansum(result.seconds[result.events <= 2][1:]))
     assert result.summary["program_extents"]["Y"][1] == pytest.approx(5)
     assert isogloss.run(part, dialect="fanuc", summary=False).summary is None
