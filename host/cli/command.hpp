@@ -33,6 +33,7 @@ int inspect_command(const Arguments& arguments);
 int lint_command(const Arguments& arguments);
 int list_command(const Arguments& arguments);
 int manual_command(const Arguments& arguments);
+int motions_command(const Arguments& arguments);
 int new_command(const Arguments& arguments);
 int run_command(const Arguments& arguments);
 int schema_command(const Arguments& arguments);
@@ -52,6 +53,7 @@ inline constexpr Command commands[] = {
     {"explain", "explain why a block did what it did, or a diagnostic", explain_command},
     {"state", "show what is in force at a line, or write blocks that restore it", state_command},
     {"diff", "show where two dialects, machines or programs part, and why", diff_command},
+    {"motions", "read a binary motion stream and write it as text", motions_command},
     {"lint", "check dialect files", lint_command},
     {"dialect", "a dialect as one file or a graph, one syntax of it, its differences from another", dialect_command},
     {"schema", "print schemas: of files of dialects, blocks, motions and other JSON", schema_command},

@@ -60,3 +60,15 @@ set(CPACK_COMPONENT_ISOGLOSS-DEV_DESCRIPTION "write plugins for isogloss, or emb
 The contract between host and plugins in C, what an author of plugins in C++
 includes, the library as a static archive, CMake package files, isogloss.pc,
 the schemas of dialect files and of the block document, and two examples.")
+
+# The module is compiled for this release's interpreter alone.
+execute_process(COMMAND /usr/bin/python3 -c "import sys; v = sys.version_info; print(f'python3 (>= {v[0]}.{v[1]}), python3 (<< {v[0]}.{v[1] + 1})')"
+                OUTPUT_VARIABLE python ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+set(CPACK_DEBIAN_PYTHON3-ISOGLOSS_PACKAGE_NAME python3-isogloss)
+set(CPACK_DEBIAN_PYTHON3-ISOGLOSS_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON3-ISOGLOSS_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON3-ISOGLOSS_PACKAGE_DEPENDS "isogloss (= ${version}), ${python}, python3-numpy")
+set(CPACK_COMPONENT_PYTHON3-ISOGLOSS_DESCRIPTION "part programs of CNC machines as Python values
+A Python module that runs part programs through isogloss: motions as numpy
+arrays, blocks and explanations as dictionaries, diagnostics as objects. A
+syntax written in Python can stand in a run.")

@@ -2,6 +2,9 @@
 # policy asks for beyond an installation from source.
 set(root ${CPACK_TEMPORARY_DIRECTORY})
 set(packages isogloss isogloss-dev isogloss-dialects)
+if(CPACK_ISOGLOSS_PYTHON)
+  list(APPEND packages python3-isogloss)
+endif()
 
 function(compress file)
   execute_process(COMMAND gzip -9nf ${file} COMMAND_ERROR_IS_FATAL ANY)
@@ -48,7 +51,8 @@ file(WRITE ${library}/${CPACK_ISOGLOSS_MULTIARCH}/pkgconfig/isogloss.pc "${text}
 file(REMOVE_RECURSE ${library}/pkgconfig)
 
 # Without debug information; an archive keeps its symbols.
-file(GLOB programs ${root}/isogloss/usr/bin/* ${root}/isogloss/usr/lib/isogloss/plugins/*.so)
+file(GLOB programs ${root}/isogloss/usr/bin/* ${root}/isogloss/usr/lib/isogloss/plugins/*.so
+     ${root}/python3-isogloss/usr/lib/python3/dist-packages/isogloss/*.so)
 set(unneeded --remove-section=.comment --remove-section=.note)
 execute_process(COMMAND ${CPACK_ISOGLOSS_STRIP} --strip-unneeded ${unneeded} ${programs} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CPACK_ISOGLOSS_STRIP} --strip-debug ${unneeded} --enable-deterministic-archives

@@ -55,6 +55,7 @@ class Bench:
             "tokenizer": [self.tool("tokenizer"), str(fanuc)],
             "isogloss none": run + ["--emit", "none"],
             "isogloss csv": run + ["--emit", "motions", "--format", "csv", "-o", "/dev/null"],
+            "isogloss binary": run + ["--emit", "motions", "--format", "binary", "-o", "/dev/null"],
             "isogloss jsonl": run + ["--emit", "motions", "--format", "jsonl", "-o", "/dev/null"],
         }
         if self.rs274 and not is_five_axis:

@@ -24,7 +24,7 @@ def codes_of_pages(source):
 
 def codes_of_tests(source):
     here = pathlib.Path(__file__).resolve()
-    for pattern in ("host/**/*_test.cpp", "plugins/**/*_test.cpp", "tests/**/*.py", "tests/**/*.cpp",
+    for pattern in ("host/**/*_test.cpp", "plugins/**/*_test.cpp", "tests/**/*.py", "tests/**/*.cpp", "host/python/tests/*.py",
                     "tests/programs/**/*.diagnostics.txt", "tests/macro/programs.txt"):
         for file in source.glob(pattern):
             if file.resolve() != here:

@@ -42,6 +42,8 @@ class Packages(unittest.TestCase):
         for file in cls.files.values():
             run("dpkg-deb", "-x", file, cls.root)
         cls.command = cls.root / "usr/bin/isogloss"
+        has_python = "ISOGLOSS_HAS_PYTHON:INTERNAL=ON" in (OPTIONS.build / "CMakeCache.txt").read_text()
+        cls.names = NAMES + (("python3-isogloss",) if has_python else ())
 
     def field(self, package, name):
         return run("dpkg-deb", "-f", self.files[package], name).stdout.strip()
@@ -51,7 +53,7 @@ class Packages(unittest.TestCase):
         return [line.split(None, 5)[5].removeprefix("./") for line in listed if not line.startswith("d")]
 
     def test_names_versions_and_relations(self):
-        self.assertEqual(sorted(self.files), sorted(NAMES))
+        self.assertEqual(sorted(self.files), sorted(self.names))
         architecture = run("dpkg", "--print-architecture").stdout.strip()
         version = self.field("isogloss", "Version")
         project = re.search(r"^project\(isogloss VERSION (\S+)", (OPTIONS.source / "CMakeLists.txt").read_text(), re.M)[1]
@@ -73,9 +75,9 @@ class Packages(unittest.TestCase):
         moved = {re.sub(r"^(usr/share/man/.*)", r"\1.gz", file.replace("zsh/site-functions", "zsh/vendor-completions")
                         .replace("lib/pkgconfig", f"lib/{triplet}/pkgconfig")) for file in installed}
         moved -= {"usr/share/doc/isogloss/LICENSE", "usr/share/doc/isogloss/CHANGELOG.md"}
-        packed = [file for name in NAMES for file in self.contents(name)]
+        packed = [file for name in self.names for file in self.contents(name)]
         self.assertEqual(len(packed), len(set(packed)), "no file is in two packages")
-        added = {f"usr/share/{file}" for name in NAMES
+        added = {f"usr/share/{file}" for name in self.names
                  for file in (f"doc/{name}/copyright", f"doc/{name}/changelog.gz", f"doc/{name}/changelog.Debian.gz",
                               f"lintian/overrides/{name}")}
         self.assertEqual(sorted(moved | added), sorted(packed))
@@ -126,6 +128,17 @@ class Packages(unittest.TestCase):
             self.assertLess(listed.returncode, 2, listed.stderr)
         self.assertEqual(run(self.command, "doctor", "--json").returncode, 0)
         run(self.command, "lint", "fanuc", "siemens", "heidenhain")
+
+    def test_the_unpacked_module_finds_its_parts(self):
+        if "python3-isogloss" not in self.names:
+            self.skipTest("the Python module was not built")
+        for relation in (f"isogloss (= {self.field('isogloss', 'Version')})", "python3-numpy", "python3 (<<"):
+            self.assertIn(relation, self.field("python3-isogloss", "Depends"))
+        script = "import isogloss; print(isogloss.run(text='G21 G90 G0 X1.\\nM30\\n', dialect='fanuc').lines)"
+        done = run("/usr/bin/python3", "-c", script, env={"PYTHONPATH": self.root / "usr/lib/python3/dist-packages"})
+        self.assertEqual(done.stdout, "[1 2]\n")
+        exported = run("nm", "-D", "--defined-only", *self.root.glob("usr/lib/python3/dist-packages/isogloss/*.so")).stdout
+        self.assertEqual([line.split()[-1] for line in exported.splitlines()], ["PyInit__isogloss"])
 
     def test_a_vendor_builds_with_the_packages(self):
         examples = self.root / "usr/share/doc/isogloss/examples"

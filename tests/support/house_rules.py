@@ -60,6 +60,8 @@ def boundaries():
                     "the engine names a controller")
     yield from grep(engine, r'#include\s+[<"](isogloss/(sdk|block|fields|motion|plugin)\.hpp|plugins/)',
                     "the host includes what is for plugins")
+    yield from grep(files("host/session/*.cpp", "host/session/*.hpp"),
+                    r'#include\s+[<"](session|command_line|terminal|output_file|CLI/)', "what is shared includes the command's")
     yield from grep(files("host/sdk/*.hpp", "plugins/*.cpp", "plugins/*.hpp"),
                     r'#include\s+[<"](isogloss/engine/|nlohmann/|pugixml)', "a plugin includes what is the host's")
     yield from grep(files("host/sdk/*.hpp"), r"#include\s+[<\"]Eigen/", "an SDK header costs every plugin a second")

@@ -45,7 +45,7 @@ LineInFile look_up(const std::string& path, std::uint32_t number) {
 
 }  // namespace
 
-std::optional<NamedLines> read_lines(const std::string& text, Lines lines, Session& session) {
+std::optional<NamedLines> read_lines(const std::string& text, Lines lines, Workspace& workspace) {
   const std::size_t colon = text.rfind(':');
   const std::string_view numbers =
       colon == std::string::npos ? std::string_view() : std::string_view(text).substr(colon + 1);
@@ -54,13 +54,13 @@ std::optional<NamedLines> read_lines(const std::string& text, Lines lines, Sessi
   out.last = hyphen == std::string_view::npos ? out.first : line_number(numbers.substr(hyphen + 1));
   if (out.first != 0 && out.last != 0) {
     if (out.first <= out.last) return out;
-    session.report("IG-0181", {}, {std::to_string(out.first), std::to_string(out.last)},
-                   fmt::format("{}:{}-{}", out.program, out.last, out.first));
+    workspace.report("IG-0181", {}, {std::to_string(out.first), std::to_string(out.last)},
+                     fmt::format("{}:{}-{}", out.program, out.last, out.first));
     return std::nullopt;
   }
   if (lines == Lines::optional) return NamedLines{text, 0, 0};
-  session.report("IG-0513", {},
-                 {"explain needs PROGRAM:LINE, PROGRAM:10-20 or the code of a diagnostic, not '" + text + "'"});
+  workspace.report("IG-0513", {},
+                   {"explain needs PROGRAM:LINE, PROGRAM:10-20 or the code of a diagnostic, not '" + text + "'"});
   return std::nullopt;
 }
 

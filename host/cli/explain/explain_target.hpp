@@ -5,7 +5,7 @@
 #include <string>
 
 #include "isogloss/engine/explain.hpp"
-#include "session.hpp"
+#include "workspace.hpp"
 
 namespace isogloss::cli {
 
@@ -16,7 +16,7 @@ struct NamedLines {
 
 /// Empty, and reported, where the text does not name lines as it should. Lines::needed: PROGRAM alone is not enough.
 enum class Lines { needed, optional };
-std::optional<NamedLines> read_lines(const std::string& text, Lines lines, Session& session);
+std::optional<NamedLines> read_lines(const std::string& text, Lines lines, Workspace& workspace);
 
 std::string why_no_block(const ExplainReach& reach, const ExplainTarget& target, const std::string& path);
 

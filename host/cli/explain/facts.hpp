@@ -3,13 +3,15 @@
 #pragma once
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <unordered_map>
 
-#include "catalogue.hpp"
 #include "isogloss/engine/explain.hpp"
 
 namespace isogloss::cli {
+
+using Json = nlohmann::ordered_json;
 
 /// Lines of programs, read when they are asked for.
 class LineTexts {

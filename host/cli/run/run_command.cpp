@@ -1,8 +1,8 @@
 // The main job: programs in, motions or blocks out.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
-#include <limits>
 #include <map>
 
 #include "canonical_text.hpp"
@@ -45,8 +45,8 @@ void RunCommand::add_to(CommandLine& line) {
       .one_of({"blocks", "motions", "canonical", "none"})
       .type_name("blocks|motions|canonical|none");
   line.option("--format", format, "Form of the output")
-      .one_of({"jsonl", "csv", "text"})
-      .type_name("jsonl|csv|text")
+      .one_of({"jsonl", "csv", "text", "binary"})
+      .type_name("jsonl|csv|text|binary")
       .shows_default();
   line.option("-o,--output", output, "Write to a file, which appears only when it is complete").type_name("FILE");
   line.option("--save-table", save_table,
@@ -79,28 +79,12 @@ class ErrorLimit : public Exporter {
   const DiagnosticWriter& diagnostics_;
 };
 
-/// Drops the first line: the column names of a second program in one table.
-class WithoutFirstLine : public Output {
- public:
-  explicit WithoutFirstLine(Output& output) : output_(output) {}
-  bool write(std::string_view bytes) override {
-    if (!dropped_) {
-      const std::size_t end = bytes.find('\n');
-      if (end == std::string_view::npos) return true;
-      bytes.remove_prefix(end + 1);
-      dropped_ = true;
-    }
-    return output_.write(bytes);
-  }
-
- private:
-  Output& output_;
-  bool dropped_ = false;
-};
-
 std::unique_ptr<Exporter> make_exporter(const RunCommand& c, Output& output, const std::string& dialect,
                                         Session& session) {
-  const Format format = c.format == "csv" ? Format::csv : c.format == "text" ? Format::text : Format::jsonl;
+  const Format format = c.format == "csv"      ? Format::csv
+                        : c.format == "binary" ? Format::binary
+                        : c.format == "text"   ? Format::text
+                                               : Format::jsonl;
   if (c.emit == "blocks") return make_block_exporter(output, format);
   if (c.emit == "none") return nullptr;
   if (c.emit == "canonical")
@@ -110,15 +94,9 @@ std::unique_ptr<Exporter> make_exporter(const RunCommand& c, Output& output, con
 }
 
 /// The machine's own rates; a chain of its own answers, since tables belong to a run.
-RapidRates rapid_rates(const LinkedDialect& linked, const ChainSettings& settings) {
-  RapidRates rates;
+RapidRates rates_of(const LinkedDialect& linked, const ChainSettings& settings) {
   DiagnosticList ignored;
-  const Chain chain(linked, settings, ignored);
-  const auto* const axes = static_cast<const ig_machine_axis_1*>(chain.service("isogloss.machine-axis/1"));
-  if (axes == nullptr) return rates;
-  for (std::size_t i = 0; i < std::size(rates.per_second); ++i)
-    if (axes->rapid_rate(axes->self, "XYZABC"[i], &rates.per_second[i]) == 0) rates.per_second[i] = 0;
-  return rates;
+  return rapid_rates(Chain(linked, settings, ignored));
 }
 
 /// One program after the other into one output.
@@ -147,7 +125,7 @@ class Runs {
       linked_ = session_.link(dialect, options_.chain.dependencies);
       linked_name_ = dialect;
     }
-    if (guess) report_guess(path, *guess, linked_ == nullptr ? "" : parting(path, *source, *guess), session_);
+    if (guess) report_guess(path, *guess, linked_ == nullptr ? "" : parting_of(path, *source, *guess), session_);
     if (linked_ == nullptr) return cannot_start;
     const int status = run_linked(path, *source);
     session_.diagnostics().finish_program();
@@ -159,17 +137,12 @@ class Runs {
 
  private:
   /// How the dialect that is nearly as likely differs, for the note on what was guessed.
-  std::string parting(const std::string& path, const OpenedProgram& source, const Guess& guess) {
+  std::string parting_of(const std::string& path, const OpenedProgram& source, const Guess& guess) {
     if (guess.next.empty()) return {};
     auto& next = likely_[guess.next];
     DiagnosticList ignored;
     if (next == nullptr) next = session_.link(guess.next, options_.chain.dependencies, ignored);
-    if (next == nullptr) return {};
-    RunOptions options = options_;
-    add_program_places(path, linked_->dialect, options);
-    const std::string place = where_moves_part(*linked_, *next, path, source.head(), options);
-    return place.empty() ? ""
-                         : "; " + guess.next_name + ", the next candidate, moves differently from " + place + " on";
+    return next == nullptr ? "" : parting(guess, *linked_, *next, path, source.head(), options_);
   }
 
   int run_linked(const std::string& path, OpenedProgram& source) {
@@ -182,17 +155,16 @@ class Runs {
     };
 
     std::vector<Exporter*> exporters;
-    std::unique_ptr<Exporter> data, totals, tables;
-    WithoutFirstLine later(*output_);
+    std::unique_ptr<Exporter> totals, tables;
     Summary summary;
     ErrorLimit limit(session_.diagnostics());
     try {
-      const bool is_later_table = wrote_ && command_.format == "csv";
-      data = make_exporter(command_, is_later_table ? static_cast<Output&>(later) : *output_, linked_->dialect.name,
-                           session_);
-      if (data != nullptr) exporters.push_back(data.get());
+      // One table holds the motions of all programs: its column names, or its header, come once.
+      const bool is_one_table = command_.format == "csv" || command_.format == "binary";
+      if (data_ == nullptr || !is_one_table) data_ = make_exporter(command_, *output_, linked_->dialect.name, session_);
+      if (data_ != nullptr) exporters.push_back(data_.get());
       if (command_.summary) {
-        totals = make_summary_exporter(summary, rapid_rates(*linked_, options.chain));
+        totals = make_summary_exporter(summary, rates_of(*linked_, options.chain));
         exporters.push_back(totals.get());
       }
       // The default ends endless loops of errors, which may wait for the next look at the budgets.
@@ -253,6 +225,7 @@ class Runs {
   OutputFile* output_;
   std::unique_ptr<LinkedDialect> linked_;
   std::string linked_name_;
+  std::unique_ptr<Exporter> data_;
   std::map<std::string, std::unique_ptr<LinkedDialect>> likely_;
   bool wrote_ = false, output_is_gone_ = false;
   int summary_status_ = success;
@@ -261,8 +234,9 @@ class Runs {
 int RunCommand::run() {
   Session session(common);
   if (emit.empty()) emit = summary ? "none" : "motions";
-  if (emit == "blocks" && format == "csv") {
-    session.report("IG-0513", {}, {"blocks have no CSV form; --format jsonl or text"});
+  if (emit == "blocks" && (format == "csv" || format == "binary")) {
+    const std::string form = format == "csv" ? "CSV" : "binary";
+    session.report("IG-0513", {}, {"blocks have no " + form + " form; --format jsonl or text"});
     return cannot_start;
   }
   if (json && format != "jsonl") {
@@ -270,6 +244,10 @@ int RunCommand::run() {
     return cannot_start;
   }
   const bool writes_to_stdout = output.empty() || output == "-";
+  if (format == "binary" && emit == "motions" && writes_to_stdout && isatty(STDOUT_FILENO) != 0) {
+    session.report("IG-0513", {}, {"--format binary is not for a terminal; give -o FILE, or a pipe"});
+    return cannot_start;
+  }
   if (emit != "none" && writes_to_stdout) session.progress().data_goes_to_stdout();
   if (emit == "canonical" && !canonical.prepare(format, session)) return cannot_start;
   std::optional<RunOptions> options = program.make(session);

@@ -57,6 +57,7 @@ void map_normal(const Frame& frame, PlaneAxes plane, double (&out)[3]) {
 /// Degrees from start to end about the center, signed; ±360 where they coincide.
 double sweep_deg(const Move& move) {
   const Arc& arc = move.arc;
+  if (arc.sweep) return *arc.sweep;
   const double sign = arc.is_ccw ? 1 : -1;
   const double turns = sign * 360 * static_cast<double>(arc.additional_circles);
   const int i = arc.first_axis, j = arc.second_axis;

@@ -1,6 +1,7 @@
 /// Turns finished blocks into events, in the order in which the machine performs them.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "isogloss/engine/document.hpp"
@@ -26,7 +27,8 @@ struct Arc {
   double center[3] = {};  ///< program coordinates, at the level of the start
   double start[3] = {};   ///< program coordinates, in the frame of this block
   double machine_center[3] = {};
-  double normal[3] = {};  ///< unit vector, machine coordinates
+  double normal[3] = {};          ///< unit vector, machine coordinates
+  std::optional<double> sweep{};  ///< where it is not computed from `start`: the arc was read from a stream
 };
 
 struct Move {

@@ -552,6 +552,29 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "isogloss run part.nc -o part.nc"},
       {error, "IG-0531", "this output and {0} are one file, and one would be lost: give each another name",
        "-o and each --save-table write a file of their own.", "isogloss run part.nc -o x --save-table Table=x"},
+      {error, "IG-0640",
+       "this file does not begin as a binary motion stream: write one by `isogloss run --format binary`",
+       "`isogloss motions` reads what `isogloss run --emit motions --format binary` has written, from its first byte "
+       "on.",
+       "isogloss motions part.nc"},
+      {error, "IG-0641",
+       "this motion stream has version {0} and records of {1} bytes: this isogloss reads version {2} with {3} bytes",
+       "The stream was written by another version, or its header is damaged. Write it again by the isogloss that reads "
+       "it.",
+       "isogloss motions written-by-a-later-version.igm"},
+      {error, "IG-0642", "the motion stream ends within {0}: it is incomplete, and the events up to there are written",
+       "A stream consists of whole records. The run that wrote it, or the copy of the file, was ended in the middle.",
+       "head -c 1000 part.igm | isogloss motions -"},
+      {error, "IG-0643", "record {0} of the motion stream is damaged: {1}; the events before it are written",
+       "Records name texts and circles that came before them, and a kind of event that this isogloss knows. A copy "
+       "that "
+       "changed bytes, or text that was written into the file, breaks this.",
+       "isogloss motions damaged.igm"},
+      {error, "IG-0646", "the syntax {0} that a script in Python brings cannot join the chain: {1}",
+       "A syntax written in Python names fields and a place in the chain of the dialect. `isogloss inspect DIALECT` "
+       "lists "
+       "the chain, `isogloss list fields` the fields.",
+       "@isogloss.syntax(after=\"FeedRateSyntax\", reads=[\"Parsing.F\"])"},
       {error, "IG-0512", "no dialect in the folders searched",
        "No dialect was named and none could be guessed, since there are none. `isogloss doctor` lists the folders.",
        "isogloss run part.nc --dialects empty"},

@@ -8,6 +8,8 @@
 
 namespace isogloss {
 
+class Chain;
+
 /// Bytes out, through one buffer. Not copyable; flushes when told, not when destroyed. The exporter of motions calls
 /// write() from a thread of its own, one call at a time; none is under way after Exporter::end(). What it throws there
 /// comes out of end().
@@ -28,7 +30,8 @@ class Exporter {
   virtual bool end() = 0;
 };
 
-enum class Format { jsonl, csv, text };
+/// binary: of motions alone, see motion_stream.hpp.
+enum class Format { jsonl, csv, text, binary };
 
 struct MotionOptions {
   Format format = Format::jsonl;
@@ -39,13 +42,15 @@ struct MotionOptions {
 };
 
 std::unique_ptr<Exporter> make_motion_exporter(Output& output, const MotionOptions& options);
-/// Blocks as JSON Lines or as text for people.
+/// Blocks as JSON Lines or as text for people; no other format.
 std::unique_ptr<Exporter> make_block_exporter(Output& output, Format format);
 
-/// Rapid rates for the summary's time; mm/s and deg/s, 0: unknown.
+/// Rapid rates of the axes, for times; mm/s and deg/s, 0: unknown.
 struct RapidRates {
   double per_second[6] = {0, 0, 0, 0, 0, 0};  ///< X Y Z A B C
 };
+/// Those that the tables of a run give.
+RapidRates rapid_rates(const Chain& chain);
 
 struct Summary {
   std::uint64_t blocks = 0, events = 0, rapids = 0, feeds = 0, arcs = 0;

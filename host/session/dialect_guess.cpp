@@ -6,8 +6,9 @@
 #include <utility>
 
 #include "isogloss/engine/exporter.hpp"
+#include "run_request.hpp"
 
-namespace isogloss::cli {
+namespace isogloss {
 
 namespace {
 
@@ -149,11 +150,11 @@ class Moves : public Output {
 
 }  // namespace
 
-std::optional<Guess> guess_dialect(const std::string& path, std::string_view head, Session& session) {
+std::optional<Guess> guess_dialect(const std::string& path, std::string_view head, Workspace& workspace) {
   const std::string extension = lower(std::filesystem::path(path).extension().string());
   const std::string name = lower(std::filesystem::path(path).stem().string());
   const std::vector<std::string> lines = head_lines(head);
-  const std::vector<Dialect> dialects = session.reader().list();
+  const std::vector<Dialect> dialects = workspace.reader().list();
   Candidate best, next;
   for (const Dialect& d : dialects) {
     const bool fits = std::any_of(d.extensions.begin(), d.extensions.end(),
@@ -168,7 +169,7 @@ std::optional<Guess> guess_dialect(const std::string& path, std::string_view hea
       next = candidate;
   }
   if (best.dialect == nullptr) {
-    session.report("IG-0512", {path}, {});
+    workspace.report("IG-0512", {path}, {});
     return std::nullopt;
   }
   Guess guess{best.key(), best.dialect->name, {}, {}, {}};
@@ -183,14 +184,14 @@ std::optional<Guess> guess_dialect(const std::string& path, std::string_view hea
   return guess;
 }
 
-void report_guess(const std::string& path, const Guess& guess, const std::string& parting, Session& session) {
-  session.report("IG-0514", {path}, {guess.name, guess.why + parting});
+void report_guess(const std::string& path, const Guess& guess, const std::string& parting, Workspace& workspace) {
+  workspace.report("IG-0514", {path}, {guess.name, guess.why + parting});
 }
 
-std::optional<std::string> guessed(const std::string& path, std::string_view head, Session& session) {
-  const std::optional<Guess> guess = guess_dialect(path, head, session);
+std::optional<std::string> guessed(const std::string& path, std::string_view head, Workspace& workspace) {
+  const std::optional<Guess> guess = guess_dialect(path, head, workspace);
   if (!guess) return std::nullopt;
-  report_guess(path, *guess, {}, session);
+  report_guess(path, *guess, {}, workspace);
   return guess->dialect;
 }
 
@@ -212,4 +213,11 @@ std::string where_moves_part(const LinkedDialect& taken, const LinkedDialect& ne
   }
 }
 
-}  // namespace isogloss::cli
+std::string parting(const Guess& guess, const LinkedDialect& taken, const LinkedDialect& next, const std::string& path,
+                    std::string_view head, RunOptions options) {
+  add_program_places(path, taken.dialect, options);
+  const std::string place = where_moves_part(taken, next, path, head, options);
+  return place.empty() ? "" : "; " + guess.next_name + ", the next candidate, moves differently from " + place + " on";
+}
+
+}  // namespace isogloss
