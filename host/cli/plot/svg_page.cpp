@@ -182,7 +182,8 @@ class SvgPage {
     for (std::size_t i = 0; i < path_.tools.size() && entries < most_in_legend; ++i) {
       const PathTool& tool = path_.tools[i];
       if (tool.moves == 0) continue;
-      const std::string name = tool.number == 0 ? "no tool called" : fmt::format("T{} {}", tool.number, tool.name);
+      std::string name = tool.number == 0 ? "no tool called" : fmt::format("T{}", tool.number);
+      if (!tool.name.empty()) name += " " + tool.name;
       add(fmt::format("c{}", i % tool_colours.size()), fmt::format("{}, {} moves", name, with_thousands(tool.moves)));
     }
     if (path_.tools.size() > most_in_legend) add("", fmt::format("{} tools in all", path_.tools.size()));
