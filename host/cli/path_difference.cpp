@@ -44,7 +44,7 @@ class Passages {
   std::unordered_map<const std::vector<std::size_t>*, std::size_t> passes_;
 };
 
-std::string_view name_of(PathMove::Kind kind) {
+std::string_view kind_name(PathMove::Kind kind) {
   static constexpr std::string_view names[] = {"rapid", "feed", "arc", "dwell"};
   return names[static_cast<std::size_t>(kind)];
 }
@@ -52,7 +52,7 @@ std::string_view name_of(PathMove::Kind kind) {
 /// What differs between two moves; empty: nothing does.
 std::string what_differs(const ToolPath& a, std::size_t in_a, const ToolPath& b, std::size_t in_b) {
   const PathMove &one = a.moves[in_a], &other = b.moves[in_b];
-  if (one.kind != other.kind) return fmt::format("{} / {}", name_of(one.kind), name_of(other.kind));
+  if (one.kind != other.kind) return fmt::format("{} / {}", kind_name(one.kind), kind_name(other.kind));
   std::string out;
   for (std::size_t i = 0; i < 6; ++i) {
     const float x = a.ends[in_a][i], y = b.ends[in_b][i];
@@ -70,7 +70,7 @@ std::string what_differs(const ToolPath& a, std::size_t in_a, const ToolPath& b,
 }
 
 /// Compares two passages move by move; returns what differs first.
-std::string compare(ToolPath& a, const Passage& in_a, ToolPath& b, const Passage* in_b) {
+std::string compare_passages(ToolPath& a, const Passage& in_a, ToolPath& b, const Passage* in_b) {
   std::string first;
   const std::size_t in_other = in_b == nullptr ? 0 : in_b->end - in_b->begin, moves = in_a.end - in_a.begin;
   for (std::size_t i = 0; i < std::max(moves, in_other); ++i) {
@@ -101,7 +101,7 @@ std::vector<PathDifference> mark_differences(ToolPath& a, ToolPath& b, std::size
     const PathMove& m = a.moves[passage.begin];
     Passage* const other = of_b.next(a.files[m.file], m.line);
     if (other != nullptr) other->is_met = true;
-    keep(a, passage, compare(a, passage, b, other));
+    keep(a, passage, compare_passages(a, passage, b, other));
   }
   for (const Passage& passage : of_b.all) {
     if (passage.is_met) continue;

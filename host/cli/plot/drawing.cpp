@@ -10,7 +10,7 @@ namespace isogloss::cli::plotting {
 
 namespace {
 
-constexpr double seen_px = 0.2;  // what lies nearer to a line than this looks the same
+constexpr double seen_px = 0.25;  // what lies nearer to a line than this looks the same
 
 double gap(const Spot& a, const Spot& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 

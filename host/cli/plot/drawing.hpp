@@ -19,7 +19,7 @@ class Coverage {
 
  private:
   bool touch(const Spot& at);
-  static constexpr double cell_px_ = 0.7, margin_px_ = 4;
+  static constexpr double cell_px_ = 1, margin_px_ = 4;
   Frame frame_;
   std::size_t columns_, rows_;
   std::vector<bool> cells_;

@@ -43,6 +43,11 @@ std::string length_text(double mm) {
   return out == "-0" ? "0" : out;
 }
 
+double row_of(std::size_t entry) {
+  const std::size_t row = entry / legend_columns;
+  return static_cast<double>(row);
+}
+
 std::string style() {
   std::string out =
       "svg{background:#fff}text{font:12px system-ui,sans-serif;fill:#222}.title{font-size:20px;font-weight:600}"
@@ -123,7 +128,7 @@ class SvgPage {
     std::string out;
     for (std::size_t i = 0; i < std::size(views); ++i) {
       const Frame panel{gutter + static_cast<double>(i % 2) * (panel_width + gutter),
-                        head + static_cast<double>(i / 2) * (panel_height + gutter), panel_width, panel_height};
+                        head + (i < 2 ? 0 : panel_height + gutter), panel_width, panel_height};
       constexpr double margin = 24, foot = 34, top = 34;
       views[i].fit(path_.extent,
                    {panel.x + margin, panel.y + top, panel.width - 2 * margin, panel.height - top - foot});
@@ -172,8 +177,7 @@ class SvgPage {
     std::size_t entries = 0;
     const double top = head + 2 * (panel_height + gutter) + 22;
     const auto add = [&](const std::string& pen, const std::string& text) {
-      const double x = 20 + static_cast<double>(entries % legend_columns) * 320,
-                   y = top + static_cast<double>(entries / legend_columns) * 20;
+      const double x = 20 + static_cast<double>(entries % legend_columns) * 320, y = top + row_of(entries) * 20;
       if (!pen.empty()) out += fmt::format("<path class=\"{}\" d=\"M{:g} {:g}h28\"/>\n", pen, x, y - 4);
       out += text_at(x + (pen.empty() ? 0 : 36), y, text);
       ++entries;
@@ -182,11 +186,12 @@ class SvgPage {
     for (std::size_t i = 0; i < path_.tools.size() && entries < most_in_legend; ++i) {
       const PathTool& tool = path_.tools[i];
       if (tool.moves == 0) continue;
-      const std::string name = tool.number == 0 ? "no tool called" : fmt::format("T{} {}", tool.number, tool.name);
+      std::string name = tool.number == 0 ? "no tool called" : fmt::format("T{}", tool.number);
+      if (!tool.name.empty()) name += " " + tool.name;
       add(fmt::format("c{}", i % tool_colours.size()), fmt::format("{}, {} moves", name, with_thousands(tool.moves)));
     }
     if (path_.tools.size() > most_in_legend) add("", fmt::format("{} tools in all", path_.tools.size()));
-    legend_height_ = static_cast<double>((entries + legend_columns - 1) / legend_columns) * 20 + 16;
+    legend_height_ = row_of(entries + legend_columns - 1) * 20 + 16;
     return out;
   }
 
