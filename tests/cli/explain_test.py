@@ -277,7 +277,8 @@ FIVE:
 FOR R3=1 TO 2
 R2=R2+R3
 ENDFOR
-FAR: REPEAT FIVE FAR P=1
+FAR: R4=1
+REPEAT FIVE FAR P=1
 G0 X9
 M30
 """
@@ -341,7 +342,7 @@ class Flow(Explain):
             "6/3": "Line 6 jumps behind line 8 (END1), because [#101 LT 5] does not hold (#101 is 5).",
             8: "Line 8 jumps back to line 6 (N20 WHILE [#101 LT 5] DO1).",
             9: "Line 9 sets #102 = 7; it goes on with the next block, because [#101 EQ 5] holds (#101 is 5).",
-            10: "Line 10 calls O2, line 14 (O0002), 2 times.",
+            10: "Line 10 calls line 14 (O0002), 2 times.",
             11: "Line 11 jumps to line 13 (N90 M30).",
             16: "Line 16 begins pass 2 of 2 in line 14 (O0002).",
             "16/2": "Line 16 returns behind the call in line 10."})
@@ -359,11 +360,11 @@ class Flow(Explain):
             6: "Line 6 jumps back to line 5 (NEAR: R1=R1+1), because R1<5 holds (R1 is 4).",
             "6/2": "Line 6 goes on with the next block, because R1<5 does not hold (R1 is 5).",
             7: "Line 7 jumps to line 8 (FIVE:), because R1 is 5.",
-            9: "sets R3 = 1; it goes on with the next block, because R3 <= 2 holds",
-            "9/3": "jumps behind line 11 (ENDFOR), because R3 <= 2 does not hold",
+            9: "Line 9 sets R3 = 1; it goes on with the next block, because R3 = 1 is not above 2.",
+            "9/3": "it jumps behind line 11 (ENDFOR), because R3 = 3 is above 2.",
             11: "Line 11 jumps back to line 9 (FOR R3=1 TO 2).",
-            12: "Line 12 jumps back to line 8 (FIVE:), because the last repeat follows.",
-            "12/2": "all repeats are made"})
+            13: "Line 13 jumps back to line 8 (FIVE:), because the last repeat follows.",
+            "13/2": "Line 13 goes on with the next block, because all repeats are made."})
 
     def test_labels_of_a_tnc(self):
         self.says(self.write("labels.h", LABELS), "heidenhain", {
