@@ -59,12 +59,16 @@ std::string rest_part(const Facts& facts) {
   const ExplainedBlock& b = facts.block();
   if (facts.now("BlockSkip.Body") != nullptr)
     return "moves nothing: the block is skipped, because --block-skip switches its layer on";
-  std::vector<std::string> sets, words, lost;
+  std::vector<std::string> sets, ended, words, lost;
   for (const ExplainedVariable& v : b.written)
     sets.push_back(v.name + " = " + (v.value.empty() ? "no value" : v.value));
   for (const ExplainedStep& step : b.steps)
     for (const ExplainedChange& c : step.changes)
-      if (is_shown(c.path) && !c.after.empty()) sets.push_back(c.path + " = " + printable(c.after));
+      if (is_shown(c.path) && !c.after.empty())
+        sets.push_back(c.path + " = " + printable(c.after));
+      else if (const std::string section = c.path.substr(0, c.path.find('.'));
+               is_shown(c.path) && std::find(ended.begin(), ended.end(), section) == ended.end())
+        ended.push_back(section);
   for (const ExplainedWord& w : b.words) {
     if (w.name.empty()) continue;
     if (w.users.empty())
@@ -76,6 +80,7 @@ std::string rest_part(const Facts& facts) {
   if (!lost.empty()) reasons.push_back("no syntax uses " + list_of(lost));
   if (!words.empty()) reasons.push_back(list_of(words));
   if (!sets.empty()) reasons.push_back("it sets " + list_of(sets));
+  if (!ended.empty()) reasons.push_back("it clears values of " + list_of(ended));
   if (reasons.empty())
     reasons.push_back(facts.now("Comment.Text") != nullptr ? "it holds a comment" : "it changes no value");
   std::string out = "moves nothing: ";
