@@ -299,6 +299,30 @@ LABELS = """0 BEGIN PGM L MM
 """
 
 
+class Sentences(Explain):
+    """The first sentence is true where something beside the word decides."""
+
+    def test_what_changes_a_programmed_coordinate(self):
+        part = self.write("mirror.nc", "G21 G90 G54 G00 X0 Y0\nG51.1 X0\nX20. Y5.\nG50.1 X0\nG16\nG15\nM30\n")
+        out = self.ask(f"{part}:2-6", "-d", "fanuc", "--brief").splitlines()
+        self.assertIn("Line 3 moves to X-20 Y5 (ProgrammableMirrorSyntax makes X-20 of X20) by rapid", out[1])
+        self.assertIn("Line 6 moves nothing: it clears values of PolarCoordinate.", out[4])
+
+    def test_arcs_circles_and_helices(self):
+        part = self.write("arc.nc", "G21 G90 G17 G54 G00 X0 Y0 Z0\nG02 X10. Y10. J10. F100.\nG03 I5.\nG03 I5. Z-5.\nM30\n")
+        out = self.ask(f"{part}:2-4", "-d", "fanuc", "--brief").splitlines()
+        self.assertIn("moves to X10 Y10 on an arc clockwise about X0 Y10, radius 10 in plane XY", out[0])
+        self.assertIn("moves on a full circle counter-clockwise about X15 Y10, radius 5", out[1])
+        self.assertIn("moves to Z-5 on a helix counter-clockwise about X15 Y10, radius 5", out[2])
+
+    def test_the_spindle_has_its_speed(self):
+        part = self.write("s.nc", "G21 G90\nS1200\nM03\nS800\nM05\nM30\n")
+        out = self.ask(f"{part}:2-5", "-d", "fanuc", "--brief").splitlines()
+        self.assertIn("Line 3 sets the spindle to CW at 1200 rpm (line 2).", out[1])
+        self.assertIn("Line 4 sets the spindle to CW at 800 rpm.", out[2])
+        self.assertIn("Line 5 sets the spindle to STOP.", out[3])
+
+
 class SpecialWriters(Explain):
     """Statements that set variables and are no assignments."""
 

@@ -29,14 +29,27 @@ std::string written_text(const Facts& facts) {
   return list_of(out);
 }
 
+/// "sets the spindle to CW at 2000 rpm"; the speed has a line where another one has programmed it.
+std::string spindle_part(const Facts& facts) {
+  const bool turns = facts.has_changed("SpindleSpeed.Direction"),
+             changes = facts.has_changed("SpindleSpeed.SpindleSpeed_rpm");
+  const std::string direction = facts.text("SpindleSpeed.Direction");
+  if (!turns && (!changes || direction.empty() || direction == "STOP")) return {};
+  std::string out = "sets the spindle to " + direction;
+  const std::optional<double> speed = facts.number("SpindleSpeed.SpindleSpeed_rpm");
+  if (direction == "STOP" || !speed) return out;
+  out += fmt::format(" at {} rpm", short_number(*speed));
+  const ExplainedValue& set = *facts.now("SpindleSpeed.SpindleSpeed_rpm");
+  return facts.is_here(set.set) ? out : out + " (" + facts.place(set.set) + ")";
+}
+
 /// What the block does besides moving.
 std::vector<std::string> other_parts(const Facts& facts) {
   std::vector<std::string> out;
   if (facts.text("ToolChange.IsChange") == "true")
     out.push_back("changes to tool " + facts.text("ToolChange.SpindleToolId"));
   if (const auto time = facts.number("Dwell.Time")) out.push_back(fmt::format("dwells {} s", short_number(*time)));
-  if (facts.has_changed("SpindleSpeed.Direction"))
-    out.push_back("sets the spindle to " + facts.text("SpindleSpeed.Direction"));
+  if (std::string spindle = spindle_part(facts); !spindle.empty()) out.push_back(std::move(spindle));
   if (facts.now("ProgramStop.Term") != nullptr)
     out.push_back("stops the program (" + facts.text("ProgramStop.Term") + ")");
   if (facts.now("ProgramEnd.Term") != nullptr)
