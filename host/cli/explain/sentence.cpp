@@ -34,7 +34,7 @@ std::string spindle_part(const Facts& facts) {
   const bool turns = facts.has_changed("SpindleSpeed.Direction"),
              changes = facts.has_changed("SpindleSpeed.SpindleSpeed_rpm");
   const std::string direction = facts.text("SpindleSpeed.Direction");
-  if (!turns && (!changes || direction.empty() || direction == "STOP")) return {};
+  if (!turns && (!has_new_speed || direction.empty() || direction == "STOP")) return {};
   std::string out = "sets the spindle to " + direction;
   const std::optional<double> speed = facts.number("SpindleSpeed.SpindleSpeed_rpm");
   if (direction == "STOP" || !speed) return out;
