@@ -32,7 +32,7 @@ std::string written_text(const Facts& facts) {
 /// "sets the spindle to CW at 2000 rpm"; the speed has a line where another one has programmed it.
 std::string spindle_part(const Facts& facts) {
   const bool turns = facts.has_changed("SpindleSpeed.Direction"),
-             changes = facts.has_changed("SpindleSpeed.SpindleSpeed_rpm");
+             has_new_speed = facts.has_changed("SpindleSpeed.SpindleSpeed_rpm");
   const std::string direction = facts.text("SpindleSpeed.Direction");
   if (!turns && (!has_new_speed || direction.empty() || direction == "STOP")) return {};
   std::string out = "sets the spindle to " + direction;
