@@ -27,9 +27,9 @@ typedef struct ig_provenance_1 {
    * that of a call whose local variable it is. `value`: NULL where it has none. Name and value are copied. */
   void (*variable)(ig_block*, uint32_t access, ig_text name, uint64_t scope, const ig_argument* value);
   /* scan() or build(): the block has examined a condition that decides where the run goes on, or which words count.
-   * `text` as the program writes it ("[#101 GT 5]"), or with IG_CONDITION_TELLS a reason in words ("pass 2 of 3"). It is
-   * copied. A host from before this member has a shorter struct. */
-  void (*condition)(ig_block*, ig_text text, uint32_t outcome);
+   * `text` as the program writes it ("[#101 GT 5]"), or with IG_CONDITION_TELLS a reason in words ("pass 2 of 3"). It
+   * is copied. A host from before this member has a shorter struct. */
+  void (*condition)(ig_block*, ig_text text, int32_t outcome);
 } ig_provenance_1;
 
 enum { IG_CONDITION_FAILS = 0, IG_CONDITION_HOLDS = 1, IG_CONDITION_TELLS = 2 };

@@ -277,7 +277,8 @@ FIVE:
 FOR R3=1 TO 2
 R2=R2+R3
 ENDFOR
-FAR: REPEAT FIVE FAR P=1
+FAR: R4=1
+REPEAT FIVE FAR P=1
 G0 X9
 M30
 """
@@ -296,6 +297,30 @@ LABELS = """0 BEGIN PGM L MM
 12 LBL 0
 13 END PGM L MM
 """
+
+
+class Sentences(Explain):
+    """The first sentence is true where something beside the word decides."""
+
+    def test_what_changes_a_programmed_coordinate(self):
+        part = self.write("mirror.nc", "G21 G90 G54 G00 X0 Y0\nG51.1 X0\nX20. Y5.\nG50.1 X0\nG16\nG15\nM30\n")
+        out = self.ask(f"{part}:2-6", "-d", "fanuc", "--brief").splitlines()
+        self.assertIn("Line 3 moves to X-20 Y5 (ProgrammableMirrorSyntax makes X-20 of X20) by rapid", out[1])
+        self.assertIn("Line 6 moves nothing: it clears values of PolarCoordinate.", out[4])
+
+    def test_arcs_circles_and_helices(self):
+        part = self.write("arc.nc", "G21 G90 G17 G54 G00 X0 Y0 Z0\nG02 X10. Y10. J10. F100.\nG03 I5.\nG03 I5. Z-5.\nM30\n")
+        out = self.ask(f"{part}:2-4", "-d", "fanuc", "--brief").splitlines()
+        self.assertIn("moves to X10 Y10 on an arc clockwise about X0 Y10, radius 10 in plane XY", out[0])
+        self.assertIn("moves on a full circle counter-clockwise about X15 Y10, radius 5", out[1])
+        self.assertIn("moves to Z-5 on a helix counter-clockwise about X15 Y10, radius 5", out[2])
+
+    def test_the_spindle_has_its_speed(self):
+        part = self.write("s.nc", "G21 G90\nS1200\nM03\nS800\nM05\nM30\n")
+        out = self.ask(f"{part}:2-5", "-d", "fanuc", "--brief").splitlines()
+        self.assertIn("Line 3 sets the spindle to CW at 1200 rpm (line 2).", out[1])
+        self.assertIn("Line 4 sets the spindle to CW at 800 rpm.", out[2])
+        self.assertIn("Line 5 sets the spindle to STOP.", out[3])
 
 
 class SpecialWriters(Explain):
@@ -341,7 +366,7 @@ class Flow(Explain):
             "6/3": "Line 6 jumps behind line 8 (END1), because [#101 LT 5] does not hold (#101 is 5).",
             8: "Line 8 jumps back to line 6 (N20 WHILE [#101 LT 5] DO1).",
             9: "Line 9 sets #102 = 7; it goes on with the next block, because [#101 EQ 5] holds (#101 is 5).",
-            10: "Line 10 calls O2, line 14 (O0002), 2 times.",
+            10: "Line 10 calls line 14 (O0002), 2 times.",
             11: "Line 11 jumps to line 13 (N90 M30).",
             16: "Line 16 begins pass 2 of 2 in line 14 (O0002).",
             "16/2": "Line 16 returns behind the call in line 10."})
@@ -359,11 +384,11 @@ class Flow(Explain):
             6: "Line 6 jumps back to line 5 (NEAR: R1=R1+1), because R1<5 holds (R1 is 4).",
             "6/2": "Line 6 goes on with the next block, because R1<5 does not hold (R1 is 5).",
             7: "Line 7 jumps to line 8 (FIVE:), because R1 is 5.",
-            9: "sets R3 = 1; it goes on with the next block, because R3 <= 2 holds",
-            "9/3": "jumps behind line 11 (ENDFOR), because R3 <= 2 does not hold",
+            9: "Line 9 sets R3 = 1; it goes on with the next block, because R3 = 1 is not above 2.",
+            "9/3": "it jumps behind line 11 (ENDFOR), because R3 = 3 is above 2.",
             11: "Line 11 jumps back to line 9 (FOR R3=1 TO 2).",
-            12: "Line 12 jumps back to line 8 (FIVE:), because the last repeat follows.",
-            "12/2": "all repeats are made"})
+            13: "Line 13 jumps back to line 8 (FIVE:), because the last repeat follows.",
+            "13/2": "Line 13 goes on with the next block, because all repeats are made."})
 
     def test_labels_of_a_tnc(self):
         self.says(self.write("labels.h", LABELS), "heidenhain", {

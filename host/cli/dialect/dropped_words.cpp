@@ -9,13 +9,13 @@ namespace isogloss::cli {
 
 namespace {
 
-constexpr std::string_view flags = "Parsing.Flags.", words = "Parsing.";
+constexpr std::string_view flags_of_text = "Parsing.Flags.", words_of_text = "Parsing.";
 
 /// "G20" of Parsing.Flags.G20, "X" of Parsing.X; empty: no code and no word of a program.
-std::string name_of(const FieldInfo& field) {
+std::string dropped_name(const FieldInfo& field) {
   const std::string& path = field.path;
-  if (field.hidden || field.previous_of != IG_NO_FIELD || !path.starts_with(words)) return {};
-  const std::string name = path.substr(path.starts_with(flags) ? flags.size() : words.size());
+  if (field.hidden || field.previous_of != IG_NO_FIELD || !path.starts_with(words_of_text)) return {};
+  const std::string name = path.substr(path.starts_with(flags_of_text) ? flags_of_text.size() : words_of_text.size());
   // A word of a code goes with the code.
   return name.empty() || name[0] == '~' || name.find('.') != std::string::npos ? std::string() : name;
 }
@@ -24,7 +24,7 @@ std::set<std::string> taken_by(const LinkedDialect& linked, const LinkedSyntax& 
   std::set<std::string> out;
   for (ig_field f = 0; f < linked.layout.fields.size(); ++f)
     if ((syntax.may_take[f >> 6] >> (f & 63) & 1) != 0)
-      if (std::string name = name_of(linked.layout.fields[f]); !name.empty()) out.insert(std::move(name));
+      if (std::string name = dropped_name(linked.layout.fields[f]); !name.empty()) out.insert(std::move(name));
   return out;
 }
 
@@ -34,7 +34,7 @@ std::set<std::string> taken_by(const LinkedDialect& linked) {
   return out;
 }
 
-std::string list_of(const std::vector<std::string>& names) {
+std::string dropped_list(const std::vector<std::string>& names) {
   constexpr std::size_t most = 8;
   std::string out;
   for (std::size_t i = 0; i < std::min(names.size(), most); ++i) out += (i == 0 ? "" : ", ") + names[i];
@@ -63,7 +63,7 @@ std::vector<Diagnostic> dropped_words(const LinkedDialect& linked, Session& sess
     for (const std::string& name : taken_by(*base, *removed))
       if (!taken.contains(name)) lost.push_back(name);
     if (!lost.empty())
-      out.push_back(host_diagnostic("IG-0611", edit.where, {list_of(lost), edit.anchor, base->dialect.name}));
+      out.push_back(host_diagnostic("IG-0611", edit.where, {dropped_list(lost), edit.anchor, base->dialect.name}));
   }
   return out;
 }

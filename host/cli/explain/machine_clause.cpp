@@ -79,7 +79,7 @@ std::string machine_clause(const Facts& facts) {
   const bool is_direct = programmed != nullptr && programmed->writer == writer && !writer.empty();
   if (is_direct) return fmt::format("machine {}, which {} sets directly: no offset is added", moved, writer);
   if (ladder.rungs.empty() && axis_words(beside).empty())
-    return "machine " + moved + " is the same point, because no offset is active";
+    return "machine " + moved + " is the same point, because no active offset changes it";
   if (!only_shifts) return "machine " + moved + ", " + reason_of_point(facts, beside, writer);
   std::vector<std::string> parts;
   std::string same;
@@ -93,7 +93,7 @@ std::string machine_clause(const Facts& facts) {
   }
   std::string out;
   for (const std::string& part : parts) out += (out.empty() ? "" : "; ") + part;
-  if (out.empty()) return "machine " + moved + " is the same point, because no offset changes these axes";
+  if (out.empty()) return "machine " + moved + " is the same point, because no active offset changes it";
   return out;
 }
 

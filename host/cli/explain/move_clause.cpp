@@ -84,6 +84,32 @@ std::string radius_clause(const Facts& facts) {
                      short_number(*radius), facts.is_here(set.since) ? "" : " (" + facts.place(set.since) + ")");
 }
 
+/// Axes whose programmed value a syntax has changed: " (ProgrammableMirrorSyntax makes X-20 of X20)"; empty: none.
+std::string changed_words(const Facts& facts) {
+  std::string out;
+  for (const char axis : {'X', 'Y', 'Z'}) {
+    const std::string word = std::string("Parsing.") + axis, point = std::string("ProgramXyz.") + axis;
+    std::string before, after, syntax, in_block;
+    for (const ExplainedStep& step : facts.block().steps)
+      for (const ExplainedChange& c : step.changes) {
+        const bool is_word = c.path == word && !step.is_scan && !c.before.empty() && !c.after.empty();
+        const bool is_point = c.path == point && !in_block.empty() && !c.after.empty() && c.after != in_block;
+        if (c.path == point) in_block = c.after;
+        if (!is_word && !is_point) continue;
+        if (before.empty()) before = c.before;
+        after = c.after;
+        syntax = step.syntax;
+      }
+    if (syntax.empty() || before == after) continue;
+    const auto shown = [axis](const std::string& value) {
+      const Json number = Json::parse(value, nullptr, false);
+      return std::string(1, axis) + (number.is_number() ? short_number(number.get<double>()) : value);
+    };
+    out += fmt::format("{}{} makes {} of {}", out.empty() ? " (" : ", ", syntax, shown(after), shown(before));
+  }
+  return out.empty() ? out : out + ")";
+}
+
 /// The motion code in force; or a code of this block alone, such as G53, whose syntax moves in its own way.
 std::string because_of_motion(const Facts& facts) {
   const ExplainedValue *const event = facts.now("MotionEvent.Form"), *const state = facts.now("MotionState.Term");
@@ -113,7 +139,7 @@ std::string move_clause(const Facts& facts) {
   const bool is_rapid = facts.text("MotionEvent.IsRapid") == "true", is_arc = facts.text("MotionEvent.Form") == "McArc";
   const std::string axes = changed_axes(facts);
   std::string out = axes.empty() && !is_arc ? "moves to where it already stands" : "moves";
-  if (!axes.empty()) out += " to " + axes;
+  if (!axes.empty()) out += " to " + axes + changed_words(facts);
   if (is_arc) out += " " + arc_clause(facts);
   out += is_rapid ? " by rapid" : " " + feed_clause(facts);
   if (facts.text("MotionEvent.Form") == "ClLinear") out += " while rotary axes turn under the tip of the tool";

@@ -29,14 +29,27 @@ std::string written_text(const Facts& facts) {
   return list_of(out);
 }
 
+/// "sets the spindle to CW at 2000 rpm"; the speed has a line where another one has programmed it.
+std::string spindle_part(const Facts& facts) {
+  const bool turns = facts.has_changed("SpindleSpeed.Direction"),
+             has_new_speed = facts.has_changed("SpindleSpeed.SpindleSpeed_rpm");
+  const std::string direction = facts.text("SpindleSpeed.Direction");
+  if (!turns && (!has_new_speed || direction.empty() || direction == "STOP")) return {};
+  std::string out = "sets the spindle to " + direction;
+  const std::optional<double> speed = facts.number("SpindleSpeed.SpindleSpeed_rpm");
+  if (direction == "STOP" || !speed) return out;
+  out += fmt::format(" at {} rpm", short_number(*speed));
+  const ExplainedValue& set = *facts.now("SpindleSpeed.SpindleSpeed_rpm");
+  return facts.is_here(set.set) ? out : out + " (" + facts.place(set.set) + ")";
+}
+
 /// What the block does besides moving.
 std::vector<std::string> other_parts(const Facts& facts) {
   std::vector<std::string> out;
   if (facts.text("ToolChange.IsChange") == "true")
     out.push_back("changes to tool " + facts.text("ToolChange.SpindleToolId"));
   if (const auto time = facts.number("Dwell.Time")) out.push_back(fmt::format("dwells {} s", short_number(*time)));
-  if (facts.has_changed("SpindleSpeed.Direction"))
-    out.push_back("sets the spindle to " + facts.text("SpindleSpeed.Direction"));
+  if (std::string spindle = spindle_part(facts); !spindle.empty()) out.push_back(std::move(spindle));
   if (facts.now("ProgramStop.Term") != nullptr)
     out.push_back("stops the program (" + facts.text("ProgramStop.Term") + ")");
   if (facts.now("ProgramEnd.Term") != nullptr)
@@ -59,12 +72,16 @@ std::string rest_part(const Facts& facts) {
   const ExplainedBlock& b = facts.block();
   if (facts.now("BlockSkip.Body") != nullptr)
     return "moves nothing: the block is skipped, because --block-skip switches its layer on";
-  std::vector<std::string> sets, words, lost;
+  std::vector<std::string> sets, ended, words, lost;
   for (const ExplainedVariable& v : b.written)
     sets.push_back(v.name + " = " + (v.value.empty() ? "no value" : v.value));
   for (const ExplainedStep& step : b.steps)
     for (const ExplainedChange& c : step.changes)
-      if (is_shown(c.path) && !c.after.empty()) sets.push_back(c.path + " = " + printable(c.after));
+      if (is_shown(c.path) && !c.after.empty())
+        sets.push_back(c.path + " = " + printable(c.after));
+      else if (const std::string section = c.path.substr(0, c.path.find('.'));
+               is_shown(c.path) && std::find(ended.begin(), ended.end(), section) == ended.end())
+        ended.push_back(section);
   for (const ExplainedWord& w : b.words) {
     if (w.name.empty()) continue;
     if (w.users.empty())
@@ -76,6 +93,7 @@ std::string rest_part(const Facts& facts) {
   if (!lost.empty()) reasons.push_back("no syntax uses " + list_of(lost));
   if (!words.empty()) reasons.push_back(list_of(words));
   if (!sets.empty()) reasons.push_back("it sets " + list_of(sets));
+  if (!ended.empty()) reasons.push_back("it clears values of " + list_of(ended));
   if (reasons.empty())
     reasons.push_back(facts.now("Comment.Text") != nullptr ? "it holds a comment" : "it changes no value");
   std::string out = "moves nothing: ";

@@ -67,9 +67,10 @@ void note_variable(ig_block* block, std::uint32_t access, ig_text name, std::uin
     listener(document, (access & IG_WRITE) != 0, {name.data, name.size}, scope, value);
 }
 
-void note_condition(ig_block* block, ig_text text, std::uint32_t outcome) {
+void note_condition(ig_block* block, ig_text text, std::int32_t outcome) {
   const Document& document = *reinterpret_cast<const Document*>(block);
-  if (const auto& listener = document.chain->condition_examined) listener(document, {text.data, text.size}, outcome);
+  if (const auto& listener = document.chain->condition_examined)
+    listener(document, {text.data, text.size}, static_cast<std::uint32_t>(outcome));
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ class ExaminedConditions {
   void add_reason(Block& b, std::string_view words) const { tell(b, words, IG_CONDITION_TELLS); }
 
  private:
-  void tell(Block& b, std::string_view text, std::uint32_t outcome) const {
+  void tell(Block& b, std::string_view text, std::int32_t outcome) const {
     if (is_heard()) host_->condition(b.raw(), to_text(text), outcome);
   }
   Service<ig_provenance_1> host_{IG_PROVENANCE_SERVICE, Need::optional, "Conditions of the block; the host has it."};

@@ -120,10 +120,7 @@ class Jumps {
 
  private:
   static std::string shown_case(std::string_view expression, double value) {
-    std::string number = std::to_string(value);
-    number.erase(number.find_last_not_of('0') + 1);
-    if (number.back() == '.') number.pop_back();
-    return std::string(trim(expression)).append(" is ").append(number);
+    return std::string(trim(expression)).append(" is ").append(shown_number(value));
   }
   void note_case(ig::Block& b, std::string_view expression, bool is_default, double value) const {
     if (environment_.examined().is_heard())

@@ -79,8 +79,8 @@ void FlowLoops::begin_for(ig::Block& b, const FlowStatement& s) {
     return leave(b, s, LoopKind::for_);
   }
   if (environment_.examined().is_heard())
-    environment_.examined().add(b, variable->name + " <= " + std::string(trim(piece(text, next + 2, last.position()))),
-                                value <= *to);
+    environment_.examined().add_reason(b, variable->name + " = " + shown_number(value) +
+                                              (value > *to ? " is above " : " is not above ") + shown_number(*to));
   if (value > *to) return leave(b, s, LoopKind::for_);
   if (stored != Stored::yes) {
     environment_.report_not_stored(b, columns(text, variable->begin), variable->name, Value::real(value), stored);

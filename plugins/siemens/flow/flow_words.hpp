@@ -84,6 +84,14 @@ inline bool has_jump(std::string_view text, std::size_t position) {
 }
 
 /// The label of a block with a pattern of holes, at each of which MCALL calls a subprogram.
+/// Without the zeros that std::to_string adds; for texts that explain.
+inline std::string shown_number(double value) {
+  std::string out = std::to_string(value);
+  out.erase(out.find_last_not_of('0') + 1);
+  if (out.back() == '.') out.pop_back();
+  return out;
+}
+
 inline std::string pattern_label(std::int64_t line) { return "PATTERN@" + std::to_string(line); }
 
 }  // namespace siemens
