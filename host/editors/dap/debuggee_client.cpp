@@ -20,7 +20,10 @@ bool Debuggee::step(Step step) {
   return true;
 }
 
-void Debuggee::pause() { pauses_.store(true); }
+void Debuggee::pause() {
+  const std::lock_guard lock(mutex_);
+  if (!is_standing_) pauses_.store(true);
+}
 
 void Debuggee::quit() {
   {

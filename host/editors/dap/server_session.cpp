@@ -94,6 +94,7 @@ DebugServer::Answer DebugServer::launch(const Json& arguments) {
 /// Reads, links and waits; a sentence when it cannot.
 std::optional<std::string> DebugServer::begin(const LaunchArguments& arguments) {
   Reasons reasons;
+  told_by_code_.clear();
   std::optional<DebuggedProgram> program = prepare_(arguments, reasons);
   for (const Diagnostic& d : reasons.all)
     if (program || d.severity != Severity::error) told(d);
@@ -102,7 +103,6 @@ std::optional<std::string> DebugServer::begin(const LaunchArguments& arguments) 
   program->stops_on_entry = arguments.stops_on_entry && !arguments.no_debug;
   program->stops_at_end = arguments.stops_at_end && !arguments.no_debug;
   sources_ = {canonical_path(program->path)};
-  told_by_code_.clear();
   debuggee_ = std::make_unique<Debuggee>(std::move(*program), static_cast<DebugEvents&>(*this));
   make_table();
   return std::nullopt;

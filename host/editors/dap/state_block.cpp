@@ -31,6 +31,17 @@ bool is_word_of_block(const Document& d, ig_field f) {
          d.word_end(f) <= d.source.text.size();
 }
 
+/// Lists and transforms have no fields of their own below their path: they count as fresh.
+bool is_any_fresh(const Document& d, const std::string& beginning) {
+  bool has_fields = false;
+  for (ig_field f = 0; f < d.size(); ++f) {
+    if (!d.layout().fields[f].path.starts_with(beginning)) continue;
+    if (d.present(f) && d.fresh(f)) return true;
+    has_fields = true;
+  }
+  return !has_fields;
+}
+
 }  // namespace
 
 void StateView::add_block(const Standing& standing, Json& out) {
@@ -86,12 +97,12 @@ void StateView::add_motion(const Standing& standing, std::size_t index, Json& ou
 
 void StateView::add_written(const Standing& standing, Json& out) const {
   const Document& d = *standing.document;
-  const auto shown = show_json(d, *standing.symbols);
+  const isogloss::Json shown = show_json(d, *standing.symbols);
   for (const auto& [section, value] : shown.items()) {
     if (section == "Source" || !value.is_object()) continue;
     for (const auto& [name, one] : value.items()) {
       const auto f = d.layout().find(section + "." + name);
-      if (f && !d.fresh(*f)) continue;
+      if (f ? !d.fresh(*f) : !is_any_fresh(d, section + "." + name + ".")) continue;
       constexpr std::size_t longest = 200;
       std::string text = one.dump(-1, ' ', false, isogloss::Json::error_handler_t::replace);
       if (text.size() > longest) text = text.substr(0, longest) + "…";
