@@ -228,7 +228,7 @@ class Explainer : public Exporter {
     f.struct_size = sizeof f;
     for (std::uint32_t level = 0; chain_->flow->frame(level, f); ++level)
       block.frames.push_back({std::string(f.file.data, f.file.size), std::string(f.program.data, f.program.size),
-                              f.call_line, f.pass, f.passes});
+                              f.call_line, f.pass, f.passes, f.id});
   }
 
   const LinkedDialect& linked_;

@@ -32,6 +32,11 @@ class Flow : public FlowHost {
   }
   bool is_over() const { return end_.is_over(); }  ///< a limit was reached and reported
   bool has_request() const { return request_ != Request::none; }
+  /// What the block asked for does not happen.
+  void drop_request() { request_ = Request::none; }
+  std::uint32_t depth() const { return depth_; }
+  std::uint64_t call() const { return frame_->id; }
+  std::uint32_t pass() const { return frame_->pass; }
   /// Executes the request of the block; `next` is where the run would continue otherwise.
   void perform(Document& document, const Place& next);
   /// The frame's text ends with this block: the caller goes on. False in the main program.

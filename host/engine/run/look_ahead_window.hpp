@@ -23,6 +23,7 @@ class OrderedDiagnostics : public DiagnosticSink {
       sink_.add(std::move(d));
   }
   void hold() { is_holding_ = true; }
+  bool is_holding() const { return is_holding_; }
   void pass_on() {
     is_holding_ = false;
     for (Diagnostic& d : take()) sink_.add(std::move(d));
@@ -52,6 +53,7 @@ class LookAheadWindow {
   }
 
   bool is_empty() const { return waiting_ == 0; }
+  std::size_t size() const { return waiting_; }
 
   Entry& add(const Document& d, std::uint32_t resume_at, std::vector<Diagnostic> said) {
     if (entries_.size() == waiting_)

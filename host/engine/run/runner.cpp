@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "document/finite_values.hpp"
+#include "isogloss/engine/stepping.hpp"
 #include "run/flow.hpp"
 #include "run/look_ahead_window.hpp"
 
@@ -22,7 +23,7 @@ bool holds_no_word(std::string_view text) {
   return true;
 }
 
-class Run {
+class Run : StandingRun {
  public:
   Run(const LinkedDialect& linked, Source& source, const std::string& name, const RunOptions& options,
       const std::vector<Exporter*>& exporters, DiagnosticSink& sink)
@@ -106,7 +107,10 @@ class Run {
       }
       flow_.at({line.offset, column, line.number});
       if (flow_.is_over()) return;
-      chain_.begin_block(source_of(line, file, column, rest));
+      const BlockSource source = source_of(line, file, column, rest);
+      if (options_.listener != nullptr && !goes_on_with(source)) [[unlikely]]
+        return;
+      chain_.begin_block(source);
       const std::size_t end = chain_.scan();
       if (end < rest.size()) chain_.document().source.text = rest.substr(0, end);
       run_block();
@@ -120,6 +124,55 @@ class Run {
       }
     } while (!over_ && offset < line.text.size());
     if (holds_last(line) && has_run && !has_more(line, offset)) count_pass(file);
+  }
+
+  /// Asks the listener; false when the run ends before the block.
+  [[gnu::noinline]] bool goes_on_with(const BlockSource& source) {
+    NextBlock next{.number = result_.blocks + 1,
+                   .file = source.file,
+                   .line = source.line,
+                   .column = source.column,
+                   .depth = flow_.depth(),
+                   .call = flow_.call(),
+                   .pass = flow_.pass(),
+                   .text = source.text,
+                   .waiting = window_.size()};
+    if (source.is_joined) next.lines += LinePlace::of(source.text, source.text.size()).line;
+    if (options_.listener->before(next, *this)) return true;
+    over_ = true;
+    return false;
+  }
+
+  std::vector<ExplainedFrame> frames() const override {
+    std::vector<ExplainedFrame> out;
+    ig_frame f{};
+    f.struct_size = sizeof f;
+    for (std::uint32_t level = 0; flow_.frame(level, f); ++level)
+      out.push_back({std::string(f.file.data, f.file.size), std::string(f.program.data, f.program.size), f.call_line,
+                     f.pass, f.passes, f.id});
+    return out;
+  }
+
+  Chain& chain() override { return chain_; }
+
+  std::vector<Diagnostic> execute(std::string_view block) override {
+    const bool was_holding = sink_.is_holding();
+    std::vector<Diagnostic> held = sink_.take();
+    sink_.hold();
+    Document& d = chain_.document();
+    const std::uint32_t line = d.source.line;
+    chain_.begin_block({flow_.file_name(), line, 0, block, false});
+    if (const std::size_t end = chain_.scan(); end < block.size()) d.source.text = block.substr(0, end);
+    chain_.run(d, 0, linked_.post_logic_begin);
+    chain_.waits_at = 0;
+    chain_.run(d, linked_.inspection_begin, length_);
+    flow_.drop_request();
+    chain_.ends_program = chain_.ends_file = chain_.alarmed = false;
+    d.own_source();
+    std::vector<Diagnostic> said = sink_.take();
+    if (!was_holding) sink_.pass_on();
+    for (Diagnostic& before : held) sink_.add(std::move(before));
+    return said;
   }
 
   static BlockSource source_of(const Line& line, std::string_view file, std::uint32_t column, std::string_view text) {

@@ -104,6 +104,7 @@ struct ExplainedFrame {
   std::string program;          ///< the name by which it was called; empty: the main program
   std::uint32_t call_line = 0;  ///< in the file of the frame before
   std::uint32_t pass = 1, passes = 1;
+  std::uint64_t call = 0;  ///< tells the calls of a run apart
 };
 
 struct ExplainedBlock {

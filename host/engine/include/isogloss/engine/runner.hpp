@@ -12,6 +12,8 @@
 
 namespace isogloss {
 
+class BlockListener;
+
 struct RunOptions {
   ChainSettings chain;
   bool stop_on_error = false;                        ///< --on-error stop: the control's own stops end the run
@@ -32,6 +34,8 @@ struct RunOptions {
   /// Called when a program in a file is called for the first time, with its name and the file; empty: none.
   std::function<void(std::string_view program, const std::string& file)> called;
   std::function<void(std::uint64_t blocks, std::uint64_t bytes)> progress;  ///< now and then; empty: none
+  /// Asked before each block (stepping.hpp), borrowed; null: none.
+  BlockListener* listener = nullptr;
   std::function<bool()> goes_on;  ///< asked as often; false ends the run, and its author reports why; empty: always
 };
 
