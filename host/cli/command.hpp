@@ -22,6 +22,7 @@ struct Arguments : std::vector<std::string> {
 int apply_command(const Arguments& arguments);
 int case_command(const Arguments& arguments);
 int complete_command(const Arguments& arguments);
+int dap_command(const Arguments& arguments);
 int dialect_command(const Arguments& arguments);
 int diff_command(const Arguments& arguments);
 int docs_command(const Arguments& arguments);
@@ -57,6 +58,7 @@ inline constexpr Command commands[] = {
     {"schema", "print schemas: of files of dialects, blocks, motions and other JSON", schema_command},
     {"list", "list plugins, dialects, machines, importers, codes, diagnostics and more", list_command},
     {"inspect", "show the page and declaration of one of them", inspect_command},
+    {"dap", "debug part programs from an editor (Debug Adapter Protocol)", dap_command},
     {"docs", "write the reference of all plugins and dialects as linked pages", docs_command},
     {"new", "make the folder of a plugin, a dialect or a machine", new_command},
     {"import", "read files of controls as tables of a machine", import_command},

@@ -117,6 +117,7 @@ Session::Session(const CommonOptions& options)
       reader_(folders(dialect_places_)),
       diagnostics_output_(options.diagnostics_output),
       diagnostics_(policy(options), [this](std::string_view text) {
+        if (taker_) return taker_(text);
         if (diagnostics_file_ != nullptr && diagnostics_file_->write(text)) return;
         progress_.hide();
         write_to_stderr(text);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -77,6 +78,8 @@ class Session {
               std::string hint = {});
   /// From now on, whatever --diagnostics-output names; diagnostics already written to that file are dropped.
   void report_to_stderr() { diagnostics_file_.reset(); }
+  /// From now on diagnostics are given to `taker` as text; a server has no use for standard error.
+  void report_to(std::function<void(std::string_view)> taker) { taker_ = std::move(taker); }
   /// input_errors when there were errors, internal_fault when a plugin broke the contract, else success.
   int status() const;
 
@@ -86,6 +89,7 @@ class Session {
   DialectReader reader_;
   std::string diagnostics_output_;
   std::unique_ptr<OutputFile> diagnostics_file_;
+  std::function<void(std::string_view)> taker_;
   Progress progress_;
   DiagnosticWriter diagnostics_;
 };
