@@ -30,7 +30,7 @@ async function debug(name, dialect, text, { call, called, condition }) {
     const able = await client.initializeRequest();
     assert.ok(able.body.supportsStepBack && able.body.supportsFunctionBreakpoints);
     const initialized = client.waitForEvent("initialized");
-    await client.launch({ program, dialect });
+    await client.launchRequest({ program, dialect });
     await initialized;
     const set = await client.setBreakpointsRequest({ source: { path: program }, breakpoints: [{ line: call }, { line: 1000 }] });
     assert.deepEqual(set.body.breakpoints.map((b) => b.verified), [true, false]);
@@ -54,7 +54,6 @@ async function debug(name, dialect, text, { call, called, condition }) {
     await Promise.all([client.continueRequest({ threadId: 1 }), client.waitForEvent("terminated")]);
     console.log(`  ${dialect}: called program at line ${called} and back`);
   } finally {
-    await client.disconnectRequest();
     await client.stop();
   }
 }

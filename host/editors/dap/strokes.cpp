@@ -37,9 +37,9 @@ void read_axes(const Values& values, const ig_field* fields, unsigned count, Axi
 
 StrokeReader::StrokeReader(const Layout& layout) {
   const auto fill = [](Fields& to, const auto& id) {
-    const std::string axes = "XYZABC";
-    for (std::size_t i = 0; i < 3; ++i) to.program[i] = id("ProgramXyz." + axes.substr(i, 1));
-    for (std::size_t i = 0; i < 6; ++i) to.machine[i] = id("MachineCoordinate." + axes.substr(i, 1));
+    const std::string letters = "XYZABC";
+    for (std::size_t i = 0; i < 3; ++i) to.program[i] = id("ProgramXyz." + letters.substr(i, 1));
+    for (std::size_t i = 0; i < 6; ++i) to.machine[i] = id("MachineCoordinate." + letters.substr(i, 1));
     to.form = id("MotionEvent.Form");
     to.is_rapid = id("MotionEvent.IsRapid");
     to.feed = id("MotionEvent.Feedrate_mmds");
