@@ -260,8 +260,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "an arc before the machine has a position in X, Y and Z"},
       {warning, "IG-0193", "the canonical program has no word for {0}: it is left out",
        "The table ProgramText of the dialect in which the program is written (iso) has no row of that name. Give one "
-       "by "
-       "--machine: <ProgramText><Block name=\"coolant THROUGH\" text=\"[N{LINE} ]M88\"/></ProgramText>.",
+       "by --machine: <ProgramText><Block name=\"coolant THROUGH\" text=\"[N{LINE} ]M88\"/></ProgramText>.",
        "coolant through the spindle, which no ISO code selects alike on all controls"},
       {error, "IG-0194", "the dialect {0} does not say how {1} are written: its ProgramText has no rows for them",
        "The words of a program are rows of the table ProgramText of the dialect. Where it has none, nothing can be "
