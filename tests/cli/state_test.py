@@ -241,13 +241,13 @@ class State(unittest.TestCase):
         return self.state(line, "--as-preamble", *arguments, dialect=dialect, program=name).stdout.splitlines()
 
     def test_siemens_writes_its_own_language(self):
-        text = ("DEF REAL DEPTH=2.5, HOLES[3]\nDEF INT COUNT\nG17 G710 G90 G54 G0 X0 Y0 Z50\nT1 M6\nR1=4\n"
+        text = ("DEF REAL DEPTH=2.5, HOLES[3]\nDEF INT COUNT\nG17 G710 G90 G54 G0 X0 Y0 Z50\nT1 M6\nR1=4 HOLES[1]=7\n"
                 "S1000 M3 F200 FFWON G642\nTRANS X10\nAROT Z30\nASCALE X2 Y2\nAMIRROR Y0\nG0 X10 Y5 Z2\nG1 Z-1 M8\n"
-                "X20\nX=R1 Y7\nMCALL CYCLE81(50,0,2,-DEPTH)\nX40\nX50\nMCALL\nM30\n")
+                "X20\nX=R1 Y=HOLES[1]\nMCALL CYCLE81(50,0,2,-DEPTH)\nX40\nX50\nMCALL\nM30\n")
         blocks = self.lines_of("part.mpf", text, "siemens", 14)
         self.assertEqual(blocks[:6], ["; RESTART AT LINE 14", "DEF REAL DEPTH=2.5, HOLES[3]", "G17 G710 G90 G94 G40",
                                       "TRANS", "G0 SUPA Z0 D0", "G54"])
-        for block in ("TRANS X10 Y0 Z0", "AROT X0 Y0 Z30", "ASCALE X2 Y2 Z1", "AMIRROR Y0", "R1=4", "FFWON", "G642", "M8", "G1 Z-1"):
+        for block in ("TRANS X10 Y0 Z0", "AROT X0 Y0 Z30", "ASCALE X2 Y2 Z1", "AMIRROR Y0", "R1=4", "HOLES[1]=7", "FFWON", "G642", "M8", "G1 Z-1"):
             self.assertIn(block, blocks)
         self.assertNotIn("DEF INT COUNT", blocks)
         self.assertLess(blocks.index("G0 Z50"), blocks.index("G1 Z-1"))
@@ -260,11 +260,17 @@ class State(unittest.TestCase):
                 "9 CC X+1 Y+2\n10 L X+0 Y+0 Z+50 R0 FMAX M3\n11 L X+Q5 R0 FMAX M8\n12 L X+30 FMAX M99\n"
                 "13 L X+Q5 F AUTO M99\n14 M30\n15 END PGM PART MM\n")
         blocks = self.lines_of("part.h", text, "heidenhain", 15, "--set", "IsoCoordinateTable.DATUM_PRESET_3.X=7")
-        self.assertEqual(blocks[:5], ["BEGIN PGM part MM", "; RESTART AT LINE 15", "CYCL DEF 247 DATUM SETTING Q339=3",
+        self.assertEqual(blocks[:5], ["0 BEGIN PGM PART MM", "; RESTART AT LINE 15", "CYCL DEF 247 DATUM SETTING Q339=3",
                                       "L Z+0 R0 FMAX M91", "TOOL CALL 5 Z S2000 F300 DL+0.1 DR+0"])
         for block in ("CYCL DEF 7.1 X+10", "CYCL DEF 10.1 ROT+30", "CC X+1 Y+2", "Q5 = +4", "M8",
                       "8 CYCL DEF 200 DRILLING ~", "  Q200=2 ;SET-UP ~"):
             self.assertIn(block, blocks)
+
+    def test_a_cycle_of_several_parts_is_repeated_whole(self):
+        text = ("0 BEGIN PGM P MM\n1 TOOL CALL 5 Z S2000 F300\n2 CYCL DEF 1.0 PECKING\n3 CYCL DEF 1.1 SET UP 2\n"
+                "4 CYCL DEF 1.2 DEPTH -20\n5 CYCL DEF 1.3 PECKG 5\n6 CYCL DEF 1.4 DWELL 0\n7 CYCL DEF 1.5 F100\n"
+                "8 L X+0 Y+0 Z+50 R0 FMAX M3\n9 L X+10 FMAX M99\n10 M30\n11 END PGM P MM\n")
+        self.assertEqual(self.lines_of("p.h", text, "heidenhain", 10)[-6:], text.splitlines()[2:8])
 
     def test_okuma_writes_its_own_language(self):
         text = ("G21 G90 G17 G15 H2\nT2 M06\nS900 M3\nG0 X5 Y6\nG56 H2 Z20\nG1 Z-2 F100\nX9\nM2\n")

@@ -41,6 +41,7 @@ class VariableRows {
   std::string values(const ProgramText::Row& row) const {
     std::string out;
     for (const VariableAt& v : point_.variables) {
+      if (v.first == v.last && defined_.contains(v.first.line) && v.is_local) continue;
       const Json value = Json::parse(v.value, nullptr, false);
       std::string block;
       const auto value_of = [&](std::string_view name, std::string_view format, std::string& line) {
@@ -56,8 +57,8 @@ class VariableRows {
     return out;
   }
 
-  std::string definitions(const ProgramText::Row& row) const {
-    std::set<std::uint32_t> places;
+  std::string definitions(const ProgramText::Row& row) {
+    std::set<std::uint32_t>& places = defined_;
     const std::string& file = point_.block.where.file;
     for (const VariableAt& v : point_.variables)
       if (is_wanted(row, v) && v.first.file == file) places.insert(v.first.line);
@@ -80,6 +81,7 @@ class VariableRows {
 
   const ProgramPoint& point_;
   const ProgramLines& lines_;
+  std::set<std::uint32_t> defined_;  ///< lines of the definitions that are written
   std::string others_;  ///< the blocks of the other rows: those of the program that they repeat may read variables
 };
 
@@ -102,7 +104,7 @@ std::string make_preamble(const ProgramText& text, const ProgramPoint& point, co
     if (row.block.fill(std::cref(values), blocks[i])) blocks[i] += '\n';
     others += blocks[i];
   }
-  const VariableRows variables(point, lines, std::move(others));
+  VariableRows variables(point, lines, std::move(others));
   for (std::size_t i = 0; i < text.rows.size(); ++i) {
     const ProgramText::Row& row = text.rows[i];
     if (row.name.starts_with(part) && is_of_variables(row.name))

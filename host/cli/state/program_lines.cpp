@@ -13,6 +13,13 @@ bool is_before(const ProgramLine& a, const ProgramLine& b) {
   return std::tie(a.file, a.line) < std::tie(b.file, b.line);
 }
 
+/// The words up to the first point, without a number before them; empty: there is no point.
+std::string head_of_part(const std::string& block) {
+  const std::size_t begin = std::min(block.find_first_not_of("0123456789 \t"), block.size());
+  const std::size_t point = block.find_first_of(".\n", begin);
+  return point == std::string::npos || block[point] != '.' ? std::string() : block.substr(begin, point - begin);
+}
+
 }  // namespace
 
 ProgramLines::ProgramLines(std::string main_file, const std::string& main_text) : further_(is_before) {
@@ -45,6 +52,17 @@ std::string ProgramLines::block(const ProgramLine& at) const {
     rest = from_line(rest, 2);
   }
   return out;
+}
+
+std::string ProgramLines::parts(const ProgramLine& at) const {
+  std::string out = block(at);
+  const std::string head = head_of_part(out);
+  if (head.empty()) return out;
+  for (ProgramLine next{at.file, at.line + 1};; ++next.line) {
+    const std::string further = block(next);
+    if (head_of_part(further) != head) return out;
+    out += "\n" + further;
+  }
 }
 
 std::string from_line(const std::string& text, std::uint32_t line) {

@@ -17,6 +17,9 @@ class ProgramLines {
   void note(const BlockSource& source);
   /// The lines of the block that begins there, as they are written, without the end of the last; empty: unknown.
   std::string block(const ProgramLine& at) const;
+  /// With the blocks right behind it that are alike up to the first point, but for their number at the beginning: of
+  /// "7 CYCL DEF 5.0 POCKET" also "8 CYCL DEF 5.1 SET UP 2".
+  std::string parts(const ProgramLine& at) const;
 
  private:
   const std::string* text_of(const std::string& file) const;

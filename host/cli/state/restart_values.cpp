@@ -134,7 +134,7 @@ bool RestartValues::write_number(std::string_view name, std::string_view format,
   return true;
 }
 
-bool RestartValues::write_blocks(std::string_view name, std::string& out) const {
+bool RestartValues::write_blocks(std::string_view name, std::string_view format, std::string& out) const {
   const std::size_t before = out.size();
   std::set<std::pair<std::string, std::uint32_t>> written;
   for (const ExplainedValue& v : point_.block.carried) {
@@ -142,7 +142,9 @@ bool RestartValues::write_blocks(std::string_view name, std::string& out) const 
     written.emplace(v.set.file, v.set.line);
   }
   for (const auto& [file, line] : written) {
-    const std::string block = lines_.block({file, line});
+    // A part that sets a value itself has come with the first one.
+    if (format == "parts" && out.find(lines_.block({file, line}), before) != std::string::npos) continue;
+    const std::string block = format == "parts" ? lines_.parts({file, line}) : lines_.block({file, line});
     if (block.empty()) return false;
     if (out.size() > before) out += '\n';
     out += block;
@@ -157,7 +159,7 @@ bool RestartValues::operator()(std::string_view name, std::string_view format, s
     const std::string code = point_.codes.last_of(name.substr(last.size()));
     return out += code, !code.empty();
   }
-  if (format == "blocks") return write_blocks(name, out);
+  if (format == "blocks" || format == "parts") return write_blocks(name, format, out);
   const auto found = state_.find(name);
   if (found == state_.end()) return false;
   std::string_view value = found->second;

@@ -26,12 +26,13 @@ class RestartValues {
 
   /// A value for BlockTemplate::fill(). Formats, separated by blanks: "n" has no needless decimal point, "+" a sign,
   /// "length" is in the unit of the program, "*10" times ten, "behind TEXT" what follows TEXT in it, "blocks" the
-  /// blocks of the program that have set the value, or the values that begin so: PATH.*
+  /// blocks of the program that have set the value, or the values that begin so: PATH.*; "parts" each with its further
+  /// parts, ProgramLines::parts()
   bool operator()(std::string_view name, std::string_view format, std::string& out) const;
 
  private:
   bool write_number(std::string_view name, std::string_view format, double value, std::string& out) const;
-  bool write_blocks(std::string_view name, std::string& out) const;
+  bool write_blocks(std::string_view name, std::string_view format, std::string& out) const;
 
   const ProgramPoint& point_;
   const ProgramLines& lines_;

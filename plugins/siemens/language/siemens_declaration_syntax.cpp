@@ -123,6 +123,7 @@ struct SiemensDeclaration {
       Variable& defined = *environment_.store().find_own(name);
       defined.defined_at = place;
       defined.sizes = std::move(sizes);
+      environment_.note_write(b, name, type->initial());
       if (at(text, next) == '=' && !initial(b, text, next, name)) return;
       next = skip_blanks(text, next);
       if (next >= text.size()) return;
