@@ -2,8 +2,6 @@
 
 #include <charconv>
 
-#include "isogloss/engine/chain.hpp"
-
 namespace isogloss::cli {
 
 void CanonicalRequest::add_to(CommandLine& line) {
@@ -21,7 +19,22 @@ void CanonicalRequest::add_to(CommandLine& line) {
       .shows_default();
 }
 
-bool CanonicalRequest::prepare(const std::string& format, Session& session) {
+/// What the user gives for the table of words; the rest belongs to the run.
+ChainSettings CanonicalRequest::own_words(const LinkedDialect& words, const ChainSettings& settings) {
+  ChainSettings out;
+  DiagnosticList unheard;
+  Chain chain(words, {}, unheard);
+  const auto place = chain.answering("isogloss.program-text/1");
+  if (!place) return out;
+  const std::string& table = words.dependencies[*place].element.alias;
+  for (const DependencyElement& d : settings.dependencies)
+    if (d.id == table) out.dependencies.push_back(d);
+  for (const auto& one : settings.assignments)
+    if (one.first.starts_with(table + ".")) out.assignments.push_back(one);
+  return out;
+}
+
+bool CanonicalRequest::prepare(const std::string& format, const ChainSettings& settings, Session& session) {
   const auto [end, error] = std::from_chars(tolerance.data(), tolerance.data() + tolerance.size(), tolerance_mm);
   if (error != std::errc() || end != tolerance.data() + tolerance.size() || !(tolerance_mm >= 1e-6) ||
       tolerance_mm > 1000) {
@@ -35,7 +48,7 @@ bool CanonicalRequest::prepare(const std::string& format, Session& session) {
   const std::unique_ptr<LinkedDialect> words = session.link(default_dialect);
   if (words == nullptr) return false;
   DiagnosticList unheard;  // of tables that no run asks
-  Chain chain(*words, {}, unheard);
+  Chain chain(*words, own_words(*words, settings), unheard);
   text = ProgramText::of(chain);
   if (text.find("rapid") != nullptr) return true;
   session.report("IG-0194", {}, {default_dialect, "the motions of a run"});

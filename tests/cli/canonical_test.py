@@ -311,6 +311,15 @@ class Canonical(unittest.TestCase):
         done = self.emit("M88\nM30\n", "--machine", "code.xml")
         self.assertRegex(done.stderr, r"no word for coolant THROUGH: it is left out \[IG-0193\]")
 
+    def test_a_user_gives_the_word_for_a_coolant(self):
+        row = '<Block name="coolant THROUGH" text="[N{LINE} ]M88"/>'
+        (self.path / "words.xml").write_text(f"<ProgramText>{row}</ProgramText>")
+        done = self.emit("G00 X1.\nM88\nM89\nM30\n", "--machine", "words.xml", dialect="haas")
+        self.assertIn("\nN2 M88\nN3 M09\n", done.stdout)
+        self.assertNotIn("IG-0193", done.stderr)
+        done = self.emit("G00 X1.\nM88\nM30\n", "--set", "ProgramText.coolant THROUGH.text=M26", dialect="haas")
+        self.assertIn("\nM26\n", done.stdout)
+
     def test_further_axes_are_reported(self):
         (self.path / "u.xml").write_text('<MachineAxes><Axis name="U" Kind="linear"/></MachineAxes>')
         done = command("run", str(HERE.parent / "programs/fanuc/frames/further_axes.nc"), "-d", "fanuc", "--machine",

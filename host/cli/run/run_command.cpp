@@ -64,10 +64,10 @@ int RunCommand::run() {
     return cannot_start;
   }
   if (emit != "none" && writes_to_stdout) session.progress().data_goes_to_stdout();
-  if (emit == "canonical" && !canonical.prepare(format, session)) return cannot_start;
   std::optional<RunOptions> options = program.make(session);
   auto tables = read_table_requests(save_table, session);
   if (!options || !tables) return cannot_start;
+  if (emit == "canonical" && !canonical.prepare(format, options->chain, session)) return cannot_start;
   tables_to_save = std::move(*tables);
   std::vector<std::string> sources = programs, saved;
   sources.push_back(program.dialect);

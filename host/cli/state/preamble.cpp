@@ -1,105 +1,91 @@
 #include "state/preamble.hpp"
 
-#include <charconv>
-#include <cmath>
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <set>
+
+#include "json_text.hpp"
 
 namespace isogloss::cli {
 
 namespace {
 
-constexpr double mm_per_inch = 25.4;
-constexpr std::string_view part = "restart ";
+constexpr std::string_view part = "restart ", value_row = " variable", definition_row = " definition";
 
-std::optional<double> number_of(std::string_view text) {
-  double out = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional(out) : std::nullopt;
-}
+bool is_of_variables(std::string_view row) { return row.ends_with(value_row) || row.ends_with(definition_row); }
 
-bool is_same(std::string_view a, std::string_view b) {
-  const auto x = number_of(a), y = number_of(b);
-  return x && y ? *x == *y : a == b;
-}
+bool is_letter_or_figure(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-bool is_one_of(std::string_view value, std::string_view choices) {
-  for (std::size_t begin = 0; begin <= choices.size();) {
-    const std::size_t end = std::min(choices.find('|', begin), choices.size());
-    if (is_same(value, choices.substr(begin, end - begin))) return true;
-    begin = end + 1;
+/// In capitals or not.
+bool has_word(std::string_view text, std::string_view word) {
+  const auto is_same = [](char a, char b) {
+    return std::toupper(static_cast<unsigned char>(a)) == std::toupper(static_cast<unsigned char>(b));
+  };
+  for (auto at = text.begin();; ++at) {
+    at = std::search(at, text.end(), word.begin(), word.end(), is_same);
+    if (at == text.end()) return false;
+    const auto end = at + static_cast<std::ptrdiff_t>(word.size());
+    if ((at == text.begin() || !is_letter_or_figure(at[-1])) && (end == text.end() || !is_letter_or_figure(*end)))
+      return true;
   }
-  return false;
 }
 
-bool holds_one(std::string_view condition, const StateFields& state) {
-  const bool is_denied = condition.starts_with('!');
-  if (is_denied) condition.remove_prefix(1);
-  const std::size_t equals = std::min(condition.find('='), condition.size());
-  const bool differs = equals > 0 && equals < condition.size() && condition[equals - 1] == '!';
-  const auto found = state.find(condition.substr(0, equals - (differs ? 1 : 0)));
-  if (equals == condition.size()) return (found != state.end()) != is_denied;
-  if (found == state.end()) return false;
-  std::string_view choices = condition.substr(equals + 1);
-  if (choices.starts_with('@')) {
-    const auto other = state.find(choices.substr(1));
-    choices = other == state.end() ? std::string_view() : other->second;
-  }
-  return is_one_of(found->second, choices) != differs;
-}
-
-/// Eight decimals: an inch needs more than a millimetre.
-std::string length(double mm, bool is_inch, bool is_plain) {
-  const double value = is_inch ? mm / mm_per_inch : mm;
-  return block_number(std::round(value * 1e8) / 1e8, true, is_plain);
-}
-
-class PreambleValues {
+/// Writes the rows of variables: " variable" once for each that the rest reads, " definition" the blocks that have
+/// assigned these first.
+class VariableRows {
  public:
-  PreambleValues(const ProgramPoint& point, const Layout& layout)
-      : state_(fields_of(point.block.carried)), layout_(layout), point_(point) {
-    const auto unit = state_.find("Unit.System");
-    is_inch_ = unit != state_.end() && unit->second == "Inch";
-  }
-  const StateFields& state() const { return state_; }
+  VariableRows(const ProgramPoint& point, const ProgramLines& lines, std::string others)
+      : point_(point), lines_(lines), others_(std::move(others)) {}
 
-  bool operator()(std::string_view name, std::string_view format, std::string& out) const {
-    if (name == "LINE") return out += std::to_string(point_.block.where.line), true;
-    const auto found = state_.find(name);
-    if (found == state_.end()) return false;
-    const auto number = number_of(found->second);
-    if (!number) return out += found->second, true;
-    const auto field = layout_.find(name);
-    const bool is_length = format == "length" || (field && layout_.fields[*field].unit == "mm");
-    const bool is_plain = format == "n" || (field && layout_.fields[*field].type != IG_NUMBER);
-    out += length(*number, is_length && is_inch_, is_plain);
-    return true;
+  std::string values(const ProgramText::Row& row) const {
+    std::string out;
+    for (const VariableAt& v : point_.variables) {
+      if (v.first == v.last && defined_.contains(v.first.line) && v.is_local) continue;
+      const Json value = Json::parse(v.value, nullptr, false);
+      std::string block;
+      const auto value_of = [&](std::string_view name, std::string_view format, std::string& line) {
+        if (name == "VARIABLE") return line += v.name, true;
+        if (name == "VALUE" && value.is_number()) {
+          const std::string number = block_number(value.get<double>(), true, format == "n" || format == "+");
+          return line += (format == "+" && !number.starts_with('-') ? "+" : "") + number, true;
+        }
+        return name == "TEXT" && value.is_string() && (line += value.get<std::string>(), true);
+      };
+      if (is_wanted(row, v) && row.block.fill(value_of, block)) out += block + "\n";
+    }
+    return out;
+  }
+
+  std::string definitions(const ProgramText::Row& row) {
+    std::set<std::uint32_t>& places = defined_;
+    const std::string& file = point_.block.where.file;
+    for (const VariableAt& v : point_.variables)
+      if (is_wanted(row, v) && v.first.file == file) places.insert(v.first.line);
+    std::string out;
+    for (const std::uint32_t line : places) {
+      std::string block;
+      const auto value_of = [&](std::string_view name, std::string_view, std::string& text) {
+        return name == "DEFINITION" && (text += lines_.block({file, line}), true);
+      };
+      if (row.block.fill(value_of, block)) out += block + "\n";
+    }
+    return out;
   }
 
  private:
-  StateFields state_;
-  const Layout& layout_;
+  bool is_wanted(const ProgramText::Row& row, const VariableAt& v) const {
+    return (v.is_read || has_word(others_, v.name)) &&
+           holds(row.when, {{"VARIABLE", v.name}, {"SCOPE", v.is_local ? "local" : "global"}});
+  }
+
   const ProgramPoint& point_;
-  bool is_inch_ = false;
+  const ProgramLines& lines_;
+  std::set<std::uint32_t> defined_;  ///< lines of the definitions that are written
+  std::string others_;  ///< the blocks of the other rows: those of the program that they repeat may read variables
 };
 
 }  // namespace
-
-StateFields fields_of(const std::vector<ExplainedValue>& values) {
-  StateFields out;
-  for (const ExplainedValue& v : values) {
-    const bool is_name = v.value.size() >= 2 && v.value.front() == '"';
-    out[v.path] = is_name ? v.value.substr(1, v.value.size() - 2) : v.value;
-  }
-  return out;
-}
-
-bool holds(std::string_view when, const StateFields& state) {
-  for (std::size_t begin = 0; begin < when.size();) {
-    const std::size_t end = std::min(when.find(' ', begin), when.size());
-    if (end > begin && !holds_one(when.substr(begin, end - begin), state)) return false;
-    begin = end + 1;
-  }
-  return true;
-}
 
 bool has_preamble(const ProgramText& text) {
   for (const ProgramText::Row& row : text.rows)
@@ -107,27 +93,23 @@ bool has_preamble(const ProgramText& text) {
   return false;
 }
 
-std::string make_preamble(const ProgramText& text, const ProgramPoint& point, const Layout& layout) {
-  const PreambleValues values(point, layout);
-  std::string out;
-  for (const ProgramText::Row& row : text.rows) {
-    if (!row.name.starts_with(part) || !holds(row.when, values.state())) continue;
-    std::string block;
-    if (row.name.ends_with(" variable")) {
-      for (const auto& [number, value] : point.variables) {
-        if (!value) continue;
-        block.clear();
-        const auto assigned = [&, id = number, to = *value](std::string_view name, std::string_view,
-                                                            std::string& line) {
-          if (name == "VARIABLE") line += std::to_string(id);
-          if (name == "VALUE") line += block_number(to, true);
-          return name == "VARIABLE" || name == "VALUE";
-        };
-        if (row.block.fill(assigned, block)) out += block + "\n";
-      }
-    } else if (row.block.fill(std::cref(values), block)) {
-      out += block + "\n";
-    }
+std::string make_preamble(const ProgramText& text, const ProgramPoint& point, const ProgramLines& lines,
+                          const Layout& layout) {
+  const RestartValues values(point, lines, layout);
+  std::vector<std::string> blocks(text.rows.size());
+  std::string others, out;
+  for (std::size_t i = 0; i < text.rows.size(); ++i) {
+    const ProgramText::Row& row = text.rows[i];
+    if (!row.name.starts_with(part) || is_of_variables(row.name) || !holds(row.when, values.state())) continue;
+    if (row.block.fill(std::cref(values), blocks[i])) blocks[i] += '\n';
+    others += blocks[i];
+  }
+  VariableRows variables(point, lines, std::move(others));
+  for (std::size_t i = 0; i < text.rows.size(); ++i) {
+    const ProgramText::Row& row = text.rows[i];
+    if (row.name.starts_with(part) && is_of_variables(row.name))
+      blocks[i] = row.name.ends_with(value_row) ? variables.values(row) : variables.definitions(row);
+    out += blocks[i];
   }
   return out;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "isogloss/engine/motion.hpp"
 #include "json_text.hpp"
 
 namespace isogloss::cli {
@@ -41,13 +42,12 @@ class Tail : public Exporter {
 };
 
 std::string motions_after(const LinkedDialect& linked, const std::string& text, const std::string& name,
-                          std::uint64_t blocks_before, const RunOptions& options) {
+                          std::uint64_t blocks_before, const RunOptions& options, DiagnosticSink& said) {
   MotionText out;
   const std::unique_ptr<Exporter> motions = make_motion_exporter(out, {});
   Tail tail(*motions, blocks_before);
-  DiagnosticList unheard;
   const std::unique_ptr<Source> source = memory_source(text);
-  run(linked, *source, name, options, {&tail}, unheard);
+  run(linked, *source, name, options, {&tail}, said);
   return std::move(out.text);
 }
 
@@ -77,6 +77,30 @@ bool are_same(std::string_view a, std::string_view b) {
   return is_near(left, right);
 }
 
+/// A preamble may feed along one axis down to the point, and nothing else: a cycle in it would drill.
+std::uint32_t line_that_cuts(const LinkedDialect& linked, const std::string& text, const std::string& name,
+                             std::uint32_t lines, const RunOptions& options) {
+  std::uint32_t out = 0, last_feed = 0;
+  MotionPoint at;
+  const auto listener = make_motion_listener([&](const Motion& m) {
+    if (m.file != name || m.line > lines) return false;
+    if (m.event > Motion::Event::arc) return true;
+    unsigned changed = 0;
+    for (unsigned axis = 0; axis < 3; ++axis)
+      changed += !at.has(axis) || std::abs(m.program.at[axis] - at.at[axis]) > same_value ? 1 : 0;
+    const bool is_rapid = m.event == Motion::Event::rapid;
+    if (last_feed != 0) out = last_feed;
+    if (m.event == Motion::Event::arc || (!is_rapid && changed > 1)) out = m.line;
+    last_feed = is_rapid ? 0 : m.line;
+    at = m.program;
+    return out == 0;
+  });
+  DiagnosticList unheard;
+  const std::unique_ptr<Source> source = memory_source(text);
+  run(linked, *source, name, options, {listener.get()}, unheard);
+  return out;
+}
+
 std::string_view next_line(std::string_view& rest) {
   const std::size_t end = std::min(rest.find('\n'), rest.size());
   const std::string_view out = rest.substr(0, end);
@@ -88,11 +112,17 @@ bool begins_with_one_of(std::string_view path, std::initializer_list<std::string
   return std::any_of(beginnings.begin(), beginnings.end(), [&](std::string_view b) { return path.starts_with(b); });
 }
 
+/// A block that the preamble repeats has the faults that it has in the program.
+bool has_same(const DiagnosticList& list, const Diagnostic& one) {
+  return std::any_of(list.all.begin(), list.all.end(),
+                     [&](const Diagnostic& d) { return d.code == one.code && d.message == one.message; });
+}
+
 /// What tells of the past, or only matters to the moves that are compared anyhow.
 bool is_memory(std::string_view path) {
   return begins_with_one_of(
-      path, {"ReferenceReturn.", "CannedCycle.", "MotionState.", "ProgramToMcTransform", "Source.", "Parsing.",
-             "RadiusCompensation.OffsetId", "ToolHeightCompensation.OffsetId"});
+      path, {"ReferenceReturn.", "CannedCycle.", "MotionState.", "CycleDefinition.", "ProgramToMcTransform", "Source.",
+             "Parsing.", "RadiusCompensation.OffsetId", "ToolHeightCompensation.OffsetId"});
 }
 
 /// What the moves behind it do not show: where the tool stands, what turns and flows.
@@ -139,14 +169,17 @@ RestartCheck check_restart(const LinkedDialect& linked, const std::string& whole
   DiagnosticList said;
   ExplainReach reach;
   const auto restarted = find_point(linked, text, name, {.line = lines + 1}, again, said, reach);
+  DiagnosticList said_by_whole, unheard;
+  const std::string first = motions_after(linked, whole, name, point.blocks_before, options, said_by_whole);
   for (Diagnostic& d : said.all)
-    if (d.severity == Severity::error && d.where.line <= lines) out.errors.push_back(std::move(d));
+    if (d.severity == Severity::error && d.where.line <= lines && !has_same(said_by_whole, d))
+      out.errors.push_back(std::move(d));
   if (!restarted) return out;
   out.comes_to_rest = true;
+  out.cuts_at = line_that_cuts(linked, text, name, lines, again);
   out.differences = differences(point.block.carried, restarted->block.carried);
 
-  const std::string first = motions_after(linked, whole, name, point.blocks_before, options);
-  const std::string second = motions_after(linked, text, name, restarted->blocks_before, again);
+  const std::string second = motions_after(linked, text, name, restarted->blocks_before, again, unheard);
   const bool is_cut = std::max(first.size(), second.size()) >= most_compared_bytes;
   std::string_view a = first, b = second;
   while (!a.empty() || !b.empty()) {

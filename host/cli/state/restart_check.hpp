@@ -19,6 +19,7 @@ struct RestartCheck {
   std::vector<StateDifference> differences;  ///< of the two states there
   std::uint32_t line = 0;                    ///< of the program, where the motions part first; 0: they do not
   std::string line_file;
+  std::uint32_t cuts_at = 0;       ///< line of the preamble that cuts on another way than down to the point; 0: none
   std::vector<Diagnostic> errors;  ///< of the preamble's own blocks
 };
 

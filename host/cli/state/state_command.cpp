@@ -5,14 +5,12 @@
 
 #include "crash_guard.hpp"
 #include "dialect_guess.hpp"
-#include "isogloss/engine/chain.hpp"
 #include "isogloss/engine/printable.hpp"
 #include "json_text.hpp"
 #include "output_file.hpp"
 #include "program_options.hpp"
 #include "run_progress.hpp"
-#include "state/preamble.hpp"
-#include "state/restart_check.hpp"
+#include "state/restart.hpp"
 
 namespace isogloss::cli {
 
@@ -29,25 +27,47 @@ struct StateCommand {
   ProgramOptions program;
   std::string what;
   ExplainTarget target;
-  bool json = false, after = false, as_preamble = false, with_rest = false;
+  bool json = false, after = false, as_preamble = false, with_rest = false, nearest = false;
 
   int run();
   int show(Session& session, const std::string& path);
-  int write_preamble(Session& session, const LinkedDialect& linked, const std::string& text, const std::string& path,
-                     const ProgramPoint& point, const RunOptions& options) const;
   std::vector<StateRow> rows(const ProgramPoint& point, const Layout& layout) const;
   std::string text_of(const ProgramPoint& point, const std::vector<StateRow>& state) const;
   Json json_of(const ProgramPoint& point, const std::vector<StateRow>& state, const std::string& dialect) const;
 };
 
+/// Another field tells it.
+std::string unit_of_feed(const std::vector<ExplainedValue>& values) {
+  for (const ExplainedValue& v : values)
+    if (v.path == "Feedrate.Unit" && v.value.size() > 2) return v.value.substr(1, v.value.size() - 2);
+  return {};
+}
+
 std::vector<StateRow> StateCommand::rows(const ProgramPoint& point, const Layout& layout) const {
   std::vector<StateRow> out;
-  for (const ExplainedValue& v : after ? point.block.values : point.block.carried) {
+  const std::vector<ExplainedValue>& values = after ? point.block.values : point.block.carried;
+  for (const ExplainedValue& v : values) {
     const auto field = layout.find(v.path);
     if (!field || !is_carried(layout.fields[*field].life)) continue;
-    out.push_back({v, layout.fields[*field].unit, layout.fields[*field].doc});
+    std::string unit = layout.fields[*field].unit;
+    if (v.path == "Feedrate.FeedrateValue") unit = unit_of_feed(values);
+    out.push_back({v, std::move(unit), layout.fields[*field].doc});
   }
   return out;
+}
+
+/// Without quotes, and of numbers what a machine can tell apart.
+std::string shown_value(const std::string& json) {
+  if (json.size() > 1 && json.front() == '"') return json.substr(1, json.size() - 2);
+  const Json value = Json::parse(json, nullptr, false);
+  if (!value.is_number_float()) return json;
+  const std::string text = fmt::format("{:.6f}", value.get<double>());
+  return text.substr(0, std::max(text.find_last_not_of("0.") + 1, text.find('.')));
+}
+
+std::string place_of(const ProgramLine& at, std::string_view file) {
+  if (at.line == 0) return "at start";
+  return at.file == file ? fmt::format("line {}", at.line) : fmt::format("{}:{}", at.file, at.line);
 }
 
 std::string StateCommand::text_of(const ProgramPoint& point, const std::vector<StateRow>& state) const {
@@ -57,25 +77,21 @@ std::string StateCommand::text_of(const ProgramPoint& point, const std::vector<S
   std::vector<std::string> shown;
   std::size_t names = 0, values = 0;
   for (const StateRow& row : state) {
-    std::string value = row.value.value;
-    if (value.size() > 1 && value.front() == '"') value = value.substr(1, value.size() - 2);
+    std::string value = shown_value(row.value.value);
     if (!row.unit.empty()) value += " " + row.unit;
     names = std::max(names, row.value.path.size());
     values = std::max(values, std::min<std::size_t>(value.size(), 24));
     shown.push_back(std::move(value));
   }
   for (std::size_t i = 0; i < state.size(); ++i) {
-    const auto& [file, line] = state[i].value.set;
-    const std::string place = line == 0              ? "at start"
-                              : file == b.where.file ? fmt::format("line {}", line)
-                                                     : fmt::format("{}:{}", file, line);
-    out += fmt::format("  {:<{}}  {:<{}}  {:<10}  {}\n", state[i].value.path, names, shown[i], values, place,
-                       state[i].title);
+    out += fmt::format("  {:<{}}  {:<{}}  {:<10}  {}\n", state[i].value.path, names, shown[i], values,
+                       place_of(state[i].value.set, b.where.file), state[i].title);
   }
   if (!after && !point.variables.empty()) out += "Variables that the program has set:\n";
   if (!after)
-    for (const auto& [number, value] : point.variables)
-      out += fmt::format("  {:>6}  {}\n", number, value ? fmt::format("{}", *value) : "empty");
+    for (const VariableAt& v : point.variables)
+      out += fmt::format("  {:>8}  {:<{}}  {}\n", v.name, v.value.empty() ? "empty" : shown_value(v.value), values,
+                         place_of(v.last, b.where.file));
   return out;
 }
 
@@ -98,68 +114,13 @@ Json StateCommand::json_of(const ProgramPoint& point, const std::vector<StateRow
            {"State", std::move(rows)}};
   if (after) return out;
   Json variables = Json::array();
-  for (const auto& [number, value] : point.variables)
-    variables.push_back({{"Variable", number}, {"Value", value ? Json(*value) : Json()}});
+  for (const VariableAt& v : point.variables)
+    variables.push_back({{"Variable", v.name},
+                         {"Value", v.value.empty() ? Json() : Json::parse(v.value)},
+                         {"File", v.last.file},
+                         {"Line", v.last.line}});
   out["Variables"] = std::move(variables);
   return out;
-}
-
-/// Why no blocks can restore the state there; empty: they may.
-std::string why_not(const ProgramPoint& point) {
-  const ExplainedBlock& b = point.block;
-  if (b.frames.size() > 1)
-    return fmt::format("its block is in the called program {}, which line {} calls", b.frames.back().program,
-                       b.frames[1].call_line);
-  if (b.pass > 1) return "the line is in a loop, whose passes a preamble cannot count";
-  for (const ExplainedValue& v : b.carried)
-    if (v.path == "RadiusCompensation.Side" && v.value != R"("None")")
-      return fmt::format("cutter radius compensation has been active since line {}, so restart before that line",
-                         v.set.line);
-  return {};
-}
-
-/// The text from this line on. Lines end as in a run: LF, CR or both.
-std::string from_line(const std::string& text, std::uint32_t line) {
-  std::size_t at = 0;
-  for (std::uint32_t number = 1; number < line && at < text.size(); ++number) {
-    at = std::min(text.find_first_of("\r\n", at), text.size());
-    if (at < text.size()) at += text.compare(at, 2, "\r\n") == 0 ? 2 : 1;
-  }
-  return text.substr(at);
-}
-
-int StateCommand::write_preamble(Session& session, const LinkedDialect& linked, const std::string& text,
-                                 const std::string& path, const ProgramPoint& point, const RunOptions& options) const {
-  const Location where = point.block.where;
-  const std::string line = std::to_string(where.line);
-  DiagnosticList unheard;  // what the run has said already
-  ProgramText words;
-  {
-    Chain chain(linked, options.chain, unheard);
-    words = ProgramText::of(chain);
-  }
-  if (!has_preamble(words)) {
-    session.report("IG-0194", {}, {linked.dialect.name, "the blocks of a restart"});
-    return input_errors;
-  }
-  if (const std::string reason = why_not(point); !reason.empty()) {
-    session.report("IG-0195", where, {line, reason});
-    return input_errors;
-  }
-  const std::string preamble = make_preamble(words, point, linked.layout);
-  const std::string rest = from_line(text, where.line);
-  const RestartCheck check = check_restart(linked, text, preamble, rest, path, point, options);
-  session.progress().hide();
-  for (const DependencyElement& table : point.changed_tables) session.report("IG-0198", where, {table.alias, line});
-  for (const Diagnostic& d : check.errors) session.report("IG-0195", where, {line, d.message});
-  if (!check.comes_to_rest && check.errors.empty())
-    session.report("IG-0195", where, {line, "the blocks of the preamble end the program"});
-  for (const StateDifference& d : check.differences)
-    session.report(d.is_vital || check.line != 0 ? "IG-0196" : "IG-0199", where,
-                   {d.path, d.found.empty() ? "nothing" : d.found, d.wanted.empty() ? "nothing" : d.wanted});
-  if (check.line != 0) session.report("IG-0197", {check.line_file, check.line, 0}, {line});
-  if (session.status() != success) return session.status();
-  return print(with_rest ? preamble + rest : preamble, success);
 }
 
 int StateCommand::show(Session& session, const std::string& path) {
@@ -181,7 +142,8 @@ int StateCommand::show(Session& session, const std::string& path) {
 
   DiagnosticList said;
   ExplainReach reach;
-  const std::optional<ProgramPoint> point = find_point(*linked, *text, path, target, *options, said, reach);
+  ProgramLines lines(path, *text);
+  std::optional<ProgramPoint> point = find_point(*linked, *text, path, target, *options, said, reach, &lines);
   if (!point) {
     for (Diagnostic& d : said.all)
       if (d.severity == Severity::error) session.diagnostics().add(std::move(d));
@@ -192,7 +154,13 @@ int StateCommand::show(Session& session, const std::string& path) {
                    end);
     return input_errors;
   }
-  if (as_preamble) return write_preamble(session, *linked, *text, path, *point, *options);
+  if (as_preamble) {
+    Restart restart(session, *linked, *text, path, lines, *options);
+    const std::optional<std::string> preamble = restart.write(*point, nearest);
+    session.progress().hide();
+    if (!preamble) return session.status();
+    return print(with_rest ? *preamble + from_line(*text, restart.line()) : *preamble, success);
+  }
   session.progress().hide();
   const std::vector<StateRow> state = rows(*point, linked->layout);
   return print(json ? pretty(json_of(*point, state, linked->dialect.name)) : text_of(*point, state), session.status());
@@ -207,6 +175,7 @@ int StateCommand::run() {
   std::string fault;
   if (!is_line || std::stoul(number) == 0) fault = "state needs PROGRAM:LINE, not '" + what + "'";
   if (with_rest && !as_preamble) fault = "--with-rest writes the rest behind a preamble: give --as-preamble, too";
+  if (nearest && !as_preamble) fault = "--nearest chooses the line of a preamble: give --as-preamble, too";
   if (as_preamble && (after || json))
     fault = "--as-preamble writes blocks that restore the state before the line: leave --after and --json out";
   if (as_preamble && !target.file.empty()) fault = "--as-preamble restarts the main program: leave --in out";
@@ -239,6 +208,8 @@ int state_command(const Arguments& arguments) {
             "Write blocks that restore the state, after checking that the rest then moves as in the whole program; "
             "exit status 1, and nothing written, where no blocks can");
   line.flag("--with-rest", command.with_rest, "Write the program from LINE on behind the preamble");
+  line.flag("--nearest", command.nearest,
+            "Where no blocks restore the state before LINE, restart at the nearest line before it where they do");
   line.flag("--json", command.json, "Write JSON");
   command.program.add_to(line);
   command.common.add_to(line);

@@ -259,7 +259,8 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "A canonical arc needs X, Y and Z of its start, its end and its centre.",
        "an arc before the machine has a position in X, Y and Z"},
       {warning, "IG-0193", "the canonical program has no word for {0}: it is left out",
-       "The table ProgramText of the dialect in which the program is written (iso) has no row of that name.",
+       "The table ProgramText of the dialect in which the program is written (iso) has no row of that name. Give one "
+       "by --machine: <ProgramText><Block name=\"coolant THROUGH\" text=\"[N{LINE} ]M88\"/></ProgramText>.",
        "coolant through the spindle, which no ISO code selects alike on all controls"},
       {error, "IG-0194", "the dialect {0} does not say how {1} are written: its ProgramText has no rows for them",
        "The words of a program are rows of the table ProgramText of the dialect. Where it has none, nothing can be "
@@ -267,7 +268,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "isogloss state part.h:10 --as-preamble"},
       {error, "IG-0195", "no preamble can restore the state before line {0}: {1}",
        "A preamble restores values that a block can set. It cannot enter a called program, a pass of a loop, or a "
-       "compensated contour. Choose a line before it, such as the one that changes the tool.",
+       "compensated contour. Choose a line before it, such as the one that changes the tool; --nearest finds one.",
        "isogloss state part.nc:40 --as-preamble, and line 40 is between G41 and G40"},
       {error, "IG-0196", "after the preamble {0} is {1}, but before that line it is {2}: the state is not restored",
        "The preamble was run and compared with the program. The dialect has no row in ProgramText that writes this "
@@ -284,6 +285,16 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "The dialect has no row in ProgramText that writes this state. The rest of the program moves as in the whole, "
        "but the machine may do it in another way, for example without smoothing.",
        "a restart while G05.1 Q1 is active"},
+      {error, "IG-0621", "the preamble of line {0} would cut by itself in its block {1}: it is not written",
+       "A preamble may only approach: by rapid, and from the clear level down to the point by feed. A row of "
+       "ProgramText "
+       "writes a block that drills or moves in another way by feed.",
+       "a row that selects a cycle by G81 X.. Z.. R.. where the control drills at once"},
+      {note, "IG-0620",
+       "no blocks restore the state before line {0}: the restart begins at line {1}, the nearest that can",
+       "--nearest tries the lines before the one that was asked for: the call of a subprogram, the approach to a "
+       "contour, the first block of a loop. The rest begins there.",
+       "isogloss state part.nc:40 --as-preamble --nearest"},
       // links: 0200-0299
       {error, "IG-0201", "no plugin '{0}' in the folders searched",
        "The dialect names a plugin that no plugin folder holds, or that could not be loaded. `isogloss doctor` lists "
