@@ -3,6 +3,7 @@
 
 #include "explain/explain_target.hpp"
 #include "isogloss/engine/follow.hpp"
+#include "session.hpp"
 
 namespace isogloss::cli {
 

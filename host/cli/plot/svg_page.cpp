@@ -31,7 +31,7 @@ std::string escaped_for_svg(std::string_view text) {
 
 std::string with_thousands(std::uint64_t number) {
   std::string out = std::to_string(number);
-  for (std::size_t i = out.size(); i > 3; i -= 3) out.insert(i - 3, ",");
+  for (std::size_t i = out.size(); i > 3; i -= 3) out.insert(i - 3, 1, ',');
   return out;
 }
 
