@@ -183,8 +183,8 @@ class PathRecorder : public Exporter {
                                                               : Kind::arc);
     // Where the machine stands before its first move, nobody knows.
     const bool is_first = path_.points.empty() && m.event == Motion::Event::rapid;
-    const Point tip = is_first ? machine_.tip(axes.to, axes.to_angles, length_)
-                               : machine_.tip(axes.from, axes.from_angles, length_);
+    const Point tip =
+        is_first ? machine_.tip(axes.to, axes.to_angles, length_) : machine_.tip(axes.from, axes.from_angles, length_);
     if (path_.points.empty() || distance(path_.points.back(), tip) > same_place_mm)
       add_point(tip, is_first ? axes.to_angles : axes.from_angles);
     move.first = static_cast<std::uint32_t>(path_.points.size() - 1);
