@@ -289,13 +289,16 @@ class State(unittest.TestCase):
         self.assertNotIn("IG-0620", self.state(10, "--as-preamble", "--nearest").stderr)
 
     def test_a_preamble_that_would_cut_is_not_written(self):
+        # A series that returns to the initial level: the cycle can be set without a hole from where the tool stands.
+        part = PART.replace("G69\n", "G69 G00 Z50.\n").replace("G99 G81", "G98 G81")
+        (self.path / "part.nc").write_text(part)
         (self.path / "rows.xml").write_text('<ProgramText><Block name="restart 31 cycle" when="CannedCycle.Term!=G80" '
                                             'text="G81 Z{CannedCycle.Params.Z} R{CannedCycle.Params.R}"/></ProgramText>')
         done = self.state(self.line_of("X40."), "--as-preamble", "--machine", "rows.xml", status=1)
         self.assertIn("[IG-0621]", done.stderr)
         self.assertEqual(done.stdout, "")
-        self.state(self.line_of("X40."), "--as-preamble")
-        self.state(self.line_of("X40."), "--as-preamble", dialect="haas")
+        self.assertIn("R2. K0\n", self.state(self.line_of("X40."), "--as-preamble").stdout)
+        self.assertIn("R2. L0\n", self.state(self.line_of("X40."), "--as-preamble", dialect="haas").stdout)
 
     def test_a_pipe(self):
         done = command("state", "/dev/stdin:8", "-d", "fanuc", *TABLES, "--as-preamble", given=PART)
