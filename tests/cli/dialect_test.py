@@ -207,8 +207,8 @@ class Dropped(Command):
     def test_a_note_stands_at_the_edit(self):
         path, said = self.lint('<Remove syntax="UnitModeSyntax"/>')
         self.assertRegex(said, r"mine\.xml:\d+:5: note: nothing")
-        self.assertIn("nothing takes G20, G21 any longer, as UnitModeSyntax does in fanuc: programs that hold them are "
-                      "reported [IG-0611]", said)
+        self.assertIn("nothing takes G20, G21, G70, G71 any longer, as UnitModeSyntax does in fanuc: programs that "
+                      "hold them are reported [IG-0611]", said)
         program = self.write("G21 G90\nM30\n", "a.nc")
         self.assertIn("G21", self.run_it("run", program, "-d", path, "--emit", "none", status=1).stderr)
 
