@@ -101,12 +101,12 @@ class Diff(unittest.TestCase):
         self.assertIn("peck clearance: 5115 = 1 mm against 0.25 mm", causes[0]["Cause"])
 
     def test_rows_are_tried_as_options_are(self):
-        self.write("a.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="a" title="A" extends="fanuc"/>')
         part = self.write("part.nc", PECKS)
-        both = ["--set-b", "FanucParameterTable.5115=500", "--set-b", "FanucParameterTable.5114=500"]
+        # The cycle reads 1013 for the size of an increment; bit 2 means nothing.
+        both = ["--set-b", "FanucParameterTable.5115=500", "--set-b", "FanucParameterTable.1013=4"]
         causes, _ = self.causes("-d", "fanuc", *both, part)
         tried = [e for c in causes for e in c["Evidence"] if e["Trial"] is not None]
-        self.assertEqual({(e["NameA"], e["Trial"]) for e in tried}, {("5115", "Cause"), ("5114", "NoCause")}, causes)
+        self.assertEqual({(e["NameA"], e["Trial"]) for e in tried}, {("5115", "Cause"), ("1013", "NoCause")}, causes)
         self.assertIn("tried:", self.diff("-d", "fanuc", *both, part).stdout)
 
     def test_the_same_on_both_sides_is_no_difference(self):

@@ -1,12 +1,12 @@
 // The same blocks under another locale, environment, folder and clock, and at other places of the memory.
 #include <dlfcn.h>
 #include <fmt/format.h>
-#include <malloc.h>
 #include <sys/mman.h>
 #include <sys/time.h>
 
 #include <clocale>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -108,12 +108,20 @@ bool use_other_time() {
   return true;
 }
 
+/// mallopt(M_PERTURB) leaves out the memory that a thread keeps for itself, which is all that is small.
+bool fills_memory = false;
+void* other_malloc(std::size_t size) {
+  constexpr int filler = 0x5a;
+  void* const out = std::malloc(size);
+  return out == nullptr || !fills_memory ? out : std::memset(out, filler, size);
+}
+const Replacement other_memory[] = {{"malloc", reinterpret_cast<void*>(&other_malloc)}};
+
 /// Memory of many sizes is taken before the library is loaded, so that no gap is left in which it was before; new
 /// memory holds other bytes.
 bool use_other_memory() {
   constexpr std::size_t least = 4096, most = std::size_t{32} << 20, odd_size = 3 * least;
-  constexpr int filler = 0x5a;
-  mallopt(M_PERTURB, filler);
+  fills_memory = true;
   // All stay taken to the end of the process of this check.
   bool is_taken = true;
   for (std::size_t size = most; size >= least; size /= 2)
@@ -134,7 +142,7 @@ void stay_there() {}
 const Elsewhere other_places[] = {
     // First, since each of the others is another process, too.
     {"in another process, with other addresses and other bytes in new memory", use_other_memory,
-     [] { mallopt(M_PERTURB, 0); }},
+     [] { fills_memory = false; }},
     {"where numbers are written with a decimal comma (locale)", use_comma, use_point},
     {"with another working folder and other environment variables", use_other_folder, stay_there},
     {"at another time", use_other_time, [] { seconds_ahead = 0; }},
@@ -145,6 +153,7 @@ std::vector<std::uint64_t> results_there(Examination& e, const std::string& wher
   std::vector<std::uint64_t> out;
   Subject subject(e);
   redirect(other_clocks, Redirected::libraries);
+  redirect(other_memory, Redirected::libraries);
   for (const Stand& stand : stands_of(subject, e)) {
     e.attempt(std::string(stand.syntax->id) + where);
     Bench bench(stand.alone, {});

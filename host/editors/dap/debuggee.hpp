@@ -35,10 +35,10 @@ struct DebuggedProgram {
 };
 
 struct Position {
-  std::uint64_t block = 0;  ///< from 1
-  bool is_within = false;   ///< the block has run; false: it is the next
-  std::uint32_t done = 0;   ///< strokes of the block that are done
-  auto operator<=>(const Position&) const = default;
+  std::uint64_t block = 0;                            ///< from 1
+  bool is_within = false;                             ///< the block has run; false: it is the next
+  std::uint32_t done = 0;                             ///< strokes of the block that are done
+  auto operator<=>(const Position&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 misreads it
 };
 
 /// Why a run stands, in the words of the protocol: "breakpoint", "function breakpoint", "exception", "step", "pause",

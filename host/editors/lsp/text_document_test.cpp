@@ -1,5 +1,6 @@
 #include "lsp/text_document.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -47,7 +48,7 @@ TEST_CASE("changes give the same text as in one string, whatever their order of 
     const Position a{below(8), below(8)}, b{below(8), below(8)};
     const std::string with = std::string("X\nY").substr(below(3), below(3));
     std::string wanted = document.text();
-    const auto [begin, end] = std::minmax(document.offset_of(a), document.offset_of(b));
+    const auto [begin, end] = std::minmax({document.offset_of(a), document.offset_of(b)});
     wanted.replace(begin, end - begin, with);
     document.replace({a, b}, with);
     REQUIRE(document.text() == wanted);

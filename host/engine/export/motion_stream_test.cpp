@@ -94,7 +94,7 @@ TEST_CASE("a binary motion stream converts to the text that the run would have w
   options.exact = true;
   const std::string csv = converted(events_of_each_kind(), options, said);
   CHECK(said.all.empty());
-  CHECK_THAT(csv, Catch::Contains("\npart.nc,3,rapid,1,2,3,1,2,-7,,,45,,,,,,,,,,,,,,,manual\n"));
+  CHECK_THAT(csv, Catch::Contains("\npart.nc,3,rapid,1,2,3,1,2,-7,,,45,,,,,,,,,,,,,,,,manual\n"));
   CHECK_THAT(csv, Catch::Contains("\npart.nc,3,feed,,2,,0.3333333333333333,2,,,,,10,"));
   CHECK_THAT(csv, Catch::Contains(std::string(300, 'x') +
                                   "\xEF\xBF\xBD.nc,4,arc,10,0,0,10,0,-50,,,,10,0,0,0,1,2,XY,0,0,0,0,0,1,900,,\n"));
@@ -107,7 +107,8 @@ TEST_CASE("a listener gets the events of a binary motion stream") {
   double sweep = 0;
   std::uint32_t known_before_the_feed = 0;
   DiagnosticList said;
-  const auto source = memory_source(events_of_each_kind());
+  const std::string stream = events_of_each_kind();
+  const auto source = memory_source(stream);
   CHECK(read_motions(
       *source, "part.igm",
       [&](const Motion& m) {

@@ -27,12 +27,13 @@ class RecordWriter {
     line_ = source.line;
     if (source.file.data() == seen_.data() && source.file.size() == seen_.size()) return;
     seen_ = source.file;
-    file_ = number_of(source.file);
+    is_file_named_ = false;
   }
   /// A new run begins: its file's name may stand where the last one's stood.
   void forget_file() { seen_ = {}; }
 
   void move(const Move& m, double seconds) {
+    name_file();
     constexpr Motion::Event events[] = {Motion::Event::rapid, Motion::Event::feed, Motion::Event::arc};
     const bool is_arc = m.kind == Move::Kind::arc;
     const std::uint32_t plane = is_arc ? number_of(m.arc.plane) : MotionRecord::no_text;
@@ -55,19 +56,23 @@ class RecordWriter {
     finish();
   }
   void dwell(double seconds) {
+    name_file();
     MotionRecord& r = with_value(Motion::Event::dwell, seconds);
     r.seconds = seconds;
     finish();
   }
   void orient(double degrees) {
+    name_file();
     with_value(Motion::Event::orient, degrees);
     finish();
   }
   void tool(std::int64_t number) {
+    name_file();
     add_still(Motion::Event::tool).count = number;
     finish();
   }
   void spindle(std::string_view direction, bool has_speed, double rpm) {
+    name_file();
     const std::uint32_t text = number_of(direction);
     MotionRecord& r = has_speed ? with_value(Motion::Event::spindle, rpm) : add_still(Motion::Event::spindle);
     r.text = text;
@@ -112,6 +117,7 @@ class RecordWriter {
     return r;
   }
   void term(Motion::Event event, std::string_view text) {
+    name_file();
     const std::uint32_t number = number_of(text);
     add_still(event).text = number;
     finish();
@@ -129,6 +135,13 @@ class RecordWriter {
     const double sweep = r.value;
     finish();
     return sweep;
+  }
+
+  /// Before an event's other texts: a block without events names no file.
+  void name_file() {
+    if (is_file_named_) return;
+    is_file_named_ = true;
+    file_ = number_of(seen_);
   }
 
   std::uint32_t number_of(std::string_view text) {
@@ -155,6 +168,7 @@ class RecordWriter {
   std::map<std::string, std::uint32_t, std::less<>> texts_;
   std::string_view seen_;  // compared by address: within a run one file is named by the same text
   std::uint32_t file_ = 0, line_ = 0;
+  bool is_file_named_ = true;
 };
 
 }  // namespace isogloss

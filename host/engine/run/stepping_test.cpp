@@ -186,7 +186,7 @@ TEST_CASE("a block between blocks that wait leaves them in their order") {
   f.execute_before = 3;
   f.executed = "7";
   f.run("1A\n2A\n(x)\n4\n");
-  CHECK(f.seen == "1 2w1=1 3w1=2 4w1=7 ");
+  CHECK(f.seen == "1 2w1=1 3w1=2 4=7 ");
   CHECK(f.exported == "1 2 3 4 ");
 }
 
