@@ -417,7 +417,11 @@ class Flow(Explain):
         self.assertEqual((of_line[4]["GoesOn"]["Kind"], of_line[4]["GoesOn"]["Line"]), ("jump", 6))
         self.assertEqual(of_line[3]["GoesOn"], {"Kind": "next"})
         self.assertEqual(of_line[10]["GoesOn"]["Passes"], 2)
-        self.assertEqual({b["GoesOn"]["Kind"] for b in blocks}, {"next", "jump", "call", "again", "return"})
+        # A range holds the first pass of each line, and O0002 returns in its second.
+        self.assertEqual({b["GoesOn"]["Kind"] for b in blocks}, {"next", "jump", "call", "again"})
+        [last] = json.loads(self.ask(f"{part}:16", "-d", "fanuc", "--json", "--pass", "2"))
+        self.assertEqual([e.message for e in validator.iter_errors([last])], [])
+        self.assertEqual(tuple(last["GoesOn"][k] for k in ("Kind", "Line", "CallLine")), ("return", 11, 10))
 
 
 class Options(Explain):
