@@ -133,7 +133,7 @@ class Questions(Explain):
     def test_10_which_program_called_this_and_with_what(self):
         part = self.write("macro.nc", "O1\nG21 G90 G00 X0\nG65 P9000 A5. B2.\nM30\nO9000\n#100=#1+#2\nG01 X[#100] F100.\n"
                           "M99\n")
-        self.assertIn("Line 3 calls O9000", self.ask(f"{part}:3", "-d", "fanuc"))
+        self.assertIn("Line 3 sets #1 = 5, #2 = 2; it calls O9000, line 5", self.ask(f"{part}:3", "-d", "fanuc"))
         out = self.ask(f"{part}:6", "-d", "fanuc")
         self.assertRegex(out, r"called O9000 by \S*macro\.nc:3")
         self.assertRegex(out, r"#1 = 5 +line 3: G65 P9000 A5\. B2\. \(FanucMacroCallSyntax\)")

@@ -43,7 +43,7 @@ out.hover = ask('textDocument/hover', 4, 1).contents.value
 out.definition = ask('textDocument/definition', 4, 6)[1].range.start.line
 out.completion = #ask('textDocument/completion', 4, 0).items
 out.symbols = #ask('textDocument/documentSymbol', 0, 0)
-vim.api.nvim_buf_set_text(buffer, 4, 19, 4, 22, {''})
+vim.api.nvim_buf_set_text(buffer, 4, 18, 4, 21, {''})
 wait(function() return #vim.diagnostic.get(buffer) == 0 end)
 out.after = #vim.diagnostic.get(buffer)
 vim.api.nvim_win_set_cursor(0, {5, 5})
@@ -72,7 +72,7 @@ def main():
         program.write_text(PROGRAM)
         values = {"ISOGLOSS": options.isogloss, "FILE": str(program), "RESULT": str(result), "SECONDS": options.seconds}
         script.write_text("".join(f"local {name} = {json.dumps(value)}\n" for name, value in values.items()) + SCRIPT)
-        done = subprocess.run([neovim, "--headless", "-u", "NONE", "-i", "NONE", "-n", "-S", str(script)],
+        done = subprocess.run([neovim, "--headless", "-u", "NONE", "-i", "NONE", "-n", "-S", str(script), "-c", "qall!"],
                               timeout=options.seconds * 8, capture_output=True, text=True, cwd=folder,
                               env={"HOME": folder, "PATH": "/usr/bin:/bin", "XDG_CACHE_HOME": folder})
         if not result.is_file():

@@ -83,7 +83,8 @@ Json json_of(const ExplainedGo& go) {
   }
   Json out{{"Kind", kind}, {"File", go.to.file}, {"Line", go.to.line}};
   if (!go.program.empty()) out["Program"] = go.program;
-  if (go.is_behind) out["Behind"] = true;
+  if (go.is_behind && go.kind == ExplainedGo::Kind::jump)
+    out["Behind"] = true;  // a return gives the line behind the call
   if (go.call_line != 0) out["CallLine"] = go.call_line;
   if (go.kind == ExplainedGo::Kind::again) out["Pass"] = go.pass;
   if (go.passes > 1) out["Passes"] = go.passes;

@@ -171,9 +171,13 @@ const std::map<std::string, Server::Request, std::less<>>& Server::requests() {
 
 const std::map<std::string, Server::Notification, std::less<>>& Server::notifications() {
   static const std::map<std::string, Notification, std::less<>> table{
-      {"initialized", &Server::initialized},     {"workspace/didChangeConfiguration", &Server::change_configuration},
-      {"textDocument/didOpen", &Server::open},   {"textDocument/didChange", &Server::change},
-      {"textDocument/didClose", &Server::close}, {"textDocument/didSave", &Server::save},
+      {"initialized", &Server::initialized},
+      {"workspace/didChangeConfiguration", &Server::change_configuration},
+      {"textDocument/didOpen", &Server::open},
+      {"textDocument/didChange", &Server::change},
+      {"textDocument/didClose", &Server::close},
+      {"textDocument/didSave", &Server::save},
+      {"$/isogloss/quarantine", &Server::quarantine},
   };
   return table;
 }

@@ -91,11 +91,13 @@ class Editor {
 
  private:
   std::string absent(const std::string& name) const {
-    for (auto edit = applied_.rbegin(); edit != applied_.rend(); ++edit)
-      if ((edit->kind == "Remove" || edit->kind == "Replace") && edit->anchor == name &&
-          edit->of_dependency == !std::is_same_v<Element, ChainElement>)
-        return fmt::format("<{}> of {}:{} took it away: name another {}, or drop that edit", edit->kind,
-                           edit->where.file, edit->where.line, kind_of<Element>());
+    const auto edit = std::find_if(applied_.rbegin(), applied_.rend(), [&name](const auto& one) {
+      return (one.kind == "Remove" || one.kind == "Replace") && one.anchor == name &&
+             one.of_dependency == !std::is_same_v<Element, ChainElement>;
+    });
+    if (edit != applied_.rend())
+      return fmt::format("<{}> of {}:{} took it away: name another {}, or drop that edit", edit->kind, edit->where.file,
+                         edit->where.line, kind_of<Element>());
     const std::string near = meant(name, {names_.begin(), names_.end()});
     return near.empty() ? "isogloss dialect --effective NAME prints what the dialect inherits" : near;
   }

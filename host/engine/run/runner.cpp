@@ -23,7 +23,7 @@ bool holds_no_word(std::string_view text) {
   return true;
 }
 
-class Run : StandingRun {
+class Run final : StandingRun {
  public:
   Run(const LinkedDialect& linked, Source& source, const std::string& name, const RunOptions& options,
       const std::vector<Exporter*>& exporters, DiagnosticSink& sink)

@@ -148,6 +148,7 @@ std::optional<Value> Expression::read(const Reference& r) {
       at_ = r.end;
       if (!array->sizes.empty() && !array->number_of(std::string_view(r.name).substr(bracket)))
         return fail(ig::diag("SIE-0304"), r.begin, std::string_view(r.name), std::string_view(array->shown_as(base)));
+      environment_.note_read(b_, r.name, array->value);
       return array->value;
     }
   }
