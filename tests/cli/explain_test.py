@@ -341,7 +341,7 @@ class SpecialWriters(Explain):
     def test_fills_and_results_of_a_sinumerik(self):
         text = ("DEF REAL A[3]\nDEF REAL B\nA[0]=REP(7)\nR1=A[2]+B\n$AC_MARKER[1]=4\nR2=$AC_MARKER[1]\n"
                 "SUB(B)\nR3=B\nM30\n")
-        self.write("SUB.spf", "PROC SUB(VAR REAL V)\nV=8\nM17\n")
+        self.write("SUB.spf", "PROC SUB(VAR REAL DEEP)\nDEEP=8\nM17\n")
         self.written(text, "a.mpf", 4, "siemens", r"A\[2\] = 7 +line 3: A\[0\]=REP\(7\)")
         self.written(text, "a.mpf", 4, "siemens", r"B = 0 +line 2: DEF REAL B ")
         self.written(text, "a.mpf", 8, "siemens", r"B = 8 +line 3 of SUB\.spf: M17")
