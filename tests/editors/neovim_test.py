@@ -80,7 +80,7 @@ def main():
         out = json.loads(result.read_text())
     print(json.dumps(out, indent=1))
     assert "failed" not in out, out["failed"]
-    assert [4, "ISO-0285", 20] in out["diagnostics"], out["diagnostics"]
+    assert [4, "ISO-0285", 19] in out["diagnostics"], out["diagnostics"]
     assert "**G1**" in out["hover"] and "Machine:" in out["hover"], out["hover"]
     assert out["definition"] == 3 and out["completion"] > 50 and out["symbols"] >= 1
     assert out["after"] == 0
