@@ -81,7 +81,7 @@ def main():
     print(json.dumps(out, indent=1))
     assert "failed" not in out, out["failed"]
     assert [4, "ISO-0285", 19] in out["diagnostics"], out["diagnostics"]
-    assert "**G1**" in out["hover"] and "Machine:" in out["hover"], out["hover"]
+    assert "**G01**" in out["hover"] and "Machine:" in out["hover"], out["hover"]
     assert out["definition"] == 3 and out["completion"] > 50 and out["symbols"] >= 1
     assert out["after"] == 0
     wanted = PROGRAM.replace("#101", "#102").replace(" E7", "").replace("G1X60.", "G1 X60.").splitlines()
