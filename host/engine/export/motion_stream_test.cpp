@@ -29,7 +29,8 @@ std::string events_of_each_kind() {
   m.has_feed = true;
   m.feed_mmds = 10;
   writer.move(m, 2);
-  writer.block({std::string(300, 'x') + "\xff.nc", 4, 0, {}});
+  const std::string long_name = std::string(300, 'x') + "\xff.nc";
+  writer.block({long_name, 4, 0, {}});
   m.kind = Move::Kind::arc;
   m.program = {{10, 0, 0}, 7};
   m.machine = {{10, 0, -50}, 7};
