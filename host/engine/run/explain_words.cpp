@@ -94,16 +94,16 @@ std::vector<ExplainedWord> WordLog::words(std::string_view text) const {
   for (const Seen& s : seen_)
     if (s.begin < s.end && s.end <= size) words.push_back(&s);
   std::stable_sort(words.begin(), words.end(), [](const Seen* a, const Seen* b) { return a->begin < b->begin; });
-  const auto reader_at = [&](std::uint32_t column) -> const Piece* {
-    for (const Piece& p : pieces_)
-      if (p.begin <= column && column < p.end) return &p;
-    return nullptr;
-  };
+  // By byte: a long line may have as many pieces as bytes.
+  std::vector<const Piece*> readers(size);
+  for (const Piece& p : pieces_)
+    for (std::uint32_t i = p.begin; i < std::min(p.end, size); ++i)
+      if (readers[i] == nullptr) readers[i] = &p;
   const auto fill = [&](std::uint32_t begin, std::uint32_t end) {
     while (begin < end) {
-      const Piece* const piece = reader_at(begin);
+      const Piece* const piece = readers[begin];
       std::uint32_t to = begin + 1;
-      while (to < end && reader_at(to) == piece) ++to;
+      while (to < end && readers[to] == piece) ++to;
       add_text(text, begin, to, piece != nullptr ? linked_->chain[piece->reader].element.alias : "", out);
       begin = to;
     }
