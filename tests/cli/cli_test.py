@@ -440,8 +440,9 @@ class Usage(Command):
         self.assertIn("Usage: isogloss COMMAND", done.stdout)
         self.assertEqual(done.stderr, "")
         names = [line.split()[0] for line in done.stdout.split("Commands:\n")[1].split("\n\n")[0].splitlines()]
-        self.assertEqual(names, ["run", "explain", "state", "diff", "lint", "dialect", "schema", "list", "inspect",
-                                 "docs", "new", "import", "export", "doctor", "apply", "case", "validate"])
+        self.assertEqual(names, ["run", "explain", "state", "diff", "motions", "plot", "view", "lint", "dialect", "lsp",
+                                 "schema", "list", "inspect", "dap", "docs", "new", "import", "export", "doctor", "apply",
+                                 "case", "validate"])
         for name in names:
             page = self.run_it(name, "--help")
             self.assertIn("Example:", page.stdout)
@@ -597,7 +598,7 @@ class Run(Command):
                 ("<Chain>\n<Remove syntax='CoolantSyntax'/>\n<InsertAfter syntax='CoolantSyntax'><DwellSyntax as='x'/>"
                  "</InsertAfter></Chain>", ":2 took it away: name another syntax, or drop that edit"),
                 ("<Chain><Configure syntax='DrillingCycleSyntax' clearance='2'/></Chain>", "hint: its options are p-unit"),
-                ("<Chain><Configure syntax='CoolantSyntax' clearance='2'/></Chain>", "hint: it has no options"),
+                ("<Chain><Configure syntax='PlaneSelectSyntax' clearance='2'/></Chain>", "hint: it has no options"),
                 ("<Dependencies><Remove dependency='ToolOffsetTable'/><ToolOffsetTable><Tool id='1' H='2mm'/>"
                  "</ToolOffsetTable></Dependencies>", "hint: it is a number, in mm"),
                 ("<Chain><Remove syntax='NoSuchThing'/></Chain>", "hint: isogloss dialect --effective NAME prints"),

@@ -49,9 +49,9 @@ class TokenWriter {
   explicit TokenWriter(const TextDocument& text) : text_(text) {}
 
   void add(std::size_t begin, std::size_t end, TokenKind kind) {
-    const std::string& all = text_.text();
+    const std::string_view up_to_end = std::string_view(text_.text()).substr(0, end);
     while (begin < end) {
-      const std::size_t stop = std::min(all.find_first_of("\r\n", begin), end);
+      const std::size_t stop = std::min(up_to_end.find_first_of("\r\n", begin), end);
       if (stop > begin) add_in_line(begin, stop, kind);
       begin = std::max(stop + 1, begin + 1);
     }

@@ -26,6 +26,7 @@ void TextDocument::replace(const Range& range, std::string_view with) {
 }
 
 void TextDocument::find_lines() {
+  counted_ = {};
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   const bool has_feeds = text_.find('\n') != std::string::npos;
   lines_.assign(1, 0);
@@ -76,10 +77,10 @@ Position TextDocument::position_of(std::size_t offset) const {
   const auto line = static_cast<std::size_t>(next - lines_.begin()) - 1;
   const std::size_t begin = lines_[line], end = std::min(offset, std::max(end_of(line), begin));
   if (columns_ == Columns::utf8) return {static_cast<std::uint32_t>(line), static_cast<std::uint32_t>(end - begin)};
-  std::uint32_t units = 0;
-  for (std::size_t at = begin; at < end; ++at)
-    if (!continues_character(text_[at])) units += units_of(text_[at]);
-  return {static_cast<std::uint32_t>(line), units};
+  if (counted_.begin != begin || counted_.at > end) counted_ = {begin, begin, 0};
+  for (; counted_.at < end; ++counted_.at)
+    if (!continues_character(text_[counted_.at])) counted_.units += units_of(text_[counted_.at]);
+  return {static_cast<std::uint32_t>(line), counted_.units};
 }
 
 std::size_t TextDocument::offset_in_run(std::uint32_t line, std::uint32_t column) const {

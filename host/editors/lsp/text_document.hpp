@@ -57,6 +57,12 @@ class TextDocument {
   std::string text_;
   Columns columns_;
   std::vector<std::size_t> lines_, run_lines_;  // offsets at which lines begin
+  /// The place that was counted last: whoever asks for one place after the other of a long line counts it once.
+  struct Counted {
+    std::size_t begin = std::string::npos, at = 0;  // the line's begin
+    std::uint32_t units = 0;
+  };
+  mutable Counted counted_;
 };
 
 }  // namespace isogloss::editors
