@@ -108,7 +108,7 @@ class Validate(unittest.TestCase):
     def run_it(self, *arguments):
         environment = {k: v for k, v in os.environ.items() if not k.startswith("ISOGLOSS_")}
         return subprocess.run([OPTIONS.isogloss, "validate", *map(str, arguments)], capture_output=True, text=True,
-                              timeout=200, check=False, env=environment)
+                              timeout=600, check=False, env=environment)
 
     def checks(self, *arguments):
         done = self.run_it(*arguments, "--json")
