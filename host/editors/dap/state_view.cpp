@@ -92,7 +92,7 @@ Json StateView::frames(const Standing& standing) {
                    {"presentationHint", "subtle"}});
   const Frames& frames = *entry.frames;
   std::uint32_t line = entry.line;
-  for (std::size_t i = frames.size(); i-- > 0; line = frames[i + 1].call_line) {
+  for (std::size_t i = frames.size(); i-- > 0;) {
     if (i + 1 < frames.size()) line = frames[i + 1].call_line;
     std::string name = name_of_frame(frames[i]);
     const bool is_top = i + 1 == frames.size();
@@ -104,7 +104,6 @@ Json StateView::frames(const Standing& standing) {
                {"column", is_top ? entry.column + 1 : 1}};
     if (is_top && entry.lines > 1) frame["endLine"] = entry.line + entry.lines - 1, frame["endColumn"] = 1;
     out.push_back(std::move(frame));
-    if (i == 0) break;
   }
   return out;
 }
