@@ -98,7 +98,8 @@ std::span<const Check> all_checks() {
       Check{"waits", must, "a build does not wait: no sleep, no lock, no file",
             "Read files in create(), and let build() work with what *self holds.", check_waits},
       Check{"time", should,
-            "one block costs one syntax no more than the budget, and 1 us for each random field and record",
+            "one block costs no more than the budget, 1 us for each random field and record, and 3 us for each "
+            "diagnostic",
             "Prepare in create() what does not depend on the block; --budget sets the limit.", check_time}};
   return checks;
 }

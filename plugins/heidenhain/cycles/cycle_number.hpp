@@ -1,10 +1,11 @@
 /// The number of a cycle in the text of CYCL DEF, and what the tables of the manuals say about a number.
 #pragma once
 
+#include <array>
+#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 
 #include <isogloss/cnc/machine_codes.hpp>
@@ -34,7 +35,9 @@ std::span<const std::uint16_t> parameters_of(std::int64_t cycle);
 
 /// What MachineCodes has for a cycle: a family answers only for cycles of the builder, not for those of the control.
 inline const ig_machine_code* row_of_cycle(const ig::cnc::MachineCodes& machine, std::uint32_t cycle) {
-  const std::string name = "CYCL DEF " + std::to_string(cycle);
+  std::array<char, 24> text{"CYCL DEF "};
+  const char* const end = std::to_chars(text.data() + 9, text.data() + text.size(), cycle).ptr;
+  const std::string_view name(text.data(), end);
   if (const ig_machine_code* const row = machine.find(name)) return row;
   return acts_where_defined(cycle) || waits_for_call(cycle) ? nullptr : machine.family(name);
 }

@@ -2,6 +2,7 @@
 /// the table has no names, they are numbered in the order in which the program uses them.
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include <isogloss/cnc/tool_names.hpp>
 #include <isogloss/cnc/whole_number.hpp>
@@ -28,8 +29,6 @@ struct SiemensToolName {
   ig::TextField name_{"ToolName.Text", ig::read | ig::wake};
   ToolNames table_;
   ig::Word t_{"Parsing.T", ig::write, ""};
-  /// By name: its number where the table has none, in the order of use; the tool of the table where it has.
-  std::unordered_map<std::string, std::int64_t> used_;
 
   ig::Status restart(ig::Block&) {
     used_.clear();
@@ -41,7 +40,7 @@ struct SiemensToolName {
     const std::string_view name = b.text(name_);
     if (const auto id = table_.number(name)) {
       const std::int64_t tool = *id % IG_TOOL_INDEX_STEP;
-      if (used_.try_emplace(std::string(name), tool).second)
+      if (use(name, tool).second)
         if (const auto sister = table_.sister(name, *id))
           b.report(ig::diag("SIE-0236"), ig::Where::block(), name, static_cast<double>(tool),
                    static_cast<double>(*sister % IG_TOOL_INDEX_STEP));
@@ -57,12 +56,27 @@ struct SiemensToolName {
       b.report(ig::diag("SIE-0235"), ig::Where::block(), name);
       return ig::Status::changed;
     }
-    const auto [used, is_new] = used_.try_emplace(std::string(name), static_cast<std::int64_t>(used_.size()) + 1);
-    const double number = static_cast<double>(used->second);
+    const auto [used, is_new] = use(name, static_cast<std::int64_t>(used_.size()) + 1);
+    const auto number = static_cast<double>(used);
     if (is_new) b.report(ig::diag("SIE-0232"), ig::Where::block(), name, number);
     b.set(t_, number);
     return ig::Status::changed;
   }
+
+ private:
+  struct Hash : std::hash<std::string_view> {
+    using is_transparent = void;
+  };
+
+  /// The number that the name stands for, and whether this is its first use.
+  std::pair<std::int64_t, bool> use(std::string_view name, std::int64_t number) {
+    if (const auto found = used_.find(name); found != used_.end()) return {found->second, false};
+    used_.emplace(name, number);
+    return {number, true};
+  }
+
+  /// By name: its number where the table has none, in the order of use; the tool of the table where it has.
+  std::unordered_map<std::string, std::int64_t, Hash, std::equal_to<>> used_;
 };
 
 const ig::Register<SiemensToolName> siemens_tool_name_syntax;

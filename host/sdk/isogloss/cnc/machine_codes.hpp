@@ -243,8 +243,8 @@ class RecordedMachineCodes {
   template <class Each>
   bool for_each(const Block& b, ig_machine_code_kind does, Each&& each) const {
     bool any = false;
-    const std::string all(b.text(name_));
-    for_each_recorded(all, [&](std::string_view name) {
+    names_ = b.text(name_);
+    for_each_recorded(names_, [&](std::string_view name) {
       const ig_machine_code* const row = codes_.find(name);
       if (row == nullptr || row->does != does) return;
       each(*row);
@@ -258,6 +258,7 @@ class RecordedMachineCodes {
   TextField name_{"MachineCode.Name",
                   read | wake,
                   {Life::block, "", "The codes of the machine's builder that the table MachineCodes has answered."}};
+  mutable std::string names_;  // a copy, since a text of the block lasts no longer than until the next one is set
 };
 
 /// The codes that a row stands for, one after the other.
