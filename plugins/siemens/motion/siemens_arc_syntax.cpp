@@ -146,13 +146,15 @@ struct SiemensArc {
     const bool leaves_plane = std::fabs(to[plane.tool] - from[plane.tool]) > same_point_mm ||
                               std::fabs(middle[plane.tool] - from[plane.tool]) > same_point_mm;
     const auto where = is_named ? ig::Where::word(cip_.id(0)) : ig::Where::block();
-    if (leaves_plane || !has_point || std::fabs(area) < 1e-9) {
+    const double a2 = a.u * a.u + a.v * a.v, c2 = c.u * c.u + c.v * c.v;
+    const Point2 centre{(c.v * a2 - a.v * c2) / area, (a.u * c2 - c.u * a2) / area};
+    const bool is_circle = std::fabs(area) >= 1e-9 && std::isfinite(centre.length());
+    if (leaves_plane || !has_point || !is_circle) {
       b.report(leaves_plane ? ig::diag("SIE-0223") : ig::diag("SIE-0224"), where);
       b.raise(others_code());
       return true;
     }
-    const double a2 = a.u * a.u + a.v * a.v, c2 = c.u * c.u + c.v * c.v;
-    set(b, plane, {(c.v * a2 - a.v * c2) / area, (a.u * c2 - c.u * a2) / area});
+    set(b, plane, centre);
     b.raise(arcs_.id(area > 0 ? 1 : 0));
     return true;
   }

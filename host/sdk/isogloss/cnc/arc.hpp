@@ -25,8 +25,8 @@ struct Point2 {
 /// must differ.
 inline Point2 center_by_radius(const Point2& start, const Point2& end, double radius, bool is_ccw) {
   const Point2 chord = end - start;
-  const double d = chord.length();
-  const double height = std::sqrt(std::fmax(0.0, radius * radius - d * d / 4));
+  const double d = chord.length(), r = std::fabs(radius);
+  const double height = std::sqrt(std::fmax(0.0, r - d / 2)) * std::sqrt(r + d / 2);  // no square that overflows
   const double side = (is_ccw ? 1 : -1) * (radius < 0 ? -1 : 1) * height / d;
   return {(start.u + end.u) / 2 - side * chord.v, (start.v + end.v) / 2 + side * chord.u};
 }
