@@ -351,7 +351,7 @@ class Docs(unittest.TestCase):
         self.assertIn("NoSuchTable", done.stderr)
         text = (self.path / "badsite/machines/bad.html").read_text()
         self.assertIn("isogloss lint -m bad", text)
-        self.assertIn("A &lt;b> machine", text)
+        self.assertIn("A &lt;b&gt; machine", text)
 
     def test_a_dialect_that_does_not_link_has_a_page_that_says_so(self):
         folder = self.path / "broken"

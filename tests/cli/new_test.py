@@ -84,7 +84,7 @@ class New(unittest.TestCase):
 
     def test_titles_and_vendors_are_quoted(self):
         self.new("plugin", "acme", "--title", 'A & "B" <C>', "--vendor", 'Acme "Clamps"')
-        self.assertIn('title="A &amp; &quot;B&quot; &lt;C>"', (self.path / "acme/dialects/acme.xml").read_text())
+        self.assertIn('title="A &amp; &quot;B&quot; &lt;C&gt;"', (self.path / "acme/dialects/acme.xml").read_text())
         self.assertIn(r'"Acme \"Clamps\""', (self.path / "acme/plugin.cpp").read_text())
         self.new("plugin", "marked", "--title", "@vendor@ at @base@", "--prefix", "MRK")
         self.assertIn('title="@vendor@ at @base@"', (self.path / "marked/dialects/marked.xml").read_text())

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "isogloss/engine/printable.hpp"
 #include "json_text.hpp"
+#include "markup.hpp"
 
 namespace isogloss::cli {
 
@@ -14,20 +14,6 @@ namespace {
 std::size_t failures_of(const CasePage& page) {
   return static_cast<std::size_t>(std::count_if(page.cases.begin(), page.cases.end(),
                                                 [](const CaseOutcome& one) { return !one.difference.empty(); }));
-}
-
-/// Text for an attribute or an element. XML has no place for control characters.
-std::string xml_text(const std::string& text) {
-  std::string out;
-  for (const char c : printable(text, "\n\t")) switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\n': out += "&#10;"; break;
-      default: out += c;
-    }
-  return out;
 }
 
 }  // namespace
@@ -71,24 +57,24 @@ std::string cases_as_junit(const std::vector<CasePage>& pages) {
     std::string cases;
     for (const CaseOutcome& one : page.cases) {
       seconds += one.seconds;
-      cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", xml_text(page.syntax),
-                           xml_text(one.heading), one.seconds);
+      cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", visible_xml(page.syntax),
+                           visible_xml(one.heading), one.seconds);
       cases += one.difference.empty()
                    ? "/>\n"
                    : fmt::format("><failure message=\"{}\">{}</failure></testcase>\n",
-                                 xml_text(fmt::format("{}:{}: the case does not hold", page.file, one.line)),
-                                 xml_text(one.difference));
+                                 visible_xml(fmt::format("{}:{}: the case does not hold", page.file, one.line)),
+                                 visible_xml(one.difference));
     }
     for (const Json& fault : page.faults) {
       if (fault["Severity"] != "error") continue;
       ++errors;
       cases +=
           fmt::format("    <testcase classname=\"{}\" name=\"{}\"><error message=\"{}\"/></testcase>\n",
-                      xml_text(page.syntax), "the page can be read",
-                      xml_text(fault["Message"].get<std::string>() + " [" + fault["Code"].get<std::string>() + "]"));
+                      visible_xml(page.syntax), "the page can be read",
+                      visible_xml(fault["Message"].get<std::string>() + " [" + fault["Code"].get<std::string>() + "]"));
     }
     out += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\">\n",
-                       xml_text(page.file), page.cases.size() + errors, failures_of(page), errors, seconds) +
+                       visible_xml(page.file), page.cases.size() + errors, failures_of(page), errors, seconds) +
            cases + "  </testsuite>\n";
   }
   return out + "</testsuites>\n";

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "dialect/chain_map.hpp"
-#include "dialect/text_edits.hpp"
+#include "markup.hpp"
 
 namespace isogloss::cli {
 

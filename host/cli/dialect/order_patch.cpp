@@ -11,6 +11,7 @@
 #include <set>
 
 #include "dialect/text_edits.hpp"
+#include "markup.hpp"
 #include "session.hpp"
 
 namespace isogloss::cli {

@@ -71,19 +71,4 @@ void TextEdits::remove(std::size_t begin) {
   is_alone ? replace(first, newline + 1, "") : replace(begin, end, "");
 }
 
-std::string escaped_xml(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 }  // namespace isogloss::cli

@@ -1,4 +1,4 @@
-/// Text of XML, and changes of it that leave all the rest, comments and blanks too, as it is.
+/// Changes of XML that leave all the rest, comments and blanks too, as it is.
 #pragma once
 
 #include <string>
@@ -8,9 +8,6 @@
 #include "isogloss/engine/diagnostic.hpp"
 
 namespace isogloss::cli {
-
-/// For the text or an attribute of XML.
-std::string escaped_xml(std::string_view text);
 
 /// Parts of a text that become others; places are offsets of the old text, which must outlive it.
 class TextEdits {

@@ -2,27 +2,15 @@
 #include <fmt/format.h>
 
 #include "diff/report.hpp"
-#include "isogloss/engine/printable.hpp"
+#include "markup.hpp"
 
 namespace isogloss::cli::parting {
 
 namespace {
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : printable(text, "\t")) switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
-    }
-  return out;
-}
-
 std::string shown(const Json& value) {
   if (value.is_null()) return "–";
-  return escaped(value.is_string() ? value.get<std::string>() : value.dump());
+  return visible_xml(value.is_string() ? value.get<std::string>() : value.dump());
 }
 
 std::string place(const Json& at) {

@@ -1,9 +1,9 @@
 // Pieces of HTML: what a plugin wrote, escaped, with links at the names that the reference knows.
 #include <fmt/format.h>
 
-#include "dialect/text_edits.hpp"
 #include "docs/page_text.hpp"
 #include "isogloss/engine/printable.hpp"
+#include "markup.hpp"
 
 namespace isogloss::cli::docs {
 

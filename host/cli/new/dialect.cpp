@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "dialect/text_edits.hpp"
+#include "markup.hpp"
 #include "new/names.hpp"
 #include "output_file.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "dialect/text_edits.hpp"
 #include "isogloss/engine/machine.hpp"
+#include "markup.hpp"
 #include "new/folder.hpp"
 #include "new/names.hpp"
 #include "output_file.hpp"

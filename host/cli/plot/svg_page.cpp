@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "isogloss/engine/printable.hpp"
+#include "markup.hpp"
 #include "palette.hpp"
 #include "plot/drawing.hpp"
 
@@ -16,18 +16,6 @@ namespace {
 
 constexpr double page_width = 1000, head = 92, panel_width = 488, panel_height = 400, gutter = 8;
 constexpr std::size_t legend_columns = 3, most_in_legend = 60;
-
-std::string escaped_for_svg(std::string_view text) {
-  std::string out;
-  for (const char c : printable(text)) switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
-    }
-  return out;
-}
 
 std::string with_thousands(std::uint64_t number) {
   std::string out = std::to_string(number);
@@ -67,7 +55,7 @@ std::string style() {
 std::string text_at(double x, double y, std::string_view text, std::string_view kind = "", bool at_end = false) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\"{}{}>{}</text>\n", x, y,
                      kind.empty() ? "" : fmt::format(" class=\"{}\"", kind), at_end ? " text-anchor=\"end\"" : "",
-                     escaped_for_svg(text));
+                     visible_xml(text));
 }
 
 /// 1, 2 or 5 times a power of ten that is about 90 px long.
@@ -95,7 +83,7 @@ class SvgPage {
     std::string out = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:g}\" height=\"{1:g}\" viewBox=\"0 0 {0:g} {1:g}\">\n"
         "<title>{2}</title>\n<style>{3}</style>\n<rect class=\"paper\" width=\"{0:g}\" height=\"{1:g}\"/>\n",
-        page_width, height, escaped_for_svg(name_), style());
+        page_width, height, visible_xml(name_), style());
     return out + make_head() + panels + legend + make_notes(height) + "</svg>\n";
   }
 

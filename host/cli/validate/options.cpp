@@ -7,7 +7,7 @@
 #include <cstring>
 #include <random>
 
-#include "dialect/text_edits.hpp"
+#include "markup.hpp"
 #include "validate/subject.hpp"
 
 namespace isogloss::cli {

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "isogloss/engine/printable.hpp"
 #include "json_text.hpp"
+#include "markup.hpp"
 
 namespace isogloss::cli {
 
@@ -10,27 +12,8 @@ namespace {
 
 std::string_view result_of(const Outcome& o) { return !o.skipped.empty() ? "skipped" : o.held() ? "held" : "failed"; }
 
-/// Texts of a plugin may hold any byte; what a terminal or XML would not bear becomes '?'.
-std::string printable(const std::string& text) {
-  std::string out = text;
-  for (char& c : out)
-    if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t') c = '?';
-  const Json json = out;
-  return Json::parse(json.dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : printable(text)) switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\n': out += "&#10;"; break;
-      default: out += c;
-    }
-  return out;
-}
+/// Texts of a plugin may hold any byte.
+std::string shown(std::string_view text) { return printable(text, "\n\t"); }
 
 std::string line_of(const Finding& f) { return f.where.empty() ? f.what : f.where + ": " + f.what; }
 
@@ -59,9 +42,9 @@ std::string as_text(const std::vector<PluginOutcome>& plugins, const ValidateOpt
       }
       out += fmt::format("  {:<6}  {:<6}  {}: {}\n", o.held() ? "held" : "FAILED", to_string(o.check->level),
                          o.check->name, o.check->summary);
-      for (const Finding& f : o.findings) out += indented(printable(line_of(f)));
+      for (const Finding& f : o.findings) out += indented(shown(line_of(f)));
       if (o.more > 0) out += fmt::format("      and {} more\n", o.more);
-      for (const std::string& remark : o.remarks) out += indented(printable(remark));
+      for (const std::string& remark : o.remarks) out += indented(shown(remark));
       ++(o.held() ? held : failed[static_cast<int>(o.check->level)]);
       has_random_failure = has_random_failure || (!o.held() && o.check->name == "random-blocks");
     }
@@ -114,21 +97,21 @@ std::string as_junit(const std::vector<PluginOutcome>& plugins) {
       for (const std::string& remark : o.remarks) remarks += remark + "\n";
       if (!o.skipped.empty()) {
         ++skipped;
-        cases += fmt::format("><skipped message=\"{}\"/></testcase>\n", escaped(o.skipped));
+        cases += fmt::format("><skipped message=\"{}\"/></testcase>\n", visible_xml(o.skipped));
       } else if (o.held() && remarks.empty()) {
         cases += "/>\n";
       } else if (o.held()) {
-        cases += fmt::format("><system-out>{}</system-out></testcase>\n", escaped(remarks));
+        cases += fmt::format("><system-out>{}</system-out></testcase>\n", visible_xml(remarks));
       } else if (o.check->level == Level::note) {
-        cases += fmt::format("><system-out>{}</system-out></testcase>\n", escaped(all));
+        cases += fmt::format("><system-out>{}</system-out></testcase>\n", visible_xml(all));
       } else {
         ++failures;
-        cases += fmt::format("><failure message=\"{}\">{}</failure></testcase>\n", escaped(line_of(o.findings.front())),
-                             escaped(all));
+        cases += fmt::format("><failure message=\"{}\">{}</failure></testcase>\n",
+                             visible_xml(line_of(o.findings.front())), visible_xml(all));
       }
     }
     out += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" skipped=\"{}\" time=\"{:.3f}\">\n",
-                       escaped(plugin.file), plugin.checks.size(), failures, skipped, seconds) +
+                       visible_xml(plugin.file), plugin.checks.size(), failures, skipped, seconds) +
            cases + "  </testsuite>\n";
   }
   return out + "</testsuites>\n";
@@ -151,7 +134,7 @@ std::string_view sarif_level_of(Level level) {
   return level == Level::must ? "error" : level == Level::should ? "warning" : "note";
 }
 
-Json sarif_text(const std::string& text) { return {{"text", printable(text)}}; }
+Json sarif_text(const std::string& text) { return {{"text", shown(text)}}; }
 
 Json rule_of(const Check& check) {
   return {{"id", check.name},
@@ -164,7 +147,7 @@ Json rule_of(const Check& check) {
 /// Findings beyond the first are counted alone, and have a result of their own.
 Json sarif_result(const std::string& file, const Check& check, std::size_t rule, const Finding& f) {
   Json location{{"physicalLocation", {{"artifactLocation", {{"uri", as_uri(file)}}}}}};
-  if (!f.where.empty()) location["logicalLocations"] = Json::array({{{"fullyQualifiedName", printable(f.where)}}});
+  if (!f.where.empty()) location["logicalLocations"] = Json::array({{{"fullyQualifiedName", shown(f.where)}}});
   return {{"ruleId", check.name},
           {"ruleIndex", rule},
           {"level", sarif_level_of(check.level)},
