@@ -91,7 +91,7 @@ class BadPlugins(unittest.TestCase):
     def run_it(self, *arguments):
         environment = {k: v for k, v in os.environ.items() if not k.startswith("ISOGLOSS_")}
         done = subprocess.run([OPTIONS.isogloss, *map(str, arguments)], capture_output=True, text=True,
-                              errors="replace", timeout=60, check=False, cwd=self.path, env=environment)
+                              errors="replace", timeout=300, check=False, cwd=self.path, env=environment)
         self.assertGreaterEqual(done.returncode, 0, f"killed by a signal: {arguments}\n{done.stderr}")
         return done
 
