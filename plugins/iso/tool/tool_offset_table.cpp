@@ -53,7 +53,9 @@ struct ToolOffsetTable {
       place.emplace(*id, place.size());
       const std::string_view written = table.text(row, name);
       if (written.empty()) continue;
-      by_name[capitals(written)].push_back(*id);
+      wanted = written;
+      make_capitals(wanted);
+      by_name[wanted].push_back(*id);
       by_name[""].push_back(*id);
     }
   }
@@ -131,14 +133,14 @@ struct ToolOffsetTable {
     return t.table.set_value(RowName(id).text(), *column, mm) ? 1 : 0;
   }
 
-  static std::string capitals(std::string_view text) {
-    std::string out(text);
-    std::transform(out.begin(), out.end(), out.begin(), ig::cnc::to_upper);
-    return out;
+  static void make_capitals(std::string& text) {
+    std::transform(text.begin(), text.end(), text.begin(), ig::cnc::to_upper);
   }
   static std::int64_t find(void* self, ig_text name, std::int64_t after) {
-    const auto& t = *static_cast<const ToolOffsetTable*>(self);
-    const auto sisters = t.by_name.find(capitals(ig::to_view(name)));
+    auto& t = *static_cast<ToolOffsetTable*>(self);
+    t.wanted = ig::to_view(name);
+    make_capitals(t.wanted);
+    const auto sisters = t.by_name.find(t.wanted);
     if (sisters == t.by_name.end()) return 0;
     const std::vector<std::int64_t>& ids = sisters->second;
     if (after == 0) return ids.front();
@@ -155,6 +157,7 @@ struct ToolOffsetTable {
 
   /// By name in capitals, for controls do not tell them from small letters; the empty name has all tools with a name.
   std::unordered_map<std::string, std::vector<std::int64_t>> by_name;
+  std::string wanted;  // kept between calls for its room
   /// By number: which row of the table it is.
   std::unordered_map<std::int64_t, std::size_t> place;
   ig_tool_name_1 names{sizeof(ig_tool_name_1), 0, this, &find, &name_of};

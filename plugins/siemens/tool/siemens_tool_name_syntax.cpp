@@ -31,7 +31,8 @@ struct SiemensToolName {
   ig::Word t_{"Parsing.T", ig::write, ""};
 
   ig::Status restart(ig::Block&) {
-    used_.clear();
+    ++run_;
+    count_ = 0;
     return ig::Status::unchanged;
   }
 
@@ -56,7 +57,7 @@ struct SiemensToolName {
       b.report(ig::diag("SIE-0235"), ig::Where::block(), name);
       return ig::Status::changed;
     }
-    const auto [used, is_new] = use(name, static_cast<std::int64_t>(used_.size()) + 1);
+    const auto [used, is_new] = use(name, count_ + 1);
     const auto number = static_cast<double>(used);
     if (is_new) b.report(ig::diag("SIE-0232"), ig::Where::block(), name, number);
     b.set(t_, number);
@@ -68,15 +69,24 @@ struct SiemensToolName {
     using is_transparent = void;
   };
 
-  /// The number that the name stands for, and whether this is its first use.
+  struct Use {
+    std::int64_t number = 0;  // of the tool of the table, or in the order of use where the table has no names
+    std::uint64_t run = 0;
+  };
+
+  /// The number that the name stands for, and whether this is its first use in the run.
   std::pair<std::int64_t, bool> use(std::string_view name, std::int64_t number) {
-    if (const auto found = used_.find(name); found != used_.end()) return {found->second, false};
-    used_.emplace(name, number);
+    auto found = used_.find(name);
+    if (found == used_.end()) found = used_.try_emplace(std::string(name)).first;
+    if (found->second.run == run_) return {found->second.number, false};
+    found->second = {number, run_};
+    ++count_;
     return {number, true};
   }
 
-  /// By name: its number where the table has none, in the order of use; the tool of the table where it has.
-  std::unordered_map<std::string, std::int64_t, Hash, std::equal_to<>> used_;
+  std::unordered_map<std::string, Use, Hash, std::equal_to<>> used_;  // names of earlier runs stay, without effect
+  std::uint64_t run_ = 1;
+  std::int64_t count_ = 0;  // of names in this run
 };
 
 const ig::Register<SiemensToolName> siemens_tool_name_syntax;
