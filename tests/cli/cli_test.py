@@ -987,7 +987,6 @@ class Dialects(Command):
         if subprocess.run([*hide, "true"], capture_output=True, check=False).returncode != 0:
             return None
         environment = {k: v for k, v in os.environ.items() if not k.startswith("ISOGLOSS_")}
-        environment["ASAN_OPTIONS"] = "detect_leaks=0"  # it looks for leaks by way of /proc
         return subprocess.run([*hide, *map(str, words)], capture_output=True, text=True, check=False, timeout=60,
                               env=environment)
 
@@ -995,8 +994,10 @@ class Dialects(Command):
         done = self.without_proc(OPTIONS.isogloss, "list", "dialects")
         if done is None:
             self.skipTest("no user namespaces")
-        self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("fanuc", done.stdout)
+        if "LeakSanitizer has encountered a fatal error" in done.stderr:
+            self.skipTest("a sanitizer looks for leaks, and reads its options, by way of /proc")
+        self.assertEqual(done.returncode, 0, done.stderr)
         self.assertNotIn("IG-0610", done.stderr)
 
     def test_a_command_that_does_not_know_its_folder_says_so(self):
