@@ -53,8 +53,7 @@ struct SiemensFlow {
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     if (text[position] == ':') return main_block(b, text, position);
-    const std::size_t end = skip_name(text.substr(0, position + longest_name + 1), position);
-    if (end - position > longest_name) return position;
+    const std::size_t end = skip_short_name(text, position);
     // The control requires two letters first; programs write L1: as well.
     if (end - position < 2 || (is_digit(text[position + 1]) && at(text, end) != ':')) return position;
     const std::size_t behind = skip_blanks(text, end);
@@ -197,10 +196,6 @@ struct SiemensFlow {
     const bool is_of_pattern = !patterns.empty() && tag != 0 && patterns.back().tag == tag && patterns.back().is_open();
     environment_.flow.leave(b, is_of_pattern ? std::string_view(patterns.back().label) : std::string_view());
   }
-
-  /// The control has 32; a look at more would make a line of one long name costly, since the scanner looks again at
-  /// each of its parts.
-  static constexpr std::size_t longest_name = 200;
 
   BranchIndex branches_{environment_};  // used while the program is indexed
   LoopStack stack_;

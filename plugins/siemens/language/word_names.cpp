@@ -12,7 +12,7 @@ bool WordReader::names_other_macro(std::string_view text, std::size_t position, 
 
 std::size_t WordReader::named(ig::Block& b, std::string_view text, std::size_t begin, Run& run) {
   if (text[begin] == '$') return assignment(b, text, begin, run);
-  std::size_t end = skip_name(text, begin);
+  std::size_t end = skip_short_name(text, begin);
   const std::size_t behind = skip_blanks(text, end);
   if (at(text, behind) == '[') return assignment(b, text, begin, run);
   if (at(text, behind) == '=' && at(text, behind + 1) != '=') {
@@ -54,7 +54,7 @@ std::size_t WordReader::execute_string(ig::Block& b, std::string_view text, std:
 }
 
 std::size_t WordReader::machine_name_end(ig::Block& b, std::string_view text, std::size_t begin) const {
-  const std::size_t end = skip_name(text, begin), equals = skip_blanks(text, end);
+  const std::size_t end = skip_short_name(text, begin), equals = skip_blanks(text, end);
   if (end < begin + 2 || at(text, equals) != '=' || at(text, equals + 1) == '=') return begin;
   const std::string name = upper(piece(text, begin, end));
   if (!environment_.axes.find(name)) return begin;
@@ -63,7 +63,7 @@ std::size_t WordReader::machine_name_end(ig::Block& b, std::string_view text, st
 }
 
 bool WordReader::is_assigned_variable(ig::Block& b, std::string_view text, std::size_t begin) const {
-  const std::size_t end = skip_name(text, begin), equals = skip_blanks(text, end);
+  const std::size_t end = skip_short_name(text, begin), equals = skip_blanks(text, end);
   if (at(text, equals) != '=' || at(text, equals + 1) == '=' || environment_.flow.is_indexing()) return false;
   environment_.enter(b);
   return environment_.store().find(upper(piece(text, begin, end))) != nullptr;

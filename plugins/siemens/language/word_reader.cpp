@@ -14,7 +14,7 @@ constexpr bool begins_number(char c) { return is_number_part(c); }
 
 /// ID=1 and IDS=1 begin a synchronized action, which SiemensCallSyntax reports.
 bool is_action_number(std::string_view text, std::size_t begin) {
-  const std::size_t end = skip_name(text, begin);
+  const std::size_t end = skip_short_name(text, begin);
   const std::string_view name = piece(text, begin, end);
   return (equals_ignoring_case(name, "ID") || equals_ignoring_case(name, "IDS")) &&
          at(text, skip_blanks(text, end)) == '=';
@@ -73,7 +73,7 @@ std::size_t WordReader::item(ig::Block& b, std::string_view text, std::size_t be
   const std::size_t second = begin + 1;
   const char d = at(text, second);
   if (environment_.has_macros() && !is_expanded_ && c != '$' && !environment_.flow.is_indexing())
-    if (const std::size_t end = skip_name(text, begin); at(text, skip_blanks(text, end)) != '=')
+    if (const std::size_t end = skip_short_name(text, begin); at(text, skip_blanks(text, end)) != '=')
       if (const std::string* const macro = environment_.macro(b, upper(piece(text, begin, end))))
         return expand(b, text, begin, end, *macro, run);
   if (is_action_number(text, begin)) return begin;
