@@ -395,7 +395,7 @@ extern "C" IG_EXPORT const ig_plugin* ig_plugin_v1(void) {
   syntax.create = create;
   syntax.destroy = destroy;
   syntax.build = build;
-#if defined(FAULT_forgets)
+#if defined(FAULT_forgets) || defined(FAULT_asleep)
   syntax.restart = restart;
 #elif defined(FAULT_keeps_error)
   syntax.restart = [](void* self, const ig_host*, ig_block*) -> ig_status {

@@ -16,11 +16,15 @@ std::string trying(const Stand& stand, const TestBlock& block) {
   return std::string(stand.syntax->id) + ", " + block.name;
 }
 
-/// A syntax may do all of its work before the first block; then its build() serves the cases of its page alone.
+/// A syntax that takes no word may do all of its work before the first block; then its build() serves the cases of its
+/// page alone.
 bool is_ever_called(const ig_syntax& syntax) {
-  return syntax.build == nullptr || syntax.restart != nullptr || syntax.inspects != 0 ||
-         std::any_of(syntax.fields, syntax.fields + syntax.field_count,
-                     [](const ig_field_decl& f) { return (f.access & (IG_WAKE | IG_WAKE_WHILE)) != 0; });
+  const auto has_field = [&](unsigned access) {
+    return std::any_of(syntax.fields, syntax.fields + syntax.field_count,
+                       [&](const ig_field_decl& f) { return (f.access & access) != 0; });
+  };
+  return syntax.build == nullptr || syntax.inspects != 0 || has_field(IG_WAKE | IG_WAKE_WHILE) ||
+         (syntax.restart != nullptr && !has_field(IG_TAKE));
 }
 
 /// Calls `judge` with each block of the cases, and with a block in which each declared field has a value.

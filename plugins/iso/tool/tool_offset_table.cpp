@@ -157,9 +157,9 @@ struct ToolOffsetTable {
 
   /// By name in capitals, for controls do not tell them from small letters; the empty name has all tools with a name.
   std::unordered_map<std::string, std::vector<std::int64_t>> by_name;
-  std::string wanted;  // kept between calls for its room
   /// By number: which row of the table it is.
   std::unordered_map<std::int64_t, std::size_t> place;
+  std::string wanted;  // kept between calls for its room
   ig_tool_name_1 names{sizeof(ig_tool_name_1), 0, this, &find, &name_of};
   ig_tool_offset_1 offsets{sizeof(ig_tool_offset_1), 0, this, &get, &set};
 };

@@ -31,6 +31,14 @@ TEST_CASE("R gives the centre of each of the manual's four arcs") {
   CHECK(sweep(start, end, center, c.is_ccw) / degree == Approx(c.sweep_deg));
 }
 
+TEST_CASE("a radius without sensible bounds gives a centre that is a number") {
+  for (const double radius : {1e200, -1e308}) {
+    const Point2 center = center_by_radius({0, 0}, {30, 40}, radius, true);
+    CHECK(std::isfinite(center.u));
+    CHECK(std::hypot(center.u / radius, center.v / radius) == Approx(1));
+  }
+}
+
 TEST_CASE("a radius too short for the chord is replaced by half the chord") {
   const Point2 start{0, 0}, end{30, 40};
   CHECK(radius_shortfall(start, end, 20) == Approx(5));
