@@ -206,6 +206,7 @@ class Checks:
                                   ("acme-c-table", "plugin", "--table", "ClampTable", "--language", "c"),
                                   ("acme-840d-c", "plugin", "--table", "ClampTable", "--language", "c", "--extends", "siemens"),
                                   ("acme-switch", "plugin", "--switch", "M171,M172", "--extends", "siemens"),
+                                  ("acme-switch-c", "plugin", "--switch", "M171,M172", "--language", "c"),
                                   ("acme-tnc-c", "plugin", "--language", "c", "--extends", "heidenhain"),
                                   ("acme-tnc-word", "plugin", "--word", "E", "--extends", "heidenhain"),
                                   ("acme-tnc-table", "plugin", "--table", "ClampTable", "--language", "c", "--extends",
