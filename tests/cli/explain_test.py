@@ -390,6 +390,13 @@ class Flow(Explain):
             13: "Line 13 jumps back to line 8 (FIVE:), because the last repeat follows.",
             "13/2": "Line 13 goes on with the next block, because all repeats are made."})
 
+    def test_a_block_that_waits_for_others_has_no_jump_of_theirs(self):
+        """Line 1 waits for the next move in its plane, and the loop in line 8 has begun by then."""
+        part = self.write("waits.mpf", "G41 G1 X30 Y30\nMCALL\nCYCLE800(1,\"TC1\",0,57,10,20,0,0,30,0,0,0,0,1,0,1)\nG0 X5 Y5\n"
+                                       "TRAORI\nG1 X10 Y10 Z5 B10 C20 F500\nTRAFOOF\nFOR R5=1 TO 3\nG1 X=R5*10\nENDFOR\n")
+        self.assertNotIn("jump", self.run_it(f"{part}:1", "-d", "siemens", "--brief", status=1).stdout)
+        self.says(part, "siemens", {10: "Line 10 jumps back to line 8 (FOR R5=1 TO 3)"})
+
     def test_labels_of_a_tnc(self):
         self.says(self.write("labels.h", LABELS), "heidenhain", {
             3: "Line 3 goes on with the next block, because +Q1 GT +5 does not hold (Q1 is 3).",

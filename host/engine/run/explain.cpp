@@ -139,7 +139,7 @@ class Explainer : public Exporter {
       return;
     }
     o.called[position] = true;
-    note_request(o.block);
+    note_request(o);
     if (o.block.pass != target_.pass) return;
     const LinkedSyntax& s = linked_.chain[position];
     o.words.look(*document, static_cast<std::uint16_t>(position + 1));
@@ -196,13 +196,15 @@ class Explainer : public Exporter {
       if (writer != 0) step.rows = rows_.since(*chain_, 0, writer);
       o.block.steps.push_back(std::move(step));
     }
-    note_request(o.block);
+    note_request(o);
     open_.push_back(std::move(o));
     return open_.back();
   }
 
-  void note_request(ExplainedBlock& block) const {
-    if (block.go.kind == ExplainedGo::Kind::next) block.go = go_of(chain_->flow->requested());
+  /// A block that waits for those after it is built again when one of them may have asked for a jump of its own.
+  void note_request(Open& o) const {
+    if (o.number == chain_->blocks && o.block.go.kind == ExplainedGo::Kind::next)
+      o.block.go = go_of(chain_->flow->requested());
   }
 
   bool is_wanted(const Document& document) const {
