@@ -54,10 +54,8 @@ struct SyntecParameters {
   ig::TextOption axes{"axes", "XYZ", "Letters of the axes 1, 2, 3 and so on, in lines with a value for each axis."};
 
   static unsigned recognise(std::string_view text, std::string_view) {
-    constexpr std::size_t looked_at = std::size_t{64} << 10;
     unsigned entries = 0, sure = 0, others = 0;
-    for (const ig::TextLine& line : ig::TextLines(text)) {
-      if (line.begin + line.text.size() >= looked_at) break;  // it may be cut
+    for (const ig::TextLine& line : ig::TextLines(ig::whole_lines(text))) {
       if (is_empty(line.text)) continue;
       const std::optional<Entry> entry = read_line(line.text);
       if (!entry) {

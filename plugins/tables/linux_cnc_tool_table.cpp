@@ -28,15 +28,14 @@ struct LinuxCncToolTable {
                             "The unit of the machine, LINEAR_UNITS in its INI file; unknown: mm is assumed."};
 
   static unsigned recognise(std::string_view text, std::string_view) {
-    unsigned tools = 0;
-    for (const ig::TextLine& line : ig::TextLines(text)) {
+    ig::EntryCount tools;
+    for (const ig::TextLine& line : ig::TextLines(ig::whole_lines(text))) {
       const std::string_view code = before_comment(line.text);
       if (code.empty()) continue;
-      if (code[0] != 'T' && code[0] != 'P') return 0;
-      if (code.find(code[0] == 'T' ? " P" : " T") == std::string_view::npos) return 0;
-      if (++tools == 10) break;
+      const bool is_tool = code[0] == 'T' || code[0] == 'P';
+      tools.add(is_tool && code.find(code[0] == 'T' ? " P" : " T") != std::string_view::npos);
     }
-    return tools > 0 ? 80 : 0;
+    return tools.confidence(80);
   }
 
   void read(ig::Import& file) const {
@@ -85,7 +84,7 @@ struct LinuxCncToolTable {
                          code.substr(tool->begin - offset + 1, tool->end - tool->begin - 1));
     rows.begin(key, tool->begin, tool->end);
     for (const Word& w : words)
-      if (last[static_cast<unsigned char>(w.letter)] == &w)
+      if (last[static_cast<unsigned char>(w.letter)] == &w || w.letter == 'Z' || w.letter == 'D')  // the later value wins
         read_word(file, lengths, w);
       else
         file.unused(std::string("word ") + w.letter, "the line has a later one, which is read", w.begin, w.end);

@@ -24,19 +24,15 @@ struct LinuxCncVariables {
                             "The unit of the machine, LINEAR_UNITS in its INI file; unknown: mm is assumed."};
 
   static unsigned recognise(std::string_view text, std::string_view) {
-    unsigned entries = 0, offsets = 0, damaged = 0;
-    for (const ig::TextLine& line : ig::TextLines(text)) {
+    ig::EntryCount entries;
+    unsigned offsets = 0;
+    for (const ig::TextLine& line : ig::TextLines(ig::whole_lines(text))) {
       if (line.text.find_first_not_of(" \t") == std::string_view::npos) continue;
       const std::optional<Entry> entry = read_line(line);
-      if (!entry) {
-        ++damaged;
-        continue;
-      }
-      offsets += entry->number >= g28 && entry->number < first_offset + 9 * offset_step ? 1 : 0;
-      if (++entries == 100) break;
+      entries.add(entry.has_value());
+      offsets += entry && entry->number >= g28 && entry->number < first_offset + 9 * offset_step ? 1 : 0;
     }
-    if (damaged * 10 > entries) return 0;
-    return offsets > 4 ? 90 : offsets > 0 ? 50 : 0;
+    return entries.confidence(offsets > 4 ? 90 : offsets > 0 ? 50 : 0);
   }
 
   void read(ig::Import& file) const {

@@ -299,6 +299,9 @@ class Machines(unittest.TestCase):
         read = self.run_it("lint", "-m", "machines/mill").stderr
         self.assertIn("readme.1 is not read", read)
         self.assertNotIn("O1.nc", read)
+        self.write("machines/mill/backup/old.tbl", "Call Ann before you change anything.\n")
+        self.assertRegex(self.run_it("lint", "-m", "machines/mill").stderr,
+                         r"warning: \S*old\.tbl is not read: its name is usual for LinuxCncToolTable.*\[IG-0142\]")
         self.machine('<Backup src="backup/readme.txt"/>')
         self.assertIn("[IG-0124]", self.run_it("lint", "-m", "machines/mill", status=1).stderr)
         self.machine('<Dependencies><MachineAxes src="backup/tool.tbl"/></Dependencies>')

@@ -1,10 +1,14 @@
 // Finds machines, and completes one that was read.
 #include "isogloss/engine/machine.hpp"
 
+#include <fnmatch.h>
+
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "dialect/dialect_file.hpp"
 #include "dialect/row_checks.hpp"
@@ -201,7 +205,11 @@ class Importing {
         (importer != nullptr && importer->is_initial != 0 ? initial : others).push_back(path);
       else if (const std::string what = what_is_no_text(path, library_); !what.empty())
         sink_.add(host_diagnostic("IG-0141", folder.where, {path.string(), what}));
-      else if (!is_found_as_program(path))
+      else if (is_found_as_program(path))
+        continue;
+      else if (const std::string formats = formats_named_like(path); !formats.empty())
+        sink_.add(host_diagnostic("IG-0142", folder.where, {path.string(), formats}));
+      else
         unknown[path.extension().string()].push_back(path);
     }
     for (const auto& [extension, files] : unknown)
@@ -210,17 +218,38 @@ class Importing {
     return initial;
   }
 
-  /// A file of the dialect's programs below a folder of <Programs>.
-  bool is_found_as_program(const fs::path& path) const {
+  /// The importers whose files usually have such a name. An extension that programs have, too, tells nothing.
+  std::string formats_named_like(const fs::path& path) const {
+    const std::string name = path.filename().string();
+    const bool may_be_program = is_named_as_program(path);
+    const auto is_named_like = [&](const ig_importer& importer) {
+      std::istringstream patterns(importer.files == nullptr ? "" : importer.files);
+      return std::any_of(std::istream_iterator<std::string>(patterns), {}, [&](const std::string& pattern) {
+        return !(may_be_program && pattern[0] == '*') && ::fnmatch(pattern.c_str(), name.c_str(), FNM_CASEFOLD) == 0;
+      });
+    };
+    std::string out;
+    for (const LoadedPlugin& p : library_.plugins())
+      for (std::uint32_t i = 0; i < p.plugin->importer_count; ++i)
+        if (const ig_importer& importer = *p.plugin->importers[i]; is_named_like(importer))
+          out.append(out.empty() ? "" : ", ").append(importer.id);
+    return out;
+  }
+
+  bool is_named_as_program(const fs::path& path) const {
     const auto is_same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
     const std::string extension = path.extension().string();
-    const auto is_of_file = [&](const std::string& e) {
+    return std::any_of(extensions_.begin(), extensions_.end(), [&](const std::string& e) {
       return std::equal(extension.begin(), extension.end(), e.begin(), e.end(), is_same);
-    };
+    });
+  }
+
+  /// A file of the dialect's programs below a folder of <Programs>.
+  bool is_found_as_program(const fs::path& path) const {
     const auto holds_file = [&](const fs::path& place) {
       return std::mismatch(place.begin(), place.end(), path.begin(), path.end()).first == place.end();
     };
-    return std::any_of(extensions_.begin(), extensions_.end(), is_of_file) &&
+    return is_named_as_program(path) &&
            std::any_of(program_places_.begin(), program_places_.end(), holds_file);
   }
 

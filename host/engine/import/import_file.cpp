@@ -188,6 +188,7 @@ std::optional<ImportedFile> import_bytes(const Import& asked, std::string bytes,
     return std::nullopt;
   }
   if (!in.is_sound) return std::nullopt;
+  report_replaced(in);
   return std::move(in.out);
 }
 

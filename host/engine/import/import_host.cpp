@@ -104,10 +104,12 @@ void put_cell(ig_import& in, ig_text column, std::string value, std::size_t plac
   const auto old = std::find_if(in.row->attributes.begin(), in.row->attributes.end(),
                                 [&](const Attribute& a) { return a.name == name; });
   Attribute cell{name, std::move(value), place_of(in, place)};
-  if (old == in.row->attributes.end())
+  if (old == in.row->attributes.end()) {
     in.row->attributes.push_back(std::move(cell));
-  else
-    *old = std::move(cell);
+    return;
+  }
+  if (old->value != cell.value) in.replaced.push_back({in.row->attributes.front().value, *old, cell});
+  *old = std::move(cell);
 }
 
 void text_cell(ig_import* in, ig_text column, ig_text value, std::size_t place) {
@@ -185,7 +187,9 @@ void report(ig_import* in, std::uint32_t diagnostic, std::size_t begin, std::siz
   const ig_diagnostic_decl& row = in->plugin.diagnostics[diagnostic];
   const auto severity = static_cast<Severity>(row.severity);
   if (severity == Severity::error) in->is_sound = false;
-  in->sink.add({severity, row.code, fill_in(row.text, argument_texts(arguments, count)), place_of(*in, begin), 0, {}});
+  const Location where = place_of(*in, begin);
+  in->reported_lines.insert(where.line);
+  in->sink.add({severity, row.code, fill_in(row.text, argument_texts(arguments, count)), where, 0, {}});
 }
 
 void fail(ig_import* in, ig_text reason) { in->failure = string_of(reason); }
@@ -254,6 +258,17 @@ const ig_export_api& export_api() {
       sizeof(ig_export_api), IG_ABI_MINOR, export_number, export_integer, export_text, row_count, row_key, cell, write,
       export_unused,         export_fail};
   return api;
+}
+
+void report_replaced(const ig_import& in) {
+  const ReplacedCell* first = nullptr;
+  std::size_t count = 0;
+  for (const ReplacedCell& cell : in.replaced)
+    if (!in.reported_lines.contains(cell.later.where.line) && count++ == 0) first = &cell;
+  if (first == nullptr) return;
+  in.sink.add(host_diagnostic("IG-0143", first->earlier.where,
+                              {first->key, first->earlier.name, first->earlier.value,
+                               std::to_string(first->later.where.line), first->later.value, std::to_string(count)}));
 }
 
 void name_unasked(ig_export& out, const char* const* dependencies) {

@@ -9,6 +9,16 @@
 #include "isogloss/engine/import.hpp"
 #include "isogloss/engine/linker.hpp"
 
+namespace isogloss {
+
+/// A cell that came again in the file with another value.
+struct ReplacedCell {
+  std::string key;  // of its row
+  Attribute earlier, later;
+};
+
+}  // namespace isogloss
+
 /// The opaque types of the contract.
 struct ig_import {
   const isogloss::Import& asked;
@@ -27,6 +37,8 @@ struct ig_import {
   std::string failure;
   bool is_sound = true;
   std::size_t cells = 0;
+  std::vector<isogloss::ReplacedCell> replaced{};
+  std::set<std::uint32_t> reported_lines{};  // where the importer itself reported something
   std::vector<std::size_t> line_begins{};  // of all lines, found with the first place
 };
 
@@ -46,6 +58,9 @@ namespace isogloss {
 
 const ig_import_api& import_api();
 const ig_export_api& export_api();
+
+/// Reports cells that came again with another value, except on lines of which the importer itself reported something.
+void report_replaced(const ig_import& in);
 
 /// Names what the importer never asked for of its dependencies, as the file lacks it: whole tables, and columns.
 void name_unasked(ig_export& out, const char* const* dependencies);

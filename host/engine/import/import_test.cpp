@@ -73,8 +73,11 @@ TEST_CASE("an importer gives rows, cells with their places, and what it does not
   });
   const auto file = shop.read("Plain", "one\r\ntwo\rthree");
   REQUIRE(file);
-  CHECK(shop.codes() == Codes{"AB-0001 2:2"});
+  CHECK(shop.codes() == Codes{"AB-0001 2:2", "IG-0143 2:1"});
   CHECK(shop.found.all[0].message == "odd thing");
+  CHECK(shop.found.all[1].message ==
+        "row '7' has H=0.1 here and H=1000000000000000000000 in line 3 of the file: the later value is taken (such "
+        "values: 1)");
   CHECK(shop.found.all[0].where.file == "dir/a.txt");
   REQUIRE(file->tables.size() == 2);
   REQUIRE(file->tables[0].rows.size() == 2);

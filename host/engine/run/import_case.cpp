@@ -64,8 +64,11 @@ std::string run_import_case(const Page& page, const Case& one, const std::string
   std::vector<std::string> reports, unused;
   std::string out;
   for (const Diagnostic& d : said.all) {
-    if (!d.code.starts_with("IG-")) reports.push_back(fmt::format("{} {}:{}", d.code, d.where.line, d.where.column));
-    if (d.code.starts_with("IG-")) out += fmt::format("  {}: {} [{}]\n", to_string(d.severity), d.message, d.code);
+    // What the host reports of the case itself, not of a place in its file, is a fault of the case.
+    if (d.code.starts_with("IG-") && d.where.file != asked.file)
+      out += fmt::format("  {}: {} [{}]\n", to_string(d.severity), d.message, d.code);
+    else
+      reports.push_back(fmt::format("{} {}:{}", d.code, d.where.line, d.where.column));
   }
   std::vector<std::string> tables;
   if (given) {

@@ -96,6 +96,25 @@ class TextLines {
   std::string_view text_;
 };
 
+/// The whole lines of what recognise() gets: of a large file the host shows the beginning, and so the last line is cut.
+inline std::string_view whole_lines(std::string_view head) {
+  constexpr std::size_t shown = std::size_t{64} << 10;
+  return head.size() < shown ? head : head.substr(0, head.substr(0, shown).find_last_of("\r\n") + 1);
+}
+
+/// Counts the entries that recognise() looks at. A damaged entry does not make the file another's, or the whole table
+/// would be lost for one line: read() reports that line.
+struct EntryCount {
+  std::size_t own = 0, others = 0;
+
+  void add(bool is_own) { ++(is_own ? own : others); }
+  /// `sure` where all entries are of the format, half of it where up to a quarter is not, otherwise 0.
+  constexpr unsigned confidence(unsigned sure) const {
+    if (own == 0 || others > own / 3) return 0;
+    return others == 0 ? sure : sure / 2;
+  }
+};
+
 /// A part of a file as diagnostics quote it: at most 40 bytes and whole characters, without control characters.
 inline std::string shown_part(std::string_view text) {
   constexpr std::size_t longest = 40;

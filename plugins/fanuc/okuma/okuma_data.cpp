@@ -41,15 +41,16 @@ struct OkumaData {
       "What a value without a decimal point counts, by a parameter of the control."};
 
   static unsigned recognise(std::string_view text, std::string_view) {
+    ig::EntryCount variables;
     unsigned known = 0;
-    for (const ig::TextLine& line : ig::TextLines(whole_lines(text))) {
+    for (const ig::TextLine& line : ig::TextLines(ig::whole_lines(text))) {
       const std::string_view code = code_of(line.text);
       if (is_frame(code)) continue;
       const Assignment found = read_assignment(code);
-      if (!found.is_sound || !found.name.starts_with('V')) return 0;
-      known += column_of(found.name).table != nullptr ? 1 : 0;
+      variables.add(found.is_sound && found.name.starts_with('V'));
+      known += found.is_sound && column_of(found.name).table != nullptr ? 1 : 0;
     }
-    return known > 0 ? 85 : 0;
+    return known > 0 ? variables.confidence(85) : 0;
   }
 
   void read(ig::Import& file) const {

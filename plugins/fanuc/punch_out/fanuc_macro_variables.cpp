@@ -39,18 +39,19 @@ struct FanucMacroVariables {
                                      "What cutter offsets are on this Haas: setting 40."};
 
   static unsigned recognise(std::string_view text, std::string_view) {
-    unsigned values = 0, sure = 0;
-    for (const ig::TextLine& line : ig::TextLines(whole_lines(text))) {
+    ig::EntryCount values;
+    unsigned sure = 0;
+    for (const ig::TextLine& line : ig::TextLines(ig::whole_lines(text))) {
       const Entry entry = read_line(line);
-      if (entry.kind == Kind::other) return 0;
       // N10 alone is a vacant variable, or a sequence number.
       const bool is_open =
           entry.is_listed && entry.value.empty() && line.text.find_first_of("#=") == std::string_view::npos;
-      if (entry.kind != Kind::variable || is_open) continue;
-      if (++values == 1) sure = entry.is_listed ? (line.text.find('#') < 4 ? 70 : 50) : 90;
-      if (entry.is_listed && !is_vacant(entry.value) && !number_in(entry.value)) return 0;
+      if (entry.kind != Kind::other && (entry.kind != Kind::variable || is_open)) continue;
+      const bool is_value = !entry.is_listed || is_vacant(entry.value) || number_in(entry.value);
+      values.add(entry.kind == Kind::variable && is_value);
+      if (sure == 0 && values.own == 1) sure = entry.is_listed ? (line.text.find('#') < 4 ? 70 : 50) : 90;
     }
-    return sure;
+    return values.confidence(sure);
   }
 
   void read(ig::Import& file) const {

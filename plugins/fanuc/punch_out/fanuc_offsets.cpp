@@ -46,17 +46,14 @@ struct FanucOffsets {
   ig::Choice<Increment> increment{"increment", "IS-A|IS-B|IS-C", "IS-B", "The increment system of the control."};
 
   static unsigned recognise(std::string_view text, std::string_view) {
-    unsigned offsets = 0;
+    ig::EntryCount offsets;
     PunchedBlock block;
-    for (const ig::TextLine& line : ig::TextLines(whole_lines(text))) {
+    for (const ig::TextLine& line : ig::TextLines(ig::whole_lines(text))) {
       block.read(line);
-      if (block.is_empty()) continue;
-      if (!block.is_sound()) return 0;
-      const bool is_offset = block.has('G', 10) && (l_of(block) == 0 ? block.find('R') != nullptr : l_of(block) != 85);
-      if (!is_offset && !block.is_frame()) return 0;
-      offsets += is_offset ? 1 : 0;
+      if (block.is_empty() || (block.is_sound() && !is_offset(block) && block.is_frame())) continue;
+      offsets.add(block.is_sound() && is_offset(block));
     }
-    return offsets > 0 ? 80 : 0;
+    return offsets.confidence(80);
   }
 
   void read(ig::Import& file) const {
@@ -98,6 +95,10 @@ struct FanucOffsets {
             unit == OffsetUnit::unknown};
   }
 
+  /// G10 of a variable has L85.
+  static bool is_offset(const PunchedBlock& block) {
+    return block.has('G', 10) && (l_of(block) == 0 ? block.find('R') != nullptr : l_of(block) != 85);
+  }
   /// L of a G10; 0 where it has none.
   static std::int64_t l_of(const PunchedBlock& block) {
     const PunchedWord* const l = block.find('L');
@@ -141,6 +142,7 @@ struct FanucOffsets {
     const bool is_work = l == 2 || l == 20, is_tool = l <= 1 || (l >= 10 && l <= 13);
     if (!is_work && !is_tool) return unused("G10 L" + std::to_string(l), "no table has a place for it");
     if (!state.is_absolute) return state.file.report(ig::diag("FAN-0232"), block.begin(), block.end());
+    block.report_repeated(state.file);
     if (is_work) return read_work_offset(state, block, l);
     read_tool_offset(state, block, l);
   }
@@ -168,7 +170,7 @@ struct FanucOffsets {
     if (r == nullptr || block.find('X') != nullptr || block.find('Z') != nullptr)
       return state.file.unused("tool offset of a lathe", "no table has a place for it", block.begin(), block.end());
     for (const PunchedWord& w : block.words())
-      if (std::string_view("GLPRN").find(w.letter) == std::string_view::npos || (w.letter == 'R' && &w != r))
+      if (std::string_view("GLPRN").find(w.letter) == std::string_view::npos)
         state.file.unused(std::string("word ") + w.letter, "no table has a place for it", w.begin, w.end);
     const std::int64_t row = p == nullptr ? 0 : p->whole().value_or(0);
     if (row < 1 || row > most_offsets) return state.file.report(ig::diag("FAN-0231"), block.begin(), block.end());

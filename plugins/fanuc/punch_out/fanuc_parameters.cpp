@@ -39,16 +39,16 @@ struct FanucParameters {
   ig::IntegerOption path{"path", "1", {1, 99}, "The path of the control whose values are read."};
 
   static unsigned recognise(std::string_view text, std::string_view) {
-    unsigned parameters = 0, with_q = 0;
+    ig::EntryCount parameters;
+    std::size_t with_q = 0;
     PunchedBlock block;
-    for (const ig::TextLine& line : ig::TextLines(whole_lines(text))) {
+    for (const ig::TextLine& line : ig::TextLines(ig::whole_lines(text))) {
       block.read(line);
       if (block.is_empty()) continue;
-      if (!is_parameter(block)) return 0;
-      with_q += block.find('Q') != nullptr ? 1 : 0;
-      if (++parameters == 50) break;
+      parameters.add(is_parameter(block));
+      with_q += is_parameter(block) && block.find('Q') != nullptr ? 1 : 0;
     }
-    return parameters == 0 ? 0 : with_q == parameters ? 95 : 75;
+    return parameters.confidence(with_q == parameters.own ? 95 : 75);
   }
 
   void read(ig::Import& file) const {

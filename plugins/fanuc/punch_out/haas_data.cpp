@@ -21,18 +21,17 @@ struct HaasData {
   };
 
   static unsigned recognise(std::string_view text, std::string_view) {
-    unsigned entries = 0;
+    ig::EntryCount entries;
     PunchedBlock block;
-    for (const ig::TextLine& line : ig::TextLines(whole_lines(text))) {
+    for (const ig::TextLine& line : ig::TextLines(ig::whole_lines(text))) {
       block.read(line);
       if (block.is_empty()) continue;
       const std::vector<PunchedWord>& words = block.words();
       const bool is_end = words.size() == 1 && words[0].is('N', 9999);
-      if (!block.is_sound() || (!is_end && (words.size() != 2 || words[0].letter != 'N' || words[1].letter != 'V')))
-        return 0;
-      if (++entries == 100) break;
+      const bool is_register = words.size() == 2 && words[0].letter == 'N' && words[1].letter == 'V';
+      entries.add(block.is_sound() && (is_end || is_register));
     }
-    return entries > 0 ? 85 : 0;
+    return entries.confidence(85);
   }
 
   void read(ig::Import& file) const {

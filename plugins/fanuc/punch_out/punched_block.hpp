@@ -73,10 +73,11 @@ class PunchedBlock {
   std::size_t begin() const { return begin_; }
   std::size_t end() const { return end_; }
 
+  /// Of several such words the last one, as on the control.
   const PunchedWord* find(char letter) const {
     const auto found =
-        std::find_if(words_.begin(), words_.end(), [&](const PunchedWord& w) { return w.letter == letter; });
-    return found == words_.end() ? nullptr : &*found;
+        std::find_if(words_.rbegin(), words_.rend(), [&](const PunchedWord& w) { return w.letter == letter; });
+    return found == words_.rend() ? nullptr : &*found;
   }
   bool has(char letter, double value) const {
     return std::any_of(words_.begin(), words_.end(), [&](const PunchedWord& w) { return w.is(letter, value); });
@@ -88,6 +89,12 @@ class PunchedBlock {
       return w.letter == 'O' || w.letter == 'N' || (w.letter == 'M' && (n == 2 || n == 30 || n == 99)) ||
              (w.letter == 'G' && (n == 10 || n == 11 || n == 20 || n == 21 || n == 90 || n == 91));
     });
+  }
+  /// Says of L, P and R that the block has a later one. Values of axes the host compares.
+  void report_repeated(ig::Import& file) const {
+    for (const PunchedWord& w : words_)
+      if ((w.letter == 'L' || w.letter == 'P' || w.letter == 'R') && &w != find(w.letter))
+        file.unused(std::string("word ") + w.letter, "the block has a later one, which is read", w.begin, w.end);
   }
   void report_fault(ig::Import& file) const {
     file.report(ig::diag("FAN-0230"), fault_begin_, fault_begin_ + fault_.size(), fault_);
@@ -170,12 +177,6 @@ inline std::string punched_number(double value) {
   std::string out = ig::cnc::fixed_text(value);
   if (out.find('.') == std::string::npos) out += '.';
   return out;
-}
-
-/// The lines that recognise() looks at: the last one of a large file is cut, so it is left out.
-inline std::string_view whole_lines(std::string_view head) {
-  constexpr std::size_t looked_at = std::size_t{64} << 10;
-  return head.size() < looked_at ? head : head.substr(0, head.substr(0, looked_at).find_last_of("\r\n") + 1);
 }
 
 }  // namespace fanuc

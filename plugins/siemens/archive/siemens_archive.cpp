@@ -52,12 +52,10 @@ struct SiemensArchive {
       "edge-step", "0", {0, 100'000}, "Rows between two edges of a tool; 0: edge 2 of tool 5 is row 5.2."};
 
   static unsigned recognise(std::string_view text, std::string_view) {
-    constexpr std::size_t looked_at = std::size_t{64} << 10;
     if (is_binary(text)) return 100;
     std::size_t good = 0, bad = 0, system = 0, r = 0;
     bool has_mark = false, is_read = true;
-    for (const ig::TextLine& line : ig::TextLines(text)) {
-      if (text.size() >= looked_at && line.begin + line.text.size() == text.size()) break;  // it may be cut off
+    for (const ig::TextLine& line : ig::TextLines(ig::whole_lines(text))) {
       if (const auto head = read_head(line.text)) {
         is_read = head->holds_data();
         has_mark = has_mark || (is_read && head->extension != "DEF");

@@ -18,11 +18,9 @@ struct SiemensDefinitions {
           .initial_values();
 
   static unsigned recognise(std::string_view text, std::string_view) {
-    constexpr std::size_t looked_at = std::size_t{64} << 10;
     std::size_t definitions = 0, macros = 0, others = 0;
     bool has_head = false;
-    for (const ig::TextLine& line : ig::TextLines(text)) {
-      if (text.size() >= looked_at && line.begin + line.text.size() == text.size()) break;  // it may be cut off
+    for (const ig::TextLine& line : ig::TextLines(ig::whole_lines(text))) {
       const std::string_view code = code_of(line.text);
       if (code.empty() || is_file_end(code)) continue;
       if (const auto head = read_head(line.text)) {
