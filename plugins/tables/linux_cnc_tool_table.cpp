@@ -84,7 +84,8 @@ struct LinuxCncToolTable {
                          code.substr(tool->begin - offset + 1, tool->end - tool->begin - 1));
     rows.begin(key, tool->begin, tool->end);
     for (const Word& w : words)
-      if (last[static_cast<unsigned char>(w.letter)] == &w || w.letter == 'Z' || w.letter == 'D')  // the later value wins
+      if (last[static_cast<unsigned char>(w.letter)] == &w || w.letter == 'Z' ||
+          w.letter == 'D')  // the later value wins
         read_word(file, lengths, w);
       else
         file.unused(std::string("word ") + w.letter, "the line has a later one, which is read", w.begin, w.end);

@@ -249,8 +249,7 @@ class Importing {
     const auto holds_file = [&](const fs::path& place) {
       return std::mismatch(place.begin(), place.end(), path.begin(), path.end()).first == place.end();
     };
-    return is_named_as_program(path) &&
-           std::any_of(program_places_.begin(), program_places_.end(), holds_file);
+    return is_named_as_program(path) && std::any_of(program_places_.begin(), program_places_.end(), holds_file);
   }
 
   const ig_importer* importer_of(const fs::path& path, const std::string& format) const {

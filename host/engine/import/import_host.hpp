@@ -39,7 +39,7 @@ struct ig_import {
   std::size_t cells = 0;
   std::vector<isogloss::ReplacedCell> replaced{};
   std::set<std::uint32_t> reported_lines{};  // where the importer itself reported something
-  std::vector<std::size_t> line_begins{};  // of all lines, found with the first place
+  std::vector<std::size_t> line_begins{};    // of all lines, found with the first place
 };
 
 struct ig_export {

@@ -129,13 +129,15 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "An importer knows the file, which is no text. In a folder named by <Backup> it hinders nothing.",
        "<Backup src=\"backup\"/>, and an encrypted cycle in it"},
       {warning, "IG-0142", "{0} is not read: its name is usual for {1}, but its text is of none of the known formats",
-       "A file of a <Backup> folder is read by the importer that recognises its text. One that is empty, cut or damaged "
+       "A file of a <Backup> folder is read by the importer that recognises its text. One that is empty, cut or "
+       "damaged "
        "in more than a quarter of its lines is not recognised, and all that it holds is missing from the machine. Get "
        "the file anew from the control, or name it with its format: <Backup src=\"backup/tool.t\" format=\"…\"/>.",
        "<Backup src=\"backup\"/>, and backup/TOOL.T holds a letter of the maker"},
       {warning, "IG-0143",
        "row '{0}' has {1}={2} here and {1}={4} in line {3} of the file: the later value is taken (such values: {5})",
-       "A file of a control gives each value once. One that gives a value twice was put together from several files, or "
+       "A file of a control gives each value once. One that gives a value twice was put together from several files, "
+       "or "
        "edited by hand: look which of the two is right.",
        "G10L2P1X0.Z-50.Z-60. in a file of work offsets that is read with two values for Z of G54"},
       {error, "IG-0145", "the row '{1}' of {0} sets {2}, a field that this dialect does not have",

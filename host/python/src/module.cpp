@@ -31,27 +31,20 @@ py::list tuples_of(const std::vector<Diagnostic>& diagnostics) {
   return out;
 }
 
-/// An array over memory that it owns.
-template <class T>
-py::array bytes_of(T* data, std::size_t count, void (*release)(void*)) {
-  const py::capsule owner(data, release);
-  return py::array(py::dtype::of<std::uint8_t>(), {count * sizeof(T)}, {std::size_t{1}}, data, owner);
+/// An array over the memory of `rows`, which it keeps.
+template <class Rows>
+py::array bytes_of(Rows&& rows) {
+  if (rows.size() == 0) return py::array(py::dtype::of<std::uint8_t>(), 0);
+  using Kept = std::remove_cvref_t<Rows>;
+  auto kept = std::make_unique<Kept>(std::forward<Rows>(rows));
+  auto* const data = kept->data();
+  const std::size_t bytes = kept->size() * sizeof *data;
+  const py::capsule owner(kept.release(), [](void* p) { delete static_cast<Kept*>(p); });
+  return py::array(py::dtype::of<std::uint8_t>(), {bytes}, {std::size_t{1}}, data, owner);
 }
 
-py::array motions_of(MotionArrays& arrays) {
-  const std::size_t count = arrays.motions.size();
-  if (count == 0) return py::array(py::dtype::of<std::uint8_t>(), 0);
-  return bytes_of(arrays.motions.release(), count, [](void* p) { std::free(p); });
-}
-
-py::array circles_of(MotionArrays& arrays) {
-  if (arrays.circles.empty()) return py::array(py::dtype::of<std::uint8_t>(), 0);
-  auto kept = std::make_unique<std::vector<CircleRow>>(std::move(arrays.circles));
-  CircleRow* const data = kept->data();
-  const std::size_t count = kept->size();
-  const py::capsule owner(kept.release(), [](void* p) { delete static_cast<std::vector<CircleRow>*>(p); });
-  return py::array(py::dtype::of<std::uint8_t>(), {count * sizeof(CircleRow)}, {std::size_t{1}}, data, owner);
-}
+py::array motions_of(MotionArrays& arrays) { return bytes_of(std::move(arrays.motions)); }
+py::array circles_of(MotionArrays& arrays) { return bytes_of(std::move(arrays.circles)); }
 
 py::list texts_of(const MotionArrays& arrays) {
   py::list out;
