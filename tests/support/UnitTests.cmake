@@ -13,7 +13,8 @@ function(isogloss_add_unit_tests component)
   target_link_libraries(${component}_tests PRIVATE isogloss_test_main ${arg_LIBRARIES})
   # What is tested is compiled as it ships; the tests themselves need lines, not speed. Sanitizers and -O1 together cost
   # g++ almost three times as long as -O0.
-  target_compile_options(${component}_tests PRIVATE $<IF:$<BOOL:${ISOGLOSS_SANITIZE}>,-O0,-O1> -g1)
+  target_compile_options(${component}_tests PRIVATE $<IF:$<BOOL:${ISOGLOSS_SANITIZE}>,-O0,-O1> -g1
+                                                        ${ISOGLOSS_FEWER_CHECKS})
   target_include_directories(${component}_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   target_compile_definitions(${component}_tests PRIVATE ISOGLOSS_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                                         ISOGLOSS_BUILD_DIR="${PROJECT_BINARY_DIR}")
