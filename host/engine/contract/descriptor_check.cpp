@@ -6,12 +6,14 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <set>
 #include <string_view>
 #include <vector>
 
 #include "contract/descriptor_parts.hpp"
 #include "dialect/options.hpp"
+#include "isogloss/engine/layout.hpp"
 #include "isogloss_import.h"
 
 namespace isogloss {
@@ -121,6 +123,42 @@ void check_pattern(const ig_syntax& syntax, std::string_view path, const What& w
   fault("{} is a pattern, and the syntax has no option of field patterns of that name", what());
 }
 
+/// Of the sections that the host lists, and of the words of a program.
+bool has_host_life(std::string_view path) {
+  static const std::set<std::string_view> sections = [] {
+    std::set<std::string_view> out{"Parsing"};
+    for (const FieldInfo& f : standard_fields()) out.insert(std::string_view(f.path).substr(0, f.path.find('.')));
+    return out;
+  }();
+  return sections.contains(path.substr(0, path.find('.'))) || path.find("[].") != std::string_view::npos;
+}
+
+/// Frames, switches and texts have one life that makes sense. Who only reads a field follows the one that writes it.
+bool lacks_life(const ig_field_decl& field, std::string_view path) {
+  const bool has_choice = field.type >= IG_NUMBER && field.type <= IG_SYMBOL;
+  return has_choice && field.life == IG_LIFE_STANDARD && (field.access & (IG_WRITE | IG_PATTERN)) == IG_WRITE &&
+         !has_host_life(path);
+}
+
+template <class What>
+void check_access(const ig_field_decl& field, const What& what) {
+  constexpr std::uint32_t uses = IG_READ | IG_WRITE | IG_TAKE | IG_PREVIOUS | IG_WAKE | IG_WAKE_WHILE;
+  constexpr std::uint32_t known = uses | IG_REQUIRED | IG_PATTERN;
+  if ((field.access & ~known) != 0)
+    fault("{} has the access bits 0x{:X}, which this host does not know", what(), field.access & ~known);
+  if ((field.access & uses) == 0) fault("{} is neither read, written nor taken", what());
+  if ((field.access & (IG_REQUIRED | IG_READ)) == IG_REQUIRED)
+    fault("{} is required and not read: IG_REQUIRED goes with IG_READ", what());
+}
+
+template <class What>
+void check_wake_value(const ig_field_decl& field, const What& what) {
+  if (text(field.wake_value, of("the wake_value of", what), longest_name).empty())
+    fault("{} has an empty wake_value; null stands for any value", what());
+  if (field.type != IG_SYMBOL) fault("{} has a wake_value, which only a field of names can have", what());
+  if ((field.access & IG_WAKE_WHILE) == 0) fault("{} has a wake_value and not the access IG_WAKE_WHILE", what());
+}
+
 void check_fields(const ig_syntax& syntax, std::string_view owner) {
   array(syntax.fields, syntax.field_count, most_declarations, member(owner, "fields"));
   for (std::uint32_t i = 0; i < syntax.field_count; ++i) {
@@ -129,22 +167,23 @@ void check_fields(const ig_syntax& syntax, std::string_view owner) {
     const std::string_view path = bytes(field.path, where, longest_name);
     const auto what = [&] { return fmt::format("field '{}' of {}", path, owner); };
     if ((field.access & IG_PATTERN) != 0) {
-      refuse_control_characters(path, where);
+      refuse_unprintable(path, where);
       if (path.starts_with('@'))
         check_pattern(syntax, path, what);
       else if (path.find_first_of("*?") == std::string_view::npos)
         fault("{} is a pattern, so its path is '@' and an option's name, or has a wildcard", what());
     } else if (!is_path(path)) {
-      refuse_control_characters(path, where);
+      refuse_unprintable(path, where);
       fault("{} has no path such as Section.Field", what());
     }
-    if ((field.access & (IG_READ | IG_WRITE | IG_TAKE | IG_PREVIOUS | IG_WAKE | IG_WAKE_WHILE)) == 0)
-      fault("{} is neither read, written nor taken", what());
+    check_access(field, what);
     if (field.type < IG_NUMBER || field.type > IG_SWITCH) fault("{} has the type {}", what(), field.type);
     if (field.life > IG_LIFE_FRAME) fault("{} has the life {}", what(), field.life);
+    if (lacks_life(field, path))
+      fault("{} is of no standard section, so it needs a life: IG_LIFE_WORD, _BLOCK, _MODAL or _FRAME", what());
     text(field.unit, of("the unit of", what), longest_name);
     text(field.doc, of("the doc of", what));
-    if (field.wake_value != nullptr) text(field.wake_value, of("the wake_value of", what), longest_name);
+    if (field.wake_value != nullptr) check_wake_value(field, what);
   }
 }
 
@@ -252,9 +291,17 @@ bool is_code(std::string_view code) {
          std::all_of(number.begin(), number.end(), is_digit);
 }
 
+/// A place for an argument is '{', one digit and '}'.
+template <class What>
+void check_places(std::string_view text, const What& what) {
+  for (std::size_t i = 0; i + 1 < text.size(); ++i)
+    if (text[i] == '{' && is_digit(text[i + 1]) && (i + 2 == text.size() || text[i + 2] != '}'))
+      fault("{} holds '{}', which is no place for an argument such as {{0}}", what(), text.substr(i, 3));
+}
+
 void check_diagnostics(const ig_plugin& plugin) {
   array(plugin.diagnostics, plugin.diagnostic_count, most_declarations, [] { return "diagnostics"; });
-  std::set<std::string_view> codes;
+  std::map<std::string_view, std::string_view> codes;  // with their texts
   for (std::uint32_t i = 0; i < plugin.diagnostic_count; ++i) {
     const ig_diagnostic_decl& row = plugin.diagnostics[i];
     const std::string_view code = text(
@@ -262,10 +309,13 @@ void check_diagnostics(const ig_plugin& plugin) {
     const auto what = [&] { return fmt::format("diagnostic {}", code); };
     if (!is_code(code)) fault("diagnostic code '{}' is not a prefix and number such as ACME-0101", code);
     if (code.starts_with("IG-")) fault("diagnostic code '{}' has the host's own prefix", code);
-    unique(codes, code, [] { return "diagnostic code"; });
+    const std::string_view shown = text(row.text, of("the text of", what));
+    if (shown.empty()) fault("diagnostic {} has no text", code);
+    check_places(shown, of("the text of", what));
+    if (const auto [known, is_new] = codes.emplace(code, shown); !is_new)
+      fault("diagnostic code '{}' is declared twice{}", code, known->second == shown ? "" : ", with two texts");
     if (row.severity < IG_NOTE || row.severity > IG_ERROR)
       fault("diagnostic {} has the severity {}", code, row.severity);
-    if (text(row.text, of("the text of", what)).empty()) fault("diagnostic {} has no text", code);
     text(row.explanation, of("the explanation of", what));
     text(row.example, of("the example of", what));
   }
@@ -280,6 +330,11 @@ std::string_view part(const T* const* parts, std::uint32_t i, const char* what) 
   const std::string_view id = name(parts[i]->id, [&] { return fmt::format("{}[{}].id", what, i); });
   if (contains(reserved_names, id)) fault("{}[{}].id '{}' is an element of the dialect file itself", what, i, id);
   return id;
+}
+
+/// A newer plugin may have given the member a name and a meaning, which this host does not look at.
+void check_reserved(const ig_plugin& plugin, std::uint32_t value, std::string_view owner) {
+  if (value != 0 && plugin.abi_minor <= IG_ABI_MINOR) fault("{}.reserved is {}, not 0", owner, value);
 }
 
 void check_plugin(const ig_plugin& plugin) {
@@ -297,6 +352,7 @@ void check_plugin(const ig_plugin& plugin) {
   if (plugin.importer_count > 0 && plugin.importers == nullptr) fault("importers is null");
   if (plugin.syntax_count > 0 && plugin.syntaxes == nullptr) fault("syntaxes is null");
   if (plugin.dependency_count > 0 && plugin.dependencies == nullptr) fault("dependencies is null");
+  check_reserved(plugin, plugin.reserved, "ig_plugin");
   std::set<std::string_view> ids;
   for (std::uint32_t i = 0; i < plugin.syntax_count; ++i) {
     const std::string_view syntax = part(plugin.syntaxes, i, "syntaxes");
@@ -312,6 +368,7 @@ void check_plugin(const ig_plugin& plugin) {
     const std::string_view importer = part(plugin.importers, i, "importers");
     unique(ids, importer, [] { return "the id"; });
     check_importer(*plugin.importers[i], importer);
+    check_reserved(plugin, plugin.importers[i]->reserved, importer);
   }
   check_diagnostics(plugin);
 }

@@ -96,6 +96,39 @@ TEST_CASE("each fault of a descriptor is found and named") {
       {"path", [](Plugin& p) { syntax(p).fields[0].path = "A.B[].C[].D"; }, "no path such as Section.Field"},
       {"path", [](Plugin& p) { syntax(p).fields[0].path = "A.B C"; }, "no path such as Section.Field"},
       {"access", [](Plugin& p) { syntax(p).fields[0].access = IG_REQUIRED; }, "neither read, written nor taken"},
+      {"access", [](Plugin& p) { syntax(p).fields[0].access = IG_READ | 1u << 20; }, "the access bits 0x100000"},
+      {"access", [](Plugin& p) { syntax(p).fields[1].access = IG_TAKE | IG_REQUIRED; },
+       "IG_REQUIRED goes with IG_READ"},
+      {"life", [](Plugin& p) { syntax(p).fields[0] = field("Acme.Count", IG_WRITE); },
+       "field 'Acme.Count' of GoodSyntax is of no standard section, so it needs a life"},
+      {"wake value", [](Plugin& p) { syntax(p).fields[0].wake_value = "G90"; }, "which only a field of names can have"},
+      {"wake value",
+       [](Plugin& p) {
+         syntax(p).fields[0] = field("Feedrate.Term", IG_READ, IG_SYMBOL);
+         syntax(p).fields[0].wake_value = "G90";
+       },
+       "and not the access IG_WAKE_WHILE"},
+      {"wake value",
+       [](Plugin& p) {
+         syntax(p).fields[0] = field("Feedrate.Term", IG_READ | IG_WAKE_WHILE, IG_SYMBOL);
+         syntax(p).fields[0].wake_value = "";
+       },
+       "has an empty wake_value"},
+      {"doc",
+       [](Plugin& p) {
+         syntax(p).fields[0].doc =
+             "Vorsch\xfc"
+             "be";
+       },
+       "the doc of field 'Feedrate.FeedrateValue' of GoodSyntax is not UTF-8: its byte 6 is 0xFC"},
+      {"reserved", [](Plugin& p) { p.out.reserved = 3; }, "ig_plugin.reserved is 3, not 0"},
+      {"reserved",
+       [](Plugin& p) {
+         Importer& importer = p.importer("GoodFile");
+         importer.dependencies = {"GoodTable"};
+         importer.out.reserved = 1;
+       },
+       "GoodFile.reserved is 1, not 0"},
       {"type", [](Plugin& p) { syntax(p).fields[0].type = 9; }, "has the type 9"},
       {"life", [](Plugin& p) { syntax(p).fields[0].life = 5; }, "has the life 5"},
       {"unit", [](Plugin& p) { syntax(p).fields[0].unit = nullptr; }, "the unit of field"},
@@ -131,6 +164,14 @@ TEST_CASE("each fault of a descriptor is found and named") {
       {"code", [](Plugin& p) { p.diagnostics[0].code = "good-1"; }, "is not a prefix and number"},
       {"code", [](Plugin& p) { p.diagnostics[0].code = "IG-0001"; }, "the host's own prefix"},
       {"code", [](Plugin& p) { p.diagnostics.push_back(p.diagnostics[0]); }, "'GOOD-0001' is declared twice"},
+      {"code",
+       [](Plugin& p) {
+         p.diagnostics.push_back(p.diagnostics[0]);
+         p.diagnostics[1].text = "another text";
+       },
+       "'GOOD-0001' is declared twice, with two texts"},
+      {"places", [](Plugin& p) { p.diagnostics[0].text = "'{0}' and {1"; }, "holds '{1', which is no place"},
+      {"places", [](Plugin& p) { p.diagnostics[0].text = "{10}"; }, "holds '{10', which is no place"},
       {"severity", [](Plugin& p) { p.diagnostics[0].severity = 0; }, "has the severity 0"},
       {"text", [](Plugin& p) { p.diagnostics[0].text = nullptr; }, "the text of diagnostic GOOD-0001 is null"}};
   for (const Row& row : rows) {
@@ -178,9 +219,30 @@ TEST_CASE("a control character is found wherever it stands in a text, and no oth
         CHECK(fault_of(text).find("holds the control character") != std::string::npos);
       }
   std::string all = "\t\n";
-  for (int c = 0x20; c < 0x100; ++c)
-    if (c != 0x7f) all += static_cast<char>(c);
+  for (int c = 0x20; c < 0x7f; ++c) all += static_cast<char>(c);
   CHECK(fault_of(all) == "");
+}
+
+TEST_CASE("a text that is not UTF-8 is refused wherever it stands, and UTF-8 is not") {
+  Plugin plugin = good();
+  const auto fault_of = [&](const std::string& text) {
+    syntax(plugin).out.summary = text.c_str();
+    return descriptor_fault(*plugin.get()).value_or("");
+  };
+  for (std::size_t at = 0; at < 40; ++at) {
+    const std::string before(at, 'x');
+    CAPTURE(at);
+    for (const char* const good_text : {"é", "…", "𝛼", "ÿ"}) CHECK(fault_of(before + good_text + "xx") == "");
+    for (const char* const bad : {"\x80", "\xff", "\xc0\xaf", "\xe2\x80", "\xed\xa0\x80", "\xf5\x80\x80\x80"})
+      CHECK_THAT(fault_of(before + bad), Catch::Contains("is not UTF-8: its byte " + std::to_string(at) + " "));
+  }
+}
+
+TEST_CASE("a newer plugin may have given a reserved member a meaning") {
+  Plugin plugin = good();
+  plugin.out.reserved = 3;
+  plugin.out.abi_minor = IG_ABI_MINOR + 1;
+  CHECK(descriptor_fault(*plugin.get()).value_or("") == "");
 }
 
 TEST_CASE("a name or a path with a control character is refused as one, not shown") {

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "export/text_buffer.hpp"
 #include "isogloss.h"
 
 namespace isogloss::checks {
@@ -45,36 +46,41 @@ std::string_view bytes(const char* s, const What& what, std::size_t longest) {
 
 inline bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
-/// Sixteen bytes at a time: the texts of all plugins are checked whenever one is loaded.
-inline bool may_hold_control(std::string_view s) {
+/// Is each byte printable ASCII? Sixteen bytes at a time: the texts of all plugins are checked whenever one is loaded.
+inline bool is_plain(std::string_view s) {
   using Bytes [[gnu::vector_size(16)]] = unsigned char;
   using Halves [[gnu::vector_size(16)]] = std::uint64_t;
-  if (s.size() < sizeof(Bytes)) return std::any_of(s.begin(), s.end(), is_control);
+  if (s.size() < sizeof(Bytes))
+    return std::none_of(s.begin(), s.end(), [](char c) { return is_control(c) || (c & 0x80) != 0; });
   Bytes found{};
   const auto look_at = [&](const char* sixteen) {
     Bytes x;
     std::memcpy(&x, sixteen, sizeof x);
-    found |= reinterpret_cast<Bytes>((x < 0x20) | (x == 0x7f));
+    found |= reinterpret_cast<Bytes>((x < 0x20) | (x >= 0x7f));
   };
   for (std::size_t i = 0; i + sizeof found <= s.size(); i += sizeof found) look_at(s.data() + i);
   look_at(s.data() + s.size() - sizeof found);
   const auto halves = reinterpret_cast<Halves>(found);
-  return (halves[0] | halves[1]) != 0;
+  return (halves[0] | halves[1]) == 0;
 }
 
-/// `list`, `inspect` and diagnostics print it, so it must not hold control characters.
+/// `list`, `inspect` and diagnostics print it, so it must be UTF-8 without control characters.
 template <class What>
-void refuse_control_characters(std::string_view s, const What& what) {
-  if (!may_hold_control(s)) return;
-  for (const char c : s)
-    if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f)
-      fault("{} holds the control character 0x{:02X}", what(), static_cast<unsigned char>(c));
+void refuse_unprintable(std::string_view s, const What& what) {
+  if (is_plain(s)) return;
+  for (std::size_t i = 0; i < s.size();) {
+    const auto c = static_cast<unsigned char>(s[i]);
+    if ((c < 0x20 && c != '\n' && c != '\t') || c == 0x7f) fault("{} holds the control character 0x{:02X}", what(), c);
+    const std::size_t length = utf8_length(s.substr(i));
+    if (length == 0) fault("{} is not UTF-8: its byte {} is 0x{:02X}", what(), i, c);
+    i += length;
+  }
 }
 
 template <class What>
 std::string_view text(const char* s, const What& what, std::size_t longest = longest_text) {
   const std::string_view all = bytes(s, what, longest);
-  refuse_control_characters(all, what);
+  refuse_unprintable(all, what);
   return all;
 }
 
@@ -102,7 +108,7 @@ template <class What>
 std::string_view name(const char* s, const What& what) {
   const std::string_view id = bytes(s, what, longest_name);
   if (is_name(id)) return id;
-  refuse_control_characters(id, what);
+  refuse_unprintable(id, what);
   fault("{} '{}' is not a name (a letter, then letters, digits, _ - .)", what(), id);
 }
 

@@ -8,9 +8,6 @@
 
 namespace isogloss {
 
-namespace {
-
-/// Bytes of the well-formed UTF-8 sequence at the head of `text`; 0 when there is none.
 std::size_t utf8_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const auto follows = [&](std::size_t i) { return i < text.size() && (byte(i) & 0xc0u) == 0x80u; };
@@ -26,6 +23,8 @@ std::size_t utf8_length(std::string_view text) {
   const bool overlong = first == 0xf0 && second < 0x90, too_large = first == 0xf4 && second >= 0x90;
   return overlong || too_large || !follows(2) || !follows(3) ? 0 : 4;
 }
+
+namespace {
 
 constexpr std::string_view replacement = "\xef\xbf\xbd";
 

@@ -11,6 +11,8 @@
 
 namespace isogloss {
 
+/// Bytes of the well-formed UTF-8 sequence at the head of `text`, which is not empty; 0 when there is none.
+std::size_t utf8_length(std::string_view text);
 /// The text with U+FFFD in place of each invalid UTF-8 sequence. A program may hold any byte.
 std::string valid_utf8(std::string_view text);
 /// A JSON string with its quotes; valid UTF-8, whatever the text holds.

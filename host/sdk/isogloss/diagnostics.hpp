@@ -55,11 +55,14 @@ class DiagnosticTable {
   void add(std::span<const ig_diagnostic_decl> some) { rows_.insert(rows_.end(), some.begin(), some.end()); }
 
   /// Sorts the rows by code, drops duplicates and adds the explanations of the pages. The rows of `leading` come first
-  /// and keep their indices.
+  /// and keep their indices. Two rows with one code and two texts both stay, and the host refuses the plugin.
   std::span<const ig_diagnostic_decl> complete(std::span<const ig_diagnostic_decl> leading) {
     std::stable_sort(rows_.begin(), rows_.end(), is_before);
     rows_.erase(std::unique(rows_.begin(), rows_.end(),
-                            [](const auto& a, const auto& b) { return a.code == std::string_view(b.code); }),
+                            [](const auto& a, const auto& b) {
+                              return a.code == std::string_view(b.code) && a.text == std::string_view(b.text) &&
+                                     a.severity == b.severity;
+                            }),
                 rows_.end());
     for (ig_diagnostic_decl& row : rows_) explain(row);
     leading_ = leading.size();

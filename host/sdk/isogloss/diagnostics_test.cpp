@@ -22,6 +22,14 @@ TEST_CASE("a plugin's table holds each diagnostic once, in the order of codes") 
   CHECK(table.find("ACME-0004") == ig::detail::DiagnosticTable::no_such_row);
 }
 
+TEST_CASE("two rows with one code and two texts both stay, so that the host refuses the plugin") {
+  ig::detail::DiagnosticTable table;
+  table.add(std::array{ig::diagnostic(IG_ERROR, "ACME-0002", "two")});
+  table.add(std::array{ig::diagnostic(IG_ERROR, "ACME-0002", "another two")});
+  table.add(std::array{ig::diagnostic(IG_NOTE, "ACME-0003", "three"), ig::diagnostic(IG_ERROR, "ACME-0003", "three")});
+  CHECK(table.complete({}).size() == 4);
+}
+
 TEST_CASE("explanation and example come from the page where the source gives none") {
   ig::detail::DiagnosticTable table;
   table.add(std::array{ig::diagnostic(IG_NOTE, "ACME-0002", "two"),
