@@ -2,8 +2,10 @@
 /// declarations of the syntax in the checked mode.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "isogloss/engine/chain.hpp"
 
@@ -54,25 +56,54 @@ bool may(const Document& d, ig_field f, Use use) {
   return true;
 }
 
+/// Why the value is none of the field's type; empty when it is one.
+inline std::string value_fault(const Document& d, const FieldInfo& info, ig_value v) {
+  switch (info.type) {
+    case IG_NUMBER: return std::isfinite(v.number) ? "" : "a value that is not a number";
+    case IG_TEXT: return "a plain value: a text has set_text";
+    case IG_TRANSFORM: return "a plain value: a transform has set_transform";
+    case IG_BOOLEAN:
+      return v.integer == 0 || v.integer == 1 ? "" : "the value " + std::to_string(v.integer) + ", while it is 0 or 1";
+    case IG_SYMBOL: return v.symbol != 0 && v.symbol <= d.chain->symbols().size() ? "" : "a name that does not exist";
+    default: return {};
+  }
+}
+
 template <Mode M>
 bool sound(const Document& d, ig_field f, ig_value v) {
   if constexpr (M == Mode::checked) {
     const FieldInfo& info = d.layout().fields[f];
-    if (info.type == IG_NUMBER && !std::isfinite(v.number)) {
-      violation(d, "it gives " + info.path + " a value that is not a number");
-      return false;
-    }
-    if (info.type == IG_TRANSFORM || info.type == IG_TEXT) {
-      violation(d, "it gives " + info.path + " a plain value: " +
-                       (info.type == IG_TEXT ? "a text has set_text" : "a transform has set_transform"));
-      return false;
-    }
-    if (info.type == IG_SYMBOL && (v.symbol == 0 || v.symbol > d.chain->symbols().size())) {
-      violation(d, "it gives " + info.path + " a name that does not exist");
-      return false;
-    }
+    const std::string fault = value_fault(d, info, v);
+    if (!fault.empty()) violation(d, "it gives " + info.path + " " + fault);
+    return fault.empty();
   }
   return true;
+}
+
+/// Is the field of the type that the function `name` is for? All tables refuse others, the checked one says so.
+template <Mode M>
+bool is_of_type(const Document& d, ig_field f, ig_type type, const char* name) {
+  const FieldInfo& info = d.layout().fields[f];
+  if (info.type == type) return true;
+  if constexpr (M == Mode::checked)
+    violation(d, std::string("it calls ") + name + " with " + info.path + ", which is no " +
+                     (type == IG_TEXT ? "text" : "transform"));
+  return false;
+}
+
+/// Columns of the block's text: begin <= end <= its size, or the place behind it, where something is missing. A block
+/// that was made without its text has the columns of another one, so only a scanner's are measured against the text.
+template <Mode M>
+void check_columns(const Document& d, std::uint64_t begin, std::uint64_t end, const char* what) {
+  if constexpr (M == Mode::checked) {
+    constexpr std::uint64_t most = 1u << 16;
+    const char* const phase = Chain::breadcrumb().phase;
+    const bool is_scanned = phase != nullptr && std::string_view(phase) == "scan";
+    const std::uint64_t size = d.source.text.size(), room = is_scanned ? size + 1 : std::max(size + 1, most);
+    if (end > room || (is_scanned && begin > end))
+      violation(d, "it gives " + std::string(what) + " the columns " + std::to_string(begin) + " to " +
+                       std::to_string(end) + " of a text of " + std::to_string(size) + " bytes");
+  }
 }
 
 enum class Change { none, value };

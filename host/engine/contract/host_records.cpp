@@ -1,11 +1,44 @@
 #include "contract/host_records.hpp"
 
+#include <algorithm>
+
 #include "contract/host_access.hpp"
 #include "contract/host_table.hpp"
 
 namespace isogloss::calls {
 
 namespace {
+
+/// Has the syntax at work declared the record's field, itself or by a pattern?
+bool is_declared(const Document& d, ig_field f) {
+  if (d.current == 0 || d.chain == nullptr) return true;
+  const LinkedSyntax& s = d.chain->linked().chain[d.current - 1u];
+  const auto has = [f](const std::vector<ig_field>& ids) { return std::find(ids.begin(), ids.end(), f) != ids.end(); };
+  return has(s.ids) || std::any_of(s.expansions.begin(), s.expansions.end(), has);
+}
+
+/// False, and said, where the fields are none of one list, or were not declared, or the values are not of their types.
+template <Mode M>
+bool may_use(const Document& d, const ListData* list, const ig_field* fields, std::uint32_t count, const ig_value* v) {
+  if constexpr (M == Mode::checked) {
+    if (list == nullptr) {
+      const bool is_absent = std::all_of(fields, fields + count, [](ig_field f) { return f == IG_NO_FIELD; });
+      if (!is_absent) violation(d, "it calls a function of records with fields that are not of one list");
+      return false;
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const FieldInfo& info = d.layout().lists[list_of(fields[i])].fields[index_in_record(fields[i])];
+      const std::string path = field_name(d, fields[i]) + "[]." + info.path;
+      if (!is_declared(d, fields[i])) {
+        violation(d, "it uses " + path + ", which it does not declare");
+        return false;
+      }
+      const std::string fault = v != nullptr && info.type != IG_TEXT ? value_fault(d, info, v[i]) : "";
+      if (!fault.empty()) violation(d, "it gives " + path + " " + fault);
+    }
+  }
+  return list != nullptr;
+}
 
 /// The list that all these record fields belong to, or null.
 ListData* list_of_all(Document& d, const ig_field* fields, std::uint32_t count) {
@@ -18,8 +51,16 @@ ListData* list_of_all(Document& d, const ig_field* fields, std::uint32_t count) 
 
 }  // namespace
 
+template <Mode M>
 void add_leftover(ig_block* block, const ig_leftover* l) {
   Document& d = doc(block);
+  check_columns<M>(d, l->begin, l->end, "a leftover");
+  if constexpr (M == Mode::checked) {
+    if (l->kind < IG_LEFT_WORD || l->kind > IG_LEFT_TEXT)
+      violation(d, "it adds a leftover of the kind " + std::to_string(l->kind) + ", which does not exist");
+    if (l->field != IG_NO_FIELD && l->field >= d.size())
+      violation(d, "it adds a leftover of a field that does not exist");
+  }
   const std::string_view name(l->name.data, l->name.size);
   d.add_leftover(l->kind, l->field, l->begin, l->end, name);
 }
@@ -33,10 +74,11 @@ std::int32_t leftover(const ig_block* block, std::uint32_t index, ig_leftover* o
   return 1;
 }
 
+template <Mode M>
 std::int32_t append(ig_block* block, const ig_field* fields, std::uint32_t count, const ig_value* v) {
   Document& d = doc(block);
   ListData* const list = list_of_all(d, fields, count);
-  if (list == nullptr) return 0;
+  if (!may_use<M>(d, list, fields, count, v)) return 0;
   if (list->count >= maximum_items) {
     if (list->count == maximum_items) {
       const Diagnostic text = host_diagnostic("IG-0405", {}, {std::to_string(maximum_items)});
@@ -57,16 +99,21 @@ std::int32_t append(ig_block* block, const ig_field* fields, std::uint32_t count
   return 1;
 }
 
+template <Mode M>
 std::uint32_t count_records(const ig_block* block, ig_field f) {
   const Document& d = doc(block);
+  if constexpr (M == Mode::checked)
+    if (f != IG_NO_FIELD && !is_record_field(f))
+      violation(d, "it counts the records of " + field_name(d, f) + ", which is of no list");
   return is_record_field(f) && list_of(f) < d.lists.size() ? d.lists[list_of(f)].count : 0;
 }
 
+template <Mode M>
 std::uint32_t record(const ig_block* block, std::uint32_t index, const ig_field* fields, std::uint32_t count,
                      ig_value* out) {
   Document& d = const_cast<Document&>(doc(block));
   ListData* const list = list_of_all(d, fields, count);
-  if (list == nullptr || index >= list->count) return 0;
+  if (!may_use<M>(d, list, fields, count, nullptr) || index >= list->count) return 0;
   std::uint32_t mask = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     if ((list->present[index] >> index_in_record(fields[i]) & 1) == 0) continue;
@@ -76,22 +123,24 @@ std::uint32_t record(const ig_block* block, std::uint32_t index, const ig_field*
   return mask;
 }
 
+template <Mode M>
 void set_record(ig_block* block, std::uint32_t index, const ig_field* fields, std::uint32_t count, const ig_value* v) {
   Document& d = doc(block);
   ListData* const list = list_of_all(d, fields, count);
-  if (list == nullptr || index >= list->count) return;
+  if (!may_use<M>(d, list, fields, count, v) || index >= list->count) return;
   for (std::uint32_t i = 0; i < count; ++i) {
     list->record(index)[index_in_record(fields[i])] = v[i];
     list->present[index] |= std::uint64_t{1} << index_in_record(fields[i]);
   }
 }
 
+template <Mode M>
 void map_records(ig_block* block, const ig_field program[3], const ig_field machine[3]) {
   Document& d = doc(block);
-  if (count_records(block, program[0]) == 0) return;
+  if (count_records<M>(block, program[0]) == 0) return;
   const ig_field all[6] = {program[0], program[1], program[2], machine[0], machine[1], machine[2]};
   ListData* const list = list_of_all(d, all, 6);
-  if (list == nullptr) return;
+  if (!may_use<M>(d, list, all, 6, nullptr)) return;
   std::uint64_t wanted = 0, given = 0;
   for (int i = 0; i < 3; ++i) {
     wanted |= std::uint64_t{1} << index_in_record(program[i]);
@@ -109,5 +158,17 @@ void map_records(ig_block* block, const ig_field program[3], const ig_field mach
     list->present[r] |= given;
   }
 }
+
+#define ISOGLOSS_RECORDS_OF(mode)                                                                                 \
+  template void add_leftover<mode>(ig_block*, const ig_leftover*);                                                \
+  template std::int32_t append<mode>(ig_block*, const ig_field*, std::uint32_t, const ig_value*);                 \
+  template std::uint32_t count_records<mode>(const ig_block*, ig_field);                                          \
+  template std::uint32_t record<mode>(const ig_block*, std::uint32_t, const ig_field*, std::uint32_t, ig_value*); \
+  template void set_record<mode>(ig_block*, std::uint32_t, const ig_field*, std::uint32_t, const ig_value*);      \
+  template void map_records<mode>(ig_block*, const ig_field*, const ig_field*);
+ISOGLOSS_RECORDS_OF(Mode::fast)
+ISOGLOSS_RECORDS_OF(Mode::checked)
+ISOGLOSS_RECORDS_OF(Mode::traced)
+#undef ISOGLOSS_RECORDS_OF
 
 }  // namespace isogloss::calls

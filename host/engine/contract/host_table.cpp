@@ -24,7 +24,11 @@ ig_symbol symbol(ig_block* block, ig_text name) {
   return symbols.intern({name.data, name.size});
 }
 
+template <Mode M>
 ig_text symbol_text(const ig_block* block, ig_symbol symbol) {
+  if constexpr (M == Mode::checked)
+    if (symbol > doc(block).chain->symbols().size())
+      violation(doc(block), "it asks for the text of a name that does not exist");
   const std::string_view t = doc(block).chain->symbols().text(symbol);
   return {t.data(), t.size()};
 }
@@ -53,9 +57,14 @@ void report(ig_block* block, std::uint32_t diagnostic, ig_field f, std::uint32_t
     if (const std::uint32_t places = places_in(row.text); places > count)
       violation(
           d, "it gives " + std::to_string(count) + " of the " + std::to_string(places) + " arguments of " + row.code);
+  if constexpr (M == Mode::checked)
+    if (f != IG_NO_FIELD && f >= d.size() && !is_record_field(f))
+      violation(d, std::string("it reports ") + row.code + " at a field that does not exist");
   if (f < d.size() && d.word_end(f) != 0) {
     begin = d.word_begin(f);
     end = d.word_end(f);
+  } else {
+    check_columns<M>(d, begin, end, row.code);
   }
   d.chain->report(d, static_cast<Severity>(row.severity), row.code, fill_in(row.text, argument_texts(arguments, count)),
                   begin, end);
@@ -71,8 +80,11 @@ void fault(ig_block* block, ig_text message) {
   d.chain->report(d, text.severity, text.code, text.message, 0, 0);
 }
 
+template <Mode M>
 void flow(ig_block* block, ig_flow what, std::size_t position) {
   Chain& chain = *doc(block).chain;
+  if (what == IG_FLOW_SPLIT || what == IG_FLOW_SKIP_REST)
+    check_columns<M>(doc(block), position, std::max(position, doc(block).source.text.size()), "the rest of the block");
   switch (what) {
     case IG_FLOW_END: chain.ends_program = true; break;
     case IG_FLOW_END_FILE: chain.ends_file = true; break;
@@ -83,7 +95,16 @@ void flow(ig_block* block, ig_flow what, std::size_t position) {
   }
 }
 
+template <Mode M>
 ig_block* ahead(ig_block* block, std::uint32_t k) {
+  const Document& d = doc(block);
+  if constexpr (M == Mode::checked)
+    if (d.current != 0) {
+      const std::uint32_t most = d.chain->linked().chain[d.current - 1u].syntax->look_ahead;
+      if (k == 0 || k > most)
+        violation(d, "it asks for the block " + std::to_string(k) + " ahead, while it declares a look-ahead of " +
+                         std::to_string(most));
+    }
   const std::vector<Document*>& window = doc(block).chain->window;
   return k >= 1 && k <= window.size() ? window[k - 1]->block() : nullptr;
 }
@@ -110,24 +131,24 @@ constexpr ig_host table() {
           .rewrite = rewrite<M>,
           .move = move<M>,
           .word = word<M>,
-          .add_leftover = add_leftover,
+          .add_leftover = add_leftover<M>,
           .leftover = leftover,
           .set_transform = set_transform<M>,
           .set_translation = set_translation<M>,
           .transform = transform<M>,
           .map_point = map_point,
           .frame_changed = frame_changed,
-          .append = append,
-          .count = count_records,
-          .record = record,
-          .set_record = set_record,
-          .map_records = map_records,
+          .append = append<M>,
+          .count = count_records<M>,
+          .record = record<M>,
+          .set_record = set_record<M>,
+          .map_records = map_records<M>,
           .symbol = symbol,
-          .symbol_text = symbol_text,
+          .symbol_text = symbol_text<M>,
           .report = report<M>,
           .fault = fault,
-          .flow = flow,
-          .ahead = ahead,
+          .flow = flow<M>,
+          .ahead = ahead<M>,
           .fresh_many = fresh_many<M>,
           .set_moving_transform = set_moving_transform<M>,
           .get_point = get_point<M>,

@@ -1,6 +1,7 @@
 /// The host's functions for what a block holds: values, words, codes, texts, and the frames from program to machine.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 
 #include "contract/host_access.hpp"
@@ -211,7 +212,7 @@ std::int32_t take_code(ig_block* block, const ig_field* fields, std::uint32_t co
 template <Mode M>
 ig_text text(const ig_block* block, ig_field f) {
   const Document& d = doc(block);
-  if (!may<M>(d, f, Use::read) || d.layout().fields[f].type != IG_TEXT) return {nullptr, 0};
+  if (!may<M>(d, f, Use::read) || !is_of_type<M>(d, f, IG_TEXT, "text()")) return {nullptr, 0};
   const std::string_view t = d.text(f);
   return {t.data(), t.size()};
 }
@@ -219,19 +220,26 @@ ig_text text(const ig_block* block, ig_field f) {
 template <Mode M>
 void set_text(ig_block* block, ig_field f, ig_text t) {
   Document& d = doc(block);
-  if (!may<M>(d, f, Use::write) || d.layout().fields[f].type != IG_TEXT) return;
+  if (!may<M>(d, f, Use::write) || !is_of_type<M>(d, f, IG_TEXT, "set_text()")) return;
   d.set_text(f, {t.data, t.size});
   note_line<M>(d, f, Change::value);
 }
 
 inline ig_text source(const ig_block* block) { return {doc(block).source.text.data(), doc(block).source.text.size()}; }
 
+/// A word's value may be a text: the bytes between its columns.
+template <Mode M>
+bool is_word(const Document& d, const ig_word& word) {
+  check_columns<M>(d, word.begin, word.end, "a word");
+  return d.layout().fields[word.field].type == IG_TEXT || sound<M>(d, word.field, word.value);
+}
+
 template <Mode M>
 void set_words(ig_block* block, const ig_word* words, std::uint32_t count) {
   Document& d = doc(block);
   for (std::uint32_t i = 0; i < count; ++i) {
     if constexpr (M != Mode::fast)
-      if (!may<M>(d, words[i].field, Use::write)) continue;
+      if (!may<M>(d, words[i].field, Use::write) || !is_word<M>(d, words[i])) continue;
     d.set_word(words[i]);
     note_line<M>(d, words[i].field, Change::value);
   }
@@ -249,6 +257,9 @@ template <Mode M>
 void move(ig_block* block, ig_field from, ig_field to) {
   Document& d = doc(block);
   if (!may<M>(d, from, Use::take) || !may<M>(d, to, Use::write)) return;
+  if constexpr (M == Mode::checked)
+    if (d.layout().fields[from].type != d.layout().fields[to].type)
+      violation(d, "it moves " + field_name(d, from) + " to " + field_name(d, to) + ", which is of another type");
   d.move(from, to);
   note_line<M>(d, to, Change::value);
 }
@@ -268,13 +279,23 @@ std::int32_t word(const ig_block* block, ig_field f, ig_word* out) {
 
 template <Mode M>
 bool is_transform(const Document& d, ig_field f, Use use) {
-  return may<M>(d, f, use) && d.layout().fields[f].type == IG_TRANSFORM;
+  return may<M>(d, f, use) && is_of_type<M>(d, f, IG_TRANSFORM, "a function of transforms");
+}
+
+template <Mode M>
+bool is_finite(const Document& d, ig_field f, const double matrix[16]) {
+  if constexpr (M == Mode::checked)
+    if (!std::all_of(matrix, matrix + 16, [](double m) { return std::isfinite(m); })) {
+      violation(d, "it gives " + field_name(d, f) + " a value that is not a number");
+      return false;
+    }
+  return true;
 }
 
 template <Mode M>
 void set_transform(ig_block* block, ig_field f, const double matrix[16]) {
   Document& d = doc(block);
-  if (!is_transform<M>(d, f, Use::write)) return;
+  if (!is_transform<M>(d, f, Use::write) || !is_finite<M>(d, f, matrix)) return;
   const Change change = M == Mode::traced && d.present(f) && d.frame(f).is_same(matrix) ? Change::none : Change::value;
   d.set_frame(f, Frame::from(matrix));
   note_line<M>(d, f, change);
@@ -283,7 +304,7 @@ void set_transform(ig_block* block, ig_field f, const double matrix[16]) {
 template <Mode M>
 void set_moving_transform(ig_block* block, ig_field f, const double matrix[16]) {
   Document& d = doc(block);
-  if (!is_transform<M>(d, f, Use::write)) return;
+  if (!is_transform<M>(d, f, Use::write) || !is_finite<M>(d, f, matrix)) return;
   const Change change = M == Mode::traced && d.present(f) && d.frame(f).is_same(matrix) ? Change::none : Change::value;
   d.move_frame(f, matrix);
   note_line<M>(d, f, change);

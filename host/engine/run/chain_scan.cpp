@@ -9,6 +9,16 @@ namespace {
 
 bool is_blank(unsigned char c) { return c == ' ' || c == '\t'; }
 
+/// A scanner that goes back would read the same bytes without end: it counts as one that took nothing.
+[[gnu::cold]] void refuse_begin(Chain& chain, std::size_t at) {
+  const Document& d = chain.document();
+  const LinkedSyntax& s = chain.linked().chain[d.current - 1u];
+  const Diagnostic text = host_diagnostic(
+      "IG-0402", {}, {s.element.alias, "its scan() returned a position before the one at which it was asked"});
+  chain.report(d, text.severity, text.code, text.message, static_cast<std::uint32_t>(at),
+               static_cast<std::uint32_t>(at + 1));
+}
+
 }  // namespace
 
 /// No scanner accepted this byte of the text.
@@ -60,6 +70,8 @@ template <bool is_heard>
       d.current = static_cast<std::uint16_t>(scanner + 1);
       next = step.scan(step.self, host_, d.block(), text, size, position);
       if (next > position) break;
+      if (next < position) [[unlikely]]
+        refuse_begin(*this, position);
     }
     if (next > size) [[unlikely]]
       next = refuse_end(position);
