@@ -25,8 +25,8 @@ struct Mach3Profile {
   }
 
   void read(ig::Import& file) const {
-    const std::size_t begin = std::min(file.text().find(root), file.text().size());
-    file.report(ig::diag("TAB-0120"), begin, begin + root.size());
+    const std::size_t size = file.text().size(), begin = std::min(file.text().find(root), size);
+    file.report(ig::diag("TAB-0120"), begin, std::min(begin + root.size(), size));
   }
 
  private:
