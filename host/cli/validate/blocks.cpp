@@ -116,7 +116,15 @@ void check_extreme_values(Examination& e) {
       } else if (type == IG_TEXT) {
         with(full, {f, {}, huge}, "a text of 1 MiB");
         with(full, {f, {}, std::string("\0\xff\n\"", 4)}, "a text of control characters");
+        with(full, {f, {}, ""}, "an empty text");
+        for (const std::string& text : odd_texts()) with(full, {f, {}, text}, fmt::format("the text {:?}", text));
       }
+    }
+    for (const std::string& text : odd_texts()) {
+      TestBlock block = full;
+      block.name += fmt::format(" of the text {:?}", text);
+      block.text = text;
+      judge(block);
     }
     for (const double number : numbers) {
       TestBlock all = full;
@@ -240,6 +248,7 @@ void check_waits(Examination& e) {
       for (int i = 0; i < tries && always_waits; ++i) {
         bench.prepare(block);
         const long before = waits();
+        bench.scan();
         bench.build();
         always_waits = waits() > before;
       }

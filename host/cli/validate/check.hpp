@@ -38,6 +38,7 @@ class Examination {
   struct Listener {
     std::function<void(const Finding&)> find;
     std::function<void(const std::string&)> remark;
+    std::function<void(const std::string&)> skip;
   };
   Examination(const ValidateOptions& wanted, std::string plugin_file, char* attempt, std::size_t room,
               Listener listener)
@@ -51,6 +52,8 @@ class Examination {
   std::size_t findings() const { return findings_; }
   /// How far the check went; beside the findings.
   void remark(const std::string& text) { listener_.remark(text); }
+  /// The check cannot look at the plugin, and says so in place of "held".
+  void skip(const std::string& why) { listener_.skip(why); }
   /// What the plugin is asked to do next: told with a crash, which ends the check.
   void attempt(std::string_view what);
 
@@ -93,6 +96,15 @@ void check_declarations(Examination& e);
 void check_unchanged(Examination& e);
 void check_time(Examination& e);
 void check_waits(Examination& e);
+// scanning.cpp
+void check_scan(Examination& e);
+// answers.cpp
+void check_absent_answers(Examination& e);
+void check_changed(Examination& e);
+// importers.cpp
+void check_importers(Examination& e);
+// tables.cpp
+void check_tables(Examination& e);
 // reads.cpp
 void check_unread(Examination& e);
 // texts.cpp

@@ -13,7 +13,10 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "crash_guard.hpp"
 
@@ -70,7 +73,11 @@ void limit(const ValidateOptions& options) {
                        // The rest is only counted.
                        write(++told > Outcome::most_findings ? Json::array() : Json{found.where, found.what});
                      },
-                 .remark = [&](const std::string& text) { write(Json::array({text})); }});
+                 .remark = [&](const std::string& text) { write(Json::array({text})); },
+                 .skip =
+                     [&](const std::string& why) {
+                       write(Json{{"skipped", why}});
+                     }});
   perform(check, e);
   write_all(results, end_mark);
   end_process(success);
@@ -81,6 +88,45 @@ bool child_has_ended(pid_t child) {
   return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
 }
 
+/// A process that stopped itself goes on for nobody: a child is not of the terminal's group.
+bool child_has_stopped(pid_t child) {
+  siginfo_t info{};
+  return waitid(P_PID, static_cast<id_t>(child), &info, WSTOPPED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
+}
+
+/// Seconds that the processor worked for the process, for those that it started, and for others of its group.
+double seconds_of_work(pid_t child) {
+  double out = 0;
+  std::error_code error;
+  for (std::filesystem::directory_iterator it("/proc", error), end; !error && it != end; it.increment(error)) {
+    std::ifstream file(it->path() / "stat");
+    std::string line;
+    if (!std::getline(file, line)) continue;
+    const std::size_t name_end = line.rfind(')');
+    if (name_end == std::string::npos) continue;
+    std::istringstream rest(line.substr(name_end + 1));
+    std::string word;
+    std::vector<std::string> words;
+    while (words.size() < 15 && rest >> word) words.push_back(word);
+    constexpr std::size_t group = 2, first_time = 11, times = 4;
+    if (words.size() < first_time + times) continue;
+    if (it->path().filename() != std::to_string(child) && words[group] != std::to_string(child)) continue;
+    for (std::size_t i = first_time; i < first_time + times; ++i) out += std::strtod(words[i].c_str(), nullptr);
+  }
+  return out / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+enum class Ending { complete, over, stopped, starved };
+
+/// At the limit of time: a check that slept has waited for nothing, and one that worked has had its time; on a busy
+/// machine it goes on.
+std::optional<Ending> ending_at(pid_t child, double passed, double limit) {
+  constexpr double asleep = 0.2, most_patience = 6;
+  const double worked = seconds_of_work(child);
+  if (worked >= limit || worked < asleep * limit) return Ending::over;
+  return passed >= most_patience * limit ? std::optional(Ending::starved) : std::nullopt;
+}
+
 /// The last of what a check writes: its end says how it ended.
 void keep(std::string& text, std::string_view more) {
   constexpr std::size_t most_bytes = 16 << 20;
@@ -88,24 +134,30 @@ void keep(std::string& text, std::string_view more) {
   if (text.size() > most_bytes) text.erase(0, text.size() - most_bytes / 2);
 }
 
-/// Reads both pipes until the child ends, or to the time limit: then false. Processes that the plugin started may hold
+/// Reads both pipes until the child ends or stops, or to the time limit. Processes that the plugin started may hold
 /// the pipes open for longer: they end with the child.
-bool listen(pid_t child, const int (&pipes)[2], std::string (&texts)[2], double seconds,
-            const std::function<void()>& tell) {
+Ending listen(pid_t child, const int (&pipes)[2], std::string (&texts)[2], double seconds,
+              const std::function<void()>& tell) {
   constexpr double interval = 0.02;
   const Clock::time_point begin = Clock::now();
+  double next_look = seconds;
   bool is_open[2] = {true, true};
   for (bool is_last = false; is_open[0] || is_open[1];) {
     tell();
-    const double left = seconds - seconds_since(begin);
-    if (left <= 0) return false;
+    const double passed = seconds_since(begin);
+    if (passed >= next_look) {
+      if (const std::optional<Ending> ending = ending_at(child, passed, seconds)) return *ending;
+      next_look = passed + 1;
+    }
+    if (!is_last && child_has_stopped(child)) return Ending::stopped;
+    const double left = next_look - passed;
     pollfd polled[2] = {{is_open[0] ? pipes[0] : -1, POLLIN, 0}, {is_open[1] ? pipes[1] : -1, POLLIN, 0}};
     if (!is_last && child_has_ended(child)) {
       is_last = true;
       kill(-child, SIGKILL);
     }
     if (poll(polled, 2, is_last ? 0 : static_cast<int>(std::min(left, interval) * 1000) + 1) <= 0) {
-      if (is_last) return true;
+      if (is_last) return Ending::complete;
       continue;
     }
     for (int i = 0; i < 2; ++i) {
@@ -118,7 +170,7 @@ bool listen(pid_t child, const int (&pipes)[2], std::string (&texts)[2], double 
         keep(texts[i], {buffer, static_cast<std::size_t>(n)});
     }
   }
-  return true;
+  return Ending::complete;
 }
 
 /// What the crash guard told, or else the first line that the plugin wrote.
@@ -152,10 +204,11 @@ void add(Outcome& out, Finding finding) {
 void read_results(const std::string& text, Outcome& out) {
   for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
     const Json line = Json::parse(text.substr(begin, end - begin), nullptr, false);
+    if (line.is_object()) out.skipped = line.value("skipped", "");
     if (!line.is_array()) continue;
     if (line.size() == 2)
       add(out, {line[0].get<std::string>(), line[1].get<std::string>()});
-    else if (line.size() == 1)
+    else if (line.size() == 1 && std::find(out.remarks.begin(), out.remarks.end(), line[0]) == out.remarks.end())
       out.remarks.push_back(line[0].get<std::string>());
     else
       ++out.more;
@@ -186,8 +239,9 @@ Outcome run_in_child(const Check& check, const ValidateOptions& options, const s
   close(talk[1]);
   std::string texts[2];
   const auto at_work = [attempt] { return std::string(attempt, strnlen(attempt, attempt_room)); };
-  const bool is_complete = listen(child, {results[0], talk[0]}, texts, options.time_limit, [&] { watcher(at_work()); });
+  const Ending how = listen(child, {results[0], talk[0]}, texts, options.time_limit, [&] { watcher(at_work()); });
   const bool has_told_all = texts[0].ends_with(end_mark);
+  const bool is_complete = how == Ending::complete;
   const bool is_ours_to_end = is_complete && !has_told_all && !ends_soon(child);
   kill(-child, SIGKILL);
   kill(child, SIGKILL);  // it may have left its group
@@ -198,7 +252,11 @@ Outcome run_in_child(const Check& check, const ValidateOptions& options, const s
   read_results(texts[0], out);
   const std::string last = at_work();
   munmap(shared, attempt_room);
-  if (!is_complete)
+  if (how == Ending::starved)
+    out.skipped = fmt::format("it did not finish: the machine was busy for more than its {} s", options.time_limit);
+  else if (how == Ending::stopped)
+    add(out, {last, "the process stopped itself, as by SIGSTOP"});
+  else if (!is_complete)
     add(out, {last, "the check took longer than " + std::to_string(options.time_limit) + " s"});
   else if (is_ours_to_end)
     add(out, {last, "the process closed its output and went on"});
@@ -214,7 +272,8 @@ Outcome run_here(const Check& check, const ValidateOptions& options, const std::
   watch_calls(0);  // a debugger may stop a call for longer than any limit
   Examination e(options, file, nullptr, 0,
                 {.find = [&](const Finding& found) { add(out, found); },
-                 .remark = [&](const std::string& text) { out.remarks.push_back(text); }});
+                 .remark = [&](const std::string& text) { out.remarks.push_back(text); },
+                 .skip = [&](const std::string& why) { out.skipped = why; }});
   e.may_fork = false;
   perform(check, e);
   out.seconds = seconds_since(begin);
@@ -236,7 +295,12 @@ bool survives(const Examination& e, const std::function<void()>& work) {
     end_process(success);
   }
   int status = 0;
-  waitpid(child, &status, 0);
+  waitpid(child, &status, WUNTRACED);
+  if (WIFSTOPPED(status)) {
+    kill(child, SIGKILL);
+    waitpid(child, &status, 0);
+    return false;
+  }
   return WIFEXITED(status) && WEXITSTATUS(status) == success;
 }
 

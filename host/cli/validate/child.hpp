@@ -9,7 +9,7 @@ namespace isogloss::cli {
 
 struct Outcome {
   const Check* check = nullptr;
-  std::string skipped{};  ///< why it did not run; empty: it ran
+  std::string skipped{};  ///< why it did not run, or not to its end; empty: it ran
   std::vector<Finding> findings{};
   std::size_t more = 0;  ///< findings beyond most_findings
   std::vector<std::string> remarks{};

@@ -1,7 +1,10 @@
 // What the descriptor says, for people and beside other plugins.
+#include <algorithm>
 #include <map>
 #include <set>
 
+#include "isogloss/engine/printable.hpp"
+#include "validate/option_pages.hpp"
 #include "validate/subject.hpp"
 
 namespace isogloss::cli {
@@ -12,18 +15,50 @@ bool is_empty(const char* text) { return text == nullptr || *text == '\0'; }
 
 std::string prefix_of(std::string_view code) { return std::string(code.substr(0, code.rfind('-'))); }
 
+/// Of a section that the host lists, or a word, or of a list's record: the host knows how long it lives.
+bool has_host_life(std::string_view path) {
+  const auto section = [](std::string_view p) { return p.substr(0, p.find('.')); };
+  const std::vector<FieldInfo>& all = standard_fields();
+  return section(path) == "Parsing" || path.find("[].") != std::string_view::npos ||
+         std::any_of(all.begin(), all.end(), [&](const FieldInfo& f) { return section(f.path) == section(path); });
+}
+
+/// Own fields that somebody of the plugin writes and nobody gives a life: they end with their block, which few want.
+void check_lives(Examination& e, const Subject& subject) {
+  std::map<std::string, const ig_syntax*> without;
+  std::set<std::string> with;
+  for (const ig_syntax* s : subject.syntaxes())
+    for (std::uint32_t i = 0; i < s->field_count; ++i) {
+      const ig_field_decl& f = s->fields[i];
+      if (f.life != IG_LIFE_STANDARD) with.insert(f.path);
+      const bool has_choice = f.type >= IG_NUMBER && f.type <= IG_SYMBOL;
+      if (has_choice && (f.access & (IG_WRITE | IG_PATTERN)) == IG_WRITE && !has_host_life(f.path))
+        without.emplace(f.path, s);
+    }
+  for (const auto& [path, syntax] : without)
+    if (!with.contains(path))
+      e.find(syntax->id,
+             "field '" + path + "' is of no standard section and has no life: declare IG_LIFE_BLOCK, _MODAL or _FRAME");
+}
+
 }  // namespace
 
 void check_documented(Examination& e) {
   Subject subject(e);
+  std::set<std::string> with_case;
+  std::map<std::string, std::string> pages;  // the texts of each syntax or importer
+  DiagnosticList said;
+  for (const PageText& page : pages_of(subject, e.options)) {
+    const Page read = read_page(page.text, page.name, said);
+    if (!read.cases.empty()) with_case.insert(read.syntax);
+    pages[read.syntax] += page.text + "\n";
+  }
   const auto check_options = [&](const char* id, const ig_option_decl* options, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i)
       if (is_empty(options[i].doc)) e.find(id, "option '" + std::string(options[i].name) + "' has no explanation");
+    if (const auto page = pages.find(id); page != pages.end())
+      for (const std::string& fault : page_faults(page->second, {options, count})) e.find(id, fault);
   };
-  std::set<std::string> with_case;
-  DiagnosticList said;
-  for (const PageText& page : pages_of(subject, e.options))
-    if (const Page read = read_page(page.text, page.name, said); !read.cases.empty()) with_case.insert(read.syntax);
   for (const Diagnostic& d : said.all) e.find(d.where.file, d.message + " [" + d.code + "]");
   for (const ig_syntax* s : subject.syntaxes()) {
     if (is_empty(s->summary)) e.find(s->id, "has no summary");
@@ -34,8 +69,19 @@ void check_documented(Examination& e) {
   for (std::uint32_t i = 0; i < plugin.dependency_count; ++i) {
     const ig_dependency& d = *plugin.dependencies[i];
     if (is_empty(d.summary)) e.find(d.id, "has no summary");
+    if (d.page != nullptr) pages[d.id] = d.page;
     check_options(d.id, d.options, d.option_count);
   }
+  for (std::uint32_t i = 0; i < plugin.importer_count; ++i) {
+    const ig_importer& importer = *plugin.importers[i];
+    if (is_empty(importer.summary)) e.find(importer.id, "has no summary");
+    if (!with_case.contains(importer.id))
+      e.find(importer.id, "has no page with a case; write one, or give --pages DIR");
+    check_options(importer.id, importer.options, importer.option_count);
+  }
+  check_lives(e, subject);
+  for (const auto& [id, text] : pages)
+    if (printable(text, "\n\t\r") != text) e.find(id, "its page is not UTF-8, or holds control characters");
   for (std::uint32_t i = 0; i < plugin.diagnostic_count; ++i) {
     const ig_diagnostic_decl& row = plugin.diagnostics[i];
     if (is_empty(row.explanation)) e.find(row.code, "has no explanation");

@@ -72,12 +72,24 @@ void use_point() {
   std::locale::global(std::locale::classic());
 }
 
-constexpr const char* changed_variables[] = {"HOME", "USER", "LANG", "LC_ALL", "TZ", "TMPDIR", "PATH", "PWD"};
+constexpr const char* changed_variables[] = {"HOME", "USER", "LANG", "LC_ALL", "TMPDIR", "PATH", "PWD"};
+
+/// Each variable that the plugin asks for is set, whatever its name is.
+bool sets_all_variables = false;
+char* other_getenv(const char* name) {
+  static char value[] = "/nowhere";
+  return sets_all_variables ? value : std::getenv(name);
+}
+const Replacement other_variables[] = {{"getenv", reinterpret_cast<void*>(&other_getenv)},
+                                       {"secure_getenv", reinterpret_cast<void*>(&other_getenv)}};
 
 bool use_other_folder() {
   std::error_code error;
   fs::current_path("/", error);
   for (const char* name : changed_variables) setenv(name, "/nowhere", 1);
+  setenv("TZ", "XYZ-11:30", 1);
+  tzset();
+  sets_all_variables = true;
   return !error;
 }
 
@@ -137,14 +149,13 @@ struct Elsewhere {
   void (*come_back)();
 };
 
-void stay_there() {}
-
 const Elsewhere other_places[] = {
     // First, since each of the others is another process, too.
     {"in another process, with other addresses and other bytes in new memory", use_other_memory,
      [] { fills_memory = false; }},
     {"where numbers are written with a decimal comma (locale)", use_comma, use_point},
-    {"with another working folder and other environment variables", use_other_folder, stay_there},
+    {"with another working folder and other environment variables", use_other_folder,
+     [] { sets_all_variables = false; }},
     {"at another time", use_other_time, [] { seconds_ahead = 0; }},
 };
 
@@ -154,6 +165,7 @@ std::vector<std::uint64_t> results_there(Examination& e, const std::string& wher
   Subject subject(e);
   redirect(other_clocks, Redirected::libraries);
   redirect(other_memory, Redirected::libraries);
+  redirect(other_variables, Redirected::libraries, e.file);
   for (const Stand& stand : stands_of(subject, e)) {
     e.attempt(std::string(stand.syntax->id) + where);
     Bench bench(stand.alone, {});

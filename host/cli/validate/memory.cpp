@@ -7,6 +7,7 @@
 
 #include "validate/allocation_counter.hpp"
 #include "validate/host_functions.hpp"
+#include "validate/option_values.hpp"
 #include "validate/subject.hpp"
 
 namespace isogloss::cli {
@@ -46,6 +47,20 @@ std::int64_t bytes_left(Work&& work) {
   return least;
 }
 
+/// Bytes that many further calls of `work` leave behind, more than one buffer that grows once would: 0 when they leave
+/// none. A list that keeps something of each call may have room for many of them at first.
+template <class Work>
+std::int64_t bytes_in_the_long_run(Work&& work) {
+  constexpr int warm_up = 40, calls = 1500;  // so many that a list doubles its room, also one that has much at first
+  constexpr std::int64_t tolerance = 1024;
+  for (int i = 0; i < warm_up; ++i) work();
+  AllocationCounter::start();
+  for (int i = 0; i < calls; ++i) work();
+  const std::int64_t out = AllocationCounter::bytes();
+  AllocationCounter::stop();
+  return out > tolerance ? out : 0;
+}
+
 /// The subject, all of whose allocations are counted. A descriptor may hold the address of free() itself, as destroy():
 /// that is why its library is there, and redirected, before the host looks at it.
 struct CountedSubject {
@@ -64,6 +79,48 @@ struct CountedSubject {
 
 }  // namespace
 
+namespace {
+
+/// A few blocks very often, and many runs.
+void check_long_run(Examination& e, const Stand& stand, Bench& bench, const std::vector<TestBlock>& blocks) {
+  constexpr std::size_t most_blocks = 4;  // the last ones of the stand, the one with all fields, and random ones
+  const std::size_t begin = std::min(stand.blocks.size() - 1, blocks.size() - most_blocks);
+  const std::span<const TestBlock> some(blocks.data() + begin, most_blocks);
+  std::int64_t bytes = bytes_in_the_long_run([&] {
+    for (const TestBlock& block : some) bench.prepare(block), bench.scan(), bench.build();
+  });
+  if (bytes > 0)
+    return e.find(stand.syntax->id, fmt::format("memory grows without end: by {} bytes in many blocks", bytes));
+  bytes = bytes_in_the_long_run([&] { bench.start(); });
+  if (bytes > 0)
+    e.find(stand.syntax->id,
+           fmt::format("memory grows without end: by {} bytes in many runs; restart() must free", bytes));
+}
+
+/// A chain with other options may allocate what one without them does not.
+void check_other_options(Examination& e, Subject& subject, const Stand& stand) {
+  constexpr std::uint64_t tries = 3;
+  for (std::uint64_t seed = 0; seed < tries && stand.syntax->option_count > 0; ++seed) {
+    const std::string element = other_options(*stand.syntax, seed);
+    DiagnosticList said;
+    const LinkedAlone alone =
+        link_alone(*stand.syntax, subject.plugin(), subject.surroundings(), element, subject.library(), said);
+    if (alone.linked == nullptr || !creation_fault(alone, {}).empty()) continue;
+    const TestBlock full = full_block(alone, fields_of(alone));
+    const std::int64_t bytes = bytes_left([&] {
+      Bench bench(alone, {});
+      bench.start();
+      bench.run(full, false);
+    });
+    if (bytes <= 0) continue;
+    e.find(std::string(stand.syntax->id) + ", " + element,
+           fmt::format("a chain that is destroyed leaves {} bytes behind", bytes));
+    return;
+  }
+}
+
+}  // namespace
+
 void check_memory(Examination& e) {
   constexpr std::uint64_t random_ones = 10;
   CountedSubject counted(e);
@@ -75,11 +132,14 @@ void check_memory(Examination& e) {
     {
       Bench bench(stand.alone, {});
       const std::int64_t bytes = bytes_left([&] {
-        for (const TestBlock& block : blocks) bench.prepare(block), bench.build();
+        for (const TestBlock& block : blocks) bench.prepare(block), bench.scan(), bench.build();
       });
       if (bytes > 0)
         e.find(id, fmt::format("memory grows without end: by {} bytes with every {} blocks", bytes, blocks.size()));
+      else if (stand.dependencies.empty())
+        check_long_run(e, stand, bench, blocks);
     }
+    if (stand.dependencies.empty()) check_other_options(e, counted.subject, stand);
     const std::int64_t bytes = bytes_left([&] { Bench(stand.alone, {}).start(); });
     if (bytes > 0) e.find(id, fmt::format("a chain that is destroyed leaves {} bytes behind", bytes));
   }

@@ -9,6 +9,7 @@
 
 #include "crash_guard.hpp"
 #include "validate/child.hpp"
+#include "validate/process_state.hpp"
 #include "validate/subject.hpp"
 
 namespace isogloss::cli {
@@ -65,6 +66,12 @@ TestBlock random_block(const Stand& stand, const std::vector<ig_field>& fields, 
     }
     out.assignments.push_back(std::move(a));
   }
+  // A syntax without a scanner may read the text of its block all the same.
+  if (stand.syntax->scan == nullptr && below(random, 4) == 0) out.text = random_text(random, {});
+  if (below(random, 40) == 0) {
+    const std::vector<std::string>& odd = odd_texts();
+    out.text.insert(below(random, out.text.size() + 1), odd[below(random, odd.size())]);
+  }
   return out;
 }
 
@@ -120,6 +127,7 @@ class RandomBlocks {
     bool has_failed = false;
     const bool survived = survives(e_, [&] {
       watch_calls(e_.may_fork ? 1 : 0);
+      const ProcessState state;
       Bench bench(stand_.alone, settings);
       std::uint64_t k = 0;
       for (; k < blocks && Clock::now() < end; ++k) {
@@ -131,6 +139,8 @@ class RandomBlocks {
         return;
       }
       *number = k;
+      for (const std::string& change : state.changes())
+        e_.find(stand_.syntax->id, "after its random blocks: " + change);
     });
     built = *number;
     munmap(shared, sizeof(std::uint64_t));

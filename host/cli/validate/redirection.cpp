@@ -72,6 +72,7 @@ void redirect_rows(const dl_phdr_info& info, const LibraryTables& tables, const 
 struct Wish {
   std::span<const Replacement> replacements;
   Redirected what;
+  const std::filesystem::path& only;
 };
 
 int redirect_library(dl_phdr_info* info, std::size_t, void* data) {
@@ -81,6 +82,8 @@ int redirect_library(dl_phdr_info* info, std::size_t, void* data) {
   // The loader allocates before and after everyone else; the system's own page has no tables.
   if (name.find("ld-linux") != std::string_view::npos || name.find("vdso") != std::string_view::npos) return 0;
   if (is_command && wish.what == Redirected::libraries) return 0;
+  std::error_code error;
+  if (!wish.only.empty() && (is_command || !std::filesystem::equivalent(name, wish.only, error))) return 0;
   const LibraryTables tables = tables_of(*info);
   redirect_rows(*info, tables, tables.data, tables.data_size, wish.replacements);
   redirect_rows(*info, tables, tables.calls, tables.calls_size, wish.replacements);
@@ -89,8 +92,8 @@ int redirect_library(dl_phdr_info* info, std::size_t, void* data) {
 
 }  // namespace
 
-void redirect(std::span<const Replacement> replacements, Redirected what) {
-  Wish wish{replacements, what};
+void redirect(std::span<const Replacement> replacements, Redirected what, const std::filesystem::path& only) {
+  Wish wish{replacements, what, only};
   dl_iterate_phdr(redirect_library, &wish);
 }
 

@@ -1,6 +1,7 @@
 /// The tables through which libraries call the functions of the system, filled in anew.
 #pragma once
 
+#include <filesystem>
 #include <span>
 
 namespace isogloss::cli {
@@ -13,7 +14,7 @@ struct Replacement {
 enum class Redirected { libraries, libraries_and_command };
 
 /// Lets what is loaded at present call these functions; what is loaded later calls those of the system. Nothing is
-/// undone, so it belongs into the process of a check.
-void redirect(std::span<const Replacement> replacements, Redirected what);
+/// undone, so it belongs into the process of a check. With `only` that library alone calls them.
+void redirect(std::span<const Replacement> replacements, Redirected what, const std::filesystem::path& only = {});
 
 }  // namespace isogloss::cli

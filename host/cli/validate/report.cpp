@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "isogloss/engine/printable.hpp"
 #include "json_text.hpp"
 #include "markup.hpp"
@@ -10,7 +12,7 @@ namespace isogloss::cli {
 
 namespace {
 
-std::string_view result_of(const Outcome& o) { return !o.skipped.empty() ? "skipped" : o.held() ? "held" : "failed"; }
+std::string_view result_of(const Outcome& o) { return !o.findings.empty() ? "failed" : o.held() ? "held" : "skipped"; }
 
 /// Texts of a plugin may hold any byte.
 std::string shown(std::string_view text) { return printable(text, "\n\t"); }
@@ -34,10 +36,12 @@ std::string as_text(const std::vector<PluginOutcome>& plugins, const ValidateOpt
   for (const PluginOutcome& plugin : plugins) {
     out += plugin.file + "\n";
     std::size_t failed[3] = {}, held = 0, skipped = 0;
+    std::set<std::string> why_skipped;
     bool has_random_failure = false;
     for (const Outcome& o : plugin.checks) {
-      if (!o.skipped.empty()) {
+      if (!o.skipped.empty() && o.findings.empty()) {
         ++skipped;
+        why_skipped.insert(o.skipped);
         continue;
       }
       out += fmt::format("  {:<6}  {:<6}  {}: {}\n", o.held() ? "held" : "FAILED", to_string(o.check->level),
@@ -48,7 +52,7 @@ std::string as_text(const std::vector<PluginOutcome>& plugins, const ValidateOpt
       ++(o.held() ? held : failed[static_cast<int>(o.check->level)]);
       has_random_failure = has_random_failure || (!o.held() && o.check->name == "random-blocks");
     }
-    if (skipped > 0) out += fmt::format("  {} checks did not run: {}\n", skipped, plugin.checks.back().skipped);
+    if (skipped > 0) out += fmt::format("  {} checks did not run: {}\n", skipped, fmt::join(why_skipped, "; "));
     if (has_random_failure)
       out += fmt::format("  the same random blocks again: --only random-blocks --seed {} --blocks {}\n", options.seed,
                          options.blocks);
@@ -95,7 +99,7 @@ std::string as_junit(const std::vector<PluginOutcome>& plugins) {
       if (o.more > 0) all += fmt::format("and {} more\n", o.more);
       std::string remarks;
       for (const std::string& remark : o.remarks) remarks += remark + "\n";
-      if (!o.skipped.empty()) {
+      if (!o.skipped.empty() && o.findings.empty()) {
         ++skipped;
         cases += fmt::format("><skipped message=\"{}\"/></testcase>\n", visible_xml(o.skipped));
       } else if (o.held() && remarks.empty()) {

@@ -1,5 +1,7 @@
 #include "validate/subject.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -101,9 +103,10 @@ std::vector<PageText> pages_of(const Subject& subject, const ValidateOptions& op
   return out;
 }
 
-std::vector<Stand> stands_of(Subject& subject, Examination& e) {
+std::vector<Stand> stands_of(Subject& subject, Examination& e, Missing what) {
   subject.add_own_dependencies();
   std::vector<Stand> out;
+  std::vector<std::string> missing;
   const std::vector<PageText> pages = pages_of(subject, e.options);
   for (const ig_syntax* syntax : subject.syntaxes()) {
     const std::size_t first = out.size();
@@ -139,7 +142,13 @@ std::vector<Stand> stands_of(Subject& subject, Examination& e) {
           stand->blocks.push_back(std::move(block));
       }
     }
+    if (out.size() == first) missing.push_back(syntax->id);
   }
+  if (missing.empty() || what == Missing::is_told_elsewhere) return out;
+  if (out.empty())
+    e.skip("no syntax of the plugin can be linked and created, which the check 'options' explains");
+  else
+    e.remark(fmt::format("not looked at, since 'options' cannot link or create them: {}", fmt::join(missing, ", ")));
   return out;
 }
 
@@ -154,6 +163,15 @@ std::vector<ig_field> fields_of(const LinkedAlone& alone) {
   for (const ig_field f : syntax.ids) add(f);
   for (const std::vector<ig_field>& pattern : syntax.expansions)
     for (const ig_field f : pattern) add(f);
+  return out;
+}
+
+const std::vector<std::string>& odd_texts() {
+  using namespace std::string_literals;
+  // Beginnings of characters without their ends, ends without beginnings, forms too long, and control characters.
+  static const std::vector<std::string> out{
+      "\xc3"s,   "A\xe2\x82"s,        "\xf0\x9f\x98"s, "\x80\xbf"s, "\xc0\xaf"s,  "\xed\xa0\x80"s, "\xff\xfe"s, "\0"s,
+      "A\0B\0"s, "\x01\x1b[31m\x7f"s, "\r"s,           "\xc3("s,    "((((((((("s, "\"'\\%s%n"s,    " "s};
   return out;
 }
 

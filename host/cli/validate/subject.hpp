@@ -83,6 +83,10 @@ class Bench {
   double time(const TestBlock& block, int repeats);
   /// The block as build() will find it, then one build() and nothing else.
   void prepare(const TestBlock& block);
+  /// The text of the block, where the syntax has a scanner.
+  void scan() {
+    if (alone_.linked->chain[alone_.position].syntax->scan != nullptr) chain_->scan_with(alone_.position);
+  }
   ig_status build() { return chain_->build(alone_.position); }
   /// What the build will find, as JSON for `isogloss apply`.
   std::string show(const TestBlock& block);
@@ -112,8 +116,10 @@ struct Stand {
 };
 
 /// For each syntax one stand with its default options and an empty block, and one for each of the first few
-/// dependencies of its cases. What cannot be created is left out: the check of the options tells it.
-std::vector<Stand> stands_of(Subject& subject, Examination& e);
+/// dependencies of its cases. What cannot be created is left out: the check of the options tells it, and the others
+/// say that they did not look at it.
+enum class Missing { is_told, is_told_elsewhere };
+std::vector<Stand> stands_of(Subject& subject, Examination& e, Missing what = Missing::is_told);
 
 /// The fields that a syntax has declared, without those of lists' records; patterns as far as a check can go.
 std::vector<ig_field> fields_of(const LinkedAlone& alone);
@@ -121,6 +127,8 @@ std::vector<ig_field> fields_of(const LinkedAlone& alone);
 TestBlock random_block(const Stand& stand, const std::vector<ig_field>& fields, std::uint64_t seed, std::uint64_t k);
 /// The blocks of the stand, one with all declared fields, and the first random ones.
 std::vector<TestBlock> many_blocks(const Stand& stand, const Examination& e, std::uint64_t random_ones);
+/// Texts that a program can hold and that nobody expects: cut characters, NUL, control characters, open brackets.
+const std::vector<std::string>& odd_texts();
 /// A block in which each of these fields has an everyday value.
 TestBlock full_block(const LinkedAlone& alone, const std::vector<ig_field>& fields);
 

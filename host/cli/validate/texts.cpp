@@ -1,6 +1,7 @@
 // Texts of the host, read beyond their end or after the call.
 #include "validate/guarded_texts.hpp"
 
+#include <fmt/format.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -44,10 +45,29 @@ ig_host guarding_host() {
   out.flags = 0;
   out.text = [](const ig_block* b, ig_field f) { return guarded->copy(host_table(Mode::fast).text(b, f)); };
   out.source = [](const ig_block* b) { return guarded->copy(host_table(Mode::fast).source(b)); };
+  out.leftover = [](const ig_block* b, std::uint32_t index, ig_leftover* l) {
+    const std::int32_t answer = host_table(Mode::fast).leftover(b, index, l);
+    if (answer != 0) l->name = guarded->copy(l->name);
+    return answer;
+  };
   out.symbol_text = [](const ig_block* b, ig_symbol s) {
     return guarded->copy(host_table(Mode::fast).symbol_text(b, s));
   };
   return out;
+}
+
+/// Each text of the block is cut inside of a character, or holds what nobody expects.
+void add_odd_texts(const Stand& stand, std::vector<TestBlock>& blocks) {
+  const std::vector<FieldInfo>& infos = stand.alone.linked->layout.fields;
+  const TestBlock full = full_block(stand.alone, fields_of(stand.alone));
+  for (const std::string& text : odd_texts()) {
+    TestBlock block = full;
+    block.name = fmt::format("a block whose texts are {:?}", text);
+    block.text = text;
+    for (Assignment& a : block.assignments)
+      if (infos[a.field].type == IG_TEXT) a.text = text;
+    blocks.push_back(std::move(block));
+  }
 }
 
 }  // namespace
@@ -66,7 +86,9 @@ void check_texts(Examination& e) {
       const ig_text out = texts.copy({text.data(), text.size()});
       return std::string_view(out.data, out.size);
     };
-    for (const TestBlock& block : many_blocks(stand, e, random_ones)) {
+    std::vector<TestBlock> blocks = many_blocks(stand, e, random_ones);
+    if (stand.dependencies.empty()) add_odd_texts(stand, blocks);
+    for (const TestBlock& block : blocks) {
       e.attempt(std::string(stand.syntax->id) + ", " + block.name +
                 "; no byte behind a text or after the call may be read");
       for (int i = 0; i < 2; ++i) {

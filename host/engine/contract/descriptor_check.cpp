@@ -13,7 +13,6 @@
 
 #include "contract/descriptor_parts.hpp"
 #include "dialect/options.hpp"
-#include "isogloss/engine/layout.hpp"
 #include "isogloss_import.h"
 
 namespace isogloss {
@@ -123,23 +122,6 @@ void check_pattern(const ig_syntax& syntax, std::string_view path, const What& w
   fault("{} is a pattern, and the syntax has no option of field patterns of that name", what());
 }
 
-/// Of the sections that the host lists, and of the words of a program.
-bool has_host_life(std::string_view path) {
-  static const std::set<std::string_view> sections = [] {
-    std::set<std::string_view> out{"Parsing"};
-    for (const FieldInfo& f : standard_fields()) out.insert(std::string_view(f.path).substr(0, f.path.find('.')));
-    return out;
-  }();
-  return sections.contains(path.substr(0, path.find('.'))) || path.find("[].") != std::string_view::npos;
-}
-
-/// Frames, switches and texts have one life that makes sense. Who only reads a field follows the one that writes it.
-bool lacks_life(const ig_field_decl& field, std::string_view path) {
-  const bool has_choice = field.type >= IG_NUMBER && field.type <= IG_SYMBOL;
-  return has_choice && field.life == IG_LIFE_STANDARD && (field.access & (IG_WRITE | IG_PATTERN)) == IG_WRITE &&
-         !has_host_life(path);
-}
-
 template <class What>
 void check_access(const ig_field_decl& field, const What& what) {
   constexpr std::uint32_t uses = IG_READ | IG_WRITE | IG_TAKE | IG_PREVIOUS | IG_WAKE | IG_WAKE_WHILE;
@@ -179,8 +161,6 @@ void check_fields(const ig_syntax& syntax, std::string_view owner) {
     check_access(field, what);
     if (field.type < IG_NUMBER || field.type > IG_SWITCH) fault("{} has the type {}", what(), field.type);
     if (field.life > IG_LIFE_FRAME) fault("{} has the life {}", what(), field.life);
-    if (lacks_life(field, path))
-      fault("{} is of no standard section, so it needs a life: IG_LIFE_WORD, _BLOCK, _MODAL or _FRAME", what());
     text(field.unit, of("the unit of", what), longest_name);
     text(field.doc, of("the doc of", what));
     if (field.wake_value != nullptr) check_wake_value(field, what);

@@ -54,7 +54,6 @@ ListData* list_of_all(Document& d, const ig_field* fields, std::uint32_t count) 
 template <Mode M>
 void add_leftover(ig_block* block, const ig_leftover* l) {
   Document& d = doc(block);
-  check_columns<M>(d, l->begin, l->end, "a leftover");
   if constexpr (M == Mode::checked) {
     if (l->kind < IG_LEFT_WORD || l->kind > IG_LEFT_TEXT)
       violation(d, "it adds a leftover of the kind " + std::to_string(l->kind) + ", which does not exist");

@@ -53,6 +53,7 @@ void report(ig_block* block, std::uint32_t diagnostic, ig_field f, std::uint32_t
     return;
   }
   const ig_diagnostic_decl& row = plugin.diagnostics[diagnostic];
+  if (row.severity != IG_NOTE) d.chain->failure_said_by = d.current;  // should build() fail, this is why
   if constexpr (M == Mode::checked)
     if (const std::uint32_t places = places_in(row.text); places > count)
       violation(
