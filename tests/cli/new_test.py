@@ -57,7 +57,7 @@ class New(unittest.TestCase):
             if path.is_file():
                 self.assertNotRegex(f"{path.name} {path.read_text()}", r"@\w*@")
         files = {path.name for path in (self.path / "elsewhere/turned").rglob("*") if path.is_file()}
-        self.assertEqual(files, {".gitignore", "CMakeLists.txt", "README.md", "ci.sh", "turned.xml", "slot.spf",
+        self.assertEqual(files, {".gitignore", "CMakeLists.txt", "README.md", "changelog", "ci.sh", "copyright", "turned.xml", "slot.spf",
                                  "slot.expected"})
         self.assertIn("LANGUAGES C)", (self.path / "c-word/CMakeLists.txt").read_text())
 
@@ -86,6 +86,7 @@ class New(unittest.TestCase):
         self.new("plugin", "acme", "--title", 'A & "B" <C>', "--vendor", 'Acme "Clamps"')
         self.assertIn('title="A &amp; &quot;B&quot; &lt;C&gt;"', (self.path / "acme/dialects/acme.xml").read_text())
         self.assertIn(r'"Acme \"Clamps\""', (self.path / "acme/plugin.cpp").read_text())
+        self.assertIn('Copyright: Acme "Clamps"\n', (self.path / "acme/copyright").read_text())
         self.new("plugin", "marked", "--title", "@vendor@ at @base@", "--prefix", "MRK")
         self.assertIn('title="@vendor@ at @base@"', (self.path / "marked/dialects/marked.xml").read_text())
 

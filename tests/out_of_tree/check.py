@@ -240,8 +240,30 @@ class Checks:
         self.validated(folder)
         place = folder / "acme-drill"
         page = place / "acme_drill_g181_cycle_syntax.md"
-        page.write_text(page.read_text().replace('"Time": 0.5', '"Time": 0.7'))
-        self.run("ctest", "--test-dir", place / "build", "-R", "page", status=8)
+        text = page.read_text()
+        page.write_text(text.replace('"Time": 0.5', '"Time": 0.7'))
+        failed = self.run("ctest", "--test-dir", place / "build", "-R", "page", "--output-on-failure", status=8).stdout
+        expect("Dwell.Time: expected 0.7, got 0.5" in failed, "a case that fails shows the first paths that differ", failed)
+        expect("the document after the build" not in failed, "and not the whole document", failed)
+        page.write_text(text)
+        self.nothing_is_missed(place)
+
+    def nothing_is_missed(self, place):
+        """A syntax without a page, one without a case, and a page of another name."""
+        tree, page = place / "build", place / "acme_drill_g181_cycle_syntax.md"
+        text = page.read_text()
+        for changed in ("# AcmeDrillG181CycleSyntax\n\nThe cycle.\n", None):
+            page.unlink() if changed is None else page.write_text(changed)
+            self.run("cmake", "--build", tree)
+            failed = self.run("ctest", "--test-dir", tree, "-R", "validate", "--output-on-failure", status=8).stdout
+            expect("has no page with a case" in failed, "a syntax without a page or a case fails", failed)
+        other = place / "acme_drill_g181_syntax.md"
+        other.write_text(text)
+        failed = self.run("cmake", "--build", tree, status=1).stdout
+        expect("acme_drill_g181_cycle_syntax.md" in failed, "a page of another name is refused", failed)
+        other.unlink()
+        page.write_text(text)
+        self.run("cmake", "--build", tree)
 
     def packed(self, folder):
         """cpack makes a package, whose files the installation of isogloss finds."""
@@ -254,6 +276,14 @@ class Checks:
                 continue
             expect(f"./usr/share/isogloss/dialects/{name}.xml" in listed, f"{package.name} holds the dialect", listed)
             expect((f"./usr/lib/isogloss/plugins/{name}.so" in listed) == (architecture is None), "and the plugin", listed)
+            for document in ("copyright", "changelog.gz"):
+                expect(f"./usr/share/doc/isogloss-{name}/{document}" in listed, f"and its {document}", listed)
+            needs = self.run("dpkg-deb", "-f", package, "Depends").stdout
+            version = self.run(self.command, "--version").stdout.split()[1]
+            expect(f"isogloss-dialects (>= {version})" in needs, "it needs the dialects, of a version", needs)
+            if architecture is None:
+                expect(f"isogloss (>= {version})" in needs, "and the command", needs)
+                expect("libc6" in needs or shutil.which("dpkg-shlibdeps") is None, "and the libraries of the plugin", needs)
 
     def validated(self, folder):
         """Lint has no warning for the dialects, and the plugins of new templates keep the contract, its advice too."""

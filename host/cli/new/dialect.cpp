@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ctime>
 
 #include "markup.hpp"
 #include "new/names.hpp"
@@ -12,6 +13,22 @@
 namespace isogloss::cli {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// As a changelog of Debian has it, in UTC.
+std::string date_of_today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  static constexpr const char* days[] = {"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
+  static constexpr const char* months[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
+                                           "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+  return fmt::format("{}, {:02} {} {} {:02}:{:02}:{:02} +0000", days[utc.tm_wday], utc.tm_mday, months[utc.tm_mon],
+                     utc.tm_year + 1900, utc.tm_hour, utc.tm_min, utc.tm_sec);
+}
+
+}  // namespace
 
 NewFolder::NewFolder(const NewOptions& options, const char* what)
     : options_(options), what_(what), session_(options.common), place_(fs::path(options.folder) / options.name) {}
@@ -33,6 +50,7 @@ bool NewFolder::begins() {
   words_ = {{"plugin", options_.name},
             {"base", base_.name},
             {"name", type_name_of(options_.name)},
+            {"date", date_of_today()},
             {"title", escaped_xml(options_.title.empty() ? options_.name : options_.title)}};
   return true;
 }

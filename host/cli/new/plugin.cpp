@@ -18,6 +18,7 @@ class NewPlugin : public NewFolder {
     words()["namespace"] = identifier(lower_case(options().name));
     words()["NAMESPACE"] = identifier(upper_case(options().name));
     words()["vendor"] = escaped_literal(options().vendor.empty() ? options().name : options().vendor);
+    words()["vendor_name"] = options().vendor.empty() ? options().name : options().vendor;
     words()["entry"] = is_c() ? "plugin.c" : "plugin.cpp";
     words()["languages"] = is_c() ? "C" : "CXX";
     words()["plugin_arguments"] = is_c() ? " LANGUAGE C" : "";

@@ -18,6 +18,20 @@ function(quoted text out)
   set(${out} "\"${text}\"" PARENT_SCOPE)
 endfunction()
 
+# A syntax finds its page by name: one of another name would never be shown, and its cases would never run.
+function(check_name page stem text)
+  if(NOT text MATCHES "\n#(BeforeBuild|File):" OR NOT text MATCHES "^# ([A-Za-z0-9_]+)")
+    return()
+  endif()
+  set(title ${CMAKE_MATCH_1})
+  string(REGEX REPLACE "([^A-Z])([A-Z])" "\\1_\\2" name "${title}")
+  string(TOLOWER "${name}" name)
+  if(NOT stem STREQUAL name AND NOT stem STREQUAL "${name}.cases")
+    message(FATAL_ERROR "${page} is the page of ${title}, which looks for ${name}.md and ${name}.cases.md: rename the "
+                        "page, or correct its title")
+  endif()
+endfunction()
+
 set(pages "")
 set(diagnostics "")
 set(stems "")
@@ -33,6 +47,7 @@ list(SORT stems)  # they are looked up by bisection
 foreach(stem IN LISTS stems)
   set(page ${page_${stem}})
   file(READ "${page}" text)
+  check_name("${page}" "${stem}" "${text}")
   cmake_path(GET page PARENT_PATH folder)
   cmake_path(RELATIVE_PATH folder BASE_DIRECTORY "${ROOT}")
   if(folder STREQUAL ".")

@@ -5,8 +5,8 @@
 #
 # isogloss_add_dialect_test(<dialect>): the dialect links without an error.
 #
-# isogloss_add_validate_test(<plugin>): the plugin keeps the contract (isogloss validate), with fewer random blocks than by
-# hand.
+# isogloss_add_validate_test(<plugin>): the plugin keeps the contract (isogloss validate --strict: what a plugin must and
+# what it should do), with fewer random blocks than by hand. So each syntax needs a page with a case.
 #
 # isogloss_add_program_test(<name> DIALECT <dialect> [PROGRAM <file>] [SECTION <section>])
 #
@@ -51,7 +51,7 @@ endfunction()
 
 function(isogloss_add_validate_test plugin)
   isogloss_places(places)  # reports a command that is missing
-  add_test(NAME validate.${plugin} COMMAND ${ISOGLOSS_COMMAND} validate $<TARGET_FILE:${plugin}> --blocks 5000)
+  add_test(NAME validate.${plugin} COMMAND ${ISOGLOSS_COMMAND} validate $<TARGET_FILE:${plugin}> --strict --blocks 5000)
 endfunction()
 
 function(isogloss_add_program_test name)
