@@ -39,6 +39,7 @@ RUN = {
     "declares_more_fields": (2, "IG-0308", "the field 'Parsing.Y' stands where the descriptor has ''"),
     "declares_fewer_options": (2, "IG-0308", "the option '' stands where the descriptor has 'size'"),
     "throws_in_build": (3, "IG-0401", "not this block"),
+    "declares_in_build": (3, "IG-0401", "the field 'Feedrate.FeedrateValue' is declared where no syntax is being made"),
     "throws_a_number": (3, "IG-0401", "no std::exception"),
     "fails_silently": (3, "IG-0401", "no reason"),
     "crashes_in_build": (3, "", "segmentation fault in BadSyntax of plugin crashes_in_build"),
@@ -159,6 +160,34 @@ class BadPlugins(unittest.TestCase):
                 self.assertLess(len(done.stderr), 10_000)
                 if plugin not in ("lets_out_of_create",):
                     self.assertIn('"Line":3', done.stdout)
+
+    def test_lint_tells_names_that_nothing_answers_to(self):
+        self.run_with("misspells")
+        dialect = self.path / "bad.xml"
+        dialect.write_text(dialect.read_text().replace("<BadSyntax/>", "<BadSyntax/><WakesItselfSyntax/>"))
+        done = self.run_it("lint", dialect, "--plugins", OPTIONS.plugins / "misspells")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for said in ("warning: BadSyntax declares that it stands before ProgramXyzSyntx, a syntax that no installed plugin "
+                     "has [IG-0177]\n  hint: did you mean ProgramXyzSyntax?",
+                     "note: BadSyntax declares that it stands after QueenOfHearts, a syntax that no installed plugin has "
+                     "[IG-0177]",
+                     "warning: BadSyntax reads Feedrate.FeedrateValu, which no installed plugin writes [IG-0178]\n"
+                     "  hint: did you mean Feedrate.FeedrateValue?",
+                     "note: BadSyntax reads Wonderland.RabbitHole, which no installed plugin writes [IG-0178]",
+                     "warning: the option Size of BadSyntax has a capital letter",
+                     "warning: WakesItselfSyntax is never called: nothing in this chain writes Wonderland.Own [IG-0165]"):
+            self.assertIn(said, done.stderr)
+        self.assertNotRegex(self.run_it("lint", "iso", "fanuc", "syntec", "siemens", "heidenhain", "okuma", "haas",
+                                        "mazak").stderr, r"IG-017[789]")
+
+    def test_a_case_tells_why_its_plugin_is_not_there(self):
+        page = self.path / "bad_syntax.md"
+        page.write_text("# BadSyntax\n\n## One\n\n#BeforeBuild:\n\n```json\n{}\n```\n\n#AfterBuild:\n\n```json\n{}\n```\n")
+        done = self.run_it("case", page, "--plugins", OPTIONS.plugins / "null_build")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("no syntax 'BadSyntax' [IG-0504]", done.stdout)
+        self.assertIn("neither build, scan nor restart", done.stdout)
+        self.assertIn("[IG-0305]", done.stdout)
 
     def test_lint_tells_what_create_throws(self):
         self.run_with("lets_out_of_create")

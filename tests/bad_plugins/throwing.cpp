@@ -1,4 +1,4 @@
-// Plugins of the SDK that throw, or declare another thing each time; which is chosen by FAULT_….
+// Plugins of the SDK that throw, declare another thing each time, or misspell names; which is chosen by FAULT_….
 #include <isogloss/sdk.hpp>
 #include <optional>
 #include <stdexcept>
@@ -11,7 +11,15 @@ const ig::EmbeddedDiagnostic* ig::embedded_diagnostic(const char*) noexcept { re
 namespace {
 
 struct Throws {
+#if defined(FAULT_misspells)
+  static constexpr auto spec = ig::syntax("BadSyntax", "Misspells.").before("ProgramXyzSyntx").after("QueenOfHearts");
+  ig::In<double> misspelt{"Feedrate.FeedrateValu"};
+  ig::In<double> foreign{"Wonderland.RabbitHole"};
+  ig::In<double> known{"Feedrate.FeedrateValue"};
+  ig::NumberOption size{"Size", "1", {}, "mm", "A size."};
+#else
   static constexpr auto spec = ig::syntax("BadSyntax", "Throws.");
+#endif
   ig::Word x{"Parsing.X"};
 
 #if defined(FAULT_declares_another_field)
@@ -40,12 +48,27 @@ struct Throws {
     throw std::runtime_error("not this block");
 #elif defined(FAULT_throws_a_number)
     throw 7;
+#elif defined(FAULT_declares_in_build)
+    [[maybe_unused]] const ig::Out<double> local{"Feedrate.FeedrateValue"};
 #endif
     return ig::Status::unchanged;
   }
 };
 
 const ig::Register<Throws> registered;
+
+#if defined(FAULT_misspells)
+struct WakesItself {
+  static constexpr auto spec = ig::syntax("WakesItselfSyntax", "Waits for what it alone writes.");
+  ig::Out<double> own{"Wonderland.Own", {}, ig::write | ig::wake};
+  ig::Status build(ig::Block& b) const {
+    b.set(own, 1);
+    return ig::Status::changed;
+  }
+};
+
+const ig::Register<WakesItself> registered_too;
+#endif
 
 constexpr std::array diagnostics{ig::diagnostic(IG_NOTE, "BAD-0001", "unused", "Unused.", "")};
 

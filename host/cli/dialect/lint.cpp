@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "dialect/declared_names.hpp"
 #include "dialect/dropped_words.hpp"
 #include "isogloss/engine/chain.hpp"
 
@@ -48,6 +49,7 @@ Linted lint_dialect(const std::string& name, Session& session, DiagnosticSink& s
   if (out.linked == nullptr) return out;
   for (Diagnostic& d : review(*out.linked)) notes.add(std::move(d));
   for (Diagnostic& d : dropped_words(*out.linked, session)) notes.add(std::move(d));
+  for (Diagnostic& d : unanswered_names(*out.linked, session.library())) notes.add(std::move(d));
   out.starts = starts(*out.linked, sink);
   return out;
 }

@@ -206,6 +206,19 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "override lets a syntax claim a slot, or take a code, that another syntax of the chain has. Where none has it, "
        "the attribute hides a collision that comes later. Found by `isogloss lint`.",
        R"(<DwellSyntax override="true"/>)"},
+      {note, "IG-0177", "{0} declares that it stands {1} {2}, a syntax that no installed plugin has",
+       "A neighbour that is not there constrains no order, so a misspelt name in after() or before() has no effect. It "
+       "may belong to a plugin that is not installed. A warning where a name is near. Found by `isogloss lint`.",
+       R"(.after("ProgramXyzSyntx"))"},
+      {note, "IG-0178", "{0} reads {1}, which no installed plugin writes",
+       "The field never has a value, so the syntax acts as if it were not there. It may come from a plugin that is not "
+       "installed. A warning where a name is near. Found by `isogloss lint`.",
+       R"(ig::In<double> feed{"Feedrate.FeedrateValu"};)"},
+      {warning, "IG-0179",
+       "the option {0} of {1} has a capital letter: options of all other syntaxes are written small",
+       "Names of options are compared letter by letter, so who writes it as all others are written hears that there is "
+       "no such option. Found by `isogloss lint`.",
+       R"(ig::NumberOption clearance{"Clearance", "0.5", "mm", "…"};)"},
       {error, "IG-0172", "no syntax '{0}' in the chain of {1}",
        "`isogloss dialect --why` names a syntax of the chain, by its id or by the name that as=\"…\" gives it. The "
        "plugins may have it: the dialect does not use it.",
@@ -624,7 +637,8 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {error, "IG-0516", "no syntax, dependency, dialect, field or diagnostic '{0}'",
        "`isogloss list` names what is there.", "isogloss inspect DrilingCycleSyntax"},
       {warning, "IG-0517", "stopped after {0} errors: --max-errors sets another limit",
-       "By default 100000, looked at every 65536 blocks: a text with so many is not a program of this control.",
+       "By default 100000: a text with so many is not a program of this control. The run ends after the block that "
+       "reports the last of them.",
        "isogloss run part.nc --max-errors 1"},
       {note, "IG-0518", "{0} errors in {1} blocks: this may not be a part program, or it is for another control",
        "At least three of four blocks have an error. `isogloss list dialects` names the dialects, `-d` picks one.",
@@ -639,6 +653,9 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
       {error, "IG-0652", "cannot listen on port {0} of this machine ({1}): --port names another, 0 any that is free",
        "The page is served from 127.0.0.1 alone. Another program has the port, or it needs rights.",
        "isogloss view part.nc --serve --port 80"},
+      {error, "IG-0653", "pictures are written as SVG only, not as {0}",
+       "The file would hold SVG under a name that promises another form, and most programs would refuse to open it.",
+       "isogloss plot part.nc -o part.png"},
 
       // editors: 0660-0669
       {error, "IG-0660", "the program cannot be run: {0}",

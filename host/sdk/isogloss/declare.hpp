@@ -170,6 +170,16 @@ struct Declared {
   const char* wake_value = nullptr;
 };
 
+/// A member that is constructed in build() or as a global would have no id, and nothing that it does would have an
+/// effect.
+[[noreturn, gnu::cold, gnu::noinline]] inline void refuse_stray(const char* kind,
+                                                                const std::array<std::string_view, 4>& pieces) {
+  std::string name;
+  for (const std::string_view piece : pieces) name += piece;
+  throw std::logic_error("the " + std::string(kind) + " '" + name +
+                         "' is declared where no syntax is being made: make it a member of the syntax");
+}
+
 inline void record_field(Recorder& to, const Declared& d) {
   ig_field_decl out{};
   out.struct_size = sizeof out;
@@ -189,7 +199,7 @@ inline ig_field declare_field(const Declared& d) {
     return IG_NO_FIELD;
   }
   Binding* const bound = binding;
-  if (bound == nullptr) return IG_NO_FIELD;
+  if (bound == nullptr) refuse_stray("field", d.path.pieces);
   bound->expect_field(d.path.pieces);
   return bound->ids[bound->field++];
 }
@@ -201,6 +211,7 @@ inline bool has_point_calls() { return binding != nullptr && binding->api->host_
 inline std::uint32_t last_field() { return binding != nullptr ? binding->field - 1 : 0; }
 
 inline Symbol symbol(std::string_view name) {
+  if (binding == nullptr && recorder == nullptr) refuse_stray("name", {name, {}, {}, {}});
   return binding != nullptr ? Symbol{binding->api->symbol(binding->link, to_text(name))} : Symbol{};
 }
 

@@ -25,6 +25,8 @@ class Column {
       detail::binding->expect("column", &detail::Recorder::columns, &ig_column_decl::name, detail::binding->column,
                               name);
       index_ = detail::binding->column++;
+    } else {
+      detail::refuse_stray("column", {name, {}, {}, {}});
     }
   }
   std::uint32_t index() const { return index_; }

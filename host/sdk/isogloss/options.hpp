@@ -31,7 +31,7 @@ inline std::uint32_t declare_option(const char* name, ig_option_type type, const
     recorder->options.push_back(out);
     return 0;
   }
-  if (binding == nullptr) return 0;
+  if (binding == nullptr) refuse_stray("option", {name, {}, {}, {}});
   binding->expect("option", &Recorder::options, &ig_option_decl::name, binding->option, name);
   return binding->option++;
 }
@@ -164,6 +164,8 @@ class Service {
                               id);
       ++detail::binding->service;
       service_ = static_cast<const T*>(detail::binding->api->service(detail::binding->link, id));
+    } else {
+      detail::refuse_stray("service", {id, {}, {}, {}});
     }
   }
   explicit operator bool() const { return service_ != nullptr; }
