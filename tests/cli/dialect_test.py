@@ -290,6 +290,16 @@ class Suggest(Command):
                          '      <McXyzSyntax/>\n    </InsertAfter>\n')
         self.apply(name)
 
+    def test_the_smallest_change_is_the_one_that_leaves_what_is_inherited(self):
+        """One inherited element and two of the dialect's own stand the wrong way round: to move both is the smaller change."""
+        chain = ('    <Remove syntax="McXyzSyntax"/>\n'
+                 '    <InsertBefore syntax="ProgramXyzSyntax"> <McXyzSyntax/> <McXyzSyntax as="Again"/> </InsertBefore>\n')
+        name = self.mine(chain)
+        self.apply(name)
+        text = (self.path / name).read_text()
+        self.assertNotIn('<Remove syntax="ProgramXyzSyntax"/>', text, "what is inherited stays")
+        self.assertNotIn("<ProgramXyzSyntax", text)
+
     def test_what_is_inherited_is_put_in_again_where_nothing_of_ones_own_can_move(self):
         self.write_base()
         name = self.mine('    <Configure syntax="DwellSyntax" p-unit="ms"/>\n', extends="base")

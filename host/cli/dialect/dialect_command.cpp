@@ -75,6 +75,14 @@ int DialectCommand::show_why(const LinkedDialect& linked, Session& session) cons
   return input_errors;
 }
 
+/// Who asks why a syntax stands where it stands has a wrong order most often: its faults are reported already. Null
+/// where parts of the chain are missing.
+std::unique_ptr<LinkedDialect> linked_in_spite_of_faults(const std::string& name, Session& session) {
+  DiagnosticList heard;
+  const std::optional<Dialect> dialect = session.read(name, heard);
+  return dialect ? link(*dialect, session.library(), heard, LinkMode::parts) : nullptr;
+}
+
 /// As `diff`: 0 nothing differs, 1 something does, 2 trouble.
 int DialectCommand::show_difference(const Dialect& dialect, Session& session) const {
   const std::optional<Dialect> right = session.read(other);
@@ -100,10 +108,12 @@ int DialectCommand::run() {
     session.report("IG-0513", {}, {std::string(wrong)});
     return cannot_start;
   }
+  if (graph && !is_name_of_svg(output, session)) return cannot_start;
   const std::optional<std::string> named = session.dialect_or_machine(name, machine);
   if (!named) return cannot_start;
   if (graph || !why.empty()) {
-    const std::unique_ptr<LinkedDialect> linked = session.link(*named);
+    std::unique_ptr<LinkedDialect> linked = session.link(*named);
+    if (linked == nullptr && !why.empty()) linked = linked_in_spite_of_faults(*named, session);
     if (linked == nullptr) return session.status() == success ? static_cast<int>(cannot_start) : session.status();
     return graph ? show_graph(*linked, session) : show_why(*linked, session);
   }

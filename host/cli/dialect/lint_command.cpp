@@ -25,7 +25,11 @@ struct LintCommand {
 
 std::string suggestion(const Dialect& dialect, Library& library) {
   const std::vector<std::string> wanted = suggest_order(dialect, library);
-  if (wanted.empty()) return fmt::format("{}: no order satisfies every syntax\n", dialect.name);
+  if (wanted.empty()) {
+    std::string out = fmt::format("{}: no order satisfies every syntax\n", dialect.name);
+    for (const std::string& link : order_ring(dialect, library)) out += "  " + link + "\n";
+    return out;
+  }
   const bool is_same = std::equal(dialect.chain.begin(), dialect.chain.end(), wanted.begin(), wanted.end(),
                                   [](const ChainElement& e, const std::string& alias) { return e.alias == alias; });
   if (is_same) return fmt::format("{}: the order is right\n", dialect.name);

@@ -233,6 +233,13 @@ std::vector<LinkFault> check_services(const LinkedDialect& linked) {
   return faults;
 }
 
+std::vector<LinkFault> check_places(const LinkedDialect& linked) {
+  std::vector<LinkFault> faults;
+  check_order(linked, faults);
+  check_slots(linked, faults);
+  return faults;
+}
+
 std::vector<LinkFault> check_links(const LinkedDialect& linked) {
   std::vector<LinkFault> faults;
   const Traffic traffic(linked);

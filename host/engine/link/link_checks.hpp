@@ -14,6 +14,8 @@ struct LinkFault {
 
 /// Order, required reads, slots, services, writes that nothing reads.
 std::vector<LinkFault> check_links(const LinkedDialect& linked);
+/// Order and slots alone, which hold of any part of a chain: what is missing may only add to these faults.
+std::vector<LinkFault> check_places(const LinkedDialect& linked);
 /// Services alone.
 std::vector<LinkFault> check_services(const LinkedDialect& linked);
 

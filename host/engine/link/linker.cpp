@@ -19,6 +19,12 @@ void report_fault(Linking& linking, const LinkFault& fault) {
   linking.add(std::move(d));
 }
 
+/// What can be said before the chain is complete, so that nobody has to mend one fault to hear of the next one.
+void check_found(Linking& linking) {
+  if (linking.mode != LinkMode::whole) return;
+  for (const LinkFault& fault : check_places(linking.out)) report_fault(linking, fault);
+}
+
 void check(Linking& linking) {
   const bool is_whole = linking.mode == LinkMode::whole;
   for (const LinkFault& fault : is_whole ? check_links(linking.out) : check_services(linking.out))
@@ -53,10 +59,12 @@ std::unique_ptr<LinkedDialect> link(const Dialect& dialect, Library& library, Di
   if (is_incomplete(dialect) && !complete_machine(out->dialect, library, sink)) return nullptr;
   Linking linking{*out, library, sink, mode};
   find_parts(linking);
-  if (linking.has_failed) return nullptr;
   FieldDrafts drafts(linking);
   drafts.collect();
-  if (linking.has_failed) return nullptr;
+  if (linking.has_failed) {
+    check_found(linking);
+    return nullptr;
+  }
   const FieldIds ids = order_fields(linking, drafts);
   resolve_fields(linking, drafts, ids);
   set_initial_state(linking, drafts);

@@ -185,3 +185,14 @@ TEST_CASE("a code that means two things in two plugins is told, and one that the
   CHECK(found[0].message.find("ACME-0001") != std::string::npos);
   CHECK(found[1].message.find("ACME-0003") != std::string::npos);
 }
+
+TEST_CASE("faults of parts hide no fault of the order") {
+  Plugin plugin("p");
+  plugin.syntax("A").before = {"B"};
+  plugin.syntax("B");
+  Hand hand{"p"};
+  hand.add("B");
+  hand.add("Missing");
+  hand.add("A", {{"unknown", "1"}});
+  CHECK(faults(hand, {&plugin}) == Strings{"IG-0202 3", "IG-0204 5", "IG-0207 4"});
+}

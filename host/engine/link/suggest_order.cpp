@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bitset>
 
+#include <fmt/format.h>
+
 #include "isogloss/engine/linker.hpp"
 
 namespace isogloss {
@@ -18,19 +20,40 @@ bool holds(const char* const* list, std::string_view id) {
   return false;
 }
 
-/// For each element, those that must stand after it, straight or through others. Empty when there is a loop.
+/// What makes the first element stand before the second one.
+enum class Because : std::uint8_t { nothing, stage, first_declares, second_declares };
+
+class Constraints {
+ public:
+  Constraints(const Dialect& dialect, const Library& library) : chain_(dialect.chain) {
+    for (const ChainElement& e : chain_) syntaxes_.push_back(library.syntax(e.syntax));
+  }
+  std::size_t size() const { return chain_.size(); }
+  Because of(std::size_t a, std::size_t b) const {
+    if (chain_[a].syntax == chain_[b].syntax) return Because::nothing;
+    if (syntaxes_[a] != nullptr && holds(syntaxes_[a]->before, chain_[b].syntax)) return Because::first_declares;
+    if (syntaxes_[b] != nullptr && holds(syntaxes_[b]->after, chain_[a].syntax)) return Because::second_declares;
+    return chain_[a].stage < chain_[b].stage ? Because::stage : Because::nothing;
+  }
+
+ private:
+  const std::vector<ChainElement>& chain_;
+  std::vector<const ig_syntax*> syntaxes_;
+};
+
+/// Those that must stand straight after each element.
+std::vector<Set> straight_after(const Constraints& constraints) {
+  std::vector<Set> after(constraints.size());
+  for (std::size_t a = 0; a < after.size(); ++a)
+    for (std::size_t b = 0; b < after.size(); ++b)
+      if (constraints.of(a, b) != Because::nothing) after[a].set(b);
+  return after;
+}
+
+/// For each element, those that must stand after it, straight or through others. Empty when there is a ring.
 std::vector<Set> order_of(const Dialect& dialect, const Library& library) {
   const std::vector<ChainElement>& chain = dialect.chain;
-  std::vector<const ig_syntax*> syntaxes;
-  for (const ChainElement& e : chain) syntaxes.push_back(library.syntax(e.syntax));
-  std::vector<Set> after(chain.size());
-  for (std::size_t a = 0; a < chain.size(); ++a)
-    for (std::size_t b = 0; b < chain.size(); ++b) {
-      if (chain[a].syntax == chain[b].syntax) continue;
-      if (chain[a].stage < chain[b].stage || (syntaxes[a] != nullptr && holds(syntaxes[a]->before, chain[b].syntax)) ||
-          (syntaxes[b] != nullptr && holds(syntaxes[b]->after, chain[a].syntax)))
-        after[a].set(b);
-    }
+  std::vector<Set> after = straight_after(Constraints(dialect, library));
   for (std::size_t through = 0; through < chain.size(); ++through)
     for (std::size_t a = 0; a < chain.size(); ++a)
       if (after[a][through]) after[a] |= after[through];
@@ -98,9 +121,59 @@ std::vector<std::size_t> put_back(const std::vector<Set>& after, const Set& move
 
 }  // namespace
 
-std::vector<std::string> suggest_order(const Dialect& dialect, Library& library) {
+namespace {
+
+void load_plugins(const Dialect& dialect, Library& library) {
   DiagnosticList ignored;
   for (const PluginReference& p : dialect.plugins) library.load(p.name, p.where, ignored);
+}
+
+/// The elements on the shortest way from one back to it; empty: there is none.
+std::vector<std::size_t> way_back(const std::vector<Set>& after, std::size_t begin) {
+  std::vector<std::size_t> from(after.size(), SIZE_MAX), reached{begin};
+  for (std::size_t next = 0; next < reached.size(); ++next)
+    for (std::size_t b = 0; b < after.size(); ++b) {
+      if (!after[reached[next]][b] || from[b] != SIZE_MAX) continue;
+      from[b] = reached[next];
+      if (b != begin) {
+        reached.push_back(b);
+        continue;
+      }
+      std::vector<std::size_t> way{begin};
+      for (std::size_t at = from[begin]; at != begin; at = from[at]) way.push_back(at);
+      std::reverse(way.begin() + 1, way.end());
+      return way;
+    }
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> order_ring(const Dialect& dialect, Library& library) {
+  load_plugins(dialect, library);
+  const std::vector<ChainElement>& chain = dialect.chain;
+  if (chain.size() > longest_chain) return {};
+  const Constraints constraints(dialect, library);
+  const std::vector<Set> after = straight_after(constraints);
+  std::vector<std::size_t> ring;
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    if (std::vector<std::size_t> way = way_back(after, i); !way.empty() && (ring.empty() || way.size() < ring.size()))
+      ring = std::move(way);
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const std::size_t a = ring[i], b = ring[(i + 1) % ring.size()];
+    const Because because = constraints.of(a, b);
+    out.push_back(fmt::format(
+        "{} must stand before {}: {}", chain[a].alias, chain[b].alias,
+        because == Because::stage
+            ? fmt::format("the stage {} comes before {}", to_string(chain[a].stage), to_string(chain[b].stage))
+            : fmt::format("{} declares it", chain[because == Because::first_declares ? a : b].syntax)));
+  }
+  return out;
+}
+
+std::vector<std::string> suggest_order(const Dialect& dialect, Library& library) {
+  load_plugins(dialect, library);
   const std::vector<ChainElement>& chain = dialect.chain;
   if (chain.size() > longest_chain) return {};
   const std::vector<Set> after = order_of(dialect, library);

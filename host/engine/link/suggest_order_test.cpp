@@ -36,3 +36,35 @@ TEST_CASE("an inherited element keeps its place where one of the dialect's own c
     CHECK(suggest_order(hand.dialect, library) == expected);
   }
 }
+
+TEST_CASE("the shortest ring of constraints is told link by link") {
+  Plugin plugin("p");
+  plugin.syntax("A").before = {"B"};
+  plugin.syntax("B").before = {"C"};
+  plugin.syntax("C").before = {"A", "D"};
+  plugin.syntax("D").before = {"B"};
+  plugin.syntax("E").after = {"D"};
+  Library library({});
+  library.add(plugin.get());
+  Hand hand{"p"};
+  for (const char* id : {"A", "B", "D", "E"}) hand.add(id);
+  CHECK(order_ring(hand.dialect, library).empty());
+  hand.add("C");
+  CHECK(order_ring(hand.dialect, library) == Strings{"A must stand before B: A declares it",
+                                                     "B must stand before C: B declares it",
+                                                     "C must stand before A: C declares it"});
+}
+
+TEST_CASE("a constraint against the order of the stages is a ring, too") {
+  Plugin plugin("p");
+  plugin.syntax("Reader").after = {"Mover"};
+  plugin.syntax("Mover");
+  Library library({});
+  library.add(plugin.get());
+  Hand hand{"p"};
+  hand.add("Reader").stage = Stage::parsing;
+  hand.add("Mover");
+  CHECK(order_ring(hand.dialect, library) ==
+        Strings{"Reader must stand before Mover: the stage Parsing comes before Logic",
+                "Mover must stand before Reader: Reader declares it"});
+}

@@ -83,4 +83,7 @@ std::vector<std::uint32_t> never_called(const LinkedDialect& linked);
 /// than inherited ones; empty when there is none: for `lint --suggest`.
 std::vector<std::string> suggest_order(const Dialect& dialect, Library& library);
 
+/// Why there is no such order: the shortest ring of constraints, a sentence for each; empty when there is an order.
+std::vector<std::string> order_ring(const Dialect& dialect, Library& library);
+
 }  // namespace isogloss
