@@ -20,7 +20,7 @@ struct CaseCommand {
   SurroundingOptions around;
   std::vector<std::string> files;
   std::string format = "text";
-  bool all = false;
+  bool all = false, verbose = false;
 
   int run() const;
 };
@@ -28,7 +28,8 @@ struct CaseCommand {
 /// Runs pages and keeps what came out.
 class Cases {
  public:
-  Cases(Session& session, const Surroundings& around) : session_(session), around_(around) {}
+  Cases(Session& session, const Surroundings& around, CaseDetail detail)
+      : session_(session), around_(around), detail_(detail) {}
 
   void run_page(const std::string& text, const std::string& file) {
     CopyingSink diagnostics(session_.diagnostics());
@@ -41,7 +42,7 @@ class Cases {
     out.faults = std::move(diagnostics.copies);
     for (const Case& one : page.cases) {
       const auto begin = std::chrono::steady_clock::now();
-      std::string difference = run_case(page, one, file, around_, session_.library());
+      std::string difference = run_case(page, one, file, around_, session_.library(), detail_);
       const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
       if (!difference.empty()) session_.report("IG-0505", {file, one.line, 0}, {one.heading, page.syntax});
       out.cases.push_back({one.heading, one.line, std::move(difference), time.count()});
@@ -54,6 +55,7 @@ class Cases {
  private:
   Session& session_;
   const Surroundings& around_;
+  const CaseDetail detail_;
   std::vector<CasePage> pages_;
 };
 
@@ -97,7 +99,7 @@ int CaseCommand::run() const {
   }
   const std::optional<Surroundings> surroundings = around.make(session);
   if (!surroundings) return cannot_start;
-  Cases cases(session, *surroundings);
+  Cases cases(session, *surroundings, verbose ? CaseDetail::whole : CaseDetail::first_paths);
   int status = success;
   const std::vector<std::string> named = with_other_cases(files);
   const auto held = all ? pages_of(session.library()) : std::vector<std::pair<std::string, const char*>>();
@@ -135,6 +137,9 @@ int case_command(const Arguments& arguments) {
   CaseCommand command;
   line.option("FILE", command.files, "Pages (Markdown); - is standard input");
   line.flag("--all", command.all, "All pages in the plugins");
+  line.flag(
+      "--verbose", command.verbose,
+      "Show every path that differs and the whole document of a case that does not hold, not the first paths alone");
   line.option("--format", command.format, "Form of the result")
       .one_of({"text", "json", "junit"})
       .type_name("text|json|junit")

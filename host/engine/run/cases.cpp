@@ -25,6 +25,15 @@ std::string id_of_alias(const std::string& name, const Surroundings& around) {
   return name;
 }
 
+/// What may have been meant, or why it may be missing.
+std::string hint_for_missing(const std::string& id, const std::vector<std::string>& ids, const Library& library) {
+  if (const std::string near = nearest_name(id, ids); !near.empty()) return "did you mean " + near + "?";
+  std::vector<std::string> reasons;
+  for (const RefusedPlugin& refused : library.refused())
+    if (refused.code != "IG-0306") reasons.push_back(fmt::format("{} [{}]", refused.reason, refused.code));
+  return reasons.empty() ? "" : fmt::format("not all plugins were loaded: {}", fmt::join(reasons, "; "));
+}
+
 std::vector<std::string> syntax_ids(const Library& library) {
   std::vector<std::string> ids;
   for (const LoadedPlugin& loaded : library.plugins())
@@ -41,6 +50,15 @@ constexpr int deepest_json = 100;
 
 struct TooDeep {};
 
+/// What the parser says without the place, which counts from the begin of the text: "[json.exception.parse_error.101]
+/// parse error at line 2, column 1: syntax error while …".
+std::string fault_of(std::string_view what) {
+  for (const std::string_view end_of_head : {"] ", ": "})
+    if (const std::size_t at = what.find(end_of_head); at != std::string_view::npos)
+      what.remove_prefix(at + end_of_head.size());
+  return std::string(what);
+}
+
 Json parse_json(const std::string& text, const Location& where, DiagnosticSink& sink, bool wants_list = false) {
   try {
     Json json = Json::parse(text, [](int depth, Json::parse_event_t, const Json&) -> bool {
@@ -53,11 +71,12 @@ Json parse_json(const std::string& text, const Location& where, DiagnosticSink& 
     const std::size_t before = std::min(e.byte == 0 ? 0 : e.byte - 1, text.size());
     const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(before), '\n');
     Location at = where;
-    if (at.line != 0) at.line += static_cast<std::uint32_t>(lines);
-    const std::string_view what = e.what();
-    const std::size_t detail = what.find("] ");
-    sink.add(host_diagnostic("IG-0502", at,
-                             {std::string(detail == std::string_view::npos ? what : what.substr(detail + 2))}));
+    if (at.line != 0) {
+      at.line += static_cast<std::uint32_t>(lines);
+      const std::size_t begin_of_line = before == 0 ? 0 : text.rfind('\n', before - 1) + 1;
+      at.column = static_cast<std::uint32_t>(before - begin_of_line + 1);
+    }
+    sink.add(host_diagnostic("IG-0502", at, {fault_of(e.what())}));
   } catch (const TooDeep&) {
     sink.add(host_diagnostic("IG-0502", where,
                              {"its objects are nested more than " + std::to_string(deepest_json) + " deep"}));
@@ -75,6 +94,15 @@ void merge(Json& into, const Json& from) {
     else
       into[key] = value;
   }
+}
+
+/// A fault of the case or of its run, for people.
+std::string fault_text(const Diagnostic& d) {
+  const std::string place = d.where.column != 0 ? fmt::format("{}:{}:{}: ", d.where.file, d.where.line, d.where.column)
+                            : d.where.line != 0 ? fmt::format("{}:{}: ", d.where.file, d.where.line)
+                                                : "";
+  return fmt::format("  {}{}: {} [{}]\n", place, to_string(d.severity), d.message, d.code) +
+         (d.hint.empty() ? "" : fmt::format("    hint: {}\n", d.hint));
 }
 
 /// One chain, ready for one build of one of its syntaxes.
@@ -143,8 +171,7 @@ std::optional<std::string> apply(const Application& application, const Surroundi
   const std::string id = id_of_alias(application.syntax, surroundings);
   const ig_syntax* const syntax = library.syntax(id, &plugin);
   if (syntax == nullptr) {
-    const std::string near = nearest_name(id, syntax_ids(library));
-    sink.add(host_diagnostic("IG-0504", application.where, {id}, near.empty() ? "" : "did you mean " + near + "?"));
+    sink.add(host_diagnostic("IG-0504", application.where, {id}, hint_for_missing(id, syntax_ids(library), library)));
     return std::nullopt;
   }
   const Json before = parse_json(application.before, application.where, sink);
@@ -184,7 +211,7 @@ LinkedAlone link_alone(const ig_syntax& syntax, const ig_plugin& plugin, const S
 }
 
 std::string run_case(const Page& page, const Case& one, const std::string& file, const Surroundings& surroundings,
-                     Library& library) {
+                     Library& library, CaseDetail detail) {
   if (one.file) return run_import_case(page, one, file, library);
   DiagnosticList said;
   Application application{page.syntax, one.before->text, {}, {}, {file, one.before->line, 0}};
@@ -196,14 +223,15 @@ std::string run_case(const Page& page, const Case& one, const std::string& file,
   std::string out;
   if (after) {
     const Json expected = parse_json(one.after->text, {file, one.after->line, 0}, said);
-    if (!expected.is_null()) out = json_difference(expected, Json::parse(*after));
+    if (!expected.is_null())
+      out = detail == CaseDetail::whole ? json_difference(expected, Json::parse(*after))
+                                        : first_differences(expected, Json::parse(*after));
   }
   std::vector<std::string> codes, wanted;
   for (const Diagnostic& d : said.all) {
     const bool is_host = d.code.starts_with("IG-");
     if (!is_host) codes.push_back(d.code);
-    if (is_host && d.severity == Severity::error)
-      out += fmt::format("  {}: {} [{}]\n", to_string(d.severity), d.message, d.code);
+    if (is_host && d.severity == Severity::error) out += fault_text(d);
   }
   if (one.diagnostics) {
     std::string_view rest = one.diagnostics->text;
@@ -221,7 +249,7 @@ std::string run_case(const Page& page, const Case& one, const std::string& file,
     };
     out += fmt::format("  diagnostics: expected {}, got {}\n", list(wanted), list(codes));
   }
-  if (!out.empty() && after) out += "  the document after the build:\n" + *after + "\n";
+  if (!out.empty() && after && detail == CaseDetail::whole) out += "  the document after the build:\n" + *after + "\n";
   return out;
 }
 

@@ -76,6 +76,23 @@ TEST_CASE("Documents are compared by path, numbers by value") {
         "  L[1].X: expected 2, got 3\n");
   CHECK(difference(R"({"L": [1]})", R"({"L": [1, 2]})") == "  L: expected [1], got [1,2]\n");
   CHECK(difference(R"({"A": 1})", R"({"A": "1"})") == "  A: expected 1, got \"1\"\n");
+  CHECK(difference(R"({"L": [{"X": 1}, {"X": 2}]})", R"({"L": [{"X": 3}]})") ==
+        "  L[0].X: expected 1, got 3\n  L[1]: expected {\"X\":2}, is missing\n");
+}
+
+TEST_CASE("The first differences are a few short lines") {
+  Json expected = Json::object(), got = Json::object();
+  for (char name = 'A'; name <= 'G'; ++name) {
+    expected[std::string(1, name)] = 1;
+    got[std::string(1, name)] = std::string(1000, 'x');
+  }
+  const std::string text = first_differences(expected, got);
+  CHECK(text.starts_with("  A: expected 1, got \"xxx"));
+  CHECK(text.find("  F: ") == std::string::npos);
+  CHECK(text.ends_with("…\n  … and 2 more paths\n"));
+  CHECK(text.size() < 1200);
+  got["A"] = 2;
+  CHECK(first_differences({{"A", 1}}, {{"A", 2}}) == "  A: expected 1, got 2\n");
 }
 
 TEST_CASE("Leaves name records by their source") {

@@ -85,8 +85,11 @@ struct LinkedAlone {
 LinkedAlone link_alone(const ig_syntax& syntax, const ig_plugin& plugin, const Surroundings& surroundings,
                        const std::string& dependencies, Library& library, DiagnosticSink& sink);
 
+/// Of a case that does not hold: the first paths that differ, each shortened; or all of them, and the whole document.
+enum class CaseDetail : std::uint8_t { first_paths, whole };
+
 /// Empty when the case holds, else what differs, for people.
 std::string run_case(const Page& page, const Case& one, const std::string& file, const Surroundings& surroundings,
-                     Library& library);
+                     Library& library, CaseDetail detail = CaseDetail::first_paths);
 
 }  // namespace isogloss
