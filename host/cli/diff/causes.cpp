@@ -80,6 +80,20 @@ std::string Comparison::alias(std::size_t side, std::uint16_t writer) const {
   return writer == 0 ? std::string() : sides_[side]->linked->chain[writer - 1u].element.alias;
 }
 
+/// The syntax that makes the difference, as the two sides have it. Where two syntaxes have written that both sides
+/// have, the later one has changed what the earlier one wrote, on one side alone.
+void Comparison::find_acting(std::uint16_t& one, std::uint16_t& other) const {
+  const std::uint16_t of_one = evidence_.counterpart(0, one), of_other = evidence_.counterpart(1, other);
+  if (one == 0 || other == 0 || (of_one != 0 && of_other != 0)) {
+    const bool is_one = other == 0 || (one != 0 && one > of_other);
+    (is_one ? other : one) = is_one ? of_one : of_other;
+    return;
+  }
+  // A syntax that one side alone has, behind one that both have.
+  if (of_one != 0 && other > of_one) one = 0;
+  if (of_other != 0 && one > of_other) other = 0;
+}
+
 /// What the writers themselves have that may make them differ.
 Comparison::Own Comparison::own_cause(const Difference& d, const Snapshot& a, const Snapshot& b) {
   const std::string& path = map_.fields[d.field].path;
@@ -101,13 +115,12 @@ Comparison::Own Comparison::own_cause(const Difference& d, const Snapshot& a, co
   if (const auto known = own_of_block_.find(writers); known != own_of_block_.end() && writers != 0)
     return known->second;
   Own own;
-  if (one == 0) one = evidence_.counterpart(1, other);
-  if (other == 0) other = evidence_.counterpart(0, one);
+  find_acting(one, other);
   group.syntax_a = alias(0, one);
   group.syntax_b = alias(1, other);
   const bool is_same = one != 0 && evidence_.counterpart(0, one) == other;
   if (one == 0 && other == 0) {
-    group.cause = fmt::format("{}: no syntax that was called writes it", path);
+    group.cause = fmt::format("not found: no syntax that was called writes {}", path);
   } else if (!is_same) {
     group.kind = Group::Kind::syntaxes;
     group.cause = one == 0     ? fmt::format("{}, which only {} has", group.syntax_b, sides_[1]->name)
@@ -127,10 +140,12 @@ Comparison::Own Comparison::own_cause(const Difference& d, const Snapshot& a, co
       group.kind = Group::Kind::text;
       group.cause = "the text of the programs";
     } else if (group.evidence.empty() && (d.writer_a == 0 || d.writer_b == 0)) {
-      group.cause = fmt::format("{} acts in {} alone", group.syntax_a, sides_[d.writer_a == 0 ? 1 : 0]->name);
+      group.cause = fmt::format("not found: {} acts in {} alone, with the same options on both sides", group.syntax_a,
+                                sides_[d.writer_a == 0 ? 1 : 0]->name);
     } else if (group.evidence.empty()) {
       group.cause =
-          fmt::format("{}, with the same options: a table, or what it kept from earlier blocks", group.syntax_a);
+          fmt::format("not found: {} has the same options on both sides; a table, or what it kept from earlier blocks",
+                      group.syntax_a);
     }
   }
   const std::string key = fmt::format("{} {} {}", group.syntax_a, group.syntax_b, group.cause);
@@ -146,6 +161,7 @@ int Comparison::initial_cause(const Difference& d, const Snapshot& a, const Snap
   const auto text = [](const std::string& value) { return value.empty() ? std::string("nothing") : value; };
   Group group;
   group.kind = Group::Kind::initial;
+  group.initial = values.field;
   group.cause = fmt::format("before the first block: {} = {} against {}", values.field, text(values.a), text(values.b));
   group.syntax_a = values.writer_a;
   group.syntax_b = values.writer_b;

@@ -56,6 +56,8 @@ Comparison::Pair Comparison::add(Pair blocks) {
 
 void Comparison::compare(const Snapshot& a, const Snapshot& b) {
   texts_differ_ = options_.are_two_programs && a.text != b.text;
+  const Probe& probe = options_.probe;
+  if (probe.line_a != 0 && a.line == probe.line_a && a.file == probe.file_a) report_.is_probed = true;
   differences_.clear();
   collect(a, b);
   collect_strokes(a, b);

@@ -80,12 +80,14 @@ class Comparison {
   int initial_cause(const Difference& difference, const Snapshot& a, const Snapshot& b);
   int group_of(const std::string& key, Group group);
   std::string alias(std::size_t side, std::uint16_t writer) const;
+  void find_acting(std::uint16_t& one, std::uint16_t& other) const;
   void note_codes(Group& group, const Difference& difference, const Snapshot& a, const Snapshot& b) const;
 
   void count(int group, const Difference* difference, bool is_direct, const Snapshot* a, const Snapshot* b);
   Parting parting_of(const Difference& difference, const Snapshot* a, const Snapshot* b) const;
   static PartedBlock block_of(const Snapshot* a, const Snapshot* b);
   void compare_reports(const Snapshot& a, const Snapshot& b);
+  std::string report_of_one_side(const Snapshot& a, const Snapshot& b) const;
   void add_report(std::size_t side, const Diagnostic& diagnostic, const Diagnostic* other, const Snapshot& a,
                   const Snapshot& b);
 

@@ -80,7 +80,13 @@ void Comparison::count(int group, const Difference* d, bool is_direct, const Sna
   if (field.last_block != number_) ++field.blocks;
   field.last_block = number_;
   field.is_direct |= is_direct;
-  if (is_direct && g.probe.empty() && g.first_block == number_) g.probe = map_.fields[d->field].path;
+  const bool is_probe = is_direct || g.kind == Group::Kind::initial;
+  if (is_probe && g.probe.empty() && a != nullptr && b != nullptr && a->line != 0 && b->line != 0) {
+    g.probe = map_.fields[d->field].path;
+    g.probed = block_of(a, b);
+    g.probed_block = number_;
+    g.beside = report_of_one_side(*a, *b);
+  }
   if (options_.probe.line_a != 0 && a != nullptr && a->line == options_.probe.line_a &&
       a->file == options_.probe.file_a && map_.fields[d->field].path == options_.probe.field)
     report_.is_probe_there = true;
@@ -89,6 +95,24 @@ void Comparison::count(int group, const Difference* d, bool is_direct, const Sna
   if (is_example && is_shown && g.examples.back().values.size() < most_values)
     g.examples.back().values.push_back(parting_of(*d, a, b));
   if (options_.keeps_all) report_.all.back().values.push_back(parting_of(*d, a, b));
+}
+
+/// An error or warning that one side alone reports in this block: "DRL-1, which only fanuc reports".
+std::string Comparison::report_of_one_side(const Snapshot& a, const Snapshot& b) const {
+  const auto has = [](const Snapshot& block, const std::string& code) {
+    return std::any_of(block.reported.begin(), block.reported.end(),
+                       [&](const Diagnostic& d) { return d.code == code; });
+  };
+  const Diagnostic* worst = nullptr;
+  std::size_t of = 0;
+  for (std::size_t side = 0; side < 2; ++side)
+    for (const Diagnostic& d : (side == 0 ? a : b).reported)
+      if (d.severity != Severity::note && !has(side == 0 ? b : a, d.code) &&
+          (worst == nullptr || d.severity > worst->severity)) {
+        worst = &d;
+        of = side;
+      }
+  return worst == nullptr ? std::string() : fmt::format("{}, which only {} reports", worst->code, sides_[of]->name);
 }
 
 void Comparison::compare_reports(const Snapshot& a, const Snapshot& b) {

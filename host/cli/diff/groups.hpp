@@ -36,13 +36,21 @@ struct Group {
   std::string cause;  ///< the heading
   std::vector<Evidence> evidence;
   std::string syntax_a, syntax_b;
+  std::string initial;                          ///< of an initial state: the field
   std::vector<std::string> codes;               ///< of the blocks in which it acts, the first few
   std::uint64_t blocks = 0, direct_blocks = 0;  ///< in the others, something follows from it
   std::map<std::string, FieldCount> fields;
   std::vector<PartedBlock> examples;              ///< a few
   std::uint64_t first_block = 0, last_block = 0;  ///< the numbers of the blocks that counted first and last
   std::uint64_t last_direct_block = 0;
-  std::string probe;  ///< the first field on which it acts
+  /// The first field that it makes differ, and the block: where a trial looks whether the difference is still there.
+  std::string probe;
+  PartedBlock probed;
+  std::uint64_t probed_block = 0;  ///< the number of that block
+  std::string beside;              ///< a code that only one side reports in that block, and which side; empty: none
+  /// Of a cause that is no row and no option: what a second run has shown in which side B had it as side A has.
+  Evidence::Trial trial = Evidence::Trial::none;
+  bool acts_together = false;  ///< its rows and options remove the difference together, and none of them alone
 };
 
 std::string_view to_string(Group::Kind kind);
@@ -56,6 +64,7 @@ struct Report {
   std::vector<PartedBlock> all;         ///< with --all
   std::vector<std::size_t> all_groups;  ///< of `all`: the group of the first value
   bool is_probe_there = false;          ///< the difference of ComparisonOptions::probe
+  bool is_probed = false;               ///< both sides have run its block
   bool has_more_causes = false;         ///< the last group holds what exceeded the number of groups
 };
 

@@ -49,8 +49,12 @@ Json group_json(const Group& g) {
   for (const auto& [path, count] : g.fields)
     fields.push_back({{"Path", path}, {"Blocks", count.blocks}, {"IsDirect", count.is_direct}});
   for (const PartedBlock& block : g.examples) examples.push_back(block_json(block));
+  const bool is_tried = g.trial != Evidence::Trial::none ||
+                        std::any_of(g.evidence.begin(), g.evidence.end(),
+                                    [](const Evidence& e) { return e.trial != Evidence::Trial::none; });
   return {{"Cause", heading(g)},
           {"Kind", to_string(g.kind)},
+          {"IsTried", is_tried},
           {"Blocks", g.blocks},
           {"DirectBlocks", g.direct_blocks},
           {"Codes", g.codes},

@@ -73,15 +73,19 @@ std::string group_text(const Group& g) {
       out += fmt::format("    no cause: {}; tried, the block differs as before\n", printable(text_of(e)));
       continue;
     }
-    const bool is_in_heading = g.cause.find(text_of(e)) != std::string::npos;
+    const bool is_in_heading = heading(g).find(printable(text_of(e))) != std::string::npos;
     const bool has_places = !e.place_a.empty() || !e.place_b.empty();
     if (!is_in_heading)
       out += fmt::format("    also:     {}\n", printable(text_of(e)));
     else if (has_places)
       out += fmt::format("    set in:   {} | {}\n", or_none(e.place_a), or_none(e.place_b));
-    if (e.trial == Evidence::Trial::cause)
+    if (e.trial == Evidence::Trial::cause && !g.acts_together)
       out += fmt::format("    tried:    with {} on both sides the block is the same\n", printable(e.a));
   }
+  if (g.acts_together)
+    out += "    tried:    with all of them on both sides the block is the same, with one alone it differs\n";
+  if (g.trial == Evidence::Trial::cause)
+    out += "    tried:    with that of side A on both sides the block is the same\n";
   out += fields_text(g);
   for (const PartedBlock& example : g.examples) {
     out += block_text(example, "    ");

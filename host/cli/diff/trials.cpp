@@ -8,8 +8,15 @@ namespace isogloss::cli::parting {
 
 namespace {
 
-constexpr std::size_t most_trials = 40;
-constexpr std::uint64_t most_blocks = 20'000;  // up to the example
+constexpr std::size_t most_trials = 200;
+constexpr std::uint64_t most_blocks = 20'000;            // up to the block that is looked at
+constexpr std::uint64_t most_blocks_of_all = 1'000'000;  // of all trials of a comparison
+
+std::string list_of(const std::vector<Evidence*>& all) {
+  std::string out;
+  for (const Evidence* const e : all) out += (out.empty() ? "" : "; ") + text_of(*e);
+  return out;
+}
 
 class Trials {
  public:
@@ -18,33 +25,77 @@ class Trials {
       : a_(a), b_(b), order_(order), ignored_(ignored), session_(session) {}
 
   void try_group(Group& group) {
-    std::vector<Evidence*> suspects;
-    for (Evidence& e : group.evidence)
-      if (e.can_be_tried()) suspects.push_back(&e);
-    const bool has_choice = group.evidence.size() > 1 && trials_ + suspects.size() + 2 <= most_trials;
-    if (group.kind != Group::Kind::syntax || suspects.empty() || !has_choice || group.probe.empty() ||
-        group.first_block > most_blocks || group.examples.empty() || group.examples.front().line_a == 0 ||
-        group.examples.front().line_b == 0)
-      return;
     group_ = &group;
-    if (!is_there({})) return;  // not in the first pass over the line
-    if (is_there(suspects)) {
-      for (Evidence* e : suspects) e->trial = Evidence::Trial::no_cause;
-    } else {
-      std::vector<Evidence*> causes;
-      for (Evidence* e : suspects)
-        if (suspects.size() > 1 && !is_there({e})) causes.push_back(e);
-      if (causes.empty()) causes = suspects;  // none of them alone
-      for (Evidence* e : suspects) e->trial = Evidence::Trial::no_cause;
-      for (Evidence* e : causes) e->trial = Evidence::Trial::cause;
-    }
-    name_cause(group);
+    using Kind = Group::Kind;
+    if (group.kind == Kind::syntax) return try_evidence(group);
+    if (group.kind != Kind::syntaxes && group.kind != Kind::initial) return;
+    const std::optional<Dialect> changed = group.kind == Kind::syntaxes ? with_syntax_of_a() : with_initial_of_a();
+    const Answer answer = changed && can_run(1) && is_repeatable() ? ask(*changed, {}) : Answer::none;
+    if (answer == Answer::same) group.trial = Evidence::Trial::cause;
+    if (answer == Answer::none) return say_not_tried(group);
+    if (answer != Answer::differs) return;
+    group.trial = Evidence::Trial::no_cause;
+    say_not_found(group, group.cause + " is not: with it on both sides the block differs as before");
   }
 
  private:
-  /// Does the first example differ when side B has these options and rows of side A?
-  bool is_there(const std::vector<Evidence*>& suspects) {
-    ++trials_;
+  /// Of a run in which side B has something of side A: the field is the same, or differs; or there is no such run.
+  enum class Answer : std::uint8_t { none, same, differs };
+
+  void try_evidence(Group& group) {
+    std::vector<Evidence*> suspects;
+    for (Evidence& e : group.evidence)
+      if (e.can_be_tried()) suspects.push_back(&e);
+    if (suspects.empty() || !can_run(2 * suspects.size() + 2) || !is_repeatable()) return say_not_tried(group);
+    std::vector<Evidence*> causes;
+    std::size_t answers = 0;
+    for (Evidence* const e : suspects) {
+      const Answer answer = ask({e});
+      answers += answer == Answer::none ? 0 : 1;
+      if (answer == Answer::same) causes.push_back(e);
+      if (answer == Answer::differs) e->trial = Evidence::Trial::no_cause;
+    }
+    if (causes.empty() && suspects.size() > 1 && ask(suspects) == Answer::same) {
+      causes = fewest(suspects);
+      group.acts_together = true;
+    }
+    for (Evidence* const e : causes) e->trial = Evidence::Trial::cause;
+    if (causes.empty() && answers == 0) return say_not_tried(group);
+    if (causes.empty()) return say_not_found(group, group.syntax_a + " differs, and nothing of what was tried alone");
+    const std::string names = list_of(causes);
+    group.cause = group.acts_together ? "only together: " + names : names;
+    std::stable_sort(group.evidence.begin(), group.evidence.end(), [](const Evidence& one, const Evidence& other) {
+      return (one.trial == Evidence::Trial::cause) > (other.trial == Evidence::Trial::cause);
+    });
+  }
+
+  /// Those without which the others do not do.
+  std::vector<Evidence*> fewest(std::vector<Evidence*> all) {
+    for (std::size_t i = all.size(); i-- > 0 && all.size() > 1;) {
+      std::vector<Evidence*> fewer = all;
+      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+      if (ask(fewer) == Answer::same) all = std::move(fewer);
+    }
+    return all;
+  }
+
+  static void say_not_tried(Group& group) {
+    if (group.kind == Group::Kind::syntax || group.kind == Group::Kind::syntaxes || group.kind == Group::Kind::initial)
+      group.cause = "not tried, perhaps " + group.cause;
+  }
+  static void say_not_found(Group& group, const std::string& why) {
+    group.kind = Group::Kind::unknown;
+    group.cause = "not found: " + (group.beside.empty() ? why : group.beside + ", in the same block; " + why);
+  }
+
+  bool can_run(std::size_t trials) const {
+    return trials_ + trials <= most_trials && !group_->probe.empty() && group_->probed_block <= most_blocks &&
+           blocks_ + trials * group_->probed_block <= most_blocks_of_all;
+  }
+  /// False where the difference is not in the first pass over its line.
+  bool is_repeatable() { return ask(b_.side.linked->dialect, {}) == Answer::differs; }
+
+  Answer ask(const std::vector<Evidence*>& suspects) {
     Dialect dialect = b_.side.linked->dialect;
     for (ChainElement& element : dialect.chain)
       if (element.alias == group_->syntax_b)
@@ -53,18 +104,27 @@ class Trials {
           std::erase_if(element.options, [e](const Attribute& given) { return given.name == e->option; });
           element.options.push_back({e->option, e->raw_a, {}});
         }
+    return ask(dialect, suspects);
+  }
+
+  /// Runs both sides as far as the block, side B with this dialect and with these rows of side A.
+  Answer ask(const Dialect& dialect, const std::vector<Evidence*>& suspects) {
+    ++trials_;
+    blocks_ += group_->probed_block;
     DiagnosticList unheard;
     const std::unique_ptr<LinkedDialect> linked = link(dialect, session_.library(), unheard);
-    if (linked == nullptr) return true;
-    const PartedBlock& example = group_->examples.front();
+    if (linked == nullptr) return Answer::none;
+    const PartedBlock& block = group_->probed;
     RunOfSide one = a_, other = b_;
     other.side.linked = linked.get();
     for (const Evidence* e : suspects)
       for (const auto& cell : e->as_a) other.options.chain.assignments.push_back(cell);
-    stop_at(one, example.file_a, example.line_a);
-    stop_at(other, example.file_b, example.line_b);
-    const ComparisonOptions how{order_ != nullptr, false, {example.file_a, group_->probe, example.line_a}};
-    return compare_blocks(one, other, order_, ignored_, how, session_).report.is_probe_there;
+    stop_at(one, block.file_a, block.line_a);
+    stop_at(other, block.file_b, block.line_b);
+    const ComparisonOptions how{order_ != nullptr, false, {block.file_a, group_->probe, block.line_a}};
+    const BlockResult result = compare_blocks(one, other, order_, ignored_, how, session_);
+    if (!result.report.is_probed || !result.faults[1].empty()) return Answer::none;
+    return result.report.is_probe_there ? Answer::differs : Answer::same;
   }
 
   static void stop_at(RunOfSide& side, const std::string& file, std::uint32_t line) {
@@ -72,24 +132,47 @@ class Trials {
     side.options.stop_in_file = file == side.program->path() ? std::string() : file;
   }
 
-  static void name_cause(Group& group) {
-    std::stable_sort(group.evidence.begin(), group.evidence.end(), [](const Evidence& one, const Evidence& other) {
-      const auto rank = [](const Evidence& e) {
-        return e.trial == Evidence::Trial::cause ? 0 : e.trial == Evidence::Trial::none ? (e.is_sure ? 1 : 2) : 3;
-      };
-      return rank(one) < rank(other);
-    });
-    const Evidence& first = group.evidence.front();
-    if (first.trial == Evidence::Trial::no_cause) {
-      group.kind = Group::Kind::unknown;
-      group.cause = fmt::format(
-          "{}: nothing of what was tried alone; another table, or what it kept from earlier blocks", group.syntax_a);
-      return;
+  static std::vector<ChainElement>::iterator find(std::vector<ChainElement>& chain, const std::string& alias) {
+    return std::find_if(chain.begin(), chain.end(), [&](const ChainElement& e) { return e.alias == alias; });
+  }
+
+  /// Side B's dialect with the syntax of side A in place of its own; empty where that cannot be.
+  std::optional<Dialect> with_syntax_of_a() const {
+    Dialect out = b_.side.linked->dialect;
+    const Dialect& a = a_.side.linked->dialect;
+    if (const auto own = find(out.chain, group_->syntax_b); own != out.chain.end()) out.chain.erase(own);
+    const auto wanted = std::find_if(a.chain.begin(), a.chain.end(),
+                                     [&](const ChainElement& e) { return e.alias == group_->syntax_a; });
+    if (wanted == a.chain.end()) return out;
+    if (find(out.chain, wanted->alias) != out.chain.end()) return std::nullopt;
+    // Behind the nearest one before it that both have, or at the begin of its stage.
+    auto place = std::find_if(out.chain.begin(), out.chain.end(),
+                              [&](const ChainElement& e) { return e.stage >= wanted->stage; });
+    for (auto before = wanted; before != a.chain.begin();) {
+      --before;
+      const auto same = find(out.chain, before->alias);
+      if (same == out.chain.end() || before->stage != wanted->stage || same->stage != wanted->stage) continue;
+      place = same + 1;
+      break;
     }
-    group.cause.clear();
-    for (const Evidence& e : group.evidence)
-      if (e.trial == first.trial && (e.is_sure || &e == &first))
-        group.cause += (group.cause.empty() ? "" : "; ") + text_of(e);
+    out.chain.insert(place, *wanted);
+    for (const PluginReference& p : a.plugins)
+      if (std::none_of(out.plugins.begin(), out.plugins.end(), [&](const auto& own) { return own.name == p.name; }))
+        out.plugins.push_back(p);
+    return out;
+  }
+
+  /// Side B's dialect with the value of side A before the first block; empty where no dialect gives it.
+  std::optional<Dialect> with_initial_of_a() const {
+    Dialect out = b_.side.linked->dialect;
+    const Dialect& a = a_.side.linked->dialect;
+    const auto is_it = [&](const auto& field) { return field.path == group_->initial; };
+    const auto given = std::find_if(a.initial.begin(), a.initial.end(), is_it);
+    const bool is_own = std::any_of(out.initial.begin(), out.initial.end(), is_it);
+    if (given == a.initial.end() && !is_own) return std::nullopt;
+    std::erase_if(out.initial, is_it);
+    if (given != a.initial.end()) out.initial.push_back(*given);
+    return out;
   }
 
   const RunOfSide &a_, &b_;
@@ -98,6 +181,7 @@ class Trials {
   Session& session_;
   Group* group_ = nullptr;
   std::size_t trials_ = 0;
+  std::uint64_t blocks_ = 0;
 };
 
 }  // namespace
