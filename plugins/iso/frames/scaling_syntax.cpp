@@ -17,6 +17,8 @@ namespace {
 
 constexpr double most_counts = 999999;  // of a factor, as on the control
 
+enum class WithPoint { alarm, factor, counts };
+
 struct Scaling {
   static constexpr auto spec =
       ig::syntax("ScalingSyntax", "G51/G50 scaling.")
@@ -27,6 +29,8 @@ struct Scaling {
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "ISO-0386", "G51 {0}{1} is not a valid scaling factor, so the scaling does not change"),
       ig::diagnostic(IG_WARNING, "ISO-0387", "G51 without P, I, J or K: a factor of 1 is assumed"),
+      ig::diagnostic(IG_ERROR, "ISO-0620",
+                     "G51 {0}{1} has a decimal point, so the scaling does not change: write a factor of {1} as {0}{2}"),
   };
 
   ig::Call g51_{{"G51"}, "X Y Z I[] J[] K[] P[]"};
@@ -41,6 +45,9 @@ struct Scaling {
   ig::Config config_{"isogloss.motion/1", ig::Need::optional, "ScalingUnit, ScalingFactor"};
   ig::NumberOption factor_unit_{
       "factor-unit", "0", {0, 1}, "", "What P1 and I1 mean; 0: the value of isogloss.motion/1, or else 0.001."};
+  ig::Choice<WithPoint> with_point_{"factor-with-point", "alarm|factor|counts", "alarm",
+                                    "A factor with a decimal point, where it counts thousandths: an error, the factor "
+                                    "itself, or counts all the same."};
   double least_ = factor_unit_ < 1 ? 1 : 0.001;  // in counts; whole factors have decimals
   double unit_ = factor_unit_ > 0 ? double{factor_unit_} : config_.number("ScalingUnit").value_or(0.001);
 
@@ -80,6 +87,15 @@ struct Scaling {
       const char letter = words["IJK"[axis]] ? "IJK"[axis] : 'P';
       const auto counts = has_own && letter == 'P' ? std::nullopt : words[letter];
       if (!counts) continue;
+      if (unit_ < 1 && with_point_ != WithPoint::counts && has_point(b, g51_.word(0, letter))) {
+        if (with_point_ == WithPoint::alarm) {
+          b.report(ig::diag("ISO-0620"), ig::Where::word(g51_.word(0, letter)), std::string_view(&letter, 1), *counts,
+                   std::round(*counts / unit_));
+          return;
+        }
+        factor[axis] = *counts;
+        continue;
+      }
       if (!(std::fabs(*counts) >= least_ && std::fabs(*counts) <= most_counts) || (letter == 'P' && *counts < 0)) {
         b.report(ig::diag("ISO-0386"), ig::Where::word(g51_.word(0, letter)), std::string_view(&letter, 1), *counts);
         return;
@@ -89,6 +105,18 @@ struct Scaling {
     b.set(term_, words.code);
     b.set(center_, center);
     b.set(factor_, factor);
+  }
+
+  /// The value of a variable or expression has none, however it is written.
+  static bool has_point(const ig::Block& b, ig_field field) {
+    ig_word word{};
+    b.word(field, word);  // its mark is needed; it may have no place
+    if ((word.flags & IG_WORD_WITHOUT_POINT) != 0) return false;
+    const std::string_view source = b.source();
+    if (source.empty()) return true;  // a block without a text, such as that of a case
+    if (word.begin >= word.end || word.end > source.size()) return false;
+    const std::string_view text = source.substr(word.begin, std::size_t{word.end} - word.begin);
+    return text.find('.') != std::string_view::npos && text.find_first_of("#[(=") == std::string_view::npos;
   }
 
   bool scale(ig::Block& b) const {
