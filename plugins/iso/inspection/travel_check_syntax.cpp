@@ -187,6 +187,45 @@ struct TravelCheck {
     return (limited_ >> axis & 1u) != 0 ? outside | check_axis(b, axis, position, outside) : outside;
   }
 
+  struct Extreme {
+    double value = 0;
+    double part = 0;  // of the way
+  };
+  /// The extreme between the looks beside the one that is farthest out. Between two looks, 2 degrees apart, an axis
+  /// goes at most 0.15 mm farther for each metre of its distance from the rotary axis, so it is sought only near a
+  /// limit.
+  template <class Point>
+  double extreme(const Point& point, std::size_t axis, const Extreme& seen, double sign, double step) const {
+    constexpr double near = 1, golden = 0.6180339887498949;
+    const double limit = sign > 0 ? travel_[axis].maximum : travel_[axis].minimum;
+    if ((limited_ >> axis & 1u) == 0 || sign * (limit - seen.value) > near) return seen.value;
+    double best = seen.value, low = std::fmax(0, seen.part - step), high = std::fmin(1, seen.part + step);
+    const auto value = [&](double part) {
+      const auto at = point(part);
+      const double out = at ? (*at)[axis] : seen.value;
+      if (sign * out > sign * best) best = out;
+      return sign * out;
+    };
+    double left = high - golden * (high - low), right = low + golden * (high - low);
+    double at_left = value(left), at_right = value(right);
+    for (int i = 0; i < 30; ++i) {
+      if (at_left > at_right) {
+        high = right;
+        right = left;
+        at_right = at_left;
+        left = high - golden * (high - low);
+        at_left = value(left);
+      } else {
+        low = left;
+        left = right;
+        at_left = at_right;
+        right = low + golden * (high - low);
+        at_right = value(right);
+      }
+    }
+    return best;
+  }
+
   /// Checks samples every few degrees: the tip goes straight in the workpiece while the angles change evenly.
   std::uint32_t check_curve(ig::Block& b, const Place& begin, const Place& end, std::uint32_t outside) const {
     double widest = 0;
@@ -198,20 +237,25 @@ struct TravelCheck {
     const ToolTip tool{kinematics_, b.get_or(length_, 0.0)};
     const auto first = tool.in_workpiece(begin.xyz, begin.angles), last = tool.in_workpiece(end.xyz, end.angles);
     if (!first || !last) return outside;
-    ig::Vec3 low = begin.xyz, high = begin.xyz;
-    for (double look = 1; look < looks; ++look) {
-      const double part = look / looks;
+    const auto point = [&](double part) {
       Angles angles = begin.angles;
       for (std::size_t axis = 0; axis < 3; ++axis) angles[axis] += part * (end.angles[axis] - begin.angles[axis]);
-      const auto at = tool.machine_point(*first + part * (*last - *first), angles);
-      for (std::size_t axis = 0; at && axis < 3; ++axis) {
-        low[axis] = std::fmin(low[axis], (*at)[axis]);
-        high[axis] = std::fmax(high[axis], (*at)[axis]);
+      return tool.machine_point(*first + part * (*last - *first), angles);
+    };
+    std::array<Extreme, 3> low, high;
+    for (std::size_t axis = 0; axis < 3; ++axis) low[axis] = high[axis] = {begin.xyz[axis], 0};
+    const auto look_at = [&](const ig::Vec3& at, double part) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (at[axis] < low[axis].value) low[axis] = {at[axis], part};
+        if (at[axis] > high[axis].value) high[axis] = {at[axis], part};
       }
-    }
+    };
+    for (double look = 1; look < looks; ++look)
+      if (const auto at = point(look / looks)) look_at(*at, look / looks);
+    look_at(end.xyz, 1);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      outside = pass(b, axis, low[axis], outside);
-      outside = pass(b, axis, high[axis], outside);
+      outside = pass(b, axis, extreme(point, axis, low[axis], -1, 1 / looks), outside);
+      outside = pass(b, axis, extreme(point, axis, high[axis], 1, 1 / looks), outside);
     }
     return outside;
   }
