@@ -35,6 +35,13 @@ const ig::Diagnostics shared_diagnostics{
                    "The control sets Q100 to Q199; a table of the dependency QParameters can give them here. Reported "
                    "once for each parameter.",
                    "5 L X+Q50 (and no Q50 before)"),
+    ig::diagnostic(
+        IG_ERROR, "HEI-0390",
+        "{0} has no value, so 0 is assumed: TOOL CALL sets it, and the tool table has no {1} of this tool",
+        "TOOL CALL gives Q108 the radius of the tool and Q114 its length. Both have no value before the first "
+        "TOOL CALL, and where the table has no such tool or 0. Give --tools, or a machine with its tool "
+        "table. Reported once for each parameter.",
+        "5 L X+Q108 (and no tool table)"),
     ig::diagnostic(IG_ERROR, "HEI-0116", "'{0}' is not executed: {1}",
                    "QS parameters hold text. A parameter that this statement would write keeps its value.",
                    "5 QS1 = CFGREAD( KEY_QS2 )"),

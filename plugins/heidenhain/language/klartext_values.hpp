@@ -99,7 +99,12 @@ class Values {
       if (const std::string* const row = s->row_of(q)) rows_.add(b, *row);
     if (used_.is_heard()) used_.read(b, name_of(q).data(), value, scope(b, q));
     if (!std::isnan(value)) return value;
-    if (store()->is_first_time(115, name)) b.report(ig::diag("HEI-0115"), where, name);
+    if (!store()->is_first_time(115, name)) return 0;
+    const bool is_radius = q.number == QStore::radius_of_tool, is_length = q.number == QStore::length_of_tool;
+    if (q.kind == QKind::q && (is_radius || is_length))
+      b.report(ig::diag("HEI-0390"), where, name, std::string_view(is_radius ? "radius" : "length"));
+    else
+      b.report(ig::diag("HEI-0115"), where, name);
     return 0;
   }
   void set(ig::Block& b, const QNumber& q, std::string_view name, ig::Where where, double value) const {
