@@ -165,6 +165,22 @@ class Shapes(unittest.TestCase):
                 self.assertTrue(pathlib.Path(file).is_file(), file)
         self.refuses("new", {**found, "What": "car"})
 
+    def test_docs(self):
+        found = self.holds("docs", "docs", "-o", self.path / "reference", "--format", "markdown", "--json")
+        self.assertEqual((found["Format"], found["First"]), ("markdown", "index.md"))
+        for file in found["Files"]:
+            self.assertTrue((self.path / "reference" / file).is_file(), file)
+        self.refuses("docs", {**found, "Format": "pdf"})
+
+    def test_manual(self):
+        every = self.holds("manual", "manual", "--json")
+        one = self.holds("manual", "manual", "motions", "--json")
+        self.assertIn(one["Commands"][0], every["Commands"])
+        formats, = [o for o in one["Commands"][0]["Options"] if "--format" in o["Names"]]
+        self.assertEqual((formats["Words"], formats["Default"]), (["csv", "jsonl", "text"], "csv"))
+        self.refuses("manual", {"Isogloss": 1, "Commands": [{"Name": "run"}]})
+        self.assertIn("[IG-0513]", command("manual", "--json", "-o", self.path / "man", status=2).stderr)
+
     def test_cases(self):
         page = self.path / "dwell_syntax.md"
         page.write_text("# DwellSyntax\n\nText.\n\n## Wrong\n\n#BeforeBuild:\n```json\n{}\n```\n"

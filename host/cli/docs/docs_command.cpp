@@ -3,6 +3,7 @@
 
 #include "docs/docs_folder.hpp"
 #include "docs/site.hpp"
+#include "json_text.hpp"
 #include "new/folder.hpp"
 #include "output_file.hpp"
 
@@ -13,6 +14,7 @@ namespace {
 struct DocsCommand {
   CommonOptions common;
   std::string folder, format = "html";
+  bool json = false;
 
   int run() const {
     using namespace docs;
@@ -33,6 +35,14 @@ struct DocsCommand {
     for (const DeadLink& dead : site.dead_links()) session.report("IG-0176", {}, {dead.part, dead.link});
     if (!target.write(site.files(), session)) return cannot_start;
     const std::string first = is_html ? "index.html" : "index.md";
+    if (json) {
+      Json files = Json::array();
+      for (const auto& [name, text] : site.files()) files.push_back(name);
+      return print(
+          pretty(
+              {{"Isogloss", 1}, {"Folder", folder}, {"Format", format}, {"First", first}, {"Files", std::move(files)}}),
+          session.status());
+    }
     return print((std::filesystem::path(folder) / first).string() + "\n", session.status());
   }
 };
@@ -57,6 +67,7 @@ int docs_command(const Arguments& arguments) {
       .one_of({"html", "markdown"})
       .type_name("html|markdown")
       .shows_default();
+  line.flag("--json", command.json, "Write JSON (schemas/docs.schema.json) about the folder and its files");
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
   return command.run();

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "json_text.hpp"
 #include "manual/roff.hpp"
 #include "output_file.hpp"
 #include "session.hpp"
@@ -117,6 +118,35 @@ std::map<std::string, std::string> all_pages() {
   return out;
 }
 
+Json as_json(const UsageItem& item) {
+  Json out{{"Names", item.names}, {"Description", item.description}};
+  if (!item.value.empty()) out["Value"] = item.value;
+  if (!item.words.empty()) out["Words"] = item.words;
+  if (!item.default_value.empty()) out["Default"] = item.default_value;
+  if (!item.group.empty()) out["Group"] = item.group;
+  out["IsRequired"] = item.is_required;
+  out["IsRepeatable"] = item.is_repeatable;
+  return out;
+}
+
+Json as_json(const Command& command) {
+  const Usage usage = usage_of(command);
+  Json operands = Json::array(), options = Json::array();
+  for (const UsageItem& o : usage.operands) operands.push_back(as_json(o));
+  for (const UsageItem& o : usage.options) options.push_back(as_json(o));
+  return {{"Name", std::string(command.name)}, {"Summary", std::string(command.summary)},
+          {"Description", usage.description},  {"Operands", std::move(operands)},
+          {"Options", std::move(options)},     {"Example", usage.example}};
+}
+
+/// Of one command, or of all.
+int print_json(const std::string& name) {
+  Json list = Json::array();
+  for (const Command& c : commands)
+    if (name.empty() || c.name == name) list.push_back(as_json(c));
+  return print(pretty({{"Isogloss", 1}, {"Commands", std::move(list)}}), success);
+}
+
 int write_all(const std::string& folder) {
   Session session{CommonOptions{}};
   std::error_code ignored;
@@ -141,9 +171,16 @@ int manual_command(const Arguments& arguments) {
   std::vector<std::string> names;
   for (const Command& c : commands) names.emplace_back(c.name);
   std::string name, folder;
+  bool json = false;
   line.option("COMMAND", name, "The command; without it the page that lists them").one_of(names);
   line.option("-o,--output", folder, "Write all pages into this folder instead").type_name("DIR");
+  line.flag("--json", json, "Write JSON (schemas/manual.schema.json): options and operands of the command, or of all");
   if (const auto done = line.parse(arguments)) return *done;
+  if (json && !folder.empty()) {
+    Session(CommonOptions{}).report("IG-0513", {}, {"-o writes manual pages and --json none; leave one of them out"});
+    return cannot_start;
+  }
+  if (json) return print_json(name);
   if (!folder.empty()) return write_all(folder);
   for (const Command& c : commands)
     if (c.name == name) return print(page_of(c), success);
