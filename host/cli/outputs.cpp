@@ -1,5 +1,7 @@
 #include "outputs.hpp"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "isogloss/engine/import.hpp"
@@ -18,6 +20,20 @@ bool write_file(const std::string& path, std::string_view text, Session& session
     error = file->error();
   }
   session.report("IG-0511", {path}, {error});
+  return false;
+}
+
+bool is_name_of_svg(const std::string& path, Session& session) {
+  static constexpr std::array others{"png",  "pdf", "jpg", "jpeg", "gif",  "bmp",  "tif", "tiff",
+                                     "webp", "eps", "ps",  "dxf",  "svgz", "html", "ico", "emf"};
+  std::string extension = fs::path(path).extension().string();
+  if (extension.empty()) return true;
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (std::find(others.begin(), others.end(), extension.substr(1)) == others.end()) return true;
+  session.report(
+      "IG-0653", {path}, {extension.substr(1)},
+      "name it " + fs::path(path).replace_extension(".svg").string() + "; rsvg-convert turns SVG into PNG and PDF");
   return false;
 }
 

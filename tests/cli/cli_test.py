@@ -294,6 +294,11 @@ class Tables(Command):
 
     def test_rows_of_set(self):
         self.refused("--set", "IsoCoordinateTable.G54=5", code="IG-0410")
+        for name, hint in (("IsoCordinateTable.G54.X", "did you mean IsoCoordinateTable.G54.X?"),
+                           ("IsoCoordinateTable.aditional-sets", "did you mean IsoCoordinateTable.additional-sets?"),
+                           ("DwellSyntax.p-unit", "DwellSyntax is a syntax: its options stand in the dialect")):
+            done = self.run_it("run", self.program, "-d", "iso", "--set", f"{name}=1", status=2)
+            self.assertRegex(done.stderr, rf"\[IG-0410\]\n  hint: {re.escape(hint)}")
         self.refused("--set", "IsoCoordinateTable.g54.X=5", code="IG-0432")
         self.refused("--set", "ToolOffsetTable.0.H=5", code="IG-0432")
         self.refused("--set", "IsoCoordinateTable.G54.X=ten", code="IG-0411")
@@ -397,7 +402,8 @@ class OddFiles(Command):
         done = self.run_it("run", wrong, "-d", "fanuc", "--emit", "none", "--max-diagnostics", "1000", status=1)
         self.assertIn("[IG-0454]", done.stderr)
         errors = self.write("errors.nc", "G21\n" + "G1 X1. Q1. F100.\n" * 200_000 + "M30\n")
-        self.assertIn("[IG-0517]", self.run_it("run", errors, "-d", "fanuc", "--emit", "none", status=1).stderr)
+        done = self.run_it("run", errors, "-d", "fanuc", "--emit", "none", status=1)
+        self.assertIn("errors.nc:100001: warning: stopped after 100000 errors: ", done.stderr)
 
     def test_limits_stop_at_the_first_block_beyond_them(self):
         holes = self.write("limits.nc", "G21 G90 F100\nG0 X0 Y0\nG81 X1. Y1. Z-1. R1.\nX2. K3\nX9.\nG80\nG0 X1.\n"
@@ -758,7 +764,7 @@ class Run(Command):
         bad = self.write("bad.nc", "G123\n" * 20)
         done = self.run_it("run", bad, "-d", "iso", "--max-errors", "3", status=1)
         self.assertEqual(done.stderr.count("error:"), 3)
-        self.assertIn("IG-0517", done.stderr)
+        self.assertIn("bad.nc:3: warning: stopped after 3 errors: ", done.stderr)
 
     def test_messages_stay_short_however_long_the_text(self):
         for text in ["X" * 500_000, "(" + "y" * 500_000]:
@@ -1025,6 +1031,26 @@ class Dialects(Command):
         self.assertRegex(done.stdout, r"(?m)^\+.*<Insert(After|Before) syntax=.*<McXyzSyntax/>")
         self.assertIn("the order is right", self.run_it("lint", "iso", "--suggest").stdout)
 
+    def test_a_syntax_in_a_wrong_place_is_explained(self):
+        wrong = self.dialect('<Remove syntax="McXyzSyntax"/>'
+                             '<InsertBefore syntax="ProgramXyzSyntax"><McXyzSyntax/></InsertBefore>')
+        done = self.run_it("dialect", wrong, "--why", "McXyzSyntax", status=1)
+        self.assertIn("[IG-020", done.stderr)
+        self.assertIn("McXyzSyntax of plugin iso, stage Logic", done.stdout)
+
+    def test_faults_of_parts_and_of_the_order_are_told_at_once(self):
+        wrong = self.dialect('<Configure syntax="DwellSyntax" unit="s"/><Remove syntax="McXyzSyntax"/>'
+                             '<InsertBefore syntax="ProgramXyzSyntax"><McXyzSyntax/></InsertBefore>')
+        done = self.run_it("lint", wrong, status=1)
+        self.assertIn("[IG-0204]", done.stderr)
+        self.assertRegex(done.stderr, r"\[IG-020[67]\]")
+
+    def test_a_plugin_that_is_missing_is_told_with_the_folders(self):
+        wrong = self.write("x.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="x" extends="iso">'
+                           '<Plugins><Plugin name="nothing-such"/></Plugins></Dialect>')
+        done = self.run_it("lint", wrong, "--plugins", self.path, status=1)
+        self.assertRegex(done.stderr, rf"\[IG-0201\]\n  hint: searched: {self.path}, ")
+
     def test_effective_loads_back(self):
         effective = self.path / "effective.xml"
         self.run_it("dialect", "--effective", "fanuc", "-o", effective)
@@ -1170,6 +1196,7 @@ class Explain(Command):
         self.assertIn("must stand after", out)
         self.assertIn("lint --suggest", out)
         self.run_it("explain", "IG-9999", status=2)
+        self.assertIn("  stopped after … errors: --max-errors sets another limit\n", self.run_it("explain", "IG-0517").stdout)
 
     def test_calls_are_followed(self):
         self.write("O20", "O20\nG91 X1.\nM98 P30 L2\nM99\n")
@@ -1274,6 +1301,16 @@ class Cases(Command):
         done = self.run_it("case", self.write("b.md", self.CASE % "5"), status=1)
         self.assertIn("Dwell.Time: expected 5, got 0.5", done.stdout)
         self.assertRegex(done.stderr, r"b\.md:5: error: case 'P in seconds' of DwellSyntax does not hold \[IG-0505\]")
+        self.assertNotIn("the document after the build", done.stdout)
+        done = self.run_it("case", self.path / "b.md", "--verbose", status=1)
+        self.assertIn('the document after the build:\n{\n  "Dwell"', done.stdout)
+
+    def test_a_fault_of_a_case_has_its_place_in_the_page(self):
+        page = self.write("c.md", self.CASE.replace('{"Parsing"', '{\n  "Parsing":: 1, "Parsing"') % "0.5")
+        text = page.read_text().splitlines()
+        line = next(i for i, one in enumerate(text, 1) if "::" in one)
+        self.assertRegex(self.run_it("case", page, status=1).stdout,
+                         rf"c\.md:{line}:{text[line - 1].index('::') + 2}: error: .*\[IG-0502\]")
 
     def test_options_dependencies_and_diagnostics_of_a_case(self):
         text = """# DwellSyntax

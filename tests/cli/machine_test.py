@@ -438,6 +438,11 @@ class Machines(unittest.TestCase):
         self.machine('<Backup src="backup" units="inch"/>')
         self.assertIn("has no option 'units' [IG-0204]",
                       self.run_it("lint", "-m", "machines/mill", status=1).stderr)
+        self.write("machines/mill/backup/second.tbl", TOOLS)
+        self.machine('<Backup src="backup" unit="cm"/>')
+        done = self.run_it("lint", "-m", "machines/mill", status=1)
+        self.assertIn("[IG-0205]", done.stderr)
+        self.assertEqual(done.stderr.count("error:"), 1, done.stderr)
 
     def test_files_that_are_no_text_are_named_by_their_importers(self):
         archive = self.write("machines/mill/backup/cmm.arc", "")

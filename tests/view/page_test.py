@@ -85,6 +85,15 @@ class Plot(unittest.TestCase):
         self.assertIn(b"[IG-0651]", done.stderr)
         ET.fromstring(done.stdout)
 
+    def test_a_picture_of_another_form_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            picture = pathlib.Path(folder) / "part.PNG"
+            done = isogloss("plot", PART, *TOOLS, "-o", picture, status=2)
+            self.assertIn("pictures are written as SVG only, not as png [IG-0653]", done.stderr.decode())
+            self.assertFalse(picture.exists())
+            isogloss("plot", PART, *TOOLS, "-o", picture.with_suffix(".svg"))
+            self.assertIn("[IG-0653]", isogloss("dialect", "iso", "--graph", "-o", picture, status=2).stderr.decode())
+
     def test_more_moves_than_allowed_end_the_picture(self):
         done = isogloss("plot", PART, *TOOLS, "--max-moves", 5)
         self.assertIn(b"the picture ends after 5 moves", done.stderr)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "isogloss/engine/printable.hpp"
 #include "json_text.hpp"
 #include "known_codes.hpp"
 #include "output_file.hpp"
@@ -21,6 +22,36 @@ std::optional<KnownCode> find_code(const std::string& code, Library& library) {
   if (auto of_the_host = find()) return of_the_host;
   library.load_all();
   return find();
+}
+
+/// The text of a diagnostic without its numbered places, which a program fills: "stopped after … errors".
+std::string without_places(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::size_t end = text[i] == '{' ? text.find('}', i) : std::string_view::npos;
+    const std::string_view number = end == std::string_view::npos ? "" : text.substr(i + 1, end - i - 1);
+    const bool is_place =
+        !number.empty() && std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (!is_place) {
+      out += text[i];
+      continue;
+    }
+    out += "…";
+    i = end;
+  }
+  return out;
+}
+
+/// On the line of its heading where it is one line, else below it.
+std::string example_text(std::string_view example) {
+  if (example.find('\n') == std::string_view::npos) return fmt::format("Example: {}\n", printable(example));
+  std::string out = "Example:\n";
+  while (!example.empty()) {
+    const std::string_view line = example.substr(0, example.find('\n'));
+    example.remove_prefix(std::min(line.size() + 1, example.size()));
+    out += "  " + printable(line) + "\n";
+  }
+  return out;
 }
 
 }  // namespace
@@ -50,8 +81,8 @@ int explain_code(const std::string& code, bool json, Session& session) {
                          {"Example", found->info.example}}),
                  success);
   return print(
-      fmt::format("{} ({}, {})\n  {}\n\n{}\n\nExample: {}\n", found->info.code, to_string(found->info.severity),
-                  found->plugin, found->info.text, found->info.explanation, found->info.example),
+      fmt::format("{} ({}, {})\n  {}\n\n{}\n\n{}", found->info.code, to_string(found->info.severity), found->plugin,
+                  without_places(found->info.text), found->info.explanation, example_text(found->info.example)),
       success);
 }
 

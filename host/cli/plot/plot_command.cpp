@@ -22,7 +22,8 @@ int PlotCommand::run() {
   std::vector<std::string> inputs = {path,          program.dialect,  program.machine, program.offsets,
                                      program.tools, program.variables};
   inputs.insert(inputs.end(), program.subprograms.begin(), program.subprograms.end());
-  if (!are_apart(inputs, {output, common.diagnostics_output}, session)) return cannot_start;
+  if (!is_name_of_svg(output, session) || !are_apart(inputs, {output, common.diagnostics_output}, session))
+    return cannot_start;
   const std::unique_ptr<KeptProgram> kept = KeptProgram::open(path, session);
   if (kept == nullptr) return cannot_start;
   std::unique_ptr<PathRun> made = run_path(*kept, program, drawn, {}, session);
@@ -39,13 +40,14 @@ int PlotCommand::run() {
 
 int plot_command(const Arguments& arguments) {
   CommandLine line("plot",
-                   "Draws the path of a program as an SVG picture: from above, from the front, from the right and "
+                   "Draws the path of a program as a picture in SVG, the only form that it writes: from above, from "
+                   "the front, from the right and "
                    "isometric; rapids dashed, feeds in the colour of their tool, with extents and scale.",
                    "isogloss plot part.nc -o part.svg\n"
                    "  isogloss plot part.nc -d fanuc --tools tools.xml | rsvg-convert -o part.png");
   PlotCommand command;
   line.option("PROGRAM", command.path, "The program; - is standard input").required();
-  line.option("-o,--output", command.output, "Write to a file, which appears only when it is complete")
+  line.option("-o,--output", command.output, "Write to a file, PART.svg, which appears only when it is complete")
       .type_name("FILE");
   command.program.add_to(line);
   line.option("--max-moves", command.drawn.most_moves, "Stop after N moves, which the picture keeps in memory")

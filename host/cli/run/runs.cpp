@@ -17,11 +17,19 @@ class ErrorLimit : public Exporter {
  public:
   explicit ErrorLimit(const DiagnosticWriter& diagnostics) : diagnostics_(diagnostics) {}
   void begin(Document&, const SymbolTable&) override {}
-  bool block(Document&, const SymbolTable&) override { return !diagnostics_.limit_reached(); }
+  bool block(Document& d, const SymbolTable&) override {
+    if (!diagnostics_.limit_reached()) [[likely]]
+      return true;
+    if (last_.line == 0) last_ = {std::string(d.source.file), d.source.line, 0};
+    return false;
+  }
   bool end() override { return true; }
+  /// The block after which the run ended; no line where none was exported after the last error.
+  const Location& last() const { return last_; }
 
  private:
   const DiagnosticWriter& diagnostics_;
+  Location last_;
 };
 
 std::unique_ptr<Exporter> make_exporter(const RunArguments& c, Output& output, const std::string& dialect,
@@ -99,9 +107,7 @@ int Runs::run_linked(const std::string& path, OpenedProgram& source) {
       totals = make_summary_exporter(summary, rapid_rates(*linked_, options.chain));
       exporters.push_back(totals.get());
     }
-    // The default ends endless loops of errors, which may wait for the next look at the budgets.
-    if (request_.common.maximum_errors != 0 && request_.common.maximum_errors != CommonOptions::many_errors)
-      exporters.push_back(&limit);
+    if (request_.common.maximum_errors != 0) exporters.push_back(&limit);
     options.goes_on = [&] { return request_.budgets.hold(path, session_); };
     if (!request_.tables_to_save.empty())
       exporters.push_back((tables = make_table_saver(request_.tables_to_save, session_)).get());
@@ -114,7 +120,7 @@ int Runs::run_linked(const std::string& path, OpenedProgram& source) {
       session_.report("IG-0452", {path, static_cast<std::uint32_t>(result.lines), 0},
                       {std::to_string(request_.budgets.output_bytes)});
     if (session_.diagnostics().limit_reached())
-      session_.report("IG-0517", {path, static_cast<std::uint32_t>(result.lines), 0},
+      session_.report("IG-0517", limit.last().line != 0 ? limit.last() : Location{path},
                       {std::to_string(session_.diagnostics().errors())});
     else
       doubt(path, session_.diagnostics().errors() - errors_before, result.blocks);

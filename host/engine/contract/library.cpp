@@ -179,7 +179,11 @@ bool Library::load(const std::string& name, const Location& where, DiagnosticSin
       if (it->path().extension() == ".so") names.push_back(it->path().stem().string());
   }
   const std::string near = nearest_name(name, names);
-  sink.add(host_diagnostic("IG-0201", where, {name}, near.empty() ? "" : "did you mean " + near + "?"));
+  std::string hint = near.empty() ? std::string() : "did you mean " + near + "? ";
+  hint += parts_->folders.empty() ? "no folder was searched" : "searched:";
+  for (const fs::path& folder : parts_->folders)
+    hint += (&folder == &parts_->folders.front() ? " " : ", ") + folder.string();
+  sink.add(host_diagnostic("IG-0201", where, {name}, hint));
   return false;
 }
 

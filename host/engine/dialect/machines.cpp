@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 #include "dialect/dialect_file.hpp"
 #include "dialect/row_checks.hpp"
@@ -89,17 +90,20 @@ void fill(std::vector<DependencyElement>& inherited, std::vector<DependencyEleme
   inherited = std::move(out);
 }
 
-/// Passes diagnostics on and remembers whether one was an error.
+/// Passes diagnostics on and remembers whether one was an error. A wrong option of a folder concerns each of its files,
+/// and is one fault.
 class ErrorWatch : public DiagnosticSink {
  public:
   explicit ErrorWatch(DiagnosticSink& sink) : sink_(sink) {}
   void add(Diagnostic d) override {
     has_error = has_error || d.severity == Severity::error;
+    if (d.code == "IG-0205" && !wrong_options_.emplace(d.where.file, d.where.line, d.where.column).second) return;
     sink_.add(std::move(d));
   }
   bool has_error = false;
 
  private:
+  std::set<std::tuple<std::string, std::uint32_t, std::uint32_t>> wrong_options_;
   DiagnosticSink& sink_;
 };
 
@@ -157,8 +161,10 @@ class Importing {
       one.file = path;
       one.shares_options = is_folder;
       std::optional<ImportedFile> file = read(one);
+      const ig_importer* const importer = file ? file->importer : importer_of(path, asked.format);
+      for (std::uint32_t i = 0; importer != nullptr && i < importer->option_count; ++i)
+        options.insert(importer->options[i].name);
       if (!file) continue;
-      for (std::uint32_t i = 0; i < file->importer->option_count; ++i) options.insert(file->importer->options[i].name);
       for (DependencyElement& table : file->tables) lay_over(all, std::move(table));
     }
     for (const Attribute& a : asked.options)

@@ -45,6 +45,22 @@ const Location& place_of(const DependencyElement& of_dialect, const std::vector<
   return *place;
 }
 
+/// The option that a misspelt name may mean; empty: none. Rows of tables may have any name, and no row begins as
+/// options do.
+std::string near_option(const ig_dependency& d, const std::string& name) {
+  constexpr std::size_t telling = 3;
+  const bool is_like_one = name.size() >= telling && name[0] >= 'a' && name[0] <= 'z';
+  std::vector<std::string> names;
+  for (std::uint32_t i = 0; i < d.option_count; ++i) names.emplace_back(d.options[i].name);
+  return is_like_one && name.find('.') == std::string::npos ? nearest_name(name, names) : std::string();
+}
+
+std::string option_names(const ig_dependency& d) {
+  std::string out = d.option_count == 0 ? "it has no option" : "its options are ";
+  for (std::uint32_t i = 0; i < d.option_count; ++i) out += std::string(i == 0 ? "" : ", ") + d.options[i].name;
+  return out;
+}
+
 /// NULL where the dependency does not provide it, or does not exist yet.
 const void* service_of(const ig_dependency& d, void* self, std::string_view id) {
   if (self == nullptr || d.provides == nullptr) return nullptr;
@@ -248,7 +264,14 @@ void Chain::assign(const std::string& path, const std::string& value) {
       dependency_options_[i][o] = *parsed;
       return;
     }
-    if (rest.empty() || d.dependency->column_count == 0) break;
+    if (const std::string near = near_option(*d.dependency, rest); !near.empty()) {
+      hint = "did you mean " + name + "." + near + "?";
+      break;
+    }
+    if (rest.empty() || d.dependency->column_count == 0) {
+      hint = option_names(*d.dependency);
+      break;
+    }
     // "ROW.COLUMN", or "ROW" alone where it has one value; rows may hold points.
     const std::size_t last = rest.rfind('.');
     std::optional<std::size_t> column;
@@ -272,7 +295,10 @@ void Chain::assign(const std::string& path, const std::string& value) {
     return;
   }
   const std::string near = nearest_name(name, names);
-  if (hint.empty() && !near.empty() && near != name) hint = "did you mean " + near + "?";
+  if (hint.empty() && !near.empty() && near != name)
+    hint = "did you mean " + near + (rest.empty() ? "" : "." + rest) + "?";
+  if (hint.empty() && linked_.position(name))
+    hint = name + " is a syntax: its options stand in the dialect, <Configure syntax=\"" + name + "\" …/>";
   sink_.add(host_diagnostic("IG-0410", {"--set"}, {path}, hint));
   throw std::runtime_error("no dependency or column " + path);
 }
