@@ -23,7 +23,7 @@ std::uint64_t Flow::bytes() const {
 bool Flow::select_program(const std::string& name) {
   const Chain::Interlude interlude;
   const std::string label = programs_.indexer().program_name(name);
-  const std::optional<Place> at = labels(programs_.main()).program(label.empty() ? name : label);
+  const std::optional<BlockPlace> at = labels(programs_.main()).program(label.empty() ? name : label);
   if (!at) return false;
   frame_->start = *at;
   programs_.begin_at(*at);
@@ -96,7 +96,7 @@ std::int32_t Flow::jump(ig_go& request) {
     to_ = frame_->start;
   } else if (request.kind == IG_GO_PLACE) {
     if (request.place.frame != frame_->id) return not_found(request, "the place belongs to another call");
-    to_ = Place{request.place.offset, request.place.column, request.place.line};
+    to_ = BlockPlace{request.place.offset, request.place.column, request.place.line};
   } else {
     to_ = labels(*frame_->file).find(view_of(request.label), here_, request.search);
     if (!to_) return not_found(request, "looked in this program, " + frame_->file->name);
@@ -144,12 +144,12 @@ FlowHost::Request Flow::requested() const {
 
 // ---- moves
 
-void Flow::perform(Document& document, const Place& next) {
+void Flow::perform(Document& document, const BlockPlace& next) {
   if (++jumps_ > options_.maximum_jumps) {
-    const Place to = request_ == Go::call    ? target_.start
-                     : to_                   ? *to_
-                     : request_ == Go::again ? frame_->start
-                                             : frame_->back;
+    const BlockPlace to = request_ == Go::call    ? target_.start
+                          : to_                   ? *to_
+                          : request_ == Go::again ? frame_->start
+                                                  : frame_->back;
     const ProgramFile& file = request_ == Go::call    ? *target_.file
                               : request_ == Go::leave ? *frames_[depth_ - 1]->file
                                                       : *frame_->file;
@@ -177,7 +177,7 @@ void Flow::perform(Document& document, const Place& next) {
   }
 }
 
-void Flow::tell_move(const Place& next) const {
+void Flow::tell_move(const BlockPlace& next) const {
   FlowStep step;
   step.file = frame_->file->name;
   step.line = here_.line;
@@ -208,7 +208,7 @@ void Flow::tell_move(const Place& next) const {
   options_.moved(step);
 }
 
-void Flow::enter(Document& document, const Place& next) {
+void Flow::enter(Document& document, const BlockPlace& next) {
   if (frames_.size() == ++depth_) frames_.push_back(std::make_unique<Frame>());
   Frame& frame = *frames_[depth_];
   frame.file = target_.file;
@@ -230,9 +230,9 @@ void Flow::enter(Document& document, const Place& next) {
   seek(frame.start);
 }
 
-void Flow::leave_frame(Document& document, std::optional<Place> to) {
+void Flow::leave_frame(Document& document, std::optional<BlockPlace> to) {
   document.set_frame_values(frame_->below);
-  const Place back = frame_->back, called_at = frame_->called_at;
+  const BlockPlace back = frame_->back, called_at = frame_->called_at;
   if (repeats_at_ == depth_) repeats_at_ = 0;
   frame_ = frames_[--depth_].get();
   cursor_ = &frame_->cursor;
@@ -256,7 +256,7 @@ bool Flow::leave_at_end(Document& document) {
   return true;
 }
 
-void Flow::seek(const Place& place) {
+void Flow::seek(const BlockPlace& place) {
   if (frame_->file == &programs_.main() && place != last_reached_) {
     last_reached_ = place;
     reached_.insert(place);
@@ -268,7 +268,7 @@ void Flow::seek(const Place& place) {
 // ---- limits
 
 /// A jump back begins a loop; one that lies inside the loop that is known changes nothing.
-void Flow::note_jump(const Place& to) {
+void Flow::note_jump(const BlockPlace& to) {
   if (here_ < to) return;
   if (is_looping_ && (depth_ > loop_.depth || (!(to < loop_.to) && !(loop_.from < here_)))) {
     if (depth_ == loop_.depth && to == loop_.to && here_ == loop_.from) ++loop_.times;
@@ -298,19 +298,19 @@ void Flow::count_repeat() {
         std::to_string(frame.passes)});
 }
 
-void Flow::stop(std::string_view code, const Place& at, std::initializer_list<std::string> arguments) {
+void Flow::stop(std::string_view code, const BlockPlace& at, std::initializer_list<std::string> arguments) {
   const Frame& frame = code == "IG-0418" ? *frames_[loop_.depth] : *frame_;
   end_.report(host_diagnostic(code, {frame.file->name, at.line, at.column + 1}, arguments));
 }
 
 // ---- files
 
-std::optional<Place> Flow::first_not_run() {
+std::optional<BlockPlace> Flow::first_not_run() {
   if (depth_ != 0) return std::nullopt;
-  const Place end = here_;
+  const BlockPlace end = here_;
   const LabelIndex* const names = programs_.main().labels.get();
-  const std::vector<Place> programs = names != nullptr ? names->programs_behind(end) : std::vector<Place>{};
-  const auto was_reached = [&](const Place& begin, std::size_t following) {
+  const std::vector<BlockPlace> programs = names != nullptr ? names->programs_behind(end) : std::vector<BlockPlace>{};
+  const auto was_reached = [&](const BlockPlace& begin, std::size_t following) {
     const auto first = reached_.lower_bound(begin);
     return first != reached_.end() && (following >= programs.size() || *first < programs[following]);
   };
@@ -319,7 +319,8 @@ std::optional<Place> Flow::first_not_run() {
     for (Line line; cursor_->next(line);) {
       if (!programs.empty() && line.offset >= programs[0].offset) break;
       const std::size_t first = line.text.find_first_not_of(std::string_view(" \t\r\0\x1a%", 6));
-      if (first != std::string_view::npos) return Place{line.offset, static_cast<std::uint32_t>(first), line.number};
+      if (first != std::string_view::npos)
+        return BlockPlace{line.offset, static_cast<std::uint32_t>(first), line.number};
     }
   for (std::size_t i = 0; i < programs.size(); ++i)
     if (!was_reached(programs[i], i + 1)) return programs[i];
@@ -328,7 +329,7 @@ std::optional<Place> Flow::first_not_run() {
 
 // ---- frames
 
-std::string Flow::shown(const Place& place) const { return frame_->file->name + ":" + std::to_string(place.line); }
+std::string Flow::shown(const BlockPlace& place) const { return frame_->file->name + ":" + std::to_string(place.line); }
 
 std::string Flow::chain_of_calls() const {
   constexpr std::uint32_t longest = 4;

@@ -25,7 +25,7 @@ class Flow : public FlowHost {
   bool select_program(const std::string& name);
 
   /// The block that begins.
-  void at(const Place& place) {
+  void at(const BlockPlace& place) {
     here_ = place;
     if (is_looping_) count_loop();
     if (repeats_at_ != 0) count_repeat();
@@ -38,7 +38,7 @@ class Flow : public FlowHost {
   std::uint64_t call() const { return frame_->id; }
   std::uint32_t pass() const { return frame_->pass; }
   /// Executes the request of the block; `next` is where the run would continue otherwise.
-  void perform(Document& document, const Place& next);
+  void perform(Document& document, const BlockPlace& next);
   /// The frame's text ends with this block: the caller goes on. False in the main program.
   bool request_end(const Document& document);
   /// The frame's text has ended.
@@ -53,7 +53,7 @@ class Flow : public FlowHost {
   }
 
   /// The first text after the end of the main program that this run did not execute.
-  std::optional<Place> first_not_run();  ///< its column is that of the text
+  std::optional<BlockPlace> first_not_run();  ///< its column is that of the text
 
   void label(std::string_view, ig_label_kind) override {}
   std::int32_t go(const Document& document, ig_go& request) override;
@@ -70,8 +70,8 @@ class Flow : public FlowHost {
   struct Frame {
     ProgramFile* file = nullptr;
     Cursor cursor;
-    Place start;
-    Place called_at, back;  // in the frame below
+    BlockPlace start;
+    BlockPlace called_at, back;  // in the frame below
     std::string program;
     std::uint64_t id = 0, tag = 0;
     std::uint32_t pass = 1, passes = 1;
@@ -85,15 +85,15 @@ class Flow : public FlowHost {
   std::int32_t jump(ig_go& request);
   std::int32_t not_found(ig_go& request, std::string reason);
   LabelIndex& labels(ProgramFile& file) { return programs_.labels(file, here_.line); }
-  void enter(Document& document, const Place& next);
-  void leave_frame(Document& document, std::optional<Place> to);
-  void seek(const Place& place);
-  void tell_move(const Place& next) const;
-  void note_jump(const Place& to);
+  void enter(Document& document, const BlockPlace& next);
+  void leave_frame(Document& document, std::optional<BlockPlace> to);
+  void seek(const BlockPlace& place);
+  void tell_move(const BlockPlace& next) const;
+  void note_jump(const BlockPlace& to);
   void count_loop();
   void count_repeat();
-  void stop(std::string_view code, const Place& at, std::initializer_list<std::string> arguments);
-  std::string shown(const Place& place) const;
+  void stop(std::string_view code, const BlockPlace& at, std::initializer_list<std::string> arguments);
+  std::string shown(const BlockPlace& place) const;
   std::string chain_of_calls() const;
 
   const LinkedDialect& linked_;
@@ -106,13 +106,13 @@ class Flow : public FlowHost {
   std::uint32_t depth_ = 0, column_ = 0;
   std::uint64_t last_id_ = 0, jumps_ = 0, loop_blocks_ = 0, refused_ = 0;
   static constexpr std::uint64_t most_refused = 1'000;  // calls that were nested too deep
-  Place here_;
+  BlockPlace here_;
   bool passing_ = false;
 
   // The request of this block.
   Go request_ = Go::none;
   ProgramSearch::Target target_{};
-  std::optional<Place> to_;
+  std::optional<BlockPlace> to_;
   std::string called_, reason_, jump_label_;
   std::uint64_t tag_ = 0;
   std::uint32_t repeats_ = 1;
@@ -123,7 +123,7 @@ class Flow : public FlowHost {
   struct {
     std::uint64_t frame = 0;
     std::uint32_t depth = 0;
-    Place from, to;
+    BlockPlace from, to;
     std::uint64_t times = 0;
   } loop_;
 
@@ -132,8 +132,8 @@ class Flow : public FlowHost {
   std::uint64_t repeat_blocks_ = 0;
 
   // What of the main file was reached by calls and jumps.
-  std::set<Place> reached_;
-  Place last_reached_{UINT64_MAX, 0, 0};
+  std::set<BlockPlace> reached_;
+  BlockPlace last_reached_{UINT64_MAX, 0, 0};
 };
 
 }  // namespace isogloss

@@ -16,7 +16,7 @@ bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") 
 
 // ---- labels
 
-void LabelIndex::add(std::string_view name, ig_label_kind kind, const Place& at) {
+void LabelIndex::add(std::string_view name, ig_label_kind kind, const BlockPlace& at) {
   (kind == IG_LABEL_PROGRAM ? programs_ : labels_).push_back({hash_of(name), at});
 }
 
@@ -29,18 +29,18 @@ void LabelIndex::close() {
   labels_.shrink_to_fit();
 }
 
-std::optional<Place> LabelIndex::program(std::string_view name) const {
+std::optional<BlockPlace> LabelIndex::program(std::string_view name) const {
   const std::uint64_t wanted = hash_of(name);
   for (const Entry& e : programs_)
     if (e.name == wanted) return e.at;
   return std::nullopt;
 }
 
-std::optional<Place> LabelIndex::program(std::string_view name,
-                                         const std::function<int(const std::string&)>& rank) const {
+std::optional<BlockPlace> LabelIndex::program(std::string_view name,
+                                              const std::function<int(const std::string&)>& rank) const {
   static const std::string none;
   const std::uint64_t wanted = hash_of(name);
-  std::optional<Place> best;
+  std::optional<BlockPlace> best;
   int best_rank = 0;
   for (std::size_t i = 0; i < programs_.size(); ++i) {
     if (programs_[i].name != wanted) continue;
@@ -53,21 +53,21 @@ std::optional<Place> LabelIndex::program(std::string_view name,
   return best;
 }
 
-const std::string& LabelIndex::folder_at(const Place& place) const {
+const std::string& LabelIndex::folder_at(const BlockPlace& place) const {
   static const std::string none;
   const auto next = std::upper_bound(programs_.begin(), programs_.end(), place,
-                                     [](const Place& at, const Entry& e) { return at < e.at; });
+                                     [](const BlockPlace& at, const Entry& e) { return at < e.at; });
   const auto index = next == programs_.begin() ? 0 : std::distance(programs_.begin(), next) - 1;
   const auto folder = folders_.find(static_cast<std::size_t>(index));
   return folder == folders_.end() ? none : folder->second;
 }
 
-std::optional<Place> LabelIndex::find(std::string_view name, const Place& from, ig_search search) const {
+std::optional<BlockPlace> LabelIndex::find(std::string_view name, const BlockPlace& from, ig_search search) const {
   const auto next = std::upper_bound(programs_.begin(), programs_.end(), from,
-                                     [](const Place& place, const Entry& e) { return place < e.at; });
-  const Place begin = next == programs_.begin() ? Place{0, 0, 0} : std::prev(next)->at;
+                                     [](const BlockPlace& place, const Entry& e) { return place < e.at; });
+  const BlockPlace begin = next == programs_.begin() ? BlockPlace{0, 0, 0} : std::prev(next)->at;
   const std::uint64_t wanted = hash_of(name);
-  const auto not_before = [&](const Place& place) {
+  const auto not_before = [&](const BlockPlace& place) {
     return std::lower_bound(labels_.begin(), labels_.end(), Entry{wanted, place});
   };
   const auto first = not_before(begin);
@@ -81,8 +81,8 @@ std::optional<Place> LabelIndex::find(std::string_view name, const Place& from, 
   return search == IG_SEARCH_FORWARD ? std::nullopt : std::optional(first->at);
 }
 
-std::vector<Place> LabelIndex::programs_behind(const Place& place) const {
-  std::vector<Place> out;
+std::vector<BlockPlace> LabelIndex::programs_behind(const BlockPlace& place) const {
+  std::vector<BlockPlace> out;
   for (const Entry& e : programs_)
     if (place < e.at) out.push_back(e.at);
   return out;

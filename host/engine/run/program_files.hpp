@@ -12,12 +12,14 @@
 namespace isogloss {
 
 /// Where a block begins. Ordered as the blocks stand in their file.
-struct Place {
+struct BlockPlace {
   std::uint64_t offset = 0;  ///< of the line
   std::uint32_t column = 0;  ///< a line may hold several blocks
   std::uint32_t line = 1;
-  friend bool operator==(const Place& a, const Place& b) { return a.offset == b.offset && a.column == b.column; }
-  friend bool operator<(const Place& a, const Place& b) {
+  friend bool operator==(const BlockPlace& a, const BlockPlace& b) {
+    return a.offset == b.offset && a.column == b.column;
+  }
+  friend bool operator<(const BlockPlace& a, const BlockPlace& b) {
     return a.offset != b.offset ? a.offset < b.offset : a.column < b.column;
   }
 };
@@ -26,26 +28,27 @@ struct Place {
 class LabelIndex {
  public:
   /// Labels come in the order of their places.
-  void add(std::string_view name, ig_label_kind kind, const Place& at);
+  void add(std::string_view name, ig_label_kind kind, const BlockPlace& at);
   /// The folder of the program that was added last.
   void add_folder(std::string_view folder);
   void close();
 
-  std::optional<Place> program(std::string_view name) const;
+  std::optional<BlockPlace> program(std::string_view name) const;
   /// Of several programs of that name, the one whose folder has the lowest rank; a rank below 0 excludes it.
-  std::optional<Place> program(std::string_view name, const std::function<int(const std::string& folder)>& rank) const;
+  std::optional<BlockPlace> program(std::string_view name,
+                                    const std::function<int(const std::string& folder)>& rank) const;
   /// The folder of the program that stands at a place; empty where the file names none.
-  const std::string& folder_at(const Place& place) const;
+  const std::string& folder_at(const BlockPlace& place) const;
   bool has_programs() const { return !programs_.empty(); }
   /// The label of the program that `from` stands in.
-  std::optional<Place> find(std::string_view name, const Place& from, ig_search search) const;
+  std::optional<BlockPlace> find(std::string_view name, const BlockPlace& from, ig_search search) const;
   /// The programs that begin after a place, in order.
-  std::vector<Place> programs_behind(const Place& place) const;
+  std::vector<BlockPlace> programs_behind(const BlockPlace& place) const;
 
  private:
   struct Entry {
     std::uint64_t name;
-    Place at;
+    BlockPlace at;
     friend bool operator<(const Entry& a, const Entry& b) { return a.name != b.name ? a.name < b.name : a.at < b.at; }
   };
   std::vector<Entry> labels_;                     // by name, then place
@@ -85,7 +88,7 @@ class Indexer : public FlowHost {
   Chain chain_;
   std::size_t maximum_;
   const Segmenter& segmenter_;
-  Place at_;
+  BlockPlace at_;
   LabelIndex* labels_ = nullptr;
   std::string program_;
 };

@@ -128,7 +128,7 @@ bool ProgramSearch::find_in_folders(const ig_go& request, const Caller& caller, 
     if (!at && index.has_programs())
       sink_.add(host_diagnostic("IG-0420", {caller.from.name, caller.here.line, caller.here.column + 1},
                                 {file->name, std::string(label)}));
-    out = {file, at.value_or(Place{}), false};
+    out = {file, at.value_or(BlockPlace{}), false};
     return true;
   };
   if (places().find(names, take, reason)) {

@@ -25,20 +25,20 @@ class ProgramSearch {
 
   struct Target {
     ProgramFile* file;
-    Place start;
+    BlockPlace start;
     bool is_local = false;  ///< a part of the calling program
   };
   /// Where a call is: the block at `here` in the file `from`.
   struct Caller {
     ProgramFile& from;
-    const Place& here;
+    const BlockPlace& here;
   };
   /// Where the program of the request begins. False when it is nowhere; `reason` is where it was looked for, or the
   /// obstacle.
   bool find(const ig_go& request, const Caller& caller, Target& out, std::string& reason);
 
   /// The main program begins there, so its folder is searched first.
-  void begin_at(const Place& place) { main_start_ = place; }
+  void begin_at(const BlockPlace& place) { main_start_ = place; }
 
   /// The names of the file's lines. Reading them may end the run; `line` is the one that the run is at.
   LabelIndex& labels(ProgramFile& file, std::uint32_t line);
@@ -68,7 +68,7 @@ class ProgramSearch {
   std::unique_ptr<Indexer> indexer_;
   std::unique_ptr<ProgramPlaces> places_;
   std::unordered_map<std::string, Target> known_;
-  Place main_start_;
+  BlockPlace main_start_;
   std::set<std::string, std::less<>> hiding_;    // programs that were reported to hide others
   std::set<std::string, std::less<>> searched_;  // programs that were looked for in files of other names
 };

@@ -117,7 +117,7 @@ class Run final : StandingRun {
       has_run = true;
       offset += std::max<std::size_t>(end, 1);
       if (flow_.has_request()) {
-        const Place next = place_behind(line, offset);
+        const BlockPlace next = place_behind(line, offset);
         if (holds_last(line) && next.column == 0) count_pass(file);
         if (!over_) flow_.perform(chain_.document(), next);
         return;
@@ -189,7 +189,7 @@ class Run final : StandingRun {
   bool holds_last(const Line& line) const { return options_.stop_after_line - line.number < line.lines; }
 
   /// Where the run continues after a block that ends at this column.
-  Place place_behind(const Line& line, std::size_t column) {
+  BlockPlace place_behind(const Line& line, std::size_t column) {
     if (has_more(line, column)) return {line.offset, static_cast<std::uint32_t>(column), line.number};
     return {flow_.cursor().offset(), 0, line.number + line.lines};
   }
