@@ -1,11 +1,40 @@
 // Diagnostics of a chain: what syntaxes and the host report about a block, and where in the file that is.
 #include <algorithm>
+#include <array>
 
+#include "contract/flow_host.hpp"
 #include "isogloss/engine/chain.hpp"
 #include "run/calling.hpp"
 #include "run/cursor.hpp"
 
 namespace isogloss {
+
+namespace {
+
+/// Before the first block a place is one in the text of the program.
+void place_in_program(const FlowHost& program, std::uint32_t begin, std::uint32_t end, Diagnostic& out) {
+  std::array<char, 4096> buffer;
+  std::uint32_t line = 1, line_begin = 0, at = 0;
+  char last = '\0';
+  while (at < begin) {
+    const std::size_t size = program.text(at, buffer.data(), std::min<std::size_t>(buffer.size(), begin - at));
+    if (size == 0) return;
+    for (std::size_t i = 0; i < size; ++i) {
+      const char c = buffer[i];
+      ++at;
+      if (c == '\n' || c == '\r') {
+        line += c == '\n' && last == '\r' ? 0 : 1;
+        line_begin = at;
+      }
+      last = c;
+    }
+  }
+  out.where.line = line;
+  out.where.column = begin - line_begin + 1;
+  out.end_column = end - line_begin + 1;
+}
+
+}  // namespace
 
 void Chain::report(const Document& d, Severity severity, std::string_view code, std::string message,
                    std::uint32_t begin, std::uint32_t end, std::string hint) {
@@ -17,6 +46,7 @@ void Chain::report(const Document& d, Severity severity, std::string_view code, 
   Diagnostic out{severity, std::string(code), std::move(message), {}, 0, std::move(hint)};
   out.where = {std::string(d.source.file), d.source.line, d.source.column + begin + 1};
   if (end > begin) out.end_column = d.source.column + end + 1;
+  if (d.source.line == 0 && end > begin && flow != nullptr) place_in_program(*flow, begin, end, out);
   if (d.source.is_joined) [[unlikely]]
     place_in_joined(d, begin, end, out);
   sink_.add(std::move(out));

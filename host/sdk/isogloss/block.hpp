@@ -16,7 +16,7 @@ struct Where {
   ig_field field = IG_NO_FIELD;
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
-  /// The whole block, a word (also the code with this field), or columns of the text.
+  /// The whole block, a word (also the code with this field), or columns of the text; in restart() of the program's.
   static Where block() { return {}; }
   static Where word(ig_field id) { return {id, 0, 0}; }
   static Where columns(std::size_t begin, std::size_t end) {

@@ -38,7 +38,8 @@ struct TurningProgram {
     }
     const auto found = signs.result();
     if (!found) return ig::Status::unchanged;
-    b.report(ig::diag("ISO-0540"), ig::Where{}, found->words, static_cast<std::int64_t>(found->line));
+    b.report(ig::diag("ISO-0540"), ig::Where::columns(found->begin, found->end), found->words,
+             static_cast<std::int64_t>(found->line));
     b.flow(IG_FLOW_END_FILE);
     return ig::Status::unchanged;
   }

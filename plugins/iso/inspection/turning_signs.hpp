@@ -29,6 +29,7 @@ class TurningSigns {
   struct Found {
     std::string words;
     std::uint32_t line = 0;
+    std::uint64_t begin = 0, end = 0;  ///< of the line, in bytes of the text
   };
 
   /// Reads the text in pieces of any size. False: it is a milling program, and the rest need not be read.
@@ -94,9 +95,14 @@ class TurningSigns {
   bool read(char c) {
     const bool is_rest_of_end = c == '\n' && last_ == '\r';
     last_ = c;
-    if (is_rest_of_end) return true;
+    ++bytes_;
+    if (is_rest_of_end) {
+      begin_ = bytes_;
+      return true;
+    }
     if (c == '\n' || c == '\r') {
       const bool may_turn = end_block();
+      begin_ = bytes_;
       ++line_;
       depth_ = 0;
       in_remark_ = false;
@@ -149,7 +155,7 @@ class TurningSigns {
       if (found == nullptr) return;
       said += (said.empty() ? "" : " ") + (found->letter + found->number);
     }
-    kept = Found{std::move(said), line_};
+    kept = Found{std::move(said), line_, begin_, bytes_ - 1};
   }
 
   static constexpr std::size_t most_words = 64;  // in a block that can be a sign
@@ -162,6 +168,7 @@ class TurningSigns {
   std::optional<Found> code_sign_, tool_sign_;
   std::int64_t axis_words_ = 0;
   std::uint32_t line_ = 1;
+  std::uint64_t bytes_ = 0, begin_ = 0;  // read; before the line
   std::uint32_t depth_ = 0;
   char last_ = '\0';
   bool in_remark_ = false, is_after_letter_ = false, changes_tools_ = false;
