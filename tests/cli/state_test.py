@@ -223,6 +223,42 @@ class State(unittest.TestCase):
         done = self.state(4, "--as-preamble", "--machine", "code.xml", program="cool.nc", status=1)
         self.assertRegex(done.stderr, r"Coolant\.Mode is \"OFF\", but before that line it is \"THROUGH\".*\[IG-0196\]")
 
+    def test_a_tool_is_called_as_the_program_names_it(self):
+        text = ('G17 G710 G90 G54\nT="ROUGH"\nM6\nT="DRILL 8.5"\nM6\nD1\nT="TAP"\nS1000 M3\nG0 X10 Y10\nG0 Z2\n'
+                'G1 Z-5 F100\nX20\nM6\nX5\nT4 M6\nX6\nM30\n')
+        blocks = self.lines_of("named.mpf", text, "siemens", 12)
+        self.assertIn('T="DRILL 8.5" M6', blocks)
+        self.assertIn('T="TAP"', blocks)
+        self.assertEqual([b for b in blocks if re.match(r"T\d", b)], [])
+        self.assertIn("T4 M6", self.lines_of("named.mpf", text, "siemens", 16))
+
+    def test_an_axis_without_a_position_of_the_program_rests(self):
+        klartext = ("0 BEGIN PGM B MM\n1 TOOL CALL 5 Z S2000 F300\n2 L Z+100 R0 FMAX M3\n3 M8\n4 L X+10 R0 FMAX\n"
+                    "5 L Z+2 FMAX\n6 L X-20 Y-30 R0 FMAX M91\n7 L Z-1 FMAX M91\n8 L Z+5 F100\n9 M30\n10 END PGM B MM\n")
+        (self.path / "b.h").write_text(klartext)
+        done = self.state(5, "--as-preamble", dialect="heidenhain", program="b.h")
+        self.assertRegex(done.stderr, r"b\.h:5:1: note: the preamble does not move X Y, .*\[IG-0622\]")
+        self.assertNotRegex(done.stdout, r"[XY][+-]")
+        self.assertIn("L Z+100 R0 FMAX\n", done.stdout)
+        self.assertIn("L X+10 R0 FMAX\n", self.state(6, "--as-preamble", dialect="heidenhain", program="b.h").stdout)
+        blocks = self.state(9, "--as-preamble", dialect="heidenhain", program="b.h").stdout
+        self.assertIn("L X-20 Y-30 R0 FMAX M91\nL Z-1 R0 FMAX M91\n", blocks)
+        self.assertNotRegex(blocks, r"L [XYZ].*FMAX\n")
+        text = ("O1\nG21 G17 G90 G40 G49 G80\nG91 G28 Z0\nG28 X0 Y0\nG90 G54\nT3 M06\nS2000 M03\nG43 H3\nG00 X10. Y10.\n"
+                "Z5.\nG01 Z-2. F200.\nG53 G00 Z-3.\nX50.\nM30\n")
+        blocks = self.lines_of("c.nc", text, "fanuc", 9)
+        self.assertIn("G28 X0. Y0.", blocks)
+        self.assertIn("G43 H3", blocks)
+        self.assertEqual([b for b in blocks if re.search("G00.*[XYZ]", b)], [])
+        self.assertIn("G53 G00 Z-3.", self.lines_of("c.nc", text, "fanuc", 13))
+
+    def test_a_refusal_names_the_cause_and_what_to_do(self):
+        (self.path / "scale.nc").write_text("G90 G94 G21\nG00 X10. Y10.\nG51 X0 Y0 I2. J2. K1.\nG01 X20. F100.\nM30\n")
+        done = self.state(4, "--as-preamble", status=1, program="scale.nc")
+        self.assertRegex(done.stderr, r"scale\.nc:4: error: behind the preamble of line 4 this block moves differently than in "
+                         r"the whole program: Scaling\.\S+ is not restored \(line 3: G51 X0 Y0 .*\) \[IG-0197\]")
+        self.assertRegex(done.stderr, r"hint: restart at an earlier line, such as a tool change; --nearest finds")
+
     def test_a_line_behind_a_contour(self):
         """Blocks that waited for the contour end after the line was found."""
         self.state(self.line_of("G41 D3 X0 Y60."), "--as-preamble")

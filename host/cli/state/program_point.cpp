@@ -41,6 +41,8 @@ void PointFinder::listen(Chain& chain) {
 
 void PointFinder::begin(Document& initial, const SymbolTable& symbols) {
   clear_level_.begin(initial, symbols);
+  axis_places_.begin(initial, symbols);
+  tools_.begin(initial, symbols);
   codes_.begin(initial.layout());
   for (const LinkedDependency& d : chain_->linked().dependencies)
     if (const DependencyTable* const table = chain_->table(d.element.alias);
@@ -60,6 +62,8 @@ bool PointFinder::block(Document& document, const SymbolTable& symbols) {
   ++blocks_before_;
   if (lines_ != nullptr) lines_->note(source);
   clear_level_.block(document, symbols);
+  axis_places_.block(document, symbols);
+  tools_.block(document, symbols);
   codes_.block(document);
   if (source.file == main_file_) note_line(source);
   return true;
@@ -82,6 +86,8 @@ void PointFinder::tell(ProgramPoint& out) {
   out.changed_tables = std::move(changed_tables_);
   out.clear_level = clear_level_.at_point();
   out.place = clear_level_.place();
+  out.places = axis_places_.places();
+  out.tools = std::move(tools_);
   out.codes = std::move(codes_);
   constexpr std::size_t most_lines = 1000;
   for (std::size_t i = order_.size() > most_lines ? order_.size() - most_lines : 0; i < order_.size(); ++i)

@@ -10,9 +10,11 @@
 #include <isogloss_flow.h>
 
 #include "isogloss/engine/explain.hpp"
+#include "state/axis_places.hpp"
 #include "state/clear_level.hpp"
 #include "state/program_lines.hpp"
 #include "state/seen_codes.hpp"
+#include "state/tool_names.hpp"
 #include "state/variables_at.hpp"
 
 namespace isogloss::cli {
@@ -24,6 +26,8 @@ struct ProgramPoint {
   std::vector<DependencyElement> changed_tables;  ///< rows that the run has changed
   ClearLevel::Point clear_level;                  ///< from where a rapid need not end in material
   ClearLevel::Point place;                        ///< program coordinates, where ProgramXyz is of an earlier frame
+  AxisPlaces::Places places{};                    ///< who has given the position of each axis
+  ToolNames tools;                                ///< that the run has called by name
   SeenCodes codes;                                ///< that the run has executed
   std::vector<std::uint32_t> lines_before;  ///< of the main program, run once and in this order; the last ones alone
 };
@@ -65,6 +69,8 @@ class PointFinder : public Exporter {
   std::uint64_t blocks_before_ = 0;
   VariablesAt variables_;
   ClearLevel clear_level_;
+  AxisPlaces axis_places_;
+  ToolNames tools_;
   SeenCodes codes_;
   std::vector<DependencyElement> changed_tables_;
   std::map<std::uint32_t, std::uint32_t> times_;  // that a line of the main program was run

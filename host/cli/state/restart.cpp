@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "explain/frame_text.hpp"
 #include "isogloss/engine/chain.hpp"
+#include "isogloss/engine/printable.hpp"
 
 namespace isogloss::cli {
 
@@ -12,11 +14,21 @@ namespace {
 
 /// Lines before the one that was asked for, from near to far. Each costs six runs.
 constexpr std::size_t most_lines_tried = 60;
+constexpr const char* what_to_do =
+    "restart at an earlier line, such as a tool change; --nearest finds the nearest one that can be restored";
 
 const ExplainedValue* active_compensation(const ProgramPoint& point) {
   for (const ExplainedValue& v : point.block.carried)
     if (v.path == "RadiusCompensation.Side" && v.value != R"("None")") return &v;
   return nullptr;
+}
+
+/// "X Y": the axes that no block has given a position.
+std::string resting_axes(const ProgramPoint& point) {
+  std::string out;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (point.places[axis] == AxisPlace::unknown) out += (out.empty() ? "" : " ") + std::string(1, "XYZ"[axis]);
+  return out;
 }
 
 /// Why no blocks can restore the state there; empty: they may.
@@ -52,6 +64,7 @@ Restart::Trial Restart::attempt(const ProgramPoint& point) const {
   const std::string line = std::to_string(where.line);
   if (const std::string reason = why_not(point); !reason.empty()) {
     out.faults.push_back(host_diagnostic("IG-0195", where, {line, reason}));
+    out.faults.back().hint = what_to_do;
     return out;
   }
   out.preamble = make_preamble(words_, point, lines_, linked_.layout);
@@ -61,22 +74,48 @@ Restart::Trial Restart::attempt(const ProgramPoint& point) const {
   return out;
 }
 
+/// " (line 3: G51 X0 Y0)"; empty where no line is known.
+std::string Restart::set_by(const ProgramLine& line) const {
+  if (line.line == 0) return {};
+  const std::string text = printable(lines_.block(line), "\t");
+  const std::string place =
+      line.file == path_ ? fmt::format("line {}", line.line) : fmt::format("line {} of {}", line.line, line.file);
+  return fmt::format(" ({}{})", place, text.empty() ? "" : ": " + text.substr(0, text.find('\n')));
+}
+
+/// What makes the rest move differently: the first value that is not restored, or what no value shows.
+std::string Restart::cause_of_difference(const std::vector<StateDifference>& differences) const {
+  for (const StateDifference& d : differences)
+    if (d.since.line != 0) return fmt::format("{} is not restored{}", d.path, set_by(d.since));
+  for (const StateDifference& d : differences) return d.path + " is not restored";
+  return "it depends on what ran before that line: a loop, a counter, a jump or a call back to an earlier line";
+}
+
 void Restart::add_outcome(const RestartCheck& check, const ProgramPoint& point, Trial& out) const {
   const Location where = point.block.where;
   const std::string line = std::to_string(where.line);
   const auto report = [&](std::string_view code, const Location& at, std::initializer_list<std::string> arguments) {
-    out.faults.push_back(host_diagnostic(code, at, arguments));
+    Diagnostic d = host_diagnostic(code, at, arguments);
+    if (d.severity == Severity::error) d.hint = what_to_do;
+    out.faults.push_back(std::move(d));
   };
   for (const DependencyElement& table : point.changed_tables) report("IG-0198", where, {table.alias, line});
-  for (const Diagnostic& d : check.errors) report("IG-0195", where, {line, d.message});
+  if (const std::string axes = resting_axes(point); !axes.empty()) report("IG-0622", where, {axes, line});
+  for (const Diagnostic& d : check.errors) {
+    const std::string block = from_line(out.preamble, d.where.line);
+    report("IG-0195", where, {line, fmt::format("its block {}: {}", block.substr(0, block.find('\n')), d.message)});
+  }
   if (!check.comes_to_rest && check.errors.empty())
     report("IG-0195", where, {line, "the blocks of the preamble end the program"});
   const RestartValues values(point, lines_, linked_.layout);
-  if (check.line != 0) report("IG-0197", {check.line_file, check.line, 0}, {line});
+  std::vector<StateDifference> lost;
   for (const StateDifference& d : check.differences)
-    if (d.is_vital || !is_past(d.path, values.state()))
-      report(d.is_vital || check.line != 0 ? "IG-0196" : "IG-0199", where,
-             {d.path, d.found.empty() ? "nothing" : d.found, d.wanted.empty() ? "nothing" : d.wanted});
+    if (d.is_vital || !is_past(d.path, values.state())) lost.push_back(d);
+  if (check.line != 0) report("IG-0197", {check.line_file, check.line, 0}, {line, cause_of_difference(lost)});
+  for (const StateDifference& d : lost)
+    report(d.is_vital || check.line != 0 ? "IG-0196" : "IG-0199", where,
+           {d.path, d.found.empty() ? "nothing" : short_value(d.found),
+            (d.wanted.empty() ? "nothing" : short_value(d.wanted)) + set_by(d.since)});
   if (check.cuts_at != 0) report("IG-0621", where, {line, std::to_string(check.cuts_at)});
 }
 

@@ -26,6 +26,8 @@ class Restart {
     bool is_good() const;
   };
   Trial attempt(const ProgramPoint& point) const;
+  std::string set_by(const ProgramLine& line) const;
+  std::string cause_of_difference(const std::vector<StateDifference>& differences) const;
   void add_outcome(const RestartCheck& check, const ProgramPoint& point, Trial& out) const;
   /// The dialect says of fields that begin so that they only tell of the past.
   bool is_past(std::string_view path, const StateFields& state) const;

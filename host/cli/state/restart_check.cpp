@@ -42,12 +42,13 @@ class Tail : public Exporter {
 };
 
 std::string motions_after(const LinkedDialect& linked, const std::string& text, const std::string& name,
-                          std::uint64_t blocks_before, const RunOptions& options, DiagnosticSink& said) {
+                          std::uint64_t blocks_before, const RunOptions& options, DiagnosticSink& said,
+                          ToolNames& tools) {
   MotionText out;
   const std::unique_ptr<Exporter> motions = make_motion_exporter(out, {});
   Tail tail(*motions, blocks_before);
   const std::unique_ptr<Source> source = memory_source(text);
-  run(linked, *source, name, options, {&tail}, said);
+  run(linked, *source, name, options, {&tail, &tools}, said);
   return std::move(out.text);
 }
 
@@ -137,18 +138,36 @@ bool is_neutral(const std::string& value) {
   return false;
 }
 
-std::vector<StateDifference> differences(const std::vector<ExplainedValue>& wanted,
-                                         const std::vector<ExplainedValue>& found) {
+/// Where an axis stands that no block has given a position.
+bool is_assumption(std::string_view path, const ProgramPoint& point) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const char letter = "XYZ"[axis];
+    const bool is_of_axis = path.back() == letter && path.size() >= 2 && path[path.size() - 2] == '.';
+    if (!is_of_axis || point.places[axis] == AxisPlace::program) continue;
+    if (path.starts_with("ProgramXyz.")) return true;
+    return path.starts_with("MachineCoordinate.") && point.places[axis] == AxisPlace::unknown;
+  }
+  return false;
+}
+
+std::vector<StateDifference> differences(const ProgramPoint& point, const std::vector<ExplainedValue>& found) {
   std::map<std::string, std::pair<std::string, std::string>> both;
-  for (const ExplainedValue& v : wanted) both[v.path].first = v.value;
+  std::map<std::string, ProgramLine> since;
+  for (const ExplainedValue& v : point.block.carried) {
+    both[v.path].first = v.value;
+    since[v.path] = v.since.line != 0 ? v.since : v.set;
+  }
   for (const ExplainedValue& v : found) both[v.path].second = v.value;
   std::vector<StateDifference> out;
   for (const auto& [path, values] : both) {
     const auto& [before, after] = values;
     // The preamble may select what the program has left to the control.
-    if (is_memory(path) || (before.empty() && !is_vital(path)) || (is_neutral(before) && is_neutral(after))) continue;
+    if (is_memory(path) || is_assumption(path, point) || (before.empty() && !is_vital(path)) ||
+        (is_neutral(before) && is_neutral(after)))
+      continue;
     const Json a = Json::parse(before, nullptr, false), b = Json::parse(after, nullptr, false);
-    if (after.empty() || before.empty() || !is_near(a, b)) out.push_back({path, before, after, is_vital(path)});
+    if (after.empty() || before.empty() || !is_near(a, b))
+      out.push_back({path, before, after, is_vital(path), since[path]});
   }
   return out;
 }
@@ -168,18 +187,21 @@ RestartCheck check_restart(const LinkedDialect& linked, const std::string& whole
   const auto lines = static_cast<std::uint32_t>(std::count(preamble.begin(), preamble.end(), '\n'));
   DiagnosticList said;
   ExplainReach reach;
-  const auto restarted = find_point(linked, text, name, {.line = lines + 1}, again, said, reach);
   DiagnosticList said_by_whole, unheard;
-  const std::string first = motions_after(linked, whole, name, point.blocks_before, options, said_by_whole);
+  ToolNames tools, same_tools;
+  const std::string first = motions_after(linked, whole, name, point.blocks_before, options, said_by_whole, tools);
+  // Names without a table are numbered as they come, and fewer come after the line.
+  if (auto rows = tools.rows(linked)) again.chain.dependencies.push_back(std::move(*rows));
+  const auto restarted = find_point(linked, text, name, {.line = lines + 1}, again, said, reach);
   for (Diagnostic& d : said.all)
     if (d.severity == Severity::error && d.where.line <= lines && !has_same(said_by_whole, d))
       out.errors.push_back(std::move(d));
   if (!restarted) return out;
   out.comes_to_rest = true;
   out.cuts_at = line_that_cuts(linked, text, name, lines, again);
-  out.differences = differences(point.block.carried, restarted->block.carried);
+  out.differences = differences(point, restarted->block.carried);
 
-  const std::string second = motions_after(linked, text, name, restarted->blocks_before, again, unheard);
+  const std::string second = motions_after(linked, text, name, restarted->blocks_before, again, unheard, same_tools);
   const bool is_cut = std::max(first.size(), second.size()) >= most_compared_bytes;
   std::string_view a = first, b = second;
   while (!a.empty() || !b.empty()) {

@@ -12,6 +12,7 @@ namespace isogloss::cli {
 struct StateDifference {
   std::string path, wanted, found;  ///< JSON text; empty: absent
   bool is_vital = false;            ///< the motions behind it may be the same, and the machine does another thing
+  ProgramLine since{};              ///< gave it the value that is wanted; line 0: none did
 };
 
 struct RestartCheck {

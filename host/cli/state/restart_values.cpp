@@ -78,6 +78,40 @@ void add_frame(std::string_view source, const std::string& json, StateFields& st
   }
 }
 
+void add_tool_names(const ProgramPoint& point, StateFields& state) {
+  for (const char* const tool : {"SpindleTool", "Tool"}) {
+    const auto number = state.find(std::string("ToolChange.") + tool + "Id");
+    const auto value = number == state.end() ? std::optional<double>() : number_of(number->second);
+    const std::string name = value ? point.tools.of(static_cast<std::int64_t>(*value)) : std::string();
+    if (!name.empty()) state[std::string("ToolChange.") + tool + "Name"] = name;
+  }
+}
+
+/// Only what the program has given is a position to go to. The others go where the program has sent them otherwise.
+void keep_given_places(const ProgramPoint& point, StateFields& state) {
+  std::string given, by_machine, by_reference;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string letter(1, "XYZ"[axis]);
+    const AxisPlace place = point.places[axis];
+    if (place == AxisPlace::program) {
+      given += letter;
+      continue;
+    }
+    state.erase("ProgramXyz." + letter);
+    state.erase("ClearLevel." + letter);
+    if (place == AxisPlace::reference) state["Reference." + letter] = "0", by_reference += letter;
+    const auto machine = state.find("MachineCoordinate." + letter);
+    if (place != AxisPlace::machine || machine == state.end()) continue;
+    state["MachinePlace." + letter] = machine->second;
+    by_machine += letter;
+  }
+  for (const auto& [name, axes] :
+       {std::pair("ProgramXyz.", given), std::pair("MachinePlace.", by_machine), std::pair("Reference.", by_reference)})
+    for (const std::string_view plane : {"XY", "ZX", "YZ"})
+      if (axes.find(plane[0]) != std::string::npos || axes.find(plane[1]) != std::string::npos)
+        state[std::string(name) + "In" + std::string(plane)] = "1";
+}
+
 StateFields fields_of(const ProgramPoint& point) {
   StateFields out;
   for (const ExplainedValue& v : point.block.carried) {
@@ -89,18 +123,21 @@ StateFields fields_of(const ProgramPoint& point) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (const auto& place = point.place[axis])
       out[std::string("ProgramXyz.") + "XYZ"[axis]] = block_number(*place, true);
+  add_tool_names(point, out);
   // Down from the level goes a feed move, so there must be a feed that a block can set.
   const auto unit = out.find("Feedrate.Unit");
   const bool has_feed = out.contains("Feedrate.FeedrateValue") && unit != out.end() && unit->second.starts_with("mm");
   for (std::size_t axis = 0; has_feed && axis < 3; ++axis)
     if (const auto& level = point.clear_level[axis])
       out[std::string("ClearLevel.") + "XYZ"[axis]] = block_number(*level, true);
+  keep_given_places(point, out);
   return out;
 }
 
 /// Fields of this class alone; no layout knows them.
 bool is_length(std::string_view name) {
-  return name.starts_with("ClearLevel.") || (name.starts_with("Frame.") && name[name.size() - 2] == '.');
+  return name.starts_with("ClearLevel.") || name.starts_with("MachinePlace.") ||
+         (name.starts_with("Frame.") && name[name.size() - 2] == '.');
 }
 
 }  // namespace

@@ -18,7 +18,10 @@ bool holds(std::string_view when, const StateFields& state);
 
 /// The values that a row may name: fields of the state, and besides them LINE, PROGRAM, ClearLevel.X .Y .Z, "Last G60
 /// G64" for the last one of these codes, and of each frame that shifts, turns, scales and mirrors Frame.SOURCE.X .Y .Z
-/// .RX .RY .RZ .SX .SY .SZ .MX .MY .MZ.
+/// .RX .RY .RZ .SX .SY .SZ .MX .MY .MZ. ProgramXyz holds only axes whose position the program has given;
+/// MachinePlace.X .Y .Z those that it has sent to a place of the machine, Reference.X .Y .Z, which are 0, those at the
+/// reference point. ProgramXyz.InXY and so on are 1 where one of the two axes is there.
+/// ToolChange.SpindleToolName and .ToolName are the names by which the program has called these tools.
 class RestartValues {
  public:
   RestartValues(const ProgramPoint& point, const ProgramLines& lines, const Layout& layout);

@@ -5,6 +5,7 @@
 
 #include "crash_guard.hpp"
 #include "dialect_guess.hpp"
+#include "explain/frame_text.hpp"
 #include "isogloss/engine/printable.hpp"
 #include "json_text.hpp"
 #include "output_file.hpp"
@@ -59,10 +60,7 @@ std::vector<StateRow> StateCommand::rows(const ProgramPoint& point, const Layout
 /// Without quotes, and of numbers what a machine can tell apart.
 std::string shown_value(const std::string& json) {
   if (json.size() > 1 && json.front() == '"') return json.substr(1, json.size() - 2);
-  const Json value = Json::parse(json, nullptr, false);
-  if (!value.is_number_float()) return json;
-  const std::string text = fmt::format("{:.6f}", value.get<double>());
-  return text.substr(0, std::max(text.find_last_not_of("0.") + 1, text.find('.')));
+  return short_value(json);
 }
 
 std::string place_of(const ProgramLine& at, std::string_view file) {

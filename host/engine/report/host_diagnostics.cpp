@@ -299,7 +299,7 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "The preamble was run and compared with the program. The dialect has no row in ProgramText that writes this "
        "state, or the control has no block for it. Choose a line before it was set.",
        "a restart while scaling (G51) is active"},
-      {error, "IG-0197", "behind the preamble of line {0} this block moves differently than in the whole program",
+      {error, "IG-0197", "behind the preamble of line {0} this block moves differently than in the whole program: {1}",
        "The preamble and the rest were run and compared with the whole. Something that no block restores makes the "
        "difference: a loop, a variable, a modal call, a jump to a line before. Choose an earlier line.",
        "a restart inside of WHILE … END"},
@@ -315,6 +315,11 @@ const std::vector<DiagnosticInfo>& host_diagnostics() {
        "ProgramText "
        "writes a block that drills or moves in another way by feed.",
        "a row that selects a cycle by G81 X.. Z.. R.. where the control drills at once"},
+      {note, "IG-0622",
+       "the preamble does not move {0}, since no block before line {1} gives a position: move there by hand if needed",
+       "A preamble only goes to positions that the program has given. Where an axis stands that no block has moved is "
+       "not known; a position computed from assumed offsets could be a collision. The tool axis is retracted first.",
+       "isogloss state part.nc:5 --as-preamble, and line 5 is the first that moves X and Y"},
       {note, "IG-0620",
        "no blocks restore the state before line {0}: the restart begins at line {1}, the nearest that can",
        "--nearest tries the lines before the one that was asked for: the call of a subprogram, the approach to a "
