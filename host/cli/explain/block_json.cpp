@@ -1,6 +1,7 @@
 #include "explain/block_json.hpp"
 
 #include "explain/frame_text.hpp"
+#include "explain/ladder_text.hpp"
 #include "explain/sentence.hpp"
 
 namespace isogloss::cli {
@@ -110,7 +111,13 @@ Json ladder_of(const Facts& facts) {
     add(one, "Since", r.since);
     rungs.push_back(std::move(one));
   }
-  Json out{{"ProgramXyz", point(ladder.program)}, {"Rungs", std::move(rungs)}};
+  Json functions = Json::array();
+  for (const LadderRow& row : ladder_rows(facts, 1)) {
+    Json one{{"Source", row.source}, {"Name", row.name}, {"Does", row.does}, {"Point", point(row.point)}};
+    add(one, "Since", row.since);
+    functions.push_back(std::move(one));
+  }
+  Json out{{"ProgramXyz", point(ladder.program)}, {"Rungs", std::move(rungs)}, {"Functions", std::move(functions)}};
   if (const auto machine = facts.document().find("MachineCoordinate"); machine != facts.document().end())
     out["MachineCoordinate"] = *machine;
   return out;

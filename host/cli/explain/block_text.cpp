@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "explain/frame_text.hpp"
+#include "explain/ladder_text.hpp"
 #include "explain/sentence.hpp"
 #include "isogloss/engine/printable.hpp"
 
@@ -11,13 +12,6 @@ namespace isogloss::cli {
 namespace {
 
 constexpr std::string_view transform_paths = "ProgramToMcTransform[";
-
-/// Cuts what is too long for one line, between characters.
-std::string cut(std::string_view text, std::size_t size) {
-  if (text.size() <= size) return std::string(text);
-  while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0u) == 0x80u) --size;
-  return std::string(text.substr(0, size)) + "…";
-}
 
 /// The calls that led to the block, and the pass over its line; empty in the first pass of a program without calls.
 std::string where_the_run_is(const ExplainedBlock& b) {
@@ -33,101 +27,60 @@ std::string where_the_run_is(const ExplainedBlock& b) {
   return out;
 }
 
-std::string words_text(const ExplainedBlock& b) {
+/// "G43/G44/G49 and H: tool length compensation (ToolHeightOffsetSyntax)".
+std::string users_text(const ExplainedWord& w, const Facts& facts) {
+  std::string names;
+  for (const std::string& user : w.users) names += (names.empty() ? "" : ", then ") + user;
+  return fmt::format("{} ({})", facts.summary_of(w.users.back()), names);
+}
+
+std::string words_text(const ExplainedBlock& b, const Facts& facts) {
   std::string out;
   std::uint32_t column = 0;
   for (const ExplainedWord& w : b.words) {
     const std::string text = w.column == column ? std::string() : cut(printable(w.text), 40);
     column = w.column;
     std::string who, value = w.name;
-    for (const std::string& user : w.users) who += (who.empty() ? "" : ", then ") + user;
     if (w.name.empty())
-      who = w.reader.empty() ? "no syntax reads it" : w.reader;
-    else if (who.empty())
-      who = "no syntax uses it";
-    if (!w.value.empty()) value += " = " + w.value;
+      who = w.reader.empty() ? "nothing reads it" : fmt::format("{} ({})", facts.summary_of(w.reader), w.reader);
+    else
+      who = w.users.empty() ? "nothing uses it" : users_text(w, facts);
+    if (!w.value.empty()) value += " = " + short_value(w.value);
     out += fmt::format("  {:<20} {:<20} {}\n", text, value, who);
   }
-  return out.empty() ? out : "\nWords, and who uses them:\n" + out;
+  return out.empty() ? out
+                     : fmt::format("\nWords, and who uses them{}:\n", facts.is_inch() ? " (values in mm)" : "") + out;
 }
 
 std::string variables_text(const ExplainedBlock& b, const Facts& facts) {
   std::string out;
   for (const ExplainedVariable& v : b.variables) {
-    const std::string value = v.name + (v.value.empty() ? " has no value" : " = " + v.value);
+    const std::string value = v.name + (v.value.empty() ? " has no value" : " = " + short_value(v.value));
     std::string who = "no block has written it";
     if (!v.writer.empty()) {
       who = facts.place(v.written);
       if (const std::string text = facts.line_text(v.written); !text.empty()) who += ": " + cut(printable(text), 50);
       who += " (" + v.writer + ")";
-      if (v.written_value != v.value) who += ", which wrote " + (v.written_value.empty() ? "none" : v.written_value);
+      if (v.written_value != v.value)
+        who += ", which wrote " + (v.written_value.empty() ? "none" : short_value(v.written_value));
     }
     out += fmt::format("  {:<20} {}\n", printable(value), who);
   }
   return out.empty() ? out : "\nVariables that the block reads, and who wrote them:\n" + out;
 }
 
-std::string point_columns(const std::array<double, 3>& p) {
-  return fmt::format("{:>11.3f}{:>11.3f}{:>11.3f}", p[0] + 0.0, p[1] + 0.0, p[2] + 0.0);
-}
-
-std::string who_set(const Facts& facts, const std::string& writer, const ProgramLine& line) {
-  std::string out = "      " + facts.place(line);
-  if (const std::string text = facts.line_text(line); !text.empty()) out += ": " + cut(printable(text), 50);
-  return out + (writer.empty() ? "" : " (" + writer + ")") + "\n";
-}
-
-std::string ladder_text(const ExplainedBlock& b, const Facts& facts) {
-  if (!b.ladder.is_there) return {};
-  constexpr const char* row = "  {:<40}{}\n";
-  std::string out =
-      fmt::format("\n{:<42}{:>11}{:>11}{:>11}\n", "From the program to the machine, in mm:", "X", "Y", "Z");
-  out += fmt::format(row, "program point", point_columns(b.ladder.program));
-  if (const ExplainedValue* const x = facts.now("ProgramXyz.X")) {
-    const ExplainedValue* last = x;
-    for (const char* const path : {"ProgramXyz.Y", "ProgramXyz.Z"})
-      if (const ExplainedValue* const v = facts.now(path); v != nullptr && v->set.line > last->set.line) last = v;
-    out += who_set(facts, last->writer, last->set);
-  }
-  for (const ExplainedRung& rung : b.ladder.rungs) {
-    std::string what = facts.name_of(rung) + " " + effect_of(rung.matrix).text;
-    if (rung.is_moving) what += ", moving with the rotary axes";
-    if (what.size() > 39) {
-      out += "  " + what + "\n";
-      what.clear();
-    }
-    out += fmt::format(row, what, point_columns(rung.point)) + who_set(facts, rung.writer, rung.since);
-  }
-  std::array<double, 3> machine{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto value = facts.number(std::string("MachineCoordinate.") + "XYZ"[i]);
-    if (!value) return out;
-    machine[i] = *value;
-  }
-  const ExplainedValue& x = *facts.now("MachineCoordinate.X");
-  const std::array<double, 3>& end = b.ladder.rungs.empty() ? b.ladder.program : b.ladder.rungs.back().point;
-  std::array<double, 3> beside{machine[0] - end[0], machine[1] - end[1], machine[2] - end[2]};
-  if (const std::string words = axis_words(beside); !words.empty())
-    out += fmt::format("  {} adds {}\n", x.writer.empty() ? "the initial state" : x.writer, words);
-  out += fmt::format(row, "machine", point_columns(machine)) + who_set(facts, x.writer, x.set);
-  std::string rotary;
-  for (const char axis : {'A', 'B', 'C'})
-    if (const auto value = facts.number(std::string("MachineCoordinate.") + axis))
-      rotary += fmt::format("{} {:.3f}°  ", axis, *value + 0.0);
-  return rotary.empty() ? out : out + fmt::format("  rotary axes: {}\n", rotary.substr(0, rotary.size() - 2));
-}
-
-std::string strokes_text(const std::vector<Stroke>& strokes) {
+std::string strokes_text(const std::vector<Stroke>& strokes, const Facts& facts) {
   if (strokes.empty()) return {};
-  const auto columns = [](const std::optional<std::array<double, 3>>& p) {
-    if (!p) return std::string(33, ' ');
-    return fmt::format("{:>11.3f}{:>11.3f}{:>11.3f}", (*p)[0] + 0.0, (*p)[1] + 0.0, (*p)[2] + 0.0);
+  const auto columns = [&](const std::optional<std::array<double, 3>>& p) {
+    return p ? point_columns(*p, facts) : std::string(33, ' ');
   };
-  std::string out = fmt::format("\n{:<16}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "Steps:", "program X", "Y", "Z",
-                                "machine X", "Y", "Z");
+  std::string out =
+      fmt::format("\n{:<16}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n",
+                  facts.is_inch() ? "Steps, in inch:" : "Steps, in mm:", "program X", "Y", "Z", "machine X", "Y", "Z");
   for (const Stroke& s : strokes) {
     std::string line = fmt::format("  {:<14}{}{}", s.does, columns(s.program), columns(s.machine));
-    if (s.feed_mm_min && s.does != "rapid") line += fmt::format("  {} mm/min", short_number(*s.feed_mm_min));
+    if (s.feed_mm_min && s.does != "rapid") line += "  " + facts.feed(*s.feed_mm_min);
+    if (s.turns) line += "  to " + s.to;
     line.erase(line.find_last_not_of(' ') + 1);
     out += line + "\n" + (s.reason.empty() ? "" : "      " + s.reason + "\n");
   }
@@ -155,7 +108,7 @@ bool is_told(const ExplainedStep& step, const ExplainedChange& c) {
 
 std::string value_text(const std::string& path, const std::string& value) {
   const bool is_matrix = path.starts_with(transform_paths) && path.ends_with("].Mat4d");
-  return is_matrix ? effect_of_json(value) : value;
+  return is_matrix ? effect_of_json(value) : short_value(value);
 }
 
 std::string change_text(const ExplainedChange& c) {
@@ -170,14 +123,21 @@ std::string change_text(const ExplainedChange& c) {
   return fmt::format("  ~ {} = {} (was {})\n", path, after, before);
 }
 
-std::string steps_text(const ExplainedBlock& b, Amount amount) {
+/// "G43/G44/G49 and H: tool length compensation (ToolHeightOffsetSyntax, iso)"; among all calls the name comes first.
+std::string title_of_step(const ExplainedStep& step, const Facts& facts, Amount amount) {
+  if (step.plugin.empty()) return step.syntax;
+  if (amount == Amount::all) return fmt::format("{} ({})", step.syntax, step.plugin);
+  return fmt::format("{} ({}, {})", facts.summary_of(step.syntax), step.syntax, step.plugin);
+}
+
+std::string steps_text(const ExplainedBlock& b, const Facts& facts, Amount amount) {
   std::string out;
   for (const ExplainedStep& step : b.steps) {
     std::string changes;
     for (const ExplainedChange& c : step.changes)
       if (amount == Amount::all || !is_told(step, c)) changes += change_text(c);
     if (changes.empty() && step.rows.empty() && amount != Amount::all) continue;
-    out += fmt::format("\n{}{}{}\n", step.syntax, step.plugin.empty() ? "" : " (" + step.plugin + ")", asked(step));
+    out += "\n" + title_of_step(step, facts, amount) + asked(step) + "\n";
     for (const ExplainedRow& r : step.rows)
       out += fmt::format("  row {} of {}, {}\n", r.row, r.dependency, place_of(r));
     out += changes.empty() && amount == Amount::all ? "  was called, changed nothing\n" : changes;
@@ -223,8 +183,8 @@ std::string text_of(const ExplainedBlock& b, Amount amount, LineTexts& lines) {
   std::string sentence = sentence_of(facts, strokes) + "\n";
   if (amount == Amount::sentence) return sentence;
   std::string out = fmt::format("{}:{}: {}\n", b.where.file, b.where.line, printable(b.text, "\t"));
-  out += where_the_run_is(b) + sentence + words_text(b) + variables_text(b, facts) + strokes_text(strokes) +
-         ladder_text(b, facts) + steps_text(b, amount);
+  out += where_the_run_is(b) + sentence + words_text(b, facts) + variables_text(b, facts) +
+         strokes_text(strokes, facts) + ladder_text(facts) + steps_text(b, facts, amount);
   if (amount != Amount::all) return out;
   return out + values_text(b.carried, "Carried into the block:", facts) +
          values_text(b.values, "After the block:", facts) + slept_text(b.slept);

@@ -33,8 +33,8 @@ struct ExplainCommand {
 void report_said(DiagnosticList& said, const ExplainTarget& target, const ExplainReach& reach, bool found_blocks,
                  Session& session) {
   for (Diagnostic& d : said.all) {
-    const bool ends_the_run = !found_blocks && d.severity == Severity::error && d.where.line == reach.last.line &&
-                              d.where.file == reach.last.file;
+    const bool is_at_the_end = d.where.line == reach.last.line && d.where.file == reach.last.file;
+    const bool ends_the_run = !found_blocks && d.severity == Severity::error && (is_at_the_end || reach.last.line == 0);
     const bool is_asked_for = d.where.line >= target.line && d.where.line <= target.last();
     if (is_asked_for || d.where.line == 0 || ends_the_run) session.diagnostics().add(std::move(d));
   }

@@ -86,20 +86,11 @@ bool mentions(std::string_view text, std::string_view code) {
   return holds_word(text, std::string(code.substr(0, digits)) + std::string(code.substr(zeros)));
 }
 
-std::string prose(std::string_view section) {
-  std::string out;
-  for (const char c : section) {
-    const bool is_capital = c >= 'A' && c <= 'Z';
-    if (is_capital && !out.empty()) out += ' ';
-    out += is_capital ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return out;
-}
-
 Facts::Facts(const ExplainedBlock& block, LineTexts& lines)
     : block_(block), lines_(lines), document_(Json::parse(block.document)) {
   for (const ExplainedValue& v : block.values) now_.emplace(v.path, &v);
   for (const ExplainedValue& v : block.carried) before_.emplace(v.path, &v);
+  if (text("Unit.System") == "Inch") unit_mm_ = 25.4;
 }
 
 std::optional<double> Facts::number_of(const ExplainedValue* value) {
@@ -130,13 +121,6 @@ std::string Facts::place(const ProgramLine& line) const {
   if (line.line == 0) return "before the first block";
   if (line.file == block_.where.file) return fmt::format("line {}", line.line);
   return fmt::format("line {} of {}", line.line, std::filesystem::path(line.file).filename().string());
-}
-
-std::string Facts::name_of(const ExplainedRung& rung) const {
-  if (rung.label.empty()) return prose(rung.source);
-  const std::string text = line_text(rung.label_since);
-  if (text.empty() || mentions(text, rung.label) || mentions(line_text(rung.since), rung.label)) return rung.label;
-  return prose(rung.source);
 }
 
 }  // namespace isogloss::cli

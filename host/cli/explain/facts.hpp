@@ -33,8 +33,8 @@ class LineTexts {
 
 /// Does the text hold this code, with or without its zeros: G00, G0?
 bool mentions(std::string_view text, std::string_view code);
-/// "ToolHeightCompensation" → "tool height compensation".
-std::string prose(std::string_view section);
+/// What a machinist calls a section of the block document: "tool length compensation", "work offset".
+std::string section_words(std::string_view section);
 
 class Facts {
  public:
@@ -62,6 +62,22 @@ class Facts {
   }
   /// What a programmer calls a rung: its code where the line that set it holds the code, else its section in words.
   std::string name_of(const ExplainedRung& rung) const;
+  /// What a machinist calls the work of a syntax: the code of the block that it uses, "G41"; the one in force that it
+  /// has read before, "G51.1, line 2"; what its summary says, "tool length compensation (G43/G44/G49 and H)"; its own
+  /// name at last.
+  std::string function_of(const std::string& syntax) const;
+  /// The summary of a syntax without its point; its own name where it has none.
+  std::string summary_of(const std::string& syntax) const;
+
+  /// Of the program: 25.4 where it is written in inch, else 1.
+  double unit() const { return unit_mm_; }
+  bool is_inch() const { return unit_mm_ != 1; }
+  /// A length in the unit of the program: "170", "6.692913 inch (170 mm)".
+  std::string length(double mm) const;
+  /// "200 mm/min", "10 inch/min (254 mm/min)".
+  std::string feed(double mm_min) const;
+  /// Axis words in mm, as the program writes them: "X10 Y5"; "X2 Y1 inch (X50.8 Y25.4 mm)".
+  std::string words(const std::vector<std::pair<char, double>>& axes) const;
 
  private:
   using Index = std::unordered_map<std::string_view, const ExplainedValue*>;
@@ -75,6 +91,7 @@ class Facts {
   LineTexts& lines_;
   Json document_;
   Index now_, before_;
+  double unit_mm_ = 1;
 };
 
 }  // namespace isogloss::cli

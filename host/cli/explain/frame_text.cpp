@@ -10,7 +10,7 @@ namespace isogloss::cli {
 namespace {
 
 using Point = std::array<double, 3>;
-constexpr double rounding = 1e-9, smallest_shown = 5e-5;
+constexpr double rounding = 1e-9, smallest_shown = 5e-7;
 
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Point cross(const Point& a, const Point& b) {
@@ -44,27 +44,27 @@ std::pair<Point, double> axis_and_angle(const std::array<double, 16>& m) {
 }
 
 /// Where the axis of a turn goes through, if the turn does not shift along it: c = t/2 + (axis x t) / (2 tan(angle/2)).
-std::string centre_of(const Point& axis, double angle, const Point& shift) {
+std::string centre_of(const Point& axis, double angle, const Point& shift, double unit_mm) {
   const double half = std::tan(angle * std::acos(-1.0) / 360);
   if (std::abs(dot(axis, shift)) > 1e-7 || std::abs(half) < 1e-6) return {};
   const Point across = cross(axis, shift);
   Point centre;
   for (std::size_t i = 0; i < 3; ++i) centre[i] = shift[i] / 2 + across[i] / (2 * half);
-  return axis_words(centre);
+  return axis_words(centre, unit_mm);
 }
 
-std::string turn_text(const std::array<double, 16>& m) {
+std::string turn_text(const std::array<double, 16>& m, double unit_mm) {
   auto [axis, angle] = axis_and_angle(m);
   const Point shift{m[12], m[13], m[14]};
-  const std::string added = axis_words(shift), centre = added.empty() ? "" : centre_of(axis, angle, shift);
+  const std::string added = axis_words(shift, unit_mm),
+                    centre = added.empty() ? "" : centre_of(axis, angle, shift, unit_mm);
   std::string name;
   for (std::size_t i = 0; i < 3; ++i)
     if (std::abs(std::abs(axis[i]) - 1) < 1e-7) {
       name = std::string(1, "XYZ"[i]);
       angle = axis[i] < 0 ? -angle : angle;
     }
-  if (name.empty())
-    name = fmt::format("({} {} {})", short_number(axis[0]), short_number(axis[1]), short_number(axis[2]));
+  if (name.empty()) name = fmt::format("({:.4f} {:.4f} {:.4f})", axis[0] + 0.0, axis[1] + 0.0, axis[2] + 0.0);
   const std::string out = fmt::format("turns {}° about {}", short_number(angle), name);
   if (name.size() == 1 && !centre.empty()) return out + " through " + centre;
   return added.empty() ? out : out + " and adds " + added;
@@ -89,34 +89,39 @@ std::string stretch_text(const std::array<double, 16>& m) {
 
 std::string short_number(double value) {
   if (!std::isfinite(value) || std::abs(value) >= 1e15) return fmt::format("{}", value);
-  std::string out = fmt::format("{:.4f}", value);
+  std::string out = fmt::format("{:.6f}", value);
   out.erase(out.find_last_not_of('0') + 1);
   if (out.back() == '.') out.pop_back();
   return out == "-0" ? "0" : out;
 }
 
-std::string axis_words(const std::array<double, 3>& values) {
+std::string short_value(const std::string& json) {
+  const auto value = nlohmann::json::parse(json, nullptr, false);
+  return value.is_number_float() ? short_number(value.get<double>()) : json;
+}
+
+std::string axis_words(const std::array<double, 3>& values, double unit_mm) {
   std::string out;
   for (std::size_t i = 0; i < 3; ++i)
     if (std::abs(values[i]) >= smallest_shown)
-      out += (out.empty() ? "" : " ") + std::string(1, "XYZ"[i]) + short_number(values[i]);
+      out += (out.empty() ? "" : " ") + std::string(1, "XYZ"[i]) + short_number(values[i] / unit_mm);
   return out;
 }
 
-FrameEffect effect_of(const std::array<double, 16>& m) {
+FrameEffect effect_of(const std::array<double, 16>& m, double unit_mm) {
   FrameEffect out;
   out.shift = {m[12], m[13], m[14]};
-  const std::string shift = axis_words(out.shift);
+  const std::string shift = axis_words(out.shift, unit_mm);
   constexpr std::array<double, 16> identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   for (std::size_t i = 0; i < 12; ++i) out.is_shift = out.is_shift && std::abs(m[i] - identity[i]) < 1e-12;
   if (out.is_shift)
-    out.text = shift.empty() ? "changes nothing" : "adds " + shift;
+    out.text = shift.empty() ? std::string(changes_nothing) : "adds " + shift;
   else
-    out.text = only_turns(m) ? turn_text(m) : stretch_text(m) + (shift.empty() ? "" : " and adds " + shift);
+    out.text = only_turns(m) ? turn_text(m, unit_mm) : stretch_text(m) + (shift.empty() ? "" : " and adds " + shift);
   return out;
 }
 
-std::string effect_of_json(const std::string& matrix) {
+std::string effect_of_json(const std::string& matrix, double unit_mm) {
   const auto json = nlohmann::json::parse(matrix, nullptr, false);
   if (!json.is_array() || json.size() != 16) return {};
   std::array<double, 16> m{};
@@ -124,7 +129,7 @@ std::string effect_of_json(const std::string& matrix) {
     if (!json[i].is_number()) return {};
     m[i] = json[i].get<double>();
   }
-  return effect_of(m).text;
+  return effect_of(m, unit_mm).text;
 }
 
 }  // namespace isogloss::cli

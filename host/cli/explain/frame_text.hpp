@@ -3,13 +3,18 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 namespace isogloss::cli {
 
-/// Millimetres and degrees without trailing zeros; never "-0".
+/// With the resolution of the motions of a run, six decimals, without trailing zeros; never "-0".
 std::string short_number(double value);
-/// "X10 Z-5", of those that are not zero.
-std::string axis_words(const std::array<double, 3>& values);
+/// A JSON number so; other JSON text as it is.
+std::string short_value(const std::string& json);
+/// "X10 Z-5", of those that are not zero. `unit_mm`: 25.4 gives lengths in inch.
+std::string axis_words(const std::array<double, 3>& values, double unit_mm = 1);
+
+inline constexpr std::string_view changes_nothing = "changes nothing";
 
 /// What a rung of the ladder does to a point. Row vectors, translation in elements 12 to 14.
 struct FrameEffect {
@@ -17,8 +22,8 @@ struct FrameEffect {
   std::array<double, 3> shift{};  ///< elements 12 to 14
   std::string text;               ///< "adds X-161.8", "turns 45° about Y", "changes nothing"
 };
-FrameEffect effect_of(const std::array<double, 16>& matrix);
+FrameEffect effect_of(const std::array<double, 16>& matrix, double unit_mm = 1);
 /// The same of the JSON text of a matrix; empty where it is none.
-std::string effect_of_json(const std::string& matrix);
+std::string effect_of_json(const std::string& matrix, double unit_mm = 1);
 
 }  // namespace isogloss::cli

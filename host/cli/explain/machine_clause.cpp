@@ -3,7 +3,9 @@
 
 #include <cmath>
 
+#include "explain/axis_moves.hpp"
 #include "explain/frame_text.hpp"
+#include "explain/ladder_text.hpp"
 #include "explain/sentence.hpp"
 
 namespace isogloss::cli {
@@ -19,34 +21,30 @@ std::string join(const std::vector<std::string>& parts) {
   return out;
 }
 
-std::string placed(const Facts& facts, const ExplainedRung& rung) {
-  return facts.is_here(rung.since) ? std::string() : fmt::format(" ({})", facts.place(rung.since));
-}
-
-/// G55 as it is; "the tool height compensation".
-std::string name_in_sentence(const Facts& facts, const ExplainedRung& rung) {
-  const std::string name = facts.name_of(rung);
-  return name == rung.label ? name : "the " + name;
+/// "G55 adds -161.8 (line 37)": of a name in words "the work offset".
+std::string placed_row(const Facts& facts, const LadderRow& row, const std::string& does) {
+  const bool is_in_words = row.name == section_words(row.source);
+  const std::string place = facts.is_here(row.since) ? std::string() : fmt::format(" ({})", facts.place(row.since));
+  return fmt::format("{}{} {}{}", is_in_words ? "the " : "", row.name, does, place);
 }
 
 /// "because G55 adds -161.8 (line 37)"; empty: nothing moves the axis. `beside`: what is added behind the ladder, and
 /// by whom.
 std::string reason_of_axis(const Facts& facts, std::size_t axis, double beside, const std::string& writer) {
   std::vector<std::string> parts;
-  for (const ExplainedRung& rung : facts.block().ladder.rungs)
-    if (const double shift = effect_of(rung.matrix).shift[axis]; std::abs(shift) > 1e-9)
-      parts.push_back(
-          fmt::format("{} adds {}{}", name_in_sentence(facts, rung), short_number(shift), placed(facts, rung)));
-  if (std::abs(beside) > smallest_step) parts.push_back(fmt::format("{} adds {}", writer, short_number(beside)));
+  for (const LadderRow& row : ladder_rows(facts, facts.unit()))
+    if (const double shift = effect_of(row.matrix).shift[axis]; std::abs(shift) > 1e-9)
+      parts.push_back(placed_row(facts, row, "adds " + facts.length(shift)));
+  if (std::abs(beside) > smallest_step)
+    parts.push_back(fmt::format("{} adds {}", facts.function_of(writer), facts.length(beside)));
   return parts.empty() ? std::string() : "because " + join(parts);
 }
 
 std::string reason_of_point(const Facts& facts, const std::array<double, 3>& beside, const std::string& writer) {
   std::vector<std::string> parts;
-  for (const ExplainedRung& rung : facts.block().ladder.rungs)
-    parts.push_back(
-        fmt::format("{} {}{}", name_in_sentence(facts, rung), effect_of(rung.matrix).text, placed(facts, rung)));
-  if (const std::string words = axis_words(beside); !words.empty()) parts.push_back(writer + " adds " + words);
+  for (const LadderRow& row : ladder_rows(facts, facts.unit())) parts.push_back(placed_row(facts, row, row.does));
+  if (const std::string words = axis_words(beside, facts.unit()); !words.empty())
+    parts.push_back(facts.function_of(writer) + " adds " + words);
   return "because " + join(parts);
 }
 
@@ -59,25 +57,29 @@ std::string machine_clause(const Facts& facts) {
   std::array<std::optional<double>, 3> machine;
   bool only_shifts = true, any = false;
   std::array<double, 3> beside{};
-  std::string moved, writer;
+  std::string writer;
+  std::vector<std::pair<char, double>> values;
+  const std::array<AxisChange, 3> changes = axis_changes(facts);
   for (const ExplainedRung& rung : ladder.rungs) only_shifts = only_shifts && effect_of(rung.matrix).is_shift;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string axis(1, "XYZ"[i]), path = "MachineCoordinate." + axis;
     machine[i] = facts.number(path);
     if (!machine[i]) continue;
     beside[i] = std::abs(*machine[i] - end[i]) < smallest_step ? 0 : *machine[i] - end[i];
-    if (!facts.has_changed(path) && !facts.has_changed("ProgramXyz." + axis)) {
+    if (!facts.has_changed(path) && changes[i] != AxisChange::moves) {
       machine[i].reset();
       continue;
     }
     any = true;
     writer = facts.now(path)->writer;
-    moved += fmt::format("{}{}{:.3f}", moved.empty() ? "" : " ", axis, *machine[i] + 0.0);
+    values.emplace_back(axis[0], *machine[i]);
   }
   if (!any) return {};
+  const std::string moved = facts.words(values);
   const ExplainedValue* const programmed = facts.now("ProgramXyz.X");
   const bool is_direct = programmed != nullptr && programmed->writer == writer && !writer.empty();
-  if (is_direct) return fmt::format("machine {}, which {} sets directly: no offset is added", moved, writer);
+  if (is_direct)
+    return fmt::format("machine {}, which {} sets directly: no offset is added", moved, facts.function_of(writer));
   if (ladder.rungs.empty() && axis_words(beside).empty())
     return "machine " + moved + " is the same point, because no active offset changes it";
   if (!only_shifts) return "machine " + moved + ", " + reason_of_point(facts, beside, writer);
@@ -89,7 +91,7 @@ std::string machine_clause(const Facts& facts) {
     if (reason.empty())
       same += (same.empty() ? "" : " ") + axis;
     else
-      parts.push_back(fmt::format("machine {} is {:.3f} {}", axis, *machine[i], reason));
+      parts.push_back(fmt::format("machine {} is {} {}", axis, facts.length(*machine[i]), reason));
   }
   std::string out;
   for (const std::string& part : parts) out += (out.empty() ? "" : "; ") + part;

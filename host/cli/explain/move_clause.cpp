@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "explain/axis_moves.hpp"
 #include "explain/frame_text.hpp"
 #include "explain/sentence.hpp"
 
@@ -21,16 +23,20 @@ std::string because_of(const Facts& facts, const std::string& path) {
   if (value->since.line == 0) return fmt::format("because {} is the initial state of the control", code);
   if (mentions(facts.line_text(value->since), code))
     return fmt::format("because {} has been active since {}", code, facts.place(value->since));
+  // The longest piece of a line that is text and no words: PLANE SPATIAL …
+  const ExplainedWord* longest = nullptr;
   for (const ExplainedWord& word : facts.block().words)
-    if (!word.reader.empty() && word.name.empty() && facts.is_here(value->set))
-      return fmt::format("because {} reads it so", word.reader);
-  return fmt::format("because {} has set {} in {}", value->writer, code, facts.place(value->since));
+    if (!word.reader.empty() && word.name.empty() && facts.is_here(value->set) &&
+        (longest == nullptr || word.text.size() > longest->text.size()))
+      longest = &word;
+  if (longest != nullptr) return "because the line says so: " + facts.function_of(longest->reader);
+  return fmt::format("because {} has set {} in {}", facts.function_of(value->writer), code, facts.place(value->since));
 }
 
 std::string feed_clause(const Facts& facts) {
   const std::optional<double> feed = facts.number("MotionEvent.Feedrate_mmds");
   if (!feed) return "without a feed rate";
-  std::string out = fmt::format("at {} mm/min", short_number(*feed * 60));
+  std::string out = "at " + facts.feed(*feed * 60);
   const ExplainedValue* const programmed = facts.now("Feedrate.FeedrateValue");
   if (programmed == nullptr) return out;
   const std::optional<double> value = facts.number("Feedrate.FeedrateValue");
@@ -67,9 +73,10 @@ std::string arc_clause(const Facts& facts) {
   }
   const std::string shape = shape_of_arc(facts, plane);
   std::string out = fmt::format("on {} {} {} about", shape[0] == 'a' ? "an" : "a", shape, sense);
+  std::vector<std::pair<char, double>> centres;
   for (std::size_t i = 0; i < 3; ++i)
-    if (plane.find("XYZ"[i]) != std::string::npos) out += fmt::format(" {}{}", "XYZ"[i], short_number(centre[i]));
-  out += fmt::format(", radius {} in plane {}", short_number(std::sqrt(radius)), plane);
+    if (plane.find("XYZ"[i]) != std::string::npos) centres.emplace_back("XYZ"[i], centre[i]);
+  out += fmt::format(" {}, radius {} in plane {}", facts.words(centres), facts.length(std::sqrt(radius)), plane);
   if (const ExplainedValue* const set = facts.now("PlaneSelect.Term"); set != nullptr && !facts.is_here(set->since))
     out += fmt::format(" ({}, {})", facts.text("PlaneSelect.Term"), facts.place(set->since));
   return out;
@@ -81,10 +88,17 @@ std::string radius_clause(const Facts& facts) {
   if (side.empty() || side == "None" || !radius) return {};
   const ExplainedValue& set = *facts.now("RadiusCompensation.Side");
   return fmt::format(", the tool {} of the path by its radius {}{}", side == "Left" ? "left" : "right",
-                     short_number(*radius), facts.is_here(set.since) ? "" : " (" + facts.place(set.since) + ")");
+                     facts.length(*radius), facts.is_here(set.since) ? "" : " (" + facts.place(set.since) + ")");
 }
 
-/// Axes whose programmed value a syntax has changed: " (ProgrammableMirrorSyntax makes X-20 of X20)"; empty: none.
+/// A word in inch has become the same length in mm.
+bool is_conversion(const Facts& facts, const ExplainedChange& c) {
+  const Json before = Json::parse(c.before, nullptr, false), after = Json::parse(c.after, nullptr, false);
+  return facts.is_inch() && before.is_number() && after.is_number() &&
+         std::abs(before.get<double>() * facts.unit() - after.get<double>()) < 1e-6;
+}
+
+/// Axes whose programmed value a function has changed: " (X20 becomes X-20 by G51.1, line 2)"; empty: none.
 std::string changed_words(const Facts& facts) {
   std::string out;
   for (const char axis : {'X', 'Y', 'Z'}) {
@@ -96,16 +110,18 @@ std::string changed_words(const Facts& facts) {
         const bool is_point = c.path == point && !in_block.empty() && !c.after.empty() && c.after != in_block;
         if (c.path == point) in_block = c.after;
         if (!is_word && !is_point) continue;
+        if (is_conversion(facts, c)) continue;
         if (before.empty()) before = c.before;
         after = c.after;
         syntax = step.syntax;
       }
     if (syntax.empty() || before == after) continue;
-    const auto shown = [axis](const std::string& value) {
+    const auto shown = [&](const std::string& value) {
       const Json number = Json::parse(value, nullptr, false);
-      return std::string(1, axis) + (number.is_number() ? short_number(number.get<double>()) : value);
+      return number.is_number() ? facts.words({{axis, number.get<double>()}}) : axis + value;
     };
-    out += fmt::format("{}{} makes {} of {}", out.empty() ? " (" : ", ", syntax, shown(after), shown(before));
+    out += fmt::format("{}{} becomes {} by {}", out.empty() ? " (" : ", ", shown(before), shown(after),
+                       facts.function_of(syntax));
   }
   return out.empty() ? out : out + ")";
 }
@@ -118,21 +134,22 @@ std::string because_of_motion(const Facts& facts) {
   for (const ExplainedWord& word : facts.block().words)
     if (word.value.empty() && !word.users.empty() && word.users.back() == event->writer)
       return fmt::format("because the line programs {}", word.text);
-  return fmt::format("because {} moves it", event->writer);
+  return fmt::format("because of this function: {}", facts.function_of(event->writer));
 }
 
 }  // namespace
 
 std::string changed_axes(const Facts& facts) {
-  std::string out;
-  const auto add = [&](const std::string& section, char axis) {
-    const std::string path = section + axis;
-    if (facts.has_changed(path))
-      out += (out.empty() ? "" : " ") + std::string(1, axis) + short_number(facts.number(path).value_or(0));
-  };
-  for (const char axis : {'X', 'Y', 'Z'}) add("ProgramXyz.", axis);
-  for (const char axis : {'A', 'B', 'C'}) add("MachineCoordinate.", axis);
-  return out;
+  const std::array<AxisChange, 3> changes = axis_changes(facts);
+  std::vector<std::pair<char, double>> axes;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (changes[i] == AxisChange::moves)
+      axes.emplace_back("XYZ"[i], facts.number(std::string("ProgramXyz.") + "XYZ"[i]).value_or(0));
+  for (const char axis : {'A', 'B', 'C'}) {
+    const std::string path = std::string("MachineCoordinate.") + axis;
+    if (facts.has_changed(path)) axes.emplace_back(axis, facts.number(path).value_or(0));
+  }
+  return facts.words(axes);
 }
 
 std::string move_clause(const Facts& facts) {
@@ -155,11 +172,14 @@ std::string stroke_clause(const Facts& facts, const std::vector<Stroke>& strokes
   if (!term.empty()) out += " of " + term;
   if (facts.now("CannedCycle.Term") != nullptr && facts.text("CannedCycle.Term") == term)
     if (const std::string reason = because_of(facts, "CannedCycle.Term"); !reason.empty()) out += ", " + reason;
+  const bool moves =
+      std::any_of(strokes.begin(), strokes.end(), [](const Stroke& s) { return !s.program || !s.to.empty(); });
+  if (!moves) return out + ", but stands at their end already, as far as this run knows" + radius_clause(facts);
   out += ": ";
   for (std::size_t i = 0; i < std::min(strokes.size(), most_shown); ++i) {
     const Stroke& s = strokes[i];
     out += (i == 0 ? "" : ", ") + s.does + (!s.to.empty() ? " to " + s.to : s.program ? " in place" : "");
-    if (s.feed_mm_min && s.does != "rapid") out += fmt::format(" at {} mm/min", short_number(*s.feed_mm_min));
+    if (s.feed_mm_min && s.does != "rapid") out += " at " + facts.feed(*s.feed_mm_min);
   }
   return out + (strokes.size() > most_shown ? ", …" : "") + radius_clause(facts);
 }

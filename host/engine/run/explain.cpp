@@ -15,6 +15,7 @@
 #include "run/explain_uses.hpp"
 #include "run/explain_values.hpp"
 #include "run/explain_words.hpp"
+#include "run/frame_history.hpp"
 
 namespace isogloss {
 
@@ -23,7 +24,12 @@ namespace {
 class Explainer : public Exporter {
  public:
   Explainer(const LinkedDialect& linked, const ExplainTarget& target, const std::vector<DependencyElement>& given)
-      : linked_(linked), target_(target), rows_(linked, given) {}
+      : linked_(linked), target_(target), rows_(linked, given), frames_(linked.layout) {
+    auto summaries = std::make_shared<std::map<std::string, std::string, std::less<>>>();
+    for (const LinkedSyntax& s : linked.chain)
+      (*summaries)[s.element.alias] = s.syntax->summary != nullptr ? s.syntax->summary : "";
+    summaries_ = std::move(summaries);
+  }
 
   void listen(Chain& chain) {
     chain_ = &chain;
@@ -42,6 +48,7 @@ class Explainer : public Exporter {
   bool end() override { return true; }
 
   bool block(Document& document, const SymbolTable& symbols) override {
+    frames_.look(document, [&](std::string_view section) { return ValueOrigins::label(document, symbols, section); });
     if (!is_wanted(document)) return note(document), true;
     open(document, symbols);
     const auto at = std::find_if(open_.begin(), open_.end(), [&](const Open& o) { return o.is_of(document.source); });
@@ -54,7 +61,8 @@ class Explainer : public Exporter {
     for (const auto& [path, value] : json_leaves(shown))
       out.values.push_back(origins_->describe(document, path, value));
     out.words = done.words.words(out.text);
-    out.ladder = origins_->ladder(document, symbols);
+    out.ladder = origins_->ladder(document, symbols, frames_);
+    out.summaries = summaries_;
     for (std::uint32_t p = 0; p < linked_.chain.size(); ++p) {
       const LinkedSyntax& s = linked_.chain[p];
       if (s.syntax->build != nullptr && !done.called[p]) out.slept.push_back({s.element.alias, wakes_on(*s.syntax)});
@@ -217,6 +225,8 @@ class Explainer : public Exporter {
   const LinkedDialect& linked_;
   const ExplainTarget& target_;
   ExplainedRows rows_;
+  FrameHistory frames_;
+  std::shared_ptr<const std::map<std::string, std::string, std::less<>>> summaries_;
   std::size_t rows_before_ = 0;
   struct Passes {
     std::uint64_t count = 0;

@@ -74,7 +74,13 @@ ig_field ValueOrigins::label_of(const Document& document, std::string_view secti
   return IG_NO_FIELD;
 }
 
-ExplainedLadder ValueOrigins::ladder(const Document& document, const SymbolTable& symbols) const {
+std::string ValueOrigins::label(const Document& document, const SymbolTable& symbols, std::string_view section) {
+  const ig_field f = label_of(document, section);
+  return f == IG_NO_FIELD ? std::string() : std::string(symbols.text(static_cast<ig_symbol>(document.value(f).symbol)));
+}
+
+ExplainedLadder ValueOrigins::ladder(const Document& document, const SymbolTable& symbols,
+                                     const FrameHistory& frames) const {
   ExplainedLadder out;
   const Layout& layout = document.layout();
   const ig_field axes[] = {layout.id("ProgramXyz.X"), layout.id("ProgramXyz.Y"), layout.id("ProgramXyz.Z")};
@@ -102,6 +108,16 @@ ExplainedLadder ValueOrigins::ladder(const Document& document, const SymbolTable
       if (rung.since.line == 0) rung.since = rung.label_since;
     }
     std::copy(std::begin(frame.matrix), std::end(frame.matrix), rung.matrix.begin());
+    if (const auto& parts = frames.parts(f); parts.size() > 1) {
+      double at[3] = {before[0], before[1], before[2]};
+      for (const FrameHistory::Part& part : parts) {
+        const double from[3] = {at[0], at[1], at[2]};
+        part.frame.map(from, at);
+        ExplainedPart one{{}, part.label, part.since, {at[0], at[1], at[2]}};
+        std::copy(std::begin(part.frame.matrix), std::end(part.frame.matrix), one.matrix.begin());
+        rung.parts.push_back(std::move(one));
+      }
+    }
     out.rungs.push_back(std::move(rung));
   }
   return out;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "isogloss/engine/explain.hpp"
+#include "run/frame_history.hpp"
 
 namespace isogloss {
 
@@ -20,7 +21,9 @@ class ValueOrigins {
   ProgramLine set_at(const Document& document, ig_field f) const;
   /// A name that the initial state has, too, counts from the line that programs it last.
   ProgramLine since(const Document& document, ig_field f, std::string_view name = {}) const;
-  ExplainedLadder ladder(const Document& document, const SymbolTable& symbols) const;
+  ExplainedLadder ladder(const Document& document, const SymbolTable& symbols, const FrameHistory& frames) const;
+  /// The first name that the section has in the block; empty: none.
+  static std::string label(const Document& document, const SymbolTable& symbols, std::string_view section);
 
  private:
   static ig_field label_of(const Document& document, std::string_view section);

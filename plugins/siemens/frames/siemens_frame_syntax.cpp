@@ -47,6 +47,8 @@ struct SiemensFrame {
   ig::InWhile<ig::Symbol> left_{"RadiusCompensation.Term", "G41"}, right_{"RadiusCompensation.Term", "G42"};
   ig::Signal compensation_said_{"ProgrammableFrame.~CompensationSaid", ig::read | ig::write, ig::Life::modal};
   ig::Transform frame_{"ProgrammableFrame", ig::read | ig::write};
+  /// Tells `isogloss explain` that the frame of this block acts within the one before it.
+  ig::Signal adds_{"ProgrammableFrame.~Adds", ig::read | ig::write};
   RotaryOffsetSection rotary_{"ProgrammableFrame"};
   ToolCenterMode tip_control_;
   ig::Field<bool> aligned_{"TiltTransform.IsAligned",
@@ -111,6 +113,7 @@ struct SiemensFrame {
     Angles shift = is_additive ? rotary_.get(b).or_else({}) : Angles{};
     for (std::size_t axis = 0; &call == &trans_ && axis < 3; ++axis)
       shift[axis] += words[rotary_names[axis]].value_or(0);
+    if (is_additive) b.raise(adds_);
     put(b, words.code, where, m, shift);
   }
 

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -104,6 +107,14 @@ struct ExplainedGo {
   std::uint32_t pass = 1, passes = 1;  ///< again: the pass that begins; call: how many there are
 };
 
+/// A function of the program that is a part of a transform.
+struct ExplainedPart {
+  std::array<double, 16> matrix;
+  std::string label;  ///< the first name that the section had in the line; empty: it had none
+  ProgramLine since;
+  std::array<double, 3> point{};  ///< behind it
+};
+
 /// One transform on the way from the program to the machine that changes something.
 struct ExplainedRung {
   std::string source;             ///< who contributes it, by the section's name: "CoordinateOffset"
@@ -114,6 +125,9 @@ struct ExplainedRung {
   std::string writer;
   ProgramLine since;        ///< made it this transform
   ProgramLine label_since;  ///< gave the section its label
+  /// The functions that make it up, in the order in which they act; empty: it comes from one, or only their product is
+  /// known.
+  std::vector<ExplainedPart> parts{};
 };
 
 /// The way of the block's last point from the program to the machine; mm.
@@ -148,6 +162,8 @@ struct ExplainedBlock {
   ExplainedLadder ladder;
   std::string document;                ///< JSON, after the last syntax
   std::vector<ExplainedValue> values;  ///< the same, value by value with its writer
+  /// Of each syntax of the chain, by its alias, the summary in one sentence.
+  std::shared_ptr<const std::map<std::string, std::string, std::less<>>> summaries;
 };
 
 /// Which blocks are explained: those of a line, when the run comes to it for the pass-th time.
