@@ -3,6 +3,7 @@
 /// offsets, the Q of a peck, the shift of a boring bar) is not changed. Fanuc manual, "Scaling".
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
@@ -57,8 +58,9 @@ struct Scaling {
       end(b);
       changed = true;
     }
+    const std::string pointed = b.has(g51_.code(0)) ? pointed_factors(b) : std::string();
     if (const auto words = b.take(g51_)) {
-      begin(b, *words);
+      begin(b, *words, pointed);
       changed = true;
     }
     if (b.has(term_)) changed |= scale(b);
@@ -74,7 +76,7 @@ struct Scaling {
     }
   }
 
-  void begin(ig::Block& b, const ig::Words& words) const {
+  void begin(ig::Block& b, const ig::Words& words, std::string_view pointed) const {
     ig::Vec3 center = last_(b), factor{1, 1, 1};
     const bool has_own = words['I'] || words['J'] || words['K'];
     if (!has_own && !words['P']) {
@@ -87,24 +89,31 @@ struct Scaling {
       const char letter = words["IJK"[axis]] ? "IJK"[axis] : 'P';
       const auto counts = has_own && letter == 'P' ? std::nullopt : words[letter];
       if (!counts) continue;
-      if (unit_ < 1 && with_point_ != WithPoint::counts && has_point(b, g51_.word(0, letter))) {
-        if (with_point_ == WithPoint::alarm) {
-          b.report(ig::diag("ISO-0620"), ig::Where::word(g51_.word(0, letter)), std::string_view(&letter, 1), *counts,
-                   std::round(*counts / unit_));
-          return;
-        }
-        factor[axis] = *counts;
-        continue;
-      }
-      if (!(std::fabs(*counts) >= least_ && std::fabs(*counts) <= most_counts) || (letter == 'P' && *counts < 0)) {
-        b.report(ig::diag("ISO-0386"), ig::Where::word(g51_.word(0, letter)), std::string_view(&letter, 1), *counts);
+      const ig::Where where = ig::Where::word(g51_.word(0, letter));
+      const bool is_pointed =
+          unit_ < 1 && with_point_ != WithPoint::counts && pointed.find(letter) != std::string_view::npos;
+      if (is_pointed && with_point_ == WithPoint::alarm) {
+        b.report(ig::diag("ISO-0620"), where, std::string_view(&letter, 1), *counts, std::round(*counts / unit_));
         return;
       }
-      factor[axis] = *counts * unit_;
+      const double least = is_pointed ? 0.001 : least_;
+      if (!(std::fabs(*counts) >= least && std::fabs(*counts) <= most_counts) || (letter == 'P' && *counts < 0)) {
+        b.report(ig::diag("ISO-0386"), where, std::string_view(&letter, 1), *counts);
+        return;
+      }
+      factor[axis] = is_pointed ? *counts : *counts * unit_;
     }
     b.set(term_, words.code);
     b.set(center_, center);
     b.set(factor_, factor);
+  }
+
+  /// The letters of the factors that are written with a decimal point; to be asked before the words are taken.
+  std::string pointed_factors(const ig::Block& b) const {
+    std::string out;
+    for (const char letter : {'P', 'I', 'J', 'K'})
+      if (b.has(g51_.word(0, letter)) && has_point(b, g51_.word(0, letter))) out += letter;
+    return out;
   }
 
   /// The value of a variable or expression has none, however it is written.
