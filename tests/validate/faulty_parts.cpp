@@ -249,7 +249,7 @@ ig_status build(void* pointer, const ig_host* host, ig_block* block) {
   if (is_there) raise(SIGSTOP);
 #elif defined(FAULT_keeps_all)
   if (is_there) {
-    if (self.all.empty()) self.all.reserve(2000);
+    if (self.all.empty()) self.all.reserve(900);
     self.all.push_back(x.number);
   }
 #elif defined(FAULT_forgets_partly)

@@ -113,7 +113,7 @@ FAULTS = {
     "changes_signal_stack": ("process-state", "it changes the stack for signals"),
     "option_with_word": ("options", 'width="wide"'),
     "option_with_text": ("options", 'width="wide", a block of text alone: segmentation fault'),
-    "reads_setting": ("options", "each setting is "99999999999999999999": segmentation fault"),
+    "reads_setting": ("options", 'each setting is "99999999999999999999": segmentation fault'),
     "cut_character": ("texts", "no byte behind a text or after the call may be read: segmentation fault"),
     "null_in_text": ("extreme-values", "segmentation fault in PartSyntax of plugin null_in_text"),
     "forgets_partly": ("restart", "the second run gives another result"),

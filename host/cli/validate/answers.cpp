@@ -72,7 +72,7 @@ ig_host poisoning_host() {
 }  // namespace
 
 void check_absent_answers(Examination& e) {
-  constexpr std::uint64_t random_ones = 25;
+  constexpr std::uint64_t random_ones = 10;
   const ig_host host = poisoning_host();
   ChainSettings settings;
   settings.host = &host;
@@ -81,7 +81,7 @@ void check_absent_answers(Examination& e) {
     const std::vector<TestBlock> blocks = many_blocks(stand, e, stand.dependencies.empty() ? random_ones : 0);
     std::vector<std::string> first;
     std::size_t differing = SIZE_MAX;
-    for (poison = 0; poison < 3 && differing == SIZE_MAX; ++poison) {
+    for (poison = 0; poison < 2 && differing == SIZE_MAX; ++poison) {
       Bench bench(stand.alone, settings);  // what services keep begins anew
       bench.start();
       for (std::size_t i = 0; i < blocks.size() && differing == SIZE_MAX; ++i) {
@@ -143,7 +143,7 @@ ig_host noting_host() {
 }  // namespace
 
 void check_changed(Examination& e) {
-  constexpr std::uint64_t random_ones = 25;
+  constexpr std::uint64_t random_ones = 10;
   const ig_host host = noting_host();
   ChainSettings settings;
   settings.host = &host;

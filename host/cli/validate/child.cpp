@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstring>
@@ -94,9 +95,14 @@ bool child_has_stopped(pid_t child) {
   return waitid(P_PID, static_cast<id_t>(child), &info, WSTOPPED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
 }
 
-/// Seconds that the processor worked for the process, for those that it started, and for others of its group.
-double seconds_of_work(pid_t child) {
-  double out = 0;
+/// Of a process, of those that it started, and of others of its group.
+struct GroupWork {
+  double done = 0;    ///< seconds of the processor, also for processes that have ended
+  double wanted = 0;  ///< seconds for which those that live worked or waited for the processor
+};
+
+GroupWork work_of(pid_t child) {
+  GroupWork out;
   std::error_code error;
   for (std::filesystem::directory_iterator it("/proc", error), end; !error && it != end; it.increment(error)) {
     std::ifstream file(it->path() / "stat");
@@ -107,25 +113,47 @@ double seconds_of_work(pid_t child) {
     std::istringstream rest(line.substr(name_end + 1));
     std::string word;
     std::vector<std::string> words;
-    while (words.size() < 15 && rest >> word) words.push_back(word);
     constexpr std::size_t group = 2, first_time = 11, times = 4;
+    while (words.size() < first_time + times && rest >> word) words.push_back(word);
     if (words.size() < first_time + times) continue;
     if (it->path().filename() != std::to_string(child) && words[group] != std::to_string(child)) continue;
-    for (std::size_t i = first_time; i < first_time + times; ++i) out += std::strtod(words[i].c_str(), nullptr);
+    for (std::size_t i = first_time; i < first_time + times; ++i) {
+      std::uint64_t ticks = 0;
+      std::from_chars(words[i].data(), words[i].data() + words[i].size(), ticks);
+      out.done += static_cast<double>(ticks) / static_cast<double>(sysconf(_SC_CLK_TCK));
+    }
+    std::ifstream schedule(it->path() / "schedstat");
+    double worked = 0, waited = 0;
+    if (schedule >> worked >> waited) out.wanted += (worked + waited) / 1e9;
   }
-  return out / static_cast<double>(sysconf(_SC_CLK_TCK));
+  return out;
 }
 
 enum class Ending { complete, over, stopped, starved };
 
-/// At the limit of time: a check that slept has waited for nothing, and one that worked has had its time; on a busy
-/// machine it goes on.
-std::optional<Ending> ending_at(pid_t child, double passed, double limit) {
-  constexpr double asleep = 0.2, most_patience = 6;
-  const double worked = seconds_of_work(child);
-  if (worked >= limit || worked < asleep * limit) return Ending::over;
-  return passed >= most_patience * limit ? std::optional(Ending::starved) : std::nullopt;
-}
+/// From the limit of time on, once a second: a check that sleeps waits for nothing, and one that has worked for so long
+/// has had its time; on a busy machine it goes on.
+class Deadline {
+ public:
+  Deadline(pid_t child, double limit) : child_(child), limit_(limit), next_(limit) {}
+  double next() const { return next_; }
+
+  std::optional<Ending> look(double passed) {
+    constexpr double interval = 1, asleep = 0.02, most_patience = 6;
+    const GroupWork now = work_of(child_);
+    if (now.done >= limit_) return Ending::over;
+    if (before_ && now.wanted - *before_ >= 0 && now.wanted - *before_ < asleep * interval) return Ending::over;
+    if (passed >= most_patience * limit_) return Ending::starved;
+    before_ = now.wanted;
+    next_ = passed + interval;
+    return std::nullopt;
+  }
+
+ private:
+  pid_t child_;
+  double limit_, next_;
+  std::optional<double> before_;
+};
 
 /// The last of what a check writes: its end says how it ended.
 void keep(std::string& text, std::string_view more) {
@@ -140,17 +168,15 @@ Ending listen(pid_t child, const int (&pipes)[2], std::string (&texts)[2], doubl
               const std::function<void()>& tell) {
   constexpr double interval = 0.02;
   const Clock::time_point begin = Clock::now();
-  double next_look = seconds;
+  Deadline deadline(child, seconds);
   bool is_open[2] = {true, true};
   for (bool is_last = false; is_open[0] || is_open[1];) {
     tell();
     const double passed = seconds_since(begin);
-    if (passed >= next_look) {
-      if (const std::optional<Ending> ending = ending_at(child, passed, seconds)) return *ending;
-      next_look = passed + 1;
-    }
+    if (passed >= deadline.next())
+      if (const std::optional<Ending> ending = deadline.look(passed)) return *ending;
     if (!is_last && child_has_stopped(child)) return Ending::stopped;
-    const double left = next_look - passed;
+    const double left = deadline.next() - passed;
     pollfd polled[2] = {{is_open[0] ? pipes[0] : -1, POLLIN, 0}, {is_open[1] ? pipes[1] : -1, POLLIN, 0}};
     if (!is_last && child_has_ended(child)) {
       is_last = true;

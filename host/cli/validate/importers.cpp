@@ -3,8 +3,8 @@
 #include <isogloss_import.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 #include "isogloss/engine/import.hpp"
@@ -139,8 +139,8 @@ const std::vector<ImportFile>& files_of_other_formats() {
 }
 
 /// The file cut, damaged, doubled and without a line.
-std::vector<ImportFile> damaged(const ImportFile& file, std::uint64_t seed) {
-  constexpr std::size_t cuts = 10, changes = 25;
+std::vector<ImportFile> damaged(const ImportFile& file, std::uint64_t seed, bool is_first) {
+  constexpr std::size_t cuts = 6, changes = 12;
   std::vector<ImportFile> out;
   const std::size_t size = file.text.size();
   for (std::size_t i = 1; i < cuts && size > 0; ++i)
@@ -148,9 +148,10 @@ std::vector<ImportFile> damaged(const ImportFile& file, std::uint64_t seed) {
   if (size > 0) out.push_back({file.name, file.text.substr(0, size - 1), file.options});
   if (size > 0) out.push_back({file.name, file.text.substr(1), file.options});
   out.push_back({file.name, file.text + file.text, file.options});
+  constexpr std::size_t huge_size = 100'000;
   std::string huge;
-  while (huge.size() < 150'000 && size > 0) huge += file.text;
-  out.push_back({file.name, huge, file.options});
+  while (is_first && huge.size() < huge_size && size > 0) huge += file.text;
+  if (is_first) out.push_back({file.name, huge, file.options});
   constexpr const char* odd_values[] = {"", "0", "-1", "99999999999999999999", "1e400", "nan", "x", "1.5.5", "--1"};
   const auto is_part = [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-'; };
   std::size_t at = file.text.find('\n');
@@ -221,6 +222,8 @@ class ImporterAtWork {
     for (const Diagnostic& d : said.all) out += d.code + d.message + "\n";
     if (!got) return out;
     for (const DependencyElement& table : got->tables) check_cells(table, where);
+    for (const UnusedPart& part : got->unused)
+      out += fmt::format("{}: {}, {} times\n", part.what, part.why, part.count);
     return out + write_tables(got->tables, true);
   }
 
@@ -241,9 +244,10 @@ class ImporterAtWork {
         if (column == end)
           return e_.find(where, fmt::format("it gives {} the column {}, which it has not", table.id, cell.name));
         if (column->is_text != 0) continue;
-        char* stop = nullptr;
-        const double number = std::strtod(cell.value.c_str(), &stop);
-        if (cell.value.empty() || *stop != '\0' || number < column->minimum || number > column->maximum)
+        double number = 0;
+        const char* const text_end = cell.value.data() + cell.value.size();
+        const auto [stop, error] = std::from_chars(cell.value.data(), text_end, number, std::chars_format::fixed);
+        if (error != std::errc() || stop != text_end || number < column->minimum || number > column->maximum)
           return e_.find(where, fmt::format("it gives {} of {} the value '{}', which the table refuses", cell.name,
                                             table.id, cell.value));
       }
@@ -258,7 +262,7 @@ class ImporterAtWork {
 
 /// The files of the importer's cases, with their options.
 std::vector<ImportFile> files_of_cases(const Subject& subject, const Examination& e, const ig_importer& importer) {
-  constexpr std::size_t most = 12;
+  constexpr std::size_t most = 5;
   std::vector<ImportFile> out;
   DiagnosticList ignored;
   for (const PageText& text : pages_of(subject, e.options)) {
@@ -275,21 +279,21 @@ void check_importer(Examination& e, Subject& subject, const ig_importer& importe
   const std::vector<ImportFile> own = files_of_cases(subject, e, importer);
   ImporterAtWork work(e, subject, importer);
   std::size_t number = 0;
-  const auto try_file = [&](const ImportFile& file, const std::string& what) {
+  const auto try_file = [&](const ImportFile& file, const std::string& what, int times = 1) {
     const std::string where = fmt::format("{}, {}", id, what);
     const std::size_t before = e.findings();
     work.recognise(file, where);
     const std::string first = work.read(file, where);
-    if (e.findings() == before && work.read(file, where) != first)
+    if (times > 1 && e.findings() == before && work.read(file, where) != first)
       e.find(where, "the same file gives another result the second time");
     return e.findings() == before;
   };
   for (const ImportFile& file : files_of_other_formats())
     if (!try_file(file, "a file of another format, " + file.name)) return;
   for (const ImportFile& file : own) {
-    if (!try_file(file, fmt::format("the file of its case {}", ++number))) return;
+    if (!try_file(file, fmt::format("the file of its case {}", ++number), 2)) return;
     std::size_t k = 0;
-    for (const ImportFile& other : damaged(file, e.options.seed))
+    for (const ImportFile& other : damaged(file, e.options.seed, number == 1))
       if (!try_file(other, fmt::format("the file of its case {}, damaged in the way {}", number, ++k))) return;
   }
   for (std::uint32_t i = 0; i < importer.option_count; ++i)

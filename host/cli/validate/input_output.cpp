@@ -285,6 +285,7 @@ class CapturedOutput {
 
 void watch_builds(Examination& e) {
   constexpr std::uint64_t random_ones = 50;
+  constexpr std::size_t often = 1200;
   Subject subject(e);
   redirect(watched_functions(), Redirected::libraries);
   redirect(watched_in_build(), Redirected::libraries, e.file);
@@ -300,7 +301,11 @@ void watch_builds(Examination& e) {
              fmt::format("its create() or restart() calls {} of the system and so changes what is not "
                          "its own",
                          called));
-    for (const TestBlock& block : many_blocks(stand, e, random_ones)) {
+    std::vector<TestBlock> blocks = many_blocks(stand, e, random_ones);
+    // What a build does once in a while, too.
+    const TestBlock full = full_block(stand.alone, fields_of(stand.alone));
+    blocks.resize(blocks.size() + (stand.dependencies.empty() ? often : 0), full);
+    for (const TestBlock& block : blocks) {
       const std::string where = std::string(stand.syntax->id) + ", " + block.name;
       e.attempt(where);
       bench.prepare(block);

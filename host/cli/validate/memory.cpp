@@ -51,7 +51,7 @@ std::int64_t bytes_left(Work&& work) {
 /// none. A list that keeps something of each call may have room for many of them at first.
 template <class Work>
 std::int64_t bytes_in_the_long_run(Work&& work) {
-  constexpr int warm_up = 40, calls = 1500;  // so many that a list doubles its room, also one that has much at first
+  constexpr int warm_up = 40, calls = 700;  // so many that a list doubles its room, also one that has much at first
   constexpr std::int64_t tolerance = 1024;
   for (int i = 0; i < warm_up; ++i) work();
   AllocationCounter::start();
@@ -83,7 +83,7 @@ namespace {
 
 /// A few blocks very often, and many runs.
 void check_long_run(Examination& e, const Stand& stand, Bench& bench, const std::vector<TestBlock>& blocks) {
-  constexpr std::size_t most_blocks = 4;  // the last ones of the stand, the one with all fields, and random ones
+  constexpr std::size_t most_blocks = 3;  // the last ones of the stand, the one with all fields, and random ones
   const std::size_t begin = std::min(stand.blocks.size() - 1, blocks.size() - most_blocks);
   const std::span<const TestBlock> some(blocks.data() + begin, most_blocks);
   std::int64_t bytes = bytes_in_the_long_run([&] {

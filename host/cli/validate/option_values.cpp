@@ -86,8 +86,13 @@ std::string other_options(const ig_syntax& syntax, std::uint64_t seed) {
   if (syntax.option_count == 0) return {};
   std::mt19937_64 random(seed);
   std::string out = "<" + std::string(syntax.id);
-  for (std::uint32_t i = 0; i < syntax.option_count; ++i)
-    out += fmt::format(" {}=\"{}\"", syntax.options[i].name, escaped_xml(random_value(syntax.options[i], random)));
+  constexpr int tries = 16;
+  for (std::uint32_t i = 0; i < syntax.option_count; ++i) {
+    const ig_option_decl& o = syntax.options[i];
+    std::string value = random_value(o, random);
+    for (int k = 0; k < tries && o.fallback != nullptr && value == o.fallback; ++k) value = random_value(o, random);
+    out += fmt::format(" {}=\"{}\"", o.name, escaped_xml(value));
+  }
   return out + "/>";
 }
 

@@ -22,7 +22,8 @@ std::vector<Candidate> candidates(const ig_option_decl& option);
 std::string any_value(const ig_option_decl& option);
 /// Inside of the declared bounds, for options that are tried together.
 std::string random_value(const ig_option_decl& option, std::mt19937_64& random);
-/// The element of a dialect that gives each option of the syntax such a value; empty where it has none.
+/// The element of a dialect that gives each option of the syntax such a value, another one than its default where it
+/// can; empty where it has none.
 std::string other_options(const ig_syntax& syntax, std::uint64_t seed);
 
 }  // namespace isogloss::cli

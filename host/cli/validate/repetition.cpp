@@ -1,4 +1,6 @@
 // The same blocks again: by a new chain, after a restart, beside another chain, beside another thread.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -46,6 +48,15 @@ bool keeps_in_services(const ig_syntax& syntax) {
   });
 }
 
+/// All fields of the syntax, each number being this one.
+TestBlock with_numbers(const Stand& stand, double number) {
+  TestBlock out = full_block(stand.alone, fields_of(stand.alone));
+  out.name += fmt::format(" whose numbers are all {}", number);
+  for (Assignment& a : out.assignments)
+    if (stand.alone.linked->layout.fields[a.field].type == IG_NUMBER) a.value.number = number;
+  return out;
+}
+
 /// What a block gives, as a number.
 std::size_t fingerprint(Bench& bench, const TestBlock& block) {
   const Trial trial = bench.run(block, false);
@@ -78,7 +89,7 @@ std::vector<std::size_t> fingerprints(Bench& bench, const std::vector<TestBlock>
 
 /// A run gives the same as the first one of its chain, whatever the last blocks of the run before it were.
 void compare_beginnings(Examination& e, const Stand& stand, Bench& bench, const std::vector<TestBlock>& blocks) {
-  constexpr std::size_t most = 16, before_each = 6;
+  constexpr std::size_t most = 8, before_each = 4;
   const std::size_t step = std::max<std::size_t>(blocks.size() / most, 1);
   for (std::size_t i = 0; i < blocks.size(); i += step) {
     Bench unused(stand.alone, {});
@@ -124,7 +135,8 @@ void check_restart(Examination& e) {
     const std::vector<std::string> expected = results(bench, stand.blocks);
     // A rare block, one with an error for instance, may leave more behind than those of the cases, and a rare one may
     // be needed to see it: each block is at work before each other one.
-    const std::vector<TestBlock> blocks = many_blocks(stand, e, rare_blocks);
+    std::vector<TestBlock> blocks = many_blocks(stand, e, rare_blocks);
+    for (const double number : {-950.0, 950.0, -1e6, 0.0}) blocks.push_back(with_numbers(stand, number));
     bench.start();
     std::vector<std::size_t> first = fingerprints(bench, blocks);
     bench.start();
@@ -146,6 +158,7 @@ void check_restart(Examination& e) {
 }
 
 void check_two_chains(Examination& e) {
+  check_other_chains(e);  // first: no chain may have been at work in this process
   on_each_stand(e, [&](const Stand& stand) {
     Bench alone(stand.alone, {});
     const std::vector<std::string> expected = results(alone, stand.blocks);
@@ -157,7 +170,6 @@ void check_two_chains(Examination& e) {
     }
     compare(e, stand, expected, beside_other, std::string("another chain at work changes the result") + kept);
   });
-  check_other_chains(e);
 }
 
 namespace {

@@ -69,6 +69,8 @@ void on_each_text(const ig_syntax& syntax, Judge&& judge) {
 
 void check_scan(Examination& e) {
   Subject subject(e);
+  const auto scans = [](const ig_syntax* s) { return s->scan != nullptr; };
+  if (std::none_of(subject.syntaxes().begin(), subject.syntaxes().end(), scans)) return;
   for (const Stand& stand : stands_of(subject, e)) {
     if (stand.syntax->scan == nullptr || !stand.dependencies.empty()) continue;
     GuardedLine line;

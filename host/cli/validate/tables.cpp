@@ -123,7 +123,7 @@ class ServiceQuestions {
       for (const std::uint32_t which : {0u, 1u, 2u, 4u, 5u, UINT32_MAX})
         judge(id, fmt::format("reference({}, {})", c, which), s.reference(s.self, axis, which, out), out);
       s.travel(s.self, axis, out, out + 1);  // a limit may be infinite
-      judge(id, fmt::format("rapid_rate({})", c), s.rapid_rate(s.self, axis, out), out);
+      s.rapid_rate(s.self, axis, out);       // as a speed may be
     }
   }
 

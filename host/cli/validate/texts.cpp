@@ -73,7 +73,7 @@ void add_odd_texts(const Stand& stand, std::vector<TestBlock>& blocks) {
 }  // namespace
 
 void check_texts(Examination& e) {
-  constexpr std::uint64_t random_ones = 30;
+  constexpr std::uint64_t random_ones = 20;
   const ig_host host = guarding_host();
   ChainSettings settings;
   settings.host = &host;

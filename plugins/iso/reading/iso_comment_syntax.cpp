@@ -58,6 +58,11 @@ struct IsoCommentSyntax {
     return close + 1;
   }
 
+  ig::Status restart(ig::Block&) {
+    joined.clear();
+    return ig::Status::unchanged;
+  }
+
   /// Sets the texts of all comments of the block at once, because each text that is set takes memory of its own.
   ig::Status build(ig::Block& b) {
     if (!b.is_raised(several)) return ig::Status::unchanged;
