@@ -48,6 +48,19 @@ std::string reason_of_point(const Facts& facts, const std::array<double, 3>& bes
   return "because " + join(parts);
 }
 
+/// " (zero here: G55, tool length 3)": offsets that the program has selected and that change nothing, as those of empty
+/// tables do.
+std::string zero_offsets(const Facts& facts) {
+  std::string out;
+  if (const ExplainedValue* const work = facts.now("CoordinateOffset.CoordinateId"); work != nullptr)
+    out = facts.text("CoordinateOffset.CoordinateId");
+  const std::optional<double> length = facts.number("ToolHeightCompensation.Offset_mm"),
+                              row = facts.number("ToolHeightCompensation.OffsetId");
+  if (length && row && *row > 0 && *length == 0)
+    out += (out.empty() ? "tool length " : ", tool length ") + short_number(*row);
+  return out.empty() ? out : " (zero here: " + out + ")";
+}
+
 }  // namespace
 
 std::string machine_clause(const Facts& facts) {
@@ -81,7 +94,7 @@ std::string machine_clause(const Facts& facts) {
   if (is_direct)
     return fmt::format("machine {}, which {} sets directly: no offset is added", moved, facts.function_of(writer));
   if (ladder.rungs.empty() && axis_words(beside).empty())
-    return "machine " + moved + " is the same point, because no active offset changes it";
+    return "machine " + moved + " is the same point, because no active offset changes it" + zero_offsets(facts);
   if (!only_shifts) return "machine " + moved + ", " + reason_of_point(facts, beside, writer);
   std::vector<std::string> parts;
   std::string same;
@@ -95,7 +108,8 @@ std::string machine_clause(const Facts& facts) {
   }
   std::string out;
   for (const std::string& part : parts) out += (out.empty() ? "" : "; ") + part;
-  if (out.empty()) return "machine " + moved + " is the same point, because no active offset changes it";
+  if (out.empty())
+    return "machine " + moved + " is the same point, because no active offset changes it" + zero_offsets(facts);
   return out;
 }
 
