@@ -60,7 +60,7 @@ const ig::Register<Throws> registered;
 #if defined(FAULT_misspells)
 struct WakesItself {
   static constexpr auto spec = ig::syntax("WakesItselfSyntax", "Waits for what it alone writes.");
-  ig::Out<double> own{"Wonderland.Own", {}, ig::write | ig::wake};
+  ig::Out<double> own{"Wonderland.Own", {ig::Life::block, "", "Its own."}, ig::write | ig::wake};
   ig::Status build(ig::Block& b) const {
     b.set(own, 1);
     return ig::Status::changed;

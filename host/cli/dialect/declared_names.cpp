@@ -61,11 +61,12 @@ void look_at_neighbours(const LinkedSyntax& s, Library& library, std::vector<Dia
   look(s.syntax->before, "before");
 }
 
-/// Words and codes come from programs; what is required has a writer, or the chain is not linked.
+/// Words and codes come from programs, and Source from the host; what is required has a writer, or the chain is not
+/// linked.
 bool needs_a_writer(const ig_field_decl& field) {
   const bool is_read = (field.access & (IG_READ | IG_PREVIOUS)) != 0 && (field.access & (IG_WRITE | IG_TAKE)) == 0;
   return is_read && (field.access & (IG_PATTERN | IG_REQUIRED)) == 0 &&
-         !std::string_view(field.path).starts_with("Parsing.");
+         !std::string_view(field.path).starts_with("Parsing.") && !std::string_view(field.path).starts_with("Source.");
 }
 
 void look_at_fields(const LinkedDialect& linked, Library& library, std::vector<Diagnostic>& out) {

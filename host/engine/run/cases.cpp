@@ -27,11 +27,11 @@ std::string id_of_alias(const std::string& name, const Surroundings& around) {
 
 /// What may have been meant, or why it may be missing.
 std::string hint_for_missing(const std::string& id, const std::vector<std::string>& ids, const Library& library) {
-  if (const std::string near = nearest_name(id, ids); !near.empty()) return "did you mean " + near + "?";
-  std::vector<std::string> reasons;
-  for (const RefusedPlugin& refused : library.refused())
-    if (refused.code != "IG-0306") reasons.push_back(fmt::format("{} [{}]", refused.reason, refused.code));
-  return reasons.empty() ? "" : fmt::format("not all plugins were loaded: {}", fmt::join(reasons, "; "));
+  std::vector<std::string> out;
+  if (const std::string near = nearest_name(id, ids); !near.empty()) out.push_back("did you mean " + near + "?");
+  for (const RefusedPlugin& refused : library.refused())  // a second plugin of one name is none that is missing
+    if (refused.code != "IG-0306") out.push_back(fmt::format("not loaded: {} [{}]", refused.reason, refused.code));
+  return fmt::format("{}", fmt::join(out, "; "));
 }
 
 std::vector<std::string> syntax_ids(const Library& library) {

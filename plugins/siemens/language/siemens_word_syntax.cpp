@@ -11,7 +11,7 @@ namespace {
 
 struct SiemensWord {
   static constexpr auto spec = ig::syntax("SiemensWordSyntax", "Words, codes and assignments of the Siemens language.")
-                                   .after("HeadIndexSyntax", "SiemensStatementSyntax")
+                                   .after("HeadIndexSyntax")
                                    .before("ParameterizedFlagSyntax")
                                    .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$0123456789+-.,=");
   static constexpr std::array diagnostics{
