@@ -51,6 +51,7 @@ bool NewFolder::begins() {
             {"base", base_.name},
             {"name", type_name_of(options_.name)},
             {"date", date_of_today()},
+            {"year", date_of_today().substr(12, 4)},
             {"title", escaped_xml(options_.title.empty() ? options_.name : options_.title)}};
   return true;
 }
