@@ -157,7 +157,7 @@ class Questions(Explain):
 
     def test_12_why_is_this_point_of_a_tilted_plane_there(self):
         out = self.ask(f"{self.golden('heidenhain/frames/planes.nc')}:11", "-d", "heidenhain")
-        self.assertRegex(out, r"rotation of the plane turns 45° about Y +8\.485 +6\.000 +-5\.657\n +line 8: 7 PLANE SPATIAL SPA\+0")
+        self.assertRegex(out, r"rotation of the plane turns 45° about Y\s+8\.485 +6\.000 +-5\.657\n +line 8: 7 PLANE SPATIAL SPA\+0")
         self.assertIn("local offset adds X10 Y20 Z50", out)
         self.assertRegex(out, r"machine +18\.485 +26\.000 +44\.343")
         machine = self.golden("siemens/frames/swivel.nc")
