@@ -1249,7 +1249,7 @@ class Explain(Command):
     def test_who_answers_a_syntax(self):
         part = self.write("offsets.nc", "G21 G90\nG55 G0 X1.\n")
         out = self.run_it("explain", f"{part}:2", "-d", "fanuc").stdout
-        self.assertRegex(out, r"IsoCoordinateOffsetSyntax \(iso\), asks IsoCoordinateTable")
+        self.assertRegex(out, r"\(IsoCoordinateOffsetSyntax, iso\), asks IsoCoordinateTable")
         steps = json.loads(self.run_it("explain", f"{part}:2", "-d", "fanuc", "--json").stdout)[0]["Steps"]
         asks = {s["Syntax"]: s.get("Asks", []) for s in steps}["IsoCoordinateOffsetSyntax"]
         self.assertIn({"Service": "isogloss.work-offset/1", "Dependency": "IsoCoordinateTable"}, asks)
