@@ -16,6 +16,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -142,7 +143,8 @@ class Deadline {
     constexpr double interval = 1, asleep = 0.02, most_patience = 6;
     const GroupWork now = work_of(child_);
     if (now.done >= limit_) return Ending::over;
-    if (before_ && now.wanted - *before_ >= 0 && now.wanted - *before_ < asleep * interval) return Ending::over;
+    const double since = now.wanted - before_;  // not a number before the second look
+    if (since >= 0 && since < asleep * interval) return Ending::over;
     if (passed >= most_patience * limit_) return Ending::starved;
     before_ = now.wanted;
     next_ = passed + interval;
@@ -152,7 +154,7 @@ class Deadline {
  private:
   pid_t child_;
   double limit_, next_;
-  std::optional<double> before_;
+  double before_ = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The last of what a check writes: its end says how it ended.
