@@ -16,7 +16,6 @@
 #include <cstdlib>
 #include <ctime>
 #include <limits>
-#include <map>
 #include <mutex>
 #include <stdexcept>
 #include <string>
@@ -45,8 +44,6 @@ const ig_field* first_ids = nullptr;
 ig_field first_x = 0;
 #elif defined(FAULT_keeps_first_option)
 double first_length = -1;
-#elif defined(FAULT_keeps_by_address)
-std::map<void*, double> lengths;
 #elif defined(FAULT_locks)
 std::mutex mutex;
 #endif
@@ -118,9 +115,6 @@ ig_status create(const ig_link_api* api, ig_link* link, const ig_field* ids, voi
 #elif defined(FAULT_keeps_first_option)
   if (first_length < 0) first_length = self->length;
   self->length = first_length;
-#elif defined(FAULT_keeps_by_address)
-  lengths.try_emplace(self, self->length);
-  self->length = lengths[self];
 #elif defined(FAULT_leaks_with_option)
   if (self->is_wide) scratch = std::strlen(strdup("wide"));
 #elif defined(FAULT_joins_thread)

@@ -119,7 +119,6 @@ FAULTS = {
     "forgets_partly": ("restart", "the second run gives another result"),
     "keeps_first_ids": ("two-chains", "with other options and other ids of fields"),
     "keeps_first_option": ("two-chains", "with other options and other ids of fields"),
-    "keeps_by_address": ("two-chains", "with other options and other ids of fields"),
     "wrong_boolean": ("declarations", "it gives ToolChange.IsChange the value 171, while it is 0 or 1"),
     "wrong_kind": ("declarations", "it calls a function of transforms with Feedrate.FeedrateValue, which is no transform"),
     "wrong_record": ("declarations", "it calls a function of records with fields that are not of one list"),

@@ -16,7 +16,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -143,7 +142,7 @@ class Deadline {
     constexpr double interval = 1, asleep = 0.02, most_patience = 6;
     const GroupWork now = work_of(child_);
     if (now.done >= limit_) return Ending::over;
-    const double since = now.wanted - before_;  // not a number before the second look
+    const double since = before_ < 0 ? -1 : now.wanted - before_;
     if (since >= 0 && since < asleep * interval) return Ending::over;
     if (passed >= most_patience * limit_) return Ending::starved;
     before_ = now.wanted;
@@ -154,7 +153,7 @@ class Deadline {
  private:
   pid_t child_;
   double limit_, next_;
-  double before_ = std::numeric_limits<double>::quiet_NaN();
+  double before_ = -1;  // wanted at the last look; negative: there was none
 };
 
 /// The last of what a check writes: its end says how it ended.

@@ -96,7 +96,9 @@ void compare_beginnings(Examination& e, const Stand& stand, Bench& bench, const 
     unused.start();
     const std::size_t expected = fingerprint(unused, blocks[i]);
     for (std::size_t k = 0; k < before_each; ++k) {
-      bench.run(blocks[(i * 7 + k * 37 + 11) % blocks.size()], false);
+      // The last ones have extreme numbers, which leave most behind.
+      const std::size_t other = k < 2 ? blocks.size() - 4 + k : (i * 7 + k * 37 + 11) % blocks.size();
+      bench.run(blocks[other], false);
       bench.start();
       if (fingerprint(bench, blocks[i]) == expected) continue;
       e.find(std::string(stand.syntax->id) + ", " + blocks[i].name, not_forgotten);
