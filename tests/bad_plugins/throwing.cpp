@@ -62,7 +62,7 @@ struct WakesItself {
   static constexpr auto spec = ig::syntax("WakesItselfSyntax", "Waits for what it alone writes.");
   ig::Out<double> own{"Wonderland.Own", {ig::Life::block, "", "Its own."}, ig::write | ig::wake};
   ig::Status build(ig::Block& b) const {
-    b.set(own, 1);
+    b.set(own, 1.0);
     return ig::Status::changed;
   }
 };
