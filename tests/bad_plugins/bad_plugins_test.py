@@ -174,7 +174,8 @@ class BadPlugins(unittest.TestCase):
                      "warning: BadSyntax reads Feedrate.FeedrateValu, which no installed plugin writes [IG-0178]\n"
                      "  hint: did you mean Feedrate.FeedrateValue?",
                      "note: BadSyntax reads Wonderland.RabbitHole, which no installed plugin writes [IG-0178]",
-                     "warning: the option Size of BadSyntax has a capital letter",
+                     "warning: the option Size of BadSyntax has a capital letter: options of all other syntaxes are written "
+                     "small [IG-0179]",
                      "warning: WakesItselfSyntax is never called: nothing in this chain writes Wonderland.Own [IG-0165]"):
             self.assertIn(said, done.stderr)
         self.assertNotRegex(self.run_it("lint", "iso", "fanuc", "syntec", "siemens", "heidenhain", "okuma", "haas",

@@ -206,7 +206,7 @@ class State(unittest.TestCase):
         done = self.state(self.line_of("#102=#102+1"), "--as-preamble", status=1)
         self.assertIn("[IG-0197]", done.stderr)
         self.assertEqual(done.stdout, "")
-        (self.path / "scale.nc").write_text("G90 G94 G21\nG00 X10. Y10.\nG51 X0 Y0 I2. J2. K1.\nG01 X20. F100.\nM30\n")
+        (self.path / "scale.nc").write_text("G90 G94 G21\nG00 X10. Y10.\nG51 X0 Y0 I2000 J2000 K1000\nG01 X20. F100.\nM30\n")
         done = self.state(4, "--as-preamble", status=1, program="scale.nc")
         self.assertRegex(done.stderr, r"after the preamble Scaling\.Term is nothing.*\[IG-0196\]")
 
@@ -253,7 +253,7 @@ class State(unittest.TestCase):
         self.assertIn("G53 G00 Z-3.", self.lines_of("c.nc", text, "fanuc", 13))
 
     def test_a_refusal_names_the_cause_and_what_to_do(self):
-        (self.path / "scale.nc").write_text("G90 G94 G21\nG00 X10. Y10.\nG51 X0 Y0 I2. J2. K1.\nG01 X20. F100.\nM30\n")
+        (self.path / "scale.nc").write_text("G90 G94 G21\nG00 X10. Y10.\nG51 X0 Y0 I2000 J2000 K1000\nG01 X20. F100.\nM30\n")
         done = self.state(4, "--as-preamble", status=1, program="scale.nc")
         self.assertRegex(done.stderr, r"scale\.nc:4: error: behind the preamble of line 4 this block moves differently than in "
                          r"the whole program: Scaling\.\S+ is not restored \(line 3: G51 X0 Y0 .*\) \[IG-0197\]")

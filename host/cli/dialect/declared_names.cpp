@@ -106,8 +106,6 @@ std::vector<Diagnostic> unanswered_names(const LinkedDialect& linked, Library& l
     look_at_options(s.element.alias, s.element.where, {s.syntax->options, s.syntax->option_count}, out);
   }
   look_at_fields(linked, library, out);
-  for (const LinkedDependency& d : linked.dependencies)
-    look_at_options(d.element.alias, d.element.where, {d.dependency->options, d.dependency->option_count}, out);
   return out;
 }
 

@@ -161,7 +161,9 @@ class Importing {
       one.file = path;
       one.shares_options = is_folder;
       std::optional<ImportedFile> file = read(one);
-      const ig_importer* const importer = file ? file->importer : importer_of(path, asked.format);
+      const ig_importer* const importer = file        ? file->importer
+                                          : is_folder ? importer_of(path, asked.format)  // a pipe is in no folder
+                                                      : nullptr;
       for (std::uint32_t i = 0; importer != nullptr && i < importer->option_count; ++i)
         options.insert(importer->options[i].name);
       if (!file) continue;
