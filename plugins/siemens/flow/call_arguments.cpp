@@ -47,15 +47,15 @@ void CallReader::name_of(ig::Block& b, std::string_view text, std::size_t begin,
 void CallReader::pass(ig::Block& b, const CycleFields& cycle, std::string_view text, std::size_t open,
                       std::size_t close) {
   if (!read_arguments(b, text.substr(0, close), open)) {
-    b.report(ig::diag("SIE-0182"), ig::Where::columns(begin_, close), cycle.name());
+    b.report(ig::diag("SIE-0182"), ig::Where::columns(begin_, written(close)), cycle.name());
     return;
   }
   if (arguments_.size() > cycle.size())
-    b.report(ig::diag("SIE-0184"), ig::Where::columns(begin_, close), cycle.name(),
+    b.report(ig::diag("SIE-0184"), ig::Where::columns(begin_, written(close)), cycle.name(),
              static_cast<double>(arguments_.size()), static_cast<double>(cycle.size()));
   std::array<ig_word, CycleFields::most + 1> words;
   std::uint32_t count = 0;
-  const std::uint16_t begin = column(begin_), end = column(close);
+  const std::uint16_t begin = column(begin_), end = column(written(close));
   words[count++] = {cycle.code().code(0), begin, end, ig_value{}, 0, 0};
   for (std::size_t i = 0; i < std::min(arguments_.size(), cycle.size()); ++i) {
     const std::optional<Value>& v = arguments_[i].value;

@@ -80,6 +80,9 @@ class CallReader {
   /// What DEFINE says of the name: one that looks like a code counts, too (DEFINE M6 AS L6).
   const std::string* macro_at(ig::Block& b, std::string_view text, std::size_t position, std::size_t end) const;
 
+  /// The column in the program's own line.
+  std::size_t written(std::size_t at) const { return expanded_ == nullptr ? at : expanded_->original(at); }
+
   /// A name for a call (DEFINE).
   std::size_t expand(ig::Block& b, std::string_view text, std::size_t position, std::size_t end,
                      const std::string& macro);
@@ -147,7 +150,7 @@ class CallReader {
   CalledProgram program_;
   std::vector<Argument> arguments_;
   double repeats_ = 1;
-  bool is_expanded_ = false;  // the text is what DEFINE says
+  const ExpandedText* expanded_ = nullptr;  // the text is what DEFINE says
 };
 
 }  // namespace siemens
