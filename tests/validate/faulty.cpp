@@ -176,7 +176,7 @@ ig_status build(void* pointer, const ig_host* host, ig_block* block) {
   }
 #elif defined(FAULT_memory)
   if (!is_there)
-    for (std::size_t i = 0;; ++i) std::memset(std::malloc(1 << 20), 1, 1 << 20);
+    for (;;) *static_cast<volatile char*>(std::malloc(1 << 20)) = 1;
 #elif defined(FAULT_leaves_process)
   static bool has_left = false;
   if (!has_left && fork() == 0) {
