@@ -316,7 +316,9 @@ ig_status build(void* pointer, const ig_host* host, ig_block* block) {
 #define AFTER "1"
 #endif
 const char page[] =
-    "# FaultySyntax\n\nMakes X the feed.\n\n## X becomes the feed\n\n#BeforeBuild:\n```json\n"
+    "# FaultySyntax\n\nMakes X the feed.\n\n"
+    "| option | type | default | range | meaning |\n|---|---|---|---|---|\n"
+    "| `length` | number | 1 | 0 to 10 | a length in mm |\n\n## X becomes the feed\n\n#BeforeBuild:\n```json\n"
     R"({"Parsing": {"X": 1, "Y": 2}})"
     "\n```\n#AfterBuild:\n```json\n"
     R"({"Parsing": {"Y": 2}, "Feedrate": {"FeedrateValue": )" AFTER

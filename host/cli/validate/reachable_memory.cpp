@@ -70,9 +70,9 @@ ReachableMemory::ReachableMemory(std::span<const std::string_view> variables,
   for (Piece& p : pieces_) p.bytes = p.memory;
 }
 
-std::vector<const void*> ReachableMemory::begins() const {
-  std::vector<const void*> out;
-  for (const Piece& p : pieces_) out.push_back(p.memory.data());
+std::vector<std::string_view> ReachableMemory::pieces() const {
+  std::vector<std::string_view> out;
+  for (const Piece& p : pieces_) out.push_back(p.memory);
   return out;
 }
 

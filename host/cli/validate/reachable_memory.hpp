@@ -14,8 +14,8 @@ class ReachableMemory {
   /// From these variables on, over a few pointers. Only memory of malloc() that `is_owned` counts, and only where the C
   /// library lays it out as glibc does: elsewhere nothing is reachable.
   ReachableMemory(std::span<const std::string_view> variables, const std::function<bool(const void*)>& is_owned);
-  /// Where its pieces begin.
-  std::vector<const void*> begins() const;
+  /// Its pieces, whole.
+  std::vector<std::string_view> pieces() const;
   /// Is a byte of it another one now?
   bool has_changed() const;
 

@@ -1,5 +1,6 @@
 // Static variables belong to all chains of a process. The pages in which a library keeps them are write-protected while
 // a block is built; what they point to, and the variables of the thread, are compared before and after each block.
+#include <malloc.h>
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <link.h>
@@ -159,11 +160,15 @@ void check_statics(Examination& e) {
   dlopen(e.file.c_str(), RTLD_NOW | RTLD_LOCAL);
   Sought sought{.file = e.file};
   dl_iterate_phdr(note_parts, &sought);
-  const std::vector<const void*> first =
-      ReachableMemory(variables_of(sought), [](const void*) { return true; }).begins();
+  const std::vector<std::string_view> first =
+      ReachableMemory(variables_of(sought), [](const void*) { return true; }).pieces();
   const OwnMemory later(e.file);
   const OwnedByPlugin is_owned = [&](const void* piece) {
-    return later.contains(piece) || std::find(first.begin(), first.end(), piece) != first.end();
+    // One of another size has been given back, and is somebody else's now.
+    const auto is_same = [&](std::string_view known) {
+      return known.data() == piece && malloc_usable_size(const_cast<char*>(known.data())) == known.size();
+    };
+    return later.contains(piece) || std::any_of(first.begin(), first.end(), is_same);
   };
   Subject subject(e);
   for (const Stand& stand : stands_of(subject, e)) {
