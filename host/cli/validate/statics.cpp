@@ -1,9 +1,9 @@
 // Static variables belong to all chains of a process. The pages in which a library keeps them are write-protected while
 // a block is built; what they point to, and the variables of the thread, are compared before and after each block.
-#include <malloc.h>
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <link.h>
+#include <malloc.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
