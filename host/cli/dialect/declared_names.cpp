@@ -32,14 +32,6 @@ class Writable {
   std::set<std::string> paths_;
 };
 
-std::vector<std::string> syntax_ids(const Library& library) {
-  std::vector<std::string> out;
-  for (const LoadedPlugin& loaded : library.plugins())
-    for (const ig_syntax* const syntax : std::span(loaded.plugin->syntaxes, loaded.plugin->syntax_count))
-      out.emplace_back(syntax->id);
-  return out;
-}
-
 /// What is near to another name is a slip; what is not may belong to a plugin that is not installed.
 void add_slip(Diagnostic d, const std::string& near, const std::string& otherwise, std::vector<Diagnostic>& out) {
   d.hint = near.empty() ? otherwise : "did you mean " + near + "?";
@@ -54,7 +46,7 @@ void look_at_neighbours(const LinkedSyntax& s, Library& library, std::vector<Dia
       library.load_all();
       if (library.syntax(*names) != nullptr) continue;
       add_slip(host_diagnostic("IG-0177", s.element.where, {s.element.alias, where, *names}),
-               nearest_name(*names, syntax_ids(library)), "isogloss list syntaxes names those that are there", out);
+               nearest_name(*names, library.syntax_ids()), "isogloss list syntaxes names those that are there", out);
     }
   };
   look(s.syntax->after, "after");

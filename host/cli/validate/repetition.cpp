@@ -97,7 +97,8 @@ void compare_beginnings(Examination& e, const Stand& stand, Bench& bench, const 
     const std::size_t expected = fingerprint(unused, blocks[i]);
     for (std::size_t k = 0; k < before_each; ++k) {
       // The last ones have extreme numbers, which leave most behind.
-      const std::size_t other = k < 2 ? blocks.size() - 4 + k : (i * 7 + k * 37 + 11) % blocks.size();
+      const std::size_t from_end = blocks.size() - std::min(blocks.size(), before_each - k);
+      const std::size_t other = k < 2 ? from_end : (i * 7 + k * 37 + 11) % blocks.size();
       bench.run(blocks[other], false);
       bench.start();
       if (fingerprint(bench, blocks[i]) == expected) continue;

@@ -94,7 +94,7 @@ constexpr std::array<bool, 256> path_characters = [] {
   return all;
 }();
 
-/// "Section.Field", "Parsing.G54.1.X", "Section.List[].Section.Field".
+/// "Section.Field", "Parsing.CODE.1.X", "Section.List[].Section.Field".
 bool is_path(std::string_view path) {
   std::size_t parts = 1, lists = 0;
   bool is_empty = true;  // the part so far

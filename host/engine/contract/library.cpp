@@ -213,6 +213,13 @@ const ig_syntax* Library::syntax(std::string_view id, const ig_plugin** owner) c
   return find_part(parts_->plugins, id, &ig_plugin::syntaxes, &ig_plugin::syntax_count, owner);
 }
 
+std::vector<std::string> Library::syntax_ids() const {
+  std::vector<std::string> ids;
+  for (const LoadedPlugin& loaded : parts_->plugins)
+    for (std::uint32_t i = 0; i < loaded.plugin->syntax_count; ++i) ids.emplace_back(loaded.plugin->syntaxes[i]->id);
+  return ids;
+}
+
 const ig_dependency* Library::dependency(std::string_view id, const ig_plugin** owner) const {
   return find_part(parts_->plugins, id, &ig_plugin::dependencies, &ig_plugin::dependency_count, owner);
 }

@@ -159,7 +159,7 @@ class Acquaintance {
   std::vector<std::bitset<256>> behind_;  // a chain has no more (IG-0216)
 };
 
-/// "G81, G82"; a long list ends with the number of the others.
+/// The names with commas; a long list ends with the number of the others.
 std::string codes_of(const Layout& layout, const std::vector<ig_field>& fields) {
   constexpr std::size_t most = 5;
   constexpr std::string_view flags = "Parsing.Flags.";

@@ -1,5 +1,5 @@
 // Dense ids: modal fields first, among them those that are read as `previous`, with their copies; then the block's,
-// switches, codes, words, words of codes (Parsing.G81.X).
+// switches, codes, words, words of codes (Parsing.CODE.X).
 #include <algorithm>
 #include <array>
 #include <tuple>

@@ -20,7 +20,7 @@ class FieldPattern {
   bool matches(std::string_view path, std::string_view unit) const;
   /// The unit that owner(path) must have; empty: any.
   const std::string& owner_unit() const { return owner_unit_; }
-  /// "Parsing.G181" of "Parsing.G181.X": what stands before the braces of the pattern.
+  /// "Parsing.CODE" of "Parsing.CODE.X": what stands before the braces of the pattern.
   std::string_view owner(std::string_view path) const;
 
  private:

@@ -26,19 +26,13 @@ std::string id_of_alias(const std::string& name, const Surroundings& around) {
 }
 
 /// What may have been meant, or why it may be missing.
-std::string hint_for_missing(const std::string& id, const std::vector<std::string>& ids, const Library& library) {
+std::string hint_for_missing(const std::string& id, const Library& library) {
   std::vector<std::string> out;
-  if (const std::string near = nearest_name(id, ids); !near.empty()) out.push_back("did you mean " + near + "?");
+  if (const std::string near = nearest_name(id, library.syntax_ids()); !near.empty())
+    out.push_back("did you mean " + near + "?");
   for (const RefusedPlugin& refused : library.refused())  // a second plugin of one name is none that is missing
     if (refused.code != "IG-0306") out.push_back(fmt::format("not loaded: {} [{}]", refused.reason, refused.code));
   return fmt::format("{}", fmt::join(out, "; "));
-}
-
-std::vector<std::string> syntax_ids(const Library& library) {
-  std::vector<std::string> ids;
-  for (const LoadedPlugin& loaded : library.plugins())
-    for (std::uint32_t i = 0; i < loaded.plugin->syntax_count; ++i) ids.emplace_back(loaded.plugin->syntaxes[i]->id);
-  return ids;
 }
 
 bool is_list_of_objects(const Json& json) {
@@ -171,7 +165,7 @@ std::optional<std::string> apply(const Application& application, const Surroundi
   const std::string id = id_of_alias(application.syntax, surroundings);
   const ig_syntax* const syntax = library.syntax(id, &plugin);
   if (syntax == nullptr) {
-    sink.add(host_diagnostic("IG-0504", application.where, {id}, hint_for_missing(id, syntax_ids(library), library)));
+    sink.add(host_diagnostic("IG-0504", application.where, {id}, hint_for_missing(id, library)));
     return std::nullopt;
   }
   const Json before = parse_json(application.before, application.where, sink);

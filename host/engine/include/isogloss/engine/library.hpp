@@ -46,6 +46,8 @@ class Library {
   std::vector<Diagnostic> shared_codes() const;
   const ig_plugin* find(std::string_view name) const;
   const ig_syntax* syntax(std::string_view id, const ig_plugin** owner = nullptr) const;
+  /// Of all plugins that are loaded.
+  std::vector<std::string> syntax_ids() const;
   const ig_dependency* dependency(std::string_view id, const ig_plugin** owner = nullptr) const;
   const ig_importer* importer(std::string_view id, const ig_plugin** owner = nullptr) const;
   /// A plugin that is part of the program (tests, static builds).
