@@ -229,7 +229,7 @@ class Names(unittest.TestCase):
             program = pathlib.Path(folder) / "a.nc"
             program.write_text("M30\n")
             run = ("run", program, "-d", "fanuc")
-            self.meant("IsoCoordinateTable", *run, "--set", "IsoCordinateTable.G54.Z=1")
+            self.meant("IsoCoordinateTable.G54.Z", *run, "--set", "IsoCordinateTable.G54.Z=1")
             self.meant("CornerRadius", *run, "--set", "ToolOffsetTable.1.CornerRadus=1")
             self.meant("MacroVariables", *run, "--save-table", f"MacroVariable={folder}/x.xml", status=1)
 
