@@ -99,7 +99,8 @@ TEST_CASE("each fault of a descriptor is found and named") {
       {"access", [](Plugin& p) { syntax(p).fields[0].access = IG_READ | 1u << 20; }, "the access bits 0x100000"},
       {"access", [](Plugin& p) { syntax(p).fields[1].access = IG_TAKE | IG_REQUIRED; },
        "IG_REQUIRED goes with IG_READ"},
-      {"wake value", [](Plugin& p) { syntax(p).fields[0].wake_value = "Turbo"; }, "which only a field of names can have"},
+      {"wake value", [](Plugin& p) { syntax(p).fields[0].wake_value = "Turbo"; },
+       "which only a field of names can have"},
       {"wake value",
        [](Plugin& p) {
          syntax(p).fields[0] = field("Feedrate.Term", IG_READ, IG_SYMBOL);
