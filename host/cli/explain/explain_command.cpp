@@ -1,6 +1,7 @@
 // Explains why a block did what it did, follows a field, or says what a diagnostic means.
 #include <algorithm>
 
+#include "asked_reports.hpp"
 #include "crash_guard.hpp"
 #include "dialect_guess.hpp"
 #include "explain/block_json.hpp"
@@ -26,27 +27,30 @@ struct ExplainCommand {
   int run();
   int explain_lines(Session& session, const NamedLines& lines);
   int explain_blocks(Session& session, const std::string& path, const LinkedDialect& linked, Source& source,
-                     const RunOptions& options) const;
+                     RunOptions options) const;
 };
 
 /// Diagnostics of other lines were not asked for; what ended the run before these lines was.
-void report_said(DiagnosticList& said, const ExplainTarget& target, const ExplainReach& reach, bool found_blocks,
-                 Session& session) {
-  for (Diagnostic& d : said.all) {
+void report_said(AskedReports& said, const ExplainReach& reach, bool found_blocks, Session& session) {
+  for (Diagnostic& d : said.all) session.diagnostics().add(std::move(d));
+  if (found_blocks) return;
+  for (Diagnostic& d : said.last_errors) {
     const bool is_at_the_end = d.where.line == reach.last.line && d.where.file == reach.last.file;
-    const bool ends_the_run = !found_blocks && d.severity == Severity::error && (is_at_the_end || reach.last.line == 0);
-    const bool is_asked_for = d.where.line >= target.line && d.where.line <= target.last();
-    if (is_asked_for || d.where.line == 0 || ends_the_run) session.diagnostics().add(std::move(d));
+    if (is_at_the_end || reach.last.line == 0) session.diagnostics().add(std::move(d));
   }
 }
 
 int ExplainCommand::explain_blocks(Session& session, const std::string& path, const LinkedDialect& linked,
-                                   Source& source, const RunOptions& options) const {
-  DiagnosticList said;
+                                   Source& source, RunOptions options) const {
+  AskedReports said([&](const Diagnostic& d) {
+    return d.where.line == 0 || (d.where.line >= target.line && d.where.line <= target.last());
+  });
+  said.end_at_errors(options, common.maximum_errors);
   ExplainReach reach;
   const std::vector<ExplainedBlock> blocks = explain(linked, source, path, target, options, said, &reach);
   session.progress().hide();
-  report_said(said, target, reach, !blocks.empty(), session);
+  report_said(said, reach, !blocks.empty(), session);
+  if (said.has_ended_run()) session.report("IG-0517", reach.last, {std::to_string(common.maximum_errors)});
   if (blocks.empty()) {
     const std::string asked = target.last() == target.line
                                   ? std::to_string(target.line)

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "asked_reports.hpp"
 #include "explain/frame_text.hpp"
 #include "isogloss/engine/printable.hpp"
 #include "json_text.hpp"
@@ -112,16 +113,15 @@ int follow_field(const FollowRequest& request, const LinkedDialect& linked, Sour
   session.progress().data_goes_to_stdout();
   const std::unique_ptr<OutputFile> output = OutputFile::standard_output();
   Printer printer(request, *output);
-  DiagnosticList said;
+  // Only the host's, which may end the run: the other diagnostics of the program were not asked for.
+  AskedReports said([](const Diagnostic& d) { return d.where.line == 0 || d.code.starts_with("IG-"); });
   follow(
       linked, source, request.lines.program, fields_to_follow(linked.layout, name),
       [&](const FollowedChange& c) { return printer.add(c); }, options, said);
   session.progress().hide();
   printer.finish();
   if (printer.count() == 0) session.report("IG-0183", {request.lines.program, 0, 0}, {name});
-  // Only the host's, which may end the run: the other diagnostics of the program were not asked for.
-  for (Diagnostic& d : said.all)
-    if (d.where.line == 0 || d.code.starts_with("IG-")) session.diagnostics().add(std::move(d));
+  for (Diagnostic& d : said.all) session.diagnostics().add(std::move(d));
   if (!output->commit() && !output->reader_is_gone()) {
     session.report("IG-0511", {"standard output"}, {output->error()});
     return cannot_start;

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "asked_reports.hpp"
+
 namespace isogloss::cli {
 
 PointFinder::Rows PointFinder::rows_of(const DependencyTable& table) {
@@ -127,7 +129,7 @@ std::optional<ProgramPoint> find_point(const LinkedDialect& linked, const std::s
     if (options.prepare) options.prepare(chain);
     finder.listen(chain);
   };
-  DiagnosticList heard_already;
+  Unheard heard_already;
   const std::unique_ptr<Source> again = memory_source(text);
   run(linked, *again, name, heard, {&finder}, heard_already);
   finder.tell(out);

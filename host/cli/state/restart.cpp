@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "asked_reports.hpp"
 #include "explain/frame_text.hpp"
 #include "isogloss/engine/chain.hpp"
 #include "isogloss/engine/printable.hpp"
@@ -49,7 +50,7 @@ std::string why_not(const ProgramPoint& point) {
 Restart::Restart(Session& session, const LinkedDialect& linked, const std::string& text, const std::string& path,
                  const ProgramLines& lines, const RunOptions& options)
     : session_(session), linked_(linked), text_(text), path_(path), lines_(lines), options_(options) {
-  DiagnosticList unheard;  // what the run has said already
+  Unheard unheard;  // what the run has said already
   Chain chain(linked, options.chain, unheard);
   words_ = ProgramText::of(chain);
 }
@@ -151,7 +152,7 @@ std::optional<std::string> Restart::write_nearest(const ProgramPoint& point) {
   for (auto at = point.lines_before.rbegin(); at != point.lines_before.rend() && tried < most_lines_tried; ++at) {
     if (*at >= below) continue;
     ++tried;
-    DiagnosticList unheard;
+    Unheard unheard;
     ExplainReach reach;
     const auto before = find_point(linked_, text_, path_, {.line = *at}, options_, unheard, reach);
     if (!before) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "asked_reports.hpp"
 #include "isogloss/engine/motion.hpp"
 #include "json_text.hpp"
 
@@ -114,8 +115,8 @@ bool begins_with_one_of(std::string_view path, std::initializer_list<std::string
 }
 
 /// A block that the preamble repeats has the faults that it has in the program.
-bool has_same(const DiagnosticList& list, const Diagnostic& one) {
-  return std::any_of(list.all.begin(), list.all.end(),
+bool has_same(const std::vector<Diagnostic>& list, const Diagnostic& one) {
+  return std::any_of(list.begin(), list.end(),
                      [&](const Diagnostic& d) { return d.code == one.code && d.message == one.message; });
 }
 
@@ -185,17 +186,16 @@ RestartCheck check_restart(const LinkedDialect& linked, const std::string& whole
                                   point.changed_tables.end());
   const std::string text = preamble + rest;
   const auto lines = static_cast<std::uint32_t>(std::count(preamble.begin(), preamble.end(), '\n'));
-  DiagnosticList said;
+  AskedReports said(is_error), said_by_whole(is_error);
+  Unheard unheard;
   ExplainReach reach;
-  DiagnosticList said_by_whole, unheard;
   ToolNames tools, same_tools;
   const std::string first = motions_after(linked, whole, name, point.blocks_before, options, said_by_whole, tools);
   // Names without a table are numbered as they come, and fewer come after the line.
   if (auto rows = tools.rows(linked)) again.chain.dependencies.push_back(std::move(*rows));
   const auto restarted = find_point(linked, text, name, {.line = lines + 1}, again, said, reach);
   for (Diagnostic& d : said.all)
-    if (d.severity == Severity::error && d.where.line <= lines && !has_same(said_by_whole, d))
-      out.errors.push_back(std::move(d));
+    if (d.where.line <= lines && !has_same(said_by_whole.all, d)) out.errors.push_back(std::move(d));
   if (!restarted) return out;
   out.comes_to_rest = true;
   out.cuts_at = line_that_cuts(linked, text, name, lines, again);

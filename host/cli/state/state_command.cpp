@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "asked_reports.hpp"
 #include "crash_guard.hpp"
 #include "dialect_guess.hpp"
 #include "explain/frame_text.hpp"
@@ -138,13 +139,14 @@ int StateCommand::show(Session& session, const std::string& path) {
   watch_calls(program.watchdog);
   show_progress(*options, path, session);
 
-  DiagnosticList said;
+  AskedReports said(is_error);
+  said.end_at_errors(*options, common.maximum_errors);
   ExplainReach reach;
   ProgramLines lines(path, *text);
   std::optional<ProgramPoint> point = find_point(*linked, *text, path, target, *options, said, reach, &lines);
   if (!point) {
-    for (Diagnostic& d : said.all)
-      if (d.severity == Severity::error) session.diagnostics().add(std::move(d));
+    for (Diagnostic& d : said.all) session.diagnostics().add(std::move(d));
+    if (said.has_ended_run()) session.report("IG-0517", reach.last, {std::to_string(common.maximum_errors)});
     const std::string end = reach.last.line == 0
                                 ? std::string("no block of the program is executed")
                                 : fmt::format("the run ends at {}:{}", reach.last.file, reach.last.line);

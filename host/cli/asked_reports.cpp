@@ -1,0 +1,37 @@
+#include "asked_reports.hpp"
+
+#include <string>
+
+namespace isogloss::cli {
+
+bool AskedReports::is_new(const Diagnostic& d) {
+  std::size_t name = std::hash<std::string>{}(d.code);
+  const auto add = [&name](std::size_t more) { name = (name ^ more) * 1099511628211u; };
+  add(std::hash<std::string>{}(d.message));
+  add(std::hash<std::string>{}(d.where.file));
+  add(d.where.line);
+  add(d.where.column);
+  return seen_.insert(name).second;
+}
+
+void AskedReports::add(Diagnostic diagnostic) {
+  constexpr std::size_t most = 100'000, most_at_a_place = 20;
+  if (is_error(diagnostic)) ++errors_;
+  const bool is_kept = is_wanted_(diagnostic);
+  if (!is_kept && is_error(diagnostic)) {
+    const auto is_elsewhere = [&](const Location& at) {
+      return at.line != diagnostic.where.line || at.file != diagnostic.where.file;
+    };
+    if (!last_errors.empty() && is_elsewhere(last_errors.front().where)) last_errors.clear();
+    if (last_errors.size() < most_at_a_place) last_errors.push_back(std::move(diagnostic));
+  } else if (is_kept && all.size() < most && is_new(diagnostic)) {
+    all.push_back(std::move(diagnostic));
+  }
+}
+
+void AskedReports::end_at_errors(RunOptions& options, std::uint64_t most) {
+  most_errors_ = most;
+  options.goes_on = [this, before = options.goes_on] { return !has_ended_run() && (!before || before()); };
+}
+
+}  // namespace isogloss::cli
