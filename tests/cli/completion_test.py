@@ -8,6 +8,7 @@ import os
 import pathlib
 import pty
 import re
+import resource
 import select
 import shutil
 import subprocess
@@ -29,6 +30,12 @@ def answer(*words):
                           check=False, env=environment())
     assert done.returncode == 0 and done.stderr == "", (words, done)
     return done.stdout.splitlines()
+
+
+def work_of_children():
+    """Seconds of the processor: a busy machine takes its time, but the work is the same."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def texts(*words):
@@ -108,9 +115,9 @@ class Answers(unittest.TestCase):
         for words in (("run", "-d", ""), ("inspect", "-d", "fanuc", "G8"), ("explain", "IG-0")):
             seconds = []
             while not seconds or (len(seconds) < 20 and min(seconds) > OPTIONS.seconds):
-                begin = time.monotonic()
+                begin = work_of_children()
                 answer(*words)
-                seconds.append(time.monotonic() - begin)
+                seconds.append(work_of_children() - begin)
             self.assertLessEqual(min(seconds), OPTIONS.seconds, words)
 
 
