@@ -71,7 +71,7 @@ struct FanucMacroWord {
     const std::size_t value = skip_signs(text, axis ? axis->end : letter + 1, negative);
     const char c = ig::cnc::at(text, value);
     const bool is_function =
-        ig::cnc::is_letter(c) && ig::cnc::at(text, skip_while(text, value, ig::cnc::is_letter)) == '[';
+        ig::cnc::is_letter(c) && ig::cnc::at(text, skip_name_of(text, value, ig::cnc::is_letter)) == '[';
     if (c != '#' && c != '[' && !is_function) return position;
     if (environment_.flow.is_indexing()) return skip_expression(text, value);
     environment_.enter(b);
@@ -86,7 +86,7 @@ struct FanucMacroWord {
   /// C2=#1: an axis by a name of several characters that the machine's table gives it.
   std::optional<Name> name_at(std::string_view text, std::size_t begin) const {
     const auto is_part = [](char c) { return ig::cnc::is_letter(c) || is_digit(c) || c == '_'; };
-    const std::size_t end = skip_while(text, begin, is_part);
+    const std::size_t end = skip_name_of(text, begin, is_part);
     if (end - begin < 2 || ig::cnc::at(text, end) != '=') return std::nullopt;
     const auto axis = axes_.find(ig::cnc::piece(text, begin, end));
     if (!axis) return std::nullopt;

@@ -63,7 +63,7 @@ std::size_t end_with_comments(std::string_view block, std::size_t position, bool
 }  // namespace
 
 Word keyword(std::string_view text, std::size_t position, std::size_t& end) {
-  end = skip_while(text, position, is_letter);
+  end = skip_name_of(text, position, is_letter);
   const std::string_view word = piece(text, position, end);
   for (const Keyword& k : keywords)
     if (equals_ignoring_case(word, k.name)) return k.word;

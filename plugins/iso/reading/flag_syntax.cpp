@@ -207,7 +207,7 @@ struct FlagSyntax {
     if (const std::size_t end = skip_expression(text, number); end != number)
       return expressions == Expressions::pass ? begin : expression(b, text, begin, end);
     if (c == '=') return expression(b, text, begin, skip_to_blank(text, number + 1));
-    if (skip_while(text, begin, is_letter) - begin > 2) return begin;
+    if (skip_name_of(text, begin, is_letter) - begin > 2) return begin;
     return refuse(b, ig::diag("ISO-0102"), text, begin, skip_while(text, begin + 1, [](char u) { return u == '_'; }));
   }
 

@@ -37,7 +37,7 @@ struct SiemensDeclaration {
   ig::Signal begun_{"Source.~Program", ig::read | ig::write, ig::Life::frame};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
-    const std::size_t end = skip_name(text, position);
+    const std::size_t end = skip_short_name(text, position);
     if (end - position < 3) return position;
     const Word word = word_of(piece(text, position, end));
     if (word == Word::none || at(text, skip_blanks(text, end)) == '=') return position;

@@ -2,6 +2,7 @@
 /// offsets into the text, from 0.
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 
 #include "isogloss/sdk.hpp"
@@ -33,7 +34,17 @@ constexpr std::size_t skip_while(std::string_view text, std::size_t position, Pr
 
 /// The position where the block ends: at a line feed, or at a lone carriage return inside the text.
 constexpr std::size_t block_end(std::string_view text, std::size_t position) {
-  return skip_while(text, position, [](char c) { return c != '\r' && c != '\n'; });
+  if (position >= text.size()) return position;
+  const std::string_view line = text.substr(0, text.find('\n', position));
+  return std::min(line.find('\r', position), line.size());
+}
+
+/// The same for a name, of which 64 bytes are read at most: names are shorter, and a scanner that read a line of letters
+/// to its end from each of its letters would take seconds.
+template <class Predicate>
+constexpr std::size_t skip_name_of(std::string_view text, std::size_t position, Predicate is_part) {
+  constexpr std::size_t longest = 64;
+  return skip_while(text.substr(0, std::min(text.size(), position + longest)), position, is_part);
 }
 
 constexpr std::size_t skip_digits(std::string_view text, std::size_t position) {
@@ -93,6 +104,7 @@ constexpr std::size_t skip_bracketed(std::string_view text, std::size_t position
   const char close = open == '[' ? ']' : open == '(' ? ')' : '>';
   std::size_t depth = 0;
   std::size_t i = position;
+  if (text.find(close, position) == std::string_view::npos) return block_end(text, position);
   for (; i < text.size() && text[i] != '\r' && text[i] != '\n'; ++i) {
     if (text[i] == open) ++depth;
     if (text[i] == close && --depth == 0) return i + 1;
@@ -110,7 +122,7 @@ constexpr std::size_t skip_operand(std::string_view text, std::size_t position) 
   if (c == '[') return skip_bracketed(text, i);
   if (c == '<' && i > hashes) return skip_bracketed(text, i);
   if (is_digit(c) || c == '.') return skip_while(text, i, [](char d) { return is_digit(d) || d == '.'; });
-  const std::size_t name = skip_while(text, i, is_letter);
+  const std::size_t name = skip_name_of(text, i, is_letter);
   if (name > i && at(text, name) == '[') return skip_bracketed(text, name);
   return position;
 }
