@@ -46,12 +46,15 @@ ig_field first_x = 0;
 double first_length = -1;
 #elif defined(FAULT_locks)
 std::mutex mutex;
+#elif defined(FAULT_counts_rarely)
+long far_below = 0;
 #endif
 
 struct State : Self {
   std::vector<double> all;
   std::thread thread;
   void* memory = nullptr;
+  double counts[100]{};
 };
 
 const ig_field_decl fields[] = {field("Parsing.X", IG_READ | IG_WRITE | IG_TAKE | IG_WAKE),
@@ -81,6 +84,9 @@ const ig_option_decl options[] = {
      "mm", "A length."},
 #if defined(FAULT_unnamed_option)
     {sizeof(ig_option_decl), IG_OPTION_BOOLEAN, "mirrored", "false", "", 0, 0, "", "Mirrored."},
+#endif
+#if defined(FAULT_option_trusts_end)
+    {sizeof(ig_option_decl), IG_OPTION_TEXT, "level", "0", "", 0, 0, "", "A level."},
 #endif
     {sizeof(ig_option_decl), IG_OPTION_CHOICE, "width", "narrow", "narrow|wide", 0, 0, "", "A width."}};
 constexpr std::uint32_t width = sizeof options / sizeof options[0] - 1;
@@ -115,6 +121,8 @@ ig_status create(const ig_link_api* api, ig_link* link, const ig_field* ids, voi
 #elif defined(FAULT_keeps_first_option)
   if (first_length < 0) first_length = self->length;
   self->length = first_length;
+#elif defined(FAULT_option_trusts_end)
+  self->length += std::atoi(api->option_text(link, 1).data);
 #elif defined(FAULT_leaks_with_option)
   if (self->is_wide) scratch = std::strlen(strdup("wide"));
 #elif defined(FAULT_joins_thread)
@@ -163,6 +171,14 @@ std::size_t scan(void* pointer, const ig_host* host, ig_block* block, const char
   if (end < size && static_cast<signed char>(text[end]) == -56) crash();
 #elif defined(FAULT_leaks_in_scan)
   self.memory = std::malloc(24);
+#elif defined(FAULT_scan_gives_word)
+  ig_word nothing{};
+  nothing.field = self.x;
+  nothing.begin = static_cast<std::uint16_t>(position);
+  nothing.end = static_cast<std::uint16_t>(end);
+  if (end == position + 1) host->set_words(block, &nothing, 1);
+#elif defined(FAULT_scan_reads_rest)
+  for (std::size_t i = position; i < size; ++i) scratch = scratch + text[i];
 #endif
   if (end == position + 1) return position;
   double number = 0;
@@ -248,6 +264,12 @@ ig_status build(void* pointer, const ig_host* host, ig_block* block) {
   }
 #elif defined(FAULT_forgets_partly)
   if (is_there) shift(self, x);
+#elif defined(FAULT_counts_beyond)
+  if (is_there) self.counts[static_cast<int>(x.number) % 100] += 1;
+#elif defined(FAULT_counts_rarely)
+  if (is_there && x.number < -900) ++far_below;
+#elif defined(FAULT_makes_names)
+  if (is_there) host->symbol(block, text_of("N" + std::to_string(x.number)));
 #elif defined(FAULT_wrong_boolean)
   if (is_there) host->set(block, static_cast<ig_field>(self.others), {.integer = 171});
 #elif defined(FAULT_wrong_kind)
@@ -322,6 +344,11 @@ ig_text row_fault(void*, ig_text row) {
 #if defined(FAULT_table_trusts_key)
   char key[64];
   if (row.size > sizeof key) crash();
+#elif defined(FAULT_table_text_on_stack)
+  char why[32];
+  const int size = std::snprintf(why, sizeof why, "%.8s is too long", row.size > 20 ? row.data : "");
+  scratch = why[0];
+  if (const char* volatile const text = why; row.size > 20) return {text, static_cast<std::size_t>(size)};
 #endif
   return row.size > 100 ? text_of("the key is too long") : ig_text{nullptr, 0};
 }
@@ -349,6 +376,10 @@ ig_status read(const ig_import_api* api, ig_import* in) {
 #endif
     return IG_FAILED;
   }
+#if defined(FAULT_import_rereads)
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t k = 0; k < i; k += 64) scratch = scratch + all[k];
+#endif
   for (std::size_t begin = 5; begin < all.size();) {
     const std::size_t end = std::min(all.find('\n', begin), all.size());
     const std::string_view line = all.substr(begin, end - begin);

@@ -21,6 +21,12 @@ std::string Trial::fault(bool reported_only) const {
   return {};
 }
 
+double thread_seconds() {
+  timespec out{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &out);
+  return static_cast<double>(out.tv_sec) + static_cast<double>(out.tv_nsec) * 1e-9;
+}
+
 Bench::Bench(const LinkedAlone& alone, ChainSettings settings)
     : alone_(alone), chain_(std::make_unique<Chain>(*alone.linked, std::move(settings), said_)) {
   clean_.emplace(chain_->document());
@@ -90,19 +96,13 @@ Trial Bench::run(const TestBlock& block, bool shows) {
 }
 
 double Bench::time(const TestBlock& block, int repeats) {
-  // Of this thread's work, which a busy machine does not change.
-  const auto now = [] {
-    timespec out{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &out);
-    return static_cast<double>(out.tv_sec) * 1e9 + static_cast<double>(out.tv_nsec);
-  };
   std::vector<double> times;
   for (int i = 0; i < repeats; ++i) {
     prepare(block);
     ++chain_->builds;
-    const double begin = now();
+    const double begin = thread_seconds();
     build();
-    times.push_back(now() - begin);
+    times.push_back((thread_seconds() - begin) * 1e9);
   }
   const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
   std::nth_element(times.begin(), middle, times.end());

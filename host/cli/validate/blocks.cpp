@@ -83,6 +83,7 @@ void check_extreme_values(Examination& e) {
                                 -1e308,
                                 std::numeric_limits<double>::denorm_min()};
   constexpr std::int64_t integers[] = {INT64_MAX, INT64_MIN, -1};
+  constexpr std::int64_t ordinals[] = {500, 32'767};  // of codes of two bytes in the longest text that columns reach
   const std::string huge(1 << 20, 'A');
   Subject subject(e);
   for (const Stand& stand : stands_of(subject, e)) {
@@ -113,6 +114,9 @@ void check_extreme_values(Examination& e) {
         }
       } else if (type == IG_INTEGER) {
         for (const std::int64_t number : integers) with(full, {f, {.integer = number}, {}}, std::to_string(number));
+      } else if (type == IG_CODE) {
+        for (const std::int64_t ordinal : ordinals)
+          with(full, {f, {.integer = ordinal}, {}}, fmt::format("code {} of its block", ordinal));
       } else if (type == IG_TEXT) {
         with(full, {f, {}, huge}, "a text of 1 MiB");
         with(full, {f, {}, std::string("\0\xff\n\"", 4)}, "a text of control characters");
@@ -126,13 +130,7 @@ void check_extreme_values(Examination& e) {
       block.text = text;
       judge(block);
     }
-    for (const double number : numbers) {
-      TestBlock all = full;
-      all.name += " whose numbers are all " + std::to_string(number);
-      for (Assignment& a : all.assignments)
-        if (infos[a.field].type == IG_NUMBER) a.value.number = number;
-      judge(all);
-    }
+    for (const double number : numbers) judge(block_of_numbers(stand, number));
     if (stand.syntax->scan != nullptr) {
       judge({.name = "a text of 20,000 bytes", .text = std::string(20'000, stand.syntax->triggers[0])});
       judge({.name = "a number of 20,000 digits",

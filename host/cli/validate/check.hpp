@@ -107,6 +107,8 @@ void check_importers(Examination& e);
 void check_tables(Examination& e);
 // reads.cpp
 void check_unread(Examination& e);
+// overruns.cpp
+void check_overruns(Examination& e);
 // texts.cpp
 void check_texts(Examination& e);
 // borrowed.cpp

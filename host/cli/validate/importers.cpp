@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "isogloss/engine/import.hpp"
@@ -22,7 +23,9 @@ struct ImportWatch {
   const ig_importer* importer = nullptr;
   std::uint32_t diagnostics = 0;  ///< in the table of its plugin
   std::size_t size = 0;           ///< of the text
+  double seconds = 0;             ///< of the last read(), of this thread's work
   GuardedTexts texts;
+  ig_text text{};  ///< as the importer has it
   ig_import_api api{};
   const ig_import_api* real = nullptr;
   std::string fault;
@@ -48,7 +51,10 @@ struct ImportWatch {
 thread_local ImportWatch* import_watch = nullptr;
 
 void watch_functions(ig_import_api& api) {
-  api.text = [](const ig_import* in) { return import_watch->texts.copy(import_watch->real->text(in)); };
+  api.text = [](const ig_import* in) {  // one copy, however often it is asked for
+    if (import_watch->text.data == nullptr) import_watch->text = import_watch->texts.copy(import_watch->real->text(in));
+    return import_watch->text;
+  };
   api.file_name = [](const ig_import* in) { return import_watch->texts.copy(import_watch->real->file_name(in)); };
   api.option_number = [](const ig_import* in, std::uint32_t i) {
     return import_watch->check_option(i), import_watch->real->option_number(in, i);
@@ -99,8 +105,10 @@ ig_status watched_read(const ig_import_api* api, ig_import* in) {
   w.real = api;
   w.api = *api;
   w.size = api->text(in).size;
+  w.text = {};
   watch_functions(w.api);
   ig_status status = IG_UNCHANGED;
+  const double begin = thread_seconds();
   try {
     status = w.importer->read(&w.api, in);
   } catch (const std::exception& error) {
@@ -108,6 +116,7 @@ ig_status watched_read(const ig_import_api* api, ig_import* in) {
   } catch (...) {
     w.tell("its read() lets an exception out");
   }
+  w.seconds = thread_seconds() - begin;
   w.texts.end_call();
   if (status != IG_UNCHANGED && status != IG_CHANGED && status != IG_FAILED)
     w.tell(fmt::format("its read() returned the status {}", status));
@@ -208,6 +217,17 @@ class ImporterAtWork {
       e_.find(where, fmt::format("its recognise() answers {} for an empty file", answers[0]));
   }
 
+  /// How long the importer reads: the shortest of a few times, of this thread's work.
+  double seconds(const ImportFile& file, const std::string& where) {
+    constexpr int tries = 3;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < tries; ++i) {
+      read(file, where);
+      least = std::min(least, watched_.seconds);
+    }
+    return least;
+  }
+
   /// What the file gives, as text.
   std::string read(const ImportFile& file, const std::string& where) {
     e_.attempt(where + "; no byte behind a text may be read");
@@ -274,6 +294,35 @@ std::vector<ImportFile> files_of_cases(const Subject& subject, const Examination
   return out;
 }
 
+/// The file, longer: as a whole over and over, or one of its lines.
+std::vector<ImportFile> longer(const ImportFile& file, std::size_t size) {
+  ImportFile all = file, of_a_line = file;
+  while (all.text.size() < size) all.text += file.text;
+  const std::size_t begin = file.text.rfind('\n', file.text.size() / 2) + 1;
+  const std::size_t end = std::min(file.text.find('\n', begin), file.text.size() - 1) + 1;
+  const std::string line = file.text.substr(begin, end - begin);
+  std::string lines;
+  while (lines.size() < size) lines += line;
+  of_a_line.text.insert(begin, lines);
+  return {all, of_a_line};
+}
+
+/// A backup has a few thousand lines, and a large one shall not take hours.
+void check_growth(Examination& e, ImporterAtWork& work, const ImportFile& file, const std::string& id) {
+  constexpr std::size_t size = 60'000, times = 4;
+  constexpr double too_much = 2.5 * times, noise = 0.05;  // the second in seconds: what is faster may be chance
+  if (file.text.empty()) return;
+  const std::vector<ImportFile> small = longer(file, size), large = longer(file, times * size);
+  for (std::size_t i = 0; i < small.size(); ++i) {
+    const std::string where = fmt::format("{}, the file of its case 1, {} times as long", id, times);
+    const double first = work.seconds(small[i], where);
+    if (const double second = work.seconds(large[i], where); second > noise && second > too_much * first)
+      return e.find(where, fmt::format("reading takes {:.0f} times as long for {} times the text, so that a large file "
+                                       "takes hours",
+                                       second / first, times));
+  }
+}
+
 void check_importer(Examination& e, Subject& subject, const ig_importer& importer) {
   const std::string id = importer.id;
   const std::vector<ImportFile> own = files_of_cases(subject, e, importer);
@@ -296,6 +345,7 @@ void check_importer(Examination& e, Subject& subject, const ig_importer& importe
     for (const ImportFile& other : damaged(file, e.options.seed, number == 1))
       if (!try_file(other, fmt::format("the file of its case {}, damaged in the way {}", number, ++k))) return;
   }
+  if (!own.empty()) check_growth(e, work, own.front(), id);
   for (std::uint32_t i = 0; i < importer.option_count; ++i)
     for (const Candidate& c : candidates(importer.options[i]))
       for (ImportFile file : own) {

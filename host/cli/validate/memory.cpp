@@ -97,6 +97,24 @@ void check_long_run(Examination& e, const Stand& stand, Bench& bench, const std:
            fmt::format("memory grows without end: by {} bytes in many runs; restart() must free", bytes));
 }
 
+/// Names live as long as their chain, so no build may make one from a number.
+void check_names(Examination& e, const Stand& stand, Bench& bench) {
+  constexpr int warm_up = 50, rounds = 400;
+  const TestBlock full = full_block(stand.alone, fields_of(stand.alone));
+  std::size_t names = 0;
+  for (int i = 0; i < warm_up + rounds; ++i) {
+    if (i == warm_up) names = bench.chain().symbols().size();
+    TestBlock block = full;
+    for (Assignment& a : block.assignments)
+      if (stand.alone.linked->layout.fields[a.field].type == IG_NUMBER) a.value.number = 0.125 * i;
+    bench.run(block, false);
+  }
+  if (const std::size_t made = bench.chain().symbols().size() - names; made > rounds / 2)
+    e.find(stand.syntax->id, fmt::format("memory grows without end: {} new names, which the host keeps, in {} blocks "
+                                         "that differ in their numbers",
+                                         made, rounds));
+}
+
 /// A chain with other options may allocate what one without them does not.
 void check_other_options(Examination& e, Subject& subject, const Stand& stand) {
   constexpr std::uint64_t tries = 3;
@@ -137,7 +155,7 @@ void check_memory(Examination& e) {
       if (bytes > 0)
         e.find(id, fmt::format("memory grows without end: by {} bytes with every {} blocks", bytes, blocks.size()));
       else if (stand.dependencies.empty())
-        check_long_run(e, stand, bench, blocks);
+        check_long_run(e, stand, bench, blocks), check_names(e, stand, bench);
     }
     if (stand.dependencies.empty()) check_other_options(e, counted.subject, stand);
     const std::int64_t bytes = bytes_left([&] { Bench(stand.alone, {}).start(); });

@@ -57,7 +57,7 @@ std::vector<Candidate> candidates(const ig_option_decl& o) {
       out.push_back({"no such choice", false});
       break;
     case IG_OPTION_FIELDS: out = {{"", true, true}, {"Parsing.X Parsing.**", true, true}}; break;
-    default: out = {{"", true, true}, {"A", true, true}, {std::string(60'000, 'A'), true, true}};
+    default: out = {{"", true, true}, {"A", true, true}, {"12", true, true}, {std::string(60'000, 'A'), true, true}};
   }
   return out;
 }

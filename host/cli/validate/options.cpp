@@ -8,6 +8,7 @@
 #include <random>
 
 #include "markup.hpp"
+#include "validate/guarded_texts.hpp"
 #include "validate/option_values.hpp"
 #include "validate/subject.hpp"
 
@@ -55,6 +56,17 @@ class OptionBlocks {
   std::vector<TestBlock> cases_;
 };
 
+/// Option texts with nothing behind them, for the creation under way.
+thread_local GuardedTexts* option_texts = nullptr;
+
+ig_link_api guarding_api() {
+  ig_link_api out = link_api();
+  out.option_text = [](ig_link* link, std::uint32_t option) {
+    return option_texts->copy(link_api().option_text(link, option));
+  };
+  return out;
+}
+
 void run_blocks(Examination& e, const LinkedAlone& alone, const ChainSettings& settings,
                 const std::vector<TestBlock>& blocks, const std::string& where) {
   Bench bench(alone, settings);
@@ -67,7 +79,10 @@ void run_blocks(Examination& e, const LinkedAlone& alone, const ChainSettings& s
 
 void check_option(Examination& e, Subject& subject, const ig_syntax& syntax, const ig_option_decl& option,
                   const OptionBlocks& blocks) {
+  const ig_link_api api = guarding_api();
   for (const Candidate& c : candidates(option)) {
+    GuardedTexts texts;
+    option_texts = &texts;
     const std::string shown = c.value.size() > 40 ? fmt::format("a text of {} bytes", c.value.size()) : c.value;
     const std::string where = fmt::format("{}, {}=\"{}\"", syntax.id, option.name, shown);
     e.attempt(where);
@@ -82,7 +97,8 @@ void check_option(Examination& e, Subject& subject, const ig_syntax& syntax, con
       if (!c.may_be_refused) e.find(where, said.all.empty() ? "it does not link" : said.all.back().message);
       continue;
     }
-    const ChainSettings settings = in_mode(Mode::checked);
+    ChainSettings settings = in_mode(Mode::checked);
+    settings.link_api = &api;
     const std::string fault = creation_fault(alone, settings);
     if (fault.empty())
       run_blocks(e, alone, settings, blocks.blocks_for(syntax, alone), where);

@@ -75,6 +75,14 @@ TestBlock random_block(const Stand& stand, const std::vector<ig_field>& fields, 
   return out;
 }
 
+TestBlock block_of_numbers(const Stand& stand, double number) {
+  TestBlock out = full_block(stand.alone, fields_of(stand.alone));
+  out.name += fmt::format(" whose numbers are all {}", number);
+  for (Assignment& a : out.assignments)
+    if (stand.alone.linked->layout.fields[a.field].type == IG_NUMBER) a.value.number = number;
+  return out;
+}
+
 std::vector<TestBlock> many_blocks(const Stand& stand, const Examination& e, std::uint64_t random_ones) {
   const std::vector<ig_field> fields = fields_of(stand.alone);
   std::vector<TestBlock> out = stand.blocks;

@@ -48,15 +48,6 @@ bool keeps_in_services(const ig_syntax& syntax) {
   });
 }
 
-/// All fields of the syntax, each number being this one.
-TestBlock with_numbers(const Stand& stand, double number) {
-  TestBlock out = full_block(stand.alone, fields_of(stand.alone));
-  out.name += fmt::format(" whose numbers are all {}", number);
-  for (Assignment& a : out.assignments)
-    if (stand.alone.linked->layout.fields[a.field].type == IG_NUMBER) a.value.number = number;
-  return out;
-}
-
 /// What a block gives, as a number.
 std::size_t fingerprint(Bench& bench, const TestBlock& block) {
   const Trial trial = bench.run(block, false);
@@ -139,7 +130,7 @@ void check_restart(Examination& e) {
     // A rare block, one with an error for instance, may leave more behind than those of the cases, and a rare one may
     // be needed to see it: each block is at work before each other one.
     std::vector<TestBlock> blocks = many_blocks(stand, e, rare_blocks);
-    for (const double number : {-950.0, 950.0, -1e6, 0.0}) blocks.push_back(with_numbers(stand, number));
+    for (const double number : rare_numbers) blocks.push_back(block_of_numbers(stand, number));
     bench.start();
     std::vector<std::size_t> first = fingerprints(bench, blocks);
     bench.start();

@@ -5,13 +5,38 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "validate/subject.hpp"
 
 namespace isogloss::cli {
 
 namespace {
+
+/// Has the scanner under way given a word?
+thread_local bool has_word = false;
+thread_local bool has_lied = false;
+thread_local ig_scan_fn watched_scan = nullptr;
+
+ig_host noting_host() {
+  ig_host out = host_table(Mode::checked);
+  out.set_words = [](ig_block* b, const ig_word* words, std::uint32_t count) {
+    has_word = true;
+    return host_table(Mode::checked).set_words(b, words, count);
+  };
+  return out;
+}
+
+/// Who takes no byte of a text has no word of it either: the next scanner would find it again.
+std::size_t noting_scan(void* self, const ig_host* host, ig_block* block, const char* text, std::size_t size,
+                        std::size_t position) {
+  has_word = false;
+  const std::size_t end = watched_scan(self, host, block, text, size, position);
+  has_lied = has_lied || (end == position && has_word);
+  return end;
+}
 
 /// One text at a time, behind which no memory is.
 class GuardedLine {
@@ -65,6 +90,34 @@ void on_each_text(const ig_syntax& syntax, Judge&& judge) {
   }
 }
 
+/// A line of 60,000 bytes is rare, and no reason to wait.
+std::string growth_fault(const Stand& stand) {
+  constexpr std::size_t size = 8000, times = 4;
+  constexpr double too_much = 2.5 * times, noise = 0.05;  // the second in seconds: what is faster may be chance
+  constexpr int tries = 3;
+  Bench bench(stand.alone, {});
+  const auto seconds = [&](const std::string& text) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < tries; ++i) {
+      bench.prepare({.name = "a text", .text = text});
+      const double begin = thread_seconds();
+      bench.scan();
+      least = std::min(least, thread_seconds() - begin);
+    }
+    return least;
+  };
+  for (const char trigger : some_triggers(stand.syntax->triggers)) {
+    const double second = seconds(std::string(times * size, trigger));
+    if (second < noise) continue;
+    if (const double ratio = second / seconds(std::string(size, trigger)); ratio > too_much)
+      return fmt::format(
+          "{} bytes {:?} take {:.0f} times as long as {}: its scan() reads the rest of the text again "
+          "from each byte",
+          times * size, trigger, ratio, size);
+  }
+  return {};
+}
+
 }  // namespace
 
 void check_scan(Examination& e) {
@@ -74,15 +127,27 @@ void check_scan(Examination& e) {
   for (const Stand& stand : stands_of(subject, e)) {
     if (stand.syntax->scan == nullptr || !stand.dependencies.empty()) continue;
     GuardedLine line;
-    Bench bench(stand.alone, in_mode(Mode::checked));
+    const ig_host host = noting_host();
+    ChainSettings settings = in_mode(Mode::checked);
+    settings.host = &host;
+    ig_syntax noting = *stand.syntax;
+    watched_scan = std::exchange(noting.scan, noting_scan);
+    stand.alone.linked->chain[stand.alone.position].syntax = &noting;
+    Bench bench(stand.alone, settings);
     bench.place_text = [&line](std::string_view text) { return line.place(text); };
     on_each_text(*stand.syntax, [&](const std::string& text) {
       const std::string where = fmt::format("{}, the text {:?}", stand.syntax->id, text);
       e.attempt(where + "; no byte behind the text may be read");
-      const std::string fault = bench.run({.name = "a text", .text = text}, false).fault();
+      has_lied = false;
+      std::string fault = bench.run({.name = "a text", .text = text}, false).fault();
+      if (fault.empty() && has_lied)
+        fault = "its scan() gave a word and returned the position at which it was asked, which says 'not mine'";
       if (!fault.empty()) e.find(where, fault);
       return fault.empty();
     });
+    stand.alone.linked->chain[stand.alone.position].syntax = stand.syntax;
+    e.attempt(std::string(stand.syntax->id) + ", a long text of one letter");
+    if (const std::string fault = growth_fault(stand); !fault.empty()) e.find(stand.syntax->id, fault);
   }
 }
 

@@ -173,7 +173,8 @@ void check_statics(Examination& e) {
   Subject subject(e);
   for (const Stand& stand : stands_of(subject, e)) {
     Bench bench(stand.alone, in_mode(Mode::fast));
-    const std::vector<TestBlock> blocks = many_blocks(stand, e, stand.dependencies.empty() ? random_ones : 0);
+    std::vector<TestBlock> blocks = many_blocks(stand, e, stand.dependencies.empty() ? random_ones : 0);
+    for (const double number : rare_numbers) blocks.push_back(block_of_numbers(stand, number));
     // What is computed at its first use, and stays so, may be static; `two-chains` sees what is not the same for all.
     for (const TestBlock& block : blocks) bench.run(block, false);
     sought = {.file = e.file};

@@ -70,6 +70,9 @@ struct Trial {
   std::string fault(bool reported_only = false) const;
 };
 
+/// The work of this thread so far, which a busy machine does not change.
+double thread_seconds();
+
 /// Of a chain with these functions.
 ChainSettings in_mode(Mode mode);
 
@@ -125,6 +128,10 @@ std::vector<Stand> stands_of(Subject& subject, Examination& e, Missing what = Mi
 std::vector<ig_field> fields_of(const LinkedAlone& alone);
 /// Block number k of the seed for this syntax: the same on every machine, whatever came before.
 TestBlock random_block(const Stand& stand, const std::vector<ig_field>& fields, std::uint64_t seed, std::uint64_t k);
+/// All fields of the syntax, each number being this one.
+TestBlock block_of_numbers(const Stand& stand, double number);
+/// Numbers that few programs have, and that a syntax may treat in another way.
+inline constexpr double rare_numbers[] = {-950.0, 950.0, -1e6, 0.0};
 /// The blocks of the stand, one with all declared fields, and the first random ones.
 std::vector<TestBlock> many_blocks(const Stand& stand, const Examination& e, std::uint64_t random_ones);
 /// Texts that a program can hold and that nobody expects: cut characters, NUL, control characters, open brackets.

@@ -167,6 +167,45 @@ class ServiceQuestions {
   GuardedTexts texts_;
 };
 
+// A text that row_fault() has left on its stack looks right until the stack is used again.
+ig_text (*watched_row_fault)(void*, ig_text) = nullptr;
+bool is_on_stack = false;
+
+[[gnu::noinline]] void use_stack() {
+  volatile unsigned char other[16384];
+  for (volatile unsigned char& byte : other) byte = 0xA5;
+}
+
+ig_text noting_row_fault(void* self, ig_text row) {
+  constexpr std::size_t most = 512;
+  const ig_text out = watched_row_fault(self, row);
+  const std::size_t size = out.data == nullptr ? 0 : std::min<std::size_t>(out.size, most);
+  unsigned char first[most];
+  const volatile char* const begin = out.data;
+  for (std::size_t i = 0; i < size; ++i) first[i] = static_cast<unsigned char>(begin[i]);  // without a call
+  use_stack();
+  is_on_stack = is_on_stack || std::memcmp(first, out.data, size) != 0;
+  return out;
+}
+
+/// While it lives, the texts of the table's row_fault() are watched.
+class RowFaultWatch {
+ public:
+  // The descriptor is the host's copy, in this process of the check alone.
+  explicit RowFaultWatch(const ig_dependency& d) : dependency_(const_cast<ig_dependency&>(d)), before_(d.row_fault) {
+    watched_row_fault = before_;
+    is_on_stack = false;
+    if (before_ != nullptr) dependency_.row_fault = noting_row_fault;
+  }
+  ~RowFaultWatch() { dependency_.row_fault = before_; }
+  RowFaultWatch(const RowFaultWatch&) = delete;
+  RowFaultWatch& operator=(const RowFaultWatch&) = delete;
+
+ private:
+  ig_dependency& dependency_;
+  ig_text (*before_)(void*, ig_text);
+};
+
 /// A syntax beside which a dependency stands: one of the plugin, or the first of the dialect.
 const ig_syntax* any_syntax(Subject& subject, const ig_plugin*& owner) {
   owner = &subject.plugin();
@@ -232,9 +271,12 @@ void check_table(Examination& e, Subject& subject, const ig_dependency& d) {
   const ig_syntax* const beside = any_syntax(subject, owner);
   if (beside == nullptr)
     return e.remark(fmt::format("not looked at: no syntax is there beside which {} could stand", d.id));
+  const RowFaultWatch watch(d);
   for (const TableAttempt& one : attempts_of(d)) {
     const std::string where = fmt::format("{}, {}", d.id, one.what);
     e.attempt(where);
+    if (is_on_stack)
+      return e.find(d.id, "the text that its row_fault() returns is gone before the next call: it is on the stack");
     DiagnosticList said;
     const LinkedAlone alone = link_alone(*beside, *owner, subject.surroundings(), one.xml, subject.library(), said);
     if (alone.linked == nullptr) {
