@@ -1,5 +1,6 @@
 #include "asked_reports.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace isogloss::cli {
@@ -23,7 +24,10 @@ void AskedReports::add(Diagnostic diagnostic) {
       return at.line != diagnostic.where.line || at.file != diagnostic.where.file;
     };
     if (!last_errors.empty() && is_elsewhere(last_errors.front().where)) last_errors.clear();
-    if (last_errors.size() < most_at_a_place) last_errors.push_back(std::move(diagnostic));
+    const bool is_there = std::any_of(last_errors.begin(), last_errors.end(), [&](const Diagnostic& d) {
+      return d.where.column == diagnostic.where.column && d.message == diagnostic.message;
+    });
+    if (!is_there && last_errors.size() < most_at_a_place) last_errors.push_back(std::move(diagnostic));
   } else if (is_kept && all.size() < most && is_new(diagnostic)) {
     all.push_back(std::move(diagnostic));
   }

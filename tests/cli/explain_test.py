@@ -525,6 +525,11 @@ class Options(Explain):
         self.assertIn("[IG-0181]", self.run_it(f"{part}:6-2", "-d", "fanuc", status=2).stderr)
         self.assertIn("no block at line 90-95 [IG-0515]", self.run_it(f"{part}:90-95", "-d", "fanuc", status=1).stderr)
 
+    def test_a_loop_without_end_is_left_after_its_errors(self):
+        part = self.write("endless.nc", "N10 G222.5\nX#1\nGOTO 10\nX1\n")
+        done = self.run_it(f"{part}:4", "-d", "fanuc", "--max-errors", 50, status=1)
+        self.assertEqual(re.findall(r"\[([A-Z]+-\d+)\]", done.stderr), ["ISO-0280", "IG-0517", "IG-0515"], done.stderr)
+
     def test_a_range_that_is_too_long_is_cut(self):
         part = self.write("long.nc", "G21 G90\n" + "".join(f"G00 X{i}.\n" for i in range(1500)) + "M30\n")
         done = self.run_it(f"{part}:1-1400", "-d", "fanuc", "--brief")

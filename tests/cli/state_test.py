@@ -173,6 +173,12 @@ class State(unittest.TestCase):
         self.assertEqual(self.fields(self.line_of("G01 X#101 F200."))[0]["Variables"],
                          [{"Variable": "#101", "Value": 12.5, "File": "part.nc", "Line": self.line_of("#101=12.5")}])
 
+    def test_a_loop_without_end_is_left_after_its_errors(self):
+        part = pathlib.Path(self.path) / "endless.nc"
+        part.write_text("N10 G222.5\nX#1\nGOTO 10\nX1\n")
+        done = command("state", "endless.nc:4", "-d", "fanuc", "--max-errors", "50", cwd=self.path)
+        self.assertEqual(re.findall(r"\[([A-Z]+-\d+)\]", done.stderr), ["ISO-0280", "IG-0517", "IG-0515"], done.stderr)
+
     def test_a_line_without_a_block(self):
         self.assertIn("[IG-0515]", self.state(999, status=1).stderr)
         self.assertIn("PROGRAM:LINE", command("state", "part.nc", cwd=self.path).stderr)

@@ -39,8 +39,8 @@ constexpr std::size_t block_end(std::string_view text, std::size_t position) {
   return std::min(line.find('\r', position), line.size());
 }
 
-/// The same for a name, of which 64 bytes are read at most: names are shorter, and a scanner that read a line of letters
-/// to its end from each of its letters would take seconds.
+/// The same for a name, of which 64 bytes are read at most: names are shorter, and a scanner that read a line of
+/// letters to its end from each of its letters would take seconds.
 template <class Predicate>
 constexpr std::size_t skip_name_of(std::string_view text, std::size_t position, Predicate is_part) {
   constexpr std::size_t longest = 64;
