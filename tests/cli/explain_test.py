@@ -114,7 +114,11 @@ class Questions(Explain):
         self.assertRegex(out, r"row G55 of IsoCoordinateTable, \S*mine\.xml:3")
 
     def test_06_why_no_motion(self):
-        self.assertIn("Line 5 moves nothing: it sets CoordinateOffset.CoordinateId = \"G55\"", self.fanuc(5))
+        self.assertIn("Line 5 moves nothing: G55 sets CoordinateOffset.Offset_X = -161.8; X now reads ", self.fanuc(5))
+        part = self.write("rest.nc", "G21 G17 G90\nG91 G80 T5\nT6\nQX\nM30\n")
+        for line, text in ((1, "moves nothing: G21, G17 and G90 are in force already."), (2, 'preselects tool 5; G91 sets PositioningMode.Mode = "Incremental"; G80 is in force from here on.'),
+                           (3, "preselects tool 6."), (4, "moves nothing: 'Q' has no number: write its value, or remove the address [ISO-0104].")):
+            self.assertIn(f"Line {line} {text}\n", self.run_it(f"{part}:{line}", "-d", "fanuc", "--brief", status=1 if line == 4 else 0).stdout)
         part = self.write("no.nc", "G21 G90 G00 X0 Y0\nG92 X5.\n/ X9.\nG00 X[\nM30\n")
         self.assertIn("Line 2 moves nothing: X5. belongs to G92", self.ask(f"{part}:2", "-d", "fanuc"))
         self.assertIn("Line 3 moves nothing: the block is skipped",
@@ -131,7 +135,7 @@ class Questions(Explain):
         part = self.write("radius.nc", "G21 G90 G17 G00 X0 Y0\nG41 D1 G01 X10. F300.\nX50.\nY40.\nG40 X60. Y60.\nM30\n")
         out = self.ask(f"{part}:4", "-d", "fanuc", "--set", "ToolOffsetTable.1.D=5")
         self.assertIn("the tool left of the path by its radius 5 (line 2)", out)
-        self.assertIn("machine X is 45 because the path of the tool centre beside the contour, under G41 and G42 adds -5", out)
+        self.assertIn("moves the tool centre: feed to X45 Y40 at 300 mm/min, the tool left of the path by its radius 5 (line 2); machine X is 45 because G41 of line 2 adds -5", out)
 
     def test_09_where_did_this_variable_come_from(self):
         out = self.fanuc(12)
@@ -303,7 +307,7 @@ class Sentences(Explain):
     def test_what_changes_a_programmed_coordinate(self):
         part = self.write("mirror.nc", "G21 G90 G54 G00 X0 Y0\nG51.1 X0\nX20. Y5.\nG50.1 X0\nG16\nG15\nM30\n")
         out = self.ask(f"{part}:2-6", "-d", "fanuc", "--brief").splitlines()
-        self.assertIn("Line 3 moves to X-20 Y5 (X20 becomes X-20 by G51.1, line 2) by rapid", out[1])
+        self.assertIn("Line 3 moves to X-20 Y5 (X20 becomes X-20 by G51.1 of line 2) by rapid", out[1])
         self.assertIn("Line 6 moves nothing: it clears values of PolarCoordinate.", out[4])
 
     def test_arcs_circles_and_helices(self):
@@ -355,7 +359,7 @@ class Machinists(Explain):
         out = self.ask(f"{part}:2-4", "-d", "fanuc", "--brief").splitlines()
         self.assertIn("Line 2 moves nothing: G21 is in force already (G20/G21 ", out[0])
         self.assertIn("Line 3 moves nothing: it holds a comment.", out[1])
-        self.assertIn('it sets PositioningMode.Term = "G91"', out[2])
+        self.assertIn('G91 sets PositioningMode.Mode = "Incremental".', out[2])
 
     def test_each_function_of_a_frame_has_its_own_part(self):
         part = self.write("frame.mpf", "G17 G710 G90 G54\nTRANS X10 Y5\nAROT Z30\nATRANS X2\nASCALE X2 Y2\nG0 X10 Y5 Z2\n"

@@ -138,8 +138,8 @@ Json json_of(const std::vector<Stroke>& strokes) {
 
 }  // namespace
 
-Json json_of(const ExplainedBlock& b, Amount amount, LineTexts& lines) {
-  const Facts facts(b, lines);
+Json json_of(const ExplainedBlock& b, Amount amount, LineTexts& lines, std::span<const Diagnostic> reports) {
+  const Facts facts(b, lines, reports);
   const std::vector<Stroke> strokes = strokes_of(facts);
   Json out{{"File", b.where.file}, {"Line", b.where.line}, {"Sentence", sentence_of(facts, strokes)}};
   if (amount == Amount::sentence) return out;

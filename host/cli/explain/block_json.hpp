@@ -5,6 +5,6 @@
 
 namespace isogloss::cli {
 
-Json json_of(const ExplainedBlock& block, Amount amount, LineTexts& lines);
+Json json_of(const ExplainedBlock& block, Amount amount, LineTexts& lines, std::span<const Diagnostic> reports = {});
 
 }  // namespace isogloss::cli

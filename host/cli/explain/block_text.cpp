@@ -177,8 +177,8 @@ std::string slept_text(const std::vector<SleepingSyntax>& list) {
 
 }  // namespace
 
-std::string text_of(const ExplainedBlock& b, Amount amount, LineTexts& lines) {
-  const Facts facts(b, lines);
+std::string text_of(const ExplainedBlock& b, Amount amount, LineTexts& lines, std::span<const Diagnostic> reports) {
+  const Facts facts(b, lines, reports);
   const std::vector<Stroke> strokes = strokes_of(facts);
   std::string sentence = sentence_of(facts, strokes) + "\n";
   if (amount == Amount::sentence) return sentence;

@@ -11,6 +11,8 @@ enum class Amount {
   all  ///< --all: every carried value, every syntax that was called or slept
 };
 
-std::string text_of(const ExplainedBlock& block, Amount amount, LineTexts& lines);
+/// `reports`: what the run has reported, for the lines that are explained at least.
+std::string text_of(const ExplainedBlock& block, Amount amount, LineTexts& lines,
+                    std::span<const Diagnostic> reports = {});
 
 }  // namespace isogloss::cli

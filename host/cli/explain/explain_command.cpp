@@ -31,12 +31,12 @@ struct ExplainCommand {
 };
 
 /// Diagnostics of other lines were not asked for; what ended the run before these lines was.
-void report_said(AskedReports& said, const ExplainReach& reach, bool found_blocks, Session& session) {
-  for (Diagnostic& d : said.all) session.diagnostics().add(std::move(d));
+void report_said(const AskedReports& said, const ExplainReach& reach, bool found_blocks, Session& session) {
+  for (const Diagnostic& d : said.all) session.diagnostics().add(d);
   if (found_blocks) return;
-  for (Diagnostic& d : said.last_errors) {
+  for (const Diagnostic& d : said.last_errors) {
     const bool is_at_the_end = d.where.line == reach.last.line && d.where.file == reach.last.file;
-    if (is_at_the_end || reach.last.line == 0) session.diagnostics().add(std::move(d));
+    if (is_at_the_end || reach.last.line == 0) session.diagnostics().add(d);
   }
 }
 
@@ -66,9 +66,9 @@ int ExplainCommand::explain_blocks(Session& session, const std::string& path, co
   Json list = Json::array();
   for (const ExplainedBlock& b : blocks) {
     if (json)
-      list.push_back(json_of(b, amount, lines));
+      list.push_back(json_of(b, amount, lines, said.all));
     else
-      out += (out.empty() || brief ? "" : "\n") + text_of(b, amount, lines);
+      out += (out.empty() || brief ? "" : "\n") + text_of(b, amount, lines, said.all);
   }
   return print(json ? pretty(list) : out, session.status());
 }

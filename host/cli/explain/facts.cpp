@@ -86,8 +86,8 @@ bool mentions(std::string_view text, std::string_view code) {
   return holds_word(text, std::string(code.substr(0, digits)) + std::string(code.substr(zeros)));
 }
 
-Facts::Facts(const ExplainedBlock& block, LineTexts& lines)
-    : block_(block), lines_(lines), document_(Json::parse(block.document)) {
+Facts::Facts(const ExplainedBlock& block, LineTexts& lines, std::span<const Diagnostic> reports)
+    : block_(block), lines_(lines), reports_(reports), document_(Json::parse(block.document)) {
   for (const ExplainedValue& v : block.values) now_.emplace(v.path, &v);
   for (const ExplainedValue& v : block.carried) before_.emplace(v.path, &v);
   if (text("Unit.System") == "Inch") unit_mm_ = 25.4;
@@ -109,6 +109,14 @@ std::string Facts::text(const std::string& path) const {
 bool Facts::has_changed(const std::string& path) const {
   const ExplainedValue *const was = before(path), *const is = now(path);
   return is != nullptr && (was == nullptr || was->value != is->value);
+}
+
+std::string Facts::report() const {
+  for (const Severity severity : {Severity::error, Severity::warning})
+    for (const Diagnostic& d : reports_)
+      if (d.severity == severity && d.where.line == block_.where.line && d.where.file == block_.where.file)
+        return fmt::format("{} [{}]", d.message, d.code);
+  return {};
 }
 
 const ExplainedWord* Facts::word(const std::string& name) const {

@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <unordered_map>
 
 #include "isogloss/engine/explain.hpp"
@@ -38,7 +39,8 @@ std::string section_words(std::string_view section);
 
 class Facts {
  public:
-  Facts(const ExplainedBlock& block, LineTexts& lines);
+  /// `reports`: of the run, those of other lines among them.
+  Facts(const ExplainedBlock& block, LineTexts& lines, std::span<const Diagnostic> reports = {});
 
   const ExplainedBlock& block() const { return block_; }
   const Json& document() const { return document_; }
@@ -51,6 +53,8 @@ class Facts {
   std::string text(const std::string& path) const;
   /// The value is another one than before the block, or there was none.
   bool has_changed(const std::string& path) const;
+  /// The first error of its line, else the first warning: "feed move without a feed rate: … [ISO-0302]"; empty: none.
+  std::string report() const;
   /// A word of the block with this name, or nullptr.
   const ExplainedWord* word(const std::string& name) const;
 
@@ -63,8 +67,8 @@ class Facts {
   /// What a programmer calls a rung: its code where the line that set it holds the code, else its section in words.
   std::string name_of(const ExplainedRung& rung) const;
   /// What a machinist calls the work of a syntax: the code of the block that it uses, "G41"; the one in force that it
-  /// has read before, "G51.1, line 2"; what its summary says, "tool length compensation (G43/G44/G49 and H)"; its own
-  /// name at last.
+  /// serves, "G51.1 of line 2"; what its summary says, "tool length compensation (G43/G44/G49 and H)"; its own name at
+  /// last.
   std::string function_of(const std::string& syntax) const;
   /// The summary of a syntax without its point; its own name where it has none.
   std::string summary_of(const std::string& syntax) const;
@@ -87,8 +91,11 @@ class Facts {
   }
   static std::optional<double> number_of(const ExplainedValue* value);
 
+  std::string code_served_by(const std::string& syntax) const;
+
   const ExplainedBlock& block_;
   LineTexts& lines_;
+  std::span<const Diagnostic> reports_;
   Json document_;
   Index now_, before_;
   double unit_mm_ = 1;

@@ -32,12 +32,25 @@ std::string in_small_words(std::string_view section) {
   return out;
 }
 
+/// "Turns G91 distances into positions" says what it does, unlike "Cycles that act where they are defined".
+bool begins_with_verb(std::string_view summary) {
+  const std::size_t end = std::min(summary.find(' '), summary.size());
+  if (end < 3 || summary[end - 1] != 's' || summary[1] < 'a') return false;
+  const std::string_view next = summary.substr(std::min(end + 1, summary.size()));
+  for (const std::string_view of_a_noun : {"of ", "that ", "and ", "U "})
+    if (next.starts_with(of_a_noun)) return false;
+  return !next.empty() && (next[0] < '0' || next[0] > '9');
+}
+
 /// "G43/G44/G49 and H: tool length compensation" → "tool length compensation (G43/G44/G49 and H)"; as it stands within
 /// a sentence: "The path …" → "the path …".
 std::string title_of(std::string summary) {
   const std::size_t colon = summary.find(": ");
-  const bool is_word = summary.size() > 1 && (summary[1] == ' ' || (summary[1] >= 'a' && summary[1] <= 'z'));
+  const auto is_small = [&](std::size_t i) { return i < summary.size() && summary[i] >= 'a' && summary[i] <= 'z'; };
+  const bool is_verb = begins_with_verb(summary);
+  const bool is_word = is_small(1) || (summary.starts_with("A ") && is_small(2));
   if (is_word && summary[0] >= 'A' && summary[0] <= 'Z') summary[0] = static_cast<char>(summary[0] - 'A' + 'a');
+  if (is_verb) return "the function that " + summary;
   if (colon == std::string::npos) return summary;
   return fmt::format("{} ({})", summary.substr(colon + 2), summary.substr(0, colon));
 }
@@ -63,15 +76,32 @@ std::string Facts::function_of(const std::string& syntax) const {
     if (w.value.empty() && mentions(w.text, w.name) &&
         std::find(w.users.begin(), w.users.end(), syntax) != w.users.end())
       return w.text.size() <= w.name.size() ? w.text : w.name;
+  if (std::string code = code_served_by(syntax); !code.empty()) return code;
   std::string title = title_of(summary_of(syntax));
   for (const ExplainedValue& v : block_.values) {
     if (v.writer != syntax || v.value.size() < 3 || v.value.front() != '"' || v.since.line == 0) continue;
     const std::string code = v.value.substr(1, v.value.size() - 2);
-    if (mentions(line_text(v.since), code)) return fmt::format("{}, {}", code, place(v.since));
-    if (!is_here(v.since)) title += ", " + place(v.since);
+    if (mentions(line_text(v.since), code)) return fmt::format("{} of {}", code, place(v.since));
+    if (!is_here(v.since)) title += " of " + place(v.since);
     break;
   }
   return title;
+}
+
+/// The code in force that the summary of the syntax names: G91 for "Turns G91 distances into positions". Where the
+/// program writes something else for it, as Klartext writes RL for G41, the section in words.
+std::string Facts::code_served_by(const std::string& syntax) const {
+  const std::string summary = summary_of(syntax);
+  for (const ExplainedValue& v : block_.values) {
+    if (v.value.size() < 4 || v.value.front() != '"' || v.since.line == 0) continue;
+    const std::string code = v.value.substr(1, v.value.size() - 2);
+    const bool has_number = code.find_first_of("0123456789") != std::string::npos;
+    if (!has_number || !mentions(summary, code)) continue;
+    const std::string name =
+        mentions(line_text(v.since), code) ? code : section_words(v.path.substr(0, v.path.find('.')));
+    return is_here(v.since) ? name : fmt::format("{} of {}", name, place(v.since));
+  }
+  return {};
 }
 
 std::string Facts::summary_of(const std::string& syntax) const {

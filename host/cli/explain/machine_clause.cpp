@@ -6,6 +6,7 @@
 #include "explain/axis_moves.hpp"
 #include "explain/frame_text.hpp"
 #include "explain/ladder_text.hpp"
+#include "explain/rest_clause.hpp"
 #include "explain/sentence.hpp"
 
 namespace isogloss::cli {
@@ -13,13 +14,6 @@ namespace isogloss::cli {
 namespace {
 
 constexpr double smallest_step = 1e-6;
-
-std::string join(const std::vector<std::string>& parts) {
-  std::string out;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    out += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
-  return out;
-}
 
 /// "G55 adds -161.8 (line 37)": of a name in words "the work offset".
 std::string placed_row(const Facts& facts, const LadderRow& row, const std::string& does) {
@@ -37,7 +31,7 @@ std::string reason_of_axis(const Facts& facts, std::size_t axis, double beside, 
       parts.push_back(placed_row(facts, row, "adds " + facts.length(shift)));
   if (std::abs(beside) > smallest_step)
     parts.push_back(fmt::format("{} adds {}", facts.function_of(writer), facts.length(beside)));
-  return parts.empty() ? std::string() : "because " + join(parts);
+  return parts.empty() ? std::string() : "because " + series_of(parts);
 }
 
 std::string reason_of_point(const Facts& facts, const std::array<double, 3>& beside, const std::string& writer) {
@@ -45,7 +39,7 @@ std::string reason_of_point(const Facts& facts, const std::array<double, 3>& bes
   for (const LadderRow& row : ladder_rows(facts, facts.unit())) parts.push_back(placed_row(facts, row, row.does));
   if (const std::string words = axis_words(beside, facts.unit()); !words.empty())
     parts.push_back(facts.function_of(writer) + " adds " + words);
-  return "because " + join(parts);
+  return "because " + series_of(parts);
 }
 
 /// " (zero here: G55, tool length 3)": offsets that the program has selected and that change nothing, as those of empty

@@ -169,7 +169,12 @@ std::string stroke_clause(const Facts& facts, const std::vector<Stroke>& strokes
   constexpr std::size_t most_shown = 6;
   const std::string term = facts.text("CompoundMotion.Term");
   std::string out = fmt::format("makes {} step{}", strokes.size(), strokes.size() == 1 ? "" : "s");
-  if (!term.empty()) out += " of " + term;
+  // Compensation has made them of one move of the program.
+  if (!term.empty() && term == facts.text("RadiusCompensation.Term"))
+    out = strokes.size() == 1 ? "moves the tool centre"
+                              : fmt::format("moves the tool centre in {} steps", strokes.size());
+  else if (!term.empty())
+    out += " of " + term;
   if (facts.now("CannedCycle.Term") != nullptr && facts.text("CannedCycle.Term") == term)
     if (const std::string reason = because_of(facts, "CannedCycle.Term"); !reason.empty()) out += ", " + reason;
   const bool moves =

@@ -34,10 +34,20 @@ std::string tool_text(const Facts& facts) {
   return is_named ? fmt::format("\"{}\", number {} of this run", name, number) : number;
 }
 
+/// The tool that a T word has named for a later change; empty: none.
+std::string preselected_tool(const Facts& facts) {
+  const ExplainedWord* const word = facts.word("T");
+  const ExplainedValue* const tool = facts.now("ToolChange.ToolId");
+  if (word == nullptr || word->users.empty() || tool == nullptr || facts.text("ToolChange.IsChange") == "true")
+    return {};
+  return word->users.back() == tool->writer ? facts.text("ToolChange.ToolId") : std::string();
+}
+
 /// What the block does besides moving.
 std::vector<std::string> other_parts(const Facts& facts) {
   std::vector<std::string> out;
   if (facts.text("ToolChange.IsChange") == "true") out.push_back("changes to tool " + tool_text(facts));
+  if (const std::string tool = preselected_tool(facts); !tool.empty()) out.push_back("preselects tool " + tool);
   if (const auto time = facts.number("Dwell.Time")) out.push_back(fmt::format("dwells {} s", short_number(*time)));
   if (std::string spindle = spindle_part(facts); !spindle.empty()) out.push_back(std::move(spindle));
   if (facts.now("ProgramStop.Term") != nullptr)
@@ -56,14 +66,17 @@ std::vector<std::string> other_parts(const Facts& facts) {
 std::string sentence_of(const Facts& facts, const std::vector<Stroke>& strokes) {
   std::vector<std::string> parts = other_parts(facts);
   const bool moves = !strokes.empty() || facts.now("MotionEvent.Form") != nullptr;
+  const bool is_at_rest = !moves && !parts.empty();
   if (!strokes.empty())
     parts.insert(parts.begin(), stroke_clause(facts, strokes));
   else if (moves)
     parts.insert(parts.begin(), move_clause(facts));
   else if (parts.empty())
     parts.push_back(rest_clause(facts));
+  const std::vector<std::string> modes = is_at_rest ? mode_clauses(facts) : std::vector<std::string>();
   std::string out = fmt::format("Line {} ", facts.block().where.line);
   for (std::size_t i = 0; i < parts.size(); ++i) out += (i == 0 ? "" : "; it ") + parts[i];
+  for (const std::string& mode : modes) out += "; " + mode;
   if (const std::string reading = reading_clause(facts); !reading.empty()) out += "; " + reading;
   if (const std::string machine = moves ? machine_clause(facts) : std::string(); !machine.empty())
     out += "; " + machine;

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "asked_reports.hpp"
 #include "explain/sentence.hpp"
 
 namespace isogloss::cli::viewing {
@@ -23,11 +24,11 @@ Sentences explain_lines(const PathRun& run, const KeptProgram& program, const st
   options.goes_on = [end = std::chrono::steady_clock::now() + patience] {
     return std::chrono::steady_clock::now() < end;
   };
-  DiagnosticList unheard;  // the run for the path has reported them
+  AskedReports said([&](const Diagnostic& d) { return d.where.line >= first && d.where.line <= last; });
   LineTexts lines;
   try {
-    for (const ExplainedBlock& block : explain(*run.linked, *source, program.path(), target, options, unheard)) {
-      const Facts facts(block, lines);
+    for (const ExplainedBlock& block : explain(*run.linked, *source, program.path(), target, options, said)) {
+      const Facts facts(block, lines, said.all);
       std::string& text = out[block.where.line];
       // Several blocks may stand in one line.
       if (block.pass == 1 && text.size() < 1000)
