@@ -167,13 +167,15 @@ class ProgressLine(unittest.TestCase):
                 begin = time.monotonic()
                 in_pipe("explain", f"{program}:{lines}", "-d", "fanuc", "--brief")
                 seconds = time.monotonic() - begin
-            for arguments, what in ((("explain", f"{program}:{lines}", "--brief"), "blocks"),
-                                    (("state", f"{program}:{lines}"), "blocks"),
-                                    (("diff", program, "--set-b", "FanucParameterTable.5115=5"), "blocks compared"),
-                                    (("diff", program, "--set-b", "FanucParameterTable.5115=5", "--motions"),
-                                     "blocks compared")):
+            blocks, change = program.read_text().splitlines(keepends=True), ("--set-b", "FanucParameterTable.5115=5")
+            # The others take longer for each line.
+            for arguments, what, share in ((("explain", f"{program}:{lines}", "--brief"), "blocks", 1),
+                                           (("state", f"{program}:{lines // 3}"), "blocks", 3),
+                                           (("diff", program, *change), "blocks compared", 6),
+                                           (("diff", program, *change, "--motions"), "blocks compared", 4)):
                 with self.subTest(arguments[0]):
-                    for columns in (60, 200):
+                    program.write_text("".join(blocks[:len(blocks) // share]))
+                    for columns in (60, 200) if share == 1 else (60,) if share == 4 else (200,):
                         text, status = on_terminal(*arguments, "-d", "fanuc", columns=columns)
                         self.assertEqual(status, 0, text[-400:])
                         shown = [p for p in re.split(r"\r\x1b\[K", text) if "] " in p and p.startswith("[")]
