@@ -6,7 +6,8 @@
 
 namespace isogloss::cli {
 
-/// Watches the library's own calls of malloc(), operator new and their kin. One at a time.
+/// Watches the library's own calls of malloc(), operator new and their kin, which give zeros, and everyone's of free().
+/// One at a time, and nothing is undone: it belongs into the process of a check.
 class OwnMemory {
  public:
   explicit OwnMemory(const std::filesystem::path& library);
@@ -14,6 +15,8 @@ class OwnMemory {
   OwnMemory(const OwnMemory&) = delete;
   OwnMemory& operator=(const OwnMemory&) = delete;
 
+  /// A piece that it has allocated before.
+  void add(const void* begin);
   bool contains(const void* begin) const;
 };
 

@@ -3,7 +3,6 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <link.h>
-#include <malloc.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -11,6 +10,8 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
+#include <map>
 
 #include "validate/own_memory.hpp"
 #include "validate/reachable_memory.hpp"
@@ -131,13 +132,46 @@ std::vector<std::string_view> variables_of(const Sought& sought) {
   return out;
 }
 
-using OwnedByPlugin = std::function<bool(const void*)>;
+std::size_t offset_of(const char* variable, const Sought& sought) {
+  for (const WritablePart& part : sought.parts)
+    if (variable >= part.begin && variable < part.begin + part.size)
+      return part.offset + static_cast<std::size_t>(variable - part.begin);
+  return 0;
+}
+
+/// The variables of the library and what it allocated for them, as they were when it was loaded.
+class AtLoad {
+ public:
+  AtLoad(const Sought& sought, OwnMemory& own, const std::set<const void*>& before) {
+    for (const void* const piece : pieces_in_use())
+      if (!before.contains(piece)) own.add(piece), pieces_.insert(piece);
+    const auto is_first = [&](const void* piece, const char*) { return pieces_.contains(piece); };
+    std::vector<std::string_view> all = variables_of(sought);
+    const std::vector<std::string_view> reached = ReachableMemory(all, is_first).pieces();
+    all.insert(all.end(), reached.begin(), reached.end());
+    for (const std::string_view memory : all) memory_.emplace(memory.data(), memory);
+  }
+  bool has(const void* piece) const { return pieces_.contains(piece); }
+  /// The word has not been written since.
+  bool is_same(const char* word) const {
+    const auto behind = memory_.upper_bound(word);
+    if (behind == memory_.begin()) return false;
+    const auto& [begin, bytes] = *std::prev(behind);
+    const auto offset = static_cast<std::size_t>(word - begin);
+    return offset + sizeof(void*) <= bytes.size() && std::memcmp(bytes.data() + offset, word, sizeof(void*)) == 0;
+  }
+
+ private:
+  std::set<const void*> pieces_;
+  std::map<const char*, std::string> memory_;
+};
 
 /// What a build of the block changes of all chains' memory; empty where it is nothing.
-std::string change_by(Bench& bench, const TestBlock& block, Sought& sought, const OwnedByPlugin& is_owned) {
+std::string change_by(Bench& bench, const TestBlock& block, Sought& sought,
+                      const ReachableMemory::IsPointer& is_pointer) {
   bench.prepare(block);
   changed_offset(sought.of_thread);
-  const ReachableMemory before(variables_of(sought), is_owned);
+  const ReachableMemory before(variables_of(sought), is_pointer);
   {
     const WriteGuard guard(sought.parts);
     bench.scan();
@@ -148,7 +182,10 @@ std::string change_by(Bench& bench, const TestBlock& block, Sought& sought, cons
                        static_cast<std::size_t>(written_offset));
   if (changed_offset(sought.of_thread))
     return "it changes a variable of the thread (thread_local), which all chains of the thread share";
-  if (before.has_changed()) return "it changes memory to which a static variable points, which all chains share";
+  if (const char* const variable = before.changed_from(); variable != nullptr)
+    return fmt::format(
+        "it changes memory to which a static variable points, which all chains share; nm -C names it near {:#x}",
+        offset_of(variable, sought));
   return {};
 }
 
@@ -156,19 +193,15 @@ std::string change_by(Bench& bench, const TestBlock& block, Sought& sought, cons
 
 void check_statics(Examination& e) {
   constexpr std::uint64_t random_ones = 100;
-  // What the library has allocated while it was loaded, before the host allocates anything beside it.
-  dlopen(e.file.c_str(), RTLD_NOW | RTLD_LOCAL);
   Sought sought{.file = e.file};
+  const std::set<const void*> before = pieces_in_use();
+  dlopen(e.file.c_str(), RTLD_NOW | RTLD_LOCAL);
   dl_iterate_phdr(note_parts, &sought);
-  const std::vector<std::string_view> first =
-      ReachableMemory(variables_of(sought), [](const void*) { return true; }).pieces();
-  const OwnMemory later(e.file);
-  const OwnedByPlugin is_owned = [&](const void* piece) {
-    // One of another size has been given back, and is somebody else's now.
-    const auto is_same = [&](std::string_view known) {
-      return known.data() == piece && malloc_usable_size(const_cast<char*>(known.data())) == known.size();
-    };
-    return later.contains(piece) || std::any_of(first.begin(), first.end(), is_same);
+  OwnMemory own(e.file);
+  const AtLoad first(sought, own, before);
+  // A word that was there before the piece was allocated points to it by chance alone.
+  const ReachableMemory::IsPointer is_pointer = [&](const void* piece, const char* word) {
+    return own.contains(piece) && (first.has(piece) || !first.is_same(word));
   };
   Subject subject(e);
   for (const Stand& stand : stands_of(subject, e)) {
@@ -182,7 +215,7 @@ void check_statics(Examination& e) {
     for (const TestBlock& block : blocks) {
       const std::string where = std::string(stand.syntax->id) + ", " + block.name;
       e.attempt(where);
-      const std::string change = change_by(bench, block, sought, is_owned);
+      const std::string change = change_by(bench, block, sought, is_pointer);
       if (change.empty()) continue;
       e.find(where, change);
       break;
