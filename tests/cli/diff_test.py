@@ -109,6 +109,21 @@ class Diff(unittest.TestCase):
         self.assertEqual({(e["NameA"], e["Trial"]) for e in tried}, {("5115", "Cause"), ("1013", "NoCause")}, causes)
         self.assertIn("tried:", self.diff("-d", "fanuc", *both, part).stdout)
 
+    def test_the_cause_acts_before_the_syntax_that_writes_last(self):
+        """Inches become mm on both sides alike; the number was another one before."""
+        part = self.write("inch.nc", "G20 G90\nG00 X3 Y4.\nM30\n")
+        [cause] = [c for c in self.causes(part, "-a", "iso", "-b", "fanuc")[0] if c["Kind"] != "Diagnostic"]
+        self.assertEqual(cause["Cause"], "option rule of DecimalPointSyntax = as-written against parameter")
+        self.assertTrue(cause["IsTried"])
+
+    def test_a_code_that_one_side_does_not_know(self):
+        part = self.write("coolant.nc", "G21 G90\nM88\nG00 X3.\nM89\nM30\n")
+        cause = self.causes(part, "-a", "fanuc", "-b", "haas")[0][0]
+        self.assertEqual((cause["Cause"], cause["Kind"], cause["SyntaxA"], cause["SyntaxB"], cause["IsTried"]),
+                         ("HaasCoolantSyntax, which only haas has", "Syntaxes", None, "HaasCoolantSyntax", True))
+        self.assertIn("    tried:    without it on both sides the block is the same\n",
+                      self.diff(part, "-a", "fanuc", "-b", "haas").stdout)
+
     def test_the_same_on_both_sides_is_no_difference(self):
         part = self.write("part.nc", PECKS)
         for sides in (["-a", "fanuc", "-b", "fanuc"], ["-a", "fanuc", "-b", "syntec"]):

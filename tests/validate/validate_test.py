@@ -384,7 +384,7 @@ class Validate(unittest.TestCase):
                     time.sleep(0.1)
 
     def test_in_process_a_crash_is_the_command_s_own(self):
-        self.assertEqual(self.run_it(faulty("sound"), "--in-process").returncode, 0)
+        self.assertEqual(self.run_it(faulty("sound"), "--in-process", "--strict").returncode, 0)
         done = self.run_it(faulty("empty"), "--in-process", "--only", "empty-block")
         self.assertEqual(done.returncode, 3)
         self.assertIn("segmentation fault in FaultySyntax of plugin empty", done.stderr)

@@ -85,7 +85,8 @@ std::string group_text(const Group& g) {
   if (g.acts_together)
     out += "    tried:    with all of them on both sides the block is the same, with one alone it differs\n";
   if (g.trial == Evidence::Trial::cause)
-    out += "    tried:    with that of side A on both sides the block is the same\n";
+    out += fmt::format("    tried:    {} on both sides the block is the same\n",
+                       g.kind == Group::Kind::syntaxes && g.syntax_a.empty() ? "without it" : "with that of side A");
   out += fields_text(g);
   for (const PartedBlock& example : g.examples) {
     out += block_text(example, "    ");

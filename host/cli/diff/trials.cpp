@@ -4,10 +4,13 @@
 
 #include <algorithm>
 
+#include "diff/first_parting.hpp"
+
 namespace isogloss::cli::parting {
 
 namespace {
 
+constexpr std::string_view not_found = "not found: ";  // begins the headings of such causes
 constexpr std::size_t most_trials = 200;
 constexpr std::uint64_t most_blocks = 20'000;            // up to the block that is looked at
 constexpr std::uint64_t most_blocks_of_all = 1'000'000;  // of all trials of a comparison
@@ -27,7 +30,8 @@ class Trials {
   void try_group(Group& group) {
     group_ = &group;
     using Kind = Group::Kind;
-    if (group.kind == Kind::syntax) return try_evidence(group);
+    if (group.kind == Kind::syntax) try_evidence(group);
+    if (group.kind == Kind::unknown) return look_closer(group);
     if (group.kind != Kind::syntaxes && group.kind != Kind::initial) return;
     const std::optional<Dialect> changed = group.kind == Kind::syntaxes ? with_syntax_of_a() : with_initial_of_a();
     const Answer answer = changed && can_run(1) && is_repeatable() ? ask(*changed, {}) : Answer::none;
@@ -36,6 +40,7 @@ class Trials {
     if (answer != Answer::differs) return;
     group.trial = Evidence::Trial::no_cause;
     say_not_found(group, group.cause + " is not: with it on both sides the block differs as before");
+    look_closer(group);
   }
 
  private:
@@ -79,13 +84,65 @@ class Trials {
     return all;
   }
 
+  /// The syntax by which both sides part first in the block: its options are tried, or the syntax itself where one side
+  /// alone has it. What is no cause is named.
+  void look_closer(Group& group) {
+    if (!group.cause.starts_with(not_found) || !can_run(4)) return;
+    blocks_ += 2 * group.probed_block;
+    const std::optional<FirstParting> first = find_first_parting(a_, b_, group.probed, session_);
+    if (!first) return;
+    const std::string& name = first->syntax_a.empty() ? first->syntax_b : first->syntax_a;
+    if (name == group.syntax_a && name == group.syntax_b) return;
+    Group closer = group;
+    closer.syntax_a = first->syntax_a;
+    closer.syntax_b = first->syntax_b;
+    closer.evidence.clear();
+    closer.beside.clear();
+    group_ = &closer;
+    const bool is_cause = first->syntax_a.empty() != first->syntax_b.empty() ? is_syntax_the_cause(closer, *first)
+                                                                             : is_option_the_cause(closer);
+    group_ = &group;
+    if (is_cause)
+      group = std::move(closer);
+    else
+      group.cause +=
+          fmt::format("; both sides part first at {}: {} {} against {}", name, first->path, first->a, first->b);
+  }
+
+  bool is_syntax_the_cause(Group& group, const FirstParting& first) {
+    const std::optional<Dialect> changed = with_syntax_of_a();
+    if (!changed || !is_repeatable() || ask(*changed, {}) != Answer::same) return false;
+    const bool is_of_a = first.syntax_b.empty();
+    group.kind = Group::Kind::syntaxes;
+    group.trial = Evidence::Trial::cause;
+    group.cause =
+        fmt::format("{}, which only {} has", is_of_a ? first.syntax_a : first.syntax_b, (is_of_a ? a_ : b_).side.name);
+    return true;
+  }
+
+  bool is_option_the_cause(Group& group) {
+    const auto position = [](const RunOfSide& side, const std::string& alias) {
+      const std::vector<LinkedSyntax>& chain = side.side.linked->chain;
+      const auto found =
+          std::find_if(chain.begin(), chain.end(), [&](const auto& s) { return s.element.alias == alias; });
+      return static_cast<std::uint16_t>(found - chain.begin() + 1);
+    };
+    const Snapshot no_rows;
+    group.evidence = EvidenceFinder(a_.side, b_.side)
+                         .find(position(a_, group.syntax_a), position(b_, group.syntax_b), no_rows, no_rows);
+    group.kind = Group::Kind::syntax;
+    if (!group.evidence.empty()) try_evidence(group);
+    return std::any_of(group.evidence.begin(), group.evidence.end(),
+                       [](const Evidence& e) { return e.trial == Evidence::Trial::cause; });
+  }
+
   static void say_not_tried(Group& group) {
     if (group.kind == Group::Kind::syntax || group.kind == Group::Kind::syntaxes || group.kind == Group::Kind::initial)
       group.cause = "not tried, perhaps " + group.cause;
   }
   static void say_not_found(Group& group, const std::string& why) {
     group.kind = Group::Kind::unknown;
-    group.cause = "not found: " + (group.beside.empty() ? why : group.beside + ", in the same block; " + why);
+    group.cause = std::string(not_found) + (group.beside.empty() ? why : group.beside + ", in the same block; " + why);
   }
 
   bool can_run(std::size_t trials) const {
