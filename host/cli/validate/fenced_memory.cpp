@@ -162,9 +162,6 @@ FencedMemory::FencedMemory(const std::filesystem::path& library) {
   redirect(for_library, Redirected::libraries, library);
 }
 
-// The pieces live on, and so does their list: whoever gives one back needs it.
-FencedMemory::~FencedMemory() = default;
-
 std::string FencedMemory::damage() {
   const InList at_work;
   for (const auto& [piece, size] : pieces->sizes)

@@ -11,7 +11,8 @@ namespace isogloss::cli {
 class FencedMemory {
  public:
   explicit FencedMemory(const std::filesystem::path& library);
-  ~FencedMemory();
+  /// The pieces live on, and so does their list: whoever gives one back needs it.
+  ~FencedMemory() = default;
   FencedMemory(const FencedMemory&) = delete;
   FencedMemory& operator=(const FencedMemory&) = delete;
 

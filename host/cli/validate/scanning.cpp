@@ -65,7 +65,7 @@ class GuardedLine {
 /// At most this many of the bytes at which the scanner is asked, from all over them.
 std::string some_triggers(const char* triggers) {
   constexpr std::size_t most = 16;
-  const std::string all = triggers;
+  std::string all = triggers;
   if (all.size() <= most) return all;
   std::string out;
   for (std::size_t i = 0; i < most; ++i) out += all[i * all.size() / most];
