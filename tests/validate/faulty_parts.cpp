@@ -178,7 +178,9 @@ std::size_t scan(void* pointer, const ig_host* host, ig_block* block, const char
   nothing.end = static_cast<std::uint16_t>(end);
   if (end == position + 1) host->set_words(block, &nothing, 1);
 #elif defined(FAULT_scan_reads_rest)
-  for (std::size_t i = position; i < size; ++i) scratch = scratch + text[i];
+  unsigned sum = 0;
+  for (std::size_t i = position; i < size; ++i) sum = sum * 31 + static_cast<unsigned char>(text[i]);
+  scratch = sum;
 #endif
   if (end == position + 1) return position;
   double number = 0;

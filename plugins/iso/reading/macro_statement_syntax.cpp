@@ -37,7 +37,7 @@ struct MacroStatementSyntax {
       return begins_o_word(text, position) && stands_first(text, position);
     }
     if (!is_letter(second)) return false;
-    const std::string_view word = piece(text, position, skip_while(text, position, is_letter));
+    const std::string_view word = piece(text, position, skip_name_of(text, position, is_letter));
     for (const std::string_view keyword : keywords)
       if (equals_ignoring_case(word, keyword)) return stands_first(text, position);
     return false;
