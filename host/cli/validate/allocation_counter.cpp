@@ -1,7 +1,6 @@
 // Functions in place of malloc() and its kin, each of which counts and then allocates as the system does.
 #include "validate/allocation_counter.hpp"
 
-#include <dlfcn.h>
 #include <malloc.h>
 #include <sys/mman.h>
 
@@ -89,12 +88,6 @@ const Replacement counting_functions[] = {{"malloc", reinterpret_cast<void*>(&co
                                           {"mmap64", reinterpret_cast<void*>(&counting_mmap)},
                                           {"munmap", reinterpret_cast<void*>(&counting_munmap)},
                                           {"free", reinterpret_cast<void*>(&counting_free)}};
-
-template <class F>
-bool find_function(F& function, const char* name) {
-  function = reinterpret_cast<F>(dlsym(RTLD_DEFAULT, name));
-  return function != nullptr;
-}
 
 bool find_functions() {
   return find_function(system_malloc, "malloc") && find_function(system_calloc, "calloc") &&

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 
 namespace isogloss::cli {
 
@@ -11,7 +10,6 @@ namespace isogloss::cli {
 class OwnMemory {
  public:
   explicit OwnMemory(const std::filesystem::path& library);
-  ~OwnMemory();
   OwnMemory(const OwnMemory&) = delete;
   OwnMemory& operator=(const OwnMemory&) = delete;
 

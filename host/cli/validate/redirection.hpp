@@ -1,10 +1,19 @@
 /// The tables through which libraries call the functions of the system, filled in anew.
 #pragma once
 
+#include <dlfcn.h>
+
 #include <filesystem>
 #include <span>
 
 namespace isogloss::cli {
+
+/// The function of the system with this name; false: it has none.
+template <class F>
+bool find_function(F& function, const char* name) {
+  function = reinterpret_cast<F>(dlsym(RTLD_DEFAULT, name));
+  return function != nullptr;
+}
 
 struct Replacement {
   const char* name;  ///< of a function of the system

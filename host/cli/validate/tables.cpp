@@ -184,7 +184,7 @@ ig_text noting_row_fault(void* self, ig_text row) {
   const volatile char* const begin = out.data;
   for (std::size_t i = 0; i < size; ++i) first[i] = static_cast<unsigned char>(begin[i]);  // without a call
   use_stack();
-  is_on_stack = is_on_stack || std::memcmp(first, out.data, size) != 0;
+  is_on_stack = is_on_stack || (size > 0 && std::memcmp(first, out.data, size) != 0);
   return out;
 }
 
@@ -275,17 +275,18 @@ void check_table(Examination& e, Subject& subject, const ig_dependency& d) {
   for (const TableAttempt& one : attempts_of(d)) {
     const std::string where = fmt::format("{}, {}", d.id, one.what);
     e.attempt(where);
-    if (is_on_stack)
-      return e.find(d.id, "the text that its row_fault() returns is gone before the next call: it is on the stack");
     DiagnosticList said;
     const LinkedAlone alone = link_alone(*beside, *owner, subject.surroundings(), one.xml, subject.library(), said);
+    const std::string creation = alone.linked != nullptr ? creation_fault(alone, in_mode(Mode::checked)) : "";
+    if (is_on_stack)
+      return e.find(where, "the text that its row_fault() returns is gone before the next call: it is on the stack");
     if (alone.linked == nullptr) {
       if (!one.may_be_refused) e.find(where, said.all.empty() ? "it does not link" : said.all.back().message);
       continue;
     }
-    if (const std::string fault = creation_fault(alone, in_mode(Mode::checked)); !fault.empty()) {
-      const bool has_reason = fault.find("gives no reason") == std::string::npos;
-      if (!has_reason || !one.may_be_refused) e.find(where, fault);
+    if (!creation.empty()) {
+      const bool has_reason = creation.find("gives no reason") == std::string::npos;
+      if (!has_reason || !one.may_be_refused) e.find(where, creation);
       continue;
     }
     Chain chain(*alone.linked, in_mode(Mode::checked), said);
