@@ -32,19 +32,19 @@ constexpr std::size_t skip_while(std::string_view text, std::size_t position, Pr
   return position;
 }
 
-/// The position where the block ends: at a line feed, or at a lone carriage return inside the text.
-constexpr std::size_t block_end(std::string_view text, std::size_t position) {
-  if (position >= text.size()) return position;
-  const std::string_view line = text.substr(0, text.find('\n', position));
-  return std::min(line.find('\r', position), line.size());
-}
-
-/// The same for a name, of which 64 bytes are read at most: names are shorter, and a scanner that read a line of
+/// skip_while() for a name, of which 64 bytes are read at most: names are shorter, and a scanner that read a line of
 /// letters to its end from each of its letters would take seconds.
 template <class Predicate>
 constexpr std::size_t skip_name_of(std::string_view text, std::size_t position, Predicate is_part) {
   constexpr std::size_t longest = 64;
   return skip_while(text.substr(0, std::min(text.size(), position + longest)), position, is_part);
+}
+
+/// The position where the block ends: at a line feed, or at a lone carriage return inside the text.
+constexpr std::size_t block_end(std::string_view text, std::size_t position) {
+  if (position >= text.size()) return position;
+  const std::string_view line = text.substr(0, text.find('\n', position));
+  return std::min(line.find('\r', position), line.size());
 }
 
 constexpr std::size_t skip_digits(std::string_view text, std::size_t position) {

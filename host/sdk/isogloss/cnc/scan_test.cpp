@@ -1,6 +1,7 @@
 #include "isogloss/cnc/scan.hpp"
 
 #include <catch2/catch.hpp>
+#include <string>
 
 using namespace ig::cnc;
 
@@ -63,4 +64,31 @@ TEST_CASE("characters are classified without case, and columns end at 65535") {
   CHECK(trim("  ").empty());
   CHECK(column(65534) == 65534);
   CHECK(column(70000) == 65535);
+}
+
+TEST_CASE("a name is read for 64 bytes, and no further than the text") {
+  CHECK(skip_name_of("SIN[1]", 0, is_letter) == 3);
+  CHECK(skip_name_of("SIN", 1, is_letter) == 3);
+  CHECK(skip_name_of("SIN", 3, is_letter) == 3);
+  CHECK(skip_name_of("1", 0, is_letter) == 0);
+  const std::string letters(200, 'A');
+  CHECK(skip_name_of(letters, 0, is_letter) == 64);
+  CHECK(skip_name_of(letters, 100, is_letter) == 164);
+  CHECK(skip_name_of(letters, 190, is_letter) == 200);
+}
+
+TEST_CASE("a block ends at a line feed or a carriage return, whichever comes first") {
+  CHECK(block_end("X1", 0) == 2);
+  CHECK(block_end("X1\rY2\n", 0) == 2);
+  CHECK(block_end("X1\nY2\r", 0) == 2);
+  CHECK(block_end("X1\nY2\r", 3) == 5);
+  CHECK(block_end("X1", 2) == 2);
+  CHECK(block_end("", 0) == 0);
+}
+
+TEST_CASE("a bracket that nothing closes goes to the end of the block") {
+  CHECK(skip_bracketed("[1+[2]]X", 0) == 7);
+  CHECK(skip_bracketed("[1+[2]X", 0) == 7);
+  CHECK(skip_bracketed("(A\nX)", 0) == 2);
+  CHECK(skip_bracketed("<<<", 1) == 3);
 }
