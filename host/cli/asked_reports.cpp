@@ -34,8 +34,10 @@ void AskedReports::add(Diagnostic diagnostic) {
 }
 
 void AskedReports::end_at_errors(RunOptions& options, std::uint64_t most) {
-  most_errors_ = most;
-  options.goes_on = [this, before = options.goes_on] { return !has_ended_run() && (!before || before()); };
+  options.goes_on = [this, most, before = options.goes_on] {
+    has_ended_run_ = has_ended_run_ || (most != 0 && errors_ >= most);
+    return !has_ended_run_ && (!before || before());
+  };
 }
 
 }  // namespace isogloss::cli

@@ -21,12 +21,14 @@ class AskedReports : public DiagnosticSink {
   AskedReports& operator=(const AskedReports&) = delete;
 
   void add(Diagnostic diagnostic) override;
-  /// Lets the run end when it has reported this many errors; 0: never.
+  /// Lets a run with these options end when it has reported this many errors; 0: never.
   void end_at_errors(RunOptions& options, std::uint64_t most);
-  bool has_ended_run() const { return most_errors_ != 0 && errors_ >= most_errors_; }
+  /// A run has ended so, and what it has not come to is not known.
+  bool has_ended_run() const { return has_ended_run_; }
+  std::uint64_t errors() const { return errors_; }
 
   std::vector<Diagnostic> all;
-  /// Errors at the last place that had any, wanted or not: what ended the run is among them.
+  /// Errors that are not wanted, at the last place that had such: what ended the run may be among them.
   std::vector<Diagnostic> last_errors;
 
  private:
@@ -34,7 +36,8 @@ class AskedReports : public DiagnosticSink {
 
   Wanted is_wanted_;
   std::unordered_set<std::size_t> seen_;
-  std::uint64_t errors_ = 0, most_errors_ = 0;
+  std::uint64_t errors_ = 0;
+  bool has_ended_run_ = false;
 };
 
 /// Hears nothing: of a run that was heard before.

@@ -119,6 +119,10 @@ class Questions(Explain):
         for line, text in ((1, "moves nothing: G21, G17 and G90 are in force already."), (2, 'preselects tool 5; G91 sets PositioningMode.Mode = "Incremental"; G80 is in force from here on.'),
                            (3, "preselects tool 6."), (4, "moves nothing: 'Q' has no number: write its value, or remove the address [ISO-0104].")):
             self.assertIn(f"Line {line} {text}\n", self.run_it(f"{part}:{line}", "-d", "fanuc", "--brief", status=1 if line == 4 else 0).stdout)
+        part = self.write("tools.h", "0 BEGIN PGM A MM\n1 TOOL CALL 3 Z S1000\n2 TOOL DEF 5\n3 END PGM A MM\n")
+        self.assertEqual(self.ask(f"{part}:3", "-d", "heidenhain", "--brief"), "Line 3 preselects tool 5.\n")
+        part = self.write("tools.mpf", 'T="DRILL"\nM6\nM30\n')
+        self.assertEqual(self.ask(f"{part}:1", "-d", "siemens", "--brief"), 'Line 1 preselects tool "DRILL", number 1 of this run.\n')
         part = self.write("no.nc", "G21 G90 G00 X0 Y0\nG92 X5.\n/ X9.\nG00 X[\nM30\n")
         self.assertIn("Line 2 moves nothing: X5. belongs to G92", self.ask(f"{part}:2", "-d", "fanuc"))
         self.assertIn("Line 3 moves nothing: the block is skipped",

@@ -40,8 +40,10 @@ std::optional<Acts> acts_of(const RunOfSide& side, const std::string& file, std:
   target.line = line;
   target.file = file == side.program->path() ? std::string() : file;
   target.most_blocks = 1;
+  constexpr std::uint64_t most_blocks = 100'000;  // a side that has not come there by then goes another way
   RunOptions options = side.options;
   options.progress = {};
+  options.maximum_blocks = most_blocks;
   Unheard unheard;
   const std::vector<ExplainedBlock> blocks =
       explain(*side.side.linked, *source, side.program->path(), target, options, unheard);

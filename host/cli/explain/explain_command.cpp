@@ -50,7 +50,7 @@ int ExplainCommand::explain_blocks(Session& session, const std::string& path, co
   const std::vector<ExplainedBlock> blocks = explain(linked, source, path, target, options, said, &reach);
   session.progress().hide();
   report_said(said, reach, !blocks.empty(), session);
-  if (said.has_ended_run()) session.report("IG-0517", reach.last, {std::to_string(common.maximum_errors)});
+  if (said.has_ended_run()) session.report("IG-0517", reach.last, {std::to_string(said.errors())});
   if (blocks.empty()) {
     const std::string asked = target.last() == target.line
                                   ? std::to_string(target.line)

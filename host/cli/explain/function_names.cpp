@@ -37,7 +37,7 @@ bool begins_with_verb(std::string_view summary) {
   const std::size_t end = std::min(summary.find(' '), summary.size());
   if (end < 3 || summary[end - 1] != 's' || summary[1] < 'a') return false;
   const std::string_view next = summary.substr(std::min(end + 1, summary.size()));
-  for (const std::string_view of_a_noun : {"of ", "that ", "and ", "U "})
+  for (const std::string_view of_a_noun : {"of ", "that ", "and "})
     if (next.starts_with(of_a_noun)) return false;
   return !next.empty() && (next[0] < '0' || next[0] > '9');
 }

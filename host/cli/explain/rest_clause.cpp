@@ -112,8 +112,8 @@ struct CodeClauses {
 
 /// Sections that a sentence tells in words of its own.
 bool is_told_in_words(const std::string& path) {
-  for (const char* const told : {"ToolChange.", "SpindleSpeed.", "SpindleControl.", "Dwell.", "ProgramStop.",
-                                 "ProgramEnd.", "SubProgram", "FrameStack."})
+  for (const char* const told :
+       {"ToolChange.", "SpindleSpeed.", "SpindleControl.", "Dwell.", "ProgramStop.", "ProgramEnd.", "SubProgram"})
     if (path.starts_with(told)) return true;
   return false;
 }

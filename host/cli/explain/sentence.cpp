@@ -28,25 +28,24 @@ std::string spindle_part(const Facts& facts) {
 }
 
 /// "5", "\"DRILL 8.5\", number 1 of this run": a tool that the block calls by its name.
-std::string tool_text(const Facts& facts) {
-  const std::string number = facts.text("ToolChange.SpindleToolId"), name = facts.text("ToolName.Text");
+std::string tool_text(const Facts& facts, const std::string& number) {
+  const std::string name = facts.text("ToolName.Text");
   const bool is_named = !name.empty() && facts.text("ToolChange.ToolId") == number;
   return is_named ? fmt::format("\"{}\", number {} of this run", name, number) : number;
 }
 
-/// The tool that a T word has named for a later change; empty: none.
+/// The tool that the block names for a later change; empty: none.
 std::string preselected_tool(const Facts& facts) {
-  const ExplainedWord* const word = facts.word("T");
   const ExplainedValue* const tool = facts.now("ToolChange.ToolId");
-  if (word == nullptr || word->users.empty() || tool == nullptr || facts.text("ToolChange.IsChange") == "true")
-    return {};
-  return word->users.back() == tool->writer ? facts.text("ToolChange.ToolId") : std::string();
+  if (tool == nullptr || !facts.is_here(tool->set) || facts.text("ToolChange.IsChange") == "true") return {};
+  return tool_text(facts, facts.text("ToolChange.ToolId"));
 }
 
 /// What the block does besides moving.
 std::vector<std::string> other_parts(const Facts& facts) {
   std::vector<std::string> out;
-  if (facts.text("ToolChange.IsChange") == "true") out.push_back("changes to tool " + tool_text(facts));
+  if (facts.text("ToolChange.IsChange") == "true")
+    out.push_back("changes to tool " + tool_text(facts, facts.text("ToolChange.SpindleToolId")));
   if (const std::string tool = preselected_tool(facts); !tool.empty()) out.push_back("preselects tool " + tool);
   if (const auto time = facts.number("Dwell.Time")) out.push_back(fmt::format("dwells {} s", short_number(*time)));
   if (std::string spindle = spindle_part(facts); !spindle.empty()) out.push_back(std::move(spindle));

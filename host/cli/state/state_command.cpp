@@ -140,13 +140,14 @@ int StateCommand::show(Session& session, const std::string& path) {
   show_progress(*options, path, session);
 
   AskedReports said(is_error);
-  said.end_at_errors(*options, common.maximum_errors);
+  RunOptions limited = *options;
+  said.end_at_errors(limited, common.maximum_errors);
   ExplainReach reach;
   ProgramLines lines(path, *text);
-  std::optional<ProgramPoint> point = find_point(*linked, *text, path, target, *options, said, reach, &lines);
-  if (!point) {
+  std::optional<ProgramPoint> point = find_point(*linked, *text, path, target, limited, said, reach, &lines);
+  if (!point || said.has_ended_run()) {
     for (Diagnostic& d : said.all) session.diagnostics().add(std::move(d));
-    if (said.has_ended_run()) session.report("IG-0517", reach.last, {std::to_string(common.maximum_errors)});
+    if (said.has_ended_run()) session.report("IG-0517", reach.last, {std::to_string(said.errors())});
     const std::string end = reach.last.line == 0
                                 ? std::string("no block of the program is executed")
                                 : fmt::format("the run ends at {}:{}", reach.last.file, reach.last.line);

@@ -13,7 +13,7 @@ namespace {
 
 struct FurtherAxisWord {
   static constexpr auto spec =
-      ig::syntax("FurtherAxisWordSyntax", "Words U V W of axes that the machine has.")
+      ig::syntax("FurtherAxisWordSyntax", "Words of the axes U, V and W that the machine has.")
           .after("ParameterizedFlagSyntax", "DecimalPointSyntax", "UnknownCodeSyntax")
           .before("UnitModeSyntax", "ProgrammableDataInputSyntax", "IsoLocalCoordinateOffsetSyntax",
                   "WorkCoordinateShiftSyntax", "MachineCoordSelectSyntax", "ReturnFromReferenceSyntax",
