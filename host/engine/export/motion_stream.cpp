@@ -192,9 +192,11 @@ bool MotionStreamReader::take(std::string_view bytes) {
     waiting_.clear();
     if (!take_record(record)) return false;
   }
+  // Where it stands, if it may: a copy of each record would cost more than its check.
+  const bool is_aligned = reinterpret_cast<std::uintptr_t>(bytes.data()) % alignof(MotionRecord) == 0;
   for (; bytes.size() >= sizeof record; bytes.remove_prefix(sizeof record)) {
-    std::memcpy(&record, bytes.data(), sizeof record);
-    if (!take_record(record)) return false;
+    if (!is_aligned) std::memcpy(&record, bytes.data(), sizeof record);
+    if (!take_record(is_aligned ? *reinterpret_cast<const MotionRecord*>(bytes.data()) : record)) return false;
   }
   waiting_ = bytes;
   return true;

@@ -96,10 +96,13 @@ struct Outcome {
 void run_whole(Request& request, PreparedRun& run, Outcome& out, std::optional<py::error_already_set>& interrupted) {
   const std::atomic<bool> never = false;
   Ends ends(run.failure(), never);
-  const auto motions = make_motion_exporter(out.arrays, {Format::binary, false, request.zero_moves, true, {}});
+  const bool is_one_pass = request.adds_up && !request.zero_moves;  // the totals have no zero moves
+  const auto motions = is_one_pass
+                           ? make_motion_exporter(out.arrays, out.summary)
+                           : make_motion_exporter(out.arrays, {Format::binary, false, request.zero_moves, true, {}});
   std::unique_ptr<Exporter> totals;
   std::vector<Exporter*> exporters{motions.get()};
-  if (request.adds_up) {
+  if (request.adds_up && !is_one_pass) {
     totals = make_summary_exporter(out.summary, rapid_rates(run.linked(), run.options().chain));
     exporters.push_back(totals.get());
   }

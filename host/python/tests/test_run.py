@@ -3,7 +3,9 @@
 import csv
 import gc
 import io
+import json
 import math
+import pathlib
 import threading
 import time
 
@@ -59,6 +61,25 @@ def test_seconds_times_and_tools(part):
     assert result.summary["feed_seconds"] == pytest.approx(np.nansum(result.seconds[result.events <= 2][1:]))
     assert result.summary["program_extents"]["Y"][1] == pytest.approx(5)
     assert isogloss.run(part, dialect="fanuc", summary=False).summary is None
+
+
+@pytest.mark.parametrize("program, given", [
+    ("fanuc/demo.nc", {"tools": "fanuc/tools.xml"}),
+    ("fanuc/five_axis/tip_control.nc", {"machine": "fanuc/five_axis/tip_control.machine.xml"}),
+    ("fanuc/rotary_axes/rotary_axes.nc", {}),
+])
+def test_the_summary_is_that_of_the_command(program, given, command):
+    """It is added up together with the arrays; alone, where they hold moves that the summary does not count."""
+    programs = pathlib.Path(__file__).resolve().parents[3] / "tests/programs"
+    given = {name: str(programs / file) for name, file in given.items()}
+    one_pass = isogloss.run(programs / program, dialect="fanuc", **given).summary
+    assert one_pass == isogloss.run(programs / program, dialect="fanuc", zero_moves=True, **given).summary
+    options = [word for name, file in given.items() for word in (f"--{name}", file)]
+    shown = json.loads(command("run", programs / program, "-d", "fanuc", *options, "--summary", "--json").stdout)
+    for key, name in (("feed_length_mm", "FeedLength_mm"), ("rapid_length_mm", "RapidLength_mm"), ("events", "Events"),
+                      ("blocks", "Blocks"), ("feed_seconds", "FeedTime_s"), ("rapid_seconds", "RapidTime_s")):
+        assert one_pass[key] == shown[name], key
+    assert one_pass["events"] > 5
 
 
 def test_the_dialect_is_guessed_as_by_the_command(part, command):
