@@ -20,6 +20,7 @@ struct Arguments : std::vector<std::string> {
 };
 
 int apply_command(const Arguments& arguments);
+int batch_command(const Arguments& arguments);
 int case_command(const Arguments& arguments);
 int complete_command(const Arguments& arguments);
 int dap_command(const Arguments& arguments);
@@ -56,6 +57,7 @@ inline constexpr Command commands[] = {
     {"run", "run programs through a dialect: motions, blocks, a summary", run_command},
     {"explain", "explain why a block did what it did, or a diagnostic", explain_command},
     {"state", "show what is in force at a line, or write blocks that restore it", state_command},
+    {"batch", "run many programs on all cores or a cluster, with one result for each", batch_command},
     {"diff", "show where two dialects, machines or programs part, and why", diff_command},
     {"motions", "read a binary motion stream and write it as text", motions_command},
     {"plot", "draw the path of a program as a picture", plot_command},

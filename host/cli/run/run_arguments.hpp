@@ -1,10 +1,12 @@
 /// What `isogloss run` was asked for.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "canonical_text.hpp"
+#include "isogloss/engine/exporter.hpp"
 #include "program_options.hpp"
 #include "reproducer.hpp"
 #include "run/run_budgets.hpp"
@@ -24,6 +26,8 @@ struct RunArguments {
   std::vector<std::string> save_table;
   std::vector<TableRequest> tables_to_save;
   CanonicalRequest canonical;
+  /// Takes the summary of each program, where it is not to be written.
+  std::function<void(const std::string& program, const std::string& dialect, const Summary& summary)> takes_summary;
 };
 
 }  // namespace isogloss::cli

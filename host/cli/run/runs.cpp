@@ -140,6 +140,7 @@ void Runs::doubt(const std::string& path, std::uint64_t errors, std::uint64_t bl
 }
 
 void Runs::write_summary(const std::string& path, const Summary& summary) {
+  if (request_.takes_summary) return request_.takes_summary(path, linked_->dialect.name, summary);
   const std::string text =
       (request_.json ? summary_json : summary_text)(path, linked_->dialect.name, summary, session_.diagnostics());
   const bool beside_data = request_.emit != "none" && (request_.output.empty() || request_.output == "-");

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "outputs.hpp"
+#include "dialect_files.hpp"
 
 namespace isogloss::cli::viewing {
 
@@ -63,19 +63,8 @@ void Viewer::note_files() {
   std::vector<std::string> files = viewed_.files;
   const ProgramOptions& p = options_.program;
   for (const std::string& file : {p.offsets, p.tools, p.variables}) files.push_back(file);
-  for (const auto& run : viewed_.runs) {
-    const Dialect& dialect = run->linked->dialect;
-    files.push_back(dialect.file.string());
-    if (dialect.is_machine)
-      for (std::string& file : files_of_machine(dialect.file.string())) files.push_back(std::move(file));
-    for (const ChainElement& element : dialect.chain) files.push_back(element.where.file);
-    for (const InitialField& field : dialect.initial) files.push_back(field.where.file);
-    for (const DependencyElement& table : dialect.dependencies) {
-      files.push_back(table.where.file);
-      files.push_back(table.source_file);
-      for (const TableRow& row : table.rows) files.push_back(row.where.file);
-    }
-  }
+  for (const auto& run : viewed_.runs)
+    for (std::string& file : files_of_dialect(run->linked->dialect)) files.push_back(std::move(file));
   files_.clear();
   for (const std::string& file : files)
     if (!file.empty() && file != "-") files_.try_emplace(file, state_of(file));

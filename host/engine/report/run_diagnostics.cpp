@@ -226,6 +226,27 @@ std::vector<DiagnosticInfo> run_diagnostics() {
       {error, "IG-0663", "{0} while this program was run: the next change of the text runs it again",
        "A plugin crashed, or ended the process. The server has begun anew and runs this text no second time.",
        "isogloss lsp, with a plugin that crashes"},
+
+      // many programs: 0670-0679
+      {error, "IG-0670", "no program is left to run: {0} files were left out",
+       "Of a folder, files with an XML name, with NUL bytes, with a name that begins with a dot, and links are left "
+       "out, "
+       "and what --include and --exclude leave out. A program that is named itself is always run.",
+       "isogloss batch tables -o results"},
+      {note, "IG-0671", "{0} files of the folders are no programs and were left out",
+       "Files with an XML name, with NUL bytes, with a name that begins with a dot, and links, and what --include and "
+       "--exclude leave out. A program that is named itself is always run.",
+       "isogloss batch archive --exclude '*.txt' -o results"},
+      {note, "IG-0672", "{0} lines of the journal cannot be read: what they were for runs again",
+       "A line is cut off where a batch was killed while it wrote. All others count.",
+       "isogloss batch archive -o results"},
+      {error, "IG-0673", "{0} of {1} programs have no result yet: no results are written",
+       "Some parts of the batch have not run, or not to their end, or what they depend on has changed since then. Run "
+       "those parts again, then --merge.",
+       "isogloss batch archive -o results --merge"},
+      {error, "IG-0674", "the jobs are not submitted ({0}); their scripts are {1} and {2}",
+       "sbatch belongs to Slurm. Where it stands on another machine, submit both scripts there.",
+       "isogloss batch archive -o results --slurm 8"},
   };
 }
 

@@ -1,0 +1,265 @@
+// `isogloss batch`: many programs on all cores, each in a process of its own; their results in the order of their
+// names.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <thread>
+
+#include "batch/journal.hpp"
+#include "batch/results.hpp"
+#include "batch/run_surroundings.hpp"
+#include "batch/slurm.hpp"
+
+namespace isogloss::cli {
+
+namespace batch {
+
+namespace {
+
+/// "2/8"; empty where it is none.
+std::optional<Shard> read_shard(const std::string& text) {
+  Shard out;
+  const char* const end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, out.number);
+  if (number.ec != std::errc() || number.ptr == end || *number.ptr != '/') return std::nullopt;
+  const auto count = std::from_chars(number.ptr + 1, end, out.count);
+  const bool is_read = count.ec == std::errc() && count.ptr == end;
+  return is_read && out.number >= 1 && out.number <= out.count ? std::optional(out) : std::nullopt;
+}
+
+void say(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
+
+class Batch {
+ public:
+  Batch(const BatchArguments& arguments, Session& session)
+      : arguments_(arguments),
+        session_(session),
+        limits_{arguments.maximum_seconds, arguments.budgets.memory_mib + arguments.budgets.memory_mib / 4} {}
+  int run();
+
+ private:
+  int do_part(const std::vector<std::string>& programs);
+  bool take_over(const std::string& program);
+  bool do_rest();
+  std::vector<std::string> arguments_for(const std::string& program) const;
+  void finish(const std::string& program, const ChildEnd& end);
+  int write_results(const std::vector<std::string>& programs);
+
+  const BatchArguments& arguments_;
+  Session& session_;
+  ChildLimits limits_;  // of memory a quarter more than a run allows itself, which can tell more
+  std::string surroundings_;
+  Journal journal_, before_;
+  FileHashes hashes_;
+  std::vector<std::string> rest_;
+  bool is_kept_ = true;
+};
+
+int Batch::run() {
+  const std::optional<std::string> surroundings = hash_of_surroundings(arguments_, hashes_, session_);
+  const std::optional<ProgramList> list = surroundings ? list_programs(arguments_.places, session_) : std::nullopt;
+  if (!list) return cannot_start;
+  surroundings_ = *surroundings;
+  if (list->left_out != 0) session_.report("IG-0671", {}, {std::to_string(list->left_out)});
+  journal_.read(arguments_.output);
+  for (const std::string& folder : arguments_.changed_since) before_.read(folder);
+  if (const std::uint64_t damaged = journal_.damaged_lines() + before_.damaged_lines(); damaged != 0)
+    session_.report("IG-0672", {arguments_.output}, {std::to_string(damaged)});
+  if (!arguments_.merges) {
+    const auto part = part_of(list->programs, arguments_.shard.number, arguments_.shard.count);
+    if (const int status = do_part(part); status != success) return status;
+    if (arguments_.shard.count > 1) {
+      say(fmt::format("part {} of {} is finished: {} programs; --merge writes the results of all parts",
+                      arguments_.shard.number, arguments_.shard.count, part.size()));
+      return session_.status();
+    }
+  }
+  return write_results(list->programs);
+}
+
+int Batch::do_part(const std::vector<std::string>& programs) {
+  if (const std::string error = journal_.open(arguments_.output); !error.empty()) {
+    session_.report("IG-0511", {arguments_.output}, {error});
+    return cannot_start;
+  }
+  for (const std::string& program : programs)
+    if (!take_over(program)) rest_.push_back(program);
+  if (const std::size_t done = programs.size() - rest_.size(); done != 0)
+    say(fmt::format("{} of {} programs were finished before and have not changed", done, programs.size()));
+  const bool is_done = do_rest();
+  session_.progress().hide();
+  if (!is_kept_) {
+    session_.report("IG-0511", {arguments_.output}, {"the journal takes no more lines"});
+    return cannot_start;
+  }
+  if (!is_done) {
+    say("ended by a signal: what is finished is kept, and the same command goes on from there");
+    return cannot_start;
+  }
+  return success;
+}
+
+/// True: the program is finished.
+bool Batch::take_over(const std::string& program) {
+  const auto is_taken = [&](const Finished* finished) {
+    if (finished == nullptr || !arguments_.retries) return finished != nullptr;
+    const std::string how = Json::parse(finished->result).value("Status", "");
+    return how == "ok" || how == "errors";
+  };
+  if (is_taken(journal_.find(program, surroundings_, hashes_))) return true;
+  const Finished* const old = before_.find(program, surroundings_, hashes_);
+  return is_taken(old) && journal_.append(*old);
+}
+
+bool Batch::do_rest() {
+  const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+  std::size_t begun = 0, done = 0;
+  const auto next = [&](std::size_t& work) {
+    if (begun == rest_.size() || !is_kept_) return std::vector<std::string>();
+    work = begun++;
+    hashes_.of(rest_[work]);  // as it is before it is run
+    return arguments_for(rest_[work]);
+  };
+  const auto ended = [&](std::size_t work, const ChildEnd& end) {
+    finish(rest_[work], end);
+    session_.progress().show(++done, rest_.size(), rest_[work]);
+  };
+  return Children::run(arguments_.jobs == 0 ? cores : arguments_.jobs, limits_, next, ended);
+}
+
+std::vector<std::string> Batch::arguments_for(const std::string& program) const {
+  std::vector<std::string> out{"isogloss", "batch"};
+  out.insert(out.end(), arguments_.given.begin(), arguments_.given.end());
+  out.insert(out.end(), {"--parent", std::to_string(::getpid()), "--work", program});
+  return out;
+}
+
+void Batch::finish(const std::string& program, const ChildEnd& end) {
+  const std::optional<Work> work = end.how == ChildEnd::How::exited ? read_work(end.out) : std::nullopt;
+  const Json result = result_of(program, end, work, limits_);
+  Finished finished{program, surroundings_, hashes_.of(program), {}, {}, {}};
+  if (work)
+    for (const std::string& file : work->called) finished.called[file] = hashes_.of(file);
+  // A program that calls others, or that could not be run as it is, may find others the next time.
+  if (!finished.called.empty() || result["Status"] != "ok") {
+    std::vector<std::string> folders{std::filesystem::path(program).parent_path().string()};
+    for (const std::string& place : arguments_.program.subprograms) folders.push_back(place);
+    for (const std::string& folder : folders) finished.folders[folder] = hashes_.of_names_in(folder);
+  }
+  finished.result = result.dump(-1, ' ', false, Json::error_handler_t::replace);
+  is_kept_ = is_kept_ && journal_.append(finished);
+}
+
+int Batch::write_results(const std::vector<std::string>& programs) {
+  ResultFiles files;
+  std::uint64_t missing = 0;
+  int status = success;
+  for (const std::string& program : programs) {
+    const Finished* const finished = journal_.find(program, surroundings_, hashes_);
+    if (finished == nullptr) {
+      ++missing;
+      continue;
+    }
+    const Json result = Json::parse(finished->result);
+    status = std::max(status, status_of(result));
+    files.add(result);
+  }
+  if (missing != 0) {
+    session_.report("IG-0673", {arguments_.output}, {std::to_string(missing), std::to_string(programs.size())});
+    return cannot_start;
+  }
+  if (!files.write(arguments_.output, session_)) return cannot_start;
+  say(files.in_words() + "; " + (std::filesystem::path(arguments_.output) / "overview.html").string());
+  return status;
+}
+
+void add_to(CommandLine& line, BatchArguments& a) {
+  line.option("PLACE", a.places.places, "Programs, and folders: all programs below them");
+  line.option("--list", a.places.list, "More of them: a file with one in each line; - is standard input")
+      .type_name("FILE");
+  line.option("--include", a.places.include,
+              "Of the folders only files whose name or path is like this, e.g. '*.nc' (repeatable)")
+      .type_name("PATTERN");
+  line.option("--exclude", a.places.exclude, "Of the folders no files like this (repeatable)").type_name("PATTERN");
+  line.option("-o,--output", a.output, "Folder for the results; what is finished there is not run again")
+      .type_name("FOLDER")
+      .required()
+      .not_empty();
+  line.option("-j,--jobs", a.jobs, "Programs at once (0: as many as there are processors)")
+      .type_name("N")
+      .shows_default();
+  line.option("--shard", a.shard_text, "Run only part I of N, e.g. 2/8; results are written by --merge")
+      .type_name("I/N");
+  line.option("--slurm", a.slurm_parts,
+              "Submit N parts as a job array of Slurm, and a job that merges them (0: run here)")
+      .at_least(0)
+      .type_name("N");
+  line.option("--slurm-options", a.slurm_options, "For both jobs, e.g. '--partition=night --time=8:00:00'")
+      .type_name("TEXT");
+  line.flag("--no-submit", a.holds_back, "With --slurm: write the scripts, and submit nothing");
+  line.flag("--merge", a.merges, "Run nothing: write the results of all parts");
+  line.option("--changed-since", a.changed_since,
+              "Folder of an earlier batch: programs whose text, called programs, tables, dialect and plugins have not "
+              "changed since "
+              "then keep their results (repeatable)")
+      .type_name("FOLDER");
+  line.flag("--retry", a.retries, "Run again what crashed, ran out of time or memory, or could not run");
+  line.option("--max-time", a.maximum_seconds, "Stop a program that takes longer (0: never)")
+      .type_name("SECONDS")
+      .shows_default();
+  a.program.add_to(line);
+  a.budgets.add_to(line);
+  line.option("--work", a.work).group("");
+  line.option("--parent", a.parent).group("");
+  a.common.add_to(line);
+}
+
+}  // namespace
+
+}  // namespace batch
+
+int batch_command(const Arguments& arguments) {
+  auto line = std::make_unique<CommandLine>("batch",
+                                            "Runs many programs on all cores and writes one result for each: "
+                                            "results.jsonl, results.csv, results.xml (JUnit) and "
+                                            "overview.html.",
+                                            "isogloss batch archive -d fanuc --tools tools.xml -o results");
+  batch::BatchArguments request;
+  batch::add_to(*line, request);
+  if (const auto done = line->parse(arguments)) return *done;
+  keep_to_the_end(std::move(line));
+  if (!request.work.empty()) return batch::do_work(request);
+  request.given = arguments;
+  request.places.results = request.output;
+  Session session(request.common);
+  if (!request.shard_text.empty()) {
+    const std::optional<batch::Shard> shard = batch::read_shard(request.shard_text);
+    if (!shard || request.merges) {
+      session.report("IG-0513", {},
+                     {request.merges ? "--merge takes all parts: leave --shard out"
+                                     : "--shard needs I/N such as 2/8, not '" + request.shard_text + "'"});
+      return cannot_start;
+    }
+    request.shard = *shard;
+  }
+  if (request.places.places.empty() && request.places.list.empty()) {
+    session.report("IG-0513", {}, {"batch needs programs: a folder, files, or --list FILE"});
+    return cannot_start;
+  }
+  if (request.slurm_parts != 0) {
+    const bool is_piped = request.places.list == "-";
+    if (request.merges || !request.shard_text.empty() || is_piped) {
+      session.report("IG-0513", {},
+                     {is_piped ? "the parts of --slurm cannot read standard input: --list needs a file"
+                               : "--slurm makes parts and merges them: leave --shard and --merge out"});
+      return cannot_start;
+    }
+    return batch::run_on_slurm(request, session);
+  }
+  return batch::Batch(request, session).run();
+}
+
+}  // namespace isogloss::cli

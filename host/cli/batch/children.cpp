@@ -1,0 +1,187 @@
+#include "batch/children.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <list>
+
+namespace isogloss::cli::batch {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+volatile std::sig_atomic_t signal_to_end = 0;
+void note_signal(int number) { signal_to_end = number; }
+
+/// SIGINT and SIGTERM end the work between two children, and are as before afterwards.
+class EndedBySignals {
+ public:
+  EndedBySignals() {
+    signal_to_end = 0;
+    struct sigaction action {};
+    action.sa_handler = note_signal;
+    ::sigaction(SIGINT, &action, &before_[0]);
+    ::sigaction(SIGTERM, &action, &before_[1]);
+  }
+  ~EndedBySignals() {
+    ::sigaction(SIGINT, &before_[0], nullptr);
+    ::sigaction(SIGTERM, &before_[1], nullptr);
+  }
+  EndedBySignals(const EndedBySignals&) = delete;
+  EndedBySignals& operator=(const EndedBySignals&) = delete;
+
+ private:
+  struct sigaction before_[2];
+};
+
+struct Child {
+  pid_t process = 0;
+  std::size_t work = 0;
+  std::array<int, 2> pipes{-1, -1};  // its standard output and standard error
+  Clock::time_point begin = Clock::now();
+  ChildEnd end;
+
+  bool is_heard() const { return pipes[0] >= 0 || pipes[1] >= 0; }
+};
+
+void close_pipe(int& pipe) {
+  if (pipe >= 0) ::close(pipe);
+  pipe = -1;
+}
+
+bool start(Child& child, const std::vector<std::string>& words) {
+  int out[2], errors[2];
+  if (::pipe2(out, O_CLOEXEC) != 0) return child.end.number = errno, false;
+  if (::pipe2(errors, O_CLOEXEC) != 0) {
+    child.end.number = errno;
+    ::close(out[0]), ::close(out[1]);
+    return false;
+  }
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  ::posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, errors[1], STDERR_FILENO);
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));  // which spawn keeps
+  arguments.push_back(nullptr);
+  child.end.number = ::posix_spawn(&child.process, "/proc/self/exe", &actions, nullptr, arguments.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  ::close(out[1]), ::close(errors[1]);
+  child.pipes = {out[0], errors[0]};
+  for (const int pipe : child.pipes) ::fcntl(pipe, F_SETFL, O_NONBLOCK);
+  return child.end.number == 0;
+}
+
+/// Reads what is there; closes the pipe at its end.
+void hear(Child& child, std::size_t which) {
+  constexpr std::size_t most_errors = 1u << 16, most_out = 1u << 26;
+  std::string& text = which == 0 ? child.end.out : child.end.errors;
+  const std::size_t most = which == 0 ? most_out : most_errors;
+  char buffer[1u << 14];
+  while (true) {
+    const ssize_t n = ::read(child.pipes[which], buffer, sizeof buffer);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0 && errno == EAGAIN) return;
+    if (n <= 0) return close_pipe(child.pipes[which]);
+    text.append(buffer, std::min(static_cast<std::size_t>(n), most - std::min(most, text.size())));
+  }
+}
+
+std::uint64_t resident_mib(pid_t process) {
+  std::uint64_t size = 0, resident = 0;
+  std::ifstream("/proc/" + std::to_string(process) + "/statm") >> size >> resident;
+  return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) >> 20;
+}
+
+/// Kills a child that has used up what it may.
+void hold(Child& child, const ChildLimits& limits) {
+  if (child.end.how != ChildEnd::How::exited) return;
+  const bool is_late = limits.seconds != 0 && Clock::now() - child.begin >= std::chrono::seconds(limits.seconds);
+  const bool is_large = limits.memory_mib != 0 && resident_mib(child.process) > limits.memory_mib;
+  if (!is_late && !is_large) return;
+  child.end.how = is_late ? ChildEnd::How::out_of_time : ChildEnd::How::out_of_memory;
+  ::kill(child.process, SIGKILL);
+}
+
+void wait_for(Child& child) {
+  int status = 0;
+  while (::waitpid(child.process, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (child.end.how != ChildEnd::How::exited) return;
+  if (WIFSIGNALED(status)) child.end.how = ChildEnd::How::killed_by_signal;
+  child.end.number = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+void hear_all(std::list<Child>& children, int milliseconds) {
+  std::vector<pollfd> waited;
+  std::vector<std::pair<Child*, std::size_t>> whose;
+  for (Child& child : children)
+    for (std::size_t which = 0; which < 2; ++which)
+      if (child.pipes[which] >= 0) {
+        waited.push_back({child.pipes[which], POLLIN, 0});
+        whose.emplace_back(&child, which);
+      }
+  if (::poll(waited.data(), waited.size(), milliseconds) <= 0) return;
+  for (std::size_t i = 0; i < waited.size(); ++i)
+    if (waited[i].revents != 0) hear(*whose[i].first, whose[i].second);
+}
+
+}  // namespace
+
+bool Children::run(unsigned most, const ChildLimits& limits, const Next& next, const Ended& ended) {
+  constexpr int tick_ms = 100;  // how exact the limits are
+  const EndedBySignals signals;
+  std::list<Child> children;
+  bool has_next = true;
+  auto last_look = Clock::now();
+  while ((has_next && signal_to_end == 0) || !children.empty()) {
+    while (has_next && signal_to_end == 0 && children.size() < most) {
+      Child child;
+      const std::vector<std::string> words = next(child.work);
+      if (words.empty()) {
+        has_next = false;
+      } else if (start(child, words)) {
+        children.push_back(std::move(child));
+      } else {
+        for (int& pipe : child.pipes) close_pipe(pipe);
+        child.end.how = ChildEnd::How::not_started;
+        ended(child.work, std::move(child.end));
+      }
+    }
+    if (signal_to_end != 0)
+      for (const Child& child : children) ::kill(child.process, SIGKILL);
+    hear_all(children, tick_ms);
+    if (Clock::now() - last_look >= std::chrono::milliseconds(tick_ms)) {
+      for (Child& child : children) hold(child, limits);
+      last_look = Clock::now();
+    }
+    for (auto child = children.begin(); child != children.end();) {
+      if (child->is_heard()) {
+        ++child;
+        continue;
+      }
+      wait_for(*child);
+      if (signal_to_end == 0) ended(child->work, std::move(child->end));
+      child = children.erase(child);
+    }
+  }
+  return signal_to_end == 0;
+}
+
+void end_with_parent(std::uint64_t parent) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (static_cast<std::uint64_t>(::getppid()) != parent) ::_exit(0);  // it was gone before that
+}
+
+}  // namespace isogloss::cli::batch

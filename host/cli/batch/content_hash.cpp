@@ -1,0 +1,53 @@
+#include "batch/content_hash.hpp"
+
+#include <fmt/format.h>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <vector>
+
+namespace isogloss::cli::batch {
+
+namespace fs = std::filesystem;
+
+std::string ContentHash::text() const { return fmt::format("{:016x}{:016x}", high, low); }
+
+ContentHash hash_of(std::string_view bytes) {
+  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+  return {hash.high64, hash.low64};
+}
+
+const std::string& FileHashes::of(const std::string& file) {
+  const auto [at, is_new] = files_.try_emplace(file, "missing");
+  if (!is_new) return at->second;
+  std::error_code code;
+  std::ifstream in(file, std::ios::binary);
+  if (!in || !fs::is_regular_file(file, code)) return at->second;
+  const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), XXH3_freeState);
+  XXH3_128bits_reset(state.get());
+  std::string buffer(std::size_t{1} << 18, '\0');
+  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), in.gcount() > 0)
+    XXH3_128bits_update(state.get(), buffer.data(), static_cast<std::size_t>(in.gcount()));
+  const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
+  return at->second = ContentHash{hash.high64, hash.low64}.text();
+}
+
+const std::string& FileHashes::of_names_in(const std::string& folder) {
+  const auto [at, is_new] = folders_.try_emplace(folder, "missing");
+  if (!is_new) return at->second;
+  std::error_code code;
+  std::vector<std::string> names;
+  for (fs::directory_iterator i(folder.empty() ? "." : folder, code), end; !code && i != end; i.increment(code))
+    names.push_back(i->path().filename().string());
+  std::sort(names.begin(), names.end());
+  std::string all;
+  for (const std::string& name : names) all.append(name).push_back('\0');
+  return at->second = hash_of(all).text();
+}
+
+}  // namespace isogloss::cli::batch

@@ -1,0 +1,50 @@
+/// What a batch has finished, kept while it works: after a kill nothing of it is run again.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "batch/content_hash.hpp"
+
+namespace isogloss::cli::batch {
+
+/// A finished program with all that its result depends on.
+struct Finished {
+  std::string program;
+  std::string surroundings;                    ///< hash of the command, options, dialects, plugins and tables
+  std::string content;                         ///< hash of the program
+  std::map<std::string, std::string> called;   ///< hashes of the programs that it calls
+  std::map<std::string, std::string> folders;  ///< hashes of the names where called programs are looked for
+  std::string result;                          ///< JSON
+};
+
+/// The finished programs of a folder. Each process that works for it appends to a file of its own, a line for each
+/// program in one piece: a line that a kill has cut off is not read. Two processes that did the same work have written
+/// the same.
+class Journal {
+ public:
+  /// Reads what all processes have written so far. Lines that cannot be read are counted.
+  void read(const std::string& folder);
+  std::uint64_t damaged_lines() const { return damaged_; }
+  /// Opens the file of this process; an empty text, or the reason why not.
+  std::string open(const std::string& folder);
+  /// False: it cannot be written (error()).
+  bool append(const Finished& finished);
+  ~Journal();
+  Journal() = default;
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+
+  /// The result of a program whose inputs are as they were, else null.
+  const Finished* find(const std::string& program, const std::string& surroundings, FileHashes& hashes) const;
+
+ private:
+  void read_file(const std::string& file);
+
+  std::multimap<std::string, Finished> all_;
+  std::uint64_t damaged_ = 0;
+  int descriptor_ = -1;
+};
+
+}  // namespace isogloss::cli::batch

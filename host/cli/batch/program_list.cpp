@@ -1,0 +1,119 @@
+#include "batch/program_list.hpp"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "batch/content_hash.hpp"
+
+namespace isogloss::cli::batch {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool matches(const std::vector<std::string>& patterns, const fs::path& below) {
+  return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
+    return fnmatch(pattern.c_str(), below.c_str(), 0) == 0 ||
+           fnmatch(pattern.c_str(), below.filename().c_str(), 0) == 0;
+  });
+}
+
+/// Tables and dialects are XML; drawings, archives and sheets have bytes that no part program has.
+bool is_text_of_program(const fs::path& file) {
+  if (file.extension() == ".xml") return false;
+  constexpr std::size_t looked_at = 4096;
+  std::ifstream in(file, std::ios::binary);
+  std::string head(looked_at, ' ');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(in.gcount()));
+  return head.find('\0') == std::string::npos;
+}
+
+void add_folder(const fs::path& folder, const ProgramPlaces& wanted, ProgramList& out, Session& session) {
+  std::error_code error;
+  fs::recursive_directory_iterator at(folder, error), end;
+  if (error) return session.report("IG-0510", {folder.string()}, {error.message()});
+  while (at != end) {
+    const fs::path& path = at->path();
+    const fs::path below = path.lexically_relative(folder);
+    std::error_code ignored;
+    if (path.filename().string().starts_with('.') || fs::equivalent(path, wanted.results, ignored)) {
+      at.disable_recursion_pending();
+    } else if (at->is_regular_file(ignored)) {
+      const bool is_wanted = wanted.include.empty() || matches(wanted.include, below);
+      const bool is_program = is_wanted && !matches(wanted.exclude, below) && !at->is_symlink(ignored) &&
+                              (!wanted.include.empty() || is_text_of_program(path));
+      if (is_program)
+        out.programs.push_back(path.lexically_normal().string());
+      else
+        ++out.left_out;
+    }
+    at.increment(error);
+    if (error) return session.report("IG-0510", {path.string()}, {error.message()});
+  }
+}
+
+bool add_place(const std::string& place, const ProgramPlaces& wanted, ProgramList& out, Session& session) {
+  std::error_code error;
+  const fs::file_status status = fs::status(place, error);
+  if (fs::is_directory(status)) {
+    add_folder(fs::path(place).lexically_normal(), wanted, out, session);
+    return true;
+  }
+  if (!fs::exists(status)) {
+    session.report("IG-0510", {place}, {"no such file or folder"});
+    return false;
+  }
+  out.programs.push_back(fs::path(place).lexically_normal().string());
+  return true;
+}
+
+bool add_list(const std::string& list, const ProgramPlaces& wanted, ProgramList& out, Session& session) {
+  std::string error;
+  const std::optional<std::string> text = read_text(list, error);
+  if (!text) {
+    session.report("IG-0510", {list}, {error});
+    return false;
+  }
+  bool sound = true;
+  std::uint32_t number = 0;
+  for (std::string_view rest = *text; !rest.empty();) {
+    std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+    ++number;
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.empty()) continue;
+    if (fs::exists(std::string(line))) {
+      sound = add_place(std::string(line), wanted, out, session) && sound;
+    } else {
+      session.report("IG-0510", {list, number, 1}, {"no such file or folder: " + std::string(line)});
+      sound = false;
+    }
+  }
+  return sound;
+}
+
+}  // namespace
+
+std::optional<ProgramList> list_programs(const ProgramPlaces& wanted, Session& session) {
+  ProgramList out;
+  bool sound = true;
+  for (const std::string& place : wanted.places) sound = add_place(place, wanted, out, session) && sound;
+  if (!wanted.list.empty()) sound = add_list(wanted.list, wanted, out, session) && sound;
+  std::sort(out.programs.begin(), out.programs.end());
+  out.programs.erase(std::unique(out.programs.begin(), out.programs.end()), out.programs.end());
+  if (sound && out.programs.empty()) session.report("IG-0670", {}, {std::to_string(out.left_out)});
+  return sound && !out.programs.empty() ? std::optional(std::move(out)) : std::nullopt;
+}
+
+std::vector<std::string> part_of(const std::vector<std::string>& programs, std::uint64_t number, std::uint64_t count) {
+  std::vector<std::string> out;
+  for (const std::string& program : programs)
+    if (hash_of(program).low % count == number - 1) out.push_back(program);
+  return out;
+}
+
+}  // namespace isogloss::cli::batch

@@ -1,0 +1,30 @@
+/// Which programs a batch runs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "session.hpp"
+
+namespace isogloss::cli::batch {
+
+struct ProgramPlaces {
+  std::vector<std::string> places;            ///< programs, and folders with all that is below them
+  std::string list;                           ///< a file with a path in each line; "-": standard input; empty: none
+  std::vector<std::string> include, exclude;  ///< patterns of the shell for the path below the folder, or its last part
+  std::string results;                        ///< a folder that is not looked into
+};
+
+struct ProgramList {
+  std::vector<std::string> programs;  ///< sorted by name, each once
+  std::uint64_t left_out = 0;         ///< files of the folders that are no programs
+};
+
+/// Files whose names begin with a dot, XML files and files with NUL bytes at their head are no programs, nor are links
+/// out of the folder. Empty, and reported, when a place does not exist or nothing is left.
+std::optional<ProgramList> list_programs(const ProgramPlaces& wanted, Session& session);
+
+/// Part `number` of `count`, counted from 1: the programs are dealt out by their names, so every part knows its own.
+std::vector<std::string> part_of(const std::vector<std::string>& programs, std::uint64_t number, std::uint64_t count);
+
+}  // namespace isogloss::cli::batch

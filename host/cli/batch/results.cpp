@@ -1,0 +1,205 @@
+#include "batch/results.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <filesystem>
+
+#include "batch/assets.hpp"
+#include "markup.hpp"
+#include "outputs.hpp"
+
+namespace isogloss::cli::batch {
+
+namespace {
+
+/// How a program ended, in the order of the totals.
+constexpr struct {
+  const char* status;
+  const char* in_words;
+  int exit;
+} statuses[] = {
+    {"ok", "ok", success},
+    {"errors", "with errors", input_errors},
+    {"not run", "not run", cannot_start},
+    {"fault", "stopped by a fault of a plugin or of the host", internal_fault},
+    {"crashed", "crashed", internal_fault},
+    {"out of time", "out of time", input_errors},
+    {"out of memory", "out of memory", input_errors},
+};
+
+constexpr const char* numbers[] = {"Blocks",      "Events",      "Rapids",         "Feeds",
+                                   "Arcs",        "ToolChanges", "RapidLength_mm", "FeedLength_mm",
+                                   "RapidTime_s", "FeedTime_s",  "DwellTime_s",    "Time_s"};
+
+std::string status_name(const ChildEnd& end) {
+  switch (end.how) {
+    case ChildEnd::How::killed_by_signal: return "crashed";
+    case ChildEnd::How::out_of_time: return "out of time";
+    case ChildEnd::How::out_of_memory: return "out of memory";
+    case ChildEnd::How::not_started: return "not run";
+    case ChildEnd::How::exited: break;
+  }
+  for (const auto& one : statuses)
+    if (one.exit == end.number) return one.status;
+  return "fault";
+}
+
+/// Why a process has written no result.
+std::string reason(const ChildEnd& end, const ChildLimits& limits) {
+  switch (end.how) {
+    case ChildEnd::How::killed_by_signal: return fmt::format("its process was ended by signal {}", end.number);
+    case ChildEnd::How::out_of_time: return fmt::format("it was not done after {} s", limits.seconds);
+    case ChildEnd::How::out_of_memory: return fmt::format("it needed more than {} MiB", limits.memory_mib);
+    case ChildEnd::How::not_started: return fmt::format("no process: {}", std::strerror(end.number));
+    case ChildEnd::How::exited: break;
+  }
+  const std::string line = end.errors.substr(0, end.errors.find('\n'));
+  return line.empty() ? fmt::format("its process ended with status {} and said nothing", end.number) : line;
+}
+
+std::uint64_t count_of(const Json& result, const char* severity) {
+  std::uint64_t out = 0;
+  for (const Json& one : result.value("Diagnostics", Json::array()))
+    if (one.value("Severity", "") == severity) out += one.value("Count", std::uint64_t{0});
+  return out;
+}
+
+/// "line 3", or with the file where it is another one than the program.
+std::string place_of(const Json& first, const std::string& program) {
+  const std::string file = first.value("File", "");
+  const auto line = first.value("Line", std::uint64_t{0});
+  if (file.empty() || (file == program && line == 0)) return {};
+  return file == program ? fmt::format("line {}", line) : line == 0 ? file : fmt::format("{}:{}", file, line);
+}
+
+/// The first error or warning as one line.
+std::string first_said(const Json& result) {
+  const Json first = result.value("First", Json());
+  if (!first.is_object()) return {};
+  const std::string place = place_of(first, result["Program"].get<std::string>()), code = first.value("Code", "");
+  return (place.empty() ? "" : place + ": ") + first.value("Message", "") + (code.empty() ? "" : " [" + code + "]");
+}
+
+std::string csv_text(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
+/// Inside of a script element neither an end tag nor a comment may begin.
+std::string for_script(const Json& json) {
+  std::string out;
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace))
+    out += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return out;
+}
+
+}  // namespace
+
+Json result_of(const std::string& program, const ChildEnd& end, const std::optional<Work>& work,
+               const ChildLimits& limits) {
+  const bool is_whole = end.how == ChildEnd::How::exited && work.has_value();
+  Json out{{"Isogloss", 1}, {"Program", program}, {"Status", status_name(end)}};
+  if (is_whole && work->summary.is_object())
+    for (const auto& [name, value] : work->summary.items())
+      if (name != "Isogloss" && name != "Program") out[name] = value;
+  if (is_whole && work->first.is_object())
+    out["First"] = work->first;
+  else if (!is_whole)
+    out["First"] = Json{{"Severity", "error"}, {"Message", reason(end, limits)}};
+  return out;
+}
+
+int status_of(const Json& result) {
+  const std::string status = result.value("Status", "");
+  for (const auto& one : statuses)
+    if (status == one.status) return one.exit;
+  return internal_fault;
+}
+
+void ResultFiles::add(const Json& result) {
+  const std::string program = result["Program"].get<std::string>(), status = result["Status"].get<std::string>(),
+                    dialect = result.value("Dialect", ""), said = first_said(result);
+  ++by_status_[status];
+  lines_ += result.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+
+  csv_ += csv_text(program) + "," + status + "," + csv_text(dialect);
+  for (const char* const name : numbers) {
+    const Json value = result.value(name, Json());
+    csv_ += "," + (value.is_number() ? value.dump() : std::string());
+  }
+  for (const char* const severity : {"error", "warning", "note"})
+    csv_ += fmt::format(",{}", count_of(result, severity));
+  csv_ += "," + csv_text(said) + "\n";
+
+  cases_ += fmt::format("    <testcase classname=\"{}\" name=\"{}\"",
+                        visible_xml(dialect.empty() ? "no dialect" : dialect), visible_xml(program));
+  cases_ += status == "ok" ? std::string("/>\n")
+                           : fmt::format("><{0} type=\"{1}\" message=\"{2}\"/></testcase>\n",
+                                         status == "errors" ? "failure" : "error", status, visible_xml(said));
+
+  Json row = Json::array({program, status, dialect});
+  for (const char* const name : {"Blocks", "ToolChanges", "FeedLength_mm", "Time_s"})
+    row.push_back(result.value(name, Json()));
+  for (const char* const severity : {"error", "warning"}) row.push_back(count_of(result, severity));
+  row.push_back(said);
+  rows_ += (count_ == 0 ? "" : ",\n") + for_script(row);
+  ++count_;
+}
+
+std::string ResultFiles::as_csv() const {
+  std::string head = "Program,Status,Dialect";
+  for (const char* const name : numbers) head += fmt::format(",{}", name);
+  return head + ",Errors,Warnings,Notes,First\n" + csv_;
+}
+
+std::string ResultFiles::as_junit() const {
+  const auto number = [&](const char* status) {
+    const auto found = by_status_.find(status);
+    return found == by_status_.end() ? 0 : found->second;
+  };
+  const std::uint64_t failures = number("errors");
+  return fmt::format(
+             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
+             "  <testsuite name=\"isogloss batch\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n",
+             count_, failures, count_ - failures - number("ok")) +
+         cases_ + "  </testsuite>\n</testsuites>\n";
+}
+
+std::string ResultFiles::as_html() const {
+  std::string page(asset("overview.html"));
+  const auto put = [&](std::string_view name, std::string_view text) {
+    page.replace(page.find(name), name.size(), text);
+  };
+  put("@POLICY@", fmt::format("default-src 'none'; style-src '{}'; script-src '{}'", asset("overview.css.hash"),
+                              asset("overview.js.hash")));
+  put("@STYLE@", asset("overview.css"));
+  put("@WORDS@", in_words());
+  put("@SCRIPT@", asset("overview.js"));
+  put("@ROWS@", "[" + rows_ + "]");  // the last: texts of programs may hold any of these names
+  return page;
+}
+
+bool ResultFiles::write(const std::string& folder, Session& session) const {
+  const std::filesystem::path place(folder);
+  bool is_written = write_file((place / "results.jsonl").string(), lines_, session);
+  is_written = write_file((place / "results.csv").string(), as_csv(), session) && is_written;
+  is_written = write_file((place / "results.xml").string(), as_junit(), session) && is_written;
+  return write_file((place / "overview.html").string(), as_html(), session) && is_written;
+}
+
+std::string ResultFiles::in_words() const {
+  std::string out = fmt::format("{} programs", count_);
+  const char* separator = ": ";
+  for (const auto& one : statuses) {
+    const auto found = by_status_.find(one.status);
+    if (found == by_status_.end()) continue;
+    out += fmt::format("{}{} {}", separator, found->second, one.in_words);
+    separator = ", ";
+  }
+  return out;
+}
+
+}  // namespace isogloss::cli::batch

@@ -1,0 +1,61 @@
+#include "batch/run_surroundings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "dialect_files.hpp"
+
+namespace isogloss::cli::batch {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Every option that a result may depend on.
+std::string text_of(const BatchArguments& a) {
+  const ProgramOptions& p = a.program;
+  std::string out = fmt::format("dialect={}\nmachine={}\nblock-skip={}\noptional-stop={}\nprogram={}\non-error={}\n",
+                                p.dialect, p.machine, p.block_skip, p.optional_stop, p.program, p.on_error);
+  for (const std::string& one : p.set) out += "set=" + one + "\n";
+  for (const std::string& one : p.subprograms) out += "subprograms=" + one + "\n";
+  out += fmt::format("main-passes={}\nlimits={} {} {} {} {} {} {}\n", p.main_passes, p.maximum_depth, p.maximum_jumps,
+                     p.maximum_loop_blocks, p.maximum_repeat_blocks, p.maximum_blocks, p.maximum_motions, p.watchdog);
+  return out + fmt::format("budgets={} {} {}\nerrors={} {}\ntime={}\n", a.budgets.output_bytes, a.budgets.memory_mib,
+                           a.budgets.diagnostics, a.common.maximum_errors, a.common.warnings_are_errors,
+                           a.maximum_seconds);
+}
+
+void add_files_of(const std::vector<Place>& places, const char* extension, std::set<std::string>& files) {
+  for (const Place& place : places) {
+    std::error_code error;
+    for (fs::directory_iterator at(place.folder, error), end; !error && at != end; at.increment(error))
+      if (at->path().extension() == extension) files.insert(at->path().string());
+  }
+}
+
+}  // namespace
+
+std::optional<std::string> hash_of_surroundings(const BatchArguments& arguments, FileHashes& hashes, Session& session) {
+  ProgramOptions program = arguments.program;
+  const std::optional<RunOptions> options = program.make(session);
+  if (!options) return std::nullopt;
+  std::set<std::string> files{"/proc/self/exe", program.machine, program.offsets, program.tools, program.variables};
+  if (program.dialect.empty()) {
+    add_files_of(session.dialect_places(), ".xml", files);
+    add_files_of(session.plugin_places(), ".so", files);
+  } else {
+    std::unique_ptr<LinkedDialect> linked = session.link(program.dialect, options->chain.dependencies);
+    if (linked == nullptr) return std::nullopt;
+    for (std::string& file : files_of_dialect(linked->dialect)) files.insert(std::move(file));
+    for (const LoadedPlugin& plugin : session.library().plugins()) files.insert(plugin.file.string());
+    keep_to_the_end(std::move(linked));
+  }
+  std::string all = text_of(arguments);
+  for (const std::string& file : files)
+    if (!file.empty()) all += hashes.of(file) + "\n";
+  return hash_of(all).text();
+}
+
+}  // namespace isogloss::cli::batch

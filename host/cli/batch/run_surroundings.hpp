@@ -1,0 +1,14 @@
+/// What all results of a batch depend on, besides the programs themselves.
+#pragma once
+
+#include "batch/batch_arguments.hpp"
+#include "batch/content_hash.hpp"
+
+namespace isogloss::cli::batch {
+
+/// One hash of the command, the options that change a result, the tables, and the dialect with its plugins; of all
+/// dialects and plugins that are found where each program's dialect is guessed. Empty, and reported, when the dialect
+/// or a table cannot be read: no program could run.
+std::optional<std::string> hash_of_surroundings(const BatchArguments& arguments, FileHashes& hashes, Session& session);
+
+}  // namespace isogloss::cli::batch

@@ -1,0 +1,109 @@
+#include "batch/slurm.hpp"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "outputs.hpp"
+
+namespace isogloss::cli::batch {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// One word for a shell, whatever it holds.
+std::string quoted(const std::string& word) {
+  std::string out = "'";
+  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+/// What the batch was given, without what makes it submit itself.
+std::string command_of(const BatchArguments& arguments) {
+  std::string out = quoted(fs::read_symlink("/proc/self/exe").string()) + " batch";
+  for (std::size_t i = 0; i < arguments.given.size(); ++i) {
+    const std::string& word = arguments.given[i];
+    if (word == "--slurm" || word == "--slurm-options") {
+      ++i;
+    } else if (word != "--no-submit" && !word.starts_with("--slurm=") && !word.starts_with("--slurm-options=")) {
+      out += " " + quoted(word);
+    }
+  }
+  return out;
+}
+
+/// In a file name of Slurm, % begins a placeholder.
+std::string log_name(const fs::path& folder, const std::string& name) {
+  std::string out;
+  for (const char c : folder.string()) out += c == '%' ? std::string("%%") : std::string(1, c);
+  return out + "/" + name;
+}
+
+std::string script(const BatchArguments& arguments, const fs::path& folder, const std::string& log,
+                   const std::string& head, const std::string& more) {
+  return fmt::format(
+      "#!/bin/sh\n#SBATCH --job-name=isogloss\n#SBATCH --output=\"{}\"\n#SBATCH --open-mode=append\n{}{}cd {} || exit "
+      "2\nexec {} {}\n",
+      log_name(folder, log), head, arguments.slurm_options.empty() ? "" : "#SBATCH " + arguments.slurm_options + "\n",
+      quoted(fs::current_path().string()), command_of(arguments), more);
+}
+
+/// The number of the job that sbatch has made; what it said instead in `error`.
+std::string submit(const std::string& words, std::string& error) {
+  std::FILE* const pipe = ::popen(("sbatch --parsable " + words + " 2>&1").c_str(), "re");
+  if (pipe == nullptr) return error = "no process", std::string();
+  std::string said;
+  char buffer[4096];
+  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) said.append(buffer, n);
+  const int status = ::pclose(pipe);
+  said = said.substr(0, said.find('\n'));
+  if (status == 0 && !said.empty()) return said.substr(0, said.find(';'));  // behind it the cluster's name
+  error = said.empty() ? fmt::format("sbatch ended with status {}", WEXITSTATUS(status)) : said;
+  return {};
+}
+
+}  // namespace
+
+int run_on_slurm(const BatchArguments& arguments, Session& session) {
+  if (arguments.slurm_options.find('\n') != std::string::npos) {
+    session.report("IG-0513", {}, {"--slurm-options is one line"});
+    return cannot_start;
+  }
+  std::error_code code;
+  const fs::path folder = fs::absolute(arguments.output) / "slurm";
+  fs::create_directories(folder, code);
+  if (code) {
+    session.report("IG-0511", {folder.string()}, {code.message()});
+    return cannot_start;
+  }
+  const std::string parts = (folder / "parts.sh").string(), merge = (folder / "merge.sh").string();
+  const std::uint32_t count = arguments.slurm_parts;
+  if (!write_file(
+          parts,
+          script(arguments, folder, "part-%a.log", fmt::format("#SBATCH --array=1-{}\n#SBATCH --requeue\n", count),
+                 fmt::format("--shard \"$SLURM_ARRAY_TASK_ID/{}\"", count)),
+          session) ||
+      !write_file(merge, script(arguments, folder, "merge.log", "", "--merge"), session))
+    return cannot_start;
+  if (arguments.holds_back) {
+    std::fputs(fmt::format("sbatch {}, and behind it sbatch --dependency=afterany:JOB {}\n", parts, merge).c_str(),
+               stderr);
+    return success;
+  }
+  std::string error;
+  const std::string job = submit(quoted(parts), error);
+  const std::string last = job.empty() ? "" : submit("--dependency=afterany:" + job + " " + quoted(merge), error);
+  if (last.empty()) {
+    session.report("IG-0674", {}, {error, parts, merge});
+    return cannot_start;
+  }
+  std::fputs(
+      fmt::format("job {} runs {} parts, job {} merges them into {}\n", job, count, last, arguments.output).c_str(),
+      stderr);
+  return success;
+}
+
+}  // namespace isogloss::cli::batch

@@ -1,0 +1,304 @@
+#!/usr/bin/env python3
+"""`isogloss batch`: many programs, each in a process of its own.
+
+  batch_test.py --isogloss PATH --bad-plugins FOLDER [--seconds N] [unittest's own options]
+"""
+import argparse
+import csv
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import xml.etree.ElementTree
+
+HERE = pathlib.Path(__file__).resolve().parent
+PROGRAMS = HERE.parent / "programs"
+OPTIONS = None
+RESULTS = ("results.jsonl", "results.csv", "results.xml", "overview.html")
+GOOD = "G21 G90 G94 G17\nG0 X10. Y5. Z2.\nG1 Z-1. F100.\nX20.\nM30\n"
+BAD = "G21 G90\nG1 X10. F100.\nG999 X1.\nM30\n"
+
+
+def command(*arguments, cwd=None, given=None):
+    environment = {k: v for k, v in os.environ.items() if not k.startswith("ISOGLOSS_")}
+    return subprocess.run([OPTIONS.isogloss, *map(str, arguments)], capture_output=True, text=True, cwd=cwd, input=given,
+                          timeout=20 * OPTIONS.seconds, check=False, env=environment, errors="replace")
+
+
+def children_of(process):
+    return pathlib.Path(f"/proc/{process}/task/{process}/children").read_text().split()
+
+
+class Batch(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = pathlib.Path(folder.name)
+        self.archive = self.path / "archive"
+        self.archive.mkdir()
+
+    def write(self, name, text):
+        file = self.archive / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return file
+
+    def batch(self, *more, out="out", status=0, dialect=("-d", "fanuc"), places=("archive",)):
+        done = command("batch", *places, *dialect, "-o", out, *more, cwd=self.path)
+        self.assertEqual(done.returncode, status, done.stderr)
+        self.assertEqual(done.stdout, "")
+        return done
+
+    def results(self, out="out"):
+        lines = (self.path / out / "results.jsonl").read_text().splitlines()
+        return {pathlib.Path(r["Program"]).relative_to("archive").as_posix(): r for r in map(json.loads, lines)}
+
+    def journal(self, out="out"):
+        """The programs whose results were appended, in that order."""
+        files = sorted((self.path / out / "journal").glob("*.jsonl"), key=lambda f: f.stat().st_mtime_ns)
+        return [json.loads(line)["Program"] for file in files for line in file.read_text().splitlines()]
+
+    def archive_of(self, count):
+        for number in range(count):
+            self.write(f"{number % 3}/O{number:04}.nc", GOOD.replace("X20.", f"X{number}."))
+
+    def test_a_line_for_each_program_in_four_files(self):
+        self.write("b.nc", GOOD)
+        self.write("a.nc", BAD)
+        self.write("sub/c, \"odd\" <name>.nc", GOOD)
+        done = self.batch(status=1)
+        self.assertIn("3 programs: 2 ok, 1 with errors", done.stderr)
+        results = self.results()
+        self.assertEqual(list(results), ["a.nc", "b.nc", "sub/c, \"odd\" <name>.nc"])
+        single = json.loads(command("run", "archive/b.nc", "-d", "fanuc", "--summary", "--json", cwd=self.path).stdout)
+        self.assertEqual({**single, **results["b.nc"]}, {"Isogloss": 1, "Program": "archive/b.nc", "Status": "ok", **single})
+        self.assertEqual(results["a.nc"]["Status"], "errors")
+        self.assertEqual(results["a.nc"]["First"]["Line"], 3)
+        with (self.path / "out/results.csv").open(newline="") as table:
+            rows = list(csv.DictReader(table))
+        self.assertEqual([r["Status"] for r in rows], ["errors", "ok", "ok"])
+        self.assertEqual(rows[2]["Program"], "archive/sub/c, \"odd\" <name>.nc")
+        self.assertEqual(float(rows[1]["FeedLength_mm"]), single["FeedLength_mm"])
+        self.assertRegex(rows[0]["First"], r"^line 3: .* \[[A-Z]+-\d+\]$")
+        suite = xml.etree.ElementTree.parse(self.path / "out/results.xml").getroot()[0]
+        self.assertEqual((suite.get("tests"), suite.get("failures"), suite.get("errors")), ("3", "1", "0"))
+        self.assertEqual([len(case) for case in suite], [1, 0, 0])
+        page = (self.path / "out/overview.html").read_text()
+        data = page.split('id="data">')[1].split("</script>")[0]
+        self.assertNotIn("<", data)
+        self.assertEqual([row[0] for row in json.loads(data)], [r["Program"] for r in rows])
+
+    def test_the_number_of_processes_changes_no_byte(self):
+        self.archive_of(12)
+        self.write("bad.nc", BAD)
+        self.batch("-j1", out="one", status=1)
+        self.batch("-j5", out="five", status=1)
+        for name in RESULTS:
+            self.assertEqual((self.path / "one" / name).read_bytes(), (self.path / "five" / name).read_bytes(), name)
+
+    def test_parts_merge_to_the_bytes_of_one_process(self):
+        self.archive_of(14)
+        self.batch(out="whole")
+        parts = []
+        for number in (1, 2, 3):
+            before = len(self.journal()) if number > 1 else 0
+            self.batch("--shard", f"{number}/3")
+            parts.append(len(self.journal()) - before)
+            if number < 3:
+                self.assertIn("[IG-0673]", self.batch("--merge", status=2).stderr)
+                self.assertFalse((self.path / "out/results.csv").exists())
+        self.assertEqual(sum(parts), 14)
+        self.assertGreater(min(parts), 0)
+        self.batch("--shard", "2/3")  # requeued: it repeats nothing
+        self.assertEqual(len(self.journal()), 14)
+        self.batch("--merge")
+        for name in RESULTS:
+            self.assertEqual((self.path / "out" / name).read_bytes(), (self.path / "whole" / name).read_bytes(), name)
+
+    def test_a_killed_batch_goes_on(self):
+        self.archive_of(30)
+        self.batch(out="whole")
+        process = subprocess.Popen([OPTIONS.isogloss, "batch", "archive", "-d", "fanuc", "-o", "out", "-j2"], cwd=self.path,
+                                   stderr=subprocess.DEVNULL)
+        deadline = time.monotonic() + 2 * OPTIONS.seconds
+        while not (self.path / "out/journal").exists() or len(self.journal()) < 5:
+            self.assertLess(time.monotonic(), deadline)
+            self.assertIsNone(process.poll())
+            time.sleep(0.002)
+        process.kill()
+        process.wait()
+        done = len(self.journal())
+        self.assertLess(done, 30)
+        self.assertFalse((self.path / "out/results.jsonl").exists())
+        [file] = (self.path / "out/journal").iterdir()
+        file.write_bytes(file.read_bytes() + b'{"Program":"archive/0/O00')  # what a kill may leave
+        said = self.batch().stderr
+        self.assertIn(f"{done} of 30 programs were finished before", said)
+        self.assertIn("[IG-0672]", said)
+        self.assertEqual(len(json.loads("[" + ",".join(
+            line for f in (self.path / "out/journal").glob("*.jsonl") for line in f.read_text().splitlines()
+            if line.endswith("}")) + "]")), 30)
+        for name in RESULTS:
+            self.assertEqual((self.path / "out" / name).read_bytes(), (self.path / "whole" / name).read_bytes(), name)
+
+    def test_a_signal_ends_all_processes(self):
+        for number in range(3):
+            self.write(f"{number}.nc", "N1 G1 X1. F100.\nX0\nGOTO 1\nM30\n")
+        process = subprocess.Popen([OPTIONS.isogloss, "batch", "archive", "-d", "fanuc", "-o", "out", "-j3",
+                                    "--max-jumps", "999999999", "--max-loop-blocks", "99999999999"],
+                                   cwd=self.path, stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 2 * OPTIONS.seconds
+        while len(children := children_of(process.pid)) < 3:
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
+        process.send_signal(signal.SIGTERM)
+        self.assertIn("ended by a signal", process.communicate(timeout=2 * OPTIONS.seconds)[1])
+        self.assertEqual(process.returncode, 2)
+        self.assertEqual([c for c in children if pathlib.Path("/proc", c).exists()], [])
+        self.assertEqual(self.journal(), [])
+
+    def test_only_what_has_changed_runs_again(self):
+        self.write("a.nc", GOOD)
+        self.write("b.nc", GOOD.replace("M30", "M98 P7000\nM30"))
+        self.write("O7000", "O7000\nG0 X30.\nM99\n")
+        self.batch()
+        self.assertEqual(len(self.journal()), 3)
+        self.batch()
+        self.assertEqual(len(self.journal()), 3)
+        self.write("O7000", "O7000\nG0 X31.\nM99\n")  # b calls it
+        self.batch()
+        self.assertEqual(self.journal()[3:], ["archive/O7000", "archive/b.nc"])
+        self.batch("--set", "IsoCoordinateTable.G54.Z=-120")
+        self.assertEqual(len(self.journal()), 8)
+        self.write("a.nc", GOOD.replace("X20.", "X21."))
+        self.batch("--set", "IsoCoordinateTable.G54.Z=-120", "--changed-since", "out", out="later")
+        self.assertEqual(sorted(self.journal("later")), ["archive/O7000", "archive/a.nc", "archive/b.nc"])
+        self.assertEqual(len(self.journal()), 8)
+
+    def test_a_program_that_was_missing_is_found_the_next_time(self):
+        self.write("main.nc", GOOD.replace("M30", "M98 P7000\nM30"))
+        self.batch(status=1)
+        self.write("O7000", "O7000\nG0 X30.\nM99\n")
+        self.batch()
+        self.assertEqual(self.results()["main.nc"]["Status"], "ok")
+
+    def test_limits_and_crashes_are_results(self):
+        dialect = self.path / "bad.xml"
+        dialect.write_text('<Dialect xmlns="urn:isogloss:dialect:1" name="bad" extends="fanuc">'
+                           '<Plugins><Plugin name="cli_bad_plugin"/></Plugins><Chain>'
+                           '<InsertBefore syntax="WordSyntax"><MisbehaveSyntax/></InsertBefore></Chain></Dialect>')
+        self.write("crash.nc", "G0 X1.\nM901\nM30\n")
+        self.write("good.nc", GOOD)
+        self.write("loop.nc", "N1 G1 X1. F100.\nX0\nGOTO 1\nM30\n")
+        bad = ("--plugins", OPTIONS.bad_plugins, "--max-time", 2 * (OPTIONS.seconds // 5 + 1), "--max-jumps", 999999999, "--max-loop-blocks",
+               99999999999)
+        self.batch(*bad, dialect=("-d", "bad.xml"), status=3)
+        results = self.results()
+        self.assertEqual({name: r["Status"] for name, r in results.items()},
+                         {"crash.nc": "fault", "good.nc": "ok", "loop.nc": "out of time"})
+        self.assertIn("MisbehaveSyntax", results["crash.nc"]["First"]["Message"])
+        self.assertIn("it was not done after", results["loop.nc"]["First"]["Message"])
+        self.write("loop.nc", GOOD)
+        self.batch(*bad, dialect=("-d", "bad.xml"), status=3)
+        self.assertEqual(len(self.journal()), 4)
+        self.batch(*bad, "--retry", dialect=("-d", "bad.xml"), status=3)
+        self.assertEqual(self.journal()[4:], ["archive/crash.nc"])
+
+    def test_what_is_no_program_is_left_out(self):
+        self.write("part.nc", GOOD)
+        self.write("offsets.xml", "<x/>")
+        self.write("drawing.dxf", b"AC10\0\0")
+        self.write(".git/O1", GOOD)
+        self.assertIn("[IG-0671]", self.batch(out="archive/out").stderr)
+        self.assertEqual(list(self.results("archive/out")), ["part.nc"])
+        self.batch(out="archive/out")  # its own results are no programs
+        self.assertEqual(list(self.results("archive/out")), ["part.nc"])
+        self.assertIn("[IG-0670]", self.batch("--include", "*.mpf", out="other", status=2).stderr)
+        self.write("sub/x.mpf", GOOD)
+        self.batch("--include", "*.mpf", "--include", "p*", "--exclude", "sub/*", out="other")
+        self.assertEqual(list(self.results("other")), ["part.nc"])
+
+    def test_a_list_names_programs(self):
+        self.write("a.nc", GOOD)
+        self.write("b.nc", GOOD)
+        list_file = self.path / "list.txt"
+        list_file.write_text("archive/b.nc\r\n\narchive/b.nc\n")
+        self.batch("--list", "list.txt", places=())
+        self.assertEqual(list(self.results()), ["b.nc"])
+        list_file.write_text("archive/b.nc\narchive/none.nc\n")
+        self.assertIn("list.txt:2:1: error", self.batch("--list", "list.txt", places=(), out="other", status=2).stderr)
+        done = command("batch", "--list", "-", "-d", "fanuc", "-o", "piped", cwd=self.path, given="archive/a.nc\n")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(list(self.results("piped")), ["a.nc"])
+
+    def test_scripts_for_slurm_run_the_parts_and_merge_them(self):
+        self.archive_of(9)
+        self.batch(out="whole")
+        self.assertIn("sbatch", self.batch("--slurm", "2", "--no-submit", "--slurm-options", "--partition=it's").stderr)
+        self.assertIn("#SBATCH --partition=it's\n", (self.path / "out/slurm/parts.sh").read_text())
+        # In place of the real sbatch: it runs all parts at once and refuses nothing.
+        tool = self.path / "bin/sbatch"
+        tool.parent.mkdir()
+        tool.write_text('''#!/bin/sh
+for script; do :; done
+case $script in
+  *parts.sh) for part in 1 2 3; do SLURM_ARRAY_TASK_ID=$part sh "$script" 2>>parts.log; done; echo "7;cluster" ;;
+  *) test "$2" = --dependency=afterany:7 && sh "$script" 2>merge.log && echo 8 ;;
+esac
+''')
+        tool.chmod(0o755)
+        environment = {**os.environ, "PATH": f"{tool.parent}:{os.environ['PATH']}"}
+        done = subprocess.run([OPTIONS.isogloss, "batch", "archive", "-d", "fanuc", "--slurm=3", "-o", "out"], cwd=self.path,
+                              env=environment, capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+        self.assertIn("job 7 runs 3 parts, job 8 merges them", done.stderr)
+        self.assertEqual(len(self.journal()), 9)
+        for name in RESULTS:
+            self.assertEqual((self.path / "out" / name).read_bytes(), (self.path / "whole" / name).read_bytes(), name)
+        tool.write_text("#!/bin/sh\necho 'sbatch: error: invalid partition' >&2\nexit 1\n")
+        done = subprocess.run([OPTIONS.isogloss, "batch", "archive", "-d", "fanuc", "--slurm=3", "-o", "out"], cwd=self.path,
+                              env=environment, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("invalid partition", done.stderr)
+        self.assertIn("[IG-0674]", done.stderr)
+
+    def test_wrong_use(self):
+        self.write("a.nc", GOOD)
+        for more, places, code in ((("--shard", "3/2"), ("archive",), "IG-0513"), (("--shard", "x"), ("archive",), "IG-0513"),
+                                   (("--shard", "1/2", "--merge"), ("archive",), "IG-0513"), ((), (), "IG-0513"),
+                                   (("--slurm", "2", "--merge"), ("archive",), "IG-0513"),
+                                   (("--slurm", "2", "--list", "-"), (), "IG-0513"),
+                                   ((), ("nowhere",), "IG-0510")):
+            with self.subTest(more=more):
+                self.assertIn(f"[{code}]", self.batch(*more, places=places, status=2).stderr)
+        self.assertIn("[IG-0101]", self.batch(dialect=("-d", "fanuk"), status=2).stderr)
+        (self.path / "file").write_text("")
+        self.assertIn("[IG-0511]", self.batch(out="file", status=2).stderr)
+        self.assertFalse((self.path / "out").exists())
+
+    def test_real_programs_of_all_dialects(self):
+        for family in ("fanuc", "siemens", "heidenhain"):
+            for program in sorted((PROGRAMS / family).glob("*/*.nc"))[:4]:
+                self.write(f"{family}/{program.name}", program.read_bytes())
+        done = self.batch(dialect=(), status=1)  # without their tables
+        self.assertGreater(len(self.results()), 5, done.stderr)
+        for result in self.results().values():
+            self.assertIn(result["Status"], ("ok", "errors"), result)
+            self.assertTrue(result["Dialect"])
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--isogloss", required=True, type=pathlib.Path)
+    parser.add_argument("--bad-plugins", required=True)
+    parser.add_argument("--seconds", type=int, default=8, help="within which a short program ends")
+    OPTIONS, rest = parser.parse_known_args()
+    OPTIONS.bad_plugins = str(pathlib.Path(OPTIONS.bad_plugins).resolve())
+    OPTIONS.isogloss = str(OPTIONS.isogloss.resolve())
+    unittest.main(argv=[sys.argv[0], *rest])
