@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Importers and files that are cut, shuffled or damaged: a report, never a crash, a broken contract or a bad table.
 
-  import_mutation_test.py --isogloss PATH --source DIR [--files N] [--seed S] [--keep DIR]
+  import_mutation_test.py --isogloss PATH --source DIR [--files N] [--every N] [--seed S] [--keep DIR]
 
 The files are those of the importers' cases. Each is damaged in N ways. `isogloss import` must end with status 0 or 1 and
 report no fault of the importer (IG-0127); the tables that it writes must be well-formed XML, and a dialect of the brand
@@ -79,6 +79,7 @@ def main():
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
     parser.add_argument("--source", required=True, type=pathlib.Path)
     parser.add_argument("--files", type=int, default=budgeted(6), help="damaged ones of each file")
+    parser.add_argument("--every", type=int, default=1, help="of the files only each Nth")
     parser.add_argument("--seed", default="1")
     parser.add_argument("--keep", type=pathlib.Path, help="write files that show a fault there")
     options = parser.parse_args()
@@ -87,7 +88,7 @@ def main():
     rnd = random.Random(options.seed)
     tried = faults = 0
     for importer, files in cases(options.source, importers).items():
-        for name, text in files:
+        for name, text in files[::options.every]:
             for _ in range(options.files):
                 bad = damaged(rnd, text).encode(rnd.choice(["utf-8", "utf-8", "latin-1", "utf-16"]), "replace")
                 with tempfile.TemporaryDirectory(prefix="isogloss-import-") as folder:

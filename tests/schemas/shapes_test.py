@@ -229,6 +229,18 @@ class Shapes(unittest.TestCase):
         done = command("run", programs[0], "--json", "--format", "csv", status=2)
         self.assertIn("contradict", done.stderr)
 
+    def test_results_of_a_batch(self):
+        (self.path / "good.nc").write_text("G21 G90\nG1 X1. F100.\nM30\n")
+        (self.path / "bad.nc").write_text("G999\nM30\n")
+        (self.path / "loop.nc").write_text("N1 G0 X1.\nX0\nGOTO 1\n")
+        command("batch", self.path, "-d", "fanuc", "-o", self.path / "out", "--max-time", "2", "--max-jumps", "999999999",
+                "--max-loop-blocks", "99999999999", status=1)
+        lines = (self.path / "out/results.jsonl").read_text().splitlines()
+        self.assertEqual([json.loads(line)["Status"] for line in lines], ["errors", "ok", "out of time"])
+        for line in lines:
+            self.validator("batch").validate(json.loads(line))
+        self.refuses("batch", {"Isogloss": 1, "Program": "a.nc", "Status": "good"})
+
     def test_motions_in_both_forms(self):
         whole, row = schema("motion"), self.validator("motion", "CsvRow")
         lines, columns = self.validator("motion"), list(whole["$defs"]["CsvRow"]["properties"])

@@ -39,14 +39,15 @@ std::vector<std::string> shapes() {
 }  // namespace
 
 int schema_command(const Arguments& arguments) {
-  CommandLine line("schema",
-                   "Prints a schema. From what the plugins declare: dialect, the XML Schema of files of dialects and "
-                   "machines; tables, that of table files without a namespace; block, the JSON Schema of the block "
-                   "document. The others are JSON Schemas of what the commands write: motion is a line of `run --emit "
-                   "motions`, summary of `run --summary --json`, diagnostic of --diagnostics json, chain belongs to "
-                   "`dialect --json`, and the rest to the --json of the command of that name.",
-                   "isogloss schema dialect > dialect.xsd && xmllint --noout --schema dialect.xsd mine.xml\n  "
-                   "isogloss schema motion > motion.schema.json");
+  CommandLine line(
+      "schema",
+      "Prints a schema. From what the plugins declare: dialect, the XML Schema of files of dialects and "
+      "machines; tables, that of table files without a namespace; block, the JSON Schema of the block "
+      "document. The others are JSON Schemas of what the commands write: motion is a line of `run --emit "
+      "motions`, summary of `run --summary --json`, batch of the results.jsonl of `batch`, diagnostic of "
+      "--diagnostics json, chain belongs to `dialect --json`, and the rest to the --json of the command of that name.",
+      "isogloss schema dialect > dialect.xsd && xmllint --noout --schema dialect.xsd mine.xml\n  "
+      "isogloss schema motion > motion.schema.json");
   CommonOptions common;
   std::string what;
   std::vector<std::string> names = {"dialect", "tables", "block"};
