@@ -449,7 +449,7 @@ class Usage(Command):
         self.assertIn("Usage: isogloss COMMAND", done.stdout)
         self.assertEqual(done.stderr, "")
         names = [line.split()[0] for line in done.stdout.split("Commands:\n")[1].split("\n\n")[0].splitlines()]
-        self.assertEqual(names, ["run", "explain", "state", "diff", "motions", "plot", "view", "lint", "dialect", "lsp",
+        self.assertEqual(names, ["run", "explain", "state", "batch", "diff", "motions", "plot", "view", "lint", "dialect", "lsp",
                                  "schema", "list", "inspect", "dap", "docs", "new", "import", "export", "doctor", "apply",
                                  "case", "validate"])
         for name in names:
