@@ -365,6 +365,7 @@ std::vector<Dialect> DialectReader::list() const {
 std::vector<DependencyElement> DialectReader::read_dependencies(const std::filesystem::path& file,
                                                                 DiagnosticSink& sink) const {
   XmlBudget budget;
+  budget.unsaved = &unsaved_;
   Report report(sink);
   const std::unique_ptr<XmlSource> xml = XmlSource::open(file, {}, budget, sink, Pipes::read);
   if (xml == nullptr) return {};
