@@ -68,7 +68,7 @@ class Shapes(unittest.TestCase):
                 continue  # made from the plugins: schemas_test.py
             with self.subTest(name):
                 self.assertEqual(command("schema", name, status=0).stdout, file.read_text())
-                self.assertEqual(schema(name)["$id"], f"isogloss/1/{file.name}")
+                self.assertEqual(schema(name)["$id"], f"urn:isogloss:schema:{name}:1")
         self.assertIn("did you mean 'motion'?", command("schema", "motoin", status=2).stderr)
 
     def test_lists(self):
