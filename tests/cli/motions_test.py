@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The binary motion stream: `isogloss run --format binary`, and `isogloss motions`, which reads it.
 
-  motions_test.py --isogloss PATH
+  motions_test.py --isogloss PATH [--every N]
 """
 import argparse
 import json
@@ -50,7 +50,7 @@ class Motions(unittest.TestCase):
 
     def test_every_golden_program_converts_to_the_bytes_of_the_run(self):
         count = 0
-        for motions in golden_files(".motions.csv")[::4]:
+        for motions in golden_files(".motions.csv")[::4 * OPTIONS.every]:
             program = next(p for p in motions.parent.glob(motions.name.removesuffix("motions.csv") + "*")
                            if not p.name.endswith((".args", ".diagnostics.txt", ".motions.csv", ".xml")))
             args = program.with_suffix(".args")
@@ -63,7 +63,7 @@ class Motions(unittest.TestCase):
                     direct = b""  # a stream without events names no program, so its table has no title
                 self.assertEqual(read, direct, f"{program} as {form}")
             count += len(stream) > HEADER
-        self.assertGreater(count, 20)
+        self.assertGreater(count, 20 / OPTIONS.every)
 
     def test_the_decimals_of_a_run_are_those_of_its_stream(self):
         direct = isogloss("run", self.part, "-d", "fanuc", "--format", "csv").stdout
@@ -105,7 +105,7 @@ class Motions(unittest.TestCase):
             done = isogloss("motions", "-", given=given, status=1)
             self.assertIn(code, done.stderr)
             self.assertTrue(good.startswith(done.stdout))
-        for at in range(0, len(stream), 13):
+        for at in range(0, len(stream), 13 * OPTIONS.every):
             flipped = stream[:at] + bytes([stream[at] ^ 0xff]) + stream[at + 1:]
             self.assertIn(isogloss("motions", "-", given=flipped, status=None).returncode, (0, 1))
             if at > 1500:
@@ -131,5 +131,6 @@ class Motions(unittest.TestCase):
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
+    parser.add_argument("--every", type=int, default=1, help="of the programs and damages only each Nth")
     OPTIONS, rest = parser.parse_known_args()
     unittest.main(argv=[sys.argv[0], *rest])
