@@ -31,7 +31,7 @@ class BlockTarget : public Target {
       fail("a block that cannot be built is reported");
   }
 
-  std::vector<std::string> seeds() const override {
+  std::vector<std::string> samples() const override {
     std::vector<std::string> out;
     for (std::size_t i = 0; i < syntaxes_.size(); ++i) {
       const ig_syntax* const syntax = workspace().library().syntax(syntaxes_[i]);

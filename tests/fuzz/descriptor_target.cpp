@@ -104,7 +104,7 @@ class DescriptorTarget : public Target {
       if (schema.empty()) fail("a library has schemas");
   }
   /// Bytes of 2 choose what is good; the others are for the fuzzer.
-  std::vector<std::string> seeds() const override {
+  std::vector<std::string> samples() const override {
     return {std::string(200, '\x02'), std::string(400, '\x03'), std::string(400, '\x0b'), std::string()};
   }
 };

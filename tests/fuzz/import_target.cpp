@@ -53,7 +53,7 @@ class ImportTarget : public Target {
     if (of_tables.has_errors()) fail("tables of an importer read back: " + of_tables.all[0].message);
     static_cast<void>(recognise(text, "file", workspace().library()));
   }
-  std::vector<std::string> seeds() const override {
+  std::vector<std::string> samples() const override {
     std::vector<std::string> out;
     for (std::size_t i = 0; i < all_.size(); ++i)
       for (const std::string& text : all_[i].texts) out.push_back(std::string(1, static_cast<char>(i)) + text);

@@ -91,7 +91,7 @@ class MessagesTarget : public Target {
       if (answered[id] < count) fail("each request has an answer or an error: " + id);
   }
 
-  std::vector<std::string> seeds() const override {
+  std::vector<std::string> samples() const override {
     std::string all;
     std::vector<std::string> out;
     int id = 0;

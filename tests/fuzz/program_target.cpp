@@ -60,7 +60,7 @@ class ProgramTarget : public Target {
     if (motions(pieces, Mode::fast) != once) fail("the pieces in which a text is read change no motion");
   }
 
-  std::vector<std::string> seeds() const override {
+  std::vector<std::string> samples() const override {
     if (!before_.empty()) return expressions();
     std::vector<std::string> out = texts_of_files("tests/programs/" + name_, ".nc");
     for (const char* const ending : {".mpf", ".spf", ".h", ".tap"})

@@ -1,4 +1,4 @@
-// Feeds targets: their seeds, the corpus of inputs that once showed a fault, and damaged ones of both. The input at
+// Feeds targets: their samples, the corpus of inputs that once showed a fault, and damaged ones of both. The input at
 // work stands in fuzz-last-TARGET, for whoever finds the process dead.
 //
 //   isogloss_fuzz [--runs N | --minutes N] [--seed S] [--file FILE] [TARGET]...
@@ -124,9 +124,9 @@ int run_target(const std::string& name, const Wanted& wanted) {
   }
   std::vector<std::string> inputs = corpus_of(name);
   for (const std::string& input : inputs) feeding.feed(input);
-  for (std::string& seed : target->seeds()) inputs.push_back(std::move(seed));
+  for (std::string& sample : target->samples()) inputs.push_back(std::move(sample));
   inputs.emplace_back();
-  // Of many seeds no more than there are runs: the others are what damaged ones begin with.
+  // Of many samples no more than there are runs: the others are what damaged ones begin with.
   const std::size_t step = std::max<std::size_t>(1, inputs.size() / (wanted.runs + 1));
   for (std::size_t i = 0; i < inputs.size(); i += step) feeding.feed(inputs[i]);
   const std::uint64_t damaged = feeding.feed_damaged(inputs, wanted);

@@ -32,7 +32,7 @@ class StreamTarget : public Target {
     }
   }
 
-  std::vector<std::string> seeds() const override {
+  std::vector<std::string> samples() const override {
     std::vector<std::string> out;
     for (const std::string& program : texts_of_files("tests/programs/fanuc", ".nc")) {
       if (out.size() == 30) break;

@@ -35,7 +35,7 @@ class TablesTarget : public Target {
     }
     expect_no_internal_fault(of_run.all);
   }
-  std::vector<std::string> seeds() const override { return texts_of_files("tests/programs", ".xml"); }
+  std::vector<std::string> samples() const override { return texts_of_files("tests/programs", ".xml"); }
 };
 
 }  // namespace

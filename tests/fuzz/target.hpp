@@ -18,7 +18,7 @@ class Target {
   virtual ~Target() = default;
   virtual void run(std::string_view bytes) = 0;
   /// From programs, pages and files of this project; further ones stand in corpus/NAME.
-  virtual std::vector<std::string> seeds() const = 0;
+  virtual std::vector<std::string> samples() const = 0;
 };
 
 /// By name; null: there is none. Dictionaries stand in NAME.dict, or in that of the part before the dot.
